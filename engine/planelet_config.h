@@ -1,0 +1,74 @@
+/* planelet_config - every knob of the engine: unit, range, default, cost
+ *
+ * Set a knob with -DPLT_NAME=value; a value out of range does not compile.
+ * The cost is what one more unit takes of the arena, unless said otherwise.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLANELET_CONFIG_H
+#define PLANELET_CONFIG_H
+
+/* Largest packet, rays along one side: 2, 4, 8 or 16. Decides only what
+ * `plt_options.packet_side` may be: the arena holds the packet asked for. */
+#ifndef PLT_PACKET_SIDE_MAX
+#define PLT_PACKET_SIDE_MAX 16
+#endif
+
+/* Film tile, pixels along one side: 2, 4, 8, 16 or 32, and at least the
+ * packet side. Cost: 3 bytes a pixel (16: 768 bytes). */
+#ifndef PLT_TILE_SIDE
+#define PLT_TILE_SIDE 16
+#endif
+
+/* Most inner nodes on a path from the root: 8 .. 512. The builder keeps to it,
+ * opening refuses a deeper tree. Cost: 44 bytes of the depth-first stack
+ * at most (a scene takes what it needs, not the maximum). */
+#ifndef PLT_DEPTH_MAX
+#define PLT_DEPTH_MAX 64
+#endif
+
+/* Most entries of the global stack of the two-stage walk: 16 .. 1048576.
+ * Opening refuses a scene that needs more. Cost: as above. */
+#ifndef PLT_GLOBAL_STACK_MAX
+#define PLT_GLOBAL_STACK_MAX 65536
+#endif
+
+/* Bins an axis of the SAH builder: 4 .. 64. Cost: 28 bytes of build
+ * scratch, times three axes. */
+#ifndef PLT_SAH_BINS
+#define PLT_SAH_BINS 32
+#endif
+
+/* Bytes asked of a source in one transfer: 64 .. 1048576. Cost: none. */
+#ifndef PLT_TRANSFER_BYTES
+#define PLT_TRANSFER_BYTES 4096
+#endif
+
+/* Coordinates reach from -PLT_COORD_MAX to PLT_COORD_MAX (2^40), so that no
+ * product of the ray/triangle test can overflow. Not a knob. */
+#define PLT_COORD_MAX 1099511627776.0f
+
+#if PLT_PACKET_SIDE_MAX != 2 && PLT_PACKET_SIDE_MAX != 4 && PLT_PACKET_SIDE_MAX != 8 &&            \
+    PLT_PACKET_SIDE_MAX != 16
+#error "PLT_PACKET_SIDE_MAX is 2, 4, 8 or 16"
+#endif
+#if PLT_TILE_SIDE != 2 && PLT_TILE_SIDE != 4 && PLT_TILE_SIDE != 8 && PLT_TILE_SIDE != 16 &&       \
+    PLT_TILE_SIDE != 32
+#error "PLT_TILE_SIDE is 2, 4, 8, 16 or 32"
+#endif
+#if PLT_TILE_SIDE < PLT_PACKET_SIDE_MAX
+#error "PLT_TILE_SIDE is at least PLT_PACKET_SIDE_MAX"
+#endif
+#if PLT_DEPTH_MAX < 8 || PLT_DEPTH_MAX > 512
+#error "PLT_DEPTH_MAX is 8 .. 512"
+#endif
+#if PLT_GLOBAL_STACK_MAX < 16 || PLT_GLOBAL_STACK_MAX > 1048576
+#error "PLT_GLOBAL_STACK_MAX is 16 .. 1048576"
+#endif
+#if PLT_SAH_BINS < 4 || PLT_SAH_BINS > 64
+#error "PLT_SAH_BINS is 4 .. 64"
+#endif
+#if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
+#error "PLT_TRANSFER_BYTES is 64 .. 1048576"
+#endif
+
+#endif

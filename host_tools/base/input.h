@@ -1,0 +1,21 @@
+/* input - a whole file in memory, with the errors a person can act on
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef INPUT_H
+#define INPUT_H
+#include <stddef.h>
+
+#include "host_tools/base/fail.h"
+
+typedef struct input {
+    const char *path;     /* not owned */
+    unsigned char *bytes; /* owned; one zero byte stands behind the last */
+    size_t size;
+} input;
+
+/* Reads `path` ("-": standard input). Refuses directories, empty files
+ * and files that cannot be held in memory, with a remedy in `f`. */
+int input_read(input *in, const char *path, fail *f);
+void input_free(input *in);
+
+#endif

@@ -1,0 +1,42 @@
+/* mesh - triangles with shared vertices, as read from files
+ *
+ * Invariant of every mesh that a reader returned: all vertices are finite
+ * and within +-PLT_COORD_MAX, all indices are below `vertices`.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef MESH_H
+#define MESH_H
+#include <stddef.h>
+#include <stdint.h>
+
+#include "host_tools/base/fail.h"
+
+typedef struct mesh {
+    float *vertex;      /* 3 floats a vertex: x y z */
+    uint32_t *triangle; /* 3 vertex numbers a triangle */
+    size_t vertices, triangles;
+    size_t vertex_room, triangle_room; /* allocated, in vertices, triangles */
+} mesh;
+
+/* What `--repair` had to drop; all zero when nothing was wrong. */
+typedef struct mesh_repair {
+    int wanted;              /* 0: refuse what cannot be traced */
+    uint64_t bad_vertices;   /* NaN, infinite or too large: replaced by 0 */
+    uint64_t bad_triangles;  /* using such a vertex or a missing one: dropped */
+} mesh_repair;
+
+/* Appends what `path` holds (PLY, OBJ or STL by content, then by name; a
+ * `.txt` is a recipe) to `m`. `frame` chooses the frame of recipe
+ * sequences (`name_{}.ply*N`). On failure `m` is as it was before. */
+int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair,
+              fail *f);
+
+/* Building blocks for readers and generators: -1 when memory is out. */
+int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f);
+int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f);
+void mesh_free(mesh *m);
+
+/* Writes binary little-endian PLY, float x y z and uchar/int lists. */
+int mesh_write_ply(const mesh *m, const char *path, fail *f);
+
+#endif
