@@ -1,0 +1,47 @@
+/* lanes - the closed list of 4-lane operations
+ *
+ * Everything the engine computes for four rays at once goes through the
+ * operations below; a platform gives them by a header of its own, named by
+ * -DPLT_LANES='"platform/lanes_NAME.h"'. Without one the scalar reference
+ * serves, which is also what every other header is compared with, bit for
+ * bit (tests/test_lanes.c).
+ *
+ * Types   f4  four floats       m4  four masks, each lane all ones or zero
+ *         u4  four uint32
+ *
+ * Rules   Every operation is IEEE single precision, round to nearest even,
+ *         subnormals kept; div and sqrt are exact. No operation is fused.
+ *         min(a,b) is a < b ? a : b and max(a,b) is a > b ? a : b in every
+ *         lane: of a NaN and anything, or of two zeros, the SECOND operand
+ *         comes back. Comparisons with a NaN are false. NaN payloads of
+ *         arithmetic results are not specified; bit operations, loads,
+ *         stores and select keep every bit.
+ *
+ * load / store      f4_load(const float[4]) f4_store(float[4], f4)  any
+ *                   u4_load u4_store                     4-byte alignment
+ * make              f4_all(float) u4_all(uint32) f4_zero()
+ *                   m4_bits(unsigned) lane i from bit i
+ * arithmetic        f4_add f4_sub f4_mul f4_div f4_sqrt f4_min f4_max
+ *                   f4_abs f4_neg (sign bit alone)
+ * compare           f4_lt f4_le f4_eq u4_lt u4_eq -> m4
+ * masks             m4_and m4_or m4_andnot (a and not b) -> m4
+ *                   m4_mask(m4) -> bit i from lane i, 0 .. 15
+ * choose            f4_select(m4, a, b) u4_select: a where set, else b
+ * cross lanes       f4_min_lane(f4) least lane, -0 before +0 not promised,
+ *                   NaN lanes not allowed
+ *                   f4_transpose(f4*, f4*, f4*, f4*): 4 rows to 4 columns
+ * memory            plt_prefetch(const void *): a hint, may do nothing
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_LANES_H
+#define PLT_LANES_H
+
+#include <stdint.h>
+
+#ifdef PLT_LANES
+#include PLT_LANES
+#else
+#include "engine/lanes/lanes_scalar.h"
+#endif
+
+#endif

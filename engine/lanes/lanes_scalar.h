@@ -1,0 +1,182 @@
+/* lanes_scalar - the 4-lane operations in plain C: reference and fall-back
+ *
+ * Invariant: each lane is what lanes.h says of it, and nothing else.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_LANES_SCALAR_H
+#define PLT_LANES_SCALAR_H
+
+#include <stdint.h>
+#include <string.h>
+
+typedef struct f4 {
+    float lane[4];
+} f4;
+
+typedef struct u4 {
+    uint32_t lane[4];
+} u4;
+
+typedef struct m4 {
+    uint32_t lane[4];
+} m4;
+
+/* One lane after another: `i` counts them. */
+#define PLT_EACH_LANE(type, expression)                                                            \
+    type r;                                                                                        \
+    for (int i = 0; i < 4; i++) {                                                                  \
+        r.lane[i] = (expression);                                                                  \
+    }                                                                                              \
+    return r
+
+static inline uint32_t plt_bits_of(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline float plt_float_of(uint32_t bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static inline f4 f4_load(const float *from) {
+    f4 r;
+    memcpy(r.lane, from, sizeof r.lane);
+    return r;
+}
+
+static inline void f4_store(float *to, f4 a) {
+    memcpy(to, a.lane, sizeof a.lane);
+}
+
+static inline u4 u4_load(const uint32_t *from) {
+    u4 r;
+    memcpy(r.lane, from, sizeof r.lane);
+    return r;
+}
+
+static inline void u4_store(uint32_t *to, u4 a) {
+    memcpy(to, a.lane, sizeof a.lane);
+}
+
+static inline f4 f4_all(float x) {
+    PLT_EACH_LANE(f4, x);
+}
+
+static inline u4 u4_all(uint32_t x) {
+    PLT_EACH_LANE(u4, x);
+}
+
+static inline f4 f4_zero(void) {
+    return f4_all(0.0f);
+}
+
+static inline m4 m4_bits(unsigned bits) {
+    PLT_EACH_LANE(m4, 0u - ((bits >> i) & 1u));
+}
+
+static inline f4 f4_add(f4 a, f4 b) {
+    PLT_EACH_LANE(f4, a.lane[i] + b.lane[i]);
+}
+
+static inline f4 f4_sub(f4 a, f4 b) {
+    PLT_EACH_LANE(f4, a.lane[i] - b.lane[i]);
+}
+
+static inline f4 f4_mul(f4 a, f4 b) {
+    PLT_EACH_LANE(f4, a.lane[i] * b.lane[i]);
+}
+
+static inline f4 f4_div(f4 a, f4 b) {
+    PLT_EACH_LANE(f4, a.lane[i] / b.lane[i]);
+}
+
+static inline f4 f4_sqrt(f4 a) {
+    PLT_EACH_LANE(f4, __builtin_sqrtf(a.lane[i]));
+}
+
+static inline f4 f4_min(f4 a, f4 b) {
+    PLT_EACH_LANE(f4, a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]);
+}
+
+static inline f4 f4_max(f4 a, f4 b) {
+    PLT_EACH_LANE(f4, a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]);
+}
+
+static inline f4 f4_abs(f4 a) {
+    PLT_EACH_LANE(f4, plt_float_of(plt_bits_of(a.lane[i]) & 0x7FFFFFFFu));
+}
+
+static inline f4 f4_neg(f4 a) {
+    PLT_EACH_LANE(f4, plt_float_of(plt_bits_of(a.lane[i]) ^ 0x80000000u));
+}
+
+static inline m4 f4_lt(f4 a, f4 b) {
+    PLT_EACH_LANE(m4, 0u - (uint32_t)(a.lane[i] < b.lane[i]));
+}
+
+static inline m4 f4_le(f4 a, f4 b) {
+    PLT_EACH_LANE(m4, 0u - (uint32_t)(a.lane[i] <= b.lane[i]));
+}
+
+static inline m4 f4_eq(f4 a, f4 b) {
+    PLT_EACH_LANE(m4, 0u - (uint32_t)(a.lane[i] == b.lane[i]));
+}
+
+static inline m4 u4_lt(u4 a, u4 b) {
+    PLT_EACH_LANE(m4, 0u - (uint32_t)(a.lane[i] < b.lane[i]));
+}
+
+static inline m4 u4_eq(u4 a, u4 b) {
+    PLT_EACH_LANE(m4, 0u - (uint32_t)(a.lane[i] == b.lane[i]));
+}
+
+static inline m4 m4_and(m4 a, m4 b) {
+    PLT_EACH_LANE(m4, a.lane[i] & b.lane[i]);
+}
+
+static inline m4 m4_or(m4 a, m4 b) {
+    PLT_EACH_LANE(m4, a.lane[i] | b.lane[i]);
+}
+
+static inline m4 m4_andnot(m4 a, m4 b) {
+    PLT_EACH_LANE(m4, a.lane[i] & ~b.lane[i]);
+}
+
+static inline unsigned m4_mask(m4 a) {
+    return (a.lane[0] & 1u) | (a.lane[1] & 2u) | (a.lane[2] & 4u) | (a.lane[3] & 8u);
+}
+
+static inline f4 f4_select(m4 m, f4 a, f4 b) {
+    PLT_EACH_LANE(f4, plt_float_of(m.lane[i] ? plt_bits_of(a.lane[i]) : plt_bits_of(b.lane[i])));
+}
+
+static inline u4 u4_select(m4 m, u4 a, u4 b) {
+    PLT_EACH_LANE(u4, m.lane[i] ? a.lane[i] : b.lane[i]);
+}
+
+static inline float f4_min_lane(f4 a) {
+    const float x = a.lane[0] < a.lane[1] ? a.lane[0] : a.lane[1];
+    const float y = a.lane[2] < a.lane[3] ? a.lane[2] : a.lane[3];
+    return x < y ? x : y;
+}
+
+static inline void f4_transpose(f4 *a, f4 *b, f4 *c, f4 *d) {
+    const f4 row[4] = {*a, *b, *c, *d};
+    for (int i = 0; i < 4; i++) {
+        a->lane[i] = row[i].lane[0];
+        b->lane[i] = row[i].lane[1];
+        c->lane[i] = row[i].lane[2];
+        d->lane[i] = row[i].lane[3];
+    }
+}
+
+static inline void plt_prefetch(const void *at) {
+    (void)at;
+}
+
+#undef PLT_EACH_LANE
+
+#endif

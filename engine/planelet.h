@@ -1,0 +1,225 @@
+/* planelet - ray tracing in one fixed block of memory: the public interface
+ *
+ * CONVENTIONS
+ *          y
+ *          |      right-handed world, y up unless the camera says otherwise;
+ *          |      film row 0 is the top, pixel (0,0) top left, rays through
+ *          +--- x pixel centres; counter-clockwise or not makes no difference:
+ *         /       both sides of a triangle are hit. Units are the scene's.
+ *        z        A point on a ray is org + t * dir; dir needs no unit length.
+ *
+ * Nothing here allocates, prints, recurses or keeps static data: an engine
+ * lives wholly inside the arena it was given, and any number of engines may
+ * live side by side. Calls on one engine come from one thread at a time.
+ *
+ * Every function that can fail returns a negative PLT_ERR_ value; DESIGN.md
+ * says why things are as they are, SPEC.md what an image is made of.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLANELET_H
+#define PLANELET_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "engine/planelet_config.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PLT_VERSION_MAJOR 1
+#define PLT_VERSION_MINOR 0
+
+/* Alignment of the arena, of a mapped image and of ray arrays' start. */
+#define PLT_ALIGN 16
+
+enum plt_status {
+    PLT_OK = 0,
+    PLT_MORE = 1,         /* a step did its work and more is left */
+    PLT_TILE = 2,         /* a step finished a tile: fetch it before the next */
+    PLT_ERR_ARENA = -1,   /* the arena is too small: plt_fault.need_bytes */
+    PLT_ERR_IMAGE = -2,   /* the image breaks a rule of SPEC.md: .rule, .offset */
+    PLT_ERR_SOURCE = -3,  /* the source failed to deliver: .offset */
+    PLT_ERR_LIMIT = -4,   /* the scene needs more than this build allows */
+    PLT_ERR_ARGUMENT = -5 /* a value outside its stated range */
+};
+
+/* Where a scene image lies. All bytes are untrusted until `plt_open` has
+ * returned PLT_OK, and must stay as they are from then on.
+ *
+ * Memory-mapped: `mapped` points at all `bytes` of the image, aligned to
+ * PLT_ALIGN; nothing is copied (but see PLT_BUILD_DEVICE). Otherwise
+ * `mapped` is NULL and the image is fetched into the arena: `start` begins
+ * moving `count` bytes from `offset` to `to` under `tag` (0 .. 31) and may
+ * return before they are there; `wait` returns when every transfer of the
+ * tags in `tags` (bit n: tag n) has ended. Both return 0, or a negative
+ * value when the transfer failed, now or for good; the engine then gives
+ * PLT_ERR_SOURCE. (Tags are the Cell's MFC tag groups: thesis, section 4.3.) */
+typedef struct plt_source {
+    const void *mapped;
+    uint32_t bytes; /* size of the image; images are smaller than 4 GiB */
+    void *context;  /* handed to the two functions, never looked at */
+    int (*start)(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count);
+    int (*wait)(void *context, uint32_t tags);
+} plt_source;
+
+enum plt_walk {
+    PLT_WALK_DEPTH_FIRST = 0, /* resident scenes: one stack, near child first */
+    PLT_WALK_TWO_STAGE = 1    /* thesis, section 4.2: local and global stack */
+};
+
+enum plt_splits {
+    PLT_SPLIT_SAH = 0,   /* binned surface area heuristic (Wald 2007) */
+    PLT_SPLIT_MEDIAN = 1 /* spatial median of the longest axis (the thesis) */
+};
+
+enum plt_build {
+    PLT_BUILD_HOST = 0,   /* the image holds the finished tree */
+    PLT_BUILD_DEVICE = 1, /* the engine builds the tree in its arena */
+    PLT_BUILD_NONE = 2    /* no tree: one list of all triangles (a reference) */
+};
+
+/* How an engine shall run; all zero but `packet_side` is a good choice. */
+typedef struct plt_options {
+    uint8_t packet_side; /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
+    uint8_t walk;        /* enum plt_walk */
+} plt_options;
+
+/* What is known of an image; counts as in SPEC.md, section 3. */
+typedef struct plt_info {
+    uint32_t triangles;          /* records, in packing order numbers 0 .. n-1 */
+    uint32_t nodes;              /* inner nodes in use */
+    uint32_t node_slots;         /* inner nodes allocated, holes included */
+    uint32_t leaf_lists;         /* children that are one list of triangles */
+    uint32_t intermediate_lists; /* children that are two adjacent lists */
+    uint32_t treelets;
+    uint32_t treelet_nodes;        /* N, most nodes a treelet */
+    uint32_t leaf_triangles;       /* K, most triangles a list */
+    uint32_t local_stack_entries;  /* exact need of the two-stage walk ... */
+    uint32_t global_stack_entries; /* ... and of its global stack */
+    uint32_t depth_stack_entries;  /* exact need of the depth-first walk */
+    uint32_t image_bytes, node_bytes, triangle_bytes;
+    float lo[3], hi[3]; /* box of all triangles; lo > hi when there are none */
+    uint8_t splits, build;
+} plt_info;
+
+/* Why a call failed; zero where it does not apply. */
+typedef struct plt_fault {
+    size_t need_bytes;   /* PLT_ERR_ARENA: smallest arena that is enough */
+    uint32_t offset;     /* byte of the image where the trouble is */
+    char kind;           /* 'R' refusal, 'I' invariant: PLT_ERR_IMAGE */
+    uint8_t rule;        /* number of the rule in SPEC.md */
+    const char *message; /* a sentence in static storage, never NULL */
+} plt_fault;
+
+typedef struct plt_engine plt_engine;
+
+/* Reads the header of an image and checks it; fills `info`. Needs no arena.
+ * Errors: PLT_ERR_IMAGE, PLT_ERR_SOURCE. Cost: one read of 256 bytes. */
+int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault);
+
+/* Bytes an arena must hold for such an image, source and options; for
+ * PLT_BUILD_DEVICE the bound for the worst tree, which a real one is mostly
+ * well below. 0: out of range. Arena parts: DESIGN.md, section 3. */
+size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *options);
+
+/* Checks the whole image, builds the tree where the image asks for it, and
+ * lays the engine out in `arena` (aligned to PLT_ALIGN, owned by the caller,
+ * not to be touched until the engine is no longer used; there is nothing to
+ * close). `source` is copied; what it points to must live on.
+ * Errors: all of them; `fault` says why, *engine is then NULL, the arena's
+ * contents are lost. Cost: one read of the image, one visit of every node. */
+int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
+             const plt_options *options, plt_fault *fault);
+
+const plt_info *plt_engine_info(const plt_engine *engine);
+
+/* ---- rays ------------------------------------------------------------ */
+
+/* Hits lie in tmin <= t <= tmax; a tmin below 0 counts as 0. The largest
+ * component of dir must lie in 2^-60 .. 2^60. A ray with a NaN, an infinite
+ * origin, a direction out of range or tmin > tmax hits nothing. 32 bytes. */
+typedef struct plt_ray {
+    float org[3], tmin, dir[3], tmax;
+} plt_ray;
+
+#define PLT_MISS 0xFFFFFFFFu
+
+/* The hit point is (1-u-v)*p0 + u*p1 + v*p2; `triangle` is the number in
+ * packing order or PLT_MISS (then t = u = v = 0). Of equal t the lowest
+ * number wins. For any-hit: `triangle` 1 or 0, the rest 0. 16 bytes. */
+typedef struct plt_hit {
+    float t, u, v;
+    uint32_t triangle;
+} plt_hit;
+
+/* Traces `count` rays in packets of side^2 consecutive rays; every four are
+ * a group that shares registers, so neighbours should point alike. `any`:
+ * only whether anything is hit. A hit depends on ray and triangle alone: the
+ * packet size, the tree and the walk never change it. Ends a frame that was
+ * being rendered. Cost: see DESIGN.md, section 6. */
+int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
+
+/* ---- frames ---------------------------------------------------------- */
+
+typedef struct plt_camera {
+    float eye[3], look[3], up[3];
+    float tan_half_fov; /* tangent of half the vertical angle, > 0 */
+} plt_camera;
+
+enum plt_shader {
+    PLT_SHADE_EYELIGHT = 0, /* grey by the angle to the ray (thesis, 5.1) */
+    PLT_SHADE_NORMAL = 1,   /* colour by the direction of the surface */
+    PLT_SHADE_TRIANGLE = 2  /* a flat colour a triangle */
+};
+
+typedef struct plt_frame {
+    plt_camera camera;
+    uint16_t width, height; /* pixels, 1 .. 65535 */
+    uint8_t shader;         /* enum plt_shader */
+} plt_frame;
+
+/* A finished piece of the frame: `rgb` holds height rows of width pixels of
+ * 3 bytes, in the arena, until the next step. */
+typedef struct plt_tile {
+    const uint8_t *rgb;
+    uint16_t x, y, width, height;
+} plt_tile;
+
+/* Starts a frame (and drops an unfinished one). Errors: PLT_ERR_ARGUMENT
+ * for a camera without direction, a zero size, an unknown shader. */
+int plt_render_begin(plt_engine *engine, const plt_frame *frame);
+
+/* Goes on with the frame for about `visits` node visits (at least one stack
+ * entry is worked off; one entry visits at most a treelet or a list), so
+ * that a main loop stays alive. Returns PLT_MORE, PLT_TILE (fetch it with
+ * plt_render_tile) or PLT_OK when the frame is complete. */
+int plt_render_step(plt_engine *engine, uint32_t visits);
+void plt_render_tile(const plt_engine *engine, plt_tile *tile);
+
+/* ---- figures --------------------------------------------------------- */
+
+typedef struct plt_stats {
+    uint64_t rays;
+    uint64_t node_visits;    /* nodes decoded, once a packet */
+    uint64_t group_tests;    /* four rays against one box */
+    uint64_t triangle_tests; /* four rays against one triangle */
+    uint64_t treelet_fetches;
+    uint64_t bytes_fetched;      /* of those treelets, had each been copied */
+    uint64_t bytes_touched_once; /* of the different treelets among them */
+    uint64_t mixed_packets;      /* packets whose rays differ in sign */
+    uint64_t packets;
+} plt_stats;
+
+void plt_stats_get(const plt_engine *engine, plt_stats *stats);
+void plt_stats_reset(plt_engine *engine);
+
+/* Bytes of the arena in use, and the most that ever were. */
+size_t plt_arena_used(const plt_engine *engine);
+size_t plt_arena_peak(const plt_engine *engine);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
