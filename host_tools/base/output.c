@@ -1,0 +1,256 @@
+/* output - a file that appears whole or not at all
+ *
+ * Keeps: bytes reach the target's own name only by the rename of a commit
+ * without any error before it, or directly when the target is no regular
+ * file. After a failed write every further call fails.
+ *
+ * SPDX-License-Identifier: MIT */
+#define _XOPEN_SOURCE 700 /* realpath */
+#include "host_tools/base/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "host_tools/base/temporary.h"
+
+struct output {
+    temporary beside; /* without a file: written directly */
+    char *name;       /* as asked for: what failures name */
+    char *target;     /* what is renamed over: links followed */
+    int fd, failed;   /* `failed`: errno of the first failed write */
+    size_t used;
+    unsigned char buffer[65536];
+};
+
+static const char *remedy(int error) {
+    switch (error) {
+    case ENOSPC:
+        return "free some space or write to another disk";
+    case EDQUOT:
+        return "your quota is used up: remove files or write to another disk";
+    case EFBIG:
+        return "the file size limit is reached: raise it with ulimit -f";
+    case ENOENT:
+    case ENOTDIR:
+        return "create the directory first, or correct the path";
+    case EACCES:
+    case EPERM:
+        return "write to a directory you own, or change its permissions";
+    case EROFS:
+        return "the disk is read-only: write to another one";
+    case ENAMETOOLONG:
+        return "choose a shorter name";
+    case EMFILE:
+    case ENFILE:
+        return "too many files are open: raise the limit with ulimit -n";
+    case EPIPE:
+        return "the reader went away: keep it running";
+    case EBADF:
+        return "the stream is closed: redirect it to a file";
+    default:
+        return "check the path and the disk";
+    }
+}
+
+static int fail_system(fail *f, const char *name, const char *action, int error) {
+    return fail_set(f, strcmp(name, "-") == 0 ? "standard output" : name, "cannot %s: %s; %s",
+                    action, strerror(error), remedy(error));
+}
+
+static void output_free(output *o) {
+    free(o->name);
+    free(o->target);
+    free(o);
+}
+
+static int open_beside(output *o, const struct stat *existing, fail *f) {
+    o->fd = temporary_create(&o->beside, o->target);
+    if (o->fd < 0) {
+        return fail_system(f, o->name, "create a file there", errno);
+    }
+    if (existing) {
+        (void)fchmod(o->fd, existing->st_mode & 0777);
+    }
+    return 0;
+}
+
+static int open_direct(output *o, fail *f) {
+    o->fd = open(o->name, O_WRONLY | O_CLOEXEC);
+    return o->fd >= 0 ? 0 : fail_system(f, o->name, "open it for writing", errno);
+}
+
+static int open_standard(output *o, fail *f) {
+    fflush(stdout);
+    o->fd = dup(STDOUT_FILENO);
+    return o->fd >= 0 ? 0 : fail_system(f, o->name, "write", errno);
+}
+
+static int set_target(output *o, const char *target, fail *f) {
+    o->target = strdup(target);
+    return o->target ? 0 : fail_system(f, o->name, "open it", ENOMEM);
+}
+
+/* A symbolic link stays: what it leads to is replaced. */
+static int open_existing(output *o, const struct stat *existing, fail *f) {
+    if (S_ISDIR(existing->st_mode)) {
+        return fail_set(f, o->name, "is a directory; name a file in it");
+    }
+    if (!S_ISREG(existing->st_mode)) {
+        return open_direct(o, f);
+    }
+    if (access(o->name, W_OK) != 0) {
+        return fail_set(f, o->name, "is write-protected; choose another name or chmod u+w it");
+    }
+    char *resolved = realpath(o->name, NULL);
+    const int set = set_target(o, resolved ? resolved : o->name, f);
+    free(resolved);
+    return set == 0 ? open_beside(o, existing, f) : -1;
+}
+
+static int open_path(output *o, fail *f) {
+    const size_t length = strlen(o->name);
+    if (length == 0) {
+        return fail_set(f, NULL, "the output has no name; give one, or - for standard output");
+    }
+    if (strcmp(o->name, "-") == 0) {
+        return open_standard(o, f);
+    }
+    struct stat existing;
+    if (stat(o->name, &existing) == 0) {
+        return open_existing(o, &existing, f);
+    }
+    if (errno != ENOENT) {
+        return fail_system(f, o->name, "open it", errno);
+    }
+    if (o->name[length - 1] == '/') {
+        return fail_set(f, o->name, "is the name of a directory; name a file in it");
+    }
+    return set_target(o, o->name, f) == 0 ? open_beside(o, NULL, f) : -1;
+}
+
+/* SIGXFSZ is ignored so that a write past the file size limit returns
+ * EFBIG, which can be explained. */
+output *output_open(const char *path, fail *f) {
+    signal(SIGXFSZ, SIG_IGN);
+    output *o = malloc(sizeof *o);
+    if (!o) {
+        fail_system(f, path, "open it", ENOMEM);
+        return NULL;
+    }
+    o->beside = (temporary){0};
+    o->target = NULL;
+    o->fd = -1;
+    o->failed = 0;
+    o->used = 0;
+    o->name = strdup(path);
+    if (!o->name) {
+        fail_system(f, path, "open it", ENOMEM);
+    } else if (open_path(o, f) == 0) {
+        return o;
+    }
+    output_free(o);
+    return NULL;
+}
+
+static int write_all(output *o, const unsigned char *bytes, size_t count, fail *f) {
+    while (count > 0) {
+        const ssize_t done = write(o->fd, bytes, count);
+        if (done < 0 && errno == EINTR) {
+            continue;
+        }
+        if (done < 0) {
+            o->failed = errno;
+            return fail_system(f, o->name, "write", o->failed);
+        }
+        bytes += done;
+        count -= (size_t)done;
+    }
+    return 0;
+}
+
+static int flush(output *o, fail *f) {
+    const size_t count = o->used;
+    o->used = 0;
+    return write_all(o, o->buffer, count, f);
+}
+
+int output_write(output *o, const void *bytes, size_t count, fail *f) {
+    if (o->failed) {
+        return fail_system(f, o->name, "write", o->failed);
+    }
+    if (count > sizeof o->buffer - o->used && flush(o, f) != 0) {
+        return -1;
+    }
+    if (count > sizeof o->buffer) {
+        return write_all(o, bytes, count, f);
+    }
+    memcpy(o->buffer + o->used, bytes, count);
+    o->used += count;
+    return 0;
+}
+
+/* `length` as vsnprintf gave it: negative for more than INT_MAX bytes. */
+static int print_long(output *o, int length, const char *format, va_list arguments, fail *f) {
+    const size_t room = length < 0 ? 0 : (size_t)length + 1;
+    char *text = room ? malloc(room) : NULL;
+    if (!text) {
+        o->failed = ENOMEM;
+        return fail_system(f, o->name, "write", ENOMEM);
+    }
+    vsnprintf(text, room, format, arguments);
+    const int written = output_write(o, text, room - 1, f);
+    free(text);
+    return written;
+}
+
+int output_print(output *o, fail *f, const char *format, ...) {
+    char text[1024];
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    const int length = vsnprintf(text, sizeof text, format, arguments);
+    const int fits = length >= 0 && (size_t)length < sizeof text;
+    const int written =
+        fits ? output_write(o, text, (size_t)length, f) : print_long(o, length, format, again, f);
+    va_end(again);
+    va_end(arguments);
+    return written;
+}
+
+int output_commit(output *o, fail *f) {
+    if (o->failed || flush(o, f) != 0) {
+        fail_system(f, o->name, "write", o->failed);
+        output_abandon(o);
+        return -1;
+    }
+    if (close(o->fd) != 0 && errno != EINTR) {
+        o->fd = -1;
+        fail_system(f, o->name, "finish writing", errno);
+        output_abandon(o);
+        return -1;
+    }
+    const int error = temporary_keep(&o->beside, o->target);
+    if (error) {
+        fail_system(f, o->name, "give the finished file this name", error);
+    }
+    output_free(o);
+    return error ? -1 : 0;
+}
+
+void output_abandon(output *o) {
+    if (!o) {
+        return;
+    }
+    if (o->fd >= 0) {
+        close(o->fd);
+    }
+    temporary_remove(&o->beside);
+    output_free(o);
+}

@@ -1,0 +1,148 @@
+/* temporary - files beside their target that never outlive the program
+ *
+ * Keeps: every temporary file on disk is in the list `alive`, so that the
+ * exit and signal handlers find it. The signals are blocked while the
+ * list and the disk disagree.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/base/temporary.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NAME_BYTES = 64, TRIES = 100 };
+
+static temporary *volatile alive;
+
+static const int END_SIGNALS[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+enum { END_SIGNAL_COUNT = sizeof END_SIGNALS / sizeof END_SIGNALS[0] };
+
+static sigset_t end_signals(void) {
+    sigset_t set;
+    sigemptyset(&set);
+    for (int i = 0; i < END_SIGNAL_COUNT; i++) {
+        sigaddset(&set, END_SIGNALS[i]);
+    }
+    return set;
+}
+
+static sigset_t block_signals(void) {
+    const sigset_t set = end_signals();
+    sigset_t before;
+    sigprocmask(SIG_BLOCK, &set, &before);
+    return before;
+}
+
+static void restore_signals(const sigset_t *before) {
+    sigprocmask(SIG_SETMASK, before, NULL);
+}
+
+/* Async-signal-safe. */
+static void remove_all(void) {
+    for (const temporary *t = alive; t; t = t->next) {
+        if (t->owner == getpid()) {
+            unlink(t->path);
+        }
+    }
+}
+
+/* SA_RESETHAND restored the default action, which follows the return. */
+static void on_end_signal(int number) {
+    remove_all();
+    raise(number);
+}
+
+/* An ignored signal (nohup) stays ignored. */
+static void install_handlers(void) {
+    static int installed;
+    if (installed) {
+        return;
+    }
+    installed = 1;
+    atexit(remove_all);
+    struct sigaction action = {.sa_handler = on_end_signal, .sa_flags = (int)SA_RESETHAND};
+    action.sa_mask = end_signals();
+    for (int i = 0; i < END_SIGNAL_COUNT; i++) {
+        struct sigaction before;
+        if (sigaction(END_SIGNALS[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL) {
+            sigaction(END_SIGNALS[i], &action, NULL);
+        }
+    }
+}
+
+/* O_EXCL never opens what somebody else put there. */
+static int create_file(temporary *t, const char *target) {
+    static unsigned serial;
+    const char *slash = strrchr(target, '/');
+    const size_t directory = slash ? (size_t)(slash - target) + 1 : 0;
+    t->path = malloc(directory + NAME_BYTES);
+    if (!t->path) {
+        errno = ENOMEM;
+        return -1;
+    }
+    memcpy(t->path, target, directory);
+    for (int i = 0; i < TRIES; i++) {
+        snprintf(t->path + directory, NAME_BYTES, ".planelet-%ld-%u.tmp", (long)t->owner, serial++);
+        const int fd = open(t->path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST) {
+            return fd;
+        }
+    }
+    return -1;
+}
+
+int temporary_create(temporary *t, const char *target) {
+    install_handlers();
+    const sigset_t before = block_signals();
+    t->owner = getpid();
+    const int fd = create_file(t, target);
+    const int error = errno;
+    if (fd >= 0) {
+        t->next = alive;
+        alive = t;
+    } else {
+        free(t->path);
+        t->path = NULL;
+    }
+    restore_signals(&before);
+    errno = error;
+    return fd;
+}
+
+/* Call with the signals blocked. */
+static void forget(temporary *t) {
+    temporary *volatile *link = &alive;
+    while (*link != t) {
+        link = &(*link)->next;
+    }
+    *link = t->next;
+    free(t->path);
+    t->path = NULL;
+}
+
+static int end(temporary *t, const char *target) {
+    if (!t->path) {
+        return 0;
+    }
+    const sigset_t before = block_signals();
+    const int error = target && rename(t->path, target) != 0 ? errno : 0;
+    if (!target || error) {
+        unlink(t->path);
+    }
+    forget(t);
+    restore_signals(&before);
+    return error;
+}
+
+int temporary_keep(temporary *t, const char *target) {
+    return end(t, target);
+}
+
+void temporary_remove(temporary *t) {
+    end(t, NULL);
+}

@@ -1,0 +1,28 @@
+/* temporary - files beside their target that never outlive the program
+ *
+ * A normal exit, SIGINT, SIGTERM, SIGHUP and SIGPIPE remove every
+ * temporary file that was neither kept nor removed. A forked child
+ * removes none of its parent's.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef TEMPORARY_H
+#define TEMPORARY_H
+#include <sys/types.h>
+
+/* Caller's memory; at one address from creation to keep or remove. */
+typedef struct temporary {
+    struct temporary *volatile next;
+    char *path; /* owned; NULL: there is no file */
+    pid_t owner;
+} temporary;
+
+/* Creates a file in the directory of `target`, with the mode a new file
+ * gets here. Returns its descriptor, or -1 with errno set. */
+int temporary_create(temporary *t, const char *target);
+
+/* Renames the file over `target`. Returns 0, or the errno after which the
+ * file is removed. Both calls allow a temporary without a file. */
+int temporary_keep(temporary *t, const char *target);
+void temporary_remove(temporary *t);
+
+#endif
