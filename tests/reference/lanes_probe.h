@@ -1,0 +1,154 @@
+/* lanes_probe - makes a probe of the lanes header that PLT_LANES names
+ *
+ * Included once by each lanes_*.c beside it, after PROBE (the variable's
+ * name), PROBE_NAME and PROBE_HEADER are defined. Operations that give a
+ * mask leave its four lanes as words, read by u4_select, and its bits,
+ * read by m4_mask.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "engine/lanes/lanes.h"
+#include "tests/reference/lanes_ops.h"
+
+/* An address four bytes off any larger alignment: the least that load and
+ * store are promised. */
+typedef union places {
+    float f[5];
+    uint32_t u[5];
+    _Alignas(16) unsigned char bytes[20];
+} places;
+
+static f4 f4_of(const uint32_t *words) {
+    places p;
+    memcpy(p.bytes + 4, words, 16);
+    return f4_load(p.f + 1);
+}
+
+static u4 u4_of(const uint32_t *words) {
+    places p;
+    memcpy(p.bytes + 4, words, 16);
+    return u4_load(p.u + 1);
+}
+
+static void put_f4(uint32_t *out, f4 a) {
+    places p;
+    f4_store(p.f + 1, a);
+    memcpy(out, p.bytes + 4, 16);
+}
+
+static void put_u4(uint32_t *out, u4 a) {
+    places p;
+    u4_store(p.u + 1, a);
+    memcpy(out, p.bytes + 4, 16);
+}
+
+static void put_m4(uint32_t *out, m4 a) {
+    put_u4(out, u4_select(a, u4_all(0xFFFFFFFFu), u4_all(0)));
+    put_f4(out + 4, f4_select(a, f4_all(1.0f), f4_all(2.0f)));
+    out[8] = m4_mask(a);
+}
+
+static void put_float(uint32_t *out, float x) {
+    memcpy(out, &x, sizeof x);
+}
+
+static float float_of(const uint32_t *word) {
+    float x;
+    memcpy(&x, word, sizeof x);
+    return x;
+}
+
+static void run_transpose(const lanes_in *in, uint32_t *out) {
+    f4 row[4] = {f4_of(in->row[0]), f4_of(in->row[1]), f4_of(in->row[2]), f4_of(in->row[3])};
+    f4_transpose(&row[0], &row[1], &row[2], &row[3]);
+    for (int i = 0; i < 4; i++) {
+        put_f4(out + 4 * i, row[i]);
+    }
+}
+
+#define F_F(op)                                                                                    \
+    case OP_##op:                                                                                  \
+        put_f4(out, op(f4_of(in->row[0])));                                                        \
+        break
+#define F_FF(op)                                                                                   \
+    case OP_##op:                                                                                  \
+        put_f4(out, op(f4_of(in->row[0]), f4_of(in->row[1])));                                     \
+        break
+#define M_FF(op)                                                                                   \
+    case OP_##op:                                                                                  \
+        put_m4(out, op(f4_of(in->row[0]), f4_of(in->row[1])));                                     \
+        break
+#define M_UU(op)                                                                                   \
+    case OP_##op:                                                                                  \
+        put_m4(out, op(u4_of(in->row[0]), u4_of(in->row[1])));                                     \
+        break
+#define M_MM(op)                                                                                   \
+    case OP_##op:                                                                                  \
+        put_m4(out, op(m4_bits(in->mask[0]), m4_bits(in->mask[1])));                               \
+        break
+
+static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
+    switch (op) {
+        F_FF(f4_add);
+        F_FF(f4_sub);
+        F_FF(f4_mul);
+        F_FF(f4_div);
+        F_FF(f4_min);
+        F_FF(f4_max);
+        F_F(f4_sqrt);
+        F_F(f4_abs);
+        F_F(f4_neg);
+        M_FF(f4_lt);
+        M_FF(f4_le);
+        M_FF(f4_eq);
+        M_UU(u4_lt);
+        M_UU(u4_eq);
+        M_MM(m4_and);
+        M_MM(m4_or);
+        M_MM(m4_andnot);
+    case OP_f4_load:
+    case OP_f4_store:
+        put_f4(out, f4_of(in->row[0]));
+        break;
+    case OP_u4_load:
+    case OP_u4_store:
+        put_u4(out, u4_of(in->row[0]));
+        break;
+    case OP_f4_all:
+        put_f4(out, f4_all(float_of(in->row[0])));
+        break;
+    case OP_u4_all:
+        put_u4(out, u4_all(in->row[0][0]));
+        break;
+    case OP_f4_zero:
+        put_f4(out, f4_zero());
+        break;
+    case OP_m4_bits:
+        put_m4(out, m4_bits(in->mask[0]));
+        break;
+    case OP_m4_mask:
+        out[0] = m4_mask(m4_bits(in->mask[0]));
+        break;
+    case OP_f4_select:
+        put_f4(out, f4_select(m4_bits(in->mask[0]), f4_of(in->row[0]), f4_of(in->row[1])));
+        break;
+    case OP_u4_select:
+        put_u4(out, u4_select(m4_bits(in->mask[0]), u4_of(in->row[0]), u4_of(in->row[1])));
+        break;
+    case OP_f4_min_lane:
+        put_float(out, f4_min_lane(f4_of(in->row[0])));
+        break;
+    case OP_f4_transpose:
+        run_transpose(in, out);
+        break;
+    case OP_plt_prefetch:
+        plt_prefetch(in);
+        break;
+    case OP_mul_add: /* not an operation: two, which must stay two */
+        put_f4(out, f4_add(f4_mul(f4_of(in->row[0]), f4_of(in->row[1])), f4_of(in->row[2])));
+        break;
+    }
+}
+
+const lanes_probe PROBE = {PROBE_NAME, PROBE_HEADER, run};
