@@ -97,8 +97,8 @@ static int compare(const lanes_probe *p, enum lanes_op op, const lanes_in *in) {
     lanes_probe_scalar.run(op, in, want);
     for (int i = 0; i < 16; i++) {
         if (!same(kinds[op], got[i], want[i])) {
-            printf("    %s lane %d of %08x %08x %08x mask %x %x: %08x, scalar %08x\n", names[op],
-                   i, in->row[0][i & 3], in->row[1][i & 3], in->row[2][i & 3], in->mask[0],
+            printf("    %s lane %d of %08x %08x %08x mask %x %x: %08x, scalar %08x\n", names[op], i,
+                   in->row[0][i & 3], in->row[1][i & 3], in->row[2][i & 3], in->mask[0],
                    in->mask[1], got[i], want[i]);
             return 0;
         }

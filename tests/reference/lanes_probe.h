@@ -11,7 +11,7 @@
 #include "engine/lanes/lanes.h"
 #include "tests/reference/lanes_ops.h"
 
-/* An address four bytes off any larger alignment: the least that load and
+/* Four words, four bytes off any larger alignment: the least that load and
  * store are promised. */
 typedef union places {
     float f[5];
@@ -19,27 +19,34 @@ typedef union places {
     _Alignas(16) unsigned char bytes[20];
 } places;
 
+/* The compiler must not see where `p` leads, or it forwards what was stored
+ * there and an aligned access never happens. */
+static places *hidden(places *p) {
+    __asm__ volatile("" : "+r"(p) : : "memory");
+    return p;
+}
+
 static f4 f4_of(const uint32_t *words) {
     places p;
     memcpy(p.bytes + 4, words, 16);
-    return f4_load(p.f + 1);
+    return f4_load(hidden(&p)->f + 1);
 }
 
 static u4 u4_of(const uint32_t *words) {
     places p;
     memcpy(p.bytes + 4, words, 16);
-    return u4_load(p.u + 1);
+    return u4_load(hidden(&p)->u + 1);
 }
 
 static void put_f4(uint32_t *out, f4 a) {
     places p;
-    f4_store(p.f + 1, a);
+    f4_store(hidden(&p)->f + 1, a);
     memcpy(out, p.bytes + 4, 16);
 }
 
 static void put_u4(uint32_t *out, u4 a) {
     places p;
-    u4_store(p.u + 1, a);
+    u4_store(hidden(&p)->u + 1, a);
     memcpy(out, p.bytes + 4, 16);
 }
 
