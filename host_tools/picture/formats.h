@@ -1,0 +1,16 @@
+/* formats - what picture.c knows of each file format's writer
+ *
+ * All return -1 with `f` set; `o` stays open and is the caller's to abandon.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef FORMATS_H
+#define FORMATS_H
+#include "host_tools/picture/picture.h"
+
+int png_frame(output *o, const picture *p, fail *f);
+int ppm_frame(output *o, const picture *p, fail *f);
+
+int y4m_begin(output *o, unsigned width, unsigned height, unsigned frames_per_second, fail *f);
+int y4m_frame(output *o, const picture *p, fail *f);
+
+#endif
