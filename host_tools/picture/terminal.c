@@ -1,0 +1,173 @@
+/* terminal - a picture in character cells
+ *
+ * A cell shows two pixels, one above the other: U+2580 (upper half block)
+ * in the colour of the upper on the colour of the lower. A colour is sent
+ * only when it differs from the last one sent on this line.
+ *
+ * Sources: ITU-T T.416 | ISO/IEC 8613-6, 1993 (SGR 38, 48);
+ * https://no-color.org, 2017.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "host_tools/picture/picture.h"
+
+#define CELLS_MAX 10000
+
+static const char half_block[] = "\xE2\x96\x80";
+static const char ramp[] = " .:-=+*#%@"; /* dark to bright */
+
+static unsigned from_environment(const char *name, unsigned otherwise) {
+    const char *text = getenv(name);
+    char *end;
+    const long value = text ? strtol(text, &end, 10) : 0;
+    return value > 0 && value <= CELLS_MAX && !*end ? (unsigned)value : otherwise;
+}
+
+void picture_terminal_size(FILE *to, unsigned *columns, unsigned *rows) {
+    *columns = from_environment("COLUMNS", 80);
+    *rows = from_environment("LINES", 24);
+#ifdef TIOCGWINSZ
+    struct winsize size;
+    if (ioctl(fileno(to), TIOCGWINSZ, &size) == 0 && size.ws_col && size.ws_row) {
+        *columns = size.ws_col < CELLS_MAX ? size.ws_col : CELLS_MAX;
+        *rows = size.ws_row < CELLS_MAX ? size.ws_row : CELLS_MAX;
+    }
+#else
+    (void)to;
+#endif
+}
+
+static int has_colour(FILE *to) {
+    const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
+    return !(no && *no) && term && *term && strcmp(term, "dumb") != 0 && isatty(fileno(to));
+}
+
+static unsigned in_proportion(unsigned side, unsigned to, unsigned from) {
+    const uint64_t scaled = ((uint64_t)side * to + from / 2) / from;
+    return scaled ? (unsigned)scaled : 1;
+}
+
+/* The largest size of p's aspect within `columns` x `lines` and p's own. */
+static void fit(const picture *p, unsigned columns, unsigned lines, unsigned *w, unsigned *h) {
+    *w = p->width;
+    *h = p->height;
+    if (p->width <= columns && p->height <= lines) {
+        return;
+    }
+    if ((uint64_t)p->width * lines >= (uint64_t)p->height * columns) {
+        *w = columns;
+        *h = in_proportion(p->height, columns, p->width);
+    } else {
+        *h = lines;
+        *w = in_proportion(p->width, lines, p->height);
+    }
+}
+
+/* Overlap of [i, i + 1) / many and [k, k + 1) / few, in units of
+ * 1 / (many * few): the weight of source pixel i in target pixel k. */
+static uint64_t overlap(unsigned i, unsigned many, unsigned k, unsigned few) {
+    const uint64_t begin = (uint64_t)i * few, end = begin + few;
+    const uint64_t from = (uint64_t)k * many, to = from + many;
+    return (end < to ? end : to) - (begin > from ? begin : from);
+}
+
+/* Exact in integers: the weights of a pixel add up to width * height. */
+static void average(const picture *p, unsigned x, unsigned y, unsigned w, unsigned h,
+                    uint8_t *rgb) {
+    const uint64_t whole = (uint64_t)p->width * p->height;
+    uint64_t sum[3] = {whole / 2, whole / 2, whole / 2};
+    for (unsigned j = (unsigned)((uint64_t)y * p->height / h);
+         (uint64_t)j * h < (uint64_t)(y + 1) * p->height; j++) {
+        for (unsigned i = (unsigned)((uint64_t)x * p->width / w);
+             (uint64_t)i * w < (uint64_t)(x + 1) * p->width; i++) {
+            const uint64_t weight = overlap(i, p->width, x, w) * overlap(j, p->height, y, h);
+            const uint8_t *pixel = p->rgb + 3 * ((size_t)j * p->width + i);
+            for (unsigned c = 0; c < 3; c++) {
+                sum[c] += weight * pixel[c];
+            }
+        }
+    }
+    for (unsigned c = 0; c < 3; c++) {
+        rgb[c] = (uint8_t)(sum[c] / whole);
+    }
+}
+
+static int scale(picture *small, const picture *p, unsigned columns, unsigned lines) {
+    unsigned w, h;
+    fail f = {""};
+    fit(p, columns, lines, &w, &h);
+    if (picture_make(small, w, h, &f)) {
+        return -1;
+    }
+    for (unsigned y = 0; y < h; y++) {
+        for (unsigned x = 0; x < w; x++) {
+            average(p, x, y, w, h, small->rgb + 3 * ((size_t)y * w + x));
+        }
+    }
+    return 0;
+}
+
+/* Sends `rgb` as SGR 38 (upper) or 48 (lower) unless `last` is the same.
+ * Errors stay in the stream and are asked for at the end. */
+static void colour(FILE *to, unsigned sgr, const uint8_t *rgb, int *last) {
+    const int now = rgb[0] << 16 | rgb[1] << 8 | rgb[2];
+    if (now != *last) {
+        fprintf(to, "\x1b[%u;2;%u;%u;%um", sgr, rgb[0], rgb[1], rgb[2]);
+        *last = now;
+    }
+}
+
+static void colour_line(FILE *to, const picture *p, unsigned y) {
+    const uint8_t *upper = p->rgb + 3 * (size_t)y * p->width;
+    const uint8_t *lower = y + 1 < p->height ? upper + 3 * (size_t)p->width : NULL;
+    int last_upper = -1, last_lower = -1;
+    for (unsigned x = 0; x < p->width; x++) {
+        colour(to, 38, upper + 3 * x, &last_upper);
+        if (lower) {
+            colour(to, 48, lower + 3 * x, &last_lower);
+        }
+        fputs(half_block, to);
+    }
+    fputs("\x1b[0m\n", to);
+}
+
+static unsigned brightness(const uint8_t *rgb) { /* BT.601, 0 .. 255000 */
+    return 299u * rgb[0] + 587u * rgb[1] + 114u * rgb[2];
+}
+
+static void plain_line(FILE *to, const picture *p, unsigned y) {
+    const uint8_t *upper = p->rgb + 3 * (size_t)y * p->width;
+    const uint8_t *lower = y + 1 < p->height ? upper + 3 * (size_t)p->width : upper;
+    for (unsigned x = 0; x < p->width; x++) {
+        const unsigned sum = brightness(upper + 3 * x) + brightness(lower + 3 * x);
+        fputc(ramp[(size_t)sum * (sizeof ramp - 1) / 510001], to);
+    }
+    fputc('\n', to);
+}
+
+int picture_show(FILE *to, const picture *p, picture_ink ink, unsigned columns, unsigned rows) {
+    picture small;
+    if (columns == 0 || rows == 0) {
+        picture_terminal_size(to, &columns, &rows);
+    }
+    rows = rows < CELLS_MAX ? rows : CELLS_MAX;
+    if (scale(&small, p, columns, 2 * rows)) {
+        errno = ENOMEM;
+        return -1;
+    }
+    const int coloured = ink == PICTURE_COLOUR || (ink == PICTURE_AUTO && has_colour(to));
+    for (unsigned y = 0; y < small.height; y += 2) {
+        if (coloured) {
+            colour_line(to, &small, y);
+        } else {
+            plain_line(to, &small, y);
+        }
+    }
+    picture_free(&small);
+    return fflush(to) || ferror(to) ? -1 : 0;
+}
