@@ -1,0 +1,213 @@
+/* decimal - numbers in text, the same in every locale
+ *
+ * Keeps: every float is correctly rounded. The first 15 digits m and the
+ * power e give m * 10^e with one rounding in double (m < 2^53, |e| <= 22);
+ * rounding that to float is right unless it fell on the middle between two
+ * floats. Digits left out put the value between m and m + 1: when both
+ * give one float, so does the value. All else goes to strtof, as digits
+ * and exponent without a decimal point, which no locale can change.
+ *
+ * Source: W. D. Clinger, How to Read Floating Point Numbers Accurately,
+ * PLDI 1990.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/mesh/decimal.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    QUICK_DIGITS = 15,
+    QUICK_POWER = 22,
+    /* No middle between two floats has more digits; what follows these
+     * only matters as being zero or not. */
+    SLOW_DIGITS = 120,
+};
+
+static const int64_t EXPONENT_MAX = 1000000000000000; /* clamps the sum below int64_t */
+
+typedef struct number {
+    const unsigned char *digits; /* the first that is not 0, else `end` */
+    const unsigned char *end;    /* behind the last digit or point */
+    uint64_t leading;            /* the first QUICK_DIGITS of them */
+    int64_t power;               /* of ten, for `leading` as an integer */
+    int dropped;                 /* digits that are not in `leading` exist */
+} number;
+
+static int is_digit(unsigned char c) {
+    return c >= '0' && c <= '9';
+}
+
+/* Digits with at most one point; NULL without a digit. */
+static const unsigned char *read_digits(const unsigned char *at, const unsigned char *end,
+                                        number *n) {
+    int any = 0, point = 0, count = 0;
+    *n = (number){0};
+    for (; at < end; at++) {
+        if (*at == '.' && !point) {
+            point = 1;
+            continue;
+        }
+        if (!is_digit(*at)) {
+            break;
+        }
+        any = 1;
+        n->power -= point;
+        if (count == 0 && *at == '0') {
+            continue;
+        }
+        if (count == 0) {
+            n->digits = at;
+        }
+        if (count < QUICK_DIGITS) {
+            n->leading = n->leading * 10 + (uint64_t)(*at - '0');
+            count++;
+        } else {
+            n->power++;
+            n->dropped = 1;
+        }
+    }
+    n->end = at;
+    if (!n->digits) {
+        n->digits = at;
+    }
+    return any ? at : NULL;
+}
+
+static const unsigned char *read_exponent(const unsigned char *at, const unsigned char *end,
+                                          number *n) {
+    const unsigned char *c = at;
+    if (c == end || (*c != 'e' && *c != 'E')) {
+        return at;
+    }
+    c++;
+    const int negative = c < end && *c == '-';
+    c += c < end && (*c == '-' || *c == '+');
+    if (c == end || !is_digit(*c)) {
+        return at;
+    }
+    int64_t exponent = 0;
+    for (; c < end && is_digit(*c); c++) {
+        if (exponent < EXPONENT_MAX) {
+            exponent = exponent * 10 + (*c - '0');
+        }
+    }
+    n->power += negative ? -exponent : exponent;
+    return c;
+}
+
+/* 0 when the answer could be wrong. No result is subnormal or overflows:
+ * it is 0 or between 1e-22 and 1e37. */
+static int quick_float(uint64_t leading, int64_t power, float *value) {
+    static const double TEN[QUICK_POWER + 1] = {
+        1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+        1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    };
+    if (power < -QUICK_POWER || power > QUICK_POWER) {
+        return 0;
+    }
+    const double whole = (double)leading;
+    const double product = power < 0 ? whole / TEN[-power] : whole * TEN[power];
+    uint64_t bits;
+    memcpy(&bits, &product, sizeof bits);
+    *value = (float)product;
+    return (bits & 0x1fffffff) != 0x10000000;
+}
+
+static float slow_float(const number *n) {
+    char text[SLOW_DIGITS + 32];
+    int count = 0, rest = 0;
+    int64_t power = n->power;
+    /* `power` belongs to `leading`: each digit past it that is written
+     * here takes one away. */
+    for (const unsigned char *c = n->digits; c < n->end; c++) {
+        if (*c == '.') {
+            continue;
+        }
+        if (count < SLOW_DIGITS) {
+            power -= count >= QUICK_DIGITS;
+            text[count++] = (char)*c;
+        } else {
+            rest |= *c != '0';
+        }
+    }
+    if (rest) {
+        text[count++] = '1';
+        power--;
+    }
+    power = power > 100000 ? 100000 : power < -100000 ? -100000 : power;
+    snprintf(text + count, sizeof text - (size_t)count, "e%d", (int)power);
+    return count ? strtof(text, NULL) : 0;
+}
+
+static int same_letters(const unsigned char *at, const unsigned char *end, const char *lower) {
+    for (; *lower; at++, lower++) {
+        if (at == end || (*at | 0x20) != (unsigned char)*lower) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_name(unsigned char c) {
+    return is_digit(c) || ((c | 0x20) >= 'a' && (c | 0x20) <= 'z');
+}
+
+/* "nan", "nan(...)", "inf", "infinity" */
+static const unsigned char *read_named(const unsigned char *at, const unsigned char *end,
+                                       float *value) {
+    const int is_nan = same_letters(at, end, "nan");
+    if (!is_nan && !same_letters(at, end, "inf")) {
+        return NULL;
+    }
+    *value = is_nan ? NAN : INFINITY;
+    while (at < end && (is_name(*at) || *at == '(' || *at == ')')) {
+        at++;
+    }
+    return at;
+}
+
+const unsigned char *decimal_float(const unsigned char *at, const unsigned char *end,
+                                   float *value) {
+    const int negative = at < end && *at == '-';
+    at += at < end && (*at == '-' || *at == '+');
+    number n;
+    const unsigned char *after = read_digits(at, end, &n);
+    float magnitude, above;
+    if (!after) {
+        after = read_named(at, end, &magnitude);
+        if (!after) {
+            return NULL;
+        }
+    } else if (after < end && *after == '#') { /* 1.#QNAN, 1.#INF */
+        for (after++; after < end && is_name(*after); after++) {
+        }
+        magnitude = NAN;
+    } else {
+        after = read_exponent(after, end, &n);
+        if (!quick_float(n.leading, n.power, &magnitude) ||
+            (n.dropped && (!quick_float(n.leading + 1, n.power, &above) || above != magnitude))) {
+            magnitude = slow_float(&n);
+        }
+    }
+    *value = negative ? -magnitude : magnitude;
+    return after;
+}
+
+const unsigned char *decimal_integer(const unsigned char *at, const unsigned char *end,
+                                     int64_t *value) {
+    const int negative = at < end && *at == '-';
+    at += at < end && (*at == '-' || *at == '+');
+    if (at == end || !is_digit(*at)) {
+        return NULL;
+    }
+    int64_t magnitude = 0;
+    for (; at < end && is_digit(*at); at++) {
+        const int digit = *at - '0';
+        magnitude = magnitude > (INT64_MAX - digit) / 10 ? INT64_MAX : magnitude * 10 + digit;
+    }
+    *value = negative ? -magnitude : magnitude;
+    return at;
+}

@@ -1,0 +1,40 @@
+/* scan - lines and words of a text that is not trusted
+ *
+ * Keeps: nothing is read at or behind `end`. A line ends in LF, CRLF or CR.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef SCAN_H
+#define SCAN_H
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct scan {
+    const unsigned char *at, *end;
+    size_t line;   /* from 1 */
+    int continued; /* 1: a backslash before the line end joins the lines */
+} scan;
+
+typedef struct word {
+    const char *text; /* in the scanned bytes, without a zero byte behind */
+    size_t length;    /* 0: the line has no more words */
+} word;
+
+scan scan_begin(const unsigned char *bytes, size_t size); /* skips an UTF-8 mark */
+
+int scan_line_done(scan *s); /* skips blanks; 1 at the line's or text's end */
+int scan_next_line(scan *s); /* 0: there is none */
+word scan_word(scan *s);
+
+/* The next word as a number: 0, or -1 when it is none; then it is still
+ * the next word. */
+int scan_float(scan *s, float *value);
+int scan_integer(scan *s, int64_t *value);
+
+int word_is(word w, const char *text);
+int word_is_word(word a, word b);
+int word_integer(word w, int64_t *value); /* 0 or -1 */
+
+/* For "%.*s": at most the first 40 bytes of a word. */
+#define WORD_SHOWN(w) (int)((w).length < 40 ? (w).length : 40), (w).text
+
+#endif
