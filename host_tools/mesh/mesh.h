@@ -34,6 +34,8 @@ int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair,
 /* Building blocks for readers and generators: -1 when memory is out. */
 int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f);
 int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f);
+/* Makes room for that many more, so that adding them cannot fail. */
+int mesh_reserve(mesh *m, size_t vertices, size_t triangles, fail *f);
 void mesh_free(mesh *m);
 
 /* Writes binary little-endian PLY, float x y z and uchar/int lists. */

@@ -1,0 +1,234 @@
+/* intake - where every reader's vertices and faces are checked, once
+ *
+ * Keeps: after `intake_finish` every vertex is finite and within
+ * +-PLT_COORD_MAX, every index below the number of vertices, and the
+ * triangles stand in the order of the file, degenerate ones included.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/mesh/intake.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/planelet_config.h"
+
+static const uint32_t MISSING = UINT32_MAX; /* a mesh has fewer vertices */
+
+intake intake_begin(mesh *m, const char *path, mesh_repair *repair, fail *f) {
+    return (intake){
+        .m = m,
+        .path = path,
+        .repair = repair,
+        .f = f,
+        .declared = INTAKE_UNKNOWN,
+        .first_vertex = m->vertices,
+        .first_triangle = m->triangles,
+        .furthest = -1,
+    };
+}
+
+static int fail_at(intake *in, const place *at, const char *text) {
+    const unsigned long long number = at->number;
+    if (at->line && at->what) {
+        return fail_set(in->f, in->path, "line %zu, %s %llu: %s", at->line, at->what, number, text);
+    }
+    if (at->line) {
+        return fail_set(in->f, in->path, "line %zu: %s", at->line, text);
+    }
+    if (at->what) {
+        return fail_set(in->f, in->path, "%s %llu at byte %zu: %s", at->what, number, at->byte,
+                        text);
+    }
+    return fail_set(in->f, in->path, "byte %zu: %s", at->byte, text);
+}
+
+int intake_fail(intake *in, const char *format, ...) {
+    char text[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return fail_at(in, &in->at, text);
+}
+
+/* Room for one more vertex and triangle, or a failure with the path. */
+static int make_room(intake *in) {
+    fail inner;
+    inner.text[0] = '\0';
+    if (mesh_reserve(in->m, 1, 1, &inner) != 0) {
+        return fail_set(in->f, in->path, "%s", inner.text);
+    }
+    return 0;
+}
+
+static int mark_bad(intake *in, size_t vertex) {
+    const size_t byte = vertex / 8;
+    if (byte >= in->bad_bytes) {
+        const size_t bytes = byte * 2 + 64;
+        unsigned char *bad = realloc(in->bad, bytes);
+        if (!bad) {
+            return fail_set(in->f, in->path, "out of memory; split the mesh");
+        }
+        memset(bad + in->bad_bytes, 0, bytes - in->bad_bytes);
+        in->bad = bad;
+        in->bad_bytes = bytes;
+    }
+    in->bad[byte] |= (unsigned char)(1u << vertex % 8);
+    in->bad_vertices++;
+    return 0;
+}
+
+static int is_bad(const intake *in, uint32_t vertex) {
+    return vertex / 8 < in->bad_bytes && (in->bad[vertex / 8] >> vertex % 8 & 1);
+}
+
+/* False for NaN. */
+static int within(float x) {
+    return x >= -PLT_COORD_MAX && x <= PLT_COORD_MAX;
+}
+
+int intake_vertex(intake *in, float x, float y, float z) {
+    mesh *m = in->m;
+    if (m->vertices == m->vertex_room && make_room(in) != 0) {
+        return -1;
+    }
+    if (!within(x) || !within(y) || !within(z)) {
+        if (!in->repair->wanted) {
+            return intake_fail(in,
+                               "the vertex (%g %g %g) is not finite or beyond +-2^40; "
+                               "use pack --repair to drop it",
+                               (double)x, (double)y, (double)z);
+        }
+        if (mark_bad(in, m->vertices - in->first_vertex) != 0) {
+            return -1;
+        }
+        x = y = z = 0;
+    }
+    return mesh_add_vertex(m, x, y, z, in->f);
+}
+
+static int fail_missing(intake *in, const place *at, int64_t written, uint64_t count) {
+    char text[160];
+    snprintf(text, sizeof text,
+             "uses vertex %lld, which is not among the %llu vertices; "
+             "use pack --repair to drop it",
+             (long long)written, (unsigned long long)count);
+    return fail_at(in, at, text);
+}
+
+static void note_furthest(intake *in, int64_t vertex, int64_t written) {
+    const size_t here = in->m->vertices - in->first_vertex;
+    if (vertex >= (int64_t)here && vertex > in->furthest) {
+        in->furthest = vertex;
+        in->furthest_written = written;
+        in->furthest_at = in->at;
+    }
+}
+
+static int add_triangle(intake *in, uint32_t a, uint32_t b, uint32_t c) {
+    mesh *m = in->m;
+    if (m->triangles == m->triangle_room && make_room(in) != 0) {
+        return -1;
+    }
+    return mesh_add_triangle(m, a, b, c, in->f);
+}
+
+static int add_corner(intake *in, chain *c, uint32_t vertex) {
+    int result = 0;
+    c->corners++;
+    if (c->corners == 1) {
+        c->first = vertex;
+    } else if (c->corners >= 3 && !c->is_strip) {
+        result = add_triangle(in, c->first, c->last, vertex);
+    } else if (c->corners >= 3) {
+        const int turned = c->corners % 2 == 0;
+        result = turned ? add_triangle(in, c->last, c->before, vertex)
+                        : add_triangle(in, c->before, c->last, vertex);
+    }
+    c->before = c->last;
+    c->last = vertex;
+    return result;
+}
+
+int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written) {
+    if (c->is_strip && vertex == -1) {
+        c->corners = 0;
+        return 0;
+    }
+    uint32_t number = MISSING;
+    if (vertex >= 0 && (uint64_t)vertex < in->declared) {
+        note_furthest(in, vertex, written);
+        number = vertex < MISSING ? (uint32_t)vertex : MISSING;
+    } else if (!in->repair->wanted) {
+        const uint64_t here = in->m->vertices - in->first_vertex;
+        return fail_missing(in, &in->at, written,
+                            in->declared == INTAKE_UNKNOWN ? here : in->declared);
+    }
+    return add_corner(in, c, number);
+}
+
+int intake_polygon_end(intake *in, const chain *c) {
+    if (c->corners >= 3) {
+        return 0;
+    }
+    if (in->repair->wanted) {
+        in->bad_triangles++;
+        return 0;
+    }
+    return intake_fail(in, "a face of %llu corners; use pack --repair to drop it",
+                       (unsigned long long)c->corners);
+}
+
+static int can_be_kept(const intake *in, const uint32_t *corner, size_t count) {
+    for (int k = 0; k < 3; k++) {
+        if (corner[k] >= count || is_bad(in, corner[k])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* From the file's vertex numbers to the mesh's; drops what has none. */
+static void settle_triangles(intake *in) {
+    mesh *m = in->m;
+    const size_t count = m->vertices - in->first_vertex;
+    const uint32_t base = (uint32_t)in->first_vertex;
+    size_t kept = in->first_triangle;
+    for (size_t i = in->first_triangle; i < m->triangles; i++) {
+        const uint32_t *from = m->triangle + 3 * i;
+        uint32_t *to = m->triangle + 3 * kept;
+        if (!can_be_kept(in, from, count)) {
+            in->bad_triangles++;
+            continue;
+        }
+        for (int k = 0; k < 3; k++) {
+            to[k] = from[k] + base;
+        }
+        kept++;
+    }
+    m->triangles = kept;
+}
+
+int intake_finish(intake *in) {
+    const size_t count = in->m->vertices - in->first_vertex;
+    if (!in->repair->wanted && in->furthest >= (int64_t)count) {
+        fail_missing(in, &in->furthest_at, in->furthest_written, count);
+        intake_undo(in);
+        return -1;
+    }
+    settle_triangles(in);
+    in->repair->bad_vertices += in->bad_vertices;
+    in->repair->bad_triangles += in->bad_triangles;
+    free(in->bad);
+    in->bad = NULL;
+    return 0;
+}
+
+void intake_undo(intake *in) {
+    in->m->vertices = in->first_vertex;
+    in->m->triangles = in->first_triangle;
+    free(in->bad);
+    in->bad = NULL;
+}

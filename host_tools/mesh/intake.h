@@ -1,0 +1,59 @@
+/* intake - where every reader's vertices and faces are checked, once
+ *
+ * A reader keeps `at` on the element it reads, hands in vertices and
+ * corners as the file has them, and calls `intake_finish`, or
+ * `intake_undo`, after which the mesh is as it was. Until then triangles
+ * hold the file's own vertex numbers.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef INTAKE_H
+#define INTAKE_H
+#include "host_tools/mesh/mesh.h"
+
+#define INTAKE_UNKNOWN UINT64_MAX
+#define INTAKE_MISSING INT64_MIN
+
+typedef struct place {
+    size_t line;      /* 0: a binary file, `byte` counts */
+    size_t byte;      /* offset of the element */
+    const char *what; /* "vertex", "face"; NULL: the line says enough */
+    uint64_t number;  /* of the element, from 0 */
+} place;
+
+typedef struct intake {
+    mesh *m;
+    const char *path;
+    mesh_repair *repair;
+    fail *f;
+    place at;
+    uint64_t declared; /* vertices in the file; INTAKE_UNKNOWN until the end */
+    size_t first_vertex, first_triangle;
+    uint64_t bad_vertices, bad_triangles;
+    unsigned char *bad; /* a bit a vertex, set for bad ones */
+    size_t bad_bytes;
+    int64_t furthest, furthest_written; /* greatest number not yet there */
+    place furthest_at;
+} intake;
+
+/* A polygon (a fan of triangles) or a triangle strip being read. */
+typedef struct chain {
+    uint32_t first, before, last;
+    uint64_t corners;
+    int is_strip;
+} chain;
+
+intake intake_begin(mesh *m, const char *path, mesh_repair *repair, fail *f);
+int intake_vertex(intake *in, float x, float y, float z);
+
+/* `vertex` counts from 0 (INTAKE_MISSING: cannot exist), `written` is what
+ * the file says, for the failure. */
+int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written);
+int intake_polygon_end(intake *in, const chain *c);
+
+int intake_finish(intake *in);
+void intake_undo(intake *in);
+
+/* "FILE: PLACE: " and the formatted rest; returns -1. */
+int intake_fail(intake *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

@@ -1,0 +1,90 @@
+/* mesh - triangles with shared vertices: memory
+ *
+ * Keeps: vertices <= vertex_room and triangles <= triangle_room; fewer than
+ * 2^32 - 1 vertices, so that UINT32_MAX is never a vertex number.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/mesh/mesh.h"
+
+#include <stdlib.h>
+
+static const size_t VERTICES_MAX = UINT32_MAX - 1;
+static const size_t TRIANGLES_MAX = UINT32_MAX - 1;
+
+/* Room for `needed` items of `item_bytes`: half as much again as before,
+ * so that adding one by one stays linear. */
+static void *grow(void *items, size_t *room, size_t needed, size_t item_bytes) {
+    const size_t half_more = *room + *room / 2 + 16;
+    const size_t more = needed > half_more ? needed : half_more;
+    if (more > SIZE_MAX / item_bytes) {
+        return NULL;
+    }
+    void *grown = realloc(items, more * item_bytes);
+    if (grown) {
+        *room = more;
+    }
+    return grown;
+}
+
+static int reserve_vertices(mesh *m, size_t more, fail *f) {
+    if (more <= m->vertex_room - m->vertices) {
+        return 0;
+    }
+    if (more > VERTICES_MAX - m->vertices) {
+        return fail_set(f, NULL, "more than 2^32 - 2 vertices; split the mesh");
+    }
+    float *vertex = grow(m->vertex, &m->vertex_room, m->vertices + more, 3 * sizeof *m->vertex);
+    if (!vertex) {
+        return fail_set(f, NULL, "out of memory at vertex %zu; split the mesh", m->vertices);
+    }
+    m->vertex = vertex;
+    return 0;
+}
+
+static int reserve_triangles(mesh *m, size_t more, fail *f) {
+    if (more <= m->triangle_room - m->triangles) {
+        return 0;
+    }
+    if (more > TRIANGLES_MAX - m->triangles) {
+        return fail_set(f, NULL, "more than 2^32 - 2 triangles; split the mesh");
+    }
+    uint32_t *triangle =
+        grow(m->triangle, &m->triangle_room, m->triangles + more, 3 * sizeof *m->triangle);
+    if (!triangle) {
+        return fail_set(f, NULL, "out of memory at triangle %zu; split the mesh", m->triangles);
+    }
+    m->triangle = triangle;
+    return 0;
+}
+
+int mesh_reserve(mesh *m, size_t vertices, size_t triangles, fail *f) {
+    return reserve_vertices(m, vertices, f) != 0 ? -1 : reserve_triangles(m, triangles, f);
+}
+
+int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f) {
+    if (m->vertices == m->vertex_room && reserve_vertices(m, 1, f) != 0) {
+        return -1;
+    }
+    float *v = m->vertex + 3 * m->vertices++;
+    v[0] = x;
+    v[1] = y;
+    v[2] = z;
+    return 0;
+}
+
+int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f) {
+    if (m->triangles == m->triangle_room && reserve_triangles(m, 1, f) != 0) {
+        return -1;
+    }
+    uint32_t *t = m->triangle + 3 * m->triangles++;
+    t[0] = a;
+    t[1] = b;
+    t[2] = c;
+    return 0;
+}
+
+void mesh_free(mesh *m) {
+    free(m->vertex);
+    free(m->triangle);
+    *m = (mesh){0};
+}

@@ -1,0 +1,27 @@
+/* readers - one reader a mesh file format, all with the same contract
+ *
+ * Each appends what `in` holds to `m`, or returns -1 with `m` as it was.
+ * `in->path` is what failures name.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef READERS_H
+#define READERS_H
+#include "host_tools/base/input.h"
+#include "host_tools/mesh/mesh.h"
+
+int ply_is(const input *in);
+int ply_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
+
+int obj_is(const input *in); /* for files whose name says nothing */
+int obj_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
+
+int stl_is(const input *in);
+int stl_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
+
+/* Reads the meshes of a recipe through `mesh_read_single`. */
+int recipe_read(mesh *m, const input *in, unsigned frame, mesh_repair *repair, fail *f);
+
+/* As `mesh_read`, but refuses recipes. */
+int mesh_read_single(mesh *m, const char *path, mesh_repair *repair, fail *f);
+
+#endif
