@@ -1,0 +1,219 @@
+/* ply - reads the Polygon File Format: ASCII and binary, either order
+ *
+ * Elements and properties may stand in any order; what is not x, y, z or
+ * a vertex list of `face` or `tristrips` is passed over.
+ *
+ * Keeps: each loop over a count from the file takes at least one byte a
+ * turn or fails.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/mesh/ply_value.h"
+#include "host_tools/mesh/readers.h"
+
+static int read_corners(ply_reader *r, const ply_property *p, chain *c) {
+    uint64_t count;
+    if (ply_count(r, p, &count) != 0) {
+        return -1;
+    }
+    for (uint64_t i = 0; i < count; i++) {
+        int64_t vertex;
+        if (ply_integer(r, p->type, &vertex) != 0 ||
+            intake_corner(&r->in, c, vertex, vertex) != 0) {
+            return -1;
+        }
+    }
+    return c->is_strip ? 0 : intake_polygon_end(&r->in, c);
+}
+
+static const ply_property *find_property(const ply_element *e, const char *name, int is_list) {
+    for (size_t i = 0; i < e->properties; i++) {
+        if (e->property[i].is_list == is_list && word_is(e->property[i].name, name)) {
+            return &e->property[i];
+        }
+    }
+    return NULL;
+}
+
+static const ply_property *find_corners(const ply_element *e) {
+    const ply_property *p = find_property(e, "vertex_indices", 1);
+    return p ? p : find_property(e, "vertex_index", 1);
+}
+
+static int read_vertex(ply_reader *r, const ply_element *e, const ply_property *const axis[3]) {
+    float position[3] = {0};
+    for (size_t i = 0; i < e->properties; i++) {
+        const ply_property *p = &e->property[i];
+        const int k = p == axis[0] ? 0 : p == axis[1] ? 1 : p == axis[2] ? 2 : 3;
+        if (k < 3 ? ply_coordinate(r, p->type, &position[k]) != 0 : ply_skip(r, p) != 0) {
+            return -1;
+        }
+    }
+    return intake_vertex(&r->in, position[0], position[1], position[2]);
+}
+
+static int read_face(ply_reader *r, const ply_element *e, const ply_property *corners,
+                     int is_strip) {
+    for (size_t i = 0; i < e->properties; i++) {
+        const ply_property *p = &e->property[i];
+        chain c = {.is_strip = is_strip};
+        if (p == corners ? read_corners(r, p, &c) != 0 : ply_skip(r, p) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int skip_element(ply_reader *r, const ply_element *e) {
+    for (size_t i = 0; i < e->properties; i++) {
+        if (ply_skip(r, &e->property[i]) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int element_done(ply_reader *r) {
+    if (r->header->format == PLY_ASCII && !scan_line_done(&r->data)) {
+        return intake_fail(&r->in,
+                           "more values on the line than the header declares; "
+                           "correct the line or the header");
+    }
+    return 0;
+}
+
+/* What an element is for. */
+typedef struct role {
+    enum { SKIP, VERTEX, FACE, STRIP } kind;
+    const ply_property *axis[3], *corners;
+} role;
+
+static int find_role(role *what, const ply_element *e, const input *in, fail *f) {
+    *what = (role){.kind = SKIP};
+    if (word_is(e->name, "vertex")) {
+        what->kind = VERTEX;
+        what->axis[0] = find_property(e, "x", 0);
+        what->axis[1] = find_property(e, "y", 0);
+        what->axis[2] = find_property(e, "z", 0);
+        if (!what->axis[0] || !what->axis[1] || !what->axis[2]) {
+            return fail_set(f, in->path, "line %zu: the vertices lack x, y or z; add them",
+                            e->line);
+        }
+    } else if (word_is(e->name, "face") || word_is(e->name, "tristrips")) {
+        what->kind = word_is(e->name, "face") ? FACE : STRIP;
+        what->corners = find_corners(e);
+        if (!what->corners) {
+            return fail_set(f, in->path, "line %zu: '%.*s' has no list vertex_indices; rename one",
+                            e->line, WORD_SHOWN(e->name));
+        }
+    }
+    return 0;
+}
+
+static int read_one(ply_reader *r, const ply_element *e, const role *what) {
+    switch (what->kind) {
+    case VERTEX:
+        return read_vertex(r, e, what->axis);
+    case FACE:
+    case STRIP:
+        return read_face(r, e, what->corners, what->kind == STRIP);
+    default:
+        return skip_element(r, e);
+    }
+}
+
+/* Elements without properties take no bytes and say nothing. */
+static int read_element(ply_reader *r, const ply_element *e, const input *in) {
+    static const char *const NAMES[] = {"element", "vertex", "face", "strip"};
+    role what;
+    if (e->count == 0 || e->properties == 0) {
+        return 0;
+    }
+    if (find_role(&what, e, in, r->in.f) != 0) {
+        return -1;
+    }
+    r->in.at = (place){.what = NAMES[what.kind]};
+    for (uint64_t i = 0; i < e->count; i++) {
+        r->in.at.number = i;
+        r->in.at.byte = (size_t)(r->data.at - r->bytes);
+        r->in.at.line = r->header->format == PLY_ASCII ? r->data.line : 0;
+        if (read_one(r, e, &what) != 0 || element_done(r) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int check_end(ply_reader *r) {
+    r->in.at = (place){.byte = (size_t)(r->data.at - r->bytes)};
+    if (r->header->format == PLY_ASCII) {
+        while (scan_line_done(&r->data) && scan_next_line(&r->data)) {
+        }
+        r->in.at.line = r->data.line;
+    }
+    if (r->data.at == r->data.end || r->in.repair->wanted) {
+        return 0;
+    }
+    return intake_fail(&r->in,
+                       "%zu bytes more than the header declares; "
+                       "correct its counts or use pack --repair to ignore them",
+                       (size_t)(r->data.end - r->data.at));
+}
+
+/* Room for what the header announces: its counts fit the bytes there. */
+static int make_room(ply_reader *r) {
+    uint64_t faces = 0;
+    r->in.declared = 0;
+    for (size_t i = 0; i < r->header->elements; i++) {
+        const ply_element *e = &r->header->element[i];
+        if (e->properties > 0 && word_is(e->name, "vertex")) {
+            r->in.declared = e->count;
+        } else if (e->properties > 0 && word_is(e->name, "face")) {
+            faces = e->count;
+        }
+    }
+    fail inner = {{0}};
+    if (mesh_reserve(r->in.m, (size_t)r->in.declared, (size_t)faces, &inner) != 0) {
+        return fail_set(r->in.f, r->in.path, "%s", inner.text);
+    }
+    return 0;
+}
+
+static int read_data(ply_reader *r, const input *in) {
+    if (make_room(r) != 0) {
+        return -1;
+    }
+    for (size_t i = 0; i < r->header->elements; i++) {
+        if (read_element(r, &r->header->element[i], in) != 0) {
+            return -1;
+        }
+    }
+    return check_end(r);
+}
+
+int ply_is(const input *in) {
+    return in->size >= 4 && memcmp(in->bytes, "ply", 3) == 0 &&
+           (in->bytes[3] == '\n' || in->bytes[3] == '\r' || in->bytes[3] == ' ');
+}
+
+int ply_read(mesh *m, const input *in, mesh_repair *repair, fail *f) {
+    ply_header *header = malloc(sizeof *header);
+    if (!header) {
+        return fail_set(f, in->path, "out of memory; close other programs");
+    }
+    int result = ply_header_read(header, in, f);
+    if (result == 0) {
+        ply_reader r = {.header = header, .bytes = in->bytes, .data = header->data};
+        r.in = intake_begin(m, in->path, repair, f);
+        result = read_data(&r, in);
+        if (result == 0) {
+            result = intake_finish(&r.in);
+        } else {
+            intake_undo(&r.in);
+        }
+    }
+    free(header);
+    return result;
+}
