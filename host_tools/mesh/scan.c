@@ -67,8 +67,11 @@ int scan_next_line(scan *s) {
         return 0;
     }
     s->at += line_end(s, s->at);
+    if (s->at == s->end) {
+        return 0;
+    }
     s->line++;
-    return s->at < s->end;
+    return 1;
 }
 
 word scan_word(scan *s) {
