@@ -1,0 +1,42 @@
+/* header - the 256 bytes that an image begins with
+ *
+ * Byte offsets of SPEC.md, section 2; reading and writing them here keeps
+ * the packer and the engine from ever disagreeing.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_IMAGE_HEADER_H
+#define PLT_IMAGE_HEADER_H
+
+#include <stdint.h>
+
+#include "engine/planelet.h"
+
+#define PLT_HEADER_BYTES 256
+#define PLT_SECTION_ALIGN 64
+#define PLT_SECTIONS 2
+
+enum plt_section_kind { PLT_SECTION_NODES = 1, PLT_SECTION_TRIANGLES = 2 };
+
+typedef struct plt_section {
+    uint32_t kind, offset, bytes, crc;
+} plt_section;
+
+typedef struct plt_header {
+    plt_info info;
+    uint32_t root;
+    plt_section section[PLT_SECTIONS]; /* nodes, triangles */
+} plt_header;
+
+/* Bytes a section of `count` items takes, padding included. */
+uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);
+
+/* Checks R1 .. R12 of SPEC.md and fills `header`; `image_bytes` is what the
+ * source says it has. Touches `bytes` only. */
+int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
+                    uint32_t image_bytes, plt_fault *fault);
+
+/* The same 256 bytes from `header`, its CRC included. Offsets and sizes of
+ * the sections are worked out here; their CRCs are the caller's. */
+void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header);
+
+#endif

@@ -1,0 +1,54 @@
+/* record - one triangle of float geometry, 40 bytes
+ *
+ * Nine floats (three corners, x y z each), then the number that the triangle
+ * had in packing order in bits 0 .. 30, and in bit 31 whether it is the last
+ * of its list. Lists have 1 .. K records in a row; a last-in-list bit instead
+ * of a count leaves the thesis node as it is (thesis, section 8.1.4).
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TREE_RECORD_H
+#define PLT_TREE_RECORD_H
+
+#include <stdint.h>
+
+#include "engine/image/bytes.h"
+#include "engine/tree/box.h"
+
+#define PLT_RECORD_BYTES 40
+#define PLT_RECORD_LAST 0x80000000u
+
+typedef struct plt_record {
+    uint32_t word[10];
+} plt_record;
+
+_Static_assert(sizeof(plt_record) == PLT_RECORD_BYTES, "a triangle record has 40 bytes");
+
+static inline float plt_record_float(const plt_record *r, int corner, int axis) {
+    return plt_get_float(&r->word[3 * corner + axis]);
+}
+
+static inline uint32_t plt_record_source(const plt_record *r) {
+    return plt_get_u32(&r->word[9]) & ~PLT_RECORD_LAST;
+}
+
+static inline int plt_record_is_last(const plt_record *r) {
+    return (plt_get_u32(&r->word[9]) & PLT_RECORD_LAST) != 0;
+}
+
+static inline void plt_record_set_last(plt_record *r, int last) {
+    plt_put_u32(&r->word[9], plt_record_source(r) | (last ? PLT_RECORD_LAST : 0));
+}
+
+static inline plt_box plt_record_box(const plt_record *r) {
+    plt_box b;
+    for (int a = 0; a < 3; a++) {
+        const float p = plt_record_float(r, 0, a), q = plt_record_float(r, 1, a),
+                    s = plt_record_float(r, 2, a);
+        const float lo = p < q ? p : q, hi = p > q ? p : q;
+        b.lo[a] = s < lo ? s : lo;
+        b.hi[a] = s > hi ? s : hi;
+    }
+    return b;
+}
+
+#endif
