@@ -1,0 +1,27 @@
+/* boxes - a packet's groups against boxes
+ *
+ * A group is hit when any of its rays meets the box within tmin .. tmax. The
+ * distances are (plane - moved origin) * (1 / dir), the same numbers in each
+ * of three ways: rays of equal signs from one point, of equal signs, and
+ * mixed. Monotone in the planes: a ray that meets a box meets every box
+ * around it.
+ *
+ * Source: Kay and Kajiya 1986 (slabs); Karrenberg 2007, section 3.5.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_BOXES_H
+#define PLT_TRACE_BOXES_H
+
+#include "engine/trace/packet.h"
+
+/* Groups of `groups` that meet `box`. */
+plt_mask plt_box_groups(const plt_packet *packet, const plt_box *box, plt_mask groups);
+
+/* The same for both children of a node at once; adds the tests to `tests`. */
+void plt_box_children(const plt_packet *packet, const plt_box child[2], plt_mask groups,
+                      plt_mask hit[2]);
+
+/* Least distance at which the first group of `groups` enters the box. */
+float plt_box_entry(const plt_packet *packet, const plt_box *box, plt_mask groups);
+
+#endif

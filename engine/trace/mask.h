@@ -1,0 +1,37 @@
+/* mask - which groups of a packet are meant, a bit each
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_MASK_H
+#define PLT_TRACE_MASK_H
+
+#include <stdint.h>
+
+#include "engine/planelet_config.h"
+
+#define PLT_GROUPS_MAX (PLT_PACKET_SIDE_MAX * PLT_PACKET_SIDE_MAX / 4)
+
+#if PLT_GROUPS_MAX > 32
+typedef uint64_t plt_mask;
+#else
+typedef uint32_t plt_mask;
+#endif
+
+/* Number of the lowest group; the mask is not empty. */
+static inline unsigned plt_mask_first(plt_mask m) {
+#if PLT_GROUPS_MAX > 32
+    return (unsigned)__builtin_ctzll(m);
+#else
+    return (unsigned)__builtin_ctz(m);
+#endif
+}
+
+static inline plt_mask plt_mask_of(unsigned group, unsigned on) {
+    return (plt_mask)on << group;
+}
+
+/* The lowest `groups` groups (1 .. PLT_GROUPS_MAX). */
+static inline plt_mask plt_mask_all(unsigned groups) {
+    return (plt_mask)~(plt_mask)0 >> (8 * sizeof(plt_mask) - groups);
+}
+
+#endif

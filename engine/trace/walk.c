@@ -1,0 +1,74 @@
+/* walk - what both orders of traversal share; see walk.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/walk.h"
+
+#include "engine/trace/boxes.h"
+#include "engine/trace/triangle.h"
+
+void plt_walk_begin(plt_walker *w) {
+    const plt_entry root = {w->tree.box, w->tree.root, 0.0f, w->packet.active};
+    w->stack[0] = root;
+    w->waiting = w->packet.active != 0 && w->tree.root != PLT_LINK_NONE;
+    w->block = PLT_MISS;
+    w->stats.packets++;
+    w->stats.mixed_packets += w->packet.mixed;
+}
+
+static uint32_t count_groups(plt_mask groups) {
+    uint32_t count = 0;
+    for (; groups != 0; groups &= groups - 1) {
+        count++;
+    }
+    return count;
+}
+
+/* The child whose centre lies further back along the packet's way. */
+static int nearer_child(const plt_packet *p, const plt_box child[2]) {
+    float ahead = 0.0f;
+    for (int a = 0; a < 3; a++) {
+        const float left = child[0].lo[a] + child[0].hi[a];
+        const float right = child[1].lo[a] + child[1].hi[a];
+        ahead += p->forward[a] * (left - right);
+    }
+    return ahead > 0.0f;
+}
+
+int plt_walk_visit(plt_walker *w, const plt_entry *at, const plt_node **node, plt_box child[2],
+                   plt_mask hit[2]) {
+    *node = &w->tree.nodes[plt_link_index(at->link)];
+    plt_node_decode(*node, &at->box, child);
+    plt_box_children(&w->packet, child, at->groups, hit);
+    w->stats.node_visits++;
+    w->stats.group_tests += 2 * count_groups(at->groups);
+    return nearer_child(&w->packet, child);
+}
+
+void plt_walk_leaf(plt_walker *w, uint32_t link, plt_mask groups) {
+    uint32_t number = plt_link_index(link);
+    const uint32_t in_hand = count_groups(groups);
+    for (uint32_t lists = plt_link_lists(link); lists > 0; number++) {
+        const plt_record *record = &w->tree.records[number];
+        if (w->packet.any) {
+            groups &= w->packet.active;
+        }
+        plt_triangle_groups(&w->packet, record, number, groups);
+        w->stats.triangle_tests += in_hand;
+        lists -= (uint32_t)plt_record_is_last(record);
+    }
+}
+
+void plt_walk_enter(plt_walker *w, uint32_t index) {
+    const uint32_t block = index / w->treelet_nodes;
+    if (block == w->block) {
+        return;
+    }
+    const uint32_t bytes = w->treelet_nodes * PLT_NODE_BYTES;
+    w->block = block;
+    w->stats.treelet_fetches++;
+    w->stats.bytes_fetched += bytes;
+    if (!(w->touched[block / 32] >> block % 32 & 1u)) {
+        w->touched[block / 32] |= 1u << block % 32;
+        w->stats.bytes_touched_once += bytes;
+    }
+}

@@ -1,0 +1,179 @@
+/* pack - see pack.h
+ *
+ * The builder is the engine's own (engine/build), given memory from the heap
+ * instead of an arena: an image built here equals what a device builds.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/pack/pack.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/build/build.h"
+#include "engine/build/split.h"
+#include "engine/image/crc32.h"
+#include "engine/image/header.h"
+#include "engine/tree/survey.h"
+
+typedef struct packing {
+    const mesh *m;
+    const pack_options *options;
+    const char *name;
+    plt_header header;
+    plt_record *records;
+    plt_node *nodes;
+} packing;
+
+static int out_of_memory(const packing *p, fail *f) {
+    return fail_set(f, p->name, "%zu triangles: out of memory; pack on a larger machine",
+                    p->m->triangles);
+}
+
+static int too_large(const packing *p, fail *f) {
+    return fail_set(f, p->name,
+                    "%zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; "
+                    "leave some out",
+                    p->m->triangles);
+}
+
+static void fill_records(packing *p) {
+    const mesh *m = p->m;
+    for (size_t i = 0; i < m->triangles; i++) {
+        float corner[9];
+        for (int c = 0; c < 3; c++) {
+            memcpy(corner + 3 * c, m->vertex + 3 * (size_t)m->triangle[3 * i + (size_t)c],
+                   3 * sizeof(float));
+        }
+        plt_put_floats((unsigned char *)p->records[i].word, corner, 9);
+        plt_put_u32(&p->records[i].word[9], (uint32_t)i);
+    }
+}
+
+/* One list of everything, or nothing at all. */
+static int leave_unbuilt(packing *p) {
+    plt_info *info = &p->header.info;
+    p->header.root = PLT_LINK_NONE;
+    if (p->options->build == PLT_BUILD_NONE && info->triangles > 0) {
+        plt_record_set_last(&p->records[info->triangles - 1], 1);
+        p->header.root = plt_link_make(0, PLT_LINK_LEAF);
+        info->leaf_triangles = info->triangles;
+    }
+    return PLT_OK;
+}
+
+static int build(packing *p, fail *f) {
+    plt_info *info = &p->header.info;
+    const uint32_t nodes = plt_build_nodes_bound(info->triangles);
+    plt_build_job job = {.records = p->records,
+                         .count = info->triangles,
+                         .room = plt_build_slots_bound(nodes, info->treelet_nodes),
+                         .leaf_triangles = info->leaf_triangles,
+                         .treelet_nodes = info->treelet_nodes,
+                         .splits = info->splits,
+                         .scratch_bytes = plt_build_scratch_bytes(nodes, info->treelet_nodes)};
+    p->nodes = malloc((size_t)job.room * sizeof *p->nodes + 1);
+    job.nodes = p->nodes;
+    job.scratch = malloc(job.scratch_bytes);
+    if (p->nodes == NULL || job.scratch == NULL) {
+        free(job.scratch);
+        return out_of_memory(p, f);
+    }
+    const int status = plt_build(&job);
+    free(job.scratch);
+    if (status != PLT_OK) {
+        return fail_set(f, p->name,
+                        "%zu triangles need more than %d levels; raise PLT_DEPTH_MAX or --leaf",
+                        p->m->triangles, PLT_DEPTH_MAX);
+    }
+    info->node_slots = job.node_slots;
+    p->header.root = job.root;
+    return 0;
+}
+
+/* Counts and stack needs, by the same survey that opening trusts. */
+static int survey(packing *p, fail *f) {
+    plt_survey_frame frames[PLT_SURVEY_FRAMES];
+    plt_info *info = &p->header.info;
+    const plt_tree tree = {p->nodes,       p->records,       info->node_slots,
+                           info->triangles, p->header.root, {{0, 0, 0}, {0, 0, 0}}};
+    const uint32_t k = info->leaf_triangles;
+    plt_fault fault;
+    if (plt_tree_survey(&tree, frames, info, &fault) != PLT_OK) {
+        return fail_set(f, p->name, "the finished tree is refused: %s; please report this",
+                        fault.message);
+    }
+    info->leaf_triangles = k;
+    return 0;
+}
+
+static int assemble(packing *p, packed *image, fail *f) {
+    plt_info *info = &p->header.info;
+    const uint64_t nodes = plt_section_bytes(info->node_slots, PLT_NODE_BYTES);
+    const uint64_t records = plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
+    const uint64_t size = PLT_HEADER_BYTES + nodes + records;
+    if (size > UINT32_MAX) {
+        return too_large(p, f);
+    }
+    image->bytes = aligned_alloc(PLT_SECTION_ALIGN, (size_t)size);
+    if (image->bytes == NULL) {
+        return out_of_memory(p, f);
+    }
+    memset(image->bytes, 0, (size_t)size);
+    image->size = (uint32_t)size;
+    unsigned char *node_section = image->bytes + PLT_HEADER_BYTES;
+    unsigned char *record_section = node_section + nodes;
+    if (info->node_slots > 0) {
+        memcpy(node_section, p->nodes, (size_t)info->node_slots * PLT_NODE_BYTES);
+    }
+    if (info->triangles > 0) {
+        memcpy(record_section, p->records, (size_t)info->triangles * PLT_RECORD_BYTES);
+    }
+    p->header.section[0].crc = plt_crc32(0, node_section, (size_t)nodes);
+    p->header.section[1].crc = plt_crc32(0, record_section, (size_t)records);
+    plt_header_write(image->bytes, &p->header);
+    image->info = *info;
+    return 0;
+}
+
+static int pack(packing *p, packed *image, fail *f) {
+    plt_info *info = &p->header.info;
+    info->triangles = (uint32_t)p->m->triangles;
+    info->leaf_triangles = p->options->leaf_triangles;
+    info->treelet_nodes = p->options->treelet_nodes;
+    info->splits = p->options->splits;
+    info->build = p->options->build;
+    p->records = malloc(p->m->triangles * sizeof *p->records + 1);
+    if (p->records == NULL) {
+        return out_of_memory(p, f);
+    }
+    fill_records(p);
+    const plt_box box = plt_records_box(p->records, 0, info->triangles);
+    for (int a = 0; a < 3 && info->triangles > 0; a++) {
+        info->lo[a] = box.lo[a];
+        info->hi[a] = box.hi[a];
+    }
+    const int status = info->build == PLT_BUILD_HOST ? build(p, f) : leave_unbuilt(p);
+    if (status != 0 || (info->build != PLT_BUILD_DEVICE && survey(p, f) != 0)) {
+        return -1;
+    }
+    return assemble(p, image, f);
+}
+
+int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name,
+              fail *f) {
+    const packed nothing = {NULL, 0, {0}};
+    *image = nothing;
+    packing p = {.m = m, .options = options, .name = name};
+    if (m->triangles > PLT_INDEX_MAX) {
+        return too_large(&p, f);
+    }
+    const int status = pack(&p, image, f);
+    free(p.records);
+    free(p.nodes);
+    return status;
+}
+
+void pack_free(packed *image) {
+    free(image->bytes);
+    image->bytes = NULL;
+}

@@ -1,0 +1,32 @@
+/* pack - from a mesh to a scene image
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PACK_H
+#define PACK_H
+#include <stdint.h>
+
+#include "engine/planelet.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/base/output.h"
+#include "host_tools/mesh/mesh.h"
+
+typedef struct pack_options {
+    uint8_t splits;          /* enum plt_splits */
+    uint8_t build;           /* enum plt_build */
+    uint32_t leaf_triangles; /* K */
+    uint32_t treelet_nodes;  /* N */
+} pack_options;
+
+/* A whole image in memory; aligned to PLT_ALIGN, freed by pack_free. */
+typedef struct packed {
+    unsigned char *bytes;
+    uint32_t size;
+    plt_info info;
+} packed;
+
+/* Triangle i of the mesh gets number i. `name` is for errors. */
+int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name,
+              fail *f);
+void pack_free(packed *image);
+
+#endif
