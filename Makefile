@@ -6,6 +6,7 @@
 
 BOARD ?= host
 BUILD := build
+BOARDS := $(patsubst board/%/board.mk,%,$(sort $(wildcard board/*/board.mk)))
 VARIANT ?=
 
 # One set of flags for every compiler and board: IEEE single precision in

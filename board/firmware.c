@@ -1,0 +1,194 @@
+/* firmware - opens a scene, renders one frame in a main loop, prints figures
+ *
+ * Parameters, key=value; numbers of three are x,y,z; a float is decimal or
+ * its bits in hexadecimal (0x3f800000), which is how two machines hand each
+ * other exactly the same camera:
+ *   size=320x240       pixels          eye= look= up= tan=   the camera; tan is
+ *   packet=8           rays a side                 of half the vertical angle
+ *   walk=depth|two     order of the walk           shader=eyelight|normal|triangle
+ *   visits=20000       node visits a step of the main loop
+ *   arena=65536        use less of the arena than there is
+ *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
+ *
+ * Prints one line a matter, each a word and name=value items, or one line
+ * that begins with "error: ". What it returns is in board.h.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "board/board.h"
+#include "board/hash.h"
+#include "board/job.h"
+#include "board/line.h"
+
+/* Where an instruction counter starts and stops: around opening the scene,
+ * and around every step of the renderer but not the board's copying. */
+__attribute__((noinline)) void firmware_open_begin(void);
+__attribute__((noinline)) void firmware_open_end(void);
+__attribute__((noinline)) void firmware_render_begin(void);
+__attribute__((noinline)) void firmware_render_end(void);
+
+void firmware_open_begin(void) {
+    __asm__ volatile("");
+}
+
+void firmware_open_end(void) {
+    __asm__ volatile("");
+}
+
+void firmware_render_begin(void) {
+    __asm__ volatile("");
+}
+
+void firmware_render_end(void) {
+    __asm__ volatile("");
+}
+
+static int print_fault(const plt_fault *fault, int status, size_t arena_bytes) {
+    line l;
+    line_start(&l);
+    line_text(&l, "error: ");
+    line_text(&l, fault->message ? fault->message : "no reason given");
+    if (status == PLT_ERR_ARENA) {
+        line_item(&l, "need_bytes", fault->need_bytes);
+        line_item(&l, "arena_bytes", arena_bytes);
+    } else if (fault->rule) {
+        line_text(&l, " rule=");
+        line_some(&l, &fault->kind, 1);
+        line_u64(&l, fault->rule);
+        line_item(&l, "offset", fault->offset);
+    } else if (status == PLT_ERR_SOURCE) {
+        line_item(&l, "offset", fault->offset);
+    }
+    line_print(&l);
+    return FIRMWARE_FAILED;
+}
+
+static void print_scene(const plt_info *info) {
+    line l;
+    line_start(&l);
+    line_text(&l, "scene");
+    line_item(&l, "triangles", info->triangles);
+    line_item(&l, "nodes", info->nodes);
+    line_item(&l, "treelets", info->treelets);
+    line_item(&l, "image_bytes", info->image_bytes);
+    line_print(&l);
+}
+
+static void print_stats(const plt_engine *engine) {
+    plt_stats stats;
+    line l;
+    plt_stats_get(engine, &stats);
+    line_start(&l);
+    line_text(&l, "stats");
+    line_item(&l, "rays", stats.rays);
+    line_item(&l, "node_visits", stats.node_visits);
+    line_item(&l, "group_tests", stats.group_tests);
+    line_item(&l, "triangle_tests", stats.triangle_tests);
+    line_item(&l, "packets", stats.packets);
+    line_print(&l);
+    line_text(&l, "streamed");
+    line_item(&l, "treelet_fetches", stats.treelet_fetches);
+    line_item(&l, "bytes_fetched", stats.bytes_fetched);
+    line_item(&l, "bytes_touched_once", stats.bytes_touched_once);
+    line_print(&l);
+}
+
+static void print_memory(const plt_engine *engine, size_t arena_bytes) {
+    uint32_t used, size;
+    line l;
+    line_start(&l);
+    line_text(&l, "arena");
+    line_item(&l, "used", plt_arena_used(engine));
+    line_item(&l, "peak", plt_arena_peak(engine));
+    line_item(&l, "bytes", arena_bytes);
+    line_print(&l);
+    board_stack(&used, &size);
+    line_text(&l, "stack");
+    line_item(&l, "painted", used);
+    line_item(&l, "bytes", size);
+    line_print(&l);
+}
+
+static void print_frame(const plt_frame *frame, uint32_t tiles, uint32_t ticks,
+                        const uint8_t *rgb) {
+    line l;
+    line_start(&l);
+    line_text(&l, "frame");
+    line_item(&l, "width", frame->width);
+    line_item(&l, "height", frame->height);
+    line_item(&l, "tiles", tiles);
+    line_item(&l, "ticks", ticks);
+    line_item(&l, "ticks_per_second", board_ticks_per_second());
+    line_print(&l);
+    if (rgb) {
+        line_text(&l, "frame_hash=");
+        line_hex(&l, hash_bytes(rgb, (size_t)frame->width * frame->height * 3), 16);
+        line_print(&l);
+    }
+}
+
+/* The main loop of a device: a step of the renderer, then whatever else there
+ * is to do (here: the tile). Returns PLT_OK or an error. */
+static int render(plt_engine *engine, const job *j, uint32_t *tiles) {
+    int status = plt_render_begin(engine, &j->frame);
+    if (status < 0) {
+        return status;
+    }
+    do {
+        firmware_render_begin();
+        status = plt_render_step(engine, j->visits);
+        firmware_render_end();
+        if (status == PLT_TILE) {
+            plt_tile tile;
+            plt_render_tile(engine, &tile);
+            board_tile(&tile);
+            ++*tiles;
+        }
+    } while (status > 0);
+    return status;
+}
+
+static int run(plt_engine *engine, const job *j, const char *parameters) {
+    uint32_t tiles = 0;
+    if (board_frame_begin(j->frame.width, j->frame.height) < 0) {
+        return FIRMWARE_FAILED;
+    }
+    plt_stats_reset(engine);
+    const uint32_t before = board_ticks();
+    const int status = render(engine, j, &tiles);
+    const uint32_t ticks = board_ticks() - before;
+    if (status < 0) {
+        board_print(status == PLT_ERR_SOURCE
+                        ? "error: the source failed while rendering\n"
+                        : "error: the camera has no direction, or the frame no size\n");
+        return FIRMWARE_FAILED;
+    }
+    print_frame(&j->frame, tiles, ticks, board_frame_end(parameters));
+    print_stats(engine);
+    return FIRMWARE_DONE;
+}
+
+int firmware(const char *parameters) {
+    plt_source source = {0};
+    plt_fault fault = {0};
+    plt_engine *engine = NULL;
+    job j;
+    size_t arena_bytes;
+    unsigned char *arena = board_arena(&arena_bytes);
+    if (job_read(&j, parameters, &arena_bytes) < 0) {
+        return FIRMWARE_USAGE;
+    }
+    if (board_scene(parameters, &source) < 0) {
+        return FIRMWARE_FAILED;
+    }
+    firmware_open_begin();
+    const int status = plt_open(&engine, arena, arena_bytes, &source, &j.options, &fault);
+    firmware_open_end();
+    if (status < 0) {
+        return print_fault(&fault, status, arena_bytes);
+    }
+    print_scene(plt_engine_info(engine));
+    job_aim(&j, plt_engine_info(engine));
+    const int result = run(engine, &j, parameters);
+    print_memory(engine, arena_bytes);
+    return result;
+}

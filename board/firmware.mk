@@ -1,0 +1,64 @@
+# firmware - what every board but the host has in common
+#
+# Engine, firmware and board become one build/BOARD/firmware.elf. The worst
+# stack is computed from the call graph before linking, and the linker script
+# refuses a smaller stack. No C library is linked; its headers are used.
+# SPDX-License-Identifier: MIT
+
+ifeq ($(wildcard board/$(BOARD)/board.mk),)
+$(error there is no board/$(BOARD)/board.mk; boards: $(BOARDS))
+endif
+include board/$(BOARD)/board.mk
+
+OUT := $(BUILD)/$(BOARD)
+HOST_CC ?= cc
+override CC := $(CROSS)gcc
+TEST_PROGRAMS :=
+
+FIRMWARE := $(sort $(wildcard board/*.c board/$(BOARD)/*.c platform/$(PLATFORM_FAMILY)/*.c))
+objects = $(patsubst %.c,$(OUT)/%.o,$(1))
+FIRMWARE_OBJECTS := $(call objects,$(ENGINE) $(FIRMWARE))
+
+# Loops stay loops: memcpy must not become a call of itself, nor a search for
+# the end of a text a call of strlen.
+COMMAND = $(CC) $(STRICT) $(CPU) -O2 -g $(FREESTANDING) $(lanes_$(LANES)) \
+          -ffunction-sections -fdata-sections -fcallgraph-info=su,da \
+          -fno-tree-loop-distribute-patterns \
+          -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(FIRMWARE_FLAGS)
+
+## make BOARD=name: cross-compiles build/name/firmware.elf
+firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
+
+$(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
+                     $(wildcard platform/$(PLATFORM_FAMILY)/*.ld)
+	@echo "$(CC) $@"
+	@$(CC) $(CPU) -nostdlib -L. -T $(LINK_SCRIPT) -Wl,--gc-sections,-Map=$(OUT)/firmware.map \
+	    -Wl,--defsym=plt_arena_bytes=$(ARENA_BYTES),--defsym=plt_stack_bytes=$(STACK_BYTES) \
+	    -Wl,--defsym=plt_stack_worst=$$(sed -n 's/^worst \([0-9]*\).*/\1/p' $(OUT)/stack.txt) \
+	    -o $@ $(FIRMWARE_OBJECTS)
+	@$(CROSS)size $@
+
+# The worst path from start-up to anywhere; fails on recursion and on frames
+# of unknown size.
+$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) tests/check/stack.awk
+	@awk -v root=cortex_m_start -v indirect='$(SOURCE_FUNCTIONS)' -f tests/check/stack.awk \
+	    $(FIRMWARE_OBJECTS:.o=.ci) >$@ || { cat $@ >&2; exit 1; }
+
+$(OUT)/%.o: %.c $(OUT)/flags
+	$(call compile,$(COMMAND))
+
+# The instruction counter is a program of the host.
+$(OUT)/libcount.so: tests/qemu/count.c
+	@mkdir -p $(@D)
+	@echo "cc $@"
+	@$(HOST_CC) $(STRICT) -O2 -shared -fPIC -o $@ $<
+
+$(OUT)/flags: FORCE
+	$(call remember,$(COMMAND))
+
+## make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: runs it, with counts
+run: firmware
+	@BUILD='$(BUILD)' sh board/$(BOARD)/run.sh '$(SCENE)' \
+	    $(if $(SIZE),size=$(SIZE)) frame=$(OUT)/frame.ppm $(PARAMETERS)
+
+-include $(FIRMWARE_OBJECTS:.o=.d)

@@ -1,0 +1,140 @@
+/* job - what the firmware shall do, read from its parameters
+ *
+ * SPDX-License-Identifier: MIT */
+#include "board/job.h"
+
+#include "board/line.h"
+#include "board/parameters.h"
+
+static const char keys[] =
+    "size eye look up tan packet walk shader visits arena "
+    "scene bytes frame";
+
+enum { AIM_EYE = 1, AIM_LOOK = 2, AIM_UP = 4, AIM_TAN = 8 };
+
+static int complain(const char *what, const parameter *p, const char *wanted) {
+    line l;
+    line_start(&l);
+    line_text(&l, "error: ");
+    line_text(&l, what);
+    line_text(&l, " '");
+    line_some(&l, p->text, p->length);
+    line_text(&l, "'; ");
+    line_text(&l, wanted);
+    line_print(&l);
+    return -1;
+}
+
+/* An item that may be absent: 0 absent, 1 read, -1 wrong (and said so). */
+static int read_u32(const char *all, const char *key, uint32_t least, uint32_t most,
+                    uint32_t *value) {
+    parameter p;
+    uint32_t read;
+    if (!parameter_find(all, key, &p)) {
+        return 0;
+    }
+    if (parameter_u32(&p, &read) < 0 || read < least || read > most) {
+        return complain(key, &p, "an integer in its range is wanted");
+    }
+    *value = read;
+    return 1;
+}
+
+static int read_floats(const char *all, const char *key, float *values, unsigned count) {
+    parameter p;
+    if (!parameter_find(all, key, &p)) {
+        return 0;
+    }
+    if (parameter_floats(&p, values, count) < 0) {
+        return complain(key, &p, "decimal numbers or 0x and the bits of floats are wanted");
+    }
+    return 1;
+}
+
+/* One of several words; *choice becomes its number. */
+static int read_word(const char *all, const char *key, const char *const *words, unsigned count,
+                     uint8_t *choice) {
+    parameter p;
+    if (!parameter_find(all, key, &p)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < count; i++) {
+        if (parameter_is(&p, words[i])) {
+            *choice = (uint8_t)i;
+            return 1;
+        }
+    }
+    return complain(key, &p, "not one of the words it may be");
+}
+
+static int read_size(const char *all, plt_frame *frame) {
+    parameter p;
+    uint32_t width = 320, height = 240;
+    if (parameter_find(all, "size", &p) && (parameter_size(&p, &width, &height) < 0 || width < 1 ||
+                                            width > 65535 || height < 1 || height > 65535)) {
+        return complain("size", &p, "WIDTHxHEIGHT, each 1 .. 65535, is wanted");
+    }
+    frame->width = (uint16_t)width;
+    frame->height = (uint16_t)height;
+    return 0;
+}
+
+static int read_camera(const char *all, job *j) {
+    plt_camera *c = &j->frame.camera;
+    const int eye = read_floats(all, "eye", c->eye, 3);
+    const int look = read_floats(all, "look", c->look, 3);
+    const int up = read_floats(all, "up", c->up, 3);
+    const int tan = read_floats(all, "tan", &c->tan_half_fov, 1);
+    if (eye < 0 || look < 0 || up < 0 || tan < 0) {
+        return -1;
+    }
+    j->aimed =
+        (eye ? AIM_EYE : 0u) | (look ? AIM_LOOK : 0u) | (up ? AIM_UP : 0u) | (tan ? AIM_TAN : 0u);
+    return 0;
+}
+
+static int read_words(const char *all, job *j) {
+    static const char *const walks[] = {"depth", "two"};
+    static const char *const shaders[] = {"eyelight", "normal", "triangle"};
+    if (read_word(all, "walk", walks, 2, &j->options.walk) < 0) {
+        return -1;
+    }
+    return read_word(all, "shader", shaders, 3, &j->frame.shader);
+}
+
+int job_read(job *j, const char *parameters, size_t *arena_bytes) {
+    uint32_t arena = (uint32_t)*arena_bytes, packet = 8;
+    parameter item;
+    *j = (job){.visits = 20000};
+    if (parameter_unknown(parameters, keys, &item)) {
+        return complain("unknown parameter", &item, "KEY=VALUE is wanted");
+    }
+    if (read_size(parameters, &j->frame) < 0 || read_camera(parameters, j) < 0 ||
+        read_words(parameters, j) < 0 ||
+        read_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
+        read_u32(parameters, "visits", 1, UINT32_MAX, &j->visits) < 0 ||
+        read_u32(parameters, "arena", 0, arena, &arena) < 0) {
+        return -1;
+    }
+    j->options.packet_side = (uint8_t)packet;
+    *arena_bytes = arena;
+    return 0;
+}
+
+void job_aim(job *j, const plt_info *info) {
+    static const float from[3] = {0.9f, 0.7f, 1.9f}; /* the box lies in view from there */
+    plt_camera *c = &j->frame.camera;
+    float square = 0.0f;
+    for (int a = 0; a < 3; a++) {
+        const float side = info->hi[a] - info->lo[a];
+        square += side * side;
+    }
+    const float radius = 0.5f * __builtin_sqrtf(square);
+    for (int a = 0; a < 3; a++) {
+        const float centre = 0.5f * info->lo[a] + 0.5f * info->hi[a];
+        c->look[a] = j->aimed & AIM_LOOK ? c->look[a] : centre;
+        c->eye[a] = j->aimed & AIM_EYE ? c->eye[a] : centre + from[a] * radius;
+        c->up[a] = j->aimed & AIM_UP ? c->up[a] : (a == 1 ? 1.0f : 0.0f);
+    }
+    c->tan_half_fov = j->aimed & AIM_TAN ? c->tan_half_fov : 0.5f;
+}

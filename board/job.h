@@ -1,0 +1,24 @@
+/* job - what the firmware shall do, read from its parameters
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_BOARD_JOB_H
+#define PLT_BOARD_JOB_H
+
+#include "engine/planelet.h"
+
+typedef struct job {
+    plt_frame frame;
+    plt_options options;
+    uint32_t visits; /* a step of the main loop */
+    unsigned aimed;  /* bit 0 eye, 1 look, 2 up, 3 tan: were given */
+} job;
+
+/* Reads all but the camera's defaults; `*arena_bytes` shrinks to what
+ * arena= asks for. On a wrong parameter prints a line and returns -1. */
+int job_read(job *j, const char *parameters, size_t *arena_bytes);
+
+/* Fills in what the parameters left open of the camera, from the scene's
+ * box: the same view as `planelet render` without options. */
+void job_aim(job *j, const plt_info *info);
+
+#endif

@@ -1,0 +1,20 @@
+/* number - numbers of a command line, without libc and without rounding twice
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_BOARD_NUMBER_H
+#define PLT_BOARD_NUMBER_H
+
+#include <stdint.h>
+
+/* Decimal digits only; -1 when empty, not a number or 2^32 and more. */
+int number_u32(const char *text, unsigned length, uint32_t *value);
+
+/* A float, rounded to nearest even, from either
+ *   0x3f800000    its bits, exact by nature, or
+ *   -12.5e-3      a decimal number of at most 18 digits (leading zeros not
+ *                 counted) whose value is 0 or in 1e-18 .. 1e18.
+ * Nine digits, as "%.9g" prints them, bring every float of that range back.
+ * -1 when it is neither. */
+int number_float(const char *text, unsigned length, float *value);
+
+#endif
