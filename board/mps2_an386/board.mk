@@ -1,0 +1,12 @@
+# mps2_an386 - Arm MPS2 board with a Cortex-M4F at 25 MHz, as QEMU models it
+# SPDX-License-Identifier: MIT
+
+CROSS := arm-none-eabi-
+CPU := -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16
+LANES := scalar
+ARENA_BYTES := 262144
+STACK_BYTES := 4096
+PLATFORM_FAMILY := cortex_m
+LINK_SCRIPT := board/mps2_an386/memory.ld
+# Functions that plt_source's pointers may lead to, for the stack figure.
+SOURCE_FUNCTIONS := scene_start scene_wait

@@ -1,0 +1,131 @@
+# stack - worst C stack from the call graphs that GCC writes
+#
+#   awk -v root='NAME ...' [-v indirect='NAME ...'] [-v limit=BYTES] -f stack.awk FILE.ci ...
+#
+# Reads the output of -fcallgraph-info=su,da. Prints "worst BYTES ROOT" for
+# the root with the deepest path, the path itself with the frame of every
+# function on it, and a line for each other root. Every path is followed, so
+# that the figure is a bound, not a sample. What would make it wrong is an
+# error, printed, with exit status 1: recursion, a frame whose size is only
+# known at run time, a function without a call graph, a call by pointer when
+# `indirect` does not say where it may lead, a frame above `limit`.
+# SPDX-License-Identifier: MIT
+
+function field(name,    text) { # the quoted text behind NAME: "
+    if (!match($0, name ": \"[^\"]*\"")) {
+        return ""
+    }
+    text = substr($0, RSTART, RLENGTH)
+    sub(/^[^"]*"/, "", text)
+    sub(/"$/, "", text)
+    return text
+}
+
+function bare(title) { # "engine/a/b.c:f" names a static function
+    sub(/^.*:/, "", title)
+    return title
+}
+
+function complain(sentence) {
+    if (!(sentence in complaints)) {
+        complaints[sentence] = 1
+        print "error: " sentence
+        errors++
+    }
+}
+
+function resolve(title,    name) { # a name of the command line to a title
+    if (title in frame) {
+        return title
+    }
+    name = bare(title)
+    return (name in by_name) ? by_name[name] : title
+}
+
+# Depth of the deepest path below and with `title`; next_on[] leads along it.
+function depth(title,    i, n, called, best, below, targets) {
+    if (title in done) {
+        return done[title]
+    }
+    if (title in open) {
+        complain("recursion through " bare(title))
+        return 0
+    }
+    if (!(title in frame)) {
+        complain("no call graph for " bare(title) ", called by " bare(caller))
+        return 0
+    }
+    open[title] = 1
+    best = 0
+    n = split(calls[title], targets, SUBSEP)
+    for (i = 1; i <= n; i++) {
+        if (targets[i] == "") {
+            continue
+        }
+        caller = title
+        called = resolve(targets[i])
+        below = depth(called)
+        if (below > best) {
+            best = below
+            next_on[title] = called
+        }
+    }
+    delete open[title]
+    done[title] = frame[title] + best
+    return done[title]
+}
+
+/^node:/ {
+    title = field("title")
+    label = field("label")
+    if (match(label, /[0-9]+ bytes \([a-z,]+\)/)) {
+        size = substr(label, RSTART, RLENGTH)
+        frame[title] = size + 0
+        by_name[bare(title)] = title
+        if (size ~ /dynamic/ && size !~ /bounded/) {
+            complain("the frame of " bare(title) " has no fixed size")
+        }
+        if (limit && frame[title] > limit) {
+            complain("the frame of " bare(title) " is " frame[title] " bytes, more than " limit)
+        }
+    }
+}
+
+/^edge:/ {
+    source = field("sourcename")
+    target = field("targetname")
+    if (target != "__indirect_call") {
+        calls[source] = calls[source] SUBSEP target
+    } else if (indirect != "") {
+        count = split(indirect, names, " ")
+        for (k = 1; k <= count; k++) {
+            calls[source] = calls[source] SUBSEP names[k]
+        }
+    } else if (!outward) {
+        complain(bare(source) " calls by a pointer; where to is not known")
+    }
+}
+
+END {
+    worst = -1
+    count = split(root, names, " ")
+    for (k = 1; k <= count; k++) {
+        total[k] = depth(resolve(names[k]))
+        if (total[k] > worst) {
+            worst = total[k]
+            deepest = names[k]
+        }
+    }
+    if (errors) {
+        exit 1
+    }
+    print "worst " worst " " deepest
+    for (title = resolve(deepest); title != ""; title = next_on[title]) {
+        printf "%8d %s\n", frame[title], bare(title)
+    }
+    for (k = 1; k <= count; k++) {
+        if (names[k] != deepest) {
+            print "root " total[k] " " names[k]
+        }
+    }
+}
