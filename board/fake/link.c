@@ -1,0 +1,130 @@
+/* link - a source that counts, delays and fails on order
+ *
+ * SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "board/fake/fake.h"
+
+enum { GARBAGE = 0xA5 };
+
+static int break_contract(fake_link *link, const char *sentence) {
+    link->broken++;
+    link->sentence = sentence;
+    return -1;
+}
+
+static int in_arena(const fake_link *link, const unsigned char *to, uint32_t count) {
+    const uintptr_t begin = (uintptr_t)link->arena, at = (uintptr_t)to;
+    return !link->arena || (at >= begin && at - begin <= link->arena_bytes &&
+                            count <= link->arena_bytes - (at - begin));
+}
+
+static int check_start(fake_link *link, unsigned tag, uint32_t offset, const unsigned char *to,
+                       uint32_t count) {
+    if (tag > 31) {
+        return break_contract(link, "a tag above 31");
+    }
+    if (offset > link->bytes || count > link->bytes - offset) {
+        return break_contract(link, "a transfer beyond the end of the image");
+    }
+    if (count == 0) {
+        return break_contract(link, "a transfer of no bytes");
+    }
+    if (!in_arena(link, to, count)) {
+        return break_contract(link, "a transfer to outside the arena");
+    }
+    return 0;
+}
+
+/* Whether this start (or wait) is the one ordered to fail. */
+static int fails(const fake_link *link, enum fake_failure kind, uint32_t number) {
+    const uint32_t call = link->starts + link->waits;
+    return (link->failure == kind && number == link->at_call) ||
+           (link->failure == FAKE_FAILS_AT_CALL && call == link->at_call) ||
+           (link->failure == FAKE_FAILS_FROM_CALL && call >= link->at_call);
+}
+
+static int is_ordered(const fake_link *link, const fake_transfer *t, enum fake_failure kind) {
+    return link->failure == kind && t->number == link->at_call;
+}
+
+static int deliver(fake_link *link, const fake_transfer *t) {
+    uint32_t count = t->count;
+    if (is_ordered(link, t, FAKE_SILENT_AT_START)) {
+        return 0;
+    }
+    if (is_ordered(link, t, FAKE_SHORT_AT_START)) {
+        count /= 2;
+    }
+    memcpy(t->to, link->image + t->offset, count);
+    link->bytes_moved += count;
+    if (is_ordered(link, t, FAKE_GARBLED_AT_START)) {
+        t->to[count / 2] ^= 0x10;
+    }
+    return is_ordered(link, t, FAKE_SHORT_AT_START) ? -1 : 0;
+}
+
+static fake_transfer *free_transfer(fake_link *link) {
+    for (int i = 0; i < FAKE_TRANSFERS; i++) {
+        if (link->pending[i].tag_bit == 0) {
+            return &link->pending[i];
+        }
+    }
+    return NULL;
+}
+
+static int start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
+    fake_link *link = context;
+    link->starts++;
+    if (check_start(link, tag, offset, to, count) < 0) {
+        return -1;
+    }
+    if (fails(link, FAKE_FAILS_AT_START, link->starts)) {
+        link->failed++;
+        return -1;
+    }
+    fake_transfer *t = free_transfer(link);
+    if (!t) {
+        return break_contract(link, "more transfers at a time than the fake holds");
+    }
+    *t = (fake_transfer){UINT32_C(1) << tag, offset, count, link->starts, to};
+    memset(to, GARBAGE, count);
+    if (link->at_once && !is_ordered(link, t, FAKE_SHORT_AT_START)) {
+        deliver(link, t);
+    }
+    return 0;
+}
+
+static int wait(void *context, uint32_t tags) {
+    fake_link *link = context;
+    int status = 0;
+    link->waits++;
+    if (fails(link, FAKE_FAILS_AT_WAIT, link->waits)) {
+        status = -1;
+    }
+    for (int i = 0; i < FAKE_TRANSFERS; i++) {
+        fake_transfer *t = &link->pending[i];
+        if (!(t->tag_bit & tags)) {
+            continue;
+        }
+        if (status == 0 && (!link->at_once || is_ordered(link, t, FAKE_SHORT_AT_START))) {
+            status = deliver(link, t);
+        }
+        t->tag_bit = 0;
+    }
+    link->failed += status < 0;
+    return status;
+}
+
+plt_source fake_source(fake_link *link) {
+    const plt_source source = {.bytes = link->bytes, .context = link, .start = start, .wait = wait};
+    return source;
+}
+
+unsigned fake_unfinished(const fake_link *link) {
+    unsigned count = 0;
+    for (int i = 0; i < FAKE_TRANSFERS; i++) {
+        count += link->pending[i].tag_bit != 0;
+    }
+    return count;
+}
