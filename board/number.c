@@ -1,8 +1,8 @@
 /* number - numbers of a command line, without libc and without rounding twice
  *
- * A decimal number is a fraction of two integers below 2^62; a long division
- * gives its first 25 bits and whether anything is left, which is all that
- * rounding to nearest even needs.
+ * A decimal number is digits * 5^e * 2^e, a fraction of two integers below 2^62
+ * and a power of two; a long division gives its first 25 bits and whether
+ * anything is left, which is all that rounding to nearest even needs.
  *
  * SPDX-License-Identifier: MIT */
 #include "board/number.h"
@@ -118,9 +118,10 @@ static int parse_decimal(cursor *c, decimal *d) {
     return c->at == c->end ? 0 : -1;
 }
 
-/* Rounds a/b, both in 1 .. 10^18, to a float in 2^-60 .. 2^60. */
-static uint32_t round_quotient(uint64_t a, uint64_t b) {
-    int exponent = 127;
+/* Rounds a/b * 2^two to a float; a and b in 1 .. 2^61, the result in
+ * 2^-100 .. 2^100. */
+static uint32_t round_quotient(uint64_t a, uint64_t b, int two) {
+    int exponent = 127 + two;
     for (; a < b; a <<= 1) {
         exponent--;
     }
@@ -139,21 +140,21 @@ static uint32_t round_quotient(uint64_t a, uint64_t b) {
 }
 
 static int decimal_bits(decimal d, uint32_t *bits) {
-    uint64_t scale = 1;
+    uint64_t above = d.digits, below = 1;
     if (d.digits == 0) {
         *bits = 0;
         return 0;
     }
-    if (d.exponent < -18 || d.count + d.exponent > 18) {
+    if (d.exponent < -26 || d.count + d.exponent > 18) { /* 5^26 < 2^61, 10^18 < 2^60 */
         return -1;
     }
-    for (; d.exponent > 0; d.exponent--) {
-        d.digits *= 10;
+    for (int i = 0; i < d.exponent; i++) {
+        above *= 5;
     }
-    for (; d.exponent < 0; d.exponent++) {
-        scale *= 10;
+    for (int i = 0; i > d.exponent; i--) {
+        below *= 5;
     }
-    *bits = round_quotient(d.digits, scale);
+    *bits = round_quotient(above, below, d.exponent);
     return 0;
 }
 

@@ -10,3 +10,5 @@ PLATFORM_FAMILY := cortex_m
 LINK_SCRIPT := board/mps2_an386/memory.ld
 # Functions that plt_source's pointers may lead to, for the stack figure.
 SOURCE_FUNCTIONS := scene_start scene_wait
+# 16 groups a packet: their mask is one register, not two.
+FIRMWARE_FLAGS := -DPLT_PACKET_SIDE_MAX=8

@@ -1,0 +1,135 @@
+/* test_board_host - the host's arena and scene files
+ *
+ * SPDX-License-Identifier: MIT */
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "board/host/host.h"
+#include "tests/test.h"
+
+static char folder[] = "/tmp/planelet-test-XXXXXX";
+static char path[100];
+
+static const char *in_folder(const char *name) {
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return path;
+}
+
+/* A file of `bytes`, its first 5000 counted up; the rest is a hole. */
+static const char *make_file(const char *name, off_t bytes) {
+    unsigned char head[5000];
+    const int file = open(in_folder(name), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+    for (unsigned i = 0; i < sizeof head; i++) {
+        head[i] = (unsigned char)(i * 7);
+    }
+    const size_t count = bytes < (off_t)sizeof head ? (size_t)bytes : sizeof head;
+    if (file < 0 || write(file, head, count) != (ssize_t)count || ftruncate(file, bytes) < 0) {
+        perror(path);
+    }
+    close(file);
+    return path;
+}
+
+static void check_refused(const char *name, const char *word) {
+    host_scene scene;
+    char sentence[160];
+    snprintf(sentence, sizeof sentence, "refused, mapped or fetched, with \"%s\"", word);
+    test(sentence);
+    CHECK(host_scene_map(&scene, name) < 0, "mapped");
+    CHECK(strstr(scene.why, word), "why: %s", scene.why);
+    host_scene_close(&scene);
+    CHECK(host_scene_fetch(&scene, name) < 0, "fetched");
+    CHECK(strstr(scene.why, word), "why: %s", scene.why);
+    host_scene_close(&scene);
+}
+
+static void test_refusals(void) {
+    check_refused(folder, "directory");
+    check_refused(make_file("empty", 0), "empty");
+    check_refused(in_folder("missing"), "No such file");
+    check_refused(make_file("large", (off_t)1 << 32), "4 GiB");
+    check_refused("/dev/null", "regular file");
+    mkfifo(in_folder("pipe"), 0600);
+    check_refused(in_folder("pipe"), "regular file");
+    if (geteuid() == 0) {
+        printf("    root may read everything: permissions are not tested\n");
+        return;
+    }
+    chmod(make_file("secret", 10), 0);
+    check_refused(in_folder("secret"), "ermission");
+}
+
+static void test_map(void) {
+    host_scene scene;
+    test("a mapped scene is the file's bytes, aligned");
+    CHECK(host_scene_map(&scene, make_file("scene", 4999)) == 0, "%s", scene.why);
+    CHECK(scene.source.bytes == 4999 && scene.source.mapped, "%u bytes", scene.source.bytes);
+    CHECK((uintptr_t)scene.source.mapped % PLT_ALIGN == 0, "alignment");
+    const unsigned char *bytes = scene.source.mapped;
+    for (unsigned i = 0; bytes && i < 4999; i++) {
+        CHECK(bytes[i] == (unsigned char)(i * 7), "byte %u", i);
+    }
+    host_scene_close(&scene);
+    test("a file of 4 GiB less one byte can be mapped");
+    CHECK(host_scene_map(&scene, make_file("large", ((off_t)1 << 32) - 1)) == 0, "%s", scene.why);
+    CHECK(scene.source.bytes == UINT32_MAX, "%u", scene.source.bytes);
+    host_scene_close(&scene);
+    unlink(path);
+}
+
+static void test_fetch(void) {
+    host_scene scene;
+    unsigned char to[2][100];
+    memset(to, 0, sizeof to);
+    test("a fetched scene moves its bytes at the wait for their tag, and counts them");
+    CHECK(host_scene_fetch(&scene, make_file("scene", 4999)) == 0, "%s", scene.why);
+    plt_source *s = &scene.source;
+    CHECK(!s->mapped && s->bytes == 4999, "source");
+    CHECK(s->start(s->context, 3, 10, to[0], 100) == 0, "start");
+    CHECK(s->start(s->context, 31, 4899, to[1], 100) == 0, "start");
+    CHECK(s->wait(s->context, 1u << 31) == 0, "wait 31");
+    CHECK(to[0][1] == 0, "tag 3 was not waited for");
+    CHECK(s->wait(s->context, 1u << 3) == 0, "wait 3");
+    for (unsigned i = 0; i < 100; i++) {
+        CHECK(to[0][i] == (unsigned char)((10 + i) * 7), "byte %u", i);
+        CHECK(to[1][i] == (unsigned char)((4899 + i) * 7), "byte %u", i);
+    }
+    CHECK(scene.transfers == 2 && scene.bytes_moved == 200, "counts");
+    test("a fetch beyond the end of the file fails, and a full table refuses");
+    CHECK(s->start(s->context, 0, 4950, to[0], 100) == 0, "start");
+    CHECK(s->wait(s->context, 1) < 0, "wait");
+    for (int i = 0; i < HOST_TRANSFERS; i++) {
+        CHECK(s->start(s->context, 0, 0, to[0], 1) == 0, "start %d", i);
+    }
+    CHECK(s->start(s->context, 0, 0, to[0], 1) < 0, "one too many");
+    CHECK(s->wait(s->context, 1) == 0, "all of them");
+    host_scene_close(&scene);
+    host_scene_close(&scene);
+}
+
+static void test_arena(void) {
+    test("the arena is aligned, and no larger than it is");
+    CHECK(host_arena_bytes() >= (size_t)1 << 30, "%zu bytes", host_arena_bytes());
+    CHECK(host_arena(1) && (uintptr_t)host_arena(1) % 4096 == 0, "alignment");
+    CHECK(host_arena(host_arena_bytes()) == host_arena(0), "the same memory");
+    CHECK(!host_arena(host_arena_bytes() + 1), "too much");
+}
+
+int main(void) {
+    if (!mkdtemp(folder)) {
+        perror(folder);
+        return 1;
+    }
+    test_refusals();
+    test_map();
+    test_fetch();
+    test_arena();
+    static const char *const names[] = {"empty", "large", "pipe", "secret", "scene"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        unlink(in_folder(names[i]));
+    }
+    rmdir(folder);
+    return test_done();
+}
