@@ -43,6 +43,8 @@ static int fail_open(const char *path, int error, fail *f) {
         remedy = "check the spelling and the directory you are in";
     } else if (error == EACCES || error == EPERM) {
         remedy = "make it readable with chmod +r, or run as its owner";
+    } else if (error == EBADF) {
+        remedy = "the stream is closed: redirect a file to it";
     } else if (error == EMFILE || error == ENFILE) {
         remedy = "too many files are open: raise the limit with ulimit -n";
     }
@@ -127,6 +129,9 @@ static int read_open(input *in, int fd, int is_stream, fail *f) {
 
 int input_read(input *in, const char *path, fail *f) {
     *in = (input){.path = path};
+    if (path[0] == '\0') {
+        return fail_set(f, NULL, "the input has no name; give one, or - for standard input");
+    }
     const int is_stream = strcmp(path, "-") == 0;
     const int fd = is_stream ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
