@@ -41,8 +41,9 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 # The worst path from start-up to anywhere; fails on recursion and on frames
 # of unknown size.
 $(OUT)/stack.txt: $(FIRMWARE_OBJECTS) tests/check/stack.awk
-	@awk -v root=cortex_m_start -v indirect='$(SOURCE_FUNCTIONS)' -f tests/check/stack.awk \
-	    $(FIRMWARE_OBJECTS:.o=.ci) >$@ || { cat $@ >&2; exit 1; }
+	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
+	    -v indirect='$(SOURCE_FUNCTIONS)' -f tests/check/stack.awk \
+	    $(FIRMWARE_OBJECTS:.o=.ci) - >$@ || { cat $@ >&2; exit 1; }
 
 $(OUT)/%.o: %.c $(OUT)/flags
 	$(call compile,$(COMMAND))

@@ -8,7 +8,8 @@ ARENA_BYTES := 262144
 STACK_BYTES := 4096
 PLATFORM_FAMILY := cortex_m
 LINK_SCRIPT := board/mps2_an386/memory.ld
-# Functions that plt_source's pointers may lead to, for the stack figure.
+# For the stack figure: where it starts, and where plt_source's pointers may lead.
+STACK_ROOT := cortex_m_start
 SOURCE_FUNCTIONS := scene_start scene_wait
 # 16 groups a packet: their mask is one register, not two.
 FIRMWARE_FLAGS := -DPLT_PACKET_SIDE_MAX=8

@@ -1,8 +1,12 @@
 # stack - worst C stack from the call graphs that GCC writes
 #
-#   awk -v root='NAME ...' [-v indirect='NAME ...'] [-v limit=BYTES] -f stack.awk FILE.ci ...
+#   objdump -d FILE.o ... | awk -v root='NAME ...' [-v indirect='NAME ...'] \
+#       [-v limit=BYTES] [-v out=FOLDER/] -f stack.awk FILE.ci ... -
 #
-# Reads the output of -fcallgraph-info=su,da. Prints "worst BYTES ROOT" for
+# Reads the output of -fcallgraph-info=su,da, and the disassembly of the same
+# objects (below FOLDER), because GCC 12 forgets in its figures what a function
+# pushes for arguments that came in registers: a frame is the larger of GCC's
+# figure and the sum of all pushes and decrements of sp. Prints "worst BYTES ROOT" for
 # the root with the deepest path, the path itself with the frame of every
 # function on it, and a line for each other root. Every path is followed, so
 # that the figure is a bound, not a sample. What would make it wrong is an
@@ -85,9 +89,6 @@ function depth(title,    i, n, called, best, below, targets) {
         if (size ~ /dynamic/ && size !~ /bounded/) {
             complain("the frame of " bare(title) " has no fixed size")
         }
-        if (limit && frame[title] > limit) {
-            complain("the frame of " bare(title) " is " frame[title] " bytes, more than " limit)
-        }
     }
 }
 
@@ -106,7 +107,65 @@ function depth(title,    i, n, called, best, below, targets) {
     }
 }
 
+# ---- Thumb disassembly ----
+
+/file format/ {
+    file = $1
+    sub(/:$/, "", file)
+    if (index(file, out) == 1) {
+        file = substr(file, length(out) + 1)
+    }
+    sub(/\.o$/, ".c", file)
+}
+
+/^[0-9a-f]+ <[^>]*>:$/ {
+    name = $2
+    gsub(/[<>:]/, "", name)
+    in_code = ((file ":" name) in frame) ? file ":" name : name
+}
+
+function registers(list,    n, i, items, ends, bytes) { # "{r4, lr}", "{d8-d11}"
+    gsub(/[{} ]/, "", list)
+    n = split(list, items, ",")
+    bytes = 0
+    for (i = 1; i <= n; i++) {
+        if (split(items[i], ends, "-") == 2) {
+            bytes += (substr(ends[2], 2) - substr(ends[1], 2)) * (items[i] ~ /^d/ ? 8 : 4)
+        }
+        bytes += items[i] ~ /^d/ ? 8 : 4
+    }
+    return bytes
+}
+
+function constant(text) { # the number behind the last '#'
+    sub(/[ \t]*[@;].*/, "", text)
+    sub(/.*#-?/, "", text)
+    return text + 0
+}
+
+/^ *[0-9a-f]+:\t/ {
+    split($0, part, "\t")
+    op = part[3]
+    rest = part[4]
+    if (op ~ /^v?push/ || (op ~ /^v?stmdb/ && rest ~ /^sp!/)) {
+        sub(/^sp!, */, "", rest)
+        pushed[in_code] += registers(rest)
+    } else if (op ~ /^sub/ && rest ~ /^sp, .*#/) {
+        pushed[in_code] += constant(rest)
+    } else if (op ~ /^sub/ && rest ~ /^sp,/) {
+        complain("the frame of " bare(in_code) " has no fixed size")
+    } else if (op ~ /^str/ && rest ~ /\[sp, #-[0-9]+\]!/) {
+        sub(/\]!.*/, "", rest)
+        pushed[in_code] += constant(rest)
+    }
+}
+
 END {
+    for (title in pushed) {
+        if ((title in frame) && pushed[title] > frame[title]) {
+            frame[title] = pushed[title]
+        }
+    }
     worst = -1
     count = split(root, names, " ")
     for (k = 1; k <= count; k++) {
@@ -114,6 +173,11 @@ END {
         if (total[k] > worst) {
             worst = total[k]
             deepest = names[k]
+        }
+    }
+    for (title in frame) {
+        if (limit && frame[title] > limit) {
+            complain("the frame of " bare(title) " is " frame[title] " bytes, more than " limit)
         }
     }
     if (errors) {
