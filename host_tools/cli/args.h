@@ -1,0 +1,56 @@
+/* args - a command's words: flags with values, then files
+ *
+ * A command lists its flags once; parsing and the help text both come from
+ * that list. Wrong usage prints one line on standard error; the program then
+ * ends with status 2.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef ARGS_H
+#define ARGS_H
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct arg_flag {
+    const char *name;  /* "--leaf" or "-o" */
+    const char *value; /* what stands for the value in the help; NULL: a switch */
+    const char *help;
+} arg_flag;
+
+typedef struct arg_command {
+    const char *name;     /* "pack" */
+    const char *synopsis; /* "MESH... -o SCENE.plt" */
+    const char *about;    /* a sentence */
+    const arg_flag *flags; /* ended by a name of NULL */
+    int files_least, files_most;
+} arg_command;
+
+enum { ARGS_FLAGS_MAX = 32 };
+
+typedef struct args {
+    const arg_command *command;
+    const char *value[ARGS_FLAGS_MAX]; /* by flag number; "" for a switch that is set */
+    char **file;                       /* in the order given; owned by args */
+    int files;
+    int wrong; /* a value was refused: already said */
+} args;
+
+enum { ARGS_GO_ON = -1 };
+
+/* Returns ARGS_GO_ON, or the status to end with (0 after --help, 2). */
+int args_parse(args *a, const arg_command *command, int argc, char **argv);
+void args_free(args *a);
+void args_help(const arg_command *command);
+
+int args_has(const args *a, const char *flag);
+const char *args_text(const args *a, const char *flag, const char *otherwise);
+
+/* Each refuses what is out of range with a line and sets `wrong`. */
+uint64_t args_number(args *a, const char *flag, uint64_t otherwise, uint64_t least, uint64_t most);
+unsigned args_choice(args *a, const char *flag, const char *const *words, unsigned otherwise);
+int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */
+int args_size(args *a, const char *flag, unsigned *width, unsigned *height);
+
+/* Says "planelet COMMAND: TEXT; see planelet COMMAND --help" and sets `wrong`. */
+void args_complain(args *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

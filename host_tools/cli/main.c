@@ -1,0 +1,62 @@
+/* main - planelet: scenes in, pictures and hits out
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdio.h>
+#include <string.h>
+
+#include "engine/planelet.h"
+#include "host_tools/cli/commands.h"
+
+static const cli_command commands[] = {{&command_make, run_make},
+                                       {&command_pack, run_pack},
+                                       {&command_info, run_info},
+                                       {&command_render, run_render},
+                                       {&command_trace, run_trace}};
+
+enum { COMMANDS = sizeof commands / sizeof commands[0] };
+
+static void overview(FILE *to) {
+    fprintf(to, "planelet %d.%d - ray tracing in a fixed block of memory\n\n", PLT_VERSION_MAJOR,
+            PLT_VERSION_MINOR);
+    for (int i = 0; i < COMMANDS; i++) {
+        const arg_command *c = commands[i].command;
+        fprintf(to, "  planelet %-7s %s\n", c->name, c->synopsis);
+    }
+    fprintf(to, "\nplanelet COMMAND --help says more. A first picture:\n\n"
+                "  planelet make marbles -o marbles.ply\n"
+                "  planelet pack marbles.ply -o marbles.plt\n"
+                "  planelet render marbles.plt -o marbles.png --show\n");
+}
+
+static int run(const cli_command *c, int argc, char **argv) {
+    args a;
+    int status = args_parse(&a, c->command, argc, argv);
+    if (status == ARGS_GO_ON) {
+        status = c->run(&a);
+    }
+    args_free(&a);
+    return status;
+}
+
+int main(int argc, char **argv) {
+    if (argc < 2) {
+        overview(stderr);
+        return 2;
+    }
+    for (int i = 0; i < COMMANDS; i++) {
+        if (strcmp(argv[1], commands[i].command->name) == 0) {
+            return run(&commands[i], argc - 2, argv + 2);
+        }
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
+        overview(stdout);
+        return 0;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("planelet %d.%d\n", PLT_VERSION_MAJOR, PLT_VERSION_MINOR);
+        return 0;
+    }
+    fprintf(stderr, "planelet: there is no command '%s'; see planelet --help\n", argv[1]);
+    return 2;
+}
