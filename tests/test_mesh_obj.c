@@ -102,7 +102,7 @@ static void ignores_the_locale(void) {
 
 static void refuses(void) {
     test("What cannot be read is refused with the line and the remedy");
-    must_fail_text(FILE_NAME, "v 0 0\n", "line 1: '' where a coordinate belongs; correct the line");
+    must_fail_text(FILE_NAME, "v 0 0\n", "line 1: a coordinate is missing; correct the line");
     must_fail_text(FILE_NAME, THREE "v 0 0,5 0\n",
                    "line 4: '0,5' where a coordinate belongs; correct the line");
     must_fail_text(FILE_NAME, THREE "v 0 0x1p3 0\n",

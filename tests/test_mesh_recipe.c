@@ -164,7 +164,7 @@ static void refuses_files(void) {
                    "check the spelling and the directory you are in");
     must_fail_text(RECIPE, "broken.obj 4 0 0 0\n",
                    "line 1: " FOLDER
-                   "broken.obj: line 1: '' where a coordinate belongs; "
+                   "broken.obj: line 1: a coordinate is missing; "
                    "correct the line");
     must_fail_text(RECIPE, "other.txt 4 0 0 0\n",
                    "line 1: " FOLDER

@@ -17,8 +17,7 @@ typedef struct output output;
 
 output *output_open(const char *path, fail *f); /* NULL on failure */
 int output_write(output *o, const void *bytes, size_t count, fail *f);
-int output_print(output *o, fail *f, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+int output_print(output *o, fail *f, const char *format, ...) __attribute__((format(printf, 3, 4)));
 int output_commit(output *o, fail *f); /* frees `o`, also on failure */
 void output_abandon(output *o);        /* frees `o`; NULL is allowed */
 

@@ -20,16 +20,17 @@ typedef struct mesh {
 
 /* What `--repair` had to drop; all zero when nothing was wrong. */
 typedef struct mesh_repair {
-    int wanted;              /* 0: refuse what cannot be traced */
-    uint64_t bad_vertices;   /* NaN, infinite or too large: replaced by 0 */
-    uint64_t bad_triangles;  /* using such a vertex or a missing one: dropped */
+    int wanted;             /* 0: refuse what cannot be traced */
+    uint64_t bad_vertices;  /* NaN, infinite or too large: replaced by 0 */
+    uint64_t bad_triangles; /* using such a vertex or a missing one: dropped */
 } mesh_repair;
 
 /* Appends what `path` holds (PLY, OBJ or STL by content, then by name; a
  * `.txt` is a recipe) to `m`. `frame` chooses the frame of recipe
- * sequences (`name_{}.ply*N`). On failure `m` is as it was before. */
-int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair,
-              fail *f);
+ * sequences (`name_{}.ply*N`). The path "-" is standard input, by content
+ * only. Triangles stand in the order of the file; degenerate ones are
+ * kept. On failure `m` is as it was before. */
+int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair, fail *f);
 
 /* Building blocks for readers and generators: -1 when memory is out. */
 int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f);

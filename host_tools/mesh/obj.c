@@ -41,14 +41,21 @@ static int is_text(word w) {
     return 1;
 }
 
+static int fail_coordinate(reader *r) {
+    const word w = scan_word(&r->text);
+    if (w.length == 0) {
+        return intake_fail(&r->in, "a coordinate is missing; correct the line");
+    }
+    return intake_fail(&r->in, "'%.*s' where a coordinate belongs; correct the line",
+                       WORD_SHOWN(w));
+}
+
 /* What follows z (w, colours) is not used. */
 static int read_vertex(reader *r) {
     float position[3];
     for (int axis = 0; axis < 3; axis++) {
         if (scan_float(&r->text, &position[axis]) != 0) {
-            const word w = scan_word(&r->text);
-            return intake_fail(&r->in, "'%.*s' where a coordinate belongs; correct the line",
-                               WORD_SHOWN(w));
+            return fail_coordinate(r);
         }
     }
     return intake_vertex(&r->in, position[0], position[1], position[2]);
