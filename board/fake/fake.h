@@ -38,7 +38,7 @@ typedef struct fake_transfer {
 typedef struct fake_link {
     const unsigned char *image;
     uint32_t bytes;
-    const void *arena; /* transfers must lie in it; NULL: anywhere */
+    const void *arena; /* transfers but the header's must lie in it; NULL: anywhere */
     size_t arena_bytes;
     enum fake_failure failure;
     uint32_t at_call; /* from 1 */

@@ -5,7 +5,8 @@
 
 #include "board/fake/fake.h"
 
-enum { GARBAGE = 0xA5 };
+/* plt_image_info has no arena: it reads the header to the stack. */
+enum { GARBAGE = 0xA5, HEADER_BYTES = 256 };
 
 static int break_contract(fake_link *link, const char *sentence) {
     link->broken++;
@@ -30,7 +31,8 @@ static int check_start(fake_link *link, unsigned tag, uint32_t offset, const uns
     if (count == 0) {
         return break_contract(link, "a transfer of no bytes");
     }
-    if (!in_arena(link, to, count)) {
+    const int header = offset == 0 && count <= HEADER_BYTES;
+    if (!header && !in_arena(link, to, count)) {
         return break_contract(link, "a transfer to outside the arena");
     }
     return 0;

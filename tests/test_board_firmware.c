@@ -1,0 +1,194 @@
+/* test_board_firmware - the firmware of every board, run on the fake board
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "board/fake/fake.h"
+#include "board/hash.h"
+#include "host_tools/pack/pack.h"
+#include "host_tools/scenes/scenes.h"
+#include "tests/test.h"
+
+static packed scene;
+
+static fake_link fresh(enum fake_failure failure, uint32_t at_call) {
+    size_t arena_bytes;
+    const fake_link link = {.image = scene.bytes,
+                            .bytes = scene.size,
+                            .arena = board_arena(&arena_bytes),
+                            .arena_bytes = FAKE_ARENA_BYTES,
+                            .failure = failure,
+                            .at_call = at_call};
+    return link;
+}
+
+static int run_mapped(const char *parameters) {
+    fake_reset();
+    fake.source.mapped = scene.bytes;
+    fake.source.bytes = scene.size;
+    return firmware(parameters);
+}
+
+static int run_fetched(fake_link *link, const char *parameters) {
+    fake_reset();
+    fake.source = fake_source(link);
+    return firmware(parameters);
+}
+
+static uint64_t frame_hash(void) {
+    return hash_bytes(fake.frame, 3u * fake.width * fake.height);
+}
+
+/* The value of name=value or NAME=hex in the printed text; 0 when absent. */
+static unsigned long long printed(const char *name, int base) {
+    const char *at = strstr(fake.text, name);
+    return at ? strtoull(at + strlen(name), NULL, base) : 0;
+}
+
+static void test_frame(void) {
+    test("a frame of odd size arrives whole, each pixel once, and its hash is printed");
+    CHECK(run_mapped("size=77x53") == FIRMWARE_DONE, "%s", fake.text);
+    CHECK(fake.width == 77 && fake.height == 53, "%ux%u", fake.width, fake.height);
+    CHECK(fake.frames_begun == 1 && fake.frames_ended == 1, "%u frames", fake.frames_begun);
+    CHECK(fake.broken == 0, "the firmware broke the contract: %s", fake.sentence);
+    CHECK(printed("frame_hash=", 16) == frame_hash(), "%s", fake.text);
+    CHECK(printed("rays=", 10) == 77 * 53, "%s", fake.text);
+    CHECK(printed("tiles=", 10) == fake.tile_count, "%s", fake.text);
+    CHECK(frame_hash() != hash_bytes(fake.frame, 3), "a picture");
+    test("a board that keeps no frame gets no hash, and all else");
+    fake_reset();
+    fake.source.mapped = scene.bytes;
+    fake.source.bytes = scene.size;
+    fake.keeps_no_frame = 1;
+    CHECK(firmware("size=16x16") == FIRMWARE_DONE, "%s", fake.text);
+    CHECK(!strstr(fake.text, "frame_hash") && strstr(fake.text, "stats"), "%s", fake.text);
+}
+
+static void test_same_picture(void) {
+    test("packet side, walk, step length and source do not change the picture");
+    run_mapped("size=60x44");
+    const uint64_t want = frame_hash();
+    static const char *const ways[] = {"packet=2",          "packet=4",           "packet=8",
+                                       "walk=two",          "walk=two packet=2",  "visits=1",
+                                       "visits=4000000000", "walk=depth visits=7"};
+    char line[80];
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        snprintf(line, sizeof line, "size=60x44 %s", ways[i]);
+        CHECK(run_mapped(line) == FIRMWARE_DONE && frame_hash() == want, "%s", ways[i]);
+        fake_link link = fresh(FAKE_WORKS, 0);
+        CHECK(run_fetched(&link, line) == FIRMWARE_DONE && frame_hash() == want, "fetched %s: %s",
+              ways[i], fake.text);
+        CHECK(link.broken == 0, "%s", link.sentence);
+        CHECK(fake_unfinished(&link) == 0, "%u transfers never waited for", fake_unfinished(&link));
+    }
+}
+
+static void test_camera(void) {
+    test("a camera in decimal and the same in bits give the same picture");
+    CHECK(run_mapped("size=40x30 eye=1.5,40,60 look=0,0.25,0 up=0,1,0 tan=0.5") == FIRMWARE_DONE,
+          "%s", fake.text);
+    const uint64_t want = frame_hash();
+    CHECK(run_mapped("size=40x30 eye=0x3fc00000,0x42200000,0x42700000 look=0x0,0x3e800000,0x0 "
+                     "up=0x0,0x3f800000,0x0 tan=0x3f000000") == FIRMWARE_DONE,
+          "%s", fake.text);
+    CHECK(frame_hash() == want, "pictures differ");
+    test("shaders differ");
+    run_mapped("size=40x30 shader=eyelight");
+    const uint64_t eyelight = frame_hash();
+    run_mapped("size=40x30 shader=normal");
+    CHECK(frame_hash() != eyelight, "normal is eyelight");
+    run_mapped("size=40x30 shader=triangle");
+    CHECK(frame_hash() != eyelight, "triangle is eyelight");
+}
+
+static void test_usage(void) {
+    test("a wrong parameter is named, and ends with status 2 before anything is drawn");
+    static const char *const wrong[] = {
+        "size=0x10", "size=10",        "size=65536x1", "size=axb",  "eye=1,2",    "eye=1,2,3,4",
+        "eye=1,2,x", "tan=",           "packet=32",    "packet=-4", "walk=three", "shader=pink",
+        "visits=0",  "arena=99999999", "colour=red",   "size",      "up=nan,0,0", "=3"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        CHECK(run_mapped(wrong[i]) == FIRMWARE_USAGE, "%s: %s", wrong[i], fake.text);
+        CHECK(strncmp(fake.text, "error: ", 7) == 0, "%s: %s", wrong[i], fake.text);
+        CHECK(strchr(fake.text, '\n') == fake.text + fake.text_used - 1, "one line");
+        CHECK(fake.frames_begun == 0, "%s", wrong[i]);
+    }
+}
+
+static void test_arena(void) {
+    char line[80];
+    test("an arena that is too small is refused with the bytes that are enough");
+    CHECK(run_mapped("arena=1000") == FIRMWARE_FAILED, "%s", fake.text);
+    const unsigned long long need = printed("need_bytes=", 10);
+    CHECK(need > 1000, "%s", fake.text);
+    snprintf(line, sizeof line, "size=20x20 arena=%llu", need);
+    CHECK(run_mapped(line) == FIRMWARE_DONE, "%llu were not enough: %s", need, fake.text);
+    CHECK(printed("peak=", 10) <= need, "%s", fake.text);
+}
+
+static void test_failures(void) {
+    test("garbage for an image, no image, no room for the frame: one line, status 1");
+    static _Alignas(PLT_ALIGN) unsigned char garbage[4096];
+    fake_reset();
+    fake.source.mapped = garbage;
+    fake.source.bytes = sizeof garbage;
+    CHECK(firmware("") == FIRMWARE_FAILED && strstr(fake.text, "rule=R"), "%s", fake.text);
+    fake_reset();
+    fake.scene_fails = 1;
+    CHECK(firmware("") == FIRMWARE_FAILED && strstr(fake.text, "error: "), "%s", fake.text);
+    fake_reset();
+    fake.source.mapped = scene.bytes;
+    fake.source.bytes = scene.size;
+    fake.frame_fails = 1;
+    CHECK(firmware("") == FIRMWARE_FAILED && strstr(fake.text, "error: "), "%s", fake.text);
+    CHECK(fake.tile_count == 0 && fake.frames_ended == 0, "tiles");
+}
+
+static void test_source_fails(void) {
+    fake_link link = fresh(FAKE_WORKS, 0);
+    run_fetched(&link, "size=16x16");
+    const uint64_t want = frame_hash();
+    const uint32_t calls = link.starts + link.waits;
+    test("a source that fails at its i-th call is reported, for every i");
+    for (uint32_t i = 1; i <= calls; i++) {
+        link = fresh(FAKE_FAILS_AT_CALL, i);
+        CHECK(run_fetched(&link, "size=16x16") == FIRMWARE_FAILED, "call %u of %u", i, calls);
+        CHECK(strstr(fake.text, "error: "), "%s", fake.text);
+        CHECK(link.broken == 0, "call %u: %s", i, link.sentence);
+    }
+    test("a source that comes up short at its i-th transfer is reported, for every i");
+    const uint32_t starts = link.starts;
+    for (uint32_t i = 1; i <= starts; i++) {
+        link = fresh(FAKE_SHORT_AT_START, i);
+        CHECK(run_fetched(&link, "size=16x16") == FIRMWARE_FAILED, "start %u", i);
+    }
+    link = fresh(FAKE_WORKS, 0);
+    run_fetched(&link, "size=16x16");
+    test("one wrong bit in any transfer is found out, or was never looked at");
+    for (uint32_t i = 1; i <= link.starts; i++) {
+        fake_link bad = fresh(FAKE_GARBLED_AT_START, i);
+        const int status = run_fetched(&bad, "size=16x16");
+        CHECK(status == FIRMWARE_FAILED || frame_hash() == want, "start %u went unnoticed", i);
+    }
+}
+
+int main(void) {
+    fail f = {""};
+    mesh m = {0};
+    const pack_options options = {.leaf_triangles = 2, .treelet_nodes = 16};
+    test("a scene to render is made and packed");
+    CHECK(scene_knot(&m, 600, &f) == 0, "%s", f.text);
+    CHECK(pack_mesh(&scene, &m, &options, "knot", &f) == 0, "%s", f.text);
+    mesh_free(&m);
+    if (scene.size) {
+        test_frame();
+        test_same_picture();
+        test_camera();
+        test_usage();
+        test_arena();
+        test_failures();
+        test_source_fails();
+    }
+    pack_free(&scene);
+    return test_done();
+}
