@@ -1,0 +1,46 @@
+/* rig - a mesh, packed and opened in an arena of exactly its need
+ *
+ * The arena comes from the heap, so that sanitizers see a byte too many.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef REFERENCE_RIG_H
+#define REFERENCE_RIG_H
+
+#include "engine/planelet.h"
+#include "host_tools/mesh/mesh.h"
+#include "host_tools/pack/pack.h"
+
+typedef struct rig_way {
+    pack_options pack;
+    plt_options run;
+} rig_way;
+
+typedef struct rig {
+    packed image;
+    void *arena;
+    size_t arena_bytes;
+    plt_engine *engine;
+    plt_fault fault;
+} rig;
+
+/* K, N, build and splits of `way`; the largest packet of this build. */
+rig_way rig_way_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build, uint8_t splits);
+
+/* The status of plt_open, or PLT_ERR_LIMIT when the packer refused. */
+int rig_open(rig *r, const mesh *m, const rig_way *way);
+void rig_close(rig *r);
+
+/* The image as a mapped source. */
+plt_source rig_source(const packed *image);
+
+/* Most triangles, up to `wanted`, that this build's depth can hold. */
+uint32_t rig_triangles(uint32_t wanted, uint32_t leaf_triangles);
+
+/* Whether this build's limits are below the usual ones: then a scene may be
+ * refused with PLT_ERR_LIMIT. */
+int rig_is_tiny(void);
+
+/* The name of a way, for messages; overwritten by the next call. */
+const char *rig_name(const rig_way *way);
+
+#endif
