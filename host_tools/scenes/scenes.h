@@ -1,25 +1,41 @@
 /* scenes - meshes that need no download, the same on every machine
  *
- * Deterministic: integer random numbers, and no libm result that differs
- * between machines reaches a vertex unrounded.
+ * Bit for bit the same wherever float and double are IEEE 754 and computed
+ * as written (FLT_EVAL_METHOD 0, no fused multiply-add): integer random
+ * numbers, + - * / and square roots alone, sine and cosine from turns.h.
+ *
+ * Every scene appends to `m`, y up, triangles counter-clockwise seen from
+ * outside. On failure `m` is as it was before and `f` holds the remedy.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SCENES_H
 #define SCENES_H
 #include "host_tools/mesh/mesh.h"
 
-/* A flat slab of 12 triangles (the thesis's "ground"). */
+#define SCENE_TRIANGLES_MAX 10000000u
+
+/* A flat slab of 12 triangles, 20 x 0.5 x 20, its top at y = 0 (the thesis's
+ * "ground"). */
 int scene_ground(mesh *m, fail *f);
 
-/* 110 marbles of 80 triangles (8,800 in all) rolling in a tray; frame
- * `frame` of an animation at 25 frames a second. The simulation starts
- * over for frame 0, so that any frame can be asked for. */
+/* 109 marbles of radius 1 rolling in an eight-sided tray 34 wide: 110 times
+ * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames a
+ * second, of any length. Vertices and indices keep their places from frame
+ * to frame. A frame costs a simulation from frame 0, about 1 ms a frame,
+ * unless the last call asked for an earlier frame, from which it then goes
+ * on: not for two threads at once. */
 int scene_marbles(mesh *m, unsigned frame, fail *f);
 
-/* A height field of about `triangles` (2 .. 10,000,000) triangles. */
+/* A height field of mountains and valleys over 20 x 20 of about `triangles`
+ * (2 .. SCENE_TRIANGLES_MAX) triangles. With c = floor(sqrt(triangles / 2))
+ * columns and r = floor(triangles / 2 / c) rows they are 2 c r: never more
+ * than asked for, and fewer by less than 2 c. */
 int scene_terrain(mesh *m, uint64_t triangles, fail *f);
 
-/* A closed torus knot tube of about `triangles` (24 .. 10,000,000). */
+/* A closed trefoil tube of about `triangles` (24 .. SCENE_TRIANGLES_MAX): a
+ * sides, the square root of triangles / 20 rounded down but 3 at least, times
+ * b = floor(triangles / 2 / a) rings, 2 a b triangles: never more than asked
+ * for, and fewer by less than 2 a. */
 int scene_knot(mesh *m, uint64_t triangles, fail *f);
 
 #endif
