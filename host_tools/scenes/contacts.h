@@ -1,0 +1,34 @@
+/* contacts - marbles against each other and against the walls
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef CONTACTS_H
+#define CONTACTS_H
+#include "host_tools/scenes/marbles.h"
+
+/* Six neighbours a marble at most, each pair once, and two walls; those
+ * within CONTACT_NEAR may be a few more. */
+#define CONTACTS_MAX (8u * MARBLES)
+#define CONTACT_NEAR 0.3 /* gap in radii; nothing closes faster in a step */
+
+typedef struct contact {
+    unsigned first, second; /* second == MARBLES: the wall below */
+    unsigned wall;
+    double x, z; /* unit normal, from the first to the second */
+    double gap;
+} contact;
+
+typedef struct contacts {
+    contact contact[CONTACTS_MAX];
+    unsigned count;
+} contacts;
+
+void contacts_find(contacts *c, const marbles *m);
+
+/* Impulses until no contact closes its gap within `step` seconds, or the
+ * sweeps are used up. Never adds kinetic energy. */
+void contacts_bounce(const contacts *c, marbles *m, double step);
+
+/* Moves marbles apart until the invariants of marbles.h hold. */
+void contacts_part(const contacts *c, marbles *m);
+
+#endif
