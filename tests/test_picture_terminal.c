@@ -80,6 +80,11 @@ static void test_exact(void) {
     show(&square, PICTURE_COLOUR, 1, 1);
     CHECK(!strcmp(shown, "\x1b[38;2;10;10;10m" UP "\x1b[0m\n"), "%s", readable());
 
+    uint8_t steps[6] = {10, 10, 10, 11, 12, 13}; /* halves are rounded up */
+    const picture pair = {steps, 2, 1};
+    show(&pair, PICTURE_COLOUR, 1, 1);
+    CHECK(!strcmp(shown, "\x1b[38;2;11;11;12m" UP "\x1b[0m\n"), "%s", readable());
+
     test("shrinking: 3 columns into 2 share the middle one in equal halves");
     uint8_t row[9] = {30, 30, 30, 60, 60, 60, 90, 90, 90};
     const picture line = {row, 3, 1};

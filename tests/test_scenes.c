@@ -1,0 +1,355 @@
+/* test_scenes - the built-in meshes: counts, shape, and the same bits everywhere
+ *
+ * Golden values: FNV-1a, 64 bits, over the vertices as little-endian IEEE
+ * single precision and then the indices as little-endian 32-bit words.
+ * Source: G. Fowler, L. C. Noll, K.-P. Vo, "The FNV Non-Cryptographic Hash
+ * Algorithm", IETF draft, 1991.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+
+#include "host_tools/scenes/lattice.h"
+#include "host_tools/scenes/scenes.h"
+#include "host_tools/scenes/turns.h"
+#include "tests/test.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define SANITIZED 1 /* which takes terabytes of address space */
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+#ifndef SANITIZED
+#define SANITIZED 0
+#endif
+
+static int make(mesh *m, char scene, uint64_t number, fail *f) {
+    switch (scene) {
+    case 'g':
+        return scene_ground(m, f);
+    case 'm':
+        return scene_marbles(m, (unsigned)number, f);
+    case 't':
+        return scene_terrain(m, number, f);
+    default:
+        return scene_knot(m, number, f);
+    }
+}
+
+static mesh made(char scene, uint64_t number) {
+    mesh m = {0};
+    fail f = {""};
+    CHECK(make(&m, scene, number, &f) == 0, "%c %" PRIu64 ": %s", scene, number, f.text);
+    return m;
+}
+
+static uint64_t hash_word(uint64_t hash, uint32_t word) {
+    for (unsigned i = 0; i < 4; i++) {
+        hash = (hash ^ (word >> 8 * i & 255)) * 1099511628211u;
+    }
+    return hash;
+}
+
+static uint64_t mesh_hash(const mesh *m) {
+    uint64_t hash = 14695981039346656037u;
+    for (size_t i = 0; i < 3 * m->vertices; i++) {
+        uint32_t word;
+        memcpy(&word, &m->vertex[i], 4);
+        hash = hash_word(hash, word);
+    }
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        hash = hash_word(hash, m->triangle[i]);
+    }
+    return hash;
+}
+
+static void test_golden(void) {
+    static const struct {
+        char scene;
+        uint64_t number;
+        size_t vertices, triangles;
+        uint64_t hash;
+    } golden[] = {
+        {'g', 0, 8, 12, 0xB12832159B096EF5},
+        {'m', 0, 4620, 8800, 0x044575C989F444A2},
+        {'m', 1, 4620, 8800, 0x99D8933F892E72DA},
+        {'m', 100, 4620, 8800, 0x12C9545C240F3E35},
+        {'m', 500, 4620, 8800, 0x5F416089B5A9B8E0},
+        {'t', 2, 4, 2, 0x5C5A3862F0CF47DF},
+        {'t', 1000, 529, 968, 0xFDCCEFACFB435170},
+        {'t', 100000, 50400, 99904, 0x56479161E207E2C2},
+        {'k', 24, 12, 24, 0xEBDD8A992A1F4468},
+        {'k', 1000, 497, 994, 0x330E0B7527CDB241},
+        {'k', 100000, 49980, 99960, 0x90DDD7F92F7AF280},
+    };
+    test("scenes: vertices, triangles and every bit of them are the golden ones");
+    for (size_t i = 0; i < sizeof golden / sizeof golden[0]; i++) {
+        mesh m = made(golden[i].scene, golden[i].number);
+        CHECK(m.vertices == golden[i].vertices && m.triangles == golden[i].triangles,
+              "%c %" PRIu64 ": %zu vertices, %zu triangles", golden[i].scene, golden[i].number,
+              m.vertices, m.triangles);
+        CHECK(mesh_hash(&m) == golden[i].hash, "{'%c', %" PRIu64 ", %zu, %zu, 0x%016" PRIX64 "},",
+              golden[i].scene, golden[i].number, m.vertices, m.triangles, mesh_hash(&m));
+        mesh_free(&m);
+    }
+}
+
+static void test_counts(void) {
+    static const uint64_t asked[] = {24, 25, 26, 31, 100, 999, 1000, 4711, 12345, 100000, 1234567};
+    test("counts: never more than asked for, fewer by less than 2 columns or 2 sides");
+    for (unsigned i = 0; i < sizeof asked / sizeof asked[0]; i++) {
+        mesh t = made('t', asked[i]), k = made('k', asked[i]);
+        const uint64_t columns = (uint64_t)sqrt((double)(asked[i] / 2));
+        const uint64_t root = (uint64_t)sqrt((double)(asked[i] / 20)), sides = root < 3 ? 3 : root;
+        CHECK(t.triangles <= asked[i] && t.triangles + 2 * columns > asked[i] - 1,
+              "terrain %" PRIu64 ": %zu", asked[i], t.triangles);
+        CHECK(t.triangles == 2 * columns * (asked[i] / 2 / columns), "terrain: not by the rule");
+        CHECK(t.vertices == (columns + 1) * (t.triangles / 2 / columns + 1), "not shared");
+        CHECK(k.triangles == 2 * sides * (asked[i] / 2 / sides), "knot %" PRIu64 ": %zu", asked[i],
+              k.triangles);
+        CHECK(2 * k.vertices == k.triangles, "knot: %zu vertices", k.vertices);
+        mesh_free(&t);
+        mesh_free(&k);
+    }
+}
+
+static int by_value(const void *left, const void *right) {
+    const uint64_t a = *(const uint64_t *)left, b = *(const uint64_t *)right;
+    return (a > b) - (a < b);
+}
+
+/* Directed edges that occur twice, and those without their opposite. */
+static void count_edges(const mesh *m, size_t *twice, size_t *alone) {
+    const size_t count = 3 * m->triangles;
+    uint64_t *edge = malloc(count * sizeof *edge);
+    *twice = *alone = 0;
+    for (size_t i = 0; i < count; i++) {
+        const uint64_t from = m->triangle[i];
+        const uint64_t to = m->triangle[i % 3 == 2 ? i - 2 : i + 1];
+        edge[i] = from << 32 | to;
+    }
+    qsort(edge, count, sizeof *edge, by_value);
+    for (size_t i = 0; i < count; i++) {
+        const uint64_t opposite = edge[i] << 32 | edge[i] >> 32;
+        *twice += i > 0 && edge[i] == edge[i - 1];
+        *alone += !bsearch(&opposite, edge, count, sizeof *edge, by_value);
+    }
+    free(edge);
+}
+
+static double volume(const mesh *m) {
+    double sum = 0.0;
+    for (size_t i = 0; i < m->triangles; i++) {
+        const float *a = m->vertex + 3 * (size_t)m->triangle[3 * i];
+        const float *b = m->vertex + 3 * (size_t)m->triangle[3 * i + 1];
+        const float *c = m->vertex + 3 * (size_t)m->triangle[3 * i + 2];
+        for (unsigned k = 0; k < 3; k++) {
+            const unsigned p = (k + 1) % 3, q = (k + 2) % 3;
+            sum += (double)a[k] * ((double)b[p] * (double)c[q] - (double)b[q] * (double)c[p]);
+        }
+    }
+    return sum / 6.0;
+}
+
+/* `euler`: vertices - edges + triangles. */
+static void check_closed(char scene, uint64_t number, long euler, double least, double most) {
+    mesh m = made(scene, number);
+    size_t twice, alone;
+    count_edges(&m, &twice, &alone);
+    CHECK(twice == 0 && alone == 0, "%c %" PRIu64 ": %zu edges twice, %zu alone", scene, number,
+          twice, alone);
+    CHECK((long)m.vertices - (long)(3 * m.triangles / 2) + (long)m.triangles == euler, "%c: V-E+F",
+          scene);
+    const double v = volume(&m);
+    CHECK(v > least && v < most, "%c %" PRIu64 ": volume %g", scene, number, v);
+    mesh_free(&m);
+}
+
+static void test_manifolds(void) {
+    test("knot: closed, every edge has two triangles, one each way; one handle; outside is out");
+    check_closed('k', 24, 0, -99, 99); /* too coarse to have an inside */
+    check_closed('k', 1000, 0, 15, 25);
+    check_closed('k', 123456, 0, 23, 25);
+    test("ground: closed, 20 x 0.5 x 20, outside is out");
+    check_closed('g', 0, 2, 199.99, 200.01);
+    test("marbles: 110 closed surfaces, outside is out");
+    check_closed('m', 0, 220, 1100, 1600);
+    check_closed('m', 77, 220, 1100, 1600);
+
+    test("terrain: one sheet whose edges are shared but for its border");
+    mesh m = made('t', 20000);
+    size_t twice, alone;
+    count_edges(&m, &twice, &alone);
+    CHECK(twice == 0 && alone == 400, "%zu edges twice, %zu alone", twice, alone);
+    mesh_free(&m);
+}
+
+/* 4 area^2 over the longest edge to the fourth; 0 for a degenerate one. */
+static double fatness(const mesh *m, size_t triangle) {
+    const float *p[3];
+    double longest = 0.0, edge[3][3], area = 0.0;
+    for (unsigned i = 0; i < 3; i++) {
+        p[i] = m->vertex + 3 * (size_t)m->triangle[3 * triangle + i];
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        double length = 0.0;
+        for (unsigned k = 0; k < 3; k++) {
+            edge[i][k] = (double)p[(i + 1) % 3][k] - (double)p[i][k];
+            length += edge[i][k] * edge[i][k];
+        }
+        longest = length > longest ? length : longest;
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        const unsigned a = (k + 1) % 3, b = (k + 2) % 3;
+        const double part = edge[0][a] * edge[1][b] - edge[0][b] * edge[1][a];
+        area += part * part;
+    }
+    return longest > 0.0 ? area / (longest * longest) : 0.0;
+}
+
+static void test_degenerate(void) {
+    static const struct {
+        char scene;
+        uint64_t number;
+    } all[] = {{'g', 0},        {'m', 0},  {'m', 333}, {'t', 2},      {'t', 3000},    {'t', 300000},
+               {'t', 10000000}, {'k', 24}, {'k', 300}, {'k', 300000}, {'k', 10000000}};
+    test("scenes: no degenerate triangle, every index in range, every vertex finite and used");
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        mesh m = made(all[i].scene, all[i].number);
+        double least = 1.0;
+        size_t wild = 0, used = 0;
+        uint8_t *seen = calloc(1, m.vertices + 1);
+        for (size_t k = 0; k < 3 * m.triangles; k++) {
+            const int bad = m.triangle[k] >= m.vertices;
+            wild += bad;
+            used += !bad && !seen[m.triangle[k]]++;
+            seen[bad ? m.vertices : m.triangle[k]] = 1;
+        }
+        for (size_t k = 0; k < 3 * m.vertices; k++) {
+            wild += !(m.vertex[k] > -100.0f && m.vertex[k] < 100.0f);
+        }
+        CHECK(wild == 0, "%c %" PRIu64 ": %zu wild", all[i].scene, all[i].number, wild);
+        CHECK(used == m.vertices, "%zu of %zu vertices used", used, m.vertices);
+        for (size_t k = 0; wild == 0 && k < m.triangles; k++) {
+            const double fat = fatness(&m, k);
+            least = fat < least ? fat : least;
+        }
+        CHECK(least > 1e-4, "%c %" PRIu64 ": thinnest %g", all[i].scene, all[i].number, least);
+        free(seen);
+        mesh_free(&m);
+    }
+}
+
+static void test_refusals(void) {
+    static const struct {
+        char scene;
+        uint64_t number;
+    } bad[] = {{'t', 0}, {'t', 1},  {'t', 10000001}, {'t', UINT64_MAX},
+               {'k', 0}, {'k', 23}, {'k', 10000001}, {'k', UINT64_MAX}};
+    test("scenes: a count out of range is refused with the range, the mesh is left alone");
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        mesh m = {0};
+        fail f = {""};
+        CHECK(make(&m, bad[i].scene, bad[i].number, &f) == -1, "made");
+        CHECK(strstr(f.text, "10000000") && !strchr(f.text, '\n'), "\"%s\"", f.text);
+        CHECK(m.vertices == 0 && m.triangles == 0, "something was left");
+        mesh_free(&m);
+    }
+    test("scenes: a second scene is appended, with its own vertex numbers");
+    mesh m = made('g', 0);
+    fail f = {""};
+    CHECK(make(&m, 'k', 24, &f) == 0 && make(&m, 'm', 0, &f) == 0, "%s", f.text);
+    CHECK(m.vertices == 8 + 12 + 4620 && m.triangles == 12 + 24 + 8800, "%zu %zu", m.vertices,
+          m.triangles);
+    size_t twice, alone;
+    count_edges(&m, &twice, &alone);
+    CHECK(twice == 0 && alone == 0, "%zu edges twice, %zu alone", twice, alone);
+    const size_t vertices = m.vertices;
+    m.vertices = UINT32_MAX - 10;
+    CHECK(make(&m, 't', 2, &f) == -1 && f.text[0], "vertex numbers ran over");
+    m.vertices = vertices;
+    mesh_free(&m);
+}
+
+static void test_memory(void) {
+    struct rlimit before, less;
+    if (SANITIZED || getrlimit(RLIMIT_AS, &before)) {
+        return;
+    }
+    test("scenes: out of memory is one line, and the mesh is as it was before");
+    for (unsigned i = 0; i < 2; i++) {
+        mesh m = made('g', 0);
+        fail f = {""};
+        less = before;
+        less.rlim_cur = 100u << 20;
+        CHECK(setrlimit(RLIMIT_AS, &less) == 0, "no limit");
+        CHECK(make(&m, i ? 'k' : 't', 10000000, &f) == -1, "240 MB fitted into 100");
+        CHECK(setrlimit(RLIMIT_AS, &before) == 0, "no way back");
+        CHECK(f.text[0] && !strchr(f.text, '\n'), "\"%s\"", f.text);
+        CHECK(m.vertices == 8 && m.triangles == 12, "%zu %zu", m.vertices, m.triangles);
+        mesh_free(&m);
+    }
+}
+
+static void test_turns(void) {
+    test("turns: sine and cosine agree with libm to 1e-15, quarter turns are exact");
+    for (uint64_t i = 0; i <= 20000; i++) {
+        const double angle = 2.0 * 3.14159265358979323846 * (double)i / 20000.0;
+        const turn t = turn_of(i, 20000);
+        CHECK(fabs(t.sine - sin(angle)) < 2e-15 && fabs(t.cosine - cos(angle)) < 2e-15,
+              "%" PRIu64 ": %g %g", i, t.sine - sin(angle), t.cosine - cos(angle));
+    }
+    for (uint64_t i = 0; i < 8; i++) {
+        static const double exact[4] = {0.0, 1.0, 0.0, -1.0};
+        const turn t = turn_of(i, 4);
+        CHECK(t.sine == exact[i % 4] && t.cosine == exact[(i + 1) % 4], "quarter %" PRIu64, i);
+    }
+}
+
+static void test_noise(void) {
+    double lowest = 0.0, highest = 0.0, steepest = 0.0, last = lattice_noise(-40.0, 5.3, 9);
+    test("noise: 0 at whole numbers, within -1 .. 1, without a jump, both signs");
+    for (int i = -400; i < 400; i++) {
+        CHECK(lattice_noise(i, i / 3, 9) == 0.0, "not 0 at %d", i);
+    }
+    for (unsigned i = 1; i < 100000; i++) {
+        const double n = lattice_noise(-40.0 + 1e-3 * i, 5.3, 9), step = fabs(n - last);
+        lowest = n < lowest ? n : lowest;
+        highest = n > highest ? n : highest;
+        steepest = step > steepest ? step : steepest;
+        last = n;
+    }
+    CHECK(lowest >= -1.0 && lowest < -0.3 && highest <= 1.0 && highest > 0.3, "%g .. %g", lowest,
+          highest);
+    CHECK(steepest < 4e-3, "a step of %g in 1/1000", steepest);
+
+    test("terrain: valleys near 0 and mountains above 2, nothing below 0 or above 9");
+    mesh m = made('t', 200000);
+    size_t valley = 0, mountain = 0;
+    for (size_t i = 0; i < m.vertices; i++) {
+        const float y = m.vertex[3 * i + 1];
+        CHECK(y >= 0.0f && y < 9.0f, "height %g", (double)y);
+        valley += y < 0.3f;
+        mountain += y > 2.0f;
+    }
+    CHECK(valley > m.vertices / 20, "%zu of %zu", valley, m.vertices);
+    CHECK(mountain > m.vertices / 200, "%zu of %zu", mountain, m.vertices);
+    mesh_free(&m);
+}
+
+int main(void) {
+    test_golden();
+    test_counts();
+    test_manifolds();
+    test_degenerate();
+    test_refusals();
+    test_memory();
+    test_turns();
+    test_noise();
+    return test_done();
+}
