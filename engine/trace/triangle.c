@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/triangle.h"
 
+static const uint8_t axis_after[3] = {1, 2, 0};
+
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
     float corner[3][3];
@@ -67,8 +69,7 @@ static inline f4 cross(f4 ax, f4 ay, f4 bx, f4 by) {
 
 /* Lanes that the triangle covers, seen along axis z. */
 static inline m4 covers(const prepared *t, const plt_group *g, int z, int shared, edges *e) {
-    static const uint8_t after[3] = {1, 2, 0};
-    const int ax = after[z], ay = after[ax];
+    const int ax = axis_after[z], ay = axis_after[ax];
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     f4 x[3], y[3];
     for (int c = 0; c < 3; c++) {
@@ -103,17 +104,21 @@ static m4 own_box(const prepared *t, const plt_group *g, f4 *enter, f4 *leave) {
     return f4_le(*enter, *leave);
 }
 
-/* t = n . (p0 - org) / n . dir; a NaN (0 / 0) becomes `enter` by the rule of
- * max. */
-static f4 plane_distance(const prepared *t, const plt_group *g, f4 enter, f4 leave) {
-    f4 above = f4_zero(), along = f4_zero();
+/* t = n . (p0 - org) / n . dir, with dir as its component along z times the
+ * slopes: no factor is above 1, so no direction that is allowed overflows. A
+ * NaN (0 / 0) becomes `enter` by the rule of max. */
+static f4 plane_distance(const prepared *t, const plt_group *g, int z, f4 enter, f4 leave) {
+    const int ax = axis_after[z], ay = axis_after[ax];
+    f4 above = f4_zero();
     for (int a = 0; a < 3; a++) {
-        const f4 n = f4_all(t->normal[a]);
         const f4 p0 = f4_sub(f4_all(t->corner[0][a]), f4_load(g->org[a]));
-        above = f4_add(above, f4_mul(n, p0));
-        along = f4_add(along, f4_mul(n, f4_load(g->dir[a])));
+        above = f4_add(above, f4_mul(f4_all(t->normal[a]), p0));
     }
-    return f4_min(f4_max(f4_div(above, along), enter), leave);
+    const f4 along = f4_add(f4_all(t->normal[z]),
+                            f4_add(f4_mul(f4_all(t->normal[ax]), f4_load(g->slope[0])),
+                                   f4_mul(f4_all(t->normal[ay]), f4_load(g->slope[1]))));
+    const f4 distance = f4_div(f4_div(above, along), f4_load(g->dir[z]));
+    return f4_min(f4_max(distance, enter), leave);
 }
 
 static m4 nearer(const plt_group *g, f4 t, u4 source) {
@@ -123,10 +128,11 @@ static m4 nearer(const plt_group *g, f4 t, u4 source) {
 }
 
 /* The rays of `covered` meet the triangle somewhere; is it a hit? */
-static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, m4 covered, int any) {
+static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int z, m4 covered,
+                            int any) {
     f4 enter, leave;
     const m4 in_box = own_box(t, g, &enter, &leave);
-    const f4 distance = plane_distance(t, g, enter, leave);
+    const f4 distance = plane_distance(t, g, z, enter, leave);
     const u4 source = u4_all(t->source);
     const m4 hit = m4_and(m4_and(covered, in_box), nearer(g, distance, source));
     const unsigned lanes = m4_mask(hit);
@@ -151,7 +157,7 @@ static inline void test_group(plt_packet *p, const prepared *t, unsigned index, 
         edges e;
         const m4 covered = m4_and(covers(t, g, z, shared, &e), m4_bits(g->axis_lanes[z]));
         if (m4_mask(covered) != 0) {
-            hits |= record_hits(t, g, &e, covered, p->any);
+            hits |= record_hits(t, g, &e, z, covered, p->any);
         }
     }
     if (p->any && hits != 0) {
