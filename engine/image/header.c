@@ -143,6 +143,10 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
     header->root = plt_get_u32(bytes + AT_ROOT);
     plt_get_floats(info->lo, bytes + AT_LO, 3);
     plt_get_floats(info->hi, bytes + AT_HI, 3);
+    for (int a = 0; a < 3 && info->triangles == 0; a++) { /* whatever the bytes say */
+        info->lo[a] = PLT_BOX_FAR;
+        info->hi[a] = -PLT_BOX_FAR;
+    }
     info->splits = bytes[AT_SPLITS];
     info->build = bytes[AT_BUILD];
     for (int i = 0; i < PLT_SECTIONS; i++) {
