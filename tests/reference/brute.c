@@ -68,7 +68,7 @@ static void distance(brute_answer *to, const double p[3][3], const double from[3
     double n[3], error[3], above_error = 0.0, along_error = 0.0, vanishes = 1.0;
     normal_of(p, n, error);
     for (int a = 0; a < 3; a++) {
-        const double off = error[a] + 4.0 * U * fabs(n[a]);
+        const double off = error[a] + 6.0 * U * fabs(n[a]);
         above_error += off * fabs(from[a]) + FLOOR;
         along_error += off * fabs(dir[a]) + FLOOR;
         vanishes = fabs(n[a]) > 2.0 * error[a] ? 0.0 : vanishes;
