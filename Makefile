@@ -111,7 +111,7 @@ DEMO := $(BUILD)/demo
 demo: all
 	@mkdir -p $(DEMO)
 	$(PLANELET) make marbles -o $(DEMO)/marbles.ply
-	$(PLANELET) pack $(DEMO)/marbles.ply --build device -o $(DEMO)/marbles.plt
+	$(PLANELET) pack $(DEMO)/marbles.ply -o $(DEMO)/marbles.plt
 	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --show
 
 ## bench: rays per second of this machine, with scenes that need no download

@@ -1,0 +1,28 @@
+#!/bin/sh
+# check_format.sh - the layout of every source file
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+
+folders='engine platform board host_tools tests'
+format=clang-format
+command -v clang-format-14 >/dev/null 2>&1 && format=clang-format-14
+if needs "$format"; then
+    # shellcheck disable=SC2086
+    verdict "clang-format has nothing to change" "$(
+        for file in $(find $folders -name '*.[ch]' | sort); do
+            "$format" "$file" | cmp -s - "$file" || echo "$file: run $format -i on it"
+        done)"
+fi
+# shellcheck disable=SC2086
+files=$(find $folders Makefile .ci/run -type f \( -name '*.[chS]' -o -name '*.sh' -o -name '*.awk' \
+    -o -name '*.ld' -o -name '*.mk' -o -name Makefile -o -path .ci/run \))
+# shellcheck disable=SC2086
+verdict "every source file has its licence line" "$(grep -L 'SPDX-License-Identifier: MIT' $files)"
+# shellcheck disable=SC2086
+verdict "no line is longer than 100 columns" "$(
+    awk 'length > 100 && !/[^ -~]/ { print FILENAME ":" FNR ": " length " columns" }' $files)"
+# shellcheck disable=SC2086
+verdict "no line ends in a blank" "$(grep -nE '[[:blank:]]$' $files)"
+verdict "nothing is left to do in engine, platform and board" \
+    "$(grep -rnE 'TODO|FIXME|XXX|HACK' engine platform board)"
+finish

@@ -1,0 +1,44 @@
+#!/bin/sh
+# check_stack.sh - the worst stack is known, and no frame is a large part of it
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+FRAME_LIMIT=${FRAME_LIMIT:-1024}
+out=$BUILD/mps2_an386
+
+if make_board mps2_an386; then
+    verdict "the worst path has no recursion, no frame of unknown size, no unknown callee" \
+        "$(grep '^error' "$out/stack.txt"; grep -q '^worst' "$out/stack.txt" || echo 'no figure')"
+    verdict "no frame of the firmware is larger than $FRAME_LIMIT bytes" "$(
+        stack_of "$out" "engine platform board" -v root=cortex_m_start \
+            -v indirect='scene_start scene_wait' -v limit="$FRAME_LIMIT" | grep '^error')"
+fi
+
+# What the figure rests on: the script must see what it is for.
+if needs arm-none-eabi-gcc; then
+    folder=$(mktemp -d)
+    trap 'rm -rf "$folder"' EXIT
+    cat >"$folder/bad.c" <<'C'
+int round_one(int n);
+int round_two(int n);
+int of_any_size(int n);
+int by_pointer(int (*f)(int));
+int unknown(int);
+int calls_unknown(int n);
+int round_one(int n) { return n ? round_two(n - 1) + 1 : 0; }
+int round_two(int n) { return n ? round_one(n - 2) + 2 : 0; }
+int of_any_size(int n) { volatile char a[n]; a[0] = 1; return a[n - 1]; }
+int by_pointer(int (*f)(int)) { return f(1) + 1; }
+int calls_unknown(int n) { return unknown(n) + 1; }
+C
+    (cd "$folder" && arm-none-eabi-gcc -mthumb -mcpu=cortex-m4 -O1 -c bad.c \
+        -fcallgraph-info=su,da)
+    seen() { # SENTENCE ROOT WORDS
+        verdict "$1" "$(awk -v root="$2" -f tests/check/stack.awk "$folder/bad.ci" |
+            grep -q "$3" || echo "not seen in a file that has it")"
+    }
+    seen "recursion is seen" round_one "recursion"
+    seen "a frame of unknown size is seen" of_any_size "no fixed size"
+    seen "a call by pointer is seen" by_pointer "by a pointer"
+    seen "a callee without call graph is seen" calls_unknown "no call graph for unknown"
+fi
+finish

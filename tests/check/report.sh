@@ -1,0 +1,62 @@
+# report - what every check and firmware test says, and how it counts
+#
+# Sourced. `verdict SENTENCE TROUBLE` passes when TROUBLE is empty; `needs TOOL`
+# is a failed check with a remedy when the tool is not there; `finish` prints
+# the sum and is the last command. SPDX-License-Identifier: MIT
+BUILD=${BUILD:-build}
+MAKE=${MAKE:-make}
+CC=${CC:-cc}
+passed=0 failed=0
+
+verdict() {
+    if [ -z "$2" ]; then
+        echo "pass $1"
+        passed=$((passed + 1))
+    else
+        printf '%s\n' "$2" | head -n 20 | sed 's/^/    /'
+        echo "FAIL $1"
+        failed=$((failed + 1))
+    fi
+}
+
+needs() {
+    for tool in "$@"; do
+        if ! command -v "$tool" >/dev/null 2>&1; then
+            verdict "$tool is installed" "there is no $tool here; run: make setup"
+            return 1
+        fi
+    done
+}
+
+# objects_of FOLDER SUFFIX SOURCE_FOLDER...: the objects in FOLDER whose sources
+# are still there.
+objects_of() {
+    folder=$1 suffix=$2
+    shift 2
+    find "$@" -name '*.c' | sort | while read -r source; do
+        [ -e "$folder/${source%.c}.$suffix" ] && echo "$folder/${source%.c}.$suffix"
+    done
+}
+
+# stack_of FOLDER "SOURCE_FOLDER..." [awk option ...]: stack.awk over the
+# Cortex-M objects of these sources.
+stack_of() {
+    out=$1 sources=$2
+    shift 2
+    # shellcheck disable=SC2046,SC2086
+    arm-none-eabi-objdump -d $(objects_of "$out" o $sources) |
+        awk -v out="$out/" "$@" -f tests/check/stack.awk $(objects_of "$out" ci $sources) -
+}
+
+# make_board BOARD: builds its firmware; a failed check when that fails.
+make_board() {
+    needs arm-none-eabi-gcc || return 1
+    trouble=$($MAKE -s BOARD="$1" 2>&1 >/dev/null) && return 0
+    verdict "the firmware of $1 builds" "${trouble:-make BOARD=$1 failed}"
+    return 1
+}
+
+finish() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}

@@ -1,0 +1,41 @@
+#!/bin/sh
+# setup.sh - installs what the tests need beside gcc, make and git
+#
+# Does nothing when all is there. Exit status 1, and what to install by hand,
+# when it cannot. SPDX-License-Identifier: MIT
+
+# tool:package
+wanted='qemu-system-arm:qemu-system-arm
+arm-none-eabi-gcc:gcc-arm-none-eabi
+g++:g++
+cppcheck:cppcheck
+clang-format:clang-format'
+
+missing() {
+    for pair in $wanted; do
+        command -v "${pair%%:*}" >/dev/null 2>&1 || echo "${pair##*:}"
+    done
+    # The compiler alone has no string.h.
+    if ! echo '#include <string.h>' | arm-none-eabi-gcc -E - >/dev/null 2>&1; then
+        echo libnewlib-arm-none-eabi
+    fi
+}
+
+packages=$(missing | tr '\n' ' ')
+[ -z "$packages" ] && exit 0
+echo "setup: installing $packages"
+root=
+[ "$(id -u)" -eq 0 ] || root=sudo
+if ! command -v apt-get >/dev/null 2>&1 || { [ -n "$root" ] && ! command -v sudo >/dev/null; }; then
+    echo "setup: needs apt-get, as root or with sudo; install by hand what gives: $packages" >&2
+    exit 1
+fi
+export DEBIAN_FRONTEND=noninteractive
+# shellcheck disable=SC2086
+$root apt-get install -y --no-install-recommends $packages >/dev/null 2>&1 ||
+    { $root apt-get update && $root apt-get install -y --no-install-recommends $packages; }
+packages=$(missing | tr '\n' ' ')
+if [ -n "$packages" ]; then
+    echo "setup: still missing: $packages- install them by hand; tests that need them fail" >&2
+    exit 1
+fi

@@ -1,0 +1,69 @@
+#!/bin/sh
+# sizes.sh - what the engine costs: code, data, stack, structures
+#
+# Fails when the engine has data or bss, or when its worst stack is not known.
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+arm=$BUILD/mps2_an386
+status=0
+
+# table TITLE FOLDER SIZE: bytes of every engine object, and their sum.
+table() {
+    echo "$1"
+    objects_of "$2" o engine | xargs "$3" | awk -v folder="$2/" '
+        NR == 1 { printf "%8s %8s %8s\n", "code", "data", "bss"; next }
+        {
+            name = $6
+            sub(folder, "", name)
+            printf "%8d %8d %8d  %s\n", $1, $2, $3, name
+            code += $1; data += $2; bss += $3
+        }
+        END {
+            printf "%8d %8d %8d  in all\n\n", code, data, bss
+            if (data + bss > 0) { print "error: the engine has data or bss"; exit 1 }
+        }' || status=1
+}
+
+# All public functions, as declared in planelet.h.
+public() {
+    awk '/^[a-z].*[ *]plt_[a-z_]+\(/ {
+        sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
+}
+
+# The sizes of structures, from the types alone: an array as long as the
+# structure, whose size nm prints.
+structures() {
+    source=$(mktemp) object=$(mktemp)
+    echo '#include "engine/planelet.h"' >"$source"
+    awk '/^} plt_[a-z_]+;/ { sub(/;.*/, "", $2)
+        print "extern char " $2 "_size[]; char " $2 "_size[sizeof(" $2 ")];" }' \
+        engine/planelet.h >>"$source"
+    "$1" -x c -std=c11 -I. -c -fno-common -o "$object" "$source" &&
+        "$2" -S "$object" | awk '/_size$/ { sub(/_size$/, "", $4); print $4, $2 }'
+    rm -f "$source" "$object"
+}
+
+table "engine, x86-64 or what this host is, -O3, SSE where there is" "$BUILD/host" size
+if [ ! -e "$arm/firmware.elf" ]; then
+    echo "sizes: no firmware of mps2_an386; run: make setup" >&2
+    exit 1
+fi
+table "engine, Cortex-M4F, -O2, scalar lanes" "$arm" arm-none-eabi-size
+
+echo "worst C stack of the Cortex-M4F, bytes: frame by frame"
+sed -n 's/^worst \([0-9]*\).*/\1 from start-up, the board and the source included/p;/^ /p' \
+    "$arm/stack.txt"
+echo "worst C stack of each public function (functions of a source not counted)"
+lines=$(stack_of "$arm" "engine platform/cortex_m" -v root="$(public)" -v outward=1) || status=1
+printf '%s\n' "$lines" | awk '
+    /^error/ { print }
+    /^(worst|root)/ { printf "%8d %s\n", $2, $3 }' | sort -rn
+echo
+echo "public structures, bytes: here, Cortex-M4F"
+structures arm-none-eabi-gcc arm-none-eabi-nm >"$arm/structures.txt"
+structures "$CC" nm | while read -r name size; do
+    while read -r other bytes; do
+        [ "$name" = "$other" ] && printf '%8d %8d  %s\n' "0x$size" "0x$bytes" "$name"
+    done <"$arm/structures.txt"
+done
+exit $status
