@@ -59,7 +59,8 @@ $(OUT)/flags: FORCE
 
 ## make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: runs it, with counts
 run: firmware
-	@BUILD='$(BUILD)' sh board/$(BOARD)/run.sh '$(SCENE)' \
-	    $(if $(SIZE),size=$(SIZE)) frame=$(OUT)/frame.ppm $(PARAMETERS)
+	@$(MAKE) --no-print-directory -s BOARD=host all
+	@BUILD='$(BUILD)' sh tests/qemu/run_like_host.sh $(BOARD) '$(SCENE)' \
+	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
 -include $(FIRMWARE_OBJECTS:.o=.d)

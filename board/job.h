@@ -17,8 +17,9 @@ typedef struct job {
  * arena= asks for. On a wrong parameter prints a line and returns -1. */
 int job_read(job *j, const char *parameters, size_t *arena_bytes);
 
-/* Fills in what the parameters left open of the camera, from the scene's
- * box: the same view as `planelet render` without options. */
+/* Fills in what the parameters left open of the camera: the scene's box in
+ * view, from the front, right and above. (`planelet render` fits its view more
+ * closely, in double; it hands its camera over as bits, see tests/qemu.) */
 void job_aim(job *j, const plt_info *info);
 
 #endif

@@ -26,6 +26,11 @@ static char command_line[COMMAND_LINE_BYTES];
 static uint16_t frame_width, frame_height;
 static int scene_file;
 
+/* Of two symbols of the linker script, which C takes for two objects. */
+static uint32_t bytes_between(const uint8_t *from, const uint8_t *to) {
+    return (uint32_t)((uintptr_t)to - (uintptr_t)from);
+}
+
 const char *board_name(void) {
     return "mps2_an386";
 }
@@ -71,7 +76,7 @@ static int scene_from_file(const parameter *path, plt_source *source) {
 }
 
 int board_scene(const char *parameters, plt_source *source) {
-    const uint32_t room = (uint32_t)(plt_scene_end - plt_scene_start);
+    const uint32_t room = bytes_between(plt_scene_start, plt_scene_end);
     parameter p;
     if (parameter_find(parameters, "scene", &p)) {
         return scene_from_file(&p, source);
@@ -88,7 +93,7 @@ int board_scene(const char *parameters, plt_source *source) {
 /* ---- the frame ------------------------------------------------------------ */
 
 int board_frame_begin(uint16_t width, uint16_t height) {
-    if ((uint64_t)width * height * 3 > (uint64_t)(plt_frame_end - plt_frame_start)) {
+    if ((uint64_t)width * height * 3 > bytes_between(plt_frame_start, plt_frame_end)) {
         return complain("error: the frame is larger than the 4 MiB this board keeps for it\n");
     }
     frame_width = width;

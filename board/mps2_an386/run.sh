@@ -19,7 +19,8 @@ symbol() {
 plugin=$out/libcount.so,out=$counts
 plugin=$plugin,stack=$(symbol plt_stack_bottom):$(symbol plt_stack_top):$(symbol cortex_m_main)
 for region in open render; do
-    plugin=$plugin,region=$region:$(symbol firmware_${region}_begin):$(symbol firmware_${region}_end)
+    begin=$(symbol firmware_${region}_begin) end=$(symbol firmware_${region}_end)
+    plugin=$plugin,region=$region:$begin:$end
 done
 
 parameters=$*

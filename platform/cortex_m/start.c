@@ -19,7 +19,6 @@ extern uint32_t plt_stack_guard[], plt_stack_bottom[], plt_stack_top[];
 
 #define PAINT 0xA5C35A3Cu
 #define REGISTER(address) (*(volatile uint32_t *)(address))
-#define SCB_CCR REGISTER(0xE000ED14u)
 #define MPU_TYPE REGISTER(0xE000ED90u)
 #define MPU_CTRL REGISTER(0xE000ED94u)
 #define MPU_RNR REGISTER(0xE000ED98u)
@@ -27,7 +26,6 @@ extern uint32_t plt_stack_guard[], plt_stack_bottom[], plt_stack_top[];
 #define MPU_RASR REGISTER(0xE000EDA0u)
 
 enum {
-    CCR_DIV_0_TRAP = 1 << 4,
     RASR_NO_ACCESS_256_BYTES = 7 << 1 | 1, /* AP = 0, size = 2^(7+1), enable */
     MPU_ON_FOR_ALL_BUT_HARD_FAULT = 5      /* default map elsewhere, ENABLE */
 };
@@ -101,7 +99,6 @@ _Noreturn void cortex_m_start(void) {
     set_up_memory();
     paint_stack();
     guard_stack();
-    SCB_CCR |= CCR_DIV_0_TRAP;
     cortex_m_main();
 }
 
