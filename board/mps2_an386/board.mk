@@ -5,7 +5,7 @@ CROSS := arm-none-eabi-
 CPU := -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16
 LANES := scalar
 ARENA_BYTES := 262144
-STACK_BYTES := 4096
+STACK_BYTES := 8192
 PLATFORM_FAMILY := cortex_m
 LINK_SCRIPT := board/mps2_an386/memory.ld
 # For the stack figure: where it starts, and where plt_source's pointers may lead.
