@@ -5,6 +5,8 @@
  *            treelet (the far one waits), else the inner child's, else 0
  *   edges  = edges of inner children + 1 for every other child
  *   depth  = the greater child's + 1, a leaf counting 0
+ *   locals = the greatest local need of any treelet behind an edge: treelets
+ *            follow one another on the same local stack
  *   global need of a treelet = edges + max(0, beyond - 1): one edge is taken,
  *            the others wait while what lies behind it is worked off
  *
@@ -48,12 +50,13 @@ static int survey_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, plt
 }
 
 static void combine(plt_need *need, const plt_node *node, const plt_need child[2]) {
-    const plt_need none = {0, 0, 0, 0};
+    const plt_need none = {0, 0, 0, 0, 0};
     *need = none;
     int inner = 0;
     for (int c = 0; c < 2; c++) {
         const uint32_t link = plt_node_link(node, c);
         need->depth = larger(need->depth, child[c].depth);
+        need->locals = larger(need->locals, child[c].locals);
         if (plt_link_is_inner(link)) {
             inner++;
             need->local = larger(need->local, child[c].local);
@@ -63,6 +66,7 @@ static void combine(plt_need *need, const plt_node *node, const plt_need child[2
             need->edges++;
             if (!plt_link_is_leaf(link)) {
                 need->beyond = larger(need->beyond, treelet_need(&child[c]));
+                need->locals = larger(need->locals, child[c].local);
             }
         }
     }
@@ -90,7 +94,7 @@ static int walk(const plt_tree *tree, plt_survey_frame *frames, plt_need *root, 
         }
         const uint32_t link = plt_node_link(node, (int)f->next_child);
         if (plt_link_is_leaf(link)) {
-            const plt_need leaf = {0, 0, 0, 0};
+            const plt_need leaf = {0, 0, 0, 0, 0};
             const int status = survey_lists(tree, link, seen, info, fault);
             if (status != PLT_OK) {
                 return status;
@@ -125,7 +129,7 @@ static int survey_nodes(const plt_tree *tree, plt_survey_frame *frames, uint32_t
     plt_need root;
     const int status = walk(tree, frames, &root, seen, info, fault);
     if (status == PLT_OK) {
-        info->local_stack_entries = root.local;
+        info->local_stack_entries = larger(root.local, root.locals);
         info->global_stack_entries = larger(1, treelet_need(&root));
         info->depth_stack_entries = larger(1, root.depth);
     }

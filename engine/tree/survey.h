@@ -27,7 +27,8 @@ typedef struct plt_tree {
 
 /* Needs of a subtree, from the bottom up. */
 typedef struct plt_need {
-    uint32_t local; /* local stack inside the treelet, the node in hand */
+    uint32_t local;  /* local stack inside the treelet, the node in hand */
+    uint32_t locals; /* largest local need of a treelet behind an edge below */
     uint32_t edges; /* edges that leave the treelet below the node */
     uint32_t beyond; /* largest global need of a treelet behind such an edge */
     uint32_t depth; /* depth-first stack, the node in hand */
