@@ -108,9 +108,10 @@ static void overhead(int scene, uint32_t triangles) {
             const uint32_t nodes = image.info.nodes, size = treelet_sizes[n];
             const uint32_t due = (size - nodes % size) % size;
             const uint32_t found = image.info.node_slots - nodes;
-            CHECK(found <= due + (nodes / 20 > size ? nodes / 20 : size),
-                  "%s, N %u: %u free slots, not %u", scene == 0 ? "knot" : "terrain", size, found,
-                  due);
+            /* Treelets of more than half a block do not share one: only a bound. */
+            const uint32_t most = size <= 16 ? due : due + nodes / 4 + size;
+            CHECK(found <= most, "%s, N %u: %u nodes, %u free slots, not %u",
+                  scene == 0 ? "knot" : "terrain", size, nodes, found, due);
             exact += found == due;
             wider += found != due;
         }
@@ -168,7 +169,7 @@ static void never_exceeded(const packed *image, int scene) {
 int main(void) {
     test("treelets are connected, breadth first, inside blocks; free slots are zero");
     each_image(well_formed);
-    test("median scenes have free slots in the last block alone, with few exceptions");
+    test("median scenes have free slots in the last block alone, but for some of N 64 and 256");
     overhead(0, 4000);
     overhead(0, 20000);
     overhead(1, 3000);
