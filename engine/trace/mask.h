@@ -25,6 +25,15 @@ static inline unsigned plt_mask_first(plt_mask m) {
 #endif
 }
 
+/* How many groups, by adding up ever wider fields. */
+static inline uint32_t plt_mask_count(plt_mask m) {
+    const plt_mask all = (plt_mask) ~(plt_mask)0;
+    m -= m >> 1 & all / 3;
+    m = (m & all / 15 * 3) + (m >> 2 & all / 15 * 3);
+    m = (m + (m >> 4)) & all / 255 * 15;
+    return (uint32_t)((plt_mask)(m * (all / 255)) >> (8 * sizeof m - 8));
+}
+
 static inline plt_mask plt_mask_of(unsigned group, unsigned on) {
     return (plt_mask)on << group;
 }

@@ -1,12 +1,12 @@
 /* packet - see packet.h
  *
- * How far origins are moved (e, per axis; u = 2^-24, M = the largest distance
- * on any axis from the origin to the scene's box): the sheared corners of the
- * triangle test are off by at most 6 u M, a plane's distance by 3 u of itself,
- * so a ray that the triangle test takes passes each box around the triangle
- * within 9 u M. e = 16 u M, or 4 u |org| where that is more so that the sum
- * does not round away, leaves at least 12 u M. The idea is Woop, Benthin and
- * Wald, "Watertight ray/triangle intersection", 2013, section 5.
+ * How far origins are moved (e, per axis; u = 2^-24, R = the reach, the largest
+ * distance on any axis from the origin to the scene's box): a plane's distance
+ * is off by at most 3 u of itself, on each of two axes that are compared. So
+ * e = 16 u R, or 4 u |org| where that is more so that the sum does not round
+ * away; at least 3 u |org| > 12 u R or 14 u R of it are left, and a box that a
+ * ray meets is never missed. The idea is Woop, Benthin and Wald, "Watertight
+ * ray/triangle intersection", 2013, section 5.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/packet.h"
@@ -15,6 +15,8 @@
 #define SMALLEST 8.67361737988403547e-19f /* 2^-60 */
 #define BOX_ERROR 9.5367431640625e-7f     /* 16 u = 2^-20 */
 #define ORIGIN_ERROR 2.384185791015625e-7f /* 4 u = 2^-22 */
+#define CLOSE_ERROR 1.1368683772161603e-12f /* 320 u^2 */
+#define REACH_ROUNDING 1.000001f           /* the differences were rounded */
 
 static f4 largest_of(const f4 a[3]) {
     return f4_max(f4_max(f4_abs(a[0]), f4_abs(a[1])), f4_abs(a[2]));
@@ -48,6 +50,9 @@ static void set_origins(plt_group *g, const plt_box *scene, const f4 org[3], con
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->hi[a]), org[a])), reach);
     }
+    reach = f4_mul(reach, f4_all(REACH_ROUNDING));
+    f4_store(g->reach, reach);
+    f4_store(g->reach_error, f4_mul(f4_mul(reach, reach), f4_all(CLOSE_ERROR)));
     const f4 box_error = f4_mul(reach, f4_all(BOX_ERROR));
     for (int a = 0; a < 3; a++) {
         const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(ORIGIN_ERROR)));
@@ -125,6 +130,7 @@ static void take_from_first(plt_packet *p, const plt_group *g, unsigned lane) {
 void plt_packet_finish(plt_packet *p) {
     p->mixed = 0;
     p->shared = 1;
+    p->axis = 3;
     if (p->active == 0) {
         return;
     }
@@ -134,11 +140,13 @@ void plt_packet_finish(plt_packet *p) {
         lane++;
     }
     take_from_first(p, first, lane);
+    unsigned axes = 0;
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
         const plt_group *g = &p->group[plt_mask_first(m)];
         for (int a = 0; a < 3; a++) {
             p->shared &= (g->valid & ~lanes_equal(g->org[a], p->org[a])) == 0;
             p->mixed |= lanes_negative(g, a) != (p->negative[a] ? g->valid : 0u);
+            axes |= (unsigned)(g->axis_lanes[a] != 0) << a;
         }
         if (!(g->valid & 1u)) {
             continue;
@@ -150,6 +158,9 @@ void plt_packet_finish(plt_packet *p) {
     for (int a = 0; a < 3; a++) {
         p->near_org[a] = first->near_org[a][lane];
         p->far_org[a] = first->far_org[a][lane];
+    }
+    if ((axes & (axes - 1)) == 0) {
+        p->axis = (uint8_t)(axes >> 1); /* 1, 2, 4 to 0, 1, 2 */
     }
     p->shared &= !p->mixed; /* the short cut needs one sign: moved origins follow it */
 }

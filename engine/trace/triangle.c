@@ -1,21 +1,38 @@
 /* triangle - see triangle.h
  *
+ * Error bounds (u = 2^-24; R = the ray's reach, at least the distance from its
+ * origin to any corner on any axis; X = the largest sheared coordinate):
+ *   a sheared coordinate       6 u R     one rounding each for both
+ *                                        differences, 3 for slope * depth, 2
+ *                                        for the last difference
+ *   an edge function           4 * 6 u R * X + 72 u^2 R^2 + 4 u X^2, and as
+ *                              X <= 2 R, at most 32 u R X + 128 u^2 R^2
+ * A ray that meets the triangle has X <= 2 L + 6 u R, L being the longest side
+ * of the triangle's box, so its edge functions are no further on the wrong
+ * side than 64 u R L + 320 u^2 R^2: all others need no second look.
+ *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/triangle.h"
+
+#include "engine/trace/exact.h"
+
+#define U 5.9604644775390625e-8f /* 2^-24 */
 
 static const uint8_t axis_after[3] = {1, 2, 0};
 
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
     float corner[3][3];
-    float normal[3];
     f4 from_org[3][3]; /* shared origin: corner - origin, in all lanes */
+    float slack;       /* 64 u L */
     uint32_t number, source;
 } prepared;
 
 /* The edge functions of four rays; each is twice a signed area. */
 typedef struct edges {
-    f4 u, v, w, sum;
+    f4 u, v, w;
+    f4 least, most; /* of the three */
+    f4 x[3], y[3];  /* sheared corners */
 } edges;
 
 static void normal_of(const float c[3][3], float normal[3]) {
@@ -40,13 +57,10 @@ void plt_record_normal(const plt_record *record, float normal[3]) {
     normal_of((const float(*)[3])corner, normal);
 }
 
-/* Returns 0 for a triangle that nothing can hit. */
-static int prepare(prepared *t, const plt_packet *p, const plt_record *record, uint32_t number) {
+static void prepare(prepared *t, const plt_packet *p, const plt_record *record, uint32_t number,
+                    float longest) {
     corners_of(record, t->corner);
-    normal_of((const float(*)[3])t->corner, t->normal);
-    if (t->normal[0] == 0.0f && t->normal[1] == 0.0f && t->normal[2] == 0.0f) {
-        return 0;
-    }
+    t->slack = 64.0f * U * longest;
     t->number = number;
     t->source = plt_record_source(record);
     for (int c = 0; c < 3 && p->shared; c++) {
@@ -54,7 +68,6 @@ static int prepare(prepared *t, const plt_packet *p, const plt_record *record, u
             t->from_org[c][a] = f4_all(t->corner[c][a] - p->org[a]);
         }
     }
-    return 1;
 }
 
 static inline f4 from_origin(const prepared *t, const plt_group *g, int corner, int axis,
@@ -67,11 +80,15 @@ static inline f4 cross(f4 ax, f4 ay, f4 bx, f4 by) {
     return f4_sub(f4_mul(ax, by), f4_mul(ay, bx));
 }
 
-/* Lanes that the triangle covers, seen along axis z. */
-static inline m4 covers(const prepared *t, const plt_group *g, int z, int shared, edges *e) {
+static inline f4 larger3(f4 a, f4 b, f4 c) {
+    return f4_max(f4_max(a, b), c);
+}
+
+/* Lanes that the triangle covers, seen along axis z, or may cover. */
+static inline m4 may_cover(const prepared *t, const plt_group *g, int z, int shared, edges *e) {
     const int ax = axis_after[z], ay = axis_after[ax];
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
-    f4 x[3], y[3];
+    f4 *x = e->x, *y = e->y;
     for (int c = 0; c < 3; c++) {
         const f4 depth = from_origin(t, g, c, z, shared);
         x[c] = f4_sub(from_origin(t, g, c, ax, shared), f4_mul(slope_x, depth));
@@ -80,11 +97,41 @@ static inline m4 covers(const prepared *t, const plt_group *g, int z, int shared
     e->u = cross(x[2], y[2], x[1], y[1]);
     e->v = cross(x[0], y[0], x[2], y[2]);
     e->w = cross(x[1], y[1], x[0], y[0]);
-    const f4 least = f4_min(f4_min(e->u, e->v), e->w);
-    const f4 most = f4_max(f4_max(e->u, e->v), e->w);
-    e->sum = f4_add(f4_add(e->u, e->v), e->w);
-    const m4 inside = m4_or(f4_le(f4_zero(), least), f4_le(most, f4_zero()));
-    return m4_andnot(inside, f4_eq(e->sum, f4_zero()));
+    e->least = f4_min(f4_min(e->u, e->v), e->w);
+    e->most = larger3(e->u, e->v, e->w);
+    const f4 slack = f4_add(f4_mul(f4_all(t->slack), f4_load(g->reach)), f4_load(g->reach_error));
+    return m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack));
+}
+
+/* Does the ray meet the triangle? Edge by edge, never wrong. */
+static int meets_exactly(const prepared *t, const plt_group *g, unsigned lane) {
+    const float org[3] = {g->org[0][lane], g->org[1][lane], g->org[2][lane]};
+    const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
+    int positive = 0, negative = 0;
+    for (int c = 0; c < 3; c++) {
+        const int side = plt_edge_side(t->corner[c], t->corner[c < 2 ? c + 1 : 0], org, dir);
+        positive |= side > 0;
+        negative |= side < 0;
+    }
+    return positive != negative; /* not both, and not on all three lines */
+}
+
+/* Of the lanes that may be covered those that are. */
+static m4 covered(const prepared *t, const plt_group *g, const edges *e, m4 may) {
+    const f4 reach = f4_load(g->reach);
+    const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
+                             larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
+    const f4 error = f4_mul(reach, f4_add(f4_mul(f4_all(32.0f * U), extent),
+                                          f4_mul(f4_all(128.0f * U * U), reach)));
+    const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
+    unsigned lanes = m4_mask(m4_and(may, sure));
+    const unsigned close = m4_mask(m4_andnot(may, sure));
+    for (unsigned lane = 0; close >> lane != 0; lane++) {
+        if (close >> lane & 1u) {
+            lanes |= (unsigned)meets_exactly(t, g, lane) << lane;
+        }
+    }
+    return m4_bits(lanes);
 }
 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
@@ -107,16 +154,17 @@ static m4 own_box(const prepared *t, const plt_group *g, f4 *enter, f4 *leave) {
 /* t = n . (p0 - org) / n . dir, with dir as its component along z times the
  * slopes: no factor is above 1, so no direction that is allowed overflows. A
  * NaN (0 / 0) becomes `enter` by the rule of max. */
-static f4 plane_distance(const prepared *t, const plt_group *g, int z, f4 enter, f4 leave) {
+static f4 plane_distance(const prepared *t, const float normal[3], const plt_group *g, int z,
+                         f4 enter, f4 leave) {
     const int ax = axis_after[z], ay = axis_after[ax];
     f4 above = f4_zero();
     for (int a = 0; a < 3; a++) {
         const f4 p0 = f4_sub(f4_all(t->corner[0][a]), f4_load(g->org[a]));
-        above = f4_add(above, f4_mul(f4_all(t->normal[a]), p0));
+        above = f4_add(above, f4_mul(f4_all(normal[a]), p0));
     }
-    const f4 along = f4_add(f4_all(t->normal[z]),
-                            f4_add(f4_mul(f4_all(t->normal[ax]), f4_load(g->slope[0])),
-                                   f4_mul(f4_all(t->normal[ay]), f4_load(g->slope[1]))));
+    const f4 along = f4_add(f4_all(normal[z]),
+                            f4_add(f4_mul(f4_all(normal[ax]), f4_load(g->slope[0])),
+                                   f4_mul(f4_all(normal[ay]), f4_load(g->slope[1]))));
     const f4 distance = f4_div(f4_div(above, along), f4_load(g->dir[z]));
     return f4_min(f4_max(distance, enter), leave);
 }
@@ -127,37 +175,50 @@ static m4 nearer(const plt_group *g, f4 t, u4 source) {
     return m4_and(f4_le(f4_load(g->tmin), t), m4_or(f4_lt(t, tmax), tie));
 }
 
-/* The rays of `covered` meet the triangle somewhere; is it a hit? */
-static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int z, m4 covered,
+static inline f4 weight(f4 part, f4 sum) {
+    return f4_min(f4_max(f4_div(part, sum), f4_zero()), f4_all(1.0f));
+}
+
+/* The rays of `may` are those that can meet the triangle; which is a hit? */
+static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int z, m4 may,
                             int any) {
     f4 enter, leave;
-    const m4 in_box = own_box(t, g, &enter, &leave);
-    const f4 distance = plane_distance(t, g, z, enter, leave);
-    const u4 source = u4_all(t->source);
-    const m4 hit = m4_and(m4_and(covered, in_box), nearer(g, distance, source));
-    const unsigned lanes = m4_mask(hit);
-    if (lanes == 0) {
+    float normal[3];
+    normal_of((const float(*)[3])t->corner, normal);
+    if (normal[0] == 0.0f && normal[1] == 0.0f && normal[2] == 0.0f) {
         return 0;
     }
+    const m4 in_box = own_box(t, g, &enter, &leave);
+    const f4 distance = plane_distance(t, normal, g, z, enter, leave);
+    const u4 source = u4_all(t->source);
+    const m4 wanted = m4_and(m4_and(may, in_box), nearer(g, distance, source));
+    if (m4_mask(wanted) == 0) {
+        return 0;
+    }
+    const m4 hit = covered(t, g, e, wanted);
+    const f4 sum = f4_add(f4_add(e->u, e->v), e->w);
     f4_store(g->tmax, f4_select(hit, any ? f4_all(-1.0f) : distance, f4_load(g->tmax)));
     u4_store(g->source, u4_select(hit, source, u4_load(g->source)));
     u4_store(g->record, u4_select(hit, u4_all(t->number), u4_load(g->record)));
-    f4_store(g->u, f4_select(hit, f4_div(e->v, e->sum), f4_load(g->u)));
-    f4_store(g->v, f4_select(hit, f4_div(e->w, e->sum), f4_load(g->v)));
-    return lanes;
+    f4_store(g->u, f4_select(hit, weight(e->v, sum), f4_load(g->u)));
+    f4_store(g->v, f4_select(hit, weight(e->w, sum), f4_load(g->v)));
+    return m4_mask(hit);
+}
+
+static inline unsigned test_axis(plt_group *g, const prepared *t, int z, int shared, int any) {
+    edges e;
+    const m4 may = m4_and(may_cover(t, g, z, shared, &e), m4_bits(g->axis_lanes[z]));
+    return m4_mask(may) != 0 ? record_hits(t, g, &e, z, may, any) : 0;
 }
 
 static inline void test_group(plt_packet *p, const prepared *t, unsigned index, int shared) {
     plt_group *g = &p->group[index];
     unsigned hits = 0;
-    for (int z = 0; z < 3; z++) {
-        if (g->axis_lanes[z] == 0) {
-            continue;
-        }
-        edges e;
-        const m4 covered = m4_and(covers(t, g, z, shared, &e), m4_bits(g->axis_lanes[z]));
-        if (m4_mask(covered) != 0) {
-            hits |= record_hits(t, g, &e, z, covered, p->any);
+    if (p->axis < 3) {
+        hits = test_axis(g, t, p->axis, shared, p->any);
+    } else {
+        for (int z = 0; z < 3; z++) {
+            hits |= g->axis_lanes[z] != 0 ? test_axis(g, t, z, shared, p->any) : 0;
         }
     }
     if (p->any && hits != 0) {
@@ -167,11 +228,9 @@ static inline void test_group(plt_packet *p, const prepared *t, unsigned index, 
 }
 
 void plt_triangle_groups(plt_packet *p, const plt_record *record, uint32_t number,
-                         plt_mask groups) {
+                         float longest, plt_mask groups) {
     prepared t;
-    if (!prepare(&t, p, record, number)) {
-        return;
-    }
+    prepare(&t, p, record, number, longest);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         if (p->shared) {
             test_group(p, &t, plt_mask_first(m), 1);

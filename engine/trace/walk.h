@@ -47,8 +47,8 @@ uint32_t plt_walk_two_stage(plt_walker *w, uint32_t visits);
 int plt_walk_visit(plt_walker *w, const plt_entry *at, const plt_node **node, plt_box child[2],
                    plt_mask hit[2]);
 
-/* Tests the lists of a leaf link. */
-void plt_walk_leaf(plt_walker *w, uint32_t link, plt_mask groups);
+/* Tests the lists of a leaf. */
+void plt_walk_leaf(plt_walker *w, const plt_entry *leaf);
 
 /* Counts the treelet block of node `index` if it is not the one in hand. */
 void plt_walk_enter(plt_walker *w, uint32_t index);

@@ -17,7 +17,9 @@ static uint32_t descend(plt_walker *w, plt_entry *at) {
         const plt_node *node;
         plt_box child[2];
         plt_mask hit[2];
-        plt_walk_enter(w, plt_link_index(at->link));
+        if (visits == 0 || !plt_link_is_inner(at->link)) {
+            plt_walk_enter(w, plt_link_index(at->link));
+        }
         int near = plt_walk_visit(w, at, &node, child, hit);
         visits++;
         if (hit[near] == 0) {
@@ -35,7 +37,7 @@ static uint32_t descend(plt_walker *w, plt_entry *at) {
         at->link = plt_node_link(node, near);
         at->groups = hit[near];
     }
-    plt_walk_leaf(w, at->link, at->groups);
+    plt_walk_leaf(w, at);
     return visits;
 }
 

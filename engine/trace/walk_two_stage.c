@@ -86,7 +86,7 @@ uint32_t plt_walk_two_stage(plt_walker *w, uint32_t visits) {
         uint32_t used = 1;
         at.groups = plt_box_groups(&w->packet, &at.box, at.groups & w->packet.active);
         if (at.groups != 0 && plt_link_is_leaf(at.link)) {
-            plt_walk_leaf(w, at.link, at.groups);
+            plt_walk_leaf(w, &at);
         } else if (at.groups != 0) {
             used += visit_treelet(w, &at);
         }

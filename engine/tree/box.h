@@ -31,6 +31,12 @@ static inline void plt_box_add(plt_box *b, const plt_box *c) {
     }
 }
 
+static inline float plt_box_longest_side(const plt_box *b) {
+    const float x = b->hi[0] - b->lo[0], y = b->hi[1] - b->lo[1], z = b->hi[2] - b->lo[2];
+    const float xy = x > y ? x : y;
+    return xy > z ? xy : z;
+}
+
 /* Half the surface; for boxes that are not empty. */
 static inline float plt_box_half_area(const plt_box *b) {
     const float x = b->hi[0] - b->lo[0], y = b->hi[1] - b->lo[1], z = b->hi[2] - b->lo[2];
