@@ -87,7 +87,8 @@ sizes: all
 
 SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 -include tests/tiny/flags.mk
-TINY_FLAGS ?= -DPLT_PACKET_SIDE_MAX=4 -DPLT_TILE_SIDE=4 -DPLT_SAH_BINS=4 -DPLT_TRANSFER_BYTES=64
+TINY_FLAGS ?= -DPLT_PACKET_SIDE_MAX=4 -DPLT_TILE_SIDE=4 -DPLT_DEPTH_MAX=8 -DPLT_SAH_BINS=4 \
+              -DPLT_GLOBAL_STACK_MAX=16 -DPLT_TRANSFER_BYTES=64
 
 ## sanitize: the test programs under address and undefined-behaviour sanitizers
 sanitize:

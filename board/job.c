@@ -103,7 +103,8 @@ static int read_words(const char *all, job *j) {
 }
 
 int job_read(job *j, const char *parameters, size_t *arena_bytes) {
-    uint32_t arena = (uint32_t)*arena_bytes, packet = 8;
+    uint32_t arena = (uint32_t)*arena_bytes;
+    uint32_t packet = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8;
     parameter item;
     *j = (job){.visits = 20000};
     if (parameter_unknown(parameters, keys, &item)) {

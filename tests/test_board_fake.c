@@ -86,7 +86,7 @@ static void test_contract(void) {
     CHECK(s.start(s.context, 32, 0, to, 16) < 0 && link.broken == 1, "tag 32");
     CHECK(s.start(s.context, 0, 250, to, 7) < 0 && link.broken == 2, "beyond the end");
     CHECK(s.start(s.context, 0, 0xFFFFFFF0u, to, 0x20) < 0 && link.broken == 3, "wrapped");
-    CHECK(s.start(s.context, 0, 1, to + 250, 7) < 0 && link.broken == 4, "outside the arena");
+    CHECK(s.start(s.context, 0, 249, to + 249, 8) < 0 && link.broken == 4, "outside the arena");
     CHECK(s.start(s.context, 0, 0, to, 0) < 0 && link.broken == 5, "nothing");
     CHECK(link.sentence != NULL, "a sentence");
 }

@@ -31,7 +31,7 @@ static int check_start(fake_link *link, unsigned tag, uint32_t offset, const uns
     if (count == 0) {
         return break_contract(link, "a transfer of no bytes");
     }
-    const int header = offset == 0 && count <= HEADER_BYTES;
+    const int header = offset + count <= HEADER_BYTES;
     if (!header && !in_arena(link, to, count)) {
         return break_contract(link, "a transfer to outside the arena");
     }
