@@ -1,0 +1,169 @@
+/* images - opens bytes that nobody vouches for, and traces what opens
+ *
+ * The image is copied to the heap in exactly its size and the arena has
+ * exactly its need, so that sanitizers see the first byte too many. Needs
+ * the engine alone: the fuzz target links nothing else.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HOSTILE_IMAGES_H
+#define HOSTILE_IMAGES_H
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/image/bytes.h"
+#include "engine/image/crc32.h"
+#include "engine/planelet.h"
+
+#define HOSTILE_RAYS 70u
+#define HOSTILE_ARENA_MOST (8u << 20)
+
+/* How an image was met. */
+typedef struct hostile_result {
+    int status;           /* of plt_open */
+    plt_fault fault;      /* of plt_open */
+    const char *sentence; /* NULL: all promises kept */
+} hostile_result;
+
+typedef struct hostile_way {
+    uint8_t streamed, walk, packet_side;
+} hostile_way;
+
+/* ---- sealing -------------------------------------------------------------- */
+
+enum { HOSTILE_HEADER = 256, HOSTILE_CRC = 20, HOSTILE_SECTION = 104 };
+
+static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
+    if (size >= HOSTILE_HEADER) {
+        plt_put_u32(bytes + HOSTILE_CRC, 0);
+        plt_put_u32(bytes + HOSTILE_CRC, plt_crc32(0, bytes, HOSTILE_HEADER));
+    }
+}
+
+/* The CRCs of both sections, where they lie inside the image, and the header's. */
+static inline void hostile_seal(unsigned char *bytes, uint32_t size) {
+    for (int i = 0; i < 2 && size >= HOSTILE_HEADER; i++) {
+        unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
+        const uint32_t offset = plt_get_u32(entry + 4), count = plt_get_u32(entry + 8);
+        if (offset <= size && count <= size - offset) {
+            plt_put_u32(entry + 12, plt_crc32(0, bytes + offset, count));
+        }
+    }
+    hostile_seal_header(bytes, size);
+}
+
+/* ---- a source that hands out bytes, and sees where it is asked --------------- */
+
+typedef struct hostile_stream {
+    const unsigned char *bytes;
+    uint32_t size;
+    int beyond; /* asked for bytes that are not there */
+} hostile_stream;
+
+static inline int hostile_start(void *context, unsigned tag, uint32_t offset, void *to,
+                                uint32_t count) {
+    hostile_stream *s = context;
+    if (tag > 31 || offset > s->size || count > s->size - offset) {
+        s->beyond = 1;
+        return -1;
+    }
+    memcpy(to, s->bytes + offset, count);
+    return 0;
+}
+
+static inline int hostile_wait(void *context, uint32_t tags) {
+    (void)context, (void)tags;
+    return 0;
+}
+
+/* ---- trying ----------------------------------------------------------------- */
+
+static inline void hostile_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *info) {
+    for (uint32_t i = 0; i < HOSTILE_RAYS; i++) {
+        uint32_t bits = (i + 1) * 0x9E3779B1u;
+        plt_ray r = {{0, 0, 0}, 0.0f, {0, 0, 0}, 3.0e38f};
+        for (int a = 0; a < 3; a++) {
+            bits = bits * 1664525u + 1013904223u;
+            const float share = (float)(bits >> 8) * 5.9604645e-8f;
+            r.org[a] = i % 3 == 0 ? info->lo[a] - 1.0f : info->lo[a];
+            r.dir[a] = info->lo[a] + share * (info->hi[a] - info->lo[a]) - r.org[a];
+        }
+        r.dir[i % 3] += i % 5 == 0 ? 1.0f : 0.0f;
+        rays[i] = r;
+    }
+}
+
+static inline const char *hostile_trace(plt_engine *e) {
+    plt_ray rays[HOSTILE_RAYS];
+    plt_hit hits[HOSTILE_RAYS];
+    const plt_info *info = plt_engine_info(e);
+    plt_stats s;
+    hostile_rays(rays, info);
+    plt_trace(e, rays, hits, HOSTILE_RAYS, 0);
+    plt_stats_get(e, &s);
+    for (uint32_t i = 0; i < HOSTILE_RAYS; i++) {
+        if (hits[i].triangle != PLT_MISS &&
+            !(hits[i].triangle < info->triangles && hits[i].t >= 0.0f)) {
+            return "a hit is out of range";
+        }
+    }
+    plt_trace(e, rays, hits, HOSTILE_RAYS, 1);
+    return s.node_visits <= s.packets * info->nodes ? NULL : "a node was visited twice";
+}
+
+static inline const char *hostile_refusal(int status, const plt_fault *f, const plt_engine *e) {
+    if (e != NULL) {
+        return "there is an engine after a failure";
+    }
+    if (f->message == NULL || f->message[0] == '\0') {
+        return "a failure has no message";
+    }
+    if (status == PLT_ERR_IMAGE && !((f->kind == 'R' || f->kind == 'I') && f->rule > 0)) {
+        return "a refusal names no rule";
+    }
+    return status < 0 && status >= PLT_ERR_ARGUMENT ? NULL : "an unknown status";
+}
+
+static inline size_t hostile_arena_bytes(const plt_source *source, const plt_options *options) {
+    plt_info info;
+    plt_fault fault;
+    if (plt_image_info(source, &info, &fault) != PLT_OK) {
+        return 4096;
+    }
+    const size_t need = plt_arena_need(&info, source->mapped != NULL, options);
+    return need < HOSTILE_ARENA_MOST ? need : HOSTILE_ARENA_MOST;
+}
+
+/* Opens and, if that works, traces. The bytes must not change meanwhile. */
+static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,
+                                         hostile_way way) {
+    hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
+    unsigned char *copy = malloc(size > 0 ? size : 1);
+    hostile_stream stream = {copy, size, 0};
+    plt_source source = {copy, size, NULL, NULL, NULL};
+    if (way.streamed) {
+        const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
+        source = streamed;
+    }
+    const plt_options options = {way.packet_side, way.walk};
+    if (size > 0) {
+        memcpy(copy, bytes, size);
+    }
+    const size_t arena_bytes = hostile_arena_bytes(&source, &options);
+    void *arena = malloc(arena_bytes);
+    plt_engine *e = NULL;
+    r.status = plt_open(&e, arena, arena_bytes, &source, &options, &r.fault);
+    r.sentence = r.status == PLT_OK ? hostile_trace(e) : hostile_refusal(r.status, &r.fault, e);
+    if (size > 0 && memcmp(copy, bytes, size) != 0) {
+        r.sentence = "the image was written";
+    }
+    if (stream.beyond) {
+        r.sentence = "the source was asked for bytes beyond its end";
+    }
+    free(arena);
+    free(copy);
+    return r;
+}
+
+#endif
