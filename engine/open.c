@@ -64,15 +64,16 @@ static uint32_t local_stack_entries(const plt_info *info, const plt_options *o) 
     return o->walk == PLT_WALK_TWO_STAGE ? info->local_stack_entries : 0;
 }
 
+/* What is cut when the scratch of opening has been given back. */
 static size_t stacks_bytes(const plt_info *info, const plt_options *o) {
-    return plt_arena_cut_bytes(main_stack_entries(info, o) * sizeof(plt_entry)) +
+    return plt_arena_cut_bytes(4 * touched_words(info->node_slots, info->treelet_nodes)) +
+           plt_arena_cut_bytes(main_stack_entries(info, o) * sizeof(plt_entry)) +
            plt_arena_cut_bytes(local_stack_entries(info, o) * sizeof(plt_entry));
 }
 
-static size_t fixed_bytes(const plt_info *info, const plt_options *o) {
+static size_t fixed_bytes(const plt_options *o) {
     return plt_arena_cut_bytes(sizeof(plt_engine)) + plt_arena_cut_bytes(groups_bytes(o)) +
-           plt_arena_cut_bytes(3 * PLT_TILE_SIDE * PLT_TILE_SIDE) +
-           plt_arena_cut_bytes(4 * touched_words(info->node_slots, info->treelet_nodes));
+           plt_arena_cut_bytes(3 * PLT_TILE_SIDE * PLT_TILE_SIDE);
 }
 
 static size_t larger(size_t a, size_t b) {
@@ -102,13 +103,13 @@ size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {
                              plt_arena_cut_bytes((size_t)worst.node_slots * PLT_NODE_BYTES);
         const size_t scratch = plt_arena_cut_bytes(
             plt_build_scratch_bytes(worst.nodes, info->treelet_nodes));
-        return fixed_bytes(&worst, o) + scene +
+        return fixed_bytes(o) + scene +
                larger(larger(scratch, frames), stacks_bytes(&worst, o));
     }
     const size_t scene =
         mapped ? 0
                : plt_arena_cut_bytes(info->node_bytes) + plt_arena_cut_bytes(info->triangle_bytes);
-    return fixed_bytes(info, o) + scene + larger(frames, stacks_bytes(info, o));
+    return fixed_bytes(o) + scene + larger(frames, stacks_bytes(info, o));
 }
 
 /* ---- laying out ------------------------------------------------------- */
