@@ -23,7 +23,7 @@ lanes_scalar :=
 
 ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
 
-.PHONY: all firmware demo setup test check sizes bench scenes peers sanitize tiny scalar run \
+.PHONY: all firmware demo setup test check sizes bench scenes peers sanitize tiny scalar run profile \
         clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
@@ -108,12 +108,18 @@ scalar:
 PLANELET := $(BUILD)/host/planelet
 DEMO := $(BUILD)/demo
 
-## demo: makes a scene, packs it, renders it in 256 KiB, shows the picture
+## demo: makes scenes, packs them, renders them in 256 KiB, shows the picture
 demo: all
 	@mkdir -p $(DEMO)
 	$(PLANELET) make marbles -o $(DEMO)/marbles.ply
+	$(PLANELET) make knot --triangles 20000 -o $(DEMO)/knot.ply
 	$(PLANELET) pack $(DEMO)/marbles.ply -o $(DEMO)/marbles.plt
-	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --show
+	$(PLANELET) pack $(DEMO)/knot.ply -o $(DEMO)/knot.plt
+	$(PLANELET) render $(DEMO)/knot.plt -o $(DEMO)/knot.y4m --arena 262144 --size 320x240 \
+	    --shader normal --orbit 50
+	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
+	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
+	@echo "the picture is $(DEMO)/marbles.png, the film $(DEMO)/knot.y4m"
 
 ## bench: rays per second of this machine, with scenes that need no download
 bench: all

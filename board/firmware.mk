@@ -63,4 +63,12 @@ run: firmware
 	@BUILD='$(BUILD)' sh tests/qemu/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
+## make BOARD=name profile SCENE=x.plt: where the instructions go, by function
+profile: firmware
+	@$(MAKE) --no-print-directory -s BOARD=host all
+	@BUILD='$(BUILD)' PROFILE='$(OUT)/profile.txt' sh tests/qemu/run_like_host.sh $(BOARD) \
+	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)
+	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f tests/qemu/profile.awk - $(OUT)/profile.txt | \
+	    sort -rn | head -n 25
+
 -include $(FIRMWARE_OBJECTS:.o=.d)

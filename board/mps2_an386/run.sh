@@ -4,6 +4,7 @@
 # The scene goes into PSRAM by QEMU's loader; "" leaves that to scene=PATH.
 # Prints what the firmware prints, then "instructions total=N open=N render=N
 # stored_stack=N", "instructions_per_ray N" and "stack painted=N stored=N worst=N".
+# PROFILE=PATH writes a count for every instruction there.
 # The exit status is the firmware's; 124 after QEMU_SECONDS (default 600).
 # SPDX-License-Identifier: MIT
 out=${BUILD:-build}/mps2_an386
@@ -22,6 +23,7 @@ for region in open render; do
     begin=$(symbol firmware_${region}_begin) end=$(symbol firmware_${region}_end)
     plugin=$plugin,region=$region:$begin:$end
 done
+[ -n "$PROFILE" ] && plugin=$plugin,code=0:0x100000,profile=$PROFILE
 
 parameters=$*
 set --

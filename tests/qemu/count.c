@@ -6,6 +6,8 @@
  * BEGIN and the one at END, summed over all passes. Watches stores between
  * LOW and HIGH once the instruction at FROM has run: the lowest gives the
  * deepest stack, a second opinion on the firmware's own paint.
+ * With code=LOW:HIGH,profile=PATH every instruction there has a counter of its
+ * own; PATH gets "ADDRESS COUNT" lines.
  * Writes "instructions total=N NAME=N ... stored_stack=N" to FILE.
  *
  * Debian ships QEMU with plug-ins but without their header, so the calls in
@@ -56,7 +58,8 @@ static region regions[REGIONS];
 static int region_count;
 static uint64_t total, stack_low, stack_high, stack_from, lowest_store = UINT64_MAX;
 static int stack_watched;
-static char out_path[512];
+static uint64_t code_low, code_high, *executed; /* a counter every two bytes */
+static char out_path[512], profile_path[512];
 
 static void at_begin(unsigned cpu, void *context) {
     (void)cpu;
@@ -105,12 +108,31 @@ static void translate(plugin_id id, struct qemu_plugin_tb *block) {
     for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); i++) {
         struct qemu_plugin_insn *instruction = qemu_plugin_tb_get_insn(block, i);
         qemu_plugin_register_vcpu_insn_exec_inline(instruction, INLINE_ADD_U64, &total, 1);
-        watch_marks(instruction, qemu_plugin_insn_vaddr(instruction));
+        const uint64_t address = qemu_plugin_insn_vaddr(instruction);
+        watch_marks(instruction, address);
+        if (executed && address >= code_low && address < code_high) {
+            qemu_plugin_register_vcpu_insn_exec_inline(instruction, INLINE_ADD_U64,
+                                                       &executed[(address - code_low) / 2], 1);
+        }
         if (stack_high) {
             qemu_plugin_register_vcpu_mem_cb(instruction, at_store, NO_REGISTERS, ACCESS_WRITE,
                                              NULL);
         }
     }
+}
+
+static void report_profile(void) {
+    FILE *out = fopen(profile_path, "w");
+    if (!out) {
+        perror(profile_path);
+        return;
+    }
+    for (uint64_t at = code_low; at < code_high; at += 2) {
+        if (executed[(at - code_low) / 2]) {
+            fprintf(out, "%08" PRIx64 " %" PRIu64 "\n", at, executed[(at - code_low) / 2]);
+        }
+    }
+    fclose(out);
 }
 
 static void report(plugin_id id, void *context) {
@@ -132,6 +154,9 @@ static void report(plugin_id id, void *context) {
     fprintf(out, "\n");
     if (out != stderr) {
         fclose(out);
+    }
+    if (executed && profile_path[0]) {
+        report_profile();
     }
 }
 
@@ -155,6 +180,17 @@ static int read_argument(const char *argument) {
     if (strncmp(argument, "out=", 4) == 0) {
         snprintf(out_path, sizeof out_path, "%s", argument + 4);
         return 0;
+    }
+    if (strncmp(argument, "profile=", 8) == 0) {
+        snprintf(profile_path, sizeof profile_path, "%s", argument + 8);
+        return 0;
+    }
+    if (strncmp(argument, "code=", 5) == 0) {
+        const int read = sscanf(argument + 5, "%" SCNx64 ":%" SCNx64, &code_low, &code_high);
+        executed = read == 2 && code_high > code_low
+                       ? calloc((size_t)(code_high - code_low) / 2 + 1, sizeof *executed)
+                       : NULL;
+        return executed ? 0 : -1;
     }
     if (strncmp(argument, "stack=", 6) == 0) {
         const int read = sscanf(argument + 6, "%" SCNx64 ":%" SCNx64 ":%" SCNx64, &stack_low,
