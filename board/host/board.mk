@@ -29,8 +29,12 @@ ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_$(LANES)) $
 HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_$(LANES)) \
                -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(CFLAGS)
 
-## all: the host program build/host/planelet
-all: $(OUT)/planelet
+## all: the host program build/host/planelet and the engine as build/host/libplanelet.a
+all: $(OUT)/planelet $(OUT)/libplanelet.a
+
+$(OUT)/libplanelet.a: $(ENGINE_OBJECTS)
+	@rm -f $@
+	$(AR) rcs $@ $^
 
 $(OUT)/planelet: $(OUT)/host_tools/cli/main.o $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
