@@ -62,6 +62,18 @@ static int print_fault(const plt_fault *fault, int status, size_t arena_bytes) {
     return FIRMWARE_FAILED;
 }
 
+static void print_name(void) {
+    line l;
+    line_start(&l);
+    line_text(&l, "planelet");
+    line_item(&l, "version", PLT_VERSION_MAJOR);
+    line_text(&l, ".");
+    line_u64(&l, PLT_VERSION_MINOR);
+    line_text(&l, " board=");
+    line_text(&l, board_name());
+    line_print(&l);
+}
+
 static void print_scene(const plt_info *info) {
     line l;
     line_start(&l);
@@ -177,6 +189,7 @@ int firmware(const char *parameters) {
     if (job_read(&j, parameters, &arena_bytes) < 0) {
         return FIRMWARE_USAGE;
     }
+    print_name();
     if (board_scene(parameters, &source) < 0) {
         return FIRMWARE_FAILED;
     }

@@ -9,7 +9,7 @@
 #include "board/host/host.h"
 #include "tests/test.h"
 
-static char folder[] = "/tmp/planelet-test-XXXXXX";
+static char folder[] = "build/test-board-XXXXXX"; /* tests run from the top folder */
 static char path[100];
 
 static const char *in_folder(const char *name) {
