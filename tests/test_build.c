@@ -1,6 +1,7 @@
 /* test_build - what the builder promises of every tree
  *
  * SPDX-License-Identifier: MIT */
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -132,7 +133,7 @@ static void same_on_device(int scene, uint32_t k, uint32_t n, uint8_t splits) {
         di.image_bytes = hi.image_bytes;
         di.node_bytes = hi.node_bytes;
         di.build = hi.build;
-        CHECK(memcmp(&hi, &di, sizeof hi) == 0, "scene %d: counts", scene);
+        CHECK(memcmp(&hi, &di, offsetof(plt_info, build)) == 0, "scene %d: counts", scene);
     }
     rig_close(&host);
     rig_close(&device);
