@@ -1,5 +1,9 @@
 /* brute - see brute.h
  *
+ * The side of an edge that a ray passes on is left open only below 2^-38 of
+ * the factors' size: the engine decides close calls in pairs of floats. t, u
+ * and v are single precision, with an error bound worked out for each.
+ *
  * Scaled triple products: with A B C the corners seen from the origin of the
  * ray, dir . (C x B) and so on have one sign each where the ray passes inside.
  * Error bounds: u = 2^-24; a difference, two products and a sum of each of
@@ -19,6 +23,7 @@
 
 #define U 5.9604644775390625e-8
 #define FLOOR 1e-43
+#define CLOSE 3.637978807091713e-12 /* 2^-38 */
 
 static void cross(const double a[3], const double b[3], double to[3]) {
     to[0] = a[1] * b[2] - a[2] * b[1];
@@ -39,13 +44,17 @@ static double largest(const double a[3]) {
 }
 
 typedef struct volume {
-    double value, error;
+    double value;
+    double error; /* of single precision: for u and v */
+    double close; /* nearer to 0 the side is left open */
 } volume;
 
 static volume volume_of(const double dir[3], const double b[3], const double c[3]) {
     double n[3];
     cross(b, c, n);
-    const volume v = {dot(dir, n), largest(dir) * (16.0 * U * size1(b) * size1(c) + FLOOR)};
+    const double size = largest(dir) * size1(b) * size1(c);
+    const volume v = {dot(dir, n), 16.0 * U * size + largest(dir) * FLOOR,
+                      CLOSE * size + largest(dir) * FLOOR};
     return v;
 }
 
@@ -108,8 +117,8 @@ brute_answer brute_triangle(const mesh *m, uint32_t triangle, const plt_ray *ray
                          volume_of(dir, seen[1], seen[0])};
     int above = 0, below = 0;
     for (int i = 0; i < 3; i++) {
-        above += e[i].value > e[i].error;
-        below += e[i].value < -e[i].error;
+        above += e[i].value > e[i].close;
+        below += e[i].value < -e[i].close;
     }
     brute_answer answer = {BRUTE_UNSURE, 0, 0, 0, 0, 0, 0};
     if (above == 3 || below == 3) {

@@ -83,6 +83,23 @@ void rays_axis(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
     }
 }
 
+void rays_edges(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
+    float lo[3], hi[3], out_lo[3], out_hi[3], from[3], to[3];
+    boxes(m, lo, hi, out_lo, out_hi);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t triangle = random_below(r, (uint32_t)m->triangles);
+        const uint32_t corner = random_below(r, 3);
+        const float *p = shape_corner(m, triangle, corner);
+        const float *q = shape_corner(m, triangle, (corner + 1) % 3);
+        const float share = i % 2 ? random_float(r, 0.0f, 1.0f) : 0.0f;
+        random_point(r, out_lo, out_hi, from);
+        for (int a = 0; a < 3; a++) {
+            to[a] = p[a] + share * (q[a] - p[a]);
+        }
+        rays[i] = ray_between(from, to);
+    }
+}
+
 void rays_mixed(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
     const uint32_t third = count / 3;
     rays_random(rays, third, m, r);
