@@ -1,0 +1,189 @@
+/* wire_end - an end of the wire: reports in, reports out, and what is between
+ *
+ * Both ends run this same code; the only difference is who speaks first
+ * (WIRE_HOST). An end has parts (frames out, frames in, scene, blocks), each
+ * opened on it by its own header's call; parts it lacks cost nothing.
+ *
+ * Nothing here blocks, and nothing is kept of a report after the call that
+ * brought it. Transports may lose, repeat, reorder, cut and damage reports,
+ * and either end may vanish and come back: WIRE.md says what holds then.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_WIRE_END_H
+#define PLT_WIRE_END_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum { WIRE_VERSION = 1 };
+
+enum {
+    WIRE_REPORT_BYTES_MIN = 8,
+    WIRE_REPORT_BYTES_MAX = 1024,
+    WIRE_HEADER_BYTES = 6, /* of a report: WIRE.md, section 2 */
+    WIRE_WINDOW_MAX = 32   /* credits: reports on the way without an acknowledgement */
+};
+
+/* Milliseconds. */
+enum {
+    WIRE_PING_MS = 100,  /* waiting for an acknowledgement before asking */
+    WIRE_HELLO_MS = 100, /* between hellos while nobody answers */
+    WIRE_DEAD_MS = 1000  /* nothing valid heard: the session is over */
+};
+
+enum wire_role { WIRE_DEVICE = 0, WIRE_HOST = 1 };
+
+enum wire_status {
+    WIRE_OK = 0,
+    WIRE_BUSY = 1,       /* not now: call again after the next report has left */
+    WIRE_ERR_SETUP = -1, /* a value outside its stated range; nothing was done */
+    WIRE_ERR_DOWN = -2   /* no session */
+};
+
+/* What an end can do and has; told to the other end in the hello. */
+enum wire_feature {
+    WIRE_SHOWS = 1,      /* takes frames: `width`, `height`, `format` are its panel */
+    WIRE_SENDS = 2,      /* sends frames to an end that shows */
+    WIRE_RENDERS = 4,    /* takes a scene image and views, renders them */
+    WIRE_SCENES = 8,     /* gives a scene image, and blocks of it on request */
+    WIRE_BRIGHTNESS = 16 /* takes WIRE_SET_BRIGHTNESS */
+};
+
+typedef struct wire_caps {
+    uint32_t arena_bytes;   /* WIRE_RENDERS: room for scene and engine */
+    uint32_t session;       /* random; the end's own half of the session number */
+    uint16_t width, height; /* WIRE_SHOWS: pixels, 1 .. 65535; else 0 */
+    uint16_t formats;       /* bit f: can show enum wire_format f (information) */
+    uint16_t in_bytes;      /* size of the reports it takes ... */
+    uint16_t out_bytes;     /* ... and of those it sends */
+    uint8_t format;         /* the one that frames must come in */
+    uint8_t features;       /* bits of enum wire_feature */
+    uint8_t window;         /* reports its transport can queue: 2 .. WIRE_WINDOW_MAX */
+    uint8_t version;        /* WIRE_VERSION */
+} wire_caps;
+
+typedef struct wire_setup {
+    uint8_t role; /* enum wire_role */
+    /* Of this end. `version` is filled in. `session`: a number that was not
+     * used before at this end if possible (a clock, a counter in flash, noise
+     * of an ADC); sessions after a cut count on from it. */
+    wire_caps caps;
+} wire_setup;
+
+typedef struct wire_stats {
+    uint32_t reports_out, reports_in; /* valid ones in */
+    uint32_t reports_lost;            /* numbers that were skipped on the way in */
+    uint32_t reports_late;            /* came again, or after their successors: dropped */
+    uint32_t reports_bad;             /* wrong size, checksum or session: dropped */
+    uint32_t sessions;                /* begun since open */
+    uint32_t pings_out;
+    uint32_t frames_out, frames_in; /* acknowledged whole */
+    uint32_t frames_bad;            /* sent or received with something missing */
+    uint32_t tiles_out, tiles_in;
+    uint32_t payload_out, payload_in; /* bytes of data messages */
+} wire_stats;
+
+/* Errors that one end tells the other (wire_tell) and both can read. */
+enum wire_code {
+    WIRE_FINE = 0,
+    WIRE_E_VERSION = 1, /* `detail`: the version this end speaks */
+    WIRE_E_PANEL = 2,   /* the panel has more tiles than the sender can keep */
+    WIRE_E_SCENE = 3,   /* the image was refused: rule << 24 | offset & 0xFFFFFF */
+    WIRE_E_ARENA = 4,   /* `detail`: bytes it would need */
+    WIRE_E_SOURCE = 5,  /* a block could not be had: its offset */
+    WIRE_E_VIEW = 6,    /* the camera has no direction */
+    WIRE_E_BLOCK = 7    /* a request outside the image: its offset */
+};
+
+enum wire_setting { WIRE_SET_BRIGHTNESS = 1 /* 0 .. 100 */ };
+
+struct wire_frames_out;
+struct wire_frames_in;
+struct wire_scene_out;
+struct wire_scene_in;
+struct wire_blocks_out;
+struct wire_blocks_in;
+struct wire_view_out;
+struct wire_view_in;
+
+enum { WIRE_CONTROL_BYTES = 48 }; /* longest control message with its head */
+
+/* Looked at only through the functions below. */
+typedef struct wire_end {
+    struct wire_frames_out *frames_out;
+    struct wire_frames_in *frames_in;
+    struct wire_scene_out *scene_out;
+    struct wire_scene_in *scene_in;
+    struct wire_blocks_out *blocks_out;
+    struct wire_blocks_in *blocks_in;
+    struct wire_view_out *view_out;
+    struct wire_view_in *view_in;
+    wire_stats *peer_stats;
+
+    wire_caps own, peer;
+    wire_stats stats;
+    uint32_t key;        /* of the session: in every checksum */
+    uint32_t next_key;   /* device: of the session offered and not yet taken */
+    uint32_t next_host;  /* ... and the host's half of its number */
+    uint32_t out_number; /* of the next report */
+    uint32_t out_limit;  /* data may go in reports below this number */
+    uint32_t out_acked;  /* the peer has seen all below */
+    uint32_t in_number;  /* the report expected next */
+    uint32_t in_acked;   /* what the last acknowledgement said */
+    uint32_t heard_ms, asked_ms, hello_ms;
+    uint32_t error_detail, peer_error_detail;
+    uint16_t pending; /* control messages to send: bits of enum in end.c */
+    uint8_t role, state, error, peer_error, setting[2], peer_setting[2];
+    uint8_t reports_unacked, hello_at, hello_used, scratch;
+    /* A control message being sent: bytes used and gone; and being received. */
+    uint8_t control_out_used, control_out_gone, control_in_used, control_in_lost;
+    uint8_t control_out[WIRE_CONTROL_BYTES], control_in[WIRE_CONTROL_BYTES];
+    /* The data message being received: type, bytes left, head as it comes. */
+    uint16_t data_left;
+    uint8_t data_lost, data_head_used, data_head[8];
+} wire_end;
+
+/* Opens an end without parts; a host begins to say hello. Errors:
+ * WIRE_ERR_SETUP for sizes, window or role out of range. */
+int wire_end_open(wire_end *end, const wire_setup *setup, uint32_t now_ms);
+
+/* The transport came up (cable in, file opened) or went down: the session is
+ * over, everything on the way is forgotten, what the panel shows stays. */
+void wire_on_link(wire_end *end, int up, uint32_t now_ms);
+
+/* A report came, of `bytes` bytes. Anything at all may be in it; an empty one
+ * is nothing. Cost: the checksum (about 12 instructions a byte on a
+ * Cortex-M), and decoding straight into the panel. Returns 1 when it was
+ * valid and new, else 0. */
+int wire_on_report(wire_end *end, const uint8_t *report, size_t bytes, uint32_t now_ms);
+
+/* Time passed: call it 20 times a second at least. `now_ms` may wrap. */
+void wire_poll(wire_end *end, uint32_t now_ms);
+
+/* Writes the next report to `report` (own.out_bytes of room) and returns its
+ * size, or 0 when there is nothing to send or no credit to send it. Once
+ * returned, the report counts as sent. */
+size_t wire_next_report(wire_end *end, uint8_t *report, uint32_t now_ms);
+
+/* Whether a session is up; what the other end said it is (while up). */
+int wire_is_up(const wire_end *end);
+const wire_caps *wire_peer(const wire_end *end);
+
+/* Reports on the way that the other end has not acknowledged. */
+uint32_t wire_unacked(const wire_end *end);
+
+/* Tells the other end of an error; the latest counts. */
+void wire_tell(wire_end *end, unsigned code, uint32_t detail);
+
+/* The latest error the other end told, and forgets it. WIRE_FINE: none. */
+unsigned wire_told(wire_end *end, uint32_t *detail);
+
+/* Sends a setting; the latest counts. At the other end wire_setting_take
+ * gives its key once, 0 when there is none. */
+void wire_set(wire_end *end, unsigned key, unsigned value);
+unsigned wire_setting_take(wire_end *end, unsigned *value);
+
+/* Asks for the other end's statistics, which come into `*to` (until then 0). */
+void wire_stats_ask(wire_end *end, wire_stats *to);
+
+#endif

@@ -1,0 +1,109 @@
+/* wire_frames - frames out of one end and onto the panel of the other
+ *
+ * The sender keeps no copy of any frame, only a hash of what each tile last
+ * was when it was sent, and how far its acknowledgement is. The receiver
+ * keeps no frame at all: it decodes straight into the panel.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_WIRE_FRAMES_H
+#define PLT_WIRE_FRAMES_H
+
+#include "platform/wire/wire_end.h"
+#include "platform/wire/wire_tile.h"
+
+/* Most tiles of a panel that a sender can keep: 480 x 272 pixels are 510.
+ * Costs 4.25 bytes of sender each, and a bit of receiver; both ends check. */
+#ifndef WIRE_TILES_MAX
+#define WIRE_TILES_MAX 512
+#endif
+
+/* ---- frames out -------------------------------------------------------------- */
+
+enum { WIRE_OUT_BYTES = 784 }; /* the longest tile with its head, and a frame end */
+
+/* Messages on their way into reports. */
+typedef struct wire_queue {
+    uint16_t used, gone, left; /* bytes; `left` of the message that is going */
+    uint8_t bytes[WIRE_OUT_BYTES];
+} wire_queue;
+
+typedef struct wire_frames_out {
+    wire_end *end;
+    wire_queue queue;
+    const uint8_t *rgb; /* the caller's frame, when there is one */
+    uint32_t stride;
+    uint32_t crc; /* of the pixels of this frame's tiles */
+    uint32_t unanswered_ms;
+    uint16_t width, height, columns, tiles;
+    uint16_t next, scanned, sent, refresh;
+    uint8_t format, number, oldest, in_frame, again, shown;
+    uint32_t hash[WIRE_TILES_MAX];   /* of the pixels last sent */
+    uint8_t way[WIRE_TILES_MAX / 4]; /* 2 bits a tile: 0 acknowledged, else which frame */
+    uint8_t pixels[WIRE_TILE_BYTES_MAX];
+} wire_frames_out;
+
+/* Gives `end` the part that sends frames; it goes to work whenever a session
+ * is up and the other end shows. `out` belongs to the end from then on. */
+void wire_frames_out_open(wire_frames_out *out, wire_end *end);
+
+/* A whole frame, for ends that have one: rows of 3 bytes a pixel, top down,
+ * `stride` bytes apart, of the other end's panel size. What changed goes out
+ * as credits allow; what is lost goes out again by itself. The memory is read
+ * until the next call (NULL: no frame any more), so do not change it while
+ * wire_frames_out_idle() is 0. Called earlier it is the latest frame that
+ * wins: tiles not yet sent come from the new one. Returns WIRE_OK, or
+ * WIRE_ERR_DOWN when there is nobody to show it (the frame is not kept). */
+int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride);
+
+/* Tile by tile, for ends that have no frame. Begin, each tile (any order, any
+ * subset; a tile of the 16 x 16 raster, `rgb` 3 bytes a pixel, only read
+ * during the call; unchanged ones cost a hash), end. Each returns WIRE_OK,
+ * WIRE_BUSY (let wire_next_report run, then call again), WIRE_ERR_DOWN, or
+ * WIRE_ERR_SETUP for a tile that is not in the raster. */
+int wire_frame_begin(wire_frames_out *out);
+int wire_frame_tile(wire_frames_out *out, unsigned x, unsigned y, const uint8_t *rgb,
+                    uint32_t stride);
+int wire_frame_end(wire_frames_out *out);
+
+/* Everything of the frame has been handed to reports: time for the next. */
+int wire_frames_out_idle(const wire_frames_out *out);
+
+/* The other end has acknowledged every tile as it last was: every pixel of
+ * its panel is that of the last frame. */
+int wire_frames_out_done(const wire_frames_out *out);
+
+/* Sends every tile again, as at the start of a session. */
+void wire_frames_forget(wire_frames_out *out);
+
+/* ---- frames in --------------------------------------------------------------- */
+
+/* A panel: memory, or a window into which rows are written as a display
+ * controller takes them. With `pixels` NULL, `row` gets `width` pixels that
+ * begin at (x, y), x a multiple of 16: wire_row_bytes(format, width) bytes,
+ * valid during the call. It is never called for a place outside the panel. */
+typedef struct wire_panel {
+    uint8_t *pixels;
+    uint32_t stride; /* bytes from row to row of `pixels` */
+    void (*row)(void *context, unsigned x, unsigned y, unsigned width, const uint8_t *pixels);
+    void *context;
+} wire_panel;
+
+typedef struct wire_frames_in {
+    wire_end *end;
+    wire_panel panel;
+    wire_tile_reader reader;
+    uint32_t crc, shown; /* frames that came whole, since open */
+    uint16_t tile, columns, tiles, came, status_came;
+    uint8_t number, in_frame, in_tile, status_number, status_state;
+    uint8_t got[WIRE_TILES_MAX / 8]; /* tiles of this frame that came whole */
+} wire_frames_in;
+
+/* Gives `end` the part that takes frames, of the size and format of its
+ * capabilities. The panel is written only from wire_on_report. WIRE_ERR_SETUP:
+ * the end does not show, or has more than WIRE_TILES_MAX tiles. */
+int wire_frames_in_open(wire_frames_in *in, wire_end *end, const wire_panel *panel);
+
+/* Frames that came whole since open, each with the right checksum. */
+uint32_t wire_frames_shown(const wire_frames_in *in);
+
+#endif

@@ -1,0 +1,91 @@
+/* wire_scene - a scene image from one end into the memory of the other
+ *
+ * The receiver says from which byte on it needs the image; the sender begins
+ * there. So a cut costs what was on the way, and nothing is sent twice after
+ * a replug: an image is known by its size and checksum, and one that was
+ * half there goes on where it stopped.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_WIRE_SCENE_H
+#define PLT_WIRE_SCENE_H
+
+#include "platform/wire/wire_frames.h"
+
+enum wire_scene_state {
+    WIRE_SCENE_NONE = 0,   /* nothing offered yet */
+    WIRE_SCENE_GOING = 1,  /* bytes are coming */
+    WIRE_SCENE_HERE = 2,   /* all bytes are there and the checksum is right */
+    WIRE_SCENE_LARGE = 3,  /* it does not fit */
+    WIRE_SCENE_OPEN = 4,   /* the engine opened it */
+    WIRE_SCENE_REFUSED = 5 /* the engine refused it: wire_told says why */
+};
+
+/* ---- out ----------------------------------------------------------------------- */
+
+typedef struct wire_scene_out {
+    wire_end *end;
+    wire_queue *queue;
+    const uint8_t *image;
+    uint32_t bytes, crc, at, peer_has, asked_ms;
+    uint8_t state, session_offered;
+    wire_queue own_queue;
+} wire_scene_out;
+
+/* Offers `image` at every session from now on; it stays where it is. Costs a
+ * checksum of the whole image. `image` NULL: none. */
+void wire_scene_out_open(wire_scene_out *out, wire_end *end, const void *image, uint32_t bytes);
+
+/* enum wire_scene_state as the other end last told; bytes it has in `*has`. */
+unsigned wire_scene_out_state(const wire_scene_out *out, uint32_t *has);
+
+/* ---- in ------------------------------------------------------------------------ */
+
+typedef struct wire_scene_in {
+    wire_end *end;
+    uint8_t *to;
+    uint32_t room, bytes, crc, has, crc_so_far;
+    uint32_t at, said_ms; /* offset of the bytes that come next */
+    uint8_t state, told;
+} wire_scene_in;
+
+/* Takes an image of at most `room` bytes into `to`. */
+void wire_scene_in_open(wire_scene_in *in, wire_end *end, void *to, uint32_t room);
+
+/* WIRE_SCENE_HERE: the image lies whole in `to`, `*bytes` of it. */
+unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes);
+
+/* After HERE: says what became of it (WIRE_SCENE_OPEN or _REFUSED). The
+ * memory may be used from REFUSED on; a new offer then overwrites it. */
+void wire_scene_in_verdict(wire_scene_in *in, unsigned state);
+
+/* ---- views --------------------------------------------------------------------- */
+
+/* What shall be rendered: floats as in plt_camera, and a shader. */
+typedef struct wire_view {
+    float eye[3], look[3], up[3], tan_half_fov;
+    uint8_t shader;
+    uint8_t number; /* counts views; filled in by wire_view_send */
+} wire_view;
+
+typedef struct wire_view_out {
+    wire_end *end;
+    wire_view view;
+    uint8_t have;
+} wire_view_out;
+
+typedef struct wire_view_in {
+    wire_view view;
+    uint8_t fresh;
+} wire_view_in;
+
+void wire_view_out_open(wire_view_out *out, wire_end *end);
+
+/* Sends a view, at once and at every later session; the latest wins. */
+void wire_view_send(wire_view_out *out, const wire_view *view);
+
+void wire_view_in_open(wire_view_in *in, wire_end *end);
+
+/* 1: a view came since the last call, and is in `view->view`. */
+int wire_view_take(wire_view_in *in);
+
+#endif
