@@ -10,52 +10,110 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/fail.h"
+
+static const char *program(const arg_command *c) {
+    return c->program == NULL ? "planelet" : c->program;
+}
+
+/* One line, whatever the words hold: fail_set hides control characters. */
 void args_complain(args *a, const char *format, ...) {
+    const arg_command *c = a->command;
+    char text[400];
+    fail line = {""};
     va_list list;
     va_start(list, format);
-    fprintf(stderr, "planelet %s: ", a->command->name);
-    vfprintf(stderr, format, list);
-    fprintf(stderr, "; see planelet %s --help\n", a->command->name);
+    vsnprintf(text, sizeof text, format, list);
     va_end(list);
+    fail_set(&line, NULL, "%s %s: %s; see %s %s --help", program(c), c->name, text, program(c),
+             c->name);
+    fprintf(stderr, "%s\n", line.text);
     a->wrong = 1;
 }
 
-void args_help(const arg_command *c) {
-    printf("planelet %s %s\n\n%s\n\n", c->name, c->synopsis, c->about);
-    for (const arg_flag *f = c->flags; f->name != NULL; f++) {
-        char left[64];
-        snprintf(left, sizeof left, "%s %s", f->name, f->value == NULL ? "" : f->value);
-        printf("  %-28s %s\n", left, f->help);
+enum { HELP_COLUMN = 30, HELP_WIDTH = 80 };
+
+/* Prints words from column `at` on, further lines from `indent`. */
+static void print_words(const char *text, size_t at, size_t indent) {
+    while (*text != '\0') {
+        const size_t length = strcspn(text, " ");
+        if (at > indent && at + 1 + length > HELP_WIDTH) {
+            printf("\n%*s", (int)indent, "");
+            at = indent;
+        } else if (at > indent) {
+            putchar(' ');
+            at++;
+        }
+        printf("%.*s", (int)length, text);
+        at += length;
+        text += length + (text[length] == ' ');
     }
-    printf("  %-28s %s\n", "--help", "this text");
+    putchar('\n');
 }
 
-static int flag_number(const arg_command *c, const char *name) {
+static void print_flag(const arg_flag *f) {
+    const int n =
+        printf("  %s%s%s", f->name, f->value == NULL ? "" : " ", f->value == NULL ? "" : f->value);
+    if (n < HELP_COLUMN) {
+        printf("%*s", HELP_COLUMN - n, "");
+    } else {
+        printf("\n%*s", HELP_COLUMN, "");
+    }
+    print_words(f->help, HELP_COLUMN, HELP_COLUMN);
+}
+
+void args_help(const arg_command *c) {
+    const arg_flag help = {"--help", NULL, "this text"};
+    printf("%s %s %s\n\n", program(c), c->name, c->synopsis);
+    print_words(c->about, 0, 0);
+    putchar('\n');
+    for (const arg_flag *f = c->flags; f->name != NULL; f++) {
+        print_flag(f);
+    }
+    print_flag(&help);
+}
+
+/* The flag whose name is the first `length` characters of `word`, or -1. */
+static int flag_number(const arg_command *c, const char *word, size_t length) {
     for (int i = 0; c->flags[i].name != NULL; i++) {
-        if (strcmp(c->flags[i].name, name) == 0) {
+        if (strncmp(c->flags[i].name, word, length) == 0 && c->flags[i].name[length] == '\0') {
             return i;
         }
     }
     return -1;
 }
 
-/* Takes argv[*i], and its value if it has one. */
-static void take_word(args *a, int argc, char **argv, int *i) {
+static int is_flag(const arg_command *c, const char *word) {
+    return flag_number(c, word, strlen(word)) >= 0;
+}
+
+/* Takes the flag in argv[*i] and its value, which stands behind a '=' or in
+ * the next word. */
+static void take_flag(args *a, int argc, char **argv, int *i) {
     const char *word = argv[*i];
-    if (word[0] != '-' || word[1] == '\0') {
-        a->file[a->files++] = argv[*i];
+    const char *equals = strncmp(word, "--", 2) == 0 ? strchr(word, '=') : NULL;
+    const size_t length = equals == NULL ? strlen(word) : (size_t)(equals - word);
+    const int number = flag_number(a->command, word, length);
+    if (number < 0) {
+        args_complain(a, "there is no flag %.*s", (int)length, word);
         return;
     }
-    const int number = flag_number(a->command, word);
-    if (number < 0) {
-        args_complain(a, "there is no flag %s", word);
-    } else if (a->command->flags[number].value == NULL) {
+    const char *value = a->command->flags[number].value;
+    if (value == NULL && equals == NULL) {
         a->value[number] = "";
-    } else if (*i + 1 == argc) {
-        args_complain(a, "%s takes a value", word);
+    } else if (value == NULL) {
+        args_complain(a, "%.*s takes no value", (int)length, word);
+    } else if (equals != NULL) {
+        a->value[number] = equals + 1;
+    } else if (*i + 1 == argc || is_flag(a->command, argv[*i + 1])) {
+        args_complain(a, "%s takes a value: %s %s", word, word, value);
     } else {
         a->value[number] = argv[++*i];
     }
+}
+
+static int is_help(const char *word) {
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
 
 int args_parse(args *a, const arg_command *command, int argc, char **argv) {
@@ -66,15 +124,21 @@ int args_parse(args *a, const arg_command *command, int argc, char **argv) {
         args_complain(a, "out of memory");
         return 1;
     }
+    int files_only = 0; /* behind a "--" */
     for (int i = 0; i < argc && !a->wrong; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
+        if (files_only || argv[i][0] != '-' || argv[i][1] == '\0') {
+            a->file[a->files++] = argv[i];
+        } else if (strcmp(argv[i], "--") == 0) {
+            files_only = 1;
+        } else if (is_help(argv[i])) {
             args_help(command);
             return 0;
+        } else {
+            take_flag(a, argc, argv, &i);
         }
-        take_word(a, argc, argv, &i);
     }
     if (!a->wrong && (a->files < command->files_least || a->files > command->files_most)) {
-        args_complain(a, "use it as: planelet %s %s", command->name, command->synopsis);
+        args_complain(a, "use it as: %s %s %s", program(command), command->name, command->synopsis);
     }
     return a->wrong ? 2 : ARGS_GO_ON;
 }
@@ -85,7 +149,7 @@ void args_free(args *a) {
 }
 
 const char *args_text(const args *a, const char *flag, const char *otherwise) {
-    const int number = flag_number(a->command, flag);
+    const int number = flag_number(a->command, flag, strlen(flag));
     return number >= 0 && a->value[number] != NULL ? a->value[number] : otherwise;
 }
 
@@ -153,8 +217,8 @@ int args_size(args *a, const char *flag, unsigned *width, unsigned *height) {
     }
     unsigned w = 0, h = 0;
     int length = 0;
-    if (sscanf(text, "%5ux%5u%n", &w, &h, &length) != 2 || text[length] != '\0' || w < 1 ||
-        h < 1 || w > 65535 || h > 65535) {
+    if (sscanf(text, "%5ux%5u%n", &w, &h, &length) != 2 || text[length] != '\0' || w < 1 || h < 1 ||
+        w > 65535 || h > 65535) {
         args_complain(a, "%s takes WIDTHxHEIGHT, each 1 to 65535, not '%s'", flag, text);
         return 0;
     }

@@ -17,11 +17,12 @@ typedef struct arg_flag {
 } arg_flag;
 
 typedef struct arg_command {
-    const char *name;     /* "pack" */
-    const char *synopsis; /* "MESH... -o SCENE.plt" */
-    const char *about;    /* a sentence */
+    const char *name;      /* "pack" */
+    const char *synopsis;  /* "MESH... -o SCENE.plt" */
+    const char *about;     /* a sentence */
     const arg_flag *flags; /* ended by a name of NULL */
     int files_least, files_most;
+    const char *program; /* NULL: planelet */
 } arg_command;
 
 enum { ARGS_FLAGS_MAX = 32 };
@@ -50,7 +51,7 @@ unsigned args_choice(args *a, const char *flag, const char *const *words, unsign
 int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */
 int args_size(args *a, const char *flag, unsigned *width, unsigned *height);
 
-/* Says "planelet COMMAND: TEXT; see planelet COMMAND --help" and sets `wrong`. */
+/* Says "PROGRAM COMMAND: TEXT; see PROGRAM COMMAND --help" and sets `wrong`. */
 void args_complain(args *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif
