@@ -28,15 +28,48 @@ static int normalise(double v[3]) {
     return length > 0.0;
 }
 
+/* Axes of the default view; unit length, at right angles. */
+typedef struct stand {
+    double right[3], up[3], front[3];
+} stand;
+
+static void make_stand(stand *s, const float up[3]) {
+    const double forward[2][3] = {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
+    for (int i = 0; i < 3; i++) {
+        s->up[i] = (double)up[i];
+    }
+    if (!normalise(s->up)) {
+        s->up[1] = 1.0; /* the engine refuses this camera in good time */
+    }
+    cross(s->up, forward[fabs(s->up[2]) > fabs(s->up[1])], s->right);
+    normalise(s->right);
+    cross(s->right, s->up, s->front);
+}
+
+/* How large a box of these edges is along `axis`. */
+static double extent(const double edge[3], const double axis[3]) {
+    return edge[0] * fabs(axis[0]) + edge[1] * fabs(axis[1]) + edge[2] * fabs(axis[2]);
+}
+
+/* From the scene to the eye: 18 degrees up for what is as high as wide, 37
+ * for what is flat. */
+static void choose_back(const stand *s, const double edge[3], double back[3]) {
+    const double wide = fmax(extent(edge, s->right), extent(edge, s->front));
+    const double high = fmin(extent(edge, s->up), wide);
+    const double rise = wide > 0.0 ? 0.83 - 0.48 * high / wide : 0.35;
+    for (int i = 0; i < 3; i++) {
+        back[i] = 0.45 * s->right[i] + rise * s->up[i] + s->front[i];
+    }
+    normalise(back);
+}
+
 /* How far back along `back` the eye must stand to see all corners. */
 static double distance_to_see(const double lo[3], const double hi[3], const double middle[3],
                               const double back[3], const double up[3], double tan_x,
                               double tan_y) {
     double right[3], above[3], need = 0.0;
     cross(up, back, right);
-    if (!normalise(right)) {
-        right[0] = 1.0, right[1] = right[2] = 0.0;
-    }
+    normalise(right);
     cross(back, right, above);
     for (int k = 0; k < 8; k++) {
         double q[3];
@@ -51,28 +84,26 @@ static double distance_to_see(const double lo[3], const double hi[3], const doub
 }
 
 static void fit(const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
-    double lo[3] = {0, 0, 0}, hi[3] = {0, 0, 0}, middle[3], back[3] = {0.45, 0.35, 1.0}, up[3];
+    double lo[3] = {0, 0, 0}, hi[3] = {0, 0, 0}, edge[3], middle[3], back[3];
+    stand s;
     for (int i = 0; i < 3; i++) {
         if (info->triangles > 0) {
             lo[i] = (double)info->lo[i];
             hi[i] = (double)info->hi[i];
         }
+        edge[i] = hi[i] - lo[i];
         middle[i] = (double)c->look[i];
-        up[i] = (double)c->up[i];
     }
-    if (fabs(up[2]) > fabs(up[1])) { /* z is up: look from the side, not from above */
-        back[1] = -1.0, back[2] = 0.35;
-    }
-    normalise(back);
+    make_stand(&s, c->up);
+    choose_back(&s, edge, back);
     const double tan_y = (double)c->tan_half_fov;
-    const double d = distance_to_see(lo, hi, middle, back, up, tan_y * width / height, tan_y);
+    const double d = distance_to_see(lo, hi, middle, back, s.up, tan_y * width / height, tan_y);
     for (int i = 0; i < 3; i++) {
         c->eye[i] = (float)(middle[i] + d * back[i]);
     }
 }
 
-void view_camera(args *a, const plt_info *info, unsigned width, unsigned height,
-                 plt_camera *c) {
+void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
     float fov = 45.0f;
     c->up[0] = c->up[2] = 0.0f;
     c->up[1] = 1.0f;
@@ -103,7 +134,7 @@ void view_orbit(const plt_camera *from, double turn, plt_camera *to) {
     const double along = dot(axis, arm);
     *to = *from;
     for (int i = 0; i < 3; i++) { /* Rodrigues */
-        to->eye[i] = (float)((double)from->look[i] + arm[i] * c + side[i] * s +
-                             axis[i] * along * (1.0 - c));
+        to->eye[i] =
+            (float)((double)from->look[i] + arm[i] * c + side[i] * s + axis[i] * along * (1.0 - c));
     }
 }

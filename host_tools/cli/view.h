@@ -10,13 +10,14 @@
 #define VIEW_FLAGS                                                                                 \
     {"--eye", "x,y,z", "where the camera stands (default: so that all is seen)"},                  \
         {"--look", "x,y,z", "what it looks at (default: the middle of the scene)"},                \
-        {"--up", "x,y,z", "what is up (default 0,1,0)"},                                           \
-    {                                                                                              \
+        {"--up", "x,y,z", "what is up (default 0,1,0)"}, {                                         \
         "--fov", "DEG", "vertical field of view (default 45)"                                      \
     }
 
 /* Fills `camera` from the flags, the rest so that the scene's box fills a
- * frame of this size, seen from (0.45, 0.35, 1). */
+ * frame of this size: seen from the front, somewhat from the right, and from
+ * above, the more so the flatter it is. Front is +z when y is up, -y when z
+ * is up. */
 void view_camera(args *a, const plt_info *info, unsigned width, unsigned height,
                  plt_camera *camera);
 
