@@ -5,20 +5,25 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "board/host/host.h"
 #include "engine/tree/node.h"
 #include "engine/tree/record.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/scene.h"
 
-static const arg_flag flags[] = {{"--json", NULL, "the same for programs"},
-                                 {"--packet", "2|4|8|16", "arena for such packets (default 8)"},
-                                 {"--walk", "depth|two-stage", "arena for this walk (default depth)"},
-                                 {NULL, NULL, NULL}};
+static const arg_flag flags[] = {
+    {"--json", NULL, "the same for programs"},
+    {"--packet", "2|4|8|16", "arena for such packets (default 8)"},
+    {"--walk", "depth|two-stage", "arena for this walk (default depth)"},
+    {NULL, NULL, NULL}};
 
 const arg_command command_info = {
-    "info", "SCENE.plt [--json]",
-    "Says what a scene image holds, its bytes a triangle, and the arena it needs.", flags, 1, 1};
+    .name = "info",
+    .synopsis = "SCENE.plt [--json]",
+    .about = "Says what a scene image holds, its bytes a triangle, and the arena it needs.",
+    .flags = flags,
+    .files_least = 1,
+    .files_most = 1};
 
 static const char *const split_names[] = {"sah", "median"};
 static const char *const build_names[] = {"host", "device", "none"};
@@ -48,20 +53,24 @@ static void print_json(const plt_info *i, const derived *d) {
            ",\n  \"leaf_lists\": %" PRIu32 ",\n  \"intermediate_lists\": %" PRIu32
            ",\n  \"treelets\": %" PRIu32 ",\n  \"treelet_nodes\": %" PRIu32
            ",\n  \"leaf_triangles\": %" PRIu32 ",\n",
-           i->triangles, i->nodes, i->node_slots, i->leaf_lists, i->intermediate_lists,
-           i->treelets, i->treelet_nodes, i->leaf_triangles);
-    printf("  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"node_format\": \"thesis\",\n"
-           "  \"geometry_format\": \"float\",\n  \"image_bytes\": %" PRIu32
-           ",\n  \"tree_bytes\": %" PRIu64 ",\n  \"tree_bytes_per_triangle\": %.3f,\n"
-           "  \"geometry_bytes\": %" PRIu64 ",\n  \"geometry_bytes_per_triangle\": %.3f,\n"
-           "  \"slot_overhead_bytes\": %" PRIu64 ",\n",
-           split_names[i->splits], build_names[i->build], i->image_bytes, d->tree_bytes,
-           d->tree_each, d->geometry_bytes, d->geometry_each, d->overhead_bytes);
+           i->triangles, i->nodes, i->node_slots, i->leaf_lists, i->intermediate_lists, i->treelets,
+           i->treelet_nodes, i->leaf_triangles);
+    printf(
+        "  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"node_format\": \"thesis\",\n"
+        "  \"geometry_format\": \"float\",\n  \"image_bytes\": %" PRIu32
+        ",\n  \"tree_bytes\": %" PRIu64
+        ",\n  \"tree_bytes_per_triangle\": %.3f,\n"
+        "  \"geometry_bytes\": %" PRIu64
+        ",\n  \"geometry_bytes_per_triangle\": %.3f,\n"
+        "  \"slot_overhead_bytes\": %" PRIu64 ",\n",
+        split_names[i->splits], build_names[i->build], i->image_bytes, d->tree_bytes, d->tree_each,
+        d->geometry_bytes, d->geometry_each, d->overhead_bytes);
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
-           ",\n  \"depth_stack_entries\": %" PRIu32 ",\n  \"arena_bytes_needed\": %zu,\n"
+           ",\n  \"depth_stack_entries\": %" PRIu32
+           ",\n  \"arena_bytes_needed\": %zu,\n"
            "  \"arena_bytes_needed_fetched\": %zu,\n",
-           i->local_stack_entries, i->global_stack_entries, i->depth_stack_entries,
-           d->arena_mapped, d->arena_fetched);
+           i->local_stack_entries, i->global_stack_entries, i->depth_stack_entries, d->arena_mapped,
+           d->arena_fetched);
     if (i->triangles > 0) {
         printf("  \"lo\": [%.9g, %.9g, %.9g],\n  \"hi\": [%.9g, %.9g, %.9g]\n}\n", (double)i->lo[0],
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
@@ -69,6 +78,11 @@ static void print_json(const plt_info *i, const derived *d) {
     } else {
         printf("  \"lo\": null,\n  \"hi\": null\n}\n");
     }
+}
+
+/* A device's tree is not there until it is built. */
+static int tree_is_known(const plt_info *i) {
+    return i->build != PLT_BUILD_DEVICE || i->leaf_lists + i->intermediate_lists > 0;
 }
 
 static double share(uint32_t part, uint32_t rest) {
@@ -82,13 +96,14 @@ static void print_text(const plt_info *i, const derived *d) {
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
                (double)i->hi[2]);
     }
-    printf("tree               built by %s, %s splits, %" PRIu32 " triangles a list, treelets of %" PRIu32
-           "\n",
+    printf("tree               built by %s, %s splits, %" PRIu32
+           " triangles a list, treelets of %" PRIu32 "\n",
            build_names[i->build], split_names[i->splits], i->leaf_triangles, i->treelet_nodes);
-    if (i->build != PLT_BUILD_DEVICE) {
-        printf("inner nodes        %" PRIu32 " in %" PRIu32 " slots, %" PRIu32 " treelets\n", i->nodes,
-               i->node_slots, i->treelets);
-        printf("lists              %" PRIu32 " single, %" PRIu32 " intermediate (%.1f %% of the leaves)\n",
+    if (tree_is_known(i)) {
+        printf("inner nodes        %" PRIu32 " in %" PRIu32 " slots, %" PRIu32 " treelets\n",
+               i->nodes, i->node_slots, i->treelets);
+        printf("lists              %" PRIu32 " single, %" PRIu32
+               " intermediate (%.1f %% of the leaves)\n",
                i->leaf_lists, i->intermediate_lists, share(i->intermediate_lists, i->leaf_lists));
         printf("stacks             %" PRIu32 " depth first; %" PRIu32 " global and %" PRIu32
                " local in two stages\n",
@@ -96,7 +111,8 @@ static void print_text(const plt_info *i, const derived *d) {
         printf("tree bytes         %" PRIu64 ", %.2f a triangle, %" PRIu64 " of them free slots\n",
                d->tree_bytes, d->tree_each, d->overhead_bytes);
     }
-    printf("geometry bytes     %" PRIu64 ", %.2f a triangle\n", d->geometry_bytes, d->geometry_each);
+    printf("geometry bytes     %" PRIu64 ", %.2f a triangle\n", d->geometry_bytes,
+           d->geometry_each);
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);
     printf("arena needed       %zu bytes%s\n", d->arena_mapped,
            i->build == PLT_BUILD_DEVICE ? " for the worst tree" : " when the image is mapped");
@@ -105,33 +121,40 @@ static void print_text(const plt_info *i, const derived *d) {
     }
 }
 
+/* The whole image is checked. A device's tree is counted too, unless building
+ * it here needs more than there is. */
+static int look_into(scene *s, const char *path, plt_info *info, fail *f) {
+    plt_fault fault;
+    int status = plt_image_info(&s->file.source, info, &fault);
+    if (status == PLT_OK) {
+        status = scene_start(s, path, &fault);
+    }
+    if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE) {
+        return scene_refused(f, path, status, &fault, s->arena_bytes);
+    }
+    if (s->engine != NULL) {
+        *info = *plt_engine_info(s->engine);
+    }
+    return 0;
+}
+
 int run_info(args *a) {
-    static const char *const packets[] = {"2", "4", "8", "16", NULL};
-    static const char *const walks[] = {"depth", "two-stage", NULL};
-    plt_options options = {0};
-    options.packet_side = (uint8_t)(2u << args_choice(a, "--packet", packets, 2));
-    options.walk = (uint8_t)args_choice(a, "--walk", walks, 0);
+    scene s = SCENE_CLOSED;
+    plt_info info;
+    fail f = {""};
+    int status = scene_attach(&s, a, a->file[0], &f);
+    if (status == 0) {
+        status = look_into(&s, a->file[0], &info, &f);
+    }
+    if (status == 0) {
+        const derived d = derive(&info, &s.options);
+        args_has(a, "--json") ? print_json(&info, &d) : print_text(&info, &d);
+    }
+    scene_close(&s);
     if (a->wrong) {
         return 2;
     }
-    host_scene file;
-    plt_info info;
-    plt_fault fault;
-    fail f = {""};
-    if (host_scene_map(&file, a->file[0]) != 0) {
-        fail_set(&f, a->file[0], "%s", file.why);
-    } else if (plt_image_info(&file.source, &info, &fault) != PLT_OK) {
-        fail_set(&f, a->file[0], "byte %" PRIu32 ": %s (%c%u); pack the scene anew", fault.offset,
-                 fault.message, fault.kind, (unsigned)fault.rule);
-    } else {
-        const derived d = derive(&info, &options);
-        args_has(a, "--json") ? print_json(&info, &d) : print_text(&info, &d);
-    }
-    host_scene_close(&file);
-    if (f.text[0] == '\0' && (fflush(stdout) != 0 || ferror(stdout))) {
-        fail_set(&f, "standard output", "cannot be written; is the disk full?");
-    }
-    if (f.text[0] != '\0') {
+    if (status != 0) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }

@@ -1,20 +1,23 @@
 /* cmd_pack - planelet pack: meshes to a scene image
  *
  * SPDX-License-Identifier: MIT */
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "engine/tree/link.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/note.h"
+#include "host_tools/cli/phase.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/pack.h"
 
 static const arg_flag flags[] = {
-    {"-o", "SCENE.plt", "the image to write"},
-    {"--build", "host|device|none", "who builds the tree: this program, the engine when it opens\n"
-                                    "                               the image, or nobody (default host)"},
+    {"-o", "SCENE.plt", "the image to write; - is standard output"},
+    {"--build", "host|device|none",
+     "who builds the tree: this program, the engine when it opens the image, or nobody "
+     "(default host)"},
     {"--splits", "sah|median", "binned SAH, or the thesis's spatial median (default sah)"},
     {"--leaf", "1|2|4", "most triangles a list (default 2)"},
     {"--nodes", "thesis", "the node format: 32 bytes"},
@@ -27,11 +30,14 @@ static const arg_flag flags[] = {
     {NULL, NULL, NULL}};
 
 const arg_command command_pack = {
-    "pack",
-    "MESH... -o SCENE.plt",
-    "Packs PLY, OBJ and STL meshes and recipes (.txt) into one scene image; triangles are\n"
-    "numbered from 0 in the order in which they are read.",
-    flags, 1, 100000};
+    .name = "pack",
+    .synopsis = "MESH... -o SCENE.plt",
+    .about =
+        "Packs PLY, OBJ and STL meshes and recipes (.txt) into one scene image; triangles are "
+        "numbered from 0 in the order in which they are read. MESH may be - for standard input.",
+    .flags = flags,
+    .files_least = 1,
+    .files_most = 100000};
 
 typedef struct pack_job {
     mesh m;
@@ -41,39 +47,69 @@ typedef struct pack_job {
     const char *out;
 } pack_job;
 
+/* One line on standard error, also for scripts: the scene is not the mesh. */
+static void say_what_was_dropped(const mesh_repair *r, const char *name) {
+    fail line = {""}; /* hides control characters in the name */
+    if (r->bad_triangles > 0 || r->bad_vertices > 0) {
+        fail_set(&line, name,
+                 "dropped %" PRIu64 " triangle%s; %" PRIu64 " vert%s not finite or too large",
+                 r->bad_triangles, r->bad_triangles == 1 ? "" : "s", r->bad_vertices,
+                 r->bad_vertices == 1 ? "ex was" : "ices were");
+        fprintf(stderr, "%s\n", line.text);
+    }
+}
+
 static int read_meshes(pack_job *job, const args *a, fail *f) {
-    progress p;
-    progress_begin(&p, "reading meshes", (uint64_t)a->files);
     int status = 0;
     for (int i = 0; i < a->files && status == 0; i++) {
+        phase_begin("reading", a->file[i]);
         status = mesh_read(&job->m, a->file[i], job->frame, &job->repair, f);
-        progress_show(&p, (uint64_t)i + 1);
+        phase_end();
     }
-    progress_end(&p);
     return status;
 }
 
-static int write_image(const pack_job *job, const char *name, packed *image, fail *f) {
-    progress p;
-    progress_begin(&p, "building the tree", 0);
-    progress_show(&p, 0);
-    int status = pack_mesh(image, &job->m, &job->options, name, f);
-    progress_end(&p);
-    output *o = status == 0 ? output_open(job->out, f) : NULL;
+static int build(const pack_job *job, const char *name, packed *image, fail *f) {
+    char what[64];
+    snprintf(what, sizeof what, "of %zu triangles", job->m.triangles);
+    phase_begin("building the tree", what);
+    const int status = pack_mesh(image, &job->m, &job->options, name, f);
+    phase_end();
+    return status;
+}
+
+static int write_image(const pack_job *job, output *o, const packed *image, fail *f) {
+    phase_begin("writing", job->out);
+    int status = output_write(o, image->bytes, image->size, f);
+    if (status == 0) {
+        status = output_commit(o, f);
+    } else {
+        output_abandon(o);
+    }
+    phase_end();
+    return status;
+}
+
+/* The output is opened before the long work, so that none is in vain. */
+static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
+    output *o = read_meshes(job, a, f) == 0 ? output_open(job->out, f) : NULL;
     if (o == NULL) {
         return -1;
     }
-    if (output_write(o, image->bytes, image->size, f) != 0) {
+    if (build(job, a->file[0], image, f) != 0) {
         output_abandon(o);
         return -1;
     }
-    return output_commit(o, f);
+    return write_image(job, o, image, f);
 }
 
-static void say_what_was_repaired(const mesh_repair *r) {
-    if (r->bad_vertices > 0 || r->bad_triangles > 0) {
-        fprintf(stderr, "dropped %llu triangles; %llu vertices were not finite or too large\n",
-                (unsigned long long)r->bad_triangles, (unsigned long long)r->bad_vertices);
+static void say_done(const pack_job *job, const packed *image, double seconds) {
+    if (strcmp(job->out, "-") != 0) {
+        note("%s: %" PRIu32 " triangle%s, %" PRIu32
+             " bytes, %.1f s; next: planelet render %s "
+             "--show",
+             job->out, image->info.triangles, image->info.triangles == 1 ? "" : "s", image->size,
+             seconds, job->out);
     }
 }
 
@@ -107,9 +143,11 @@ int run_pack(args *a) {
     }
     fail f = {""};
     packed image = {0};
-    const int status = read_meshes(&job, a, &f) == 0 ? write_image(&job, a->file[0], &image, &f) : -1;
+    const double began = progress_seconds();
+    const int status = pack_files(&job, a, &image, &f);
     if (status == 0) {
-        say_what_was_repaired(&job.repair);
+        say_what_was_dropped(&job.repair, a->files == 1 ? a->file[0] : "all meshes together");
+        say_done(&job, &image, progress_seconds() - began);
     } else {
         fprintf(stderr, "%s\n", f.text);
     }

@@ -4,30 +4,37 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #include "engine/image/bytes.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/note.h"
 #include "host_tools/cli/scene.h"
 #include "host_tools/cli/view.h"
 #include "host_tools/picture/picture.h"
 
 static const arg_flag flags[] = {
-    {"-o", "OUT", "a picture (.png .ppm) or a film (.y4m)"},
-    {"--show", NULL, "draw the picture in the terminal"},
+    {"-o", "OUT",
+     "a picture (.png .ppm) or a film (.y4m); - is standard output, PPM or with --orbit Y4M"},
+    {"--show", NULL, "draw the picture (of --orbit the last) in the terminal"},
     {"--size", "WxH", "pixels (default 512x512)"},
     VIEW_FLAGS,
-    {"--shader", "eyelight|normal|triangle", "colours by angle, by direction, by triangle"},
-    {"--orbit", "N", "N frames once around the scene, 25 a second (.y4m)"},
+    {"--shader", "NAME",
+     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour each); "
+     "default eyelight"},
+    {"--orbit", "N", "a film: N frames once around the scene, 25 a second"},
     {"--json", "STATS", "write figures; - is standard output"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
 const arg_command command_render = {
-    "render", "SCENE.plt -o OUT.png|ppm|y4m [--show]",
-    "Renders a scene image with the engine that also runs as firmware.", flags, 1, 1};
+    .name = "render",
+    .synopsis = "SCENE.plt -o OUT.png|ppm|y4m [--show]",
+    .about = "Renders a scene image with the engine that also runs as firmware.",
+    .flags = flags,
+    .files_least = 1,
+    .files_most = 1};
 
 enum { VISITS_A_STEP = 4096, FRAMES_A_SECOND = 25 };
 
@@ -35,97 +42,68 @@ typedef struct rendering {
     scene s;
     plt_frame frame;
     picture shown;
+    picture_format format;
     unsigned frames;
     const char *out, *json;
+    output *picture_out, *stats_out;
+    plt_camera first; /* of frame 0 */
+    uint64_t hash;
     double seconds; /* in the engine */
 } rendering;
 
-static double cpu_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* 64-bit FNV-1a of the raw RGB bytes. */
-static uint64_t frame_hash(const picture *p) {
-    uint64_t hash = 0xCBF29CE484222325u;
+/* Goes on with the 64-bit FNV-1a of the raw RGB bytes of all frames. */
+static uint64_t hash_frame(uint64_t hash, const picture *p) {
     for (size_t i = 0; i < 3 * (size_t)p->width * p->height; i++) {
-        hash = (hash ^ p->rgb[i]) * 0x100000001B3u;
+        hash = (hash ^ p->rgb[i]) * UINT64_C(0x100000001B3);
     }
     return hash;
 }
 
-static void take_tile(const plt_engine *engine, picture *p) {
+/* Copies the finished tile; returns the first row below it. */
+static unsigned take_tile(const plt_engine *engine, picture *p) {
     plt_tile t;
     plt_render_tile(engine, &t);
     for (unsigned y = 0; y < t.height; y++) {
         memcpy(p->rgb + 3 * ((size_t)(t.y + y) * p->width + t.x), t.rgb + 3 * (size_t)y * t.width,
                3 * (size_t)t.width);
     }
+    return t.y + t.height;
 }
 
 static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
-    const double began = cpu_seconds();
+    const double began = scene_seconds();
     if (plt_render_begin(r->s.engine, &r->frame) != PLT_OK) {
-        return fail_set(f, "camera", "eye and look coincide, or up runs along the view; "
-                                     "change --eye, --look or --up");
+        return fail_set(f, "camera",
+                        "eye and look coincide, up runs along the view, or one of them is beyond "
+                        "2^40; change --eye, --look, --up or --fov");
     }
-    for (;;) {
-        const int status = plt_render_step(r->s.engine, VISITS_A_STEP);
-        if (status == PLT_OK) {
-            break;
-        }
+    int status;
+    while ((status = plt_render_step(r->s.engine, VISITS_A_STEP)) > PLT_OK) {
         if (status == PLT_TILE) {
-            take_tile(r->s.engine, &r->shown);
-            plt_tile t;
-            plt_render_tile(r->s.engine, &t);
-            progress_show(bar, (uint64_t)number * r->frame.height + t.y);
+            const unsigned rows = take_tile(r->s.engine, &r->shown);
+            progress_show(bar, (uint64_t)number * r->frame.height + rows);
         }
     }
-    r->seconds += cpu_seconds() - began;
-    return 0;
+    r->seconds += scene_seconds() - began;
+    r->hash = hash_frame(r->hash, &r->shown);
+    return status == PLT_OK ? 0 : fail_set(f, "engine", "status %d; please report this", status);
 }
 
-static int render_frames(rendering *r, output *o, picture_format format, fail *f) {
-    const plt_camera start = r->frame.camera;
+static int render_frames(rendering *r, fail *f) {
     progress bar;
     int status = 0;
     progress_begin(&bar, "rendering", (uint64_t)r->frames * r->frame.height);
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
         if (i > 0) {
-            view_orbit(&start, (double)i / r->frames, &r->frame.camera);
+            view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }
         status = render_frame(r, &bar, i, f);
-        if (status == 0 && o != NULL) {
-            status = picture_frame(o, format, &r->shown, f);
+        if (status == 0 && r->picture_out != NULL) {
+            status = picture_frame(r->picture_out, r->format, &r->shown, f);
         }
     }
     progress_end(&bar);
     return status;
-}
-
-/* Frames into the file, if there is one. */
-static int write_pictures(rendering *r, fail *f) {
-    picture_format format = PICTURE_PNG;
-    if (r->out == NULL) {
-        return render_frames(r, NULL, format, f);
-    }
-    output *o = output_open(r->out, f);
-    if (o == NULL) {
-        return -1;
-    }
-    if (strcmp(r->out, "-") == 0) {
-        format = r->frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
-    } else if (picture_format_of(r->out, &format, f) != 0) {
-        output_abandon(o);
-        return -1;
-    }
-    if (picture_begin(o, format, r->frame.width, r->frame.height, FRAMES_A_SECOND, f) != 0 ||
-        render_frames(r, o, format, f) != 0) {
-        output_abandon(o);
-        return -1;
-    }
-    return output_commit(o, f);
 }
 
 /* The camera's floats as bits, for a firmware that shall see the same. */
@@ -139,43 +117,93 @@ static void print_bits(output *o, const char *name, const float *v, unsigned cou
     output_print(o, f, "\",\n");
 }
 
-static int write_stats(const rendering *r, fail *f) {
-    output *o = output_open(r->json, f);
-    if (o == NULL) {
-        return -1;
-    }
-    const plt_camera *c = &r->frame.camera;
-    output_print(o, f, "{\n  \"frame_hash\": \"%016" PRIx64 "\",\n", frame_hash(&r->shown));
+static int write_stats(const rendering *r, output *o, fail *f) {
+    output_print(o, f, "{\n  \"frame_hash\": \"%016" PRIx64 "\",\n", r->hash);
     output_print(o, f, "  \"width\": %u,\n  \"height\": %u,\n  \"frames\": %u,\n", r->frame.width,
                  r->frame.height, r->frames);
-    print_bits(o, "eye", c->eye, 3, f);
-    print_bits(o, "look", c->look, 3, f);
-    print_bits(o, "up", c->up, 3, f);
-    print_bits(o, "tan", &c->tan_half_fov, 1, f);
+    print_bits(o, "eye", r->first.eye, 3, f);
+    print_bits(o, "look", r->first.look, 3, f);
+    print_bits(o, "up", r->first.up, 3, f);
+    print_bits(o, "tan", &r->first.tan_half_fov, 1, f);
     scene_print_stats(o, &r->s, r->seconds, f);
-    if (output_print(o, f, "\n}\n") != 0) {
-        output_abandon(o);
-        return -1;
-    }
-    return output_commit(o, f);
+    return output_print(o, f, "\n}\n");
 }
 
-static int run_all(rendering *r, args *a, fail *f) {
+static int open_output(output **o, const char *path, fail *f) {
+    *o = path == NULL ? NULL : output_open(path, f);
+    return path != NULL && *o == NULL ? -1 : 0;
+}
+
+static int commit_output(output **o, fail *f) {
+    const int status = *o == NULL ? 0 : output_commit(*o, f);
+    *o = NULL;
+    return status;
+}
+
+/* Both outputs are opened first, so that no long run is in vain. */
+static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     if (scene_open(&r->s, a, a->file[0], f) != 0) {
         return -1;
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
+    r->first = frame->camera;
     if (a->wrong || picture_make(&r->shown, frame->width, frame->height, f) != 0 ||
-        write_pictures(r, f) != 0) {
+        open_output(&r->picture_out, r->out, f) != 0 ||
+        open_output(&r->stats_out, r->json, f) != 0) {
         return -1;
     }
-    if (args_has(a, "--show")) {
-        unsigned columns, rows;
-        picture_terminal_size(stdout, &columns, &rows);
-        picture_show(stdout, &r->shown, PICTURE_AUTO, columns, rows > 1 ? rows - 1 : 1);
+    return r->picture_out == NULL ? 0
+                                  : picture_begin(r->picture_out, r->format, frame->width,
+                                                  frame->height, FRAMES_A_SECOND, f);
+}
+
+static int show(const picture *p, fail *f) {
+    unsigned columns, rows;
+    picture_terminal_size(stdout, &columns, &rows);
+    if (picture_show(stdout, p, PICTURE_AUTO, columns, rows > 1 ? rows - 1 : 1) != 0 ||
+        fflush(stdout) != 0) {
+        return fail_set(f, "standard output", "the picture cannot be drawn; is the disk full?");
     }
-    return r->json == NULL ? 0 : write_stats(r, f);
+    return 0;
+}
+
+static int run_all(rendering *r, args *a, fail *f) {
+    if (open_all(r, a, f) != 0 || render_frames(r, f) != 0 ||
+        (r->stats_out != NULL && write_stats(r, r->stats_out, f) != 0) ||
+        commit_output(&r->picture_out, f) != 0) {
+        return -1;
+    }
+    if (args_has(a, "--show") && show(&r->shown, f) != 0) {
+        return -1;
+    }
+    return commit_output(&r->stats_out, f);
+}
+
+/* `format` by the name's ending; "-" is PPM, or Y4M for several frames. */
+static void choose_format(rendering *r, args *a) {
+    fail f = {""};
+    if (r->out == NULL) {
+        return;
+    }
+    if (strcmp(r->out, "-") == 0) {
+        r->format = r->frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
+    } else if (picture_format_of(r->out, &r->format, &f) != 0) {
+        args_complain(a, "%s", f.text);
+    } else if (r->frames > 1 && r->format != PICTURE_Y4M) {
+        args_complain(a, "--orbit makes a film: give -o a name that ends in .y4m");
+    }
+}
+
+static void check_outputs(const rendering *r, args *a) {
+    const int shown = args_has(a, "--show");
+    if (r->out == NULL && r->json == NULL && !shown) {
+        args_complain(a, "-o OUT says where the picture goes, --show draws it here");
+    } else if (r->out != NULL && r->json != NULL && strcmp(r->out, r->json) == 0) {
+        args_complain(a, "-o and --json need two different files");
+    } else if (r->out != NULL && shown && strcmp(r->out, "-") == 0) {
+        args_complain(a, "-o - and --show would mix on standard output");
+    }
 }
 
 static void read_flags(rendering *r, args *a) {
@@ -188,16 +216,28 @@ static void read_flags(rendering *r, args *a) {
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     r->out = args_text(a, "-o", NULL);
     r->json = args_text(a, "--json", NULL);
-    if (r->out == NULL && !args_has(a, "--show") && r->json == NULL) {
-        args_complain(a, "-o OUT says where the picture goes, --show draws it here");
+    if (!a->wrong) {
+        choose_format(r, a);
+    }
+    if (!a->wrong) {
+        check_outputs(r, a);
+    }
+}
+
+static void say_done(const rendering *r) {
+    if (r->out != NULL) {
+        note("%s: %u frame%s of %u x %u, %.3g s", r->out, r->frames, r->frames == 1 ? "" : "s",
+             r->frame.width, r->frame.height, r->seconds);
     }
 }
 
 int run_render(args *a) {
-    rendering r = {0};
+    rendering r = {.s = SCENE_CLOSED, .hash = UINT64_C(0xCBF29CE484222325)};
     fail f = {""};
     read_flags(&r, a);
     const int status = a->wrong ? -1 : run_all(&r, a, &f);
+    output_abandon(r.picture_out);
+    output_abandon(r.stats_out);
     scene_close(&r.s);
     picture_free(&r.shown);
     if (a->wrong) {
@@ -205,6 +245,8 @@ int run_render(args *a) {
     }
     if (status != 0) {
         fprintf(stderr, "%s\n", f.text);
+        return 1;
     }
-    return status == 0 ? 0 : 1;
+    say_done(&r);
+    return 0;
 }

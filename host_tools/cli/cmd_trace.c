@@ -4,17 +4,21 @@
  * Hit file: 16 bytes a ray: t u v and the triangle's number.
  *
  * SPDX-License-Identifier: MIT */
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
+#include <string.h>
 
 #include "engine/image/bytes.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
+#include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/note.h"
 #include "host_tools/cli/scene.h"
 
 enum { RAY_BYTES = 32, HIT_BYTES = 16 };
+enum { RAYS_A_PIECE = 65536 }; /* whole packets of every size */
 
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
@@ -24,118 +28,158 @@ static const arg_flag flags[] = {
     {NULL, NULL, NULL}};
 
 const arg_command command_trace = {
-    "trace", "SCENE.plt RAYS HITS",
-    "Traces a file of rays (org tmin dir tmax, 8 little-endian floats each) and writes a hit\n"
-    "for each (t u v, number of the triangle; 4294967295 is a miss).",
-    flags, 3, 3};
+    .name = "trace",
+    .synopsis = "SCENE.plt RAYS HITS",
+    .about =
+        "Traces a file of rays (org[3] tmin dir[3] tmax, 8 little-endian floats each) and writes a "
+        "hit for each: floats t u v and the triangle's number; 4294967295 is a miss. The number is "
+        "1 or 0 with --any. RAYS and HITS may be -.",
+    .flags = flags,
+    .files_least = 3,
+    .files_most = 3};
 
 typedef struct tracing {
+    scene s;
+    output *hits_out, *stats_out;
     plt_ray *rays;
     plt_hit *hits;
     uint32_t count;
     double seconds; /* of the best run */
 } tracing;
 
-static double cpu_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+/* Rays are floats of this machine from here on. */
+static int take_rays(tracing *t, const input *in, const char *name, fail *f) {
+    if (in->size % RAY_BYTES != 0) {
+        return fail_set(f, name,
+                        "byte %zu: the last ray is cut short (a ray has 32 bytes); write it anew",
+                        in->size - in->size % RAY_BYTES);
+    }
+    if (in->size / RAY_BYTES > UINT32_MAX) {
+        return fail_set(f, name, "more than 2^32 - 1 rays; part the file");
+    }
+    t->count = (uint32_t)(in->size / RAY_BYTES);
+    t->rays = malloc(in->size);
+    t->hits = malloc((size_t)t->count * sizeof *t->hits);
+    if (t->rays == NULL || t->hits == NULL) {
+        return fail_set(f, name, "out of memory for %" PRIu32 " rays; part the file", t->count);
+    }
+    for (uint32_t i = 0; i < t->count; i++) {
+        plt_get_floats(t->rays[i].org, in->bytes + RAY_BYTES * (size_t)i, 8);
+    }
+    return 0;
 }
 
-/* Rays are floats of this machine from here on. */
 static int read_rays(tracing *t, const char *path, fail *f) {
     input in;
     if (input_read(&in, path, f) != 0) {
         return -1;
     }
-    int status = 0;
-    if (in.size % RAY_BYTES != 0) {
-        status = fail_set(f, path,
-                          "byte %zu: the last ray is cut short (a ray has 32 bytes); write it anew",
-                          in.size - in.size % RAY_BYTES);
-    } else if (in.size / RAY_BYTES > UINT32_MAX) {
-        status = fail_set(f, path, "more than 2^32 rays; part the file");
-    } else {
-        t->count = (uint32_t)(in.size / RAY_BYTES);
-        t->rays = malloc(in.size);
-        t->hits = malloc((size_t)t->count * sizeof *t->hits);
-        if (t->rays == NULL || t->hits == NULL) {
-            status = fail_set(f, path, "out of memory for %u rays; part the file", t->count);
-        } else {
-            plt_get_floats((float *)t->rays, in.bytes, 8 * t->count);
-        }
-    }
+    const int status = take_rays(t, &in, strcmp(path, "-") == 0 ? "standard input" : path, f);
     input_free(&in);
     return status;
 }
 
-static void trace_all(tracing *t, plt_engine *engine, int any, unsigned repeat) {
-    for (unsigned i = 0; i < repeat; i++) {
-        plt_stats_reset(engine);
-        const double began = cpu_seconds();
-        plt_trace(engine, t->rays, t->hits, t->count, any);
-        const double took = cpu_seconds() - began;
-        t->seconds = i == 0 || took < t->seconds ? took : t->seconds;
+/* All rays once, in pieces of whole packets; returns the seconds of tracing. */
+static double trace_once(tracing *t, plt_engine *engine, int any, progress *bar, uint64_t before) {
+    double seconds = 0.0;
+    plt_stats_reset(engine);
+    for (uint32_t at = 0; at < t->count;) {
+        const uint32_t left = t->count - at, now = left < RAYS_A_PIECE ? left : RAYS_A_PIECE;
+        const double began = scene_seconds();
+        plt_trace(engine, t->rays + at, t->hits + at, now, any); /* has no failures */
+        seconds += scene_seconds() - began;
+        at += now;
+        progress_show(bar, before + at);
     }
+    return seconds;
 }
 
-static int write_hits(const tracing *t, const char *path, fail *f) {
-    output *o = output_open(path, f);
-    if (o == NULL) {
-        return -1;
+static void trace_all(tracing *t, plt_engine *engine, int any, unsigned repeat) {
+    progress bar;
+    progress_begin(&bar, "tracing", (uint64_t)repeat * t->count);
+    for (unsigned i = 0; i < repeat; i++) {
+        const double took = trace_once(t, engine, any, &bar, (uint64_t)i * t->count);
+        t->seconds = i == 0 || took < t->seconds ? took : t->seconds;
     }
+    progress_end(&bar);
+}
+
+static int write_hits(const tracing *t, output *o, fail *f) {
     for (uint32_t i = 0; i < t->count; i++) {
         unsigned char bytes[HIT_BYTES];
         const float tuv[3] = {t->hits[i].t, t->hits[i].u, t->hits[i].v};
         plt_put_floats(bytes, tuv, 3);
         plt_put_u32(bytes + 12, t->hits[i].triangle);
         if (output_write(o, bytes, sizeof bytes, f) != 0) {
-            output_abandon(o);
             return -1;
         }
     }
-    return output_commit(o, f);
+    return 0;
 }
 
-static int write_stats(const scene *s, const tracing *t, const char *path, fail *f) {
-    output *o = output_open(path, f);
-    if (o == NULL) {
-        return -1;
-    }
+static int write_stats(const tracing *t, output *o, fail *f) {
     output_print(o, f, "{\n");
-    scene_print_stats(o, s, t->seconds, f);
-    if (output_print(o, f, "\n}\n") != 0) {
-        output_abandon(o);
+    scene_print_stats(o, &t->s, t->seconds, f);
+    return output_print(o, f, "\n}\n");
+}
+
+/* Both outputs are opened first, so that no long run is in vain. */
+static int open_all(tracing *t, args *a, const char *json, fail *f) {
+    if (scene_open(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0) {
         return -1;
     }
-    return output_commit(o, f);
+    t->hits_out = output_open(a->file[2], f);
+    if (t->hits_out == NULL) {
+        return -1;
+    }
+    t->stats_out = json == NULL ? NULL : output_open(json, f);
+    return json != NULL && t->stats_out == NULL ? -1 : 0;
+}
+
+static int write_all(tracing *t, fail *f) {
+    if (write_hits(t, t->hits_out, f) != 0 ||
+        (t->stats_out != NULL && write_stats(t, t->stats_out, f) != 0)) {
+        return -1;
+    }
+    const int hits = output_commit(t->hits_out, f);
+    t->hits_out = NULL;
+    if (hits != 0 || t->stats_out == NULL) {
+        return hits;
+    }
+    const int stats = output_commit(t->stats_out, f);
+    t->stats_out = NULL;
+    return stats;
+}
+
+static void close_all(tracing *t) {
+    output_abandon(t->hits_out);
+    output_abandon(t->stats_out);
+    scene_close(&t->s);
+    free(t->rays);
+    free(t->hits);
 }
 
 int run_trace(args *a) {
     const unsigned repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     const char *json = args_text(a, "--json", NULL);
-    scene s = {0};
-    tracing t = {0};
+    if (json != NULL && strcmp(json, a->file[2]) == 0) {
+        args_complain(a, "HITS and --json need two different files");
+    }
+    tracing t = {.s = SCENE_CLOSED};
     fail f = {""};
-    int status = scene_open(&s, a, a->file[0], &f);
+    int status = a->wrong ? -1 : open_all(&t, a, json, &f);
     if (status == 0) {
-        status = read_rays(&t, a->file[1], &f);
+        trace_all(&t, t.s.engine, args_has(a, "--any"), repeat);
+        status = write_all(&t, &f);
     }
-    if (status == 0) {
-        trace_all(&t, s.engine, args_has(a, "--any"), repeat);
-        status = write_hits(&t, a->file[2], &f);
-    }
-    if (status == 0 && json != NULL) {
-        status = write_stats(&s, &t, json, &f);
-    }
-    scene_close(&s);
-    free(t.rays);
-    free(t.hits);
+    close_all(&t);
     if (a->wrong) {
         return 2;
     }
     if (status != 0) {
         fprintf(stderr, "%s\n", f.text);
+        return 1;
     }
-    return status == 0 ? 0 : 1;
+    note("%s: %" PRIu32 " rays, %.3g s", a->file[2], t.count, t.seconds);
+    return 0;
 }

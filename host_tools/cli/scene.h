@@ -7,21 +7,27 @@
 #include "board/host/host.h"
 #include "engine/planelet.h"
 #include "host_tools/base/fail.h"
+#include "host_tools/base/output.h"
 #include "host_tools/cli/args.h"
 
 typedef struct scene {
     host_scene file;
-    plt_engine *engine;
+    plt_options options;
+    plt_engine *engine; /* NULL: not opened */
     size_t arena_bytes;
 } scene;
+
+#define SCENE_CLOSED                                                                               \
+    {                                                                                              \
+        .file = {.file = -1 }                                                                      \
+    }
 
 /* The flags that say how to open: put them into a command's list. */
 #define SCENE_FLAGS                                                                                \
     {"--packet", "2|4|8|16", "rays along a packet's side (default 8)"},                            \
         {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
-        {"--residency", "resident",                                                                \
-         "where the scene is while it is traced: all of it in memory"},                            \
-        {"--schedule", "branch", "how packets meet treelets: each walks its branches alone"},      \
+        {"--residency", "resident", "the whole scene is in memory"},                               \
+        {"--schedule", "branch", "each packet walks its branches alone"},                          \
         {"--workers", "1", "threads that trace"},                                                  \
         {"--source", "map|read",                                                                   \
          "the image is mapped like flash, or fetched into the arena (default map)"},               \
@@ -29,11 +35,22 @@ typedef struct scene {
         "--arena", "BYTES", "hand the engine so much memory (default 1 GiB)"                       \
     }
 
-/* Opens `path` as the flags say; a wrong flag sets a->wrong. */
+/* The file as the flags say, not yet looked into; a wrong flag sets a->wrong. */
+int scene_attach(scene *s, args *a, const char *path, fail *f);
+/* plt_open on what is attached: its status. */
+int scene_start(scene *s, const char *path, plt_fault *fault);
+/* Both. */
 int scene_open(scene *s, args *a, const char *path, fail *f);
 void scene_close(scene *s);
 
+/* Why the engine or the image's reader refused `path`, and what to do. -1. */
+int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
+                  size_t arena_bytes);
+
+/* Processor time, for `seconds` below. */
+double scene_seconds(void);
+
 /* The members that `trace` and `render` statistics share, without braces. */
-void scene_print_stats(void *output, const scene *s, double seconds, fail *f);
+void scene_print_stats(output *o, const scene *s, double seconds, fail *f);
 
 #endif
