@@ -1,8 +1,8 @@
 /* engine - what lies at the front of the arena
  *
  * Arena, in the order of the cuts (DESIGN.md, section 3):
- *   plt_engine | packet groups | film tile | touched bits | scene, unless it is
- *   mapped | stacks. Scratch of opening and building comes last and is given
+ *   plt_engine | packet groups | film tile | scene, unless it is mapped |
+ *   touched bits | stacks. Scratch of opening and building comes last and is given
  *   back.
  *
  * SPDX-License-Identifier: MIT */
@@ -19,10 +19,10 @@
 typedef struct plt_rendering {
     plt_frame frame;
     float corner[3], right[3], down[3]; /* direction of pixel (0, 0), steps */
-    uint32_t x, y;       /* tile in hand, pixels */
-    uint32_t px, py;     /* packet in hand, pixels within the tile */
-    uint8_t tracing;     /* the packet is set up and its walk is not over */
-    uint8_t done;        /* nothing left, or no frame begun */
+    uint32_t x, y;                      /* tile in hand, pixels */
+    uint32_t px, py;                    /* packet in hand, pixels within the tile */
+    uint8_t tracing;                    /* the packet is set up and its walk is not over */
+    uint8_t done;                       /* nothing left, or no frame begun */
 } plt_rendering;
 
 struct plt_engine {

@@ -55,8 +55,8 @@ static uint32_t touched_words(uint32_t node_slots, uint32_t treelet_nodes) {
 }
 
 static uint32_t main_stack_entries(const plt_info *info, const plt_options *o) {
-    const uint32_t need = o->walk == PLT_WALK_TWO_STAGE ? info->global_stack_entries
-                                                        : info->depth_stack_entries;
+    const uint32_t need =
+        o->walk == PLT_WALK_TWO_STAGE ? info->global_stack_entries : info->depth_stack_entries;
     return need > 0 ? need : 1;
 }
 
@@ -101,10 +101,9 @@ size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {
         const plt_info worst = bound_of_build(info);
         const size_t scene = plt_arena_cut_bytes(info->triangle_bytes) +
                              plt_arena_cut_bytes((size_t)worst.node_slots * PLT_NODE_BYTES);
-        const size_t scratch = plt_arena_cut_bytes(
-            plt_build_scratch_bytes(worst.nodes, info->treelet_nodes));
-        return fixed_bytes(o) + scene +
-               larger(larger(scratch, frames), stacks_bytes(&worst, o));
+        const size_t scratch =
+            plt_arena_cut_bytes(plt_build_scratch_bytes(worst.nodes, info->treelet_nodes));
+        return fixed_bytes(o) + scene + larger(larger(scratch, frames), stacks_bytes(&worst, o));
     }
     const size_t scene =
         mapped ? 0
@@ -121,8 +120,8 @@ typedef struct opening {
 
 static int no_room(const opening *o) {
     const plt_engine *e = o->e;
-    return plt_arena_short(o->fault, plt_arena_need(&e->header.info, e->source.mapped != NULL,
-                                                    &e->options));
+    return plt_arena_short(o->fault,
+                           plt_arena_need(&e->header.info, e->source.mapped != NULL, &e->options));
 }
 
 /* A section where it lies, or fetched into the arena; its checksum is right. */
@@ -164,6 +163,7 @@ static int take_scene(const opening *o) {
     tree->records = records;
     tree->node_slots = e->header.info.node_slots;
     tree->records_count = e->header.info.triangles;
+    tree->treelet_nodes = e->header.info.treelet_nodes;
     tree->root = e->header.root;
     tree->box = plt_box_empty();
     for (int a = 0; a < 3 && tree->records_count > 0; a++) {
@@ -220,7 +220,8 @@ static int run_build(const opening *o, plt_build_job *job) {
     if (status == PLT_ERR_ARENA) {
         return no_room(o);
     }
-    return status == PLT_OK ? PLT_OK : plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
+    return status == PLT_OK ? PLT_OK
+                            : plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
 }
 
 static int build_tree(const opening *o) {
@@ -255,7 +256,6 @@ static int cut_stacks(const opening *o) {
         return plt_limit(o->fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
     }
     e->touched_words = touched_words(info->node_slots, info->treelet_nodes);
-    w->treelet_nodes = info->treelet_nodes;
     w->touched = plt_arena_cut(&e->arena, 4 * (size_t)e->touched_words);
     w->stack = plt_arena_cut(&e->arena, main_stack_entries(info, &e->options) * sizeof(plt_entry));
     w->local = plt_arena_cut(&e->arena, local_stack_entries(info, &e->options) * sizeof(plt_entry));
@@ -295,7 +295,8 @@ int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_sou
     plt_arena a = {arena, arena_bytes, 0, 0};
     plt_engine *e = plt_arena_cut(&a, sizeof *e);
     if (e == NULL) {
-        return plt_arena_short(fault, plt_arena_need(&header.info, source->mapped != NULL, options));
+        return plt_arena_short(fault,
+                               plt_arena_need(&header.info, source->mapped != NULL, options));
     }
     memset(e, 0, sizeof *e);
     e->arena = a;

@@ -106,7 +106,8 @@ typedef struct plt_info {
 
 /* Why a call failed; zero where it does not apply. */
 typedef struct plt_fault {
-    size_t need_bytes;   /* PLT_ERR_ARENA: smallest arena that is enough */
+    size_t need_bytes;   /* PLT_ERR_ARENA: an arena that is enough; the smallest, unless
+                          * the engine has to build the tree: then for the worst tree */
     uint32_t offset;     /* byte of the image where the trouble is */
     char kind;           /* 'R' refusal, 'I' invariant: PLT_ERR_IMAGE */
     uint8_t rule;        /* number of the rule in SPEC.md */
@@ -116,7 +117,8 @@ typedef struct plt_fault {
 typedef struct plt_engine plt_engine;
 
 /* Reads the header of an image and checks it; fills `info`. Needs no arena.
- * Errors: PLT_ERR_IMAGE, PLT_ERR_SOURCE. Cost: one read of 256 bytes. */
+ * Errors: PLT_ERR_IMAGE, PLT_ERR_SOURCE, PLT_ERR_ARGUMENT. Cost: one read of
+ * 256 bytes, which lie on the stack meanwhile. */
 int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault);
 
 /* Bytes an arena must hold for such an image, source and options; for

@@ -20,20 +20,20 @@
 #endif
 
 /* Most inner nodes on a path from the root: 8 .. 512. The builder keeps to it,
- * opening refuses a deeper tree. Cost: 44 bytes of the depth-first stack
+ * opening refuses a deeper tree. Cost: 40 bytes of the depth-first stack
  * at most (a scene takes what it needs, not the maximum). */
 #ifndef PLT_DEPTH_MAX
 #define PLT_DEPTH_MAX 64
 #endif
 
 /* Most entries of the global stack of the two-stage walk: 16 .. 1048576.
- * Opening refuses a scene that needs more. Cost: as above. */
+ * Opening refuses a scene that needs more, whichever walk is asked for, so
+ * that one check serves both. Cost: as above. */
 #ifndef PLT_GLOBAL_STACK_MAX
 #define PLT_GLOBAL_STACK_MAX 65536
 #endif
 
-/* Bins an axis of the SAH builder: 4 .. 64. Cost: 28 bytes of build
- * scratch, times three axes. */
+/* Bins an axis of the SAH builder: 4 .. 64. Cost: 112 bytes of build scratch. */
 #ifndef PLT_SAH_BINS
 #define PLT_SAH_BINS 32
 #endif

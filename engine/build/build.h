@@ -20,10 +20,10 @@
 #include "engine/tree/record.h"
 
 typedef struct plt_build_job {
-    plt_record *records; /* permuted; source numbers set, last bits rewritten */
-    uint32_t count;      /* records, at most PLT_INDEX_MAX */
-    plt_node *nodes;     /* out */
-    uint32_t room;       /* node slots there */
+    plt_record *records;     /* permuted; source numbers set, last bits rewritten */
+    uint32_t count;          /* records, at most PLT_INDEX_MAX */
+    plt_node *nodes;         /* out */
+    uint32_t room;           /* node slots there */
     uint32_t leaf_triangles; /* K: 1, 2 or 4 (any from 1 works) */
     uint32_t treelet_nodes;  /* N: 1 .. PLT_INDEX_MAX */
     uint8_t splits;          /* enum plt_splits */

@@ -5,6 +5,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/build/split.h"
 
+#define ROUNDS_MOST 64
+
 static void boxes_of_halves(const plt_split_range *range, plt_split *split) {
     split->child[0] = plt_records_box(range->records, range->begin, split->middle);
     split->child[1] = plt_records_box(range->records, split->middle, range->end);
@@ -58,7 +60,8 @@ void plt_split_halves(const plt_split_range *range, plt_split *split) {
     const int axis = plt_longest_axis(&range->box);
     uint32_t begin = range->begin, end = range->end;
     split->middle = begin + (end - begin) / 2;
-    while (end - begin > 1) {
+    /* An order made to be slow stops being sorted: halves they are all the same. */
+    for (int round = 0; end - begin > 1 && round < ROUNDS_MOST; round++) {
         uint32_t above;
         const uint32_t below = partition_three(range->records, begin, end, axis, &above);
         if (split->middle < below) {

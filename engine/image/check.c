@@ -36,10 +36,9 @@ int plt_check_planes(const plt_header *header, const plt_node *nodes, plt_fault 
         for (int k = 0; k < 6; k++) {
             const float plane = plt_get_float(&nodes[i].word[k]);
             if (!inside(info, k % 3, plane) && plane != 0.0f) {
-                return plt_broken(fault, 6,
-                                  offset_in(&header->section[0], i, PLT_NODE_BYTES) +
-                                      4 * (uint32_t)k,
-                                  "a plane lies outside the scene's box");
+                return plt_broken(
+                    fault, 6, offset_in(&header->section[0], i, PLT_NODE_BYTES) + 4 * (uint32_t)k,
+                    "a plane lies outside the scene's box");
             }
         }
     }
@@ -62,8 +61,12 @@ int plt_check_tree(const plt_header *header, const plt_tree *tree, plt_survey_fr
         return plt_broken(fault, 4, 68, "there are triangles but no tree");
     }
     const int status = plt_tree_survey(tree, frames, &found, fault);
-    if (status == PLT_ERR_IMAGE && fault->rule <= 2) {
+    if (status == PLT_ERR_IMAGE && fault->offset == PLT_AT_ROOT_LINK) {
+        fault->offset = 68;
+    } else if (status == PLT_ERR_IMAGE && fault->rule <= 2) {
         fault->offset = offset_in(&header->section[0], fault->offset, PLT_NODE_BYTES);
+    } else if (status == PLT_ERR_IMAGE) {
+        fault->offset = offset_in(&header->section[1], fault->offset, PLT_RECORD_BYTES);
     }
     if (status == PLT_OK && !same_counts(&header->info, &found)) {
         return plt_broken(fault, 8, 28, "the header's counts are not the tree's");

@@ -23,8 +23,7 @@ static inline int plt_refused(plt_fault *fault, uint8_t rule, uint32_t offset,
 }
 
 /* Content that breaks invariant I`rule` of SPEC.md. */
-static inline int plt_broken(plt_fault *fault, uint8_t rule, uint32_t offset,
-                             const char *message) {
+static inline int plt_broken(plt_fault *fault, uint8_t rule, uint32_t offset, const char *message) {
     plt_fault_set(fault, PLT_ERR_IMAGE, offset, message);
     fault->kind = 'I';
     fault->rule = rule;

@@ -88,6 +88,12 @@ static int check_values(const plt_header *h, const unsigned char *bytes, plt_fau
         info->node_slots % info->treelet_nodes != 0) {
         return plt_refused(fault, 7, AT_COUNTS, "a count is out of range");
     }
+    if (info->build != PLT_BUILD_HOST && (info->node_slots != 0 || info->treelets != 0)) {
+        return plt_refused(fault, 7, AT_COUNTS + 4, "nodes in an image without a tree");
+    }
+    if (info->build == PLT_BUILD_DEVICE && h->root != PLT_LINK_NONE) {
+        return plt_refused(fault, 7, AT_ROOT, "a root in an image without a tree");
+    }
     if (info->splits > PLT_SPLIT_MEDIAN || info->build > PLT_BUILD_NONE ||
         bytes[AT_NODE_FORMAT] != 0 || bytes[AT_GEOMETRY_FORMAT] != 0) {
         return plt_refused(fault, 8, AT_SPLITS, "a format that this version does not know");

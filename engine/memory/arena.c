@@ -8,7 +8,8 @@
 #include "engine/planelet.h"
 
 size_t plt_arena_cut_bytes(size_t count) {
-    return count > SIZE_MAX - PLT_ALIGN ? SIZE_MAX : (count + PLT_ALIGN - 1) & ~(size_t)(PLT_ALIGN - 1);
+    return count > SIZE_MAX - PLT_ALIGN ? SIZE_MAX
+                                        : (count + PLT_ALIGN - 1) & ~(size_t)(PLT_ALIGN - 1);
 }
 
 void *plt_arena_cut(plt_arena *arena, size_t count) {

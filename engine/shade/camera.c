@@ -65,14 +65,14 @@ int plt_camera_aim(plt_rendering *r) {
     for (int a = 0; a < 3; a++) {
         r->right[a] *= step;
         r->down[a] *= step;
-        r->corner[a] = forward[a] - (0.5f * width - 0.5f) * r->right[a] -
-                       (0.5f * height - 0.5f) * r->down[a];
+        r->corner[a] =
+            forward[a] - (0.5f * width - 0.5f) * r->right[a] - (0.5f * height - 0.5f) * r->down[a];
     }
     return PLT_OK;
 }
 
-static void camera_group(plt_engine *e, unsigned index, const uint32_t px[4],
-                         const uint32_t py[4], unsigned lanes) {
+static void camera_group(plt_engine *e, unsigned index, const uint32_t px[4], const uint32_t py[4],
+                         unsigned lanes) {
     const plt_rendering *r = &e->rendering;
     f4 org[3], dir[3];
     for (int a = 0; a < 3; a++) {

@@ -60,9 +60,13 @@ void plt_surface_colour(const plt_engine *e, const plt_group *g, unsigned lane, 
     plt_record_normal(&e->walker.tree.records[g->record[lane]], normal);
     even_out(normal);
     even_out(dir);
+    if (dot(normal, normal) == 0.0f) { /* a sliver: as if it faced the eye */
+        for (int a = 0; a < 3; a++) {
+            normal[a] = -dir[a];
+        }
+    }
     const float along = dot(normal, dir);
-    const float facing =
-        __builtin_sqrtf(along * along / (dot(normal, normal) * dot(dir, dir)));
+    const float facing = __builtin_sqrtf(along * along / (dot(normal, normal) * dot(dir, dir)));
     if (e->rendering.frame.shader == PLT_SHADE_TRIANGLE) {
         flat_colour(g->source[lane], facing, rgb);
         return;

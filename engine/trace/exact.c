@@ -7,7 +7,7 @@
  *
  * P and E are brought to a size of about 1 and dir to the same by powers of
  * two, which changes no sign and keeps clear of overflow; parts that underflow
- * then are below 2^-100 of the whole.
+ * then are below 2^-100 in all, which the bound covers.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/exact.h"
@@ -15,7 +15,8 @@
 #include <stdint.h>
 #include <string.h>
 
-#define ERROR 2.2737367544323206e-13f /* 2^-42 */
+#define ERROR 2.2737367544323206e-13f    /* 2^-42 */
+#define UNDERFLOW 7.888609052210118e-31f /* 2^-100 */
 
 typedef struct pair {
     float high, low; /* value = high + low, |low| <= 2^-24 |high| */
@@ -102,6 +103,6 @@ int plt_edge_side(const float p[3], const float q[3], const float org[3], const 
         value = pair_sum(value, pair_product(pair_sum(plus, negative(minus)), d));
         value_size += size_of(d.high) * (size_of(plus.high) + size_of(minus.high));
     }
-    const float error = ERROR * value_size;
+    const float error = ERROR * value_size + UNDERFLOW;
     return value.high > error ? 1 : (value.high < -error ? -1 : 0);
 }

@@ -4,19 +4,19 @@
  * distance on any axis from the origin to the scene's box): a plane's distance
  * is off by at most 3 u of itself, on each of two axes that are compared. So
  * e = 16 u R, or 4 u |org| where that is more so that the sum does not round
- * away; at least 3 u |org| > 12 u R or 14 u R of it are left, and a box that a
- * ray meets is never missed. The idea is Woop, Benthin and Wald, "Watertight
+ * away; at least 12 u R of it are left, and a box that a ray meets is never
+ * missed. The idea is Woop, Benthin and Wald, "Watertight
  * ray/triangle intersection", 2013, section 5.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/packet.h"
 
-#define LARGEST 1.152921504606846976e18f  /* 2^60 */
-#define SMALLEST 8.67361737988403547e-19f /* 2^-60 */
-#define BOX_ERROR 9.5367431640625e-7f     /* 16 u = 2^-20 */
-#define ORIGIN_ERROR 2.384185791015625e-7f /* 4 u = 2^-22 */
+#define LARGEST 1.152921504606846976e18f    /* 2^60 */
+#define SMALLEST 8.67361737988403547e-19f   /* 2^-60 */
+#define BOX_ERROR 9.5367431640625e-7f       /* 16 u = 2^-20 */
+#define ORIGIN_ERROR 2.384185791015625e-7f  /* 4 u = 2^-22 */
 #define CLOSE_ERROR 1.1368683772161603e-12f /* 320 u^2 */
-#define REACH_ROUNDING 1.000001f           /* the differences were rounded */
+#define REACH_ROUNDING 1.000001f            /* the differences were rounded */
 
 static f4 largest_of(const f4 a[3]) {
     return f4_max(f4_max(f4_abs(a[0]), f4_abs(a[1])), f4_abs(a[2]));

@@ -7,7 +7,7 @@
  * triangle's plane and is held within the triangle's own box, which a ray
  * must meet: hence a hit lies in every box around its triangle, and no tree,
  * packet or order of visits can change it. Of equal t the lower source number
- * wins. A triangle whose computed normal is 0 is never hit.
+ * wins. A triangle without area has no inside and is never hit.
  *
  * Sources: Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013
  * (the shear and the edge functions). Error bounds, pairs of floats instead of

@@ -65,11 +65,11 @@ void plt_walk_leaf(plt_walker *w, const plt_entry *at) {
 }
 
 void plt_walk_enter(plt_walker *w, uint32_t index) {
-    const uint32_t block = index / w->treelet_nodes;
+    const uint32_t block = index / w->tree.treelet_nodes;
     if (block == w->block) {
         return;
     }
-    const uint32_t bytes = w->treelet_nodes * PLT_NODE_BYTES;
+    const uint32_t bytes = w->tree.treelet_nodes * PLT_NODE_BYTES;
     w->block = block;
     w->stats.treelet_fetches++;
     w->stats.bytes_fetched += bytes;

@@ -24,11 +24,10 @@ typedef struct plt_entry {
 typedef struct plt_walker {
     plt_tree tree;
     plt_packet packet;
-    plt_entry *stack; /* depth-first, or the global stack */
-    uint32_t waiting; /* entries on it; 0: the walk is over */
-    plt_entry *local; /* two-stage only */
-    uint32_t treelet_nodes;
-    uint32_t block; /* treelet block in hand, PLT_MISS: none */
+    plt_entry *stack;  /* depth-first, or the global stack */
+    uint32_t waiting;  /* entries on it; 0: the walk is over */
+    plt_entry *local;  /* two-stage only */
+    uint32_t block;    /* treelet block in hand, PLT_MISS: none */
     uint32_t *touched; /* a bit a block: already counted */
     plt_stats stats;
 } plt_walker;

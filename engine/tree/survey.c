@@ -23,24 +23,26 @@ static uint32_t treelet_need(const plt_need *root) {
     return root->edges + (root->beyond > 0 ? root->beyond - 1 : 0);
 }
 
-/* Walks the lists of a leaf link. `seen` counts all records of all lists, so
- * that no hostile image makes this quadratic. */
+/* Walks the lists of a leaf link. Lists lie in the order of a left-first walk,
+ * `seen` records in all so far: every record is in one list and read once. */
 static int survey_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, plt_info *info,
                         plt_fault *fault) {
     uint32_t record = plt_link_index(link);
+    if (record != *seen) {
+        return plt_broken(fault, 4, record, "a list does not follow the one before it");
+    }
     for (uint32_t lists = plt_link_lists(link); lists > 0; lists--) {
         uint32_t length = 0;
         do {
             if (record >= tree->records_count) {
-                return plt_broken(fault, 3, 0, "a list of triangles runs past the last one");
-            }
-            if (++*seen > tree->records_count) {
-                return plt_broken(fault, 4, 0, "a triangle is in more than one list");
+                return plt_broken(fault, 3, record - 1,
+                                  "a list of triangles runs past the last one");
             }
             length++;
         } while (!plt_record_is_last(&tree->records[record++]));
         info->leaf_triangles = larger(info->leaf_triangles, length);
     }
+    *seen = record;
     if (plt_link_lists(link) == 2) {
         info->intermediate_lists++;
     } else {
@@ -74,6 +76,12 @@ static void combine(plt_need *need, const plt_node *node, const plt_need child[2
     need->depth++;
 }
 
+/* An inner link stays in the block of its node, an edge leaves it. */
+static int link_is_honest(const plt_tree *tree, uint32_t node, uint32_t link) {
+    const int same = node / tree->treelet_nodes == plt_link_index(link) / tree->treelet_nodes;
+    return same == plt_link_is_inner(link);
+}
+
 /* Descends from `frames[0]` until it is complete: the post-order walk. */
 static int walk(const plt_tree *tree, plt_survey_frame *frames, plt_need *root, uint32_t *seen,
                 plt_info *info, plt_fault *fault) {
@@ -105,6 +113,9 @@ static int walk(const plt_tree *tree, plt_survey_frame *frames, plt_need *root, 
         if (plt_link_index(link) >= tree->node_slots) {
             return plt_broken(fault, 1, f->node, "a link names a node that is not there");
         }
+        if (!link_is_honest(tree, f->node, link)) {
+            return plt_broken(fault, 1, f->node, "a link is not in the treelet that it says");
+        }
         if (++info->nodes > tree->node_slots) {
             return plt_broken(fault, 2, f->node, "the nodes form no tree");
         }
@@ -121,7 +132,8 @@ static int walk(const plt_tree *tree, plt_survey_frame *frames, plt_need *root, 
 static int survey_nodes(const plt_tree *tree, plt_survey_frame *frames, uint32_t *seen,
                         plt_info *info, plt_fault *fault) {
     if (plt_link_index(tree->root) >= tree->node_slots) {
-        return plt_broken(fault, 1, 0, "the root link names a node that is not there");
+        return plt_broken(fault, 1, PLT_AT_ROOT_LINK,
+                          "the root link names a node that is not there");
     }
     info->nodes = info->treelets = 1;
     frames[0].node = plt_link_index(tree->root);
@@ -150,7 +162,7 @@ int plt_tree_survey(const plt_tree *tree, plt_survey_frame *frames, plt_info *in
                            ? survey_lists(tree, tree->root, &seen, info, fault)
                            : survey_nodes(tree, frames, &seen, info, fault);
     if (status == PLT_OK && seen != tree->records_count) {
-        return plt_broken(fault, 4, 0, "a triangle is in no list");
+        return plt_broken(fault, 4, seen, "a triangle is in no list");
     }
     return status;
 }

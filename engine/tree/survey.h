@@ -21,17 +21,18 @@ typedef struct plt_tree {
     const plt_node *nodes;
     const plt_record *records;
     uint32_t node_slots, records_count;
-    uint32_t root; /* link, or PLT_LINK_NONE */
-    plt_box box;   /* of all records; empty when there are none */
+    uint32_t treelet_nodes; /* slots a block, 1 or more */
+    uint32_t root;          /* link, or PLT_LINK_NONE */
+    plt_box box;            /* of all records; empty when there are none */
 } plt_tree;
 
 /* Needs of a subtree, from the bottom up. */
 typedef struct plt_need {
     uint32_t local;  /* local stack inside the treelet, the node in hand */
     uint32_t locals; /* largest local need of a treelet behind an edge below */
-    uint32_t edges; /* edges that leave the treelet below the node */
+    uint32_t edges;  /* edges that leave the treelet below the node */
     uint32_t beyond; /* largest global need of a treelet behind such an edge */
-    uint32_t depth; /* depth-first stack, the node in hand */
+    uint32_t depth;  /* depth-first stack, the node in hand */
 } plt_need;
 
 typedef struct plt_survey_frame {
@@ -39,6 +40,10 @@ typedef struct plt_survey_frame {
     uint32_t next_child;
     plt_need need[2];
 } plt_survey_frame;
+
+/* In plt_fault.offset: the root link is at fault. Else the survey gives the
+ * number of a node (rules 1, 2) or a record (3, 4). */
+#define PLT_AT_ROOT_LINK 0xFFFFFFFFu
 
 #define PLT_SURVEY_FRAMES (PLT_DEPTH_MAX + 1)
 

@@ -226,10 +226,8 @@ int plt_treelets_form(plt_treelet_job *job) {
     if (job->count == 0) {
         return PLT_OK;
     }
-    forming f = {.nodes = job->nodes,
-                 .count = job->count,
-                 .room = job->room,
-                 .size = job->treelet_nodes};
+    forming f = {
+        .nodes = job->nodes, .count = job->count, .room = job->room, .size = job->treelet_nodes};
     cut_scratch(&f, job->scratch);
     const int status = form_full(&f) == PLT_OK ? place_partial(&f) : PLT_ERR_ARENA;
     if (status == PLT_OK) {

@@ -23,9 +23,9 @@
 typedef struct plt_treelet_job {
     plt_node *nodes; /* `count` nodes in any order, node 0 is the root */
     uint32_t count;
-    uint32_t room;          /* slots in `nodes` */
-    uint32_t treelet_nodes; /* N */
-    void *scratch;          /* plt_treelet_scratch_bytes */
+    uint32_t room;             /* slots in `nodes` */
+    uint32_t treelet_nodes;    /* N */
+    void *scratch;             /* plt_treelet_scratch_bytes */
     uint32_t node_slots, root; /* results */
 } plt_treelet_job;
 

@@ -94,8 +94,12 @@ static int build(packing *p, fail *f) {
 static int survey(packing *p, fail *f) {
     plt_survey_frame frames[PLT_SURVEY_FRAMES];
     plt_info *info = &p->header.info;
-    const plt_tree tree = {p->nodes,       p->records,       info->node_slots,
-                           info->triangles, p->header.root, {{0, 0, 0}, {0, 0, 0}}};
+    const plt_tree tree = {.nodes = p->nodes,
+                           .records = p->records,
+                           .node_slots = info->node_slots,
+                           .records_count = info->triangles,
+                           .treelet_nodes = info->treelet_nodes,
+                           .root = p->header.root};
     const uint32_t k = info->leaf_triangles;
     plt_fault fault;
     if (plt_tree_survey(&tree, frames, info, &fault) != PLT_OK) {
