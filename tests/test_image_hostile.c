@@ -182,13 +182,13 @@ static void bent_links(packed *image) {
         return;
     }
     const uint32_t owners = plt_get_u32(inner) & 0x1C, slots = image->info.node_slots;
-    breaks(image, inner, owners | node << 5, 2, "a node below itself");
-    breaks(image, inner, owners | 0, 2, "the root below a node");
-    breaks(image, inner, owners | 2 | 0, 2, "the root behind an edge");
+    breaks(image, inner, owners | node << 5, 4, "a node below itself");
+    breaks(image, inner, owners | 0, 1, "the root below a node");
+    breaks(image, inner, owners | 2 | 0, 4, "the root behind an edge");
     breaks(image, inner, owners | slots << 5, 1, "a node just beyond the last");
     breaks(image, inner, owners | 0xFFFFFFE0u, 1, "a node far beyond");
-    breaks(image, leaf, 0xFFFFFFE0u | 1, 3, "a list far beyond");
-    breaks(image, leaf, image->info.triangles << 5 | 1, 3, "a list just beyond");
+    breaks(image, leaf, 0xFFFFFFE0u | 1, 4, "a list far beyond");
+    breaks(image, leaf, image->info.triangles << 5 | 1, 4, "a list just beyond");
     breaks(image, image->bytes + 68, slots << 5, 1, "a root beyond the last");
     breaks(image, image->bytes + 68, 0xFFFFFFFF, 4, "no root");
     breaks(image, image->bytes + 68, 1, 4, "a root of one list");
