@@ -242,6 +242,36 @@ static void mirror(uint64_t seed, int axis) {
     mesh_free(&m);
 }
 
+/* x y z become y z x: the same hits, but sums are taken in another order. */
+static void turn_axes(uint64_t seed) {
+    mesh m = soup(seed);
+    plt_ray turned[RAYS];
+    uint32_t off = 0;
+    for (size_t i = 0; i < m.vertices; i++) {
+        float *v = m.vertex + 3 * i, x = v[0];
+        v[0] = v[1];
+        v[1] = v[2];
+        v[2] = x;
+    }
+    for (uint32_t i = 0; i < RAYS; i++) {
+        turned[i] = rays[i];
+        for (int a = 0; a < 3; a++) {
+            turned[i].org[a] = rays[i].org[(a + 1) % 3];
+            turned[i].dir[a] = rays[i].dir[(a + 1) % 3];
+        }
+    }
+    trace_other(&m, turned, 0);
+    for (uint32_t i = 0; i < RAYS; i++) {
+        const int bounded = rays[i].tmin > 0.0f || rays[i].tmax < 1e30f;
+        CHECK(bounded || (hits[i].triangle == PLT_MISS) == (others[i].triangle == PLT_MISS),
+              "ray %u: %u, not %u", i, others[i].triangle, hits[i].triangle);
+        off += hits[i].triangle != others[i].triangle ||
+               !(fabsf(hits[i].t - others[i].t) <= 1e-5f * hits[i].t);
+    }
+    CHECK(off < RAYS / 100, "%u hits are another or farther than 1e-5", off);
+    mesh_free(&m);
+}
+
 static plt_ray garbage(random_state *r) {
     plt_ray ray;
     for (size_t i = 0; i < sizeof ray / 4; i++) {
@@ -325,6 +355,9 @@ int main(void) {
     for (int axis = 0; axis < 3; axis++) {
         mirror(11, axis);
     }
+    test("a world with its axes exchanged has the same hits and misses");
+    turn_axes(15);
+    turn_axes(16);
     test("hits do not depend on the other rays of a packet, be they garbage");
     company(12, PLT_WALK_DEPTH_FIRST);
     company(13, PLT_WALK_TWO_STAGE);

@@ -96,7 +96,18 @@ void rays_edges(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
         for (int a = 0; a < 3; a++) {
             to[a] = p[a] + share * (q[a] - p[a]);
         }
+        if (i % 4 == 3) {
+            const float *s = shape_corner(m, triangle, (corner + 2) % 3);
+            const float back = random_float(r, 0.5f, 4.0f);
+            for (int a = 0; a < 3; a++) {
+                from[a] = to[a] - back * (s[a] - to[a]);
+            }
+        }
         rays[i] = ray_between(from, to);
+        const float *d = rays[i].dir;
+        if (fabsf(d[0]) + fabsf(d[1]) + fabsf(d[2]) < 1e-15f) { /* below what is allowed */
+            rays[i].dir[i % 3] = 1.0f;
+        }
     }
 }
 

@@ -24,7 +24,8 @@ void rays_camera(plt_ray *rays, uint32_t count, const mesh *m, random_state *r);
  * coordinates half the time. */
 void rays_axis(plt_ray *rays, uint32_t count, const mesh *m, random_state *r);
 
-/* Aimed at vertices, and at random points of edges, as near as floats go. */
+/* Aimed at vertices, at random points of edges, and from the plane of a
+ * triangle at a point of it, as near as floats go. */
 void rays_edges(plt_ray *rays, uint32_t count, const mesh *m, random_state *r);
 
 /* A third of each of the first three. */
