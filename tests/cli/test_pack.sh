@@ -1,0 +1,209 @@
+#!/bin/sh
+# test_pack.sh - make, pack and info: every flag, every field, the smallest scenes
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin pack
+
+# ---- make ------------------------------------------------------------------
+
+header() {
+    awk '/^end_header/ { exit } { print }' "$1" | tr -d '\r'
+}
+triangles() {
+    header "$1" | awk '$1 == "element" && $2 == "face" { print $3 }'
+}
+
+for scene in ground:12:12 marbles:8800:8800 terrain:90000:110000 knot:90000:110000; do
+    name=${scene%%:*} range=${scene#*:}
+    works "make $name" make "$name" -o "$name.ply"
+    run make "$name" -o -
+    same out "$name.ply" "... writes the same bytes to standard output"
+    verdict "... has the triangles it should" "$(
+        count=$(triangles "$name.ply")
+        [ "$count" -ge "${range%:*}" ] && [ "$count" -le "${range#*:}" ] || echo "$count")"
+done
+works "make knot --triangles 2000" make knot --triangles 2000 -o small.ply
+verdict "... makes about so many" "$(
+    count=$(triangles small.ply)
+    [ "$count" -gt 1600 ] && [ "$count" -le 2400 ] || echo "$count")"
+works "make marbles --frames 3 --frame 8" make marbles --frames 3 --frame 8 -o 'roll_{}.ply'
+verdict "... writes frames 8 to 10" "$(ls roll_*.ply | tr '\n' ' ' |
+    grep -v '^roll_008.ply roll_009.ply roll_010.ply $')"
+works "make marbles --frame 9" make marbles --frame 9 -o nine.ply
+same nine.ply roll_009.ply "... is that frame"
+verdict "marbles roll" "$(cmp -s roll_008.ply roll_009.ply && echo "two frames are equal")"
+
+# ---- pack and info ---------------------------------------------------------
+
+fields='triangles nodes leaf_lists intermediate_lists treelets treelet_nodes tree_bytes
+    tree_bytes_per_triangle geometry_bytes geometry_bytes_per_triangle slot_overhead_bytes
+    local_stack_entries global_stack_entries arena_bytes_needed node_slots leaf_triangles
+    image_bytes depth_stack_entries arena_bytes_needed_fetched'
+
+# info_of IMAGE: every number of its JSON as a variable of that name.
+info_of() {
+    run info "$1" --json
+    cp out info.json
+    eval "$(sed -n 's/^  "\([a-z_]*\)": \([-+.e0-9]*\),*$/\1=\2/p' info.json)"
+}
+
+# check_info MESH IMAGE K N: the JSON's figures against arithmetic on each other.
+check_info() {
+    info_of "$2"
+    # shellcheck disable=SC2086
+    flat_json info.json $fields
+    equal <<END
+triangles of the mesh|$triangles|$(triangles "$1")
+K|$leaf_triangles|$3
+N|$treelet_nodes|$4
+size of the file|$image_bytes|$(wc -c <"$2")
+tree: 32 bytes a slot|$tree_bytes|$((32 * node_slots))
+geometry: 40 bytes a triangle|$geometry_bytes|$((40 * triangles))
+children of n nodes|$((leaf_lists + intermediate_lists))|$((nodes + 1))
+free slots|$slot_overhead_bytes|$((32 * (node_slots - nodes)))
+whole slots of N nodes|$((node_slots % treelet_nodes))|0
+tree a triangle|$tree_bytes_per_triangle|$(awk "BEGIN { printf \"%.3f\", $tree_bytes / $triangles }")
+geometry a triangle|$geometry_bytes_per_triangle|40
+END
+    lists=$((leaf_lists + 2 * intermediate_lists))
+    [ $((lists * $3)) -ge "$triangles" ] || echo "$lists lists of $3 do not hold $triangles"
+    [ "$lists" -le "$triangles" ] || echo "there are empty lists"
+    [ "$depth_stack_entries" -le 65 ] || echo "$depth_stack_entries levels"
+    [ "$arena_bytes_needed_fetched" -ge $((arena_bytes_needed + tree_bytes + geometry_bytes)) ] ||
+        echo "a fetched scene does not fit"
+}
+
+for leaf in 1 2 4; do
+    for splits in sah median; do
+        for treelet in 1 7 64 10000; do
+            flags="--leaf $leaf --splits $splits --treelet $treelet"
+            # shellcheck disable=SC2086
+            run pack small.ply -o small.plt $flags
+            verdict "pack $flags: the figures of info fit together" "$(
+                cat err
+                check_info small.ply small.plt "$leaf" "$treelet"
+                grep -q "\"splits\": \"$splits\"" info.json || echo "splits are not $splits"
+                grep -q '"build": "host"' info.json || echo "not built by the host")"
+        done
+    done
+done
+
+run pack small.ply -o default.plt
+run pack small.ply -o said.plt --build host --splits sah --leaf 2 --nodes thesis --treelet 64 \
+    --fill bfs --slots thesis --geometry float --frame 0
+same default.plt said.plt "the defaults are what the help says"
+run pack small.ply -o -
+same default.plt out "pack -o - writes the image to standard output"
+"$PLANELET" pack - -o piped.plt <small.ply
+same default.plt piped.plt "pack - reads the mesh from standard input"
+
+run pack small.ply -o device.plt --build device
+info_of device.plt
+cp info.json device.json
+verdict "info builds a device's tree to count it: the host's tree" "$(
+    run info default.plt --json
+    for name in triangles nodes node_slots leaf_lists intermediate_lists treelets \
+        local_stack_entries global_stack_entries depth_stack_entries tree_bytes; do
+        here=$(number "$name" <out) there=$(number "$name" <device.json)
+        [ "$here" = "$there" ] || echo "$name: $here and $there"
+    done
+    grep -q '"build": "device"' device.json || echo "not built by the device")"
+run pack small.ply -o none.plt --build none
+info_of none.plt
+verdict "an image without tree has one list" "$(
+    grep -q '"build": "none"' info.json || cat info.json
+    [ "$nodes $leaf_lists $intermediate_lists $treelets" = "0 1 0 0" ] || cat info.json)"
+
+verdict "info without --json says the same" "$(
+    info_of default.plt
+    run info default.plt
+    cat err
+    for figure in $triangles $nodes $node_slots $leaf_lists $intermediate_lists $treelets \
+        $tree_bytes $geometry_bytes $slot_overhead_bytes $image_bytes $arena_bytes_needed \
+        $arena_bytes_needed_fetched $depth_stack_entries $global_stack_entries; do
+        grep -q "[^0-9.]$figure\([^0-9]\|$\)" out || echo "not a word of $figure"
+    done)"
+verdict "larger packets need larger arenas" "$(
+    before=0
+    for packet in 2 4 8 16; do
+        run info default.plt --json --packet "$packet"
+        now=$(number arena_bytes_needed <out)
+        [ "$now" -gt "$before" ] || echo "packet $packet: $now after $before"
+        before=$now
+    done)"
+verdict "the two-stage walk needs another arena" "$(
+    run info default.plt --json --walk two-stage
+    [ "$(number arena_bytes_needed <out)" -gt 0 ] || cat out)"
+verdict "info gives the box of the mesh" "$(
+    quad quad.ply
+    run pack quad.ply -o quad.plt
+    run info quad.plt --json
+    grep -q '"lo": \[0, 0, 0\],' out && grep -q '"hi": \[1, 1, 0\]' out || cat out)"
+
+# ---- several meshes, recipes, repair ---------------------------------------
+
+works "two meshes are one scene" pack small.ply quad.ply -o both.plt
+info_of both.plt
+verdict "... of all their triangles" "$(
+    [ "$triangles" -eq $(($(triangles small.ply) + 2)) ] || echo "$triangles")"
+cp roll_008.ply roll_000.ply
+cp roll_009.ply roll_001.ply
+cp roll_010.ply roll_002.ply
+echo 'roll_{}.ply*3 1 0 0 0' >rolling.txt
+for frame in 0 1 2; do
+    works "a recipe of a sequence, frame $frame" pack rolling.txt -o "frame$frame.plt" \
+        --frame "$frame"
+done
+echo 'roll_000.ply 1 0 0 0' >standing.txt
+run pack standing.txt -o standing.plt
+same frame0.plt standing.plt "... frame 0 is the first file of the sequence"
+verdict "... and the frames differ" "$(
+    cmp -s frame0.plt frame1.plt && echo "0 and 1 are equal"
+    cmp -s frame1.plt frame2.plt && echo "1 and 2 are equal")"
+sed 's/^1 1 0$/1 nan 0/' quad.ply >nan.ply
+run pack nan.ply small.ply -o repaired.plt --repair
+verdict "pack --repair says on one line what it dropped" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    one_line
+    grep -q 'dropped 2 triangles; 1 vertex' err || cat err)"
+run pack small.ply -o clean.plt --repair
+same clean.plt default.plt "pack --repair changes nothing in a clean mesh"
+verdict "... and has nothing to say" "$(cat err)"
+
+# ---- zero, one, two triangles ------------------------------------------------
+
+sed '/^3 /d; s/face 2/face 0/' quad.ply >zero.ply
+sed '/^3 0 2/d; s/face 2/face 1/' quad.ply >one.ply
+echo '0.75 0.25 5 0 0 0 -1 100' | rays ray
+for build in host device none; do
+    for leaf in 1 2 4; do
+        for count in zero:0:4294967295 one:1:0 quad:2:0; do
+            name=${count%%:*} rest=${count#*:}
+            verdict "pack, info, render and trace $name with --build $build --leaf $leaf" "$(
+                run pack "$name.ply" -o tiny.plt --build "$build" --leaf "$leaf"
+                cat err
+                info_of tiny.plt
+                # shellcheck disable=SC2086
+                flat_json info.json $fields
+                [ "$triangles" = "${rest%:*}" ] || echo "$triangles triangles"
+                run info tiny.plt
+                cat err
+                run render tiny.plt -o tiny.png --size 32x32
+                cat err
+                [ -s tiny.png ] || echo "no picture"
+                run trace tiny.plt ray hit
+                cat err
+                [ "$(hits hit | awk '{ print $4 }')" = "${rest#*:}" ] || hits hit)"
+        done
+    done
+done
+
+# ---- determinism -------------------------------------------------------------
+
+for build in host device none; do
+    run pack terrain.ply -o once.plt --build "$build"
+    run pack terrain.ply -o twice.plt --build "$build"
+    same once.plt twice.plt "packing with --build $build twice gives the same bytes"
+done
+finish

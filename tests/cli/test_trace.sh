@@ -1,0 +1,196 @@
+#!/bin/sh
+# test_trace.sh - planelet trace: hits by arithmetic, the same hits every way, figures
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin trace
+
+# ---- hits that a reader can work out -----------------------------------------
+
+# Rays down from z = 5 on a 16 x 16 grid over twice the square: inside it, below
+# the diagonal, u = x - y and v = y; above it u = x and v = y - x.
+quad quad.ply
+run pack quad.ply -o quad.plt
+awk 'BEGIN {
+    for (j = 0; j < 16; j++)
+        for (i = 0; i < 16; i++)
+            print i / 8 - 0.5 + 1 / 32, j / 8 - 0.5 + 1 / 64, 5, 0, 0, 0, -1, 100 }' >grid
+rays down <grid
+works "trace quad" trace quad.plt down hit
+verdict "... 16 bytes a ray" "$([ "$(wc -c <hit)" -eq 4096 ] || wc -c <hit)"
+hits hit >found
+verdict "... hits by arithmetic" "$(
+    paste -d ' ' grid found | awk '
+        function near(a, b) { return a - b < 1e-6 && b - a < 1e-6 }
+        {
+            x = $1; y = $2; t = u = v = 0; number = 4294967295
+            if (x > 0 && x < 1 && y > 0 && y < 1) {
+                t = 5
+                number = x > y ? 0 : 1
+                u = x > y ? x - y : x
+                v = x > y ? y : y - x
+            }
+        }
+        !near(t, $9) || !near(u, $10) || !near(v, $11) || number != $12 {
+            print "ray " NR ": expected " t, u, v, number
+        }')"
+works "trace --any" trace quad.plt down any --any
+verdict "... tells 1 or 0 and nothing else" "$(
+    hits any | paste -d ' ' found - | awk '
+        $8 != ($4 != 4294967295) || $5 != 0 || $6 != 0 || $7 != 0 { print "ray " NR ": " $0 }')"
+rays odd <<'END'
+0.5 0.25 5 0 0 0 -1 5
+0.5 0.25 5 0 0 0 -1 4.9
+0.5 0.25 5 5 0 0 -1 100
+0.5 0.25 5 5.1 0 0 -1 100
+0.5 0.25 5 0 0 0 -2 100
+0.5 0.25 5 0 0 0 1 100
+0.5 0.5 5 0 0 0 -1 inf
+nan 0.25 5 0 0 0 -1 100
+0.5 0.25 5 0 0 0 0 100
+0.5 0.25 5 9 0 0 -1 1
+END
+run trace quad.plt odd hit
+verdict "intervals hold their ends; odd rays hit nothing; a tie is the lower number's" "$(
+    cat err
+    hits hit | awk '{ print $1 + 0, $4 }' >found
+    printf '5 0\n0 %s\n5 0\n0 %s\n2.5 0\n0 %s\n5 0\n0 %s\n0 %s\n0 %s\n' 4294967295 4294967295 \
+        4294967295 4294967295 4294967295 4294967295 | diff - found)"
+"$PLANELET" trace quad.plt - - <down >piped 2>err
+run trace quad.plt down hit
+same piped hit "trace reads rays from standard input and writes hits to standard output"
+
+# ---- the same hits every way -------------------------------------------------
+
+run make knot --triangles 2000 -o knot.ply
+awk 'BEGIN {
+    srand(7)
+    for (i = 0; i < 1000; i++) {
+        if (i < 500) # neighbours point alike
+            print i % 25 / 4 - 3, int(i / 25) / 3 - 3.4, 6, 0, 0.01, 0.02, -1, 1000
+        else
+            print 6 * rand() - 3, 3 * rand() - 1.5, 6 * rand() - 3, 0, \
+                rand() - 0.5, rand() - 0.5, rand() - 0.5, rand() < 0.3 ? 1 : 1000
+    } }' | rays mixed
+run pack knot.ply -o none.plt --build none
+run trace none.plt mixed nearest
+cat err
+run trace none.plt mixed any --any
+verdict "a knot is hit by some rays and missed by others" "$(
+    hits nearest | awk '$4 == 4294967295 { misses++ }
+        END { if (misses < 100 || misses > 900) print misses " misses of " NR }')"
+verdict "--any tells whether there is a nearest hit" "$(
+    hits nearest >found
+    hits any | paste -d ' ' found - | awk '$8 != ($4 != 4294967295) { print "ray " NR ": " $0 }')"
+
+# every_way IMAGE: trouble, unless all flags give the hits of the image without tree.
+every_way() {
+    for packet in 2 4 8 16; do
+        for walk in depth two-stage; do
+            for source in map read; do
+                flags="--packet $packet --walk $walk --source $source"
+                # shellcheck disable=SC2086
+                run trace "$1" mixed hit $flags
+                cmp hit nearest || cat err
+                # shellcheck disable=SC2086
+                run trace "$1" mixed hit --any $flags
+                cmp hit any || cat err
+            done
+        done
+    done 2>&1
+}
+verdict "the image without tree: every packet, walk and source gives the same hits" \
+    "$(every_way none.plt)"
+for build in host device; do
+    for leaf in 1 2 4; do
+        for more in "--splits sah" "--splits median --treelet 5"; do
+            flags="--build $build --leaf $leaf $more"
+            # shellcheck disable=SC2086
+            run pack knot.ply -o knot.plt $flags
+            verdict "pack $flags: every packet, walk and source gives the same hits" "$(
+                cat err
+                every_way knot.plt)"
+        done
+    done
+done
+
+# ---- figures -----------------------------------------------------------------
+
+fields='rays seconds mrays_per_s packets mixed_packets node_visits group_tests triangle_tests
+    treelet_fetches bytes_fetched bytes_touched_once arena_bytes arena_peak_bytes'
+run pack knot.ply -o knot.plt
+works "trace --json -" trace knot.plt mixed hit --json -
+cp out stats
+# shellcheck disable=SC2086
+verdict "... holds every figure" "$(flat_json stats $fields)"
+works "trace --json FILE" trace knot.plt mixed hit --json stats.json --repeat 3
+verdict "... the same figures, whatever --repeat" "$(
+    grep -v 'seconds\|mrays' stats >expected
+    grep -v 'seconds\|mrays' stats.json | diff expected -)"
+verdict "... that fit together" "$(
+    for name in $fields; do
+        eval "$name=$(number "$name" <stats.json)"
+    done
+    equal <<END
+rays|$rays|1000
+packets of 64|$packets|16
+the arena|$arena_bytes|1073741824
+rays a microsecond|$mrays_per_s|$(awk "BEGIN { printf \"%.3f\", $rays / $seconds * 1e-6 }")
+END
+    [ "$triangle_tests" -gt 500 ] || echo "$triangle_tests triangle tests"
+    [ "$node_visits" -gt 0 ] && [ "$group_tests" -ge "$node_visits" ] ||
+        echo "$node_visits visits, $group_tests group tests"
+    [ "$bytes_fetched" -ge "$bytes_touched_once" ] || echo "more touched than fetched"
+    [ "$treelet_fetches" -gt 0 ] || echo "no treelet"
+    run info knot.plt --json
+    [ "$arena_peak_bytes" = "$(number arena_bytes_needed <out)" ] || echo "the peak is another")"
+verdict "a packet size counts packets of that size" "$(
+    for packet in 2:250 4:63 8:16 16:4; do
+        run trace knot.plt mixed hit --json - --packet "${packet%:*}"
+        [ "$(number packets <out)" = "${packet#*:}" ] || grep '"packets' out
+    done)"
+verdict "the two-stage walk visits more nodes or as many" "$(
+    run trace knot.plt mixed hit --json - --walk two-stage
+    [ "$(number node_visits <out)" -ge "$(number node_visits <stats)" ] || cat out)"
+dd if=/dev/zero of=many.rays bs=32 count=70000 2>/dev/null
+works "many rays go in pieces" trace knot.plt many.rays hit --json -
+verdict "... and are counted once" "$(
+    [ "$(number rays <out)" = 70000 ] || cat out
+    [ "$(wc -c <hit)" -eq 1120000 ] || wc -c <hit)"
+
+# ---- the arena ---------------------------------------------------------------
+
+for packet in 2 4 8 16; do
+    for walk in depth two-stage; do
+        for source in map read; do
+            [ $source = map ] && name=arena_bytes_needed || name=arena_bytes_needed_fetched
+            flags="--packet $packet --walk $walk"
+            # shellcheck disable=SC2086
+            run info knot.plt --json $flags
+            need=$(number $name <out)
+            # shellcheck disable=SC2086
+            run trace knot.plt mixed hit $flags --source $source --arena "$need"
+            verdict "$flags --source $source: the bytes that info says are enough" "$(
+                cat err
+                cmp hit nearest 2>&1)"
+            # shellcheck disable=SC2086
+            refused "... one less is refused with the bytes" knot.plt "--arena $need" \
+                trace knot.plt mixed hit $flags --source $source --arena $((need - 1))
+        done
+    done
+done
+run pack knot.ply -o device.plt --build device
+run info device.plt --json
+need=$(number arena_bytes_needed <out)
+works "a device's image opens in the arena that info says" \
+    trace device.plt mixed hit --arena "$need"
+refused "a device's image says what it needs of a far too small arena" device.plt "[0-9] bytes" \
+    trace device.plt mixed hit --arena 20000
+
+for build in host device; do
+    run pack knot.ply -o knot.plt --build $build
+    run trace knot.plt mixed once
+    run trace knot.plt mixed twice
+    same once twice "tracing --build $build twice gives the same bytes"
+done
+finish

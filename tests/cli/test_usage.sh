@@ -1,0 +1,109 @@
+#!/bin/sh
+# test_usage.sh - help, versions, and words that no command understands
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin usage
+quad quad.ply
+run pack quad.ply -o quad.plt
+
+works "planelet --help" --help
+verdict "... names every command" "$(
+    for command in make pack info render trace; do
+        grep -q "^  planelet $command " out || echo "not a word about $command"
+    done)"
+cp out overview
+works "planelet help" help
+same out overview "... is planelet --help"
+works "planelet --version" --version
+verdict "... is one line with a number" "$(grep -v '^planelet [0-9][0-9]*\.[0-9][0-9]*$' out)"
+run
+verdict "planelet alone gives the overview on standard error and ends with 2" "$(
+    [ "$status" -eq 2 ] || echo "status $status"
+    cmp err overview
+    cat out)"
+
+# flags COMMAND FLAG...: --help tells all of them, and nothing else.
+flags() {
+    command=$1
+    shift
+    works "planelet $command --help" "$command" --help
+    verdict "... names its flags and no other" "$(
+        sed -n 's/^  \(-[-a-z]*\).*/\1/p' out | sort >named
+        for flag in "$@" --help; do
+            echo "$flag"
+        done | sort | diff - named)"
+    verdict "... fits in 80 columns" "$(awk 'length > 80' out)"
+    cp out help
+    works "planelet help $command" help "$command"
+    same out help "... is planelet $command --help"
+    run "$command" -h
+    same out help "... and planelet $command -h"
+    misused "planelet $command without files is wrong usage" "use it as: planelet $command" \
+        "$command"
+    misused "planelet $command refuses a flag that it does not have" --frobnicate \
+        "$command" quad.ply --frobnicate
+}
+scene_flags='--packet --walk --residency --schedule --workers --source --arena'
+view_flags='--eye --look --up --fov'
+flags make -o --triangles --frame --frames
+flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometry --frame --repair
+flags info --json --packet --walk
+# shellcheck disable=SC2086
+flags render -o --show --size --shader --orbit --json $view_flags $scene_flags
+# shellcheck disable=SC2086
+flags trace --any --repeat --json $scene_flags
+
+misused "an unknown command is wrong usage" "'frob'" frob
+misused "help of an unknown command is wrong usage" "'frob'" help frob
+misused "a command with control characters stays on one line" "'a?b??[31m'" "$(printf 'a\nb\r\033[31m')"
+misused "a flag with control characters stays on one line" "?" info quad.plt "$(printf -- '--a\nb')"
+misused "an overlong word stays on one line" "there is no flag" info quad.plt \
+    "--$(awk 'BEGIN { while (i++ < 5000) printf "x" }')"
+
+misused "pack wants -o" "-o" pack quad.ply
+misused "a flag at the end wants its value" "-o takes a value" pack quad.ply -o
+misused "a flag is no value" "-o takes a value" render quad.plt -o --show
+misused "an empty value is none of the words" "''" pack quad.ply -o x --build ''
+misused "a switch takes no value" "--repair" pack quad.ply -o x --repair=yes
+works "a value may stand behind =" pack quad.ply -o equals.plt --leaf=4
+verdict "... and counts" "$(run info equals.plt --json
+    [ "$(number leaf_triangles <out)" = 4 ] || cat out)"
+cp quad.ply ./-odd.ply
+works "behind -- all words are files" pack -o odd.plt -- -odd.ply
+works "flags may stand anywhere" pack --leaf 4 quad.ply -o anywhere.plt
+
+# Every value that is a word or a number, just out of its range.
+for pair in --build=thing --splits=middle --leaf=3 --leaf=0 --nodes=compact --treelet=0 \
+    --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
+    --slots=newest --geometry=lattice --frame=-1; do
+    misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
+done
+for pair in --packet=3 --walk=wide --residency=streamed --schedule=task --workers=2 \
+    --source=net --arena=0 --arena=64K --arena=1073741825; do
+    misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
+    misused "trace refuses $pair" "${pair%=*}" trace quad.plt rays x "$pair"
+done
+for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=-5x5 --size=x \
+    --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
+    --fov=-5 --fov=x --shader=toon --orbit=0; do
+    misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
+done
+misused "trace refuses --repeat 0" --repeat trace quad.plt rays x --repeat 0
+misused "info refuses --packet 5" --packet info quad.plt --packet 5
+
+misused "render wants somewhere to go" "--show" render quad.plt
+misused "render knows formats by their endings" ".y4m" render quad.plt -o x.jpg
+misused "several frames are a film" ".y4m" render quad.plt -o x.png --orbit 2
+misused "picture and figures do not share a file" "two different files" \
+    render quad.plt -o - --json -
+misused "hits and figures do not share a file" "two different files" trace quad.plt r h --json h
+misused "a picture for a program is not drawn over" "--show" render quad.plt -o - --show
+misused "make knows its scenes" "'cube'" make cube -o x.ply
+misused "make wants -o" "-o" make knot
+misused "frames need names" "'{}'" make marbles --frames 2 -o x.ply
+misused "a knot has no frames" "frames" make knot --frame 2 -o x.ply
+misused "marbles have their triangles" "--triangles" make marbles --triangles 5 -o x.ply
+misused "make refuses more triangles than it can" "10000000" make knot --triangles 10000001 -o x.ply
+verdict "wrong usage wrote no file" "$(ls x x.* 2>/dev/null)"
+finish
