@@ -131,9 +131,11 @@ static void device_sizes(const packed *image, int streamed, const plt_options *o
 }
 
 static void sizes(void (*of)(const packed *, int, const plt_options *), uint8_t build) {
-    static const uint32_t triangles[4] = {0, 1, 3, 60};
-    for (int i = 0; i < 4; i++) {
-        packed image = image_of(triangles[i], build, 1, i == 3 ? 3 : 1);
+    /* The last one's stacks are larger than the scratch of opening. */
+    static const uint32_t triangles[5] = {0, 1, 3, 60, 500}, nodes[5] = {1, 1, 1, 3, 64};
+    const int count = build == PLT_BUILD_HOST && !rig_is_tiny() ? 5 : 4;
+    for (int i = 0; i < count; i++) {
+        packed image = image_of(triangles[i], build, 1, nodes[i]);
         for (uint8_t walk = 0; walk < 2; walk++) {
             const plt_options small = {2, walk}, large = {PLT_PACKET_SIDE_MAX, walk};
             of(&image, 0, &small);
