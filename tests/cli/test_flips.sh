@@ -1,0 +1,59 @@
+#!/bin/sh
+# test_flips.sh - images with one flipped bit: refused by every command, on one line
+#
+# Places and bits are random but the same in every run, headers more often.
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin flips
+run make knot --triangles 300 -o knot.ply
+echo '0 0 5 0 0 0 -1 100' | rays ray
+
+# places SEED: 100 lines "BYTE OCTAL": a byte's number, and its value with one bit flipped.
+places() {
+    od -An -v -t u1 knot.plt | awk -v seed="$1" '
+        { for (i = 1; i <= NF; i++) value[size++] = $i }
+        END {
+            srand(seed)
+            for (i = 0; i < 100; i++) {
+                byte = int(rand() * (i % 4 ? size : 256))
+                mask = 2 ^ int(rand() * 8)
+                set = int(value[byte] / mask) % 2
+                printf "%d %03o\n", byte, value[byte] + (set ? -mask : mask)
+            }
+        }'
+}
+
+# is_refused COMMAND...: trouble, unless it ends with 1 and one line on bad.plt.
+is_refused() {
+    "$PLANELET" "$@" >out 2>err
+    status=$?
+    {
+        read -r line
+        read -r more && echo "$*: a second line: $more"
+    } <err
+    case $status:$line in
+    "1:bad.plt: byte "[0-9]*": "*"; "*) ;;
+    *) echo "$*: status $status: $line" ;;
+    esac
+}
+
+for build in host device none; do
+    run pack knot.ply -o knot.plt --build $build
+    places ${#build} >flips
+    verdict "--build $build: info, render and trace refuse 100 images with a flipped bit" "$(
+        while read -r byte octal; do
+            cp knot.plt bad.plt
+            # shellcheck disable=SC2059
+            printf "\\$octal" | dd of=bad.plt bs=1 seek="$byte" conv=notrunc 2>/dev/null
+            trouble=$(
+                is_refused info bad.plt
+                is_refused render bad.plt -o x.png --size 16x16
+                is_refused trace bad.plt ray x.hits
+                is_refused trace bad.plt ray x.hits --source read)
+            [ -z "$trouble" ] || echo "byte $byte: $trouble"
+        done <flips
+        ls x.png x.hits 2>/dev/null
+        left_behind)"
+done
+finish

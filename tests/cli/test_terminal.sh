@@ -1,0 +1,117 @@
+#!/bin/sh
+# test_terminal.sh - what a person at a terminal sees, and a script does not
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin terminal
+TERM=xterm
+export TERM
+
+$CC -std=c11 -Wall -Wextra "$CLI_TESTS/pty.c" -o pty 2>trouble || {
+    verdict "the terminal of the tests builds" "$(cat trouble)"
+    finish
+    exit 1
+}
+./pty both true
+if [ $? -eq 125 ]; then
+    verdict "there are pseudo terminals here" "none; is /dev/pts mounted?"
+    finish
+    exit 1
+fi
+
+# seen WHERE ARGUMENT...: planelet with standard error (WHERE err) or both outputs
+# (WHERE both) on a terminal: files `seen` and `out`, variable `status`.
+seen() {
+    ./pty "$1" "$PLANELET" $(shift && echo "$@") >seen 2>out </dev/null
+    status=$?
+}
+
+# progressed WORD: trouble, unless progress with WORD was shown and then wiped.
+progressed() {
+    [ "$status" -eq 0 ] || echo "status $status"
+    tr '\r\033' '\n~' <seen >lines
+    grep -q "^~\[K$1" lines || { echo "no progress '$1'"; cat lines; }
+    grep '^~' lines | tail -n 1 | grep -q '^~\[K\(slow[^ ]*: .*\|hit: .*\)*$' ||
+        echo "the progress was not wiped"
+}
+
+quad quad.ply
+run make knot --triangles 3000 -o knot.ply
+run pack knot.ply -o knot.plt
+run pack knot.ply -o none.plt --build none
+echo '0 0 5 0 0 0 -1 100' | rays ray
+
+# ---- summaries and hints ---------------------------------------------------------
+
+seen err make ground -o ground.ply
+verdict "make says what to do next" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    grep -q '^next: planelet pack ground.ply -o ground.plt' seen || cat -v seen)"
+seen err pack ground.ply -o ground.plt
+verdict "pack says triangles, bytes, seconds and what to do next" "$(
+    bytes=$(wc -c <ground.plt)
+    grep -q "^ground.plt: 12 triangles, $bytes bytes, [0-9.]* s; next: planelet render ground.plt" \
+        seen || cat -v seen
+    [ "$(wc -l <seen)" -eq 1 ] || cat -v seen)"
+seen err render ground.plt -o ground.png --size 64x48
+verdict "render says frames, pixels and seconds" "$(
+    grep -q '^ground.png: 1 frame of 64 x 48, [0-9.e-]* s' seen || cat -v seen)"
+seen err trace knot.plt ray hit
+verdict "trace says rays and seconds" "$(grep -q '^hit: 1 ray, [0-9.e-]* s' seen || cat -v seen)"
+seen err pack missing -o x.plt
+verdict "an error is one line here too" "$(
+    [ "$status" -eq 1 ] || echo "status $status"
+    [ "$(wc -l <seen)" -eq 1 ] || cat -v seen)"
+seen err pack ground.ply -o -
+verdict "an image for a program comes without a hint" "$(
+    cat -v seen
+    cmp out ground.plt 2>&1)"
+for arguments in "make ground -o x.ply" "pack ground.ply -o x.plt" "render ground.plt -o x.png" \
+    "trace knot.plt ray x.hits" "info ground.plt"; do
+    # shellcheck disable=SC2086
+    run $arguments
+    verdict "${arguments%% *} says nothing to a script" "$(cat err)"
+done
+
+# ---- pictures --------------------------------------------------------------------
+
+seen both render knot.plt --show
+verdict "--show draws half blocks in 24-bit colour on a terminal" "$(
+    grep -q '▀' seen || echo "no half block"
+    grep -q '38;2;[0-9]*;[0-9]*;[0-9]*' seen || echo "no colour"
+    [ "$(wc -l <seen)" -le 23 ] || wc -l <seen
+    tail -c 6 seen | od -An -c | grep -q '0   m  *.r  *.n' || tail -c 6 seen | od -c)"
+NO_COLOR=1 ./pty both "$PLANELET" render knot.plt --show >seen
+verdict "... and plain characters when NO_COLOR is set" "$(
+    grep -q '[#%@*]' seen || echo "nothing to be seen"
+    grep -c '▀' seen | grep -v '^0$')"
+TERM=dumb ./pty both "$PLANELET" render knot.plt --show >seen
+verdict "... and on a dumb terminal" "$(
+    grep -q '[#%@*]' seen || echo "nothing to be seen"
+    grep "$(printf '\033')" seen)"
+
+# ---- progress of what takes more than a second -----------------------------------
+
+mkfifo slow.ply
+{ sleep 2; cat quad.ply; } >slow.ply &
+seen err pack slow.ply -o slow.plt
+verdict "reading a slow mesh counts the seconds, then wipes them" "$(
+    progressed "reading slow.ply, 1 s"
+    grep -q 'slow.plt: 2 triangles' lines || cat lines)"
+hostile=$(printf 's\033[31m_a_very_long_name_that_does_not_fit_into_the_line.ply')
+mkfifo "$hostile"
+{ sleep 2; cat quad.ply; } >"$hostile" &
+./pty err "$PLANELET" pack "$hostile" -o slow.plt >seen 2>out
+status=$?
+verdict "... without the controls of a hostile name, cut to fit" "$(
+    progressed "reading \.\.\."
+    grep -q '31m' lines && cat lines
+    awk 'length > 78 && !/slow.plt/ { print length ": " $0 }' lines)"
+{ sleep 2; cat quad.ply; } >slow.ply &
+run pack slow.ply -o slow.plt
+verdict "... and nothing for a script" "$(cat err)"
+seen err render none.plt -o slow.y4m --size 256x256 --orbit 25
+verdict "a long render shows per cent, then wipes them" "$(progressed "rendering: [0-9]* %")"
+seen err trace none.plt ray hit --repeat 60000
+verdict "a long trace shows per cent, then wipes them" "$(progressed "tracing: [0-9]* %")"
+finish
