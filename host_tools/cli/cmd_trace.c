@@ -180,6 +180,6 @@ int run_trace(args *a) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    note("%s: %" PRIu32 " rays, %.3g s", a->file[2], t.count, t.seconds);
+    note("%s: %" PRIu32 " ray%s, %.3g s", a->file[2], t.count, t.count == 1 ? "" : "s", t.seconds);
     return 0;
 }

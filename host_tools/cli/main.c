@@ -91,9 +91,9 @@ int main(int argc, char **argv) {
         return 2;
     }
     const int status = dispatch(argv[1], argc - 2, argv + 2);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == 0) {
         fprintf(stderr, "standard output: cannot be written; is the disk full?\n");
-        return status == 0 ? 1 : status;
+        return 1;
     }
     return status;
 }
