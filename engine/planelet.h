@@ -158,8 +158,8 @@ typedef struct plt_hit {
 
 /* Traces `count` rays in packets of side^2 consecutive rays; every four are
  * a group that shares registers, so neighbours should point alike. `any`:
- * only whether anything is hit. A hit depends on ray and triangle alone: the
- * packet size, the tree and the walk never change it. Ends a frame that was
+ * only whether anything is hit. A hit depends on ray, triangle and the scene's
+ * box alone: packet size, tree and walk never change it. Ends a frame that was
  * being rendered. Cost: see DESIGN.md, section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
 
