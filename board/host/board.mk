@@ -12,7 +12,7 @@ LANES ?= $(if $(X86),sse,scalar)
 OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
 
 PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
-TOOLS := $(filter-out host_tools/cli/main.c,$(sort $(wildcard host_tools/*/*.c)))
+TOOLS := $(filter-out host_tools/cli/main.c host_tools/hid/%,$(sort $(wildcard host_tools/*/*.c)))
 HOST := $(sort $(wildcard board/host/*.c))
 # The portable firmware runs on the host too, on the fake board.
 FAKE := $(sort $(wildcard board/*.c board/fake/*.c))
@@ -58,6 +58,8 @@ $(OUT)/tests/test_%: $(OUT)/tests/test_%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENG
 
 $(OUT)/flags: FORCE
 	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND))
+
+include host_tools/hid/hid.mk
 
 .PHONY: test-programs programs-run
 test-programs: $(TEST_PROGRAMS)

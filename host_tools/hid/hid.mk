@@ -1,0 +1,96 @@
+# hid - planelet-hid, the only program that links hidapi, once a backend
+#
+# The tests link the same objects with a fake of hidapi instead
+# (tests/reference/fake_hidapi.c). SPDX-License-Identifier: MIT
+
+HID := $(filter-out host_tools/hid/main.c,$(sort $(wildcard host_tools/hid/*.c)))
+HID_TEST_OBJECTS := $(call objects,$(HID) $(sort $(wildcard tests/hid/model*.c)))
+
+# An archive: a test links what it names.
+$(OUT)/libhid.a: $(HID_TEST_OBJECTS)
+	@rm -f $@
+	@$(AR) rcs $@ $^
+
+$(OUT)/tests/test_hid_%: $(OUT)/tests/test_hid_%.o $(OUT)/libhid.a $(TEST_OBJECTS) \
+                         $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+	@echo "$(CC) $@"
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm
+
+# port.c alone includes hidapi.h; here its objects are apart from the tests'.
+$(OUT)/host_tools/hid/port.o: PROBE_FLAGS := -Itests/reference/fake_hidapi
+
+HID_SHARED := $(call objects,host_tools/hid/main.c $(filter-out host_tools/hid/port.c,$(HID))) \
+              $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+HID_BACKENDS := hidraw libusb
+PKG_CONFIG ?= pkg-config
+HID_MISSING = there is no hidapi-$* for pkg-config; install libhidapi-dev and pkg-config \
+(Debian, Ubuntu), hidapi-devel (Fedora) or hidapi (Arch), or run: make setup
+
+.PHONY: planelet-hid
+
+## planelet-hid: pictures to USB displays; needs hidapi: build/host/planelet-hid (-libusb)
+planelet-hid: $(OUT)/planelet-hid $(OUT)/planelet-hid-libusb
+
+$(OUT)/planelet-hid: $(OUT)/planelet-hid-hidraw
+	@ln -sf planelet-hid-hidraw $@
+
+$(HID_BACKENDS:%=$(OUT)/planelet-hid-%): $(OUT)/planelet-hid-%: $(OUT)/hid-%/port.o $(HID_SHARED)
+	$(CC) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
+
+$(HID_BACKENDS:%=$(OUT)/hid-%/port.o): $(OUT)/hid-%/port.o: host_tools/hid/port.c $(OUT)/flags
+	@$(PKG_CONFIG) --exists hidapi-$* || { echo 'planelet-hid: $(HID_MISSING)' >&2; exit 1; }
+	$(call compile,$(HOST_COMMAND) $$($(PKG_CONFIG) --cflags hidapi-$*))
+
+# ---- the bench: real hidapi on Debian's kernel in QEMU ------------------------
+
+HID_WIRE := $(sort $(wildcard platform/wire/*.c))
+HID_DEVICE := $(sort $(wildcard tests/hid/device*.c tests/hid/model*.c)) $(HID_WIRE) \
+              $(sort $(wildcard host_tools/picture/*.c host_tools/base/*.c))
+
+.PHONY: hid-bench
+hid-bench: $(HID_BACKENDS:%=$(OUT)/planelet-hid-%) $(HID_BACKENDS:%=$(OUT)/hid-sanitize/%) \
+           $(OUT)/hid-bench/device $(OUT)/hid-bench/make_pattern
+
+# Static: the guest they run in has next to nothing.
+$(OUT)/hid-bench/device: $(call objects,$(HID_DEVICE)) $(ENGINE_OBJECTS)
+	@mkdir -p $(@D)
+	$(CC) -static $(LDFLAGS) -o $@ $^ -lm
+
+$(OUT)/hid-bench/make_pattern: $(call objects,tests/hid/make_pattern.c tests/hid/model_pattern.c)
+	@mkdir -p $(@D)
+	$(CC) -static $(LDFLAGS) -o $@ $^
+
+# What handles bytes of devices and files is built once more with sanitizers.
+HID_SANITIZED := $(filter-out host_tools/hid/port.c,$(HID)) host_tools/hid/main.c $(HID_WIRE)
+HID_PLAIN := $(filter-out $(call objects,$(HID_WIRE)),$(TOOL_OBJECTS)) $(ENGINE_OBJECTS)
+
+$(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: $(OUT)/hid-sanitize/port-%.o \
+        $(HID_SANITIZED:%.c=$(OUT)/hid-sanitize/%.o) $(HID_PLAIN)
+	$(CC) $(SANITIZERS) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
+
+$(OUT)/hid-sanitize/port-%.o: host_tools/hid/port.c $(OUT)/flags
+	$(call compile,$(HOST_COMMAND) $(SANITIZERS) $$($(PKG_CONFIG) --cflags hidapi-$*))
+
+$(OUT)/hid-sanitize/%.o: %.c $(OUT)/flags
+	$(call compile,$(HOST_COMMAND) $(SANITIZERS))
+
+# ---- the display in a terminal --------------------------------------------------
+
+$(OUT)/hid-emulated/main.o: host_tools/hid/main.c $(OUT)/flags
+	$(call compile,$(HOST_COMMAND) -Dmain=planelet_hid_main)
+
+$(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o $(OUT)/libhid.a \
+        $(call objects,tests/hid/emulated_main.c tests/reference/fake_hidapi.c) $(TOOL_OBJECTS) \
+        $(ENGINE_OBJECTS)
+	$(CC) $(LDFLAGS) -o $@ $^ -lm
+
+## demo-hid: a scene on a USB display, or, without one, on an emulated panel in the terminal
+.PHONY: demo-hid
+demo-hid: all $(OUT)/planelet-hid-emulated
+	@-$(MAKE) --no-print-directory planelet-hid
+	@PLANELET='$(OUT)/planelet' HID='$(OUT)/planelet-hid' DEMO='$(DEMO)' sh tests/hid/demo.sh
+
+## test-hid: the USB bench alone; HID_GROUPS=unplugged,gadgets picks some of guest_tests.sh
+.PHONY: test-hid
+test-hid: all
+	@HID_GROUPS='$(HID_GROUPS)' $(SCRIPT) $(HID_TESTS)
