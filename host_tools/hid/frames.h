@@ -1,0 +1,53 @@
+/* frames - where the pictures come from: files, films, a pipe, a scene
+ *
+ * What a file is, its first bytes say, not its name.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HID_FRAMES_H
+#define HID_FRAMES_H
+
+#include <stdio.h>
+
+#include "host_tools/base/fail.h"
+#include "host_tools/cli/args.h"
+#include "host_tools/picture/picture.h"
+
+typedef struct frames frames;
+
+enum frames_status { FRAMES_END = 0, FRAMES_ONE = 1, FRAMES_FAILED = -1 };
+
+/* A source of frames. `next` makes `p` anew when its size differs. */
+struct frames {
+    int (*next)(frames *s, picture *p, fail *f);
+    void (*close)(frames *s);
+    const char *path;            /* not owned */
+    FILE *file;                  /* owned, open while there is more */
+    void *state;                 /* owned by the kind of source */
+    double period;               /* seconds a frame, as a film says; 0: none */
+    void (*tick)(void *context); /* called often while a frame is made; may be NULL */
+    void *context;
+};
+
+/* Opens a file (`s` is zero but for tick and context) or, as "-", standard input: Y4M, PPM, PGM,
+ * PNG, or a packed scene, which is rendered live, `width` x `height`, as the flags say. */
+int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f);
+void frames_close(frames *s); /* also after a failed open */
+
+/* The kinds; each is handed an open file at its first byte. */
+int frames_y4m(frames *s, fail *f);
+int frames_pnm(frames *s, fail *f);
+int frames_png(frames *s, fail *f);
+int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
+
+#define FRAMES_SCENE_FLAGS                                                                         \
+    {"--shader", "eyelight|normal|triangle", "a scene's colours"}, {                               \
+        "--turn", "SECONDS", "once around a scene in so long; 0 stands still (default 12)"         \
+    }
+
+/* For the kinds: a picture of this size, the old one kept if it fits. */
+int frames_room(picture *p, unsigned width, unsigned height, fail *f);
+
+/* Reads all of a file, for pictures. The bytes are the caller's to free. */
+unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f);
+
+#endif

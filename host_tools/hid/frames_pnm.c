@@ -1,0 +1,65 @@
+/* frames_pnm - PPM and PGM pictures of 8 bits, P6 and P5
+ *
+ * Source: J. Poskanzer, "ppm", "pgm", Netpbm manual, 1989-.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "host_tools/hid/frames.h"
+
+/* A number after blanks and comments; 0 when there is none. */
+static unsigned number(FILE *file) {
+    unsigned value = 0;
+    int c = getc(file);
+    while (c == '#' || c == ' ' || c == '\t' || c == '\n' || c == '\r') {
+        while (c == '#' && (c = getc(file)) != EOF && c != '\n') {
+            c = '#';
+        }
+        c = getc(file);
+    }
+    while (c >= '0' && c <= '9' && value < 1000000) {
+        value = 10 * value + (unsigned)(c - '0');
+        c = getc(file);
+    }
+    return value; /* one blank was taken */
+}
+
+static int read_pixels(FILE *file, picture *p, unsigned channels, unsigned most) {
+    for (size_t i = 0; i < (size_t)p->width * p->height; i++) {
+        for (unsigned c = 0; c < 3; c++) {
+            const int v = c < channels ? getc(file) : p->rgb[3 * i];
+            if (v == EOF) {
+                return -1;
+            }
+            const unsigned wide =
+                c < channels ? ((unsigned)v * 255 + most / 2) / most : (unsigned)v;
+            p->rgb[3 * i + c] = (uint8_t)(wide > 255 ? 255 : wide);
+        }
+    }
+    return 0;
+}
+
+static int pnm_next(frames *s, picture *p, fail *f) {
+    const int c = getc(s->file);
+    if (c == EOF) {
+        return FRAMES_END;
+    }
+    const int kind = c == 'P' ? getc(s->file) : c;
+    const unsigned width = number(s->file), height = number(s->file), most = number(s->file);
+    if ((kind != '6' && kind != '5') || width == 0 || height == 0 || most == 0 || most > 255) {
+        return fail_set(f, s->path, "is no P6 or P5 picture of 8 bits; convert it to one");
+    }
+    if (frames_room(p, width, height, f) != 0) {
+        return FRAMES_FAILED;
+    }
+    if (read_pixels(s->file, p, kind == '6' ? 3 : 1, most) != 0) {
+        return fail_set(f, s->path, "ends before its last pixel; write it again");
+    }
+    return FRAMES_ONE;
+}
+
+int frames_pnm(frames *s, fail *f) {
+    (void)f;
+    s->next = pnm_next;
+    return 0;
+}
