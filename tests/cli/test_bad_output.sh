@@ -21,7 +21,8 @@ everywhere() {
     refused "trace --json: $3" "$1" "$2" trace knot.plt ray x.hits --json "$1"
     refused "render --json: $3" "$1" "$2" render knot.plt -o x.png --size 8x8 --json "$1"
     for ending in png ppm y4m; do
-        refused "render to .$ending: $3" "$1.$ending" "$2" render knot.plt --size 8x8 -o "$1.$ending"
+        refused "render to .$ending: $3" "$1.$ending" "$2" \
+            render knot.plt --size 8x8 -o "$1.$ending"
     done
     verdict "... and nothing half-written is left" "$(
         left_behind
@@ -67,7 +68,8 @@ fi
 run render knot.plt --size 64x64 -o old.ppm
 cp old.ppm before.ppm
 for command in "make marbles -o old.ppm" "pack knot.ply -o old.ppm" \
-    "render knot.plt --size 99x99 -o old.ppm" "render knot.plt --size 99x99 -o new.y4m --orbit 5"; do
+    "render knot.plt --size 99x99 -o old.ppm" \
+    "render knot.plt --size 99x99 -o new.y4m --orbit 5"; do
     # shellcheck disable=SC2086
     (ulimit -f 1 && "$PLANELET" $command 2>err)
     status=$?

@@ -63,7 +63,8 @@ geometry: 40 bytes a triangle|$geometry_bytes|$((40 * triangles))
 children of n nodes|$((leaf_lists + intermediate_lists))|$((nodes + 1))
 free slots|$slot_overhead_bytes|$((32 * (node_slots - nodes)))
 whole slots of N nodes|$((node_slots % treelet_nodes))|0
-tree a triangle|$tree_bytes_per_triangle|$(awk "BEGIN { printf \"%.3f\", $tree_bytes / $triangles }")
+tree a triangle|$tree_bytes_per_triangle|$(
+    awk "BEGIN { printf \"%.3f\", $tree_bytes / $triangles }")
 geometry a triangle|$geometry_bytes_per_triangle|40
 END
     lists=$((leaf_lists + 2 * intermediate_lists))

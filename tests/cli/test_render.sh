@@ -59,7 +59,7 @@ verdict "... its first frame is the picture, the others differ" "$(
         i=$((i + 1))
     done | sort | uniq -d)"
 works "the default is 512 x 512" render quad.plt -o default.ppm
-verdict "... says its header" "$([ "$(sed -n 2p default.ppm)" = "512 512" ] || sed -n 2p default.ppm)"
+verdict "... says its header" "$(sed -n 2p default.ppm | grep -v '^512 512$')"
 works "an ending may be in capitals" render quad.plt -o QUAD.PNG --size 8x8
 works "one pixel" render quad.plt -o pixel.ppm --size 1x1
 works "a line of pixels" render quad.plt -o line.ppm --size 300x1

@@ -56,7 +56,8 @@ flags trace --any --repeat --json $scene_flags
 
 misused "an unknown command is wrong usage" "'frob'" frob
 misused "help of an unknown command is wrong usage" "'frob'" help frob
-misused "a command with control characters stays on one line" "'a?b??[31m'" "$(printf 'a\nb\r\033[31m')"
+misused "a command with control characters stays on one line" "'a?b??[31m'" \
+    "$(printf 'a\nb\r\033[31m')"
 misused "a flag with control characters stays on one line" "?" info quad.plt "$(printf -- '--a\nb')"
 misused "an overlong word stays on one line" "there is no flag" info quad.plt \
     "--$(awk 'BEGIN { while (i++ < 5000) printf "x" }')"
