@@ -9,7 +9,13 @@ wanted='qemu-system-arm:qemu-system-arm
 arm-none-eabi-gcc:gcc-arm-none-eabi
 g++:g++
 cppcheck:cppcheck
-clang-format:clang-format'
+clang-format:clang-format
+qemu-system-x86_64:qemu-system-x86
+busybox:busybox-static
+cpio:cpio
+modprobe:kmod
+pkg-config:pkg-config'
+PATH=$PATH:/usr/sbin:/sbin
 
 missing() {
     for pair in $wanted; do
@@ -19,10 +25,22 @@ missing() {
     if ! echo '#include <string.h>' | arm-none-eabi-gcc -E - >/dev/null 2>&1; then
         echo libnewlib-arm-none-eabi
     fi
+    if ! pkg-config --exists hidapi-hidraw hidapi-libusb 2>/dev/null; then
+        echo libhidapi-dev libhidapi-hidraw0 libhidapi-libusb0
+    fi
+}
+
+# The guest of the USB tests boots Debian's kernel, which is not installed.
+# Without it those tests alone fail, and say why.
+kernel() {
+    sh tests/hid/kernel.sh >/dev/null || true
 }
 
 packages=$(missing | tr '\n' ' ')
-[ -z "$packages" ] && exit 0
+if [ -z "$packages" ]; then
+    kernel
+    exit 0
+fi
 echo "setup: installing $packages"
 root=
 [ "$(id -u)" -eq 0 ] || root=sudo
@@ -39,3 +57,4 @@ if [ -n "$packages" ]; then
     echo "setup: still missing: $packages- install them by hand; tests that need them fail" >&2
     exit 1
 fi
+kernel
