@@ -46,8 +46,18 @@ double scene_seconds(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+static uint8_t read_packet(args *a) {
+    const unsigned otherwise = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX / 4 : 2;
+    const unsigned side = 2u << args_choice(a, "--packet", packets, otherwise);
+    if (side > PLT_PACKET_SIDE_MAX) {
+        args_complain(a, "--packet %u: this build has packets of up to %d", side,
+                      PLT_PACKET_SIDE_MAX);
+    }
+    return (uint8_t)side;
+}
+
 static void read_flags(scene *s, args *a, int *fetched) {
-    s->options.packet_side = (uint8_t)(2u << args_choice(a, "--packet", packets, 2));
+    s->options.packet_side = read_packet(a);
     s->options.walk = (uint8_t)args_choice(a, "--walk", walks, PLT_WALK_DEPTH_FIRST);
     *fetched = args_choice(a, "--source", sources, 0) == 1;
     args_choice(a, "--residency", resident, 0);

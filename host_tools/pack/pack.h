@@ -25,8 +25,7 @@ typedef struct packed {
 } packed;
 
 /* Triangle i of the mesh gets number i. `name` is for errors. */
-int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name,
-              fail *f);
+int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name, fail *f);
 void pack_free(packed *image);
 
 #endif
