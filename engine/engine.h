@@ -38,6 +38,9 @@ struct plt_engine {
 
 /* Goes on with the packet; returns the visits left. */
 static inline uint32_t plt_engine_walk(plt_engine *e, uint32_t visits) {
+    if (e->walker.compact) {
+        return plt_walk_blocks(&e->walker, visits);
+    }
     return e->options.walk == PLT_WALK_TWO_STAGE ? plt_walk_two_stage(&e->walker, visits)
                                                  : plt_walk_depth_first(&e->walker, visits);
 }

@@ -80,6 +80,16 @@ enum plt_build {
     PLT_BUILD_NONE = 2    /* no tree: one list of all triangles (a reference) */
 };
 
+enum plt_nodes {
+    PLT_NODES_THESIS = 0, /* 32 bytes each, six float planes (thesis, figure 3.5) */
+    PLT_NODES_COMPACT = 1 /* blocks of up to 64 nodes, about 7.1 bytes each */
+};
+
+enum plt_geometry_format {
+    PLT_GEOMETRY_FLOAT = 0,  /* 40 bytes a triangle, bit exact */
+    PLT_GEOMETRY_LATTICE = 1 /* strips of vertices on the scene's lattice */
+};
+
 /* How an engine shall run; all zero but `packet_side` is a good choice. */
 typedef struct plt_options {
     uint8_t packet_side; /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
@@ -99,9 +109,16 @@ typedef struct plt_info {
     uint32_t local_stack_entries;  /* exact need of the two-stage walk ... */
     uint32_t global_stack_entries; /* ... and of its global stack */
     uint32_t depth_stack_entries;  /* exact need of the depth-first walk */
-    uint32_t image_bytes, node_bytes, triangle_bytes;
-    float lo[3], hi[3]; /* box of all triangles; lo > hi when there are none */
+    uint32_t image_bytes;
+    uint32_t node_bytes;       /* all nodes; of compact blocks the nodes parts */
+    uint32_t triangle_bytes;   /* all triangles; of compact blocks the geometry parts */
+    uint32_t number_bytes;     /* packing-order numbers kept apart; 0: there are none */
+    uint32_t source_triangles; /* in packing order, with those that lost their area */
+    float lo[3], hi[3];        /* box of all triangles; lo > hi when there are none */
     uint8_t splits, build;
+    uint8_t nodes_format, geometry_format; /* enum plt_nodes, plt_geometry_format */
+    uint8_t lattice_bits;                  /* 12 .. 21; 0 without a lattice */
+    uint8_t number_bits;                   /* an entry of the numbers, 0 without */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */

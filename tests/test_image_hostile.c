@@ -202,7 +202,7 @@ static void bent_values(packed *image) {
         breaks(image, record_at(image, 2) + 16, bad[i], 5, "a corner that is no coordinate");
         breaks(image, node_at(image, 1) + 8, bad[i], 6, "a plane that is no coordinate");
     }
-    breaks(image, record_at(image, 1) + 36, 0x7FFFFFFF, 7, "a number beyond the last");
+    breaks(image, record_at(image, 1) + 36, 0x07FFFFFF, 7, "a number beyond the last");
     breaks(image, record_at(image, 1) + 36, 0x80000000 | image->info.triangles, 7,
            "a number just beyond");
     static const uint8_t count_at[6] = {28, 36, 40, 44, 56, 64};

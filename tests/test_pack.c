@@ -32,14 +32,16 @@ static void make_mesh(mesh *m, uint32_t triangles) {
     }
 }
 
+/* The record's corners, from the one that its turn names on, are the mesh's. */
 static int same_corners(const plt_record *r, const mesh *m, uint32_t number) {
+    const uint32_t turn = plt_number_turn(plt_get_u32(&r->word[9]));
     for (size_t corner = 0; corner < 3; corner++) {
         const float *vertex = m->vertex + 3 * (size_t)m->triangle[3 * (size_t)number + corner];
-        if (memcmp(&r->word[3 * corner], vertex, 3 * sizeof *vertex) != 0) {
+        if (memcmp(&r->word[3 * ((turn + corner) % 3)], vertex, 3 * sizeof *vertex) != 0) {
             return 0;
         }
     }
-    return 1;
+    return turn < 3;
 }
 
 /* Each number once, each corner bit for bit (on a little-endian host). */

@@ -220,7 +220,8 @@ static void turn_around(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* The world seen in a mirror: negating an axis rounds nothing differently. */
+/* The world seen in a mirror. Negating an axis rounds nothing differently, but
+ * another corner may come first in canonical order: a few roundings in t. */
 static void mirror(uint64_t seed, int axis) {
     mesh m = soup(seed);
     plt_ray image[RAYS];
@@ -235,7 +236,8 @@ static void mirror(uint64_t seed, int axis) {
     trace_other(&m, image, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         const plt_hit *h = &hits[i], *o = &others[i]; /* but a zero may change its sign */
-        CHECK(h->triangle == o->triangle && h->t == o->t && h->u == o->u && h->v == o->v,
+        CHECK(h->triangle == o->triangle && fabsf(h->t - o->t) <= 1e-5f * h->t + 1e-6f &&
+                  fabsf(h->u - o->u) <= 1e-4f && fabsf(h->v - o->v) <= 1e-4f,
               "axis %d, ray %u: %u t %.9g, not %u t %.9g", axis, i, others[i].triangle,
               (double)others[i].t, hits[i].triangle, (double)hits[i].t);
     }

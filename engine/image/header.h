@@ -10,12 +10,20 @@
 #include <stdint.h>
 
 #include "engine/planelet.h"
+#include "engine/tree/lattice.h"
 
 #define PLT_HEADER_BYTES 256
 #define PLT_SECTION_ALIGN 64
-#define PLT_SECTIONS 2
+#define PLT_SECTIONS_MOST 4
 
-enum plt_section_kind { PLT_SECTION_NODES = 1, PLT_SECTION_TRIANGLES = 2 };
+enum plt_section_kind {
+    PLT_SECTION_NONE = 0,
+    PLT_SECTION_NODES = 1,     /* thesis nodes in their slots */
+    PLT_SECTION_TRIANGLES = 2, /* float records */
+    PLT_SECTION_BLOCKS = 3,    /* compact blocks */
+    PLT_SECTION_NUMBERS = 4,   /* packing-order numbers (numbers.h) */
+    PLT_SECTION_CORNERS = 5    /* lattice corners, for the device to build from */
+};
 
 typedef struct plt_section {
     uint32_t kind, offset, bytes, crc;
@@ -24,8 +32,19 @@ typedef struct plt_section {
 typedef struct plt_header {
     plt_info info;
     uint32_t root;
-    plt_section section[PLT_SECTIONS]; /* nodes, triangles */
+    plt_section section[PLT_SECTIONS_MOST]; /* as they lie; PLT_SECTION_NONE behind */
+    plt_lattice lattice;
+    plt_lattice_box lattice_box; /* of all triangles */
 } plt_header;
+
+/* The sections that an image of these formats has, in order; returns how many. */
+unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]);
+
+/* Bytes of a section, padding included. */
+uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind);
+
+/* The section of a kind, or NULL. */
+const plt_section *plt_header_section(const plt_header *header, uint32_t kind);
 
 /* Bytes a section of `count` items takes, padding included. */
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);

@@ -6,8 +6,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/surface.h"
 
-#include "engine/trace/triangle.h"
-
 /* 0 .. 1 to 0 .. 255, to nearest. */
 static uint8_t byte_of(float x) {
     const float limited = x < 0.0f ? 0.0f : (x > 1.0f ? 1.0f : x);
@@ -56,8 +54,8 @@ void plt_surface_colour(const plt_engine *e, const plt_group *g, unsigned lane, 
         background(e, y, rgb);
         return;
     }
-    float normal[3], dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
-    plt_record_normal(&e->walker.tree.records[g->record[lane]], normal);
+    float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
+    float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     even_out(normal);
     even_out(dir);
     if (dot(normal, normal) == 0.0f) { /* a sliver: as if it faced the eye */

@@ -10,11 +10,12 @@ typedef struct planes {
     f4 near[3], far[3]; /* SHARED: less the origin; MIXED: lo and hi */
 } planes;
 
-static inline void spread(planes *b, const plt_packet *p, const plt_box *box, enum way way) {
+static inline void spread(planes *b, const plt_packet *p, const float *lo, const float *hi,
+                          enum way way) {
     for (int a = 0; a < 3; a++) {
         const int swap = way != MIXED && p->negative[a];
-        const float near = swap ? box->hi[a] : box->lo[a];
-        const float far = swap ? box->lo[a] : box->hi[a];
+        const float near = swap ? hi[a] : lo[a];
+        const float far = swap ? lo[a] : hi[a];
         b->near[a] = f4_all(way == SHARED ? near - p->near_org[a] : near);
         b->far[a] = f4_all(way == SHARED ? far - p->far_org[a] : far);
     }
@@ -51,7 +52,7 @@ static inline plt_mask groups_in(const plt_packet *p, const plt_box *box, plt_ma
                                  enum way way) {
     planes b;
     plt_mask hit = 0;
-    spread(&b, p, box, way);
+    spread(&b, p, box->lo, box->hi, way);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
@@ -60,12 +61,13 @@ static inline plt_mask groups_in(const plt_packet *p, const plt_box *box, plt_ma
     return hit;
 }
 
-static inline void groups_in_both(const plt_packet *p, const plt_box child[2], plt_mask groups,
-                                  plt_mask hit[2], enum way way) {
+static inline void groups_in_both(const plt_packet *p, const float *const lo[2],
+                                  const float *const hi[2], plt_mask groups, plt_mask hit[2],
+                                  enum way way) {
     planes b[2];
     plt_mask left = 0, right = 0;
-    spread(&b[0], p, &child[0], way);
-    spread(&b[1], p, &child[1], way);
+    spread(&b[0], p, lo[0], hi[0], way);
+    spread(&b[1], p, lo[1], hi[1], way);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
@@ -83,21 +85,21 @@ plt_mask plt_box_groups(const plt_packet *p, const plt_box *box, plt_mask groups
     return p->mixed ? groups_in(p, box, groups, MIXED) : groups_in(p, box, groups, EQUAL);
 }
 
-void plt_box_children(const plt_packet *p, const plt_box child[2], plt_mask groups,
-                      plt_mask hit[2]) {
+void plt_box_pair(const plt_packet *p, const float *const lo[2], const float *const hi[2],
+                  plt_mask groups, plt_mask hit[2]) {
     if (p->shared) {
-        groups_in_both(p, child, groups, hit, SHARED);
+        groups_in_both(p, lo, hi, groups, hit, SHARED);
     } else if (p->mixed) {
-        groups_in_both(p, child, groups, hit, MIXED);
+        groups_in_both(p, lo, hi, groups, hit, MIXED);
     } else {
-        groups_in_both(p, child, groups, hit, EQUAL);
+        groups_in_both(p, lo, hi, groups, hit, EQUAL);
     }
 }
 
 float plt_box_entry(const plt_packet *p, const plt_box *box, plt_mask groups) {
     planes b;
     f4 entry;
-    spread(&b, p, box, MIXED); /* right for any packet, and rare */
+    spread(&b, p, box->lo, box->hi, MIXED); /* right for any packet, and rare */
     const m4 hit = meets(&b, &p->group[plt_mask_first(groups)], MIXED, &entry);
     return f4_min_lane(f4_select(hit, entry, f4_all(PLT_BOX_FAR)));
 }

@@ -17,9 +17,10 @@
 /* Groups of `groups` that meet `box`. */
 plt_mask plt_box_groups(const plt_packet *packet, const plt_box *box, plt_mask groups);
 
-/* The same for both children of a node at once; adds the tests to `tests`. */
-void plt_box_children(const plt_packet *packet, const plt_box child[2], plt_mask groups,
-                      plt_mask hit[2]);
+/* The same for both children of a node at once, each by its three low and its
+ * three high planes. */
+void plt_box_pair(const plt_packet *packet, const float *const lo[2], const float *const hi[2],
+                  plt_mask groups, plt_mask hit[2]);
 
 /* Least distance at which the first group of `groups` enters the box. */
 float plt_box_entry(const plt_packet *packet, const plt_box *box, plt_mask groups);

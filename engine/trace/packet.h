@@ -26,10 +26,11 @@ typedef struct plt_group {
     float reach[4];       /* to the scene's box, on any axis: at least to every corner */
     float reach_error[4]; /* 320 u^2 reach^2 */
     float u[4], v[4];
-    uint32_t record[4], source[4]; /* nearest hit; source PLT_MISS: none */
-    uint8_t axis_lanes[3];         /* lanes whose largest component is that axis */
-    uint8_t valid;                 /* lanes that hold a ray */
-    uint8_t pad[12];               /* to a multiple of 16 */
+    uint32_t source[4];    /* number of the nearest hit, PLT_MISS: none */
+    float normal[3][4];    /* its normal, not of unit length */
+    uint8_t axis_lanes[3]; /* lanes whose largest component is that axis */
+    uint8_t valid;         /* lanes that hold a ray */
+    uint8_t pad[12];       /* to a multiple of 16 */
 } plt_group;
 
 typedef struct plt_packet {

@@ -23,15 +23,14 @@ static const uint8_t axis_after[3] = {1, 2, 0};
 
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
-    float corner[3][3];
+    const plt_triangle *triangle;
     f4 from_org[3][3]; /* shared origin: corner - origin, in all lanes */
     float slack;       /* 72 u L */
-    uint32_t number, source;
 } prepared;
 
 /* The edge functions of four rays; each is twice a signed area. */
 typedef struct edges {
-    f4 u, v, w;
+    f4 weight[3];   /* of each corner: the function of the edge across from it */
     f4 least, most; /* of the three */
     f4 x[3], y[3];  /* sheared corners */
 } edges;
@@ -44,29 +43,12 @@ static void normal_of(const float c[3][3], float normal[3]) {
     normal[2] = x1 * y2 - y1 * x2;
 }
 
-static void corners_of(const plt_record *record, float corner[3][3]) {
-    for (int c = 0; c < 3; c++) {
-        for (int a = 0; a < 3; a++) {
-            corner[c][a] = plt_record_float(record, c, a);
-        }
-    }
-}
-
-void plt_record_normal(const plt_record *record, float normal[3]) {
-    float corner[3][3];
-    corners_of(record, corner);
-    normal_of((const float(*)[3])corner, normal);
-}
-
-static void prepare(prepared *t, const plt_packet *p, const plt_record *record, uint32_t number,
-                    float longest) {
-    corners_of(record, t->corner);
-    t->slack = 72.0f * U * longest;
-    t->number = number;
-    t->source = plt_record_source(record);
+static void prepare(prepared *t, const plt_packet *p, const plt_triangle *triangle) {
+    t->triangle = triangle;
+    t->slack = 72.0f * U * triangle->longest;
     for (int c = 0; c < 3 && p->shared; c++) {
         for (int a = 0; a < 3; a++) {
-            t->from_org[c][a] = f4_all(t->corner[c][a] - p->org[a]);
+            t->from_org[c][a] = f4_all(triangle->corner[c][a] - p->org[a]);
         }
     }
 }
@@ -74,7 +56,7 @@ static void prepare(prepared *t, const plt_packet *p, const plt_record *record, 
 static inline f4 from_origin(const prepared *t, const plt_group *g, int corner, int axis,
                              int shared) {
     return shared ? t->from_org[corner][axis]
-                  : f4_sub(f4_all(t->corner[corner][axis]), f4_load(g->org[axis]));
+                  : f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]));
 }
 
 static inline f4 cross(f4 ax, f4 ay, f4 bx, f4 by) {
@@ -95,11 +77,11 @@ static inline m4 may_cover(const prepared *t, const plt_group *g, int z, int sha
         x[c] = f4_sub(from_origin(t, g, c, ax, shared), f4_mul(slope_x, depth));
         y[c] = f4_sub(from_origin(t, g, c, ay, shared), f4_mul(slope_y, depth));
     }
-    e->u = cross(x[2], y[2], x[1], y[1]);
-    e->v = cross(x[0], y[0], x[2], y[2]);
-    e->w = cross(x[1], y[1], x[0], y[0]);
-    e->least = f4_min(f4_min(e->u, e->v), e->w);
-    e->most = larger3(e->u, e->v, e->w);
+    e->weight[0] = cross(x[2], y[2], x[1], y[1]);
+    e->weight[1] = cross(x[0], y[0], x[2], y[2]);
+    e->weight[2] = cross(x[1], y[1], x[0], y[0]);
+    e->least = f4_min(f4_min(e->weight[0], e->weight[1]), e->weight[2]);
+    e->most = larger3(e->weight[0], e->weight[1], e->weight[2]);
     const f4 slack = f4_add(f4_mul(f4_all(t->slack), f4_load(g->reach)), f4_load(g->reach_error));
     return m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack));
 }
@@ -110,7 +92,8 @@ static int meets_exactly(const prepared *t, const plt_group *g, unsigned lane) {
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     int positive = 0, negative = 0;
     for (int c = 0; c < 3; c++) {
-        const int side = plt_edge_side(t->corner[c], t->corner[c < 2 ? c + 1 : 0], org, dir);
+        const int side =
+            plt_edge_side(t->triangle->corner[c], t->triangle->corner[c < 2 ? c + 1 : 0], org, dir);
         positive |= side > 0;
         negative |= side < 0;
     }
@@ -139,8 +122,8 @@ static m4 covered(const prepared *t, const plt_group *g, const edges *e, m4 may)
 static m4 own_box(const prepared *t, const plt_group *g, f4 *enter, f4 *leave) {
     f4 n[3], f[3];
     for (int a = 0; a < 3; a++) {
-        const f4 p = f4_all(t->corner[0][a]), q = f4_all(t->corner[1][a]),
-                 r = f4_all(t->corner[2][a]);
+        const f4 p = f4_all(t->triangle->corner[0][a]), q = f4_all(t->triangle->corner[1][a]),
+                 r = f4_all(t->triangle->corner[2][a]);
         const f4 lo = f4_min(f4_min(p, q), r), hi = f4_max(f4_max(p, q), r);
         const f4 rdir = f4_load(g->rdir[a]);
         const m4 negative = f4_lt(rdir, f4_zero());
@@ -160,7 +143,7 @@ static f4 plane_distance(const prepared *t, const float normal[3], const plt_gro
     const int ax = axis_after[z], ay = axis_after[ax];
     f4 above = f4_zero();
     for (int a = 0; a < 3; a++) {
-        const f4 p0 = f4_sub(f4_all(t->corner[0][a]), f4_load(g->org[a]));
+        const f4 p0 = f4_sub(f4_all(t->triangle->corner[0][a]), f4_load(g->org[a]));
         above = f4_add(above, f4_mul(f4_all(normal[a]), p0));
     }
     const f4 along =
@@ -176,8 +159,15 @@ static m4 nearer(const plt_group *g, f4 t, u4 source) {
     return m4_and(f4_le(f4_load(g->tmin), t), m4_or(f4_lt(t, tmax), tie));
 }
 
-static inline f4 weight(f4 part, f4 sum) {
-    return f4_min(f4_max(f4_div(part, sum), f4_zero()), f4_all(1.0f));
+/* u and v count from the corner that came first in the packed mesh. */
+static void store_weights(plt_group *g, m4 hit, const edges *e, uint32_t turn) {
+    static const uint8_t next[3] = {1, 2, 0};
+    const f4 sum = f4_add(f4_add(e->weight[0], e->weight[1]), e->weight[2]);
+    const unsigned first = next[turn], second = next[first];
+    const f4 u = f4_min(f4_max(f4_div(e->weight[first], sum), f4_zero()), f4_all(1.0f));
+    const f4 v = f4_min(f4_max(f4_div(e->weight[second], sum), f4_zero()), f4_all(1.0f));
+    f4_store(g->u, f4_select(hit, u, f4_load(g->u)));
+    f4_store(g->v, f4_select(hit, v, f4_load(g->v)));
 }
 
 /* The rays of `may` are those that can meet the triangle; which is a hit? */
@@ -185,21 +175,22 @@ static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int
                             int any) {
     f4 enter, leave;
     float normal[3];
-    normal_of((const float(*)[3])t->corner, normal);
+    normal_of((const float(*)[3])t->triangle->corner, normal);
     const m4 in_box = own_box(t, g, &enter, &leave);
     const f4 distance = plane_distance(t, normal, g, z, enter, leave);
-    const u4 source = u4_all(t->source);
+    const uint32_t number = plt_number_find(t->triangle->numbers, t->triangle->number);
+    const u4 source = u4_all(plt_number_triangle(number));
     const m4 wanted = m4_and(m4_and(may, in_box), nearer(g, distance, source));
     if (m4_mask(wanted) == 0) {
         return 0;
     }
     const m4 hit = covered(t, g, e, wanted);
-    const f4 sum = f4_add(f4_add(e->u, e->v), e->w);
     f4_store(g->tmax, f4_select(hit, any ? f4_all(-1.0f) : distance, f4_load(g->tmax)));
     u4_store(g->source, u4_select(hit, source, u4_load(g->source)));
-    u4_store(g->record, u4_select(hit, u4_all(t->number), u4_load(g->record)));
-    f4_store(g->u, f4_select(hit, weight(e->v, sum), f4_load(g->u)));
-    f4_store(g->v, f4_select(hit, weight(e->w, sum), f4_load(g->v)));
+    for (int a = 0; a < 3; a++) {
+        f4_store(g->normal[a], f4_select(hit, f4_all(normal[a]), f4_load(g->normal[a])));
+    }
+    store_weights(g, hit, e, plt_number_turn(number));
     return m4_mask(hit);
 }
 
@@ -225,10 +216,9 @@ static inline void test_group(plt_packet *p, const prepared *t, unsigned index, 
     }
 }
 
-void plt_triangle_groups(plt_packet *p, const plt_record *record, uint32_t number, float longest,
-                         plt_mask groups) {
+void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask groups) {
     prepared t;
-    prepare(&t, p, record, number, longest);
+    prepare(&t, p, triangle);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         if (p->shared) {
             test_group(p, &t, plt_mask_first(m), 1);

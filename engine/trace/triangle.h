@@ -18,15 +18,18 @@
 #define PLT_TRACE_TRIANGLE_H
 
 #include "engine/trace/packet.h"
-#include "engine/tree/record.h"
+#include "engine/tree/numbers.h"
 
-/* Tests record number `number` for `groups`; records hits in the groups. No side
- * of the triangle's box is longer than `longest`. For any-hit packets, groups
- * whose rays have all hit leave packet->active. */
-void plt_triangle_groups(plt_packet *packet, const plt_record *record, uint32_t number,
-                         float longest, plt_mask groups);
+/* A triangle as any format gives it: corners in canonical order (record.h). */
+typedef struct plt_triangle {
+    float corner[3][3];
+    float longest;   /* at least the longest side of its box */
+    uint32_t number; /* word of numbers.h, or the place of that word in `numbers` */
+    const plt_numbers *numbers;
+} plt_triangle;
 
-/* The normal, not of unit length: (p1 - p0) x (p2 - p0). */
-void plt_record_normal(const plt_record *record, float normal[3]);
+/* Tests a triangle for `groups`; records hits in the groups. For any-hit
+ * packets, groups whose rays have all hit leave packet->active. */
+void plt_triangle_groups(plt_packet *packet, const plt_triangle *triangle, plt_mask groups);
 
 #endif

@@ -12,7 +12,10 @@
 #define PLT_TRACE_WALK_H
 
 #include "engine/trace/packet.h"
+#include "engine/trace/walk_blocks.h"
 #include "engine/tree/survey.h"
+
+typedef struct plt_walker plt_walker;
 
 typedef struct plt_entry {
     plt_box box;
@@ -21,16 +24,21 @@ typedef struct plt_entry {
     plt_mask groups;
 } plt_entry;
 
-typedef struct plt_walker {
+struct plt_walker {
     plt_tree tree;
+    plt_block_walker blocks;
+    uint8_t compact; /* walk `blocks`, not `tree` */
     plt_packet packet;
     plt_entry *stack;  /* depth-first, or the global stack */
     uint32_t waiting;  /* entries on it; 0: the walk is over */
     plt_entry *local;  /* two-stage only */
     uint32_t block;    /* treelet block in hand, PLT_MISS: none */
-    uint32_t *touched; /* a bit a block: already counted */
+    uint32_t *touched; /* a bit a block (compact: 8 bytes): already counted */
     plt_stats stats;
-} plt_walker;
+};
+
+/* The child whose centre lies further back along the packet's way. */
+int plt_walk_nearer(const plt_packet *packet, const float *const lo[2], const float *const hi[2]);
 
 /* Puts the root on the stack; the packet is set up. */
 void plt_walk_begin(plt_walker *w);

@@ -1,9 +1,14 @@
 /* record - one triangle of float geometry, 40 bytes
  *
- * Nine floats (three corners, x y z each), then the number that the triangle
- * had in packing order in bits 0 .. 30, and in bit 31 whether it is the last
- * of its list. Lists have 1 .. K records in a row; a last-in-list bit instead
- * of a count leaves the thesis node as it is (thesis, section 8.1.4).
+ * Nine floats (three corners, x y z each), then a number word
+ * (numbers.h) that says in bit 31 whether this is the last of its list. Lists have 1 .. K records
+ * in a row; a last-in-list bit instead of a count leaves the thesis node as it is (thesis,
+ * section 8.1.4).
+ *
+ * Corners stand in canonical order: the least, by x, then y, then z, comes
+ * first and the direction of turning stays. Arithmetic on a triangle then does
+ * not depend on how a format stores it. The turn says which corner was the
+ * packed mesh's first, and so what u and v belong to.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_RECORD_H
@@ -13,6 +18,7 @@
 
 #include "engine/image/bytes.h"
 #include "engine/tree/box.h"
+#include "engine/tree/numbers.h"
 
 #define PLT_RECORD_BYTES 40
 #define PLT_RECORD_LAST 0x80000000u
@@ -28,7 +34,7 @@ static inline float plt_record_float(const plt_record *r, int corner, int axis) 
 }
 
 static inline uint32_t plt_record_source(const plt_record *r) {
-    return plt_get_u32(&r->word[9]) & ~PLT_RECORD_LAST;
+    return plt_number_triangle(plt_get_u32(&r->word[9]));
 }
 
 static inline int plt_record_is_last(const plt_record *r) {
@@ -36,7 +42,16 @@ static inline int plt_record_is_last(const plt_record *r) {
 }
 
 static inline void plt_record_set_last(plt_record *r, int last) {
-    plt_put_u32(&r->word[9], plt_record_source(r) | (last ? PLT_RECORD_LAST : 0));
+    const uint32_t word = plt_get_u32(&r->word[9]) & ~PLT_RECORD_LAST;
+    plt_put_u32(&r->word[9], word | (last ? PLT_RECORD_LAST : 0));
+}
+
+static inline void plt_record_corners(const plt_record *r, float corner[3][3]) {
+    for (int c = 0; c < 3; c++) {
+        for (int a = 0; a < 3; a++) {
+            corner[c][a] = plt_record_float(r, c, a);
+        }
+    }
 }
 
 static inline plt_box plt_record_box(const plt_record *r) {

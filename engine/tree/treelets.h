@@ -4,12 +4,12 @@
  * depth first. A treelet that runs out of inner nodes moves into free slots
  * of an earlier one: the exact fit, else the largest, else a block of its own.
  *
- * Source: Karrenberg 2007, section 4.1; reproduces table 5.5, overhead =
- * 32 * (-nodes mod N) bytes. What the thesis leaves open: the rest of a slot
- * that was filled is free again; edges of a treelet go onto the build stack
- * from left to right; treelets that are not full take their slots last, the
- * largest first (DESIGN.md, section 5, has the figures for taking them as they
- * come, which wastes up to a tenth).
+ * Source: Karrenberg 2007, section 4.1. On the bunny it reproduces table 5.5,
+ * overhead = 32 * (-nodes mod N) bytes, for all nine N; a scene whose large
+ * partial treelets leave no small ones to fill up with can stay above that. What the thesis leaves
+ * open: the rest of a slot that was filled is free again; edges of a treelet go onto the build
+ * stack from left to right; treelets that are not full take their slots last, the largest first
+ * (DESIGN.md, section 5, has the figures for taking them as they come, which wastes up to a tenth).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_TREELETS_H

@@ -26,6 +26,8 @@ const arg_command command_info = {
     .files_most = 1};
 
 static const char *const split_names[] = {"sah", "median"};
+static const char *const node_names[] = {"thesis", "compact"};
+static const char *const geometry_names[] = {"float", "lattice"};
 static const char *const build_names[] = {"host", "device", "none"};
 
 /* What info prints beyond plt_info. */
@@ -41,6 +43,11 @@ static derived derive(const plt_info *i, const plt_options *o) {
     d.tree_bytes = (uint64_t)i->node_slots * PLT_NODE_BYTES;
     d.geometry_bytes = (uint64_t)i->triangles * PLT_RECORD_BYTES;
     d.overhead_bytes = (uint64_t)(i->node_slots - i->nodes) * PLT_NODE_BYTES;
+    if (i->nodes_format == PLT_NODES_COMPACT) {
+        d.tree_bytes = i->node_bytes;
+        d.geometry_bytes = i->triangle_bytes;
+        d.overhead_bytes = 0;
+    }
     d.tree_each = (double)d.tree_bytes / n;
     d.geometry_each = (double)d.geometry_bytes / n;
     d.arena_mapped = plt_arena_need(i, 1, o);
@@ -56,15 +63,18 @@ static void print_json(const plt_info *i, const derived *d) {
            i->triangles, i->nodes, i->node_slots, i->leaf_lists, i->intermediate_lists, i->treelets,
            i->treelet_nodes, i->leaf_triangles);
     printf(
-        "  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"node_format\": \"thesis\",\n"
-        "  \"geometry_format\": \"float\",\n  \"image_bytes\": %" PRIu32
-        ",\n  \"tree_bytes\": %" PRIu64
+        "  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"node_format\": \"%s\",\n"
+        "  \"geometry_format\": \"%s\",\n  \"lattice_bits\": %u,\n"
+        "  \"source_triangles\": %" PRIu32 ",\n  \"number_bytes\": %" PRIu32
+        ",\n  \"image_bytes\": %" PRIu32 ",\n  \"tree_bytes\": %" PRIu64
         ",\n  \"tree_bytes_per_triangle\": %.3f,\n"
         "  \"geometry_bytes\": %" PRIu64
         ",\n  \"geometry_bytes_per_triangle\": %.3f,\n"
         "  \"slot_overhead_bytes\": %" PRIu64 ",\n",
-        split_names[i->splits], build_names[i->build], i->image_bytes, d->tree_bytes, d->tree_each,
-        d->geometry_bytes, d->geometry_each, d->overhead_bytes);
+        split_names[i->splits], build_names[i->build], node_names[i->nodes_format],
+        geometry_names[i->geometry_format], (unsigned)i->lattice_bits, i->source_triangles,
+        i->number_bytes, i->image_bytes, d->tree_bytes, d->tree_each, d->geometry_bytes,
+        d->geometry_each, d->overhead_bytes);
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
            ",\n  \"depth_stack_entries\": %" PRIu32
            ",\n  \"arena_bytes_needed\": %zu,\n"

@@ -11,6 +11,7 @@
 #include "host_tools/cli/note.h"
 #include "host_tools/cli/phase.h"
 #include "host_tools/mesh/mesh.h"
+#include "host_tools/mesh/reduce.h"
 #include "host_tools/pack/pack.h"
 
 static const arg_flag flags[] = {
@@ -20,11 +21,20 @@ static const arg_flag flags[] = {
      "(default host)"},
     {"--splits", "sah|median", "binned SAH, or the thesis's spatial median (default sah)"},
     {"--leaf", "1|2|4", "most triangles a list (default 2)"},
-    {"--nodes", "thesis", "the node format: 32 bytes"},
+    {"--nodes", "thesis|compact",
+     "32 bytes a node, or blocks of about 7, on a lattice (default thesis)"},
     {"--treelet", "N", "nodes a treelet, 1 to 1000000 (default 64)"},
     {"--fill", "bfs", "how treelets fill: breadth first"},
     {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
-    {"--geometry", "float", "the geometry format: 40 bytes a triangle, bit exact"},
+    {"--geometry", "float|lattice[:BITS]",
+     "thesis: float, 40 bytes a triangle, bit exact; compact: a lattice of 12 to 21 bits an "
+     "axis (default 16)"},
+    {"--tolerance", "F",
+     "compact: the lattice that moves no vertex by more than F times the longest side"},
+    {"--numbers", "keep|none",
+     "compact: keep packing-order numbers, 2 to 3 bytes a triangle, or number by place "
+     "(default keep)"},
+    {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe (default 0)"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
     {NULL, NULL, NULL}};
@@ -43,7 +53,10 @@ typedef struct pack_job {
     mesh m;
     mesh_repair repair;
     pack_options options;
+    compact_options compact; /* lattice_bits 0: thesis nodes */
     unsigned frame;
+    size_t most; /* of --reduce; 0: all */
+    lattice_loss loss;
     const char *out;
 } pack_job;
 
@@ -66,15 +79,41 @@ static int read_meshes(pack_job *job, const args *a, fail *f) {
         status = mesh_read(&job->m, a->file[i], job->frame, &job->repair, f);
         phase_end();
     }
+    if (status == 0 && job->most > 0) {
+        phase_begin("reducing", a->file[0]);
+        status = mesh_reduce(&job->m, job->most, a->file[0], f);
+        phase_end();
+    }
     return status;
 }
 
-static int build(const pack_job *job, const char *name, packed *image, fail *f) {
+/* What the lattice cost, and a finer one where triangles were lost. */
+static void say_what_was_lost(const pack_job *job, const char *name) {
+    const lattice_loss *l = &job->loss;
+    fail line = {""};
+    fail_set(&line, name,
+             "lattice of %u bits: vertices moved by up to %.1e of the longest side, %" PRIu64
+             " triangles lost their area (%" PRIu64 " had none), %" PRIu64
+             " positions merged, %" PRIu64 " T-junctions",
+             (unsigned)job->compact.lattice_bits, l->largest_move, l->flat_now, l->flat_before,
+             l->merged, l->t_junctions);
+    fprintf(stderr, "%s%s\n", line.text,
+            l->flat_now > 0 && job->compact.lattice_bits < PLT_LATTICE_BITS_MOST
+                ? "; try --geometry lattice:21 to keep them"
+                : "");
+}
+
+static int build(pack_job *job, const char *name, packed *image, fail *f) {
     char what[64];
     snprintf(what, sizeof what, "of %zu triangles", job->m.triangles);
     phase_begin("building the tree", what);
-    const int status = pack_mesh(image, &job->m, &job->options, name, f);
+    const int compact = job->compact.lattice_bits > 0;
+    const int status = compact ? pack_compact(image, &job->m, &job->compact, name, &job->loss, f)
+                               : pack_mesh(image, &job->m, &job->options, name, f);
     phase_end();
+    if (status == 0 && compact) {
+        say_what_was_lost(job, name);
+    }
     return status;
 }
 
@@ -113,20 +152,65 @@ static void say_done(const pack_job *job, const packed *image, double seconds) {
     }
 }
 
+/* --geometry lattice or lattice:BITS. */
+static uint8_t read_lattice(args *a) {
+    const char *text = args_text(a, "--geometry", "lattice");
+    float tolerance = 0.0f;
+    unsigned bits = 16;
+    int length = 0;
+    if (strcmp(text, "lattice") != 0 &&
+        (sscanf(text, "lattice:%2u%n", &bits, &length) != 1 || text[length] != '\0' ||
+         bits < PLT_LATTICE_BITS_LEAST || bits > PLT_LATTICE_BITS_MOST)) {
+        args_complain(a,
+                      "--geometry of compact nodes is lattice or lattice:12 to lattice:21, "
+                      "not '%s'",
+                      text);
+    }
+    if (args_floats(a, "--tolerance", &tolerance, 1)) {
+        bits = lattice_bits_for((double)tolerance);
+        if (bits == 0) {
+            args_complain(a,
+                          "--tolerance below 4.2e-07 is finer than any lattice; "
+                          "use --nodes thesis");
+            bits = 16;
+        }
+    }
+    return (uint8_t)bits;
+}
+
+static void read_format(pack_job *job, args *a) {
+    static const char *const nodes[] = {"thesis", "compact", NULL};
+    static const char *const floats[] = {"float", NULL}, *const numbers[] = {"keep", "none", NULL};
+    job->compact.numbers = args_choice(a, "--numbers", numbers, 0) == 0;
+    if (args_choice(a, "--nodes", nodes, 0) == 1) {
+        job->compact.lattice_bits = read_lattice(a);
+        if (job->options.build == PLT_BUILD_NONE || args_has(a, "--treelet")) {
+            args_complain(a, "compact nodes come in blocks of 64, built by host or device");
+        }
+        return;
+    }
+    args_choice(a, "--geometry", floats, 0);
+    if (args_has(a, "--tolerance") || args_has(a, "--numbers")) {
+        args_complain(a, "--tolerance and --numbers go with --nodes compact");
+    }
+}
+
 static void read_flags(pack_job *job, args *a) {
     static const char *const builds[] = {"host", "device", "none", NULL};
     static const char *const splits[] = {"sah", "median", NULL};
     static const char *const leaves[] = {"1", "2", "4", NULL};
-    static const char *const thesis[] = {"thesis", NULL}, *const bfs[] = {"bfs", NULL},
-                             *const floats[] = {"float", NULL};
+    static const char *const thesis[] = {"thesis", NULL}, *const bfs[] = {"bfs", NULL};
     job->options.build = (uint8_t)args_choice(a, "--build", builds, PLT_BUILD_HOST);
     job->options.splits = (uint8_t)args_choice(a, "--splits", splits, PLT_SPLIT_SAH);
     job->options.leaf_triangles = 1u << args_choice(a, "--leaf", leaves, 1);
     job->options.treelet_nodes = (uint32_t)args_number(a, "--treelet", 64, 1, 1000000);
-    args_choice(a, "--nodes", thesis, 0);
     args_choice(a, "--fill", bfs, 0);
     args_choice(a, "--slots", thesis, 0);
-    args_choice(a, "--geometry", floats, 0);
+    read_format(job, a);
+    job->compact.splits = job->options.splits;
+    job->compact.build = job->options.build;
+    job->compact.leaf_triangles = job->options.leaf_triangles;
+    job->most = (size_t)args_number(a, "--reduce", 0, 1, 1000000000);
     job->frame = (unsigned)args_number(a, "--frame", 0, 0, 99999);
     job->repair.wanted = args_has(a, "--repair");
     job->out = args_text(a, "-o", NULL);

@@ -36,16 +36,32 @@ static int too_large(const packing *p, fail *f) {
                     p->m->triangles);
 }
 
+/* The corner that comes first in canonical order; of equals the first. */
+static unsigned least_corner(const float corner[3][3]) {
+    unsigned least = 0;
+    for (unsigned c = 1; c < 3; c++) {
+        int a = 0;
+        while (a < 2 && corner[c][a] == corner[least][a]) {
+            a++;
+        }
+        least = corner[c][a] < corner[least][a] ? c : least;
+    }
+    return least;
+}
+
 static void fill_records(packing *p) {
     const mesh *m = p->m;
     for (size_t i = 0; i < m->triangles; i++) {
-        float corner[9];
-        for (int c = 0; c < 3; c++) {
-            memcpy(corner + 3 * c, m->vertex + 3 * (size_t)m->triangle[3 * i + (size_t)c],
-                   3 * sizeof(float));
+        float corner[3][3];
+        for (size_t c = 0; c < 3; c++) {
+            memcpy(corner[c], m->vertex + 3 * (size_t)m->triangle[3 * i + c], sizeof corner[c]);
         }
-        plt_put_floats((unsigned char *)p->records[i].word, corner, 9);
-        plt_put_u32(&p->records[i].word[9], (uint32_t)i);
+        const unsigned least = least_corner((const float(*)[3])corner);
+        for (unsigned c = 0; c < 3; c++) {
+            plt_put_floats((unsigned char *)&p->records[i].word[3 * c], corner[(least + c) % 3], 3);
+        }
+        const uint32_t turn = (3 - least) % 3;
+        plt_put_u32(&p->records[i].word[9], (uint32_t)i | turn << PLT_NUMBER_TURN_SHIFT);
     }
 }
 
@@ -141,7 +157,7 @@ static int assemble(packing *p, packed *image, fail *f) {
 
 static int pack(packing *p, packed *image, fail *f) {
     plt_info *info = &p->header.info;
-    info->triangles = (uint32_t)p->m->triangles;
+    info->triangles = info->source_triangles = (uint32_t)p->m->triangles;
     info->leaf_triangles = p->options->leaf_triangles;
     info->treelet_nodes = p->options->treelet_nodes;
     info->splits = p->options->splits;

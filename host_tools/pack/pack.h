@@ -9,6 +9,7 @@
 #include "host_tools/base/fail.h"
 #include "host_tools/base/output.h"
 #include "host_tools/mesh/mesh.h"
+#include "host_tools/pack/lattice.h"
 
 typedef struct pack_options {
     uint8_t splits;          /* enum plt_splits */
@@ -27,5 +28,16 @@ typedef struct packed {
 /* Triangle i of the mesh gets number i. `name` is for errors. */
 int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name, fail *f);
 void pack_free(packed *image);
+
+typedef struct compact_options {
+    uint8_t splits, build;   /* as above, but not PLT_BUILD_NONE */
+    uint8_t lattice_bits;    /* 12 .. 21 */
+    uint8_t numbers;         /* keep packing-order numbers in a section */
+    uint32_t leaf_triangles; /* K: 1, 2 or 4 */
+} compact_options;
+
+/* The same as compact blocks on a lattice; says what the lattice cost. */
+int pack_compact(packed *image, const mesh *m, const compact_options *options, const char *name,
+                 lattice_loss *loss, fail *f);
 
 #endif

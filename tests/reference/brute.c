@@ -72,8 +72,31 @@ static void normal_of(const double p[3][3], double n[3], double error[3]) {
     }
 }
 
-static void distance(brute_answer *to, const double p[3][3], const double from[3],
+/* The engine reckons from the least corner, by x, then y, then z. */
+static int least_corner(const double p[3][3]) {
+    int least = 0;
+    for (int c = 1; c < 3; c++) {
+        int a = 0;
+        while (a < 2 && p[c][a] == p[least][a]) {
+            a++;
+        }
+        least = p[c][a] < p[least][a] ? c : least;
+    }
+    return least;
+}
+
+static void distance(brute_answer *to, const double q[3][3], const double org[3],
                      const double dir[3]) {
+    double p[3][3], from[3];
+    const int least = least_corner(q);
+    for (int c = 0; c < 3; c++) {
+        for (int a = 0; a < 3; a++) {
+            p[c][a] = q[(least + c) % 3][a];
+        }
+    }
+    for (int a = 0; a < 3; a++) {
+        from[a] = p[0][a] - org[a];
+    }
     double n[3], error[3], above_error = 0.0, along_error = 0.0, vanishes = 1.0;
     normal_of(p, n, error);
     for (int a = 0; a < 3; a++) {
@@ -126,7 +149,8 @@ brute_answer brute_triangle(const mesh *m, uint32_t triangle, const plt_ray *ray
     } else if (above > 0 && below > 0) {
         answer.verdict = BRUTE_MISS;
     }
-    distance(&answer, (const double(*)[3])p, seen[0], dir);
+    const double org[3] = {(double)ray->org[0], (double)ray->org[1], (double)ray->org[2]};
+    distance(&answer, (const double(*)[3])p, org, dir);
     barycentrics(&answer, e);
     return answer;
 }

@@ -85,7 +85,7 @@ static uint32_t check_list(checking *c, uint32_t record, bounds *b) {
             break;
         }
         const unsigned char *at = c->v->records + 40 * (size_t)record;
-        const uint32_t name = tree_word(at + 36) & 0x7FFFFFFF;
+        const uint32_t name = tree_word(at + 36) & 0x07FFFFFF;
         if (name >= c->v->count || c->number_seen[name]++ || c->record_seen[record]++) {
             broken(c, "a triangle is there twice or has no number");
         }

@@ -1,0 +1,229 @@
+/* blocks_split - ranges of the permutation into two, in whole numbers
+ *
+ * The same heuristics as split_sah.c and split_median.c, over lattice boxes; the
+ * surface area heuristic counts lists instead of triangles, which fills them
+ * (fewer nodes, and pairs where they are free).
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/build/blocks_state.h"
+
+typedef struct lattice_split {
+    int axis; /* -1: none */
+    uint32_t bin;
+    float cost;
+    uint32_t left;
+    plt_lattice_box child[2];
+} lattice_split;
+
+/* Twice a centre to a bin: (centre2 - lo) * PLT_SAH_BINS / (extent + 1). */
+typedef struct lattice_bins {
+    uint32_t lo[3], span[3];
+} lattice_bins;
+
+static uint32_t centre2(const plt_lattice_box *b, int a) {
+    return b->lo[a] + b->hi[a];
+}
+
+static uint32_t bin_of(const lattice_bins *b, int a, uint32_t c2) {
+    return (c2 - b->lo[a]) * PLT_SAH_BINS / b->span[a];
+}
+
+static float half_area(const plt_lattice_box *b) {
+    const float x = (float)(int32_t)(b->hi[0] - b->lo[0]);
+    const float y = (float)(int32_t)(b->hi[1] - b->lo[1]);
+    const float z = (float)(int32_t)(b->hi[2] - b->lo[2]);
+    return x * y + y * z + z * x;
+}
+
+static float lists(const plt_blocks_state *s, uint32_t count) {
+    const uint32_t k = s->job->leaf_triangles;
+    return (float)(int32_t)((count + k - 1) / k);
+}
+
+static plt_lattice_box box_at(const plt_blocks_state *s, uint32_t i) {
+    return plt_lattice_triangle_box(&s->job->triangles, plt_permuted(s, i));
+}
+
+static plt_lattice_box box_of(const plt_blocks_state *s, uint32_t begin, uint32_t end) {
+    plt_lattice_box all = plt_lattice_box_empty();
+    for (uint32_t i = begin; i < end; i++) {
+        const plt_lattice_box b = box_at(s, i);
+        plt_lattice_box_add(&all, &b);
+    }
+    return all;
+}
+
+static void exchange(plt_blocks_state *s, uint32_t i, uint32_t k) {
+    const uint32_t t = plt_permuted(s, i);
+    plt_permute(s, i, plt_permuted(s, k));
+    plt_permute(s, k, t);
+}
+
+static lattice_bins fill_bins(plt_blocks_state *s, uint32_t begin, uint32_t end) {
+    const plt_lattice_bin empty = {plt_lattice_box_empty(), 0};
+    plt_lattice_box c = plt_lattice_box_empty();
+    for (uint32_t i = begin; i < end; i++) {
+        const plt_lattice_box b = box_at(s, i);
+        const plt_lattice_box centre = {{centre2(&b, 0), centre2(&b, 1), centre2(&b, 2)},
+                                        {centre2(&b, 0), centre2(&b, 1), centre2(&b, 2)}};
+        plt_lattice_box_add(&c, &centre);
+    }
+    lattice_bins bins;
+    for (int a = 0; a < 3; a++) {
+        bins.lo[a] = c.lo[a];
+        bins.span[a] = c.hi[a] - c.lo[a] + 1;
+        for (int k = 0; k < PLT_SAH_BINS; k++) {
+            s->bin[a][k] = empty;
+        }
+    }
+    for (uint32_t i = begin; i < end; i++) {
+        const plt_lattice_box b = box_at(s, i);
+        for (int a = 0; a < 3; a++) {
+            plt_lattice_bin *bin = &s->bin[a][bin_of(&bins, a, centre2(&b, a))];
+            plt_lattice_box_add(&bin->box, &b);
+            bin->count++;
+        }
+    }
+    return bins;
+}
+
+static void sweep_axis(plt_blocks_state *s, int axis, uint32_t total, lattice_split *best) {
+    const plt_lattice_bin *bin = s->bin[axis];
+    plt_lattice_box box = plt_lattice_box_empty();
+    uint32_t count = 0;
+    for (uint32_t k = PLT_SAH_BINS - 1; k > 0; k--) {
+        plt_lattice_box_add(&box, &bin[k].box);
+        count += bin[k].count;
+        s->right_box[k] = box;
+        s->right_count[k] = count;
+    }
+    box = plt_lattice_box_empty();
+    count = 0;
+    for (uint32_t k = 1; k < PLT_SAH_BINS; k++) {
+        plt_lattice_box_add(&box, &bin[k - 1].box);
+        count += bin[k - 1].count;
+        if (count == 0 || count == total || bin[k - 1].count == 0) {
+            continue;
+        }
+        const float cost = half_area(&box) * lists(s, count) +
+                           half_area(&s->right_box[k]) * lists(s, s->right_count[k]);
+        if (best->axis < 0 || cost < best->cost) {
+            const lattice_split better = {axis, k, cost, count, {box, s->right_box[k]}};
+            *best = better;
+        }
+    }
+}
+
+/* Ranks of the range's boxes along an axis, by insertion; of equals the first. */
+static void rank_boxes(plt_blocks_state *s, int axis, uint32_t count) {
+    uint8_t *rank = s->few_rank[axis];
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t k = i;
+        const uint32_t c = centre2(&s->few_box[i], axis);
+        for (; k > 0 && centre2(&s->few_box[rank[k - 1]], axis) > c; k--) {
+            rank[k] = rank[k - 1];
+        }
+        rank[k] = (uint8_t)i;
+    }
+    for (uint32_t k = 0; k < PLT_SAH_BINS; k++) {
+        s->bin[axis][k].count = k < count;
+        s->bin[axis][k].box = k < count ? s->few_box[rank[k]] : plt_lattice_box_empty();
+    }
+}
+
+/* No more triangles than bins: each is a bin of its own, in order, and every
+ * split there is gets its cost. */
+static uint32_t split_few(plt_blocks_state *s, uint32_t begin, uint32_t count,
+                          plt_lattice_box child[2]) {
+    lattice_split best = {-1, 0, 0.0f, 0, {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}};
+    for (uint32_t i = 0; i < count; i++) {
+        s->few[i] = plt_permuted(s, begin + i);
+        s->few_box[i] = plt_lattice_triangle_box(&s->job->triangles, s->few[i]);
+    }
+    for (int a = 0; a < 3; a++) {
+        rank_boxes(s, a, count);
+        sweep_axis(s, a, count, &best);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        plt_permute(s, begin + i, s->few[s->few_rank[best.axis][i]]);
+    }
+    child[0] = best.child[0];
+    child[1] = best.child[1];
+    return begin + best.left;
+}
+
+static uint32_t split_sah(plt_blocks_state *s, uint32_t begin, uint32_t end,
+                          plt_lattice_box child[2]) {
+    const lattice_bins bins = fill_bins(s, begin, end);
+    lattice_split best = {-1, 0, 0.0f, 0, {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}};
+    for (int a = 0; a < 3; a++) {
+        sweep_axis(s, a, end - begin, &best);
+    }
+    if (best.axis < 0) {
+        return begin;
+    }
+    const uint32_t middle = begin + best.left;
+    for (uint32_t last = end; begin < last;) {
+        const plt_lattice_box b = box_at(s, begin);
+        if (bin_of(&bins, best.axis, centre2(&b, best.axis)) < best.bin) {
+            begin++;
+        } else {
+            exchange(s, begin, --last);
+        }
+    }
+    child[0] = best.child[0];
+    child[1] = best.child[1];
+    return middle;
+}
+
+static uint32_t split_median(plt_blocks_state *s, const plt_block_range *range) {
+    uint32_t begin = range->first, end = range->first + range->count;
+    int axis = 0;
+    for (int a = 1; a < 3; a++) {
+        const uint32_t extent = range->tight.hi[a] - range->tight.lo[a];
+        axis = extent > range->tight.hi[axis] - range->tight.lo[axis] ? a : axis;
+    }
+    const uint32_t middle2 = centre2(&range->tight, axis);
+    while (begin < end) {
+        const plt_lattice_box b = box_at(s, begin);
+        if (centre2(&b, axis) < middle2) {
+            begin++;
+        } else {
+            exchange(s, begin, --end);
+        }
+    }
+    return begin;
+}
+
+/* Levels that halving by number takes until lists are full. */
+static uint32_t levels_needed(uint32_t count, uint32_t k) {
+    uint32_t levels = 0;
+    for (; count > k; count -= count / 2) {
+        levels++;
+    }
+    return levels;
+}
+
+uint32_t plt_blocks_split(plt_blocks_state *s, const plt_block_range *range,
+                          plt_lattice_box child[2]) {
+    const uint32_t begin = range->first, end = range->first + range->count;
+    uint32_t middle = begin;
+    if (levels_needed(range->count, s->job->leaf_triangles) + range->depth < PLT_DEPTH_MAX) {
+        if (s->job->splits == PLT_SPLIT_SAH) {
+            middle = range->count <= PLT_SAH_BINS ? split_few(s, begin, range->count, child)
+                                                  : split_sah(s, begin, end, child);
+        } else {
+            middle = split_median(s, range);
+            if (middle != begin && middle != end) {
+                child[0] = box_of(s, begin, middle);
+                child[1] = box_of(s, middle, end);
+            }
+        }
+    }
+    if (middle == begin || middle == end) {
+        middle = begin + range->count / 2;
+        child[0] = box_of(s, begin, middle);
+        child[1] = box_of(s, middle, end);
+    }
+    return middle;
+}

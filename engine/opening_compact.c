@@ -1,0 +1,172 @@
+/* opening_compact - scenes of compact blocks
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/budget.h"
+#include "engine/build/blocks.h"
+#include "engine/image/fault.h"
+#include "engine/opening.h"
+
+#define BEHIND 8 /* bytes that readers of bits may look at */
+
+static void describe(const plt_opening *o) {
+    plt_engine *e = o->e;
+    plt_block_tree *t = &e->walker.blocks.tree;
+    t->root = e->header.root;
+    t->leaf_triangles = e->header.info.leaf_triangles;
+    t->lattice = e->header.lattice;
+    t->box = e->header.lattice_box;
+    t->numbers.bits = e->header.info.number_bits;
+    for (int a = 0; a < 3; a++) {
+        e->walker.blocks.origin[a] = t->lattice.origin[a];
+    }
+    e->walker.tree.box = plt_box_empty();
+    for (int a = 0; a < 3 && e->header.info.triangles > 0; a++) {
+        e->walker.tree.box.lo[a] = e->header.info.lo[a];
+        e->walker.tree.box.hi[a] = e->header.info.hi[a];
+    }
+}
+
+static int same_counts(const plt_info *a, const plt_info *b) {
+    return a->nodes == b->nodes && a->leaf_lists == b->leaf_lists &&
+           a->intermediate_lists == b->intermediate_lists && a->treelets == b->treelets &&
+           a->triangles == b->triangles && a->node_bytes == b->node_bytes &&
+           a->depth_stack_entries == b->depth_stack_entries;
+}
+
+/* Numbers of the section are those of the packed mesh. */
+static int check_numbers(const plt_opening *o) {
+    const plt_info *info = &o->e->header.info;
+    const plt_numbers *n = &o->e->walker.blocks.tree.numbers;
+    for (uint32_t i = 0; i < info->triangles && n->bytes != NULL; i++) {
+        const uint32_t word = plt_number_find(n, i);
+        if (plt_number_triangle(word) >= info->source_triangles || plt_number_turn(word) > 2) {
+            return plt_broken(o->fault, 19, i, "a triangle's number is too large");
+        }
+    }
+    return PLT_OK;
+}
+
+static int check_blocks(const plt_opening *o) {
+    plt_engine *e = o->e;
+    const plt_section *s = plt_header_section(&e->header, PLT_SECTION_BLOCKS);
+    const size_t mark = e->arena.used;
+    plt_info found = e->header.info;
+    plt_block_frame_of_survey *frames = plt_arena_cut(&e->arena, plt_budget_survey(&found));
+    if (frames == NULL) {
+        return plt_opening_short(o);
+    }
+    int status = plt_block_survey(&e->walker.blocks.tree, frames, &found, o->fault);
+    plt_arena_release(&e->arena, mark);
+    if (status == PLT_ERR_IMAGE) {
+        o->fault->offset += s->offset;
+    }
+    if (status == PLT_OK && !same_counts(&e->header.info, &found)) {
+        status = plt_broken(o->fault, 18, 24, "the header's counts are not the blocks'");
+    }
+    return status == PLT_OK ? check_numbers(o) : status;
+}
+
+static int take_blocks(const plt_opening *o) {
+    plt_block_tree *t = &o->e->walker.blocks.tree;
+    const plt_info *info = &o->e->header.info;
+    const void *blocks = NULL, *numbers = NULL;
+    int status = plt_opening_section(o, PLT_SECTION_BLOCKS, 0, &blocks);
+    if (status == PLT_OK && info->number_bits > 0) {
+        status = plt_opening_section(o, PLT_SECTION_NUMBERS, 0, &numbers);
+    }
+    t->bytes = blocks;
+    t->numbers.bytes = numbers;
+    t->used = info->node_bytes + info->triangle_bytes;
+    return status == PLT_OK ? check_blocks(o) : status;
+}
+
+/* Corners outside the lattice's box would give boxes and frames that lie. */
+static int check_corners(const plt_opening *o, const plt_lattice_triangles *t) {
+    const plt_lattice_box *box = &o->e->header.lattice_box;
+    for (uint32_t i = 0; i < t->count; i++) {
+        for (uint32_t k = 0; k < 9; k++) {
+            const uint32_t q = plt_lattice_triangle_word(t, i, k);
+            if (q < box->lo[k % 3] || q > box->hi[k % 3]) {
+                return plt_broken(o->fault, 20, (9 * i + k) * t->width,
+                                  "a corner lies outside the scene's box");
+            }
+        }
+    }
+    return PLT_OK;
+}
+
+static int run_build(const plt_opening *o, plt_blocks_job *job) {
+    plt_engine *e = o->e;
+    const size_t scratch = plt_arena_cut_bytes(plt_blocks_scratch_bytes(e->header.info.triangles));
+    const size_t free_bytes = e->arena.bytes - e->arena.used;
+    if (scratch + BEHIND > free_bytes) {
+        return plt_opening_short(o);
+    }
+    const plt_info worst = plt_budget_worst_tree(&e->header.info);
+    const size_t most = (size_t)worst.node_bytes + worst.triangle_bytes;
+    const size_t room = (free_bytes - scratch) & ~(size_t)(PLT_ALIGN - 1);
+    job->bytes = room < most ? room : most;
+    job->memory = plt_arena_cut(&e->arena, job->bytes);
+    job->scratch = plt_arena_cut(&e->arena, scratch);
+    if (job->memory == NULL || job->scratch == NULL) {
+        return plt_opening_short(o);
+    }
+    int status = plt_blocks_begin(job) == PLT_OK ? PLT_MORE : PLT_ERR_ARENA;
+    while (status == PLT_MORE) {
+        status = plt_blocks_step(job);
+    }
+    if (status == PLT_ERR_ARENA) {
+        return plt_opening_short(o);
+    }
+    return status == PLT_OK ? PLT_OK
+                            : plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
+}
+
+static void believe(const plt_opening *o, const plt_blocks_job *job) {
+    plt_info *info = &o->e->header.info;
+    plt_block_tree *t = &o->e->walker.blocks.tree;
+    t->bytes = job->memory;
+    t->used = job->used;
+    t->root = o->e->header.root = job->root;
+    info->nodes = info->node_slots = job->nodes;
+    info->treelets = job->blocks;
+    info->leaf_lists = job->units - job->pairs;
+    info->intermediate_lists = job->pairs;
+    info->node_bytes = job->node_bytes;
+    info->triangle_bytes = job->used - job->node_bytes;
+    info->depth_stack_entries = job->depth;
+}
+
+static int build_blocks(const plt_opening *o) {
+    plt_engine *e = o->e;
+    const plt_info *info = &e->header.info;
+    const void *corners = NULL;
+    int status = plt_opening_section(o, PLT_SECTION_CORNERS, 0, &corners);
+    if (status != PLT_OK) {
+        return status;
+    }
+    plt_blocks_job job = {.triangles = {corners, info->triangles, info->lattice_bits <= 16 ? 2 : 4},
+                          .bits = info->lattice_bits,
+                          .leaf_triangles = info->leaf_triangles,
+                          .splits = info->splits};
+    status = check_corners(o, &job.triangles);
+    const size_t mark = e->arena.used, peak = e->arena.peak;
+    if (status == PLT_OK) {
+        status = run_build(o, &job);
+    }
+    if (status == PLT_OK) {
+        /* Room that was offered and not needed does not count. */
+        const size_t needed =
+            mark + job.peak + plt_arena_cut_bytes(plt_blocks_scratch_bytes(info->triangles));
+        plt_arena_release(&e->arena, mark);
+        e->arena.peak = needed > peak ? needed : peak;
+        plt_arena_cut(&e->arena, (size_t)job.used + BEHIND);
+        believe(o, &job);
+    }
+    return status;
+}
+
+int plt_opening_compact(const plt_opening *o) {
+    describe(o);
+    return o->e->header.info.build == PLT_BUILD_DEVICE ? build_blocks(o) : take_blocks(o);
+}

@@ -1,0 +1,273 @@
+/* block_survey - see block_survey.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/tree/block_survey.h"
+
+#include "engine/image/fault.h"
+
+enum rule {
+    SOUND = 0,
+    RULE_SIZES = 10,      /* the parts fit the block's sizes and the section */
+    RULE_KINDS = 11,      /* n - 1 inner children, in breadth-first order */
+    RULE_FRAME = 12,      /* the frame is a box inside the scene's */
+    RULE_CHECK = 13,      /* both parts' checks are right */
+    RULE_GEOMETRY = 14,   /* counts, strips and vertices fit the geometry part */
+    RULE_UNITS = 15,      /* every unit begins a strip and has at most 2 K triangles */
+    RULE_REFERENCES = 16, /* references name vertices already met */
+    RULE_LINKS = 17,      /* links lead forward, to each block once */
+    RULE_COUNTS = 18      /* the header's counts are the blocks' */
+};
+
+/* Node i + 1 needs a parent among nodes 0 .. i. */
+static int kinds_form_a_tree(const plt_block *b) {
+    uint32_t inner = 0;
+    for (uint32_t i = 0; i < b->nodes; i++) {
+        inner += plt_block_kind(b, 2 * i) == PLT_SLOT_INNER;
+        inner += plt_block_kind(b, 2 * i + 1) == PLT_SLOT_INNER;
+        if (i + 1 < b->nodes && inner < i + 1) {
+            return 0;
+        }
+    }
+    return inner == b->nodes - 1;
+}
+
+static int frame_is_inside(const plt_lattice_box *f, const plt_lattice_box *scene) {
+    int inside = 1;
+    for (int a = 0; a < 3; a++) {
+        inside &= f->lo[a] >= scene->lo[a] && f->lo[a] <= f->hi[a] && f->hi[a] <= scene->hi[a];
+    }
+    return inside;
+}
+
+static int checks_are_right(const plt_block *b) {
+    if (plt_get_u32(b->bytes) >> 16 != plt_block_check(b->bytes, b->node_bytes, 2)) {
+        return 0;
+    }
+    return b->geometry_bytes == 0 ||
+           plt_get_u32(b->geometry + 4) >> 16 == plt_block_check(b->geometry, b->geometry_bytes, 6);
+}
+
+/* Each string begins where the one before ends; all must end inside the part. Counts are bounded
+ * first, so that no position overflows. */
+static int geometry_fits(const plt_geometry *g, const plt_block *b) {
+    const uint64_t bits = 8ull * b->geometry_bytes;
+    if (g->triangles > (PLT_BLOCK_NODES_MOST + 1) * PLT_UNIT_TRIANGLES_MOST || g->turns > bits ||
+        g->news > bits || g->refs > bits || g->slots < g->vertices ||
+        plt_bits_count(g->bytes, g->news, g->news + g->slots) != g->vertices) {
+        return 0;
+    }
+    return g->positions + (uint64_t)g->vertices * g->vertex_bits <= bits;
+}
+
+static int references_are_known(const plt_geometry *g) {
+    uint32_t rank = 0;
+    for (uint32_t slot = 0; slot < g->slots; slot++) {
+        if (plt_bits_get(g->bytes, g->news + slot, 1)) {
+            rank++;
+        } else if (plt_bits_get(g->bytes, g->refs + (slot - rank) * g->ref_bits, g->ref_bits) >=
+                   rank) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Units follow each other without gaps and each begins a strip. */
+static int units_are_sound(const plt_geometry *g, const plt_block *b) {
+    uint32_t unit = 0, pairs = 0, triangle = 0;
+    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
+        if (plt_block_kind(b, slot) != PLT_SLOT_UNIT) {
+            continue;
+        }
+        const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
+        if (triangle >= g->triangles || !plt_bits_get(g->bytes, g->starts + triangle, 1)) {
+            return 0;
+        }
+        triangle += plt_unit_count(g, unit, pair);
+        unit++;
+        pairs += (uint32_t)pair;
+    }
+    return triangle == g->triangles;
+}
+
+static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k) {
+    plt_geometry g;
+    if (b->units == 0) {
+        return b->geometry_bytes == 0 ? SOUND : RULE_GEOMETRY;
+    }
+    if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES + 8) {
+        return RULE_GEOMETRY;
+    }
+    plt_geometry_open(&g, b, frame, k);
+    if (!geometry_fits(&g, b)) {
+        return RULE_GEOMETRY;
+    }
+    if (!units_are_sound(&g, b)) {
+        return RULE_UNITS;
+    }
+    return references_are_known(&g) ? SOUND : RULE_REFERENCES;
+}
+
+int plt_block_is_sound(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
+    plt_block b;
+    plt_lattice_box frame;
+    const uint32_t bits = tree->lattice.bits;
+    if (limit < PLT_BLOCK_HEADER_BYTES ||
+        limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
+        return RULE_SIZES;
+    }
+    plt_block_open(&b, bytes, bits);
+    if (b.node_bytes > limit || b.geometry_bytes > limit - b.node_bytes) {
+        return RULE_SIZES;
+    }
+    if (!kinds_form_a_tree(&b)) {
+        return RULE_KINDS;
+    }
+    plt_block_frame(&b, bits, &frame);
+    if (!frame_is_inside(&frame, &tree->box)) {
+        return RULE_FRAME;
+    }
+    return checks_are_right(&b) ? geometry_rule(&b, &frame, tree->leaf_triangles) : RULE_CHECK;
+}
+
+static int broken(plt_fault *fault, int rule, uint32_t address) {
+    static const char *const what[] = {
+        "a block's parts do not fit its sizes",
+        "a block's nodes form no tree",
+        "a block's frame is no box inside the scene's",
+        "a block is damaged (check)",
+        "a block's geometry does not fit its size",
+        "a unit of triangles does not begin a strip or is too long",
+        "a triangle names a vertex before it is there",
+        "a link leads back, astray or twice to a block",
+        "the header's counts are not the blocks'",
+    };
+    return plt_broken(fault, (uint8_t)rule, address, what[rule - RULE_SIZES]);
+}
+
+/* Depth of every node of a block, and the deepest into `info`. */
+static void node_depths(const plt_block *b, uint32_t depth, uint16_t *depths, plt_info *info) {
+    depths[0] = (uint16_t)(depth + 1);
+    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
+        if (plt_block_kind(b, slot) == PLT_SLOT_INNER) {
+            depths[1 + plt_block_rank(b, PLT_SLOT_INNER, slot)] = (uint16_t)(depths[slot / 2] + 1);
+        }
+    }
+    for (uint32_t i = 0; i < b->nodes; i++) {
+        info->depth_stack_entries =
+            depths[i] > info->depth_stack_entries ? depths[i] : info->depth_stack_entries;
+    }
+}
+
+/* Takes a block that the walk arrives at for the first time into the counts. */
+static int arrive(const plt_block_tree *tree, const plt_block_frame_of_survey *f, plt_info *info,
+                  plt_fault *fault) {
+    const int rule = plt_block_is_sound(tree->bytes + f->address, tree->used - f->address, tree);
+    if (rule != SOUND) {
+        return broken(fault, rule, f->address);
+    }
+    plt_block b;
+    plt_block_open(&b, tree->bytes + f->address, tree->lattice.bits);
+    const uint32_t pairs = b.pairs_before[3] + plt_count_bits(b.pair[3]);
+    info->treelets++;
+    info->nodes += b.nodes;
+    info->intermediate_lists += pairs;
+    info->leaf_lists += b.units - pairs;
+    info->node_bytes += b.node_bytes;
+    info->triangle_bytes += b.geometry_bytes;
+    if (b.units > 0) {
+        plt_geometry g;
+        plt_lattice_box frame;
+        plt_block_frame(&b, tree->lattice.bits, &frame);
+        plt_geometry_open(&g, &b, &frame, tree->leaf_triangles);
+        if (g.first_triangle != info->triangles) {
+            return broken(fault, RULE_COUNTS, f->address);
+        }
+        info->triangles += g.triangles;
+    }
+    return PLT_OK;
+}
+
+/* The edge with the lowest address above f->last; its number of nodes above
+ * into `depth`. PLT_MISS: none is left. */
+static uint32_t next_edge(const plt_block_tree *tree, const plt_block_frame_of_survey *f,
+                          uint32_t *depth, plt_info *info) {
+    plt_block b;
+    uint16_t depths[PLT_BLOCK_NODES_MOST];
+    uint32_t best = PLT_MISS;
+    plt_block_open(&b, tree->bytes + f->address, tree->lattice.bits);
+    node_depths(&b, f->depth, depths, info);
+    for (uint32_t slot = 0; slot < 2 * b.nodes; slot++) {
+        if (plt_block_kind(&b, slot) != PLT_SLOT_EDGE) {
+            continue;
+        }
+        const uint32_t link = plt_block_edge(&b, plt_block_rank(&b, PLT_SLOT_EDGE, slot));
+        const uint32_t address = plt_block_address(link);
+        if (address > f->last && (best == PLT_MISS || address < plt_block_address(best))) {
+            best = link;
+            *depth = depths[slot / 2];
+        }
+    }
+    return best;
+}
+
+static int walk(const plt_block_tree *tree, plt_block_frame_of_survey *frames, plt_info *info,
+                plt_fault *fault) {
+    uint32_t level = 0, expected = 0, edges = 0;
+    frames[0].address = frames[0].depth = 0;
+    for (int first = 1;;) {
+        plt_block_frame_of_survey *f = &frames[level];
+        if (first) {
+            plt_block b;
+            const int status = f->address == expected ? arrive(tree, f, info, fault)
+                                                      : broken(fault, RULE_LINKS, f->address);
+            if (status != PLT_OK) {
+                return status;
+            }
+            plt_block_open(&b, tree->bytes + f->address, tree->lattice.bits);
+            expected += (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
+            edges += b.edges;
+            f->last = f->address;
+        }
+        uint32_t depth = 0;
+        const uint32_t link = next_edge(tree, f, &depth, info);
+        first = link != PLT_MISS;
+        if (!first) {
+            if (level-- == 0) {
+                break;
+            }
+            continue;
+        }
+        f->last = plt_block_address(link);
+        if (depth >= PLT_DEPTH_MAX || level + 1 == PLT_DEPTH_MAX) {
+            return plt_limit(fault, "the tree is deeper than PLT_DEPTH_MAX");
+        }
+        if (f->last >= tree->used) {
+            return broken(fault, RULE_LINKS, f->address);
+        }
+        frames[++level].address = f->last;
+        frames[level].depth = depth;
+    }
+    return expected == tree->used && edges + 1 == info->treelets
+               ? PLT_OK
+               : broken(fault, RULE_LINKS, expected);
+}
+
+int plt_block_survey(const plt_block_tree *tree, plt_block_frame_of_survey *frames, plt_info *info,
+                     plt_fault *fault) {
+    info->nodes = info->node_slots = info->leaf_lists = info->intermediate_lists = 0;
+    info->treelets = info->triangles = info->node_bytes = info->triangle_bytes = 0;
+    info->local_stack_entries = info->global_stack_entries = info->depth_stack_entries = 0;
+    if (tree->root == PLT_MISS) {
+        return tree->used == 0 ? PLT_OK : broken(fault, RULE_LINKS, 0);
+    }
+    if (plt_block_address(tree->root) != 0 || tree->used == 0) {
+        return broken(fault, RULE_LINKS, 0);
+    }
+    const int status = walk(tree, frames, info, fault);
+    info->node_slots = info->nodes;
+    info->node_bytes = tree->used - info->triangle_bytes;
+    return status == PLT_OK && info->depth_stack_entries > PLT_DEPTH_MAX
+               ? plt_limit(fault, "the tree is deeper than PLT_DEPTH_MAX")
+               : status;
+}

@@ -1,0 +1,50 @@
+/* numbers - what a triangle was called when it was packed
+ *
+ * A number word holds the triangle's number in packing order in bits 0 .. 26
+ * and its turn in bits 29 and 30: which corner of the canonical order (record.h)
+ * came first in the packed mesh. Float records carry the word; lattice
+ * geometry keeps the words apart, packed to as few bits as they take, and they
+ * are looked up only for hits. Without them a triangle's number is its place in the
+ * image and its turn 0.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TREE_NUMBERS_H
+#define PLT_TREE_NUMBERS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define PLT_NUMBER_TURN_SHIFT 29
+#define PLT_NUMBER_TRIANGLE 0x07FFFFFFu
+
+/* A section of the image: entry i is `bits` bits at bit i * bits, the turn in
+ * the lowest two, then the number; least significant bit first. Four bytes
+ * behind the last entry may be read. */
+typedef struct plt_numbers {
+    const unsigned char *bytes;
+    uint32_t bits; /* 2 .. 29 */
+} plt_numbers;
+
+static inline uint32_t plt_number_triangle(uint32_t word) {
+    return word & PLT_NUMBER_TRIANGLE;
+}
+
+static inline uint32_t plt_number_turn(uint32_t word) {
+    return word >> PLT_NUMBER_TURN_SHIFT & 3u;
+}
+
+static inline uint32_t plt_number_find(const plt_numbers *numbers, uint32_t number) {
+    if (numbers == NULL) {
+        return number;
+    }
+    const uint64_t at = (uint64_t)number * numbers->bits;
+    const unsigned char *byte = numbers->bytes + (at >> 3);
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 5; i++) {
+        word |= (uint64_t)byte[i] << 8 * i;
+    }
+    const uint32_t entry = (uint32_t)(word >> (at & 7)) & ((1u << numbers->bits) - 1u);
+    return entry >> 2 | (entry & 3u) << PLT_NUMBER_TURN_SHIFT;
+}
+
+#endif

@@ -1,0 +1,41 @@
+/* lattice - a mesh moved onto the scene's lattice
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HOST_LATTICE_H
+#define HOST_LATTICE_H
+#include <stdint.h>
+
+#include "engine/tree/lattice.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/mesh/mesh.h"
+
+/* What moving cost; printed by pack. */
+typedef struct lattice_loss {
+    double largest_move;  /* of a vertex, as a fraction of the longest side */
+    uint64_t flat_before; /* triangles without area in the mesh */
+    uint64_t flat_now;    /* and those that lost it on the lattice */
+    uint64_t merged;      /* positions that were different and are no longer */
+    uint64_t t_junctions; /* dropped slivers whose middle corner lies on an edge */
+} lattice_loss;
+
+typedef struct snapped {
+    plt_lattice lattice;
+    plt_lattice_box box;    /* of the triangles that are left */
+    unsigned char *corners; /* 9 numbers each, `width` bytes; owned */
+    uint32_t width;
+    uint32_t *source; /* packing-order number of each; owned */
+    uint8_t *turn;    /* numbers.h; owned */
+    uint32_t count;
+    lattice_loss loss;
+} snapped;
+
+/* Bits that keep every vertex within `tolerance` (a fraction of the longest
+ * side) of where it was; 0 when 21 are not enough. */
+uint32_t lattice_bits_for(double tolerance);
+
+/* Moves the mesh. Triangles without area on the lattice are left out. Refuses a
+ * lattice finer than the floats around it. */
+int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f);
+void lattice_free(snapped *s);
+
+#endif

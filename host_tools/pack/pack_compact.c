@@ -1,0 +1,170 @@
+/* pack_compact - from a mesh to an image of compact blocks
+ *
+ * The builder is the engine's own, as in pack.c; the device builds the same
+ * blocks from the corners that --build device packs.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/build/blocks.h"
+#include "engine/image/crc32.h"
+#include "engine/image/header.h"
+#include "engine/tree/bits.h"
+#include "engine/tree/block.h"
+#include "engine/tree/numbers.h"
+#include "host_tools/pack/lattice.h"
+#include "host_tools/pack/pack.h"
+
+typedef struct compacting {
+    const mesh *m;
+    const compact_options *options;
+    const char *name;
+    snapped s;
+    plt_header header;
+    unsigned char *blocks; /* owned */
+    uint32_t *order;       /* image order to place in `s`; owned */
+    uint32_t triangles;    /* in image order */
+} compacting;
+
+static int out_of_memory(const compacting *c, fail *f) {
+    return fail_set(f, c->name, "%zu triangles: out of memory; pack on a larger machine",
+                    c->m->triangles);
+}
+
+static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
+    /* Worst case: nine corners of `bits` bits, references and a node each. */
+    job->bytes = ((size_t)c->s.count * 40 + 65536) & ~(size_t)7;
+    job->memory = malloc(job->bytes);
+    job->scratch = malloc(plt_blocks_scratch_bytes(c->s.count));
+    c->blocks = job->memory;
+    c->order = malloc(((size_t)c->s.count + 2) * sizeof *c->order);
+    if (job->memory == NULL || job->scratch == NULL || c->order == NULL) {
+        return out_of_memory(c, f);
+    }
+    int status = plt_blocks_begin(job);
+    plt_blocks_watch(job, c->order);
+    for (status = status == PLT_OK ? PLT_MORE : status; status == PLT_MORE;) {
+        status = plt_blocks_step(job);
+    }
+    if (status != PLT_OK) {
+        return fail_set(f, c->name,
+                        "%u triangles need more than %d levels or 128 MiB; raise PLT_DEPTH_MAX or "
+                        "--leaf, or use --nodes thesis",
+                        c->s.count, PLT_DEPTH_MAX);
+    }
+    return 0;
+}
+
+static int build(compacting *c, fail *f) {
+    plt_info *info = &c->header.info;
+    plt_blocks_job job = {.triangles = {c->s.corners, c->s.count, c->s.width},
+                          .bits = c->s.lattice.bits,
+                          .leaf_triangles = info->leaf_triangles,
+                          .splits = info->splits};
+    const int status = run_job(c, &job, f);
+    free(job.scratch);
+    info->nodes = info->node_slots = job.nodes;
+    info->treelets = job.blocks;
+    info->leaf_lists = job.units - job.pairs;
+    info->intermediate_lists = job.pairs;
+    info->node_bytes = job.node_bytes;
+    info->triangle_bytes = job.used - job.node_bytes;
+    info->depth_stack_entries = job.depth;
+    c->header.root = job.root;
+    c->triangles = job.written;
+    return status;
+}
+
+static void describe(compacting *c) {
+    plt_info *info = &c->header.info;
+    c->header.lattice = c->s.lattice;
+    c->header.lattice_box = c->s.box;
+    for (int a = 0; a < 3; a++) {
+        c->header.lattice_box.lo[a] = c->s.count > 0 ? c->s.box.lo[a] : 0;
+        info->lo[a] = c->s.count > 0 ? plt_lattice_float(&c->s.lattice, a, c->s.box.lo[a]) : 0.0f;
+        info->hi[a] = c->s.count > 0 ? plt_lattice_float(&c->s.lattice, a, c->s.box.hi[a]) : 0.0f;
+    }
+    info->nodes_format = PLT_NODES_COMPACT;
+    info->geometry_format = PLT_GEOMETRY_LATTICE;
+    info->lattice_bits = (uint8_t)c->s.lattice.bits;
+    info->splits = c->options->splits;
+    info->build = c->options->build;
+    info->leaf_triangles = c->options->leaf_triangles;
+    info->treelet_nodes = PLT_BLOCK_NODES_MOST;
+    info->source_triangles = (uint32_t)c->m->triangles;
+    info->triangles = c->s.count;
+    if (c->options->numbers && info->build == PLT_BUILD_HOST && c->s.count > 0) {
+        info->number_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
+    }
+    c->header.root = PLT_MISS;
+}
+
+static void write_numbers(const compacting *c, unsigned char *to) {
+    const uint32_t bits = c->header.info.number_bits;
+    for (uint32_t i = 0; i < c->triangles; i++) {
+        const uint32_t place = c->order[i];
+        const uint64_t at = (uint64_t)i * bits;
+        plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), bits,
+                     c->s.source[place] << 2 | c->s.turn[place]);
+    }
+}
+
+static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
+    const plt_info *info = &c->header.info;
+    if (kind == PLT_SECTION_BLOCKS && c->blocks != NULL) {
+        memcpy(to, c->blocks, (size_t)info->node_bytes + info->triangle_bytes);
+    } else if (kind == PLT_SECTION_CORNERS && c->s.count > 0) {
+        memcpy(to, c->s.corners, (size_t)c->s.count * 9 * c->s.width);
+    } else if (kind == PLT_SECTION_NUMBERS) {
+        write_numbers(c, to);
+    }
+}
+
+static int assemble(compacting *c, packed *image, fail *f) {
+    uint32_t kind[PLT_SECTIONS_MOST];
+    const unsigned count = plt_header_kinds(&c->header.info, kind);
+    uint64_t size = PLT_HEADER_BYTES;
+    for (unsigned i = 0; i < count; i++) {
+        size += plt_header_section_bytes(&c->header.info, kind[i]);
+    }
+    image->bytes = size <= UINT32_MAX ? aligned_alloc(PLT_SECTION_ALIGN, (size_t)size) : NULL;
+    if (image->bytes == NULL) {
+        return out_of_memory(c, f);
+    }
+    memset(image->bytes, 0, (size_t)size);
+    image->size = (uint32_t)size;
+    unsigned char *at = image->bytes + PLT_HEADER_BYTES;
+    for (unsigned i = 0; i < count; i++) {
+        const size_t bytes = (size_t)plt_header_section_bytes(&c->header.info, kind[i]);
+        fill_section(c, kind[i], at);
+        c->header.section[i].crc = plt_crc32(0, at, bytes);
+        at += bytes;
+    }
+    plt_header_write(image->bytes, &c->header);
+    image->info = c->header.info;
+    return 0;
+}
+
+int pack_compact(packed *image, const mesh *m, const compact_options *options, const char *name,
+                 lattice_loss *loss, fail *f) {
+    const packed nothing = {NULL, 0, {0}};
+    compacting c = {.m = m, .options = options, .name = name};
+    *image = nothing;
+    int status = lattice_snap(&c.s, m, options->lattice_bits, name, f);
+    if (status == 0) {
+        describe(&c);
+        if (options->build == PLT_BUILD_HOST) {
+            status = build(&c, f);
+            c.header.info.triangles = c.triangles;
+        }
+    }
+    if (status == 0) {
+        status = assemble(&c, image, f);
+    }
+    *loss = c.s.loss;
+    lattice_free(&c.s);
+    free(c.blocks);
+    free(c.order);
+    return status;
+}
