@@ -22,6 +22,11 @@ PLANELET=$(absolute "${PLANELET:-${OUT:-$BUILD/host}/planelet}")
 CLI_TESTS=$(absolute tests/cli)
 
 begin() {
+    if ! [ -x "$PLANELET" ]; then
+        verdict "there is a planelet to test" "$PLANELET cannot be run; run: make"
+        finish
+        exit 1
+    fi
     work=$(absolute "$BUILD/test-tmp/cli/$1")
     rm -rf "$work"
     mkdir -p "$work"
