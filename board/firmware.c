@@ -194,7 +194,10 @@ int firmware(const char *parameters) {
         return FIRMWARE_FAILED;
     }
     firmware_open_begin();
-    const int status = plt_open(&engine, arena, arena_bytes, &source, &j.options, &fault);
+    int status = plt_open_begin(&engine, arena, arena_bytes, &source, &j.options, &fault);
+    while (status == PLT_MORE) { /* a product would look after its other work here */
+        status = plt_open_step(engine, 16, &fault);
+    }
     firmware_open_end();
     if (status < 0) {
         return print_fault(&fault, status, arena_bytes);

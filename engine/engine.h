@@ -9,6 +9,7 @@
 #ifndef PLT_ENGINE_H
 #define PLT_ENGINE_H
 
+#include "engine/build/blocks.h"
 #include "engine/image/header.h"
 #include "engine/memory/arena.h"
 #include "engine/planelet.h"
@@ -32,7 +33,11 @@ struct plt_engine {
     plt_header header;
     plt_walker walker;
     plt_rendering rendering;
-    uint8_t *film; /* a tile, 3 bytes a pixel, rows as wide as the tile in hand */
+    plt_blocks_job build; /* of compact blocks, while it runs */
+    size_t build_mark;    /* arena in use before it */
+    size_t build_peak;    /* and the peak till then */
+    uint8_t building;     /* between plt_open_begin and the step that ends it */
+    uint8_t *film;        /* a tile, 3 bytes a pixel, rows as wide as the tile in hand */
     uint32_t touched_words;
 };
 

@@ -103,8 +103,9 @@ static int lay_out(const plt_opening *o) {
     return status == PLT_OK ? cut_rest(o) : status;
 }
 
-int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
-             const plt_options *options, plt_fault *fault) {
+/* What plt_open does, up to the building of blocks. */
+int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
+                   const plt_options *options, plt_fault *fault) {
     plt_header header;
     *engine = NULL;
     *fault = no_fault;
@@ -131,7 +132,37 @@ int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_sou
     status = lay_out(&o);
     if (status == PLT_OK) {
         plt_stats_reset(e);
+    }
+    if (status >= PLT_OK) {
         *engine = e;
+    }
+    return status;
+}
+
+int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
+    const plt_opening o = {e, fault};
+    *fault = no_fault;
+    if (!e->building) {
+        return PLT_OK;
+    }
+    int status = plt_opening_step(&o, splits > 0 ? splits : 1);
+    if (status == PLT_OK) {
+        status = cut_rest(&o);
+    }
+    if (status == PLT_OK) {
+        plt_stats_reset(e);
+    }
+    return status;
+}
+
+int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
+             const plt_options *options, plt_fault *fault) {
+    int status = plt_open_begin(engine, arena, arena_bytes, source, options, fault);
+    while (status == PLT_MORE) {
+        status = plt_open_step(*engine, 0xFFFFFFFFu, fault);
+    }
+    if (status != PLT_OK) {
+        *engine = NULL;
     }
     return status;
 }

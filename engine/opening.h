@@ -18,8 +18,11 @@ int plt_opening_short(const plt_opening *o);
  * else in the arena; its checksum is right. */
 int plt_opening_section(const plt_opening *o, uint32_t kind, int copy, const void **bytes);
 
-/* Take the scene, check it or build its tree, and set up the walker. */
+/* Take the scene, check it or build its tree, and set up the walker. PLT_MORE:
+ * blocks are to be built, by plt_opening_step: `steps` splits or blocks at a
+ * time, until it returns PLT_OK. */
 int plt_opening_thesis(const plt_opening *o);
 int plt_opening_compact(const plt_opening *o);
+int plt_opening_step(const plt_opening *o, uint32_t steps);
 
 #endif

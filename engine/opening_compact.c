@@ -95,7 +95,8 @@ static int check_corners(const plt_opening *o, const plt_lattice_triangles *t) {
     return PLT_OK;
 }
 
-static int run_build(const plt_opening *o, plt_blocks_job *job) {
+/* Blocks grow over the free arena, scratch takes its end. */
+static int cut_for_build(const plt_opening *o, plt_blocks_job *job) {
     plt_engine *e = o->e;
     const size_t scratch = plt_arena_cut_bytes(plt_blocks_scratch_bytes(e->header.info.triangles));
     const size_t free_bytes = e->arena.bytes - e->arena.used;
@@ -108,18 +109,33 @@ static int run_build(const plt_opening *o, plt_blocks_job *job) {
     job->bytes = room < most ? room : most;
     job->memory = plt_arena_cut(&e->arena, job->bytes);
     job->scratch = plt_arena_cut(&e->arena, scratch);
-    if (job->memory == NULL || job->scratch == NULL) {
-        return plt_opening_short(o);
+    return job->memory != NULL && job->scratch != NULL && plt_blocks_begin(job) == PLT_OK
+               ? PLT_OK
+               : plt_opening_short(o);
+}
+
+static int begin_build(const plt_opening *o) {
+    plt_engine *e = o->e;
+    const plt_info *info = &e->header.info;
+    const void *corners = NULL;
+    int status = plt_opening_section(o, PLT_SECTION_CORNERS, 0, &corners);
+    if (status != PLT_OK) {
+        return status;
     }
-    int status = plt_blocks_begin(job) == PLT_OK ? PLT_MORE : PLT_ERR_ARENA;
-    while (status == PLT_MORE) {
-        status = plt_blocks_step(job);
+    const plt_blocks_job job = {
+        .triangles = {corners, info->triangles, info->lattice_bits <= 16 ? 2 : 4},
+        .bits = info->lattice_bits,
+        .leaf_triangles = info->leaf_triangles,
+        .splits = info->splits};
+    e->build = job;
+    e->build_mark = e->arena.used;
+    e->build_peak = e->arena.peak;
+    status = check_corners(o, &e->build.triangles);
+    if (status == PLT_OK) {
+        status = cut_for_build(o, &e->build);
     }
-    if (status == PLT_ERR_ARENA) {
-        return plt_opening_short(o);
-    }
-    return status == PLT_OK ? PLT_OK
-                            : plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
+    e->building = status == PLT_OK;
+    return status == PLT_OK ? PLT_MORE : status;
 }
 
 static void believe(const plt_opening *o, const plt_blocks_job *job) {
@@ -137,36 +153,35 @@ static void believe(const plt_opening *o, const plt_blocks_job *job) {
     info->depth_stack_entries = job->depth;
 }
 
-static int build_blocks(const plt_opening *o) {
+/* Room that was offered and not needed counts for no peak. */
+static void finish_build(const plt_opening *o) {
     plt_engine *e = o->e;
-    const plt_info *info = &e->header.info;
-    const void *corners = NULL;
-    int status = plt_opening_section(o, PLT_SECTION_CORNERS, 0, &corners);
-    if (status != PLT_OK) {
-        return status;
+    const size_t scratch = plt_arena_cut_bytes(plt_blocks_scratch_bytes(e->header.info.triangles));
+    const size_t needed = e->build_mark + e->build.peak + scratch;
+    plt_arena_release(&e->arena, e->build_mark);
+    e->arena.peak = needed > e->build_peak ? needed : e->build_peak;
+    plt_arena_cut(&e->arena, (size_t)e->build.used + BEHIND);
+    believe(o, &e->build);
+    e->building = 0;
+}
+
+int plt_opening_step(const plt_opening *o, uint32_t steps) {
+    int status = PLT_MORE;
+    while (status == PLT_MORE && steps > 0) {
+        status = plt_blocks_step(&o->e->build);
+        steps--;
     }
-    plt_blocks_job job = {.triangles = {corners, info->triangles, info->lattice_bits <= 16 ? 2 : 4},
-                          .bits = info->lattice_bits,
-                          .leaf_triangles = info->leaf_triangles,
-                          .splits = info->splits};
-    status = check_corners(o, &job.triangles);
-    const size_t mark = e->arena.used, peak = e->arena.peak;
     if (status == PLT_OK) {
-        status = run_build(o, &job);
-    }
-    if (status == PLT_OK) {
-        /* Room that was offered and not needed does not count. */
-        const size_t needed =
-            mark + job.peak + plt_arena_cut_bytes(plt_blocks_scratch_bytes(info->triangles));
-        plt_arena_release(&e->arena, mark);
-        e->arena.peak = needed > peak ? needed : peak;
-        plt_arena_cut(&e->arena, (size_t)job.used + BEHIND);
-        believe(o, &job);
+        finish_build(o);
+    } else if (status == PLT_ERR_ARENA) {
+        status = plt_opening_short(o);
+    } else if (status != PLT_MORE) {
+        status = plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
     }
     return status;
 }
 
 int plt_opening_compact(const plt_opening *o) {
     describe(o);
-    return o->e->header.info.build == PLT_BUILD_DEVICE ? build_blocks(o) : take_blocks(o);
+    return o->e->header.info.build == PLT_BUILD_DEVICE ? begin_build(o) : take_blocks(o);
 }

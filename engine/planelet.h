@@ -152,6 +152,16 @@ size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *optio
 int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
              const plt_options *options, plt_fault *fault);
 
+/* The same in pieces, for a main loop that must stay alive. Returns PLT_OK, as
+ * plt_open, or PLT_MORE when compact blocks are to be built: then the engine
+ * takes nothing but plt_open_step, each doing about `splits` splits of the
+ * tree, until that returns PLT_OK. After an error *engine of the begin is of no
+ * use. (Thesis nodes are built whole, in the begin. A split of the first block
+ * looks at all triangles, later ones at ever fewer.) */
+int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
+                   const plt_options *options, plt_fault *fault);
+int plt_open_step(plt_engine *engine, uint32_t splits, plt_fault *fault);
+
 const plt_info *plt_engine_info(const plt_engine *engine);
 
 /* ---- rays ------------------------------------------------------------ */

@@ -8,6 +8,7 @@
 #include "engine/tree/node.h"
 #include "engine/tree/record.h"
 #include "host_tools/base/fail.h"
+#include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/scene.h"
 
@@ -32,6 +33,8 @@ static const char *const build_names[] = {"host", "device", "none"};
 
 /* What info prints beyond plt_info. */
 typedef struct derived {
+    breakdown parts;
+    int has_parts; /* compact, and opened */
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
     double tree_each, geometry_each; /* a triangle */
     size_t arena_mapped, arena_fetched;
@@ -53,6 +56,18 @@ static derived derive(const plt_info *i, const plt_options *o) {
     d.arena_mapped = plt_arena_need(i, 1, o);
     d.arena_fetched = plt_arena_need(i, 0, o);
     return d;
+}
+
+static void print_parts_json(const plt_info *i, const derived *d) {
+    if (!d->has_parts) {
+        return;
+    }
+    printf(",\n  \"bytes_per_triangle\": {");
+    for (int p = 0; p < PARTS; p++) {
+        printf("%s\n    \"%s\": %.4f", p > 0 ? "," : "", breakdown_names[p],
+               d->parts.bytes[p] / (i->triangles > 0 ? i->triangles : 1));
+    }
+    printf("\n  }");
 }
 
 static void print_json(const plt_info *i, const derived *d) {
@@ -82,11 +97,20 @@ static void print_json(const plt_info *i, const derived *d) {
            i->local_stack_entries, i->global_stack_entries, i->depth_stack_entries, d->arena_mapped,
            d->arena_fetched);
     if (i->triangles > 0) {
-        printf("  \"lo\": [%.9g, %.9g, %.9g],\n  \"hi\": [%.9g, %.9g, %.9g]\n}\n", (double)i->lo[0],
+        printf("  \"lo\": [%.9g, %.9g, %.9g],\n  \"hi\": [%.9g, %.9g, %.9g]", (double)i->lo[0],
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
                (double)i->hi[2]);
     } else {
-        printf("  \"lo\": null,\n  \"hi\": null\n}\n");
+        printf("  \"lo\": null,\n  \"hi\": null");
+    }
+    print_parts_json(i, d);
+    printf("\n}\n");
+}
+
+static void print_parts_text(const plt_info *i, const derived *d) {
+    for (int p = 0; p < PARTS && d->has_parts; p++) {
+        printf("  %-16s %9.0f, %.3f a triangle\n", breakdown_names[p], d->parts.bytes[p],
+               d->parts.bytes[p] / (i->triangles > 0 ? i->triangles : 1));
     }
 }
 
@@ -123,6 +147,14 @@ static void print_text(const plt_info *i, const derived *d) {
     }
     printf("geometry bytes     %" PRIu64 ", %.2f a triangle\n", d->geometry_bytes,
            d->geometry_each);
+    if (i->nodes_format == PLT_NODES_COMPACT) {
+        printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",
+               (unsigned)i->lattice_bits, i->triangles, i->source_triangles);
+        printf("triangle numbers   %s\n", i->number_bits > 0
+                                              ? "of the packed meshes, kept in a section"
+                                              : "by place: packing order is image order");
+        print_parts_text(i, d);
+    }
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);
     printf("arena needed       %zu bytes%s\n", d->arena_mapped,
            i->build == PLT_BUILD_DEVICE ? " for the worst tree" : " when the image is mapped");
@@ -157,7 +189,11 @@ int run_info(args *a) {
         status = look_into(&s, a->file[0], &info, &f);
     }
     if (status == 0) {
-        const derived d = derive(&info, &s.options);
+        derived d = derive(&info, &s.options);
+        d.has_parts = s.engine != NULL && info.nodes_format == PLT_NODES_COMPACT;
+        if (d.has_parts) {
+            breakdown_count(s.engine, &d.parts);
+        }
         args_has(a, "--json") ? print_json(&info, &d) : print_text(&info, &d);
     }
     scene_close(&s);

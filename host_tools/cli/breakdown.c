@@ -1,0 +1,57 @@
+/* breakdown - see breakdown.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/cli/breakdown.h"
+
+#include <string.h>
+
+#include "engine/engine.h"
+#include "engine/tree/unit.h"
+
+const char *const breakdown_names[PARTS] = {
+    "planes",           "owners",           "kinds",  "links",  "frames",     "headers",
+    "padding",          "geometry_headers", "counts", "strips", "references", "positions",
+    "geometry_padding", "numbers"};
+
+static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
+    const double masks = 2.0 * ((2 * b->nodes + 7) / 8), owners = (5 * b->nodes + 7) / 8;
+    to->bytes[PART_PLANES] += 6.0 * b->nodes;
+    to->bytes[PART_OWNERS] += owners;
+    to->bytes[PART_KINDS] += masks;
+    to->bytes[PART_LINKS] += 4.0 * b->edges;
+    to->bytes[PART_FRAMES] += plt_block_frame_bytes(bits);
+    to->bytes[PART_HEADERS] += PLT_BLOCK_HEADER_BYTES;
+    const uint32_t size = (b->node_bytes + b->geometry_bytes + 7u) & ~7u;
+    to->bytes[PART_PADDING] += (double)(size - b->geometry_bytes) -
+                               (double)plt_block_parts_bytes(b->nodes, b->edges, bits);
+}
+
+static void count_geometry(const plt_block_tree *tree, const plt_block *b, breakdown *to) {
+    plt_geometry g;
+    plt_lattice_box frame;
+    plt_block_frame(b, tree->lattice.bits, &frame);
+    plt_geometry_open(&g, b, &frame, tree->leaf_triangles);
+    const double end = g.positions + (double)g.vertices * g.vertex_bits;
+    to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
+    to->bytes[PART_COUNTS] += (g.starts - g.counts) / 8.0;
+    to->bytes[PART_STRIPS] += (g.refs - g.starts) / 8.0;
+    to->bytes[PART_REFERENCES] += (g.positions - g.refs) / 8.0;
+    to->bytes[PART_POSITIONS] += (double)g.vertices * g.vertex_bits / 8.0;
+    to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - end / 8.0;
+}
+
+void breakdown_count(const plt_engine *engine, breakdown *b) {
+    const plt_block_tree *tree = &engine->walker.blocks.tree;
+    const plt_info *info = plt_engine_info(engine);
+    memset(b, 0, sizeof *b);
+    for (uint32_t at = 0; at < tree->used;) {
+        plt_block block;
+        plt_block_open(&block, tree->bytes + at, tree->lattice.bits);
+        count_nodes(&block, tree->lattice.bits, b);
+        if (block.geometry_bytes > 0) {
+            count_geometry(tree, &block, b);
+        }
+        at += (block.node_bytes + block.geometry_bytes + 7u) & ~7u;
+    }
+    b->bytes[PART_NUMBERS] = (double)info->triangles * info->number_bits / 8.0;
+}
