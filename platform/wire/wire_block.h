@@ -24,7 +24,8 @@ typedef struct wire_blocks_out {
     const uint8_t *image;
     uint32_t bytes;
     wire_block_order order[WIRE_BLOCKS];
-    uint8_t turn;
+    uint32_t refused;
+    uint8_t turn, refused_tag;
     wire_queue own_queue;
 } wire_blocks_out;
 
@@ -44,7 +45,7 @@ typedef struct wire_blocks_in {
     wire_end *end;
     wire_block_want want[WIRE_BLOCKS];
     uint32_t at; /* of the bytes that come next */
-    uint8_t coming, turn;
+    uint8_t coming;
     /* For wire_source_wait: moves reports until something happens, or returns
      * -1 to give up. */
     int (*pump)(void *context);

@@ -25,7 +25,7 @@ typedef struct wire_device {
     size_t memory_bytes;
     plt_tile tile;
     uint32_t frames; /* rendered and handed over whole */
-    uint8_t step;
+    uint8_t step, is_viewed;
 } wire_device;
 
 /* `memory` (aligned to PLT_ALIGN) holds image and arena. `setup`: role

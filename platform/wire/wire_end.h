@@ -20,15 +20,16 @@ enum { WIRE_VERSION = 1 };
 enum {
     WIRE_REPORT_BYTES_MIN = 8,
     WIRE_REPORT_BYTES_MAX = 1024,
-    WIRE_HEADER_BYTES = 6, /* of a report: WIRE.md, section 2 */
+    WIRE_HEADER_BYTES = 6, /* of a report of at most 128 bytes, else 7: WIRE.md, section 2 */
     WIRE_WINDOW_MAX = 32   /* credits: reports on the way without an acknowledgement */
 };
 
 /* Milliseconds. */
 enum {
-    WIRE_PING_MS = 100,  /* waiting for an acknowledgement before asking */
+    WIRE_PING_MS = 40,   /* waiting for an acknowledgement before asking */
+    WIRE_IDLE_MS = 250,  /* host: nothing heard before asking; repeats of what may be lost */
     WIRE_HELLO_MS = 100, /* between hellos while nobody answers */
-    WIRE_DEAD_MS = 1000  /* nothing valid heard: the session is over */
+    WIRE_DEAD_MS = 800   /* nothing valid heard: the session is over */
 };
 
 enum wire_role { WIRE_DEVICE = 0, WIRE_HOST = 1 };
@@ -42,11 +43,12 @@ enum wire_status {
 
 /* What an end can do and has; told to the other end in the hello. */
 enum wire_feature {
-    WIRE_SHOWS = 1,      /* takes frames: `width`, `height`, `format` are its panel */
-    WIRE_SENDS = 2,      /* sends frames to an end that shows */
-    WIRE_RENDERS = 4,    /* takes a scene image and views, renders them */
-    WIRE_SCENES = 8,     /* gives a scene image, and blocks of it on request */
-    WIRE_BRIGHTNESS = 16 /* takes WIRE_SET_BRIGHTNESS */
+    WIRE_SHOWS = 1,       /* takes frames: `width`, `height`, `format` are its panel */
+    WIRE_SENDS = 2,       /* sends frames to an end that shows */
+    WIRE_RENDERS = 4,     /* takes a scene image and views, renders them */
+    WIRE_SCENES = 8,      /* gives a scene image, and blocks of it on request */
+    WIRE_BRIGHTNESS = 16, /* takes WIRE_SET_BRIGHTNESS */
+    WIRE_READS = 32       /* its panel can be read: tiles may say only what differs */
 };
 
 typedef struct wire_caps {
@@ -106,7 +108,17 @@ struct wire_blocks_in;
 struct wire_view_out;
 struct wire_view_in;
 
+struct wire_queue;
+
 enum { WIRE_CONTROL_BYTES = 48 }; /* longest control message with its head */
+
+/* Messages of one channel as they come (WIRE.md, section 3). */
+typedef struct wire_stream {
+    uint16_t left;   /* bytes of the body still to come */
+    uint8_t stage;   /* enum in end_in.c */
+    uint8_t is_lost; /* something was missed: wait for a report that says where a message begins */
+    uint8_t type, low, used;
+} wire_stream;
 
 /* Looked at only through the functions below. */
 typedef struct wire_end {
@@ -114,33 +126,32 @@ typedef struct wire_end {
     struct wire_frames_in *frames_in;
     struct wire_scene_out *scene_out;
     struct wire_scene_in *scene_in;
-    struct wire_blocks_out *blocks_out;
-    struct wire_blocks_in *blocks_in;
     struct wire_view_out *view_out;
     struct wire_view_in *view_in;
+    struct wire_blocks_out *blocks_out;
+    struct wire_blocks_in *blocks_in;
+    struct wire_queue *queue; /* of data messages, shared by the parts that send */
     wire_stats *peer_stats;
 
-    wire_caps own, peer;
+    wire_caps own, peer, next_peer;
     wire_stats stats;
     uint32_t key;        /* of the session: in every checksum */
     uint32_t next_key;   /* device: of the session offered and not yet taken */
-    uint32_t next_host;  /* ... and the host's half of its number */
+    uint32_t host_half;  /* the host's half of the session's number */
     uint32_t out_number; /* of the next report */
-    uint32_t out_limit;  /* data may go in reports below this number */
-    uint32_t out_acked;  /* the peer has seen all below */
+    uint32_t out_acked;  /* the other end has seen, or missed, all below */
+    uint32_t out_asks;   /* reports below want an acknowledgement */
     uint32_t in_number;  /* the report expected next */
-    uint32_t in_acked;   /* what the last acknowledgement said */
-    uint32_t heard_ms, asked_ms, hello_ms;
-    uint32_t error_detail, peer_error_detail;
-    uint16_t pending; /* control messages to send: bits of enum in end.c */
-    uint8_t role, state, error, peer_error, setting[2], peer_setting[2];
-    uint8_t reports_unacked, hello_at, hello_used, scratch;
-    /* A control message being sent: bytes used and gone; and being received. */
-    uint8_t control_out_used, control_out_gone, control_in_used, control_in_lost;
+    uint32_t heard_ms, asked_ms, set_ms, now_ms;
+    uint32_t error_detail, peer_detail;
+    uint32_t pending; /* control messages to send: bits of parts.h */
+    uint8_t role, state, has_next, error, peer_error;
+    uint8_t setting[2], peer_setting[2], settings_to_go;
+    uint8_t unacked_in, hello_number, hello_in, hello_used;
+    uint8_t control_used, control_gone; /* of a control message being sent */
+    wire_stream control, data;
     uint8_t control_out[WIRE_CONTROL_BYTES], control_in[WIRE_CONTROL_BYTES];
-    /* The data message being received: type, bytes left, head as it comes. */
-    uint16_t data_left;
-    uint8_t data_lost, data_head_used, data_head[8];
+    uint8_t data_head[8];
 } wire_end;
 
 /* Opens an end without parts; a host begins to say hello. Errors:

@@ -21,6 +21,11 @@ enum wire_format {
 
 enum { WIRE_TILE_SIDE = 16, WIRE_ROW_BYTES_MAX = 48, WIRE_TILE_BYTES_MAX = 768 };
 
+/* A tile; at the right and lower edge of a panel it is smaller. */
+typedef struct wire_tile_shape {
+    uint8_t format, width, height; /* 1 .. WIRE_TILE_SIDE pixels */
+} wire_tile_shape;
+
 /* Bytes of a row of `width` pixels, 0 for an unknown format. */
 uint32_t wire_row_bytes(unsigned format, uint32_t width);
 

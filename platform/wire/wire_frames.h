@@ -19,32 +19,49 @@
 
 /* ---- frames out -------------------------------------------------------------- */
 
-enum { WIRE_OUT_BYTES = 784 }; /* the longest tile with its head, and a frame end */
+enum { WIRE_QUEUE_BYTES = 786 }; /* the longest tile with its head, and a frame end */
 
 /* Messages on their way into reports. */
 typedef struct wire_queue {
-    uint16_t used, gone, left; /* bytes; `left` of the message that is going */
-    uint8_t bytes[WIRE_OUT_BYTES];
+    uint16_t used, gone; /* bytes */
+    uint16_t left;       /* of the message that is going */
+    uint8_t bytes[WIRE_QUEUE_BYTES];
 } wire_queue;
 
 typedef struct wire_frames_out {
     wire_end *end;
-    wire_queue queue;
     const uint8_t *rgb; /* the caller's frame, when there is one */
-    uint32_t stride;
-    uint32_t crc; /* of the pixels of this frame's tiles */
-    uint32_t unanswered_ms;
+    uint8_t *reference; /* the caller's memory for what the panel shows, or NULL */
+    uint32_t stride, reference_bytes;
+    uint32_t crc;        /* of the tiles of this frame */
+    uint32_t end_number; /* of the report that ended the frame not yet answered */
+    uint32_t waiting_ms; /* since that report was acknowledged */
     uint16_t width, height, columns, tiles;
     uint16_t next, scanned, sent, refresh;
-    uint8_t format, number, oldest, in_frame, again, shown;
-    uint32_t hash[WIRE_TILES_MAX];   /* of the pixels last sent */
-    uint8_t way[WIRE_TILES_MAX / 4]; /* 2 bits a tile: 0 acknowledged, else which frame */
+    uint8_t format, near;
+    uint8_t number;     /* of the frame that goes out or comes next, modulo 8 */
+    uint8_t unanswered; /* frames before it without an answer: 0 .. 3 */
+    uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting;
+    uint32_t hash[WIRE_TILES_MAX];      /* of the pixels last sent; 0: send it */
+    uint8_t way[WIRE_TILES_MAX / 4];    /* 2 bits a tile: 0 acknowledged, else which frame */
+    uint8_t coarse[WIRE_TILES_MAX / 8]; /* sent with an error */
     uint8_t pixels[WIRE_TILE_BYTES_MAX];
+    wire_queue queue;
 } wire_frames_out;
 
 /* Gives `end` the part that sends frames; it goes to work whenever a session
  * is up and the other end shows. `out` belongs to the end from then on. */
 void wire_frames_out_open(wire_frames_out *out, wire_end *end);
+
+/* Lets wire_frames_show say only what differs from what the panel shows, on
+ * panels that can be read (WIRE_READS). `reference`: `bytes` of the caller's
+ * memory, wire_row_bytes(format, width) * height at least, or it is not used. */
+void wire_frames_reference(wire_frames_out *out, uint8_t *reference, uint32_t bytes);
+
+/* While frames move, samples may be off by `near` steps of the panel's format
+ * (0 .. WIRE_NEAR_MOST; 0, the default, is exact). Tiles sent so are sent
+ * again exactly as soon as wire_frames_show has brought nothing newer. */
+void wire_frames_near(wire_frames_out *out, unsigned near);
 
 /* A whole frame, for ends that have one: rows of 3 bytes a pixel, top down,
  * `stride` bytes apart, of the other end's panel size. What changed goes out
@@ -91,11 +108,13 @@ typedef struct wire_panel {
 typedef struct wire_frames_in {
     wire_end *end;
     wire_panel panel;
-    wire_tile_reader reader;
     uint32_t crc, shown; /* frames that came whole, since open */
-    uint16_t tile, columns, tiles, came, status_came;
-    uint8_t number, in_frame, in_tile, status_number, status_state;
-    uint8_t got[WIRE_TILES_MAX / 8]; /* tiles of this frame that came whole */
+    uint16_t tile, columns, tiles, came;
+    uint8_t number, in_frame, in_tile, is_torn;
+    uint8_t answer; /* to send: 0 none, 1 good, 2 bad */
+    uint8_t answer_number, answer_part;
+    uint8_t got[WIRE_TILES_MAX / 8]; /* tiles of the frame that came whole */
+    wire_tile_reader reader;
 } wire_frames_in;
 
 /* Gives `end` the part that takes frames, of the size and format of its

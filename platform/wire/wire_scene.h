@@ -27,7 +27,7 @@ typedef struct wire_scene_out {
     wire_queue *queue;
     const uint8_t *image;
     uint32_t bytes, crc, at, peer_has, asked_ms;
-    uint8_t state, session_offered;
+    uint8_t state, is_known;
     wire_queue own_queue;
 } wire_scene_out;
 
@@ -43,9 +43,9 @@ unsigned wire_scene_out_state(const wire_scene_out *out, uint32_t *has);
 typedef struct wire_scene_in {
     wire_end *end;
     uint8_t *to;
-    uint32_t room, bytes, crc, has, crc_so_far;
+    uint32_t room, bytes, crc, has, sum;
     uint32_t at, said_ms; /* offset of the bytes that come next */
-    uint8_t state, told;
+    uint8_t state, is_missed, is_deaf;
 } wire_scene_in;
 
 /* Takes an image of at most `room` bytes into `to`. */
@@ -70,7 +70,8 @@ typedef struct wire_view {
 typedef struct wire_view_out {
     wire_end *end;
     wire_view view;
-    uint8_t have;
+    uint32_t sent_ms;
+    uint8_t have, is_set;
 } wire_view_out;
 
 typedef struct wire_view_in {

@@ -1,0 +1,305 @@
+/* control - control messages: built when they can leave, taken when they came
+ *
+ * Every one of them may be lost; each is repeated until what it asks for is
+ * seen (hellos, offers, views, settings, requests), or its loss is noticed
+ * otherwise (acknowledgements, frame answers).
+ *
+ * SPDX-License-Identifier: MIT */
+#include "platform/wire/crc.h"
+#include "platform/wire/parts.h"
+
+/* ---- hello ------------------------------------------------------------------------- */
+
+enum { CAPS_BYTES = 22, HELLO_BYTES = 4 + CAPS_BYTES + 4 };
+
+static void put_caps(uint8_t *to, const wire_caps *c) {
+    to[0] = c->version;
+    to[1] = c->features;
+    to[2] = c->format;
+    to[3] = c->window;
+    wire_put16(to + 4, c->width);
+    wire_put16(to + 6, c->height);
+    wire_put16(to + 8, c->formats);
+    wire_put16(to + 10, c->in_bytes);
+    wire_put16(to + 12, c->out_bytes);
+    wire_put32(to + 14, c->arena_bytes);
+    wire_put32(to + 18, c->session);
+}
+
+/* Values that could harm are made harmless: window, format, sizes. */
+static wire_caps get_caps(const uint8_t *at) {
+    wire_caps c;
+    c.version = at[0];
+    c.features = at[1];
+    c.format = at[2];
+    c.window = at[3] < 2 ? 2 : at[3] > WIRE_WINDOW_MAX ? WIRE_WINDOW_MAX : at[3];
+    c.width = (uint16_t)wire_get16(at + 4);
+    c.height = (uint16_t)wire_get16(at + 6);
+    c.formats = (uint16_t)wire_get16(at + 8);
+    c.in_bytes = (uint16_t)wire_get16(at + 10);
+    c.out_bytes = (uint16_t)wire_get16(at + 12);
+    c.arena_bytes = wire_get32(at + 14);
+    c.session = wire_get32(at + 18);
+    if (c.format >= WIRE_FORMATS || c.width == 0 || c.height == 0) {
+        c.features &= (uint8_t)~WIRE_SHOWS;
+    }
+    return c;
+}
+
+/* Host's half, the sender's capabilities, CRC-32 of both. */
+static uint32_t make_hello(const wire_end *end, uint8_t *body) {
+    wire_put32(body, end->role == WIRE_HOST ? end->own.session : end->host_half);
+    put_caps(body + 4, &end->own);
+    wire_put32(body + 4 + CAPS_BYTES, wire_crc(0, body, 4 + CAPS_BYTES));
+    return HELLO_BYTES;
+}
+
+/* Device: a session is offered. It begins with the first report under its
+ * key, so an old hello that comes late can end nothing. */
+static void offered(wire_end *end, uint32_t host_half, const wire_caps *caps) {
+    const int is_known = host_half == end->host_half;
+    if (!(is_known && (end->has_next || end->state == WIRE_IS_UP))) {
+        end->host_half = host_half;
+        if (end->state != WIRE_IS_UP) {
+            end->own.session = wire_scramble(end->own.session + 1);
+        }
+        end->next_key = wire_session_key(host_half, end->own.session);
+        end->next_peer = *caps;
+        end->has_next = end->state != WIRE_IS_UP || end->next_key != end->key;
+    }
+    wire_owe(end, WIRE_WELCOME);
+}
+
+static void take_hello(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes) {
+    if (bytes != HELLO_BYTES ||
+        wire_crc(0, body, 4 + CAPS_BYTES) != wire_get32(body + 4 + CAPS_BYTES)) {
+        return;
+    }
+    const uint32_t host_half = wire_get32(body);
+    const wire_caps caps = get_caps(body + 4);
+    if (caps.version != WIRE_VERSION) {
+        end->peer_error = WIRE_E_VERSION;
+        end->peer_detail = caps.version;
+        return;
+    }
+    if (type == WIRE_HELLO && end->role == WIRE_DEVICE) {
+        offered(end, host_half, &caps);
+    } else if (type == WIRE_WELCOME && end->state == WIRE_IS_ASKING &&
+               host_half == end->own.session) {
+        end->peer = caps;
+        end->key = wire_session_key(host_half, caps.session);
+        wire_session_begin(end);
+    }
+}
+
+/* ---- acknowledgement and statistics ------------------------------------------------------ */
+
+static uint32_t make_ack(wire_end *end, uint8_t *body) {
+    end->unacked_in = 0;
+    wire_put32(body, end->in_number);
+    return 4;
+}
+
+static void take_ack(wire_end *end, const uint8_t *body) {
+    const uint32_t number = wire_get32(body);
+    const int32_t news = (int32_t)(number - end->out_acked);
+    if (news > 0 && (int32_t)(end->out_number - number) >= 0) {
+        end->out_acked = number;
+        end->asked_ms = end->now_ms;
+    }
+}
+
+enum { STATS = 10 };
+
+static void stats_list(wire_stats *s, uint32_t *list[STATS]) {
+    uint32_t *const all[STATS] = {
+        &s->reports_out, &s->reports_in, &s->reports_lost, &s->reports_late, &s->reports_bad,
+        &s->sessions,    &s->frames_out, &s->frames_in,    &s->tiles_out,    &s->tiles_in};
+    memcpy(list, all, sizeof all);
+}
+
+static uint32_t make_stats(wire_end *end, uint8_t *body) {
+    uint32_t *list[STATS];
+    stats_list(&end->stats, list);
+    for (int i = 0; i < STATS; i++) {
+        wire_put32(body + 4 * i, *list[i]);
+    }
+    return 4 * STATS;
+}
+
+static void take_stats(wire_end *end, const uint8_t *body) {
+    uint32_t *list[STATS];
+    if (end->peer_stats != NULL) {
+        stats_list(end->peer_stats, list);
+        for (int i = 0; i < STATS; i++) {
+            *list[i] = wire_get32(body + 4 * i);
+        }
+    }
+}
+
+/* ---- settings and errors -------------------------------------------------------------------- */
+
+/* A device sends back what it took, and the host stops repeating it. */
+static uint32_t make_set(const wire_end *end, uint8_t *body) {
+    memcpy(body, end->setting, 2);
+    return 2;
+}
+
+static void take_set(wire_end *end, const uint8_t *body) {
+    if (end->role == WIRE_HOST) {
+        if (memcmp(body, end->setting, 2) == 0) {
+            end->settings_to_go = 0;
+        }
+        return;
+    }
+    if (memcmp(body, end->setting, 2) != 0 || end->setting[0] == 0) {
+        memcpy(end->peer_setting, body, 2);
+    }
+    memcpy(end->setting, body, 2);
+    wire_owe(end, WIRE_SET);
+}
+
+static uint32_t make_error(const wire_end *end, uint8_t *body) {
+    body[0] = end->error;
+    wire_put32(body + 1, end->error_detail);
+    return 5;
+}
+
+static void take_error(wire_end *end, const uint8_t *body) {
+    end->peer_error = body[0];
+    end->peer_detail = wire_get32(body + 1);
+}
+
+/* ---- all ----------------------------------------------------------------------------------------
+ */
+
+uint32_t wire_control_make(wire_end *end, unsigned type, uint8_t *body) {
+    switch (type) {
+    case WIRE_HELLO:
+    case WIRE_WELCOME:
+        return make_hello(end, body);
+    case WIRE_ACK:
+        return make_ack(end, body);
+    case WIRE_PING:
+    case WIRE_STATS_ASK:
+        body[0] = 0;
+        end->stats.pings_out += type == WIRE_PING;
+        return 1;
+    case WIRE_FRAME_GOOD:
+    case WIRE_FRAME_BAD:
+        return wire_frames_in_make(end->frames_in, type, body);
+    case WIRE_SCENE_OFFER:
+        return wire_scene_out_make(end->scene_out, body);
+    case WIRE_SCENE_STATE:
+        return wire_scene_in_make(end->scene_in, body);
+    case WIRE_VIEW:
+        return wire_view_out_make(end->view_out, body);
+    case WIRE_VIEW_HAVE:
+        body[0] = end->view_in->view.number;
+        return 1;
+    case WIRE_BLOCK_ASK:
+        return wire_blocks_in_make(end->blocks_in, body);
+    case WIRE_BLOCK_REFUSE:
+        return wire_blocks_out_make(end->blocks_out, body);
+    case WIRE_ERROR:
+        return make_error(end, body);
+    case WIRE_SET:
+        return make_set(end, body);
+    case WIRE_STATS:
+        return make_stats(end, body);
+    default:
+        return 0;
+    }
+}
+
+/* Bytes that a body has; 0: the type is not known, or nobody here wants it. */
+static uint32_t bytes_wanted(const wire_end *end, unsigned type) {
+    switch (type) {
+    case WIRE_ACK:
+        return 4;
+    case WIRE_PING:
+    case WIRE_STATS_ASK:
+        return 1;
+    case WIRE_FRAME_GOOD:
+        return end->frames_out != NULL ? 1 : 0;
+    case WIRE_FRAME_BAD:
+        return end->frames_out != NULL ? 34 : 0;
+    case WIRE_SCENE_OFFER:
+        return end->scene_in != NULL ? 8 : 0;
+    case WIRE_SCENE_STATE:
+        return end->scene_out != NULL ? 10 : 0;
+    case WIRE_VIEW:
+        return end->view_in != NULL ? 42 : 0;
+    case WIRE_VIEW_HAVE:
+        return end->view_out != NULL ? 1 : 0;
+    case WIRE_BLOCK_ASK:
+        return end->blocks_out != NULL ? 9 : 0;
+    case WIRE_BLOCK_REFUSE:
+        return end->blocks_in != NULL ? 5 : 0;
+    case WIRE_ERROR:
+        return 5;
+    case WIRE_SET:
+        return 2;
+    case WIRE_STATS:
+        return 4 * STATS;
+    default:
+        return 0;
+    }
+}
+
+static void take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes) {
+    switch (type) {
+    case WIRE_ACK:
+        take_ack(end, body);
+        break;
+    case WIRE_PING:
+        wire_owe(end, WIRE_ACK);
+        break;
+    case WIRE_STATS_ASK:
+        wire_owe(end, WIRE_STATS);
+        break;
+    case WIRE_FRAME_GOOD:
+    case WIRE_FRAME_BAD:
+        wire_frames_out_take(end->frames_out, type, body, bytes);
+        break;
+    case WIRE_SCENE_OFFER:
+        wire_scene_in_take(end->scene_in, body);
+        break;
+    case WIRE_SCENE_STATE:
+        wire_scene_out_take(end->scene_out, body);
+        break;
+    case WIRE_VIEW:
+        wire_view_in_message(end->view_in, body);
+        wire_owe(end, WIRE_VIEW_HAVE);
+        break;
+    case WIRE_VIEW_HAVE:
+        end->view_out->have = end->view_out->have || body[0] == end->view_out->view.number;
+        break;
+    case WIRE_BLOCK_ASK:
+        wire_blocks_out_take(end->blocks_out, body);
+        break;
+    case WIRE_BLOCK_REFUSE:
+        wire_blocks_in_take(end->blocks_in, body);
+        break;
+    case WIRE_ERROR:
+        take_error(end, body);
+        break;
+    case WIRE_SET:
+        take_set(end, body);
+        break;
+    default: /* WIRE_STATS */
+        take_stats(end, body);
+    }
+}
+
+void wire_control_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes,
+                       int hello) {
+    if (hello) {
+        take_hello(end, type, body, bytes);
+        return;
+    }
+    const uint32_t wanted = bytes_wanted(end, type);
+    if (wanted > 0 && bytes >= wanted) { /* later versions may add to a body's end */
+        take(end, type, body, bytes);
+    }
+}

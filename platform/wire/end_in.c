@@ -1,0 +1,255 @@
+/* end_in - a report that came: is it one of ours, is it new, what is in it
+ *
+ * Invariants: no byte of a report is looked at before its checksum, which
+ * holds session, direction and full number, was right; numbers only go up;
+ * after a gap a channel is silent until a message is known to begin.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "platform/wire/crc.h"
+#include "platform/wire/parts.h"
+
+enum stage { IN_TYPE, IN_LOW, IN_LENGTH, IN_LENGTH2, IN_HEAD, IN_BODY };
+
+/* ---- data messages, as their bytes come ----------------------------------------------- */
+
+static uint32_t head_bytes(unsigned type) {
+    return type == WIRE_FRAME_END    ? 8
+           : type == WIRE_SCENE_DATA ? 4
+           : type == WIRE_BLOCK_DATA ? 5
+                                     : 0;
+}
+
+static void begin_body(wire_end *end) {
+    const wire_stream *s = &end->data;
+    const uint8_t *head = end->data_head;
+    if (s->type & WIRE_TILE) {
+        if (end->frames_in != NULL) {
+            wire_frames_in_tile(end->frames_in, s->type, s->low, s->left);
+        }
+    } else if (s->type == WIRE_FRAME_END && end->frames_in != NULL) {
+        wire_frames_in_end(end->frames_in, head);
+    } else if (s->type == WIRE_SCENE_DATA && end->scene_in != NULL) {
+        wire_scene_in_head(end->scene_in, wire_get32(head));
+    } else if (s->type == WIRE_BLOCK_DATA && end->blocks_in != NULL) {
+        wire_blocks_in_head(end->blocks_in, head[0], wire_get32(head + 1));
+    }
+}
+
+static void body(wire_end *end, const uint8_t *bytes, uint32_t count) {
+    const unsigned type = end->data.type;
+    end->stats.payload_in += count;
+    if (type & WIRE_TILE && end->frames_in != NULL) {
+        wire_frames_in_bytes(end->frames_in, bytes, count);
+    } else if (type == WIRE_SCENE_DATA && end->scene_in != NULL) {
+        wire_scene_in_bytes(end->scene_in, bytes, count);
+    } else if (type == WIRE_BLOCK_DATA && end->blocks_in != NULL) {
+        wire_blocks_in_bytes(end->blocks_in, bytes, count);
+    }
+}
+
+/* ---- both channels ------------------------------------------------------------------------ */
+
+static void take_type(wire_stream *s, unsigned byte) {
+    s->type = (uint8_t)byte;
+    s->used = 0;
+    s->stage = byte & WIRE_TILE ? IN_LOW : IN_LENGTH;
+}
+
+static void length_known(wire_end *end, wire_stream *s) {
+    const uint32_t head = s == &end->data ? head_bytes(s->type) : 0;
+    if (s->left < head) { /* not a message of ours: skip it */
+        s->type = WIRE_PAD;
+    }
+    s->stage = head > 0 && s->type != WIRE_PAD ? IN_HEAD : IN_BODY;
+    if (s->stage == IN_BODY && s == &end->data) {
+        begin_body(end);
+    }
+}
+
+/* One byte of a message's head; a body follows at once. */
+static void take_head(wire_end *end, wire_stream *s, unsigned byte) {
+    switch (s->stage) {
+    case IN_TYPE:
+        take_type(s, byte);
+        break;
+    case IN_LOW:
+        s->low = (uint8_t)byte;
+        s->stage = IN_LENGTH;
+        break;
+    case IN_LENGTH:
+        s->left = (uint16_t)(byte & 127);
+        s->stage = IN_LENGTH2;
+        if (byte < 128) {
+            length_known(end, s);
+        }
+        break;
+    case IN_LENGTH2:
+        s->left = (uint16_t)(s->left | byte << 7);
+        length_known(end, s);
+        break;
+    default:
+        end->data_head[s->used++] = (uint8_t)byte;
+        s->left--;
+        if (s->used == head_bytes(s->type)) {
+            s->stage = IN_BODY;
+            begin_body(end);
+        }
+    }
+}
+
+static void take_body(wire_end *end, wire_stream *s, const uint8_t *at, uint32_t count) {
+    if (s == &end->data) {
+        body(end, at, count);
+        return;
+    }
+    for (uint32_t i = 0; i < count && s->used < WIRE_CONTROL_BYTES; i++) {
+        end->control_in[s->used++] = at[i];
+    }
+}
+
+static void stream(wire_end *end, wire_stream *s, const uint8_t *at, uint32_t count) {
+    while (count > 0) {
+        if (s->stage == IN_TYPE && *at == WIRE_PAD) {
+            return;
+        }
+        if (s->stage != IN_BODY) {
+            take_head(end, s, *at++);
+            count--;
+        }
+        if (s->stage == IN_BODY) {
+            const uint32_t n = s->left < count ? s->left : count;
+            take_body(end, s, at, n);
+            at += n;
+            count -= n;
+            s->left = (uint16_t)(s->left - n);
+            if (s->left == 0) {
+                s->stage = IN_TYPE;
+                if (s == &end->control) {
+                    wire_control_take(end, s->type, end->control_in, s->used, 0);
+                }
+            }
+        }
+    }
+}
+
+static void lose(wire_end *end) {
+    end->control.is_lost = end->data.is_lost = 1;
+    if (end->frames_in != NULL) {
+        wire_frames_in_cut(end->frames_in);
+    }
+}
+
+/* ---- reports --------------------------------------------------------------------------------- */
+
+typedef struct reading {
+    const uint8_t *payload;
+    uint32_t count, first, none;
+    int is_control;
+} reading;
+
+static reading read_header(const uint8_t *report, uint32_t bytes) {
+    reading r;
+    if (bytes > 128) {
+        r.first = wire_get16(report + 5);
+        r.none = 32767;
+    } else {
+        r.first = report[5];
+        r.none = 127;
+    }
+    r.is_control = r.first > r.none;
+    r.first &= r.none;
+    r.payload = report + wire_header_bytes(bytes);
+    r.count = bytes - wire_header_bytes(bytes);
+    return r;
+}
+
+static void take_payload(wire_end *end, const reading *r) {
+    wire_stream *s = r->is_control ? &end->control : &end->data;
+    uint32_t from = 0;
+    if (r->is_control) {
+        end->hello_in = 255; /* they share a buffer */
+    }
+    if (s->is_lost) {
+        if (r->first >= r->count) {
+            return;
+        }
+        from = r->first;
+        s->is_lost = 0;
+        s->stage = IN_TYPE;
+    }
+    stream(end, s, r->payload + from, r->count - from);
+}
+
+static int take_report(wire_end *end, const reading *r, uint32_t number) {
+    const int32_t ahead = (int32_t)(number - end->in_number);
+    end->heard_ms = end->now_ms;
+    if (ahead < 0) {
+        end->stats.reports_late++;
+        return 0;
+    }
+    if (ahead > 0) {
+        end->stats.reports_lost += (uint32_t)ahead;
+        lose(end);
+        wire_owe(end, WIRE_ACK);
+    }
+    end->in_number = number + 1;
+    end->stats.reports_in++;
+    if (++end->unacked_in >= (end->own.window + 1) / 2) {
+        wire_owe(end, WIRE_ACK);
+    }
+    take_payload(end, r);
+    return 1;
+}
+
+/* Hellos are numbered from 0 each; their message holds a checksum of its own. */
+static int take_hello(wire_end *end, const reading *r, unsigned number) {
+    if (number == 0) {
+        end->hello_in = 0;
+        end->hello_used = 0;
+        end->control.is_lost = 1; /* they share a buffer */
+    }
+    if (number != end->hello_in || !r->is_control || number == 255) {
+        return 0;
+    }
+    end->hello_in++;
+    uint8_t *held = end->control_in;
+    for (uint32_t i = 0; i < r->count && end->hello_used < WIRE_CONTROL_BYTES; i++) {
+        held[end->hello_used++] = r->payload[i];
+    }
+    if (end->hello_used < 2 || held[1] > WIRE_CONTROL_BYTES - 2 || end->hello_used < held[1] + 2u) {
+        return 1;
+    }
+    end->hello_in = 255;
+    wire_control_take(end, held[0], held + 2, held[1], 1);
+    return 1;
+}
+
+int wire_on_report(wire_end *end, const uint8_t *report, size_t bytes, uint32_t now_ms) {
+    end->now_ms = now_ms;
+    if (bytes == 0) {
+        return 0;
+    }
+    if (bytes != end->own.in_bytes) {
+        end->stats.reports_bad++;
+        return 0;
+    }
+    const uint32_t side = end->role == WIRE_HOST ? UINT32_MAX : 0;
+    const uint32_t tag = wire_crc(0, report + 4, bytes - 4) ^ wire_get32(report) ^ side;
+    const reading r = read_header(report, (uint32_t)bytes);
+    const unsigned low = report[4];
+    const uint32_t number = end->in_number + (uint32_t)(int8_t)(low - end->in_number);
+    if (end->state == WIRE_IS_UP && tag == (end->key ^ wire_scramble(number))) {
+        return take_report(end, &r, number);
+    }
+    if (end->has_next && tag == (end->next_key ^ wire_scramble(low))) {
+        end->key = end->next_key;
+        end->peer = end->next_peer;
+        wire_session_begin(end);
+        return take_report(end, &r, low);
+    }
+    if (tag == (WIRE_HELLO_KEY ^ wire_scramble(low))) {
+        return take_hello(end, &r, low);
+    }
+    end->stats.reports_bad++;
+    return 0;
+}

@@ -1,0 +1,155 @@
+/* end_out - the next report: control messages first, then data within credits
+ *
+ * Invariants: every number is used once a session; data leaves only while
+ * fewer than the other end's window are unacknowledged; control messages
+ * need no credit, so two ends can never wait for each other's.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "platform/wire/crc.h"
+#include "platform/wire/parts.h"
+
+typedef struct writing {
+    uint8_t *report;
+    uint32_t room, used; /* of the payload */
+    uint32_t first;      /* offset of the first message that begins, or `none` */
+    uint32_t none;
+} writing;
+
+static uint8_t *payload_of(const writing *w) {
+    return w->report + (w->none == 127 ? 6 : 7);
+}
+
+static size_t finish(const wire_end *end, const writing *w, int is_control, uint32_t number,
+                     uint32_t key) {
+    uint8_t *at = w->report + 4;
+    memset(payload_of(w) + w->used, WIRE_PAD, w->room - w->used);
+    *at++ = (uint8_t)number;
+    if (w->none == 127) {
+        *at = (uint8_t)(w->first | (is_control ? 128u : 0u));
+    } else {
+        wire_put16(at, w->first | (is_control ? 32768u : 0u));
+    }
+    const uint32_t bytes = end->own.out_bytes - 4u;
+    const uint32_t side = end->role == WIRE_HOST ? 0 : UINT32_MAX;
+    wire_put32(w->report, wire_crc(0, w->report + 4, bytes) ^ key ^ side ^ wire_scramble(number));
+    return bytes + 4;
+}
+
+/* ---- control ------------------------------------------------------------------------- */
+
+static int is_hello(unsigned type) {
+    return type == WIRE_HELLO || type == WIRE_WELCOME;
+}
+
+/* The next control message into control_out; 0: there is none. `like`: only
+ * of the same kind (hello or not), as one report has one key; -1: any. */
+static int next_control(wire_end *end, int like) {
+    const uint32_t hellos = wire_bit(WIRE_HELLO) | wire_bit(WIRE_WELCOME);
+    uint32_t may = end->state == WIRE_IS_UP ? UINT32_MAX : hellos;
+    may &= like < 0 ? UINT32_MAX : like ? hellos : ~hellos;
+    while (end->pending & may) {
+        unsigned type = WIRE_HELLO;
+        while (!(end->pending & may & wire_bit(type))) {
+            type++;
+        }
+        end->pending &= ~wire_bit(type);
+        const uint32_t body = wire_control_make(end, type, end->control_out + 2);
+        if (body > 0) {
+            end->control_out[0] = (uint8_t)type;
+            end->control_out[1] = (uint8_t)body;
+            end->control_used = (uint8_t)(body + 2);
+            end->control_gone = 0;
+            end->hello_number = is_hello(type) ? 0 : end->hello_number;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void add_control(wire_end *end, writing *w) {
+    const uint32_t left = (uint32_t)end->control_used - end->control_gone;
+    const uint32_t n = left < w->room - w->used ? left : w->room - w->used;
+    if (end->control_gone == 0 && w->first == w->none) {
+        w->first = w->used;
+    }
+    if (end->control_out[0] == WIRE_PING) {
+        end->out_asks = end->out_number + 1;
+    }
+    memcpy(payload_of(w) + w->used, end->control_out + end->control_gone, n);
+    end->control_gone = (uint8_t)(end->control_gone + n);
+    w->used += n;
+}
+
+static size_t control_report(wire_end *end, writing *w) {
+    const int hello = is_hello(end->control_out[0]);
+    do {
+        add_control(end, w);
+    } while (w->used < w->room && !hello && next_control(end, 0));
+    if (hello) {
+        return finish(end, w, 1, end->hello_number++, WIRE_HELLO_KEY);
+    }
+    end->stats.reports_out++;
+    return finish(end, w, 1, end->out_number++, end->key);
+}
+
+/* ---- data ------------------------------------------------------------------------------ */
+
+static int fill(wire_end *end) {
+    int leaves = 0;
+    if (end->blocks_out != NULL) {
+        leaves |= wire_blocks_out_fill(end->blocks_out);
+    }
+    if (end->scene_out != NULL) {
+        leaves |= wire_scene_out_fill(end->scene_out);
+    }
+    if (end->frames_out != NULL) {
+        leaves |= wire_frames_out_fill(end->frames_out);
+    }
+    return leaves;
+}
+
+static size_t data_report(wire_end *end, writing *w) {
+    const int leaves = fill(end);
+    if (wire_queue_bytes(end->queue) < (leaves ? 1 : w->room)) {
+        return 0;
+    }
+    for (;;) {
+        uint32_t first = w->none;
+        const uint32_t n =
+            wire_queue_take(end->queue, payload_of(w) + w->used, w->room - w->used, &first);
+        w->first = w->first == w->none && first != w->none ? first + w->used : w->first;
+        w->used += n;
+        if (w->used == w->room) {
+            break;
+        }
+        fill(end);
+        if (wire_queue_bytes(end->queue) == 0) {
+            break;
+        }
+    }
+    w->first = w->first < w->none ? w->first : w->none;
+    if (end->out_asks <= end->out_acked) {
+        end->asked_ms = end->now_ms; /* the wait for an acknowledgement begins */
+    }
+    if (end->frames_out != NULL && wire_queue_bytes(end->queue) == 0) {
+        wire_frames_out_left(end->frames_out, end->out_number);
+    }
+    end->stats.payload_out += w->used;
+    end->stats.reports_out++;
+    end->out_asks = end->out_number + 1;
+    return finish(end, w, 0, end->out_number++, end->key);
+}
+
+size_t wire_next_report(wire_end *end, uint8_t *report, uint32_t now_ms) {
+    const uint32_t size = end->own.out_bytes, none = size > 128 ? 32767 : 127;
+    writing w = {report, size - wire_header_bytes(size), 0, none, none};
+    end->now_ms = now_ms;
+    if (end->control_gone < end->control_used || next_control(end, -1)) {
+        return control_report(end, &w);
+    }
+    if (end->state != WIRE_IS_UP || end->queue == NULL ||
+        end->out_number - end->out_acked >= end->peer.window) {
+        return 0;
+    }
+    return data_report(end, &w);
+}

@@ -1,0 +1,104 @@
+/* scene_in - takes a scene image, in order, and says from where it wants it
+ *
+ * Invariant: the first `has` bytes of the image are in `to`, and `sum` is
+ * their checksum. State OPEN: the bytes are not touched until another image
+ * is offered.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "platform/wire/crc.h"
+#include "platform/wire/parts.h"
+
+void wire_scene_in_open(wire_scene_in *in, wire_end *end, void *to, uint32_t room) {
+    memset(in, 0, sizeof *in);
+    in->end = end;
+    in->to = to;
+    in->room = room;
+    end->scene_in = in;
+}
+
+unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes) {
+    *bytes = in->bytes;
+    return in->state;
+}
+
+static void tell(wire_scene_in *in) {
+    in->said_ms = in->end->now_ms;
+    wire_owe(in->end, WIRE_SCENE_STATE);
+}
+
+void wire_scene_in_verdict(wire_scene_in *in, unsigned state) {
+    in->state = (uint8_t)state;
+    tell(in);
+}
+
+static void start_over(wire_scene_in *in) {
+    in->has = 0;
+    in->sum = 0;
+    in->is_missed = 1;
+}
+
+void wire_scene_in_take(wire_scene_in *in, const uint8_t *body) {
+    const uint32_t bytes = wire_get32(body), crc = wire_get32(body + 4);
+    if (in->state == WIRE_SCENE_NONE || bytes != in->bytes || crc != in->crc) {
+        in->bytes = bytes;
+        in->crc = crc;
+        in->state = bytes == 0 || bytes > in->room ? WIRE_SCENE_LARGE : WIRE_SCENE_GOING;
+        start_over(in);
+    }
+    tell(in);
+}
+
+uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body) {
+    body[0] = in->state;
+    body[1] = in->is_missed;
+    wire_put32(body + 2, in->has);
+    wire_put32(body + 6, in->crc);
+    in->is_missed = 0;
+    return 10;
+}
+
+/* Stuck: says again what it has, as the last word may have been lost. */
+void wire_scene_in_poll(wire_scene_in *in) {
+    if (in->state == WIRE_SCENE_GOING && in->end->now_ms - in->said_ms >= WIRE_IDLE_MS) {
+        in->is_missed |= in->is_deaf;
+        tell(in);
+    }
+}
+
+void wire_scene_in_head(wire_scene_in *in, uint32_t offset) {
+    in->at = offset;
+    if (in->state == WIRE_SCENE_GOING && offset > in->has && !in->is_deaf) {
+        in->is_deaf = 1; /* says so once for a gap */
+        in->is_missed = 1;
+        tell(in);
+    }
+}
+
+static void complete(wire_scene_in *in) {
+    if (in->sum == in->crc) {
+        in->state = WIRE_SCENE_HERE;
+    } else {
+        start_over(in);
+    }
+    tell(in);
+}
+
+/* Bytes of what is there already are passed over. */
+void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count) {
+    const uint32_t from = in->at;
+    in->at += count;
+    if (in->state != WIRE_SCENE_GOING || from > in->has || in->at <= in->has) {
+        return;
+    }
+    const uint32_t skip = in->has - from;
+    const uint32_t left = in->bytes - in->has;
+    const uint32_t n = count - skip < left ? count - skip : left;
+    memcpy(in->to + in->has, bytes + skip, n);
+    in->sum = wire_crc(in->sum, bytes + skip, n);
+    in->has += n;
+    in->is_deaf = 0;
+    in->said_ms = in->end->now_ms;
+    if (in->has == in->bytes) {
+        complete(in);
+    }
+}

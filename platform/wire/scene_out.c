@@ -1,0 +1,89 @@
+/* scene_out - gives a scene image: offers it, sends from where it is wanted
+ *
+ * SPDX-License-Identifier: MIT */
+#include "platform/wire/crc.h"
+#include "platform/wire/parts.h"
+
+enum { CHUNK_BYTES = 240 };
+
+void wire_scene_out_open(wire_scene_out *out, wire_end *end, const void *image, uint32_t bytes) {
+    memset(out, 0, sizeof *out);
+    out->end = end;
+    out->image = image;
+    out->bytes = bytes;
+    out->crc = wire_crc(0, image, image != NULL ? bytes : 0);
+    if (end->queue == NULL) {
+        end->queue = &out->own_queue;
+    }
+    out->queue = end->queue;
+    end->scene_out = out;
+    if (wire_is_up(end)) {
+        wire_scene_out_begin(out);
+    }
+}
+
+void wire_scene_out_begin(wire_scene_out *out) {
+    out->state = WIRE_SCENE_NONE;
+    out->is_known = 0;
+    out->asked_ms = out->end->now_ms;
+    if (out->image != NULL && out->end->peer.features & WIRE_RENDERS) {
+        wire_owe(out->end, WIRE_SCENE_OFFER);
+    }
+}
+
+unsigned wire_scene_out_state(const wire_scene_out *out, uint32_t *has) {
+    *has = out->peer_has;
+    return out->state;
+}
+
+/* Offers ask how it stands, until the other end has made up its mind. */
+void wire_scene_out_poll(wire_scene_out *out) {
+    const uint32_t now = out->end->now_ms;
+    const int is_settled = out->state >= WIRE_SCENE_LARGE;
+    if (out->image != NULL && !is_settled && out->end->peer.features & WIRE_RENDERS &&
+        now - out->asked_ms >= WIRE_IDLE_MS) {
+        out->asked_ms = now;
+        wire_owe(out->end, WIRE_SCENE_OFFER);
+    }
+}
+
+uint32_t wire_scene_out_make(wire_scene_out *out, uint8_t *body) {
+    wire_put32(body, out->bytes);
+    wire_put32(body + 4, out->crc);
+    return 8;
+}
+
+/* State, whether something was missed, bytes there, checksum of the image. */
+void wire_scene_out_take(wire_scene_out *out, const uint8_t *body) {
+    const uint32_t has = wire_get32(body + 2);
+    if (wire_get32(body + 6) != out->crc || has > out->bytes) {
+        return; /* of another image */
+    }
+    out->state = body[0];
+    out->peer_has = has;
+    /* With nothing on the way, what it has is all that came. */
+    if (!out->is_known || body[1] || wire_unacked(out->end) == 0) {
+        out->at = has;
+    }
+    out->is_known = 1;
+}
+
+int wire_scene_out_fill(wire_scene_out *out) {
+    if (out->image == NULL || !out->is_known || out->state != WIRE_SCENE_GOING) {
+        return 1;
+    }
+    while (out->at < out->bytes) {
+        const uint32_t left = out->bytes - out->at;
+        const uint32_t count = left < CHUNK_BYTES ? left : CHUNK_BYTES;
+        if (wire_queue_room(out->queue) < count + 7) {
+            break;
+        }
+        uint8_t *to = out->queue->bytes + out->queue->used;
+        const uint32_t head = wire_head_put(to, WIRE_SCENE_DATA, count + 4);
+        wire_put32(to + head, out->at);
+        memcpy(to + head + 4, out->image + out->at, count);
+        out->queue->used = (uint16_t)(out->queue->used + head + 4 + count);
+        out->at += count;
+    }
+    return 1;
+}

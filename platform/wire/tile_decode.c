@@ -1,0 +1,216 @@
+/* tile_decode - bytes of a tile to rows of pixels, in pieces of any size
+ *
+ * Invariants, for any bytes: at most `coded` of them are read, at most
+ * `height` rows reported, the reader's buffers never left; wire_tile_read
+ * ends after as many steps as there are bytes, and 780 bits a pixel.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "platform/wire/wire_tile.h"
+
+int wire_tile_begin(wire_tile_reader *r, wire_tile_shape shape, unsigned coder, uint32_t coded,
+                    const uint8_t *old, uint32_t old_stride) {
+    const uint32_t raw = wire_tile_bytes(shape);
+    if (raw == 0 || coder >= WIRE_CODERS || coded == 0 || coded > raw) {
+        return -1;
+    }
+    memset(r, 0, sizeof *r);
+    r->shape = shape;
+    r->old = old;
+    r->old_stride = old_stride;
+    r->coder = (uint8_t)coder;
+    r->left = (uint16_t)coded;
+    r->unit = shape.format == WIRE_RGB565 ? 2 : shape.format == WIRE_RGB888 ? 3 : 1;
+    const int is_right = coder == WIRE_RAW     ? coded == raw
+                         : coder == WIRE_SOLID ? coded == r->unit
+                                               : 1;
+    return is_right ? 0 : -1;
+}
+
+static uint32_t row_bytes(const wire_tile_reader *r) {
+    return wire_row_bytes(r->shape.format, r->shape.width);
+}
+
+/* The next byte of the tile, or -1 when there is none yet. */
+static int next_byte(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    if (*at == end || r->left == 0) {
+        return -1;
+    }
+    r->left--;
+    return *(*at)++;
+}
+
+/* ---- raw, solid, runs: bytes of rows ------------------------------------------- */
+
+static uint8_t *repeated(wire_tile_reader *r) {
+    return r->as.row + WIRE_ROW_BYTES_MAX;
+}
+
+/* A byte for the row, from the pixel that repeats or from the stream; -1:
+ * there is none yet. */
+static int plain_byte(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    if (r->coder == WIRE_RAW) {
+        return next_byte(r, at, end);
+    }
+    if (!r->is_run) {
+        const int byte = next_byte(r, at, end);
+        if (byte >= 0 && ++r->held == r->unit) {
+            r->held = 0;
+            r->run--;
+        }
+        return byte;
+    }
+    while (r->started < r->unit) { /* the pixel that repeats comes first */
+        const int byte = next_byte(r, at, end);
+        if (byte < 0) {
+            return -1;
+        }
+        repeated(r)[r->started++] = (uint8_t)byte;
+    }
+    const int byte = repeated(r)[r->held];
+    if (++r->held == r->unit) {
+        r->held = 0;
+        r->run--;
+    }
+    return byte;
+}
+
+/* Starts the next run when the last is used up; 0: its head is not there. */
+static int have_run(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    if (r->coder == WIRE_RAW || r->run > 0) {
+        return 1;
+    }
+    if (r->coder == WIRE_SOLID) {
+        r->is_run = 1;
+        r->run = 255; /* a tile has 256 units at most; refilled without a head */
+        return 1;
+    }
+    const int head = next_byte(r, at, end);
+    if (head < 0) {
+        return 0;
+    }
+    r->is_run = head >= 128;
+    r->run = (uint8_t)(head >= 128 ? head - 126 : head + 1);
+    r->started = r->held = 0;
+    return 1;
+}
+
+/* A row may end within a run; a tile that ends within one is wrong, which
+ * shows by its length or here. */
+static int read_plain(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    const uint32_t most = row_bytes(r);
+    while (r->row_used < most) {
+        const int byte = have_run(r, at, end) ? plain_byte(r, at, end) : -1;
+        if (byte < 0) {
+            return r->left == 0 ? WIRE_TILE_WRONG : WIRE_TILE_MORE;
+        }
+        r->as.row[r->row_used++] = (uint8_t)byte;
+    }
+    r->row_used = 0;
+    r->y++;
+    return WIRE_TILE_ROW;
+}
+
+/* ---- predicted ------------------------------------------------------------------- */
+
+/* The flags, then four bytes of code. 1: they are there, 0: not yet, -1: wrong. */
+static int start_predicted(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    while (r->started < 5) {
+        int byte = next_byte(r, at, end);
+        if (byte < 0 && (r->left > 0 || r->started == 0)) {
+            return 0;
+        }
+        byte = byte < 0 ? 0 : byte;
+        if (r->started++ == 0) {
+            const unsigned near = (unsigned)byte & MODEL_NEAR;
+            if ((byte & MODEL_DELTA && r->old == NULL) || byte > MODEL_FLAGS ||
+                near > WIRE_NEAR_MOST || (near > 0 && r->shape.format >= WIRE_GREY4)) {
+                return -1;
+            }
+            wire_model_start(&r->as.model, r->shape, (unsigned)byte);
+            r->range.range = UINT32_MAX;
+        } else {
+            r->range.code = r->range.code << 8 | (uint32_t)byte;
+        }
+    }
+    return 1;
+}
+
+/* Makes the range wide enough for a bit; 0: a byte is missing. */
+static int widen(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    while (r->range.range < WIRE_RANGE_LEAST) {
+        const int byte = next_byte(r, at, end);
+        if (byte < 0 && r->left > 0) {
+            return 0;
+        }
+        r->range.range <<= 8;
+        r->range.code = r->range.code << 8 | (uint32_t)(byte < 0 ? 0 : byte);
+    }
+    return 1;
+}
+
+static unsigned read_bit(wire_tile_reader *r) {
+    uint16_t *chance = wire_model_chance(&r->as.model);
+    if (chance == NULL) {
+        return wire_range_get(&r->range, r->range.range >> 1);
+    }
+    const unsigned bit = wire_range_get(&r->range, (r->range.range >> 12) * (*chance >> 4));
+    wire_chance_learn(chance, bit);
+    return bit;
+}
+
+static void start_pixel(wire_tile_reader *r) {
+    wire_model *m = &r->as.model;
+    if (m->flags & MODEL_DELTA) {
+        m->old = wire_sample_get(m->format, r->old + (size_t)r->y * r->old_stride, m->x);
+    }
+    wire_model_pixel(m);
+    r->held = 1;
+}
+
+/* `held`: the pixel has been begun. */
+static int read_predicted(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    const int started = start_predicted(r, at, end);
+    if (started <= 0) {
+        return started < 0 ? WIRE_TILE_WRONG : WIRE_TILE_MORE;
+    }
+    for (;;) {
+        if (!r->held) {
+            start_pixel(r);
+        }
+        if (!widen(r, at, end)) {
+            return WIRE_TILE_MORE;
+        }
+        const int done = wire_model_bit(&r->as.model, read_bit(r));
+        if (done < 0) {
+            return WIRE_TILE_WRONG;
+        }
+        r->held = (uint8_t)!done;
+        if (done && r->as.model.x == 0) {
+            r->y++;
+            return WIRE_TILE_ROW;
+        }
+    }
+}
+
+int wire_tile_read(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    if (r->y == r->shape.height) {
+        /* The predicted tile's last byte or two may not have been needed. */
+        const uint32_t there = (uint32_t)(end - *at), rest = r->left < there ? r->left : there;
+        *at += rest;
+        r->left = (uint16_t)(r->left - rest);
+        return r->left == 0 ? WIRE_TILE_DONE : WIRE_TILE_MORE;
+    }
+    return r->coder == WIRE_PREDICT ? read_predicted(r, at, end) : read_plain(r, at, end);
+}
+
+void wire_tile_row(const wire_tile_reader *r, uint8_t *to) {
+    if (r->coder != WIRE_PREDICT) {
+        memcpy(to, r->as.row, row_bytes(r));
+        return;
+    }
+    for (unsigned x = 0; x < r->shape.width; x++) {
+        wire_sample_put(r->shape.format, to, x, r->as.model.row[x]);
+    }
+}

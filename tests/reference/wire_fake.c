@@ -1,0 +1,108 @@
+/* wire_fake - see wire_fake.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "tests/reference/wire_fake.h"
+
+#include <string.h>
+
+void fake_cable_open(fake_cable *c, wire_end *host, wire_end *device, uint64_t seed) {
+    memset(c, 0, sizeof *c);
+    c->host = host;
+    c->device = device;
+    c->random.at = seed;
+    c->now_ms = (uint32_t)random_bits(&c->random); /* clocks begin anywhere, and wrap */
+}
+
+static int happens(fake_cable *c, uint32_t chance) {
+    return chance > 0 && random_below(&c->random, 65536) < chance;
+}
+
+static void launch(fake_cable *c, const uint8_t *data, size_t bytes, int to_host) {
+    for (int i = 0; i < FAKE_IN_FLIGHT; i++) {
+        fake_report *r = &c->flight[i];
+        if (r->is_used) {
+            continue;
+        }
+        const uint32_t delay =
+            c->faults.delay_ms > 0 ? random_below(&c->random, c->faults.delay_ms + 1) : 0;
+        const uint32_t back = happens(c, c->faults.reorder) ? 1 + random_below(&c->random, 20) : 0;
+        *r = (fake_report){.due_ms = c->now_ms + 1 + delay + back,
+                           .order = c->order++ + 4 * back,
+                           .bytes = (uint16_t)bytes,
+                           .is_used = 1,
+                           .to_host = (uint8_t)to_host};
+        memcpy(r->data, data, bytes);
+        if (happens(c, c->faults.truncate)) {
+            r->bytes = (uint16_t)random_below(&c->random, (uint32_t)bytes);
+        }
+        for (int n = happens(c, c->faults.damage) ? 1 + (int)random_below(&c->random, 8) : 0; n > 0;
+             n--) {
+            r->data[random_below(&c->random, (uint32_t)bytes)] ^=
+                (uint8_t)(1u << random_below(&c->random, 8));
+        }
+        return;
+    }
+}
+
+static void carry(fake_cable *c, wire_end *from, int to_host) {
+    uint8_t report[WIRE_REPORT_BYTES_MAX];
+    for (int sent = 0; sent < (c->paced ? 1 : 8); sent++) {
+        const size_t bytes = wire_next_report(from, report, c->now_ms);
+        if (bytes == 0) {
+            return;
+        }
+        c->carried[to_host]++;
+        if (c->plugged_at_ms != 0 || happens(c, c->faults.lose)) {
+            continue;
+        }
+        launch(c, report, bytes, to_host);
+        if (happens(c, c->faults.repeat)) {
+            launch(c, report, bytes, to_host);
+        }
+    }
+}
+
+/* The next report that is due, in the order of sending. */
+static fake_report *next_due(fake_cable *c) {
+    fake_report *best = NULL;
+    for (int i = 0; i < FAKE_IN_FLIGHT; i++) {
+        fake_report *r = &c->flight[i];
+        if (r->is_used && (int32_t)(c->now_ms - r->due_ms) >= 0 &&
+            (best == NULL || r->order < best->order)) {
+            best = r;
+        }
+    }
+    return best;
+}
+
+void fake_cable_unplug(fake_cable *c, uint32_t ms) {
+    c->unplugged++;
+    c->plugged_at_ms = c->now_ms + ms + (c->now_ms + ms == 0);
+    memset(c->flight, 0, sizeof c->flight);
+    wire_on_link(c->host, 0, c->now_ms);
+    wire_on_link(c->device, 0, c->now_ms);
+}
+
+static void step_plug(fake_cable *c) {
+    if (c->plugged_at_ms != 0 && (int32_t)(c->now_ms - c->plugged_at_ms) >= 0) {
+        c->plugged_at_ms = 0;
+        wire_on_link(c->device, 1, c->now_ms);
+        wire_on_link(c->host, 1, c->now_ms);
+    } else if (c->plugged_at_ms == 0 && happens(c, c->faults.unplug)) {
+        fake_cable_unplug(c, 1 + random_below(&c->random, 400));
+    }
+}
+
+void fake_cable_step(fake_cable *c) {
+    c->now_ms++;
+    step_plug(c);
+    for (fake_report *r = next_due(c); r != NULL; r = next_due(c)) {
+        /* In a block of just its size, so that sanitizers see a byte too many. */
+        wire_on_report(r->to_host ? c->host : c->device, r->data, r->bytes, c->now_ms);
+        r->is_used = 0;
+    }
+    wire_poll(c->host, c->now_ms);
+    wire_poll(c->device, c->now_ms);
+    carry(c, c->host, 0);
+    carry(c, c->device, 1);
+}

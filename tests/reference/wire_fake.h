@@ -1,0 +1,48 @@
+/* wire_fake - two ends and a cable between them that misbehaves on order
+ *
+ * A cable carries reports both ways, each with its own delay, one report a
+ * step and direction at most when `paced`. Faults come with the chances of
+ * `faults`, in 1/65536 a report, from a seed, so that a run that fails once
+ * fails always. The clock is the cable's own.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef REFERENCE_WIRE_FAKE_H
+#define REFERENCE_WIRE_FAKE_H
+
+#include "platform/wire/wire.h"
+#include "tests/reference/random.h"
+
+enum { FAKE_IN_FLIGHT = 128 };
+
+typedef struct fake_faults {
+    uint32_t lose, repeat, reorder, truncate, damage; /* chances a report */
+    uint32_t delay_ms;                                /* 0 .. this, at random */
+    uint32_t unplug;                                  /* chance a millisecond */
+} fake_faults;
+
+typedef struct fake_report {
+    uint32_t due_ms, order;
+    uint16_t bytes;
+    uint8_t is_used, to_host;
+    uint8_t data[WIRE_REPORT_BYTES_MAX];
+} fake_report;
+
+typedef struct fake_cable {
+    wire_end *host, *device;
+    fake_faults faults;
+    random_state random;
+    uint32_t now_ms, order, plugged_at_ms; /* 0: in; else the time it comes back */
+    int paced;                      /* one report a millisecond each way, as full-speed USB */
+    uint32_t carried[2], unplugged; /* to device, to host */
+    fake_report flight[FAKE_IN_FLIGHT];
+} fake_cable;
+
+void fake_cable_open(fake_cable *c, wire_end *host, wire_end *device, uint64_t seed);
+
+/* A millisecond: what is due arrives, both ends are polled, reports leave. */
+void fake_cable_step(fake_cable *c);
+
+/* Pulls the cable out for `ms`. */
+void fake_cable_unplug(fake_cable *c, uint32_t ms);
+
+#endif
