@@ -22,6 +22,9 @@ void args_complain(args *a, const char *format, ...) {
     char text[400];
     fail line = {""};
     va_list list;
+    if (a->wrong) {
+        return; /* one line: the first mistake */
+    }
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);

@@ -51,7 +51,8 @@ unsigned args_choice(args *a, const char *flag, const char *const *words, unsign
 int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */
 int args_size(args *a, const char *flag, unsigned *width, unsigned *height);
 
-/* Says "PROGRAM COMMAND: TEXT; see PROGRAM COMMAND --help" and sets `wrong`. */
+/* Says "PROGRAM COMMAND: TEXT; see PROGRAM COMMAND --help" and sets `wrong`; says
+ * nothing when that is set already. */
 void args_complain(args *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

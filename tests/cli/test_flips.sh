@@ -38,10 +38,11 @@ is_refused() {
     esac
 }
 
-for build in host device none; do
-    run pack knot.ply -o knot.plt --build $build
-    places ${#build} >flips
-    verdict "--build $build: info, render and trace refuse 100 images with a flipped bit" "$(
+for flags in "--build host" "--build device" "--build none" "--nodes compact"; do
+    # shellcheck disable=SC2086
+    run pack knot.ply -o knot.plt $flags
+    places ${#flags} >flips
+    verdict "pack $flags: info, render and trace refuse 100 images with a flipped bit" "$(
         while read -r byte octal; do
             cp knot.plt bad.plt
             # shellcheck disable=SC2059

@@ -83,10 +83,10 @@ verdict "--any tells whether there is a nearest hit" "$(
     hits nearest >found
     hits any | paste -d ' ' found - | awk '$8 != ($4 != 4294967295) { print "ray " NR ": " $0 }')"
 
-# every_way IMAGE: trouble, unless all flags give the hits of the image without tree.
+# every_way IMAGE [WALK]: trouble, unless all flags give the hits in `nearest` and `any`.
 every_way() {
     for packet in 2 4 8 16; do
-        for walk in depth two-stage; do
+        for walk in ${2:-depth two-stage}; do
             for source in map read; do
                 flags="--packet $packet --walk $walk --source $source"
                 # shellcheck disable=SC2086
@@ -114,11 +114,33 @@ for build in host device; do
     done
 done
 
+# Compact nodes move vertices onto a lattice: other hits, but the same ones every
+# way. A device numbers triangles by their place: its distances are compared.
+run pack knot.ply -o compact.plt --nodes compact --geometry lattice:14
+run trace compact.plt mixed nearest
+run trace compact.plt mixed any --any
+hits nearest | awk '{ print $1 }' >distances
+for leaf in 1 2 4; do
+    flags="--nodes compact --geometry lattice:14 --leaf $leaf"
+    # shellcheck disable=SC2086
+    run pack knot.ply -o knot.plt $flags
+    verdict "pack $flags: every packet and source gives the same hits" "$(
+        [ "$status" -eq 0 ] || cat err
+        every_way knot.plt depth)"
+    # shellcheck disable=SC2086
+    run pack knot.ply -o knot.plt $flags --build device
+    run trace knot.plt mixed hit
+    verdict "... and the same distances when the device builds" "$(
+        cat err
+        hits hit | awk '{ print $1 }' | diff - distances)"
+done
+
 # ---- figures -----------------------------------------------------------------
 
 fields='rays seconds mrays_per_s packets mixed_packets node_visits group_tests triangle_tests
     treelet_fetches bytes_fetched bytes_touched_once arena_bytes arena_peak_bytes'
 run pack knot.ply -o knot.plt
+run trace knot.plt mixed nearest
 works "trace --json -" trace knot.plt mixed hit --json -
 cp out stats
 # shellcheck disable=SC2086

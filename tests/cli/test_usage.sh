@@ -47,7 +47,8 @@ flags() {
 scene_flags='--packet --walk --residency --schedule --workers --source --arena'
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --frame --frames
-flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometry --frame --repair
+flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometry --tolerance \
+    --numbers --reduce --frame --repair
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --json $view_flags $scene_flags
@@ -74,10 +75,19 @@ cp quad.ply ./-odd.ply
 works "behind -- all words are files" pack -o odd.plt -- -odd.ply
 works "flags may stand anywhere" pack --leaf 4 quad.ply -o anywhere.plt
 
+for pair in --geometry=float --geometry=lattice:11 --geometry=lattice:22 --geometry=lattice: \
+    --tolerance=1e-9 --tolerance=x; do
+    misused "pack --nodes compact refuses $pair" "${pair%=*}" \
+        pack quad.ply -o x --nodes compact "$pair"
+done
+misused "pack --nodes compact refuses --build none" compact \
+    pack quad.ply -o x --nodes compact --build none
+
 # Every value that is a word or a number, just out of its range.
-for pair in --build=thing --splits=middle --leaf=3 --leaf=0 --nodes=compact --treelet=0 \
+for pair in --build=thing --splits=middle --leaf=3 --leaf=0 --nodes=small --treelet=0 \
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
-    --slots=newest --geometry=lattice --frame=-1; do
+    --slots=newest --geometry=lattice --geometry=double --numbers=some --numbers=none \
+    --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
 for pair in --packet=3 --walk=wide --residency=streamed --schedule=task --workers=2 \
