@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/budget.h"
 #include "engine/build/blocks.h"
+#include "engine/image/check.h"
 #include "engine/image/fault.h"
 #include "engine/opening.h"
 
@@ -69,13 +70,20 @@ static int check_blocks(const plt_opening *o) {
 static int take_blocks(const plt_opening *o) {
     plt_block_tree *t = &o->e->walker.blocks.tree;
     const plt_info *info = &o->e->header.info;
-    const void *blocks = NULL, *numbers = NULL;
+    const void *blocks = NULL, *numbers = NULL, *records = NULL;
     int status = plt_opening_section(o, PLT_SECTION_BLOCKS, 0, &blocks);
     if (status == PLT_OK && info->number_bits > 0) {
         status = plt_opening_section(o, PLT_SECTION_NUMBERS, 0, &numbers);
     }
+    if (status == PLT_OK && info->geometry_format == PLT_GEOMETRY_FLOAT) {
+        status = plt_opening_section(o, PLT_SECTION_TRIANGLES, 0, &records);
+    }
+    if (status == PLT_OK && records != NULL) {
+        status = plt_check_records(&o->e->header, records, o->fault);
+    }
     t->bytes = blocks;
     t->numbers.bytes = numbers;
+    t->records = records;
     t->used = info->node_bytes + info->triangle_bytes;
     return status == PLT_OK ? check_blocks(o) : status;
 }
@@ -123,7 +131,7 @@ static int begin_build(const plt_opening *o) {
         return status;
     }
     const plt_blocks_job job = {
-        .triangles = {corners, info->triangles, info->lattice_bits <= 16 ? 2 : 4},
+        .triangles = {corners, info->triangles, info->lattice_bits <= 16 ? 2 : 4, 0},
         .bits = info->lattice_bits,
         .leaf_triangles = info->leaf_triangles,
         .splits = info->splits};

@@ -23,16 +23,19 @@
 #include "engine/tree/lattice.h"
 
 /* Lattice corners of triangles: 9 whole numbers each, of 2 bytes for lattices of
- * up to 16 bits, else of 4, little-endian. */
+ * up to 16 bits, else of 4, little-endian. Or, where the geometry stays in float
+ * records, their boxes, rounded outwards: low x y z, high x y z. */
 typedef struct plt_lattice_triangles {
     const unsigned char *bytes;
     uint32_t count;
     uint32_t width; /* 2 or 4 */
+    uint32_t boxes; /* 1: boxes of 6 numbers; 0: corners */
 } plt_lattice_triangles;
 
 static inline uint32_t plt_lattice_triangle_word(const plt_lattice_triangles *t, uint32_t triangle,
                                                  uint32_t k) {
-    const unsigned char *at = t->bytes + (9 * (size_t)triangle + k) * t->width;
+    const size_t each = t->boxes ? 6 : 9;
+    const unsigned char *at = t->bytes + (each * triangle + k) * t->width;
     return t->width == 2 ? (uint32_t)(at[0] | at[1] << 8) : plt_get_u32(at);
 }
 

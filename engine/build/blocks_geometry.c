@@ -44,7 +44,21 @@ static int add_reference(plt_blocks_state *s, const uint32_t position[3]) {
     return number != NONE;
 }
 
+/* Float records are put into image order by whoever watches. */
+static void add_records(plt_blocks_state *s, uint32_t first, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++, s->triangles++) {
+        if (s->order != NULL) {
+            s->order[s->job->written + s->triangles] = plt_permuted(s, first + i);
+        }
+    }
+    s->unit_count[s->units++] = (uint8_t)count;
+}
+
 static int add_unit(plt_blocks_state *s, uint32_t first, uint32_t count) {
+    if (s->job->triangles.boxes) {
+        add_records(s, first, count);
+        return 1;
+    }
     uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3], number[PLT_UNIT_TRIANGLES_MOST];
     plt_strip_step step[PLT_UNIT_TRIANGLES_MOST];
     for (uint32_t i = 0; i < count; i++) {
@@ -70,17 +84,21 @@ static int add_unit(plt_blocks_state *s, uint32_t first, uint32_t count) {
     return 1;
 }
 
+/* Strips, references and positions. */
 static uint32_t geometry_bits(const plt_blocks_state *s) {
-    uint32_t starts = 0, vertex_bits = 0;
-    for (uint32_t i = 0; i < s->triangles; i++) {
-        starts += s->flags[i] & 1u;
-    }
+    uint32_t vertex_bits = 0;
     for (int a = 0; a < 3; a++) {
         vertex_bits += plt_bits_for(s->at.frame.hi[a] - s->at.frame.lo[a]);
     }
     const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
-    return 2 * s->units + 2 * s->triangles + s->references +
+    return 2 * s->triangles + s->references +
            (s->references - s->vertices) * ref_bits + s->vertices * vertex_bits;
+}
+
+uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s) {
+    const uint32_t k = s->job->leaf_triangles;
+    const uint32_t counts = (k == 4 ? 2 : (uint32_t)(k == 2)) * s->units;
+    return s->job->triangles.boxes ? counts : counts + geometry_bits(s);
 }
 
 int plt_blocks_gather(plt_blocks_state *s) {
@@ -95,5 +113,5 @@ int plt_blocks_gather(plt_blocks_state *s) {
             }
         }
     }
-    return PLT_GEOMETRY_HEADER_BYTES + (geometry_bits(s) + 7) / 8 <= PLT_BLOCK_GEOMETRY_MOST;
+    return PLT_GEOMETRY_HEADER_BYTES + (plt_blocks_geometry_bits(s) + 7) / 8 <= PLT_BLOCK_GEOMETRY_MOST;
 }

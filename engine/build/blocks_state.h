@@ -120,7 +120,7 @@ static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box
 static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
                                                        uint32_t triangle) {
     plt_lattice_box b = plt_lattice_box_empty();
-    for (uint32_t k = 0; k < 9; k++) {
+    for (uint32_t k = 0; k < (t->boxes ? 6u : 9u); k++) {
         const uint32_t x = plt_lattice_triangle_word(t, triangle, k), a = k % 3;
         b.lo[a] = x < b.lo[a] ? x : b.lo[a];
         b.hi[a] = x > b.hi[a] ? x : b.hi[a];
@@ -140,6 +140,7 @@ void plt_strips_find(const uint32_t corner[][3][3], uint32_t count, plt_strip_st
 /* Gathers the geometry of the block in hand; 0 when it exceeds what a block may
  * hold. Then writes the block. (blocks_geometry.c, blocks_write.c) */
 int plt_blocks_gather(plt_blocks_state *s);
+uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s); /* behind the header */
 int plt_blocks_write(plt_blocks_state *s);
 
 /* Where in the block the link of each edge lies: offset[2 * node + child]. */

@@ -103,23 +103,17 @@ static uint32_t write_vertices(const plt_blocks_state *s, unsigned char *bytes, 
 }
 
 static uint32_t geometry_bytes(const plt_blocks_state *s) {
-    uint32_t vertex_bits = 0;
-    const uint32_t k = s->job->leaf_triangles;
-    const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
-    for (int a = 0; a < 3; a++) {
-        vertex_bits += plt_bits_for(s->at.frame.hi[a] - s->at.frame.lo[a]);
-    }
-    const uint32_t bits = (k == 4 ? 2 : (uint32_t)(k == 2)) * s->units + 2 * s->triangles +
-                          s->references + (s->references - s->vertices) * ref_bits +
-                          s->vertices * vertex_bits;
-    return s->units == 0 ? 0 : (PLT_GEOMETRY_HEADER_BYTES + (bits + 7) / 8 + 7) & ~7u;
+    const uint32_t bytes = (plt_blocks_geometry_bits(s) + 7) / 8;
+    return s->units == 0 ? 0 : (PLT_GEOMETRY_HEADER_BYTES + bytes + 7) & ~7u;
 }
 
 static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint32_t size) {
     uint32_t at = 8 * PLT_GEOMETRY_HEADER_BYTES;
     at = write_counts(s, bytes, at);
-    at = write_strips(s, bytes, at);
-    write_vertices(s, bytes, at);
+    if (!s->job->triangles.boxes) {
+        at = write_strips(s, bytes, at);
+        write_vertices(s, bytes, at);
+    }
     plt_put_u32(bytes, s->job->written | s->vertices << 27);
     plt_put_u32(bytes + 4, s->vertices >> 5);
     const uint32_t check = plt_block_check(bytes, size, 6);

@@ -65,6 +65,9 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         kind[count++] = PLT_SECTION_TRIANGLES;
     } else {
         kind[count++] = info->build == PLT_BUILD_DEVICE ? PLT_SECTION_CORNERS : PLT_SECTION_BLOCKS;
+        if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
+            kind[count++] = PLT_SECTION_TRIANGLES;
+        }
     }
     if (info->number_bits > 0) {
         kind[count++] = PLT_SECTION_NUMBERS;
@@ -147,7 +150,8 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
     }
     /* An entry of the numbers holds any number and two bits more. */
     good &= info->number_bits == 0 ||
-            (info->number_bits >= 2 && info->number_bits <= 29 && info->build == PLT_BUILD_HOST);
+            (info->number_bits >= 2 && info->number_bits <= 29 && info->build == PLT_BUILD_HOST &&
+             info->geometry_format == PLT_GEOMETRY_LATTICE);
     if (!good || info->node_bytes > 8u * 0xFFFFFFu || info->triangle_bytes > 8u * 0xFFFFFFu) {
         return plt_refused(fault, 14, AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");
@@ -179,7 +183,8 @@ static int check_values(const plt_header *h, plt_fault *fault) {
         return plt_refused(fault, 7, AT_ROOT, "a root in an image without a tree");
     }
     if (info->splits > PLT_SPLIT_MEDIAN || info->build > PLT_BUILD_NONE ||
-        info->nodes_format > PLT_NODES_COMPACT || info->geometry_format != info->nodes_format) {
+        info->nodes_format > PLT_NODES_COMPACT || info->geometry_format > info->nodes_format ||
+        (info->nodes_format != info->geometry_format && info->build != PLT_BUILD_HOST)) {
         return plt_refused(fault, 8, AT_SPLITS, "a format that this version does not know");
     }
     const int lattice = info->nodes_format == PLT_NODES_COMPACT ? check_lattice(h, fault) : PLT_OK;

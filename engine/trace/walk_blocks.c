@@ -35,8 +35,12 @@ static void take_geometry(plt_walker *w) {
     if (b->geometry_open) {
         return;
     }
-    plt_block_frame(&b->block, b->tree.lattice.bits, &frame);
-    plt_geometry_open(&b->geometry, &b->block, &frame, b->tree.leaf_triangles);
+    if (b->tree.records != NULL) {
+        plt_geometry_open_counts(&b->geometry, &b->block, b->tree.leaf_triangles);
+    } else {
+        plt_block_frame(&b->block, b->tree.lattice.bits, &frame);
+        plt_geometry_open(&b->geometry, &b->block, &frame, b->tree.leaf_triangles);
+    }
     b->geometry_open = 1;
     count_fetch(w, plt_block_address(b->link) / 8 + 1, b->block.geometry_bytes);
 }
@@ -112,14 +116,21 @@ static void test_unit(plt_walker *w, const plt_block_entry *at) {
     take_geometry(w);
     const uint32_t first = plt_unit_first(&b->geometry, at->number, at->pairs);
     const uint32_t count = plt_unit_count(&b->geometry, at->number, at->pair);
-    plt_unit_corners(&b->geometry, first, count, corner);
+    if (b->tree.records == NULL) {
+        plt_unit_corners(&b->geometry, first, count, corner);
+    }
     t.longest = longest_side(&b->tree.lattice, at);
     t.numbers = b->tree.numbers.bytes == NULL ? NULL : &b->tree.numbers;
     plt_mask groups = at->groups;
     w->stats.triangle_tests += (uint64_t)count * plt_mask_count(groups);
     for (uint32_t i = 0; i < count; i++) {
-        canonical(&b->tree.lattice, (const uint32_t(*)[3])corner[i], t.corner);
         t.number = b->geometry.first_triangle + first + i;
+        if (b->tree.records != NULL) {
+            plt_record_corners(&b->tree.records[t.number], t.corner);
+            t.number = plt_get_u32(&b->tree.records[t.number].word[9]);
+        } else {
+            canonical(&b->tree.lattice, (const uint32_t(*)[3])corner[i], t.corner);
+        }
         if (w->packet.any) {
             groups &= w->packet.active;
         }

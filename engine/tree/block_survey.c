@@ -90,13 +90,24 @@ static int units_are_sound(const plt_geometry *g, const plt_block *b) {
     return triangle == g->triangles;
 }
 
-static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k) {
+/* Float geometry has nothing but counts here. */
+static int counts_rule(const plt_block *b, uint32_t k) {
+    plt_geometry g;
+    plt_geometry_open_counts(&g, b, k);
+    return g.starts <= 8 * b->geometry_bytes ? SOUND : RULE_GEOMETRY;
+}
+
+static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k,
+                         int floats) {
     plt_geometry g;
     if (b->units == 0) {
         return b->geometry_bytes == 0 ? SOUND : RULE_GEOMETRY;
     }
-    if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES + 8) {
+    if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
         return RULE_GEOMETRY;
+    }
+    if (floats) {
+        return counts_rule(b, k);
     }
     plt_geometry_open(&g, b, frame, k);
     if (!geometry_fits(&g, b)) {
@@ -127,7 +138,8 @@ int plt_block_is_sound(const unsigned char *bytes, uint32_t limit, const plt_blo
     if (!frame_is_inside(&frame, &tree->box)) {
         return RULE_FRAME;
     }
-    return checks_are_right(&b) ? geometry_rule(&b, &frame, tree->leaf_triangles) : RULE_CHECK;
+    return checks_are_right(&b) ? geometry_rule(&b, &frame, tree->leaf_triangles, tree->records != NULL)
+                                : RULE_CHECK;
 }
 
 static int broken(plt_fault *fault, int rule, uint32_t address) {
@@ -177,9 +189,7 @@ static int arrive(const plt_block_tree *tree, const plt_block_frame_of_survey *f
     info->triangle_bytes += b.geometry_bytes;
     if (b.units > 0) {
         plt_geometry g;
-        plt_lattice_box frame;
-        plt_block_frame(&b, tree->lattice.bits, &frame);
-        plt_geometry_open(&g, &b, &frame, tree->leaf_triangles);
+        plt_geometry_open_counts(&g, &b, tree->leaf_triangles);
         if (g.first_triangle != info->triangles) {
             return broken(fault, RULE_COUNTS, f->address);
         }

@@ -11,6 +11,7 @@
 
 #include "engine/planelet.h"
 #include "engine/tree/numbers.h"
+#include "engine/tree/record.h"
 #include "engine/tree/unit.h"
 
 /* Compact blocks as the traversal sees them. */
@@ -22,6 +23,7 @@ typedef struct plt_block_tree {
     plt_lattice lattice;
     plt_lattice_box box; /* of all triangles */
     plt_numbers numbers;
+    const plt_record *records; /* float geometry, in image order; NULL: lattice */
 } plt_block_tree;
 
 typedef struct plt_block_frame_of_survey {

@@ -19,8 +19,7 @@ static uint32_t triangles_before(const plt_geometry *g, uint32_t units, uint32_t
     return count;
 }
 
-void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_box *frame,
-                       uint32_t k) {
+void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     const uint32_t word0 = plt_get_u32(b->geometry), word1 = plt_get_u32(b->geometry + 4);
     g->bytes = b->geometry;
     g->k = k;
@@ -35,6 +34,12 @@ void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_bo
         const uint32_t at = g->counts + s * b->units;
         g->triangles += plt_bits_count(g->bytes, at, at + b->units) << s;
     }
+}
+
+void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_box *frame,
+                       uint32_t k) {
+    const uint32_t bits = 8 * b->geometry_bytes;
+    plt_geometry_open_counts(g, b, k);
     g->turns = g->starts + g->triangles;
     g->news = g->turns + g->triangles;
     g->slots = g->triangles;

@@ -28,6 +28,9 @@ typedef struct plt_geometry {
 void plt_geometry_open(plt_geometry *g, const plt_block *block, const plt_lattice_box *frame,
                        uint32_t k);
 
+/* Only header and counts: all there is when the triangles are float records. */
+void plt_geometry_open_counts(plt_geometry *g, const plt_block *block, uint32_t k);
+
 /* Where unit `unit` begins, `pairs` of the units before it being pairs; and how
  * many triangles it has. */
 uint32_t plt_unit_first(const plt_geometry *g, uint32_t unit, uint32_t pairs);

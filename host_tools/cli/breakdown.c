@@ -29,6 +29,13 @@ static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
 static void count_geometry(const plt_block_tree *tree, const plt_block *b, breakdown *to) {
     plt_geometry g;
     plt_lattice_box frame;
+    if (tree->records != NULL) {
+        plt_geometry_open_counts(&g, b, tree->leaf_triangles);
+        to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
+        to->bytes[PART_COUNTS] += (g.starts - g.counts) / 8.0;
+        to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - g.starts / 8.0;
+        return;
+    }
     plt_block_frame(b, tree->lattice.bits, &frame);
     plt_geometry_open(&g, b, &frame, tree->leaf_triangles);
     const double end = g.positions + (double)g.vertices * g.vertex_bits;
@@ -53,5 +60,7 @@ void breakdown_count(const plt_engine *engine, breakdown *b) {
         }
         at += (block.node_bytes + block.geometry_bytes + 7u) & ~7u;
     }
+    b->bytes[PART_POSITIONS] +=
+        tree->records != NULL ? (double)info->triangles * PLT_RECORD_BYTES : 0.0;
     b->bytes[PART_NUMBERS] = (double)info->triangles * info->number_bits / 8.0;
 }

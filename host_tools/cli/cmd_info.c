@@ -49,6 +49,9 @@ static derived derive(const plt_info *i, const plt_options *o) {
     if (i->nodes_format == PLT_NODES_COMPACT) {
         d.tree_bytes = i->node_bytes;
         d.geometry_bytes = i->triangle_bytes;
+        if (i->geometry_format == PLT_GEOMETRY_FLOAT) {
+            d.geometry_bytes += (uint64_t)i->triangles * PLT_RECORD_BYTES;
+        }
         d.overhead_bytes = 0;
     }
     d.tree_each = (double)d.tree_bytes / n;

@@ -27,8 +27,8 @@ static const arg_flag flags[] = {
     {"--fill", "bfs", "how treelets fill: breadth first"},
     {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
     {"--geometry", "float|lattice[:BITS]",
-     "thesis: float, 40 bytes a triangle, bit exact; compact: a lattice of 12 to 21 bits an "
-     "axis (default 16)"},
+     "float, 40 bytes a triangle, bit exact; compact also: a lattice of 12 to 21 bits an axis "
+     "(default lattice:16)"},
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side"},
     {"--numbers", "keep|none",
@@ -111,7 +111,7 @@ static int build(pack_job *job, const char *name, packed *image, fail *f) {
     const int status = compact ? pack_compact(image, &job->m, &job->compact, name, &job->loss, f)
                                : pack_mesh(image, &job->m, &job->options, name, f);
     phase_end();
-    if (status == 0 && compact) {
+    if (status == 0 && compact && !job->compact.floats) {
         say_what_was_lost(job, name);
     }
     return status;
@@ -152,26 +152,24 @@ static void say_done(const pack_job *job, const packed *image, double seconds) {
     }
 }
 
-/* --geometry lattice or lattice:BITS. */
-static uint8_t read_lattice(args *a) {
+/* --geometry lattice or lattice:BITS; float is on a lattice of 16 bits. */
+static uint8_t read_lattice(args *a, int floats) {
     const char *text = args_text(a, "--geometry", "lattice");
     float tolerance = 0.0f;
     unsigned bits = 16;
     int length = 0;
-    if (strcmp(text, "lattice") != 0 &&
+    if (!floats && strcmp(text, "lattice") != 0 &&
         (sscanf(text, "lattice:%2u%n", &bits, &length) != 1 || text[length] != '\0' ||
          bits < PLT_LATTICE_BITS_LEAST || bits > PLT_LATTICE_BITS_MOST)) {
-        args_complain(a,
-                      "--geometry of compact nodes is lattice or lattice:12 to lattice:21, "
-                      "not '%s'",
-                      text);
+        args_complain(a, "--geometry is float, lattice, or lattice:12 to lattice:21, not '%s'", text);
+        bits = 16;
     }
     if (args_floats(a, "--tolerance", &tolerance, 1)) {
         bits = lattice_bits_for((double)tolerance);
-        if (bits == 0) {
-            args_complain(a,
-                          "--tolerance below 4.2e-07 is finer than any lattice; "
-                          "use --nodes thesis");
+        if (bits == 0 || floats) {
+            args_complain(a, floats ? "--tolerance is for --geometry lattice"
+                                    : "--tolerance below 4.2e-07 is finer than any lattice; use "
+                                      "--geometry float");
             bits = 16;
         }
     }
@@ -183,7 +181,11 @@ static void read_format(pack_job *job, args *a) {
     static const char *const floats[] = {"float", NULL}, *const numbers[] = {"keep", "none", NULL};
     job->compact.numbers = args_choice(a, "--numbers", numbers, 0) == 0;
     if (args_choice(a, "--nodes", nodes, 0) == 1) {
-        job->compact.lattice_bits = read_lattice(a);
+        job->compact.floats = strcmp(args_text(a, "--geometry", ""), "float") == 0;
+        job->compact.lattice_bits = read_lattice(a, job->compact.floats);
+        if (job->compact.floats && job->options.build == PLT_BUILD_DEVICE) {
+            args_complain(a, "--build device takes --geometry lattice with compact nodes");
+        }
         if (job->options.build == PLT_BUILD_NONE || args_has(a, "--treelet")) {
             args_complain(a, "compact nodes come in blocks of 64, built by host or device");
         }

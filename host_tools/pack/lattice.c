@@ -37,10 +37,11 @@ static void used_box(const mesh *m, float lo[3], float hi[3]) {
     }
 }
 
-/* The step, its mantissa rounded up to 24 - bits bits. */
+/* The step, its mantissa rounded up to 24 - bits bits; one number is kept for
+ * rounding outwards. */
 static float step_for(double longest, uint32_t bits) {
     int exponent;
-    const double least = longest > 0.0 ? longest / (double)((1u << bits) - 1u) : 1.0;
+    const double least = longest > 0.0 ? longest / (double)((1u << bits) - 2u) : 1.0;
     const double mantissa = ceil(ldexp(frexp(least, &exponent), 24 - (int)bits));
     return (float)ldexp(mantissa, exponent - (24 - (int)bits));
 }
@@ -109,9 +110,9 @@ static int had_area(const mesh *m, size_t i) {
     return e[1] * g[2] != e[2] * g[1] || e[2] * g[0] != e[0] * g[2] || e[0] * g[1] != e[1] * g[0];
 }
 
-static void put(snapped *s, const position p[3]) {
-    unsigned char *at = s->corners + (size_t)s->count * 9 * s->width;
-    for (int k = 0; k < 9; k++, at += s->width) {
+static void put(snapped *s, const position *p, int positions) {
+    unsigned char *at = s->corners + (size_t)s->count * 3 * (size_t)positions * s->width;
+    for (int k = 0; k < 3 * positions; k++, at += s->width) {
         const uint32_t q = p[k / 3].q[k % 3];
         if (s->width == 2) {
             at[0] = (unsigned char)q;
@@ -156,7 +157,7 @@ static void take(snapped *s, const mesh *m, const position *moved, size_t i) {
         s->loss.t_junctions += !same(&p[0], &p[1]) && !same(&p[1], &p[2]) && !same(&p[0], &p[2]);
         return;
     }
-    put(s, p);
+    put(s, p, 3);
     s->source[s->count] = (uint32_t)i;
     s->turn[s->count] = turn_of(p);
     s->count++;
@@ -239,6 +240,56 @@ int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fai
     }
     free(moved);
     return status;
+}
+
+/* The number whose float is the last one not above `x`, or the first not below. */
+static uint32_t round_outwards(const plt_lattice *l, int axis, float x, int up) {
+    const double near = ((double)x - (double)l->origin[axis]) / (double)l->step;
+    uint32_t q = (uint32_t)fmax(0.0, floor(near));
+    while (q > 0 && plt_lattice_float(l, axis, q) > x) {
+        q--;
+    }
+    while (plt_lattice_float(l, axis, q + 1) <= x) {
+        q++;
+    }
+    return q + (uint32_t)(up && plt_lattice_float(l, axis, q) < x);
+}
+
+static void take_box(snapped *s, const mesh *m, size_t i) {
+    position p[3];
+    for (int a = 0; a < 3; a++) {
+        float lo = INFINITY, hi = -INFINITY;
+        for (size_t c = 0; c < 3; c++) {
+            const float x = m->vertex[3 * (size_t)m->triangle[3 * i + c] + (size_t)a];
+            lo = x < lo ? x : lo;
+            hi = x > hi ? x : hi;
+        }
+        p[0].q[a] = round_outwards(&s->lattice, a, lo, 0);
+        p[1].q[a] = round_outwards(&s->lattice, a, hi, 1);
+    }
+    put(s, p, 2);
+    s->source[s->count++] = (uint32_t)i;
+    grow(&s->box, &p[0]);
+    grow(&s->box, &p[1]);
+}
+
+int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
+    const plt_lattice_box empty = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
+    memset(s, 0, sizeof *s);
+    s->box = empty;
+    if (set_lattice(s, m, bits, name, f) != 0) {
+        return -1;
+    }
+    s->width = bits <= 16 ? 2 : 4;
+    s->corners = malloc(m->triangles * 6 * s->width + 1);
+    s->source = malloc(m->triangles * sizeof *s->source + 1);
+    if (s->corners == NULL || s->source == NULL) {
+        return fail_set(f, name, "out of memory; pack on a larger machine");
+    }
+    for (size_t i = 0; i < m->triangles; i++) {
+        take_box(s, m, i);
+    }
+    return 0;
 }
 
 void lattice_free(snapped *s) {

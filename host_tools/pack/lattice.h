@@ -33,6 +33,10 @@ typedef struct snapped {
  * side) of where it was; 0 when 21 are not enough. */
 uint32_t lattice_bits_for(double tolerance);
 
+/* Leaves the mesh where it is: `corners` become the triangles' boxes (6 numbers
+ * each), rounded outwards, of all triangles. */
+int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f);
+
 /* Moves the mesh. Triangles without area on the lattice are left out. Refuses a
  * lattice finer than the floats around it. */
 int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f);

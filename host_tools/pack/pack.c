@@ -49,19 +49,22 @@ static unsigned least_corner(const float corner[3][3]) {
     return least;
 }
 
+void pack_record(plt_record *r, const mesh *m, size_t triangle) {
+    float corner[3][3];
+    for (size_t c = 0; c < 3; c++) {
+        memcpy(corner[c], m->vertex + 3 * (size_t)m->triangle[3 * triangle + c], sizeof corner[c]);
+    }
+    const unsigned least = least_corner((const float(*)[3])corner);
+    for (unsigned c = 0; c < 3; c++) {
+        plt_put_floats((unsigned char *)&r->word[3 * c], corner[(least + c) % 3], 3);
+    }
+    const uint32_t turn = (3 - least) % 3;
+    plt_put_u32(&r->word[9], (uint32_t)triangle | turn << PLT_NUMBER_TURN_SHIFT);
+}
+
 static void fill_records(packing *p) {
-    const mesh *m = p->m;
-    for (size_t i = 0; i < m->triangles; i++) {
-        float corner[3][3];
-        for (size_t c = 0; c < 3; c++) {
-            memcpy(corner[c], m->vertex + 3 * (size_t)m->triangle[3 * i + c], sizeof corner[c]);
-        }
-        const unsigned least = least_corner((const float(*)[3])corner);
-        for (unsigned c = 0; c < 3; c++) {
-            plt_put_floats((unsigned char *)&p->records[i].word[3 * c], corner[(least + c) % 3], 3);
-        }
-        const uint32_t turn = (3 - least) % 3;
-        plt_put_u32(&p->records[i].word[9], (uint32_t)i | turn << PLT_NUMBER_TURN_SHIFT);
+    for (size_t i = 0; i < p->m->triangles; i++) {
+        pack_record(&p->records[i], p->m, i);
     }
 }
 

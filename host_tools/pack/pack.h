@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "engine/planelet.h"
+#include "engine/tree/record.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/base/output.h"
 #include "host_tools/mesh/mesh.h"
@@ -29,10 +30,14 @@ typedef struct packed {
 int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name, fail *f);
 void pack_free(packed *image);
 
+/* Triangle `triangle` of the mesh as a float record, its number and turn set. */
+void pack_record(plt_record *record, const mesh *m, size_t triangle);
+
 typedef struct compact_options {
     uint8_t splits, build;   /* as above, but not PLT_BUILD_NONE */
     uint8_t lattice_bits;    /* 12 .. 21 */
     uint8_t numbers;         /* keep packing-order numbers in a section */
+    uint8_t floats;          /* float records, bit exact; the lattice is for boxes alone */
     uint32_t leaf_triangles; /* K: 1, 2 or 4 */
 } compact_options;
 

@@ -58,7 +58,8 @@ static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
 
 static int build(compacting *c, fail *f) {
     plt_info *info = &c->header.info;
-    plt_blocks_job job = {.triangles = {c->s.corners, c->s.count, c->s.width},
+    plt_blocks_job job = {.triangles = {c->s.corners, c->s.count, c->s.width,
+                                        c->options->floats},
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .splits = info->splits};
@@ -86,7 +87,7 @@ static void describe(compacting *c) {
         info->hi[a] = c->s.count > 0 ? plt_lattice_float(&c->s.lattice, a, c->s.box.hi[a]) : 0.0f;
     }
     info->nodes_format = PLT_NODES_COMPACT;
-    info->geometry_format = PLT_GEOMETRY_LATTICE;
+    info->geometry_format = c->options->floats ? PLT_GEOMETRY_FLOAT : PLT_GEOMETRY_LATTICE;
     info->lattice_bits = (uint8_t)c->s.lattice.bits;
     info->splits = c->options->splits;
     info->build = c->options->build;
@@ -94,7 +95,7 @@ static void describe(compacting *c) {
     info->treelet_nodes = PLT_BLOCK_NODES_MOST;
     info->source_triangles = (uint32_t)c->m->triangles;
     info->triangles = c->s.count;
-    if (c->options->numbers && info->build == PLT_BUILD_HOST && c->s.count > 0) {
+    if (c->options->numbers && !c->options->floats && info->build == PLT_BUILD_HOST && c->s.count > 0) {
         info->number_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
     }
     c->header.root = PLT_MISS;
@@ -110,12 +111,22 @@ static void write_numbers(const compacting *c, unsigned char *to) {
     }
 }
 
+static void write_records(const compacting *c, unsigned char *to) {
+    for (uint32_t i = 0; i < c->triangles; i++, to += PLT_RECORD_BYTES) {
+        plt_record r;
+        pack_record(&r, c->m, c->s.source[c->order[i]]);
+        memcpy(to, &r, sizeof r);
+    }
+}
+
 static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
     const plt_info *info = &c->header.info;
     if (kind == PLT_SECTION_BLOCKS && c->blocks != NULL) {
         memcpy(to, c->blocks, (size_t)info->node_bytes + info->triangle_bytes);
     } else if (kind == PLT_SECTION_CORNERS && c->s.count > 0) {
         memcpy(to, c->s.corners, (size_t)c->s.count * 9 * c->s.width);
+    } else if (kind == PLT_SECTION_TRIANGLES) {
+        write_records(c, to);
     } else if (kind == PLT_SECTION_NUMBERS) {
         write_numbers(c, to);
     }
@@ -151,7 +162,8 @@ int pack_compact(packed *image, const mesh *m, const compact_options *options, c
     const packed nothing = {NULL, 0, {0}};
     compacting c = {.m = m, .options = options, .name = name};
     *image = nothing;
-    int status = lattice_snap(&c.s, m, options->lattice_bits, name, f);
+    int status = options->floats ? lattice_boxes(&c.s, m, options->lattice_bits, name, f)
+                                 : lattice_snap(&c.s, m, options->lattice_bits, name, f);
     if (status == 0) {
         describe(&c);
         if (options->build == PLT_BUILD_HOST) {
