@@ -44,6 +44,7 @@ typedef struct plt_blocks_job {
     uint32_t bits;                   /* of the lattice */
     uint32_t leaf_triangles;         /* K: 1, 2 or 4 */
     uint8_t splits;                  /* enum plt_splits */
+    const uint16_t *mesh;            /* mesh number of each triangle, 0 .. 1022; or NULL */
     unsigned char *memory;           /* aligned to 8 */
     size_t bytes;                    /* of memory */
     void *scratch;                   /* plt_blocks_scratch_bytes, aligned to 8 */

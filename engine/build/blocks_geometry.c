@@ -44,12 +44,20 @@ static int add_reference(plt_blocks_state *s, const uint32_t position[3]) {
     return number != NONE;
 }
 
+/* A triangle joins the block at the next place of image order. */
+static void add_triangle(plt_blocks_state *s, uint32_t triangle) {
+    const uint32_t mesh = s->job->mesh == NULL ? 0 : s->job->mesh[triangle] + 1u;
+    s->mesh = s->triangles == 0 || s->mesh == mesh ? mesh : 0;
+    if (s->order != NULL) {
+        s->order[s->job->written + s->triangles] = triangle;
+    }
+    s->triangles++;
+}
+
 /* Float records are put into image order by whoever watches. */
 static void add_records(plt_blocks_state *s, uint32_t first, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++, s->triangles++) {
-        if (s->order != NULL) {
-            s->order[s->job->written + s->triangles] = plt_permuted(s, first + i);
-        }
+    for (uint32_t i = 0; i < count; i++) {
+        add_triangle(s, plt_permuted(s, first + i));
     }
     s->unit_count[s->units++] = (uint8_t)count;
 }
@@ -74,10 +82,7 @@ static int add_unit(plt_blocks_state *s, uint32_t first, uint32_t count) {
             }
         }
         s->flags[s->triangles] = (uint8_t)(step[i].start | step[i].turn << 1);
-        if (s->order != NULL) {
-            s->order[s->job->written + s->triangles] = number[step[i].triangle];
-        }
-        s->triangles++;
+        add_triangle(s, number[step[i].triangle]);
     }
     s->unit_count[s->units] = (uint8_t)count;
     s->units++;
@@ -91,8 +96,8 @@ static uint32_t geometry_bits(const plt_blocks_state *s) {
         vertex_bits += plt_bits_for(s->at.frame.hi[a] - s->at.frame.lo[a]);
     }
     const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
-    return 2 * s->triangles + s->references +
-           (s->references - s->vertices) * ref_bits + s->vertices * vertex_bits;
+    return 2 * s->triangles + s->references + (s->references - s->vertices) * ref_bits +
+           s->vertices * vertex_bits;
 }
 
 uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s) {
@@ -113,5 +118,6 @@ int plt_blocks_gather(plt_blocks_state *s) {
             }
         }
     }
-    return PLT_GEOMETRY_HEADER_BYTES + (plt_blocks_geometry_bits(s) + 7) / 8 <= PLT_BLOCK_GEOMETRY_MOST;
+    return PLT_GEOMETRY_HEADER_BYTES + (plt_blocks_geometry_bits(s) + 7) / 8 <=
+           PLT_BLOCK_GEOMETRY_MOST;
 }

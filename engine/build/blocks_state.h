@@ -69,6 +69,7 @@ typedef struct plt_blocks_state {
     uint8_t flags[PLT_BLOCK_TRIANGLES_MOST]; /* 1: start, 2: turn */
     uint8_t unit_count[PLT_BLOCK_NODES_MOST + 1], unit_pair[PLT_BLOCK_NODES_MOST + 1];
     uint32_t units, triangles, references, vertices;
+    uint32_t mesh; /* number + 1 of all its triangles' mesh; 0: several, or not known */
     /* splitting */
     plt_lattice_bin bin[3][PLT_SAH_BINS];
     plt_lattice_box right_box[PLT_SAH_BINS];

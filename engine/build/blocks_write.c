@@ -115,9 +115,10 @@ static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint
         write_vertices(s, bytes, at);
     }
     plt_put_u32(bytes, s->job->written | s->vertices << 27);
-    plt_put_u32(bytes + 4, s->vertices >> 5);
+    const uint32_t word1 = s->vertices >> 5 | s->mesh << 6;
+    plt_put_u32(bytes + 4, word1);
     const uint32_t check = plt_block_check(bytes, size, 6);
-    plt_put_u32(bytes + 4, s->vertices >> 5 | check << 16);
+    plt_put_u32(bytes + 4, word1 | check << 16);
 }
 
 static void set_link(plt_blocks_state *s, uint32_t link) {

@@ -97,8 +97,7 @@ static int counts_rule(const plt_block *b, uint32_t k) {
     return g.starts <= 8 * b->geometry_bytes ? SOUND : RULE_GEOMETRY;
 }
 
-static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k,
-                         int floats) {
+static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k, int floats) {
     plt_geometry g;
     if (b->units == 0) {
         return b->geometry_bytes == 0 ? SOUND : RULE_GEOMETRY;
@@ -138,8 +137,9 @@ int plt_block_is_sound(const unsigned char *bytes, uint32_t limit, const plt_blo
     if (!frame_is_inside(&frame, &tree->box)) {
         return RULE_FRAME;
     }
-    return checks_are_right(&b) ? geometry_rule(&b, &frame, tree->leaf_triangles, tree->records != NULL)
-                                : RULE_CHECK;
+    return checks_are_right(&b)
+               ? geometry_rule(&b, &frame, tree->leaf_triangles, tree->records != NULL)
+               : RULE_CHECK;
 }
 
 static int broken(plt_fault *fault, int rule, uint32_t address) {

@@ -25,6 +25,7 @@ void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     g->k = k;
     g->first_triangle = word0 & 0x07FFFFFFu;
     g->vertices = word0 >> 27 | (word1 & 0x3Fu) << 5;
+    g->mesh = word1 >> 6 & 0x3FFu;
     g->counts = 8 * PLT_GEOMETRY_HEADER_BYTES;
     g->starts = g->counts + count_strings(k) * b->units; /* triangles_before reads behind it */
     const uint32_t pairs = b->pairs_before[3] + plt_count_bits(b->pair[3]);

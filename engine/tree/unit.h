@@ -18,6 +18,7 @@ typedef struct plt_geometry {
     const unsigned char *bytes;
     uint32_t k;                          /* most triangles a list */
     uint32_t first_triangle;             /* number, in image order */
+    uint32_t mesh;                       /* number + 1 of the mesh of all triangles; 0: several */
     uint32_t vertices, triangles, slots; /* slots: references, 1 or 3 a triangle */
     uint32_t counts, starts, turns, news, refs, positions;
     uint32_t ref_bits, axis_bits[3], vertex_bits;

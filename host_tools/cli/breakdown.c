@@ -29,8 +29,9 @@ static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
 static void count_geometry(const plt_block_tree *tree, const plt_block *b, breakdown *to) {
     plt_geometry g;
     plt_lattice_box frame;
+    plt_geometry_open_counts(&g, b, tree->leaf_triangles);
+    to->of_one_mesh += g.mesh != 0;
     if (tree->records != NULL) {
-        plt_geometry_open_counts(&g, b, tree->leaf_triangles);
         to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
         to->bytes[PART_COUNTS] += (g.starts - g.counts) / 8.0;
         to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - g.starts / 8.0;

@@ -25,6 +25,7 @@ enum breakdown_part {
 
 typedef struct breakdown {
     double bytes[PARTS];
+    uint32_t of_one_mesh; /* blocks that say which mesh all their triangles are of */
 } breakdown;
 
 extern const char *const breakdown_names[PARTS];

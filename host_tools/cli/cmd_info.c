@@ -156,6 +156,10 @@ static void print_text(const plt_info *i, const derived *d) {
         printf("triangle numbers   %s\n", i->number_bits > 0
                                               ? "of the packed meshes, kept in a section"
                                               : "by place: packing order is image order");
+        if (d->has_parts && d->parts.of_one_mesh > 0) {
+            printf("blocks of one mesh %" PRIu32 " of %" PRIu32 "\n", d->parts.of_one_mesh,
+                   i->treelets);
+        }
         print_parts_text(i, d);
     }
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);

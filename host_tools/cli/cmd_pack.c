@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "host_tools/base/output.h"
@@ -55,7 +56,8 @@ typedef struct pack_job {
     pack_options options;
     compact_options compact; /* lattice_bits 0: thesis nodes */
     unsigned frame;
-    size_t most; /* of --reduce; 0: all */
+    size_t most;      /* of --reduce; 0: all */
+    size_t *mesh_end; /* owned */
     lattice_loss loss;
     const char *out;
 } pack_job;
@@ -73,12 +75,16 @@ static void say_what_was_dropped(const mesh_repair *r, const char *name) {
 }
 
 static int read_meshes(pack_job *job, const args *a, fail *f) {
-    int status = 0;
+    job->mesh_end = calloc((size_t)a->files, sizeof *job->mesh_end);
+    int status = job->mesh_end == NULL ? fail_set(f, a->file[0], "out of memory") : 0;
     for (int i = 0; i < a->files && status == 0; i++) {
         phase_begin("reading", a->file[i]);
         status = mesh_read(&job->m, a->file[i], job->frame, &job->repair, f);
+        job->mesh_end[i] = job->m.triangles;
         phase_end();
     }
+    job->compact.mesh_end = job->most > 0 ? NULL : job->mesh_end;
+    job->compact.meshes = (unsigned)a->files;
     if (status == 0 && job->most > 0) {
         phase_begin("reducing", a->file[0]);
         status = mesh_reduce(&job->m, job->most, a->file[0], f);
@@ -161,7 +167,8 @@ static uint8_t read_lattice(args *a, int floats) {
     if (!floats && strcmp(text, "lattice") != 0 &&
         (sscanf(text, "lattice:%2u%n", &bits, &length) != 1 || text[length] != '\0' ||
          bits < PLT_LATTICE_BITS_LEAST || bits > PLT_LATTICE_BITS_MOST)) {
-        args_complain(a, "--geometry is float, lattice, or lattice:12 to lattice:21, not '%s'", text);
+        args_complain(a, "--geometry is float, lattice, or lattice:12 to lattice:21, not '%s'",
+                      text);
         bits = 16;
     }
     if (args_floats(a, "--tolerance", &tolerance, 1)) {
@@ -239,5 +246,6 @@ int run_pack(args *a) {
     }
     pack_free(&image);
     mesh_free(&job.m);
+    free(job.mesh_end);
     return status == 0 ? 0 : 1;
 }

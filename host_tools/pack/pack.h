@@ -39,6 +39,8 @@ typedef struct compact_options {
     uint8_t numbers;         /* keep packing-order numbers in a section */
     uint8_t floats;          /* float records, bit exact; the lattice is for boxes alone */
     uint32_t leaf_triangles; /* K: 1, 2 or 4 */
+    const size_t *mesh_end;  /* first triangle behind each mesh; NULL: one mesh */
+    unsigned meshes;         /* from 1,023 on blocks carry no numbers */
 } compact_options;
 
 /* The same as compact blocks on a lattice; says what the lattice cost. */

@@ -32,6 +32,23 @@ static int out_of_memory(const compacting *c, fail *f) {
                     c->m->triangles);
 }
 
+/* The mesh of each triangle on the lattice; NULL when there is nothing to say. */
+static uint16_t *mesh_numbers(const compacting *c) {
+    const compact_options *o = c->options;
+    if (o->mesh_end == NULL || o->meshes < 2 || o->meshes > 1022) {
+        return NULL;
+    }
+    uint16_t *mesh = malloc((size_t)c->s.count * sizeof *mesh + 1);
+    unsigned at = 0;
+    for (uint32_t i = 0; i < c->s.count && mesh != NULL; i++) { /* sources ascend */
+        while (at + 1 < o->meshes && c->s.source[i] >= o->mesh_end[at]) {
+            at++;
+        }
+        mesh[i] = (uint16_t)at;
+    }
+    return mesh;
+}
+
 static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
     /* Worst case: nine corners of `bits` bits, references and a node each. */
     job->bytes = ((size_t)c->s.count * 40 + 65536) & ~(size_t)7;
@@ -58,13 +75,15 @@ static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
 
 static int build(compacting *c, fail *f) {
     plt_info *info = &c->header.info;
-    plt_blocks_job job = {.triangles = {c->s.corners, c->s.count, c->s.width,
-                                        c->options->floats},
+    plt_blocks_job job = {.triangles = {c->s.corners, c->s.count, c->s.width, c->options->floats},
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .splits = info->splits};
+    uint16_t *mesh = mesh_numbers(c);
+    job.mesh = mesh;
     const int status = run_job(c, &job, f);
     free(job.scratch);
+    free(mesh);
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
     info->leaf_lists = job.units - job.pairs;
@@ -95,7 +114,8 @@ static void describe(compacting *c) {
     info->treelet_nodes = PLT_BLOCK_NODES_MOST;
     info->source_triangles = (uint32_t)c->m->triangles;
     info->triangles = c->s.count;
-    if (c->options->numbers && !c->options->floats && info->build == PLT_BUILD_HOST && c->s.count > 0) {
+    if (c->options->numbers && !c->options->floats && info->build == PLT_BUILD_HOST &&
+        c->s.count > 0) {
         info->number_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
     }
     c->header.root = PLT_MISS;
