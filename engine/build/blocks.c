@@ -128,6 +128,7 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     plt_block_node *node = &s->node[number];
     plt_lattice_box exact[2], decoded[2];
     s->pending[chosen] = s->pending[--s->pendings];
+    node->level = (uint8_t)(p.depth - s->at.depth);
     if (number > 0) {
         s->node[p.parent].kind[p.child] = PLT_SLOT_INNER;
         s->node[p.parent].node[p.child] = (uint8_t)number;
@@ -156,7 +157,6 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
         range[c].child = (uint8_t)c;
         settle_child(s, &range[c], number, c);
     }
-    s->job->depth = s->job->depth > p.depth + 1u ? s->job->depth : p.depth + 1u;
 }
 
 /* What is left waits behind edges, the lowest range on top. */

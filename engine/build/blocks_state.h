@@ -33,6 +33,7 @@ typedef struct plt_block_node {
     uint8_t owners;  /* six bits, xmin first */
     uint8_t kind[2]; /* enum plt_slot_kind */
     uint8_t node[2]; /* inner children */
+    uint8_t level;   /* nodes above it in this block */
     uint32_t first[2], count[2];
 } plt_block_node;
 

@@ -161,6 +161,10 @@ int plt_blocks_write(plt_blocks_state *s) {
     job->nodes += s->nodes;
     job->units += s->units;
     job->written += s->triangles;
+    for (uint32_t i = 0; i < s->nodes; i++) { /* only of blocks that are kept */
+        const uint32_t depth = s->at.depth + s->node[i].level + 1;
+        job->depth = depth > job->depth ? depth : job->depth;
+    }
     for (uint32_t u = 0; u < s->units; u++) {
         job->pairs += s->unit_count[u] > job->leaf_triangles;
     }
