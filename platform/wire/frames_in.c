@@ -27,7 +27,7 @@ int wire_frames_in_open(wire_frames_in *in, wire_end *end, const wire_panel *pan
 }
 
 void wire_frames_in_begin(wire_frames_in *in) {
-    in->in_frame = in->in_tile = in->answer = 0;
+    in->is_any = in->in_frame = in->in_tile = in->answer = 0;
 }
 
 uint32_t wire_frames_shown(const wire_frames_in *in) {
@@ -43,8 +43,6 @@ static void answer(wire_frames_in *in, unsigned what) {
     in->answer = (uint8_t)what;
     in->answer_number = in->number;
     in->answer_part = 0;
-    in->end->stats.frames_in += what == ANSWER_GOOD;
-    in->end->stats.frames_bad += what == ANSWER_BAD;
     wire_owe(in->end, what == ANSWER_GOOD ? WIRE_FRAME_GOOD : WIRE_FRAME_BAD);
 }
 
@@ -55,9 +53,10 @@ static void enter(wire_frames_in *in, unsigned number) {
         return;
     }
     if (in->in_frame) {
+        in->end->stats.frames_bad++;
         answer(in, ANSWER_BAD);
     }
-    in->in_frame = 1;
+    in->in_frame = in->is_any = 1;
     in->number = (uint8_t)number;
     in->crc = 0;
     in->came = 0;
@@ -84,12 +83,22 @@ uint32_t wire_frames_in_make(wire_frames_in *in, unsigned type, uint8_t *body) {
     return 34;
 }
 
+/* The same end again: its answer was lost. */
+static int is_again(const wire_frames_in *in, unsigned number) {
+    return in->is_any && !in->in_frame && in->number == number;
+}
+
 void wire_frames_in_end(wire_frames_in *in, const uint8_t *body) {
-    enter(in, body[0] & 7u);
-    const int is_good =
-        !in->is_torn && in->came == wire_get16(body + 2) && in->crc == wire_get32(body + 4);
-    in->shown += is_good;
-    answer(in, is_good ? ANSWER_GOOD : ANSWER_BAD);
+    const unsigned number = body[0] & 7u;
+    if (!is_again(in, number)) {
+        enter(in, number);
+        in->is_good =
+            !in->is_torn && in->came == wire_get16(body + 2) && in->crc == wire_get32(body + 4);
+        in->shown += in->is_good;
+        in->end->stats.frames_in += in->is_good;
+        in->end->stats.frames_bad += !in->is_good;
+    }
+    answer(in, in->is_good ? ANSWER_GOOD : ANSWER_BAD);
     wire_owe(in->end, WIRE_ACK);
 }
 

@@ -15,7 +15,9 @@
 _Static_assert(WIRE_TILES_MAX % 32 == 0 && WIRE_TILES_MAX <= 1024, "ten bits on the wire");
 _Static_assert(sizeof(wire_frames_out) <= 4096, "the sender's state");
 
-enum { SLOTS = 3, ANSWER_MS = 60 };
+/* Numbers go round in NUMBERS, a multiple of SLOTS: frames on the way have
+ * ways of their own. */
+enum { SLOTS = 3, NUMBERS = 6, ANSWER_MS = 60 };
 
 void wire_frames_out_open(wire_frames_out *out, wire_end *end) {
     memset(out, 0, sizeof *out);
@@ -65,7 +67,7 @@ static void set_coarse(wire_frames_out *out, unsigned tile, unsigned is) {
 
 /* The way of the frame `back` frames before the one that goes out. */
 static unsigned way_back(const wire_frames_out *out, unsigned back) {
-    return (out->number + 24u - back) % 8 % SLOTS + 1;
+    return (out->number + NUMBERS - back) % SLOTS + 1;
 }
 
 void wire_frames_forget(wire_frames_out *out) {
@@ -128,7 +130,7 @@ static void drop_oldest(wire_frames_out *out) {
 /* Answers come in order: frames before this one got none. 0: not a frame of
  * ours. */
 static int is_ours(wire_frames_out *out, unsigned number) {
-    const unsigned back = (out->number + 8u - number) % 8;
+    const unsigned back = (out->number + NUMBERS - number) % NUMBERS;
     if (back < 1 || back > out->unanswered) {
         return 0;
     }
@@ -141,7 +143,7 @@ static int is_ours(wire_frames_out *out, unsigned number) {
 void wire_frames_out_take(wire_frames_out *out, unsigned type, const uint8_t *body,
                           uint32_t bytes) {
     (void)bytes;
-    if (!is_ours(out, body[0] & 7u)) {
+    if (body[0] >= NUMBERS || !is_ours(out, body[0])) {
         return;
     }
     const unsigned way = way_back(out, out->unanswered);
@@ -163,21 +165,34 @@ void wire_frames_out_left(wire_frames_out *out, uint32_t number) {
     out->end_number = number;
 }
 
-/* No answer although its report was acknowledged: the answer was lost. */
+/* 0: no room for the message. */
+static int put_end(wire_frames_out *out, unsigned number) {
+    if (wire_queue_room(&out->queue) < 10) {
+        return 0;
+    }
+    uint8_t *to = out->queue.bytes + out->queue.used;
+    to += wire_head_put(to, WIRE_FRAME_END, 8);
+    to[0] = (uint8_t)number;
+    to[1] = out->is_whole;
+    wire_put16(to + 2, out->sent);
+    wire_put32(to + 4, out->crc);
+    out->queue.used = (uint16_t)(out->queue.used + 10);
+    return 1;
+}
+
+/* No answer although its report was acknowledged: the end was lost, or the
+ * answer. Only after some answer may numbers go round. */
 void wire_frames_out_poll(wire_frames_out *out) {
     const wire_end *end = out->end;
-    if (out->unanswered == 0 || (int32_t)(end->out_acked - out->end_number) <= 0 ||
+    if (out->unanswered == 0 || out->in_frame || (int32_t)(end->out_acked - out->end_number) <= 0 ||
         wire_queue_bytes(&out->queue) > 0) {
         out->is_waiting = 0;
-        return;
-    }
-    if (!out->is_waiting) {
+    } else if (!out->is_waiting) {
         out->is_waiting = 1;
         out->waiting_ms = end->now_ms;
     } else if (end->now_ms - out->waiting_ms >= ANSWER_MS) {
-        while (out->unanswered > 0) {
-            drop_oldest(out);
-        }
+        out->is_waiting = 0;
+        put_end(out, (out->number + NUMBERS - 1u) % NUMBERS);
     }
 }
 
@@ -247,7 +262,7 @@ static int append(wire_frames_out *out, const piece *p, const uint8_t *old, unsi
         return 0;
     }
     const uint32_t bytes = wire_tile_encode(p->shape, out->pixels, old, near, to + 4, raw, &coder);
-    const unsigned type = WIRE_TILE | coder << 5 | (out->number & 7u) << 2 | p->index >> 8;
+    const unsigned type = WIRE_TILE | coder << 5 | (unsigned)out->number << 2 | p->index >> 8;
     uint32_t head = 0;
     to[head++] = (uint8_t)type;
     to[head] = (uint8_t)p->index;
@@ -322,18 +337,12 @@ static void start_frame(wire_frames_out *out) {
 
 /* 0: no room for the message. */
 static int end_frame(wire_frames_out *out, int is_whole) {
-    if (wire_queue_room(&out->queue) < 10) {
+    out->is_whole = (uint8_t)is_whole;
+    if (!put_end(out, out->number)) {
         return 0;
     }
-    uint8_t *to = out->queue.bytes + out->queue.used;
-    to += wire_head_put(to, WIRE_FRAME_END, 8);
-    to[0] = out->number;
-    to[1] = (uint8_t)is_whole;
-    wire_put16(to + 2, out->sent);
-    wire_put32(to + 4, out->crc);
-    out->queue.used = (uint16_t)(out->queue.used + 10);
     out->in_frame = 0;
-    out->number = (out->number + 1) & 7;
+    out->number = (uint8_t)((out->number + 1) % NUMBERS);
     out->unanswered++;
     out->is_waiting = 0;
     return 1;

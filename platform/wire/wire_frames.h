@@ -39,9 +39,9 @@ typedef struct wire_frames_out {
     uint16_t width, height, columns, tiles;
     uint16_t next, scanned, sent, refresh;
     uint8_t format, near;
-    uint8_t number;     /* of the frame that goes out or comes next, modulo 8 */
+    uint8_t number;     /* of the frame that goes out or comes next: 0 .. 5 */
     uint8_t unanswered; /* frames before it without an answer: 0 .. 3 */
-    uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting;
+    uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting, is_whole;
     uint32_t hash[WIRE_TILES_MAX];      /* of the pixels last sent; 0: send it */
     uint8_t way[WIRE_TILES_MAX / 4];    /* 2 bits a tile: 0 acknowledged, else which frame */
     uint8_t coarse[WIRE_TILES_MAX / 8]; /* sent with an error */
@@ -110,7 +110,7 @@ typedef struct wire_frames_in {
     wire_panel panel;
     uint32_t crc, shown; /* frames that came whole, since open */
     uint16_t tile, columns, tiles, came;
-    uint8_t number, in_frame, in_tile, is_torn;
+    uint8_t number, is_any, in_frame, in_tile, is_torn, is_good;
     uint8_t answer; /* to send: 0 none, 1 good, 2 bad */
     uint8_t answer_number, answer_part;
     uint8_t got[WIRE_TILES_MAX / 8]; /* tiles of the frame that came whole */
