@@ -38,15 +38,15 @@ static uint16_t *mesh_numbers(const compacting *c) {
     if (o->mesh_end == NULL || o->meshes < 2 || o->meshes > 1022) {
         return NULL;
     }
-    uint16_t *mesh = malloc((size_t)c->s.count * sizeof *mesh + 1);
+    uint16_t *of = malloc((size_t)c->s.count * sizeof *mesh + 1);
     unsigned at = 0;
-    for (uint32_t i = 0; i < c->s.count && mesh != NULL; i++) { /* sources ascend */
+    for (uint32_t i = 0; i < c->s.count && of != NULL; i++) { /* sources ascend */
         while (at + 1 < o->meshes && c->s.source[i] >= o->mesh_end[at]) {
             at++;
         }
-        mesh[i] = (uint16_t)at;
+        of[i] = (uint16_t)at;
     }
-    return mesh;
+    return of;
 }
 
 static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
@@ -79,11 +79,11 @@ static int build(compacting *c, fail *f) {
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .splits = info->splits};
-    uint16_t *mesh = mesh_numbers(c);
-    job.mesh = mesh;
+    uint16_t *numbers = mesh_numbers(c);
+    job.mesh = numbers;
     const int status = run_job(c, &job, f);
     free(job.scratch);
-    free(mesh);
+    free(numbers);
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
     info->leaf_lists = job.units - job.pairs;
