@@ -57,8 +57,8 @@ void plt_walk_blocks_begin(plt_walker *w) {
     plt_block_walker *b = &w->blocks;
     plt_block_entry *root = &b->stack[0];
     set_box(root, &b->tree.box);
-    root->link = b->tree.root;
-    root->kind = PLT_SLOT_EDGE;
+    root->child.link = b->tree.root;
+    root->child.what = PLT_SLOT_EDGE;
     root->groups = w->packet.active;
     w->waiting = w->packet.active != 0 && b->tree.root != PLT_MISS;
     b->link = PLT_MISS;
@@ -112,10 +112,11 @@ static void test_unit(plt_walker *w, const plt_block_entry *at) {
     plt_block_walker *b = &w->blocks;
     uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3];
     plt_triangle t;
-    take_block(w, at->link);
+    const uint32_t what = at->child.what, unit = what >> 8 & 0xFFu;
+    take_block(w, at->child.link);
     take_geometry(w);
-    const uint32_t first = plt_unit_first(&b->geometry, at->number, at->pairs);
-    const uint32_t count = plt_unit_count(&b->geometry, at->number, at->pair);
+    const uint32_t first = plt_unit_first(&b->geometry, unit, what >> 16 & 0xFFu);
+    const uint32_t count = plt_unit_count(&b->geometry, unit, (int)(what >> 24));
     if (b->tree.records == NULL) {
         plt_unit_corners(&b->geometry, first, count, corner);
     }
@@ -138,36 +139,50 @@ static void test_unit(plt_walker *w, const plt_block_entry *at) {
     }
 }
 
-/* What slot `slot` of the block in hand leads to. */
-static void describe(const plt_block_walker *b, uint32_t slot, plt_block_entry *to) {
-    const uint32_t word = slot >> 5;
-    const enum plt_slot_kind kind = plt_block_kind(&b->block, slot);
-    const uint32_t rank = plt_block_rank(&b->block, kind, slot);
-    to->kind = (uint8_t)kind;
-    to->link = b->link;
-    to->number = (uint8_t)rank;
-    if (kind == PLT_SLOT_INNER) {
-        to->number = (uint8_t)(rank + 1);
-    } else if (kind == PLT_SLOT_EDGE) {
-        to->link = plt_block_edge(&b->block, rank);
-        plt_prefetch(b->tree.bytes + plt_block_address(to->link));
-        plt_prefetch(b->tree.bytes + plt_block_address(to->link) + 64);
-    } else {
-        to->pair = (uint8_t)(b->block.pair[word] >> (slot & 31) & 1u);
-        to->pairs = (uint8_t)(b->block.pairs_before[word] +
-                              plt_count_bits(b->block.pair[word] & plt_low_bits(slot & 31)));
+/* What both slots of node `node` lead to. Both are worked out before it is known
+ * which are met, without a branch: the time is hidden behind the box tests. All
+ * slots before are inner, edges or units, so two counts give three ranks. */
+static inline void describe(const plt_block_walker *w, uint32_t node, plt_block_child to[2]) {
+    const plt_block *b = &w->block;
+    const uint32_t word = node >> 4, shift = node << 1 & 31, below = plt_low_bits(shift);
+    const uint32_t inner = b->mask[PLT_SLOT_INNER][word], edge = b->mask[PLT_SLOT_EDGE][word];
+    uint32_t inners = b->before[PLT_SLOT_INNER][word] + plt_count_bits(inner & below);
+    uint32_t edges = b->before[PLT_SLOT_EDGE][word] + plt_count_bits(edge & below);
+    uint32_t pairs = b->pairs_before[word] + plt_count_bits(b->pair[word] & below);
+    uint32_t units = 2 * node - inners - edges;
+    for (uint32_t c = 0; c < 2; c++) {
+        const uint32_t is_inner = inner >> (shift + c) & 1u, is_edge = edge >> (shift + c) & 1u;
+        const uint32_t is_unit = 1u - is_inner - is_edge;
+        const uint32_t is_pair = b->pair[word] >> (shift + c) & 1u;
+        const uint32_t number = ((0u - is_inner) & (inners + 1)) | ((0u - is_unit) & units);
+        const uint32_t link = plt_block_edge(b, edges); /* in the block or close behind */
+        to[c].link = ((0u - is_edge) & link) | ((is_edge - 1u) & w->link);
+        to[c].what = is_edge * PLT_SLOT_EDGE | is_unit * PLT_SLOT_UNIT | number << 8 | pairs << 16 |
+                     is_pair << 24;
+        plt_prefetch(w->tree.bytes + plt_block_address(to[c].link));
+        inners += is_inner;
+        edges += is_edge;
+        units += is_unit;
+        pairs += is_pair;
     }
+}
+
+static inline uint32_t kind_of(const plt_block_entry *e) {
+    return e->child.what & 0xFFu;
+}
+
+static inline uint32_t number_of(const plt_block_entry *e) {
+    return e->child.what >> 8 & 0xFFu;
 }
 
 /* Enters the block behind an edge: its frame is tighter than the box that led
  * here. 0: nothing meets it. */
 static int enter(plt_walker *w, plt_block_entry *at) {
     plt_lattice_box frame;
-    take_block(w, at->link);
+    take_block(w, at->child.link);
     plt_block_frame(&w->blocks.block, w->blocks.tree.lattice.bits, &frame);
     set_box(at, &frame);
-    at->kind = PLT_SLOT_INNER;
-    at->number = 0;
+    at->child.what = PLT_SLOT_INNER; /* node 0 */
     at->groups = meet(w, at, at->groups);
     return at->groups != 0;
 }
@@ -184,8 +199,8 @@ static inline f4 plane_step(f4 extent) {
 
 /* Both children's boxes, as plt_block_apply (block.h). */
 static inline void decode(const plt_block *b, const plt_block_entry *at, f4 lo[2], f4 hi[2]) {
-    const unsigned char *plane = b->planes + 6 * (uint32_t)at->number;
-    const uint32_t owners = plt_bits_get(b->owners, 5u * at->number, 5) << 1 | 1u;
+    const unsigned char *plane = b->planes + 6 * number_of(at);
+    const uint32_t owners = plt_bits_get(b->owners, 5 * number_of(at), 5) << 1 | 1u;
     const float from_lo[4] = {plane[0], plane[1], plane[2], 0.0f};
     const float from_hi[4] = {plane[3], plane[4], plane[5], 0.0f};
     const f4 old_lo = f4_load(at->lo), old_hi = f4_load(at->hi);
@@ -199,13 +214,12 @@ static inline void decode(const plt_block *b, const plt_block_entry *at, f4 lo[2
     hi[1] = f4_select(right_hi, new_hi, old_hi);
 }
 
-static inline void set_child(const plt_block_walker *b, const plt_block_entry *at, uint32_t c,
-                             f4 lo, f4 hi, plt_mask groups, plt_block_entry *to) {
-    const uint32_t slot = 2u * at->number + c;
+static inline void set_entry(plt_block_entry *to, f4 lo, f4 hi, const plt_block_child *child,
+                             plt_mask groups) {
     f4_store(to->lo, lo);
     f4_store(to->hi, hi);
+    to->child = *child;
     to->groups = groups;
-    describe(b, slot, to);
 }
 
 /* Visits the node `at`; goes on to the nearer child that is met. 0: none is. */
@@ -216,7 +230,9 @@ static int visit(plt_walker *w, plt_block_entry *at) {
     const float *const los[2] = {plane_lo[0], plane_lo[1]}, *const his[2] = {plane_hi[0],
                                                                              plane_hi[1]};
     plt_mask hit[2];
-    take_block(w, at->link);
+    plt_block_child child[2];
+    take_block(w, at->child.link);
+    describe(b, number_of(at), child);
     decode(&b->block, at, lo, hi);
     for (int c = 0; c < 2; c++) {
         f4_store(plane_lo[c], planes_of(b, lo[c]));
@@ -226,27 +242,23 @@ static int visit(plt_walker *w, plt_block_entry *at) {
     w->stats.node_visits++;
     w->stats.group_tests += 2 * plt_mask_count(at->groups);
     uint32_t near = (uint32_t)plt_walk_nearer(&w->packet, los, his);
-    if (hit[near] == 0) {
-        near ^= 1;
-    } else if (hit[near ^ 1] != 0) {
-        set_child(b, at, near ^ 1, lo[near ^ 1], hi[near ^ 1], hit[near ^ 1],
-                  &b->stack[w->waiting++]);
+    near ^= (uint32_t)(hit[near] == 0);
+    if (hit[0] != 0 && hit[1] != 0) {
+        set_entry(&b->stack[w->waiting++], lo[near ^ 1], hi[near ^ 1], &child[near ^ 1],
+                  hit[near ^ 1]);
     }
-    if (hit[near] == 0) {
-        return 0;
-    }
-    set_child(b, at, near, lo[near], hi[near], hit[near], at);
-    return 1;
+    set_entry(at, lo[near], hi[near], &child[near], hit[near]);
+    return hit[near] != 0;
 }
 
 /* From an entry down to a unit that is met, or to nothing. Returns the visits. */
 static uint32_t descend(plt_walker *w, plt_block_entry *at) {
     for (uint32_t visits = 0;; visits++) {
-        if (at->kind == PLT_SLOT_UNIT) {
+        if (kind_of(at) == PLT_SLOT_UNIT) {
             test_unit(w, at);
             return visits;
         }
-        if (at->kind == PLT_SLOT_EDGE && !enter(w, at)) {
+        if (kind_of(at) == PLT_SLOT_EDGE && !enter(w, at)) {
             return visits + 1;
         }
         if (!visit(w, at)) {
@@ -259,7 +271,7 @@ uint32_t plt_walk_blocks(plt_walker *w, uint32_t visits) {
     while (w->waiting > 0 && visits > 0) {
         plt_block_entry at = w->blocks.stack[--w->waiting];
         at.groups &= w->packet.active;
-        if (at.kind != PLT_SLOT_EDGE) { /* an edge is tested against its block's frame */
+        if (kind_of(&at) != PLT_SLOT_EDGE) { /* an edge is tested against its block's frame */
             at.groups = meet(w, &at, at.groups);
         }
         const uint32_t used = at.groups == 0 ? 1 : 1 + descend(w, &at);

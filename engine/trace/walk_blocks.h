@@ -13,14 +13,17 @@
 #include "engine/trace/packet.h"
 #include "engine/tree/block_survey.h"
 
-/* What waits: a node of a block, an edge to one, or a unit of triangles. */
+/* What a slot leads to: a node of the block, an edge to another, a unit. */
+typedef struct plt_block_child {
+    uint32_t link; /* of its block; of an edge the block behind it */
+    uint32_t what; /* enum plt_slot_kind | number of node or unit << 8 | of a unit: pairs
+                      before it << 16 | it is a pair << 24 */
+} plt_block_child;
+
+/* What waits. */
 typedef struct plt_block_entry {
     float lo[4], hi[4]; /* lattice numbers; the fourth means nothing */
-    uint32_t link;      /* of its block; of an edge the block behind it */
-    uint8_t kind;       /* enum plt_slot_kind */
-    uint8_t number;     /* node or unit */
-    uint8_t pairs;      /* unit: pairs before it */
-    uint8_t pair;       /* unit: it is one */
+    plt_block_child child;
     plt_mask groups;
 } plt_block_entry;
 

@@ -10,9 +10,9 @@ static uint32_t mask_word(const unsigned char *bytes, uint32_t bits, uint32_t w)
     return bits <= 32 * w ? 0 : plt_get_u32(bytes + 4 * w) & plt_low_bits(bits - 32 * w);
 }
 
-static uint32_t running_ranks(const uint32_t mask[4], uint8_t before[4]) {
+static uint32_t running_ranks(const uint32_t mask[4], uint32_t words, uint8_t before[4]) {
     uint32_t count = 0;
-    for (int w = 0; w < 4; w++) {
+    for (uint32_t w = 0; w < words; w++) {
         before[w] = (uint8_t)count;
         count += plt_count_bits(mask[w]);
     }
@@ -21,24 +21,23 @@ static uint32_t running_ranks(const uint32_t mask[4], uint8_t before[4]) {
 
 void plt_block_open(plt_block *b, const unsigned char *bytes, uint32_t bits) {
     const uint32_t head = plt_get_u32(bytes);
-    const uint32_t slots = 2 * ((head & 63) + 1);
+    const uint32_t slots = 2 * ((head & 63) + 1), words = (slots + 31) / 32;
     const unsigned char *mask_a = bytes + PLT_BLOCK_HEADER_BYTES + plt_block_frame_bytes(bits);
     const unsigned char *mask_b = mask_a + (slots + 7) / 8;
     b->bytes = bytes;
     b->nodes = slots / 2;
     b->geometry_bytes = (head >> 6 & 0x3FF) * 8;
-    for (uint32_t w = 0; w < 4; w++) {
+    for (uint32_t w = 0; w < words; w++) {
         const uint32_t a = mask_word(mask_a, slots, w), m = mask_word(mask_b, slots, w);
-        const uint32_t there = slots <= 32 * w ? 0 : plt_low_bits(slots - 32 * w);
         b->mask[PLT_SLOT_INNER][w] = a & ~m;
         b->mask[PLT_SLOT_EDGE][w] = a & m;
-        b->mask[PLT_SLOT_UNIT][w] = ~a & there;
-        b->pair[w] = ~a & m & there;
+        b->pair[w] = m & ~a;
     }
-    running_ranks(b->mask[PLT_SLOT_INNER], b->before[PLT_SLOT_INNER]);
-    b->edges = running_ranks(b->mask[PLT_SLOT_EDGE], b->before[PLT_SLOT_EDGE]);
-    b->units = running_ranks(b->mask[PLT_SLOT_UNIT], b->before[PLT_SLOT_UNIT]);
-    running_ranks(b->pair, b->pairs_before);
+    const uint32_t inners =
+        running_ranks(b->mask[PLT_SLOT_INNER], words, b->before[PLT_SLOT_INNER]);
+    b->edges = running_ranks(b->mask[PLT_SLOT_EDGE], words, b->before[PLT_SLOT_EDGE]);
+    b->pairs = running_ranks(b->pair, words, b->pairs_before);
+    b->units = slots - inners - b->edges;
     b->owners = mask_b + (slots + 7) / 8;
     b->planes = b->owners + (5 * b->nodes + 7) / 8;
     b->links = b->planes + 6 * b->nodes;

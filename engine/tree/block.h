@@ -39,14 +39,15 @@ static inline uint32_t plt_block_node_bytes(uint32_t link) {
 enum plt_slot_kind { PLT_SLOT_INNER, PLT_SLOT_EDGE, PLT_SLOT_UNIT };
 
 /* An open block: where its parts are, and the masks with the ones before each
- * word. 12 words of masks cost 48 bytes once; ranks then take one count. */
+ * word; words behind the last slot are not set. What is neither inner nor an edge
+ * is a unit. */
 typedef struct plt_block {
     const unsigned char *bytes; /* of the block */
     const unsigned char *owners, *planes, *links, *geometry;
-    uint32_t nodes, node_bytes, geometry_bytes, edges, units;
-    uint32_t mask[3][4];  /* by enum plt_slot_kind */
+    uint32_t nodes, node_bytes, geometry_bytes, edges, units, pairs;
+    uint32_t mask[2][4];  /* PLT_SLOT_INNER, PLT_SLOT_EDGE */
     uint32_t pair[4];     /* units of more than K triangles */
-    uint8_t before[3][4]; /* ones of mask[k] in the words before */
+    uint8_t before[2][4]; /* ones of mask[k] in the words before */
     uint8_t pairs_before[4];
 } plt_block;
 
@@ -74,8 +75,18 @@ static inline enum plt_slot_kind plt_block_kind(const plt_block *b, uint32_t slo
 }
 
 static inline uint32_t plt_block_rank(const plt_block *b, enum plt_slot_kind kind, uint32_t slot) {
-    const uint32_t word = slot >> 5;
-    return b->before[kind][word] + plt_count_bits(b->mask[kind][word] & plt_low_bits(slot & 31));
+    const uint32_t word = slot >> 5, below = plt_low_bits(slot & 31);
+    uint32_t rank[2];
+    for (int k = 0; k < 2; k++) {
+        rank[k] = b->before[k][word] + plt_count_bits(b->mask[k][word] & below);
+    }
+    return kind == PLT_SLOT_UNIT ? slot - rank[0] - rank[1] : rank[kind];
+}
+
+/* Pairs among the units before slot `slot`. */
+static inline uint32_t plt_block_pairs(const plt_block *b, uint32_t slot) {
+    return b->pairs_before[slot >> 5] +
+           plt_count_bits(b->pair[slot >> 5] & plt_low_bits(slot & 31));
 }
 
 static inline uint32_t plt_block_edge(const plt_block *b, uint32_t rank) {

@@ -180,11 +180,10 @@ static int arrive(const plt_block_tree *tree, const plt_block_frame_of_survey *f
     }
     plt_block b;
     plt_block_open(&b, tree->bytes + f->address, tree->lattice.bits);
-    const uint32_t pairs = b.pairs_before[3] + plt_count_bits(b.pair[3]);
     info->treelets++;
     info->nodes += b.nodes;
-    info->intermediate_lists += pairs;
-    info->leaf_lists += b.units - pairs;
+    info->intermediate_lists += b.pairs;
+    info->leaf_lists += b.units - b.pairs;
     info->node_bytes += b.node_bytes;
     info->triangle_bytes += b.geometry_bytes;
     if (b.units > 0) {

@@ -14,11 +14,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "engine/image/bytes.h"
+
 #define PLT_NUMBER_TURN_SHIFT 29
 #define PLT_NUMBER_TRIANGLE 0x07FFFFFFu
 
 /* A section of the image: entry i is `bits` bits at bit i * bits, the turn in
- * the lowest two, then the number; least significant bit first. Four bytes
+ * the lowest two, then the number; least significant bit first. Eight bytes
  * behind the last entry may be read. */
 typedef struct plt_numbers {
     const unsigned char *bytes;
@@ -39,10 +41,7 @@ static inline uint32_t plt_number_find(const plt_numbers *numbers, uint32_t numb
     }
     const uint64_t at = (uint64_t)number * numbers->bits;
     const unsigned char *byte = numbers->bytes + (at >> 3);
-    uint64_t word = 0;
-    for (unsigned i = 0; i < 5; i++) {
-        word |= (uint64_t)byte[i] << 8 * i;
-    }
+    const uint64_t word = (uint64_t)plt_get_u32(byte + 4) << 32 | plt_get_u32(byte);
     const uint32_t entry = (uint32_t)(word >> (at & 7)) & ((1u << numbers->bits) - 1u);
     return entry >> 2 | (entry & 3u) << PLT_NUMBER_TURN_SHIFT;
 }

@@ -28,9 +28,8 @@ void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     g->mesh = word1 >> 6 & 0x3FFu;
     g->counts = 8 * PLT_GEOMETRY_HEADER_BYTES;
     g->starts = g->counts + count_strings(k) * b->units; /* triangles_before reads behind it */
-    const uint32_t pairs = b->pairs_before[3] + plt_count_bits(b->pair[3]);
     const uint32_t bits = 8 * b->geometry_bytes;
-    g->triangles = b->units + k * pairs;
+    g->triangles = b->units + k * b->pairs;
     for (uint32_t s = 0; s < count_strings(k) && g->starts <= bits; s++) {
         const uint32_t at = g->counts + s * b->units;
         g->triangles += plt_bits_count(g->bytes, at, at + b->units) << s;

@@ -38,7 +38,7 @@ static uint16_t *mesh_numbers(const compacting *c) {
     if (o->mesh_end == NULL || o->meshes < 2 || o->meshes > 1022) {
         return NULL;
     }
-    uint16_t *of = malloc((size_t)c->s.count * sizeof *mesh + 1);
+    uint16_t *of = malloc((size_t)c->s.count * sizeof *of + 1);
     unsigned at = 0;
     for (uint32_t i = 0; i < c->s.count && of != NULL; i++) { /* sources ascend */
         while (at + 1 < o->meshes && c->s.source[i] >= o->mesh_end[at]) {
