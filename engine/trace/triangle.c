@@ -86,14 +86,29 @@ static inline m4 may_cover(const prepared *t, const plt_group *g, int z, int sha
     return m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack));
 }
 
-/* Does the ray meet the triangle? Edge by edge, never wrong. */
-static int meets_exactly(const prepared *t, const plt_group *g, unsigned lane) {
+/* The side of one edge for a ray whose edge function is too close to 0 to say:
+ * weight[c] belongs to the edge from corner c + 2 to corner c + 1, seen along z. */
+static int close_side(const prepared *t, const plt_group *g, int z, unsigned lane, int c) {
     const float org[3] = {g->org[0][lane], g->org[1][lane], g->org[2][lane]};
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
+    const float(*corner)[3] = t->triangle->corner;
+    const int side =
+        plt_edge_side(corner[axis_after[axis_after[c]]], corner[axis_after[c]], org, dir);
+    return dir[z] < 0.0f ? -side : side;
+}
+
+/* Does the ray meet the triangle? Never wrong: an edge function is believed
+ * beyond its error, the others are worked out anew. */
+static int meets_exactly(const prepared *t, const plt_group *g, const edges *e, int z,
+                         const float error[4], unsigned lane) {
     int positive = 0, negative = 0;
     for (int c = 0; c < 3; c++) {
-        const int side =
-            plt_edge_side(t->triangle->corner[c], t->triangle->corner[c < 2 ? c + 1 : 0], org, dir);
+        float weight[4];
+        f4_store(weight, e->weight[c]);
+        int side = weight[lane] > 0.0f ? 1 : -1;
+        if (weight[lane] <= error[lane] && weight[lane] >= -error[lane]) {
+            side = close_side(t, g, z, lane, c);
+        }
         positive |= side > 0;
         negative |= side < 0;
     }
@@ -101,18 +116,20 @@ static int meets_exactly(const prepared *t, const plt_group *g, unsigned lane) {
 }
 
 /* Of the lanes that may be covered those that are. */
-static m4 covered(const prepared *t, const plt_group *g, const edges *e, m4 may) {
+static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, m4 may) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
-    const f4 error = f4_mul(
-        reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
+    const f4 error = f4_mul(reach, f4_add(f4_mul(f4_all(32.0f * U), extent),
+                                          f4_mul(f4_all(128.0f * U * U), reach)));
     const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
     unsigned lanes = m4_mask(m4_and(may, sure));
     const unsigned close = m4_mask(m4_andnot(may, sure));
+    float errors[4];
+    f4_store(errors, error);
     for (unsigned lane = 0; close >> lane != 0; lane++) {
         if (close >> lane & 1u) {
-            lanes |= (unsigned)meets_exactly(t, g, lane) << lane;
+            lanes |= (unsigned)meets_exactly(t, g, e, z, errors, lane) << lane;
         }
     }
     return m4_bits(lanes);
@@ -184,7 +201,7 @@ static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int
     if (m4_mask(wanted) == 0) {
         return 0;
     }
-    const m4 hit = covered(t, g, e, wanted);
+    const m4 hit = covered(t, g, e, z, wanted);
     f4_store(g->tmax, f4_select(hit, any ? f4_all(-1.0f) : distance, f4_load(g->tmax)));
     u4_store(g->source, u4_select(hit, source, u4_load(g->source)));
     for (int a = 0; a < 3; a++) {
