@@ -12,7 +12,7 @@ typedef struct planes {
 
 static inline void spread(planes *b, const plt_packet *p, const float *lo, const float *hi,
                           enum way way) {
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const int swap = way != MIXED && p->negative[a];
         const float near = swap ? hi[a] : lo[a];
         const float far = swap ? lo[a] : hi[a];
@@ -40,7 +40,7 @@ static inline void distances(const planes *b, const plt_group *g, int a, enum wa
 
 static inline m4 meets(const planes *b, const plt_group *g, enum way way, f4 *entry) {
     f4 n[3], f[3];
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         distances(b, g, a, way, &n[a], &f[a]);
     }
     *entry = f4_max(f4_max(n[0], n[1]), f4_max(n[2], f4_load(g->tmin)));

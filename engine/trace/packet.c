@@ -37,7 +37,7 @@ static m4 valid_lanes(const f4 org[3], const f4 dir[3], f4 tmin, f4 tmax) {
 
 static void set_reciprocals(plt_group *g, const f4 dir[3]) {
     const f4 tiny = f4_mul(largest_of(dir), f4_all(SMALLEST));
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 signed_tiny = f4_select(f4_lt(dir[a], f4_zero()), f4_neg(tiny), tiny);
         const f4 d = f4_select(f4_lt(f4_abs(dir[a]), tiny), signed_tiny, dir[a]);
         f4_store(g->rdir[a], f4_div(f4_all(1.0f), d));
@@ -46,7 +46,7 @@ static void set_reciprocals(plt_group *g, const f4 dir[3]) {
 
 static void set_origins(plt_group *g, const plt_box *scene, const f4 org[3], const f4 dir[3]) {
     f4 reach = f4_zero();
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->hi[a]), org[a])), reach);
     }
@@ -54,7 +54,7 @@ static void set_origins(plt_group *g, const plt_box *scene, const f4 org[3], con
     f4_store(g->reach, reach);
     f4_store(g->reach_error, f4_mul(f4_mul(reach, reach), f4_all(CLOSE_ERROR)));
     const f4 box_error = f4_mul(reach, f4_all(BOX_ERROR));
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(ORIGIN_ERROR)));
         const m4 negative = f4_lt(dir[a], f4_zero());
         const f4 up = f4_add(org[a], e), down = f4_sub(org[a], e);
@@ -89,7 +89,7 @@ void plt_group_set(plt_packet *packet, unsigned index, const plt_box *scene, con
     }
     /* Lanes without a ray copy nothing: zeros and a fixed direction keep NaN out. */
     f4 o[3], d[3];
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         o[a] = f4_select(ok, org[a], f4_zero());
         d[a] = f4_select(ok, dir[a], f4_all(1.0f));
         f4_store(g->org[a], o[a]);
@@ -120,7 +120,7 @@ static unsigned lanes_negative(const plt_group *g, int axis) {
 }
 
 static void take_from_first(plt_packet *p, const plt_group *g, unsigned lane) {
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         p->org[a] = g->org[a][lane];
         p->negative[a] = g->rdir[a][lane] < 0.0f;
         p->forward[a] = 0.0f;
@@ -143,7 +143,7 @@ void plt_packet_finish(plt_packet *p) {
     unsigned axes = 0;
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
         const plt_group *g = &p->group[plt_mask_first(m)];
-        for (int a = 0; a < 3; a++) {
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
             p->shared &= (g->valid & ~lanes_equal(g->org[a], p->org[a])) == 0;
             p->mixed |= lanes_negative(g, a) != (p->negative[a] ? g->valid : 0u);
             axes |= (unsigned)(g->axis_lanes[a] != 0) << a;
@@ -151,11 +151,11 @@ void plt_packet_finish(plt_packet *p) {
         if (!(g->valid & 1u)) {
             continue;
         }
-        for (int a = 0; a < 3; a++) {
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
             p->forward[a] += g->dir[a][0];
         }
     }
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         p->near_org[a] = first->near_org[a][lane];
         p->far_org[a] = first->far_org[a][lane];
     }

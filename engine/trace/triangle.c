@@ -47,7 +47,7 @@ static void prepare(prepared *t, const plt_packet *p, const plt_triangle *triang
     t->triangle = triangle;
     t->slack = 72.0f * U * triangle->longest;
     for (int c = 0; c < 3 && p->shared; c++) {
-        for (int a = 0; a < 3; a++) {
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
             t->from_org[c][a] = f4_all(triangle->corner[c][a] - p->org[a]);
         }
     }
@@ -120,8 +120,8 @@ static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, 
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
-    const f4 error = f4_mul(reach, f4_add(f4_mul(f4_all(32.0f * U), extent),
-                                          f4_mul(f4_all(128.0f * U * U), reach)));
+    const f4 error = f4_mul(
+        reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
     const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
     unsigned lanes = m4_mask(m4_and(may, sure));
     const unsigned close = m4_mask(m4_andnot(may, sure));
@@ -138,7 +138,7 @@ static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
 static m4 own_box(const prepared *t, const plt_group *g, f4 *enter, f4 *leave) {
     f4 n[3], f[3];
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p = f4_all(t->triangle->corner[0][a]), q = f4_all(t->triangle->corner[1][a]),
                  r = f4_all(t->triangle->corner[2][a]);
         const f4 lo = f4_min(f4_min(p, q), r), hi = f4_max(f4_max(p, q), r);
@@ -159,7 +159,7 @@ static f4 plane_distance(const prepared *t, const float normal[3], const plt_gro
                          f4 enter, f4 leave) {
     const int ax = axis_after[z], ay = axis_after[ax];
     f4 above = f4_zero();
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p0 = f4_sub(f4_all(t->triangle->corner[0][a]), f4_load(g->org[a]));
         above = f4_add(above, f4_mul(f4_all(normal[a]), p0));
     }
@@ -204,7 +204,7 @@ static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int
     const m4 hit = covered(t, g, e, z, wanted);
     f4_store(g->tmax, f4_select(hit, any ? f4_all(-1.0f) : distance, f4_load(g->tmax)));
     u4_store(g->source, u4_select(hit, source, u4_load(g->source)));
-    for (int a = 0; a < 3; a++) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
         f4_store(g->normal[a], f4_select(hit, f4_all(normal[a]), f4_load(g->normal[a])));
     }
     store_weights(g, hit, e, plt_number_turn(number));
