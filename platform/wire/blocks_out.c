@@ -54,8 +54,15 @@ uint32_t wire_blocks_out_make(wire_blocks_out *out, uint8_t *body) {
     return 5;
 }
 
+/* What fills a report, so that each that arrives is of use. */
+static uint32_t chunk_bytes(const wire_blocks_out *out, uint32_t left) {
+    const uint32_t size = out->end->own.out_bytes, payload = size - wire_header_bytes(size);
+    const uint32_t most = payload < 17 ? 10 : payload - 7 < CHUNK_BYTES ? payload - 7 : CHUNK_BYTES;
+    return left < most ? left : most;
+}
+
 static void send_chunk(wire_blocks_out *out, wire_block_order *o) {
-    const uint32_t count = o->count < CHUNK_BYTES ? o->count : CHUNK_BYTES;
+    const uint32_t count = chunk_bytes(out, o->count);
     uint8_t *to = out->queue->bytes + out->queue->used;
     const uint32_t head = wire_head_put(to, WIRE_BLOCK_DATA, count + 5);
     to[head] = o->tag;

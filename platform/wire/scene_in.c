@@ -8,6 +8,8 @@
 #include "platform/wire/crc.h"
 #include "platform/wire/parts.h"
 
+enum { AGAIN_MS = 30 }; /* between complaints about the same gap */
+
 void wire_scene_in_open(wire_scene_in *in, wire_end *end, void *to, uint32_t room) {
     memset(in, 0, sizeof *in);
     in->end = end;
@@ -59,7 +61,8 @@ uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body) {
 
 /* Stuck: says again what it has, as the last word may have been lost. */
 void wire_scene_in_poll(wire_scene_in *in) {
-    if (in->state == WIRE_SCENE_GOING && in->end->now_ms - in->said_ms >= WIRE_IDLE_MS) {
+    const uint32_t pause = in->is_deaf ? AGAIN_MS : WIRE_IDLE_MS;
+    if (in->state == WIRE_SCENE_GOING && in->end->now_ms - in->said_ms >= pause) {
         in->is_missed |= in->is_deaf;
         tell(in);
     }
@@ -67,8 +70,9 @@ void wire_scene_in_poll(wire_scene_in *in) {
 
 void wire_scene_in_head(wire_scene_in *in, uint32_t offset) {
     in->at = offset;
-    if (in->state == WIRE_SCENE_GOING && offset > in->has && !in->is_deaf) {
-        in->is_deaf = 1; /* says so once for a gap */
+    const int is_told = in->is_deaf && in->end->now_ms - in->said_ms < AGAIN_MS;
+    if (in->state == WIRE_SCENE_GOING && offset > in->has && !is_told) {
+        in->is_deaf = 1;
         in->is_missed = 1;
         tell(in);
     }

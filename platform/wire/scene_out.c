@@ -4,7 +4,9 @@
 #include "platform/wire/crc.h"
 #include "platform/wire/parts.h"
 
-enum { CHUNK_BYTES = 240 };
+/* Bytes a message; after a gap, for CAREFUL messages, what fills one report,
+ * so that each that arrives is of use. */
+enum { CHUNK_BYTES = 240, CAREFUL = 16 };
 
 void wire_scene_out_open(wire_scene_out *out, wire_end *end, const void *image, uint32_t bytes) {
     memset(out, 0, sizeof *out);
@@ -63,9 +65,21 @@ void wire_scene_out_take(wire_scene_out *out, const uint8_t *body) {
     out->peer_has = has;
     /* With nothing on the way, what it has is all that came. */
     if (!out->is_known || body[1] || wire_unacked(out->end) == 0) {
+        out->careful = body[1] ? CAREFUL : out->careful;
         out->at = has;
     }
     out->is_known = 1;
+}
+
+static uint32_t chunk_bytes(wire_scene_out *out) {
+    const uint32_t left = out->bytes - out->at, size = out->end->own.out_bytes;
+    const uint32_t payload = size - wire_header_bytes(size);
+    uint32_t most = CHUNK_BYTES;
+    if (out->careful > 0) {
+        out->careful--;
+        most = payload < 16 ? 10 : payload - 6 < CHUNK_BYTES ? payload - 6 : CHUNK_BYTES;
+    }
+    return left < most ? left : most;
 }
 
 int wire_scene_out_fill(wire_scene_out *out) {
@@ -73,11 +87,10 @@ int wire_scene_out_fill(wire_scene_out *out) {
         return 1;
     }
     while (out->at < out->bytes) {
-        const uint32_t left = out->bytes - out->at;
-        const uint32_t count = left < CHUNK_BYTES ? left : CHUNK_BYTES;
-        if (wire_queue_room(out->queue) < count + 7) {
+        if (wire_queue_room(out->queue) < CHUNK_BYTES + 7) {
             break;
         }
+        const uint32_t count = chunk_bytes(out);
         uint8_t *to = out->queue->bytes + out->queue->used;
         const uint32_t head = wire_head_put(to, WIRE_SCENE_DATA, count + 4);
         wire_put32(to + head, out->at);

@@ -9,7 +9,7 @@
 
 #include "platform/wire/wire_scene.h"
 
-enum { WIRE_BLOCKS = 8, WIRE_BLOCK_AGAIN_MS = 250 };
+enum { WIRE_BLOCKS = 8, WIRE_BLOCK_AGAIN_MS = 100 };
 
 /* ---- out: the end that has the image ---------------------------------------------- */
 

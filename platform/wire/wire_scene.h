@@ -27,7 +27,7 @@ typedef struct wire_scene_out {
     wire_queue *queue;
     const uint8_t *image;
     uint32_t bytes, crc, at, peer_has, asked_ms;
-    uint8_t state, is_known;
+    uint8_t state, is_known, careful;
     wire_queue own_queue;
 } wire_scene_out;
 

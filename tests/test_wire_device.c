@@ -1,0 +1,298 @@
+/* test_wire_device - scenes and blocks over the wire, and the engine behind it
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "board/hash.h"
+#include "platform/wire/wire_device.h"
+#include "tests/reference/rig.h"
+#include "tests/reference/shapes.h"
+#include "tests/reference/wire_fake.h"
+#include "tests/test.h"
+
+enum { WIDTH = 75, HEIGHT = 52, IMAGE_MOST = 40000, ARENA = 1 << 18 };
+
+static const wire_setup host_setup = {.role = WIRE_HOST,
+                                      .caps = {.session = 1,
+                                               .in_bytes = 64,
+                                               .out_bytes = 64,
+                                               .width = WIDTH,
+                                               .height = HEIGHT,
+                                               .format = WIRE_RGB888,
+                                               .window = 16,
+                                               .features = WIRE_SHOWS | WIRE_SCENES}};
+static const wire_setup device_setup = {
+    .role = WIRE_DEVICE,
+    .caps = {
+        .session = 2, .in_bytes = 64, .out_bytes = 64, .window = 16, .features = WIRE_RENDERS}};
+
+/* ---- a scene image ------------------------------------------------------------------ */
+
+static struct {
+    wire_end host, device;
+    wire_scene_out out;
+    wire_scene_in in;
+    fake_cable cable;
+    uint8_t image[IMAGE_MOST], *to;
+} s;
+
+static void open_scene_pair(uint32_t bytes, uint32_t room, uint64_t seed) {
+    memset(&s, 0, sizeof s);
+    fake_cable_open(&s.cable, &s.host, &s.device, seed);
+    for (uint32_t i = 0; i < bytes; i++) {
+        s.image[i] = (uint8_t)random_bits(&s.cable.random);
+    }
+    s.to = malloc(room);
+    wire_end_open(&s.host, &host_setup, s.cable.now_ms);
+    wire_end_open(&s.device, &device_setup, s.cable.now_ms);
+    wire_scene_out_open(&s.out, &s.host, s.image, bytes);
+    wire_scene_in_open(&s.in, &s.device, s.to, room);
+}
+
+/* Steps until it is here; milliseconds, or -1. */
+static int scene_comes(uint32_t most) {
+    uint32_t bytes;
+    for (uint32_t i = 0; i < most; i++) {
+        if (wire_scene_in_state(&s.in, &bytes) == WIRE_SCENE_HERE) {
+            return (int)i;
+        }
+        fake_cable_step(&s.cable);
+    }
+    return -1;
+}
+
+static void test_scene(void) {
+    test("an image arrives whole, whatever its size and the cable");
+    for (uint32_t n = 0; n < 60; n++) {
+        const uint32_t bytes = n < 5 ? n * 120 + 1 : 200 * n;
+        open_scene_pair(bytes, bytes, n);
+        if (n % 3 > 0) {
+            s.cable.faults =
+                (fake_faults){3000, 3000, 3000, 1000, 2000, n % 4, n % 5 == 1 ? 20 : 0};
+        }
+        CHECK(scene_comes(60000) >= 0, "%u bytes, cable %u: %u are there", bytes, n, s.in.has);
+        CHECK(memcmp(s.to, s.image, bytes) == 0, "%u bytes differ", bytes);
+        free(s.to);
+    }
+    test("after a cut in the middle only the rest is sent");
+    open_scene_pair(IMAGE_MOST, IMAGE_MOST, 99);
+    s.cable.paced = 1;
+    while (s.in.has < IMAGE_MOST / 2) {
+        fake_cable_step(&s.cable);
+    }
+    const uint32_t before = s.device.stats.payload_in;
+    fake_cable_unplug(&s.cable, 300);
+    CHECK(scene_comes(5000) >= 0, "%u are there", s.in.has);
+    const uint32_t after = s.device.stats.payload_in - before;
+    CHECK(memcmp(s.to, s.image, IMAGE_MOST) == 0, "differs");
+    CHECK(after < IMAGE_MOST / 2 + IMAGE_MOST / 20, "%u bytes for the second half", after);
+    test("another image replaces it; one that is too large is refused and said so");
+    s.image[0] ^= 1;
+    wire_scene_out_open(&s.out, &s.host, s.image, 1000);
+    for (int i = 0; i < 500; i++) {
+        fake_cable_step(&s.cable);
+    }
+    uint32_t has;
+    CHECK(scene_comes(10) >= 0 && memcmp(s.to, s.image, 1000) == 0, "not replaced");
+    CHECK(wire_scene_out_state(&s.out, &has) == WIRE_SCENE_HERE && has == 1000, "has %u", has);
+    s.in.room = 999;
+    s.image[0] ^= 1;
+    wire_scene_out_open(&s.out, &s.host, s.image, 1000);
+    for (int i = 0; i < 500; i++) {
+        fake_cable_step(&s.cable);
+    }
+    CHECK(wire_scene_out_state(&s.out, &has) == WIRE_SCENE_LARGE, "taken");
+    free(s.to);
+}
+
+/* ---- blocks -------------------------------------------------------------------------- */
+
+static struct {
+    wire_end host, device;
+    wire_blocks_out out;
+    wire_blocks_in in;
+    fake_cable cable;
+    uint32_t patience;
+    uint8_t image[IMAGE_MOST];
+} b;
+
+static int pump(void *context) {
+    (void)context;
+    fake_cable_step(&b.cable);
+    return b.patience-- > 0 ? 0 : -1;
+}
+
+static void open_block_pair(uint64_t seed) {
+    memset(&b, 0, sizeof b);
+    fake_cable_open(&b.cable, &b.host, &b.device, seed);
+    for (uint32_t i = 0; i < IMAGE_MOST; i++) {
+        b.image[i] = (uint8_t)random_bits(&b.cable.random);
+    }
+    wire_end_open(&b.host, &host_setup, b.cable.now_ms);
+    wire_end_open(&b.device, &device_setup, b.cable.now_ms);
+    wire_blocks_out_open(&b.out, &b.host, b.image, IMAGE_MOST);
+    wire_blocks_in_open(&b.in, &b.device, pump, NULL);
+    b.patience = 200000;
+}
+
+static void test_blocks(void) {
+    test("blocks asked for in any number and order arrive in their places over a bad cable");
+    for (uint32_t n = 0; n < 20; n++) {
+        open_block_pair(n);
+        b.cable.faults = (fake_faults){n * 200, n * 200, n * 200, n * 50, n * 100, n % 5, n % 4};
+        for (int round = 0; round < 10; round++) {
+            uint8_t *to[12];
+            uint32_t at[12], count[12];
+            for (unsigned i = 0; i < 12; i++) {
+                count[i] = random_below(&b.cable.random, 900);
+                at[i] = random_below(&b.cable.random, IMAGE_MOST - count[i]);
+                to[i] = malloc(count[i] + 1u);
+                to[i][count[i]] = 0x5A;
+                CHECK(wire_source_start(&b.in, i % 8, at[i], to[i], count[i]) == 0, "start");
+                if (i == 5) {
+                    CHECK(wire_source_wait(&b.in, 0xF) == 0, "wait");
+                }
+            }
+            CHECK(wire_source_wait(&b.in, UINT32_MAX) == 0, "wait");
+            for (unsigned i = 0; i < 12; i++) {
+                CHECK(memcmp(to[i], b.image + at[i], count[i]) == 0 && to[i][count[i]] == 0x5A,
+                      "block of %u at %u", count[i], at[i]);
+                free(to[i]);
+            }
+        }
+    }
+    test("a request outside the image is refused; a dead cable ends the wait");
+    open_block_pair(1);
+    uint8_t to[64];
+    CHECK(wire_source_start(&b.in, 1, IMAGE_MOST - 10, to, 11) == 0, "start");
+    CHECK(wire_source_wait(&b.in, 2) == -1, "given");
+    fake_cable_unplug(&b.cable, 1 << 30);
+    b.patience = 1000;
+    CHECK(wire_source_start(&b.in, 1, 0, to, 10) == 0, "start");
+    CHECK(wire_source_wait(&b.in, 2) == -1, "waited");
+}
+
+/* ---- the engine as a device -------------------------------------------------------------- */
+
+static struct {
+    wire_end host;
+    wire_frames_in frames;
+    wire_scene_out scene;
+    wire_view_out view;
+    wire_device device;
+    fake_cable cable;
+    uint8_t panel[WIDTH * HEIGHT * 3];
+    _Alignas(PLT_ALIGN) uint8_t memory[ARENA];
+} e;
+
+static const wire_view views[2] = {
+    {.eye = {3, 2, 4}, .look = {0, 0, 0}, .up = {0, 1, 0}, .tan_half_fov = 0.4f},
+    {.eye = {-3, 1, 4},
+     .look = {0, 0.1f, 0},
+     .up = {0, 1, 0},
+     .tan_half_fov = 0.35f,
+     .shader = PLT_SHADE_NORMAL}};
+
+static void open_engine(const packed *image, uint64_t seed) {
+    static const plt_options options = {4, 0};
+    const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
+    memset(&e, 0, sizeof e);
+    fake_cable_open(&e.cable, &e.host, &e.device.end, seed);
+    wire_end_open(&e.host, &host_setup, e.cable.now_ms);
+    wire_frames_in_open(&e.frames, &e.host, &panel);
+    wire_scene_out_open(&e.scene, &e.host, image->bytes, (uint32_t)image->size);
+    wire_view_out_open(&e.view, &e.host);
+    wire_device_open(&e.device, &device_setup, &options, e.memory, sizeof e.memory, e.cable.now_ms);
+}
+
+/* The hash of the panel when `frames` more frames came whole. */
+static uint64_t engine_frame(uint32_t most) {
+    for (uint32_t i = 0; i < most; i++) {
+        fake_cable_step(&e.cable);
+        for (int n = 0; n < 4; n++) {
+            wire_device_run(&e.device, 2000);
+        }
+        if (e.device.frames > 0 && wire_frames_out_done(&e.device.out) && e.view.have &&
+            !e.device.view.fresh && !e.device.is_viewed) {
+            return hash_bytes(e.panel, sizeof e.panel);
+        }
+    }
+    return 0;
+}
+
+static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
+    static uint8_t rgb[WIDTH * HEIGHT * 3];
+    plt_frame frame = {.width = WIDTH, .height = HEIGHT, .shader = v->shader};
+    memcpy(frame.camera.eye, v->eye, sizeof v->eye);
+    memcpy(frame.camera.look, v->look, sizeof v->look);
+    memcpy(frame.camera.up, v->up, sizeof v->up);
+    frame.camera.tan_half_fov = v->tan_half_fov;
+    plt_render_begin(engine, &frame);
+    for (int status = PLT_MORE; status > 0;) {
+        status = plt_render_step(engine, 10000);
+        if (status == PLT_TILE) {
+            plt_tile t;
+            plt_render_tile(engine, &t);
+            for (unsigned y = 0; y < t.height; y++) {
+                memcpy(rgb + 3 * ((t.y + y) * WIDTH + t.x), t.rgb + 3u * y * t.width, 3u * t.width);
+            }
+        }
+    }
+    return hash_bytes(rgb, sizeof rgb);
+}
+
+static void test_engine(void) {
+    mesh m = {0};
+    rig direct;
+    const rig_way way = rig_way_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    shape_icosphere(&m, 3);
+    test("scene and view go in, and the frame that comes back has the hash of a direct render");
+    CHECK(rig_open(&direct, &m, &way) == PLT_OK, "%s", direct.fault.message);
+    for (uint32_t n = 0; n < 8; n++) {
+        open_engine(&direct.image, n);
+        if (n % 2) {
+            e.cable.paced = 1;
+            e.cable.faults = (fake_faults){1500, 1500, 1500, 500, 1000, n / 4, n == 7 ? 5 : 0};
+        }
+        for (int i = 0; i < 2; i++) {
+            wire_view_send(&e.view, &views[i]);
+            const uint64_t hash = engine_frame(40000);
+            CHECK(hash == direct_frame(direct.engine, &views[i]), "cable %u, view %d: %016llx", n,
+                  i, (unsigned long long)hash);
+        }
+    }
+    test("an image that the engine refuses is told to the host with its rule");
+    packed bad = direct.image;
+    bad.bytes = malloc(bad.size);
+    memcpy(bad.bytes, direct.image.bytes, bad.size);
+    bad.bytes[20] ^= 0xFF;
+    open_engine(&bad, 1);
+    wire_view_send(&e.view, &views[0]);
+    CHECK(engine_frame(3000) == 0, "rendered");
+    uint32_t detail, has;
+    CHECK(wire_scene_out_state(&e.scene, &has) == WIRE_SCENE_REFUSED, "not refused");
+    CHECK(wire_told(&e.host, &detail) == WIRE_E_SCENE && detail >> 24 > 0, "detail %u", detail);
+    test("then a good one is taken, without a reset");
+    wire_scene_out_open(&e.scene, &e.host, direct.image.bytes, (uint32_t)direct.image.size);
+    CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[0]), "hash");
+    test("a view without a direction is told, and the next one is rendered");
+    wire_view blind = views[0];
+    memcpy(blind.look, blind.eye, sizeof blind.eye);
+    wire_view_send(&e.view, &blind);
+    engine_frame(3000);
+    CHECK(wire_told(&e.host, &detail) == WIRE_E_VIEW, "not told");
+    wire_view_send(&e.view, &views[1]);
+    CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[1]), "hash");
+    free(bad.bytes);
+    rig_close(&direct);
+    mesh_free(&m);
+}
+
+int main(void) {
+    test_scene();
+    test_blocks();
+    if (PLT_TILE_SIDE == WIRE_TILE_SIDE && !rig_is_tiny()) {
+        test_engine();
+    }
+    return test_done();
+}
