@@ -91,11 +91,11 @@ static void outputs(void) {
     port_figures_get(p, &figures);
     CHECK(figures.reports == 1 && figures.bytes == 64, "%u bytes", (unsigned)figures.bytes);
     test("a write that takes less than the report says so, and the next goes");
-    fake_bus.short_writes = 2;
-    CHECK(port_output(p, report, 65) == PORT_CUT, "the second of two");
-    CHECK(port_output(p, report, 65) == PORT_OK, "the third");
-    test("a report that the system drops looks like one that arrived");
+    fake_bus.short_writes = 1;
+    CHECK(port_output(p, report, 65) == PORT_CUT, "half of it was taken");
     fake_bus.short_writes = 0;
+    CHECK(port_output(p, report, 65) == PORT_OK, "the next");
+    test("a report that the system drops looks like one that arrived");
     fake_bus.drop_outputs = 1;
     echo.bytes = 0;
     CHECK(port_output(p, report, 65) == PORT_OK && echo.bytes == 0, "nobody knows");

@@ -68,7 +68,8 @@ $(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: $(OUT)/hid-sanit
         $(HID_SANITIZED:%.c=$(OUT)/hid-sanitize/%.o) $(HID_PLAIN)
 	$(CC) $(SANITIZERS) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
 
-$(OUT)/hid-sanitize/port-%.o: host_tools/hid/port.c $(OUT)/flags
+$(HID_BACKENDS:%=$(OUT)/hid-sanitize/port-%.o): $(OUT)/hid-sanitize/port-%.o: \
+        host_tools/hid/port.c $(OUT)/flags
 	$(call compile,$(HOST_COMMAND) $(SANITIZERS) $$($(PKG_CONFIG) --cflags hidapi-$*))
 
 $(OUT)/hid-sanitize/%.o: %.c $(OUT)/flags

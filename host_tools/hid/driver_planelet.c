@@ -1,0 +1,244 @@
+/* driver_planelet - a display that speaks Planelet's own wire (platform/WIRE.md)
+ *
+ * Keeps: `frame` is what the wire reads, and changes only when the wire has
+ * handed all of it to reports.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "host_tools/base/progress.h"
+#include "host_tools/hid/display.h"
+#include "platform/wire/wire.h"
+
+enum {
+    WAIT_MS = 2,
+    OPEN_MS = 1500,  /* to answer the first hello */
+    STUCK_MS = 1500, /* without anything going out or in: the display is gone */
+    IN_BYTES = 64,
+    WINDOW = 32
+};
+
+typedef struct planelet {
+    wire_end end;
+    wire_frames_out out;
+    picture frame;
+    uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
+} planelet;
+
+static uint32_t now_ms(void) {
+    return (uint32_t)(uint64_t)(1e3 * progress_seconds());
+}
+
+/* All that came in; PORT_OK or PORT_GONE. Waits for the first. */
+static int take_reports(display *d, unsigned wait_ms) {
+    planelet *p = d->state;
+    uint8_t report[IN_BYTES];
+    for (;;) {
+        const int bytes = port_input(d->port, report, sizeof report, wait_ms);
+        if (bytes <= 0) {
+            return bytes == 0 ? PORT_OK : PORT_GONE;
+        }
+        wire_on_report(&p->end, report, (size_t)bytes, now_ms());
+        wait_ms = 0;
+    }
+}
+
+/* Sends what may be sent. A report that the system took in part is lost, and
+ * the wire sends again what was in it. */
+static int send_reports(display *d, int *sent) {
+    planelet *p = d->state;
+    size_t bytes;
+    while ((bytes = wire_next_report(&p->end, p->report + 1, now_ms())) > 0) {
+        p->report[0] = 0;
+        *sent = 1;
+        if (port_output(d->port, p->report, bytes + 1) == PORT_GONE ||
+            take_reports(d, 0) != PORT_OK) {
+            return PORT_GONE;
+        }
+    }
+    return PORT_OK;
+}
+
+static int pump(display *d, unsigned wait_ms) {
+    planelet *p = d->state;
+    int sent = 0;
+    wire_poll(&p->end, now_ms());
+    const int status = send_reports(d, &sent);
+    return status == PORT_OK ? take_reports(d, sent ? 0 : wait_ms) : status;
+}
+
+/* Pumps until `is_so`, while the other end is heard of. */
+static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
+    planelet *p = d->state;
+    uint32_t heard = p->end.stats.reports_in, since = now_ms();
+    while (!is_so(p)) {
+        if (pump(d, WAIT_MS) != PORT_OK) {
+            return DISPLAY_GONE;
+        }
+        if (p->end.stats.reports_in != heard) {
+            heard = p->end.stats.reports_in;
+            since = now_ms();
+        } else if (now_ms() - since > patience_ms) {
+            return DISPLAY_GONE;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+static int is_up(const planelet *p) {
+    return wire_is_up(&p->end);
+}
+
+static int is_idle(const planelet *p) {
+    return !wire_is_up(&p->end) || wire_frames_out_idle(&p->out);
+}
+
+static int is_done(const planelet *p) {
+    return !wire_is_up(&p->end) || wire_frames_out_done(&p->out);
+}
+
+/* A number that no session had before: the clock in steps of a microsecond. */
+static uint32_t session_number(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_REALTIME, &t);
+    return (uint32_t)t.tv_sec * 1000000u + (uint32_t)t.tv_nsec / 1000u;
+}
+
+static int open_end(planelet *p, unsigned report_bytes, fail *f) {
+    const wire_setup setup = {.role = WIRE_HOST,
+                              .caps = {.session = session_number(),
+                                       .in_bytes = IN_BYTES,
+                                       .out_bytes = (uint16_t)report_bytes,
+                                       .features = WIRE_SENDS,
+                                       .window = WINDOW}};
+    if (wire_end_open(&p->end, &setup, now_ms()) != WIRE_OK) {
+        return fail_set(f, NULL, "reports of %u bytes are not for the planelet driver (8 to 1024)",
+                        report_bytes);
+    }
+    wire_frames_out_open(&p->out, &p->end);
+    wire_on_link(&p->end, 1, now_ms());
+    return DISPLAY_OK;
+}
+
+/* Hello, until the device has said what it is. */
+static int greet(display *d, fail *f) {
+    planelet *p = d->state;
+    const int status = pump_until(d, is_up, OPEN_MS);
+    if (status != DISPLAY_OK) {
+        fail_set(f, NULL,
+                 "the device does not answer as a planelet display; is it one? Else "
+                 "choose another with --device or --driver");
+        return status;
+    }
+    const wire_caps *peer = wire_peer(&p->end);
+    if (!(peer->features & WIRE_SHOWS)) {
+        return fail_set(f, NULL, "the device has no display; choose another with --device");
+    }
+    d->width = peer->width;
+    d->height = peer->height;
+    return picture_make(&p->frame, d->width, d->height, f);
+}
+
+static int planelet_open(display *d, fail *f) {
+    planelet *p = calloc(1, sizeof *p);
+    d->state = p;
+    if (p == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    int status = open_end(p, d->report_bytes > 0 ? d->report_bytes : 64, f);
+    if (status == DISPLAY_OK) {
+        status = greet(d, f);
+    }
+    if (status != DISPLAY_OK) {
+        free(p);
+        d->state = NULL;
+    }
+    return status;
+}
+
+static void planelet_close(display *d) {
+    planelet *p = d->state;
+    picture_free(&p->frame);
+    free(p);
+}
+
+/* Waits while the session is down, as it is after a device started anew. */
+static int ensure_up(display *d, fail *f) {
+    const planelet *p = d->state;
+    const int status = pump_until(d, is_up, STUCK_MS);
+    const wire_caps *peer = wire_peer(&p->end);
+    if (status == DISPLAY_OK && (peer->width != d->width || peer->height != d->height)) {
+        return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
+                        peer->width, peer->height);
+    }
+    return status;
+}
+
+static int say_told(planelet *p, fail *f) {
+    uint32_t detail = 0;
+    const unsigned code = wire_told(&p->end, &detail);
+    return fail_set(f, NULL, "the display reports error %u (%u); see platform/WIRE.md", code,
+                    detail);
+}
+
+static int planelet_show(display *d, const picture *shown, fail *f) {
+    planelet *p = d->state;
+    for (;;) {
+        int status = pump_until(d, is_idle, STUCK_MS);
+        status = status == DISPLAY_OK ? ensure_up(d, f) : status;
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+        memcpy(p->frame.rgb, shown->rgb, 3 * (size_t)d->width * d->height);
+        if (wire_frames_show(&p->out, p->frame.rgb, 3 * d->width) == WIRE_OK) {
+            return pump_until(d, is_idle, STUCK_MS);
+        }
+        if (p->end.peer_error != WIRE_FINE) {
+            return say_told(p, f);
+        }
+    }
+}
+
+/* A session that ends meanwhile begins anew, with the whole picture. */
+static int planelet_settle(display *d, fail *f) {
+    planelet *p = d->state;
+    for (;;) {
+        int status = pump_until(d, is_done, STUCK_MS);
+        if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {
+            return status;
+        }
+        status = ensure_up(d, f);
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+        wire_frames_show(&p->out, p->frame.rgb, 3 * d->width);
+    }
+}
+
+static int planelet_tick(display *d) {
+    return pump(d, 0) == PORT_OK ? DISPLAY_OK : DISPLAY_GONE;
+}
+
+static int planelet_brightness(display *d, unsigned percent, fail *f) {
+    planelet *p = d->state;
+    if (!(wire_peer(&p->end)->features & WIRE_BRIGHTNESS)) {
+        return fail_set(f, NULL, "this display's brightness cannot be set; leave out --brightness");
+    }
+    wire_set(&p->end, WIRE_SET_BRIGHTNESS, percent);
+    return DISPLAY_OK;
+}
+
+/* pid.codes gives 1209:0001 to tests; a product of one's own has its own id. */
+static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
+
+const driver driver_planelet = {.name = "planelet",
+                                .about = "Planelet's own wire, any size (platform/WIRE.md)",
+                                .ids = ids,
+                                .open = planelet_open,
+                                .show = planelet_show,
+                                .settle = planelet_settle,
+                                .tick = planelet_tick,
+                                .brightness = planelet_brightness,
+                                .close = planelet_close};

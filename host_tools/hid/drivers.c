@@ -1,0 +1,63 @@
+/* drivers - the list of displays, and how one is opened
+ *
+ * SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "host_tools/hid/display.h"
+#include "host_tools/hid/report_size.h"
+
+const driver *const drivers[] = {&driver_planelet, &driver_streamdeck_mini, &driver_nova,
+                                 &driver_apex,     &driver_nexus,           NULL};
+
+const driver *driver_named(const char *name) {
+    for (unsigned i = 0; drivers[i] != NULL; i++) {
+        if (strcmp(drivers[i]->name, name) == 0) {
+            return drivers[i];
+        }
+    }
+    return NULL;
+}
+
+static int takes(const driver_id *id, const port_info *info) {
+    return id->vendor == info->vendor && id->id == info->id &&
+           (id->interface == info->interface || info->interface < 0);
+}
+
+const driver *driver_for(const port_info *info) {
+    for (unsigned i = 0; drivers[i] != NULL; i++) {
+        for (const driver_id *id = drivers[i]->ids; id->vendor != 0; id++) {
+            if (takes(id, info)) {
+                return drivers[i];
+            }
+        }
+    }
+    return NULL;
+}
+
+int display_status(int port_status) {
+    return port_status == PORT_OK ? DISPLAY_OK : DISPLAY_GONE;
+}
+
+int display_open(display *d, const driver *by, const port_info *info, fail *f) {
+    *d = (display){.by = by, .report_bytes = report_size_at(info->path)};
+    d->port = port_open(info, f);
+    if (d->port == NULL) {
+        return DISPLAY_FAILED;
+    }
+    const int status = by->open(d, f);
+    if (status != DISPLAY_OK) {
+        port_close(d->port);
+        d->port = NULL;
+    }
+    return status;
+}
+
+void display_close(display *d) {
+    if (d->port != NULL) {
+        if (d->by->close != NULL) {
+            d->by->close(d);
+        }
+        port_close(d->port);
+        d->port = NULL;
+    }
+}

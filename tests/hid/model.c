@@ -1,0 +1,160 @@
+/* model - see model.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "tests/hid/model.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/wire/wire_format.h"
+#include "tests/hid/pattern.h"
+
+static const model_kind *const kinds[] = {&model_planelet, &model_mini, &model_nova, &model_apex,
+                                          &model_nexus};
+
+const model_kind *model_kind_named(const char *name) {
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (strcmp(kinds[i]->name, name) == 0) {
+            return kinds[i];
+        }
+    }
+    return NULL;
+}
+
+static unsigned otherwise(unsigned value, unsigned if_zero) {
+    return value != 0 ? value : if_zero;
+}
+
+model *model_make(const model_kind *kind, unsigned width, unsigned height, unsigned format,
+                  unsigned report_bytes) {
+    model *m = calloc(1, sizeof *m);
+    if (m == NULL) {
+        return NULL;
+    }
+    m->kind = kind;
+    m->width = otherwise(kind->width, otherwise(width, 64));
+    m->height = otherwise(kind->height, otherwise(height, 48));
+    m->format = format;
+    m->report_bytes = otherwise(kind->output_bytes, otherwise(report_bytes, 64));
+    m->brightness = -1;
+    m->rgb = calloc(3 * (size_t)m->width, m->height);
+    if (m->rgb == NULL || (kind->open != NULL && kind->open(m) != 0)) {
+        model_free(m);
+        return NULL;
+    }
+    return m;
+}
+
+void model_free(model *m) {
+    if (m != NULL) {
+        free(m->rgb);
+        free(m->state);
+        free(m);
+    }
+}
+
+void model_breach(model *m, const char *what) {
+    if (m->wrong++ == 0) {
+        snprintf(m->why, sizeof m->why, "%s", what);
+    }
+}
+
+static size_t put(uint8_t *to, size_t at, const uint8_t *bytes, size_t count) {
+    memcpy(to + at, bytes, count);
+    return at + count;
+}
+
+/* One report of whole bytes: number, count, usage, main item. */
+static size_t put_report(uint8_t *to, size_t at, uint8_t number, unsigned bytes, uint8_t item) {
+    const uint8_t id[] = {0x85, number};
+    const uint8_t rest[] = {0x96, (uint8_t)bytes, (uint8_t)(bytes >> 8), 0x09, 0x02, item, 0x02};
+    if (bytes == 0) {
+        return at;
+    }
+    return put(to, number != 0 ? put(to, at, id, 2) : at, rest, sizeof rest);
+}
+
+/* HID 1.11, section 6.2.2: a vendor's collection of byte arrays. */
+size_t model_descriptor(const model *m, uint8_t *to) {
+    static const uint8_t head[] = {0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01,
+                                   0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08};
+    static const uint8_t tail[] = {0xC0};
+    const model_kind *k = m->kind;
+    size_t at = put(to, 0, head, sizeof head);
+    at = put_report(to, at, k->input_number, k->input_bytes, 0x81);
+    at = put_report(to, at, k->output_number, m->report_bytes, 0x91);
+    at = put_report(to, at, k->feature_number, k->feature_bytes, 0xB1);
+    return put(to, at, tail, sizeof tail);
+}
+
+/* Rows of a picture through the panel's format and back. */
+static void through_format(const model *m, uint8_t *rgb) {
+    uint8_t row[3 * 1024];
+    const int mono = m->kind == &model_nova || m->kind == &model_apex;
+    const int own = m->kind == &model_planelet;
+    if (!mono && !own) {
+        return;
+    }
+    const unsigned format = mono ? WIRE_MONO1 : m->format;
+    for (unsigned y = 0; y < m->height; y++) {
+        uint8_t *at = rgb + 3 * (size_t)y * m->width;
+        wire_row_from_rgb(row, format, at, m->width, 0, y);
+        wire_row_to_rgb(at, format, row, m->width);
+    }
+}
+
+int model_shows_pattern(const model *m, unsigned from, unsigned count) {
+    const size_t bytes = 3 * (size_t)m->width * m->height;
+    uint8_t *rgb = malloc(bytes);
+    int found = -1;
+    for (unsigned i = 0; rgb != NULL && i < count && found < 0; i++) {
+        pattern_fill(from + i, m->width, m->height, rgb);
+        through_format(m, rgb);
+        found = memcmp(rgb, m->rgb, bytes) == 0 ? (int)(from + i) : -1;
+    }
+    free(rgb);
+    return found;
+}
+
+static int piece_is_whole(const model *m, uint8_t *const *pictures, unsigned count, unsigned x,
+                          unsigned y) {
+    const size_t at = 3 * ((size_t)y * m->width + x);
+    const unsigned width = m->width - x < 16 ? m->width - x : 16;
+    for (unsigned i = 0; i < count; i++) {
+        if (memcmp(m->rgb + at, pictures[i] + at, 3 * (size_t)width) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Pictures as the panel would show them, and a dark one at the end. */
+static uint8_t **make_pictures(const model *m, unsigned from, unsigned count) {
+    uint8_t **pictures = calloc(count + 1, sizeof *pictures);
+    for (unsigned i = 0; pictures != NULL && i <= count; i++) {
+        pictures[i] = calloc(3 * (size_t)m->width, m->height);
+        if (pictures[i] == NULL) {
+            abort();
+        }
+        if (i < count) {
+            pattern_fill(from + i, m->width, m->height, pictures[i]);
+            through_format(m, pictures[i]);
+        }
+    }
+    return pictures;
+}
+
+int model_rows_are_whole(const model *m, unsigned from, unsigned count) {
+    const unsigned columns = (m->width + 15) / 16;
+    uint8_t **pictures = make_pictures(m, from, count);
+    int whole = pictures != NULL;
+    for (unsigned i = 0; i < columns * m->height && whole; i++) {
+        whole = piece_is_whole(m, pictures, count + 1, i % columns * 16, i / columns);
+    }
+    for (unsigned i = 0; pictures != NULL && i <= count; i++) {
+        free(pictures[i]);
+    }
+    free(pictures);
+    return whole;
+}

@@ -1,0 +1,92 @@
+/* model_oled - SteelSeries OLEDs: Arctis Nova Pro in columns, Apex in rows
+ *
+ * SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "tests/hid/model.h"
+
+static void light(model *m, unsigned x, unsigned y, unsigned lit) {
+    memset(m->rgb + 3 * (y * m->width + x), lit ? 255 : 0, 3);
+}
+
+static void tell(model *m) {
+    m->changes++;
+    if (m->changed != NULL) {
+        m->changed(m->context, m);
+    }
+}
+
+static void nova_feature(model *m, const uint8_t *r, size_t bytes) {
+    if (bytes != 1024 || r[0] != 0x06 || r[1] != 0x93) {
+        model_breach(m, "not a draw report of 1024 bytes");
+        return;
+    }
+    const unsigned x = r[2], y = r[3], w = r[4], h = r[5], rows = (y % 8 + h + 7) / 8;
+    if (w == 0 || h == 0 || w > 64 || x + w > m->width || y + h > m->height ||
+        6 + w * rows > bytes) {
+        model_breach(m, "a window outside the panel, or wider than 64");
+        return;
+    }
+    for (unsigned i = 0; i < w * h; i++) {
+        const unsigned column = i / h, row = i % h;
+        light(m, x + column, y + row, r[6 + column * rows + row / 8] >> row % 8 & 1);
+    }
+    tell(m);
+}
+
+static void nova_output(model *m, const uint8_t *r, size_t bytes) {
+    if (bytes == 64 && r[0] == 0x06 && r[1] == 0x85 && r[2] >= 1 && r[2] <= 10) {
+        m->brightness = r[2];
+    } else if (bytes == 64 && r[0] == 0x06 && r[1] == 0x95) {
+        m->releases++;
+    } else {
+        model_breach(m, "an output report that is neither brightness nor return");
+    }
+}
+
+const model_kind model_nova = {.name = "nova",
+                               .vendor = 0x1038,
+                               .id = 0x12CB,
+                               .interface = 4,
+                               .width = 128,
+                               .height = 64,
+                               .output_number = 6,
+                               .feature_number = 6,
+                               .input_number = 7,
+                               .output_bytes = 63,
+                               .feature_bytes = 1023,
+                               .input_bytes = 63,
+                               .output = nova_output,
+                               .feature = nova_feature};
+
+static void apex_feature(model *m, const uint8_t *r, size_t bytes) {
+    if (bytes != 642 || r[0] != 0x61 || r[641] != 0) {
+        model_breach(m, "not a draw report of 642 bytes");
+        return;
+    }
+    for (unsigned i = 0; i < 128 * 40; i++) {
+        light(m, i % 128, i / 128, r[1 + i / 8] >> (7 - i % 8) & 1);
+    }
+    tell(m);
+}
+
+static void apex_output(model *m, const uint8_t *r, size_t bytes) {
+    (void)r;
+    (void)bytes;
+    model_breach(m, "an output report");
+}
+
+const model_kind model_apex = {.name = "apex",
+                               .vendor = 0x1038,
+                               .id = 0x1618,
+                               .interface = 1,
+                               .width = 128,
+                               .height = 40,
+                               .output_number = 0x62,
+                               .feature_number = 0x61,
+                               .input_number = 0x63,
+                               .output_bytes = 63,
+                               .feature_bytes = 641,
+                               .input_bytes = 63,
+                               .output = apex_output,
+                               .feature = apex_feature};

@@ -1,0 +1,82 @@
+/* model_planelet - a display with Planelet's wire, as a firmware would be
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "platform/wire/wire.h"
+#include "tests/hid/model.h"
+
+enum { IN_BYTES = 64, WINDOW = 16 };
+
+typedef struct own {
+    wire_end end;
+    wire_frames_in in;
+    model *model;
+    uint32_t shown;
+} own;
+
+static uint32_t now_ms(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint32_t)t.tv_sec * 1000u + (uint32_t)t.tv_nsec / 1000000u;
+}
+
+static void take_row(void *context, unsigned x, unsigned y, unsigned width, const uint8_t *pixels) {
+    model *m = context;
+    wire_row_to_rgb(m->rgb + 3 * ((size_t)y * m->width + x), m->format, pixels, width);
+}
+
+static int own_open(model *m) {
+    own *o = calloc(1, sizeof *o);
+    m->state = o;
+    if (o == NULL) {
+        return -1;
+    }
+    const wire_setup setup = {.role = WIRE_DEVICE,
+                              .caps = {.session = now_ms() * 2654435761u,
+                                       .width = (uint16_t)m->width,
+                                       .height = (uint16_t)m->height,
+                                       .formats = (uint16_t)(1u << m->format),
+                                       .format = (uint8_t)m->format,
+                                       .in_bytes = (uint16_t)m->report_bytes,
+                                       .out_bytes = IN_BYTES,
+                                       .features = WIRE_SHOWS | WIRE_BRIGHTNESS,
+                                       .window = WINDOW}};
+    const wire_panel panel = {.row = take_row, .context = m};
+    return wire_end_open(&o->end, &setup, now_ms()) != WIRE_OK ||
+                   wire_frames_in_open(&o->in, &o->end, &panel) != WIRE_OK
+               ? -1
+               : 0;
+}
+
+static void own_output(model *m, const uint8_t *report, size_t bytes) {
+    own *o = m->state;
+    unsigned percent = 0;
+    wire_on_report(&o->end, report, bytes, now_ms());
+    if (wire_setting_take(&o->end, &percent) == WIRE_SET_BRIGHTNESS) {
+        m->brightness = (int)percent;
+    }
+    if (wire_frames_shown(&o->in) != o->shown) {
+        o->shown = wire_frames_shown(&o->in);
+        m->changes++;
+        if (m->changed != NULL) {
+            m->changed(m->context, m);
+        }
+    }
+}
+
+static size_t own_input(model *m, uint8_t *report, size_t room) {
+    own *o = m->state;
+    wire_poll(&o->end, now_ms());
+    return room < IN_BYTES ? 0 : wire_next_report(&o->end, report, now_ms());
+}
+
+const model_kind model_planelet = {.name = "planelet",
+                                   .vendor = 0x1209,
+                                   .id = 0x0001,
+                                   .input_bytes = IN_BYTES,
+                                   .open = own_open,
+                                   .output = own_output,
+                                   .input = own_input};

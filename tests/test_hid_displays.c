@@ -1,0 +1,292 @@
+/* test_hid_displays - real displays' reports, byte for byte, on a fake of hidapi
+ *
+ * The models and these bytes come from the same published notes as the
+ * drivers: they show agreement with the notes. Nothing here ran on hardware.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "host_tools/hid/display.h"
+#include "host_tools/hid/find.h"
+#include "tests/hid/model.h"
+#include "tests/hid/pattern.h"
+#include "tests/reference/fake_hidapi.h"
+#include "tests/test.h"
+
+enum { RECORD = 130, RECORD_BYTES = 1024 };
+
+/* The reports that came, as they came. */
+static struct {
+    uint8_t bytes[RECORD][RECORD_BYTES];
+    size_t size[RECORD];
+    unsigned count;
+} record;
+
+static void keep(const uint8_t *report, size_t bytes) {
+    if (record.count < RECORD && bytes <= RECORD_BYTES) {
+        memcpy(record.bytes[record.count], report, bytes);
+        record.size[record.count++] = bytes;
+    }
+}
+
+static void on_output(void *context, const uint8_t *report, size_t bytes) {
+    model *m = context;
+    keep(report, bytes);
+    m->kind->output(m, report, bytes);
+}
+
+static void on_feature(void *context, const uint8_t *report, size_t bytes) {
+    model *m = context;
+    keep(report, bytes);
+    m->kind->feature(m, report, bytes);
+}
+
+typedef struct bench {
+    model *model;
+    fake_device device;
+    display display;
+    picture shown;
+} bench;
+
+static void open_bench(bench *b, const model_kind *kind) {
+    fail f = {""};
+    port_info info;
+    const find_wish wish = {NULL, NULL};
+    memset(b, 0, sizeof *b);
+    memset(&record, 0, sizeof record);
+    fake_bus_reset();
+    b->model = model_make(kind, 0, 0, 0, 0);
+    b->device = (fake_device){.path = "1-1:1.0",
+                              .vendor = kind->vendor,
+                              .product = kind->id,
+                              .interface = kind->interface,
+                              .numbered = 1,
+                              .context = b->model,
+                              .output = on_output,
+                              .feature = on_feature};
+    fake_plug(0, &b->device);
+    const driver *by = find_display(&wish, &info, &f);
+    CHECK(by != NULL && strcmp(by->name, kind->name) == 0, "%s", f.text);
+    CHECK(by != NULL && display_open(&b->display, by, &info, &f) == DISPLAY_OK, "%s", f.text);
+    picture_make(&b->shown, b->display.width, b->display.height, &f);
+}
+
+static void close_bench(bench *b) {
+    CHECK(b->model->wrong == 0, "%s", b->model->why);
+    CHECK(fake_bus.wrong == 0, "hidapi was used against its rules");
+    display_close(&b->display);
+    CHECK(fake_bus.open == 0, "the device stays open");
+    picture_free(&b->shown);
+    model_free(b->model);
+}
+
+static void show(bench *b, unsigned number) {
+    fail f = {""};
+    pattern_fill(number, b->shown.width, b->shown.height, b->shown.rgb);
+    CHECK(b->display.by->show(&b->display, &b->shown, &f) == DISPLAY_OK, "%s", f.text);
+}
+
+static void every_pixel(const model_kind *kind) {
+    bench b;
+    char sentence[120];
+    snprintf(sentence, sizeof sentence, "%s: every pixel of 20 pictures is on the panel",
+             kind->name);
+    test(sentence);
+    open_bench(&b, kind);
+    for (unsigned n = 0; n < 20; n++) {
+        show(&b, n);
+        CHECK(model_shows_pattern(b.model, n, 1) == (int)n, "picture %u", n);
+    }
+    close_bench(&b);
+}
+
+static void brightness(const model_kind *kind, unsigned percent, int expected) {
+    bench b;
+    fail f = {""};
+    char sentence[120];
+    snprintf(sentence, sizeof sentence, "%s: brightness %u %% arrives as %d", kind->name, percent,
+             expected);
+    test(sentence);
+    open_bench(&b, kind);
+    CHECK(b.display.by->brightness(&b.display, percent, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(b.model->brightness == expected, "%d", b.model->brightness);
+    close_bench(&b);
+}
+
+static void expect(unsigned report, size_t at, const char *hex) {
+    for (size_t i = 0; hex[2 * i] != '\0'; i++) {
+        const char digits[] = {hex[2 * i], hex[2 * i + 1], '\0'};
+        const unsigned want = (unsigned)strtoul(digits, NULL, 16);
+        CHECK(record.bytes[report][at + i] == want, "report %u, byte %zu is %02x, not %02x", report,
+              at + i, record.bytes[report][at + i], want);
+    }
+}
+
+static void paint(bench *b, unsigned x, unsigned y, uint32_t rgb) {
+    uint8_t *p = b->shown.rgb + 3 * ((size_t)y * b->shown.width + x);
+    p[0] = (uint8_t)(rgb >> 16);
+    p[1] = (uint8_t)(rgb >> 8);
+    p[2] = (uint8_t)rgb;
+}
+
+static void show_painted(bench *b) {
+    fail f = {""};
+    record.count = 0;
+    CHECK(b->display.by->show(&b->display, &b->shown, &f) == DISPLAY_OK, "%s", f.text);
+}
+
+static void mini_bytes(void) {
+    bench b;
+    test("streamdeck-mini: header, BMP head and pixels are the bytes of the notes");
+    open_bench(&b, &model_mini);
+    paint(&b, 79, 0, 0x112233);   /* key 0, top right: the first pixel of its file */
+    paint(&b, 79, 1, 0x445566);   /* below it: the second */
+    paint(&b, 80, 159, 0x778899); /* key 4, bottom left: the last */
+    show_painted(&b);
+    CHECK(record.count == 120 && record.size[0] == 1024, "%u reports", record.count);
+    expect(0, 0, "02010000000100000000000000000000");
+    expect(0, 16,
+           "424d364b0000000000003600000028000000500000005000000001001800"
+           "00000000004b0000130b0000130b00000000000000000000");
+    expect(0, 70, "332211665544000000");
+    expect(1, 0, "02010100000100000000000000000000");
+    expect(19, 0, "02011300010100000000000000000000");
+    expect(99, 0, "02011300010500000000000000000000");
+    /* 19254 bytes are 19 pages of 1008 and 102 */
+    expect(99, 16 + 99, "998877");
+    expect(99, 16 + 102, "000000");
+    close_bench(&b);
+    test("streamdeck-mini: only keys that changed are sent again");
+    open_bench(&b, &model_mini);
+    show_painted(&b);
+    paint(&b, 239, 159, 0xFFFFFF);
+    show_painted(&b);
+    CHECK(record.count == 20, "%u reports", record.count);
+    expect(0, 0, "020100000006");
+    show_painted(&b);
+    CHECK(record.count == 0, "%u reports", record.count);
+    close_bench(&b);
+}
+
+static void nexus_bytes(void) {
+    bench b;
+    test("nexus: 121 reports, blocks and lengths of the notes, blue first");
+    open_bench(&b, &model_nexus);
+    paint(&b, 0, 0, 0x112233);
+    paint(&b, 639, 47, 0x445566);
+    show_painted(&b);
+    CHECK(record.count == 121 && record.size[120] == 1024, "%u reports", record.count);
+    expect(0, 0, "020540000000f80333221100");
+    expect(1, 0, "020540000100f803");
+    expect(120, 0, "020540017800c003");
+    expect(120, 8 + 956, "66554400000000");
+    close_bench(&b);
+}
+
+static void oled_bytes(void) {
+    bench b;
+    test("nova: two windows of 64 columns, lowest bit on top");
+    open_bench(&b, &model_nova);
+    paint(&b, 0, 0, 0xFFFFFF);
+    paint(&b, 0, 9, 0xFFFFFF);
+    paint(&b, 65, 63, 0xFFFFFF);
+    show_painted(&b);
+    CHECK(record.count == 2 && record.size[1] == 1024, "%u reports", record.count);
+    expect(0, 0, "06930000404001020000000000000000");
+    expect(1, 0, "0693400040400000000000000000000000000000008000");
+    close_bench(&b);
+    test("apex: one report of 642 bytes, rows, highest bit left");
+    open_bench(&b, &model_apex);
+    paint(&b, 0, 0, 0xFFFFFF);
+    paint(&b, 9, 1, 0xFFFFFF);
+    paint(&b, 127, 39, 0xFFFFFF);
+    show_painted(&b);
+    CHECK(record.count == 1 && record.size[0] == 642, "%u reports", record.count);
+    expect(0, 0, "6180");
+    expect(0, 17, "0040");
+    expect(0, 640, "0100");
+    close_bench(&b);
+}
+
+static void nova_patience(void) {
+    bench b;
+    fail f = {""};
+    test("nova: feature reports that are refused are sent again, ten times at most");
+    open_bench(&b, &model_nova);
+    fake_bus.refuse_features = 3;
+    show(&b, 5);
+    CHECK(model_shows_pattern(b.model, 5, 1) == 5, "after three refusals");
+    fake_bus.refuse_features = 1000;
+    CHECK(b.display.by->show(&b.display, &b.shown, &f) == DISPLAY_GONE, "gone after ten");
+    CHECK(fake_bus.refuse_features == 990, "%u", 1000 - fake_bus.refuse_features);
+    close_bench(&b);
+}
+
+static void half_grey(void) {
+    bench b;
+    test("nova: half grey lights half of the pixels of every 8x8 square");
+    open_bench(&b, &model_nova);
+    memset(b.shown.rgb, 128, 3 * 128 * 64);
+    show_painted(&b);
+    for (unsigned square = 0; square < 128; square++) {
+        unsigned lit = 0;
+        for (unsigned i = 0; i < 64; i++) {
+            const unsigned x = square % 16 * 8 + i % 8, y = square / 16 * 8 + i / 8;
+            lit += b.model->rgb[3 * (y * 128 + x)] != 0;
+        }
+        CHECK(lit == 32, "%u of 64 in square %u", lit, square);
+    }
+    close_bench(&b);
+}
+
+static void release(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    char sentence[120];
+    snprintf(sentence, sizeof sentence, "%s: the display gets its own picture back", kind->name);
+    test(sentence);
+    open_bench(&b, kind);
+    CHECK(b.display.by->release(&b.display, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(b.model->releases == 1, "%u", b.model->releases);
+    close_bench(&b);
+}
+
+static void unplugged(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    char sentence[120];
+    snprintf(sentence, sizeof sentence, "%s: unplugged before any report it says so", kind->name);
+    test(sentence);
+    for (unsigned after = 1; after < 3; after++) {
+        open_bench(&b, kind);
+        fake_bus.unplug_after = after;
+        int status = DISPLAY_OK;
+        for (unsigned n = 0; n < 3 && status == DISPLAY_OK; n++) {
+            pattern_fill(n, b.shown.width, b.shown.height, b.shown.rgb);
+            status = b.display.by->show(&b.display, &b.shown, &f);
+        }
+        CHECK(status == DISPLAY_GONE, "%d after %u reports", status, after);
+        CHECK(f.text[0] == '\0', "no sentence: it may come back");
+        close_bench(&b);
+    }
+}
+
+int main(void) {
+    static const model_kind *const kinds[] = {&model_mini, &model_nova, &model_apex, &model_nexus};
+    for (unsigned i = 0; i < 4; i++) {
+        every_pixel(kinds[i]);
+        unplugged(kinds[i]);
+    }
+    mini_bytes();
+    nexus_bytes();
+    oled_bytes();
+    nova_patience();
+    half_grey();
+    brightness(&model_mini, 70, 70);
+    brightness(&model_nexus, 0, 0);
+    brightness(&model_nova, 0, 1);
+    brightness(&model_nova, 55, 6);
+    release(&model_mini);
+    release(&model_nova);
+    return test_done();
+}
