@@ -1,0 +1,54 @@
+/* cmd_list - planelet-hid list: what is plugged in, and what can be shown on
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdio.h>
+
+#include "host_tools/hid/commands.h"
+#include "host_tools/hid/display.h"
+#include "host_tools/hid/find.h"
+
+static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no driver takes"},
+                                 {NULL, NULL, NULL}};
+
+const arg_command hid_command_list = {
+    "list",
+    "[--all]",
+    "Lists displays that are plugged in: path, vid:pid, serial number, driver, names. "
+    "Drivers with a * are " DISPLAY_HONESTY ".",
+    flags,
+    0,
+    0,
+    "planelet-hid"};
+
+static void print_device(const port_info *p, const driver *by) {
+    printf("%-16s %04x:%04x  %-12s %-16s %s%s%s\n", p->path, p->vendor, p->id,
+           p->serial[0] == '\0' ? "-" : p->serial, by == NULL ? "-" : by->name, p->maker,
+           p->maker[0] == '\0' ? "" : " ", p->product);
+}
+
+static void print_drivers(void) {
+    printf("\ndrivers:\n");
+    for (unsigned i = 0; drivers[i] != NULL; i++) {
+        printf("  %-16s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
+               drivers[i]->about);
+    }
+    printf("* " DISPLAY_HONESTY "\n");
+}
+
+int hid_run_list(args *a) {
+    port_info list[FIND_ROOM];
+    const unsigned count = port_list(list, FIND_ROOM);
+    unsigned shown = 0;
+    for (unsigned i = 0; i < count; i++) {
+        const driver *by = driver_for(&list[i]);
+        if (by != NULL || args_has(a, "--all")) {
+            print_device(&list[i], by);
+            shown++;
+        }
+    }
+    if (shown == 0) {
+        printf("no display is plugged in (%u HID devices; --all lists them)\n", count);
+    }
+    print_drivers();
+    return 0;
+}

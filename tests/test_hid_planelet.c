@@ -1,0 +1,203 @@
+/* test_hid_planelet - the own wire through a fake hidapi and all its quirks
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/hid/session.h"
+#include "platform/wire/wire_format.h"
+#include "tests/hid/model.h"
+#include "tests/hid/pattern.h"
+#include "tests/reference/fake_hidapi.h"
+#include "tests/test.h"
+
+typedef struct bench {
+    model *model;
+    fake_device device;
+    unsigned format, report_bytes;
+    int lossy;       /* rows of tiles may be late: each must be that of some picture */
+    int last, other; /* the picture seen last; panels that were none */
+} bench;
+
+static void on_output(void *context, const uint8_t *report, size_t bytes) {
+    bench *b = context;
+    b->model->kind->output(b->model, report, bytes);
+}
+
+static size_t on_input(void *context, uint8_t *report, size_t room) {
+    bench *b = context;
+    return b->model->kind->input(b->model, report, room);
+}
+
+/* A frame came whole: without losses the panel is one of the pictures, none
+ * older than the last. */
+static void on_change(void *context, model *m) {
+    bench *b = context;
+    if (b->lossy) {
+        b->other += !model_rows_are_whole(m, 0, 8);
+        return;
+    }
+    const int found = model_shows_pattern(m, (unsigned)(b->last < 0 ? 0 : b->last), 40);
+    b->other += found < 0;
+    b->last = found < 0 ? b->last : found;
+}
+
+static void new_model(bench *b) {
+    model_free(b->model);
+    b->model = model_make(&model_planelet, 70, 50, b->format, b->report_bytes);
+    b->model->changed = on_change;
+    b->model->context = b;
+}
+
+/* Power comes back: the panel is dark and knows nothing. */
+static void on_plug(void *context, int in) {
+    if (in) {
+        new_model(context);
+    }
+}
+
+static void make_bench(bench *b, unsigned format, unsigned report_bytes) {
+    *b = (bench){.format = format, .report_bytes = report_bytes, .last = -1};
+    fake_bus_reset();
+    b->device = (fake_device){.path = "1-1:1.0",
+                              .vendor = 0x1209,
+                              .product = 0x0001,
+                              .context = b,
+                              .output = on_output,
+                              .input = on_input,
+                              .plugged = on_plug};
+    fake_plug(0, &b->device);
+}
+
+static void free_bench(bench *b) {
+    CHECK(fake_bus.wrong == 0 && fake_bus.open == 0, "hidapi was used as it should");
+    CHECK(b->other == 0, "%d panels were no picture", b->other);
+    model_free(b->model);
+}
+
+/* As display_open, but reports have the model's size, not the system's. */
+static int open_display(bench *b, display *d, fail *f) {
+    port_info info;
+    CHECK(port_list(&info, 1) == 1, "it is on the bus");
+    *d = (display){.by = &driver_planelet, .report_bytes = b->report_bytes};
+    d->port = port_open(&info, f);
+    const int status = d->by->open(d, f);
+    CHECK(status == DISPLAY_OK && d->width == 70 && d->height == 50, "%d: %s", status, f->text);
+    return status;
+}
+
+static void show_pictures(bench *b, unsigned count) {
+    display d;
+    picture p;
+    fail f = {""};
+    if (open_display(b, &d, &f) != DISPLAY_OK) {
+        return;
+    }
+    picture_make(&p, d.width, d.height, &f);
+    for (unsigned n = 0; n < count; n++) {
+        pattern_fill(n, p.width, p.height, p.rgb);
+        const int status = d.by->show(&d, &p, &f);
+        CHECK(status == DISPLAY_OK, "picture %u: %d %s", n, status, f.text);
+    }
+    CHECK(d.by->settle(&d, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(model_shows_pattern(b->model, count - 1, 1) >= 0, "%u pictures, format %u, reports of %u",
+          count, b->format, b->report_bytes);
+    picture_free(&p);
+    display_close(&d);
+}
+
+static void formats(void) {
+    static const unsigned sizes[] = {8, 16, 32, 64, 512, 1024};
+    test("every pixel format in reports of 8 to 1024 bytes: every pixel of every frame");
+    for (unsigned format = 0; format < WIRE_FORMATS; format++) {
+        for (unsigned i = 0; i < 6; i++) {
+            bench b;
+            make_bench(&b, format, sizes[i]);
+            show_pictures(&b, 8);
+            CHECK(b.last == 7, "%d", b.last);
+            free_bench(&b);
+        }
+    }
+}
+
+static void quirk(const char *sentence, unsigned drop, unsigned cut, unsigned empty,
+                  unsigned slow_us) {
+    test(sentence);
+    for (unsigned format = 0; format < WIRE_FORMATS; format++) {
+        bench b;
+        make_bench(&b, format, 64);
+        b.lossy = drop + cut > 0;
+        fake_bus.drop_outputs = drop;
+        fake_bus.short_writes = cut;
+        fake_bus.empty_reads = empty;
+        fake_bus.slow_us = slow_us;
+        show_pictures(&b, 6);
+        free_bench(&b);
+    }
+}
+
+static void quirks(void) {
+    quirk("reads that are empty before their time: nothing is lost", 0, 0, 2, 0);
+    quirk("one report in seven never arrives: every picture does", 7, 0, 0, 0);
+    quirk("one write in five takes half a report: every picture arrives", 0, 5, 0, 0);
+    quirk("a slow bus: every picture arrives", 0, 0, 0, 500);
+    quirk("all of it together", 11, 13, 3, 100);
+}
+
+static void unplugged(int libusb) {
+    test(libusb ? "libusb: gone in mid-frame, the whole picture is back within two seconds"
+                : "hidraw: gone in mid-frame, the whole picture is back within two seconds");
+    for (unsigned after = 3; after < 48; after += 8) {
+        bench b;
+        picture p;
+        fail f = {""};
+        make_bench(&b, WIRE_RGB565, 64);
+        fake_bus.libusb = libusb;
+        session s = {.brightness = 30, .patience = 5.0};
+        CHECK(session_open(&s, &f) == 0, "%s", f.text);
+        picture_make(&p, 70, 50, &f);
+        fake_bus.unplug_after = after;
+        fake_bus.replug_ms = 150;
+        for (unsigned n = 0; n < 4; n++) {
+            pattern_fill(n, 70, 50, p.rgb);
+            CHECK(session_show(&s, &p, &f) == 0, "after %u: %s", after, f.text);
+        }
+        CHECK(session_settle(&s, &f) == 0, "after %u: %s", after, f.text);
+        CHECK(model_shows_pattern(b.model, 3, 1) >= 0, "after %u reports", after);
+        CHECK(b.model->brightness == 30, "brightness %d", b.model->brightness);
+        CHECK(s.reconnects == 1 && s.longest_gap < 2.0, "%u, %.3f s", s.reconnects, s.longest_gap);
+        picture_free(&p);
+        session_close(&s);
+        free_bench(&b);
+    }
+}
+
+static void swallow(void *context, const uint8_t *report, size_t bytes) {
+    (void)context;
+    (void)report;
+    (void)bytes;
+}
+
+static void stranger(void) {
+    fail f = {""};
+    test("a device that does not answer, at the same vid:pid, is named as such");
+    static const fake_device other = {
+        .path = "1-1:1.0", .vendor = 0x1209, .product = 0x0001, .output = swallow};
+    fake_bus_reset();
+    fake_plug(0, &other);
+    session s = {.brightness = -1};
+    CHECK(session_open(&s, &f) == -1, "opened");
+    CHECK(strstr(f.text, "does not answer") && strstr(f.text, "--device"), "%s", f.text);
+    session_close(&s);
+    CHECK(fake_bus.open == 0, "it stays open");
+}
+
+int main(void) {
+    /* Messages of sessions are meant for a person. */
+    if (freopen("/dev/null", "w", stderr) == NULL) {
+        return 1;
+    }
+    formats();
+    quirks();
+    unplugged(0);
+    unplugged(1);
+    stranger();
+    return test_done();
+}
