@@ -38,15 +38,7 @@
 
 #include <stdint.h>
 
-/* Before a loop of 3 or 4 rounds over axes or lanes: laid out flat, its arrays
- * live in registers. As loops, at -O2, they go through memory. */
-#if defined(__clang__)
-#define PLT_UNROLLED _Pragma("clang loop unroll(full)")
-#elif defined(__GNUC__)
-#define PLT_UNROLLED _Pragma("GCC unroll 4")
-#else
-#define PLT_UNROLLED
-#endif
+#include "engine/lanes/unroll.h"
 
 #ifdef PLT_LANES
 #include PLT_LANES

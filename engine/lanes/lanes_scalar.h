@@ -9,6 +9,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "engine/lanes/unroll.h"
+
 typedef struct f4 {
     float lane[4];
 } f4;
@@ -21,7 +23,7 @@ typedef struct m4 {
     uint32_t lane[4];
 } m4;
 
-/* One lane after another: `i` counts them. Unrolled (lanes.h), since as a loop
+/* One lane after another: `i` counts them. Unrolled (unroll.h), since as a loop
  * the lanes went through memory: 6,365 instructions a ray on the Cortex-M4F at
  * -O2, unrolled 2,822. */
 #define PLT_EACH_LANE(type, expression)                                                            \
