@@ -23,8 +23,7 @@ static inline void test_close(void) {
     if (test_state.checks == 0) {
         printf("    nothing was checked\n");
     }
-    printf("%s %s (%lu checks)\n", good ? "pass" : "FAIL", test_state.sentence,
-           test_state.checks);
+    printf("%s %s (%lu checks)\n", good ? "pass" : "FAIL", test_state.sentence, test_state.checks);
     good ? test_state.passed++ : test_state.failed++;
     test_state.sentence[0] = '\0';
     fflush(stdout);
@@ -43,14 +42,14 @@ static inline int test_done(void) {
 }
 
 /* Counts a check; on failure says where and why (the first ten times). */
-#define CHECK(condition, ...)                                                   \
-    do {                                                                        \
-        test_state.checks++;                                                    \
-        if (!(condition) && test_state.wrong++ < 10) {                          \
-            printf("    %s:%d: %s: ", __FILE__, __LINE__, #condition);          \
-            printf(__VA_ARGS__);                                                \
-            printf("\n");                                                       \
-        }                                                                       \
+#define CHECK(condition, ...)                                                                      \
+    do {                                                                                           \
+        test_state.checks++;                                                                       \
+        if (!(condition) && test_state.wrong++ < 10) {                                             \
+            printf("    %s:%d: %s: ", __FILE__, __LINE__, #condition);                             \
+            printf(__VA_ARGS__);                                                                   \
+            printf("\n");                                                                          \
+        }                                                                                          \
     } while (0)
 
 #endif

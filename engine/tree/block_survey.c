@@ -142,19 +142,32 @@ int plt_block_is_sound(const unsigned char *bytes, uint32_t limit, const plt_blo
                : RULE_CHECK;
 }
 
+/* A switch: a table of pointers would be data that start-up has to fill in. */
+static const char *what_is_wrong(int rule) {
+    switch (rule) {
+    case RULE_SIZES:
+        return "a block's parts do not fit its sizes";
+    case RULE_KINDS:
+        return "a block's nodes form no tree";
+    case RULE_FRAME:
+        return "a block's frame is no box inside the scene's";
+    case RULE_CHECK:
+        return "a block is damaged (check)";
+    case RULE_GEOMETRY:
+        return "a block's geometry does not fit its size";
+    case RULE_UNITS:
+        return "a unit of triangles does not begin a strip or is too long";
+    case RULE_REFERENCES:
+        return "a triangle names a vertex before it is there";
+    case RULE_LINKS:
+        return "a link leads back, astray or twice to a block";
+    default:
+        return "the header's counts are not the blocks'";
+    }
+}
+
 static int broken(plt_fault *fault, int rule, uint32_t address) {
-    static const char *const what[] = {
-        "a block's parts do not fit its sizes",
-        "a block's nodes form no tree",
-        "a block's frame is no box inside the scene's",
-        "a block is damaged (check)",
-        "a block's geometry does not fit its size",
-        "a unit of triangles does not begin a strip or is too long",
-        "a triangle names a vertex before it is there",
-        "a link leads back, astray or twice to a block",
-        "the header's counts are not the blocks'",
-    };
-    return plt_broken(fault, (uint8_t)rule, address, what[rule - RULE_SIZES]);
+    return plt_broken(fault, (uint8_t)rule, address, what_is_wrong(rule));
 }
 
 /* Depth of every node of a block, and the deepest into `info`. */
