@@ -221,7 +221,7 @@ static uint32_t bytes_wanted(const wire_end *end, unsigned type) {
     case WIRE_STATS_ASK:
         return 1;
     case WIRE_FRAME_GOOD:
-        return end->frames_out != NULL ? 1 : 0;
+        return end->frames_out != NULL ? 2 : 0;
     case WIRE_FRAME_BAD:
         return end->frames_out != NULL ? 34 : 0;
     case WIRE_SCENE_OFFER:
@@ -247,7 +247,7 @@ static uint32_t bytes_wanted(const wire_end *end, unsigned type) {
     }
 }
 
-static void take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes) {
+static void take(wire_end *end, unsigned type, const uint8_t *body) {
     switch (type) {
     case WIRE_ACK:
         take_ack(end, body);
@@ -260,7 +260,7 @@ static void take(wire_end *end, unsigned type, const uint8_t *body, uint32_t byt
         break;
     case WIRE_FRAME_GOOD:
     case WIRE_FRAME_BAD:
-        wire_frames_out_take(end->frames_out, type, body, bytes);
+        wire_frames_out_take(end->frames_out, type, body);
         break;
     case WIRE_SCENE_OFFER:
         wire_scene_in_take(end->scene_in, body);
@@ -300,6 +300,6 @@ void wire_control_take(wire_end *end, unsigned type, const uint8_t *body, uint32
     }
     const uint32_t wanted = bytes_wanted(end, type);
     if (wanted > 0 && bytes >= wanted) { /* later versions may add to a body's end */
-        take(end, type, body, bytes);
+        take(end, type, body);
     }
 }

@@ -39,6 +39,8 @@ uint32_t wire_frames_shown(const wire_frames_in *in) {
 enum { ANSWER_NONE, ANSWER_GOOD, ANSWER_BAD };
 
 static void answer(wire_frames_in *in, unsigned what) {
+    const int goes_on = in->answer == ANSWER_GOOD && what == ANSWER_GOOD && in->in_frame;
+    in->answer_more = (uint8_t)(goes_on ? in->answer_more + 1 : 0); /* also good, not told yet */
     in->in_frame = 0;
     in->answer = (uint8_t)what;
     in->answer_number = in->number;
@@ -67,7 +69,10 @@ static void enter(wire_frames_in *in, unsigned number) {
 uint32_t wire_frames_in_make(wire_frames_in *in, unsigned type, uint8_t *body) {
     body[0] = in->answer_number;
     if (type == WIRE_FRAME_GOOD || in->answer != ANSWER_BAD) {
-        return type == WIRE_FRAME_GOOD && in->answer == ANSWER_GOOD ? 1 : 0;
+        const int is_due = type == WIRE_FRAME_GOOD && in->answer == ANSWER_GOOD;
+        body[1] = in->answer_more;
+        in->answer = is_due ? ANSWER_NONE : in->answer;
+        return is_due ? 2 : 0;
     }
     const unsigned part = in->answer_part++;
     body[1] = (uint8_t)part;

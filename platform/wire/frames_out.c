@@ -127,36 +127,43 @@ static void drop_oldest(wire_frames_out *out) {
     out->end->stats.frames_bad++;
 }
 
-/* Answers come in order: frames before this one got none. 0: not a frame of
- * ours. */
-static int is_ours(wire_frames_out *out, unsigned number) {
-    const unsigned back = (out->number + NUMBERS - number) % NUMBERS;
-    if (back < 1 || back > out->unanswered) {
-        return 0;
-    }
+/* Frame `number` came whole, and so did the `more` before it. */
+static void take_good(wire_frames_out *out, unsigned number, unsigned more) {
+    unsigned back = (out->number + NUMBERS - number) % NUMBERS + (more < SLOTS ? more : 0);
+    back = back < out->unanswered ? back : out->unanswered;
     while (out->unanswered > back) {
         drop_oldest(out);
     }
-    return 1;
-}
-
-void wire_frames_out_take(wire_frames_out *out, unsigned type, const uint8_t *body,
-                          uint32_t bytes) {
-    (void)bytes;
-    if (body[0] >= NUMBERS || !is_ours(out, body[0])) {
-        return;
-    }
-    const unsigned way = way_back(out, out->unanswered);
-    if (type == WIRE_FRAME_GOOD) {
-        settle_good(out, way);
+    const unsigned after = (out->number + NUMBERS - number) % NUMBERS - 1;
+    while (out->unanswered > after) {
+        settle_good(out, way_back(out, out->unanswered));
         out->unanswered--;
         out->end->stats.frames_out++;
+    }
+}
+
+/* Which tiles of 256 came; the last part settles the frame. */
+static void take_bad(wire_frames_out *out, const uint8_t *body) {
+    const unsigned from = 256u * (body[1] & 3u);
+    while (out->unanswered > (out->number + NUMBERS - body[0]) % NUMBERS) {
+        drop_oldest(out);
+    }
+    settle(out, way_back(out, out->unanswered), from, from + 256, body + 2);
+    if (from + 256 >= out->tiles) {
+        drop_oldest(out);
+    }
+}
+
+void wire_frames_out_take(wire_frames_out *out, unsigned type, const uint8_t *body) {
+    const unsigned back = (out->number + NUMBERS - body[0]) % NUMBERS;
+
+    if (body[0] >= NUMBERS || back < 1 || back > out->unanswered) {
+        return; /* not of ours */
+    }
+    if (type == WIRE_FRAME_GOOD) {
+        take_good(out, body[0], body[1]);
     } else {
-        const unsigned from = 256u * (body[1] & 3u);
-        settle(out, way, from, from + 256, body + 2);
-        if (from + 256 >= out->tiles) {
-            drop_oldest(out);
-        }
+        take_bad(out, body);
     }
     out->is_waiting = 0;
 }
@@ -392,7 +399,9 @@ int wire_frames_out_fill(wire_frames_out *out) {
     if (out->rgb == NULL) {
         return !out->in_frame || out->is_cut; /* tile by tile: when full or ended */
     }
-    if (!out->in_frame && out->unanswered < SLOTS && wants_pass(out)) {
+    /* A delta needs the answer to what was sent before: worth a round trip. */
+    const unsigned most = has_reference(out) ? 1 : SLOTS;
+    if (!out->in_frame && out->unanswered < most && wants_pass(out)) {
         out->scanned = 0;
         start_frame(out);
     }

@@ -113,7 +113,7 @@ void wire_frames_out_poll(wire_frames_out *out);
 /* 1: what is queued should leave even if it does not fill a report. */
 int wire_frames_out_fill(wire_frames_out *out);
 void wire_frames_out_left(wire_frames_out *out, uint32_t number);
-void wire_frames_out_take(wire_frames_out *out, unsigned type, const uint8_t *body, uint32_t bytes);
+void wire_frames_out_take(wire_frames_out *out, unsigned type, const uint8_t *body);
 
 void wire_frames_in_begin(wire_frames_in *in);
 uint32_t wire_frames_in_make(wire_frames_in *in, unsigned type, uint8_t *body);

@@ -112,7 +112,7 @@ typedef struct wire_frames_in {
     uint16_t tile, columns, tiles, came;
     uint8_t number, is_any, in_frame, in_tile, is_torn, is_good;
     uint8_t answer; /* to send: 0 none, 1 good, 2 bad */
-    uint8_t answer_number, answer_part;
+    uint8_t answer_number, answer_part, answer_more;
     uint8_t got[WIRE_TILES_MAX / 8]; /* tiles of the frame that came whole */
     wire_tile_reader reader;
 } wire_frames_in;

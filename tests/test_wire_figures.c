@@ -1,0 +1,224 @@
+/* test_wire_figures - bytes a frame and frames a second through full speed
+ *
+ * Frames of 320 x 240 RGB565 in the views that `planelet render` chooses, at
+ * 25 a second, over the fake cable at one report of 64 bytes a millisecond.
+ * A frame counts when it was acknowledged whole; one that is ready while
+ * another is on its way is left out. Arguments: scene images to orbit, beside
+ * the scenes that planelet makes.
+ *
+ *   exact   every tile for itself           needs nothing of the panel
+ *   delta   and only what differs           a panel that can be read
+ *   near    and off by 3 steps at most      while it moves; then exact
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "board/host/host.h"
+#include "host_tools/cli/view.h"
+#include "host_tools/pack/pack.h"
+#include "host_tools/scenes/scenes.h"
+#include "tests/reference/wire_rig.h"
+#include "tests/test.h"
+
+enum { WIDTH = 320, HEIGHT = 240, FILM = 50, FRAME_MS = 40, TURN = 120, NEAR = 3 };
+
+static uint8_t *film[FILM];
+static size_t arena_bytes = 64u << 20;
+
+static plt_camera camera_of(const plt_info *info, unsigned width, unsigned height) {
+    static const arg_flag flags[] = {VIEW_FLAGS, {NULL, NULL, NULL}};
+    static const arg_command command = {.flags = flags};
+    args none = {.command = &command};
+    plt_camera c;
+    view_camera(&none, info, width, height, &c);
+    return c;
+}
+
+static void render(plt_engine *engine, const plt_frame *frame, uint8_t *rgb) {
+    CHECK(plt_render_begin(engine, frame) == PLT_OK, "the camera");
+    for (int status = PLT_MORE; status > 0;) {
+        status = plt_render_step(engine, 100000);
+        if (status == PLT_TILE) {
+            plt_tile t;
+            plt_render_tile(engine, &t);
+            for (unsigned y = 0; y < t.height; y++) {
+                memcpy(rgb + 3 * ((size_t)(t.y + y) * frame->width + t.x),
+                       t.rgb + 3 * (size_t)y * t.width, 3 * (size_t)t.width);
+            }
+        }
+    }
+}
+
+static plt_engine *engine_of(const plt_source *source) {
+    static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0};
+    plt_engine *engine;
+    plt_fault fault;
+    const int status =
+        plt_open(&engine, host_arena(arena_bytes), arena_bytes, source, &options, &fault);
+    CHECK(status == PLT_OK, "%s", fault.message);
+    return status == PLT_OK ? engine : NULL;
+}
+
+/* Frame i of an orbit; every scene is 320 x 240. */
+static void render_orbit(plt_engine *engine, int frames) {
+    plt_frame frame = {.width = WIDTH, .height = HEIGHT};
+    const plt_camera start = camera_of(plt_engine_info(engine), WIDTH, HEIGHT);
+    for (int i = 0; i < frames; i++) {
+        frame.camera = start;
+        if (i > 0) {
+            view_orbit(&start, (double)i / TURN, &frame.camera);
+        }
+        render(engine, &frame, film[i]);
+    }
+}
+
+static plt_engine *engine_of_mesh(const mesh *m, packed *image) {
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 2, 32};
+    fail f = {""};
+    CHECK(pack_mesh(image, m, &options, "film", &f) == 0, "%s", f.text);
+    const plt_source source = {image->bytes, (uint32_t)image->size, NULL, NULL, NULL};
+    return engine_of(&source);
+}
+
+static void film_marbles(void) {
+    for (unsigned i = 0; i < FILM; i++) {
+        mesh m = {0};
+        packed image;
+        fail f = {""};
+        plt_frame frame = {.width = WIDTH, .height = HEIGHT};
+        CHECK(scene_marbles(&m, i, &f) == 0, "%s", f.text);
+        plt_engine *engine = engine_of_mesh(&m, &image);
+        static plt_camera still;
+        still = i == 0 ? camera_of(plt_engine_info(engine), WIDTH, HEIGHT) : still;
+        frame.camera = still;
+        render(engine, &frame, film[i]);
+        pack_free(&image);
+        mesh_free(&m);
+    }
+}
+
+static void film_mesh(int (*make)(mesh *, uint64_t, fail *), uint64_t triangles) {
+    mesh m = {0};
+    packed image;
+    fail f = {""};
+    CHECK(make(&m, triangles, &f) == 0, "%s", f.text);
+    render_orbit(engine_of_mesh(&m, &image), FILM);
+    pack_free(&image);
+    mesh_free(&m);
+}
+
+typedef struct figure {
+    double fps, bytes; /* frames a second; bytes of messages a frame */
+    uint32_t key;      /* of the first frame */
+} figure;
+
+/* Plays the film in a loop there and back, for `ms`. */
+static figure play(rig_shape shape, unsigned near, uint32_t ms) {
+    static wire_rig rig;
+    wire_rig_open(&rig, shape, 1);
+    rig.cable.paced = 1;
+    wire_frames_near(&rig.out, near);
+    figure result = {0, 0, 0};
+    uint32_t frames = 0, payload = 0, since = 0, last = UINT32_MAX;
+    for (uint32_t t = 0; t < ms + since; t++) {
+        fake_cable_step(&rig.cable);
+        const uint32_t now = t / FRAME_MS % (2 * FILM - 2),
+                       i = now < FILM ? now : 2 * FILM - 2 - now;
+        if (!wire_frames_out_idle(&rig.out) || t / FRAME_MS == last) {
+            continue;
+        }
+        if (last != UINT32_MAX && since == 0) { /* the key frame has gone */
+            since = t;
+            frames = rig.host.stats.frames_out;
+            result.key = payload = rig.host.stats.payload_out;
+        }
+        last = t / FRAME_MS;
+        wire_frames_show(&rig.out, film[i], 3 * WIDTH);
+    }
+    frames = rig.host.stats.frames_out - frames;
+    result.fps = 1000.0 * frames / ms;
+    result.bytes = (double)(rig.host.stats.payload_out - payload) / (frames ? frames : 1);
+    CHECK(rig.host.stats.frames_bad == 0 && rig.device.stats.reports_lost == 0,
+          "%u bad frames, %u reports lost", rig.host.stats.frames_bad,
+          rig.device.stats.reports_lost);
+    wire_rig_close(&rig);
+    return result;
+}
+
+static void report(const char *scene, figure fps[3]) {
+    rig_shape shape = {WIDTH, HEIGHT, WIRE_RGB565, 64, 64, 16, 0};
+    fps[0] = play(shape, 0, 2000);
+    shape.reads = 1;
+    fps[1] = play(shape, 0, 2000);
+    fps[2] = play(shape, NEAR, 2000);
+    printf(
+        "    %-28s first %6u bytes; exact %6.0f, %4.1f fps; delta %6.0f, %4.1f fps; near %6.0f, "
+        "%4.1f fps\n",
+        scene, fps[0].key, fps[0].bytes, fps[0].fps, fps[1].bytes, fps[1].fps, fps[2].bytes,
+        fps[2].fps);
+}
+
+static void figure_file(const char *path) {
+    host_scene file;
+    figure f[3];
+    if (host_scene_map(&file, path) == 0) {
+        arena_bytes = 1u << 28;
+        plt_engine *engine = engine_of(&file.source);
+        if (engine != NULL) {
+            render_orbit(engine, FILM);
+            report(path, f);
+        }
+    }
+    host_scene_close(&file);
+}
+
+static void figure_oled(void) {
+    const rig_shape shape = {128, 64, WIRE_MONO1, 64, 64, 16, 1};
+    for (int i = 0; i < FILM; i++) { /* the middle of the film, 1 to 1 */
+        for (unsigned y = 0; y < 64; y++) {
+            memmove(film[i] + 3 * WIDTH * y, film[i] + 3 * (WIDTH * (y + 90) + 100), 3 * 128);
+        }
+    }
+    static wire_rig rig;
+    wire_rig_open(&rig, shape, 1);
+    rig.cable.paced = 1;
+    for (uint32_t t = 0, i = 0; t < 2000; t++) {
+        fake_cable_step(&rig.cable);
+        if (wire_frames_out_idle(&rig.out)) {
+            wire_frames_show(&rig.out, film[i++ % FILM], 3 * WIDTH);
+        }
+    }
+    printf("    128x64 1 bit, marbles: %u bytes, %.1f fps\n",
+           rig.host.stats.payload_out / (rig.host.stats.frames_out + 1),
+           rig.host.stats.frames_out / 2.0);
+    test("128 x 64 at 1 bit, a new frame as soon as one has gone: at least 50 frames a second");
+    CHECK(rig.host.stats.frames_out >= 100, "%u in 2 s", rig.host.stats.frames_out);
+    wire_rig_close(&rig);
+}
+
+int main(int count, char **words) {
+    figure f[3];
+    for (int i = 0; i < FILM; i++) {
+        film[i] = malloc(3u * WIDTH * HEIGHT);
+    }
+    test("marbles rolling before a static camera: at least 12 frames a second, near");
+    film_marbles();
+    report("8,800 marbles, still camera", f);
+    CHECK(f[2].fps >= 12.0, "%.1f", f[2].fps);
+    figure_oled();
+    test("an orbit round a knot: at least 4 frames a second, exact, nothing asked of the panel");
+    film_mesh(scene_knot, 20000);
+    report("20,000 knot, orbit", f);
+    CHECK(f[0].fps >= 4.0, "%.1f", f[0].fps);
+    test("an orbit round a terrain: at least 4 frames a second, exact, nothing asked of the panel");
+    film_mesh(scene_terrain, 20000);
+    report("20,000 terrain, orbit", f);
+    CHECK(f[0].fps >= 4.0, "%.1f", f[0].fps);
+    for (int i = 1; i < count; i++) {
+        figure_file(words[i]);
+    }
+    for (int i = 0; i < FILM; i++) {
+        free(film[i]);
+    }
+    return test_done();
+}
