@@ -68,9 +68,11 @@ plt_info plt_budget_worst_tree(const plt_info *info) {
     worst.local_stack_entries = PLT_DEPTH_MAX;
     worst.global_stack_entries =
         info->triangles < PLT_GLOBAL_STACK_MAX ? info->triangles : PLT_GLOBAL_STACK_MAX;
-    if (info->nodes_format == PLT_NODES_COMPACT) { /* 8 of 7.1 a node, 9 corners of 21 bits */
-        worst.node_bytes = worst.nodes * 8 + 64;
-        worst.triangle_bytes = info->triangles * 26 + 64;
+    if (info->nodes_format == PLT_NODES_COMPACT) {
+        /* A node takes 7.1 bytes, a triangle at most three new vertices of 63
+         * bits and its strip bits; blocks of one node add 28 bytes of headers. */
+        worst.node_bytes = 8 * worst.nodes + 64;
+        worst.triangle_bytes = 40 * info->triangles + 64;
     }
     return worst;
 }

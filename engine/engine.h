@@ -1,8 +1,8 @@
 /* engine - what lies at the front of the arena
  *
  * Arena, in the order of the cuts (DESIGN.md, section 3):
- *   plt_engine | packet groups | film tile | scene, unless it is mapped |
- *   touched bits | stacks. Scratch of opening and building comes last and is given
+ *   plt_engine | scene, unless it is mapped | touched bits | packet groups |
+ *   film tile | stacks. Scratch of opening and building comes last and is given
  *   back.
  *
  * SPDX-License-Identifier: MIT */

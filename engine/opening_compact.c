@@ -31,6 +31,8 @@ static int same_counts(const plt_info *a, const plt_info *b) {
     return a->nodes == b->nodes && a->leaf_lists == b->leaf_lists &&
            a->intermediate_lists == b->intermediate_lists && a->treelets == b->treelets &&
            a->triangles == b->triangles && a->node_bytes == b->node_bytes &&
+           a->node_slots == b->node_slots && a->local_stack_entries == b->local_stack_entries &&
+           a->global_stack_entries == b->global_stack_entries &&
            a->depth_stack_entries == b->depth_stack_entries;
 }
 
@@ -41,7 +43,10 @@ static int check_numbers(const plt_opening *o) {
     for (uint32_t i = 0; i < info->triangles && n->bytes != NULL; i++) {
         const uint32_t word = plt_number_find(n, i);
         if (plt_number_triangle(word) >= info->source_triangles || plt_number_turn(word) > 2) {
-            return plt_broken(o->fault, 19, i, "a triangle's number is too large");
+            const uint32_t at = (uint32_t)((uint64_t)i * n->bits >> 3);
+            return plt_broken(o->fault, 19,
+                              plt_header_section(&o->e->header, PLT_SECTION_NUMBERS)->offset + at,
+                              "a triangle's number is too large");
         }
     }
     return PLT_OK;
@@ -95,7 +100,9 @@ static int check_corners(const plt_opening *o, const plt_lattice_triangles *t) {
         for (uint32_t k = 0; k < 9; k++) {
             const uint32_t q = plt_lattice_triangle_word(t, i, k);
             if (q < box->lo[k % 3] || q > box->hi[k % 3]) {
-                return plt_broken(o->fault, 20, (9 * i + k) * t->width,
+                return plt_broken(o->fault, 20,
+                                  plt_header_section(&o->e->header, PLT_SECTION_CORNERS)->offset +
+                                      (9 * i + k) * t->width,
                                   "a corner lies outside the scene's box");
             }
         }

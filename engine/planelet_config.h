@@ -20,7 +20,7 @@
 #endif
 
 /* Most inner nodes on a path from the root: 8 .. 512. The builder keeps to it,
- * opening refuses a deeper tree. Cost: 40 bytes of the depth-first stack
+ * opening refuses a deeper tree. Cost: 48 bytes of the depth-first stack
  * at most (a scene takes what it needs, not the maximum). */
 #ifndef PLT_DEPTH_MAX
 #define PLT_DEPTH_MAX 64

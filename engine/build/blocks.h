@@ -40,7 +40,7 @@ static inline uint32_t plt_lattice_triangle_word(const plt_lattice_triangles *t,
 }
 
 typedef struct plt_blocks_job {
-    plt_lattice_triangles triangles; /* two at least two; none without area */
+    plt_lattice_triangles triangles; /* a single one is written twice */
     uint32_t bits;                   /* of the lattice */
     uint32_t leaf_triangles;         /* K: 1, 2 or 4 */
     uint8_t splits;                  /* enum plt_splits */

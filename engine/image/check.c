@@ -23,8 +23,10 @@ int plt_check_records(const plt_header *header, const plt_record *records, plt_f
                                   "a corner lies outside the scene's box");
             }
         }
-        if (plt_record_source(&records[i]) >= header->info.triangles) {
-            return plt_broken(fault, 7, at + 36, "a triangle number is too large");
+        const uint32_t word = plt_get_u32(&records[i].word[9]);
+        if (plt_number_triangle(word) >= header->info.triangles || plt_number_turn(word) > 2 ||
+            (word & PLT_NUMBER_UNUSED) != 0) {
+            return plt_broken(fault, 7, at + 36, "a triangle's number word is out of range");
         }
     }
     return PLT_OK;

@@ -145,8 +145,9 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
                info->build != PLT_BUILD_NONE;
     for (int a = 0; a < 3; a++) {
         good &= is_number_between(l->origin[a], -PLT_COORD_MAX, PLT_COORD_MAX);
-        good &= info->triangles == 0 || (h->lattice_box.lo[a] <= h->lattice_box.hi[a] &&
-                                         h->lattice_box.hi[a] < 1u << l->bits);
+        good &= info->triangles == 0 ||
+                (h->lattice_box.lo[a] <= h->lattice_box.hi[a] && l->bits <= PLT_LATTICE_BITS_MOST &&
+                 h->lattice_box.hi[a] < 1u << l->bits);
     }
     /* An entry of the numbers holds any number and two bits more. */
     good &= info->number_bits == 0 ||

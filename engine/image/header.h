@@ -49,7 +49,7 @@ const plt_section *plt_header_section(const plt_header *header, uint32_t kind);
 /* Bytes a section of `count` items takes, padding included. */
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);
 
-/* Checks R1 .. R12 of SPEC.md and fills `header`; `image_bytes` is what the
+/* Checks R1 .. R12 and R14 of SPEC.md and fills `header`; `image_bytes` is what the
  * source says it has. Touches `bytes` only. */
 int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
                     uint32_t image_bytes, plt_fault *fault);

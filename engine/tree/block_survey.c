@@ -15,7 +15,8 @@ enum rule {
     RULE_UNITS = 15,      /* every unit begins a strip and has at most 2 K triangles */
     RULE_REFERENCES = 16, /* references name vertices already met */
     RULE_LINKS = 17,      /* links lead forward, to each block once */
-    RULE_COUNTS = 18      /* the header's counts are the blocks' */
+    RULE_COUNTS = 18,     /* the header's counts are the blocks' */
+    RULE_VERTICES = 21    /* vertices lie inside the frame */
 };
 
 /* Node i + 1 needs a parent among nodes 0 .. i. */
@@ -72,6 +73,18 @@ static int references_are_known(const plt_geometry *g) {
     return 1;
 }
 
+static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *frame) {
+    int inside = 1;
+    for (uint32_t v = 0; v < g->vertices; v++) {
+        uint32_t position[3];
+        plt_unit_vertex(g, v, position);
+        for (int a = 0; a < 3; a++) {
+            inside &= position[a] <= frame->hi[a]; /* never below: it is added to lo */
+        }
+    }
+    return inside;
+}
+
 /* Units follow each other without gaps and each begins a strip. */
 static int units_are_sound(const plt_geometry *g, const plt_block *b) {
     uint32_t unit = 0, pairs = 0, triangle = 0;
@@ -115,7 +128,10 @@ static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint3
     if (!units_are_sound(&g, b)) {
         return RULE_UNITS;
     }
-    return references_are_known(&g) ? SOUND : RULE_REFERENCES;
+    if (!references_are_known(&g)) {
+        return RULE_REFERENCES;
+    }
+    return vertices_are_inside(&g, frame) ? SOUND : RULE_VERTICES;
 }
 
 int plt_block_is_sound(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
@@ -159,6 +175,8 @@ static const char *what_is_wrong(int rule) {
         return "a unit of triangles does not begin a strip or is too long";
     case RULE_REFERENCES:
         return "a triangle names a vertex before it is there";
+    case RULE_VERTICES:
+        return "a vertex lies outside its block's frame";
     case RULE_LINKS:
         return "a link leads back, astray or twice to a block";
     default:
@@ -237,6 +255,7 @@ static int walk(const plt_block_tree *tree, plt_block_frame_of_survey *frames, p
                 plt_fault *fault) {
     uint32_t level = 0, expected = 0, edges = 0;
     frames[0].address = frames[0].depth = 0;
+    frames[0].node_bytes = plt_block_node_bytes(tree->root);
     for (int first = 1;;) {
         plt_block_frame_of_survey *f = &frames[level];
         if (first) {
@@ -247,6 +266,9 @@ static int walk(const plt_block_tree *tree, plt_block_frame_of_survey *frames, p
                 return status;
             }
             plt_block_open(&b, tree->bytes + f->address, tree->lattice.bits);
+            if (f->node_bytes != b.node_bytes) {
+                return broken(fault, RULE_LINKS, f->address);
+            }
             expected += (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
             edges += b.edges;
             f->last = f->address;
@@ -269,6 +291,7 @@ static int walk(const plt_block_tree *tree, plt_block_frame_of_survey *frames, p
         }
         frames[++level].address = f->last;
         frames[level].depth = depth;
+        frames[level].node_bytes = plt_block_node_bytes(link);
     }
     return expected == tree->used && edges + 1 == info->treelets
                ? PLT_OK

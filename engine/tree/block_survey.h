@@ -28,6 +28,7 @@ typedef struct plt_block_tree {
 
 typedef struct plt_block_frame_of_survey {
     uint32_t address, depth; /* depth: nodes above its root */
+    uint32_t node_bytes;     /* as the link to it says */
     uint32_t last;           /* address of the block behind the last edge taken */
 } plt_block_frame_of_survey;
 

@@ -18,6 +18,7 @@
 
 #define PLT_NUMBER_TURN_SHIFT 29
 #define PLT_NUMBER_TRIANGLE 0x07FFFFFFu
+#define PLT_NUMBER_UNUSED 0x18000000u /* bits 27 and 28: 0 */
 
 /* A section of the image: entry i is `bits` bits at bit i * bits, the turn in
  * the lowest two, then the number; least significant bit first. Eight bytes

@@ -73,7 +73,7 @@ uint32_t plt_unit_count(const plt_geometry *g, uint32_t unit, int pair) {
     return count;
 }
 
-static void position_of(const plt_geometry *g, uint32_t vertex, uint32_t position[3]) {
+void plt_unit_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]) {
     uint32_t at = g->positions + vertex * g->vertex_bits;
     if (g->vertex_bits <= 57) { /* one load for all three axes */
         uint64_t word = plt_bits_long(g->bytes, at);
@@ -109,7 +109,7 @@ void plt_unit_corners(const plt_geometry *g, uint32_t first, uint32_t count,
         uint32_t(*now)[3] = corner[i];
         if (i == 0 || plt_bits_get(g->bytes, g->starts + first + i, 1)) {
             for (int c = 0; c < 3; c++) {
-                position_of(g, reference(g, slot++, &rank), now[c]);
+                plt_unit_vertex(g, reference(g, slot++, &rank), now[c]);
             }
             continue;
         }
@@ -121,6 +121,6 @@ void plt_unit_corners(const plt_geometry *g, uint32_t first, uint32_t count,
             now[0][a] = first_of[a];
             now[1][a] = second_of[a];
         }
-        position_of(g, reference(g, slot++, &rank), now[2]);
+        plt_unit_vertex(g, reference(g, slot++, &rank), now[2]);
     }
 }

@@ -2,7 +2,7 @@
  *
  * The geometry part of a block numbers its vertices by first use; triangles are
  * strips with a bit for "a new strip" and one for "which edge goes on". Any
- * unit is reached by counting ones. SPEC.md, section 4.4, has every bit.
+ * unit is reached by counting ones. SPEC.md, section 4.10, has every bit.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_UNIT_H
@@ -36,6 +36,9 @@ void plt_geometry_open_counts(plt_geometry *g, const plt_block *block, uint32_t 
  * many triangles it has. */
 uint32_t plt_unit_first(const plt_geometry *g, uint32_t unit, uint32_t pairs);
 uint32_t plt_unit_count(const plt_geometry *g, uint32_t unit, int pair);
+
+/* Lattice position of a vertex of the part. */
+void plt_unit_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]);
 
 /* Lattice corners of triangles first .. first + count - 1 (count <= 8), as
  * strips give them. */
