@@ -15,10 +15,12 @@ typedef struct cli_command {
 } cli_command;
 
 extern const arg_command command_pack, command_info, command_render, command_trace, command_make;
+extern const arg_command command_serve;
 int run_pack(args *a);
 int run_info(args *a);
 int run_render(args *a);
 int run_trace(args *a);
 int run_make(args *a);
+int run_serve(args *a);
 
 #endif

@@ -12,7 +12,8 @@ static const cli_command commands[] = {{&command_make, run_make},
                                        {&command_pack, run_pack},
                                        {&command_info, run_info},
                                        {&command_render, run_render},
-                                       {&command_trace, run_trace}};
+                                       {&command_trace, run_trace},
+                                       {&command_serve, run_serve}};
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

@@ -83,7 +83,7 @@ static int begin(wire_device *d) {
     memcpy(frame.camera.up, v->up, sizeof v->up);
     frame.camera.tan_half_fov = v->tan_half_fov;
     d->is_viewed = 0;
-    const int sent = wire_frame_begin(&d->out);
+    const int sent = wire_frame_begin(&d->out, v->number);
     if (sent != WIRE_OK) {
         d->is_viewed = 1;
         return 0;

@@ -34,6 +34,10 @@ uint32_t wire_frames_shown(const wire_frames_in *in) {
     return in->shown;
 }
 
+unsigned wire_frames_mark(const wire_frames_in *in) {
+    return in->mark;
+}
+
 /* ---- frames ------------------------------------------------------------------------------ */
 
 enum { ANSWER_NONE, ANSWER_GOOD, ANSWER_BAD };
@@ -100,6 +104,7 @@ void wire_frames_in_end(wire_frames_in *in, const uint8_t *body) {
         in->is_good =
             !in->is_torn && in->came == wire_get16(body + 2) && in->crc == wire_get32(body + 4);
         in->shown += in->is_good;
+        in->mark = in->is_good ? body[8] : in->mark;
         in->end->stats.frames_in += in->is_good;
         in->end->stats.frames_bad += !in->is_good;
     }

@@ -174,16 +174,17 @@ void wire_frames_out_left(wire_frames_out *out, uint32_t number) {
 
 /* 0: no room for the message. */
 static int put_end(wire_frames_out *out, unsigned number) {
-    if (wire_queue_room(&out->queue) < 10) {
+    if (wire_queue_room(&out->queue) < WIRE_END_BYTES) {
         return 0;
     }
     uint8_t *to = out->queue.bytes + out->queue.used;
-    to += wire_head_put(to, WIRE_FRAME_END, 8);
+    to += wire_head_put(to, WIRE_FRAME_END, WIRE_END_BODY);
     to[0] = (uint8_t)number;
     to[1] = out->is_whole;
     wire_put16(to + 2, out->sent);
     wire_put32(to + 4, out->crc);
-    out->queue.used = (uint16_t)(out->queue.used + 10);
+    to[8] = out->mark;
+    out->queue.used = (uint16_t)(out->queue.used + WIRE_END_BYTES);
     return 1;
 }
 
@@ -265,7 +266,7 @@ static int append(wire_frames_out *out, const piece *p, const uint8_t *old, unsi
     uint8_t *to = out->queue.bytes + out->queue.used;
     const uint32_t raw = p->row_bytes * p->shape.height;
     unsigned coder;
-    if (room < raw + 4 + 10) { /* and a frame end */
+    if (room < raw + 4 + WIRE_END_BYTES) {
         return 0;
     }
     const uint32_t bytes = wire_tile_encode(p->shape, out->pixels, old, near, to + 4, raw, &coder);
@@ -436,15 +437,16 @@ int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride) 
     return WIRE_OK;
 }
 
-int wire_frame_begin(wire_frames_out *out) {
+int wire_frame_begin(wire_frames_out *out, unsigned mark) {
     if (!is_ready(out)) {
         return WIRE_ERR_DOWN;
     }
-    if (out->in_frame || out->unanswered >= SLOTS) {
+    if (out->in_frame || out->unanswered > 0) {
         return WIRE_BUSY;
     }
     out->rgb = NULL;
     out->is_exact_pass = 1;
+    out->mark = (uint8_t)mark;
     start_frame(out);
     return WIRE_OK;
 }

@@ -48,6 +48,9 @@ static inline void wire_owe(wire_end *end, unsigned type) {
     end->pending |= wire_bit(type);
 }
 
+/* Of the message that ends a frame: body and all. */
+enum { WIRE_END_BODY = 9, WIRE_END_BYTES = 11 };
+
 enum wire_state { WIRE_IS_DOWN, WIRE_IS_ASKING, WIRE_IS_UP };
 
 /* ---- little-endian numbers -------------------------------------------------------- */

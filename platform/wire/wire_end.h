@@ -151,7 +151,7 @@ typedef struct wire_end {
     uint8_t control_used, control_gone; /* of a control message being sent */
     wire_stream control, data;
     uint8_t control_out[WIRE_CONTROL_BYTES], control_in[WIRE_CONTROL_BYTES];
-    uint8_t data_head[8];
+    uint8_t data_head[12];
 } wire_end;
 
 /* Opens an end without parts; a host begins to say hello. Errors:

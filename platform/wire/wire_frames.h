@@ -19,7 +19,7 @@
 
 /* ---- frames out -------------------------------------------------------------- */
 
-enum { WIRE_QUEUE_BYTES = 786 }; /* the longest tile with its head, and a frame end */
+enum { WIRE_QUEUE_BYTES = 788 }; /* the longest tile with its head, and a frame end */
 
 /* Messages on their way into reports. */
 typedef struct wire_queue {
@@ -38,7 +38,7 @@ typedef struct wire_frames_out {
     uint32_t waiting_ms; /* since that report was acknowledged */
     uint16_t width, height, columns, tiles;
     uint16_t next, scanned, sent, refresh;
-    uint8_t format, near;
+    uint8_t format, near, mark;
     uint8_t number;     /* of the frame that goes out or comes next: 0 .. 5 */
     uint8_t unanswered; /* frames before it without an answer: 0 .. 3 */
     uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting, is_whole;
@@ -76,8 +76,10 @@ int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride);
  * subset; a tile of the 16 x 16 raster, `rgb` 3 bytes a pixel, only read
  * during the call; unchanged ones cost a hash), end. Each returns WIRE_OK,
  * WIRE_BUSY (let wire_next_report run, then call again), WIRE_ERR_DOWN, or
- * WIRE_ERR_SETUP for a tile that is not in the raster. */
-int wire_frame_begin(wire_frames_out *out);
+ * WIRE_ERR_SETUP for a tile that is not in the raster. A frame begins when the
+ * one before was answered, so that one which comes whole makes the picture
+ * whole. `mark`: a byte for the other end, wire_frames_mark. */
+int wire_frame_begin(wire_frames_out *out, unsigned mark);
 int wire_frame_tile(wire_frames_out *out, unsigned x, unsigned y, const uint8_t *rgb,
                     uint32_t stride);
 int wire_frame_end(wire_frames_out *out);
@@ -112,7 +114,7 @@ typedef struct wire_frames_in {
     uint16_t tile, columns, tiles, came;
     uint8_t number, is_any, in_frame, in_tile, is_torn, is_good;
     uint8_t answer; /* to send: 0 none, 1 good, 2 bad */
-    uint8_t answer_number, answer_part, answer_more;
+    uint8_t answer_number, answer_part, answer_more, mark;
     uint8_t got[WIRE_TILES_MAX / 8]; /* tiles of the frame that came whole */
     wire_tile_reader reader;
 } wire_frames_in;
@@ -124,5 +126,8 @@ int wire_frames_in_open(wire_frames_in *in, wire_end *end, const wire_panel *pan
 
 /* Frames that came whole since open, each with the right checksum. */
 uint32_t wire_frames_shown(const wire_frames_in *in);
+
+/* The mark of the last of them. */
+unsigned wire_frames_mark(const wire_frames_in *in);
 
 #endif

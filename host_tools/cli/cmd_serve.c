@@ -1,0 +1,194 @@
+/* cmd_serve - planelet serve: a scene to a device that renders it, and the
+ * frames that come back
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdio.h>
+#include <string.h>
+
+#include "host_tools/base/input.h"
+#include "host_tools/base/output.h"
+#include "host_tools/cli/commands.h"
+#include "host_tools/cli/view.h"
+#include "host_tools/link/emulated.h"
+#include "host_tools/link/serve.h"
+
+static const arg_flag flags[] = {
+    {"--pty", NULL, "the device opens a pseudo terminal, whose name is printed"},
+    {"--socket", "PATH", "the device connects to a socket of this name"},
+    {"--listen", "PORT", "the device connects to this port of 127.0.0.1"},
+    {"--emulate", "BYTES", "the device is a process of this computer with so much memory"},
+    {"-o", "OUT", "a picture (.png .ppm) or a film (.y4m) of the frames that come"},
+    {"--show", NULL, "draw them in the terminal"},
+    {"--size", "WxH", "pixels (default 320x240)"},
+    {"--format", "NAME", "how pixels travel: rgb565, rgb888, grey8, grey4, mono1 (default rgb888)"},
+    {"--report", "BYTES", "size of a report, 8 to 1024 (default 64)"},
+    {"--orbit", "N", "N frames once around the scene (default 1)"},
+    {"--timeout", "SECONDS", "give up after so long without a frame; 0: never (default 60)"},
+    VIEW_FLAGS,
+    {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
+    {"--verbose", NULL, "say what the link does, and statistics at the end"},
+    {NULL, NULL, NULL}};
+
+const arg_command command_serve = {
+    .name = "serve",
+    .synopsis = "SCENE.plt --pty|--socket PATH|--listen PORT|--emulate BYTES [-o OUT] [--show]",
+    .about =
+        "Gives a scene to a device over a link and takes the frames it renders; the protocol\n"
+        "is platform/WIRE.md, reports are parted by COBS.",
+    .flags = flags,
+    .files_least = 1,
+    .files_most = 1};
+
+enum { FRAMES_A_SECOND = 25 };
+
+typedef struct serving {
+    input scene;
+    stream_link link;
+    plt_camera first;
+    unsigned frames;
+    uint8_t shader;
+    picture_format format;
+    output *out;
+    int show;
+} serving;
+
+static void view_of(void *context, unsigned number, wire_view *v) {
+    const serving *s = context;
+    plt_camera c = s->first;
+    if (number > 0) {
+        view_orbit(&s->first, (double)number / s->frames, &c);
+    }
+    memcpy(v->eye, c.eye, sizeof c.eye);
+    memcpy(v->look, c.look, sizeof c.look);
+    memcpy(v->up, c.up, sizeof c.up);
+    v->tan_half_fov = c.tan_half_fov;
+    v->shader = s->shader;
+}
+
+static int take_frame(void *context, unsigned number, const picture *p, fail *f) {
+    serving *s = context;
+    (void)number;
+    if (s->show) {
+        unsigned columns, rows;
+        picture_terminal_size(stdout, &columns, &rows);
+        picture_show(stdout, p, PICTURE_AUTO, columns, rows > 1 ? rows - 1 : 1);
+    }
+    return s->out == NULL ? 0 : picture_frame(s->out, s->format, p, f);
+}
+
+static int open_link(serving *s, args *a, unsigned report_bytes, uint64_t memory, fail *f) {
+    if (args_has(a, "--emulate")) {
+        return emulated_start(&s->link, report_bytes, (size_t)memory, f);
+    }
+    const unsigned port = (unsigned)args_number(a, "--listen", 0, 1, 65535);
+    const int status = args_has(a, "--pty") ? link_open_pty(&s->link, f)
+                       : args_has(a, "--socket")
+                           ? link_open_socket(&s->link, args_text(a, "--socket", ""), f)
+                           : link_open_port(&s->link, port, f);
+    if (status == 0) {
+        fprintf(stderr, "serve: waiting for a device at %s\n", s->link.name);
+    }
+    return status;
+}
+
+static int read_scene(serving *s, args *a, serve_job *job, fail *f) {
+    plt_info info;
+    plt_fault fault;
+    if (input_read(&s->scene, a->file[0], f) != 0) {
+        return -1;
+    }
+    const plt_source source = {.mapped = s->scene.bytes, .bytes = (uint32_t)s->scene.size};
+    if (plt_image_info(&source, &info, &fault) != PLT_OK) {
+        return fail_set(f, a->file[0], "%s; pack the mesh again", fault.message);
+    }
+    job->image = s->scene.bytes;
+    job->image_bytes = (uint32_t)s->scene.size;
+    view_camera(a, &info, job->width, job->height, &s->first);
+    return 0;
+}
+
+static int open_output(serving *s, args *a, const serve_job *job, fail *f) {
+    const char *path = args_text(a, "-o", NULL);
+    s->format = s->frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
+    if (path == NULL) {
+        return 0;
+    }
+    if (strcmp(path, "-") != 0 && picture_format_of(path, &s->format, f) != 0) {
+        return -1;
+    }
+    s->out = output_open(path, f);
+    return s->out == NULL
+               ? -1
+               : picture_begin(s->out, s->format, job->width, job->height, FRAMES_A_SECOND, f);
+}
+
+static void print_stats(const serve_result *r, uint32_t image_bytes) {
+    const wire_stats *h = &r->host;
+    const double seconds = r->ms > 0 ? r->ms / 1000.0 : 0.001;
+    fprintf(
+        stderr,
+        "serve: %u frames in %.2f s, image of %u bytes; reports %u out, %u in, %u lost, %u late, "
+        "%u bad; %u bytes of tiles, %u tiles, %u sessions\n",
+        r->frames, seconds, image_bytes, h->reports_out, h->reports_in, h->reports_lost,
+        h->reports_late, h->reports_bad, h->payload_in, h->tiles_in, h->sessions);
+}
+
+static void read_flags(serving *s, args *a, serve_job *job) {
+    static const char *const shaders[] = {"eyelight", "normal", "triangle", NULL};
+    static const char *const formats[] = {"rgb565", "rgb888", "grey8", "grey4", "mono1", NULL};
+    job->width = 320, job->height = 240;
+    args_size(a, "--size", &job->width, &job->height);
+    job->format = args_choice(a, "--format", formats, WIRE_RGB888);
+    job->report_bytes = (unsigned)args_number(a, "--report", 64, 8, 1024);
+    job->frames = s->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
+    job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
+    job->verbose = args_has(a, "--verbose");
+    s->shader = (uint8_t)args_choice(a, "--shader", shaders, PLT_SHADE_EYELIGHT);
+    s->show = args_has(a, "--show");
+    const int ways = args_has(a, "--pty") + args_has(a, "--socket") + args_has(a, "--listen") +
+                     args_has(a, "--emulate");
+    if (ways != 1) {
+        args_complain(a, "one of --pty, --socket, --listen and --emulate says where the device is");
+    } else if (!args_has(a, "-o") && !s->show && !job->verbose) {
+        args_complain(a, "-o OUT says where the frames go, --show draws them here");
+    }
+}
+
+static int serve(serving *s, args *a, serve_job *job, uint64_t memory, fail *f) {
+    serve_result result = {.frames = 0};
+    if (read_scene(s, a, job, f) != 0 || a->wrong ||
+        open_link(s, a, job->report_bytes, memory, f) != 0) {
+        return -1;
+    }
+    const transport t = link_transport(&s->link);
+    int status = open_output(s, a, job, f);
+    if (status == 0) {
+        status = serve_run(job, &t, &result, f);
+    }
+    if (job->verbose) {
+        print_stats(&result, job->image_bytes);
+    }
+    if (s->out != NULL && status == 0) {
+        return output_commit(s->out, f);
+    }
+    output_abandon(s->out);
+    return status;
+}
+
+int run_serve(args *a) {
+    serving s = {.link = {.listener = -1, .peer = -1}};
+    serve_job job = {.view = view_of, .frame = take_frame, .context = &s};
+    fail f = {""};
+    read_flags(&s, a, &job);
+    const uint64_t memory = args_number(a, "--emulate", 0, 1024, (uint64_t)1 << 30);
+    const int status = a->wrong ? -1 : serve(&s, a, &job, memory, &f);
+    link_close(&s.link);
+    input_free(&s.scene);
+    if (a->wrong) {
+        return 2;
+    }
+    if (status != 0) {
+        fprintf(stderr, "%s\n", f.text);
+    }
+    return status == 0 ? 0 : 1;
+}

@@ -1,0 +1,93 @@
+/* emulated - see emulated.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/link/emulated.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/types.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "platform/wire/wire_device.h"
+
+enum { VISITS = 20000, STEPS = 8 };
+
+static uint32_t now_ms(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint32_t)((uint64_t)t.tv_sec * 1000u + (uint64_t)t.tv_nsec / 1000000u);
+}
+
+/* Sends what there is; -1: the link is down. A busy link keeps the report. */
+static int send_reports(wire_device *d, const transport *t, uint8_t *report, size_t *held) {
+    for (;;) {
+        if (*held == 0) {
+            *held = wire_next_report(&d->end, report, now_ms());
+        }
+        const int taken = *held > 0 ? t->send(t->context, report, *held) : 0;
+        if (taken <= 0) {
+            return taken;
+        }
+        *held = 0;
+    }
+}
+
+int emulated_device(const transport *t, unsigned report_bytes, size_t memory_bytes) {
+    static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0};
+    const wire_setup setup = {.role = WIRE_DEVICE,
+                              .caps = {.session = now_ms(),
+                                       .in_bytes = (uint16_t)report_bytes,
+                                       .out_bytes = (uint16_t)report_bytes,
+                                       .window = 16}};
+    uint8_t in[WIRE_REPORT_BYTES_MAX], out[WIRE_REPORT_BYTES_MAX];
+    size_t held = 0;
+    wire_device *d = malloc(sizeof *d);
+    void *memory = aligned_alloc(PLT_ALIGN, (memory_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
+    int n = d == NULL || memory == NULL ||
+                    wire_device_open(d, &setup, &options, memory, memory_bytes, now_ms()) != WIRE_OK
+                ? -1
+                : 0;
+    const int status = n;
+    while (n >= 0) {
+        int works = 0;
+        for (int i = 0; i < STEPS; i++) {
+            works |= wire_device_run(d, VISITS);
+        }
+        while ((n = t->receive(t->context, in, works ? 0 : 2)) > 0) {
+            wire_on_report(&d->end, in, (size_t)n, now_ms());
+        }
+        wire_poll(&d->end, now_ms());
+        if (n == 0) {
+            n = send_reports(d, t, out, &held);
+        }
+    }
+    free(d);
+    free(memory);
+    return status;
+}
+
+int emulated_start(stream_link *l, unsigned report_bytes, size_t memory_bytes, fail *f) {
+    int pair[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0) {
+        return fail_set(f, "device", "%s", strerror(errno));
+    }
+    const pid_t child = fork();
+    if (child < 0) {
+        close(pair[0]);
+        close(pair[1]);
+        return fail_set(f, "device", "%s; no process for it", strerror(errno));
+    }
+    if (child == 0) {
+        stream_link own;
+        close(pair[0]);
+        link_of_file(&own, pair[1]);
+        const transport t = link_transport(&own);
+        _exit(emulated_device(&t, report_bytes, memory_bytes) == 0 ? 0 : 1);
+    }
+    close(pair[1]);
+    link_of_file(l, pair[0]);
+    return 0;
+}

@@ -1,0 +1,188 @@
+/* serve - see serve.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/link/serve.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+typedef struct serving {
+    const serve_job *job;
+    const transport *t;
+    wire_end end;
+    wire_frames_in in;
+    wire_scene_out scene;
+    wire_view_out view;
+    wire_blocks_out blocks;
+    uint8_t *panel;
+    picture shown;
+    unsigned number; /* frames taken */
+    uint32_t seen;   /* frames that had come whole when the view was sent */
+    uint32_t began_ms, frame_ms;
+    int is_up;
+} serving;
+
+static uint32_t now_ms(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint32_t)((uint64_t)t.tv_sec * 1000u + (uint64_t)t.tv_nsec / 1000000u);
+}
+
+static int open_end(serving *s, fail *f) {
+    const serve_job *job = s->job;
+    const wire_setup setup = {.role = WIRE_HOST,
+                              .caps = {.session = now_ms() ^ (uint32_t)time(NULL) << 8,
+                                       .width = (uint16_t)job->width,
+                                       .height = (uint16_t)job->height,
+                                       .format = (uint8_t)job->format,
+                                       .formats = 1u << job->format,
+                                       .in_bytes = (uint16_t)job->report_bytes,
+                                       .out_bytes = (uint16_t)job->report_bytes,
+                                       .window = 16,
+                                       .features = WIRE_SHOWS | WIRE_READS | WIRE_SCENES}};
+    const uint32_t stride = wire_row_bytes(job->format, job->width);
+    s->panel = calloc(stride, job->height);
+    const wire_panel panel = {s->panel, stride, NULL, NULL};
+    if (s->panel == NULL || picture_make(&s->shown, job->width, job->height, f) != 0) {
+        return fail_set(f, "frame", "out of memory; choose a smaller --size");
+    }
+    if (wire_end_open(&s->end, &setup, now_ms()) != WIRE_OK ||
+        wire_frames_in_open(&s->in, &s->end, &panel) != WIRE_OK) {
+        return fail_set(f, "--size", "%ux%u has more than %d tiles of 16x16; choose a smaller one",
+                        job->width, job->height, WIRE_TILES_MAX);
+    }
+    wire_scene_out_open(&s->scene, &s->end, job->image, job->image_bytes);
+    wire_blocks_out_open(&s->blocks, &s->end, job->image, job->image_bytes);
+    wire_view_out_open(&s->view, &s->end);
+    wire_on_link(&s->end, 0, now_ms());
+    return 0;
+}
+
+/* Reports both ways; whether the link is there. */
+static int move(serving *s) {
+    uint8_t report[WIRE_REPORT_BYTES_MAX];
+    int n = s->t->receive(s->t->context, report, 2);
+    for (; n > 0; n = s->t->receive(s->t->context, report, 0)) {
+        wire_on_report(&s->end, report, (size_t)n, now_ms());
+    }
+    if (n < 0) {
+        return 0;
+    }
+    wire_poll(&s->end, now_ms());
+    for (size_t bytes; (bytes = wire_next_report(&s->end, report, now_ms())) > 0;) {
+        int taken;
+        while ((taken = s->t->send(s->t->context, report, bytes)) == 0) {
+            const struct timespec pause = {0, 500000};
+            nanosleep(&pause, NULL);
+        }
+        if (taken < 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void say(const serving *s, const char *what) {
+    if (s->job->verbose) {
+        fprintf(stderr, "serve: %s\n", what);
+    }
+}
+
+static void watch_link(serving *s, int is_there) {
+    if (is_there != s->is_up) {
+        s->is_up = is_there;
+        wire_on_link(&s->end, is_there, now_ms());
+        say(s, is_there ? "the link is there" : "the link is down, waiting");
+    }
+}
+
+/* The sentence for what the device said, or what the scene's fate was. */
+static int refusal(serving *s, fail *f) {
+    uint32_t detail, has;
+    const unsigned state = wire_scene_out_state(&s->scene, &has);
+    const unsigned code = wire_told(&s->end, &detail);
+    if (code == WIRE_E_ARENA) {
+        return fail_set(f, "device", "the scene needs %u bytes there, it has %u; pack it smaller",
+                        detail, wire_peer(&s->end)->arena_bytes);
+    }
+    if (code == WIRE_E_SCENE) {
+        return fail_set(f, "device", "the scene was refused: rule R%u at byte %u; pack it again",
+                        detail >> 24, detail & 0xFFFFFFu);
+    }
+    if (code == WIRE_E_VERSION) {
+        return fail_set(f, "device", "speaks version %u of the protocol, this program %d", detail,
+                        WIRE_VERSION);
+    }
+    if (state == WIRE_SCENE_LARGE) {
+        return fail_set(f, "device", "the image of %u bytes does not fit in its %u",
+                        s->job->image_bytes, wire_peer(&s->end)->arena_bytes);
+    }
+    if (code == WIRE_E_VIEW) {
+        return fail_set(f, "device", "the camera has no direction; change --eye, --look or --up");
+    }
+    return 0;
+}
+
+static void send_view(serving *s) {
+    wire_view v = {.number = 0};
+    s->job->view(s->job->context, s->number, &v);
+    wire_view_send(&s->view, &v);
+    s->seen = wire_frames_shown(&s->in);
+}
+
+static int take_frame(serving *s, fail *f) {
+    const serve_job *job = s->job;
+    const uint32_t stride = wire_row_bytes(job->format, job->width);
+    for (unsigned y = 0; y < job->height; y++) {
+        wire_row_to_rgb(s->shown.rgb + 3 * (size_t)y * job->width, job->format,
+                        s->panel + (size_t)y * stride, job->width);
+    }
+    s->frame_ms = now_ms();
+    const int status = job->frame(job->context, s->number, &s->shown, f);
+    s->number++;
+    if (status == 0 && s->number != job->frames) {
+        send_view(s);
+    }
+    return status;
+}
+
+/* A whole frame of the view that was sent: the device marks it with the
+ * view's number. */
+static int has_frame(const serving *s) {
+    return wire_frames_shown(&s->in) != s->seen && wire_frames_mark(&s->in) == s->view.view.number;
+}
+
+int serve_run(const serve_job *job, const transport *t, serve_result *result, fail *f) {
+    serving *s = calloc(1, sizeof *s);
+    int status = s == NULL ? fail_set(f, "serve", "out of memory") : 0;
+    if (status == 0) {
+        s->job = job;
+        s->t = t;
+        s->began_ms = s->frame_ms = now_ms();
+        status = open_end(s, f);
+    }
+    if (status == 0) {
+        send_view(s);
+    }
+    while (status == 0 && (job->frames == 0 || s->number < job->frames)) {
+        watch_link(s, move(s));
+        status = refusal(s, f);
+        if (status == 0 && has_frame(s)) {
+            status = take_frame(s, f);
+        }
+        if (status == 0 && job->patience_ms > 0 && now_ms() - s->frame_ms > job->patience_ms) {
+            status =
+                fail_set(f, "device", "%s; is it connected, and does it render?",
+                         wire_is_up(&s->end) ? "sent no frame in time" : "did not answer in time");
+        }
+    }
+    if (s != NULL) {
+        *result =
+            (serve_result){.host = s->end.stats, .frames = s->number, .ms = now_ms() - s->began_ms};
+        free(s->panel);
+        picture_free(&s->shown);
+    }
+    free(s);
+    return status;
+}

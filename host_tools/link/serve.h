@@ -1,0 +1,36 @@
+/* serve - the host of a device that renders: scene and views out, frames in
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef SERVE_H
+#define SERVE_H
+#include <stdint.h>
+
+#include "host_tools/base/fail.h"
+#include "host_tools/link/link.h"
+#include "host_tools/picture/picture.h"
+#include "platform/wire/wire.h"
+
+typedef struct serve_job {
+    const void *image; /* of the scene */
+    uint32_t image_bytes;
+    unsigned width, height, format; /* enum wire_format */
+    unsigned report_bytes;          /* both ways */
+    unsigned frames;                /* to take before the end; 0: no end */
+    uint32_t patience_ms;           /* without a frame; 0: no end */
+    /* The view of frame `number`; and what to do with it: nonzero ends. */
+    void (*view)(void *context, unsigned number, wire_view *view);
+    int (*frame)(void *context, unsigned number, const picture *p, fail *f);
+    void *context;
+    int verbose; /* says on standard error what goes on */
+} serve_job;
+
+typedef struct serve_result {
+    wire_stats host, device;
+    unsigned frames;
+    uint32_t ms;
+} serve_result;
+
+/* Runs until `frames` came, 0; -1 with a reason. */
+int serve_run(const serve_job *job, const transport *t, serve_result *result, fail *f);
+
+#endif
