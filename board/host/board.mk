@@ -34,10 +34,12 @@ all: $(OUT)/planelet $(OUT)/libplanelet.a
 
 $(OUT)/libplanelet.a: $(ENGINE_OBJECTS)
 	@rm -f $@
-	$(AR) rcs $@ $^
+	@echo "$(AR) $@"
+	@$(AR) rcs $@ $^
 
 $(OUT)/planelet: $(OUT)/host_tools/cli/main.o $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm
+	@echo "$(CC) $@"
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm
 
 $(OUT)/engine/%.o: engine/%.c $(OUT)/flags
 	$(call compile,$(ENGINE_COMMAND))

@@ -27,20 +27,35 @@ static void load_group(plt_engine *e, unsigned index, const plt_ray *rays, uint3
     plt_group_set(&e->walker.packet, index, &e->walker.tree.box, o, d, o[3], d[3], count);
 }
 
-static void store_hit(const plt_group *g, unsigned lane, int any, plt_hit *hit) {
-    const plt_hit miss = {0.0f, 0.0f, 0.0f, any ? 0 : PLT_MISS};
-    *hit = miss;
-    if (!(g->valid >> lane & 1u) || g->source[lane] == PLT_MISS) {
-        return;
+/* Four hits: rows of t, u, v and number, as they lie in a hit file. Lanes that
+ * hold no ray hold anything, and nothing of that is kept. */
+static void store_group(const plt_group *g, int any, plt_hit hits[4]) {
+    const u4 miss = u4_all(PLT_MISS), number = u4_load(g->source);
+    const m4 found = m4_andnot(m4_bits(g->valid), u4_eq(number, miss));
+    const m4 wanted = any ? m4_bits(0) : found;
+    const u4 name = any ? u4_select(found, u4_all(1), u4_all(0)) : u4_select(found, number, miss);
+    f4 row[4] = {f4_select(wanted, f4_load(g->tmax), f4_zero()),
+                 f4_select(wanted, f4_load(g->u), f4_zero()),
+                 f4_select(wanted, f4_load(g->v), f4_zero())};
+    uint32_t bits[4];
+    u4_store(bits, name);
+    row[3] = f4_load((const float *)(const void *)bits); /* bits are moved, not reckoned with */
+    f4_transpose(&row[0], &row[1], &row[2], &row[3]);
+    for (int i = 0; i < 4; i++) {
+        f4_store((float *)(void *)&hits[i], row[i]);
     }
-    if (any) {
-        hit->triangle = 1;
-        return;
+}
+
+static void store_hits(const plt_packet *p, plt_hit *hits, uint32_t count) {
+    plt_hit last[4];
+    uint32_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        store_group(&p->group[i / 4], p->any, hits + i);
     }
-    hit->t = g->tmax[lane];
-    hit->u = g->u[lane];
-    hit->v = g->v[lane];
-    hit->triangle = g->source[lane];
+    if (i < count) {
+        store_group(&p->group[i / 4], p->any, last);
+        memcpy(hits + i, last, (count - i) * sizeof *hits);
+    }
 }
 
 static void trace_packet(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count,
@@ -55,9 +70,7 @@ static void trace_packet(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint
     while (e->walker.waiting > 0) {
         plt_engine_walk(e, 0xFFFFFFFFu);
     }
-    for (uint32_t i = 0; i < count; i++) {
-        store_hit(&p->group[i / 4], i % 4, any, &hits[i]);
-    }
+    store_hits(p, hits, count);
     e->walker.stats.rays += count;
 }
 
