@@ -55,7 +55,7 @@ static void open_bench(bench *b, const model_kind *kind) {
     memset(b, 0, sizeof *b);
     memset(&record, 0, sizeof record);
     fake_bus_reset();
-    b->model = model_make(kind, 0, 0, 0, 0);
+    b->model = model_make(kind, (model_shape){0});
     b->device = (fake_device){.path = "1-1:1.0",
                               .vendor = kind->vendor,
                               .product = kind->id,

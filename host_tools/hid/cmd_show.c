@@ -13,15 +13,17 @@
 #include "host_tools/hid/commands.h"
 #include "host_tools/hid/frames.h"
 #include "host_tools/hid/session.h"
+#include "platform/wire/wire_tile.h"
 
 static const arg_flag flags[] = {
     {"--device", "WHICH", "vid:pid, path or serial number (default: the first display)"},
     {"--driver", "NAME|auto", "see planelet-hid list (default auto: by vid:pid)"},
     {"--fit", "contain|cover|stretch|none", "a picture of another size (default contain)"},
     {"--brightness", "0..100", "percent, where the display has it"},
+    {"--near", "0..15", "planelet: colours that move may be off by so much (default 0)"},
     {"--frames", "N", "stop after N frames"},
     {"--hold", "SECONDS", "how long a picture stays before the next (default 1)"},
-    {"--every", NULL, "every frame of a film, however slow the display is"},
+    {"--every", NULL, "every frame of a film, each until the display has confirmed it"},
     {"--repeat", NULL, "from the first file again, until stopped"},
     {"--wait", "SECONDS", "for a display that was unplugged to come back (default 60)"},
     {"--release", NULL, "at the end hand the display back to its own picture"},
@@ -47,7 +49,7 @@ typedef struct showing {
     frames source;
     picture frame, ahead;
     progress bar;
-    double began, film_began; /* clock */
+    double began, film_began, first_shown, last_shown; /* clock */
     double hold;
     uint64_t film_frames; /* of the film that is shown, left out ones too */
     uint64_t limit, left_out;
@@ -108,9 +110,12 @@ static int show_source(showing *s, fail *f) {
         if (s->source.period > 0.0 && !s->every) {
             pause_until(&s->session, s->film_began + (double)s->film_frames * s->source.period);
         }
-        if (session_show(&s->session, &s->frame, f) != 0) {
+        if (session_show(&s->session, &s->frame, f) != 0 ||
+            (s->every && session_settle(&s->session, f) != 0)) {
             return FRAMES_FAILED;
         }
+        s->last_shown = progress_seconds();
+        s->first_shown = s->session.shown == 1 ? s->last_shown : s->first_shown;
         s->film_frames++;
         progress_show(&s->bar, s->session.shown);
     }
@@ -149,6 +154,12 @@ static int show_files(showing *s, args *a, fail *f) {
     return 0;
 }
 
+/* Without the first, which is all new, and what comes after the last. */
+static double steady_rate(const showing *s) {
+    const double seconds = s->last_shown - s->first_shown;
+    return seconds > 0.0 ? (s->session.shown - 1) / seconds : 0.0;
+}
+
 static int write_figures(const showing *s, const char *path, double seconds, fail *f) {
     port_figures p;
     session_figures(&s->session, &p);
@@ -159,11 +170,12 @@ static int write_figures(const showing *s, const char *path, double seconds, fai
     if (output_print(o, f,
                      "{\n  \"driver\": \"%s\",\n  \"width\": %u,\n  \"height\": %u,\n"
                      "  \"frames\": %u,\n  \"left_out\": %llu,\n  \"seconds\": %.6f,\n"
-                     "  \"frames_per_s\": %.3f,\n  \"reports\": %llu,\n  \"bytes\": %llu,\n"
+                     "  \"frames_per_s\": %.3f,\n  \"steady_frames_per_s\": %.3f,\n"
+                     "  \"reports\": %llu,\n  \"bytes\": %llu,\n"
                      "  \"reconnects\": %u,\n  \"longest_gap_s\": %.3f\n}\n",
                      s->session.display.by->name, s->session.panel.width, s->session.panel.height,
                      s->session.shown, (unsigned long long)s->left_out, seconds,
-                     seconds > 0.0 ? s->session.shown / seconds : 0.0,
+                     seconds > 0.0 ? s->session.shown / seconds : 0.0, steady_rate(s),
                      (unsigned long long)p.reports, (unsigned long long)p.bytes,
                      s->session.reconnects, s->session.longest_gap) != 0) {
         output_abandon(o);
@@ -230,6 +242,7 @@ static void read_flags(showing *s, args *a) {
     s->session.fit = (enum fit_mode)args_choice(a, "--fit", fits, FIT_CONTAIN);
     s->session.brightness =
         args_has(a, "--brightness") ? (int)args_number(a, "--brightness", 0, 0, 100) : -1;
+    s->session.near = (unsigned)args_number(a, "--near", 0, 0, WIRE_NEAR_MOST);
     s->session.patience = read_seconds(a, "--wait", 60.0f);
     s->session.stop = &stop;
     s->hold = read_seconds(a, "--hold", 1.0f);

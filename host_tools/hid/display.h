@@ -56,8 +56,9 @@ struct driver {
     int (*settle)(display *d, fail *f); /* until the device has confirmed the picture */
     int (*tick)(display *d);            /* keeps a link alive; at least 10 times a second */
     int (*brightness)(display *d, unsigned percent, fail *f);
-    int (*release)(display *d, fail *f); /* the device's own picture again */
-    void (*close)(display *d);           /* only after an open that went well */
+    void (*near)(display *d, unsigned steps); /* colours while they move: off by so much */
+    int (*release)(display *d, fail *f);      /* the device's own picture again */
+    void (*close)(display *d);                /* only after an open that went well */
 };
 
 /* All drivers, ended by NULL, the most certain first. */

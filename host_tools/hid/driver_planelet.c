@@ -24,6 +24,7 @@ typedef struct planelet {
     wire_end end;
     wire_frames_out out;
     picture frame;
+    uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
     uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } planelet;
 
@@ -45,36 +46,35 @@ static int take_reports(display *d, unsigned wait_ms) {
     }
 }
 
-/* Sends what may be sent. A report that the system took in part is lost, and
- * the wire sends again what was in it. */
-static int send_reports(display *d, int *sent) {
+/* Sends the next report, if one may go. A report that the system took in
+ * part is lost, and the wire sends again what was in it. */
+static int send_report(display *d, int *sent) {
     planelet *p = d->state;
-    size_t bytes;
-    while ((bytes = wire_next_report(&p->end, p->report + 1, now_ms())) > 0) {
-        p->report[0] = 0;
-        *sent = 1;
-        if (port_output(d->port, p->report, bytes + 1) == PORT_GONE ||
-            take_reports(d, 0) != PORT_OK) {
-            return PORT_GONE;
-        }
+    const size_t bytes = wire_next_report(&p->end, p->report + 1, now_ms());
+    *sent = bytes > 0;
+    if (bytes == 0) {
+        return PORT_OK;
     }
-    return PORT_OK;
+    p->report[0] = 0;
+    return port_output(d->port, p->report, bytes + 1) == PORT_GONE ? PORT_GONE : PORT_OK;
 }
 
-static int pump(display *d, unsigned wait_ms) {
+/* One report out, then all that came in; waits only if none went out. */
+static int pump(display *d, unsigned wait_ms, int *sent) {
     planelet *p = d->state;
-    int sent = 0;
     wire_poll(&p->end, now_ms());
-    const int status = send_reports(d, &sent);
-    return status == PORT_OK ? take_reports(d, sent ? 0 : wait_ms) : status;
+    const int status = send_report(d, sent);
+    return status == PORT_OK ? take_reports(d, *sent ? 0 : wait_ms) : status;
 }
 
-/* Pumps until `is_so`, while the other end is heard of. */
+/* Pumps until `is_so`, and not a report longer: with nothing new to show the
+ * wire goes on to refine what is there. Gives up when nothing is heard. */
 static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
     uint32_t heard = p->end.stats.reports_in, since = now_ms();
     while (!is_so(p)) {
-        if (pump(d, WAIT_MS) != PORT_OK) {
+        int sent;
+        if (pump(d, WAIT_MS, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
         if (p->end.stats.reports_in != heard) {
@@ -138,7 +138,20 @@ static int greet(display *d, fail *f) {
     }
     d->width = peer->width;
     d->height = peer->height;
+    const uint32_t bytes = wire_row_bytes(peer->format, d->width) * d->height;
+    p->shown = malloc(bytes); /* without it every tile is sent whole */
+    if (p->shown != NULL) {
+        wire_frames_reference(&p->out, p->shown, bytes);
+    }
     return picture_make(&p->frame, d->width, d->height, f);
+}
+
+static void planelet_close(display *d) {
+    planelet *p = d->state;
+    picture_free(&p->frame);
+    free(p->shown);
+    free(p);
+    d->state = NULL;
 }
 
 static int planelet_open(display *d, fail *f) {
@@ -152,16 +165,9 @@ static int planelet_open(display *d, fail *f) {
         status = greet(d, f);
     }
     if (status != DISPLAY_OK) {
-        free(p);
-        d->state = NULL;
+        planelet_close(d);
     }
     return status;
-}
-
-static void planelet_close(display *d) {
-    planelet *p = d->state;
-    picture_free(&p->frame);
-    free(p);
 }
 
 /* Waits while the session is down, as it is after a device started anew. */
@@ -218,7 +224,13 @@ static int planelet_settle(display *d, fail *f) {
 }
 
 static int planelet_tick(display *d) {
-    return pump(d, 0) == PORT_OK ? DISPLAY_OK : DISPLAY_GONE;
+    int sent = 1;
+    while (sent) {
+        if (pump(d, 0, &sent) != PORT_OK) {
+            return DISPLAY_GONE;
+        }
+    }
+    return DISPLAY_OK;
 }
 
 static int planelet_brightness(display *d, unsigned percent, fail *f) {
@@ -228,6 +240,11 @@ static int planelet_brightness(display *d, unsigned percent, fail *f) {
     }
     wire_set(&p->end, WIRE_SET_BRIGHTNESS, percent);
     return DISPLAY_OK;
+}
+
+static void planelet_near(display *d, unsigned steps) {
+    planelet *p = d->state;
+    wire_frames_near(&p->out, steps);
 }
 
 /* pid.codes gives 1209:0001 to tests; a product of one's own has its own id. */
@@ -241,4 +258,5 @@ const driver driver_planelet = {.name = "planelet",
                                 .settle = planelet_settle,
                                 .tick = planelet_tick,
                                 .brightness = planelet_brightness,
+                                .near = planelet_near,
                                 .close = planelet_close};

@@ -25,6 +25,9 @@ static unsigned number(FILE *file) {
 }
 
 static int read_pixels(FILE *file, picture *p, unsigned channels, unsigned most) {
+    if (channels == 3 && most == 255) {
+        return fread(p->rgb, 3 * (size_t)p->width, p->height, file) == p->height ? 0 : -1;
+    }
     for (size_t i = 0; i < (size_t)p->width * p->height; i++) {
         for (unsigned c = 0; c < 3; c++) {
             const int v = c < channels ? getc(file) : p->rgb[3 * i];

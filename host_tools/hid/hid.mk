@@ -78,11 +78,11 @@ $(OUT)/hid-sanitize/%.o: %.c $(OUT)/flags
 # ---- the display in a terminal --------------------------------------------------
 
 $(OUT)/hid-emulated/main.o: host_tools/hid/main.c $(OUT)/flags
-	$(call compile,$(HOST_COMMAND) -Dmain=planelet_hid_main)
+	$(call compile,$(HOST_COMMAND) -Wno-missing-prototypes -Dmain=planelet_hid_main)
 
-$(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o $(OUT)/libhid.a \
-        $(call objects,tests/hid/emulated_main.c tests/reference/fake_hidapi.c) $(TOOL_OBJECTS) \
-        $(ENGINE_OBJECTS)
+$(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \
+        $(call objects,tests/hid/emulated_main.c tests/reference/fake_hidapi.c) $(OUT)/libhid.a \
+        $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
 
 ## demo-hid: a scene on a USB display, or, without one, on an emulated panel in the terminal

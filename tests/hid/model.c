@@ -26,17 +26,17 @@ static unsigned otherwise(unsigned value, unsigned if_zero) {
     return value != 0 ? value : if_zero;
 }
 
-model *model_make(const model_kind *kind, unsigned width, unsigned height, unsigned format,
-                  unsigned report_bytes) {
+model *model_make(const model_kind *kind, model_shape shape) {
     model *m = calloc(1, sizeof *m);
     if (m == NULL) {
         return NULL;
     }
     m->kind = kind;
-    m->width = otherwise(kind->width, otherwise(width, 64));
-    m->height = otherwise(kind->height, otherwise(height, 48));
-    m->format = format;
-    m->report_bytes = otherwise(kind->output_bytes, otherwise(report_bytes, 64));
+    m->width = otherwise(kind->width, otherwise(shape.width, 64));
+    m->height = otherwise(kind->height, otherwise(shape.height, 48));
+    m->format = shape.format;
+    m->reads = shape.reads;
+    m->report_bytes = otherwise(kind->output_bytes, otherwise(shape.report_bytes, 64));
     m->brightness = -1;
     m->rgb = calloc(3 * (size_t)m->width, m->height);
     if (m->rgb == NULL || (kind->open != NULL && kind->open(m) != 0)) {

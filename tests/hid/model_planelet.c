@@ -13,8 +13,8 @@ enum { IN_BYTES = 64, WINDOW = 16 };
 typedef struct own {
     wire_end end;
     wire_frames_in in;
-    model *model;
     uint32_t shown;
+    uint8_t pixels[]; /* of a panel that can be read, in its format */
 } own;
 
 static uint32_t now_ms(void) {
@@ -28,23 +28,38 @@ static void take_row(void *context, unsigned x, unsigned y, unsigned width, cons
     wire_row_to_rgb(m->rgb + 3 * ((size_t)y * m->width + x), m->format, pixels, width);
 }
 
+/* A panel that is read keeps its format; m->rgb follows frame by frame. */
+static void copy_panel(model *m) {
+    const own *o = m->state;
+    const uint32_t stride = wire_row_bytes(m->format, m->width);
+    for (unsigned y = 0; y < m->height; y++) {
+        wire_row_to_rgb(m->rgb + 3 * (size_t)y * m->width, m->format, o->pixels + y * stride,
+                        m->width);
+    }
+}
+
 static int own_open(model *m) {
-    own *o = calloc(1, sizeof *o);
+    const uint32_t stride = wire_row_bytes(m->format, m->width);
+    own *o = calloc(1, sizeof *o + (m->reads ? (size_t)stride * m->height : 0));
     m->state = o;
     if (o == NULL) {
         return -1;
     }
-    const wire_setup setup = {.role = WIRE_DEVICE,
-                              .caps = {.session = now_ms() * 2654435761u,
-                                       .width = (uint16_t)m->width,
-                                       .height = (uint16_t)m->height,
-                                       .formats = (uint16_t)(1u << m->format),
-                                       .format = (uint8_t)m->format,
-                                       .in_bytes = (uint16_t)m->report_bytes,
-                                       .out_bytes = IN_BYTES,
-                                       .features = WIRE_SHOWS | WIRE_BRIGHTNESS,
-                                       .window = WINDOW}};
-    const wire_panel panel = {.row = take_row, .context = m};
+    const wire_setup setup = {
+        .role = WIRE_DEVICE,
+        .caps = {.session = now_ms() * 2654435761u,
+                 .width = (uint16_t)m->width,
+                 .height = (uint16_t)m->height,
+                 .formats = (uint16_t)(1u << m->format),
+                 .format = (uint8_t)m->format,
+                 .in_bytes = (uint16_t)m->report_bytes,
+                 .out_bytes = IN_BYTES,
+                 .features = (uint8_t)(WIRE_SHOWS | WIRE_BRIGHTNESS | (m->reads ? WIRE_READS : 0)),
+                 .window = WINDOW}};
+    const wire_panel panel = {.pixels = m->reads ? o->pixels : NULL,
+                              .stride = stride,
+                              .row = m->reads ? NULL : take_row,
+                              .context = m};
     return wire_end_open(&o->end, &setup, now_ms()) != WIRE_OK ||
                    wire_frames_in_open(&o->in, &o->end, &panel) != WIRE_OK
                ? -1
@@ -61,6 +76,9 @@ static void own_output(model *m, const uint8_t *report, size_t bytes) {
     if (wire_frames_shown(&o->in) != o->shown) {
         o->shown = wire_frames_shown(&o->in);
         m->changes++;
+        if (m->reads) {
+            copy_panel(m);
+        }
         if (m->changed != NULL) {
             m->changed(m->context, m);
         }
