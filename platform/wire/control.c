@@ -5,92 +5,7 @@
  * otherwise (acknowledgements, frame answers).
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
 #include "platform/wire/parts.h"
-
-/* ---- hello ------------------------------------------------------------------------- */
-
-enum { CAPS_BYTES = 22, HELLO_BYTES = 4 + CAPS_BYTES + 4 };
-
-static void put_caps(uint8_t *to, const wire_caps *c) {
-    to[0] = c->version;
-    to[1] = c->features;
-    to[2] = c->format;
-    to[3] = c->window;
-    wire_put16(to + 4, c->width);
-    wire_put16(to + 6, c->height);
-    wire_put16(to + 8, c->formats);
-    wire_put16(to + 10, c->in_bytes);
-    wire_put16(to + 12, c->out_bytes);
-    wire_put32(to + 14, c->arena_bytes);
-    wire_put32(to + 18, c->session);
-}
-
-/* Values that could harm are made harmless: window, format, sizes. */
-static wire_caps get_caps(const uint8_t *at) {
-    wire_caps c;
-    c.version = at[0];
-    c.features = at[1];
-    c.format = at[2];
-    c.window = at[3] < 2 ? 2 : at[3] > WIRE_WINDOW_MAX ? WIRE_WINDOW_MAX : at[3];
-    c.width = (uint16_t)wire_get16(at + 4);
-    c.height = (uint16_t)wire_get16(at + 6);
-    c.formats = (uint16_t)wire_get16(at + 8);
-    c.in_bytes = (uint16_t)wire_get16(at + 10);
-    c.out_bytes = (uint16_t)wire_get16(at + 12);
-    c.arena_bytes = wire_get32(at + 14);
-    c.session = wire_get32(at + 18);
-    if (c.format >= WIRE_FORMATS || c.width == 0 || c.height == 0) {
-        c.features &= (uint8_t)~WIRE_SHOWS;
-    }
-    return c;
-}
-
-/* Host's half, the sender's capabilities, CRC-32 of both. */
-static uint32_t make_hello(const wire_end *end, uint8_t *body) {
-    wire_put32(body, end->role == WIRE_HOST ? end->own.session : end->host_half);
-    put_caps(body + 4, &end->own);
-    wire_put32(body + 4 + CAPS_BYTES, wire_crc(0, body, 4 + CAPS_BYTES));
-    return HELLO_BYTES;
-}
-
-/* Device: a session is offered. It begins with the first report under its
- * key, so an old hello that comes late can end nothing. */
-static void offered(wire_end *end, uint32_t host_half, const wire_caps *caps) {
-    const int is_known = host_half == end->host_half;
-    if (!(is_known && (end->has_next || end->state == WIRE_IS_UP))) {
-        end->host_half = host_half;
-        if (end->state != WIRE_IS_UP) {
-            end->own.session = wire_scramble(end->own.session + 1);
-        }
-        end->next_key = wire_session_key(host_half, end->own.session);
-        end->next_peer = *caps;
-        end->has_next = end->state != WIRE_IS_UP || end->next_key != end->key;
-    }
-    wire_owe(end, WIRE_WELCOME);
-}
-
-static void take_hello(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes) {
-    if (bytes != HELLO_BYTES ||
-        wire_crc(0, body, 4 + CAPS_BYTES) != wire_get32(body + 4 + CAPS_BYTES)) {
-        return;
-    }
-    const uint32_t host_half = wire_get32(body);
-    const wire_caps caps = get_caps(body + 4);
-    if (caps.version != WIRE_VERSION) {
-        end->peer_error = WIRE_E_VERSION;
-        end->peer_detail = caps.version;
-        return;
-    }
-    if (type == WIRE_HELLO && end->role == WIRE_DEVICE) {
-        offered(end, host_half, &caps);
-    } else if (type == WIRE_WELCOME && end->state == WIRE_IS_ASKING &&
-               host_half == end->own.session) {
-        end->peer = caps;
-        end->key = wire_session_key(host_half, caps.session);
-        wire_session_begin(end);
-    }
-}
 
 /* ---- acknowledgement and statistics ------------------------------------------------------ */
 
@@ -177,7 +92,7 @@ uint32_t wire_control_make(wire_end *end, unsigned type, uint8_t *body) {
     switch (type) {
     case WIRE_HELLO:
     case WIRE_WELCOME:
-        return make_hello(end, body);
+        return wire_hello_make(end, body);
     case WIRE_ACK:
         return make_ack(end, body);
     case WIRE_PING:
@@ -295,7 +210,7 @@ static void take(wire_end *end, unsigned type, const uint8_t *body) {
 void wire_control_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes,
                        int hello) {
     if (hello) {
-        take_hello(end, type, body, bytes);
+        wire_hello_take(end, type, body, bytes);
         return;
     }
     const uint32_t wanted = bytes_wanted(end, type);

@@ -57,11 +57,11 @@ static void classify(wire_model *m, int left, int up, int right) {
     int rough = distance(left, corner) + distance(up, corner) + distance(right, up);
     const int most = wire_sample_most(m->format, 0);
     rough = (most == 255 ? (rough + 2) / 4 : most == 15 ? rough * 4 : rough) / m->step;
-    m->class = 0;
-    while (m->class < 5 && rough >= bound[m->class]) {
-        m->class ++;
+    m->kind = 0;
+    while (m->kind < 5 && rough >= bound[m->kind]) {
+        m->kind++;
     }
-    m->shift = (uint8_t)(shift[m->class] + (most == 255 ? (m->class > 0) + (m->class > 2) : 0));
+    m->shift = (uint8_t)(shift[m->kind] + (most == 255 ? (m->kind > 0) + (m->kind > 2) : 0));
 }
 
 static void guess_first(wire_model *m) {
@@ -70,7 +70,7 @@ static void guess_first(wire_model *m) {
     const int right = x + 1 < m->width ? m->row[x + 1].v[0] : up;
     if (y == 0) {
         m->guess.v[0] = x > 0 ? m->row[x - 1].v[0] : m->corner.v[0];
-        m->class = 3, m->shift = 0;
+        m->kind = 3, m->shift = 0;
         return;
     }
     if (x == 0) {
@@ -114,7 +114,7 @@ static void guess_others(wire_model *m, int is_exact) {
     for (int i = 1; i < 3; i++) {
         m->guess.v[i] = (uint8_t)clamp(best->v[i] + more, wire_sample_most(m->format, 1));
     }
-    m->class = (uint8_t)((least == 0 ? 0 : least < DISTANCE_FAR ? 1 : 2) + (is_exact ? 3 : 0));
+    m->kind = (uint8_t)((least == 0 ? 0 : least < DISTANCE_FAR ? 1 : 2) + (is_exact ? 3 : 0));
 }
 
 void wire_model_pixel(wire_model *m) {
@@ -144,7 +144,7 @@ static unsigned length_chance(const wire_model *m, unsigned from, unsigned most)
 }
 
 static unsigned value_chance(const wire_model *m) {
-    const unsigned from = MODEL_FIRST + 8u * m->class;
+    const unsigned from = MODEL_FIRST + 8u * m->kind;
     switch (m->which) {
     case 0:
         return m->stage == AT_ZERO   ? from
@@ -169,7 +169,7 @@ uint16_t *wire_model_chance(wire_model *m) {
     case AT_MONO:
         return m->chance + mono_chance(m);
     case AT_EXACT:
-        return m->chance + MODEL_EXACT + m->class;
+        return m->chance + MODEL_EXACT + m->kind;
     case AT_SUFFIX:
         return NULL;
     default:
@@ -218,7 +218,7 @@ static int take_sign(wire_model *m, unsigned bit) {
 static int take_suffix(wire_model *m, unsigned bits_left, unsigned bit) {
     m->suffix = (uint8_t)(m->suffix << 1 | bit);
     if (bits_left > 1) {
-        m->class --;
+        m->kind--;
         return 0;
     }
     const int size = (m->count << m->shift) + m->suffix + 1;
@@ -235,7 +235,7 @@ static int take_length(wire_model *m, unsigned bit) {
         return sample_done(m, m->negative ? -size : size);
     }
     m->suffix = 0;
-    m->class = (uint8_t)shift; /* counts the bits left */
+    m->kind = (uint8_t)shift; /* counts the bits left */
     m->stage = AT_SUFFIX;
     return 0;
 }
@@ -257,13 +257,10 @@ int wire_model_bit(wire_model *m, unsigned bit) {
     case AT_LENGTH:
         return take_length(m, bit);
     case AT_SUFFIX:
-        return take_suffix(m, m->class, bit);
+        return take_suffix(m, m->kind, bit);
     default: /* AT_EXACT */
         m->stage = AT_ZERO;
-        if (!bit) {
-            return pixel_done(m, m->guess);
-        }
-        return 0;
+        return bit ? 0 : pixel_done(m, m->guess);
     }
 }
 
@@ -298,6 +295,6 @@ unsigned wire_model_wish(const wire_model *m, wire_sample pixel) {
     case AT_LENGTH:
         return size >> shift > m->count;
     default: /* AT_SUFFIX: class bits are left */
-        return size >> (m->class - 1) & 1;
+        return size >> (m->kind - 1) & 1;
     }
 }

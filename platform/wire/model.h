@@ -40,7 +40,7 @@ typedef struct wire_model {
     uint16_t here, above, above2; /* bits of rows: changed pixels, or mono's pixels */
     uint8_t format, width, x, y, flags;
     uint8_t step; /* 1: exact; a sample may be step / 2 off */
-    uint8_t stage, which, class, shift, count, suffix, negative, second_sign;
+    uint8_t stage, which, kind, shift, count, suffix, negative, second_sign;
 } wire_model;
 
 void wire_model_start(wire_model *m, wire_tile_shape shape, unsigned flags);

@@ -95,6 +95,10 @@ uint32_t wire_control_make(wire_end *end, unsigned type, uint8_t *body);
 void wire_control_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes,
                        int hello);
 
+/* Body of a HELLO or WELCOME (hello.c). */
+uint32_t wire_hello_make(const wire_end *end, uint8_t *body);
+void wire_hello_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes);
+
 /* ---- the queue (queue.c) ---------------------------------------------------------------- */
 
 uint32_t wire_queue_room(wire_queue *q); /* moves what is there to the front */

@@ -9,6 +9,10 @@
 
 #include "platform/wire/wire_scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum { WIRE_BLOCKS = 8, WIRE_BLOCK_AGAIN_MS = 100 };
 
 /* ---- out: the end that has the image ---------------------------------------------- */
@@ -66,4 +70,7 @@ int wire_block_state(wire_blocks_in *in, uint32_t tags);
 int wire_source_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count);
 int wire_source_wait(void *context, uint32_t tags);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

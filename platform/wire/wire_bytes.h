@@ -15,6 +15,10 @@
 
 #include "platform/wire/wire_end.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A report of 1024 bytes, a code byte every 254, the zero. */
 enum { WIRE_BYTES_MOST = WIRE_REPORT_BYTES_MAX + 5 + 1 };
 
@@ -33,4 +37,7 @@ typedef struct wire_bytes_reader {
  * a report that is complete in reader->report, else 0. */
 size_t wire_bytes_take(wire_bytes_reader *reader, uint8_t byte);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -13,6 +13,10 @@
 #include "engine/planelet.h"
 #include "platform/wire/wire.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct wire_device {
     wire_end end;
     wire_frames_out out;
@@ -39,4 +43,7 @@ int wire_device_open(wire_device *device, const wire_setup *setup, const plt_opt
  * when it did something, 0 when it waits for reports to leave or to come. */
 int wire_device_run(wire_device *device, uint32_t visits);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

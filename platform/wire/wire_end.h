@@ -15,6 +15,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum { WIRE_VERSION = 1 };
 
 enum {
@@ -197,4 +201,7 @@ unsigned wire_setting_take(wire_end *end, unsigned *value);
 /* Asks for the other end's statistics, which come into `*to` (until then 0). */
 void wire_stats_ask(wire_end *end, wire_stats *to);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -10,6 +10,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum wire_format {
     WIRE_RGB565 = 0, /* 2 bytes: RRRRRGGG GGGBBBBB, as display controllers take them */
     WIRE_RGB888 = 1, /* 3 bytes: red, green, blue */
@@ -41,4 +45,7 @@ void wire_row_to_rgb(uint8_t *rgb, unsigned format, const uint8_t *from, unsigne
 /* "rgb565" ...; NULL for an unknown format. */
 const char *wire_format_name(unsigned format);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

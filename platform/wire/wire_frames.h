@@ -11,6 +11,10 @@
 #include "platform/wire/wire_end.h"
 #include "platform/wire/wire_tile.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Most tiles of a panel that a sender can keep: 480 x 272 pixels are 510.
  * Costs 4.25 bytes of sender each, and a bit of receiver; both ends check. */
 #ifndef WIRE_TILES_MAX
@@ -130,4 +134,7 @@ uint32_t wire_frames_shown(const wire_frames_in *in);
 /* The mark of the last of them. */
 unsigned wire_frames_mark(const wire_frames_in *in);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

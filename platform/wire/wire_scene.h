@@ -11,6 +11,10 @@
 
 #include "platform/wire/wire_frames.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum wire_scene_state {
     WIRE_SCENE_NONE = 0,   /* nothing offered yet */
     WIRE_SCENE_GOING = 1,  /* bytes are coming */
@@ -89,4 +93,7 @@ void wire_view_in_open(wire_view_in *in, wire_end *end);
 /* 1: a view came since the last call, and is in `view->view`. */
 int wire_view_take(wire_view_in *in);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -18,6 +18,10 @@
 #include "platform/wire/range.h"
 #include "platform/wire/wire_format.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum wire_coder {
     WIRE_RAW = 0,     /* rows as they are */
     WIRE_SOLID = 1,   /* one pixel */
@@ -80,4 +84,7 @@ int wire_tile_read(wire_tile_reader *reader, const uint8_t **at, const uint8_t *
  * wire_row_bytes(format, width) bytes. */
 void wire_tile_row(const wire_tile_reader *reader, uint8_t *to);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

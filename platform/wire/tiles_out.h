@@ -1,0 +1,57 @@
+/* tiles_out - what the sender knows of a tile, and how one goes out
+ *
+ * Invariant: hash != 0 and way 0: the panel shows those pixels, whole. With
+ * way != 0 it shows them or what it showed before, row by row.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_WIRE_TILES_OUT_H
+#define PLT_WIRE_TILES_OUT_H
+
+#include "platform/wire/parts.h"
+
+/* Numbers of frames go round in WIRE_NUMBERS, a multiple of WIRE_SLOTS: frames
+ * on the way have ways of their own. */
+enum { WIRE_SLOTS = 3, WIRE_NUMBERS = 6 };
+
+static inline unsigned wire_way_of(const wire_frames_out *out, unsigned tile) {
+    return out->way[tile / 4] >> (2 * (tile & 3)) & 3;
+}
+
+static inline void wire_set_way(wire_frames_out *out, unsigned tile, unsigned way) {
+    uint8_t *at = &out->way[tile / 4];
+    *at = (uint8_t)((*at & ~(3u << (2 * (tile & 3)))) | way << (2 * (tile & 3)));
+}
+
+static inline int wire_is_coarse(const wire_frames_out *out, unsigned tile) {
+    return out->coarse[tile / 8] >> (tile & 7) & 1;
+}
+
+static inline void wire_set_coarse(wire_frames_out *out, unsigned tile, unsigned is) {
+    uint8_t *at = &out->coarse[tile / 8];
+    *at = (uint8_t)((*at & ~(1u << (tile & 7))) | is << (tile & 7));
+}
+
+/* The way of the frame `back` frames before the one that goes out. */
+static inline unsigned wire_way_back(const wire_frames_out *out, unsigned back) {
+    return (out->number + WIRE_NUMBERS - back) % WIRE_SLOTS + 1;
+}
+
+typedef struct wire_piece {
+    unsigned index, x, y;
+    wire_tile_shape shape;
+    uint32_t row_bytes;
+} wire_piece;
+
+wire_piece wire_piece_of(const wire_frames_out *out, unsigned index);
+int wire_has_reference(const wire_frames_out *out);
+
+/* The tile's pixels in the panel's format, into out->pixels. */
+void wire_convert(wire_frames_out *out, const wire_piece *p, const uint8_t *rgb, uint32_t stride);
+
+/* The tile in out->pixels, when it has to go: 1 done with it, 0 no room. */
+int wire_offer(wire_frames_out *out, const wire_piece *p);
+
+/* The message that ends a frame; 0: no room for it. */
+int wire_put_end(wire_frames_out *out, unsigned number);
+
+#endif
