@@ -56,6 +56,7 @@ endif
 CHECKS := $(sort $(wildcard tests/check/check_*.sh))
 CLI_TESTS := $(sort $(wildcard tests/cli/test_*.sh))
 QEMU_TESTS := $(sort $(wildcard tests/qemu/test_*.sh))
+HID_TESTS := $(sort $(wildcard tests/hid/test_*.sh))
 # What the scripts below need to know; they build what they look at.
 SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLAGS= \
          sh tests/run.sh
@@ -63,7 +64,7 @@ SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLA
 ## test: every test program, every check, every firmware run; ends in "N passed, N failed"
 test: all test-programs
 	@-$(MAKE) BOARD=mps2_an386
-	@$(SCRIPT) $(TEST_PROGRAMS) $(CLI_TESTS) $(CHECKS) $(QEMU_TESTS)
+	@$(SCRIPT) $(TEST_PROGRAMS) $(CLI_TESTS) $(CHECKS) $(QEMU_TESTS) $(HID_TESTS)
 
 ## check: layers, symbols, headers, format, warnings, stack frames, licence lines
 check: all test-programs

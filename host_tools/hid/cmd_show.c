@@ -52,7 +52,7 @@ typedef struct showing {
     double began, film_began, first_shown, last_shown; /* clock */
     double hold;
     uint64_t film_frames; /* of the film that is shown, left out ones too */
-    uint64_t limit, left_out;
+    uint64_t limit, left_out, first_reports, last_reports;
     int every, repeat;
 } showing;
 
@@ -99,6 +99,19 @@ static int enough(const showing *s) {
     return stop || (s->limit > 0 && s->session.shown >= s->limit);
 }
 
+/* What it took from the first frame to the last: the first is all new, and
+ * after the last the display may still be refining it. */
+static void mark_time(showing *s) {
+    port_figures p;
+    session_figures(&s->session, &p);
+    s->last_shown = progress_seconds();
+    s->last_reports = p.reports;
+    if (s->session.shown == 1) {
+        s->first_shown = s->last_shown;
+        s->first_reports = s->last_reports;
+    }
+}
+
 static int show_source(showing *s, fail *f) {
     s->film_began = progress_seconds();
     s->film_frames = 0;
@@ -114,8 +127,7 @@ static int show_source(showing *s, fail *f) {
             (s->every && session_settle(&s->session, f) != 0)) {
             return FRAMES_FAILED;
         }
-        s->last_shown = progress_seconds();
-        s->first_shown = s->session.shown == 1 ? s->last_shown : s->first_shown;
+        mark_time(s);
         s->film_frames++;
         progress_show(&s->bar, s->session.shown);
     }
@@ -154,10 +166,14 @@ static int show_files(showing *s, args *a, fail *f) {
     return 0;
 }
 
-/* Without the first, which is all new, and what comes after the last. */
 static double steady_rate(const showing *s) {
     const double seconds = s->last_shown - s->first_shown;
     return seconds > 0.0 ? (s->session.shown - 1) / seconds : 0.0;
+}
+
+static double steady_reports(const showing *s) {
+    const double count = s->session.shown > 1 ? s->session.shown - 1 : 1;
+    return (double)(s->last_reports - s->first_reports) / count;
 }
 
 static int write_figures(const showing *s, const char *path, double seconds, fail *f) {
@@ -171,12 +187,13 @@ static int write_figures(const showing *s, const char *path, double seconds, fai
                      "{\n  \"driver\": \"%s\",\n  \"width\": %u,\n  \"height\": %u,\n"
                      "  \"frames\": %u,\n  \"left_out\": %llu,\n  \"seconds\": %.6f,\n"
                      "  \"frames_per_s\": %.3f,\n  \"steady_frames_per_s\": %.3f,\n"
+                     "  \"steady_reports_per_frame\": %.2f,\n"
                      "  \"reports\": %llu,\n  \"bytes\": %llu,\n"
                      "  \"reconnects\": %u,\n  \"longest_gap_s\": %.3f\n}\n",
                      s->session.display.by->name, s->session.panel.width, s->session.panel.height,
                      s->session.shown, (unsigned long long)s->left_out, seconds,
                      seconds > 0.0 ? s->session.shown / seconds : 0.0, steady_rate(s),
-                     (unsigned long long)p.reports, (unsigned long long)p.bytes,
+                     steady_reports(s), (unsigned long long)p.reports, (unsigned long long)p.bytes,
                      s->session.reconnects, s->session.longest_gap) != 0) {
         output_abandon(o);
         return -1;

@@ -76,7 +76,7 @@ static void own_output(model *m, const uint8_t *report, size_t bytes) {
     if (wire_frames_shown(&o->in) != o->shown) {
         o->shown = wire_frames_shown(&o->in);
         m->changes++;
-        if (m->reads) {
+        if (m->reads && m->changed != NULL) {
             copy_panel(m);
         }
         if (m->changed != NULL) {

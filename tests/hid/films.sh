@@ -1,0 +1,26 @@
+#!/bin/sh
+# films.sh FOLDER - marbles.ppm: marbles roll before a still camera, 25 a second;
+# orbit.y4m: 1.2 degrees a frame about them, as at 30 a second in ten seconds
+#
+# 320x240. The first is a stream of PPM, so that no colour is rounded on its
+# way. SPDX-License-Identifier: MIT
+set -e
+planelet=${OUT:-${BUILD:-build}/host}/planelet
+folder=$1
+mkdir -p "$folder/scene"
+[ -e "$folder/marbles.ppm" ] && [ -e "$folder/orbit.y4m" ] && exit 0
+"$planelet" make marbles --frames 36 -o "$folder/scene/{}.ply" >/dev/null
+for mesh in "$folder"/scene/*.ply; do
+    "$planelet" pack "$mesh" -o "${mesh%.ply}.plt" >/dev/null
+    "$planelet" render "${mesh%.ply}.plt" --size 320x240 --eye 17.745,31.55,39.433 --look 0,0.5,0 \
+        -o "${mesh%.ply}.ppm" >/dev/null
+done
+cat "$folder"/scene/*.ppm >"$folder/marbles.ppm"
+scene=$(ls "$folder"/scene/*.plt | head -n 1)
+# The header, and 15 of 300 frames.
+"$planelet" render "$scene" --size 320x240 --orbit 300 -o "$folder/scene/orbit.y4m" >/dev/null
+{
+    head -n 1 "$folder/scene/orbit.y4m" | sed 's/ F25:1//' # no time of its own
+    tail -n +2 "$folder/scene/orbit.y4m" | head -c $((15 * (6 + 3 * 320 * 240)))
+} >"$folder/orbit.y4m"
+rm -r "$folder/scene"

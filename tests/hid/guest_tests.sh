@@ -1,0 +1,211 @@
+# guest_tests.sh - what the bench shows; sourced by guest.sh in the guest
+# SPDX-License-Identifier: MIT
+
+# display DRIVER WxH TRANSPORT BACKEND COUNT [device key=value ...]
+display() {
+    name=$1 panel=$2 transport=$3 library=$4 pictures=$5
+    shift 5
+    start "$transport" "$name" "$@"
+    show "$library" "$panel" "$pictures"
+    stop
+    judge "$name over $transport, $library${*:+, $*}: $pictures pictures, every pixel" "$pictures"
+}
+
+# Reports of real displays, on every way they can come.
+real_displays() {
+    for backend in hidraw-sanitize libusb-sanitize; do
+        display nexus 640x48 usbip $backend 3 speed=high
+        display streamdeck-mini 240x160 usbip $backend 2 speed=high
+        display nova 128x64 usbip $backend 5
+        display apex 128x40 usbip $backend 5
+    done
+    display nova 128x64 uhid hidraw 5
+    display apex 128x40 uhid hidraw 5
+}
+
+# Our own wire: pixel formats, report sizes, transports. 96x70: a tile is cut.
+own() { # BACKEND TRANSPORT COUNT [key=value ...]
+    library=$1 transport=$2 pictures=$3
+    shift 3
+    display planelet 96x70 "$transport" "$library" "$pictures" size=96x70 "$@"
+}
+
+own_displays() {
+    for backend in hidraw libusb; do
+        for format in 0 1 2 3 4; do
+            own $backend usbip 4 format=$format
+        done
+        own $backend usbip 4 reads=1
+        for bytes in 8 32 512 1024; do
+            own $backend usbip 3 report=$bytes
+        done
+        own $backend usbip 4 report=1024 speed=high
+        own $backend usbip 4 no_out=1
+    done
+    own hidraw uhid 4
+    own hidraw uhid 4 report=1024 format=1
+    own hidraw-sanitize usbip 4 format=4
+    own libusb-sanitize usbip 4 format=3
+}
+
+# gadget REPORT_BYTES SPEED: the kernel's own HID function on dummy_hcd.
+gadget() {
+    g=/sys/kernel/config/usb_gadget/g
+    mkdir $g && cd $g || return
+    echo 0x1209 >idVendor
+    echo 0x0001 >idProduct
+    echo "$2" >max_speed
+    mkdir strings/0x409
+    echo Planelet >strings/0x409/manufacturer
+    echo "emulated planelet" >strings/0x409/product
+    echo SN0001 >strings/0x409/serialnumber
+    mkdir functions/hid.h configs/c.1
+    echo 0 >functions/hid.h/protocol
+    echo 0 >functions/hid.h/subclass
+    echo "$1" >functions/hid.h/report_length
+    bytes=$(printf '\\x%02x\\x%02x' $(($1 & 255)) $(($1 >> 8)))
+    printf '\x06\x00\xff\x09\x01\xa1\x01\x15\x00\x26\xff\x00\x75\x08\x96\x40\x00\x09\x02' \
+        >/tmp/descriptor
+    printf '\x81\x02\x96'"$bytes"'\x09\x02\x91\x02\xc0' >>/tmp/descriptor
+    cat /tmp/descriptor >functions/hid.h/report_desc
+    ln -s $g/functions/hid.h configs/c.1/
+    ls /sys/class/udc | head -n 1 >UDC
+    cd /t || return
+}
+
+no_gadget() {
+    g=/sys/kernel/config/usb_gadget/g
+    echo "" >$g/UDC
+    rm $g/configs/c.1/hid.h
+    rmdir $g/configs/c.1 $g/functions/hid.h $g/strings/0x409 $g
+    until_devices 0
+}
+
+gadgets() {
+    for shape in "64 full-speed" "1024 high-speed"; do
+        # shellcheck disable=SC2086
+        gadget $shape
+        until_devices 1
+        for backend in hidraw libusb; do
+            ./device gadget planelet size=96x70 report="${shape% *}" \
+                path=/dev/"$(ls /dev | grep '^hidg' | tail -n 1)" >/tmp/device 2>&1 &
+            device=$!
+            usleep 300000
+            show $backend 96x70 4
+            kill -TERM $device
+            wait $device 2>/dev/null
+            line=$(cat /tmp/device)
+            judge "planelet over the kernel's gadget, $shape, $backend: 4 pictures, every pixel" 4
+        done
+        no_gadget
+    done
+}
+
+# Killed in the middle of a frame, and plugged in again a quarter second later.
+unplugged() {
+    for backend in hidraw libusb; do
+        start usbip planelet size=320x240 die_after=150
+        ./make_pattern 320x240 6 >/tmp/pictures
+        "./planelet-hid-$backend" show /tmp/pictures --every --json /tmp/json \
+            --device 1209:0001 >/tmp/host 2>&1 &
+        host=$!
+        wait $device 2>/dev/null
+        gone=$(uptime_seconds)
+        until_devices 0
+        usleep 250000
+        away=$(echo "$(uptime_seconds) $gone" | awk '{ print $1 - $2 }')
+        ./device usbip planelet size=320x240 port=1 >/tmp/device 2>&1 &
+        device=$!
+        wait $host
+        status=$?
+        stop
+        verdict "$backend: killed in mid-frame and plugged in, the picture is whole within 2 s" "$(
+            [ $status -eq 0 ] && [ "$(value last)" = 5 ] && [ "$(value other)" = 0 ] ||
+                { echo "host $status, $line"; cat /tmp/host; }
+            [ "$(figure reconnects)" = 1 ] || echo "$(figure reconnects) reconnects"
+            echo "$(figure longest_gap_s) $away" | awk '{ exit !($1 > 0 && $1 - $2 < 2) }' ||
+                echo "after $(figure longest_gap_s) s, $away s of them unplugged")"
+        echo "    $backend: whole after $(figure longest_gap_s) s, $away s of them unplugged"
+    done
+}
+
+# A full-speed bus of 64 bytes a millisecond. What a frame takes of it does not
+# depend on this machine, and says how many a second there can be; that the
+# emulated processor comes within a quarter of it is asked of it, too. Of the
+# speeds here this is the only one that says something of hardware.
+paced() { # SENTENCE BACKEND AT_LEAST FILE size=WxH [key=value ...]
+    sentence=$1 backend=$2 least=$3 file=$4
+    shift 4
+    start usbip planelet paced=1 blind=1 reads=1 "$@"
+    "./planelet-hid-$backend" show "$file" --near "$near" --json /tmp/json >/tmp/host 2>&1
+    status=$?
+    stop
+    reports=$(figure steady_reports_per_frame)
+    speed=$(figure steady_frames_per_s)
+    bus=$(echo "$reports" | awk '{ printf "%d", 1000 / ($1 > 0 ? $1 : 1) }')
+    verdict "paced full speed, $backend: $sentence: the bus has room for $least a second" "$(
+        [ $status -eq 0 ] && [ "$(value wrong)" = 0 ] || { echo "$status: $line"; cat /tmp/host; }
+        [ "$bus" -ge "$least" ] || echo "$reports reports a frame, room for $bus"
+        [ "$((${speed%.*} * 4 + 4))" -gt "$least" ] || echo "only $speed came")"
+    echo "    $backend: $sentence: $reports reports a frame; $speed frames a second here"
+}
+
+paced_displays() {
+    ./make_pattern 128x64 100 >/tmp/mono
+    for backend in hidraw libusb; do
+        near=0
+        paced "128x64 of 1 bit" $backend 50 /tmp/mono size=128x64 format=4
+        paced "an orbit, 320x240 RGB565" $backend 4 orbit.y4m size=320x240
+        near=3
+        paced "marbles before a still camera, 320x240 RGB565, near 3" $backend 12 marbles.ppm \
+            size=320x240
+    done
+}
+
+# Anyone but root needs the udev rule; the sentence says so.
+permissions() {
+    start usbip planelet
+    for backend in hidraw libusb; do
+        start-stop-daemon -S -c 65534:65534 -x "/t/planelet-hid-$backend" -- \
+            show /t/guest_tests.sh >/tmp/host 2>&1
+        verdict "$backend: without permission one sentence with the udev rule" "$(
+            [ "$(wc -l </tmp/host)" -eq 1 ] &&
+                grep -q '1209:0001; install the udev rule: planelet-hid rules' /tmp/host ||
+                cat /tmp/host)"
+    done
+    chmod 666 /dev/hidraw*
+    start-stop-daemon -S -c 65534:65534 -x /t/planelet-hid-hidraw -- show /tmp/one --every \
+        >/tmp/host 2>&1
+    verdict "hidraw: with permission on the device any user shows pictures" "$(
+        grep -q '1 frames in' /tmp/host || cat /tmp/host)"
+    stop
+}
+
+# The same vid:pid, another device.
+strangers() {
+    start usbip nexus vendor=1209 id=1
+    for backend in hidraw libusb; do
+        "./planelet-hid-$backend" show /tmp/one --device 1209:0001 >/tmp/host 2>&1
+        verdict "$backend: a stranger at our vid:pid is named as such" "$(
+            grep -q 'does not answer as a planelet display' /tmp/host || cat /tmp/host)"
+    done
+    stop
+}
+
+lists() {
+    start usbip nexus speed=high serial=SN42
+    for backend in hidraw libusb; do
+        verdict "$backend: list shows path, vid:pid, serial number, driver and names" "$(
+            "./planelet-hid-$backend" list |
+                grep -q '1b1c:1b8e  SN42 .* nexus .* Planelet emulated nexus' ||
+                "./planelet-hid-$backend" list)"
+    done
+    stop
+}
+
+./make_pattern 64x48 1 >/tmp/one
+chmod 644 /tmp/one
+for group in ${HID_GROUPS:-lists real_displays own_displays gadgets strangers permissions \
+    unplugged paced_displays}; do
+    $group
+done
