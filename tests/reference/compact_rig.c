@@ -1,0 +1,142 @@
+/* compact_rig - see compact_rig.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "tests/reference/compact_rig.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/engine.h"
+
+enum { SECTION_AT = 104, NUMBER_BITS_AT = 216 };
+
+static uint32_t word_at(const unsigned char *b) {
+    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build, uint8_t splits) {
+    const compact_way way = {
+        .pack = {.splits = splits,
+                 .build = build,
+                 .lattice_bits = bits,
+                 .numbers = 1,
+                 .leaf_triangles = leaf_triangles},
+        .run = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_WALK_DEPTH_FIRST}};
+    return way;
+}
+
+int compact_open(rig *r, const mesh *m, const compact_way *way) {
+    fail f = {""};
+    lattice_loss loss;
+    memset(r, 0, sizeof *r);
+    r->fault.message = "the packer refused";
+    if (pack_compact(&r->image, m, &way->pack, "test", &loss, &f) != 0) {
+        return PLT_ERR_LIMIT;
+    }
+    r->arena_bytes = plt_arena_need(&r->image.info, 1, &way->run);
+    r->arena = aligned_alloc(PLT_ALIGN, (r->arena_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
+    if (r->arena == NULL) {
+        return PLT_ERR_ARENA;
+    }
+    memset(r->arena, 0xA5, r->arena_bytes);
+    const plt_source source = rig_source(&r->image);
+    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &way->run, &r->fault);
+}
+
+const char *compact_name(const compact_way *way) {
+    static char name[96];
+    snprintf(name, sizeof name, "K %u %u bits %s %s%s side %u", way->pack.leaf_triangles,
+             way->pack.lattice_bits,
+             way->pack.floats ? "floats" : (way->pack.build == PLT_BUILD_HOST ? "host" : "device"),
+             way->pack.splits == PLT_SPLIT_SAH ? "sah" : "median",
+             way->pack.numbers ? "" : " no numbers", way->run.packet_side);
+    return name;
+}
+
+const unsigned char *compact_section(const packed *image, unsigned index) {
+    return image->bytes + word_at(image->bytes + SECTION_AT + 16 * index + 4);
+}
+
+void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *turn) {
+    const unsigned char *bytes = compact_section(image, 1);
+    const uint32_t bits = word_at(image->bytes + NUMBER_BITS_AT);
+    uint32_t entry = 0;
+    for (uint32_t i = 0; i < bits; i++) {
+        const uint64_t at = (uint64_t)place * bits + i;
+        entry |= (uint32_t)(bytes[at / 8] >> at % 8 & 1) << i;
+    }
+    *turn = entry & 3;
+    *number = entry >> 2;
+}
+
+static void must(int status, const fail *f) {
+    if (status != 0) {
+        printf("FAIL a test's mesh: %s\n", f->text);
+        exit(1);
+    }
+}
+
+static void add(mesh *m, const float corner[3][3]) {
+    fail f = {""};
+    const uint32_t first = (uint32_t)m->vertices;
+    for (int c = 0; c < 3; c++) {
+        must(mesh_add_vertex(m, corner[c][0], corner[c][1], corner[c][2], &f), &f);
+    }
+    must(mesh_add_triangle(m, first, first + 1, first + 2, &f), &f);
+}
+
+/* Triangle `i` of those that are left, in the order of the mesh. */
+static void corners_of(const snapped *s, uint32_t i, float corner[3][3]) {
+    const unsigned char *at = s->corners + (size_t)i * 9 * s->width;
+    for (int k = 0; k < 9; k++, at += s->width) {
+        const uint32_t q = s->width == 2 ? at[0] | (uint32_t)at[1] << 8 : word_at(at);
+        corner[k / 3][k % 3] = s->lattice.origin[k % 3] + s->lattice.step * (float)q;
+    }
+}
+
+mesh compact_mesh(const mesh *m, uint8_t bits) {
+    mesh to = {0};
+    fail f = {""};
+    snapped s;
+    uint32_t left = 0;
+    must(lattice_snap(&s, m, bits, "test", &f), &f);
+    for (uint32_t i = 0; i < m->triangles && s.count > 0; i++) {
+        float corner[3][3];
+        const int there = left < s.count && s.source[left] == i;
+        corners_of(&s, there ? left : 0, corner);
+        if (!there) {
+            memcpy(corner[1], corner[0], sizeof corner[0]);
+            memcpy(corner[2], corner[0], sizeof corner[0]);
+        }
+        left += (uint32_t)there;
+        add(&to, (const float(*)[3])corner);
+    }
+    lattice_free(&s);
+    return to;
+}
+
+mesh compact_mesh_in_order(const packed *image, const mesh *moved) {
+    mesh to = {0};
+    for (uint32_t place = 0; place < image->info.triangles; place++) {
+        uint32_t number, turn;
+        float corner[3][3];
+        compact_number(image, place, &number, &turn);
+        for (uint32_t c = 0; c < 3; c++) { /* the turn counts from the least to the first */
+            const uint32_t from = moved->triangle[3 * number + (3 - turn + c) % 3];
+            memcpy(corner[c], moved->vertex + 3 * (size_t)from, sizeof corner[c]);
+        }
+        add(&to, (const float(*)[3])corner);
+    }
+    return to;
+}
+
+const plt_block_tree *compact_tree(const rig *r) {
+    return &r->engine->walker.blocks.tree;
+}
+
+uint32_t compact_triangles(uint32_t wanted, uint32_t leaf_triangles) {
+    const uint32_t levels = PLT_DEPTH_MAX - 1 < 20 ? PLT_DEPTH_MAX - 1 : 20;
+    const uint32_t most = leaf_triangles << levels;
+    return wanted < most ? wanted : most;
+}
