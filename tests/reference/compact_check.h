@@ -1,0 +1,24 @@
+/* compact_check - what a tree of compact blocks promises, by recursion
+ *
+ * The triangles come from the packer's snapped mesh, not from the blocks: every
+ * one must be found once, inside every box on the way to it. Boxes and frames are
+ * worked out here from the bytes (SPEC.md, 4.9); strips are read by the engine.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef REFERENCE_COMPACT_CHECK_H
+#define REFERENCE_COMPACT_CHECK_H
+
+#include "engine/tree/block_survey.h"
+#include "host_tools/pack/lattice.h"
+
+typedef struct compact_facts {
+    uint32_t blocks, nodes, units, pairs, triangles, depth;
+    uint32_t longest_unit, largest_block, most_vertices; /* bytes with padding */
+    uint32_t broken;                                     /* promises broken; 0: a good tree */
+    const char *sentence;                                /* the first of them */
+} compact_facts;
+
+/* A scene of one triangle has it twice; NULL for `s` leaves the triangles aside. */
+compact_facts compact_check(const plt_block_tree *tree, const snapped *s);
+
+#endif
