@@ -1,6 +1,7 @@
 /* test_block_decoder - a second decoder, from SPEC.md alone, reads what was packed
  *
- * What the decoder finds is compared with the meshes.
+ * What the decoder finds is compared with the meshes, and with what the engine's
+ * own functions find.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/block_decoder.h"
+#include "tests/reference/block_engine_walk.h"
 #include "tests/reference/block_expect.h"
 #include "tests/reference/rig.h"
 #include "tests/reference/shapes.h"
@@ -209,6 +211,77 @@ static void check_boxes(const subject *s) {
     expect_boxes_free(&exact);
 }
 
+/* ---- the engine's own decoding --------------------------------------------- */
+
+static int same_boxes(const decoded_box *box, const plt_lattice_box *lattice) {
+    return memcmp(box->lo, lattice->lo, sizeof box->lo) == 0 &&
+           memcmp(box->hi, lattice->hi, sizeof box->hi) == 0;
+}
+
+static void check_engine_child(const subject *s, uint32_t slot, const engine_child *theirs) {
+    const decoded_image *d = &s->decoded;
+    const decoded_node *node = &d->node[slot / 2];
+    const decoded_child *ours = &node->child[slot % 2];
+    const decoded_block *block = &d->block[node->block];
+    CHECK(same_boxes(&ours->box, &theirs->box), "%s: slot %u: box", s->name, slot);
+    CHECK(memcmp(ours->box.float_lo, theirs->floats.lo, sizeof ours->box.float_lo) == 0 &&
+              memcmp(ours->box.float_hi, theirs->floats.hi, sizeof ours->box.float_hi) == 0,
+          "%s: slot %u: floats", s->name, slot);
+    if (ours->kind == DECODED_INNER) {
+        CHECK(theirs->kind == PLT_SLOT_INNER, "%s: slot %u", s->name, slot);
+        CHECK(ours->which == block->first_node + 1 + theirs->rank, "%s: slot %u", s->name, slot);
+    } else if (ours->kind == DECODED_EDGE) {
+        const decoded_block *behind = &d->block[ours->which];
+        CHECK(theirs->kind == PLT_SLOT_EDGE, "%s: slot %u", s->name, slot);
+        CHECK(behind->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
+        CHECK(behind->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
+    } else {
+        const decoded_unit *unit = &d->unit[ours->which];
+        CHECK(theirs->kind == PLT_SLOT_UNIT, "%s: slot %u", s->name, slot);
+        CHECK(ours->which == block->first_unit + theirs->rank, "%s: slot %u", s->name, slot);
+        CHECK(unit->first == theirs->first, "%s: slot %u: first", s->name, slot);
+        CHECK(unit->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
+    }
+}
+
+static void check_engine_block(const subject *s, uint32_t b, const engine_block *theirs) {
+    const decoded_block *ours = &s->decoded.block[b];
+    CHECK(ours->address == theirs->address, "%s: block %u: address", s->name, b);
+    CHECK(ours->nodes_bytes == theirs->node_bytes, "%s: block %u: nodes part", s->name, b);
+    CHECK(ours->geometry_bytes == theirs->geometry_bytes, "%s: block %u: geometry", s->name, b);
+    CHECK(ours->nodes == theirs->nodes && ours->edges == theirs->edges, "%s: %u", s->name, b);
+    CHECK(ours->units == theirs->units, "%s: block %u: units", s->name, b);
+    CHECK(same_boxes(&ours->frame, &theirs->frame), "%s: block %u: frame", s->name, b);
+    CHECK(ours->triangles == theirs->triangles, "%s: block %u: triangles", s->name, b);
+    CHECK(ours->units == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name, b);
+    CHECK(s->way == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
+    CHECK(ours->mesh == theirs->mesh, "%s: block %u: mesh", s->name, b);
+}
+
+static void check_engine(const subject *s) {
+    const decoded_image *d = &s->decoded;
+    engine_walk walk;
+    engine_walk_make(&walk, s->image.bytes, &d->header);
+    CHECK(walk.blocks == d->blocks && walk.children == 2 * d->nodes, "%s: nodes", s->name);
+    CHECK(walk.triangles == d->triangles, "%s: %u triangles", s->name, walk.triangles);
+    for (uint32_t b = 0; b < d->blocks && b < walk.blocks; b++) {
+        check_engine_block(s, b, &walk.block[b]);
+    }
+    for (uint32_t slot = 0; slot < 2 * d->nodes && slot < walk.children; slot++) {
+        check_engine_child(s, slot, &walk.child[slot]);
+    }
+    for (uint32_t t = 0; t < d->triangles && t < walk.triangles; t++) {
+        const decoded_triangle *ours = &d->triangle[t];
+        const engine_triangle *theirs = &walk.triangle[t];
+        CHECK(memcmp(ours->corner, theirs->corner, sizeof ours->corner) == 0 &&
+                  memcmp(ours->point, theirs->point, sizeof ours->point) == 0,
+              "%s: place %u: corners", s->name, t);
+        CHECK(ours->number == theirs->number && ours->turn == theirs->turn, "%s: place %u: number",
+              s->name, t);
+    }
+    engine_walk_free(&walk);
+}
+
 static void check_subjects(const char *scene, const char *property, const subjects *all,
                            void (*check)(const subject *s)) {
     char sentence[200];
@@ -234,6 +307,7 @@ static void check_scene(const char *scene, const mesh *m) {
     check_subjects(scene, "each triangle is there once, snapped, its turning and number right",
                    &all, check_triangles);
     check_subjects(scene, "frames are exact, every box holds what is below it", &all, check_boxes);
+    check_subjects(scene, "the engine finds the same, bit for bit", &all, check_engine);
     for (size_t i = 0; i < all.count; i++) {
         free_subject(&all.list[i]);
     }
