@@ -23,8 +23,8 @@ lanes_scalar :=
 
 ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
 
-.PHONY: all firmware demo setup test check sizes bench scenes peers sanitize tiny scalar run profile \
-        clean help FORCE
+.PHONY: all firmware demo setup test check sizes bench scenes peers sanitize tiny scalar run \
+        profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:

@@ -8,12 +8,9 @@
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/commands.h"
 
-static const cli_command commands[] = {{&command_make, run_make},
-                                       {&command_pack, run_pack},
-                                       {&command_info, run_info},
-                                       {&command_render, run_render},
-                                       {&command_trace, run_trace},
-                                       {&command_serve, run_serve}};
+static const cli_command commands[] = {{&command_make, run_make},   {&command_pack, run_pack},
+                                       {&command_info, run_info},   {&command_render, run_render},
+                                       {&command_trace, run_trace}, {&command_serve, run_serve}};
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

@@ -75,7 +75,7 @@ cp quad.ply ./-odd.ply
 works "behind -- all words are files" pack -o odd.plt -- -odd.ply
 works "flags may stand anywhere" pack --leaf 4 quad.ply -o anywhere.plt
 
-for pair in --geometry=float --geometry=lattice:11 --geometry=lattice:22 --geometry=lattice: \
+for pair in --geometry=double --geometry=lattice:11 --geometry=lattice:22 --geometry=lattice: \
     --tolerance=1e-9 --tolerance=x; do
     misused "pack --nodes compact refuses $pair" "${pair%=*}" \
         pack quad.ply -o x --nodes compact "$pair"
