@@ -6,28 +6,30 @@
 #include "platform/wire/model.h"
 #include "platform/wire/range.h"
 
-enum stage { AT_SAME, AT_MONO, AT_ZERO, AT_SIGN, AT_LENGTH, AT_SUFFIX, AT_EXACT };
-
-enum { LENGTH_MOST = 255, DISTANCE_FAR = 3 };
-
-/* How the chances of a new tile stand, in 1/16: measured over frames of the
- * scenes that planelet makes. Learning begins as if 4 bits had been seen. */
-static const uint8_t start_chance[MODEL_CHANCES] = {
-    /* same */
-    240, 193, 139, 134, 176, 129, 84, 111, 91, 114, 84, 51, 86, 77, 53, 26,
-    /* first: zero, sign, six lengths, of each class */
-    235, 124, 120, 70, 60, 52, 52, 52, 150, 124, 168, 150, 90, 76, 72, 64, 99, 130, 90, 90, 104,
-    104, 104, 90, 108, 132, 62, 56, 62, 60, 60, 64, 78, 147, 64, 68, 76, 90, 72, 72, 76, 142, 34,
-    23, 25, 27, 26, 42,
-    /* exact: by distance of the first sample, and whether it was exact */
-    215, 150, 90, 235, 140, 104,
-    /* second, third */
-    80, 126, 244, 225, 240, 160, 130, 64, 180, 240, 200, 224};
+/* How likely a 0 is in a new tile, in 1/256: measured over frames of the
+ * scenes that planelet makes, exact and near. Learning begins as if 4 bits
+ * had been seen. */
+static const uint8_t start_chance[2][MODEL_CHANCES] = {
+    {/* same */
+     240, 193, 139, 134, 176, 129, 84, 111, 91, 114, 84, 51, 86, 77, 53, 26,
+     /* first: zero, sign, six lengths, of each class */
+     235, 124, 120, 70, 60, 52, 52, 52, 150, 124, 168, 150, 90, 76, 72, 64, 99, 130, 90, 90, 104,
+     104, 104, 90, 108, 132, 62, 56, 62, 60, 60, 64, 78, 147, 64, 68, 76, 90, 72, 72, 76, 142, 34,
+     23, 25, 27, 26, 42,
+     /* exact: by distance of the first sample, and whether it was exact */
+     215, 150, 90, 235, 140, 104,
+     /* second, third */
+     80, 126, 244, 225, 240, 160, 130, 64, 180, 240, 200, 224},
+    {246, 194, 150, 136, 180, 135, 92,  110, 110, 120, 94,  59,  99,  90,  57,  30,  227,
+     109, 166, 119, 109, 89,  102, 87,  142, 125, 184, 182, 138, 147, 150, 118, 101, 132,
+     101, 136, 150, 150, 169, 148, 117, 138, 86,  95,  100, 106, 105, 59,  89,  154, 56,
+     57,  57,  40,  34,  70,  81,  144, 31,  22,  26,  27,  23,  38,  238, 207, 210, 243,
+     234, 224, 71,  138, 252, 232, 252, 229, 115, 111, 173, 246, 215, 249}};
 
 void wire_model_start(wire_model *m, wire_tile_shape shape, unsigned flags) {
     memset(m, 0, sizeof *m);
     for (unsigned i = 0; i < MODEL_CHANCES; i++) {
-        m->chance[i] = (uint16_t)(start_chance[i] << 8 | 4);
+        m->chance[i] = (uint16_t)(start_chance[(flags & MODEL_NEAR) != 0][i] << 8 | 4);
     }
     m->format = shape.format;
     m->width = shape.width;
@@ -37,10 +39,6 @@ void wire_model_start(wire_model *m, wire_tile_shape shape, unsigned flags) {
         m->corner.v[i] = (uint8_t)(wire_sample_most(m->format, i) / 2);
     }
     m->guess = m->corner;
-}
-
-static int distance(int a, int b) {
-    return a < b ? b - a : a - b;
 }
 
 static int median(int left, int up, int corner) {
@@ -54,7 +52,7 @@ static void classify(wire_model *m, int left, int up, int right) {
     static const uint8_t bound[5] = {1, 3, 7, 13, 25};
     static const uint8_t shift[6] = {0, 0, 0, 0, 1, 1};
     const int corner = m->corner.v[0];
-    int rough = distance(left, corner) + distance(up, corner) + distance(right, up);
+    int rough = wire_distance(left, corner) + wire_distance(up, corner) + wire_distance(right, up);
     const int most = wire_sample_most(m->format, 0);
     rough = (most == 255 ? (rough + 2) / 4 : most == 15 ? rough * 4 : rough) / m->step;
     m->kind = 0;
@@ -85,7 +83,7 @@ static int clamp(int value, int most) {
 }
 
 static void nearer(const wire_sample **best, int *least, const wire_sample *s, int first) {
-    const int d = distance(s->v[0], first);
+    const int d = wire_distance(s->v[0], first);
     if (d < *least) {
         *least = d;
         *best = s;
@@ -114,7 +112,7 @@ static void guess_others(wire_model *m, int is_exact) {
     for (int i = 1; i < 3; i++) {
         m->guess.v[i] = (uint8_t)clamp(best->v[i] + more, wire_sample_most(m->format, 1));
     }
-    m->kind = (uint8_t)((least == 0 ? 0 : least < DISTANCE_FAR ? 1 : 2) + (is_exact ? 3 : 0));
+    m->kind = (uint8_t)((least == 0 ? 0 : least < MODEL_FAR ? 1 : 2) + (is_exact ? 3 : 0));
 }
 
 void wire_model_pixel(wire_model *m) {
@@ -170,6 +168,8 @@ uint16_t *wire_model_chance(wire_model *m) {
         return m->chance + mono_chance(m);
     case AT_EXACT:
         return m->chance + MODEL_EXACT + m->kind;
+    case AT_GAMMA:
+    case AT_REST:
     case AT_SUFFIX:
         return NULL;
     default:
@@ -225,11 +225,9 @@ static int take_suffix(wire_model *m, unsigned bits_left, unsigned bit) {
     return sample_done(m, m->negative ? -size : size);
 }
 
-static int take_length(wire_model *m, unsigned bit) {
+/* The length is known: its last bits come as they are. */
+static int length_done(wire_model *m) {
     const unsigned shift = m->which == 0 ? m->shift : 0;
-    if (bit) {
-        return (unsigned)++m->count << shift > LENGTH_MOST ? -1 : 0;
-    }
     if (shift == 0) {
         const int size = m->count + 1;
         return sample_done(m, m->negative ? -size : size);
@@ -238,6 +236,35 @@ static int take_length(wire_model *m, unsigned bit) {
     m->kind = (uint8_t)shift; /* counts the bits left */
     m->stage = AT_SUFFIX;
     return 0;
+}
+
+static int take_length(wire_model *m, unsigned bit) {
+    if (!bit) {
+        return length_done(m);
+    }
+    if (++m->count == MODEL_UNARY) {
+        m->kind = 0; /* counts the bits of the gamma code */
+        m->stage = AT_GAMMA;
+    }
+    return 0;
+}
+
+static int take_gamma(wire_model *m, unsigned bit) {
+    if (bit) {
+        return ++m->kind > MODEL_GAMMA_BITS ? -1 : 0;
+    }
+    m->suffix = 1;
+    m->stage = AT_REST;
+    return m->kind > 0 ? 0 : length_done(m);
+}
+
+static int take_rest(wire_model *m, unsigned bit) {
+    m->suffix = (uint8_t)(m->suffix << 1 | bit);
+    if (--m->kind > 0) {
+        return 0;
+    }
+    m->count = (uint8_t)(MODEL_UNARY + m->suffix - 1);
+    return length_done(m);
 }
 
 int wire_model_bit(wire_model *m, unsigned bit) {
@@ -256,45 +283,14 @@ int wire_model_bit(wire_model *m, unsigned bit) {
         return take_sign(m, bit);
     case AT_LENGTH:
         return take_length(m, bit);
+    case AT_GAMMA:
+        return take_gamma(m, bit);
+    case AT_REST:
+        return take_rest(m, bit);
     case AT_SUFFIX:
         return take_suffix(m, m->kind, bit);
     default: /* AT_EXACT */
         m->stage = AT_ZERO;
         return bit ? 0 : pixel_done(m, m->guess);
-    }
-}
-
-static int steps_to(const wire_model *m, wire_sample pixel, unsigned i) {
-    return wire_model_steps(pixel.v[i] - m->guess.v[i], m->step);
-}
-
-static int is_near(const wire_model *m, wire_sample a) {
-    return distance(a.v[0], m->old.v[0]) <= m->step / 2 &&
-           distance(a.v[1], m->old.v[1]) <= m->step / 2 &&
-           distance(a.v[2], m->old.v[2]) <= m->step / 2;
-}
-
-unsigned wire_model_wish(const wire_model *m, wire_sample pixel) {
-    if (m->stage == AT_SAME) {
-        return !is_near(m, pixel);
-    }
-    if (m->stage == AT_MONO) {
-        return pixel.v[0];
-    }
-    if (m->stage == AT_EXACT) {
-        return steps_to(m, pixel, 1) != 0 || steps_to(m, pixel, 2) != 0;
-    }
-    const int steps = steps_to(m, pixel, m->which);
-    const unsigned size = (unsigned)(steps < 0 ? -steps : steps) - 1; /* not for AT_ZERO */
-    const unsigned shift = m->which == 0 ? m->shift : 0;
-    switch (m->stage) {
-    case AT_ZERO:
-        return steps != 0;
-    case AT_SIGN:
-        return steps < 0;
-    case AT_LENGTH:
-        return size >> shift > m->count;
-    default: /* AT_SUFFIX: class bits are left */
-        return size >> (m->kind - 1) & 1;
     }
 }

@@ -31,6 +31,23 @@ enum {
 /* Bits of the first byte of a predicted tile. */
 enum { MODEL_NEAR = 15, MODEL_DELTA = 16, MODEL_FLAGS = 31 };
 
+/* A length of MODEL_UNARY and more goes on in Elias's gamma code of at most
+ * MODEL_GAMMA_BITS: a steep edge then costs 15 bits to handle, not 60. */
+enum { MODEL_UNARY = 8, MODEL_GAMMA_BITS = 7, MODEL_FAR = 3 };
+
+/* What the next bit says. */
+enum wire_model_stage {
+    AT_SAME,
+    AT_MONO,
+    AT_ZERO,
+    AT_SIGN,
+    AT_LENGTH,
+    AT_GAMMA,
+    AT_REST,
+    AT_SUFFIX,
+    AT_EXACT
+};
+
 typedef struct wire_model {
     uint16_t chance[MODEL_CHANCES];
     wire_sample row[WIRE_TILE_SIDE];
@@ -57,6 +74,10 @@ int wire_model_bit(wire_model *m, unsigned bit);
 
 /* Encoder: the bit that leads towards `pixel`. */
 unsigned wire_model_wish(const wire_model *m, wire_sample pixel);
+
+static inline int wire_distance(int a, int b) {
+    return a < b ? b - a : a - b;
+}
 
 /* What (value - guess) becomes in steps. */
 static inline int wire_model_steps(int difference, int step) {

@@ -1,7 +1,7 @@
 /* fuzz_wire_tile - a libFuzzer target: any bytes as a coded tile
  *
  *   clang -g -O1 -fsanitize=fuzzer,address,undefined -I. tests/fuzz/fuzz_wire_tile.c \
- *       platform/wire/tile_*.c platform/wire/model.c platform/wire/wire_format.c
+ *       platform/wire/tile_*.c platform/wire/model*.c platform/wire/wire_format.c
  *
  * The first four bytes choose coder, format, shape, and the size of the pieces
  * the rest comes in. Promised (WIRE.md, section 9): it ends, reports at most
