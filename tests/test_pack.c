@@ -111,6 +111,27 @@ static void check_too_many(void) {
     pack_free(&image);
 }
 
+/* A vertex far away that no triangle uses: it has no place on the lattice. */
+static void check_unused(void) {
+    static const float corner[5][3] = {
+        {-1.0e6f, -1.0e6f, 1.0e6f}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const compact_options options = {.lattice_bits = 16, .leaf_triangles = 2};
+    mesh m = {0};
+    packed image;
+    lattice_loss loss;
+    fail f = {""};
+    for (int i = 0; i < 5; i++) {
+        mesh_add_vertex(&m, corner[i][0], corner[i][1], corner[i][2], &f);
+    }
+    mesh_add_triangle(&m, 1, 2, 3, &f);
+    mesh_add_triangle(&m, 1, 2, 4, &f);
+    CHECK(pack_compact(&image, &m, &options, "test", &loss, &f) == 0, "%s", f.text);
+    CHECK(loss.largest_move < 1.0e-4, "moved by %g", loss.largest_move);
+    CHECK(loss.merged == 0 && image.info.triangles == 2, "%u triangles", image.info.triangles);
+    pack_free(&image);
+    mesh_free(&m);
+}
+
 int main(void) {
     test("an image holds every triangle once, bit for bit, and the options");
     const uint32_t counts[] = {0, 1, 2, 3, 5, 17, 100};
@@ -119,5 +140,7 @@ int main(void) {
     }
     test("a mesh of 2^27 triangles is refused before anything is read or allocated");
     check_too_many();
+    test("a vertex that no triangle uses has no part in what the lattice cost");
+    check_unused();
     return test_done();
 }

@@ -13,6 +13,9 @@ typedef struct position {
     uint32_t q[3];
 } position;
 
+/* Of a vertex that no triangle uses: it may lie anywhere and counts for nothing. */
+#define UNUSED UINT32_MAX
+
 uint32_t lattice_bits_for(double tolerance) {
     for (uint32_t bits = PLT_LATTICE_BITS_LEAST; bits <= PLT_LATTICE_BITS_MOST; bits++) {
         if (0.5 * sqrt(3.0) / (double)((1u << bits) - 1u) <= tolerance) {
@@ -190,25 +193,43 @@ static int measure(snapped *s, const mesh *m, const position *moved) {
         free(after);
         return -1;
     }
+    size_t used = 0;
     for (size_t i = 0; i < m->vertices; i++) {
         double far2 = 0.0;
+        if (moved[i].q[0] == UNUSED) {
+            continue;
+        }
         for (int a = 0; a < 3; a++) {
             const float p = m->vertex[3 * i + (size_t)a] + 0.0f; /* -0 is 0 */
             const double d = (double)p - ((double)s->lattice.origin[a] + step * moved[i].q[a]);
-            memcpy(&before[i][a], &p, 4);
-            after[i][a] = moved[i].q[a];
+            memcpy(&before[used][a], &p, 4);
+            after[used][a] = moved[i].q[a];
             far2 += d * d;
         }
         largest = fmax(largest, far2);
+        used++;
     }
     for (int a = 0; a < 3; a++) {
         longest = fmax(longest, step * (double)(s->box.hi[a] - s->box.lo[a]));
     }
     s->loss.largest_move = longest > 0.0 ? sqrt(largest) / longest : 0.0;
-    s->loss.merged = count_different(before, m->vertices) - count_different(after, m->vertices);
+    s->loss.merged = count_different(before, used) - count_different(after, used);
     free(before);
     free(after);
     return 0;
+}
+
+/* Where each vertex goes that a triangle uses. */
+static void snap_all(const snapped *s, const mesh *m, position *moved) {
+    for (size_t i = 0; i < m->vertices; i++) {
+        moved[i].q[0] = UNUSED;
+    }
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        const size_t vertex = m->triangle[i];
+        if (moved[vertex].q[0] == UNUSED) {
+            moved[vertex] = snap(s, m->vertex + 3 * vertex);
+        }
+    }
 }
 
 int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
@@ -227,10 +248,7 @@ int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fai
     if (s->corners == NULL || s->source == NULL || s->turn == NULL || moved == NULL) {
         status = fail_set(f, name, "out of memory; pack on a larger machine");
     } else {
-        for (size_t i = 0; i < m->vertices; i++) {
-            const float zero[3] = {0.0f, 0.0f, 0.0f};
-            moved[i] = snap(s, m->triangles > 0 ? m->vertex + 3 * i : zero);
-        }
+        snap_all(s, m, moved);
         for (size_t i = 0; i < m->triangles; i++) {
             take(s, m, moved, i);
         }
