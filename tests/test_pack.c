@@ -102,13 +102,19 @@ static void check_ways(uint32_t triangles) {
 static void check_too_many(void) {
     const mesh m = {.triangles = (size_t)PLT_INDEX_MAX + 1};
     const pack_options options = {.leaf_triangles = 1, .treelet_nodes = 1};
-    packed image;
-    fail f = {""};
-    CHECK(pack_mesh(&image, &m, &options, "large.ply", &f) != 0, "packed");
-    CHECK(strncmp(f.text, "large.ply: 134217728 triangles: ", 32) == 0, "%s", f.text);
-    CHECK(strchr(f.text, ';') != NULL, "no remedy: %s", f.text);
-    CHECK(image.bytes == NULL, "there is an image");
-    pack_free(&image);
+    const compact_options compact = {.lattice_bits = 14, .leaf_triangles = 1};
+    lattice_loss loss;
+    for (int format = 0; format < 2; format++) {
+        packed image;
+        fail f = {""};
+        const int status = format == 0 ? pack_mesh(&image, &m, &options, "large.ply", &f)
+                                       : pack_compact(&image, &m, &compact, "large.ply", &loss, &f);
+        CHECK(status != 0, "packed");
+        CHECK(strncmp(f.text, "large.ply: 134217728 triangles: ", 32) == 0, "%s", f.text);
+        CHECK(strchr(f.text, ';') != NULL, "no remedy: %s", f.text);
+        CHECK(image.bytes == NULL, "there is an image");
+        pack_free(&image);
+    }
 }
 
 /* A vertex far away that no triangle uses: it has no place on the lattice. */

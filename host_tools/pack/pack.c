@@ -29,11 +29,11 @@ static int out_of_memory(const packing *p, fail *f) {
                     p->m->triangles);
 }
 
-static int too_large(const packing *p, fail *f) {
-    return fail_set(f, p->name,
+int pack_too_large(const mesh *m, const char *name, fail *f) {
+    return fail_set(f, name,
                     "%zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; "
                     "leave some out",
-                    p->m->triangles);
+                    m->triangles);
 }
 
 /* The corner that comes first in canonical order; of equals the first. */
@@ -135,7 +135,7 @@ static int assemble(packing *p, packed *image, fail *f) {
     const uint64_t records = plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
     const uint64_t size = PLT_HEADER_BYTES + nodes + records;
     if (size > UINT32_MAX) {
-        return too_large(p, f);
+        return pack_too_large(p->m, p->name, f);
     }
     image->bytes = aligned_alloc(PLT_SECTION_ALIGN, (size_t)size);
     if (image->bytes == NULL) {
@@ -188,7 +188,7 @@ int pack_mesh(packed *image, const mesh *m, const pack_options *options, const c
     *image = nothing;
     packing p = {.m = m, .options = options, .name = name};
     if (m->triangles > PLT_INDEX_MAX) {
-        return too_large(&p, f);
+        return pack_too_large(m, name, f);
     }
     const int status = pack(&p, image, f);
     free(p.records);

@@ -33,6 +33,9 @@ void pack_free(packed *image);
 /* Triangle `triangle` of the mesh as a float record, its number and turn set. */
 void pack_record(plt_record *record, const mesh *m, size_t triangle);
 
+/* Says that no image holds so much; returns -1. */
+int pack_too_large(const mesh *m, const char *name, fail *f);
+
 typedef struct compact_options {
     uint8_t splits, build;   /* as above, but not PLT_BUILD_NONE */
     uint8_t lattice_bits;    /* 12 .. 21 */

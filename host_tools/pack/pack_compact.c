@@ -12,6 +12,7 @@
 #include "engine/image/header.h"
 #include "engine/tree/bits.h"
 #include "engine/tree/block.h"
+#include "engine/tree/link.h"
 #include "engine/tree/numbers.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
@@ -159,7 +160,10 @@ static int assemble(compacting *c, packed *image, fail *f) {
     for (unsigned i = 0; i < count; i++) {
         size += plt_header_section_bytes(&c->header.info, kind[i]);
     }
-    image->bytes = size <= UINT32_MAX ? aligned_alloc(PLT_SECTION_ALIGN, (size_t)size) : NULL;
+    if (size > UINT32_MAX) {
+        return pack_too_large(c->m, c->name, f);
+    }
+    image->bytes = aligned_alloc(PLT_SECTION_ALIGN, (size_t)size);
     if (image->bytes == NULL) {
         return out_of_memory(c, f);
     }
@@ -180,8 +184,13 @@ static int assemble(compacting *c, packed *image, fail *f) {
 int pack_compact(packed *image, const mesh *m, const compact_options *options, const char *name,
                  lattice_loss *loss, fail *f) {
     const packed nothing = {NULL, 0, {0}};
+    const lattice_loss none = {0};
     compacting c = {.m = m, .options = options, .name = name};
     *image = nothing;
+    *loss = none;
+    if (m->triangles > PLT_INDEX_MAX) {
+        return pack_too_large(m, name, f);
+    }
     int status = options->floats ? lattice_boxes(&c.s, m, options->lattice_bits, name, f)
                                  : lattice_snap(&c.s, m, options->lattice_bits, name, f);
     if (status == 0) {
