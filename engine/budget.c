@@ -15,6 +15,11 @@ static uint64_t larger(uint64_t a, uint64_t b) {
     return a > b ? a : b;
 }
 
+/* For fields of plt_info; so many bytes of blocks cannot be linked to anyway. */
+static uint32_t saturated(uint64_t bytes) {
+    return bytes < UINT32_MAX ? (uint32_t)bytes : UINT32_MAX;
+}
+
 int plt_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side == 2 || side == 4 || side == 8 || side == 16) && side <= PLT_PACKET_SIDE_MAX &&
@@ -27,7 +32,7 @@ size_t plt_budget_groups(const plt_options *o) {
 
 uint32_t plt_budget_touched_words(const plt_info *info) {
     if (info->nodes_format == PLT_NODES_COMPACT) {
-        return (info->node_bytes + info->triangle_bytes) / 8 / 32 + 1;
+        return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
     }
     return info->node_slots / info->treelet_nodes / 32 + 1;
 }
@@ -72,7 +77,7 @@ plt_info plt_budget_worst_tree(const plt_info *info) {
         /* A node takes 7.1 bytes, a triangle at most three new vertices of 63
          * bits and its strip bits; blocks of one node add 28 bytes of headers. */
         worst.node_bytes = 8 * worst.nodes + 64;
-        worst.triangle_bytes = 40 * info->triangles + 64;
+        worst.triangle_bytes = saturated(40ull * info->triangles + 64);
     }
     return worst;
 }

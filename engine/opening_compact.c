@@ -119,9 +119,9 @@ static int cut_for_build(const plt_opening *o, plt_blocks_job *job) {
         return plt_opening_short(o);
     }
     const plt_info worst = plt_budget_worst_tree(&e->header.info);
-    const size_t most = (size_t)worst.node_bytes + worst.triangle_bytes;
+    const uint64_t most = (uint64_t)worst.node_bytes + worst.triangle_bytes;
     const size_t room = (free_bytes - scratch) & ~(size_t)(PLT_ALIGN - 1);
-    job->bytes = room < most ? room : most;
+    job->bytes = room < most ? room : (size_t)most;
     job->memory = plt_arena_cut(&e->arena, job->bytes);
     job->scratch = plt_arena_cut(&e->arena, scratch);
     return job->memory != NULL && job->scratch != NULL && plt_blocks_begin(job) == PLT_OK

@@ -216,6 +216,28 @@ static void cuts(void) {
     CHECK(plt_arena_cut_bytes(SIZE_MAX - 3) == SIZE_MAX, "saturates");
 }
 
+/* The need of what no arena holds: it grows with the triangles, and never wraps. */
+static void largest_needs(void) {
+    const plt_options options = {2, PLT_WALK_DEPTH_FIRST};
+    for (uint8_t format = 0; format < 2; format++) {
+        size_t before = 0;
+        for (uint32_t triangles = 1; triangles < 1u << 27; triangles = 2 * triangles + 1) {
+            const plt_info info = {.triangles = triangles,
+                                   .treelet_nodes = 64,
+                                   .leaf_triangles = 1,
+                                   .triangle_bytes = format == 0 ? 31 * triangles : 0,
+                                   .build = PLT_BUILD_DEVICE,
+                                   .nodes_format = format,
+                                   .geometry_format = format,
+                                   .lattice_bits = format == 0 ? 0 : 21};
+            const size_t need = plt_arena_need(&info, 1, &options);
+            CHECK(need > before || need == SIZE_MAX, "%u triangles: %zu bytes after %zu", triangles,
+                  need, before);
+            before = need;
+        }
+    }
+}
+
 int main(void) {
     test("cuts are aligned, a cut that does not fit changes nothing");
     cuts();
@@ -224,6 +246,8 @@ int main(void) {
     sizes(host_sizes, PLT_BUILD_NONE);
     test("building on the device, the need is enough and less is built or refused");
     sizes(device_sizes, PLT_BUILD_DEVICE);
+    test("more triangles never need less, up to 2^27 - 1 of them");
+    largest_needs();
     test("an image that is mapped is never written");
     for (uint8_t build = 0; build < 3; build++) {
         read_only(build);
