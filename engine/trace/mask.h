@@ -38,9 +38,4 @@ static inline plt_mask plt_mask_of(unsigned group, unsigned on) {
     return (plt_mask)on << group;
 }
 
-/* The lowest `groups` groups (1 .. PLT_GROUPS_MAX). */
-static inline plt_mask plt_mask_all(unsigned groups) {
-    return (plt_mask) ~(plt_mask)0 >> (8 * sizeof(plt_mask) - groups);
-}
-
 #endif

@@ -200,6 +200,7 @@ static inline f4 plane_step(f4 extent) {
 /* Both children's boxes, as plt_block_apply (block.h). */
 static inline void decode(const plt_block *b, const plt_block_entry *at, f4 lo[2], f4 hi[2]) {
     const unsigned char *plane = b->planes + 6 * number_of(at);
+    /* xmin is always the right child's: five bits are stored. */
     const uint32_t owners = plt_bits_get(b->owners, 5 * number_of(at), 5) << 1 | 1u;
     const float from_lo[4] = {plane[0], plane[1], plane[2], 0.0f};
     const float from_hi[4] = {plane[3], plane[4], plane[5], 0.0f};
