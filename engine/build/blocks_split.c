@@ -6,6 +6,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/build/blocks_state.h"
+#include "engine/build/levels.h"
 
 typedef struct lattice_split {
     int axis; /* -1: none */
@@ -195,20 +196,11 @@ static uint32_t split_median(plt_blocks_state *s, const plt_block_range *range) 
     return begin;
 }
 
-/* Levels that halving by number takes until lists are full. */
-static uint32_t levels_needed(uint32_t count, uint32_t k) {
-    uint32_t levels = 0;
-    for (; count > k; count -= count / 2) {
-        levels++;
-    }
-    return levels;
-}
-
 uint32_t plt_blocks_split(plt_blocks_state *s, const plt_block_range *range,
                           plt_lattice_box child[2]) {
     const uint32_t begin = range->first, end = range->first + range->count;
     uint32_t middle = begin;
-    if (levels_needed(range->count, s->job->leaf_triangles) + range->depth < PLT_DEPTH_MAX) {
+    if (plt_levels_needed(range->count, s->job->leaf_triangles) + range->depth < PLT_DEPTH_MAX) {
         if (s->job->splits == PLT_SPLIT_SAH) {
             middle = range->count <= PLT_SAH_BINS ? split_few(s, begin, range->count, child)
                                                   : split_sah(s, begin, end, child);

@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/build/build.h"
 
+#include "engine/build/levels.h"
 #include "engine/build/split.h"
 #include "engine/memory/arena.h"
 #include "engine/tree/treelets.h"
@@ -44,21 +45,11 @@ size_t plt_build_scratch_bytes(uint32_t nodes, uint32_t treelet_nodes) {
     return treelets > sizeof(splitting) ? treelets : sizeof(splitting);
 }
 
-/* Levels of nodes that halving by number needs for `count` triangles. */
-static uint32_t levels_needed(uint32_t count, uint32_t leaf_triangles) {
-    uint32_t levels = 0;
-    while (count > leaf_triangles) {
-        count -= count / 2;
-        levels++;
-    }
-    return levels;
-}
-
 static void split_range(const plt_build_job *job, splitting *s, const pending *p,
                         plt_split *split) {
     const plt_split_range range = {job->records, p->begin, p->end, p->box};
     const uint32_t left = PLT_DEPTH_MAX - p->depth;
-    if (levels_needed(p->end - p->begin, job->leaf_triangles) >= left) {
+    if (plt_levels_needed(p->end - p->begin, job->leaf_triangles) >= left) {
         plt_split_halves(&range, split);
     } else if (job->splits == PLT_SPLIT_MEDIAN) {
         plt_split_median(&range, split);
@@ -163,7 +154,7 @@ int plt_build(plt_build_job *job) {
     if (job->count == 0) {
         return PLT_OK;
     }
-    if (levels_needed(job->count, job->leaf_triangles) >= PLT_DEPTH_MAX) {
+    if (plt_levels_needed(job->count, job->leaf_triangles) >= PLT_DEPTH_MAX) {
         return PLT_ERR_LIMIT;
     }
     const int status = split_all(job);
