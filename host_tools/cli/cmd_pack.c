@@ -172,6 +172,10 @@ static uint8_t read_lattice(args *a, int floats) {
         bits = 16;
     }
     if (args_floats(a, "--tolerance", &tolerance, 1)) {
+        if (length > 0) {
+            args_complain(a, "--tolerance and --geometry %s both choose the lattice; leave one out",
+                          text);
+        }
         bits = lattice_bits_for((double)tolerance);
         if (bits == 0 || floats) {
             args_complain(a, floats ? "--tolerance is for --geometry lattice"
@@ -192,6 +196,13 @@ static void read_format(pack_job *job, args *a) {
         job->compact.lattice_bits = read_lattice(a, job->compact.floats);
         if (job->compact.floats && job->options.build == PLT_BUILD_DEVICE) {
             args_complain(a, "--build device takes --geometry lattice with compact nodes");
+        }
+        if (job->compact.floats && args_has(a, "--numbers")) {
+            args_complain(a, "--numbers is for --geometry lattice; float records hold theirs");
+        }
+        if (job->options.build == PLT_BUILD_DEVICE && args_has(a, "--numbers") &&
+            job->compact.numbers) {
+            args_complain(a, "--numbers keep: a device numbers triangles by their place");
         }
         if (job->options.build == PLT_BUILD_NONE || args_has(a, "--treelet")) {
             args_complain(a, "compact nodes come in blocks of 64, built by host or device");

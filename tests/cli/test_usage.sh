@@ -80,6 +80,18 @@ for pair in --geometry=double --geometry=lattice:11 --geometry=lattice:22 --geom
     misused "pack --nodes compact refuses $pair" "${pair%=*}" \
         pack quad.ply -o x --nodes compact "$pair"
 done
+works "pack --nodes compact takes --geometry float" \
+    pack quad.ply -o float.plt --nodes compact --geometry float
+run pack quad.ply -o tolerance.plt --nodes compact --tolerance 0.001
+verdict "pack --nodes compact --tolerance 0.001 takes the least lattice, 12 bits" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    [ "$(grep -c '^quad.ply: lattice of 12 bits: ' err)" -eq 1 ] || cat err)"
+misused "pack refuses two lattices" --tolerance \
+    pack quad.ply -o x --nodes compact --geometry lattice:14 --tolerance 0.001
+misused "pack refuses --numbers beside float geometry" --numbers \
+    pack quad.ply -o x --nodes compact --geometry float --numbers keep
+misused "pack refuses to keep numbers for a device" --numbers \
+    pack quad.ply -o x --nodes compact --build device --numbers keep
 misused "pack --nodes compact refuses --build none" compact \
     pack quad.ply -o x --nodes compact --build none
 
