@@ -26,6 +26,10 @@ int plt_options_valid(const plt_options *o) {
            o->walk <= PLT_WALK_TWO_STAGE;
 }
 
+int plt_budget_walk_valid(const plt_info *info, const plt_options *o) {
+    return info->nodes_format == PLT_NODES_THESIS || o->walk == PLT_WALK_DEPTH_FIRST;
+}
+
 size_t plt_budget_groups(const plt_options *o) {
     return (size_t)o->packet_side * o->packet_side / 4 * sizeof(plt_group);
 }
@@ -105,7 +109,7 @@ static uint64_t fetched_bytes(const plt_info *info) {
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {
-    if (!plt_options_valid(o) || info->treelet_nodes == 0) {
+    if (!plt_options_valid(o) || !plt_budget_walk_valid(info, o) || info->treelet_nodes == 0) {
         return 0;
     }
     uint64_t need = cut(sizeof(plt_engine));

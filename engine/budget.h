@@ -10,6 +10,7 @@
 #include "engine/engine.h"
 
 int plt_options_valid(const plt_options *options);
+int plt_budget_walk_valid(const plt_info *info, const plt_options *options);
 size_t plt_budget_groups(const plt_options *options);
 uint32_t plt_budget_touched_words(const plt_info *info);
 uint32_t plt_budget_main_stack(const plt_info *info, const plt_options *options);

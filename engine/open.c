@@ -95,10 +95,6 @@ static int cut_rest(const plt_opening *o) {
 static int lay_out(const plt_opening *o) {
     plt_engine *e = o->e;
     e->walker.compact = e->header.info.nodes_format == PLT_NODES_COMPACT;
-    if (e->walker.compact && e->options.walk != PLT_WALK_DEPTH_FIRST) {
-        return plt_fault_set(o->fault, PLT_ERR_ARGUMENT, 0,
-                             "compact blocks are walked depth first; the walk");
-    }
     const int status = e->walker.compact ? plt_opening_compact(o) : plt_opening_thesis(o);
     return status == PLT_OK ? cut_rest(o) : status;
 }
@@ -110,11 +106,15 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     *engine = NULL;
     *fault = no_fault;
     if (!plt_options_valid(options) || !valid_source(source) || (uintptr_t)arena % PLT_ALIGN != 0) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "an option, the source or the arena");
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "an option is out of range, or source or arena are not aligned");
     }
     int status = read_header(source, &header, fault);
     if (status != PLT_OK) {
         return status;
+    }
+    if (!plt_budget_walk_valid(&header.info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "compact blocks are walked depth first");
     }
     plt_arena a = {arena, arena_bytes, 0, 0};
     plt_engine *e = plt_arena_cut(&a, sizeof *e);

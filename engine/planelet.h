@@ -31,7 +31,7 @@ extern "C" {
 #define PLT_VERSION_MAJOR 1
 #define PLT_VERSION_MINOR 0
 
-/* Alignment of the arena, of a mapped image and of ray arrays' start. */
+/* Alignment of the arena and of a mapped image. */
 #define PLT_ALIGN 16
 
 enum plt_status {
@@ -66,7 +66,7 @@ typedef struct plt_source {
 
 enum plt_walk {
     PLT_WALK_DEPTH_FIRST = 0, /* resident scenes: one stack, near child first */
-    PLT_WALK_TWO_STAGE = 1    /* thesis, section 4.2: local and global stack */
+    PLT_WALK_TWO_STAGE = 1    /* thesis nodes only: local and global stack (section 4.2) */
 };
 
 enum plt_splits {
@@ -140,7 +140,8 @@ int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault);
 
 /* Bytes an arena must hold for such an image, source and options; for
  * PLT_BUILD_DEVICE the bound for the worst tree, which a real one is mostly
- * well below. 0: out of range. Arena parts: DESIGN.md, section 3. */
+ * well below. 0: an option is out of range, or the walk is not for these nodes.
+ * Arena parts: DESIGN.md, section 3. */
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *options);
 
 /* Checks the whole image, builds the tree where the image asks for it, and

@@ -201,6 +201,27 @@ static void arguments(const packed *image) {
     free(arena);
 }
 
+/* Said before anything of the arena, which is none. */
+static void two_stages_of_blocks(void) {
+    static _Alignas(PLT_ALIGN) unsigned char arena[PLT_ALIGN];
+    const compact_options how = {.lattice_bits = 16, .leaf_triangles = 2};
+    const plt_options options = {2, PLT_WALK_TWO_STAGE};
+    packed image;
+    mesh m = {0};
+    lattice_loss loss;
+    plt_engine *e;
+    plt_fault fault;
+    fail f = {""};
+    shape_cube(&m);
+    CHECK(pack_compact(&image, &m, &how, "test", &loss, &f) == 0, "%s", f.text);
+    const plt_source source = rig_source(&image);
+    CHECK(plt_open(&e, arena, 0, &source, &options, &fault) == PLT_ERR_ARGUMENT && !e, "%s",
+          fault.message);
+    CHECK(plt_arena_need(&image.info, 1, &options) == 0, "a need");
+    pack_free(&image);
+    mesh_free(&m);
+}
+
 int main(void) {
     packed image[2] = {image_of(rig_triangles(250, 2), PLT_BUILD_HOST),
                        image_of(rig_triangles(250, 2), PLT_BUILD_DEVICE)};
@@ -233,6 +254,7 @@ int main(void) {
     transfers_stay_inside(&image[1]);
     test("sources, arenas and options out of range are refused as arguments");
     arguments(&image[0]);
+    two_stages_of_blocks();
     pack_free(&image[0]);
     pack_free(&image[1]);
     return test_done();

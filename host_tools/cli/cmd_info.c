@@ -126,6 +126,15 @@ static double share(uint32_t part, uint32_t rest) {
     return part + rest > 0 ? 100.0 * part / ((double)part + rest) : 0.0;
 }
 
+static void print_stacks(const plt_info *i) {
+    printf("stacks             %" PRIu32 " depth first", i->depth_stack_entries);
+    if (i->nodes_format == PLT_NODES_THESIS) {
+        printf("; %" PRIu32 " global and %" PRIu32 " local in two stages", i->global_stack_entries,
+               i->local_stack_entries);
+    }
+    putchar('\n');
+}
+
 static void print_text(const plt_info *i, const derived *d) {
     printf("triangles          %" PRIu32 "\n", i->triangles);
     if (i->triangles > 0) {
@@ -142,9 +151,7 @@ static void print_text(const plt_info *i, const derived *d) {
         printf("lists              %" PRIu32 " single, %" PRIu32
                " intermediate (%.1f %% of the leaves)\n",
                i->leaf_lists, i->intermediate_lists, share(i->intermediate_lists, i->leaf_lists));
-        printf("stacks             %" PRIu32 " depth first; %" PRIu32 " global and %" PRIu32
-               " local in two stages\n",
-               i->depth_stack_entries, i->global_stack_entries, i->local_stack_entries);
+        print_stacks(i);
         printf("tree bytes         %" PRIu64 ", %.2f a triangle, %" PRIu64 " of them free slots\n",
                d->tree_bytes, d->tree_each, d->overhead_bytes);
     }
@@ -178,7 +185,7 @@ static int look_into(scene *s, const char *path, plt_info *info, fail *f) {
     if (status == PLT_OK) {
         status = scene_start(s, path, &fault);
     }
-    if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE) {
+    if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE || status == PLT_ERR_ARGUMENT) {
         return scene_refused(f, path, status, &fault, s->arena_bytes);
     }
     if (s->engine != NULL) {
