@@ -36,9 +36,14 @@
 #ifndef PLT_LANES_H
 #define PLT_LANES_H
 
+#include <float.h>
 #include <stdint.h>
 
 #include "engine/lanes/unroll.h"
+
+#if FLT_EVAL_METHOD != 0
+#error "floats are evaluated in a wider type: on 32-bit x86 add -msse2 -mfpmath=sse"
+#endif
 
 #ifdef PLT_LANES
 #include PLT_LANES
