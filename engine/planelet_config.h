@@ -33,7 +33,8 @@
 #define PLT_GLOBAL_STACK_MAX 65536
 #endif
 
-/* Bins an axis of the SAH builder: 4 .. 64. Cost: 112 bytes of build scratch. */
+/* Bins an axis of the SAH builder: 4 .. 64. Cost: 112 bytes of build scratch, 143 for compact
+ * blocks. */
 #ifndef PLT_SAH_BINS
 #define PLT_SAH_BINS 32
 #endif

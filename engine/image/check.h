@@ -1,7 +1,7 @@
-/* check - the one place where the contents of an image are believed
+/* check - where the contents of thesis nodes and float records are believed
  *
- * Everything that enters the engine passes here once, when it is opened;
- * nothing behind it checks again (SPEC.md, section 5).
+ * They pass here once, when an image is opened; nothing behind it checks again
+ * (SPEC.md, section 5). Compact blocks pass tree/block_survey.h.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_IMAGE_CHECK_H
@@ -10,8 +10,7 @@
 #include "engine/image/header.h"
 #include "engine/tree/survey.h"
 
-/* I5 to I7: corners finite and inside the scene's box, source numbers below
- * the count. */
+/* I5 and I7: corners finite and inside the scene's box, number words in range. */
 int plt_check_records(const plt_header *header, const plt_record *records, plt_fault *fault);
 
 /* I6: planes inside the scene's box, for every slot of a node in use or not. */

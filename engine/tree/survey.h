@@ -3,7 +3,7 @@
  * Serves the builder (to fill in the counts) and opening (to believe them).
  * Needs one frame a level and no recursion; bytes of a hostile image are
  * safe to survey, and a tree that passed is safe to traverse (SPEC.md, I1
- * to I6).
+ * to I4; the stacks it needs, I8).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_SURVEY_H
