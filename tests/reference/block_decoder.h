@@ -9,7 +9,7 @@
  * address, in a block nodes by number and units by slot. So the index of a
  * triangle is its number in image order.
  *
- * Source: SPEC.md, sections 2 to 4 and the invariants I10 to I19.
+ * Source: SPEC.md, sections 2 to 4 and the invariants I10 to I21.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_BLOCK_DECODER_H

@@ -96,6 +96,20 @@ static void read_position(decoder_part *part, uint32_t vertex, int32_t position[
     }
 }
 
+static int check_positions(decoded_image *image, decoder_part *part) {
+    const decoded_box *frame = &part->block->frame;
+    for (uint32_t vertex = 0; vertex < part->block->vertices; vertex++) {
+        int32_t position[3];
+        read_position(part, vertex, position);
+        for (int a = 0; a < 3; a++) {
+            if (position[a] < frame->lo[a] || position[a] > frame->hi[a]) {
+                return part_wrong(image, part, "a vertex outside the frame");
+            }
+        }
+    }
+    return 0;
+}
+
 /* The vertex of the next reference. */
 static int next_vertex(decoded_image *image, decoder_part *part, strip_reader *strip,
                        uint32_t *vertex) {
@@ -185,6 +199,9 @@ static int starts_a_unit(const decoded_image *image, const decoded_block *block,
 static int read_strips(decoded_image *image, decoder_part *part) {
     const decoded_block *block = part->block;
     strip_reader strip = {0, 0, {0, 0, 0}};
+    if (check_positions(image, part) != 0) {
+        return -1;
+    }
     for (uint32_t t = 0; t < block->triangles; t++) {
         const uint32_t place = block->first_triangle + t;
         if (starts_a_unit(image, block, t) && !decoder_bits(&part->in, part->start + t, 1)) {
@@ -220,7 +237,8 @@ static int read_records(decoded_image *image, decoder_part *part) {
         const uint32_t word = decoder_u32(&part->records, 40 * (size_t)place + 36);
         triangle->number = word & 0x7FFFFFFu;
         triangle->turn = word >> 29 & 3u;
-        if (triangle->number >= image->header.triangles || triangle->turn > 2) {
+        if (triangle->number >= image->header.triangles || triangle->turn > 2 ||
+            (word >> 27 & 3u) != 0) {
             return block_decode_wrong(image, "record %u: number word", place);
         }
     }
@@ -230,9 +248,10 @@ static int read_records(decoded_image *image, decoder_part *part) {
 static int check_part(decoded_image *image, decoder_part *part, size_t strings_end) {
     const decoded_block *block = part->block;
     const size_t bytes = block->geometry_bytes, at = part->end / 8;
+    const int lattice = image->header.geometry_format == 1;
     if (part->in.overrun || strings_end > part->end + 8 * bytes ||
-        block->triangles > WORST_BLOCK_TRIANGLES || block->vertices > WORST_BLOCK_VERTICES ||
-        block->first_triangle != image->triangles) {
+        lattice != (block->vertices > 0) || block->triangles > WORST_BLOCK_TRIANGLES ||
+        block->vertices > WORST_BLOCK_VERTICES || block->first_triangle != image->triangles) {
         return part_wrong(image, part, "counts of the geometry part");
     }
     if (!decoder_is_zero(&part->in, strings_end, part->end + 8 * bytes)) {
