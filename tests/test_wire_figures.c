@@ -115,34 +115,34 @@ typedef struct figure {
 
 /* Plays the film in a loop there and back, for `ms`. */
 static figure play(rig_shape shape, unsigned near, uint32_t ms) {
-    static wire_rig rig;
-    wire_rig_open(&rig, shape, 1);
-    rig.cable.paced = 1;
-    wire_frames_near(&rig.out, near);
+    static wire_rig pair;
+    wire_rig_open(&pair, shape, 1);
+    pair.cable.paced = 1;
+    wire_frames_near(&pair.out, near);
     figure result = {0, 0, 0};
     uint32_t frames = 0, payload = 0, since = 0, last = UINT32_MAX;
     for (uint32_t t = 0; t < ms + since; t++) {
-        fake_cable_step(&rig.cable);
+        fake_cable_step(&pair.cable);
         const uint32_t now = t / FRAME_MS % (2 * FILM - 2),
                        i = now < FILM ? now : 2 * FILM - 2 - now;
-        if (!wire_frames_out_idle(&rig.out) || t / FRAME_MS == last) {
+        if (!wire_frames_out_idle(&pair.out) || t / FRAME_MS == last) {
             continue;
         }
         if (last != UINT32_MAX && since == 0) { /* the key frame has gone */
             since = t;
-            frames = rig.host.stats.frames_out;
-            result.key = payload = rig.host.stats.payload_out;
+            frames = pair.host.stats.frames_out;
+            result.key = payload = pair.host.stats.payload_out;
         }
         last = t / FRAME_MS;
-        wire_frames_show(&rig.out, film[i], 3 * WIDTH);
+        wire_frames_show(&pair.out, film[i], 3 * WIDTH);
     }
-    frames = rig.host.stats.frames_out - frames;
+    frames = pair.host.stats.frames_out - frames;
     result.fps = 1000.0 * frames / ms;
-    result.bytes = (double)(rig.host.stats.payload_out - payload) / (frames ? frames : 1);
-    CHECK(rig.host.stats.frames_bad == 0 && rig.device.stats.reports_lost == 0,
-          "%u bad frames, %u reports lost", rig.host.stats.frames_bad,
-          rig.device.stats.reports_lost);
-    wire_rig_close(&rig);
+    result.bytes = (double)(pair.host.stats.payload_out - payload) / (frames ? frames : 1);
+    CHECK(pair.host.stats.frames_bad == 0 && pair.device.stats.reports_lost == 0,
+          "%u bad frames, %u reports lost", pair.host.stats.frames_bad,
+          pair.device.stats.reports_lost);
+    wire_rig_close(&pair);
     return result;
 }
 
@@ -180,21 +180,21 @@ static void figure_oled(void) {
             memmove(film[i] + 3 * WIDTH * y, film[i] + 3 * (WIDTH * (y + 90) + 100), 3 * 128);
         }
     }
-    static wire_rig rig;
-    wire_rig_open(&rig, shape, 1);
-    rig.cable.paced = 1;
+    static wire_rig pair;
+    wire_rig_open(&pair, shape, 1);
+    pair.cable.paced = 1;
     for (uint32_t t = 0, i = 0; t < 2000; t++) {
-        fake_cable_step(&rig.cable);
-        if (wire_frames_out_idle(&rig.out)) {
-            wire_frames_show(&rig.out, film[i++ % FILM], 3 * WIDTH);
+        fake_cable_step(&pair.cable);
+        if (wire_frames_out_idle(&pair.out)) {
+            wire_frames_show(&pair.out, film[i++ % FILM], 3 * WIDTH);
         }
     }
     printf("    128x64 1 bit, marbles: %u bytes, %.1f fps\n",
-           rig.host.stats.payload_out / (rig.host.stats.frames_out + 1),
-           rig.host.stats.frames_out / 2.0);
+           pair.host.stats.payload_out / (pair.host.stats.frames_out + 1),
+           pair.host.stats.frames_out / 2.0);
     test("128 x 64 at 1 bit, a new frame as soon as one has gone: at least 50 frames a second");
-    CHECK(rig.host.stats.frames_out >= 100, "%u in 2 s", rig.host.stats.frames_out);
-    wire_rig_close(&rig);
+    CHECK(pair.host.stats.frames_out >= 100, "%u in 2 s", pair.host.stats.frames_out);
+    wire_rig_close(&pair);
 }
 
 int main(int count, char **words) {
