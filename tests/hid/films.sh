@@ -1,21 +1,25 @@
 #!/bin/sh
 # films.sh FOLDER - marbles.ppm: marbles roll before a still camera, 25 a second;
-# orbit.y4m: 1.2 degrees a frame about them, as at 30 a second in ten seconds
+# small.ppm: the same, 128x64; orbit.y4m: 1.2 degrees a frame about them, as at
+# 30 a second in ten seconds
 #
-# 320x240. The first is a stream of PPM, so that no colour is rounded on its
-# way. SPDX-License-Identifier: MIT
+# 320x240 else. Streams of PPM round no colour on its way.
+# SPDX-License-Identifier: MIT
 set -e
 planelet=${OUT:-${BUILD:-build}/host}/planelet
 folder=$1
 mkdir -p "$folder/scene"
-[ -e "$folder/marbles.ppm" ] && [ -e "$folder/orbit.y4m" ] && exit 0
+[ -e "$folder/small.ppm" ] && [ -e "$folder/orbit.y4m" ] && exit 0
 "$planelet" make marbles --frames 36 -o "$folder/scene/{}.ply" >/dev/null
 for mesh in "$folder"/scene/*.ply; do
     "$planelet" pack "$mesh" -o "${mesh%.ply}.plt" >/dev/null
-    "$planelet" render "${mesh%.ply}.plt" --size 320x240 --eye 17.745,31.55,39.433 --look 0,0.5,0 \
-        -o "${mesh%.ply}.ppm" >/dev/null
+    for size in 320x240 128x64; do
+        "$planelet" render "${mesh%.ply}.plt" --size $size --eye 17.745,31.55,39.433 \
+            --look 0,0.5,0 -o "${mesh%.ply}-$size.ppm" >/dev/null
+    done
 done
-cat "$folder"/scene/*.ppm >"$folder/marbles.ppm"
+cat "$folder"/scene/*-320x240.ppm >"$folder/marbles.ppm"
+cat "$folder"/scene/*-128x64.ppm >"$folder/small.ppm"
 scene=$(ls "$folder"/scene/*.plt | head -n 1)
 # The header, and 15 of 300 frames.
 "$planelet" render "$scene" --size 320x240 --orbit 300 -o "$folder/scene/orbit.y4m" >/dev/null

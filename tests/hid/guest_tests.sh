@@ -151,10 +151,9 @@ paced() { # SENTENCE BACKEND AT_LEAST FILE size=WxH [key=value ...]
 }
 
 paced_displays() {
-    ./make_pattern 128x64 100 >/tmp/mono
     for backend in hidraw libusb; do
         near=0
-        paced "128x64 of 1 bit" $backend 50 /tmp/mono size=128x64 format=4
+        paced "marbles, 128x64 of 1 bit" $backend 50 small.ppm size=128x64 format=4
         paced "an orbit, 320x240 RGB565" $backend 4 orbit.y4m size=320x240
         near=3
         paced "marbles before a still camera, 320x240 RGB565, near 3" $backend 12 marbles.ppm \
