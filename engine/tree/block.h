@@ -102,9 +102,10 @@ void plt_block_apply(const plt_lattice_box *box, const unsigned char plane[6], u
 void plt_block_children(const plt_block *block, uint32_t node, const plt_lattice_box *box,
                         plt_lattice_box child[2]);
 
-/* Width of a plane's step on an axis of this extent. */
+/* Width of a plane's step on an axis of this extent; 1 for the extents below 0
+ * that only a hostile block decodes to. */
 static inline uint32_t plt_block_step(uint32_t extent) {
-    return extent <= 255 ? 1 : (extent + 254) / 255;
+    return (int32_t)extent <= 255 ? 1 : (extent + 254) / 255;
 }
 
 /* The 16-bit check of a part, its own two bytes at `check_at` counting as 0. */
