@@ -71,6 +71,19 @@ same "a knot fetched into the arena" knot 81x61 "" "scene=$out/knot.plt"
 same "a tree built on the device" small 80x60 ""
 same "a list without a tree" list 40x30 "--shader normal" shader=normal
 
+# built NAME LEAF MAKE LEAST: compact blocks of so many triangles, built in the arena.
+built() {
+    scene "$1" knot --triangles "$3" -- --nodes compact --geometry lattice:14 --leaf "$2" \
+        --build device 2>/dev/null
+    same "$4 triangles and more, $2 a list, built on the device" "$1" 320x240 ""
+    verdict "... within 262,144 bytes" "$(
+        [ "$(value triangles)" -ge "$4" ] || echo "$(value triangles) triangles"
+        [ "$(value peak)" -gt 0 ] && [ "$(value peak)" -le 262144 ] || echo "peak $(value peak)")"
+    echo "    $(($(value open) / $(value triangles))) instructions a triangle to open and build"
+}
+built blocks2 2 35400 35000
+built blocks4 4 45400 45000
+
 # refused SENTENCE STATUS PATTERN SCENE [parameter ...]
 refused() {
     sentence=$1 wanted=$2 pattern=$3
