@@ -4,7 +4,7 @@
  *       tests/fuzz/fuzz_image.c $(find engine -name "*.c")
  *
  * The first byte chooses source, walk and packet side; bit 4 asks for the
- * checksums to be made right, or hardly a mutation would pass them. The
+ * checksums and block checks to be made right, or hardly a mutation would pass them. The
  * promises checked are those of hostile/images.h; tests/test_image_fuzz.c runs
  * this with mutations of its own in `make test`.
  *

@@ -15,6 +15,7 @@
 #include "engine/image/bytes.h"
 #include "engine/image/crc32.h"
 #include "engine/planelet.h"
+#include "engine/tree/block.h"
 
 #define HOSTILE_RAYS 70u
 #define HOSTILE_ARENA_MOST (8u << 20)
@@ -32,7 +33,7 @@ typedef struct hostile_way {
 
 /* ---- sealing -------------------------------------------------------------- */
 
-enum { HOSTILE_HEADER = 256, HOSTILE_CRC = 20, HOSTILE_SECTION = 104 };
+enum { HOSTILE_HEADER = 256, HOSTILE_CRC = 20, HOSTILE_SECTION = 104, HOSTILE_BLOCKS = 3 };
 
 static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
     if (size >= HOSTILE_HEADER) {
@@ -41,8 +42,46 @@ static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
     }
 }
 
-/* The CRCs of both sections, where they lie inside the image, and the header's. */
+/* Both checks of a block in `bytes`; returns its size, 0 when it does not fit `limit`. */
+static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, uint32_t bits) {
+    plt_block b;
+    if (limit < 8 || limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
+        return 0;
+    }
+    plt_block_open(&b, bytes, bits);
+    if (b.node_bytes > limit || b.geometry_bytes > limit - b.node_bytes) {
+        return 0;
+    }
+    const uint32_t nodes = plt_block_check(bytes, b.node_bytes, 2);
+    plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) | nodes << 16);
+    if (b.geometry_bytes > 0) {
+        unsigned char *part = bytes + b.node_bytes;
+        const uint32_t geometry = plt_block_check(part, b.geometry_bytes, 6);
+        plt_put_u32(part + 4, (plt_get_u32(part + 4) & 0xFFFFu) | geometry << 16);
+    }
+    return (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
+}
+
+/* The checks of all blocks, as far as each begins where the one before ends. */
+static inline void hostile_seal_blocks(unsigned char *bytes, uint32_t size) {
+    const uint32_t offset = plt_get_u32(bytes + HOSTILE_SECTION + 4);
+    const uint32_t count = plt_get_u32(bytes + HOSTILE_SECTION + 8);
+    const uint32_t bits = plt_get_u32(bytes + 184);
+    if (plt_get_u32(bytes + HOSTILE_SECTION) != HOSTILE_BLOCKS || offset > size || count < 8 ||
+        count > size - offset) {
+        return;
+    }
+    for (uint32_t at = 0, block = 1; block > 0 && at < count - 8; at += block) {
+        block = hostile_seal_block(bytes + offset + at, count - 8 - at, bits);
+    }
+}
+
+/* The checks of blocks, the CRCs of both sections where they lie inside the image,
+ * and the header's. */
 static inline void hostile_seal(unsigned char *bytes, uint32_t size) {
+    if (size >= HOSTILE_HEADER) {
+        hostile_seal_blocks(bytes, size);
+    }
     for (int i = 0; i < 2 && size >= HOSTILE_HEADER; i++) {
         unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
         const uint32_t offset = plt_get_u32(entry + 4), count = plt_get_u32(entry + 8);
