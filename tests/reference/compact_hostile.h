@@ -1,0 +1,135 @@
+/* compact_hostile - compact images and blocks that nobody vouches for
+ *
+ * As hostile/images.h, whose source, rays and refusals are used here, but with
+ * the promises of compact scenes, and with seals for blocks. Needs the engine
+ * alone: the fuzz target links nothing else.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef REFERENCE_COMPACT_HOSTILE_H
+#define REFERENCE_COMPACT_HOSTILE_H
+
+#include "engine/tree/block_survey.h"
+#include "tests/hostile/images.h"
+
+enum { COMPACT_BITS = 184, COMPACT_BEHIND = 8, COMPACT_MOST = 1 << 23 };
+
+/* ---- sealing ----------------------------------------------------------------- */
+
+/* The checks of one block of at most `limit` bytes. Returns its size with padding,
+ * or 0 when its parts do not fit. Up to 8 bytes behind the limit are looked at. */
+static inline uint32_t compact_seal_block(unsigned char *bytes, uint32_t limit, uint32_t bits) {
+    plt_block b;
+    if (limit < 4 || limit < plt_block_parts_bytes((bytes[0] & 63u) + 1, 0, bits)) {
+        return 0;
+    }
+    plt_block_open(&b, bytes, bits);
+    if (b.node_bytes > limit || b.geometry_bytes > limit - b.node_bytes) {
+        return 0;
+    }
+    const uint32_t check = plt_block_check(bytes, b.node_bytes, 2);
+    plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) | check << 16);
+    if (b.geometry_bytes >= 8) {
+        unsigned char *word = bytes + b.node_bytes + 4;
+        const uint32_t other = plt_block_check(word - 4, b.geometry_bytes, 6);
+        plt_put_u32(word, (plt_get_u32(word) & 0xFFFFu) | other << 16);
+    }
+    return (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
+}
+
+/* All blocks of a blocks section, one behind the other as far as that goes. */
+static inline void compact_seal_blocks(unsigned char *bytes, uint32_t size, uint32_t bits) {
+    for (uint32_t at = 0; at + COMPACT_BEHIND < size;) {
+        const uint32_t block = compact_seal_block(bytes + at, size - COMPACT_BEHIND - at, bits);
+        at += block > 0 ? block : size;
+    }
+}
+
+/* Blocks if wanted, then sections and header: nothing but the lie itself is left. */
+static inline void compact_seal(unsigned char *bytes, uint32_t size, int blocks) {
+    if (size >= HOSTILE_HEADER && blocks && plt_get_u32(bytes + HOSTILE_SECTION) == 3) {
+        const uint32_t offset = plt_get_u32(bytes + HOSTILE_SECTION + 4);
+        const uint32_t count = plt_get_u32(bytes + HOSTILE_SECTION + 8);
+        const uint32_t bits = plt_get_u32(bytes + COMPACT_BITS);
+        if (offset <= size && count <= size - offset && bits >= 12 && bits <= 21) {
+            compact_seal_blocks(bytes + offset, count, bits);
+        }
+    }
+    hostile_seal(bytes, size);
+}
+
+/* ---- trying -------------------------------------------------------------------- */
+
+/* Rays that are no rays, start inside, lie in planes, or see nothing. */
+static inline void compact_odd_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *info) {
+    static const uint32_t odd[8] = {0x7FC00000, 0x7F800000, 0xFF800000, 0x80000000,
+                                    0x00000001, 0x7F7FFFFF, 0xDD800000, 0x21800000};
+    hostile_rays(rays, info);
+    for (uint32_t i = 0; i < HOSTILE_RAYS; i++) {
+        float words[8];
+        memcpy(words, &rays[i], sizeof words);
+        for (uint32_t k = 0; k < i % 4; k++) {
+            words[(i * 5 + k * 3) % 8] = plt_get_float(&odd[(i + k) % 8]);
+        }
+        memcpy(&rays[i], words, sizeof words);
+    }
+}
+
+/* A hit's number is below `numbers`. */
+static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
+    plt_ray rays[HOSTILE_RAYS];
+    plt_hit hits[HOSTILE_RAYS];
+    const plt_info *info = plt_engine_info(e);
+    plt_stats s;
+    for (int odd = 0; odd < 2; odd++) {
+        odd ? compact_odd_rays(rays, info) : hostile_rays(rays, info);
+        plt_trace(e, rays, hits, HOSTILE_RAYS, 0);
+        for (uint32_t i = 0; i < HOSTILE_RAYS; i++) {
+            if (hits[i].triangle != PLT_MISS &&
+                !(hits[i].triangle < numbers && hits[i].t >= 0.0f && hits[i].u >= 0.0f &&
+                  hits[i].u <= 1.0f && hits[i].v >= 0.0f && hits[i].v <= 1.0f)) {
+                return "a hit is out of range";
+            }
+        }
+        plt_trace(e, rays, hits, HOSTILE_RAYS, 1);
+    }
+    plt_stats_get(e, &s);
+    return s.node_visits <= s.packets * info->nodes ? NULL : "a node was visited twice";
+}
+
+static inline uint32_t compact_numbers(const plt_info *info) {
+    const int lone = info->source_triangles == 1; /* is there twice */
+    return info->number_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
+}
+
+/* Opens a copy of exactly its size in exactly the arena it needs and, if that
+ * works, traces. */
+static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,
+                                         uint8_t streamed, uint8_t packet_side) {
+    hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
+    unsigned char *copy = malloc(size > 0 ? size : 1);
+    hostile_stream stream = {copy, size, 0};
+    const plt_source mapped = {copy, size, NULL, NULL, NULL};
+    const plt_source fetched = {NULL, size, &stream, hostile_start, hostile_wait};
+    const plt_source source = streamed ? fetched : mapped;
+    const plt_options options = {packet_side, PLT_WALK_DEPTH_FIRST};
+    if (size > 0) {
+        memcpy(copy, bytes, size);
+    }
+    const size_t arena_bytes = hostile_arena_bytes(&source, &options);
+    void *arena = malloc(arena_bytes);
+    plt_engine *e = NULL;
+    r.status = plt_open(&e, arena, arena_bytes, &source, &options, &r.fault);
+    r.sentence = r.status == PLT_OK ? compact_trace(e, compact_numbers(plt_engine_info(e)))
+                                    : hostile_refusal(r.status, &r.fault, e);
+    if (size > 0 && memcmp(copy, bytes, size) != 0) {
+        r.sentence = "the image was written";
+    }
+    if (stream.beyond) {
+        r.sentence = "the source was asked for bytes beyond its end";
+    }
+    free(arena);
+    free(copy);
+    return r;
+}
+
+#endif
