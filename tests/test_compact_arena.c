@@ -1,0 +1,192 @@
+/* test_compact_arena - the arena of compact scenes: need, peak, guards, steps
+ *
+ * Arenas lie on the heap in exactly their size, with a pattern before them, and
+ * images are compared afterwards; sanitizers see what lies behind.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/budget.h"
+#include "engine/build/blocks.h"
+#include "engine/engine.h"
+#include "tests/reference/compact_check.h"
+#include "tests/reference/compact_hostile.h"
+#include "tests/reference/compact_rig.h"
+#include "tests/reference/shapes.h"
+#include "tests/test.h"
+
+enum { ZONE = 64, PATTERN = 0xC3 };
+
+static packed image_of(uint32_t triangles, const compact_way *way) {
+    mesh m = {0};
+    packed image;
+    fail f = {""};
+    lattice_loss loss;
+    shape_soup(&m, triangles, 0.5f, triangles);
+    CHECK(pack_compact(&image, &m, &way->pack, "test", &loss, &f) == 0, "%s", f.text);
+    mesh_free(&m);
+    return image;
+}
+
+typedef struct opened {
+    int status;
+    plt_fault fault;
+    size_t used, peak;
+} opened;
+
+/* Opens in `bytes` and traces if that works. */
+static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t side) {
+    opened o = {0, {0, 0, 0, 0, NULL}, 0, 0};
+    hostile_stream stream = {image->bytes, image->size, 0};
+    const plt_source fetched = {NULL, image->size, &stream, hostile_start, hostile_wait};
+    const plt_source source = streamed ? fetched : rig_source(image);
+    const plt_options options = {side, PLT_WALK_DEPTH_FIRST};
+    unsigned char *zone = malloc(bytes + ZONE);
+    plt_engine *e = NULL;
+    memset(zone, PATTERN, bytes + ZONE);
+    o.status = plt_open(&e, zone + ZONE, bytes, &source, &options, &o.fault);
+    if (o.status == PLT_OK) {
+        const char *sentence = compact_trace(e, compact_numbers(plt_engine_info(e)));
+        CHECK(sentence == NULL, "%s", sentence);
+        o.used = plt_arena_used(e);
+        o.peak = plt_arena_peak(e);
+    }
+    CHECK((e != NULL) == (o.status == PLT_OK), "status %d", o.status);
+    for (int i = 0; i < ZONE; i++) {
+        CHECK(zone[i] == PATTERN, "byte %d before the arena was written", ZONE - i);
+    }
+    CHECK(!stream.beyond, "the source was asked for too much");
+    free(zone);
+    return o;
+}
+
+static void every_size(const packed *image, int streamed, uint8_t side) {
+    const plt_options options = {side, PLT_WALK_DEPTH_FIRST};
+    const size_t need = plt_arena_need(&image->info, !streamed, &options);
+    const int device = image->info.build == PLT_BUILD_DEVICE;
+    size_t least = 0;
+    for (size_t bytes = 0; bytes <= need + 16; bytes += bytes + 600 < need ? 112 : 16) {
+        const opened o = open_in(image, bytes, streamed, side);
+        if (bytes >= need || (device && o.status == PLT_OK)) {
+            CHECK(o.status == PLT_OK, "%zu bytes of %zu: %s", bytes, need, o.fault.message);
+            CHECK(o.used <= o.peak && o.peak <= bytes, "used %zu, peak %zu of %zu", o.used, o.peak,
+                  bytes);
+            least = least == 0 ? bytes : least;
+        } else {
+            CHECK(o.status == PLT_ERR_ARENA && o.fault.need_bytes == need && least == 0,
+                  "%zu bytes of %zu: status %d, need %zu", bytes, need, o.status,
+                  o.fault.need_bytes);
+        }
+    }
+    const opened exact = open_in(image, need, streamed, side);
+    CHECK(exact.status == PLT_OK && (device || exact.peak == need), "need %zu, peak %zu", need,
+          exact.peak);
+}
+
+static void sizes(void) {
+    static const uint32_t triangles[4] = {0, 1, 9, 120};
+    for (int i = 0; i < 4; i++) {
+        for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
+            for (uint8_t floats = 0; floats <= (build == PLT_BUILD_HOST); floats++) {
+                compact_way way = compact_way_of(1u << i % 3, i == 3 ? 21 : 14, build, floats);
+                way.pack.floats = floats;
+                packed image = image_of(triangles[i], &way);
+                every_size(&image, 0, 2);
+                every_size(&image, 1, PLT_PACKET_SIDE_MAX);
+                pack_free(&image);
+            }
+        }
+    }
+}
+
+/* What a device build needs at a time: the engine, scratch, the finished blocks and
+ * at most one block more (or, of few triangles, their permutation). */
+static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) {
+    const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(triangles, &way);
+    hostile_stream stream = {image.bytes, image.size, 0};
+    const plt_source fetched = {NULL, image.size, &stream, hostile_start, hostile_wait};
+    const plt_source source = streamed ? fetched : rig_source(&image);
+    const size_t need = plt_arena_need(&image.info, !streamed, &way.run);
+    void *arena = malloc(need);
+    plt_engine *e = NULL;
+    plt_fault fault;
+    CHECK(plt_open(&e, arena, need, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
+    if (e != NULL) {
+        const plt_block_tree *tree = &e->walker.blocks.tree;
+        const compact_facts f = compact_check(tree, NULL);
+        const size_t corners = (size_t)triangles * 9 * (bits <= 16 ? 2 : 4);
+        const size_t fixed = sizeof *e + plt_blocks_scratch_bytes(triangles) + 64 +
+                             (streamed ? (corners + 63) / 64 * 64 : 0);
+        const size_t blocks = (size_t)tree->used + f.largest_block;
+        CHECK(f.broken == 0 && f.triangles == triangles, "%u of %u: %s", f.triangles, triangles,
+              f.sentence);
+        CHECK(plt_arena_peak(e) <= fixed + (blocks > 2 * triangles ? blocks : 2 * triangles),
+              "%u triangles: peak %zu, fixed %zu, image %u and a block %u", triangles,
+              plt_arena_peak(e), fixed, tree->used, f.largest_block);
+        CHECK(plt_arena_used(e) >= sizeof *e + tree->used, "used %zu", plt_arena_used(e));
+        if (!streamed && triangles == 3000) {
+            printf("    %u triangles, K %u: peak %zu = engine and scratch %zu, image %u, and %ld\n",
+                   triangles, k, plt_arena_peak(e), fixed - 64, tree->used,
+                   (long)plt_arena_peak(e) - (long)(fixed - 64) - (long)tree->used);
+        }
+    }
+    free(arena);
+    pack_free(&image);
+}
+
+/* In pieces of any size: the blocks of plt_open, and a bounded number of pieces. */
+static void in_steps(uint32_t k, uint32_t splits) {
+    const compact_way way = compact_way_of(k, 16, PLT_BUILD_DEVICE, PLT_SPLIT_MEDIAN);
+    packed image = image_of(compact_triangles(500, k), &way);
+    const plt_source source = rig_source(&image);
+    const size_t need = plt_arena_need(&image.info, 1, &way.run);
+    void *whole_arena = malloc(need), *arena = malloc(need);
+    plt_engine *whole = NULL, *e = NULL;
+    plt_fault fault;
+    CHECK(plt_open(&whole, whole_arena, need, &source, &way.run, &fault) == PLT_OK, "%s",
+          fault.message);
+    int status = plt_open_begin(&e, arena, need, &source, &way.run, &fault);
+    uint32_t steps = 0;
+    CHECK(status == PLT_MORE, "status %d", status);
+    while (status == PLT_MORE && steps < 100000) {
+        status = plt_open_step(e, splits, &fault);
+        steps++;
+    }
+    CHECK(status == PLT_OK, "%s", fault.message);
+    if (whole != NULL && status == PLT_OK) {
+        const plt_block_tree *a = &whole->walker.blocks.tree, *b = &e->walker.blocks.tree;
+        const plt_info *info = plt_engine_info(e);
+        const uint32_t work = info->nodes + 2 * info->treelets;
+        CHECK(a->used == b->used && memcmp(a->bytes, b->bytes, a->used) == 0, "blocks differ");
+        CHECK(memcmp(plt_engine_info(whole), info, sizeof *info) == 0, "counts differ");
+        CHECK(plt_arena_peak(whole) == plt_arena_peak(e), "peaks differ");
+        CHECK(steps >= work / splits && steps <= 3 * work / splits + 1,
+              "%u steps of %u for %u nodes and %u blocks", steps, splits, info->nodes,
+              info->treelets);
+        CHECK(plt_open_step(e, 1, &fault) == PLT_OK, "a step more is an error");
+        CHECK(compact_trace(e, info->triangles) == NULL, "cannot be traced");
+    }
+    free(whole_arena);
+    free(arena);
+    pack_free(&image);
+}
+
+int main(void) {
+    test("exactly the need is enough; less is built by a device, or refused with the need");
+    sizes();
+    test("a device's peak is engine, scratch, the blocks and at most one block");
+    for (uint32_t k = 1; k <= 4; k *= 2) {
+        for (int streamed = 0; streamed < 2; streamed++) {
+            peak_of(2, k, 14, streamed);
+            peak_of(compact_triangles(100, k), k, 21, streamed);
+            peak_of(compact_triangles(3000, k), k, 14, streamed);
+        }
+    }
+    test("built in steps the blocks are the same, in as many steps as nodes and blocks bound");
+    in_steps(1, 1);
+    in_steps(2, 1);
+    in_steps(4, 7);
+    return test_done();
+}
