@@ -1,0 +1,242 @@
+#!/bin/sh
+# test_compact.sh - compact nodes on the command line: flags, losses, figures, errors
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin compact
+
+run make knot --triangles 4000 -o knot.ply
+quad quad.ply
+
+# packs SENTENCE ARGUMENT...: status 0; the one line on standard error is what the
+# lattice cost.
+packs() {
+    sentence=$1
+    shift
+    run pack "$@"
+    verdict "$sentence" "$(
+        [ "$status" -eq 0 ] || echo "status $status"
+        one_line
+        grep -q ': lattice of [0-9]* bits: vertices moved by up to .* of the longest side, ' err ||
+            cat err)"
+}
+
+word() { # NAME: of the JSON on standard input
+    sed -n "s/^  \"$1\": \"\(.*\)\",*\$/\1/p"
+}
+
+# ---- formats and figures ---------------------------------------------------------
+
+for bits in 12 14 16 17 21; do
+    for leaf in 1 2 4; do
+        packs "pack --geometry lattice:$bits --leaf $leaf" knot.ply -o knot.plt --nodes compact \
+            --geometry lattice:$bits --leaf $leaf
+        run info knot.plt --json
+        verdict "... info: format, bits, and parts that add up" "$(
+            [ "$(word node_format <out) $(word geometry_format <out)" = "compact lattice" ] ||
+                cat out
+            [ "$(number lattice_bits <out)" = $bits ] || echo "$(number lattice_bits <out) bits"
+            [ "$(number leaf_triangles <out)" = $leaf ] || cat out
+            [ "$(number image_bytes <out)" -eq "$(wc -c <knot.plt)" ] || echo "image_bytes"
+            n=$(number triangles <out)
+            nodes=$(number nodes <out) units=$(($(number leaf_lists <out) + \
+                $(number intermediate_lists <out)))
+            blocks=$(number treelets <out)
+            [ "$units" -eq $((nodes + 1)) ] || echo "$units units below $nodes nodes"
+            [ $((64 * blocks)) -ge "$nodes" ] || echo "$nodes nodes in $blocks blocks"
+            tree=$(number tree_bytes <out) geometry=$(number geometry_bytes <out)
+            sed -n '/bytes_per_triangle": {/,/}/s/^    "\([a-z_]*\)": \([0-9.]*\),*$/\1 \2/p' out |
+                awk -v n="$n" -v tree="$tree" -v geometry="$geometry" '
+                $1 != "numbers" { sum += $2 }
+                END {
+                    off = sum * n - tree - geometry
+                    if (NR != 14 || off * off > 9) { print NR " parts, off by " off }
+                }')"
+    done
+done
+verdict "info without --json says the same" "$(
+    run info knot.plt
+    grep -q '^lattice  *21 bits; ' out || cat out
+    for part in planes owners kinds links frames headers padding positions references strips; do
+        grep -q "^  $part .* a triangle" out || echo "not a word of $part"
+    done)"
+run pack knot.ply -o bits.plt --nodes compact
+run info bits.plt --json
+verdict "a lattice has 16 bits unless said otherwise" "$(
+    [ "$(number lattice_bits <out)" = 16 ] || cat out)"
+
+for pair in 3e-4:12 1e-4:14 1e-5:17 1e-6:20; do
+    packs "pack --tolerance ${pair%:*}" knot.ply -o knot.plt --nodes compact \
+        --tolerance "${pair%:*}"
+    verdict "... takes the bits for it, and says a move within it" "$(
+        moved=$(sed 's/.*moved by up to \([-+0-9.e]*\) of.*/\1/' err)
+        awk "BEGIN { exit !($moved <= ${pair%:*}) }" || echo "moved by $moved"
+        run info knot.plt --json
+        [ "$(number lattice_bits <out)" -ge "${pair#*:}" ] || number lattice_bits <out)"
+done
+
+packs "pack --numbers none" knot.ply -o none.plt --nodes compact --numbers none
+run info none.plt --json
+verdict "... leaves the numbers out" "$([ "$(number number_bytes <out)" = 0 ] || cat out)"
+packs "pack --numbers keep" knot.ply -o keep.plt --nodes compact --numbers keep
+same keep.plt bits.plt "... is what is done unless said otherwise"
+verdict "... and costs what info says" "$(
+    run info keep.plt --json
+    [ $((($(wc -c <keep.plt) - $(wc -c <none.plt)))) -eq "$(number number_bytes <out)" ] ||
+        cat out)"
+
+for most in 1 100 1500 1000000; do
+    packs "pack --reduce $most" knot.ply -o small.plt --nodes compact --reduce $most
+    run info small.plt --json
+    verdict "... leaves at most so many triangles" "$(
+        n=$(number triangles <out)
+        [ "$n" -le $most ] || echo "$n"
+        [ $most -ne 1500 ] || [ "$n" -gt $((most / 2)) ] || echo "only $n")"
+done
+run pack knot.ply -o reduced.plt --reduce 1500
+verdict "--reduce goes with thesis nodes, too" "$(
+    [ "$status" -eq 0 ] || cat err
+    run info reduced.plt --json
+    [ "$(number triangles <out)" -le 1500 ] || cat out)"
+
+run pack knot.ply -o float.plt --nodes compact --geometry float
+verdict "compact nodes with float geometry: nothing is lost, and nothing said" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    cat err
+    run info float.plt --json
+    [ "$(word node_format <out) $(word geometry_format <out)" = "compact float" ] || cat out
+    [ "$(number source_triangles <out)" = "$(number triangles <out)" ] || cat out)"
+
+# ---- what the lattice cost --------------------------------------------------------
+
+# A square, and a sliver that a coarse lattice loses: its middle corner falls onto
+# the long edge.
+sed 's/vertex 4/vertex 7/; s/face 2/face 3/; s/^0 1 0$/0 1 0\n0 0 1\n0.5 0.00001 1\n1 0 1/' \
+    quad.ply >sliver.ply
+echo '3 4 5 6' >>sliver.ply
+packs "a sliver on a lattice of 14 bits" sliver.ply -o sliver.plt --nodes compact \
+    --geometry lattice:14
+verdict "... is lost, told as a T-junction, and a finer lattice is proposed" "$(
+    grep -q ' 1 triangles lost their area (0 had none)' err &&
+        grep -q ' 1 T-junctions' err && grep -q 'try --geometry lattice:21' err || cat err
+    run info sliver.plt --json
+    [ "$(number triangles <out) $(number source_triangles <out)" = "2 3" ] || cat out)"
+packs "a sliver on a lattice of 21 bits" sliver.ply -o sliver.plt --nodes compact \
+    --geometry lattice:21
+verdict "... is kept" "$(grep -q ' 0 triangles lost their area' err || cat err)"
+
+# ---- wrong values -------------------------------------------------------------------
+
+for value in lattice:11 lattice:22 lattice: lattice:x lattice:14x lattice:-14 lattices double; do
+    misused "pack refuses --geometry $value" --geometry \
+        pack quad.ply -o x --nodes compact --geometry $value
+done
+for pair in --tolerance=0 --tolerance=-1 --tolerance=1e-8 --tolerance=x --tolerance=nan \
+    --numbers=some --reduce=0 --reduce=-5 --reduce=x --nodes=bvh --leaf=3; do
+    misused "pack refuses $pair" "${pair%=*}" \
+        pack quad.ply -o x --nodes compact "${pair%=*}" "${pair#*=}"
+done
+misused "pack refuses --treelet with compact nodes" compact \
+    pack quad.ply -o x --nodes compact --treelet 64
+misused "pack refuses --build none with compact nodes" compact \
+    pack quad.ply -o x --nodes compact --build none
+misused "pack refuses float geometry for a device to build blocks over" --build \
+    pack quad.ply -o x --nodes compact --geometry float --build device
+misused "pack refuses a tolerance for float geometry" --tolerance \
+    pack quad.ply -o x --nodes compact --geometry float --tolerance 1e-3
+for pair in --geometry=lattice:14 --tolerance=1e-3 --numbers=none; do
+    misused "pack refuses $pair with thesis nodes" "${pair%=*}" \
+        pack quad.ply -o x "${pair%=*}" "${pair#*=}"
+done
+verdict "... and no image is left behind" "$(ls x 2>/dev/null; left_behind)"
+
+sed 's/^0 /1000 /; s/^1 /1001 /' quad.ply >far.ply
+refused "a mesh too far from the origin for its lattice" far.ply \
+    'a lattice of 21 bits is finer than floats are that far from the origin' \
+    pack far.ply -o far.plt --nodes compact --geometry lattice:21
+packs "... is packed on a coarser one" far.ply -o far.plt --nodes compact --geometry lattice:12
+sed 's/^0 /0e-36 /; s/^1 1/1e-36 1e-36/; s/^1 /1e-36 /; s/^0e-36 1/0 1e-36/' quad.ply >tiny.ply
+refused "a mesh too small for a lattice" tiny.ply 'too small for a lattice; scale it up' \
+    pack tiny.ply -o tiny.plt --nodes compact
+
+# ---- render and trace ------------------------------------------------------------------
+
+frame_hash() { # IMAGE RENDER-OPTION...
+    name=$1
+    shift
+    run render "$name" -o frame.ppm --size 96x64 --json - "$@"
+    sed -n 's/^  "frame_hash": "\(.*\)",*$/\1/p' out
+}
+
+for leaf in 1 2 4; do
+    flags="--nodes compact --geometry lattice:14 --leaf $leaf"
+    # shellcheck disable=SC2086
+    run pack knot.ply -o host.plt $flags
+    # shellcheck disable=SC2086
+    run pack knot.ply -o device.plt $flags --build device
+    verdict "$flags: one picture, whoever builds and from wherever it is read" "$(
+        wanted=$(frame_hash host.plt)
+        [ -n "$wanted" ] || cat err
+        for way in "host.plt --packet 2" "host.plt --packet 16" "host.plt --source read" \
+            "device.plt" "device.plt --source read" "device.plt --packet 4"; do
+            # shellcheck disable=SC2086
+            [ "$(frame_hash $way)" = "$wanted" ] || echo "another with $way: $(cat err)"
+        done)"
+    verdict "... shaded by normals, too" "$(
+        wanted=$(frame_hash host.plt --shader normal)
+        [ "$(frame_hash device.plt --shader normal)" = "$wanted" ] || echo "another")"
+done
+
+# A square on a lattice: whole corners stay what they are, so do its hits.
+run pack quad.ply -o thesis.plt
+run pack quad.ply -o quad.plt --nodes compact --geometry lattice:12
+run pack quad.ply -o place.plt --nodes compact --geometry lattice:12 --numbers none
+printf '0.75 0.25 5 0 0 0 -1 100\n0.2 0.7 5 0 0 0 -1 100\n4 4 5 0 0 0 -1 100\n' | rays ray
+for name in thesis quad place; do
+    run trace $name.plt ray $name.hit
+    hits $name.hit >$name.txt
+done
+verdict "hits of a square on a lattice: distance and number" "$(
+    awk '{ print ($4 < 4294967295) ? $1 " " $4 : "miss" }' quad.txt >found
+    printf '5 0\n5 1\nmiss\n' | diff - found)"
+verdict "... by place, the same distances" "$(
+    awk '{ print $1 }' quad.txt >wanted
+    awk '{ print $1 }' place.txt | diff wanted -)"
+
+run pack knot.ply -o knot.plt --nodes compact
+for command in "render knot.plt -o x.png" "trace knot.plt ray hit"; do
+    # shellcheck disable=SC2086
+    run $command --walk two-stage
+    verdict "${command%% *} refuses a two-stage walk of compact blocks in one line" "$(
+        [ "$status" -eq 1 ] || echo "status $status"
+        one_line
+        grep -q '^knot.plt: compact blocks are walked depth first' err || cat err
+        ls x.png hit 2>/dev/null)"
+done
+
+# ---- the smallest scenes, determinism -------------------------------------------------
+
+sed '/^3 /d; s/face 2/face 0/' quad.ply >zero.ply
+sed '/^3 0 2/d; s/face 2/face 1/' quad.ply >one.ply
+echo '0.75 0.25 5 0 0 0 -1 100' | rays ray
+for build in host device; do
+    for leaf in 1 2 4; do
+        for count in zero:4294967295 one:0 quad:0; do
+            name=${count%%:*}
+            verdict "pack, info, render and trace $name with --build $build --leaf $leaf" "$(
+                run pack "$name.ply" -o tiny.plt --build "$build" --leaf "$leaf" --nodes compact
+                [ "$status" -eq 0 ] || cat err
+                run info tiny.plt
+                cat err
+                run render tiny.plt -o tiny.png --size 32x32
+                cat err
+                run trace tiny.plt ray hit
+                cat err
+                [ "$(hits hit | awk '{ print $4 }')" = "${count#*:}" ] || hits hit)"
+        done
+    done
+    run pack knot.ply -o once.plt --build $build --nodes compact
+    run pack knot.ply -o twice.plt --build $build --nodes compact
+    same once.plt twice.plt "packing with --build $build twice gives the same bytes"
+done
+finish
