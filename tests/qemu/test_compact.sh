@@ -58,7 +58,8 @@ built() {
         /^instructions total/ { split($3, open, "="); split($4, render, "=") }
         /^arena / { split($3, peak, "=") }
         END {
-            printf "    %d a list: %d triangles, %.3f bytes each; peak %d; ", k, n, image / n, peak[2]
+            printf "    %d a list: %d triangles, %.3f bytes each; ", k, n, image / n
+            printf "peak %d; ", peak[2]
             printf "%.0f instructions a triangle to build, ", open[2] / n
             printf "%.0f a pixel to render\n", render[2] / 76800
         }'
