@@ -23,8 +23,8 @@ lanes_scalar :=
 
 ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
 
-.PHONY: all firmware demo setup test check sizes bench scenes peers sanitize tiny scalar run \
-        profile clean help FORCE
+.PHONY: all firmware demo setup test check sizes bench scenes peers compact sanitize tiny scalar \
+        run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -134,6 +134,10 @@ scenes: all
 ## peers: compares with another tracer: make peers SCENES=folder PEER=program
 peers: all
 	@sh tests/peers.sh "$(SCENES)" "$(PEER)"
+
+## compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=program]
+compact: all $(OUT)/tests/test_compact_topology
+	@sh tests/compact.sh "$(SCENES)" "$(PEER)"
 
 ## clean: removes build/
 clean:
