@@ -148,6 +148,7 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     int status = plt_opening_step(&o, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
         status = cut_rest(&o);
+        e->building = status != PLT_OK; /* a failed opening stays one */
     }
     if (status == PLT_OK) {
         plt_stats_reset(e);
