@@ -103,7 +103,8 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
              " positions merged, %" PRIu64 " T-junctions",
              (unsigned)job->compact.lattice_bits, l->largest_move, l->flat_now, l->flat_before,
              l->merged, l->t_junctions);
-    fprintf(stderr, "%s%s\n", line.text,
+    fprintf(stderr, "%s%s%s\n", line.text,
+            job->compact.build == PLT_BUILD_DEVICE ? "; triangles are numbered by place" : "",
             l->flat_now > 0 && job->compact.lattice_bits < PLT_LATTICE_BITS_MOST
                 ? "; try --geometry lattice:21 to keep them"
                 : "");
