@@ -11,9 +11,9 @@ trouble=$(arm-none-eabi-gcc -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-
     -O2 -Wall -Wextra -Werror -ffreestanding -fbuiltin -fno-tree-loop-distribute-patterns \
     -ffunction-sections -Wl,--gc-sections -I. -L. -nostdlib -T board/mps2_an386/memory.ld \
     -Wl,--defsym=plt_arena_bytes=16,--defsym=plt_stack_bytes=4096,--defsym=plt_stack_worst=4096 \
-    -o "$elf" tests/qemu/wire_cost.c platform/wire/wire_format.c platform/wire/model.c platform/wire/model_wish.c \
-    platform/wire/tile_encode.c platform/wire/tile_decode.c platform/wire/crc.c \
-    platform/cortex_m/*.c 2>&1)
+    -o "$elf" tests/qemu/wire_cost.c platform/wire/wire_format.c platform/wire/model.c \
+    platform/wire/model_wish.c platform/wire/tile_encode.c platform/wire/tile_decode.c \
+    platform/wire/crc.c platform/cortex_m/*.c 2>&1)
 verdict "the codec links for a Cortex-M4F without a library" "$trouble"
 
 symbol() {
@@ -26,7 +26,8 @@ done
 timeout 60 qemu-system-arm -M mps2-an386 -display none -monitor none -serial null -icount shift=0 \
     -semihosting-config enable=on,target=native -plugin "$plugin" -kernel "$elf"
 status=$?
-verdict "tiles encoded there come back bit for bit" "$([ "$status" -eq 42 ] || echo "status $status")"
+verdict "tiles encoded there come back bit for bit" "$(
+    [ "$status" -eq 42 ] || echo "status $status")"
 
 # 64 tiles of 256 pixels
 figures=$(tr ' ' '\n' <"$out/wire_cost.txt" | awk -F= '
