@@ -73,7 +73,8 @@ static void test_same_picture(void) {
                                        "visits=4000000000", "walk=depth visits=7"};
     char line[80];
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
-        if (PLT_PACKET_SIDE_MAX < 8 && strstr(ways[i], "packet=8")) {
+        const char *packet = strstr(ways[i], "packet=");
+        if (packet && packet[7] - '0' > PLT_PACKET_SIDE_MAX) {
             continue; /* the tiny build */
         }
         snprintf(line, sizeof line, "size=60x44 %s", ways[i]);

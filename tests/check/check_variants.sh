@@ -1,0 +1,25 @@
+#!/bin/sh
+# check_variants.sh - the other builds of the engine: scalar lanes, tiny limits
+#
+# The scalar build must give every golden frame; with every limit as small as it
+# may be, every test program must still pass. SPDX-License-Identifier: MIT
+. tests/check/report.sh
+log=$BUILD/check
+mkdir -p "$log"
+
+# programs_pass SENTENCE LOG COMMAND...: its sum counts no failure.
+programs_pass() {
+    sentence=$1 file=$log/$2
+    shift 2
+    "$@" >"$file" 2>&1
+    verdict "$sentence ($(tail -n 1 "$file"))" "$(
+        tail -n 1 "$file" | grep -q '^[1-9][0-9]* passed, 0 failed$' ||
+            grep -E '^FAIL|error|failed' "$file" | head -n 12)"
+}
+
+programs_pass "scalar lanes give the same frames and hits" scalar.txt sh -c "
+    $MAKE -s LANES=scalar $BUILD/host-scalar/tests/test_render \
+        $BUILD/host-scalar/tests/test_trace_brute &&
+    sh tests/run.sh $BUILD/host-scalar/tests/test_render $BUILD/host-scalar/tests/test_trace_brute"
+programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s tiny
+finish
