@@ -150,7 +150,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     unsigned char *bytes = calloc(limit + COMPACT_BEHIND, 1);
     memcpy(bytes, data + 1, limit);
     if (data[0] & 16) {
-        compact_seal_block(bytes, limit, tree.lattice.bits);
+        hostile_seal_block(bytes, limit, tree.lattice.bits);
     }
     if (plt_block_is_sound(bytes, limit, &tree) == 0) {
         plt_block b;
