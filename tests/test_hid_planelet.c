@@ -147,6 +147,34 @@ static void quirks(void) {
     quirk("all of it together", 11, 13, 3, 100);
 }
 
+/* A raw tile takes nine reports of 64 bytes in a row, so none gets through. */
+static void hopeless(void) {
+    test("two reports of three lost: an error names the cable, nothing waits for ever");
+    bench b;
+    display d;
+    fail f = {""};
+    make_bench(&b, WIRE_RGB565, 64);
+    b.lossy = 1;
+    if (open_display(&b, &d, &f) == DISPLAY_OK) {
+        picture p;
+        uint32_t noise = 1;
+        picture_make(&p, d.width, d.height, &f);
+        for (unsigned i = 0; i < 3 * p.width * p.height; i++) {
+            noise = noise * 1664525u + 1013904223u;
+            p.rgb[i] = (uint8_t)(noise >> 24);
+        }
+        fake_bus.drop_outputs = 2;
+        fake_bus.short_writes = 3;
+        int status = d.by->show(&d, &p, &f);
+        status = status == DISPLAY_OK ? d.by->settle(&d, &f) : status;
+        CHECK(status == DISPLAY_FAILED && strstr(f.text, "cable"), "%d: %s", status, f.text);
+        picture_free(&p);
+        display_close(&d);
+    }
+    CHECK(fake_bus.wrong == 0 && fake_bus.open == 0, "hidapi was used as it should");
+    model_free(b.model);
+}
+
 static void unplugged(int libusb) {
     test(libusb ? "libusb: gone in mid-frame, the whole picture is back within two seconds"
                 : "hidraw: gone in mid-frame, the whole picture is back within two seconds");
@@ -203,6 +231,7 @@ int main(void) {
     }
     formats();
     quirks();
+    hopeless();
     unplugged(0);
     unplugged(1);
     stranger();

@@ -16,6 +16,8 @@ enum {
     WAIT_MS = 2,
     OPEN_MS = 1500,  /* to answer the first hello */
     STUCK_MS = 1500, /* without anything going out or in: the display is gone */
+    SLOW_MS = 5000,  /* for a picture, beside the time of its bytes at SLOW_BYTES a ms */
+    SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
     IN_BYTES = 64,
     WINDOW = 32
 };
@@ -25,6 +27,8 @@ typedef struct planelet {
     wire_frames_out out;
     picture frame;
     uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
+    uint32_t begun; /* ms: when the call that waits now began */
+    uint32_t whole; /* ms: the longest a picture may take; a lossy link may take for ever */
     uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } planelet;
 
@@ -68,12 +72,16 @@ static int pump(display *d, unsigned wait_ms, int *sent) {
 }
 
 /* Pumps until `is_so`, and not a report longer: with nothing new to show the
- * wire goes on to refine what is there. Gives up when nothing is heard. */
+ * wire goes on to refine what is there. GONE when nothing is heard, FAILED when
+ * the call takes longer than a whole picture may. */
 static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
     uint32_t heard = p->end.stats.reports_in, since = now_ms();
     while (!is_so(p)) {
         int sent;
+        if (now_ms() - p->begun > p->whole) {
+            return DISPLAY_FAILED;
+        }
         if (pump(d, WAIT_MS, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
@@ -85,6 +93,17 @@ static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned pati
         }
     }
     return DISPLAY_OK;
+}
+
+/* As pump_until, for a picture: one that cannot get through says so. */
+static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
+    const int status = pump_until(d, is_so, STUCK_MS);
+    return status != DISPLAY_FAILED
+               ? status
+               : fail_set(f, NULL,
+                          "the display answers, but no picture gets through in %u seconds: too "
+                          "many reports are lost; try another cable or port",
+                          (unsigned)((const planelet *)d->state)->whole / 1000);
 }
 
 static int is_up(const planelet *p) {
@@ -117,6 +136,8 @@ static int open_end(planelet *p, unsigned report_bytes, fail *f) {
         return fail_set(f, NULL, "reports of %u bytes are not for the planelet driver (8 to 1024)",
                         report_bytes);
     }
+    p->begun = now_ms();
+    p->whole = UINT32_MAX; /* greetings have their own patience */
     wire_frames_out_open(&p->out, &p->end);
     wire_on_link(&p->end, 1, now_ms());
     return DISPLAY_OK;
@@ -139,6 +160,7 @@ static int greet(display *d, fail *f) {
     d->width = peer->width;
     d->height = peer->height;
     const uint32_t bytes = wire_row_bytes(peer->format, d->width) * d->height;
+    p->whole = SLOW_MS + bytes / SLOW_BYTES;
     p->shown = malloc(bytes); /* without it every tile is sent whole */
     if (p->shown != NULL) {
         wire_frames_reference(&p->out, p->shown, bytes);
@@ -173,7 +195,7 @@ static int planelet_open(display *d, fail *f) {
 /* Waits while the session is down, as it is after a device started anew. */
 static int ensure_up(display *d, fail *f) {
     const planelet *p = d->state;
-    const int status = pump_until(d, is_up, STUCK_MS);
+    const int status = deliver(d, is_up, f);
     const wire_caps *peer = wire_peer(&p->end);
     if (status == DISPLAY_OK && (peer->width != d->width || peer->height != d->height)) {
         return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
@@ -191,15 +213,16 @@ static int say_told(planelet *p, fail *f) {
 
 static int planelet_show(display *d, const picture *shown, fail *f) {
     planelet *p = d->state;
+    p->begun = now_ms();
     for (;;) {
-        int status = pump_until(d, is_idle, STUCK_MS);
+        int status = deliver(d, is_idle, f);
         status = status == DISPLAY_OK ? ensure_up(d, f) : status;
         if (status != DISPLAY_OK) {
             return status;
         }
         memcpy(p->frame.rgb, shown->rgb, 3 * (size_t)d->width * d->height);
         if (wire_frames_show(&p->out, p->frame.rgb, 3 * d->width) == WIRE_OK) {
-            return pump_until(d, is_idle, STUCK_MS);
+            return deliver(d, is_idle, f);
         }
         if (p->end.peer_error != WIRE_FINE) {
             return say_told(p, f);
@@ -210,8 +233,9 @@ static int planelet_show(display *d, const picture *shown, fail *f) {
 /* A session that ends meanwhile begins anew, with the whole picture. */
 static int planelet_settle(display *d, fail *f) {
     planelet *p = d->state;
+    p->begun = now_ms();
     for (;;) {
-        int status = pump_until(d, is_done, STUCK_MS);
+        int status = deliver(d, is_done, f);
         if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {
             return status;
         }
