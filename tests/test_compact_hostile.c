@@ -27,6 +27,9 @@ static const kind kinds[] = {{PLT_BUILD_HOST, 0, 1, 14, 2},
                              {PLT_BUILD_DEVICE, 0, 0, 17, 1}};
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
+/* A soup; of 0xFFFFFFFF triangles a sphere, where they share corners. */
+#define SPHERE 0xFFFFFFFFu
+
 static packed image_of(const kind *of, uint32_t triangles) {
     mesh m = {0};
     packed image;
@@ -38,7 +41,11 @@ static packed image_of(const kind *of, uint32_t triangles) {
                                      .numbers = of->numbers,
                                      .floats = of->floats,
                                      .leaf_triangles = of->k};
-    shape_soup(&m, triangles, 0.8f, triangles);
+    if (triangles == SPHERE) {
+        shape_icosphere(&m, 3);
+    } else {
+        shape_soup(&m, triangles, 0.8f, triangles);
+    }
     CHECK(pack_compact(&image, &m, &options, "test", &loss, &f) == 0, "%s", f.text);
     mesh_free(&m);
     return image;
@@ -87,9 +94,11 @@ static void flips(const packed *image) {
     }
 }
 
-/* A block's own checks notice, too, when the section's and header's do not. */
+/* A block's own checks notice, too, when the section's and header's do not: all but
+ * what lies between blocks, below 8 bytes each. */
 static void flips_in_blocks(const packed *image) {
     const uint32_t bytes = image->info.node_bytes + image->info.triangle_bytes;
+    uint32_t unnoticed = 0, by_check = 0;
     if (image->info.build != PLT_BUILD_HOST) {
         return;
     }
@@ -97,13 +106,16 @@ static void flips_in_blocks(const packed *image) {
         image->bytes[at] ^= 0x10;
         compact_seal(image->bytes, image->size, 0);
         const hostile_result r = meet(image->bytes, image->size, "a flip in a block", at);
-        const int padding = r.status == PLT_OK; /* between and behind blocks, below 8 bytes */
-        CHECK(padding || (r.status == PLT_ERR_IMAGE && r.fault.kind == 'I' && r.fault.rule >= 10),
-              "at %u: status %d, rule %c%u", at, r.status, r.fault.kind ? r.fault.kind : '-',
-              r.fault.rule);
+        unnoticed += r.status == PLT_OK;
+        by_check += r.fault.rule == 13;
+        CHECK(r.status == PLT_OK || (r.status == PLT_ERR_IMAGE && r.fault.kind == 'I'),
+              "at %u: status %d", at, r.status);
         image->bytes[at] ^= 0x10;
     }
     compact_seal(image->bytes, image->size, 0);
+    CHECK(unnoticed < 8 * image->info.treelets, "%u flips of %u bytes were not noticed", unnoticed,
+          bytes);
+    CHECK(by_check > bytes / 2, "%u of %u flips were noticed by a check", by_check, bytes);
 }
 
 static void lengths(const packed *image) {
@@ -272,6 +284,7 @@ static void bent_sizes(const packed *image) {
     bend(image, at, head & ~63u, 4, 255, "one node");
     bend(image, at, head | 0xFFC0u, 4, 10, "a geometry part beyond the section");
     bend(image, at, head & ~0xFFC0u, 4, 14, "no geometry part");
+    bend(image, at, head - (1u << 6), 4, 14, "a geometry part that ends too early");
     bend(image, at, (head & ~0xFFC0u) | 1u << 6, 4, 14, "a geometry part of its header");
 }
 
@@ -327,11 +340,48 @@ static void bent_geometry(const packed *image) {
     }
 }
 
+static uint32_t bit_at(const packed *image, const some_block *f, uint32_t bit) {
+    return image->bytes[f->geometry_at + bit / 8] >> bit % 8 & 1u;
+}
+
+/* The start of a strip moved to the triangle behind it: where a unit began there, it
+ * no longer does. */
+static void moved_starts(const packed *image, const some_block *f) {
+    uint32_t by_rule = 0;
+    for (uint32_t bit = f->g.starts; bit + 1 < f->g.turns; bit++) {
+        if (bit_at(image, f, bit) && !bit_at(image, f, bit + 1)) {
+            unsigned char *bytes = copy_of(image);
+            bytes[f->geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
+            bytes[f->geometry_at + (bit + 1) / 8] ^= (unsigned char)(1u << (bit + 1) % 8);
+            compact_seal(bytes, image->size, 1);
+            const hostile_result r = meet(bytes, image->size, "a start moved", bit);
+            by_rule += r.fault.rule == 15;
+            free(bytes);
+        }
+    }
+    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no unit without a start was noticed");
+}
+
+/* The first reference that is not new names the last vertex, or one behind it. */
+static void bent_references(const packed *image, const some_block *f) {
+    const uint32_t known = f->g.vertices < 4 ? 0 : f->g.slots - f->g.vertices;
+    CHECK(known > 0 && f->g.ref_bits > 0, "no reference to bend");
+    for (uint32_t behind = 0; behind < 2; behind++) {
+        unsigned char *bytes = copy_of(image);
+        for (uint32_t i = 0; i < f->g.ref_bits; i++) {
+            const uint32_t bit = f->g.refs + i;
+            const uint32_t value = behind ? 1 : (f->g.vertices - 1) >> i & 1;
+            bytes[f->geometry_at + bit / 8] &= (unsigned char)~(1u << bit % 8);
+            bytes[f->geometry_at + bit / 8] |= (unsigned char)(value << bit % 8);
+        }
+        must_break(image, bytes, f->geometry_at, 16, "a vertex that is not there yet");
+    }
+}
+
 static void bent_strips(const packed *image) {
     const some_block f = open_at(image, second_address(image));
-    unsigned char *bytes = malloc(image->size);
     for (uint32_t bit = f.g.starts; bit < f.g.positions; bit++) {
-        memcpy(bytes, image->bytes, image->size);
+        unsigned char *bytes = copy_of(image);
         bytes[f.geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
         compact_seal(bytes, image->size, 1);
         const hostile_result r = meet(bytes, image->size, "a strip's bit", bit);
@@ -339,8 +389,10 @@ static void bent_strips(const packed *image) {
         CHECK(turn || ref ? r.status == PLT_OK || r.fault.rule == 16
                           : r.status == PLT_ERR_IMAGE && r.fault.rule >= 14,
               "bit %u: status %d, rule %u", bit, r.status, r.fault.rule);
+        free(bytes);
     }
-    free(bytes);
+    moved_starts(image, &f);
+    bent_references(image, &f);
 }
 
 static void bent_counts(const packed *image) {
@@ -394,7 +446,7 @@ static void all_traps(void) {
     static const kind host = {PLT_BUILD_HOST, 0, 1, 14, 2}, fine = {PLT_BUILD_HOST, 0, 1, 21, 1};
     const kind *const both[2] = {&host, &fine};
     for (int i = 0; i < 2 && !rig_is_tiny(); i++) { /* tiny trees have no two edges */
-        packed image = image_of(both[i], 400);
+        packed image = image_of(both[i], SPHERE);
         CHECK(image.info.treelets >= 3, "%u blocks", image.info.treelets);
         test(i ? "... and one of 21 bits, K 1"
                : "links, nodes, strips, counts and numbers that lie "
