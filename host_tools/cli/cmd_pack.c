@@ -180,7 +180,7 @@ static uint8_t read_lattice(args *a, int floats) {
         bits = lattice_bits_for((double)tolerance);
         if (bits == 0 || floats) {
             args_complain(a, floats ? "--tolerance is for --geometry lattice"
-                                    : "--tolerance below 4.2e-07 is finer than any lattice; use "
+                                    : "--tolerance below 5.2e-07 is finer than any lattice; use "
                                       "--geometry float");
             bits = 16;
         }

@@ -18,7 +18,9 @@ typedef struct position {
 
 uint32_t lattice_bits_for(double tolerance) {
     for (uint32_t bits = PLT_LATTICE_BITS_LEAST; bits <= PLT_LATTICE_BITS_MOST; bits++) {
-        if (0.5 * sqrt(3.0) / (double)((1u << bits) - 1u) <= tolerance) {
+        /* The longest step that step_for may choose, for a longest side of 1. */
+        const double step = (1.0 + ldexp(1.0, (int)bits - 23)) / (double)((1u << bits) - 2u);
+        if (0.5 * sqrt(3.0) * step <= tolerance) {
             return bits;
         }
     }
@@ -66,7 +68,8 @@ static int set_lattice(snapped *s, const mesh *m, uint32_t bits, const char *nam
     if ((double)s->lattice.step < ldexp(farthest, -23)) {
         return fail_set(f, name,
                         "a lattice of %u bits is finer than floats are that far from the origin; "
-                        "use fewer bits or --geometry float, or move the mesh to the origin",
+                        "use fewer bits (--geometry lattice:N) or --nodes thesis, or move the mesh "
+                        "to the origin",
                         bits);
     }
     return 0;

@@ -65,7 +65,7 @@ run info bits.plt --json
 verdict "a lattice has 16 bits unless said otherwise" "$(
     [ "$(number lattice_bits <out)" = 16 ] || cat out)"
 
-for pair in 3e-4:12 1e-4:14 1e-5:17 1e-6:20; do
+for pair in 3e-4:12 1e-4:14 1e-5:17 1e-6:20 5.3e-7:21; do
     packs "pack --tolerance ${pair%:*}" knot.ply -o knot.plt --nodes compact \
         --tolerance "${pair%:*}"
     verdict "... takes the bits for it, and says a move within it" "$(
