@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: MIT */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
@@ -67,9 +68,11 @@ static void view_of(void *context, unsigned number, wire_view *v) {
 
 static int take_frame(void *context, unsigned number, const picture *p, fail *f) {
     serving *s = context;
-    (void)number;
     if (s->show) {
         unsigned columns, rows;
+        if (s->frames > 1 && isatty(STDOUT_FILENO)) { /* a film stays in its place */
+            fputs(number == 0 ? "\x1b[2J\x1b[H" : "\x1b[H", stdout);
+        }
         picture_terminal_size(stdout, &columns, &rows);
         picture_show(stdout, p, PICTURE_AUTO, columns, rows > 1 ? rows - 1 : 1);
     }
