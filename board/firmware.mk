@@ -1,8 +1,10 @@
 # firmware - what every board but the host has in common
 #
-# Engine, firmware and board become one build/BOARD/firmware.elf. The worst
-# stack is computed from the call graph before linking, and the linker script
-# refuses a smaller stack. No C library is linked; its headers are used.
+# Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
+# takes board/wired and the wire instead of the job in board/firmware.c, and
+# lands in build/BOARD-wired. The worst stack is computed from the call graph
+# before linking, and the linker script refuses a smaller stack. No C library is
+# linked; its headers are used.
 # SPDX-License-Identifier: MIT
 
 ifeq ($(wildcard board/$(BOARD)/board.mk),)
@@ -10,12 +12,20 @@ $(error there is no board/$(BOARD)/board.mk; boards: $(BOARDS))
 endif
 include board/$(BOARD)/board.mk
 
-OUT := $(BUILD)/$(BOARD)
+PROGRAM ?=
+OUT := $(BUILD)/$(BOARD)$(addprefix -,$(PROGRAM))
 HOST_CC ?= cc
 override CC := $(CROSS)gcc
 TEST_PROGRAMS :=
 
-FIRMWARE := $(sort $(wildcard board/*.c board/$(BOARD)/*.c platform/$(PLATFORM_FAMILY)/*.c))
+COMMON := $(filter-out board/firmware.c,$(wildcard board/*.c))
+program_ := board/firmware.c
+program_wired := $(wildcard board/wired/*.c platform/wire/*.c)
+ifeq ($(program_$(PROGRAM)),)
+$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired)
+endif
+FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) $(wildcard board/$(BOARD)/*.c) \
+                   $(wildcard platform/$(PLATFORM_FAMILY)/*.c))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
 FIRMWARE_OBJECTS := $(call objects,$(ENGINE) $(FIRMWARE))
 
@@ -26,7 +36,7 @@ COMMAND = $(CC) $(STRICT) $(CPU) -O2 -g $(FREESTANDING) $(lanes_$(LANES)) \
           -fno-tree-loop-distribute-patterns \
           -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(FIRMWARE_FLAGS)
 
-## make BOARD=name: cross-compiles build/name/firmware.elf
+## make BOARD=name [PROGRAM=wired]: cross-compiles build/name/firmware.elf
 firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
 
 $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
