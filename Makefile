@@ -23,8 +23,8 @@ lanes_scalar :=
 
 ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
 
-.PHONY: all firmware demo setup test check sizes bench scenes peers compact sanitize tiny scalar \
-        run profile clean help FORCE
+.PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
+        sanitize tiny scalar run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -122,6 +122,11 @@ demo: all
 	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
 	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
 	@echo "the picture is $(DEMO)/marbles.png, the film $(DEMO)/knot.y4m"
+
+## demo-firmware: a board in QEMU gets a scene over a serial line, its frames are shown (FRAMES=25)
+demo-firmware: all
+	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= FRAMES='$(FRAMES)' SIZE='$(SIZE)' \
+	    sh tests/qemu/demo.sh
 
 ## bench: rays per second of this machine, with scenes that need no download
 bench: all

@@ -1,0 +1,93 @@
+#!/bin/sh
+# test_wired.sh - the firmware that is fed over a serial line, in QEMU, against the host
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+planelet=$BUILD/host/planelet
+out=$BUILD/mps2_an386-wired/tests
+mkdir -p "$out"
+needs arm-none-eabi-gcc qemu-system-arm || { finish; exit; }
+
+# ---- the demo, two frames of it ----
+
+rm -f "$out/device.ppm"
+text=$(FRAMES=2 SIZE=160x120 BOARD_LOG="$out/log.txt" BUILD="$BUILD" MAKE="$MAKE" \
+    timeout 300 sh tests/qemu/demo.sh -o "$out/device.ppm" --show --verbose 2>&1)
+status=$?
+scene=$BUILD/demo/marbles-compact.plt
+verdict "make demo-firmware ends well, and draws the frames in the terminal" "$(
+    [ "$status" -eq 0 ] || echo "status $status: $text"
+    [ "$(echo "$text" | grep -c '[-=+*#]\{4\}')" -ge 5 ] || echo "$text")"
+
+frame=57615 # bytes of a PPM of 160x120
+"$planelet" render "$scene" -o "$out/host.ppm" --size 160x120 >/dev/null
+verdict "the first frame that came is the host's direct render, bit for bit" "$(
+    head -c $frame "$out/device.ppm" | cmp - "$out/host.ppm" 2>&1)"
+"$planelet" serve "$scene" --emulate 262144 -o "$out/emulated.ppm" --size 160x120 \
+    --orbit 2 2>/dev/null
+verdict "both frames are those of a device that the host emulates" "$(
+    [ "$(wc -c <"$out/device.ppm")" -eq $((2 * frame)) ] || echo "not two frames"
+    cmp "$out/device.ppm" "$out/emulated.ppm" 2>&1)"
+
+value() { # NAME: of the last NAME=value in the log
+    tr ' ' '\n' <"$out/log.txt" | sed -n "s/^$1=//p" | tail -n 1
+}
+worst=$(sed -n 's/^worst \([0-9]*\).*/\1/p' "$BUILD/mps2_an386-wired/stack.txt")
+verdict "image and arena fit into 262,144 bytes, the stack stays below its bound" "$(
+    [ "$(value memory)" -eq 262144 ] || echo "memory $(value memory)"
+    [ "$(value painted)" -gt 0 ] && [ "$(value painted)" -le "$worst" ] ||
+        echo "painted $(value painted), bound $worst")"
+sed -n 's/^frame/    &/p' "$out/log.txt" | tail -n 1
+verdict "gcc compiles the wired firmware without a warning" "$(
+    find "$BUILD/mps2_an386-wired" -name '*.log' -size +0 -exec cat {} +)"
+
+# ---- hosts that come and go ----
+
+folder=$(mktemp -d)
+board=
+end() {
+    [ -z "$board" ] || { kill "$board" && wait "$board"; } 2>/dev/null
+    board=
+}
+trap 'end; rm -rf "$folder"' EXIT
+
+# board [parameter ...]: starts one.
+board() {
+    BUILD=$BUILD sh board/mps2_an386/wired.sh "$folder/wire" "$@" >"$out/log.txt" 2>&1 &
+    board=$!
+}
+
+# serve SCENE [option ...]: one frame into served.ppm; sets text and status.
+serve() {
+    rm -f "$out/served.ppm"
+    text=$(timeout 100 "$planelet" serve "$@" --socket "$folder/wire" --size 160x120 \
+        -o "$out/served.ppm" --verbose 2>&1)
+    status=$?
+}
+
+board report=128
+"$planelet" make knot --triangles 20000 -o "$out/knot.ply" >/dev/null
+"$planelet" pack "$out/knot.ply" -o "$out/large.plt" >/dev/null
+serve "$out/large.plt" --report 128
+verdict "a scene larger than the memory: the host says so, and ends" "$(
+    [ "$status" -eq 1 ] || echo "status $status: $text"
+    echo "$text" | grep -q 'does not fit in its 262144' || echo "$text")"
+serve "$scene" --report 128
+verdict "... and the next host's scene is rendered" "$(
+    cmp "$out/served.ppm" "$out/host.ppm" 2>&1 || echo "$text")"
+serve "$scene" --report 128
+verdict "a host that comes again gets its frame without sending the scene again" "$(
+    cmp "$out/served.ppm" "$out/host.ppm" 2>&1 || echo "$text"
+    reports=$(echo "$text" | sed -n 's/.*reports \([0-9]*\) out.*/\1/p')
+    [ "${reports:-1000}" -lt 300 ] || echo "${reports:-no} reports went out")"
+end
+
+board report=7
+serve "$scene" --timeout 5
+kill "$board" 2>/dev/null # has ended by itself
+wait "$board"
+status=$?
+board=
+verdict "a size of reports that there is not: status 2, a line that says so" "$(
+    [ "$status" -eq 2 ] || echo "status $status"
+    grep -q '^error: report=BYTES' "$out/log.txt" || cat "$out/log.txt")"
+finish
