@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -166,7 +167,8 @@ static void test_serving(void) {
         "a device in another process renders what a direct render gives: by socket, by pseudo "
         "terminal");
     char path[64];
-    snprintf(path, sizeof path, "/tmp/planelet-serve-%d", (int)getpid());
+    snprintf(path, sizeof path, "build/test-tmp/serve-%d", (int)getpid());
+    mkdir("build/test-tmp", 0777);
     CHECK(link_open_socket(&l, path, &f) == 0, "%s", f.text);
     serve_over(&l, "socket");
     CHECK(link_open_pty(&l, &f) == 0, "%s", f.text);

@@ -19,6 +19,8 @@ mkdir -p /etc
 echo "nobody:x:65534:65534::/:/bin/sh" >/etc/passwd
 echo 1 >/proc/sys/vm/overcommit_memory # the program's largest arena is not touched
 cd /t || exit
+scratch=$(mktemp -d)
+chmod 755 "$scratch"
 for word in $(cat /proc/cmdline); do
     case $word in HID_GROUPS=*) HID_GROUPS=$(echo "${word#*=}" | tr , " ") ;; esac
 done
@@ -51,7 +53,7 @@ uptime_seconds() {
 
 # start TRANSPORT DRIVER [key=value ...]: a display, plugged in.
 start() {
-    ./device "$@" >/tmp/device 2>&1 &
+    ./device "$@" >"$scratch/device" 2>&1 &
     device=$!
     until_devices 1
     usleep 100000
@@ -61,7 +63,7 @@ start() {
 stop() {
     kill -TERM $device 2>/dev/null
     wait $device 2>/dev/null
-    line=$(cat /tmp/device)
+    line=$(cat "$scratch/device")
     until_devices 0
 }
 
@@ -73,22 +75,23 @@ value() { # NAME: of NAME=value in $line
 show() {
     backend=$1 size=$2 count=$3
     shift 3
-    ./make_pattern "$size" "$count" >/tmp/pictures
-    "./planelet-hid-$backend" show /tmp/pictures --every --json /tmp/json "$@" >/tmp/host 2>&1
+    ./make_pattern "$size" "$count" >"$scratch/pictures"
+    "./planelet-hid-$backend" show "$scratch/pictures" --every --json "$scratch/json" "$@" \
+        >"$scratch/host" 2>&1
     status=$?
 }
 
 # judge SENTENCE COUNT: so many pictures came in order, every pixel right.
 judge() {
     verdict "$1" "$(
-        [ "$status" -eq 0 ] || { echo "the host ended with $status:"; cat /tmp/host; }
+        [ "$status" -eq 0 ] || { echo "the host ended with $status:"; cat "$scratch/host"; }
         [ "$(value matched)" = "$2" ] && [ "$(value last)" = $(($2 - 1)) ] &&
             [ "$(value wrong)" = 0 ] || echo "$line"
         case $1 in planelet*) [ "$(value other)" = 0 ] || echo "a wrong picture: $line" ;; esac)"
 }
 
 figure() { # NAME: of the host's figures
-    sed -n "s/.*\"$1\": \"\{0,1\}\([^\",]*\).*/\1/p" /tmp/json
+    sed -n "s/.*\"$1\": \"\{0,1\}\([^\",]*\).*/\1/p" "$scratch/json"
 }
 
 . ./guest_tests.sh

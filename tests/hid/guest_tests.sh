@@ -65,9 +65,9 @@ gadget() {
     echo "$1" >functions/hid.h/report_length
     bytes=$(printf '\\x%02x\\x%02x' $(($1 & 255)) $(($1 >> 8)))
     printf '\x06\x00\xff\x09\x01\xa1\x01\x15\x00\x26\xff\x00\x75\x08\x96\x40\x00\x09\x02' \
-        >/tmp/descriptor
-    printf '\x81\x02\x96'"$bytes"'\x09\x02\x91\x02\xc0' >>/tmp/descriptor
-    cat /tmp/descriptor >functions/hid.h/report_desc
+        >"$scratch/descriptor"
+    printf '\x81\x02\x96'"$bytes"'\x09\x02\x91\x02\xc0' >>"$scratch/descriptor"
+    cat "$scratch/descriptor" >functions/hid.h/report_desc
     ln -s $g/functions/hid.h configs/c.1/
     ls /sys/class/udc | head -n 1 >UDC
     cd /t || return
@@ -88,13 +88,13 @@ gadgets() {
         until_devices 1
         for backend in hidraw libusb; do
             ./device gadget planelet size=96x70 report="${shape% *}" \
-                path=/dev/"$(ls /dev | grep '^hidg' | tail -n 1)" >/tmp/device 2>&1 &
+                path=/dev/"$(ls /dev | grep '^hidg' | tail -n 1)" >"$scratch/device" 2>&1 &
             device=$!
             usleep 300000
             show $backend 96x70 4
             kill -TERM $device
             wait $device 2>/dev/null
-            line=$(cat /tmp/device)
+            line=$(cat "$scratch/device")
             judge "planelet over the kernel's gadget, $shape, $backend: 4 pictures, every pixel" 4
         done
         no_gadget
@@ -105,23 +105,23 @@ gadgets() {
 # `trouble` to what is wrong but the time, `away` to the seconds without a device.
 unplug() { # BACKEND
     start usbip planelet size=320x240 die_after=150
-    ./make_pattern 320x240 6 >/tmp/pictures
-    "./planelet-hid-$1" show /tmp/pictures --every --json /tmp/json \
-        --device 1209:0001 >/tmp/host 2>&1 &
+    ./make_pattern 320x240 6 >"$scratch/pictures"
+    "./planelet-hid-$1" show "$scratch/pictures" --every --json "$scratch/json" \
+        --device 1209:0001 >"$scratch/host" 2>&1 &
     host=$!
     wait $device 2>/dev/null
     gone=$(uptime_seconds)
     until_devices 0
     usleep 250000
     away=$(echo "$(uptime_seconds) $gone" | awk '{ print $1 - $2 }')
-    ./device usbip planelet size=320x240 port=1 >/tmp/device 2>&1 &
+    ./device usbip planelet size=320x240 port=1 >"$scratch/device" 2>&1 &
     device=$!
     wait $host
     status=$?
     stop
     trouble=$(
         [ $status -eq 0 ] && [ "$(value last)" = 5 ] && [ "$(value other)" = 0 ] ||
-            { echo "host $status, $line"; cat /tmp/host; }
+            { echo "host $status, $line"; cat "$scratch/host"; }
         [ "$(figure reconnects)" = 1 ] || echo "$(figure reconnects) reconnects")
 }
 
@@ -152,14 +152,16 @@ paced() { # SENTENCE BACKEND AT_LEAST FILE size=WxH [key=value ...]
     sentence=$1 backend=$2 least=$3 file=$4
     shift 4
     start usbip planelet paced=1 blind=1 reads=1 "$@"
-    "./planelet-hid-$backend" show "$file" --near "$near" --json /tmp/json >/tmp/host 2>&1
+    "./planelet-hid-$backend" show "$file" --near "$near" --json "$scratch/json" \
+        >"$scratch/host" 2>&1
     status=$?
     stop
     reports=$(figure steady_reports_per_frame)
     speed=$(figure steady_frames_per_s)
     bus=$(echo "$reports" | awk '{ printf "%d", 1000 / ($1 > 0 ? $1 : 1) }')
     verdict "paced full speed, $backend: $sentence: the bus has room for $least a second" "$(
-        [ $status -eq 0 ] && [ "$(value wrong)" = 0 ] || { echo "$status: $line"; cat /tmp/host; }
+        [ $status -eq 0 ] && [ "$(value wrong)" = 0 ] ||
+            { echo "$status: $line"; cat "$scratch/host"; }
         [ "$bus" -ge "$least" ] || echo "$reports reports a frame, room for $bus"
         [ "$((${speed%.*} * 4 + 4))" -gt "$least" ] || echo "only $speed came")"
     echo "    $backend: $sentence: $reports reports a frame; $speed frames a second here"
@@ -181,17 +183,17 @@ permissions() {
     start usbip planelet
     for backend in hidraw libusb; do
         start-stop-daemon -S -c 65534:65534 -x "/t/planelet-hid-$backend" -- \
-            show /t/guest_tests.sh >/tmp/host 2>&1
+            show /t/guest_tests.sh >"$scratch/host" 2>&1
         verdict "$backend: without permission one sentence with the udev rule" "$(
-            [ "$(wc -l </tmp/host)" -eq 1 ] &&
-                grep -q '1209:0001; install the udev rule: planelet-hid rules' /tmp/host ||
-                cat /tmp/host)"
+            [ "$(wc -l <"$scratch/host")" -eq 1 ] &&
+                grep -q '1209:0001; install the udev rule: planelet-hid rules' "$scratch/host" ||
+                cat "$scratch/host")"
     done
     chmod 666 /dev/hidraw*
-    start-stop-daemon -S -c 65534:65534 -x /t/planelet-hid-hidraw -- show /tmp/one --every \
-        >/tmp/host 2>&1
+    start-stop-daemon -S -c 65534:65534 -x /t/planelet-hid-hidraw -- show "$scratch/one" --every \
+        >"$scratch/host" 2>&1
     verdict "hidraw: with permission on the device any user shows pictures" "$(
-        grep -q '1 frames in' /tmp/host || cat /tmp/host)"
+        grep -q '1 frames in' "$scratch/host" || cat "$scratch/host")"
     stop
 }
 
@@ -199,9 +201,9 @@ permissions() {
 strangers() {
     start usbip nexus vendor=1209 id=1
     for backend in hidraw libusb; do
-        "./planelet-hid-$backend" show /tmp/one --device 1209:0001 >/tmp/host 2>&1
+        "./planelet-hid-$backend" show "$scratch/one" --device 1209:0001 >"$scratch/host" 2>&1
         verdict "$backend: a stranger at our vid:pid is named as such" "$(
-            grep -q 'does not answer as a planelet display' /tmp/host || cat /tmp/host)"
+            grep -q 'does not answer as a planelet display' "$scratch/host" || cat "$scratch/host")"
     done
     stop
 }
@@ -217,8 +219,8 @@ lists() {
     stop
 }
 
-./make_pattern 64x48 1 >/tmp/one
-chmod 644 /tmp/one
+./make_pattern 64x48 1 >"$scratch/one"
+chmod 644 "$scratch/one"
 for group in ${HID_GROUPS:-lists real_displays own_displays gadgets strangers permissions \
     unplugged paced_displays}; do
     $group
