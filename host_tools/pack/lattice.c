@@ -235,7 +235,9 @@ static void snap_all(const snapped *s, const mesh *m, position *moved) {
     }
 }
 
-int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
+/* The lattice, and room for `numbers` of it a triangle. */
+static int begin(snapped *s, const mesh *m, uint32_t bits, size_t numbers, const char *name,
+                 fail *f) {
     const plt_lattice_box empty = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
     memset(s, 0, sizeof *s);
     s->box = empty;
@@ -243,12 +245,22 @@ int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fai
         return -1;
     }
     s->width = bits <= 16 ? 2 : 4;
-    s->corners = malloc(m->triangles * 9 * s->width + 1);
+    s->corners = malloc(m->triangles * numbers * s->width + 1);
     s->source = malloc(m->triangles * sizeof *s->source + 1);
+    if (s->corners == NULL || s->source == NULL) {
+        return fail_set(f, name, "out of memory; pack on a larger machine");
+    }
+    return 0;
+}
+
+int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
+    if (begin(s, m, bits, 9, name, f) != 0) {
+        return -1;
+    }
     s->turn = malloc(m->triangles + 1);
     position *moved = malloc(m->vertices * sizeof *moved + 1);
     int status = 0;
-    if (s->corners == NULL || s->source == NULL || s->turn == NULL || moved == NULL) {
+    if (s->turn == NULL || moved == NULL) {
         status = fail_set(f, name, "out of memory; pack on a larger machine");
     } else {
         snap_all(s, m, moved);
@@ -295,17 +307,8 @@ static void take_box(snapped *s, const mesh *m, size_t i) {
 }
 
 int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
-    const plt_lattice_box empty = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
-    memset(s, 0, sizeof *s);
-    s->box = empty;
-    if (set_lattice(s, m, bits, name, f) != 0) {
+    if (begin(s, m, bits, 6, name, f) != 0) {
         return -1;
-    }
-    s->width = bits <= 16 ? 2 : 4;
-    s->corners = malloc(m->triangles * 6 * s->width + 1);
-    s->source = malloc(m->triangles * sizeof *s->source + 1);
-    if (s->corners == NULL || s->source == NULL) {
-        return fail_set(f, name, "out of memory; pack on a larger machine");
     }
     for (size_t i = 0; i < m->triangles; i++) {
         take_box(s, m, i);
