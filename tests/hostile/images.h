@@ -174,9 +174,10 @@ static inline size_t hostile_arena_bytes(const plt_source *source, const plt_opt
     return need < HOSTILE_ARENA_MOST ? need : HOSTILE_ARENA_MOST;
 }
 
-/* Opens and, if that works, traces. The bytes must not change meanwhile. */
-static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,
-                                         hostile_way way) {
+/* Opens a copy of exactly its size in exactly the arena it needs and, if that works,
+ * traces by `trace`. The bytes must not change meanwhile. */
+static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t size,
+                                            hostile_way way, const char *(*trace)(plt_engine *e)) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
     unsigned char *copy = malloc(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
@@ -193,7 +194,7 @@ static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t si
     void *arena = malloc(arena_bytes);
     plt_engine *e = NULL;
     r.status = plt_open(&e, arena, arena_bytes, &source, &options, &r.fault);
-    r.sentence = r.status == PLT_OK ? hostile_trace(e) : hostile_refusal(r.status, &r.fault, e);
+    r.sentence = r.status == PLT_OK ? trace(e) : hostile_refusal(r.status, &r.fault, e);
     if (size > 0 && memcmp(copy, bytes, size) != 0) {
         r.sentence = "the image was written";
     }
@@ -203,6 +204,11 @@ static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t si
     free(arena);
     free(copy);
     return r;
+}
+
+static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,
+                                         hostile_way way) {
+    return hostile_try_by(bytes, size, way, hostile_trace);
 }
 
 #endif

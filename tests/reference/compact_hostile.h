@@ -48,6 +48,11 @@ static inline void compact_odd_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *
     }
 }
 
+static inline uint32_t compact_numbers(const plt_info *info) {
+    const int lone = info->source_triangles == 1; /* is there twice */
+    return info->number_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
+}
+
 /* A hit's number is below `numbers`. */
 static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
     plt_ray rays[HOSTILE_RAYS];
@@ -70,40 +75,14 @@ static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
     return s.node_visits <= s.packets * info->nodes ? NULL : "a node was visited twice";
 }
 
-static inline uint32_t compact_numbers(const plt_info *info) {
-    const int lone = info->source_triangles == 1; /* is there twice */
-    return info->number_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
+static inline const char *compact_trace_any(plt_engine *e) {
+    return compact_trace(e, compact_numbers(plt_engine_info(e)));
 }
 
-/* Opens a copy of exactly its size in exactly the arena it needs and, if that
- * works, traces. */
 static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,
                                          uint8_t streamed, uint8_t packet_side) {
-    hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
-    unsigned char *copy = malloc(size > 0 ? size : 1);
-    hostile_stream stream = {copy, size, 0};
-    const plt_source mapped = {copy, size, NULL, NULL, NULL};
-    const plt_source fetched = {NULL, size, &stream, hostile_start, hostile_wait};
-    const plt_source source = streamed ? fetched : mapped;
-    const plt_options options = {packet_side, PLT_WALK_DEPTH_FIRST};
-    if (size > 0) {
-        memcpy(copy, bytes, size);
-    }
-    const size_t arena_bytes = hostile_arena_bytes(&source, &options);
-    void *arena = malloc(arena_bytes);
-    plt_engine *e = NULL;
-    r.status = plt_open(&e, arena, arena_bytes, &source, &options, &r.fault);
-    r.sentence = r.status == PLT_OK ? compact_trace(e, compact_numbers(plt_engine_info(e)))
-                                    : hostile_refusal(r.status, &r.fault, e);
-    if (size > 0 && memcmp(copy, bytes, size) != 0) {
-        r.sentence = "the image was written";
-    }
-    if (stream.beyond) {
-        r.sentence = "the source was asked for bytes beyond its end";
-    }
-    free(arena);
-    free(copy);
-    return r;
+    const hostile_way way = {streamed, PLT_WALK_DEPTH_FIRST, packet_side};
+    return hostile_try_by(bytes, size, way, compact_trace_any);
 }
 
 #endif
