@@ -1,12 +1,15 @@
 /* range - binary arithmetic coding with adaptive probabilities
  *
- * A chance is 16 bits: the upper 12 say how likely a 0 is, in 1/4096, the
- * lower 4 how much was learnt (which makes learning slower). Invariant: the
- * 12 bits stay within 32 .. 4064, so that with range >= 2^24 both parts of
- * an interval hold at least 2^17, and a bit moves the coder by 1 byte at most.
+ * A chance says in 16 bits how likely a 0 is. Invariant: it stays within
+ * WIRE_CHANCE_LEAST .. WIRE_CHANCE_MOST (learning moves it a sixteenth of the
+ * way to one of them), so that with range >= 2^24 both parts of an interval
+ * hold at least 2^17, and a bit moves the coder by 1 byte at most.
+ *
+ * Both ways are one function, told by a constant which it is: what it decides
+ * cannot differ between them, and each way is compiled without the other.
  *
  * The number that the coded bytes stand for, a binary fraction, lies in
- * [low, low + range); bytes beyond the last are zeros, and the coder leaves
+ * [low, low + range); bytes beyond the last are zeros, and the encoder leaves
  * away those it can.
  *
  * Source: G. N. N. Martin, "Range encoding", 1979; carry into bytes already
@@ -17,58 +20,101 @@
 
 #include <stdint.h>
 
-enum { WIRE_RANGE_LEAST = 1 << 24, WIRE_CHANCE_EVEN = 2048 << 4 };
+enum {
+    WIRE_RANGE_LEAST = 1 << 24,
+    WIRE_CHANCE_LEAST = 32 << 4,
+    WIRE_CHANCE_MOST = 4064 << 4,
+    WIRE_CHANCE_SHIFT = 4
+};
 
-static inline void wire_chance_learn(uint16_t *chance, unsigned bit) {
-    /* 65536 / (n + 1.5), and 1/16 or so in the end */
-    static const uint16_t rate[16] = {32768, 26214, 18725, 14564, 11916, 10082, 8738, 7710,
-                                      6899,  6242,  5699,  5243,  4855,  4520,  4228, 3972};
-    const int count = *chance & 15;
-    int p = *chance >> 4;
-    p += ((bit ? 0 : 4095) - p) * (int)rate[count] / 65536;
-    p = p < 32 ? 32 : p > 4064 ? 4064 : p;
-    *chance = (uint16_t)(p << 4 | (count < 15 ? count + 1 : count));
-}
+enum wire_way { WIRE_ENCODES, WIRE_DECODES };
 
-/* ---- encoder: into to[0 .. room - 1]; `used` > room: it did not fit ----------- */
+typedef struct wire_range {
+    uint8_t *bytes; /* byte n is bytes[n & mask] */
+    uint32_t mask;
+    uint32_t low;  /* decoding: the number less low */
+    uint32_t used; /* bytes written or taken; beyond `room` while encoding: it did not fit */
+    uint32_t room, range;
+} wire_range;
 
-typedef struct wire_range_out {
-    uint8_t *to;
-    uint32_t used, room, low, range;
-} wire_range_out;
-
-static inline void wire_range_carry(wire_range_out *c) {
+/* Adds 1 to the number that is written. */
+static inline void wire_range_carry(wire_range *c) {
     uint32_t i = c->used < c->room ? c->used : c->room;
-    while (i > 0 && ++c->to[--i] == 0) {
+    while (i > 0 && ++c->bytes[--i] == 0) {
     }
 }
 
-static inline void wire_range_byte(wire_range_out *c) {
+static inline void wire_range_put(wire_range *c) {
     if (c->used < c->room) {
-        c->to[c->used] = (uint8_t)(c->low >> 24);
+        c->bytes[c->used] = (uint8_t)(c->low >> 24);
     }
     c->used++;
     c->low <<= 8;
     c->range <<= 8;
 }
 
-static inline void wire_range_put(wire_range_out *c, uint32_t bound, unsigned bit) {
-    if (bit) {
-        c->low += bound;
-        if (c->low < bound) {
-            wire_range_carry(c);
-        }
-        c->range -= bound;
-    } else {
-        c->range = bound;
+static inline void wire_range_take(wire_range *c) {
+    const uint32_t byte = c->used < c->room ? c->bytes[c->used++ & c->mask] : 0;
+    c->low = c->low << 8 | byte;
+    c->range <<= 8;
+}
+
+/* The part above `bound`, which stands for a 1. */
+static inline void wire_range_upper(wire_range *c, enum wire_way way, uint32_t bound) {
+    c->range -= bound;
+    if (way == WIRE_DECODES) {
+        c->low -= bound;
+        return;
     }
-    while (c->range < WIRE_RANGE_LEAST) {
-        wire_range_byte(c);
+    c->low += bound;
+    if (c->low < bound) {
+        wire_range_carry(c);
     }
 }
 
-/* The fewest bytes that end inside the interval. */
-static inline void wire_range_end(wire_range_out *c) {
+static inline void wire_range_widen(wire_range *c, enum wire_way way) {
+    if (c->range < WIRE_RANGE_LEAST && way == WIRE_ENCODES) {
+        wire_range_put(c);
+    } else if (c->range < WIRE_RANGE_LEAST) {
+        wire_range_take(c);
+    }
+}
+
+/* A bit with a chance, which learns from it. Encodes `bit`, or decodes and
+ * ignores it; returns the bit. */
+static inline unsigned wire_code(wire_range *c, enum wire_way way, uint16_t *chance, unsigned bit) {
+    const uint32_t p = *chance, bound = (c->range >> 12) * (p >> 4);
+    if (way == WIRE_DECODES) {
+        bit = c->low >= bound;
+    }
+    if (bit) {
+        wire_range_upper(c, way, bound);
+        *chance = (uint16_t)(p - ((p - WIRE_CHANCE_LEAST) >> WIRE_CHANCE_SHIFT));
+    } else {
+        c->range = bound;
+        *chance = (uint16_t)(p + ((WIRE_CHANCE_MOST - p) >> WIRE_CHANCE_SHIFT));
+    }
+    wire_range_widen(c, way);
+    return bit;
+}
+
+/* A bit that is 0 as often as 1. */
+static inline unsigned wire_code_even(wire_range *c, enum wire_way way, unsigned bit) {
+    const uint32_t bound = c->range >> 1;
+    if (way == WIRE_DECODES) {
+        bit = c->low >= bound;
+    }
+    if (bit) {
+        wire_range_upper(c, way, bound);
+    } else {
+        c->range = bound;
+    }
+    wire_range_widen(c, way);
+    return bit;
+}
+
+/* Encoder: the fewest bytes that end inside the interval. */
+static inline void wire_range_end(wire_range *c) {
     uint32_t keep = 0; /* bits of low that stay, then up to the next multiple */
     uint32_t value;
     do {
@@ -84,27 +130,11 @@ static inline void wire_range_end(wire_range_out *c) {
     }
     c->low = value;
     for (; keep > 0; keep -= 8) {
-        wire_range_byte(c);
+        wire_range_put(c);
     }
-    while (c->used > 0 && c->used <= c->room && c->to[c->used - 1] == 0) {
+    while (c->used > 0 && c->used <= c->room && c->bytes[c->used - 1] == 0) {
         c->used--;
     }
-}
-
-/* ---- decoder ------------------------------------------------------------------ */
-
-typedef struct wire_range_in {
-    uint32_t code, range; /* code: the number less low */
-} wire_range_in;
-
-static inline unsigned wire_range_get(wire_range_in *c, uint32_t bound) {
-    if (c->code < bound) {
-        c->range = bound;
-        return 0;
-    }
-    c->code -= bound;
-    c->range -= bound;
-    return 1;
 }
 
 #endif

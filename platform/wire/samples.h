@@ -10,7 +10,7 @@
 #include "platform/wire/wire_format.h"
 
 typedef struct wire_sample {
-    uint8_t v[3];
+    uint8_t v[4]; /* the last is not used: four bytes are moved at once */
 } wire_sample;
 
 static inline int wire_has_colour(unsigned format) {
@@ -24,7 +24,7 @@ static inline int wire_sample_most(unsigned format, unsigned which) {
 }
 
 static inline wire_sample wire_sample_get(unsigned format, const uint8_t *row, unsigned x) {
-    wire_sample s = {{0, 0, 0}};
+    wire_sample s = {{0, 0, 0, 0}};
     switch (format) {
     case WIRE_RGB565:
         row += 2 * x;

@@ -2,11 +2,12 @@
  *
  * Invariants, for any bytes: at most `coded` of them are read, at most
  * `height` rows reported, the reader's buffers never left; wire_tile_read
- * ends after as many steps as there are bytes, and 780 bits a pixel.
+ * ends after as many steps as there are bytes, and 50 bits a pixel.
  *
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "platform/wire/model_code.h"
 #include "platform/wire/wire_tile.h"
 
 int wire_tile_begin(wire_tile_reader *r, wire_tile_shape shape, unsigned coder, uint32_t coded,
@@ -21,6 +22,7 @@ int wire_tile_begin(wire_tile_reader *r, wire_tile_shape shape, unsigned coder, 
     r->old_stride = old_stride;
     r->coder = (uint8_t)coder;
     r->left = (uint16_t)coded;
+    r->range.mask = WIRE_HELD_BYTES - 1;
     r->unit = shape.format == WIRE_RGB565 ? 2 : shape.format == WIRE_RGB888 ? 3 : 1;
     const int is_right = coder == WIRE_RAW     ? coded == raw
                          : coder == WIRE_SOLID ? coded == r->unit
@@ -114,84 +116,60 @@ static int read_plain(wire_tile_reader *r, const uint8_t **at, const uint8_t *en
 
 /* ---- predicted ------------------------------------------------------------------- */
 
-/* The flags, then four bytes of code. 1: they are there, 0: not yet, -1: wrong. */
-static int start_predicted(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
-    while (r->started < 5) {
-        int byte = next_byte(r, at, end);
-        if (byte < 0 && (r->left > 0 || r->started == 0)) {
-            return 0;
-        }
-        byte = byte < 0 ? 0 : byte;
-        if (r->started++ == 0) {
-            const unsigned near = (unsigned)byte & MODEL_NEAR;
-            if ((byte & MODEL_DELTA && r->old == NULL) || byte > MODEL_FLAGS ||
-                near > WIRE_NEAR_MOST || (near > 0 && r->shape.format >= WIRE_GREY4)) {
-                return -1;
-            }
-            wire_model_start(&r->as.model, r->shape, (unsigned)byte);
-            r->range.range = UINT32_MAX;
-        } else {
-            r->range.code = r->range.code << 8 | (uint32_t)byte;
-        }
-    }
-    return 1;
-}
+_Static_assert((int)MODEL_PIXEL_BYTES <= (int)WIRE_HELD_BYTES, "a pixel is decoded whole");
 
-/* Makes the range wide enough for a bit; 0: a byte is missing. */
-static int widen(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
-    while (r->range.range < WIRE_RANGE_LEAST) {
+/* As many bytes as can be held. 1: enough for a pixel, or all there are. */
+static int hold_bytes(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
+    wire_range *c = &r->range;
+    while (c->room - c->used < WIRE_HELD_BYTES) {
         const int byte = next_byte(r, at, end);
-        if (byte < 0 && r->left > 0) {
-            return 0;
+        if (byte < 0) {
+            return r->left == 0;
         }
-        r->range.range <<= 8;
-        r->range.code = r->range.code << 8 | (uint32_t)(byte < 0 ? 0 : byte);
+        r->held_bytes[c->room++ % WIRE_HELD_BYTES] = (uint8_t)byte;
     }
     return 1;
 }
 
-static unsigned read_bit(wire_tile_reader *r) {
-    uint16_t *chance = wire_model_chance(&r->as.model);
-    if (chance == NULL) {
-        return wire_range_get(&r->range, r->range.range >> 1);
+/* The flags, then four bytes of code; 0: no encoder makes such flags. */
+static int start_predicted(wire_tile_reader *r) {
+    wire_range *c = &r->range;
+    const unsigned flags = r->held_bytes[c->used++ % WIRE_HELD_BYTES], near = flags & MODEL_NEAR;
+    if ((flags & MODEL_DELTA && r->old == NULL) || flags > MODEL_FLAGS || near > WIRE_NEAR_MOST ||
+        (near > 0 && r->shape.format >= WIRE_GREY4)) {
+        return 0;
     }
-    const unsigned bit = wire_range_get(&r->range, (r->range.range >> 12) * (*chance >> 4));
-    wire_chance_learn(chance, bit);
-    return bit;
+    wire_model_start(&r->as.model, r->shape, flags);
+    for (int i = 0; i < 4; i++) {
+        wire_range_take(c);
+    }
+    c->range = UINT32_MAX;
+    r->started = 1;
+    return 1;
 }
 
-static void start_pixel(wire_tile_reader *r) {
+static void read_pixel(wire_tile_reader *r) {
     wire_model *m = &r->as.model;
+    wire_sample old = {{0, 0, 0, 0}}, pixel = {{0, 0, 0, 0}};
     if (m->flags & MODEL_DELTA) {
-        m->old = wire_sample_get(m->format, r->old + (size_t)r->y * r->old_stride, m->x);
+        old = wire_sample_get(m->format, r->old + (size_t)r->y * r->old_stride, m->x);
     }
-    wire_model_pixel(m);
-    r->held = 1;
+    wire_code_pixel(m, &r->range, WIRE_DECODES, &old, &pixel);
 }
 
-/* `held`: the pixel has been begun. */
 static int read_predicted(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
-    const int started = start_predicted(r, at, end);
-    if (started <= 0) {
-        return started < 0 ? WIRE_TILE_WRONG : WIRE_TILE_MORE;
-    }
-    for (;;) {
-        if (!r->held) {
-            start_pixel(r);
-        }
-        if (!widen(r, at, end)) {
-            return WIRE_TILE_MORE;
-        }
-        const int done = wire_model_bit(&r->as.model, read_bit(r));
-        if (done < 0) {
+    r->range.bytes = r->held_bytes;
+    while (hold_bytes(r, at, end)) {
+        if (!r->started && !start_predicted(r)) {
             return WIRE_TILE_WRONG;
         }
-        r->held = (uint8_t)!done;
-        if (done && r->as.model.x == 0) {
+        read_pixel(r);
+        if (r->as.model.x == 0) {
             r->y++;
             return WIRE_TILE_ROW;
         }
     }
+    return WIRE_TILE_MORE;
 }
 
 int wire_tile_read(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {

@@ -42,9 +42,11 @@ uint32_t wire_tile_bytes(wire_tile_shape shape);
  * what the panel shows there now, or NULL. `near` 0: exact; else a sample may
  * be off by so many steps, and `pixels` becomes what the decoder will get.
  * Returns the bytes written and the coder, or 0 when the shortest does not
- * fit (`pixels` are as they were). Stack: about 400 bytes. */
+ * fit. Stack: about 500 bytes. */
 uint32_t wire_tile_encode(wire_tile_shape shape, uint8_t *pixels, const uint8_t *old, unsigned near,
                           uint8_t *to, uint32_t room, unsigned *coder);
+
+enum { WIRE_HELD_BYTES = 32 };
 
 /* A tile being decoded, as its bytes come in pieces of any size. */
 typedef struct wire_tile_reader {
@@ -55,7 +57,8 @@ typedef struct wire_tile_reader {
     uint8_t unit, run; /* bytes of a run's unit; units to come of this run */
     uint8_t is_run, held, started;
     uint16_t left, row_used; /* bytes of the tile still to come; of the row that are there */
-    wire_range_in range;
+    wire_range range;
+    uint8_t held_bytes[WIRE_HELD_BYTES]; /* of the code, as a ring: a pixel is decoded whole */
     union {
         wire_model model;
         uint8_t row[WIRE_ROW_BYTES_MAX + 4]; /* and a pixel that repeats */

@@ -20,6 +20,8 @@ MARK(wire_encode_begin)
 MARK(wire_encode_end)
 MARK(wire_decode_begin)
 MARK(wire_decode_end)
+MARK(wire_near_begin)
+MARK(wire_near_end)
 MARK(wire_hash_begin)
 MARK(wire_hash_end)
 
@@ -86,6 +88,11 @@ _Noreturn void cortex_m_main(void) {
         wrong += !decode(shape, coder, bytes);
         wire_decode_end();
         wrong += wire_crc(0, back, 512) != hash;
+        wire_near_begin();
+        const uint32_t fewer = wire_tile_encode(shape, pixels, (void *)0, 3, coded, 512, &coder);
+        wire_near_end();
+        wrong += fewer > bytes || !decode(shape, coder, fewer);
+        wrong += wire_crc(0, back, 512) != wire_crc(0, pixels, 512);
     }
     semihost_exit(wrong == 0 ? 42 : 1);
 }
