@@ -90,7 +90,7 @@ static void test_refresh(void) {
 
 static void test_near(void) {
     const rig_shape shape = {96, 80, WIRE_RGB565, 64, 64, 16, 1};
-    test("near tiles go out again exactly when nothing newer is shown");
+    test("near tiles go out again exactly when nothing newer is shown, and not before");
     wire_rig_open(&rig, shape, 5);
     rig.cable.paced = 1;
     wire_frames_near(&rig.out, 4);
@@ -102,11 +102,75 @@ static void test_near(void) {
         for (int ms = 0; ms < 300 && !wire_frames_out_idle(&rig.out); ms++) {
             fake_cable_step(&rig.cable);
         }
-        coarse += wire_rig_differences(&rig);
+        for (int ms = 0; ms < 80; ms++) {
+            fake_cable_step(&rig.cable);
+        }
+        coarse += wire_rig_differences(&rig) > 0;
     }
     CHECK(wire_rig_settle(&rig, 3000) >= 0, "not refined");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
-    CHECK(coarse > 0, "nothing was near");
+    CHECK(coarse == 6, "%u of 6 frames were near", coarse);
+    wire_rig_close(&rig);
+}
+
+/* Shows `count` frames, each when the one before has been handed over, and
+ * returns the milliseconds from the `from`-th on. */
+static uint32_t show_film(int kind, unsigned count, unsigned from) {
+    uint32_t ms = 0;
+    for (unsigned i = 0; i < count; i++) {
+        wire_rig_draw(&rig, kind);
+        CHECK(wire_rig_show(&rig), "no session");
+        for (uint32_t t = 0; t < 2000 && !wire_frames_out_idle(&rig.out); t++) {
+            fake_cable_step(&rig.cable);
+            ms += i >= from;
+        }
+    }
+    return ms;
+}
+
+static void open_film(unsigned format, unsigned goal) {
+    const rig_shape shape = {96, 80, format, 64, 64, 16, 1};
+    wire_rig_open(&rig, shape, 8);
+    rig.cable.paced = 1;
+    wire_frames_rate(&rig.out, goal);
+    CHECK(up(300), "no session");
+}
+
+/* `exact_ms`: of ten exact frames. */
+static void rate_of(unsigned format, uint32_t exact_ms) {
+    open_film(format, 5000 / exact_ms);
+    show_film(1, 20, 10);
+    CHECK(rig.out.near == 0, "format %u, half of what is there: near %u", format, rig.out.near);
+    wire_rig_close(&rig);
+    const unsigned goal = 13000 / exact_ms;
+    open_film(format, goal);
+    const uint32_t ms = show_film(1, 20, 10);
+    CHECK(rig.out.near > 0 && ms * goal <= 10500, "format %u: near %u, 10 frames in %u ms", format,
+          rig.out.near, ms);
+    CHECK(wire_rig_differences(&rig) > 0, "nothing was near");
+    CHECK(wire_rig_settle(&rig, 3000) >= 0, "not refined");
+    CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
+    show_film(2, 20, 0);
+    CHECK(rig.out.near == 0, "format %u: near %u for a few pixels", format, rig.out.near);
+    CHECK(wire_rig_settle(&rig, 3000) >= 0 && wire_rig_differences(&rig) == 0, "not exact");
+    wire_rig_close(&rig);
+}
+
+static void test_rate(void) {
+    test(
+        "a goal of frames a second is kept by being off, where it must be; at rest the picture "
+        "is exact");
+    for (unsigned format = WIRE_RGB565; format <= WIRE_GREY8; format++) {
+        open_film(format, 0);
+        const uint32_t exact_ms = show_film(1, 20, 10);
+        CHECK(rig.out.near == 0, "exact: near %u", rig.out.near);
+        wire_rig_close(&rig);
+        rate_of(format, exact_ms);
+    }
+    test("a link too slow for the goal shows fewer frames, not ones without colours");
+    open_film(WIRE_RGB565, 100);
+    show_film(1, 20, 0);
+    CHECK(rig.out.near == 6, "near %u", rig.out.near);
     wire_rig_close(&rig);
 }
 
@@ -203,6 +267,7 @@ int main(void) {
     test_latest_wins();
     test_refresh();
     test_near();
+    test_rate();
     test_silence();
     test_talk();
     return test_done();

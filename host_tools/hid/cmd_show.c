@@ -20,7 +20,8 @@ static const arg_flag flags[] = {
     {"--driver", "NAME|auto", "see planelet-hid list (default auto: by vid:pid)"},
     {"--fit", "contain|cover|stretch|none", "a picture of another size (default contain)"},
     {"--brightness", "0..100", "percent, where the display has it"},
-    {"--near", "0..15", "planelet: colours that move may be off by so much (default 0)"},
+    {"--near", "auto|0..15", "planelet: steps that moving colours may be off by (default auto)"},
+    {"--fps", "N", "auto: no more steps than let N frames a second through (default 12)"},
     {"--frames", "N", "stop after N frames"},
     {"--hold", "SECONDS", "how long a picture stays before the next (default 1)"},
     {"--every", NULL, "every frame of a film, each until the display has confirmed it"},
@@ -37,8 +38,9 @@ const arg_command hid_command_show = {
     "show",
     "FILE... | -",
     "Shows pictures (PNG, PPM, PGM), films (Y4M; - is standard input) and packed scenes, rendered "
-    "live, on a display. A film keeps its time: frames that come too late are left out. Drivers "
-    "other than planelet are " DISPLAY_HONESTY ".",
+    "live. A film keeps its time: frames that come too late are left out. Where the link is too "
+    "slow, planelet lets moving colours be a little off, up to a tenth; what stands still for a "
+    "tenth of a second is exact. Drivers other than planelet are " DISPLAY_HONESTY ".",
     flags,
     1,
     100000,
@@ -69,7 +71,7 @@ static void tick(void *context) {
 
 static void pause_until(session *s, double end) {
     for (double left; !stop && (left = end - progress_seconds()) > 0.0;) {
-        const struct timespec t = {0, left < 0.02 ? (long)(1e9 * left) : 20000000};
+        const struct timespec t = {0, left < 0.004 ? (long)(1e9 * left) : 4000000};
         nanosleep(&t, NULL);
         session_tick(s);
     }
@@ -172,18 +174,16 @@ static double steady_rate(const showing *s) {
 }
 
 static double steady_reports(const showing *s) {
-    const double count = s->session.shown > 1 ? s->session.shown - 1 : 1;
-    return (double)(s->last_reports - s->first_reports) / count;
+    return (double)(s->last_reports - s->first_reports) /
+           (s->session.shown > 1 ? s->session.shown - 1 : 1);
 }
 
 static int write_figures(const showing *s, const char *path, double seconds, fail *f) {
     port_figures p;
     session_figures(&s->session, &p);
     output *o = output_open(path, f);
-    if (o == NULL) {
-        return -1;
-    }
-    if (output_print(o, f,
+    if (o != NULL &&
+        output_print(o, f,
                      "{\n  \"driver\": \"%s\",\n  \"width\": %u,\n  \"height\": %u,\n"
                      "  \"frames\": %u,\n  \"left_out\": %llu,\n  \"seconds\": %.6f,\n"
                      "  \"frames_per_s\": %.3f,\n  \"steady_frames_per_s\": %.3f,\n"
@@ -198,7 +198,7 @@ static int write_figures(const showing *s, const char *path, double seconds, fai
         output_abandon(o);
         return -1;
     }
-    return output_commit(o, f);
+    return o == NULL ? -1 : output_commit(o, f);
 }
 
 static void print_figures(const showing *s, double seconds) {
@@ -253,13 +253,25 @@ static double read_seconds(args *a, const char *flag, float otherwise) {
     return (double)value;
 }
 
+/* Frames that each wait until they are confirmed do not move. */
+static void read_near(session *s, args *a, int every) {
+    const int is_auto = strcmp(args_text(a, "--near", "auto"), "auto") == 0;
+    s->fps = (unsigned)args_number(a, "--fps", 12, 1, 100);
+    s->near = !is_auto ? (unsigned)args_number(a, "--near", 0, 0, WIRE_NEAR_MOST)
+              : every  ? 0
+                       : DISPLAY_NEAR_AUTO;
+    if (args_has(a, "--fps") && s->near != DISPLAY_NEAR_AUTO) {
+        args_complain(a, "--fps goes with --near auto and without --every");
+    }
+}
+
 static void read_flags(showing *s, args *a) {
     static const char *const fits[] = {"contain", "cover", "stretch", "none", NULL};
     read_driver(&s->session, a);
     s->session.fit = (enum fit_mode)args_choice(a, "--fit", fits, FIT_CONTAIN);
     s->session.brightness =
         args_has(a, "--brightness") ? (int)args_number(a, "--brightness", 0, 0, 100) : -1;
-    s->session.near = (unsigned)args_number(a, "--near", 0, 0, WIRE_NEAR_MOST);
+    read_near(&s->session, a, args_has(a, "--every"));
     s->session.patience = read_seconds(a, "--wait", 60.0f);
     s->session.stop = &stop;
     s->hold = read_seconds(a, "--hold", 1.0f);

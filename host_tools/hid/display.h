@@ -23,6 +23,8 @@ enum display_status {
     DISPLAY_GONE = -2    /* unplugged or silent: close, wait, open again */
 };
 
+enum { DISPLAY_NEAR_AUTO = 255 };
+
 typedef struct driver driver;
 
 typedef struct display {
@@ -56,9 +58,11 @@ struct driver {
     int (*settle)(display *d, fail *f); /* until the device has confirmed the picture */
     int (*tick)(display *d);            /* keeps a link alive; at least 10 times a second */
     int (*brightness)(display *d, unsigned percent, fail *f);
-    void (*near)(display *d, unsigned steps); /* colours while they move: off by so much */
-    int (*release)(display *d, fail *f);      /* the device's own picture again */
-    void (*close)(display *d);                /* only after an open that went well */
+    /* How far off colours may be while they move: so many steps, or
+     * DISPLAY_NEAR_AUTO: as few as let `fps` frames a second through. */
+    void (*near)(display *d, unsigned steps, unsigned fps);
+    int (*release)(display *d, fail *f); /* the device's own picture again */
+    void (*close)(display *d);           /* only after an open that went well */
 };
 
 /* All drivers, ended by NULL, the most certain first. */

@@ -266,9 +266,13 @@ static int planelet_brightness(display *d, unsigned percent, fail *f) {
     return DISPLAY_OK;
 }
 
-static void planelet_near(display *d, unsigned steps) {
+static void planelet_near(display *d, unsigned steps, unsigned fps) {
     planelet *p = d->state;
-    wire_frames_near(&p->out, steps);
+    if (steps == DISPLAY_NEAR_AUTO) {
+        wire_frames_rate(&p->out, fps);
+    } else {
+        wire_frames_near(&p->out, steps);
+    }
 }
 
 /* pid.codes gives 1209:0001 to tests; a product of one's own has its own id. */

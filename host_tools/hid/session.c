@@ -48,7 +48,7 @@ static int check_size(session *s, fail *f) {
 static int open_display(session *s, const driver *by, fail *f) {
     int status = display_open(&s->display, by, &s->info, f);
     if (status == DISPLAY_OK && by->near != NULL) {
-        by->near(&s->display, s->near);
+        by->near(&s->display, s->near, s->fps);
     }
     if (status == DISPLAY_OK) {
         status = set_brightness(s, f);

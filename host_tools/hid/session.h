@@ -14,7 +14,7 @@ typedef struct session {
     find_wish wish;
     enum fit_mode fit;
     int brightness;                    /* percent; -1 leaves it as it is */
-    unsigned near;                     /* colours of what moves may be off by so many steps */
+    unsigned near, fps;                /* of what moves, as driver.near takes them */
     double patience;                   /* seconds to wait for a display that is gone */
     const volatile sig_atomic_t *stop; /* set from outside: give up waiting */
 

@@ -36,10 +36,6 @@ void wire_frames_reference(wire_frames_out *out, uint8_t *reference, uint32_t by
     wire_frames_forget(out);
 }
 
-void wire_frames_near(wire_frames_out *out, unsigned near) {
-    out->near = (uint8_t)(near < WIRE_NEAR_MOST ? near : WIRE_NEAR_MOST);
-}
-
 void wire_frames_forget(wire_frames_out *out) {
     memset(out->hash, 0, sizeof out->hash);
     memset(out->way, 0, sizeof out->way);
@@ -64,6 +60,7 @@ void wire_frames_out_begin(wire_frames_out *out) {
     out->scanned = out->rgb != NULL ? 0 : out->tiles;
     out->number = out->unanswered = 0;
     out->in_frame = out->is_cut = out->is_exact_pass = out->is_waiting = 0;
+    out->is_timed = out->is_refining = 0;
     out->is_fresh = out->rgb != NULL;
     wire_frames_forget(out);
 }

@@ -6,6 +6,9 @@
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
 
+/* Without a newer frame for so long a picture rests. */
+enum { REST_MS = 100 };
+
 static void start_frame(wire_frames_out *out) {
     out->in_frame = 1;
     out->is_cut = 0;
@@ -38,17 +41,26 @@ static int is_missing(const wire_frames_out *out, int *coarse) {
     return missing;
 }
 
+/* Whether the last frame has rested: while frames follow each other, what is
+ * near is not worth the time of the next. */
+static int is_resting(const wire_frames_out *out) {
+    return out->unanswered == 0 && out->end->now_ms - out->over_ms >= REST_MS;
+}
+
 /* Whether a pass over the frame should begin. */
 static int wants_pass(wire_frames_out *out) {
     int coarse;
+    out->is_refining = 0;
     if (out->is_fresh) {
         out->is_exact_pass = out->near == 0;
         out->is_fresh = 0;
+        wire_rate_begin(out);
         return 1;
     }
     const int missing = is_missing(out, &coarse);
+    out->is_refining = !missing;
     out->is_exact_pass = !missing || out->near == 0;
-    return missing || (coarse && out->unanswered == 0);
+    return missing || (coarse && is_resting(out));
 }
 
 /* Tiles of the caller's frame, until the queue is full. */
@@ -63,6 +75,9 @@ static void scan(wire_frames_out *out) {
         out->scanned++;
     }
     if (end_frame(out, out->scanned == out->tiles)) {
+        if (out->scanned < out->tiles) {
+            wire_rate_end(out, out->scanned);
+        }
         out->scanned = out->tiles;
     }
 }
@@ -73,9 +88,12 @@ int wire_frames_out_fill(wire_frames_out *out) {
     }
     /* A delta needs the answer to what was sent before: worth a round trip. */
     const unsigned most = wire_has_reference(out) ? 1 : WIRE_SLOTS;
-    if (!out->in_frame && out->unanswered < most && wants_pass(out)) {
-        out->scanned = 0;
-        start_frame(out);
+    if (!out->in_frame && out->unanswered < most) {
+        wire_rate_end(out, out->tiles);
+        if (wants_pass(out)) {
+            out->scanned = 0;
+            start_frame(out);
+        }
     }
     if (out->in_frame) {
         scan(out);
@@ -145,8 +163,7 @@ int wire_frame_end(wire_frames_out *out) {
 }
 
 int wire_frames_out_idle(const wire_frames_out *out) {
-    return is_ready(out) && !out->is_fresh &&
-           (!out->in_frame || (out->near > 0 && out->is_exact_pass)) &&
+    return is_ready(out) && !out->is_fresh && (!out->in_frame || out->is_refining) &&
            out->unanswered < WIRE_SLOTS;
 }
 

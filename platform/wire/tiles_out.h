@@ -54,4 +54,8 @@ int wire_offer(wire_frames_out *out, const wire_piece *p);
 /* The message that ends a frame; 0: no room for it. */
 int wire_put_end(wire_frames_out *out, unsigned number);
 
+/* A pass over a new frame begins; it is over (frames_rate.c). */
+void wire_rate_begin(wire_frames_out *out);
+void wire_rate_end(wire_frames_out *out, unsigned looked_at);
+
 #endif

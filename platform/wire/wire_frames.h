@@ -37,15 +37,17 @@ typedef struct wire_frames_out {
     const uint8_t *rgb; /* the caller's frame, when there is one */
     uint8_t *reference; /* the caller's memory for what the panel shows, or NULL */
     uint32_t stride, reference_bytes;
-    uint32_t crc;        /* of the tiles of this frame */
-    uint32_t end_number; /* of the report that ended the frame not yet answered */
-    uint32_t waiting_ms; /* since that report was acknowledged */
-    uint16_t width, height, columns, tiles;
-    uint16_t next, scanned, sent, refresh;
+    uint32_t crc;               /* of the tiles of this frame */
+    uint32_t end_number;        /* of the report that ended the frame not yet answered */
+    uint32_t waiting_ms;        /* since that report was acknowledged */
+    uint32_t begun_ms, over_ms; /* of the pass over the last new frame */
+    uint16_t goal_ms;           /* of such a pass; 0: near is fixed */
+    uint16_t width, height, columns, tiles, next, scanned, sent, refresh;
     uint8_t format, near, mark;
     uint8_t number;     /* of the frame that goes out or comes next: 0 .. 5 */
     uint8_t unanswered; /* frames before it without an answer: 0 .. 3 */
     uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting, is_whole;
+    uint8_t is_timed, is_refining;
     uint32_t hash[WIRE_TILES_MAX];      /* of the pixels last sent; 0: send it */
     uint8_t way[WIRE_TILES_MAX / 4];    /* 2 bits a tile: 0 acknowledged, else which frame */
     uint8_t coarse[WIRE_TILES_MAX / 8]; /* sent with an error */
@@ -64,8 +66,14 @@ void wire_frames_reference(wire_frames_out *out, uint8_t *reference, uint32_t by
 
 /* While frames move, samples may be off by `near` steps of the panel's format
  * (0 .. WIRE_NEAR_MOST; 0, the default, is exact). Tiles sent so are sent
- * again exactly as soon as wire_frames_show has brought nothing newer. */
+ * again exactly when wire_frames_show has brought nothing newer for a tenth of
+ * a second. */
 void wire_frames_near(wire_frames_out *out, unsigned near);
+
+/* The same with a bound that the sender chooses from frame to frame: as small
+ * as lets `frames_a_second` (1 .. 1000; 0: exact) through, but not beyond a tenth
+ * of the range: slower links show fewer. It begins exact. */
+void wire_frames_rate(wire_frames_out *out, unsigned frames_a_second);
 
 /* A whole frame, for ends that have one: rows of 3 bytes a pixel, top down,
  * `stride` bytes apart, of the other end's panel size. What changed goes out

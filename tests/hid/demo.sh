@@ -14,4 +14,4 @@ if [ -e "$HID" ] && ! "$HID" list | grep -q '^no display'; then
 elif [ -t 1 ]; then
     printf '\033[2J'
 fi
-exec "$program" show "$DEMO/marbles.plt" --arena 4194304 --near 3 --frames "${FRAMES:-200}"
+exec "$program" show "$DEMO/marbles.plt" --arena 4194304 --frames "${FRAMES:-200}"

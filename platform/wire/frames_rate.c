@@ -1,0 +1,54 @@
+/* frames_rate - how far off a moving picture may be, so that enough of them come
+ *
+ * A pass over a new frame is timed from its first tile to when the next could
+ * begin. One that takes longer than the goal lets the next frames be off by
+ * more, one that takes well less by less. What is near when the last frame has
+ * rested is sent again exactly, as always (frames_show.c).
+ *
+ * SPDX-License-Identifier: MIT */
+#include "platform/wire/tiles_out.h"
+
+/* Most steps chosen: a tenth of green's 63, a seventeenth of 255. */
+enum { MOST_565 = 6, MOST_8_BITS = 15 };
+
+void wire_frames_near(wire_frames_out *out, unsigned near) {
+    out->near = (uint8_t)(near < WIRE_NEAR_MOST ? near : WIRE_NEAR_MOST);
+    out->goal_ms = 0;
+}
+
+void wire_frames_rate(wire_frames_out *out, unsigned frames_a_second) {
+    out->near = 0;
+    out->goal_ms = (uint16_t)(frames_a_second > 0 ? 1000 / frames_a_second : 0);
+}
+
+void wire_rate_begin(wire_frames_out *out) {
+    out->is_timed = 1;
+    out->begun_ms = out->end->now_ms;
+}
+
+/* A step changes the bytes by a quarter or so, from 1 to 0 by more: between
+ * three quarters of the goal and the goal it stays. */
+static void adapt(wire_frames_out *out, uint32_t took_ms) {
+    const unsigned most = out->format == WIRE_RGB565 ? MOST_565 : MOST_8_BITS;
+    unsigned near = out->near;
+    if (took_ms > out->goal_ms) {
+        near += 1 + near / 4;
+        near += took_ms / 2 > out->goal_ms ? 1 + near / 4 : 0;
+    } else if (near > 0 && took_ms < out->goal_ms * 3u / 4) {
+        near -= 1 + near / 8;
+    }
+    out->near = (uint8_t)(near < most ? near : most);
+}
+
+/* `looked_at` of `tiles`: less when a newer frame cut this one short. */
+void wire_rate_end(wire_frames_out *out, unsigned looked_at) {
+    if (!out->is_timed) {
+        return;
+    }
+    out->is_timed = 0;
+    out->over_ms = out->end->now_ms;
+    if (out->goal_ms > 0 && looked_at > 0) {
+        const uint32_t took = out->over_ms - out->begun_ms;
+        adapt(out, (took < 60000 ? took : 60000) * out->tiles / looked_at);
+    }
+}
