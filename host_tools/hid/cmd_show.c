@@ -6,13 +6,13 @@
 #include <string.h>
 #include <time.h>
 
-#include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/scene.h"
 #include "host_tools/cli/view.h"
 #include "host_tools/hid/commands.h"
 #include "host_tools/hid/frames.h"
 #include "host_tools/hid/session.h"
+#include "host_tools/hid/show_figures.h"
 #include "platform/wire/wire_tile.h"
 
 static const arg_flag flags[] = {
@@ -51,10 +51,11 @@ typedef struct showing {
     frames source;
     picture frame, ahead;
     progress bar;
-    double began, film_began, first_shown, last_shown; /* clock */
+    show_figures figures;
+    double film_began; /* clock */
     double hold;
     uint64_t film_frames; /* of the film that is shown, left out ones too */
-    uint64_t limit, left_out, first_reports, last_reports;
+    uint64_t limit;
     int every, repeat;
 } showing;
 
@@ -65,8 +66,9 @@ static void on_signal(int number) {
     stop = 1;
 }
 
-static void tick(void *context) {
+static int tick(void *context) {
     session_tick(context);
+    return stop;
 }
 
 static void pause_until(session *s, double end) {
@@ -77,13 +79,27 @@ static void pause_until(session *s, double end) {
     }
 }
 
+/* Whether the film is already at the frame after this one. A film that comes
+ * slower than it should is not: its clock starts anew. */
+static int is_late(showing *s, double period) {
+    const double now = progress_seconds();
+    if (now <= s->film_began + (double)(s->film_frames + 1) * period) {
+        return 0;
+    }
+    if (s->source.from.waited > period / 2.0) {
+        s->film_began = now - (double)s->film_frames * period;
+        return 0;
+    }
+    return 1;
+}
+
 /* The next frame that is not too late, in s->frame; the last one is never
  * left out. */
 static int next_frame(showing *s, fail *f) {
+    s->source.from.waited = 0.0;
     int status = s->source.next(&s->source, &s->frame, f);
     const double period = s->every ? 0.0 : s->source.period;
-    while (status == FRAMES_ONE && period > 0.0 &&
-           progress_seconds() > s->film_began + (double)(s->film_frames + 1) * period) {
+    while (status == FRAMES_ONE && period > 0.0 && is_late(s, period)) {
         const int more = s->source.next(&s->source, &s->ahead, f);
         if (more != FRAMES_ONE) {
             return more == FRAMES_FAILED ? more : FRAMES_ONE;
@@ -92,7 +108,7 @@ static int next_frame(showing *s, fail *f) {
         s->frame = s->ahead;
         s->ahead = late;
         s->film_frames++;
-        s->left_out++;
+        s->figures.left_out++;
     }
     return status;
 }
@@ -101,26 +117,13 @@ static int enough(const showing *s) {
     return stop || (s->limit > 0 && s->session.shown >= s->limit);
 }
 
-/* What it took from the first frame to the last: the first is all new, and
- * after the last the display may still be refining it. */
-static void mark_time(showing *s) {
-    port_figures p;
-    session_figures(&s->session, &p);
-    s->last_shown = progress_seconds();
-    s->last_reports = p.reports;
-    if (s->session.shown == 1) {
-        s->first_shown = s->last_shown;
-        s->first_reports = s->last_reports;
-    }
-}
-
 static int show_source(showing *s, fail *f) {
     s->film_began = progress_seconds();
     s->film_frames = 0;
     while (!enough(s)) {
         const int status = next_frame(s, f);
-        if (status != FRAMES_ONE) {
-            return status;
+        if (status != FRAMES_ONE || stop) {
+            return stop ? FRAMES_END : status;
         }
         if (s->source.period > 0.0 && !s->every) {
             pause_until(&s->session, s->film_began + (double)s->film_frames * s->source.period);
@@ -129,7 +132,7 @@ static int show_source(showing *s, fail *f) {
             (s->every && session_settle(&s->session, f) != 0)) {
             return FRAMES_FAILED;
         }
-        mark_time(s);
+        show_figures_mark(&s->figures, &s->session);
         s->film_frames++;
         progress_show(&s->bar, s->session.shown);
     }
@@ -168,69 +171,25 @@ static int show_files(showing *s, args *a, fail *f) {
     return 0;
 }
 
-static double steady_rate(const showing *s) {
-    const double seconds = s->last_shown - s->first_shown;
-    return seconds > 0.0 ? (s->session.shown - 1) / seconds : 0.0;
-}
-
-static double steady_reports(const showing *s) {
-    return (double)(s->last_reports - s->first_reports) /
-           (s->session.shown > 1 ? s->session.shown - 1 : 1);
-}
-
-static int write_figures(const showing *s, const char *path, double seconds, fail *f) {
-    port_figures p;
-    session_figures(&s->session, &p);
-    output *o = output_open(path, f);
-    if (o != NULL &&
-        output_print(o, f,
-                     "{\n  \"driver\": \"%s\",\n  \"width\": %u,\n  \"height\": %u,\n"
-                     "  \"frames\": %u,\n  \"left_out\": %llu,\n  \"seconds\": %.6f,\n"
-                     "  \"frames_per_s\": %.3f,\n  \"steady_frames_per_s\": %.3f,\n"
-                     "  \"steady_reports_per_frame\": %.2f,\n"
-                     "  \"reports\": %llu,\n  \"bytes\": %llu,\n"
-                     "  \"reconnects\": %u,\n  \"longest_gap_s\": %.3f\n}\n",
-                     s->session.display.by->name, s->session.panel.width, s->session.panel.height,
-                     s->session.shown, (unsigned long long)s->left_out, seconds,
-                     seconds > 0.0 ? s->session.shown / seconds : 0.0, steady_rate(s),
-                     steady_reports(s), (unsigned long long)p.reports, (unsigned long long)p.bytes,
-                     s->session.reconnects, s->session.longest_gap) != 0) {
-        output_abandon(o);
-        return -1;
-    }
-    return o == NULL ? -1 : output_commit(o, f);
-}
-
-static void print_figures(const showing *s, double seconds) {
-    port_figures p;
-    session_figures(&s->session, &p);
-    fprintf(stderr,
-            "%u frames in %.2f s, %.2f a second; %llu left out; %llu reports, %.1f KB a second; "
-            "%u reconnects\n",
-            s->session.shown, seconds, seconds > 0.0 ? s->session.shown / seconds : 0.0,
-            (unsigned long long)s->left_out, (unsigned long long)p.reports,
-            seconds > 0.0 ? 1e-3 * (double)p.bytes / seconds : 0.0, s->session.reconnects);
-}
-
 static int run_all(showing *s, args *a, fail *f) {
     if (session_open(&s->session, f) != 0) {
         return -1;
     }
-    s->began = progress_seconds();
+    const double began = progress_seconds();
     progress_begin(&s->bar, "showing, frame", s->limit);
-    s->source = (frames){.tick = tick, .context = &s->session};
+    s->source = (frames){.from = {.tick = tick, .context = &s->session}};
     const int status = show_files(s, a, f) != 0 ? -1 : session_settle(&s->session, f);
-    const double seconds = progress_seconds() - s->began;
+    const double seconds = progress_seconds() - began;
     progress_end(&s->bar);
     if (status != 0) {
         return -1;
     }
-    print_figures(s, seconds);
+    show_figures_print(&s->figures, &s->session, seconds);
     if (args_has(a, "--release") && session_release(&s->session, f) != 0) {
         return -1;
     }
     const char *json = args_text(a, "--json", NULL);
-    return json == NULL ? 0 : write_figures(s, json, seconds, f);
+    return json == NULL ? 0 : show_figures_write(&s->figures, &s->session, json, seconds, f);
 }
 
 static void read_driver(session *s, args *a) {

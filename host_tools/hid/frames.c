@@ -23,7 +23,7 @@ unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f) {
     size_t room = 65536, used = 0;
     unsigned char *all = malloc(room);
     while (all != NULL) {
-        used += fread(all + used, 1, room - used, s->file);
+        used += stream_read(&s->from, all + used, room - used);
         if (used < room || room >= PICTURE_BYTES_MAX) {
             break;
         }
@@ -34,45 +34,40 @@ unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f) {
         all = more;
     }
     *bytes = used;
-    if (all == NULL || used == room || ferror(s->file)) {
+    if (all == NULL || used == room || s->from.is_wrong) {
         fail_set(f, s->path,
-                 ferror(s->file) ? "cannot be read to its end; check the disk"
-                                 : "is too large for a picture; make it smaller");
+                 s->from.is_wrong ? "cannot be read to its end; check the disk"
+                                  : "is too large for a picture; make it smaller");
         free(all);
         return NULL;
     }
     return all;
 }
 
-static int open_file(frames *s, const char *path, fail *f) {
-    const int is_stream = strcmp(path, "-") == 0;
-    s->path = is_stream ? "standard input" : path;
-    s->file = is_stream ? stdin : fopen(path, "rb");
-    if (s->file == NULL) {
-        return fail_set(f, path, "cannot open: %s; check the path", strerror(errno));
-    }
-    return 0;
-}
-
 int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f) {
-    if (open_file(s, path, f) != 0) {
-        return -1;
+    s->path = strcmp(path, "-") == 0 ? "standard input" : path;
+    if (stream_open(&s->from, path) != 0) {
+        return fail_set(f, s->path, "cannot open: %s; check the path", strerror(errno));
     }
-    const int first = getc(s->file);
-    ungetc(first, s->file);
+    const int first = stream_byte(&s->from);
+    if (first >= 0) {
+        stream_back(&s->from);
+    }
     switch (first) {
-    case EOF:
+    case -1:
         return fail_set(f, s->path, "is empty or no file; name a picture, a film or a scene");
     case 'Y':
         return frames_y4m(s, f);
     case 'P':
         /* A scene begins with "PLANELET". */
-        getc(s->file);
-        const int second = getc(s->file);
+        stream_byte(&s->from);
+        const int second = stream_byte(&s->from);
         if (second == 'L') {
             return frames_scene(s, a, width, height, f);
         }
-        ungetc(second, s->file);
+        if (second >= 0) {
+            stream_back(&s->from);
+        }
         return frames_pnm(s, f);
     case 0x89:
         return frames_png(s, f);
@@ -86,8 +81,6 @@ void frames_close(frames *s) {
     if (s->close != NULL) {
         s->close(s);
     }
-    if (s->file != NULL && s->file != stdin) {
-        fclose(s->file);
-    }
-    *s = (frames){.tick = s->tick, .context = s->context};
+    stream_close(&s->from);
+    *s = (frames){.from = s->from};
 }

@@ -6,10 +6,9 @@
 #ifndef HID_FRAMES_H
 #define HID_FRAMES_H
 
-#include <stdio.h>
-
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/args.h"
+#include "host_tools/hid/stream.h"
 #include "host_tools/picture/picture.h"
 
 typedef struct frames frames;
@@ -20,20 +19,19 @@ enum frames_status { FRAMES_END = 0, FRAMES_ONE = 1, FRAMES_FAILED = -1 };
 struct frames {
     int (*next)(frames *s, picture *p, fail *f);
     void (*close)(frames *s);
-    const char *path;            /* not owned */
-    FILE *file;                  /* owned, open while there is more */
-    void *state;                 /* owned by the kind of source */
-    double period;               /* seconds a frame, as a film says; 0: none */
-    void (*tick)(void *context); /* called often while a frame is made; may be NULL */
-    void *context;
+    const char *path; /* not owned */
+    stream from;      /* its tick is called while a frame is waited for, or made */
+    void *state;      /* owned by the kind of source */
+    double period;    /* seconds a frame, as a film says; 0: none */
 };
 
-/* Opens a file (`s` is zero but for tick and context) or, as "-", standard input: Y4M, PPM, PGM,
- * PNG, or a packed scene, which is rendered live, `width` x `height`, as the flags say. */
+/* Opens a file (`s` is zero but for from.tick and its context) or, as "-", standard input: Y4M,
+ * PPM, PGM, PNG, or a packed scene, which is rendered live, `width` x `height`, as the flags say.
+ */
 int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f);
 void frames_close(frames *s); /* also after a failed open */
 
-/* The kinds; each is handed an open file at its first byte. */
+/* The kinds; each is handed an open stream at its first byte. */
 int frames_y4m(frames *s, fail *f);
 int frames_pnm(frames *s, fail *f);
 int frames_png(frames *s, fail *f);

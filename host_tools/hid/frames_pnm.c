@@ -8,30 +8,31 @@
 #include "host_tools/hid/frames.h"
 
 /* A number after blanks and comments; 0 when there is none. */
-static unsigned number(FILE *file) {
+static unsigned number(stream *from) {
     unsigned value = 0;
-    int c = getc(file);
+    int c = stream_byte(from);
     while (c == '#' || c == ' ' || c == '\t' || c == '\n' || c == '\r') {
-        while (c == '#' && (c = getc(file)) != EOF && c != '\n') {
+        while (c == '#' && (c = stream_byte(from)) >= 0 && c != '\n') {
             c = '#';
         }
-        c = getc(file);
+        c = stream_byte(from);
     }
     while (c >= '0' && c <= '9' && value < 1000000) {
         value = 10 * value + (unsigned)(c - '0');
-        c = getc(file);
+        c = stream_byte(from);
     }
     return value; /* one blank was taken */
 }
 
-static int read_pixels(FILE *file, picture *p, unsigned channels, unsigned most) {
+static int read_pixels(stream *from, picture *p, unsigned channels, unsigned most) {
     if (channels == 3 && most == 255) {
-        return fread(p->rgb, 3 * (size_t)p->width, p->height, file) == p->height ? 0 : -1;
+        const size_t bytes = 3 * (size_t)p->width * p->height;
+        return stream_read(from, p->rgb, bytes) == bytes ? 0 : -1;
     }
     for (size_t i = 0; i < (size_t)p->width * p->height; i++) {
         for (unsigned c = 0; c < 3; c++) {
-            const int v = c < channels ? getc(file) : p->rgb[3 * i];
-            if (v == EOF) {
+            const int v = c < channels ? stream_byte(from) : p->rgb[3 * i];
+            if (v == -1) {
                 return -1;
             }
             const unsigned wide =
@@ -43,19 +44,19 @@ static int read_pixels(FILE *file, picture *p, unsigned channels, unsigned most)
 }
 
 static int pnm_next(frames *s, picture *p, fail *f) {
-    const int c = getc(s->file);
-    if (c == EOF) {
+    const int c = stream_byte(&s->from);
+    if (c == -1) {
         return FRAMES_END;
     }
-    const int kind = c == 'P' ? getc(s->file) : c;
-    const unsigned width = number(s->file), height = number(s->file), most = number(s->file);
+    const int kind = c == 'P' ? stream_byte(&s->from) : c;
+    const unsigned width = number(&s->from), height = number(&s->from), most = number(&s->from);
     if ((kind != '6' && kind != '5') || width == 0 || height == 0 || most == 0 || most > 255) {
         return fail_set(f, s->path, "is no P6 or P5 picture of 8 bits; convert it to one");
     }
     if (frames_room(p, width, height, f) != 0) {
         return FRAMES_FAILED;
     }
-    if (read_pixels(s->file, p, kind == '6' ? 3 : 1, most) != 0) {
+    if (read_pixels(&s->from, p, kind == '6' ? 3 : 1, most) != 0) {
         return fail_set(f, s->path, "ends before its last pixel; write it again");
     }
     return FRAMES_ONE;

@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/scene.h"
@@ -49,8 +50,8 @@ static int live_next(frames *s, picture *p, fail *f) {
         if (status == PLT_TILE) {
             take_tile(engine, p);
         }
-        if (s->tick != NULL) {
-            s->tick(s->context);
+        if (s->from.tick != NULL && s->from.tick(s->from.context)) {
+            return FRAMES_END;
         }
     }
     return FRAMES_ONE;
@@ -79,7 +80,7 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     s->next = live_next;
     s->close = live_close;
     s->state = l;
-    if (l == NULL || s->file == stdin) {
+    if (l == NULL || s->from.fd == STDIN_FILENO) {
         return fail_set(f, s->path,
                         l == NULL ? "out of memory; close other programs"
                                   : "a scene is a file; name it");

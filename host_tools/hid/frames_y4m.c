@@ -26,18 +26,6 @@ typedef struct film {
     size_t plane[3]; /* bytes of each */
 } film;
 
-/* A line without its end; NULL at the end of the file or if it is too long. */
-static char *line(FILE *file, char *to) {
-    if (fgets(to, HEAD_BYTES, file) == NULL) {
-        return NULL;
-    }
-    char *end = strchr(to, '\n');
-    if (end != NULL) {
-        *end = '\0';
-    }
-    return end == NULL ? NULL : to;
-}
-
 static int sampling(film *y, const char *name) {
     static const struct {
         const char *name;
@@ -72,11 +60,11 @@ static int take_word(frames *s, film *y, const char *word, fail *f) {
 }
 
 static int read_head(frames *s, film *y, fail *f) {
-    char head[HEAD_BYTES], *at = line(s->file, head);
-    if (at == NULL || strncmp(at, "YUV4MPEG2 ", 10) != 0) {
+    char head[HEAD_BYTES];
+    if (stream_line(&s->from, head, sizeof head) != 0 || strncmp(head, "YUV4MPEG2 ", 10) != 0) {
         return fail_set(f, s->path, "has no Y4M header; make it with planelet render or ffmpeg");
     }
-    for (char *word = strtok(at + 10, " "); word != NULL; word = strtok(NULL, " ")) {
+    for (char *word = strtok(head + 10, " "); word != NULL; word = strtok(NULL, " ")) {
         if (take_word(s, y, word, f) != 0) {
             return -1;
         }
@@ -127,11 +115,14 @@ static void convert(const film *y, picture *p) {
 static int film_next(frames *s, picture *p, fail *f) {
     film *y = s->state;
     char head[HEAD_BYTES];
-    if (line(s->file, head) == NULL) {
-        return feof(s->file) ? FRAMES_END : fail_set(f, s->path, "cannot be read; check the pipe");
+    if (stream_byte(&s->from) < 0) {
+        return s->from.is_wrong ? fail_set(f, s->path, "cannot be read; check the pipe")
+                                : FRAMES_END;
     }
+    stream_back(&s->from);
     const size_t bytes = y->plane[0] + y->plane[1] + y->plane[2];
-    if (strncmp(head, "FRAME", 5) != 0 || fread(y->planes, 1, bytes, s->file) != bytes) {
+    if (stream_line(&s->from, head, sizeof head) != 0 || strncmp(head, "FRAME", 5) != 0 ||
+        stream_read(&s->from, y->planes, bytes) != bytes) {
         return fail_set(f, s->path, "ends inside a frame; write the film again");
     }
     if (frames_room(p, y->width, y->height, f) != 0) {

@@ -1,0 +1,125 @@
+/* test_hid_pipe - planelet-hid show -, fed by a program that takes its time
+ *
+ * SPDX-License-Identifier: MIT */
+#include <signal.h>
+#include <stdio.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "host_tools/base/progress.h"
+#include "host_tools/hid/commands.h"
+#include "tests/hid/model.h"
+#include "tests/reference/fake_hidapi.h"
+#include "tests/test.h"
+
+enum { WIDTH = 64, HEIGHT = 48 };
+
+typedef struct bench {
+    model *model;
+    unsigned hellos, changes, last; /* sessions asked for; frames that came; grey of the last */
+    double heard, silence;          /* clock; seconds, the longest */
+} bench;
+
+static void on_output(void *context, const uint8_t *report, size_t bytes) {
+    bench *b = context;
+    const double now = progress_seconds(), gap = now - b->heard;
+    b->silence = b->heard > 0.0 && gap > b->silence ? gap : b->silence;
+    b->heard = now;
+    b->hellos += report[5] == 0x80 && report[6] == 0x10; /* control, HELLO */
+    b->model->kind->output(b->model, report, bytes);
+}
+
+static size_t on_input(void *context, uint8_t *report, size_t room) {
+    bench *b = context;
+    return b->model->kind->input(b->model, report, room);
+}
+
+static void on_change(void *context, model *m) {
+    bench *b = context;
+    b->changes += m->rgb[0] != b->last;
+    b->last = m->rgb[0];
+}
+
+static void sleep_ms(unsigned ms) {
+    const struct timespec t = {ms / 1000, (long)(ms % 1000) * 1000000};
+    nanosleep(&t, NULL);
+}
+
+/* A film of 25 frames a second whose frames come `ms` apart, in two halves. */
+static void write_film(int to, unsigned frames, unsigned ms) {
+    static uint8_t luma[WIDTH * HEIGHT];
+    FILE *film = fdopen(to, "wb");
+    fprintf(film, "YUV4MPEG2 W%d H%d F25:1 Cmono XCOLORRANGE=FULL\n", WIDTH, HEIGHT);
+    for (unsigned n = 0; n < frames; n++) {
+        memset(luma, (int)(40 * (n + 1)), sizeof luma);
+        fprintf(film, "FRAME\n");
+        fwrite(luma, 1, sizeof luma / 2, film);
+        fflush(film);
+        sleep_ms(n > 0 ? ms : 0);
+        fwrite(luma, 1, sizeof luma / 2, film);
+        fflush(film);
+    }
+    fclose(film);
+}
+
+static pid_t start_writer(unsigned frames, unsigned ms) {
+    int ends[2];
+    if (pipe(ends) != 0) {
+        return -1;
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        write_film(ends[1], frames, ms);
+        _exit(0);
+    }
+    dup2(ends[0], STDIN_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    return child;
+}
+
+static int run(bench *b, unsigned frames, unsigned ms) {
+    char *words[] = {"-"};
+    const fake_device device = {.path = "1-1:1.0",
+                                .vendor = 0x1209,
+                                .product = 0x0001,
+                                .context = b,
+                                .output = on_output,
+                                .input = on_input};
+    args a;
+    int status = -1;
+    *b = (bench){.model = model_make(&model_planelet, (model_shape){WIDTH, HEIGHT, 2, 64, 1})};
+    b->model->changed = on_change;
+    b->model->context = b;
+    fake_bus_reset();
+    fake_plug(0, &device);
+    const pid_t child = start_writer(frames, ms);
+    if (child > 0 && args_parse(&a, &hid_command_show, 1, words) == ARGS_GO_ON) {
+        status = hid_run_show(&a);
+        args_free(&a);
+    }
+    kill(child, SIGKILL);
+    waitpid(child, NULL, 0);
+    CHECK(fake_bus.open == 0 && fake_bus.wrong == 0, "hidapi was used as it should");
+    model_free(b->model);
+    return status;
+}
+
+int main(void) {
+    bench b;
+    /* Its messages on standard error are meant for a person. */
+    if (freopen("/dev/null", "w", stderr) == NULL) {
+        return 1;
+    }
+    test("a film that stops for 1.2 s in the middle of a frame does not end the session");
+    CHECK(run(&b, 2, 1200) == 0, "failed");
+    CHECK(b.hellos == 1, "%u sessions asked for", b.hellos);
+    CHECK(b.silence < 0.7, "%.3f s of silence", b.silence);
+    CHECK(b.changes == 2 && b.last == 80, "%u frames, the last of grey %u", b.changes, b.last);
+    test("of a film that comes slower than it should, every frame is shown");
+    CHECK(run(&b, 5, 150) == 0, "failed");
+    CHECK(b.changes == 5 && b.last == 200, "%u frames, the last of grey %u", b.changes, b.last);
+    return test_done();
+}
