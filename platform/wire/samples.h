@@ -71,4 +71,25 @@ static inline void wire_sample_put(unsigned format, uint8_t *row, unsigned x, wi
     }
 }
 
+/* `width` pixels of a row. The format of most panels has a loop of its own. */
+static inline void wire_samples_get(unsigned format, const uint8_t *row, unsigned width,
+                                    wire_sample *to) {
+    for (unsigned x = 0; format == WIRE_RGB565 && x < width; x++) {
+        to[x] = wire_sample_get(WIRE_RGB565, row, x);
+    }
+    for (unsigned x = 0; format != WIRE_RGB565 && x < width; x++) {
+        to[x] = wire_sample_get(format, row, x);
+    }
+}
+
+static inline void wire_samples_put(unsigned format, uint8_t *row, unsigned width,
+                                    const wire_sample *from) {
+    for (unsigned x = 0; format == WIRE_RGB565 && x < width; x++) {
+        wire_sample_put(WIRE_RGB565, row, x, from[x]);
+    }
+    for (unsigned x = 0; format != WIRE_RGB565 && x < width; x++) {
+        wire_sample_put(format, row, x, from[x]);
+    }
+}
+
 #endif

@@ -121,12 +121,12 @@ _Static_assert((int)MODEL_PIXEL_BYTES <= (int)WIRE_HELD_BYTES, "a pixel is decod
 /* As many bytes as can be held. 1: enough for a pixel, or all there are. */
 static int hold_bytes(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
     wire_range *c = &r->range;
-    while (c->room - c->used < WIRE_HELD_BYTES) {
-        const int byte = next_byte(r, at, end);
-        if (byte < 0) {
-            return r->left == 0;
+    while (c->room - c->used < WIRE_HELD_BYTES && r->left > 0) {
+        if (*at == end) {
+            return 0;
         }
-        r->held_bytes[c->room++ % WIRE_HELD_BYTES] = (uint8_t)byte;
+        r->held_bytes[c->room++ % WIRE_HELD_BYTES] = *(*at)++;
+        r->left--;
     }
     return 1;
 }
@@ -188,7 +188,5 @@ void wire_tile_row(const wire_tile_reader *r, uint8_t *to) {
         memcpy(to, r->as.row, row_bytes(r));
         return;
     }
-    for (unsigned x = 0; x < r->shape.width; x++) {
-        wire_sample_put(r->shape.format, to, x, r->as.model.row[x]);
-    }
+    wire_samples_put(r->shape.format, to, r->shape.width, r->as.model.row);
 }

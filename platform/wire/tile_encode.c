@@ -66,20 +66,20 @@ static uint32_t encode_predicted(wire_tile_shape shape, uint8_t *pixels, const u
                                  unsigned near, uint8_t *to, uint32_t room) {
     const uint32_t row_bytes = wire_row_bytes(shape.format, shape.width);
     wire_range c = {to + 1, UINT32_MAX, 0, 0, room - 1, UINT32_MAX};
-    wire_sample there = {{0, 0, 0, 0}};
+    wire_sample row[WIRE_TILE_SIDE], there[WIRE_TILE_SIDE];
     wire_model m;
     to[0] = (uint8_t)(near | (old != NULL ? MODEL_DELTA : 0));
     wire_model_start(&m, shape, to[0]);
     for (unsigned y = 0; y < shape.height && c.used <= c.room; y++) {
+        wire_samples_get(shape.format, pixels + y * row_bytes, shape.width, row);
+        if (old != NULL) {
+            wire_samples_get(shape.format, old + y * row_bytes, shape.width, there);
+        }
         for (unsigned x = 0; x < shape.width; x++) {
-            wire_sample pixel = wire_sample_get(shape.format, pixels + y * row_bytes, x);
-            if (old != NULL) {
-                there = wire_sample_get(shape.format, old + y * row_bytes, x);
-            }
-            wire_code_pixel(&m, &c, WIRE_ENCODES, &there, &pixel);
-            if (near > 0) {
-                wire_sample_put(shape.format, pixels + y * row_bytes, x, pixel);
-            }
+            wire_code_pixel(&m, &c, WIRE_ENCODES, there + x, row + x);
+        }
+        if (near > 0) {
+            wire_samples_put(shape.format, pixels + y * row_bytes, shape.width, row);
         }
     }
     wire_range_end(&c);

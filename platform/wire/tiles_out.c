@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
 #include "platform/wire/crc.h"
+#include "platform/wire/hash.h"
 
 wire_piece wire_piece_of(const wire_frames_out *out, unsigned index) {
     wire_piece p = {index, index % out->columns * 16, index / out->columns * 16, {0, 0, 0}, 0};
@@ -13,9 +14,9 @@ wire_piece wire_piece_of(const wire_frames_out *out, unsigned index) {
     return p;
 }
 
-/* FNV-1a over words would do; the CRC is there already and finds every burst. */
+/* 0 stands for a tile of which nothing is known. */
 static uint32_t hash_of(const wire_frames_out *out, const wire_piece *p) {
-    const uint32_t hash = wire_crc(0, out->pixels, p->row_bytes * p->shape.height);
+    const uint32_t hash = wire_hash(out->pixels, p->row_bytes * p->shape.height);
     return hash == 0 ? 1 : hash;
 }
 

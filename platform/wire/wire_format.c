@@ -46,23 +46,21 @@ static void to_mono(uint8_t *to, const uint8_t *rgb, unsigned x, unsigned y) {
 
 void wire_row_from_rgb(uint8_t *to, unsigned format, const uint8_t *rgb, unsigned width, unsigned x,
                        unsigned y) {
-    for (unsigned i = 0; i < width; i++, rgb += 3) {
-        switch (format) {
-        case WIRE_RGB565:
-            to_565(to + 2 * i, rgb);
-            break;
-        case WIRE_RGB888:
-            memcpy(to + 3 * i, rgb, 3);
-            break;
-        case WIRE_GREY8:
-            to[i] = (uint8_t)luma(rgb);
-            break;
-        case WIRE_GREY4:
-            to_grey4(to + i / 2, rgb, x + i);
-            break;
-        default:
-            to_mono(to + i / 8, rgb, x + i, y);
-        }
+    if (format == WIRE_RGB888) {
+        memcpy(to, rgb, 3 * (size_t)width);
+        return;
+    }
+    for (unsigned i = 0; format == WIRE_RGB565 && i < width; i++) {
+        to_565(to + 2 * i, rgb + 3 * i);
+    }
+    for (unsigned i = 0; format == WIRE_GREY8 && i < width; i++) {
+        to[i] = (uint8_t)luma(rgb + 3 * i);
+    }
+    for (unsigned i = 0; format == WIRE_GREY4 && i < width; i++) {
+        to_grey4(to + i / 2, rgb + 3 * i, x + i);
+    }
+    for (unsigned i = 0; format == WIRE_MONO1 && i < width; i++) {
+        to_mono(to + i / 8, rgb + 3 * i, x + i, y);
     }
 }
 

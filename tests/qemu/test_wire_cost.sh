@@ -33,9 +33,9 @@ verdict "tiles encoded there come back bit for bit" "$(
 figures=$(tr ' ' '\n' <"$out/wire_cost.txt" | awk -F= '
     /^(hash|encode|decode|near)=/ { printf "%s %.1f  ", $1, $2 / 16384 }')
 echo "    instructions a pixel of RGB565: $figures"
-verdict "a pixel costs at most 60 instructions to look at, 400 to encode, 350 if near, 400 to decode" "$(
+verdict "a pixel costs at most 25 instructions to look at, 350 to encode, 300 if near, 360 to decode" "$(
     echo "$figures" | awk '{
-        if (!($2 > 0 && $2 <= 60 && $4 > 0 && $4 <= 400 && $6 > 0 && $6 <= 400 && $8 > 0 && $8 <= 350))
+        if (!($2 > 0 && $2 <= 25 && $4 > 0 && $4 <= 350 && $6 > 0 && $6 <= 360 && $8 > 0 && $8 <= 300))
             print
     }')"
 finish
