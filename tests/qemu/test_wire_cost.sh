@@ -33,9 +33,8 @@ verdict "tiles encoded there come back bit for bit" "$(
 figures=$(tr ' ' '\n' <"$out/wire_cost.txt" | awk -F= '
     /^(hash|encode|decode|near)=/ { printf "%s %.1f  ", $1, $2 / 16384 }')
 echo "    instructions a pixel of RGB565: $figures"
-verdict "a pixel costs at most 25 instructions to look at, 350 to encode, 300 if near, 360 to decode" "$(
-    echo "$figures" | awk '{
-        if (!($2 > 0 && $2 <= 25 && $4 > 0 && $4 <= 350 && $6 > 0 && $6 <= 360 && $8 > 0 && $8 <= 300))
-            print
-    }')"
+verdict "a pixel costs at most 25 instructions to look at, 350 or 300 to encode, 360 to decode" "$(
+    echo "$figures" | awk '
+        function out(x, most) { return !(x > 0 && x <= most) }
+        out($2, 25) || out($4, 350) || out($6, 360) || out($8, 300)')"
 finish
