@@ -8,7 +8,8 @@
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
 
-/* Most steps chosen: a tenth of green's 63, a seventeenth of 255. */
+/* Most steps chosen: a tenth of green's 63 and a fifth of the others' 31, or
+ * a seventeenth of 255. */
 enum { MOST_565 = 6, MOST_8_BITS = 15 };
 
 void wire_frames_near(wire_frames_out *out, unsigned near) {
