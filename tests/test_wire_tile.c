@@ -5,6 +5,7 @@
 
 #include "platform/wire/wire_tile.h"
 #include "tests/reference/random.h"
+#include "tests/reference/wire_picture.h"
 #include "tests/test.h"
 
 enum { CONTENTS = 9 };
@@ -204,6 +205,21 @@ static void test_refusals(void) {
     CHECK(wire_tile_read(&r, &at, delta + 6) == WIRE_TILE_WRONG, "read");
 }
 
+static void test_golden(void) {
+    const wire_tile_shape shape = {WIRE_RGB565, 16, 16};
+    uint8_t pixels[512], bytes[512];
+    uint32_t crc = 0;
+    test("a picture has the coded bytes that it has on a Cortex-M4");
+    for (unsigned tile = 0; tile < PICTURE_TILES; tile++) {
+        unsigned coder;
+        wire_picture_tile(tile, pixels);
+        crc = wire_crc(crc, bytes, wire_tile_encode(shape, pixels, NULL, 0, bytes, 512, &coder));
+        crc = wire_crc(crc, bytes,
+                       wire_tile_encode(shape, pixels, NULL, PICTURE_NEAR, bytes, 512, &coder));
+    }
+    CHECK(crc == PICTURE_CODED_CRC, "their checksum is %08X", (unsigned)crc);
+}
+
 static void test_formats(void) {
     uint8_t rgb[3 * 256], row[3 * 256], back[3 * 256];
     test(
@@ -244,6 +260,7 @@ static void test_formats(void) {
 
 int main(void) {
     test_formats();
+    test_golden();
     test_round_trips();
     test_room();
     test_hostile();

@@ -26,7 +26,7 @@ done
 timeout 60 qemu-system-arm -M mps2-an386 -display none -monitor none -serial null -icount shift=0 \
     -semihosting-config enable=on,target=native -plugin "$plugin" -kernel "$elf"
 status=$?
-verdict "tiles encoded there come back bit for bit" "$(
+verdict "tiles encoded there have the bytes they have here, and come back bit for bit" "$(
     [ "$status" -eq 42 ] || echo "status $status")"
 
 # 64 tiles of 256 pixels
