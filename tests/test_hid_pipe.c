@@ -107,12 +107,35 @@ static int run(bench *b, unsigned frames, unsigned ms) {
     return status;
 }
 
+/* What `show` with these words ends with, before it looks for a display. */
+static int status_of(char **words, int count) {
+    args a;
+    int status = args_parse(&a, &hid_command_show, count, words);
+    if (status == ARGS_GO_ON) {
+        fake_bus_reset();
+        status = hid_run_show(&a);
+        args_free(&a);
+    }
+    return status;
+}
+
+static void words(void) {
+    char *both[] = {"-", "--near", "auto", "--fps", "20"},
+         *every[] = {"-", "--fps", "20", "--every"};
+    char *fixed[] = {"-", "--near", "3", "--fps", "20"}, *wrong[] = {"-", "--near", "some"};
+    test("--fps goes with --near auto, and nothing else with either");
+    CHECK(status_of(both, 5) == 1, "auto and a goal: no display");
+    CHECK(status_of(fixed, 5) == 2 && status_of(every, 4) == 2, "a goal that is not auto's");
+    CHECK(status_of(wrong, 3) == 2, "a word");
+}
+
 int main(void) {
     bench b;
     /* Its messages on standard error are meant for a person. */
     if (freopen("/dev/null", "w", stderr) == NULL) {
         return 1;
     }
+    words();
     test("a film that stops for 1.2 s in the middle of a frame does not end the session");
     CHECK(run(&b, 2, 1200) == 0, "failed");
     CHECK(b.hellos == 1, "%u sessions asked for", b.hellos);
