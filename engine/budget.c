@@ -55,6 +55,10 @@ size_t plt_budget_entry(const plt_info *info) {
     return info->nodes_format == PLT_NODES_COMPACT ? sizeof(plt_block_entry) : sizeof(plt_entry);
 }
 
+size_t plt_budget_open_blocks(const plt_info *info) {
+    return info->nodes_format == PLT_NODES_COMPACT ? PLT_OPEN_BLOCKS * sizeof(plt_open_block) : 0;
+}
+
 size_t plt_budget_survey(const plt_info *info) {
     return info->nodes_format == PLT_NODES_COMPACT
                ? PLT_DEPTH_MAX * sizeof(plt_block_frame_of_survey)
@@ -66,7 +70,7 @@ static uint64_t last_bytes(const plt_info *info, const plt_options *o) {
     const uint64_t entry = plt_budget_entry(info);
     return cut(4ull * plt_budget_touched_words(info)) + cut(plt_budget_groups(o)) +
            cut(3 * PLT_TILE_SIDE * PLT_TILE_SIDE) + cut(plt_budget_main_stack(info, o) * entry) +
-           cut(plt_budget_local_stack(info, o) * entry);
+           cut(plt_budget_local_stack(info, o) * entry) + cut(plt_budget_open_blocks(info));
 }
 
 plt_info plt_budget_worst_tree(const plt_info *info) {

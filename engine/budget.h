@@ -16,6 +16,7 @@ uint32_t plt_budget_touched_words(const plt_info *info);
 uint32_t plt_budget_main_stack(const plt_info *info, const plt_options *options);
 uint32_t plt_budget_local_stack(const plt_info *info, const plt_options *options);
 size_t plt_budget_entry(const plt_info *info); /* of either stack */
+size_t plt_budget_open_blocks(const plt_info *info);
 size_t plt_budget_survey(const plt_info *info);
 
 /* Counts and sizes of the worst tree that an image without one can give. */

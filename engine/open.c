@@ -81,15 +81,18 @@ static int cut_rest(const plt_opening *o) {
     e->film = plt_arena_cut(&e->arena, 3 * PLT_TILE_SIDE * PLT_TILE_SIDE);
     void *stack = plt_arena_cut(&e->arena, plt_budget_main_stack(info, &e->options) * entry);
     w->local = plt_arena_cut(&e->arena, plt_budget_local_stack(info, &e->options) * entry);
+    w->blocks.open = plt_arena_cut(&e->arena, plt_budget_open_blocks(info));
+    if (w->touched == NULL || w->packet.group == NULL || e->film == NULL || stack == NULL ||
+        w->local == NULL || w->blocks.open == NULL) {
+        return plt_opening_short(o);
+    }
     if (w->compact) {
         w->blocks.stack = stack;
+        plt_open_blocks_begin(w->blocks.open);
     } else {
         w->stack = stack;
     }
-    return w->touched != NULL && w->packet.group != NULL && e->film != NULL && stack != NULL &&
-                   w->local != NULL
-               ? PLT_OK
-               : plt_opening_short(o);
+    return PLT_OK;
 }
 
 static int lay_out(const plt_opening *o) {

@@ -7,6 +7,8 @@
 #ifndef PLANELET_CONFIG_H
 #define PLANELET_CONFIG_H
 
+#include <stdint.h>
+
 /* Largest packet, rays along one side: 2, 4, 8 or 16. Decides only what
  * `plt_options.packet_side` may be: the arena holds the packet asked for. */
 #ifndef PLT_PACKET_SIDE_MAX
@@ -39,6 +41,17 @@
 #define PLT_SAH_BINS 32
 #endif
 
+/* Compact blocks that stay open for the next visit: 1 .. 64; 8, or 16 where
+ * addresses have 64 bits. Cost: some 320 bytes each (400), of scenes with compact
+ * nodes only. */
+#ifndef PLT_OPEN_BLOCKS
+#if UINTPTR_MAX > 0xFFFFFFFFu
+#define PLT_OPEN_BLOCKS 16
+#else
+#define PLT_OPEN_BLOCKS 8
+#endif
+#endif
+
 /* Bytes asked of a source in one transfer: 64 .. 1048576. Cost: none. */
 #ifndef PLT_TRANSFER_BYTES
 #define PLT_TRANSFER_BYTES 4096
@@ -67,6 +80,9 @@
 #endif
 #if PLT_SAH_BINS < 4 || PLT_SAH_BINS > 64
 #error "PLT_SAH_BINS is 4 .. 64"
+#endif
+#if PLT_OPEN_BLOCKS < 1 || PLT_OPEN_BLOCKS > 64
+#error "PLT_OPEN_BLOCKS is 1 .. 64"
 #endif
 #if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
 #error "PLT_TRANSFER_BYTES is 64 .. 1048576"

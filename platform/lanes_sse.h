@@ -13,6 +13,9 @@
 #include <smmintrin.h>
 #endif
 #include <stdint.h>
+#include <string.h>
+
+enum { PLT_LANES_REGISTERS = 1 };
 
 typedef __m128 f4;
 
@@ -66,6 +69,30 @@ static inline m4 m4_bits(unsigned bits) {
     const __m128i lane = _mm_set_epi32(8, 4, 2, 1);
     const __m128i on = _mm_and_si128(_mm_set1_epi32((int)bits), lane);
     return plt_m4(_mm_castsi128_ps(_mm_cmpeq_epi32(on, lane)));
+}
+
+static inline u4 u4_three(uint32_t a, uint32_t b, uint32_t c) {
+    return plt_u4(_mm_set_epi32(0, (int)c, (int)b, (int)a));
+}
+
+static inline u4 u4_add(u4 a, u4 b) {
+    return plt_u4(_mm_add_epi32(a.v, b.v));
+}
+
+static inline u4 u4_and(u4 a, u4 b) {
+    return plt_u4(_mm_and_si128(a.v, b.v));
+}
+
+static inline f4 f4_of_u4(u4 a) {
+    return _mm_cvtepi32_ps(a.v);
+}
+
+static inline f4 f4_of_bytes(const unsigned char *from) {
+    int four;
+    memcpy(&four, from, sizeof four);
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i words = _mm_unpacklo_epi8(_mm_cvtsi32_si128(four), zero);
+    return _mm_cvtepi32_ps(_mm_unpacklo_epi16(words, zero));
 }
 
 static inline f4 f4_add(f4 a, f4 b) {

@@ -251,6 +251,21 @@ static void test_sign_bits(void) {
 }
 
 /* (1 + 2^-12)^2 - (1 + 2^-11) is 2^-24 when fused and 0 when rounded twice. */
+static void test_whole_numbers(void) {
+    test("scalar: whole numbers become floats, rounded to nearest, and add and mask as words");
+    for (uint32_t i = 0; i < 100000; i++) {
+        const uint32_t a = random_word(), b = random_word(), below = a & 0x7FFFFFFFu;
+        CHECK(scalar(OP_f4_of_u4, below, 0, 0) == as_bits((float)(double)below), "%08x", below);
+        CHECK(scalar(OP_f4_of_bytes, a, 0, 0) == as_bits((float)(a & 0xFFu)), "%08x", a);
+        CHECK(scalar(OP_u4_add, a, b, 0) == (uint32_t)((uint64_t)a + b), "%08x %08x", a, b);
+        CHECK(scalar(OP_u4_and, a, b, 0) == ~(~a | ~b), "%08x %08x", a, b);
+    }
+    const lanes_in in = {.row = {{1, 2, 3, 4}}};
+    uint32_t out[16] = {0};
+    lanes_probe_scalar.run(OP_u4_three, &in, out);
+    CHECK(out[0] == 1 && out[1] == 2 && out[2] == 3 && out[3] == 0, "three words and 0");
+}
+
 static void test_not_fused(const lanes_probe *p) {
     char sentence[160];
     snprintf(sentence, sizeof sentence, "%s: a product and a sum round twice, never fused",
@@ -344,6 +359,7 @@ int main(void) {
     test_nan_rule(OP_f4_max, 1);
     test_compares();
     test_sign_bits();
+    test_whole_numbers();
     test_not_fused(&lanes_probe_scalar);
 #ifdef LANES_X86
     test_complete(&lanes_probe_sse2);

@@ -24,6 +24,17 @@ static inline uint32_t plt_get_u32(const void *at) {
     return plt_swap_if_big(x);
 }
 
+static inline uint64_t plt_get_u64(const void *at) {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    uint64_t x;
+    memcpy(&x, at, sizeof x);
+    return x;
+#else
+    const unsigned char *byte = at;
+    return (uint64_t)plt_get_u32(byte + 4) << 32 | plt_get_u32(byte);
+#endif
+}
+
 static inline void plt_put_u32(void *at, uint32_t x) {
     x = plt_swap_if_big(x);
     memcpy(at, &x, sizeof x);

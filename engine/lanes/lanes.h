@@ -20,9 +20,12 @@
  * load / store      f4_load(const float[4]) f4_store(float[4], f4)  any
  *                   u4_load u4_store                     4-byte alignment
  * make              f4_all(float) u4_all(uint32) f4_zero()
+ *                   u4_three(uint32_t, uint32_t, uint32_t), the fourth is 0
  *                   m4_bits(unsigned) lane i from bit i
+ *                   f4_of_u4(u4) of numbers below 2^31; exact below 2^24
+ *                   f4_of_bytes(const unsigned char[4]) of 8 bits each
  * arithmetic        f4_add f4_sub f4_mul f4_div f4_sqrt f4_min f4_max
- *                   f4_abs f4_neg (sign bit alone)
+ *                   f4_abs f4_neg (sign bit alone) u4_add u4_and
  * compare           f4_lt f4_le f4_eq u4_lt u4_eq -> m4
  * masks             m4_and m4_or m4_andnot (a and not b) -> m4
  *                   m4_mask(m4) -> bit i from lane i, 0 .. 15
@@ -31,6 +34,7 @@
  *                   NaN lanes not allowed
  *                   f4_transpose(f4*, f4*, f4*, f4*): 4 rows to 4 columns
  * memory            plt_prefetch(const void *): a hint, may do nothing
+ *                   PLT_LANES_REGISTERS: 1 if four lanes are one register, 0 if four
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_LANES_H

@@ -11,6 +11,8 @@
 
 #include "engine/lanes/unroll.h"
 
+enum { PLT_LANES_REGISTERS = 0 };
+
 typedef struct f4 {
     float lane[4];
 } f4;
@@ -79,6 +81,27 @@ static inline f4 f4_zero(void) {
 
 static inline m4 m4_bits(unsigned bits) {
     PLT_EACH_LANE(m4, 0u - ((bits >> i) & 1u));
+}
+
+static inline u4 u4_three(uint32_t a, uint32_t b, uint32_t c) {
+    const u4 r = {{a, b, c, 0}};
+    return r;
+}
+
+static inline u4 u4_add(u4 a, u4 b) {
+    PLT_EACH_LANE(u4, a.lane[i] + b.lane[i]);
+}
+
+static inline u4 u4_and(u4 a, u4 b) {
+    PLT_EACH_LANE(u4, a.lane[i] & b.lane[i]);
+}
+
+static inline f4 f4_of_u4(u4 a) {
+    PLT_EACH_LANE(f4, (float)(int32_t)a.lane[i]);
+}
+
+static inline f4 f4_of_bytes(const unsigned char *from) {
+    PLT_EACH_LANE(f4, (float)from[i]);
 }
 
 static inline f4 f4_add(f4 a, f4 b) {

@@ -48,11 +48,11 @@ static inline m4 meets(const planes *b, const plt_group *g, enum way way, f4 *en
     return f4_le(*entry, leave);
 }
 
-static inline plt_mask groups_in(const plt_packet *p, const plt_box *box, plt_mask groups,
-                                 enum way way) {
+static inline plt_mask groups_in(const plt_packet *p, const float *lo, const float *hi,
+                                 plt_mask groups, enum way way) {
     planes b;
     plt_mask hit = 0;
-    spread(&b, p, box->lo, box->hi, way);
+    spread(&b, p, lo, hi, way);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
@@ -78,11 +78,11 @@ static inline void groups_in_both(const plt_packet *p, const float *const lo[2],
     hit[1] = right;
 }
 
-plt_mask plt_box_groups(const plt_packet *p, const plt_box *box, plt_mask groups) {
+plt_mask plt_box_groups(const plt_packet *p, const float *lo, const float *hi, plt_mask groups) {
     if (p->shared) {
-        return groups_in(p, box, groups, SHARED);
+        return groups_in(p, lo, hi, groups, SHARED);
     }
-    return p->mixed ? groups_in(p, box, groups, MIXED) : groups_in(p, box, groups, EQUAL);
+    return p->mixed ? groups_in(p, lo, hi, groups, MIXED) : groups_in(p, lo, hi, groups, EQUAL);
 }
 
 void plt_box_pair(const plt_packet *p, const float *const lo[2], const float *const hi[2],

@@ -14,11 +14,11 @@
 
 #include "engine/trace/packet.h"
 
-/* Groups of `groups` that meet `box`. */
-plt_mask plt_box_groups(const plt_packet *packet, const plt_box *box, plt_mask groups);
+/* Groups of `groups` that meet a box, given its three low and three high planes. */
+plt_mask plt_box_groups(const plt_packet *packet, const float *lo, const float *hi,
+                        plt_mask groups);
 
-/* The same for both children of a node at once, each by its three low and its
- * three high planes. */
+/* The same for both children of a node at once. */
 void plt_box_pair(const plt_packet *packet, const float *const lo[2], const float *const hi[2],
                   plt_mask groups, plt_mask hit[2]);
 

@@ -159,6 +159,8 @@ void plt_packet_finish(plt_packet *p) {
         p->near_org[a] = first->near_org[a][lane];
         p->far_org[a] = first->far_org[a][lane];
     }
+    p->reach = first->reach[lane];
+    p->reach_error = first->reach_error[lane];
     if ((axes & (axes - 1)) == 0) {
         p->axis = (uint8_t)(axes >> 1); /* 1, 2, 4 to 0, 1, 2 */
     }

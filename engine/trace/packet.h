@@ -42,8 +42,9 @@ typedef struct plt_packet {
     uint8_t shared;                        /* all rays start at one point */
     uint8_t negative[3];                   /* sign by axis, unless mixed */
     uint8_t axis;                          /* of the largest component in all rays; 3: differs */
-    float near_org[3], far_org[3], org[3]; /* if shared */
-    float forward[3];                      /* roughly where the packet goes */
+    float near_org[3], far_org[3], org[3]; /* if shared, and as in the groups: */
+    float reach, reach_error;
+    float forward[3]; /* roughly where the packet goes */
 } plt_packet;
 
 /* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. */

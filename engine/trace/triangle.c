@@ -21,11 +21,16 @@
 
 static const uint8_t axis_after[3] = {1, 2, 0};
 
+/* What the rays of a packet share: nothing, or where they start, or that and the axis
+ * they are sheared to. */
+enum way { APART, ONE_ORIGIN, ONE_AXIS };
+
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
     const plt_triangle *triangle;
-    f4 from_org[3][3]; /* shared origin: corner - origin, in all lanes */
-    float slack;       /* 72 u L */
+    f4 from_org[3][3]; /* ONE_ORIGIN: corner - origin, in all lanes, axes x y z;
+                          ONE_AXIS: the axis and the two after it, it being last */
+    f4 slack;          /* 72 u R L + 320 u^2 R^2; APART: 72 u L */
 } prepared;
 
 /* The edge functions of four rays; each is twice a signed area. */
@@ -43,20 +48,26 @@ static void normal_of(const float c[3][3], float normal[3]) {
     normal[2] = x1 * y2 - y1 * x2;
 }
 
-static void prepare(prepared *t, const plt_packet *p, const plt_triangle *triangle) {
-    t->triangle = triangle;
-    t->slack = 72.0f * U * triangle->longest;
-    for (int c = 0; c < 3 && p->shared; c++) {
-        PLT_UNROLLED for (int a = 0; a < 3; a++) {
-            t->from_org[c][a] = f4_all(triangle->corner[c][a] - p->org[a]);
+static inline void prepare(prepared *t, const plt_packet *p, enum way way) {
+    const plt_triangle *triangle = t->triangle;
+    t->slack = f4_all(72.0f * U * triangle->longest);
+    if (way == APART) {
+        return;
+    }
+    t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->reach_error));
+    unsigned axis = way == ONE_AXIS ? axis_after[p->axis] : 0;
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        for (int c = 0; c < 3; c++) {
+            t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
         }
+        axis = axis_after[axis];
     }
 }
 
 static inline f4 from_origin(const prepared *t, const plt_group *g, int corner, int axis,
-                             int shared) {
-    return shared ? t->from_org[corner][axis]
-                  : f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]));
+                             enum way way) {
+    return way == APART ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
+                        : t->from_org[corner][axis];
 }
 
 static inline f4 cross(f4 ax, f4 ay, f4 bx, f4 by) {
@@ -67,23 +78,33 @@ static inline f4 larger3(f4 a, f4 b, f4 c) {
     return f4_max(f4_max(a, b), c);
 }
 
-/* Lanes that the triangle covers, seen along axis z, or may cover. */
-static inline m4 may_cover(const prepared *t, const plt_group *g, int z, int shared, edges *e) {
+/* The edge functions as seen along axis z. */
+static inline edges edges_of(const prepared *t, const plt_group *g, int z, enum way way) {
+    z = way == ONE_AXIS ? 2 : z;
     const int ax = axis_after[z], ay = axis_after[ax];
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
-    f4 *x = e->x, *y = e->y;
-    for (int c = 0; c < 3; c++) {
-        const f4 depth = from_origin(t, g, c, z, shared);
-        x[c] = f4_sub(from_origin(t, g, c, ax, shared), f4_mul(slope_x, depth));
-        y[c] = f4_sub(from_origin(t, g, c, ay, shared), f4_mul(slope_y, depth));
+    edges e;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        const f4 depth = from_origin(t, g, c, z, way);
+        e.x[c] = f4_sub(from_origin(t, g, c, ax, way), f4_mul(slope_x, depth));
+        e.y[c] = f4_sub(from_origin(t, g, c, ay, way), f4_mul(slope_y, depth));
     }
-    e->weight[0] = cross(x[2], y[2], x[1], y[1]);
-    e->weight[1] = cross(x[0], y[0], x[2], y[2]);
-    e->weight[2] = cross(x[1], y[1], x[0], y[0]);
-    e->least = f4_min(f4_min(e->weight[0], e->weight[1]), e->weight[2]);
-    e->most = larger3(e->weight[0], e->weight[1], e->weight[2]);
-    const f4 slack = f4_add(f4_mul(f4_all(t->slack), f4_load(g->reach)), f4_load(g->reach_error));
-    return m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack));
+    e.weight[0] = cross(e.x[2], e.y[2], e.x[1], e.y[1]);
+    e.weight[1] = cross(e.x[0], e.y[0], e.x[2], e.y[2]);
+    e.weight[2] = cross(e.x[1], e.y[1], e.x[0], e.y[0]);
+    e.least = f4_min(f4_min(e.weight[0], e.weight[1]), e.weight[2]);
+    e.most = larger3(e.weight[0], e.weight[1], e.weight[2]);
+    return e;
+}
+
+/* Lanes that the triangle covers, or may cover. */
+static inline unsigned may_cover(const prepared *t, const plt_group *g, const edges *e,
+                                 enum way way) {
+    f4 slack = t->slack;
+    if (way == APART) {
+        slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->reach_error));
+    }
+    return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
 }
 
 /* The side of one edge for a ray whose edge function is too close to 0 to say:
@@ -188,8 +209,9 @@ static void store_weights(plt_group *g, m4 hit, const edges *e, uint32_t turn) {
 }
 
 /* The rays of `may` are those that can meet the triangle; which is a hit? */
-static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int z, m4 may,
+static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int z, unsigned lanes,
                             int any) {
+    const m4 may = m4_bits(lanes);
     f4 enter, leave;
     float normal[3];
     normal_of((const float(*)[3])t->triangle->corner, normal);
@@ -211,20 +233,24 @@ static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int
     return m4_mask(hit);
 }
 
-static inline unsigned test_axis(plt_group *g, const prepared *t, int z, int shared, int any) {
-    edges e;
-    const m4 may = m4_and(may_cover(t, g, z, shared, &e), m4_bits(g->axis_lanes[z]));
-    return m4_mask(may) != 0 ? record_hits(t, g, &e, z, may, any) : 0;
+static inline unsigned test_axis(plt_group *g, const prepared *t, int z, int any, enum way way) {
+    const edges e = edges_of(t, g, z, way);
+    const unsigned may = may_cover(t, g, &e, way) & g->axis_lanes[z];
+    if (may == 0) {
+        return 0;
+    }
+    const edges kept = e; /* leaves the registers only for a ray that may hit */
+    return record_hits(t, g, PLT_LANES_REGISTERS ? &kept : &e, z, may, any);
 }
 
-static inline void test_group(plt_packet *p, const prepared *t, unsigned index, int shared) {
+static inline void test_group(plt_packet *p, const prepared *t, unsigned index, enum way way) {
     plt_group *g = &p->group[index];
     unsigned hits = 0;
-    if (p->axis < 3) {
-        hits = test_axis(g, t, p->axis, shared, p->any);
+    if (way == ONE_AXIS || (way == APART && p->axis < 3)) {
+        hits = test_axis(g, t, p->axis, p->any, way);
     } else {
         for (int z = 0; z < 3; z++) {
-            hits |= g->axis_lanes[z] != 0 ? test_axis(g, t, z, shared, p->any) : 0;
+            hits |= g->axis_lanes[z] != 0 ? test_axis(g, t, z, p->any, way) : 0;
         }
     }
     if (p->any && hits != 0) {
@@ -233,14 +259,21 @@ static inline void test_group(plt_packet *p, const prepared *t, unsigned index, 
     }
 }
 
+static inline void test_groups(plt_packet *p, prepared *t, plt_mask groups, enum way way) {
+    prepare(t, p, way);
+    for (plt_mask m = groups; m != 0; m &= m - 1) {
+        test_group(p, t, plt_mask_first(m), way);
+    }
+}
+
 void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask groups) {
     prepared t;
-    prepare(&t, p, triangle);
-    for (plt_mask m = groups; m != 0; m &= m - 1) {
-        if (p->shared) {
-            test_group(p, &t, plt_mask_first(m), 1);
-        } else {
-            test_group(p, &t, plt_mask_first(m), 0);
-        }
+    t.triangle = triangle;
+    if (!p->shared) {
+        test_groups(p, &t, groups, APART);
+    } else if (p->axis == 3) {
+        test_groups(p, &t, groups, ONE_ORIGIN);
+    } else {
+        test_groups(p, &t, groups, ONE_AXIS);
     }
 }

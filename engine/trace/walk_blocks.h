@@ -10,8 +10,8 @@
 #ifndef PLT_TRACE_WALK_BLOCKS_H
 #define PLT_TRACE_WALK_BLOCKS_H
 
+#include "engine/trace/open_blocks.h"
 #include "engine/trace/packet.h"
-#include "engine/tree/block_survey.h"
 
 /* What a slot leads to: a node of the block, an edge to another, a unit. */
 typedef struct plt_block_child {
@@ -30,13 +30,16 @@ typedef struct plt_block_entry {
 typedef struct plt_block_walker {
     plt_block_tree tree;
     plt_block_entry *stack;
-    float origin[4]; /* of the lattice, as 4-lane operations load it */
-    /* the block in hand */
-    plt_block block;
-    plt_geometry geometry;
-    uint32_t link; /* PLT_MISS: none */
-    uint8_t geometry_open;
+    plt_open_block *open;    /* PLT_OPEN_BLOCKS places */
+    float origin[4];         /* of the lattice, as 4-lane operations load it */
+    plt_open_block *in_hand; /* NULL: none is */
+    uint8_t geometry_in_hand;
 } plt_block_walker;
+
+/* Lattice numbers to planes of the scene: exact product, one rounding. */
+static inline f4 plt_block_planes(const plt_block_walker *b, f4 numbers) {
+    return f4_add(f4_load(b->origin), f4_mul(f4_all(b->tree.lattice.step), numbers));
+}
 
 struct plt_walker;
 

@@ -44,7 +44,7 @@ static uint32_t descend(plt_walker *w, plt_entry *at) {
 uint32_t plt_walk_depth_first(plt_walker *w, uint32_t visits) {
     while (w->waiting > 0 && visits > 0) {
         plt_entry at = w->stack[--w->waiting];
-        at.groups = plt_box_groups(&w->packet, &at.box, at.groups & w->packet.active);
+        at.groups = plt_box_groups(&w->packet, at.box.lo, at.box.hi, at.groups & w->packet.active);
         const uint32_t used = at.groups == 0 ? 1 : 1 + descend(w, &at);
         visits -= used < visits ? used : visits;
         if (w->packet.active == 0) {

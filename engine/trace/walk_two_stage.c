@@ -84,7 +84,7 @@ uint32_t plt_walk_two_stage(plt_walker *w, uint32_t visits) {
     while (w->waiting > 0 && visits > 0) {
         plt_entry at = w->stack[--w->waiting];
         uint32_t used = 1;
-        at.groups = plt_box_groups(&w->packet, &at.box, at.groups & w->packet.active);
+        at.groups = plt_box_groups(&w->packet, at.box.lo, at.box.hi, at.groups & w->packet.active);
         if (at.groups != 0 && plt_link_is_leaf(at.link)) {
             plt_walk_leaf(w, &at);
         } else if (at.groups != 0) {

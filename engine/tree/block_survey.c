@@ -52,9 +52,8 @@ static int checks_are_right(const plt_block *b) {
  * first, so that no position overflows. */
 static int geometry_fits(const plt_geometry *g, const plt_block *b) {
     const uint64_t bits = 8ull * b->geometry_bytes;
-    if (g->triangles > (PLT_BLOCK_NODES_MOST + 1) * PLT_UNIT_TRIANGLES_MOST || g->turns > bits ||
-        g->news > bits || g->refs > bits || g->slots < g->vertices ||
-        plt_bits_count(g->bytes, g->news, g->news + g->slots) != g->vertices) {
+    if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->turns > bits || g->news > bits ||
+        g->refs > bits || g->slots < g->vertices || g->news_ones != g->vertices) {
         return 0;
     }
     return g->positions + (uint64_t)g->vertices * g->vertex_bits <= bits;
@@ -96,7 +95,9 @@ static int units_are_sound(const plt_geometry *g, const plt_block *b) {
         if (triangle >= g->triangles || !plt_bits_get(g->bytes, g->starts + triangle, 1)) {
             return 0;
         }
-        triangle += plt_unit_count(g, unit, pair);
+        uint32_t count;
+        plt_unit_find(g, unit, pairs, pair, &count);
+        triangle += count;
         unit++;
         pairs += (uint32_t)pair;
     }

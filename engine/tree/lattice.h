@@ -39,4 +39,13 @@ static inline void plt_lattice_to_box(const plt_lattice *l, const plt_lattice_bo
     }
 }
 
+/* The numbers as floats, which hold them exactly; the fourth is 0. */
+static inline void plt_lattice_spread(const plt_lattice_box *from, float lo[4], float hi[4]) {
+    for (int a = 0; a < 3; a++) {
+        lo[a] = (float)(int32_t)from->lo[a];
+        hi[a] = (float)(int32_t)from->hi[a];
+    }
+    lo[3] = hi[3] = 0.0f;
+}
+
 #endif

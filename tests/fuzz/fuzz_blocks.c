@@ -23,6 +23,7 @@
 #include "engine/image/header.h"
 #include "engine/tree/record.h"
 #include "tests/reference/compact_hostile.h"
+#include "tests/reference/unit_corners.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -63,12 +64,12 @@ static void decode_units(const plt_block *b, const plt_block_tree *tree, const p
         }
         const uint32_t unit = plt_block_rank(b, PLT_SLOT_UNIT, slot);
         const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
-        const uint32_t first = plt_unit_first(g, unit, plt_block_pairs(b, slot));
-        const uint32_t count = plt_unit_count(g, unit, pair);
+        uint32_t count;
+        const uint32_t first = plt_unit_find(g, unit, plt_block_pairs(b, slot), pair, &count);
         promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a unit's size");
         sum += count;
         if (tree->records == NULL) {
-            plt_unit_corners(g, first, count, corner);
+            unit_corners(g, first, count, corner);
             for (uint32_t i = 0; i < 9 * count; i++) {
                 promise(corner[i / 9][i / 3 % 3][i % 3] < 1u << 22, "a coordinate is too large");
             }

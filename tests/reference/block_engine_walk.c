@@ -10,6 +10,7 @@
 #include "engine/tree/lattice.h"
 #include "engine/tree/numbers.h"
 #include "engine/tree/unit.h"
+#include "tests/reference/unit_corners.h"
 
 /* The image, and the block in hand. */
 typedef struct walk_source {
@@ -88,13 +89,13 @@ static void add_unit(engine_walk *walk, const walk_source *source, engine_child 
                      uint32_t slot) {
     const uint32_t pairs = plt_block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
-    const uint32_t first = plt_unit_first(&source->geometry, child->rank, pairs);
+    const uint32_t first =
+        plt_unit_find(&source->geometry, child->rank, pairs, is_pair, &child->count);
     uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3];
-    child->count = plt_unit_count(&source->geometry, child->rank, is_pair);
     child->first = source->geometry.first_triangle + first;
     walk->triangle = grow(walk->triangle, walk->triangles, child->count, sizeof *walk->triangle);
     if (!has_floats(source)) {
-        plt_unit_corners(&source->geometry, first, child->count, corner);
+        unit_corners(&source->geometry, first, child->count, corner);
     }
     for (uint32_t t = 0; t < child->count; t++) {
         if (has_floats(source)) {

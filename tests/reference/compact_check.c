@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/compact_check.h"
 
+#include "tests/reference/unit_corners.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,12 +93,12 @@ static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
     uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3];
     plt_lattice_box exact = {{~0u, ~0u, ~0u}, {0, 0, 0}};
     const uint32_t k = c->tree->leaf_triangles;
-    const uint32_t first = plt_unit_first(&o->g, o->units, o->pairs);
-    const uint32_t count = plt_unit_count(&o->g, o->units, pair);
+    uint32_t count;
+    const uint32_t first = plt_unit_find(&o->g, o->units, o->pairs, pair, &count);
     expect(c, first == o->triangles, "units do not follow each other");
     expect(c, pair ? count > k && count <= 2 * k : count >= 1 && count <= k,
            "a unit's size is not what its pair bit says");
-    plt_unit_corners(&o->g, first, count, corner);
+    unit_corners(&o->g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         if (c->facts->triangles < c->room) {
             c->found[c->facts->triangles] = key_of((const uint32_t(*)[3])corner[i]);

@@ -10,6 +10,7 @@
 #include "engine/image/crc32.h"
 #include "engine/image/header.h"
 #include "engine/tree/survey.h"
+#include "tests/reference/unit_corners.h"
 
 typedef struct converting {
     const plt_block_tree *tree;
@@ -51,11 +52,11 @@ static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
     const uint32_t number = plt_block_rank(b, PLT_SLOT_UNIT, slot), k = c->tree->leaf_triangles;
     plt_block_frame(b, c->tree->lattice.bits, &frame);
     plt_geometry_open(&g, b, &frame, k);
-    const uint32_t first = plt_unit_first(&g, number, plt_block_pairs(b, slot));
-    const uint32_t count = plt_unit_count(&g, number, pair);
+    uint32_t count;
+    const uint32_t first = plt_unit_find(&g, number, plt_block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
-    plt_unit_corners(&g, first, count, corner);
+    unit_corners(&g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         plt_record *r = &c->records[c->records_used++];
         set_record(c, r, (const uint32_t(*)[3])corner[i], g.first_triangle + first + i,

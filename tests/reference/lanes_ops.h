@@ -22,6 +22,9 @@
     X(u4_store, EXACT, 1)                                                                          \
     X(f4_all, EXACT, 1)                                                                            \
     X(u4_all, EXACT, 1)                                                                            \
+    X(u4_three, EXACT, 1)                                                                          \
+    X(f4_of_u4, EXACT, 1)                                                                          \
+    X(f4_of_bytes, EXACT, 1)                                                                       \
     X(f4_zero, EXACT, 0)                                                                           \
     X(m4_bits, EXACT, 0)                                                                           \
     X(f4_add, ARITHMETIC, 2)                                                                       \
@@ -33,6 +36,8 @@
     X(f4_max, EXACT, 2)                                                                            \
     X(f4_abs, EXACT, 1)                                                                            \
     X(f4_neg, EXACT, 1)                                                                            \
+    X(u4_add, EXACT, 2)                                                                            \
+    X(u4_and, EXACT, 2)                                                                            \
     X(f4_lt, EXACT, 2)                                                                             \
     X(f4_le, EXACT, 2)                                                                             \
     X(f4_eq, EXACT, 2)                                                                             \

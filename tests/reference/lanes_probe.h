@@ -74,6 +74,15 @@ static void run_transpose(const lanes_in *in, uint32_t *out) {
     }
 }
 
+/* From an odd address. */
+static void run_bytes(const lanes_in *in, uint32_t *out) {
+    places p;
+    for (int i = 0; i < 4; i++) {
+        p.bytes[5 + i] = (unsigned char)in->row[0][i];
+    }
+    put_f4(out, f4_of_bytes(hidden(&p)->bytes + 5));
+}
+
 #define F_F(op)                                                                                    \
     case OP_##op:                                                                                  \
         put_f4(out, op(f4_of(in->row[0])));                                                        \
@@ -81,6 +90,10 @@ static void run_transpose(const lanes_in *in, uint32_t *out) {
 #define F_FF(op)                                                                                   \
     case OP_##op:                                                                                  \
         put_f4(out, op(f4_of(in->row[0]), f4_of(in->row[1])));                                     \
+        break
+#define U_UU(op)                                                                                   \
+    case OP_##op:                                                                                  \
+        put_u4(out, op(u4_of(in->row[0]), u4_of(in->row[1])));                                     \
         break
 #define M_FF(op)                                                                                   \
     case OP_##op:                                                                                  \
@@ -106,6 +119,8 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         F_F(f4_sqrt);
         F_F(f4_abs);
         F_F(f4_neg);
+        U_UU(u4_add);
+        U_UU(u4_and);
         M_FF(f4_lt);
         M_FF(f4_le);
         M_FF(f4_eq);
@@ -127,6 +142,15 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         break;
     case OP_u4_all:
         put_u4(out, u4_all(in->row[0][0]));
+        break;
+    case OP_u4_three:
+        put_u4(out, u4_three(in->row[0][0], in->row[0][1], in->row[0][2]));
+        break;
+    case OP_f4_of_u4:
+        put_f4(out, f4_of_u4(u4_of(in->row[0])));
+        break;
+    case OP_f4_of_bytes:
+        run_bytes(in, out);
         break;
     case OP_f4_zero:
         put_f4(out, f4_zero());
