@@ -4,8 +4,9 @@
  * hits are the same bit for bit, and no more than +1.5 % of node visits and +2.5 %
  * of triangle tests are added, on rays from a camera and on what bounces off.
  *
- * test_compact_topology IMAGE RAYS [SIDE] compares on a packed image and a ray file
- * and prints both in per cent (used by compact.sh).
+ * test_compact_topology IMAGE RAYS [SIDE [THESIS]] compares on a packed image and a
+ * ray file and prints both in per cent; THESIS is a file for the image with thesis
+ * nodes, to be traced for time (used by compact.sh).
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -14,6 +15,7 @@
 
 #include "engine/image/bytes.h"
 #include "host_tools/base/input.h"
+#include "host_tools/base/output.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/compact_thesis.h"
@@ -154,7 +156,22 @@ static int scenes(void) {
 
 /* ---- files ------------------------------------------------------------------------- */
 
-static int files(const char *scene_name, const char *rays_name, uint8_t side) {
+/* 0: written, or not asked for. */
+static int write_thesis(const pair_of *p, const char *name) {
+    fail f = {""};
+    output *o = name == NULL ? NULL : output_open(name, &f);
+    if (o != NULL) {
+        output_write(o, p->thesis.image.bytes, p->thesis.image.size, &f);
+    }
+    if (name != NULL && (o == NULL || output_commit(o, &f) != 0)) {
+        fprintf(stderr, "%s\n", f.text);
+        return 1;
+    }
+    return 0;
+}
+
+static int files(const char *scene_name, const char *rays_name, uint8_t side,
+                 const char *thesis_name) {
     input image_file, ray_file;
     fail f = {""};
     pair_of p;
@@ -171,10 +188,11 @@ static int files(const char *scene_name, const char *rays_name, uint8_t side) {
     for (uint32_t i = 0; i < count; i++) {
         plt_get_floats(rays[i].org, ray_file.bytes + 32 * (size_t)i, 8);
     }
-    const int status = open_pair(&p, &image, side);
+    int status = open_pair(&p, &image, side);
     if (status == PLT_OK) {
         const excess e = compare(&p, rays, hits, count);
         printf("%+.2f %+.2f %u\n", 100.0 * e.visits, 100.0 * e.tests, e.differ);
+        status = write_thesis(&p, thesis_name);
     } else {
         fprintf(stderr, "%s: %s\n", scene_name, p.compact.fault.message);
     }
@@ -188,7 +206,9 @@ static int files(const char *scene_name, const char *rays_name, uint8_t side) {
 }
 
 int main(int count, char **argument) {
-    return count < 3
-               ? scenes()
-               : files(argument[1], argument[2], (uint8_t)(count > 3 ? atoi(argument[3]) : 2));
+    if (count < 3) {
+        return scenes();
+    }
+    return files(argument[1], argument[2], (uint8_t)(count > 3 ? atoi(argument[3]) : 2),
+                 count > 4 ? argument[4] : NULL);
 }
