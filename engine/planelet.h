@@ -234,7 +234,8 @@ typedef struct plt_stats {
     uint64_t rays;
     uint64_t node_visits;    /* nodes decoded, once a packet */
     uint64_t group_tests;    /* four rays against one box */
-    uint64_t triangle_tests; /* four rays against one triangle */
+    uint64_t triangle_tests; /* four rays against one triangle, also where one look at the
+                                packet told that all of it passes by */
     uint64_t treelet_fetches;
     uint64_t bytes_fetched;      /* of those treelets, had each been copied */
     uint64_t bytes_touched_once; /* of the different treelets among them */

@@ -5,7 +5,10 @@
 
 #include <string.h>
 
+#include "engine/trace/rim.h"
 #include "engine/trace/triangle.h"
+
+enum { RIM_FROM = 2 }; /* triangles a list, above it */
 
 /* Vertices from lattice numbers to floats; `key` gets what orders them (record.h):
  * x, y, z. */
@@ -41,14 +44,39 @@ static float longest_side(const plt_lattice *l, const plt_block_entry *e) {
     return l->step * (longest + 1.0f);
 }
 
+/* Of each vertex which edges of the rim it lies outside of. Strips of two lists share
+ * enough of them for this to pay; those of shorter ones do not. */
+static void rim_codes(const plt_unit *u, const plt_packet *p, plt_mask groups, uint8_t code[]) {
+    plt_rim rim;
+    if (!plt_rim_set(&rim, p, groups)) {
+        memset(code, 0, u->vertices);
+        return;
+    }
+    for (uint32_t i = 0; i < u->vertices; i++) {
+        code[i] = (uint8_t)plt_rim_code(&rim, u->vertex[i].scene);
+    }
+}
+
+static int is_beside(const uint8_t code[], uint32_t corner) {
+    return (code[corner & 0xFFu] & code[corner >> 8 & 0xFFu] & code[corner >> 16]) != 0;
+}
+
 /* Triangle i of the `count` is number first + i of the block. */
 static void test_lattice(plt_walker *w, const plt_geometry *g, plt_triangle *t, uint32_t first,
                          uint32_t count, plt_mask groups) {
     plt_unit u;
     uint64_t key[PLT_UNIT_VERTICES_MOST];
+    uint8_t code[PLT_UNIT_VERTICES_MOST];
+    const int has_rim = g->k > RIM_FROM;
     plt_unit_read(g, first, count, &u);
     place(&u, &w->blocks, key);
+    if (has_rim) {
+        rim_codes(&u, &w->packet, groups, code);
+    }
     for (uint32_t i = 0; i < count; i++) {
+        if (has_rim && is_beside(code, u.corner[i])) {
+            continue;
+        }
         t->number = g->first_triangle + first + i;
         canonical(&u, key, i, t->corner);
         plt_triangle_groups(&w->packet, t, w->packet.any ? groups & w->packet.active : groups);
