@@ -9,6 +9,7 @@
 
 #include "host_tools/base/progress.h"
 #include "host_tools/hid/commands.h"
+#include "platform/wire/wire_format.h"
 #include "tests/hid/model.h"
 #include "tests/reference/fake_hidapi.h"
 #include "tests/test.h"
@@ -90,7 +91,8 @@ static int run(bench *b, unsigned frames, unsigned ms) {
                                 .input = on_input};
     args a;
     int status = -1;
-    *b = (bench){.model = model_make(&model_planelet, (model_shape){WIDTH, HEIGHT, 2, 64, 1})};
+    const model_shape shape = {.width = WIDTH, .height = HEIGHT, .format = WIRE_GREY8, .reads = 1};
+    *b = (bench){.model = model_make(&model_planelet, shape)};
     b->model->changed = on_change;
     b->model->context = b;
     fake_bus_reset();

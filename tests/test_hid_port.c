@@ -166,17 +166,20 @@ static void sizes(void) {
                                      0x40, 0x00, 0x81, 0x02, 0x96, 0x00, 0x04, 0x91, 0x02, 0xC0};
     static const uint8_t two[] = {0x75, 0x01, 0x95, 0x0C, 0x85, 0x01, 0x91,
                                   0x02, 0x85, 0x02, 0x91, 0x02, 0x91, 0x02};
-    test("the output report's size is read from the report descriptor");
-    CHECK(report_size_of(vendor, sizeof vendor) == 1024, "%u",
-          report_size_of(vendor, sizeof vendor));
-    CHECK(report_size_of(two, sizeof two) == 3, "%u", report_size_of(two, sizeof two));
+    test("sizes of reports are read from the report descriptor");
+    report_sizes s = report_sizes_of(vendor, sizeof vendor);
+    CHECK(s.out == 1024 && s.in == 64, "%u out, %u in", s.out, s.in);
+    s = report_sizes_of(two, sizeof two);
+    CHECK(s.out == 3 && s.in == 0, "%u out, %u in", s.out, s.in);
     for (size_t bytes = 0; bytes < sizeof vendor; bytes++) {
-        const unsigned size = report_size_of(vendor, bytes);
-        CHECK(size == 0 || size == 1024, "%u of %zu bytes", size, bytes);
+        s = report_sizes_of(vendor, bytes);
+        CHECK(s.out == 0 || s.out == 1024, "%u of %zu bytes", s.out, bytes);
+        CHECK(s.in == 0 || s.in == 64, "%u of %zu bytes", s.in, bytes);
     }
     const uint8_t huge[] = {0x77, 0xFF, 0xFF, 0xFF, 0xFF, 0x97, 0xFF, 0xFF, 0xFF, 0xFF, 0x91, 0x02};
-    CHECK(report_size_of(huge, sizeof huge) == 65536, "held at the most");
-    CHECK(report_size_at("/dev/hidraw*") == 0 && report_size_at("9-9:1.0") == 0, "no such paths");
+    CHECK(report_sizes_of(huge, sizeof huge).out == 65536, "held at the most");
+    CHECK(report_sizes_at("/dev/hidraw*").out == 0 && report_sizes_at("9-9:1.0").out == 0,
+          "no such paths");
 }
 
 int main(void) {

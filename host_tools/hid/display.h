@@ -10,6 +10,7 @@
 
 #include "host_tools/base/fail.h"
 #include "host_tools/hid/port.h"
+#include "host_tools/hid/report_size.h"
 #include "host_tools/picture/picture.h"
 
 /* Said wherever drivers are listed. */
@@ -31,8 +32,8 @@ typedef struct display {
     const driver *by;
     port *port;
     unsigned width, height; /* of the panel; set by driver.open */
-    unsigned report_bytes;  /* of its output reports, without number; 0: not known */
-    void *state;            /* the driver's, allocated in open, freed in close */
+    report_sizes reports;
+    void *state; /* the driver's, allocated in open, freed in close */
 } display;
 
 /* Which devices a driver takes. */

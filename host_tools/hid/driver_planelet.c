@@ -18,7 +18,7 @@ enum {
     STUCK_MS = 1500, /* without anything going out or in: the display is gone */
     SLOW_MS = 5000,  /* for a picture, beside the time of its bytes at SLOW_BYTES a ms */
     SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
-    IN_BYTES = 64,
+    IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
     WINDOW = 32
 };
 
@@ -125,16 +125,21 @@ static uint32_t session_number(void) {
     return (uint32_t)t.tv_sec * 1000000u + (uint32_t)t.tv_nsec / 1000u;
 }
 
-static int open_end(planelet *p, unsigned report_bytes, fail *f) {
+/* Of a device whose descriptor is not known reports are taken for 64 bytes. */
+static int open_end(planelet *p, report_sizes sizes, fail *f) {
+    const unsigned out = sizes.out > 0 ? sizes.out : 64, in = sizes.in > 0 ? sizes.in : IN_BYTES;
     const wire_setup setup = {.role = WIRE_HOST,
                               .caps = {.session = session_number(),
-                                       .in_bytes = IN_BYTES,
-                                       .out_bytes = (uint16_t)report_bytes,
+                                       .in_bytes = (uint16_t)in,
+                                       .out_bytes = (uint16_t)out,
                                        .features = WIRE_SENDS,
                                        .window = WINDOW}};
-    if (wire_end_open(&p->end, &setup, now_ms()) != WIRE_OK) {
-        return fail_set(f, NULL, "reports of %u bytes are not for the planelet driver (8 to 1024)",
-                        report_bytes);
+    if (in > IN_BYTES || out > WIRE_REPORT_BYTES_MAX ||
+        wire_end_open(&p->end, &setup, now_ms()) != WIRE_OK) {
+        return fail_set(f, NULL,
+                        "reports of %u bytes out and %u in are not for the planelet driver (8 to "
+                        "1024 and 8 to 64)",
+                        out, in);
     }
     p->begun = now_ms();
     p->whole = UINT32_MAX; /* greetings have their own patience */
@@ -182,7 +187,7 @@ static int planelet_open(display *d, fail *f) {
     if (p == NULL) {
         return fail_set(f, NULL, "out of memory; close other programs");
     }
-    int status = open_end(p, d->report_bytes > 0 ? d->report_bytes : 64, f);
+    int status = open_end(p, d->reports, f);
     if (status == DISPLAY_OK) {
         status = greet(d, f);
     }

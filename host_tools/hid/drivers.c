@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "host_tools/hid/display.h"
-#include "host_tools/hid/report_size.h"
 
 const driver *const drivers[] = {&driver_planelet, &driver_streamdeck_mini, &driver_nova,
                                  &driver_apex,     &driver_nexus,           NULL};
@@ -39,7 +38,7 @@ int display_status(int port_status) {
 }
 
 int display_open(display *d, const driver *by, const port_info *info, fail *f) {
-    *d = (display){.by = by, .report_bytes = report_size_at(info->path)};
+    *d = (display){.by = by, .reports = report_sizes_at(info->path)};
     d->port = port_open(info, f);
     if (d->port == NULL) {
         return DISPLAY_FAILED;

@@ -13,7 +13,8 @@
 #include <string.h>
 
 enum {
-    OUTPUT = 0x90, /* item prefixes without their two bits of length */
+    INPUT = 0x80, /* item prefixes without their two bits of length */
+    OUTPUT = 0x90,
     REPORT_SIZE = 0x74,
     REPORT_NUMBER = 0x84,
     REPORT_COUNT = 0x94,
@@ -35,8 +36,16 @@ static uint32_t add_bits(uint32_t sum, uint32_t size, uint32_t count) {
     return bits > 8 * 65536 ? 8 * 65536 : (uint32_t)bits;
 }
 
-unsigned report_size_of(const uint8_t *d, size_t bytes) {
-    uint32_t bits[256] = {0}, size = 0, count = 0, number = 0, most = 0;
+static unsigned most_bytes(const uint32_t bits[256]) {
+    uint32_t most = 0;
+    for (unsigned i = 0; i < 256; i++) {
+        most = bits[i] > most ? bits[i] : most;
+    }
+    return (most + 7) / 8;
+}
+
+report_sizes report_sizes_of(const uint8_t *d, size_t bytes) {
+    uint32_t out[256] = {0}, in[256] = {0}, size = 0, count = 0, number = 0;
     for (size_t at = 0; at < bytes && d[at] != LONG_ITEM;) {
         const unsigned length = (d[at] & 3) == 3 ? 4 : d[at] & 3;
         if (bytes - at <= length) {
@@ -54,35 +63,37 @@ unsigned report_size_of(const uint8_t *d, size_t bytes) {
             number = value & 0xFF;
             break;
         case OUTPUT:
-            bits[number] = add_bits(bits[number], size, count);
-            most = bits[number] > most ? bits[number] : most;
+            out[number] = add_bits(out[number], size, count);
+            break;
+        case INPUT:
+            in[number] = add_bits(in[number], size, count);
             break;
         default:
             break;
         }
         at += 1 + length;
     }
-    return (most + 7) / 8;
+    return (report_sizes){most_bytes(out), most_bytes(in)};
 }
 
-static unsigned size_in_file(const char *path) {
+static report_sizes sizes_in_file(const char *path) {
     uint8_t descriptor[DESCRIPTOR_BYTES_MAX];
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        return 0;
+        return (report_sizes){0, 0};
     }
     const size_t bytes = fread(descriptor, 1, sizeof descriptor, file);
     fclose(file);
-    return report_size_of(descriptor, bytes);
+    return report_sizes_of(descriptor, bytes);
 }
 
 /* "/dev/hidraw3", or of libusb "1-2.1:1.0", which is also its name in /sys. */
-unsigned report_size_at(const char *path) {
+report_sizes report_sizes_at(const char *path) {
     char pattern[400];
     glob_t found;
-    unsigned bytes = 0;
+    report_sizes sizes = {0, 0};
     if (strpbrk(path, "*?[\\") != NULL) {
-        return 0;
+        return sizes;
     }
     if (strncmp(path, "/dev/hidraw", 11) == 0) {
         snprintf(pattern, sizeof pattern, "/sys/class/hidraw/%s/device/report_descriptor",
@@ -92,8 +103,8 @@ unsigned report_size_at(const char *path) {
                  path);
     }
     if (glob(pattern, 0, NULL, &found) == 0) {
-        bytes = size_in_file(found.gl_pathv[0]);
+        sizes = sizes_in_file(found.gl_pathv[0]);
     }
     globfree(&found);
-    return bytes;
+    return sizes;
 }

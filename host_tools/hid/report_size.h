@@ -1,4 +1,4 @@
-/* report_size - how long a device's output reports are
+/* report_size - how long a device's reports are
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HID_REPORT_SIZE_H
@@ -7,12 +7,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of the longest output report that a report descriptor declares,
- * without its number; 0 when there is none. Any bytes may come. */
-unsigned report_size_of(const uint8_t *descriptor, size_t bytes);
+/* Bytes without a report's number; 0: there is none, or it is not known. */
+typedef struct report_sizes {
+    unsigned out, in;
+} report_sizes;
+
+/* The longest reports that a report descriptor declares. Any bytes may come. */
+report_sizes report_sizes_of(const uint8_t *descriptor, size_t bytes);
 
 /* The same of a device at a path as hidapi gives it, from what Linux tells of
- * it, before it is opened; 0: not known. */
-unsigned report_size_at(const char *path);
+ * it, before it is opened. */
+report_sizes report_sizes_at(const char *path);
 
 #endif

@@ -32,7 +32,7 @@ static void draw(void *context, model *m) {
 }
 
 int main(int argc, char **argv) {
-    model *m = model_make(&model_planelet, (model_shape){160, 120, 0, 64, 1});
+    model *m = model_make(&model_planelet, (model_shape){.width = 160, .height = 120, .reads = 1});
     if (m == NULL) {
         fprintf(stderr, "planelet-hid-emulated: out of memory; close other programs\n");
         return 1;

@@ -37,6 +37,7 @@ model *model_make(const model_kind *kind, model_shape shape) {
     m->format = shape.format;
     m->reads = shape.reads;
     m->report_bytes = otherwise(kind->output_bytes, otherwise(shape.report_bytes, 64));
+    m->in_bytes = otherwise(shape.in_bytes, kind->input_bytes);
     m->brightness = -1;
     m->rgb = calloc(3 * (size_t)m->width, m->height);
     if (m->rgb == NULL || (kind->open != NULL && kind->open(m) != 0)) {
@@ -82,7 +83,7 @@ size_t model_descriptor(const model *m, uint8_t *to) {
     static const uint8_t tail[] = {0xC0};
     const model_kind *k = m->kind;
     size_t at = put(to, 0, head, sizeof head);
-    at = put_report(to, at, k->input_number, k->input_bytes, 0x81);
+    at = put_report(to, at, k->input_number, m->in_bytes, 0x81);
     at = put_report(to, at, k->output_number, m->report_bytes, 0x91);
     at = put_report(to, at, k->feature_number, k->feature_bytes, 0xB1);
     return put(to, at, tail, sizeof tail);

@@ -33,6 +33,7 @@ struct model {
     unsigned width, height;
     unsigned format;       /* of a Planelet panel: enum wire_format */
     unsigned report_bytes; /* of its output reports */
+    unsigned in_bytes;     /* of its input reports */
     int reads;             /* of a Planelet panel: it is memory that can be read */
     uint8_t *rgb;          /* what the panel shows, 3 bytes a pixel; owned */
     unsigned changes;      /* times the panel was completed or changed */
@@ -48,11 +49,12 @@ struct model {
 extern const model_kind model_planelet, model_mini, model_nova, model_apex, model_nexus;
 const model_kind *model_kind_named(const char *name); /* NULL: there is none */
 
-/* The shape is for Planelet panels; 0 takes 64x48, RGB565, 64, a panel that
- * cannot be read. NULL when memory is out. */
+/* The shape is for Planelet panels; 0 takes 64x48, RGB565, a panel that cannot
+ * be read, reports of 64 bytes both ways. NULL when memory is out. */
 typedef struct model_shape {
     unsigned width, height, format, report_bytes;
     int reads;
+    unsigned in_bytes; /* at most 64 */
 } model_shape;
 model *model_make(const model_kind *kind, model_shape shape);
 void model_free(model *m);

@@ -8,7 +8,7 @@
 #include "platform/wire/wire.h"
 #include "tests/hid/model.h"
 
-enum { IN_BYTES = 64, WINDOW = 16 };
+enum { WINDOW = 16 };
 
 typedef struct own {
     wire_end end;
@@ -53,7 +53,7 @@ static int own_open(model *m) {
                  .formats = (uint16_t)(1u << m->format),
                  .format = (uint8_t)m->format,
                  .in_bytes = (uint16_t)m->report_bytes,
-                 .out_bytes = IN_BYTES,
+                 .out_bytes = (uint16_t)m->in_bytes,
                  .features = (uint8_t)(WIRE_SHOWS | WIRE_BRIGHTNESS | (m->reads ? WIRE_READS : 0)),
                  .window = WINDOW}};
     const wire_panel panel = {.pixels = m->reads ? o->pixels : NULL,
@@ -88,13 +88,13 @@ static void own_output(model *m, const uint8_t *report, size_t bytes) {
 static size_t own_input(model *m, uint8_t *report, size_t room) {
     own *o = m->state;
     wire_poll(&o->end, now_ms());
-    return room < IN_BYTES ? 0 : wire_next_report(&o->end, report, now_ms());
+    return room < m->in_bytes ? 0 : wire_next_report(&o->end, report, now_ms());
 }
 
 const model_kind model_planelet = {.name = "planelet",
                                    .vendor = 0x1209,
                                    .id = 0x0001,
-                                   .input_bytes = IN_BYTES,
+                                   .input_bytes = 64,
                                    .open = own_open,
                                    .output = own_output,
                                    .input = own_input};
