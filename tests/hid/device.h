@@ -4,8 +4,6 @@
 #ifndef HID_DEVICE_H
 #define HID_DEVICE_H
 
-#include <signal.h>
-
 #include "tests/hid/model.h"
 
 typedef struct device {
@@ -15,13 +13,16 @@ typedef struct device {
     unsigned port;      /* usbip: of the virtual hub */
     int high_speed;     /* usbip; else full speed */
     int paced;          /* usbip at full speed: a packet of 64 bytes a millisecond */
-    int no_out;         /* usbip: no OUT endpoint, output reports come by SET_REPORT */
+    int no_out;         /* usbip, gadget: no OUT endpoint, output reports come by SET_REPORT */
     const char *path;   /* gadget: /dev/hidgN */
     uint64_t die_after; /* output reports until it vanishes without a word; 0: never */
     unsigned slow_us;   /* time it takes over a report */
     uint64_t reports;
-    volatile sig_atomic_t *stop;
 } device;
+
+/* Asked before every wait: 0 ends the display. The model may be another one
+ * after the call. */
+int device_goes_on(device *d);
 
 /* A report for the model, with its number if the model has numbers. Ends the
  * process when die_after says so. */
@@ -31,7 +32,7 @@ void device_feature(device *d, const uint8_t *report, size_t bytes);
 /* The next input report, 0 when there is none now. */
 size_t device_input(device *d, uint8_t *report, size_t room);
 
-/* Each runs until *stop; 0, or -1 after a line on standard error. */
+/* Each runs until device_goes_on says no; 0, or -1 after a line on standard error. */
 int device_uhid(device *d);
 int device_usbip(device *d);
 int device_gadget(device *d);

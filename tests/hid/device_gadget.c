@@ -1,7 +1,8 @@
 /* device_gadget - a display behind the kernel's own HID gadget, /dev/hidgN
  *
- * gadget.sh makes the gadget. It ends 64-byte input reports with an empty
- * packet, which hidapi on libusb hands up as an empty report.
+ * guest_gadget.sh makes the gadget. With no_out=1 reports come by SET_REPORT, and
+ * the kernel does not say whether it was a feature report: its length does. It ends 64-byte input
+ * reports with an empty packet, which hidapi on libusb hands up as an empty report.
  *
  * SPDX-License-Identifier: MIT */
 #include <errno.h>
@@ -26,19 +27,28 @@ static void send_inputs(int fd, device *d) {
     }
 }
 
+static void take_report(device *d, const uint8_t *report, size_t bytes) {
+    const model_kind *k = d->model->kind;
+    if (k->feature != NULL && d->no_out && bytes == 1u + k->feature_bytes) {
+        device_feature(d, report, bytes);
+    } else {
+        device_output(d, report, bytes);
+    }
+}
+
 int device_gadget(device *d) {
     const int fd = open(d->path, O_RDWR);
     if (fd < 0) {
         perror(d->path);
         return -1;
     }
-    while (!*d->stop) {
+    while (device_goes_on(d)) {
         struct pollfd p = {fd, POLLIN, 0};
-        uint8_t report[1024];
+        uint8_t report[1 + 1024];
         if (poll(&p, 1, TICK_MS) > 0) {
-            const ssize_t bytes = read(fd, report, d->model->report_bytes);
+            const ssize_t bytes = read(fd, report, sizeof report);
             if (bytes > 0) {
-                device_output(d, report, (size_t)bytes);
+                take_report(d, report, (size_t)bytes);
             } else if (bytes < 0 && errno != EINTR && errno != EAGAIN) {
                 poll(NULL, 0, TICK_MS); /* unbound, or the host resets it */
             }

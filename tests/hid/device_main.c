@@ -1,21 +1,29 @@
 /* device_main - device uhid|usbip|gadget DRIVER [key=value ...]: a display that judges
  *
  * Plays a display until SIGTERM, and compares its panel with the pictures of
- * pattern.h whenever it changed. Ends in one line:
+ * pattern.h in every pixel whenever it changed. Ends in one line:
  *
- *     device changes=C matched=M other=O last=L wrong=W brightness=B reports=R WHY
+ *     device format=F changes=C matched=M other=O last=L wrong=W brightness=B reports=R WHY
  *
  * M pictures came in their order, each pixel right, the last being number L;
  * O times the panel was none of them (keys or windows that change one by one
  * pass through such states, whole frames never may).
  *
- * Keys: size=WxH format=0..4 report=BYTES (Planelet panels), vendor= id= in
- * hexadecimal, serial=, port=, speed=full|high, paced=1, no_out=1,
+ * SIGUSR1 prints the line, too, and what is plugged in goes on as a new display
+ * with the next of the five formats: plugging takes longer than pictures.
+ *
+ * `device descriptor DRIVER ...` writes its report descriptor instead.
+ *
+ * Keys: size=WxH format=0..4 report=BYTES in=BYTES (Planelet panels), vendor=
+ * id= in hexadecimal, serial=, port=, speed=full|high, paced=1, no_out=1,
  * path=/dev/hidgN, die_after=REPORTS, slow=MICROSECONDS, first=NUMBER of the
  * first picture to expect, blind=1 compares nothing (when speed is measured),
- * reads=1 has a panel that can be read, show=1 draws it in the terminal.
+ * reads=1 has a panel that can be read, show=1 draws it in the terminal,
+ * eager=1 goes before all other processes whenever a report waits for it.
  *
  * SPDX-License-Identifier: MIT */
+#include <sched.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,20 +31,27 @@
 #include <unistd.h>
 
 #include "host_tools/picture/picture.h"
+#include "platform/wire/wire_format.h"
 #include "tests/hid/device.h"
 
 enum { AHEAD = 40 /* pictures that may be left out between two */ };
 
-static volatile sig_atomic_t stop;
+static volatile sig_atomic_t stop, change;
 
 typedef struct judge {
     unsigned next, matched, other;
     int last, show;
 } judge;
 
+static judge seen;
+static char **words; /* key=value */
+
 static void on_signal(int number) {
-    (void)number;
-    stop = 1;
+    if (number == SIGUSR1) {
+        change = 1;
+    } else {
+        stop = 1;
+    }
 }
 
 static void draw(const model *m) {
@@ -91,53 +106,113 @@ size_t device_input(device *d, uint8_t *report, size_t room) {
     return d->model->kind->input == NULL ? 0 : d->model->kind->input(d->model, report, room);
 }
 
-/* The value of key=value among the words. */
-static const char *value(char **words, const char *key, const char *otherwise) {
+static const char *value(const char *key, const char *otherwise) {
     const size_t length = strlen(key);
-    for (; *words != NULL; words++) {
-        if (strncmp(*words, key, length) == 0 && (*words)[length] == '=') {
-            return *words + length + 1;
+    for (char **word = words; *word != NULL; word++) {
+        if (strncmp(*word, key, length) == 0 && (*word)[length] == '=') {
+            return *word + length + 1;
         }
     }
     return otherwise;
 }
 
-static unsigned long number(char **words, const char *key, int base) {
-    return strtoul(value(words, key, "0"), NULL, base);
+static unsigned long number(const char *key, int base) {
+    return strtoul(value(key, "0"), NULL, base);
 }
 
-static model *make_model(const model_kind *kind, char **words) {
+/* Judges it, too. */
+static model *make_model(const model_kind *kind, unsigned format) {
     unsigned width = 0, height = 0;
-    sscanf(value(words, "size", "0x0"), "%ux%u", &width, &height);
-    const model_shape shape = {width, height, (unsigned)number(words, "format", 10),
-                               (unsigned)number(words, "report", 10),
-                               (int)number(words, "reads", 10)};
-    return model_make(kind, shape);
+    sscanf(value("size", "0x0"), "%ux%u", &width, &height);
+    const model_shape shape = {.width = width,
+                               .height = height,
+                               .format = format,
+                               .report_bytes = (unsigned)number("report", 10),
+                               .reads = (int)number("reads", 10),
+                               .in_bytes = (unsigned)number("in", 10)};
+    model *m = model_make(kind, shape);
+    if (m == NULL) {
+        fprintf(stderr, "device: no such display: out of memory, or the wire refuses it\n");
+        exit(1);
+    }
+    seen = (judge){.next = (unsigned)number("first", 10), .last = -1};
+    seen.show = (int)number("show", 10);
+    m->changed = number("blind", 10) ? NULL : on_change;
+    m->context = &seen;
+    return m;
 }
 
-static void read_words(device *d, char **words) {
+static void say_what_was_seen(const device *d) {
+    const model *m = d->model;
+    printf(
+        "device format=%u changes=%u matched=%u other=%u last=%d wrong=%u brightness=%d "
+        "reports=%llu %s\n",
+        m->format, m->changes, seen.matched, seen.other, seen.last, m->wrong, m->brightness,
+        (unsigned long long)d->reports, m->why);
+    fflush(stdout);
+}
+
+int device_goes_on(device *d) {
+    if (change) {
+        model *old = d->model;
+        change = 0;
+        say_what_was_seen(d);
+        d->model = make_model(old->kind, (old->format + 1) % WIRE_FORMATS);
+        model_free(old);
+    }
+    return !stop;
+}
+
+static void read_words(device *d) {
     const model_kind *k = d->model->kind;
-    d->vendor = (unsigned)number(words, "vendor", 16);
-    d->id = (unsigned)number(words, "id", 16);
+    d->vendor = (unsigned)number("vendor", 16);
+    d->id = (unsigned)number("id", 16);
     if (d->vendor == 0) {
         d->vendor = k->vendor;
         d->id = k->id;
     }
-    d->serial = value(words, "serial", "SN0001");
-    d->port = (unsigned)number(words, "port", 10);
-    d->high_speed = strcmp(value(words, "speed", "full"), "high") == 0;
-    d->paced = (int)number(words, "paced", 10);
-    d->no_out = (int)number(words, "no_out", 10);
-    d->path = value(words, "path", "/dev/hidg0");
-    d->die_after = number(words, "die_after", 10);
-    d->slow_us = (unsigned)number(words, "slow", 10);
+    d->serial = value("serial", "SN0001");
+    d->port = (unsigned)number("port", 10);
+    d->high_speed = strcmp(value("speed", "full"), "high") == 0;
+    d->paced = (int)number("paced", 10);
+    d->no_out = (int)number("no_out", 10);
+    d->path = value("path", "/dev/hidg0");
+    d->die_after = number("die_after", 10);
+    d->slow_us = (unsigned)number("slow", 10);
+}
+
+/* uhid queues 32 reports and drops the next; so it never has more than one. */
+static int go_first(void) {
+    const struct sched_param first = {.sched_priority = 1};
+    const int status = sched_setscheduler(0, SCHED_FIFO, &first);
+    if (status != 0) {
+        perror("device: eager=1");
+    }
+    return status;
+}
+
+static int write_descriptor(const model *m) {
+    uint8_t bytes[96];
+    const size_t count = model_descriptor(m, bytes);
+    return fwrite(bytes, 1, count, stdout) == count ? 0 : -1;
+}
+
+static void catch_signals(void) {
+    const struct sigaction action = {.sa_handler = on_signal};
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGUSR1, &action, NULL);
 }
 
 static int run(device *d, const char *transport) {
-    if (strcmp(transport, "uhid") == 0) {
-        return device_uhid(d);
+    if (strcmp(transport, "descriptor") == 0) {
+        return write_descriptor(d->model);
     }
-    return strcmp(transport, "usbip") == 0 ? device_usbip(d) : device_gadget(d);
+    const int status = strcmp(transport, "uhid") == 0    ? device_uhid(d)
+                       : strcmp(transport, "usbip") == 0 ? device_usbip(d)
+                                                         : device_gadget(d);
+    say_what_was_seen(d);
+    return status;
 }
 
 int main(int argc, char **argv) {
@@ -146,24 +221,12 @@ int main(int argc, char **argv) {
         fprintf(stderr, "device: use it as: device uhid|usbip|gadget DRIVER [key=value ...]\n");
         return 2;
     }
-    char **words = argv + 3;
-    judge j = {.next = (unsigned)number(words, "first", 10), .last = -1};
-    j.show = (int)number(words, "show", 10);
-    device d = {.model = make_model(kind, words), .stop = &stop};
-    if (d.model == NULL) {
-        return 1;
-    }
-    const struct sigaction action = {.sa_handler = on_signal};
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGINT, &action, NULL);
-    read_words(&d, words);
-    d.model->changed = number(words, "blind", 10) ? NULL : on_change;
-    d.model->context = &j;
-    const int status = run(&d, argv[1]);
-    const model *m = d.model;
-    printf("device changes=%u matched=%u other=%u last=%d wrong=%u brightness=%d reports=%llu %s\n",
-           m->changes, j.matched, j.other, j.last, m->wrong, m->brightness,
-           (unsigned long long)d.reports, m->why);
+    words = argv + 3;
+    catch_signals();
+    device d = {.model = make_model(kind, (unsigned)number("format", 10))};
+    read_words(&d);
+    const int is_set = number("eager", 10) == 0 || go_first() == 0;
+    const int status = is_set ? run(&d, argv[1]) : -1;
     model_free(d.model);
     return status == 0 ? 0 : 1;
 }

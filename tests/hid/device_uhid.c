@@ -65,7 +65,7 @@ int device_uhid(device *d) {
         perror("device: /dev/uhid");
         return -1;
     }
-    while (!*d->stop) {
+    while (device_goes_on(d)) {
         struct pollfd p = {fd, POLLIN, 0};
         struct uhid_event e;
         if (poll(&p, 1, TICK_MS) > 0 && read(fd, &e, sizeof e) > 0) {

@@ -168,7 +168,7 @@ int device_usbip(device *d) {
     if (attach(&u) != 0) {
         return -1;
     }
-    while (!*d->stop && !u.closed) {
+    while (device_goes_on(d) && !u.closed) {
         struct pollfd p = {u.socket, POLLIN, 0};
         int64_t wait = TICK_US;
         out_done(&u);

@@ -34,16 +34,16 @@ verdict() { # SENTENCE TROUBLE
     fi
 }
 
-hid_devices() {
-    ls /sys/bus/hid/devices | wc -l
-}
+# A process takes this machine milliseconds: what is asked often forks none.
 
 # until_devices COUNT: waits until there are so many, three seconds at most.
 until_devices() {
-    tries=0
-    while [ "$(hid_devices)" -ne "$1" ] && [ $tries -lt 60 ]; do
+    wanted=$1 tries=0
+    set -- /sys/bus/hid/devices/*
+    while [ -e "$1" ] && there=$# || there=0 && [ $there -ne "$wanted" ] && [ $tries -lt 150 ]; do
         tries=$((tries + 1))
-        usleep 50000
+        usleep 20000
+        set -- /sys/bus/hid/devices/*
     done
 }
 
@@ -53,10 +53,11 @@ uptime_seconds() {
 
 # start TRANSPORT DRIVER [key=value ...]: a display, plugged in.
 start() {
-    ./device "$@" >"$scratch/device" 2>&1 &
+    : >"$scratch/device"
+    ./device "$@" >>"$scratch/device" 2>&1 &
     device=$!
     until_devices 1
-    usleep 100000
+    usleep 50000
 }
 
 # stop: unplugs it; $line is what it has to say.
@@ -68,7 +69,9 @@ stop() {
 }
 
 value() { # NAME: of NAME=value in $line
-    echo "$line" | tr ' ' '\n' | sed -n "s/^$1=//p" | head -n 1
+    for word in $line; do
+        case $word in "$1="*) echo "${word#*=}" && return ;; esac
+    done
 }
 
 # show BACKEND WxH COUNT [flag ...]: pictures 0 .. COUNT - 1, every one of them.
@@ -81,19 +84,34 @@ show() {
     status=$?
 }
 
-# judge SENTENCE COUNT: so many pictures came in order, every pixel right.
-judge() {
-    verdict "$1" "$(
-        [ "$status" -eq 0 ] || { echo "the host ended with $status:"; cat "$scratch/host"; }
-        [ "$(value matched)" = "$2" ] && [ "$(value last)" = $(($2 - 1)) ] &&
-            [ "$(value wrong)" = 0 ] || echo "$line"
-        case $1 in planelet*) [ "$(value other)" = 0 ] || echo "a wrong picture: $line" ;; esac)"
+# trouble_of DRIVER COUNT: unless the host ended well and so many pictures came in
+# order, each right in every pixel and with nothing in between; displays that
+# change key by key, or half by half, pass through the states between.
+trouble_of() {
+    case $1 in
+    streamdeck-mini) between=$((5 * $2)) ;;
+    nova) between=$2 ;;
+    *) between=0 ;;
+    esac
+    [ "$status" -eq 0 ] || { echo "the host ended with $status:"; cat "$scratch/host"; }
+    [ "$(value matched)" = "$2" ] && [ "$(value last)" = $(($2 - 1)) ] &&
+        [ "$(value wrong)" = 0 ] && [ "$(value other)" -le "$between" ] || echo "$line"
 }
 
 figure() { # NAME: of the host's figures
     sed -n "s/.*\"$1\": \"\{0,1\}\([^\",]*\).*/\1/p" "$scratch/json"
 }
 
-. ./guest_tests.sh
+for file in gadget cross tests; do
+    . "./guest_$file.sh"
+done
+./make_pattern 64x48 1 >"$scratch/one"
+chmod 644 "$scratch/one"
+for group in ${HID_GROUPS:-lists real_displays own_displays cross gadgets strangers permissions \
+    unplugged paced_displays}; do
+    began=$(uptime_seconds)
+    $group
+    echo "    $group: $(echo "$(uptime_seconds) $began" | awk '{ print $1 - $2 }') s"
+done
 echo "DONE in $(cut -d ' ' -f 1 /proc/uptime) s of the guest's clock"
 poweroff -f
