@@ -20,7 +20,7 @@ TEST_PROGRAMS :=
 
 COMMON := $(filter-out board/firmware.c,$(wildcard board/*.c))
 program_ := board/firmware.c
-program_wired := $(wildcard board/wired/*.c platform/wire/*.c)
+program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
 $(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired)
 endif
@@ -52,7 +52,8 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 # of unknown size.
 $(OUT)/stack.txt: $(FIRMWARE_OBJECTS) tests/check/stack.awk
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
-	    -v indirect='$(SOURCE_FUNCTIONS)' -f tests/check/stack.awk \
+	    -v indirect='$(SOURCE_FUNCTIONS)' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
+	    -v entry='$(INTERRUPT_FRAME)' -f tests/check/stack.awk \
 	    $(FIRMWARE_OBJECTS:.o=.ci) - >$@ || { cat $@ >&2; exit 1; }
 
 $(OUT)/%.o: %.c $(OUT)/flags

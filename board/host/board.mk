@@ -56,7 +56,7 @@ endif
 
 $(OUT)/tests/test_%: $(OUT)/tests/test_%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 
 $(OUT)/flags: FORCE
 	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND))

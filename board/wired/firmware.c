@@ -21,8 +21,8 @@ enum { VISITS_A_STEP = 1000 };
  * bytes for so long, it is the engine's turn. */
 enum { QUIET_MS = 2, MOVE_MS = 20 };
 
-/* Credits. Nothing is lost for want of room here: the line holds back the host. */
-enum { WINDOW = 16, REPORT_BYTES = 64 };
+/* Credits: as many reports with data as the line keeps, beside some without. */
+enum { WINDOW_MOST = 16, WINDOW_LEAST = 2, SPARE_REPORTS = 4, REPORT_BYTES = 64 };
 
 static wire_device device;
 static wire_bytes_reader incoming;
@@ -122,7 +122,8 @@ static void say_scene(void) {
     scene_said = state;
 }
 
-/* A line for every frame that was handed over whole. */
+/* A line for every frame that was handed over whole. A byte that the line lost
+ * is a report lost. */
 static void say_frame(void) {
     static uint32_t said;
     uint32_t painted, size;
@@ -136,23 +137,33 @@ static void say_frame(void) {
         line_item(&l, "ms", now_ms());
         line_item(&l, "arena", plt_arena_peak(device.engine));
         line_item(&l, "painted", painted);
+        line_item(&l, "lost_bytes", board_serial_lost());
+        line_item(&l, "lost_reports", device.end.stats.reports_lost);
         line_print(&l);
     }
 }
 
 /* ---- the program ------------------------------------------------------------------ */
 
+static uint8_t window_for(uint32_t room_bytes, uint32_t report_bytes) {
+    const uint32_t reports = room_bytes / (report_bytes + report_bytes / 254 + 2);
+    if (reports < WINDOW_LEAST + SPARE_REPORTS) {
+        return WINDOW_LEAST;
+    }
+    return reports - SPARE_REPORTS < WINDOW_MOST ? (uint8_t)(reports - SPARE_REPORTS) : WINDOW_MOST;
+}
+
 static int open_device(uint16_t report_bytes) {
+    const uint32_t room_bytes = board_serial_open();
     static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0};
     const wire_setup setup = {.role = WIRE_DEVICE,
                               .caps = {.session = board_ticks(),
                                        .in_bytes = report_bytes,
                                        .out_bytes = report_bytes,
-                                       .window = WINDOW}};
+                                       .window = window_for(room_bytes, report_bytes)}};
     size_t bytes;
     unsigned char *memory = board_arena(&bytes);
     last_ticks = board_ticks();
-    board_serial_open();
     return wire_device_open(&device, &setup, &options, memory, bytes, now_ms());
 }
 

@@ -1,7 +1,7 @@
 /* serial - the line of bytes over which a wired board is fed, given by the board
  *
  * What board/wired/firmware.c asks beside board.h, of boards that have a UART
- * to spare. Nothing here waits, and nothing is called from an interrupt.
+ * to spare. Nothing here waits, and none of it is called from an interrupt.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BOARD_SERIAL_H
@@ -9,15 +9,19 @@
 
 #include <stdint.h>
 
-/* Called once, before the other two. */
-void board_serial_open(void);
+/* Called once, before the others. Returns how many bytes are kept until they are
+ * asked for; the firmware lets the host send no more data than that at once. */
+uint32_t board_serial_open(void);
 
-/* The next byte that came, or -1: none yet. A line without flow control must
- * keep what comes while the firmware renders a step, some milliseconds; a byte
- * that is lost costs its report, which the wire has sent again. */
+/* The next byte that came, or -1: none yet. Between two calls the firmware may
+ * render a step, some milliseconds. */
 int board_serial_get(void);
 
 /* 1: the byte goes out; 0: not now, the one before is not out yet. */
 int board_serial_put(uint8_t byte);
+
+/* Bytes that came and were not kept, ever. Each costs its report, which the wire
+ * has sent again. */
+uint32_t board_serial_lost(void);
 
 #endif

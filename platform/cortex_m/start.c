@@ -1,9 +1,10 @@
 /* start - start-up of a Cortex-M with hardware floats, and its stack
  *
  * Invariants: the FPU is on before any compiled code runs (at -O3 a compiler
- * copies .data with float registers); no interrupt is ever enabled, so that
- * the worst stack is that of the call graph; a stack that grows beyond its
- * bottom meets a region without access, and faults.
+ * copies .data with float registers); no interrupt is enabled here, so that
+ * the worst stack is that of the call graph, and below it that of the handler
+ * which a board enables; a stack that grows beyond its bottom meets a region
+ * without access, and faults.
  *
  * Source: Armv7-M Architecture Reference Manual, B1.5 (exceptions), B3.2
  * (system control), B3.5 (MPU).
@@ -33,7 +34,8 @@ enum {
 void reset(void);
 _Noreturn void cortex_m_start(void);
 
-/* System exceptions 1 .. 15; all but reset are faults here. */
+/* System exceptions 1 .. 15; all but reset are faults here. A board puts the lines
+ * that it enables into .vectors.board, which follows. */
 __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void) = {
     (void (*)(void))plt_stack_top,
     reset,

@@ -1,7 +1,8 @@
 # stack - worst C stack from the call graphs that GCC writes
 #
 #   objdump -d FILE.o ... | awk -v root='NAME ...' [-v indirect='NAME ...'] \
-#       [-v limit=BYTES] [-v out=FOLDER/] -f stack.awk FILE.ci ... -
+#       [-v interrupt='NAME ...' -v entry=BYTES] [-v limit=BYTES] [-v out=FOLDER/] \
+#       -f stack.awk FILE.ci ... -
 #
 # Reads the output of -fcallgraph-info=su,da, and the disassembly of the same
 # objects (below FOLDER), because GCC 12 forgets in its figures what a function
@@ -9,7 +10,9 @@
 # figure and the sum of all pushes and decrements of sp. Prints "worst BYTES ROOT" for
 # the root with the deepest path, the path itself with the frame of every
 # function on it, and a line for each other root. Every path is followed, so
-# that the figure is a bound, not a sample. What would make it wrong is an
+# that the figure is a bound, not a sample. Of the handlers of `interrupt`, which do
+# not interrupt each other, the deepest is on top of every root, and `entry`, what
+# the CPU stacks before it. What would make it wrong is an
 # error, printed, with exit status 1: recursion, a frame whose size is only
 # known at run time, a function without a call graph, a call by pointer when
 # `indirect` does not say where it may lead, a frame above `limit`.
@@ -167,9 +170,18 @@ END {
         }
     }
     worst = -1
+    on_top = 0
+    count = split(interrupt, names, " ")
+    for (k = 1; k <= count; k++) {
+        below = entry + depth(resolve(names[k]))
+        if (below > on_top) {
+            on_top = below
+            handler = names[k]
+        }
+    }
     count = split(root, names, " ")
     for (k = 1; k <= count; k++) {
-        total[k] = depth(resolve(names[k]))
+        total[k] = depth(resolve(names[k])) + on_top
         if (total[k] > worst) {
             worst = total[k]
             deepest = names[k]
@@ -185,6 +197,12 @@ END {
     }
     print "worst " worst " " deepest
     for (title = resolve(deepest); title != ""; title = next_on[title]) {
+        printf "%8d %s\n", frame[title], bare(title)
+    }
+    for (title = handler == "" ? "" : resolve(handler); title != ""; title = next_on[title]) {
+        if (bare(title) == handler) {
+            printf "%8d an interrupt\n", entry
+        }
         printf "%8d %s\n", frame[title], bare(title)
     }
     for (k = 1; k <= count; k++) {

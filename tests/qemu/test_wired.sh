@@ -36,6 +36,13 @@ verdict "image and arena fit into 262,144 bytes, the stack stays below its bound
     [ "$(value memory)" -eq 262144 ] || echo "memory $(value memory)"
     [ "$(value painted)" -gt 0 ] && [ "$(value painted)" -le "$worst" ] ||
         echo "painted $(value painted), bound $worst")"
+verdict "the ring behind the interrupt lost no byte, and no report was lost" "$(
+    [ "$(value lost_bytes)" = 0 ] && [ "$(value lost_reports)" = 0 ] || cat "$out/log.txt")"
+verdict "the bound has the interrupt and what the CPU stacks for it on top" "$(
+    stack=$BUILD/mps2_an386-wired/stack.txt
+    grep -q ' an interrupt$' "$stack" && grep -q ' serial_interrupt$' "$stack" || cat "$stack"
+    awk '$1 == "worst" { worst = $2; next } { sum += $1 } END { exit sum != worst }' "$stack" ||
+        echo "the frames do not add up to it")"
 sed -n 's/^frame/    &/p' "$out/log.txt" | tail -n 1
 verdict "gcc compiles the wired firmware without a warning" "$(
     find "$BUILD/mps2_an386-wired" -name '*.log' -size +0 -exec cat {} +)"
@@ -59,7 +66,7 @@ board() {
 # serve SCENE [option ...]: one frame into served.ppm; sets text and status.
 serve() {
     rm -f "$out/served.ppm"
-    text=$(timeout 100 "$planelet" serve "$@" --socket "$folder/wire" --size 160x120 \
+    text=$(timeout 100 "$planelet" serve --size 160x120 "$@" --socket "$folder/wire" \
         -o "$out/served.ppm" --verbose 2>&1)
     status=$?
 }
@@ -79,6 +86,26 @@ verdict "a host that comes again gets its frame without sending the scene again"
     cmp "$out/served.ppm" "$out/host.ppm" 2>&1 || echo "$text"
     reports=$(echo "$text" | sed -n 's/.*reports \([0-9]*\) out.*/\1/p')
     [ "${reports:-1000}" -lt 300 ] || echo "${reports:-no} reports went out")"
+end
+
+# ---- a ring too small for a report: what comes in a burst is lost ----
+
+trouble=$($MAKE -s BOARD=mps2_an386 PROGRAM=wired BUILD="$BUILD/small_ring" \
+    FIRMWARE_FLAGS='-DPLT_PACKET_SIDE_MAX=8 -DPLT_RING_BYTES=16' \
+    "$BUILD/small_ring/mps2_an386-wired/firmware.elf" 2>&1 >/dev/null)
+"$planelet" make knot --triangles 300 -o "$out/knot.ply" >/dev/null
+"$planelet" pack "$out/knot.ply" -o "$out/small.plt" --nodes compact --geometry lattice:14 \
+    >/dev/null 2>&1
+"$planelet" render "$out/small.plt" -o "$out/small.ppm" --size 64x48 >/dev/null
+all=$BUILD
+BUILD=$BUILD/small_ring board
+serve "$out/small.plt" --size 64x48
+verdict "a ring of 16 bytes: bytes and reports are lost and counted, the frame is right" "$(
+    echo "$trouble"
+    cmp "$out/served.ppm" "$out/small.ppm" 2>&1 || echo "$text"
+    [ "$(value lost_bytes)" -gt 0 ] && [ "$(value lost_reports)" -gt 0 ] || cat "$out/log.txt")"
+sed -n 's/^frame/    &/p' "$out/log.txt" | tail -n 1
+BUILD=$all
 end
 
 board report=7
