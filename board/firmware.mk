@@ -68,6 +68,16 @@ $(OUT)/libcount.so: tests/qemu/count.c
 $(OUT)/flags: FORCE
 	$(call remember,$(COMMAND))
 
+## make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host gets them
+ifeq ($(PROGRAM),wired)
+run: firmware
+	@$(MAKE) --no-print-directory -s BOARD=host all
+	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BOARD='$(BOARD)' SCENE='$(SCENE)' \
+	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' sh tests/qemu/demo.sh
+
+profile:
+	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))
+else
 ## make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: runs it, with counts
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host all
@@ -81,5 +91,6 @@ profile: firmware
 	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)
 	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f tests/qemu/profile.awk - $(OUT)/profile.txt | \
 	    sort -rn | head -n 25
+endif
 
 -include $(FIRMWARE_OBJECTS:.o=.d)
