@@ -50,7 +50,7 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 
 # The worst path from start-up to anywhere; fails on recursion and on frames
 # of unknown size.
-$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) tests/check/stack.awk
+$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) tests/check/stack.awk board/$(BOARD)/board.mk
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
 	    -v indirect='$(SOURCE_FUNCTIONS)' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
 	    -v entry='$(INTERRUPT_FRAME)' -f tests/check/stack.awk \
