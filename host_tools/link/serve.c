@@ -3,9 +3,15 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/link/serve.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+
+#include "host_tools/base/progress.h"
+
+/* What the progress line is about. */
+enum phase { PHASE_NONE, PHASE_SCENE, PHASE_FRAME };
 
 typedef struct serving {
     const serve_job *job;
@@ -21,6 +27,10 @@ typedef struct serving {
     uint32_t seen;   /* frames that had come whole when the view was sent */
     uint32_t began_ms, frame_ms;
     int is_up;
+    progress bar;
+    enum phase phase;
+    uint32_t tiles; /* that had come when the frame began */
+    char what[40];
 } serving;
 
 static uint32_t now_ms(void) {
@@ -89,6 +99,41 @@ static void say(const serving *s, const char *what) {
     }
 }
 
+static void end_progress(serving *s) {
+    progress_end(&s->bar);
+    s->phase = PHASE_NONE;
+}
+
+static void enter(serving *s, enum phase phase) {
+    if (s->phase == phase) {
+        return;
+    }
+    end_progress(s);
+    s->phase = phase;
+    if (phase == PHASE_SCENE) {
+        progress_begin(&s->bar, "serve: sending the scene", s->job->image_bytes);
+    } else if (phase == PHASE_FRAME) {
+        const unsigned tiles = (s->job->width + 15) / 16 * ((s->job->height + 15) / 16);
+        snprintf(s->what, sizeof s->what, "serve: rendering, frame %u", s->number + 1);
+        s->tiles = s->end.stats.tiles_in;
+        progress_begin(&s->bar, s->what, tiles);
+    }
+}
+
+/* A device may take long over a scene and over a frame: what came of it. */
+static void show_progress(serving *s) {
+    uint32_t has = 0;
+    const unsigned state = wire_scene_out_state(&s->scene, &has);
+    enter(s, !wire_is_up(&s->end)        ? PHASE_NONE
+             : state == WIRE_SCENE_GOING ? PHASE_SCENE
+             : state == WIRE_SCENE_OPEN  ? PHASE_FRAME
+                                         : PHASE_NONE);
+    if (s->phase != PHASE_NONE) {
+        const uint64_t done = s->phase == PHASE_SCENE ? has : s->end.stats.tiles_in - s->tiles;
+        progress_show(&s->bar, done < s->bar.total ? done : s->bar.total);
+    }
+}
+
 static void watch_link(serving *s, int is_there) {
     if (is_there != s->is_up) {
         s->is_up = is_there;
@@ -139,6 +184,7 @@ static int take_frame(serving *s, fail *f) {
                         s->panel + (size_t)y * stride, job->width);
     }
     s->frame_ms = now_ms();
+    end_progress(s);
     const int status = job->frame(job->context, s->number, &s->shown, f);
     s->number++;
     if (status == 0 && s->number != job->frames) {
@@ -168,6 +214,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     while (status == 0 && (job->frames == 0 || s->number < job->frames)) {
         watch_link(s, move(s));
         status = refusal(s, f);
+        show_progress(s);
         if (status == 0 && has_frame(s)) {
             status = take_frame(s, f);
         }
@@ -178,6 +225,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
         }
     }
     if (s != NULL) {
+        end_progress(s);
         *result =
             (serve_result){.host = s->end.stats, .frames = s->number, .ms = now_ms() - s->began_ms};
         free(s->panel);

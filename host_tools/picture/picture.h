@@ -38,8 +38,8 @@ int picture_frame(output *o, picture_format format, const picture *p, fail *f);
  * never larger: 24-bit half blocks, or plain characters for light text on
  * dark ground where colour is not to be had (PICTURE_AUTO with NO_COLOR set,
  * TERM unset or "dumb", or `to` not a terminal). Every line ends in a line
- * feed with all attributes reset. 0 columns or rows: picture_terminal_size.
- * Returns 0, or -1 when writing failed (errno says why) or memory is out. */
+ * feed with all attributes reset; SIGINT waits for the last. 0 columns or rows:
+ * picture_terminal_size. Returns 0, or -1 when writing failed (errno says why) or memory is out. */
 typedef enum picture_ink { PICTURE_AUTO, PICTURE_COLOUR, PICTURE_PLAIN } picture_ink;
 int picture_show(FILE *to, const picture *p, picture_ink ink, unsigned columns, unsigned rows);
 

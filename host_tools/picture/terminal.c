@@ -9,6 +9,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -150,6 +151,25 @@ static void plain_line(FILE *to, const picture *p, unsigned y) {
     fputc('\n', to);
 }
 
+/* Ctrl-C waits for the end of the picture, which leaves no colour behind and the
+ * cursor below it. Other signals do not wait, for a terminal that takes nothing. */
+static int draw(FILE *to, const picture *small, int coloured) {
+    sigset_t interrupt, before;
+    sigemptyset(&interrupt);
+    sigaddset(&interrupt, SIGINT);
+    sigprocmask(SIG_BLOCK, &interrupt, &before);
+    for (unsigned y = 0; y < small->height; y += 2) {
+        if (coloured) {
+            colour_line(to, small, y);
+        } else {
+            plain_line(to, small, y);
+        }
+    }
+    const int status = fflush(to) || ferror(to) ? -1 : 0;
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return status;
+}
+
 int picture_show(FILE *to, const picture *p, picture_ink ink, unsigned columns, unsigned rows) {
     picture small;
     if (columns == 0 || rows == 0) {
@@ -161,13 +181,7 @@ int picture_show(FILE *to, const picture *p, picture_ink ink, unsigned columns, 
         return -1;
     }
     const int coloured = ink == PICTURE_COLOUR || (ink == PICTURE_AUTO && has_colour(to));
-    for (unsigned y = 0; y < small.height; y += 2) {
-        if (coloured) {
-            colour_line(to, &small, y);
-        } else {
-            plain_line(to, &small, y);
-        }
-    }
+    const int status = draw(to, &small, coloured);
     picture_free(&small);
-    return fflush(to) || ferror(to) ? -1 : 0;
+    return status;
 }
