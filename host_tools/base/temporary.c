@@ -1,4 +1,4 @@
-/* temporary - files beside their target that never outlive the program
+/* temporary - see temporary.h
  *
  * Keeps: every temporary file on disk is in the list `alive`, so that the
  * exit and signal handlers find it. The signals are blocked while the
@@ -51,9 +51,21 @@ static void remove_all(void) {
     }
 }
 
+static volatile sig_atomic_t coloured; /* 1 + the terminal's file */
+static pid_t colours_owner;
+
+/* Async-signal-safe. */
+static void end_colours(void) {
+    static const char end[] = "\x1b[0m";
+    if (coloured > 0 && colours_owner == getpid() && write(coloured - 1, end, sizeof end - 1) < 0) {
+        return; /* there is nobody left to tell */
+    }
+}
+
 /* SA_RESETHAND restored the default action, which follows the return. */
 static void on_end_signal(int number) {
     remove_all();
+    end_colours();
     raise(number);
 }
 
@@ -145,4 +157,10 @@ int temporary_keep(temporary *t, const char *target) {
 
 void temporary_remove(temporary *t) {
     end(t, NULL);
+}
+
+void temporary_colours(int file) {
+    install_handlers();
+    colours_owner = getpid();
+    coloured = file + 1;
 }

@@ -1,8 +1,10 @@
-/* temporary - files beside their target that never outlive the program
+/* temporary - what never outlives the program: files beside their target, colours
  *
  * A normal exit, SIGINT, SIGTERM, SIGHUP and SIGPIPE remove every
  * temporary file that was neither kept nor removed. A forked child
- * removes none of its parent's.
+ * removes none of its parent's. The signals also end the colours that a
+ * terminal is in: Ctrl-C throws away what was on the way there, maybe their
+ * end, so that ending them in time is not enough.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef TEMPORARY_H
@@ -24,5 +26,8 @@ int temporary_create(temporary *t, const char *target);
  * file is removed. Both calls allow a temporary without a file. */
 int temporary_keep(temporary *t, const char *target);
 void temporary_remove(temporary *t);
+
+/* From now on `file` is a terminal with colours. */
+void temporary_colours(int file);
 
 #endif

@@ -15,6 +15,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "host_tools/base/temporary.h"
 #include "host_tools/picture/picture.h"
 
 #define CELLS_MAX 10000
@@ -151,13 +152,16 @@ static void plain_line(FILE *to, const picture *p, unsigned y) {
     fputc('\n', to);
 }
 
-/* Ctrl-C waits for the end of the picture, which leaves no colour behind and the
- * cursor below it. Other signals do not wait, for a terminal that takes nothing. */
+/* Ctrl-C waits for the end of the picture, so that the cursor is below it; other
+ * signals do not wait, for a terminal that takes nothing. */
 static int draw(FILE *to, const picture *small, int coloured) {
     sigset_t interrupt, before;
     sigemptyset(&interrupt);
     sigaddset(&interrupt, SIGINT);
     sigprocmask(SIG_BLOCK, &interrupt, &before);
+    if (coloured && isatty(fileno(to))) {
+        temporary_colours(fileno(to));
+    }
     for (unsigned y = 0; y < small->height; y += 2) {
         if (coloured) {
             colour_line(to, small, y);

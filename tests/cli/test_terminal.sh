@@ -90,6 +90,17 @@ verdict "... and on a dumb terminal" "$(
     grep -q '[#%@*]' seen || echo "nothing to be seen"
     grep "$(printf '\033')" seen)"
 
+# Bytes of a picture here: some thousand a line.
+for bytes in 1500 12000 20000 50000 120000; do
+    ./pty $bytes "$PLANELET" serve knot.plt --emulate 4000000 --show --shader normal --orbit 500 \
+        >seen 2>out </dev/null
+    status=$?
+    verdict "Ctrl-C after $bytes bytes of pictures: the one begun is ended, no process stays" "$(
+        [ "$status" -eq 130 ] || echo "status $status"
+        tr '\033' '\n' <seen | grep '^\[[0-9;]*m' | tail -n 1 | grep '^\[0m' >/dev/null ||
+            tail -c 60 seen | cat -v)"
+done
+
 # ---- progress of what takes more than a second -----------------------------------
 
 mkfifo slow.ply
@@ -112,6 +123,14 @@ run pack slow.ply -o slow.plt
 verdict "... and nothing for a script" "$(cat err)"
 seen err render none.plt -o slow.y4m --size 256x256 --orbit 25
 verdict "a long render shows per cent, then wipes them" "$(progressed "rendering: [0-9]* %")"
+run make knot --triangles 40000 -o slow.mesh.ply
+run pack slow.mesh.ply -o slow.plt --build none
+seen err serve slow.plt --emulate 40000000 -o slow.ppm --size 352x352
+verdict "serve shows per cent of each frame that takes long, then wipes them" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    tr '\r\033' '\n~' <seen >lines
+    grep -q '^~\[Kserve: rendering, frame [0-9]*: [0-9]* %' lines || cat lines
+    grep '^~' lines | tail -n 1 | grep -q '^~\[K$' || echo "the progress was not wiped")"
 seen err trace none.plt ray hit --repeat 60000
 verdict "a long trace shows per cent, then wipes them" "$(progressed "tracing: [0-9]* %")"
 finish

@@ -51,6 +51,9 @@ int main(int argc, char **argv) {
     fake_bus.slow_us = 1000;
     fake_plug(0, &device);
     const int status = planelet_hid_main(argc, argv);
+    if (isatty(STDOUT_FILENO)) {
+        printf("\x1b[0m"); /* Ctrl-C may have thrown away the one of the last picture */
+    }
     model_free(m);
     return status;
 }

@@ -47,6 +47,24 @@ sed -n 's/^frame/    &/p' "$out/log.txt" | tail -n 1
 verdict "gcc compiles the wired firmware without a warning" "$(
     find "$BUILD/mps2_an386-wired" -name '*.log' -size +0 -exec cat {} +)"
 
+# ---- Ctrl-C in the midst of the demo ----
+
+trouble=$($CC -std=c11 -Wall -Wextra tests/cli/pty.c -o "$out/pty" 2>&1)
+for bytes in 1 12000; do
+    temporary=$(mktemp -d) # a socket's path must be short
+    (unset NO_COLOR COLUMNS LINES
+        TMPDIR=$temporary FRAMES=100 SIZE=96x64 TERM=xterm BUILD="$BUILD" MAKE="$MAKE" \
+            timeout 100 "$out/pty" $bytes sh tests/qemu/demo.sh >"$out/seen" 2>&1 </dev/null)
+    status=$?
+    verdict "Ctrl-C after $bytes bytes of it: no board, no folder and no colour stays behind" "$(
+        echo "$trouble"
+        [ "$status" -eq 130 ] || echo "status $status"
+        ls "$temporary"
+        colour=$(tr '\033' '\n' <"$out/seen" | grep -a '^\[[0-9;]*m' | tail -n 1)
+        case $colour in '' | '[0m'*) ;; *) echo "the last colour was $colour" ;; esac)"
+    rm -rf "$temporary"
+done
+
 # ---- hosts that come and go ----
 
 folder=$(mktemp -d)
