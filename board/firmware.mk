@@ -36,7 +36,7 @@ COMMAND = $(CC) $(STRICT) $(CPU) -O2 -g $(FREESTANDING) $(lanes_$(LANES)) \
           -fno-tree-loop-distribute-patterns \
           -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(FIRMWARE_FLAGS)
 
-## make BOARD=name [PROGRAM=wired]: cross-compiles build/name/firmware.elf
+##build make BOARD=name [PROGRAM=wired]: cross-compiles build/name/firmware.elf
 firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
 
 $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
@@ -68,7 +68,7 @@ $(OUT)/libcount.so: tests/qemu/count.c
 $(OUT)/flags: FORCE
 	$(call remember,$(COMMAND))
 
-## make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host gets them
+##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host gets them
 ifeq ($(PROGRAM),wired)
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host all
@@ -78,13 +78,13 @@ run: firmware
 profile:
 	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))
 else
-## make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: runs it, with counts
+##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: with counts
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host all
 	@BUILD='$(BUILD)' sh tests/qemu/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
-## make BOARD=name profile SCENE=x.plt: where the instructions go, by function
+##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function
 profile: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host all
 	@BUILD='$(BUILD)' PROFILE='$(OUT)/profile.txt' sh tests/qemu/run_like_host.sh $(BOARD) \

@@ -29,7 +29,7 @@ ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_$(LANES)) $
 HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_$(LANES)) \
                -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(CFLAGS)
 
-## all: the host program build/host/planelet and the engine as build/host/libplanelet.a
+##build all: the host program build/host/planelet and the engine as build/host/libplanelet.a
 all: $(OUT)/planelet $(OUT)/libplanelet.a
 
 $(OUT)/libplanelet.a: $(ENGINE_OBJECTS)

@@ -28,7 +28,7 @@ HID_MISSING = there is no hidapi-$* for pkg-config; install libhidapi-dev and pk
 
 .PHONY: planelet-hid
 
-## planelet-hid: pictures to USB displays; needs hidapi: build/host/planelet-hid (-libusb)
+##build planelet-hid: pictures to USB displays; needs hidapi: build/host/planelet-hid (-libusb)
 planelet-hid: $(OUT)/planelet-hid $(OUT)/planelet-hid-libusb
 
 $(OUT)/planelet-hid: $(OUT)/planelet-hid-hidraw
@@ -85,13 +85,13 @@ $(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \
         $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-## demo-hid: a scene on a USB display, or, without one, on an emulated panel in the terminal
+##try demo-hid: a scene on a USB display, or, without one, on an emulated panel in the terminal
 .PHONY: demo-hid
 demo-hid: all $(OUT)/planelet-hid-emulated
 	@-$(MAKE) --no-print-directory planelet-hid
 	@PLANELET='$(OUT)/planelet' HID='$(OUT)/planelet-hid' DEMO='$(DEMO)' sh tests/hid/demo.sh
 
-## test-hid: the USB bench alone; HID_GROUPS=unplugged,gadgets picks some of guest_tests.sh
+##test test-hid: the USB bench alone; HID_GROUPS=cross,unplugged picks some of its groups
 .PHONY: test-hid
 test-hid: all
 	@HID_GROUPS='$(HID_GROUPS)' $(SCRIPT) $(HID_TESTS)

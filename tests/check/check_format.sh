@@ -22,6 +22,10 @@ verdict "every source file has its licence line" "$(grep -L 'SPDX-License-Identi
 verdict "no line is longer than 100 columns" "$(
     awk 'length > 100 && !/[^ -~]/ { print FILENAME ":" FNR ": " length " columns" }' $files)"
 # shellcheck disable=SC2086
+verdict "every target with a sentence is in a group that make help prints" "$(
+    grep -nE '^##' Makefile $(find $folders -name '*.mk') |
+        grep -vE ':##(build|try|test|measure|keep) [^ ].*: .')"
+# shellcheck disable=SC2086
 verdict "no line ends in a blank" "$(grep -nE '[[:blank:]]$' $files)"
 verdict "nothing is left to do in engine, platform and board" \
     "$(grep -rnE 'TODO|FIXME|XXX|HACK' engine platform board)"
