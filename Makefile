@@ -25,7 +25,7 @@ lanes_scalar :=
 ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
-        sanitize tiny scalar run profile clean help FORCE
+        sanitize tiny scalar fuzz run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -105,6 +105,10 @@ tiny:
 ##test scalar: the test programs with the scalar lanes
 scalar:
 	@$(MAKE) LANES=scalar programs-run
+
+##test fuzz: libFuzzer on images, blocks, tiles, reports, SECONDS each (60); TARGETS= for some
+fuzz:
+	@BUILD='$(BUILD)' SECONDS_EACH='$(or $(SECONDS),60)' sh tests/fuzz/fuzz.sh $(TARGETS)
 
 # ---- pictures and figures ------------------------------------------------
 
