@@ -23,11 +23,11 @@ void plt_blocks_watch(plt_blocks_job *job, uint32_t *order) {
     state_of(job)->order = order;
 }
 
-/* Nodes that a subtree of `count` triangles is expected to take: 0.315 a
- * triangle for K = 2, 0.165 for K = 4. A wrong guess only costs fill. */
+/* Nodes that a subtree of `count` triangles is expected to take: 0.3 a
+ * triangle for K = 2, 0.155 for K = 4. A wrong guess only costs fill. */
 static uint32_t nodes_expected(const plt_blocks_job *job, uint32_t count) {
     const uint32_t per_mille =
-        job->leaf_triangles == 1 ? 600 : (job->leaf_triangles == 2 ? 315 : 165);
+        job->leaf_triangles == 1 ? 550 : (job->leaf_triangles == 2 ? 300 : 155);
     return count / 1000 * per_mille + count % 1000 * per_mille / 1000;
 }
 

@@ -2,11 +2,14 @@
  *
  * The same heuristics as split_sah.c and split_median.c, over lattice boxes; the
  * surface area heuristic counts lists instead of triangles, which fills them
- * (fewer nodes, and pairs where they are free).
+ * (fewer nodes, and pairs where they are free), and near the leaves prefers splits
+ * that need no unit more.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/build/blocks_state.h"
 #include "engine/build/levels.h"
+
+#define UNIT_COST 1.03125f
 
 typedef struct lattice_split {
     int axis; /* -1: none */
@@ -39,6 +42,24 @@ static float half_area(const plt_lattice_box *b) {
 static float lists(const plt_blocks_state *s, uint32_t count) {
     const uint32_t k = s->job->leaf_triangles;
     return (float)(int32_t)((count + k - 1) / k);
+}
+
+/* Units that hold so many triangles, if they are full. */
+static uint32_t units(const plt_blocks_state *s, uint32_t count) {
+    const uint32_t most = 2 * s->job->leaf_triangles;
+    return (count + most - 1) / most;
+}
+
+/* Sides that together need a unit more than the whole cost a 32nd more: it is a
+ * node, whose bytes are worth a split that is nearly as good. Higher up, where
+ * counts come from bins, what is left over is shared out further down. */
+static float split_cost(const plt_blocks_state *s, const plt_lattice_box *left, uint32_t left_count,
+                        const plt_lattice_box *right, uint32_t right_count) {
+    const uint32_t total = left_count + right_count;
+    const float cost =
+        half_area(left) * lists(s, left_count) + half_area(right) * lists(s, right_count);
+    const int spills = units(s, left_count) + units(s, right_count) > units(s, total);
+    return spills && total <= PLT_SAH_BINS ? cost * UNIT_COST : cost;
 }
 
 static plt_lattice_box box_at(const plt_blocks_state *s, uint32_t i) {
@@ -106,8 +127,7 @@ static void sweep_axis(plt_blocks_state *s, int axis, uint32_t total, lattice_sp
         if (count == 0 || count == total || bin[k - 1].count == 0) {
             continue;
         }
-        const float cost = half_area(&box) * lists(s, count) +
-                           half_area(&s->right_box[k]) * lists(s, s->right_count[k]);
+        const float cost = split_cost(s, &box, count, &s->right_box[k], s->right_count[k]);
         if (best->axis < 0 || cost < best->cost) {
             const lattice_split better = {axis, k, cost, count, {box, s->right_box[k]}};
             *best = better;
