@@ -54,6 +54,10 @@ uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);
 int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
                     uint32_t image_bytes, plt_fault *fault);
 
+/* R7 to R12 and R14 alone, of a header that has been read from `bytes`. */
+int plt_header_check(const plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
+                     plt_fault *fault);
+
 /* The same 256 bytes from `header`, its CRC included. Offsets and sizes of
  * the sections are worked out here; their CRCs are the caller's. */
 void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header);

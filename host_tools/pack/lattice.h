@@ -20,6 +20,7 @@ typedef struct lattice_loss {
 
 typedef struct snapped {
     plt_lattice lattice;
+    plt_box mesh_box;       /* of the mesh's triangles, where it was */
     plt_lattice_box box;    /* of the triangles that are left */
     unsigned char *corners; /* 9 numbers each, `width` bytes; owned */
     uint32_t width;

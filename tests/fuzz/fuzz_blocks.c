@@ -21,6 +21,7 @@
 #include <stdio.h>
 
 #include "engine/image/header.h"
+#include "engine/tree/block_sound.h"
 #include "engine/tree/record.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/unit_corners.h"

@@ -1,0 +1,115 @@
+/* header_check - is a header one that an engine can go by?
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/image/bytes.h"
+#include "engine/image/fault.h"
+#include "engine/image/header.h"
+#include "engine/image/header_at.h"
+#include "engine/tree/block.h"
+#include "engine/tree/link.h"
+
+static int is_number_between(float x, float least, float most) {
+    return x >= least && x <= most;
+}
+
+/* R14: a lattice whose numbers become floats without surprise. */
+static int check_lattice(const plt_header *h, plt_fault *fault) {
+    const plt_lattice *l = &h->lattice;
+    const plt_info *info = &h->info;
+    int good = l->bits >= PLT_LATTICE_BITS_LEAST && l->bits <= PLT_LATTICE_BITS_MOST &&
+               is_number_between(l->step, 1.0e-30f, PLT_COORD_MAX) && info->leaf_triangles <= 4 &&
+               info->leaf_triangles != 3 && info->treelet_nodes == PLT_BLOCK_NODES_MOST &&
+               info->build != PLT_BUILD_NONE;
+    for (int a = 0; a < 3; a++) {
+        good &= is_number_between(l->origin[a], -PLT_COORD_MAX, PLT_COORD_MAX);
+        good &= info->triangles == 0 ||
+                (h->lattice_box.lo[a] <= h->lattice_box.hi[a] && l->bits <= PLT_LATTICE_BITS_MOST &&
+                 h->lattice_box.hi[a] < 1u << l->bits);
+    }
+    /* An entry of the numbers holds any number and two bits more. */
+    good &= info->number_bits == 0 ||
+            (info->number_bits >= 2 && info->number_bits <= 29 && info->build == PLT_BUILD_HOST &&
+             info->geometry_format == PLT_GEOMETRY_LATTICE);
+    if (!good || info->node_bytes > 8u * 0xFFFFFFu || info->triangle_bytes > 8u * 0xFFFFFFu) {
+        return plt_refused(fault, 14, PLT_AT_ORIGIN,
+                           "the lattice, or what lies on it, is out of range");
+    }
+    for (int a = 0; a < 3 && info->triangles > 0; a++) {
+        if (plt_lattice_float(l, a, h->lattice_box.lo[a]) != info->lo[a] ||
+            plt_lattice_float(l, a, h->lattice_box.hi[a]) != info->hi[a]) {
+            return plt_refused(fault, 14, PLT_AT_LATTICE_BOX, "the scene's two boxes differ");
+        }
+    }
+    return PLT_OK;
+}
+
+/* R7 to R9: values whose range does not depend on the rest of the image. */
+static int check_values(const plt_header *h, plt_fault *fault) {
+    const plt_info *info = &h->info;
+    if (info->triangles > PLT_INDEX_MAX || info->node_slots > PLT_INDEX_MAX) {
+        return plt_refused(fault, 7, PLT_AT_COUNTS, "more than 2^27 - 1 triangles or nodes");
+    }
+    if (info->leaf_triangles < 1 || info->treelet_nodes < 1 ||
+        info->treelet_nodes > PLT_INDEX_MAX || info->nodes > info->node_slots ||
+        (info->nodes_format == PLT_NODES_THESIS && info->node_slots % info->treelet_nodes != 0)) {
+        return plt_refused(fault, 7, PLT_AT_COUNTS, "a count is out of range");
+    }
+    if (info->build != PLT_BUILD_HOST && (info->node_slots != 0 || info->treelets != 0)) {
+        return plt_refused(fault, 7, PLT_AT_COUNTS + 4, "nodes in an image without a tree");
+    }
+    if (info->build == PLT_BUILD_DEVICE && h->root != PLT_LINK_NONE) {
+        return plt_refused(fault, 7, PLT_AT_ROOT, "a root in an image without a tree");
+    }
+    if (info->splits > PLT_SPLIT_MEDIAN || info->build > PLT_BUILD_NONE ||
+        info->nodes_format > PLT_NODES_COMPACT || info->geometry_format > info->nodes_format ||
+        (info->nodes_format != info->geometry_format && info->build != PLT_BUILD_HOST)) {
+        return plt_refused(fault, 8, PLT_AT_SPLITS, "a format that this version does not know");
+    }
+    const int lattice = info->nodes_format == PLT_NODES_COMPACT ? check_lattice(h, fault) : PLT_OK;
+    if (lattice != PLT_OK) {
+        return lattice;
+    }
+    for (int a = 0; a < 3 && info->triangles > 0; a++) {
+        const float lo = info->lo[a], hi = info->hi[a];
+        if (!(lo >= -PLT_COORD_MAX && lo <= hi && hi <= PLT_COORD_MAX)) {
+            return plt_refused(fault, 9, PLT_AT_LO, "the scene's box is not a box");
+        }
+    }
+    return PLT_OK;
+}
+
+/* R10 to R12: the sections lie where they must and fill the image. */
+static int check_sections(const plt_header *h, const unsigned char *bytes, plt_fault *fault) {
+    uint32_t kind[PLT_SECTIONS_MOST] = {0, 0, 0, 0};
+    const unsigned count = plt_header_kinds(&h->info, kind);
+    uint64_t offset = PLT_HEADER_BYTES;
+    if (plt_get_u32(bytes + PLT_AT_SECTIONS) != count) {
+        return plt_refused(fault, 10, PLT_AT_SECTIONS, "the number of sections is wrong");
+    }
+    for (unsigned i = 0; i < count; i++) {
+        const plt_section *s = &h->section[i];
+        const uint64_t due = plt_header_section_bytes(&h->info, kind[i]);
+        if (s->kind != kind[i] || s->offset != offset || s->bytes != due) {
+            return plt_refused(fault, 11, PLT_AT_SECTION + 16u * i,
+                               "a section is not where or what it must be");
+        }
+        offset += due;
+    }
+    if (offset != h->info.image_bytes) {
+        return plt_refused(fault, 11, PLT_AT_IMAGE_BYTES, "the sections do not fill the image");
+    }
+    const int lattice = h->info.nodes_format == PLT_NODES_COMPACT;
+    for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_HEADER_BYTES; i++) {
+        const int used = lattice && i >= PLT_AT_ORIGIN && i < PLT_AT_RESERVED;
+        if (!used && bytes[i] != 0) {
+            return plt_refused(fault, 12, i, "a reserved byte is not zero");
+        }
+    }
+    return PLT_OK;
+}
+
+int plt_header_check(const plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
+                     plt_fault *fault) {
+    const int values = check_values(header, fault);
+    return values == PLT_OK ? check_sections(header, bytes, fault) : values;
+}

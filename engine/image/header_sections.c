@@ -1,0 +1,58 @@
+/* header_sections - which sections an image has, and how large they are
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "engine/image/header.h"
+#include "engine/tree/node.h"
+#include "engine/tree/record.h"
+
+uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes) {
+    const uint64_t bytes = (uint64_t)count * item_bytes;
+    return (bytes + PLT_SECTION_ALIGN - 1) & ~(uint64_t)(PLT_SECTION_ALIGN - 1);
+}
+
+unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]) {
+    unsigned count = 0;
+    if (info->nodes_format == PLT_NODES_THESIS) {
+        kind[count++] = PLT_SECTION_NODES;
+        kind[count++] = PLT_SECTION_TRIANGLES;
+    } else {
+        kind[count++] = info->build == PLT_BUILD_DEVICE ? PLT_SECTION_CORNERS : PLT_SECTION_BLOCKS;
+        if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
+            kind[count++] = PLT_SECTION_TRIANGLES;
+        }
+    }
+    if (info->number_bits > 0) {
+        kind[count++] = PLT_SECTION_NUMBERS;
+    }
+    return count;
+}
+
+/* Readers of bits look a little behind the last one. */
+#define BEHIND 8
+
+uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
+    const uint64_t used = (uint64_t)info->node_bytes + info->triangle_bytes;
+    switch (kind) {
+    case PLT_SECTION_NODES:
+        return plt_section_bytes(info->node_slots, PLT_NODE_BYTES);
+    case PLT_SECTION_TRIANGLES:
+        return plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
+    case PLT_SECTION_CORNERS:
+        return plt_section_bytes(info->triangles, info->lattice_bits <= 16 ? 18 : 36);
+    case PLT_SECTION_NUMBERS:
+        return (((uint64_t)info->triangles * info->number_bits + 7) / 8 + BEHIND + 63) & ~63ull;
+    default:
+        return (used + BEHIND + 63) & ~63ull;
+    }
+}
+
+const plt_section *plt_header_section(const plt_header *header, uint32_t kind) {
+    for (unsigned i = 0; i < PLT_SECTIONS_MOST; i++) {
+        if (header->section[i].kind == kind) {
+            return &header->section[i];
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,44 @@
+/* lattice_boxes - boxes on the lattice around triangles that stay where they are
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "host_tools/pack/lattice_parts.h"
+
+/* The number whose float is the last one not above `x`, or the first not below. */
+static uint32_t round_outwards(const plt_lattice *l, int axis, float x, int up) {
+    const double near = ((double)x - (double)l->origin[axis]) / (double)l->step;
+    uint32_t q = (uint32_t)fmax(0.0, floor(near));
+    while (q > 0 && plt_lattice_float(l, axis, q) > x) {
+        q--;
+    }
+    while (plt_lattice_float(l, axis, q + 1) <= x) {
+        q++;
+    }
+    return q + (uint32_t)(up && plt_lattice_float(l, axis, q) < x);
+}
+
+static void take_box(snapped *s, const mesh *m, size_t i) {
+    lattice_position p[3];
+    for (int a = 0; a < 3; a++) {
+        float lo = INFINITY, hi = -INFINITY;
+        for (size_t c = 0; c < 3; c++) {
+            const float x = m->vertex[3 * (size_t)m->triangle[3 * i + c] + (size_t)a];
+            lo = x < lo ? x : lo;
+            hi = x > hi ? x : hi;
+        }
+        p[0].q[a] = round_outwards(&s->lattice, a, lo, 0);
+        p[1].q[a] = round_outwards(&s->lattice, a, hi, 1);
+    }
+    lattice_add(s, p, 2, (uint32_t)i);
+}
+
+int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
+    if (lattice_begin(s, m, bits, 2, name, f) != 0) {
+        return -1;
+    }
+    for (size_t i = 0; i < m->triangles; i++) {
+        take_box(s, m, i);
+    }
+    return 0;
+}

@@ -1,0 +1,168 @@
+/* lattice_snap - a mesh moved onto the lattice, and what that cost
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/pack/lattice_parts.h"
+
+/* Of a vertex that no triangle uses: it may lie anywhere and counts for nothing. */
+#define UNUSED UINT32_MAX
+
+static lattice_position snap(const snapped *s, const float p[3]) {
+    const uint32_t most = (1u << s->lattice.bits) - 1u;
+    lattice_position r;
+    for (int a = 0; a < 3; a++) {
+        const double q =
+            floor(((double)p[a] - (double)s->lattice.origin[a]) / (double)s->lattice.step + 0.5);
+        r.q[a] = q > (double)most ? most : (uint32_t)q;
+    }
+    return r;
+}
+
+static void cross(const lattice_position p[3], int64_t c[3]) {
+    int64_t e[3], g[3];
+    for (int a = 0; a < 3; a++) {
+        e[a] = (int64_t)p[1].q[a] - (int64_t)p[0].q[a];
+        g[a] = (int64_t)p[2].q[a] - (int64_t)p[0].q[a];
+    }
+    for (int a = 0; a < 3; a++) {
+        c[a] = e[(a + 1) % 3] * g[(a + 2) % 3] - e[(a + 2) % 3] * g[(a + 1) % 3];
+    }
+}
+
+static int same(const lattice_position *a, const lattice_position *b) {
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* Has area in double, as it was in the mesh? */
+static int had_area(const mesh *m, size_t i) {
+    double p[3][3], e[3], g[3];
+    for (size_t c = 0; c < 3; c++) {
+        for (size_t a = 0; a < 3; a++) {
+            p[c][a] = (double)m->vertex[3 * (size_t)m->triangle[3 * i + c] + a];
+        }
+    }
+    for (int a = 0; a < 3; a++) {
+        e[a] = p[1][a] - p[0][a];
+        g[a] = p[2][a] - p[0][a];
+    }
+    return e[1] * g[2] != e[2] * g[1] || e[2] * g[0] != e[0] * g[2] || e[0] * g[1] != e[1] * g[0];
+}
+
+/* The turn (numbers.h) of corners whose least one comes first. */
+static uint8_t turn_of(const lattice_position p[3]) {
+    unsigned least = 0;
+    for (unsigned c = 1; c < 3; c++) {
+        int a = 0;
+        while (a < 2 && p[c].q[a] == p[least].q[a]) {
+            a++;
+        }
+        least = p[c].q[a] < p[least].q[a] ? c : least;
+    }
+    return (uint8_t)((3 - least) % 3);
+}
+
+static void take(snapped *s, const mesh *m, const lattice_position *moved, size_t i) {
+    lattice_position p[3];
+    int64_t c[3];
+    for (size_t k = 0; k < 3; k++) {
+        p[k] = moved[m->triangle[3 * i + k]];
+    }
+    cross(p, c);
+    if (c[0] == 0 && c[1] == 0 && c[2] == 0) {
+        const int before = !had_area(m, i);
+        s->loss.flat_before += (uint64_t)before;
+        s->loss.flat_now += (uint64_t)!before;
+        s->loss.t_junctions += !same(&p[0], &p[1]) && !same(&p[1], &p[2]) && !same(&p[0], &p[2]);
+        return;
+    }
+    s->turn[s->count] = turn_of(p);
+    lattice_add(s, p, 3, (uint32_t)i);
+}
+
+/* Counts positions, before or after: sorts keys and steps over equals. */
+static int compare_positions(const void *a, const void *b) {
+    return memcmp(a, b, 12);
+}
+
+static uint64_t count_different(void *keys, size_t count) {
+    uint64_t different = count > 0;
+    const unsigned char *k = keys;
+    qsort(keys, count, 12, compare_positions);
+    for (size_t i = 1; i < count; i++) {
+        different += memcmp(k + 12 * i, k + 12 * (i - 1), 12) != 0;
+    }
+    return different;
+}
+
+static int measure(snapped *s, const mesh *m, const lattice_position *moved) {
+    uint32_t(*before)[3] = malloc(m->vertices * 12 + 1), (*after)[3] = malloc(m->vertices * 12 + 1);
+    const double step = (double)s->lattice.step;
+    double longest = 0.0, largest = 0.0;
+    if (before == NULL || after == NULL) {
+        free(before);
+        free(after);
+        return -1;
+    }
+    size_t used = 0;
+    for (size_t i = 0; i < m->vertices; i++) {
+        double far2 = 0.0;
+        if (moved[i].q[0] == UNUSED) {
+            continue;
+        }
+        for (int a = 0; a < 3; a++) {
+            const float p = m->vertex[3 * i + (size_t)a] + 0.0f; /* -0 is 0 */
+            const double d = (double)p - ((double)s->lattice.origin[a] + step * moved[i].q[a]);
+            memcpy(&before[used][a], &p, 4);
+            after[used][a] = moved[i].q[a];
+            far2 += d * d;
+        }
+        largest = fmax(largest, far2);
+        used++;
+    }
+    for (int a = 0; a < 3; a++) {
+        longest = fmax(longest, step * (double)(s->box.hi[a] - s->box.lo[a]));
+    }
+    s->loss.largest_move = longest > 0.0 ? sqrt(largest) / longest : 0.0;
+    s->loss.merged = count_different(before, used) - count_different(after, used);
+    free(before);
+    free(after);
+    return 0;
+}
+
+/* Where each vertex goes that a triangle uses. */
+static void snap_all(const snapped *s, const mesh *m, lattice_position *moved) {
+    for (size_t i = 0; i < m->vertices; i++) {
+        moved[i].q[0] = UNUSED;
+    }
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        const size_t vertex = m->triangle[i];
+        if (moved[vertex].q[0] == UNUSED) {
+            moved[vertex] = snap(s, m->vertex + 3 * vertex);
+        }
+    }
+}
+
+int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
+    if (lattice_begin(s, m, bits, 3, name, f) != 0) {
+        return -1;
+    }
+    s->turn = malloc(m->triangles + 1);
+    lattice_position *moved = malloc(m->vertices * sizeof *moved + 1);
+    int status = 0;
+    if (s->turn == NULL || moved == NULL) {
+        status = fail_set(f, name, "out of memory; pack on a larger machine");
+    } else {
+        snap_all(s, m, moved);
+        for (size_t i = 0; i < m->triangles; i++) {
+            take(s, m, moved, i);
+        }
+        if (measure(s, m, moved) != 0) {
+            status = fail_set(f, name, "out of memory; pack on a larger machine");
+        }
+    }
+    free(moved);
+    return status;
+}
