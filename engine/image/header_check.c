@@ -12,6 +12,22 @@ static int is_number_between(float x, float least, float most) {
     return x >= least && x <= most;
 }
 
+/* The lattice's box is the scene's, or around it where triangles lie between its
+ * numbers. False for NaN. */
+static int boxes_agree(const plt_header *h) {
+    const plt_info *info = &h->info;
+    plt_box box;
+    plt_lattice_to_box(&h->lattice, &h->lattice_box, &box);
+    for (int a = 0; a < 3 && info->triangles > 0; a++) {
+        const int same = box.lo[a] == info->lo[a] && box.hi[a] == info->hi[a];
+        const int around = box.lo[a] <= info->lo[a] && info->hi[a] <= box.hi[a];
+        if (!(info->geometry_format == PLT_GEOMETRY_LATTICE ? same : around)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* R14: a lattice whose numbers become floats without surprise. */
 static int check_lattice(const plt_header *h, plt_fault *fault) {
     const plt_lattice *l = &h->lattice;
@@ -34,11 +50,9 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
         return plt_refused(fault, 14, PLT_AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");
     }
-    for (int a = 0; a < 3 && info->triangles > 0; a++) {
-        if (plt_lattice_float(l, a, h->lattice_box.lo[a]) != info->lo[a] ||
-            plt_lattice_float(l, a, h->lattice_box.hi[a]) != info->hi[a]) {
-            return plt_refused(fault, 14, PLT_AT_LATTICE_BOX, "the scene's two boxes differ");
-        }
+    if (!boxes_agree(h)) {
+        return plt_refused(fault, 14, PLT_AT_LATTICE_BOX,
+                           "the lattice's box is not that of the scene");
     }
     return PLT_OK;
 }

@@ -101,10 +101,14 @@ static void describe(compacting *c) {
     plt_info *info = &c->header.info;
     c->header.lattice = c->s.lattice;
     c->header.lattice_box = c->s.box;
+    plt_box box = c->s.mesh_box; /* hits depend on it: of the triangles where they are */
+    if (!c->options->floats) {
+        plt_lattice_to_box(&c->s.lattice, &c->s.box, &box);
+    }
     for (int a = 0; a < 3; a++) {
         c->header.lattice_box.lo[a] = c->s.count > 0 ? c->s.box.lo[a] : 0;
-        info->lo[a] = c->s.count > 0 ? plt_lattice_float(&c->s.lattice, a, c->s.box.lo[a]) : 0.0f;
-        info->hi[a] = c->s.count > 0 ? plt_lattice_float(&c->s.lattice, a, c->s.box.hi[a]) : 0.0f;
+        info->lo[a] = c->s.count > 0 ? box.lo[a] : 0.0f;
+        info->hi[a] = c->s.count > 0 ? box.hi[a] : 0.0f;
     }
     info->nodes_format = PLT_NODES_COMPACT;
     info->geometry_format = c->options->floats ? PLT_GEOMETRY_FLOAT : PLT_GEOMETRY_LATTICE;

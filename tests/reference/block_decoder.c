@@ -160,6 +160,22 @@ static int check_counts(decoded_image *image, const block_walk *walk) {
     return 0;
 }
 
+/* The box at 72 is that of the triangles, no more and no less. */
+static int check_tight(decoded_image *image) {
+    for (int a = 0; a < 3 && image->triangles > 0; a++) {
+        float lo = image->triangle[0].point[0][a], hi = lo;
+        for (uint32_t i = 0; i < 3 * image->triangles; i++) {
+            const float p = image->triangle[i / 3].point[i % 3][a];
+            lo = p < lo ? p : lo;
+            hi = p > hi ? p : hi;
+        }
+        if (lo != image->header.lo[a] || hi != image->header.hi[a]) {
+            return block_decode_wrong(image, "header: not the triangles' box on axis %d", a);
+        }
+    }
+    return 0;
+}
+
 static decoder_bytes section_of(const decoded_header *h, const unsigned char *bytes,
                                 uint32_t kind) {
     for (uint32_t s = 0; s < h->sections; s++) {
@@ -180,7 +196,7 @@ static int walk_blocks(decoded_image *image, block_walk *walk) {
             return -1;
         }
     }
-    return resolve_edges(image) != 0 ? -1 : check_counts(image, walk);
+    return resolve_edges(image) != 0 || check_counts(image, walk) != 0 ? -1 : check_tight(image);
 }
 
 int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) {

@@ -108,13 +108,17 @@ static int check_values(decoded_image *image, const unsigned char *bytes, size_t
     return 0;
 }
 
-/* The box at 72 is the one at 188 in floats, bit for bit. */
+/* The box at 72 is the one at 188 in floats, bit for bit; with float records it lies
+ * within that. */
 static int check_box(decoded_image *image) {
     const decoded_header *h = &image->header;
     for (int a = 0; a < 3 && h->triangles > 0; a++) {
         const float lo = block_decode_float(h, a, (int32_t)h->lattice_lo[a]);
         const float hi = block_decode_float(h, a, (int32_t)h->lattice_hi[a]);
-        if (memcmp(&lo, &h->lo[a], sizeof lo) != 0 || memcmp(&hi, &h->hi[a], sizeof hi) != 0) {
+        const int same =
+            memcmp(&lo, &h->lo[a], sizeof lo) == 0 && memcmp(&hi, &h->hi[a], sizeof hi) == 0;
+        const int around = lo <= h->lo[a] && h->lo[a] <= h->hi[a] && h->hi[a] <= hi;
+        if (h->geometry_format == 1 ? !same : !around) {
             return block_decode_wrong(image, "header: boxes differ on axis %d", a);
         }
         if (h->lattice_lo[a] > h->lattice_hi[a] || h->lattice_hi[a] >> h->lattice_bits != 0) {
