@@ -100,9 +100,9 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
     fail_set(&line, name,
              "lattice of %u bits: vertices moved by up to %.1e of the longest side, %" PRIu64
              " triangles lost their area (%" PRIu64 " had none), %" PRIu64
-             " positions merged, %" PRIu64 " T-junctions",
+             " positions merged, %" PRIu64 " T-junctions (%" PRIu64 " mended)",
              (unsigned)job->compact.lattice_bits, l->largest_move, l->flat_now, l->flat_before,
-             l->merged, l->t_junctions);
+             l->merged, l->t_junctions, l->mended);
     fprintf(stderr, "%s%s%s\n", line.text,
             job->compact.build == PLT_BUILD_DEVICE ? "; triangles are numbered by place" : "",
             l->flat_now > 0 && job->compact.lattice_bits < PLT_LATTICE_BITS_MOST

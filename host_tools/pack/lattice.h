@@ -15,6 +15,7 @@ typedef struct lattice_loss {
     uint64_t flat_before; /* triangles without area in the mesh */
     uint64_t flat_now;    /* and those that lost it on the lattice */
     uint64_t merged;      /* positions that were different and are no longer */
+    uint64_t mended;      /* corners moved to give slivers an area again */
     uint64_t t_junctions; /* dropped slivers whose middle corner lies on an edge */
 } lattice_loss;
 

@@ -9,6 +9,23 @@ typedef struct lattice_position {
     uint32_t q[3];
 } lattice_position;
 
+/* q[0] of a vertex that no triangle uses: it may lie anywhere and counts for nothing. */
+#define LATTICE_UNUSED UINT32_MAX
+
+/* A coordinate of the mesh in steps from the origin, not rounded. */
+double lattice_place(const snapped *s, const float p[3], int axis);
+
+/* On the lattice: has area; is flat, and its corners lie in three places. */
+int lattice_has_area(const lattice_position p[3]);
+int lattice_is_line(const lattice_position p[3]);
+
+/* Had area, in double, in the mesh. */
+int lattice_had_area(const mesh *m, size_t triangle);
+
+/* Moves corners of triangles that have become lines; 0, or -1 without memory.
+ * (lattice_mend.c) */
+int lattice_mend(snapped *s, const mesh *m, lattice_position *moved);
+
 /* The lattice of `bits` for the mesh, and room for `positions` a triangle. What
  * it has cut is freed by lattice_free, also when it fails. */
 int lattice_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, const char *name,

@@ -7,48 +7,14 @@
 
 #include "host_tools/pack/lattice_parts.h"
 
-/* Of a vertex that no triangle uses: it may lie anywhere and counts for nothing. */
-#define UNUSED UINT32_MAX
-
 static lattice_position snap(const snapped *s, const float p[3]) {
     const uint32_t most = (1u << s->lattice.bits) - 1u;
     lattice_position r;
     for (int a = 0; a < 3; a++) {
-        const double q =
-            floor(((double)p[a] - (double)s->lattice.origin[a]) / (double)s->lattice.step + 0.5);
+        const double q = floor(lattice_place(s, p, a) + 0.5);
         r.q[a] = q > (double)most ? most : (uint32_t)q;
     }
     return r;
-}
-
-static void cross(const lattice_position p[3], int64_t c[3]) {
-    int64_t e[3], g[3];
-    for (int a = 0; a < 3; a++) {
-        e[a] = (int64_t)p[1].q[a] - (int64_t)p[0].q[a];
-        g[a] = (int64_t)p[2].q[a] - (int64_t)p[0].q[a];
-    }
-    for (int a = 0; a < 3; a++) {
-        c[a] = e[(a + 1) % 3] * g[(a + 2) % 3] - e[(a + 2) % 3] * g[(a + 1) % 3];
-    }
-}
-
-static int same(const lattice_position *a, const lattice_position *b) {
-    return memcmp(a, b, sizeof *a) == 0;
-}
-
-/* Has area in double, as it was in the mesh? */
-static int had_area(const mesh *m, size_t i) {
-    double p[3][3], e[3], g[3];
-    for (size_t c = 0; c < 3; c++) {
-        for (size_t a = 0; a < 3; a++) {
-            p[c][a] = (double)m->vertex[3 * (size_t)m->triangle[3 * i + c] + a];
-        }
-    }
-    for (int a = 0; a < 3; a++) {
-        e[a] = p[1][a] - p[0][a];
-        g[a] = p[2][a] - p[0][a];
-    }
-    return e[1] * g[2] != e[2] * g[1] || e[2] * g[0] != e[0] * g[2] || e[0] * g[1] != e[1] * g[0];
 }
 
 /* The turn (numbers.h) of corners whose least one comes first. */
@@ -66,16 +32,14 @@ static uint8_t turn_of(const lattice_position p[3]) {
 
 static void take(snapped *s, const mesh *m, const lattice_position *moved, size_t i) {
     lattice_position p[3];
-    int64_t c[3];
     for (size_t k = 0; k < 3; k++) {
         p[k] = moved[m->triangle[3 * i + k]];
     }
-    cross(p, c);
-    if (c[0] == 0 && c[1] == 0 && c[2] == 0) {
-        const int before = !had_area(m, i);
+    if (!lattice_has_area(p)) {
+        const int before = !lattice_had_area(m, i);
         s->loss.flat_before += (uint64_t)before;
         s->loss.flat_now += (uint64_t)!before;
-        s->loss.t_junctions += !same(&p[0], &p[1]) && !same(&p[1], &p[2]) && !same(&p[0], &p[2]);
+        s->loss.t_junctions += (uint64_t)lattice_is_line(p);
         return;
     }
     s->turn[s->count] = turn_of(p);
@@ -109,7 +73,7 @@ static int measure(snapped *s, const mesh *m, const lattice_position *moved) {
     size_t used = 0;
     for (size_t i = 0; i < m->vertices; i++) {
         double far2 = 0.0;
-        if (moved[i].q[0] == UNUSED) {
+        if (moved[i].q[0] == LATTICE_UNUSED) {
             continue;
         }
         for (int a = 0; a < 3; a++) {
@@ -135,11 +99,11 @@ static int measure(snapped *s, const mesh *m, const lattice_position *moved) {
 /* Where each vertex goes that a triangle uses. */
 static void snap_all(const snapped *s, const mesh *m, lattice_position *moved) {
     for (size_t i = 0; i < m->vertices; i++) {
-        moved[i].q[0] = UNUSED;
+        moved[i].q[0] = LATTICE_UNUSED;
     }
     for (size_t i = 0; i < 3 * m->triangles; i++) {
         const size_t vertex = m->triangle[i];
-        if (moved[vertex].q[0] == UNUSED) {
+        if (moved[vertex].q[0] == LATTICE_UNUSED) {
             moved[vertex] = snap(s, m->vertex + 3 * vertex);
         }
     }
@@ -151,18 +115,17 @@ int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fai
     }
     s->turn = malloc(m->triangles + 1);
     lattice_position *moved = malloc(m->vertices * sizeof *moved + 1);
-    int status = 0;
-    if (s->turn == NULL || moved == NULL) {
-        status = fail_set(f, name, "out of memory; pack on a larger machine");
-    } else {
+    int status = s->turn == NULL || moved == NULL ? -1 : 0;
+    if (status == 0) {
         snap_all(s, m, moved);
-        for (size_t i = 0; i < m->triangles; i++) {
-            take(s, m, moved, i);
-        }
-        if (measure(s, m, moved) != 0) {
-            status = fail_set(f, name, "out of memory; pack on a larger machine");
-        }
+        status = lattice_mend(s, m, moved);
+    }
+    for (size_t i = 0; i < m->triangles && status == 0; i++) {
+        take(s, m, moved, i);
+    }
+    if (status == 0) {
+        status = measure(s, m, moved);
     }
     free(moved);
-    return status;
+    return status == 0 ? 0 : fail_set(f, name, "out of memory; pack on a larger machine");
 }

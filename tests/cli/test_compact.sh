@@ -109,19 +109,27 @@ verdict "compact nodes with float geometry: nothing is lost, and nothing said" "
 
 # ---- what the lattice cost --------------------------------------------------------
 
-# A square, and a sliver that a coarse lattice loses: its middle corner falls onto
-# the long edge.
-sed 's/vertex 4/vertex 7/; s/face 2/face 3/; s/^0 1 0$/0 1 0\n0 0 1\n0.5 0.00001 1\n1 0 1/' \
-    quad.ply >sliver.ply
-echo '3 4 5 6' >>sliver.ply
-packs "a sliver on a lattice of 14 bits" sliver.ply -o sliver.plt --nodes compact \
+# sliver HEIGHT: a square, and a sliver whose middle corner a coarse lattice moves
+# onto the long edge.
+sliver() {
+    sed "s/vertex 4/vertex 7/; s/face 2/face 3/; s/^0 1 0\$/0 1 0\n0 0 1\n0.5 $1 1\n1 0 1/" quad.ply
+    echo '3 4 5 6'
+}
+
+sliver 0.00002 >mended.ply
+packs "a sliver on a lattice of 14 bits" mended.ply -o sliver.plt --nodes compact \
+    --geometry lattice:14
+verdict "... is mended: its corner moves to the next number" "$(
+    grep -q ' 0 triangles lost their area (0 had none).* 0 T-junctions (1 mended)' err || cat err)"
+sliver 0.000001 >sliver.ply
+packs "a sliver that is too thin to be mended" sliver.ply -o sliver.plt --nodes compact \
     --geometry lattice:14
 verdict "... is lost, told as a T-junction, and a finer lattice is proposed" "$(
     grep -q ' 1 triangles lost their area (0 had none)' err &&
         grep -q ' 1 T-junctions' err && grep -q 'try --geometry lattice:21' err || cat err
     run info sliver.plt --json
     [ "$(number triangles <out) $(number source_triangles <out)" = "2 3" ] || cat out)"
-packs "a sliver on a lattice of 21 bits" sliver.ply -o sliver.plt --nodes compact \
+packs "a sliver on a lattice of 21 bits" mended.ply -o sliver.plt --nodes compact \
     --geometry lattice:21
 verdict "... is kept" "$(grep -q ' 0 triangles lost their area' err || cat err)"
 
