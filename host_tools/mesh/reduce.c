@@ -46,16 +46,18 @@ static uint32_t cluster_of(clustering *c, uint64_t key) {
     return c->hash[at];
 }
 
-/* Gives every vertex its cluster in a grid of `cells` along the longest side. */
-static void assign(clustering *c, uint32_t cells) {
-    const double scale = c->longest > 0.0 ? (double)cells / c->longest : 0.0;
+/* Gives every vertex its cluster in a grid of `cells` along the longest side. The far
+ * end of a whole number belongs to the last one. */
+static void assign(clustering *c, double cells) {
+    const double scale = c->longest > 0.0 ? cells / c->longest : 0.0;
+    const double last = ceil(cells) - 1.0;
     c->clusters = 0;
     memset(c->hash, 0xFF, c->hash_size * sizeof *c->hash);
     for (size_t i = 0; i < c->m->vertices; i++) {
         uint64_t key = 0;
         for (size_t a = 0; a < 3; a++) {
             const double x = ((double)c->m->vertex[3 * i + a] - c->lo[a]) * scale;
-            key = key << 21 | (uint64_t)fmin(x, (double)(cells - 1));
+            key = key << 21 | (uint64_t)fmin(x, last);
         }
         c->cluster[i] = cluster_of(c, key);
     }
@@ -75,11 +77,12 @@ static size_t count_left(const clustering *c) {
     return left;
 }
 
-/* The finest grid that leaves at most `most`; 1 always does. */
-static uint32_t finest_grid(clustering *c, size_t most) {
-    uint32_t good = 1, bad = 1u << 20;
-    while (bad - good > 1) {
-        const uint32_t middle = good + (bad - good) / 2;
+/* The finest grid that leaves at most `most`; one cell always does. Cells need not
+ * be whole: there are few whole numbers for few triangles. */
+static double finest_grid(clustering *c, size_t most) {
+    double good = 1.0, bad = 1048576.0;
+    for (int i = 0; i < 40 && bad > good * (1.0 + 1e-6); i++) {
+        const double middle = sqrt(good * bad);
         assign(c, middle);
         if (count_left(c) <= most) {
             good = middle;

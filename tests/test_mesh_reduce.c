@@ -1,0 +1,168 @@
+/* test_mesh_reduce - fewer triangles by vertex clustering: how many, and still closed
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+
+#include "host_tools/mesh/reduce.h"
+#include "host_tools/scenes/scenes.h"
+#include "tests/reference/shapes.h"
+#include "tests/test.h"
+
+static mesh copy_of(const mesh *m) {
+    mesh to = {0};
+    fail f = {""};
+    for (size_t i = 0; i < m->vertices; i++) {
+        const float *p = m->vertex + 3 * i;
+        CHECK(mesh_add_vertex(&to, p[0], p[1], p[2], &f) == 0, "%s", f.text);
+    }
+    for (size_t i = 0; i < m->triangles; i++) {
+        const uint32_t *t = m->triangle + 3 * i;
+        CHECK(mesh_add_triangle(&to, t[0], t[1], t[2], &f) == 0, "%s", f.text);
+    }
+    return to;
+}
+
+static int same(const mesh *a, const mesh *b) {
+    return a->triangles == b->triangles && a->vertices == b->vertices &&
+           (a->vertices == 0 || memcmp(a->vertex, b->vertex, 12 * a->vertices) == 0) &&
+           (a->triangles == 0 || memcmp(a->triangle, b->triangle, 12 * a->triangles) == 0);
+}
+
+static mesh reduced(const mesh *m, size_t most) {
+    mesh to = copy_of(m);
+    fail f = {""};
+    CHECK(mesh_reduce(&to, most, "test", &f) == 0, "%s", f.text);
+    return to;
+}
+
+static int compare_keys(const void *a, const void *b) {
+    return memcmp(a, b, 8);
+}
+
+/* Edges that are not there as often in one direction as in the other. */
+static size_t open_edges(const mesh *m) {
+    size_t open = 0, count = 3 * m->triangles;
+    uint32_t(*edge[2])[2];
+    for (int way = 0; way < 2; way++) {
+        edge[way] = malloc(count * sizeof *edge[way] + 1);
+        for (size_t e = 0; e < count; e++) {
+            const uint32_t from = m->triangle[e], to = m->triangle[e - e % 3 + (e + 1) % 3];
+            edge[way][e][0] = way ? to : from;
+            edge[way][e][1] = way ? from : to;
+        }
+        qsort(edge[way], count, sizeof *edge[way], compare_keys);
+    }
+    for (size_t e = 0; e < count; e++) {
+        open += memcmp(edge[0][e], edge[1][e], sizeof *edge[0]) != 0;
+    }
+    free(edge[0]);
+    free(edge[1]);
+    return open;
+}
+
+static double volume(const mesh *m) {
+    double sum = 0.0;
+    for (uint32_t i = 0; i < m->triangles; i++) {
+        const float *p = shape_corner(m, i, 0), *q = shape_corner(m, i, 1),
+                    *r = shape_corner(m, i, 2);
+        for (int a = 0; a < 3; a++) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            sum += (double)p[a] * ((double)q[b] * (double)r[c] - (double)q[c] * (double)r[b]);
+        }
+    }
+    return sum / 6.0;
+}
+
+/* Three vertices each, all within the box of the mesh. */
+static void check_triangles(const mesh *was, const mesh *m, const char *name) {
+    float lo[3], hi[3], low[3], high[3];
+    shape_box(was, lo, hi);
+    for (size_t i = 0; i < m->triangles; i++) {
+        const uint32_t *t = m->triangle + 3 * i;
+        CHECK(t[0] != t[1] && t[1] != t[2] && t[0] != t[2], "%s: a corner twice", name);
+        CHECK(t[0] < m->vertices && t[1] < m->vertices && t[2] < m->vertices, "%s", name);
+    }
+    shape_box(m, low, high);
+    for (int a = 0; a < 3 && m->vertices > 0; a++) {
+        CHECK(low[a] >= lo[a] && high[a] <= hi[a], "%s: outside, axis %d", name, a);
+    }
+}
+
+static void reduce_to(const mesh *m, const char *name, size_t most, double share, int closed) {
+    mesh a = reduced(m, most), b = reduced(m, most);
+    CHECK(a.triangles <= most && (double)a.triangles >= share * (double)most,
+          "%s to %zu: %zu triangles", name, most, a.triangles);
+    CHECK(same(&a, &b), "%s to %zu differs the second time", name, most);
+    check_triangles(m, &a, name);
+    if (closed) {
+        const double is = volume(&a), was = volume(m);
+        CHECK(open_edges(&a) == 0, "%s to %zu: %zu edges are open", name, most, open_edges(&a));
+        CHECK(most < 2000 || fabs(is - was) < 0.1 * was, "%s to %zu: volume %g, was %g", name, most,
+              is, was);
+    }
+    mesh_free(&a);
+    mesh_free(&b);
+}
+
+static void every_count(mesh *m, const char *name, double share, int closed) {
+    static const size_t most[] = {1, 4, 30, 100, 500, 1000, 2000, 3000, 3900};
+    CHECK(!closed || open_edges(m) == 0, "%s was not closed", name);
+    for (size_t i = 0; i < sizeof most / sizeof most[0] && most[i] < m->triangles; i++) {
+        reduce_to(m, name, most[i], most[i] < 100 ? 0.0 : share, closed);
+    }
+    mesh_free(m);
+}
+
+/* As many as there are, or more: nothing moves. */
+static void not_less(void) {
+    mesh m = {0};
+    shape_icosphere(&m, 2);
+    for (size_t more = 0; more < 2; more++) {
+        mesh all = reduced(&m, m.triangles + more);
+        CHECK(same(&all, &m), "changed");
+        mesh_free(&all);
+    }
+    mesh_free(&m);
+}
+
+/* Nothing to measure by: no vertices, one point, one line. */
+static void nothing_to_reduce(void) {
+    mesh m = {0};
+    fail f = {""};
+    mesh_add_vertex(&m, 1, 2, 3, &f);
+    for (int i = 0; i < 5; i++) {
+        mesh_add_triangle(&m, 0, 0, 0, &f);
+    }
+    mesh a = reduced(&m, 2);
+    CHECK(a.triangles == 0, "%zu triangles of a point", a.triangles);
+    mesh_free(&a);
+    mesh_free(&m);
+    shape_coincident(&m, 40);
+    a = reduced(&m, 10);
+    CHECK(a.triangles <= 10, "%zu of the same triangle", a.triangles);
+    mesh_free(&a);
+    mesh_free(&m);
+}
+
+int main(void) {
+    mesh m = {0};
+    fail f = {""};
+    test("a closed mesh has at most so many triangles, not many less, and stays closed");
+    shape_icosphere(&m, 4);
+    every_count(&m, "icosphere", 0.9, 1);
+    CHECK(scene_knot(&m, 4000, &f) == 0, "%s", f.text);
+    every_count(&m, "knot", 0.9, 1);
+    shape_needles(&m, 1000);
+    every_count(&m, "needles", 0.0, 1);
+    test("so has one that is open, or a soup");
+    CHECK(scene_terrain(&m, 4000, &f) == 0, "%s", f.text);
+    every_count(&m, "terrain", 0.9, 0);
+    shape_soup(&m, 4000, 0.3f, 1);
+    every_count(&m, "soup", 0.9, 0);
+    test("a mesh of no more than that stays as it is");
+    not_less();
+    test("points and piles of one triangle are reduced, too");
+    nothing_to_reduce();
+    return test_done();
+}
