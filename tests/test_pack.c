@@ -34,7 +34,7 @@ static void make_mesh(mesh *m, uint32_t triangles) {
 
 /* The record's corners, from the one that its turn names on, are the mesh's. */
 static int same_corners(const plt_record *r, const mesh *m, uint32_t number) {
-    const uint32_t turn = plt_number_turn(plt_get_u32(&r->word[9]));
+    const uint32_t turn = plt_get_u32(&r->word[9]) / 0x20000000u % 4; /* SPEC.md, 4.4 */
     for (size_t corner = 0; corner < 3; corner++) {
         const float *vertex = m->vertex + 3 * (size_t)m->triangle[3 * (size_t)number + corner];
         if (memcmp(&r->word[3 * ((turn + corner) % 3)], vertex, 3 * sizeof *vertex) != 0) {
@@ -52,7 +52,7 @@ static void check_records(const packed *image, const mesh *m) {
                                            plt_section_bytes(info->node_slots, PLT_NODE_BYTES));
     unsigned char *seen = calloc(m->triangles + 1, 1);
     for (uint32_t i = 0; i < info->triangles && seen != NULL; i++) {
-        const uint32_t number = plt_record_source(&records[i]);
+        const uint32_t number = plt_get_u32(&records[i].word[9]) % 0x8000000u; /* SPEC.md, 4.4 */
         CHECK(number < m->triangles && !seen[number], "record %u: number %u", i, number);
         if (number < m->triangles) {
             seen[number] = 1;

@@ -24,6 +24,18 @@ typedef struct subtree {
     plt_box box; /* exact */
 } subtree;
 
+/* The number word of a record (SPEC.md, 4.4) from the entry of a triangle (4.12), read
+ * bit by bit and not as the engine does. */
+static uint32_t number_word(const plt_numbers *numbers, uint32_t place) {
+    uint32_t entry = 0;
+    for (uint32_t i = 0; i < numbers->bits; i++) {
+        const uint64_t at = (uint64_t)place * numbers->bits + i;
+        entry |= (uint32_t)(numbers->bytes[at / 8] >> at % 8 & 1) << i;
+    }
+    const uint32_t number = entry / 4, turn = entry % 4;
+    return number + turn * 0x20000000u;
+}
+
 static void set_record(const converting *c, plt_record *r, const uint32_t corner[3][3],
                        uint32_t place, int last) {
     const plt_lattice *l = &c->tree->lattice;
@@ -38,8 +50,8 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
     for (int k = 0; k < 9; k++) {
         plt_put_float(&r->word[k], plt_lattice_float(l, k % 3, corner[(least + k / 3) % 3][k % 3]));
     }
-    plt_put_u32(&r->word[9],
-                plt_number_find(c->tree->numbers.bytes != NULL ? &c->tree->numbers : NULL, place));
+    const plt_numbers *numbers = &c->tree->numbers;
+    plt_put_u32(&r->word[9], numbers->bytes != NULL ? number_word(numbers, place) : place);
     plt_record_set_last(r, last);
 }
 
