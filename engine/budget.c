@@ -91,11 +91,14 @@ plt_info plt_budget_worst_tree(const plt_info *info) {
 }
 
 /* Scene and scratch of an image whose tree the engine builds. */
-static uint64_t build_bytes(const plt_info *info, const plt_info *worst, uint64_t last) {
+static uint64_t build_bytes(const plt_info *info, const plt_info *worst, uint64_t last,
+                            int mapped) {
     const uint64_t survey = cut(plt_budget_survey(info));
     if (info->nodes_format == PLT_NODES_COMPACT) {
         const uint64_t blocks = cut((uint64_t)worst->node_bytes + worst->triangle_bytes);
-        return blocks + larger(cut(plt_blocks_scratch_bytes(info->triangles)), last);
+        const uint32_t corners = info->lattice_bits <= 16 ? 18 : 36;
+        const uint64_t window = mapped ? 0 : cut(plt_window_bytes(corners));
+        return blocks + larger(cut(plt_blocks_scratch_bytes(info->triangles)) + window, last);
     }
     const uint64_t scene =
         cut(info->triangle_bytes) + cut((uint64_t)worst->node_slots * PLT_NODE_BYTES);
@@ -119,8 +122,7 @@ size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {
     uint64_t need = cut(sizeof(plt_engine));
     if (info->build == PLT_BUILD_DEVICE) {
         const plt_info worst = plt_budget_worst_tree(info);
-        need += build_bytes(info, &worst, last_bytes(&worst, o));
-        need += info->nodes_format == PLT_NODES_COMPACT && !mapped ? fetched_bytes(info) : 0;
+        need += build_bytes(info, &worst, last_bytes(&worst, o), mapped);
     } else {
         need += (mapped ? 0 : fetched_bytes(info)) +
                 larger(cut(plt_budget_survey(info)), last_bytes(info, o));

@@ -52,24 +52,47 @@ static int check_numbers(const plt_opening *o) {
     return PLT_OK;
 }
 
-static int check_blocks(const plt_opening *o) {
+/* The blocks keep the rules; `found`: what they hold. */
+static int survey_blocks(const plt_opening *o, plt_info *found) {
     plt_engine *e = o->e;
-    const plt_section *s = plt_header_section(&e->header, PLT_SECTION_BLOCKS);
     const size_t mark = e->arena.used;
-    plt_info found = e->header.info;
-    plt_block_frame_of_survey *frames = plt_arena_cut(&e->arena, plt_budget_survey(&found));
+    *found = e->header.info;
+    plt_block_frame_of_survey *frames = plt_arena_cut(&e->arena, plt_budget_survey(found));
     if (frames == NULL) {
         return plt_opening_short(o);
     }
-    int status = plt_block_survey(&e->walker.blocks.tree, frames, &found, o->fault);
+    const int status = plt_block_survey(&e->walker.blocks.tree, frames, found, o->fault);
     plt_arena_release(&e->arena, mark);
+    return status;
+}
+
+static int check_blocks(const plt_opening *o) {
+    const plt_section *s = plt_header_section(&o->e->header, PLT_SECTION_BLOCKS);
+    plt_info found;
+    int status = survey_blocks(o, &found);
     if (status == PLT_ERR_IMAGE) {
         o->fault->offset += s->offset;
     }
-    if (status == PLT_OK && !same_counts(&e->header.info, &found)) {
+    if (status == PLT_OK && !same_counts(&o->e->header.info, &found)) {
         status = plt_broken(o->fault, 18, 24, "the header's counts are not the blocks'");
     }
     return status == PLT_OK ? check_numbers(o) : status;
+}
+
+/* What was read of a source more than once need not have been the same: what became
+ * of it is checked like an image. */
+static int check_built(const plt_opening *o) {
+    plt_info expected = o->e->header.info, found;
+    const int status = survey_blocks(o, &found);
+    if (expected.triangles == 1) {
+        expected.triangles = 2; /* it is there twice */
+    }
+    if (status == PLT_ERR_ARENA || (status == PLT_OK && same_counts(&expected, &found))) {
+        return status;
+    }
+    return plt_fault_set(o->fault, PLT_ERR_SOURCE,
+                         plt_header_section(&o->e->header, PLT_SECTION_CORNERS)->offset,
+                         "the source gave other bytes when it was read again");
 }
 
 static int take_blocks(const plt_opening *o) {
@@ -97,8 +120,9 @@ static int take_blocks(const plt_opening *o) {
 static int check_corners(const plt_opening *o, const plt_lattice_triangles *t) {
     const plt_lattice_box *box = &o->e->header.lattice_box;
     for (uint32_t i = 0; i < t->count; i++) {
+        const unsigned char *at = plt_lattice_triangle(t, i);
         for (uint32_t k = 0; k < 9; k++) {
-            const uint32_t q = plt_lattice_triangle_word(t, i, k);
+            const uint32_t q = plt_lattice_number(t, at, k);
             if (q < box->lo[k % 3] || q > box->hi[k % 3]) {
                 return plt_broken(o->fault, 20,
                                   plt_header_section(&o->e->header, PLT_SECTION_CORNERS)->offset +
@@ -110,44 +134,84 @@ static int check_corners(const plt_opening *o, const plt_lattice_triangles *t) {
     return PLT_OK;
 }
 
-/* Blocks grow over the free arena, scratch takes its end. */
+/* What the source said of its failure. */
+static int window_status(const plt_opening *o, const plt_window *w) {
+    if (w == NULL || w->status == PLT_OK) {
+        return PLT_OK;
+    }
+    *o->fault = w->fault;
+    return w->status;
+}
+
+/* Corners that are not mapped stay where they are, too; the section's checksum is
+ * right when they are read for the first time. */
+static int open_window(const plt_opening *o, plt_lattice_triangles *t, void *memory) {
+    plt_engine *e = o->e;
+    const plt_section *s = plt_header_section(&e->header, PLT_SECTION_CORNERS);
+    t->window = plt_window_begin(memory, &e->source, s->offset, 9 * t->width, t->count);
+    const uint32_t crc = plt_window_crc(t->window, s->bytes);
+    const int status = window_status(o, t->window);
+    return status != PLT_OK || crc == s->crc
+               ? status
+               : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
+}
+
+static size_t window_bytes(const plt_engine *e) {
+    const uint32_t width = e->header.info.lattice_bits <= 16 ? 2 : 4;
+    return e->source.mapped != NULL ? 0 : plt_arena_cut_bytes(plt_window_bytes(9 * width));
+}
+
+/* Blocks grow over the free arena, scratch and window take its end. */
 static int cut_for_build(const plt_opening *o, plt_blocks_job *job) {
     plt_engine *e = o->e;
     const size_t scratch = plt_arena_cut_bytes(plt_blocks_scratch_bytes(e->header.info.triangles));
-    const size_t free_bytes = e->arena.bytes - e->arena.used;
-    if (scratch + BEHIND > free_bytes) {
+    const size_t free_bytes = e->arena.bytes - e->arena.used, end = scratch + window_bytes(e);
+    if (end + BEHIND > free_bytes) {
         return plt_opening_short(o);
     }
     const plt_info worst = plt_budget_worst_tree(&e->header.info);
     const uint64_t most = (uint64_t)worst.node_bytes + worst.triangle_bytes;
-    const size_t room = (free_bytes - scratch) & ~(size_t)(PLT_ALIGN - 1);
+    const size_t room = (free_bytes - end) & ~(size_t)(PLT_ALIGN - 1);
     job->bytes = room < most ? room : (size_t)most;
     job->memory = plt_arena_cut(&e->arena, job->bytes);
     job->scratch = plt_arena_cut(&e->arena, scratch);
-    return job->memory != NULL && job->scratch != NULL && plt_blocks_begin(job) == PLT_OK
-               ? PLT_OK
-               : plt_opening_short(o);
+    return job->memory != NULL && job->scratch != NULL ? PLT_OK : plt_opening_short(o);
+}
+
+/* The corners where they lie: mapped, or behind a window. */
+static int take_corners(const plt_opening *o, plt_lattice_triangles *t) {
+    plt_engine *e = o->e;
+    const void *corners = NULL;
+    int status;
+    if (e->source.mapped != NULL) {
+        status = plt_opening_section(o, PLT_SECTION_CORNERS, 0, &corners);
+        t->bytes = corners;
+    } else {
+        status = open_window(o, t, plt_arena_cut(&e->arena, window_bytes(e)));
+    }
+    return status == PLT_OK ? check_corners(o, t) : status;
 }
 
 static int begin_build(const plt_opening *o) {
     plt_engine *e = o->e;
     const plt_info *info = &e->header.info;
-    const void *corners = NULL;
-    int status = plt_opening_section(o, PLT_SECTION_CORNERS, 0, &corners);
-    if (status != PLT_OK) {
-        return status;
-    }
     const plt_blocks_job job = {
-        .triangles = {corners, info->triangles, info->lattice_bits <= 16 ? 2 : 4, 0},
+        .triangles = {NULL, info->triangles, info->lattice_bits <= 16 ? 2 : 4, 0, NULL},
         .bits = info->lattice_bits,
         .leaf_triangles = info->leaf_triangles,
         .splits = info->splits};
     e->build = job;
     e->build_mark = e->arena.used;
     e->build_peak = e->arena.peak;
-    status = check_corners(o, &e->build.triangles);
+    int status = cut_for_build(o, &e->build);
     if (status == PLT_OK) {
-        status = cut_for_build(o, &e->build);
+        status = take_corners(o, &e->build.triangles);
+    }
+    if (status == PLT_OK && plt_blocks_begin(&e->build) != PLT_OK) {
+        status = plt_opening_short(o);
+    }
+    if (status == PLT_OK) {
+        status = window_status(o, e->build.triangles.window);
     }
     e->building = status == PLT_OK;
     return status == PLT_OK ? PLT_MORE : status;
@@ -169,15 +233,15 @@ static void believe(const plt_opening *o, const plt_blocks_job *job) {
 }
 
 /* Room that was offered and not needed counts for no peak. */
-static void finish_build(const plt_opening *o) {
+static int finish_build(const plt_opening *o) {
     plt_engine *e = o->e;
     const size_t scratch = plt_arena_cut_bytes(plt_blocks_scratch_bytes(e->header.info.triangles));
-    const size_t needed = e->build_mark + e->build.peak + scratch;
+    const size_t needed = e->build_mark + e->build.peak + scratch + window_bytes(e);
     plt_arena_release(&e->arena, e->build_mark);
     e->arena.peak = needed > e->build_peak ? needed : e->build_peak;
     plt_arena_cut(&e->arena, (size_t)e->build.used + BEHIND);
     believe(o, &e->build);
-    e->building = 0;
+    return e->build.triangles.window != NULL ? check_built(o) : PLT_OK;
 }
 
 int plt_opening_step(const plt_opening *o, uint32_t steps) {
@@ -186,8 +250,11 @@ int plt_opening_step(const plt_opening *o, uint32_t steps) {
         status = plt_blocks_step(&o->e->build);
         steps--;
     }
-    if (status == PLT_OK) {
-        finish_build(o);
+    const int source = window_status(o, o->e->build.triangles.window);
+    if (source != PLT_OK) {
+        status = source;
+    } else if (status == PLT_OK) {
+        status = finish_build(o);
     } else if (status == PLT_ERR_ARENA) {
         status = plt_opening_short(o);
     } else if (status != PLT_MORE) {

@@ -140,8 +140,8 @@ int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault);
 
 /* Bytes an arena must hold for such an image, source and options; for
  * PLT_BUILD_DEVICE the bound for the worst tree, which a real one is mostly
- * well below. Compact blocks that are built of an image that is not mapped have
- * its corners beside them in the arena, 18 bytes a triangle, 36 above 16 bits of
+ * well below. Compact blocks that are built of an image that is not mapped read
+ * its corners where they lie, through a window of 5 KB, 9 above 16 bits of
  * lattice. 0: an option is out of range, or the walk is not for these nodes.
  * Arena parts: DESIGN.md, section 3. */
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *options);

@@ -75,8 +75,8 @@ static void every_size(const packed *image, int streamed, uint8_t side) {
             least = least == 0 ? bytes : least;
         } else {
             CHECK(o.status == PLT_ERR_ARENA && o.fault.need_bytes == need && least == 0,
-                  "%zu bytes of %zu: status %d, need %zu", bytes, need, o.status,
-                  o.fault.need_bytes);
+                  "%zu bytes of %zu: status %d, need %zu; %s", bytes, need, o.status,
+                  o.fault.need_bytes, o.fault.message);
         }
     }
     const opened exact = open_in(image, need, streamed, side);
@@ -100,7 +100,8 @@ static void sizes(void) {
     }
 }
 
-/* What a device build needs at a time: the engine, scratch, the finished blocks and
+/* What a device build needs at a time: the engine, scratch (and a window on corners
+ * that are not mapped), the finished blocks and
  * at most one block more (or, of few triangles, their permutation). */
 static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) {
     const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
@@ -116,9 +117,8 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
     if (e != NULL) {
         const plt_block_tree *tree = &e->walker.blocks.tree;
         const compact_facts f = compact_check(tree, NULL);
-        const size_t corners = (size_t)triangles * 9 * (bits <= 16 ? 2 : 4);
         const size_t fixed = sizeof *e + plt_blocks_scratch_bytes(triangles) + 64 +
-                             (streamed ? (corners + 63) / 64 * 64 : 0);
+                             (streamed ? plt_window_bytes(bits <= 16 ? 18 : 36) + 64 : 0);
         const size_t blocks = (size_t)tree->used + f.largest_block;
         CHECK(f.broken == 0 && f.triangles == triangles, "%u of %u: %s", f.triangles, triangles,
               f.sentence);

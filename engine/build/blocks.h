@@ -1,6 +1,6 @@
 /* blocks - compact blocks built top down, straight from triangles in place
  *
- * Triangles stay where they are (mapped flash, or a section in memory); what is
+ * Triangles stay where they are (mapped flash, memory, or a source); what is
  * permuted is a list of their numbers, 2 bytes each (4 from 65,536 triangles
  * on), which lies at the far end of the memory and is overwritten by the blocks
  * as they grow from its front. Peak: the finished blocks and the permutation of
@@ -19,6 +19,7 @@
 #include <stdint.h>
 
 #include "engine/image/bytes.h"
+#include "engine/memory/window.h"
 #include "engine/planelet.h"
 #include "engine/tree/lattice.h"
 
@@ -28,14 +29,22 @@
 typedef struct plt_lattice_triangles {
     const unsigned char *bytes;
     uint32_t count;
-    uint32_t width; /* 2 or 4 */
-    uint32_t boxes; /* 1: boxes of 6 numbers; 0: corners */
+    uint32_t width;     /* 2 or 4 */
+    uint32_t boxes;     /* 1: boxes of 6 numbers; 0: corners */
+    plt_window *window; /* where they are read, if not NULL; then `bytes` are not */
 } plt_lattice_triangles;
 
-static inline uint32_t plt_lattice_triangle_word(const plt_lattice_triangles *t, uint32_t triangle,
-                                                 uint32_t k) {
+/* The numbers of a triangle, until the next is asked for. */
+static inline const unsigned char *plt_lattice_triangle(const plt_lattice_triangles *t,
+                                                        uint32_t triangle) {
     const size_t each = t->boxes ? 6 : 9;
-    const unsigned char *at = t->bytes + (each * triangle + k) * t->width;
+    return t->window != NULL ? plt_window_find(t->window, triangle)
+                             : t->bytes + each * triangle * t->width;
+}
+
+static inline uint32_t plt_lattice_number(const plt_lattice_triangles *t,
+                                          const unsigned char *triangle, uint32_t k) {
+    const unsigned char *at = triangle + k * t->width;
     return t->width == 2 ? (uint32_t)(at[0] | at[1] << 8) : plt_get_u32(at);
 }
 

@@ -28,8 +28,11 @@ static uint32_t centre2(const plt_lattice_box *b, int a) {
     return b->lo[a] + b->hi[a];
 }
 
+/* Within the bins also for a centre that has changed since they were laid out, as a
+ * source that is read again may have it. */
 static uint32_t bin_of(const lattice_bins *b, int a, uint32_t c2) {
-    return (c2 - b->lo[a]) * PLT_SAH_BINS / b->span[a];
+    const uint32_t bin = (c2 - b->lo[a]) * PLT_SAH_BINS / b->span[a];
+    return bin < PLT_SAH_BINS ? bin : PLT_SAH_BINS - 1;
 }
 
 static float half_area(const plt_lattice_box *b) {

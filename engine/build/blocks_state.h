@@ -102,8 +102,9 @@ static inline void plt_permute(plt_blocks_state *s, uint32_t i, uint32_t triangl
 
 static inline void plt_lattice_corners(const plt_lattice_triangles *t, uint32_t triangle,
                                        uint32_t corner[3][3]) {
+    const unsigned char *at = plt_lattice_triangle(t, triangle);
     for (uint32_t k = 0; k < 9; k++) {
-        corner[k / 3][k % 3] = plt_lattice_triangle_word(t, triangle, k);
+        corner[k / 3][k % 3] = plt_lattice_number(t, at, k);
     }
 }
 
@@ -122,8 +123,9 @@ static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box
 static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
                                                        uint32_t triangle) {
     plt_lattice_box b = plt_lattice_box_empty();
+    const unsigned char *at = plt_lattice_triangle(t, triangle);
     for (uint32_t k = 0; k < (t->boxes ? 6u : 9u); k++) {
-        const uint32_t x = plt_lattice_triangle_word(t, triangle, k), a = k % 3;
+        const uint32_t x = plt_lattice_number(t, at, k), a = k % 3;
         b.lo[a] = x < b.lo[a] ? x : b.lo[a];
         b.hi[a] = x > b.hi[a] ? x : b.hi[a];
     }
