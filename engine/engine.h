@@ -2,8 +2,8 @@
  *
  * Arena, in the order of the cuts (DESIGN.md, section 3):
  *   plt_engine | scene, unless it is mapped | touched bits | packet groups |
- *   film tile | stacks. Scratch of opening and building comes last and is given
- *   back.
+ *   film tile | stacks | open blocks, for compact scenes. Scratch of opening and
+ *   building comes last and is given back.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_ENGINE_H

@@ -42,7 +42,7 @@
 #endif
 
 /* Compact blocks that stay open for the next visit: 1 .. 64; 8, or 16 where
- * addresses have 64 bits. Cost: some 320 bytes each (400), of scenes with compact
+ * addresses have 64 bits. Cost: 324 bytes each (352), of scenes with compact
  * nodes only. */
 #ifndef PLT_OPEN_BLOCKS
 #if UINTPTR_MAX > 0xFFFFFFFFu

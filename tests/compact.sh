@@ -106,8 +106,7 @@ build_speed() { # MESH
 
 # Rays that start on axis-aligned flat faces (engine) have no limit but a figure.
 visits() { # MESH K
-    pack "$1" "$work/scene.plt" --leaf "$2" --nodes compact --geometry lattice:14 --numbers none ||
-        return 1
+    pack "$1" "$work/scene.plt" --leaf "$2" --nodes compact --geometry lattice:14 || return 1
     for kind in primary bounce; do
         line=$("$topology" "$work/scene.plt" "$work/rays.$kind" 2 "$work/same.plt") || return 1
         # shellcheck disable=SC2086

@@ -173,6 +173,79 @@ static void in_steps(uint32_t k, uint32_t splits) {
     pack_free(&image);
 }
 
+enum { RAYS = 256 };
+
+/* Hits of some rays at the scene, and what the statistics say of them. */
+static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
+    const plt_info *info = plt_engine_info(e);
+    plt_ray rays[RAYS];
+    plt_stats s;
+    for (uint32_t i = 0; i < RAYS; i++) {
+        const float x = info->lo[0] + (info->hi[0] - info->lo[0]) * (float)(i % 16) / 15.0f;
+        const float y = info->lo[1] + (info->hi[1] - info->lo[1]) * (float)(i / 16) / 15.0f;
+        const plt_ray ray = {{x, y, info->lo[2] - 1.0f}, 0.0f, {0.1f, 0.05f, 1.0f}, 1e30f};
+        rays[i] = ray;
+    }
+    plt_stats_reset(e);
+    plt_trace(e, rays, hits, RAYS, 0);
+    plt_stats_get(e, &s);
+    return s;
+}
+
+/* The soup with its axes exchanged: a tree of the same shape, of other boxes. */
+static packed turned_of(uint32_t triangles, const compact_way *way) {
+    mesh m = {0};
+    packed image;
+    fail f = {""};
+    lattice_loss loss;
+    shape_soup(&m, triangles, 0.5f, triangles);
+    for (size_t i = 0; i < m.vertices; i++) {
+        float *v = m.vertex + 3 * i;
+        const float x = v[0];
+        v[0] = v[1];
+        v[1] = v[2];
+        v[2] = x;
+    }
+    CHECK(pack_compact(&image, &m, &way->pack, "test", &loss, &f) == 0, "%s", f.text);
+    mesh_free(&m);
+    return image;
+}
+
+/* Blocks that are still open from before change neither hits nor statistics, and
+ * those of another scene in the same arena are forgotten. */
+static void one_after_another(uint8_t build) {
+    const compact_way way = compact_way_of(2, 14, build, PLT_SPLIT_SAH);
+    packed image[2] = {image_of(compact_triangles(300, 2), &way),
+                       turned_of(compact_triangles(300, 2), &way)};
+    const size_t need[2] = {plt_arena_need(&image[0].info, 1, &way.run),
+                            plt_arena_need(&image[1].info, 1, &way.run)};
+    const size_t bytes = need[0] > need[1] ? need[0] : need[1];
+    void *arena = malloc(bytes), *fresh = malloc(bytes);
+    for (int i = 0; i < 4; i++) {
+        plt_engine *e = NULL, *other = NULL;
+        plt_fault fault;
+        static plt_hit hit[3][RAYS];
+        const plt_source source = rig_source(&image[i % 2]);
+        memset(fresh, 0, bytes);
+        CHECK(plt_open(&e, arena, bytes, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
+        CHECK(plt_open(&other, fresh, bytes, &source, &way.run, &fault) == PLT_OK, "%s",
+              fault.message);
+        const plt_stats cold = hits_of(e, hit[0]), warm = hits_of(e, hit[1]);
+        const plt_stats alone = hits_of(other, hit[2]);
+        CHECK(memcmp(hit[0], hit[1], sizeof hit[0]) == 0, "hits of open blocks differ");
+        CHECK(memcmp(hit[0], hit[2], sizeof hit[0]) == 0, "hits of a used arena differ");
+        CHECK(warm.treelet_fetches == cold.treelet_fetches && cold.treelet_fetches > 0 &&
+                  warm.bytes_fetched == cold.bytes_fetched,
+              "%llu fetches, then %llu", (unsigned long long)cold.treelet_fetches,
+              (unsigned long long)warm.treelet_fetches);
+        CHECK(alone.treelet_fetches == cold.treelet_fetches, "other fetches in a fresh arena");
+    }
+    free(arena);
+    free(fresh);
+    pack_free(&image[0]);
+    pack_free(&image[1]);
+}
+
 int main(void) {
     test("exactly the need is enough; less is built by a device, or refused with the need");
     sizes();
@@ -188,5 +261,8 @@ int main(void) {
     in_steps(1, 1);
     in_steps(2, 1);
     in_steps(4, 7);
+    test("a scene after another in one arena, and rays after others, find what they find alone");
+    one_after_another(PLT_BUILD_HOST);
+    one_after_another(PLT_BUILD_DEVICE);
     return test_done();
 }

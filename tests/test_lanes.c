@@ -250,7 +250,6 @@ static void test_sign_bits(void) {
     }
 }
 
-/* (1 + 2^-12)^2 - (1 + 2^-11) is 2^-24 when fused and 0 when rounded twice. */
 static void test_whole_numbers(void) {
     test("scalar: whole numbers become floats, rounded to nearest, and add and mask as words");
     for (uint32_t i = 0; i < 100000; i++) {
@@ -266,6 +265,7 @@ static void test_whole_numbers(void) {
     CHECK(out[0] == 1 && out[1] == 2 && out[2] == 3 && out[3] == 0, "three words and 0");
 }
 
+/* (1 + 2^-12)^2 - (1 + 2^-11) is 2^-24 when fused and 0 when rounded twice. */
 static void test_not_fused(const lanes_probe *p) {
     char sentence[160];
     snprintf(sentence, sizeof sentence, "%s: a product and a sum round twice, never fused",

@@ -1,8 +1,9 @@
 /* test_trace_rim - a triangle that lies beside all rays is one that none of them meets
  *
- * Triangles of all sizes and shapes stand where a bundle of rays ends: corners on
- * rays of its rim, or as little as a rounding beside them. One that the rim says lies
- * beside is tested against every ray all the same, and may have no hit.
+ * Triangles of all sizes and shapes stand in the way of a bundle of rays: the first
+ * corner on one of them, or a rounding to half the scene beside it; or the rays lie
+ * in their plane. One that the rim of some groups says lies beside is tested against
+ * every ray of those all the same, and may have no hit.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -19,7 +20,7 @@ enum { SIDE = 4, GROUPS = SIDE * SIDE / 4 };
 typedef struct bundle {
     plt_group group[GROUPS];
     plt_packet packet;
-    float org[3], corner[4][3]; /* directions of its corner rays */
+    float org[3];
 } bundle;
 
 /* `away`: of the scene, of size 2, from where coordinates are 0, on all axes. */
@@ -39,6 +40,7 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
     memset(b, 0, sizeof *b);
     b->packet.group = b->group;
     plt_packet_begin(&b->packet, GROUPS, 0);
+    const unsigned lanes = 1 + random_below(r, 4);
     for (int a = 0; a < 3; a++) {
         b->org[a] = away + random_float(r, -2.0f, 2.0f);
     }
@@ -57,7 +59,7 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
             o[a] = f4_all(b->org[a]);
             d[a] = f4_load(dir[a]);
         }
-        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), 4);
+        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), lanes);
     }
     plt_packet_finish(&b->packet);
 }
@@ -68,6 +70,14 @@ static void point(const bundle *b, random_state *r, float t, float off, float to
     const unsigned lane = random_below(r, 4);
     for (int a = 0; a < 3; a++) {
         to[a] = b->org[a] + t * g->dir[a][lane] + random_float(r, -off, off);
+    }
+}
+
+static void measure(plt_triangle *t) {
+    t->longest = 0.0f;
+    for (int i = 0; i < 9; i++) {
+        const float side = fabsf(t->corner[i % 3][i / 3] - t->corner[(i + 1) % 3][i / 3]);
+        t->longest = side > t->longest ? side : t->longest;
     }
 }
 
@@ -84,56 +94,130 @@ static void make_triangle(const bundle *b, random_state *r, plt_triangle *t) {
             t->corner[0][a] + (random_below(r, 2) ? 2.0f * push[a] + random_float(r, -1e-7f, 1e-7f)
                                                   : random_float(r, -size, size));
     }
-    t->longest = 0.0f;
-    for (int i = 0; i < 9; i++) {
-        const float side = fabsf(t->corner[i % 3][i / 3] - t->corner[(i + 1) % 3][i / 3]);
-        t->longest = side > t->longest ? side : t->longest;
-    }
+    measure(t);
 }
 
-/* Does any ray of the bundle meet the triangle? */
-static int is_met(bundle *b, const plt_triangle *t) {
+/* Does any ray of the groups meet the triangle? */
+static int is_met(bundle *b, const plt_triangle *t, plt_mask groups) {
     int met = 0;
-    plt_triangle_groups(&b->packet, t, b->packet.active);
+    plt_triangle_groups(&b->packet, t, groups);
     for (unsigned i = 0; i < GROUPS; i++) {
         for (unsigned lane = 0; lane < 4; lane++) {
             met |= b->group[i].source[lane] != PLT_MISS;
             b->group[i].source[lane] = PLT_MISS;
-            b->group[i].tmax[lane] = 1e30f;
+            b->group[i].tmax[lane] = b->group[i].valid >> lane & 1u ? 1e30f : -1.0f;
         }
     }
     return met;
 }
 
 static int is_beside(const plt_rim *rim, const plt_triangle *t) {
-    return (plt_rim_code(rim, t->corner[0]) & plt_rim_code(rim, t->corner[1]) &
-            plt_rim_code(rim, t->corner[2])) != 0;
+    return plt_rim_is_beside(plt_rim_code(rim, t->corner[0]), plt_rim_code(rim, t->corner[1]),
+                             plt_rim_code(rim, t->corner[2]));
+}
+
+typedef struct counts {
+    unsigned triangles, beside, met, wrong, without;
+} counts;
+
+/* Triangles against a bundle, some groups of it at a time. */
+static void compare(counts *n, bundle *b, random_state *r, const plt_triangle *t) {
+    const plt_mask groups = 1 + random_below(r, (1u << GROUPS) - 1);
+    plt_rim rim;
+    if (!plt_rim_set(&rim, &b->packet, groups)) {
+        n->without++;
+        return;
+    }
+    const int out = is_beside(&rim, t), hit = is_met(b, t, groups);
+    n->triangles++;
+    n->beside += (unsigned)out;
+    n->met += (unsigned)hit;
+    n->wrong += (unsigned)(out && hit);
+}
+
+static void verdict(const counts *n) {
+    CHECK(n->wrong == 0, "%u triangles beside are met", n->wrong);
+    CHECK(n->beside > n->triangles / 50 && n->met > n->triangles / 100, "only %u beside, %u met",
+          n->beside, n->met);
+    printf("    %u triangles, %u met, %u beside\n", n->triangles, n->met, n->beside);
 }
 
 static void test_bundles(float spread, float away) {
     enum { BUNDLES = 4000, TRIANGLES = 50 };
-    random_state r = {(uint64_t)(spread * 1e6f)};
-    unsigned beside = 0, met = 0, wrong = 0, without = 0;
+    random_state r = {(uint64_t)(spread * 1e6f) + ((uint64_t)away << 32)};
+    counts n = {0, 0, 0, 0, 0};
     for (int i = 0; i < BUNDLES; i++) {
         static bundle b;
-        plt_rim rim;
         make_bundle(&b, &r, spread, away);
-        without += !plt_rim_set(&rim, &b.packet, b.packet.active);
         for (int k = 0; k < TRIANGLES; k++) {
             plt_triangle t = {.number = 0, .numbers = NULL};
             make_triangle(&b, &r, &t);
-            const int out = is_beside(&rim, &t), hit = is_met(&b, &t);
-            beside += (unsigned)out;
-            met += (unsigned)hit;
-            wrong += (unsigned)(out && hit);
+            compare(&n, &b, &r, &t);
         }
     }
     test("what lies beside a bundle of rays is met by none of them");
-    CHECK(without == 0, "%u bundles have no rim", without);
-    CHECK(wrong == 0, "%u triangles beside are met", wrong);
-    CHECK(beside > BUNDLES && met > BUNDLES, "only %u beside, %u met", beside, met);
-    printf("    slopes of %g, %g away: %u triangles, %u met, %u beside\n", (double)spread,
-           (double)away, BUNDLES * TRIANGLES, met, beside);
+    CHECK(n.without == 0, "%u bundles have no rim", n.without);
+    verdict(&n);
+}
+
+static void whole_numbers(random_state *r, int most, float to[3]) {
+    for (int a = 0; a < 3; a++) {
+        to[a] = (float)((int)random_below(r, 2u * (unsigned)most + 1) - most);
+    }
+}
+
+/* Rays in the plane that p and q span, from a corner of the grid or a hair beside. */
+static void make_flat(bundle *b, random_state *r, const float p[3], const float q[3]) {
+    const plt_box scene = {{-4096, -4096, -4096}, {4096, 4096, 4096}};
+    memset(b, 0, sizeof *b);
+    b->packet.group = b->group;
+    plt_packet_begin(&b->packet, GROUPS, 0);
+    whole_numbers(r, 16, b->org);
+    b->org[random_below(r, 3)] = ldexpf((float)random_below(r, 3), -(int)random_below(r, 40));
+    for (unsigned i = 0; i < GROUPS; i++) {
+        float dir[3][4];
+        f4 o[3], d[3];
+        for (unsigned lane = 0; lane < 4; lane++) {
+            const float u = (float)(8 + random_below(r, 4)), v = (float)random_below(r, 4);
+            for (int a = 0; a < 3; a++) {
+                dir[a][lane] = u * p[a] + v * q[a];
+            }
+        }
+        for (int a = 0; a < 3; a++) {
+            o[a] = f4_all(b->org[a]);
+            d[a] = f4_load(dir[a]);
+        }
+        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), 4);
+    }
+    plt_packet_finish(&b->packet);
+}
+
+/* All edge functions are 0, or as good as that, in every ray. */
+static void test_edge_on(void) {
+    random_state r = {7};
+    counts n = {0, 0, 0, 0, 0};
+    test("a triangle seen edge-on is met by no ray beside it");
+    for (int i = 0; i < 400000; i++) {
+        static bundle b;
+        plt_triangle t = {.longest = 0.0f, .number = 0, .numbers = NULL};
+        float p[3], q[3];
+        whole_numbers(&r, 9, p);
+        whole_numbers(&r, 9, q);
+        make_flat(&b, &r, p, q);
+        for (int c = 0; c < 3; c++) {
+            const float u = (float)random_below(&r, 40) - 4.0f;
+            const float v = (float)random_below(&r, 40) - 20.0f;
+            for (int a = 0; a < 3; a++) {
+                t.corner[c][a] = rintf(b.org[a]) + u * p[a] + v * q[a];
+            }
+        }
+        measure(&t);
+        compare(&n, &b, &r, &t);
+    }
+    CHECK(n.wrong == 0, "%u triangles beside are met", n.wrong);
+    CHECK(n.beside > 10000 && n.without < 390000, "%u beside, %u without a rim", n.beside,
+          n.without);
+    printf("    %u triangles, %u met, %u beside\n", n.triangles, n.met, n.beside);
 }
 
 static void test_none(void) {
@@ -156,6 +240,7 @@ int main(void) {
     for (int i = 0; i < 12; i++) {
         test_bundles(spreads[i % 4], aways[i / 4]);
     }
+    test_edge_on();
     test_none();
     return test_done();
 }

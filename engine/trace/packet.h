@@ -2,7 +2,8 @@
  *
  * Invariant: everything in a group depends on its rays and the scene's box
  * alone, never on the other groups; flags of the packet only say which short
- * cuts give the same numbers. So a ray's hit is the same in any packet.
+ * cuts give the same numbers, and leave out nothing that a ray would hit (rim.h).
+ * So a ray's hit is the same in any packet.
  *
  * Source: Karrenberg 2007, section 3.5 (packets, masks, equal signs).
  *
@@ -42,9 +43,9 @@ typedef struct plt_packet {
     uint8_t shared;                        /* all rays start at one point */
     uint8_t negative[3];                   /* sign by axis, unless mixed */
     uint8_t axis;                          /* of the largest component in all rays; 3: differs */
-    float near_org[3], far_org[3], org[3]; /* if shared, and as in the groups: */
-    float reach, reach_error;
-    float forward[3]; /* roughly where the packet goes */
+    float near_org[3], far_org[3], org[3]; /* if shared */
+    float reach, reach_error;              /* if shared: as in the groups */
+    float forward[3];                      /* roughly where the packet goes */
 } plt_packet;
 
 /* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. */

@@ -32,5 +32,8 @@ int plt_rim_set(plt_rim *r, const plt_packet *p, plt_mask groups) {
         r->org[a] = f4_all(p->org[a]);
     }
     r->out = f4_all(-MARGIN * p->reach);
+    r->axis = axis;
+    r->way = back ? -1.0f : 1.0f;
+    r->start = p->org[axis];
     return 1;
 }

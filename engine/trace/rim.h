@@ -1,8 +1,8 @@
 /* rim - what lies beside all rays of some groups of a packet
  *
  * Rays from one point along one axis are points in the plane of their slopes
- * (packet.h); those of some groups lie in a rectangle. A triangle whose corners lie
- * on the far side of one of its four edges meets none of them. That is cheaper to
+ * (packet.h); those of some groups lie in a rectangle. A triangle before them whose
+ * corners lie on the far side of one of its four edges meets none of them. That is cheaper to
  * see than to test four rays, and it is told once for all groups.
  *
  * Margin: DESIGN.md, section 7.6: whatever the test of a ray would accept is inside.
@@ -20,18 +20,27 @@
 typedef struct plt_rim {
     f4 by_axis[3]; /* what the coordinates are multiplied by, a lane for each edge */
     f4 org[3];
-    f4 out; /* below it: beside */
+    f4 out;           /* below it: beside */
+    float way, start; /* of the rays along the axis: 1 or -1; where they start */
+    unsigned axis;
 } plt_rim;
 
 /* 0: the packet's rays do not have one. */
 int plt_rim_set(plt_rim *rim, const plt_packet *packet, plt_mask groups);
 
-/* A bit for each of the four edges that the point lies outside of. */
+/* Bits 0 .. 3: the edges that the point lies outside of; bit 4: it lies behind where
+ * the rays start. */
 static inline unsigned plt_rim_code(const plt_rim *r, const float at[3]) {
     const f4 x = f4_mul(r->by_axis[0], f4_sub(f4_all(at[0]), r->org[0]));
     const f4 y = f4_mul(r->by_axis[1], f4_sub(f4_all(at[1]), r->org[1]));
     const f4 z = f4_mul(r->by_axis[2], f4_sub(f4_all(at[2]), r->org[2]));
-    return m4_mask(f4_lt(f4_add(f4_add(x, y), z), r->out));
+    const unsigned behind = r->way * (at[r->axis] - r->start) < 0.0f;
+    return m4_mask(f4_lt(f4_add(f4_add(x, y), z), r->out)) | behind << 4;
+}
+
+/* Does no ray of the groups meet the triangle of these three corners' codes? */
+static inline int plt_rim_is_beside(unsigned a, unsigned b, unsigned c) {
+    return (a & b & c & 15u) != 0 && ((a | b | c) & 16u) == 0;
 }
 
 #endif

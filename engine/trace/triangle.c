@@ -18,6 +18,7 @@
 #include "engine/trace/exact.h"
 
 #define U 5.9604644775390625e-8f /* 2^-24 */
+#define BESIDE 3.0517578125e-5f  /* 2^-15; rim.c counts on it */
 
 static const uint8_t axis_after[3] = {1, 2, 0};
 
@@ -136,6 +137,17 @@ static int meets_exactly(const prepared *t, const plt_group *g, const edges *e, 
     return positive != negative; /* not both, and not on all three lines */
 }
 
+/* Lanes that all three corners lie on one side of, seen along the axis, by more than
+ * any rounding. A triangle seen edge-on has all edge functions close to 0 in every
+ * ray of its plane, however far beside. */
+static m4 beside(const edges *e, f4 reach) {
+    const f4 far = f4_mul(reach, f4_all(BESIDE)), minus_far = f4_neg(far);
+    m4 any = f4_lt(far, f4_min(f4_min(e->x[0], e->x[1]), e->x[2]));
+    any = m4_or(any, f4_lt(larger3(e->x[0], e->x[1], e->x[2]), minus_far));
+    any = m4_or(any, f4_lt(far, f4_min(f4_min(e->y[0], e->y[1]), e->y[2])));
+    return m4_or(any, f4_lt(larger3(e->y[0], e->y[1], e->y[2]), minus_far));
+}
+
 /* Of the lanes that may be covered those that are. */
 static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, m4 may) {
     const f4 reach = f4_load(g->reach);
@@ -145,7 +157,7 @@ static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, 
         reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
     const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
     unsigned lanes = m4_mask(m4_and(may, sure));
-    const unsigned close = m4_mask(m4_andnot(may, sure));
+    const unsigned close = m4_mask(m4_andnot(m4_andnot(may, sure), beside(e, reach)));
     float errors[4];
     f4_store(errors, error);
     for (unsigned lane = 0; close >> lane != 0; lane++) {

@@ -102,8 +102,8 @@ static inline uint32_t number_of(const plt_block_entry *e) {
     return e->child.what >> 8 & 0xFFu;
 }
 
-/* Goes into the block behind an edge. Its frame is no larger than the box that led
- * here, so the walk goes on with that. */
+/* Goes into the block behind an edge. The frame of a tree that was packed is no larger
+ * than the box that led here; a larger one costs tests, never hits. */
 static void enter(plt_walker *w, plt_block_entry *at) {
     const plt_open_block *o = take_block(w, at->child.link);
     at->child.what = PLT_SLOT_INNER; /* node 0 */
@@ -193,10 +193,11 @@ static uint32_t descend(plt_walker *w, plt_block_entry *at) {
 uint32_t plt_walk_blocks(plt_walker *w, uint32_t visits) {
     while (w->waiting > 0 && visits > 0) {
         plt_block_entry at = w->blocks.stack[--w->waiting];
-        if (kind_of(&at) == PLT_SLOT_EDGE) {
+        at.groups &= w->packet.active;
+        if (at.groups != 0 && kind_of(&at) == PLT_SLOT_EDGE) {
             enter(w, &at);
         }
-        at.groups = meet(w, &at, at.groups & w->packet.active);
+        at.groups = meet(w, &at, at.groups);
         const uint32_t used = at.groups == 0 ? 1 : 1 + descend(w, &at);
         visits -= used < visits ? used : visits;
         if (w->packet.active == 0) {

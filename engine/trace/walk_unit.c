@@ -8,7 +8,7 @@
 #include "engine/trace/rim.h"
 #include "engine/trace/triangle.h"
 
-enum { RIM_FROM = 2 }; /* triangles a list, above it */
+enum { RIM_FROM = 4 }; /* triangles a list */
 
 /* Vertices from lattice numbers to floats; `key` gets what orders them (record.h):
  * x, y, z. */
@@ -57,8 +57,10 @@ static void rim_codes(const plt_unit *u, const plt_packet *p, plt_mask groups, u
     }
 }
 
-static int is_beside(const uint8_t code[], uint32_t corner) {
-    return (code[corner & 0xFFu] & code[corner >> 8 & 0xFFu] & code[corner >> 16]) != 0;
+static int is_beside(const plt_unit *u, const uint8_t code[], uint32_t triangle) {
+    return plt_rim_is_beside(code[plt_unit_corner(u, triangle, 0)],
+                             code[plt_unit_corner(u, triangle, 1)],
+                             code[plt_unit_corner(u, triangle, 2)]);
 }
 
 /* Triangle i of the `count` is number first + i of the block. */
@@ -67,14 +69,14 @@ static void test_lattice(plt_walker *w, const plt_geometry *g, plt_triangle *t, 
     plt_unit u;
     uint64_t key[PLT_UNIT_VERTICES_MOST];
     uint8_t code[PLT_UNIT_VERTICES_MOST];
-    const int has_rim = g->k > RIM_FROM;
+    const int has_rim = g->k >= RIM_FROM;
     plt_unit_read(g, first, count, &u);
     place(&u, &w->blocks, key);
     if (has_rim) {
         rim_codes(&u, &w->packet, groups, code);
     }
     for (uint32_t i = 0; i < count; i++) {
-        if (has_rim && is_beside(code, u.corner[i])) {
+        if (has_rim && is_beside(&u, code, i)) {
             continue;
         }
         t->number = g->first_triangle + first + i;

@@ -61,7 +61,7 @@ static inline uint32_t plt_bits_get(const unsigned char *bytes, uint32_t at, uin
     return plt_bits_word(bytes, at) & plt_low_bits(width);
 }
 
-/* Ones among the bits begin .. end - 1. */
+/* Ones among the bits begin .. end - 1; begin <= end. */
 static inline uint32_t plt_bits_count(const unsigned char *bytes, uint32_t begin, uint32_t end) {
     if (end - begin <= PLT_BITS_LONG) {
         return plt_count_bits_long(plt_bits_long(bytes, begin) &
@@ -69,16 +69,12 @@ static inline uint32_t plt_bits_count(const unsigned char *bytes, uint32_t begin
     }
     const unsigned char *at = bytes + (begin >> 3);
     uint64_t wanted = ~(uint64_t)0 << (begin & 7); /* of the first word */
-    uint32_t count = 0;
-    for (uint32_t left = end - (begin & ~7u); begin < end; left -= 64, at += 8) {
-        if (left < 64) {
-            return count +
-                   plt_count_bits_long(plt_get_u64(at) & wanted & (((uint64_t)1 << left) - 1));
-        }
+    uint32_t count = 0, left = end - (begin & ~7u);
+    for (; left >= 64; left -= 64, at += 8) {
         count += plt_count_bits_long(plt_get_u64(at) & wanted);
         wanted = ~(uint64_t)0;
     }
-    return count;
+    return count + plt_count_bits_long(plt_get_u64(at) & wanted & (((uint64_t)1 << left) - 1));
 }
 
 /* Running ranks of the string begin .. end - 1, one a 64 bits from the byte it begins

@@ -36,14 +36,14 @@ void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_bo
     g->turns = g->starts + g->triangles;
     g->news = g->turns + g->triangles;
     g->slots = g->triangles;
-    if (g->turns <= bits &&
-        g->triangles <=
-            PLT_BLOCK_TRIANGLES_MOST) { /* else the block is not sound, and nothing more is read */
+    /* Else the block is not sound, and nothing more is read. */
+    const int fits = g->turns <= bits && g->triangles <= PLT_BLOCK_TRIANGLES_MOST;
+    if (fits) {
         g->slots += 2 * plt_ranks_open(g->bytes, g->starts, g->turns, g->starts_before);
     }
     g->refs = g->news + g->slots;
     g->news_ones = 0;
-    if (g->turns <= bits && g->triangles <= PLT_BLOCK_TRIANGLES_MOST && g->refs <= bits) {
+    if (fits && g->refs <= bits) {
         g->news_ones = plt_ranks_open(g->bytes, g->news, g->refs, g->news_before);
     }
     g->ref_bits = g->vertices > 1 ? plt_bits_for(g->vertices - 1) : 0;
@@ -80,6 +80,7 @@ static void wide_vertex(const plt_geometry *g, uint32_t at, uint32_t position[3]
 static void read_vertices(const plt_geometry *g, const uint32_t number[], uint32_t count,
                           plt_vertex *restrict vertex) {
     const u4 mask = u4_load(g->axis_mask), base = u4_load(g->base);
+    /* A sound block's are at most 42; of another's nothing is believed. */
     const uint32_t y_at = g->axis_bits[0] & 63u, z_at = (y_at + g->axis_bits[1]) & 63u;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t at = g->positions + number[i] * g->vertex_bits;

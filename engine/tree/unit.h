@@ -48,8 +48,8 @@ uint32_t plt_unit_find(const plt_geometry *g, uint32_t unit, uint32_t pairs, int
 /* Lattice position of a vertex of the part. */
 void plt_unit_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]);
 
-/* A vertex, in lattice numbers or, by whoever turns them into floats, in the scene; the
- * fourth means nothing. */
+/* A vertex, in lattice numbers; a walk turns it into the scene's floats where it is, to
+ * keep its stack small. The fourth means nothing. */
 typedef union plt_vertex {
     uint32_t number[4];
     float scene[4];
