@@ -122,12 +122,15 @@ static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box
 
 static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
                                                        uint32_t triangle) {
-    plt_lattice_box b = plt_lattice_box_empty();
     const unsigned char *at = plt_lattice_triangle(t, triangle);
-    for (uint32_t k = 0; k < (t->boxes ? 6u : 9u); k++) {
-        const uint32_t x = plt_lattice_number(t, at, k), a = k % 3;
-        b.lo[a] = x < b.lo[a] ? x : b.lo[a];
-        b.hi[a] = x > b.hi[a] ? x : b.hi[a];
+    const uint32_t step = 3 * t->width, last = t->boxes ? 3 : 6; /* of nine numbers, or six */
+    plt_lattice_box b;
+    for (uint32_t a = 0; a < 3; a++) {
+        const uint32_t x = plt_lattice_number(t, at, a), z = plt_lattice_number(t, at, last + a);
+        const uint32_t y = plt_lattice_number(t, at + step, a);
+        const uint32_t lo = x < y ? x : y, hi = x < y ? y : x;
+        b.lo[a] = z < lo ? z : lo;
+        b.hi[a] = z > hi ? z : hi;
     }
     return b;
 }
