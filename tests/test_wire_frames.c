@@ -1,6 +1,7 @@
 /* test_wire_frames - frames over a good and a bad cable, pixel by pixel
  *
  * SPDX-License-Identifier: MIT */
+#include "platform/wire/tiles_out.h"
 #include "tests/reference/wire_rig.h"
 #include "tests/test.h"
 
@@ -174,6 +175,31 @@ static void test_rate(void) {
     wire_rig_close(&rig);
 }
 
+/* `near` after a pass that took `ms`, with `near` before and this goal. */
+static unsigned near_after(unsigned near, unsigned goal_fps, uint32_t ms) {
+    static wire_end end;
+    static wire_frames_out out;
+    out = (wire_frames_out){.end = &end, .format = WIRE_GREY8, .tiles = 1};
+    wire_frames_rate(&out, goal_fps);
+    out.near = (uint8_t)near;
+    wire_rate_begin(&out);
+    end.now_ms += ms;
+    wire_rate_end(&out, out.tiles);
+    return out.near;
+}
+
+static void test_rate_steps(void) {
+    test("a pass longer than the goal is one step up, longer than double two, to the ms");
+    CHECK(near_after(0, 100, 10) == 0 && near_after(0, 100, 11) == 1, "the goal");
+    CHECK(near_after(0, 100, 20) == 1 && near_after(0, 100, 21) == 2, "double");
+    test("less than three quarters of it are one step down, also of a goal of 1 ms");
+    CHECK(near_after(4, 100, 8) == 4 && near_after(4, 100, 7) == 3, "three quarters");
+    CHECK(near_after(3, 1000, 1) == 3 && near_after(3, 1000, 0) == 2, "three quarters of 1 ms");
+    test("goals beyond what a clock of milliseconds can tell are 1 ms, not none");
+    CHECK(near_after(0, 5000, 2) == 1 && near_after(0, 5000, 1) == 0, "5000 a second");
+    CHECK(near_after(0, 0, 100) == 0, "no goal");
+}
+
 static void test_silence(void) {
     const rig_shape shape = {64, 48, WIRE_RGB565, 64, 64, 16, 0};
     test("a pulled plug forgets the session at once; the picture is whole 1.5 s after it is back");
@@ -268,6 +294,7 @@ int main(void) {
     test_refresh();
     test_near();
     test_rate();
+    test_rate_steps();
     test_silence();
     test_talk();
     return test_done();

@@ -19,7 +19,8 @@ void wire_frames_near(wire_frames_out *out, unsigned near) {
 
 void wire_frames_rate(wire_frames_out *out, unsigned frames_a_second) {
     out->near = 0;
-    out->goal_ms = (uint16_t)(frames_a_second > 0 ? 1000 / frames_a_second : 0);
+    const unsigned most = frames_a_second < 1000 ? frames_a_second : 1000; /* a ms is the clock */
+    out->goal_ms = (uint16_t)(most > 0 ? 1000 / most : 0);
 }
 
 void wire_rate_begin(wire_frames_out *out) {
@@ -34,8 +35,8 @@ static void adapt(wire_frames_out *out, uint32_t took_ms) {
     unsigned near = out->near;
     if (took_ms > out->goal_ms) {
         near += 1 + near / 4;
-        near += took_ms / 2 > out->goal_ms ? 1 + near / 4 : 0;
-    } else if (near > 0 && took_ms < out->goal_ms * 3u / 4) {
+        near += took_ms > 2u * out->goal_ms ? 1 + near / 4 : 0;
+    } else if (near > 0 && 4 * took_ms < 3u * out->goal_ms) {
         near -= 1 + near / 8;
     }
     out->near = (uint8_t)(near < most ? near : most);

@@ -71,8 +71,9 @@ void wire_frames_reference(wire_frames_out *out, uint8_t *reference, uint32_t by
 void wire_frames_near(wire_frames_out *out, unsigned near);
 
 /* The same with a bound that the sender chooses from frame to frame: as small
- * as lets `frames_a_second` (1 .. 1000; 0: exact) through, but no more than 6
- * for RGB565 and 15 for 8 bits: slower links show fewer. It begins exact. */
+ * as lets `frames_a_second` (more than 1000 are 1000; 0: exact) through, but no
+ * more than 6 for RGB565 and 15 for 8 bits: slower links show fewer. It begins
+ * exact. */
 void wire_frames_rate(wire_frames_out *out, unsigned frames_a_second);
 
 /* A whole frame, for ends that have one: rows of 3 bytes a pixel, top down,
