@@ -17,6 +17,11 @@ static inline int wire_has_colour(unsigned format) {
     return format <= WIRE_RGB888;
 }
 
+/* What a run counts: whole pixels, or bytes of several. */
+static inline uint32_t wire_unit_bytes(unsigned format) {
+    return format == WIRE_RGB565 ? 2 : format == WIRE_RGB888 ? 3 : 1;
+}
+
 /* Largest value of the first sample; of the others half of it for 565. */
 static inline int wire_sample_most(unsigned format, unsigned which) {
     static const uint8_t most[WIRE_FORMATS][2] = {{63, 31}, {255, 255}, {255, 0}, {15, 0}, {1, 0}};

@@ -23,7 +23,7 @@ int wire_tile_begin(wire_tile_reader *r, wire_tile_shape shape, unsigned coder, 
     r->coder = (uint8_t)coder;
     r->left = (uint16_t)coded;
     r->range.mask = WIRE_HELD_BYTES - 1;
-    r->unit = shape.format == WIRE_RGB565 ? 2 : shape.format == WIRE_RGB888 ? 3 : 1;
+    r->unit = (uint8_t)wire_unit_bytes(shape.format);
     const int is_right = coder == WIRE_RAW     ? coded == raw
                          : coder == WIRE_SOLID ? coded == r->unit
                                                : 1;
@@ -160,8 +160,11 @@ static void read_pixel(wire_tile_reader *r) {
 static int read_predicted(wire_tile_reader *r, const uint8_t **at, const uint8_t *end) {
     r->range.bytes = r->held_bytes;
     while (hold_bytes(r, at, end)) {
-        if (!r->started && !start_predicted(r)) {
-            return WIRE_TILE_WRONG;
+        if (!r->started) {
+            if (!start_predicted(r)) {
+                return WIRE_TILE_WRONG;
+            }
+            continue; /* the first pixel, too, may need all that can be held */
         }
         read_pixel(r);
         if (r->as.model.x == 0) {

@@ -17,11 +17,6 @@ uint32_t wire_tile_bytes(wire_tile_shape shape) {
     return wire_row_bytes(shape.format, shape.width) * shape.height;
 }
 
-/* What a run counts: whole pixels, or bytes of several. */
-static uint32_t unit_of(unsigned format) {
-    return format == WIRE_RGB565 ? 2 : format == WIRE_RGB888 ? 3 : 1;
-}
-
 static uint32_t run_from(const uint8_t *units, uint32_t unit, uint32_t count, uint32_t most) {
     uint32_t bytes = unit;
     most = (count < most ? count : most) * unit;
@@ -93,7 +88,8 @@ static uint32_t encode_raw(const uint8_t *pixels, uint32_t bytes, uint8_t *to, u
 
 uint32_t wire_tile_encode(wire_tile_shape shape, uint8_t *pixels, const uint8_t *old, unsigned near,
                           uint8_t *to, uint32_t room, unsigned *coder) {
-    const uint32_t raw = wire_tile_bytes(shape), unit = unit_of(shape.format), units = raw / unit;
+    const uint32_t raw = wire_tile_bytes(shape), unit = wire_unit_bytes(shape.format),
+                   units = raw / unit;
     if (run_from(pixels, unit, units, units) == units) {
         *coder = WIRE_SOLID;
         return encode_raw(pixels, unit, to, room);
