@@ -214,7 +214,7 @@ int main(int count, char **words) {
     }
     test("with a goal of 12 frames a second: marbles before a static camera, at least 12");
     film_marbles();
-    report("8,800 marbles, still camera", f);
+    report("109 marbles, still camera", f);
     CHECK(f[2].fps >= GOAL, "%.1f", f[2].fps);
     figure_oled();
     test(

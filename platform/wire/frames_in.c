@@ -98,7 +98,10 @@ static int is_again(const wire_frames_in *in, unsigned number) {
 }
 
 void wire_frames_in_end(wire_frames_in *in, const uint8_t *body) {
-    const unsigned number = body[0] & 7u;
+    const unsigned number = body[0];
+    if (number >= WIRE_NUMBERS) {
+        return; /* of no sender's frame, so no answer is waited for */
+    }
     if (!is_again(in, number)) {
         enter(in, number);
         in->is_good =
@@ -129,9 +132,12 @@ static uint8_t *panel_at(const wire_frames_in *in, unsigned x, unsigned y) {
 }
 
 void wire_frames_in_tile(wire_frames_in *in, unsigned type, unsigned low, uint32_t bytes) {
-    const unsigned index = (type & 3) << 8 | low;
-    enter(in, type >> 2 & 7);
+    const unsigned index = (type & 3) << 8 | low, frame = type >> 2 & 7;
     in->in_tile = 0;
+    if (frame >= WIRE_NUMBERS) {
+        return;
+    }
+    enter(in, frame);
     in->is_torn = 1; /* until it is complete */
     if (index >= in->tiles) {
         return;

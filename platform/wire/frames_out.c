@@ -1,7 +1,8 @@
 /* frames_out - which tiles go out, and what is known of the other end's panel
  *
- * Of a tile the sender knows the hash of what it last sent (0: nothing it
- * could rely on) and which frame carried it, until that frame is answered.
+ * Of a tile the sender knows the hash of the pixels it last sent (0: nothing it
+ * could rely on), whether it sent them with an error, and which frame carried
+ * it, until that frame is answered. The hash is of the pixels without the error.
  *
  * A hash that is equal by chance, 2^-32 for each tile that changes, leaves it
  * stale until the refresh, one tile a frame, comes round.

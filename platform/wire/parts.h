@@ -115,6 +115,9 @@ uint32_t wire_head_put(uint8_t *to, unsigned type, uint32_t body_bytes);
 
 /* ---- parts --------------------------------------------------------------------------------- */
 
+/* Numbers of frames go round: 0 .. 5. */
+enum { WIRE_NUMBERS = 6 };
+
 void wire_frames_out_begin(wire_frames_out *out);
 void wire_frames_out_poll(wire_frames_out *out);
 /* 1: what is queued should leave even if it does not fill a report. */

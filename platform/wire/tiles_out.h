@@ -1,7 +1,8 @@
 /* tiles_out - what the sender knows of a tile, and how one goes out
  *
- * Invariant: hash != 0 and way 0: the panel shows those pixels, whole. With
- * way != 0 it shows them or what it showed before, row by row.
+ * Invariant: hash != 0 and way 0: the panel shows those pixels, whole, or, where
+ * coarse is set, samples within `near` of theirs. With way != 0 it shows that or
+ * what it showed before, row by row.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_TILES_OUT_H
@@ -9,9 +10,9 @@
 
 #include "platform/wire/parts.h"
 
-/* Numbers of frames go round in WIRE_NUMBERS, a multiple of WIRE_SLOTS: frames
- * on the way have ways of their own. */
-enum { WIRE_SLOTS = 3, WIRE_NUMBERS = 6 };
+/* WIRE_NUMBERS is a multiple of it: frames on the way have ways of their own. */
+enum { WIRE_SLOTS = 3 };
+_Static_assert((int)WIRE_NUMBERS % WIRE_SLOTS == 0, "a way for each frame");
 
 static inline unsigned wire_way_of(const wire_frames_out *out, unsigned tile) {
     return out->way[tile / 4] >> (2 * (tile & 3)) & 3;

@@ -48,7 +48,7 @@ typedef struct wire_frames_out {
     uint8_t unanswered; /* frames before it without an answer: 0 .. 3 */
     uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting, is_whole;
     uint8_t is_timed, is_refining;
-    uint32_t hash[WIRE_TILES_MAX];      /* of the pixels last sent; 0: send it */
+    uint32_t hash[WIRE_TILES_MAX];      /* of the pixels last sent, without an error; 0: send it */
     uint8_t way[WIRE_TILES_MAX / 4];    /* 2 bits a tile: 0 acknowledged, else which frame */
     uint8_t coarse[WIRE_TILES_MAX / 8]; /* sent with an error */
     uint8_t pixels[WIRE_TILE_BYTES_MAX];
