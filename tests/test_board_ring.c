@@ -65,7 +65,11 @@ static void threads(void) {
     pthread_t putting;
     uint32_t got = 0, gaps = 0;
     test("two threads: every byte comes or is counted as lost, none twice or changed");
-    CHECK(pthread_create(&putting, NULL, put_all, NULL) == 0, "no thread");
+    const int error = pthread_create(&putting, NULL, put_all, NULL);
+    CHECK(error == 0, "no thread: error %d", error);
+    if (error != 0) {
+        return;
+    }
     for (unsigned next = 0; got + ring_lost(&shared) < STREAM_BYTES;) {
         const int byte = ring_get(&shared);
         if (byte < 0) {

@@ -10,7 +10,8 @@
 #include <stdint.h>
 
 /* Called once, before the others. Returns how many bytes are kept until they are
- * asked for; the firmware lets the host send no more data than that at once. */
+ * asked for; the firmware lets the host send no more data at once than fits beside
+ * four reports of control, which need no credit (two reports, if fewer than six fit). */
 uint32_t board_serial_open(void);
 
 /* The next byte that came, or -1: none yet. Between two calls the firmware may
@@ -20,8 +21,9 @@ int board_serial_get(void);
 /* 1: the byte goes out; 0: not now, the one before is not out yet. */
 int board_serial_put(uint8_t byte);
 
-/* Bytes that came and were not kept, ever. Each costs its report, which the wire
- * has sent again. */
+/* Bytes that came and were not kept, ever: at least so many, as a UART that was
+ * overrun does not say how often. Each costs its report, which the wire has sent
+ * again. */
 uint32_t board_serial_lost(void);
 
 #endif
