@@ -19,6 +19,12 @@ int frames_room(picture *p, unsigned width, unsigned height, fail *f) {
     return picture_make(p, width, height, f);
 }
 
+int frames_cut(const frames *s, const char *otherwise, fail *f) {
+    return fail_set(f, s->path, "%s",
+                    s->from.is_wrong ? "cannot be read to its end; check the disk or the pipe"
+                                     : otherwise);
+}
+
 unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f) {
     size_t room = 65536, used = 0;
     unsigned char *all = malloc(room);
@@ -35,9 +41,7 @@ unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f) {
     }
     *bytes = used;
     if (all == NULL || used == room || s->from.is_wrong) {
-        fail_set(f, s->path,
-                 s->from.is_wrong ? "cannot be read to its end; check the disk"
-                                  : "is too large for a picture; make it smaller");
+        frames_cut(s, "is too large for a picture; make it smaller", f);
         free(all);
         return NULL;
     }

@@ -45,6 +45,10 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
 /* For the kinds: a picture of this size, the old one kept if it fits. */
 int frames_room(picture *p, unsigned width, unsigned height, fail *f);
 
+/* The stream ended where more was to come: -1, and `f` says that it could not be
+ * read, or what `otherwise` says. */
+int frames_cut(const frames *s, const char *otherwise, fail *f);
+
 /* Reads all of a file, for pictures. The bytes are the caller's to free. */
 unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f);
 

@@ -46,10 +46,13 @@ static int read_pixels(stream *from, picture *p, unsigned channels, unsigned mos
 static int pnm_next(frames *s, picture *p, fail *f) {
     const int c = stream_byte(&s->from);
     if (c == -1) {
-        return FRAMES_END;
+        return s->from.is_wrong ? frames_cut(s, "", f) : FRAMES_END;
     }
     const int kind = c == 'P' ? stream_byte(&s->from) : c;
     const unsigned width = number(&s->from), height = number(&s->from), most = number(&s->from);
+    if (s->from.is_wrong) {
+        return frames_cut(s, "", f);
+    }
     if ((kind != '6' && kind != '5') || width == 0 || height == 0 || most == 0 || most > 255) {
         return fail_set(f, s->path, "is no P6 or P5 picture of 8 bits; convert it to one");
     }
@@ -57,7 +60,7 @@ static int pnm_next(frames *s, picture *p, fail *f) {
         return FRAMES_FAILED;
     }
     if (read_pixels(&s->from, p, kind == '6' ? 3 : 1, most) != 0) {
-        return fail_set(f, s->path, "ends before its last pixel; write it again");
+        return frames_cut(s, "ends before its last pixel; write it again", f);
     }
     return FRAMES_ONE;
 }

@@ -16,7 +16,7 @@
 
 #include "host_tools/hid/frames.h"
 
-enum { HEAD_BYTES = 512 };
+enum { HEAD_BYTES = 512, PERIOD_MOST = 60 }; /* seconds */
 
 typedef struct film {
     unsigned width, height;
@@ -42,15 +42,36 @@ static int sampling(film *y, const char *name) {
     return -1;
 }
 
-static int take_word(frames *s, film *y, const char *word, fail *f) {
+static int take_side(frames *s, unsigned *side, const char *word, fail *f) {
+    const unsigned long value = strtoul(word + 1, NULL, 10);
+    if (value > PICTURE_SIDE_MAX) {
+        return fail_set(f, s->path, "%s: a side of its frames is 1 to %u pixels; make it smaller",
+                        word, PICTURE_SIDE_MAX);
+    }
+    *side = (unsigned)value;
+    return 0;
+}
+
+static int take_rate(frames *s, const char *word, fail *f) {
     unsigned rate = 0, over = 1;
-    if (word[0] == 'W') {
-        y->width = (unsigned)strtoul(word + 1, NULL, 10);
-    } else if (word[0] == 'H') {
-        y->height = (unsigned)strtoul(word + 1, NULL, 10);
-    } else if (word[0] == 'F' && sscanf(word + 1, "%9u:%9u", &rate, &over) == 2 && rate > 0) {
-        s->period = (double)over / rate;
-    } else if (word[0] == 'C' && sampling(y, word + 1) != 0) {
+    if (sscanf(word + 1, "%9u:%9u", &rate, &over) != 2 || rate == 0) {
+        return 0; /* not known */
+    }
+    s->period = (double)over / rate;
+    return s->period <= PERIOD_MOST
+               ? 0
+               : fail_set(f, s->path, "%s: a frame every %.0f seconds; make it one in %d at least",
+                          word, s->period, PERIOD_MOST);
+}
+
+static int take_word(frames *s, film *y, const char *word, fail *f) {
+    if (word[0] == 'W' || word[0] == 'H') {
+        return take_side(s, word[0] == 'W' ? &y->width : &y->height, word, f);
+    }
+    if (word[0] == 'F') {
+        return take_rate(s, word, f);
+    }
+    if (word[0] == 'C' && sampling(y, word + 1) != 0) {
         return fail_set(f, s->path, "colour sampling %s is not known; use C444 or C420, 8 bits",
                         word);
     } else if (strcmp(word, "XCOLORRANGE=FULL") == 0) {
@@ -62,14 +83,14 @@ static int take_word(frames *s, film *y, const char *word, fail *f) {
 static int read_head(frames *s, film *y, fail *f) {
     char head[HEAD_BYTES];
     if (stream_line(&s->from, head, sizeof head) != 0 || strncmp(head, "YUV4MPEG2 ", 10) != 0) {
-        return fail_set(f, s->path, "has no Y4M header; make it with planelet render or ffmpeg");
+        return frames_cut(s, "has no Y4M header; make it with planelet render or ffmpeg", f);
     }
     for (char *word = strtok(head + 10, " "); word != NULL; word = strtok(NULL, " ")) {
         if (take_word(s, y, word, f) != 0) {
             return -1;
         }
     }
-    if (y->width - 1 >= PICTURE_SIDE_MAX || y->height - 1 >= PICTURE_SIDE_MAX) {
+    if (y->width == 0 || y->height == 0) {
         return fail_set(f, s->path, "its frames are %u x %u pixels; a side is 1 to %u", y->width,
                         y->height, PICTURE_SIDE_MAX);
     }
@@ -116,14 +137,13 @@ static int film_next(frames *s, picture *p, fail *f) {
     film *y = s->state;
     char head[HEAD_BYTES];
     if (stream_byte(&s->from) < 0) {
-        return s->from.is_wrong ? fail_set(f, s->path, "cannot be read; check the pipe")
-                                : FRAMES_END;
+        return s->from.is_wrong ? frames_cut(s, "", f) : FRAMES_END;
     }
     stream_back(&s->from);
     const size_t bytes = y->plane[0] + y->plane[1] + y->plane[2];
     if (stream_line(&s->from, head, sizeof head) != 0 || strncmp(head, "FRAME", 5) != 0 ||
         stream_read(&s->from, y->planes, bytes) != bytes) {
-        return fail_set(f, s->path, "ends inside a frame; write the film again");
+        return frames_cut(s, "ends inside a frame; write the film again", f);
     }
     if (frames_room(p, y->width, y->height, f) != 0) {
         return FRAMES_FAILED;

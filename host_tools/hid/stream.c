@@ -22,7 +22,7 @@ int stream_open(stream *s, const char *path) {
 }
 
 void stream_close(stream *s) {
-    if (s->bytes != NULL && s->fd != STDIN_FILENO) {
+    if (s->fd >= 0 && s->fd != STDIN_FILENO) { /* zero, when it was never opened */
         close(s->fd);
     }
     free(s->bytes);
