@@ -117,13 +117,21 @@ static int enough(const showing *s) {
     return stop || (s->limit > 0 && s->session.shown >= s->limit);
 }
 
+/* What a signal cut short has not failed. */
+static int unless_stopped(int status, fail *f) {
+    if (stop) {
+        *f = (fail){""};
+    }
+    return stop ? FRAMES_END : status;
+}
+
 static int show_source(showing *s, fail *f) {
     s->film_began = progress_seconds();
     s->film_frames = 0;
     while (!enough(s)) {
         const int status = next_frame(s, f);
         if (status != FRAMES_ONE || stop) {
-            return stop ? FRAMES_END : status;
+            return unless_stopped(status, f);
         }
         if (s->source.period > 0.0 && !s->every) {
             pause_until(&s->session, s->film_began + (double)s->film_frames * s->source.period);
@@ -142,8 +150,8 @@ static int show_source(showing *s, fail *f) {
 /* A picture is a source of one frame without a time of its own. */
 static int show_file(showing *s, args *a, const char *path, int is_last, fail *f) {
     const unsigned width = s->session.panel.width, height = s->session.panel.height;
-    int status = frames_open(&s->source, a, path, width, height, f);
-    if (status == 0) {
+    int status = unless_stopped(frames_open(&s->source, a, path, width, height, f), f);
+    if (status == 0 && !stop) {
         const unsigned before = s->session.shown;
         status = show_source(s, f);
         if (status == 0 && s->source.period <= 0.0 && s->session.shown == before + 1 && !is_last &&
