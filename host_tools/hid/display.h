@@ -8,6 +8,8 @@
 #ifndef HID_DISPLAY_H
 #define HID_DISPLAY_H
 
+#include <signal.h>
+
 #include "host_tools/base/fail.h"
 #include "host_tools/hid/port.h"
 #include "host_tools/hid/report_size.h"
@@ -21,7 +23,8 @@
 enum display_status {
     DISPLAY_OK = 0,
     DISPLAY_FAILED = -1, /* `f` says why; trying again does not help */
-    DISPLAY_GONE = -2    /* unplugged or silent: close, wait, open again */
+    DISPLAY_GONE = -2,   /* unplugged or silent: close, wait, open again */
+    DISPLAY_STOPPED = -3 /* `stop` was set, and the picture did not come through soon */
 };
 
 enum { DISPLAY_NEAR_AUTO = 255 };
@@ -33,7 +36,9 @@ typedef struct display {
     port *port;
     unsigned width, height; /* of the panel; set by driver.open */
     report_sizes reports;
-    void *state; /* the driver's, allocated in open, freed in close */
+    const volatile sig_atomic_t *stop; /* may be NULL: set from outside, to wait no longer */
+    double stopped;                    /* clock: when a driver first saw it set; 0: not yet */
+    void *state;                       /* the driver's, allocated in open, freed in close */
 } display;
 
 /* Which devices a driver takes. */
@@ -78,6 +83,9 @@ const driver *driver_for(const port_info *info);
 /* Opens port and driver; on failure all is closed. */
 int display_open(display *d, const driver *by, const port_info *info, fail *f);
 void display_close(display *d); /* after a failed open it does nothing */
+
+/* Whether `stop` was set a second ago: time enough for a picture on its way. */
+int display_is_stopped(display *d);
 
 /* What a driver's port call means to its caller. A report that went only in
  * part leaves the device in the middle of a frame: so do the same as after

@@ -73,7 +73,7 @@ static int pump(display *d, unsigned wait_ms, int *sent) {
 
 /* Pumps until `is_so`, and not a report longer: with nothing new to show the
  * wire goes on to refine what is there. GONE when nothing is heard, FAILED when
- * the call takes longer than a whole picture may. */
+ * the call takes longer than a whole picture may, STOPPED a second after a wish. */
 static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
     uint32_t heard = p->end.stats.reports_in, since = now_ms();
@@ -81,6 +81,9 @@ static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned pati
         int sent;
         if (now_ms() - p->begun > p->whole) {
             return DISPLAY_FAILED;
+        }
+        if (display_is_stopped(d)) {
+            return DISPLAY_STOPPED;
         }
         if (pump(d, WAIT_MS, &sent) != PORT_OK) {
             return DISPLAY_GONE;
@@ -162,8 +165,14 @@ static int greet(display *d, fail *f) {
     if (!(peer->features & WIRE_SHOWS)) {
         return fail_set(f, NULL, "the device has no display; choose another with --device");
     }
-    d->width = peer->width;
-    d->height = peer->height;
+    const unsigned tiles = (peer->width + 15u) / 16 * ((peer->height + 15u) / 16);
+    if (tiles > WIRE_TILES_MAX) {
+        return fail_set(f, NULL,
+                        "its %u x %u pixels are %u tiles, %u (WIRE_TILES_MAX) are the most; "
+                        "choose another with --device",
+                        peer->width, peer->height, tiles, (unsigned)WIRE_TILES_MAX);
+    }
+    d->width = peer->width, d->height = peer->height;
     const uint32_t bytes = wire_row_bytes(peer->format, d->width) * d->height;
     p->whole = SLOW_MS + bytes / SLOW_BYTES;
     p->shown = malloc(bytes); /* without it every tile is sent whole */

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "host_tools/base/progress.h"
 #include "host_tools/hid/display.h"
 
 const driver *const drivers[] = {&driver_planelet, &driver_streamdeck_mini, &driver_nova,
@@ -31,6 +32,14 @@ const driver *driver_for(const port_info *info) {
         }
     }
     return NULL;
+}
+
+int display_is_stopped(display *d) {
+    if (d->stop == NULL || !*d->stop) {
+        return 0;
+    }
+    d->stopped = d->stopped > 0.0 ? d->stopped : progress_seconds();
+    return progress_seconds() - d->stopped > 1.0;
 }
 
 int display_status(int port_status) {

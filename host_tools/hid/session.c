@@ -47,6 +47,7 @@ static int check_size(session *s, fail *f) {
 
 static int open_display(session *s, const driver *by, fail *f) {
     int status = display_open(&s->display, by, &s->info, f);
+    s->display.stop = s->stop;
     if (status == DISPLAY_OK && by->near != NULL) {
         by->near(&s->display, s->near, s->fps);
     }
@@ -113,6 +114,9 @@ static int insist(session *s, int settle, fail *f) {
         const int status = put_picture(s, settle, f);
         if (status == DISPLAY_OK) {
             break;
+        }
+        if (status == DISPLAY_STOPPED) {
+            return 0;
         }
         s->again = 1;
         gone = gone > 0.0 ? gone : progress_seconds();

@@ -16,7 +16,7 @@ typedef struct session {
     int brightness;                    /* percent; -1 leaves it as it is */
     unsigned near, fps;                /* of what moves, as driver.near takes them */
     double patience;                   /* seconds to wait for a display that is gone */
-    const volatile sig_atomic_t *stop; /* set from outside: give up waiting */
+    const volatile sig_atomic_t *stop; /* set from outside: wait no longer */
 
     display display;
     port_info info;
@@ -35,7 +35,8 @@ int session_open(session *s, fail *f);
  * error, looks every 100 ms until it is back, and shows the whole of it. */
 int session_show(session *s, const picture *p, fail *f);
 
-/* Until the device has confirmed the picture, as far as its protocol tells. */
+/* Until the device has confirmed the picture, as far as its protocol tells, or
+ * has not a second after `stop`. */
 int session_settle(session *s, fail *f);
 
 /* Keeps the link alive between pictures: call it ten times a second at least
