@@ -9,6 +9,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,13 +52,18 @@ static void remove_all(void) {
     }
 }
 
-static volatile sig_atomic_t coloured; /* 1 + the terminal's file */
+/* Both change only while the signals are blocked. Once set they stay: also an end
+ * of the colours that was flushed may be thrown away on its way. */
+static int coloured = -1; /* the terminal's file; -1: none */
 static pid_t colours_owner;
 
-/* Async-signal-safe. */
+/* Async-signal-safe. A terminal that takes nothing (Ctrl-S, or nobody reads it)
+ * keeps its colours: waiting for it here, no signal could end the program. */
 static void end_colours(void) {
     static const char end[] = "\x1b[0m";
-    if (coloured > 0 && colours_owner == getpid() && write(coloured - 1, end, sizeof end - 1) < 0) {
+    struct pollfd terminal = {.fd = coloured, .events = POLLOUT};
+    if (coloured < 0 || colours_owner != getpid() || poll(&terminal, 1, 0) != 1 ||
+        write(coloured, end, sizeof end - 1) < 0) {
         return; /* there is nobody left to tell */
     }
 }
@@ -161,6 +167,8 @@ void temporary_remove(temporary *t) {
 
 void temporary_colours(int file) {
     install_handlers();
+    const sigset_t before = block_signals();
     colours_owner = getpid();
-    coloured = file + 1;
+    coloured = file;
+    restore_signals(&before);
 }

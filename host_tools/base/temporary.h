@@ -3,8 +3,8 @@
  * A normal exit, SIGINT, SIGTERM, SIGHUP and SIGPIPE remove every
  * temporary file that was neither kept nor removed. A forked child
  * removes none of its parent's. The signals also end the colours that a
- * terminal is in: Ctrl-C throws away what was on the way there, maybe their
- * end, so that ending them in time is not enough.
+ * terminal is in, if it takes anything at all: Ctrl-C throws away what was on the
+ * way there, maybe their end, so that ending them in time is not enough.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef TEMPORARY_H
