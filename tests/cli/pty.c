@@ -7,7 +7,8 @@
  * command and all it started are then interrupted, as the terminal does it.
  * Ends with the command's status, 128 + n when signal n ended it, 124 when
  * something that it started is still there a second later, or 125 when there is
- * no terminal to be had.
+ * no terminal to be had. When it is killed itself, the command and its group are, too (on
+ * Linux).
  *
  * SPDX-License-Identifier: MIT */
 #define _XOPEN_SOURCE 700
@@ -45,7 +46,20 @@ static int open_slave(int master, int flags) {
     return slave;
 }
 
+/* The signal that comes when the parent ends; it may have ended before. */
+static void end_with(pid_t parent, int number) {
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, number, 0, 0, 0);
+    if (getppid() != parent) {
+        raise(number);
+    }
+#else
+    (void)parent, (void)number;
+#endif
+}
+
 static void become(char **command, int slave, int both) {
+    signal(SIGTERM, SIG_DFL);
     signal(SIGINT, SIG_DFL); /* a shell's background commands ignore it */
     dup2(both ? slave : STDERR_FILENO, STDOUT_FILENO);
     dup2(slave, STDERR_FILENO);
@@ -114,10 +128,23 @@ static int is_somebody_left(pid_t group) {
     return 1;
 }
 
+static volatile sig_atomic_t group; /* of the command, in a session of its own; 0: none */
+
+static void kill_group(int number) {
+    (void)number;
+    if (group > 0) {
+        kill(-group, SIGKILL);
+        while (waitpid(-group, NULL, 0) > 0) {
+        }
+    }
+    _exit(LEFT_BEHIND);
+}
+
 static int run(char **command, int master, int slave, int both, long until_ctrl_c) {
     inherit();
-    const pid_t child = fork();
+    const pid_t self = getpid(), child = fork();
     if (child == 0) {
+        end_with(self, SIGKILL);
         close(master);
         if (until_ctrl_c > 0) {
             setpgid(0, 0);
@@ -126,6 +153,7 @@ static int run(char **command, int master, int slave, int both, long until_ctrl_
     }
     if (until_ctrl_c > 0) {
         setpgid(child, child);
+        group = child;
         tcsetpgrp(slave, child);
     }
     close(slave);
@@ -147,8 +175,10 @@ static int run(char **command, int master, int slave, int both, long until_ctrl_
  * end all that is in it, as when a window is closed. */
 static int run_in_session(char **command, int master, long until_ctrl_c) {
     int status = 0;
-    const pid_t leader = fork();
+    const pid_t self = getpid(), leader = fork();
     if (leader == 0) {
+        signal(SIGTERM, kill_group);
+        end_with(self, SIGTERM);
         setsid();
         const int slave = open_slave(master, 0);
         _exit(slave < 0 ? NO_TERMINAL : run(command, master, slave, 1, until_ctrl_c));

@@ -101,6 +101,16 @@ for bytes in 1500 12000 20000 50000 120000; do
             tail -c 60 seen | cat -v)"
 done
 
+./pty 1000000 sh -c 'echo $$ >group; sleep 50 & sleep 50' >seen 2>out </dev/null &
+pty=$!
+for i in 1 2 3 4 5 6 7 8 9 10; do [ -s group ] || sleep 0.2; done
+kill -9 $pty
+wait $pty 2>/dev/null
+verdict "a terminal that is killed takes with it what runs there" "$(
+    [ -s group ] || echo "nothing ran"
+    for i in 1 2 3 4 5 6 7 8 9 10; do kill -0 "-$(cat group)" 2>/dev/null && sleep 0.2; done
+    kill -0 "-$(cat group)" 2>/dev/null && echo "its group is still there")"
+
 # ---- progress of what takes more than a second -----------------------------------
 
 mkfifo slow.ply
