@@ -3,13 +3,15 @@
 # small.ppm: the same, 128x64; orbit.y4m: 1.2 degrees a frame about them, as at
 # 30 a second in ten seconds
 #
-# 320x240 else. Streams of PPM round no colour on its way.
+# 320x240 else. Streams of PPM round no colour on its way. Films that are younger than
+# what makes them are kept.
 # SPDX-License-Identifier: MIT
 set -e
 planelet=${OUT:-${BUILD:-build}/host}/planelet
 folder=$1
 mkdir -p "$folder/scene"
-[ -e "$folder/small.ppm" ] && [ -e "$folder/orbit.y4m" ] && exit 0
+[ -n "$(find "$folder/orbit.y4m" -newer "$planelet" -newer "$0" 2>/dev/null)" ] && exit 0
+rm -f "$folder/orbit.y4m"
 "$planelet" make marbles --frames 36 -o "$folder/scene/{}.ply" >/dev/null
 for mesh in "$folder"/scene/*.ply; do
     "$planelet" pack "$mesh" -o "${mesh%.ply}.plt" >/dev/null
@@ -26,5 +28,6 @@ scene=$(ls "$folder"/scene/*.plt | head -n 1)
 {
     head -n 1 "$folder/scene/orbit.y4m" | sed 's/ F25:1//' # no time of its own
     tail -n +2 "$folder/scene/orbit.y4m" | head -c $((15 * (6 + 3 * 320 * 240)))
-} >"$folder/orbit.y4m"
+} >"$folder/scene/last.y4m"
+mv "$folder/scene/last.y4m" "$folder/orbit.y4m" # all films are there
 rm -r "$folder/scene"
