@@ -18,9 +18,18 @@ verdict "the demo and its terminal build" "$trouble"
 [ -z "$trouble" ] || { finish; exit 1; }
 ln "$out/planelet-hid-emulated" "$work/hid-emulated"
 
-# demo WHERE FRAMES: files `seen` and `err`, variable `status`.
+# A planelet that says 2,000 zeros and then packs for ever: its mesh does not end.
+cat >"$work/slow" <<'END'
+#!/bin/sh
+[ "$1" = pack ] || exec "$REAL" "$@"
+printf '%02000d\n' 0
+{ head -c 1000 "$2"; sleep 100; } | "$REAL" pack /dev/stdin -o "$4"
+END
+chmod +x "$work/slow"
+
+# demo WHERE FRAMES [PLANELET]: files `seen` and `err`, variable `status`.
 demo() {
-    PLANELET=$out/planelet HID=$work/hid DEMO=$work/demo FRAMES=$2 \
+    REAL=$out/planelet PLANELET=${3:-$out/planelet} HID=$work/hid DEMO=$work/demo FRAMES=$2 \
         timeout 100 "$work/pty" "$1" sh tests/hid/demo.sh >"$work/seen" 2>"$work/err" </dev/null
     status=$?
     tr '\033' '\n' <"$work/seen" >"$work/codes"
@@ -51,13 +60,15 @@ for bytes in 2000 30000 100000; do
     verdict "Ctrl-C after $bytes bytes, in a picture: figures, no colour, nobody left behind" "$(
         [ "$status" -eq 0 ] || echo "status $status"
         grep -q 'frames in .* a second' "$work/seen" || echo "no figures"
-        [ "$(tail -c 5 "$work/seen" | head -c 1)" = "" ] || echo "the last line has no end"
+        # Behind the end of the last line is what ends colours, sent by hid-emulated.
+        [ "$(tail -c 6 "$work/seen" | od -An -tx1 | tr -d ' ')" = 0d0a1b5b306d ] ||
+            { echo "the last line has no end"; tail -c 20 "$work/seen" | od -c; }
         ended
         kept)"
 done
 rm -rf "$work/demo"
-demo 1 1000
-verdict "Ctrl-C while the scene is made and packed: interrupted, no half-written file" "$(
+demo 2000 1000 "$work/slow"
+verdict "Ctrl-C while the scene is packed: interrupted, nobody and nothing half-written left" "$(
     [ "$status" -eq 130 ] || echo "status $status"
     ended
     kept)"
