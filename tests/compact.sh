@@ -144,7 +144,7 @@ race() { # MESH K SIDE
     echo "$1|$2|$3x$3|$ratio|$same|$(median 3)|$(median 4)|$(median 5)" >>"$work/races"
     what="$1, $2 a list, $3x$3: rays a second against thesis nodes"
     verdict "$ratio >= $least" "$what as packed: $ratio, $least or more"
-    verdict "$same >= $least" "$what of the same topology: $same, $least or more"
+    verdict "$same >= 0.9" "$what of the same topology: $same, 0.9 or more"
 }
 
 costs() { # MESH

@@ -111,6 +111,16 @@ static void enter(plt_walker *w, plt_block_entry *at) {
     f4_store(at->hi, f4_load(o->hi));
 }
 
+/* The same when the box that led here has just been tested. Of many groups the frame
+ * rarely turns any away; of one it does often enough to be asked. 0: it has. */
+static inline int enter_tested(plt_walker *w, plt_block_entry *at) {
+    enter(w, at);
+    if ((at->groups & (at->groups - 1)) == 0) {
+        at->groups = meet(w, at, at->groups);
+    }
+    return at->groups != 0;
+}
+
 /* max(1, (e + 254) / 255 rounded down), three axes at once: the quotient is at
  * least 1 / 255 from any whole number that it is not, and below 2^14, so that the
  * product is on the right side after 0.498 is taken off; adding 2^23 rounds. */
@@ -181,8 +191,8 @@ static uint32_t descend(plt_walker *w, plt_block_entry *at) {
             test_unit(w, at);
             return visits;
         }
-        if (kind_of(at) == PLT_SLOT_EDGE) { /* its box was tested: the frame need not be */
-            enter(w, at);
+        if (kind_of(at) == PLT_SLOT_EDGE && !enter_tested(w, at)) {
+            return visits + 1;
         }
         if (!visit(w, at)) {
             return visits + 1;
