@@ -15,6 +15,7 @@ include board/$(BOARD)/board.mk
 PROGRAM ?=
 OUT := $(BUILD)/$(BOARD)$(addprefix -,$(PROGRAM))
 HOST_CC ?= cc
+# An environment that has CC would hand this one on: the host's make gets its own.
 override CC := $(CROSS)gcc
 TEST_PROGRAMS :=
 
@@ -71,7 +72,7 @@ $(OUT)/flags: FORCE
 ##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host gets them
 ifeq ($(PROGRAM),wired)
 run: firmware
-	@$(MAKE) --no-print-directory -s BOARD=host all
+	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BOARD='$(BOARD)' SCENE='$(SCENE)' \
 	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' sh tests/qemu/demo.sh
 
@@ -80,13 +81,13 @@ profile:
 else
 ##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: with counts
 run: firmware
-	@$(MAKE) --no-print-directory -s BOARD=host all
+	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' sh tests/qemu/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
 ##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function
 profile: firmware
-	@$(MAKE) --no-print-directory -s BOARD=host all
+	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' PROFILE='$(OUT)/profile.txt' sh tests/qemu/run_like_host.sh $(BOARD) \
 	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)
 	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f tests/qemu/profile.awk - $(OUT)/profile.txt | \
