@@ -5,7 +5,7 @@
 # had. SPDX-License-Identifier: MIT
 build=${BUILD:-build}
 folder=$build/hid/kernel
-if ! ls "$folder"/root/boot/vmlinuz-* >/dev/null 2>&1; then
+if ! ls "$folder"/unpacked/boot/vmlinuz-* >/dev/null 2>&1; then
     if ! command -v apt-get >/dev/null 2>&1; then
         echo "hid: needs apt-get to download Debian's kernel" >&2
         exit 1
@@ -16,12 +16,12 @@ if ! ls "$folder"/root/boot/vmlinuz-* >/dev/null 2>&1; then
         echo "hid: apt knows no linux-image-amd64 (run apt-get update; amd64 Debian alone)" >&2
         exit 1
     fi
-    mkdir -p "$folder/root"
+    mkdir -p "$folder/unpacked"
     (cd "$folder" && apt-get download "$name" >/dev/null 2>&1 &&
-        dpkg-deb -x "$name"_*.deb root && rm -f "$name"_*.deb) || {
+        dpkg-deb -x "$name"_*.deb unpacked && rm -f "$name"_*.deb) || {
         echo "hid: $name could not be downloaded; is there a network?" >&2
         rm -rf "$folder"
         exit 1
     }
 fi
-echo "$folder/root"
+echo "$folder/unpacked"
