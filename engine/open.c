@@ -145,17 +145,21 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
 int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     const plt_opening o = {e, fault};
     *fault = no_fault;
+    if (e->failed != PLT_OK) {
+        return plt_fault_set(fault, e->failed, 0, "the opening has failed before");
+    }
     if (!e->building) {
         return PLT_OK;
     }
     int status = plt_opening_step(&o, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
         status = cut_rest(&o);
-        e->building = status != PLT_OK; /* a failed opening stays one */
     }
     if (status == PLT_OK) {
+        e->building = 0;
         plt_stats_reset(e);
     }
+    e->failed = status < 0 ? status : PLT_OK;
     return status;
 }
 
