@@ -20,13 +20,8 @@ enum { ZONE = 64, PATTERN = 0xC3 };
 
 static packed image_of(uint32_t triangles, const compact_way *way) {
     mesh m = {0};
-    packed image;
-    fail f = {""};
-    lattice_loss loss;
     shape_soup(&m, triangles, 0.5f, triangles);
-    CHECK(pack_compact(&image, &m, &way->pack, "test", &loss, &f) == 0, "%s", f.text);
-    mesh_free(&m);
-    return image;
+    return compact_packed(&m, way);
 }
 
 typedef struct opened {
@@ -195,9 +190,6 @@ static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
 /* The soup with its axes exchanged: a tree of the same shape, of other boxes. */
 static packed turned_of(uint32_t triangles, const compact_way *way) {
     mesh m = {0};
-    packed image;
-    fail f = {""};
-    lattice_loss loss;
     shape_soup(&m, triangles, 0.5f, triangles);
     for (size_t i = 0; i < m.vertices; i++) {
         float *v = m.vertex + 3 * i;
@@ -206,9 +198,7 @@ static packed turned_of(uint32_t triangles, const compact_way *way) {
         v[1] = v[2];
         v[2] = x;
     }
-    CHECK(pack_compact(&image, &m, &way->pack, "test", &loss, &f) == 0, "%s", f.text);
-    mesh_free(&m);
-    return image;
+    return compact_packed(&m, way);
 }
 
 /* Blocks that are still open from before change neither hits nor statistics, and

@@ -26,6 +26,17 @@ compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build,
     return way;
 }
 
+packed compact_packed(mesh *m, const compact_way *way) {
+    packed image = {NULL, 0, {0}};
+    fail f = {""};
+    lattice_loss loss;
+    if (pack_compact(&image, m, &way->pack, "test", &loss, &f) != 0) {
+        image.bytes = NULL;
+    }
+    mesh_free(m);
+    return image;
+}
+
 int compact_open(rig *r, const mesh *m, const compact_way *way) {
     fail f = {""};
     lattice_loss loss;

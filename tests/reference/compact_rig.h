@@ -18,6 +18,9 @@ typedef struct compact_way {
 /* K, bits, build and splits; numbers kept; the largest packet of this build. */
 compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build, uint8_t splits);
 
+/* The image of a mesh, which is freed; without bytes if the packer refused. */
+packed compact_packed(mesh *m, const compact_way *way);
+
 /* As rig_open; closed by rig_close. */
 int compact_open(rig *r, const mesh *m, const compact_way *way);
 
