@@ -37,7 +37,7 @@ struct plt_engine {
     size_t build_mark;    /* arena in use before it */
     size_t build_peak;    /* and the peak till then */
     uint8_t building;     /* between plt_open_begin and the step that ends it */
-    int failed;           /* what a step of it failed with; PLT_OK: none has */
+    int8_t failed;        /* what a step of it failed with; PLT_OK: none has */
     uint8_t *film;        /* a tile, 3 bytes a pixel, rows as wide as the tile in hand */
     uint32_t touched_words;
 };

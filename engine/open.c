@@ -159,7 +159,7 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
         e->building = 0;
         plt_stats_reset(e);
     }
-    e->failed = status < 0 ? status : PLT_OK;
+    e->failed = (int8_t)(status < 0 ? status : PLT_OK);
     return status;
 }
 
