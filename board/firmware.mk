@@ -51,17 +51,17 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 
 # The worst path from start-up to anywhere; fails on recursion and on frames
 # of unknown size.
-$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) tests/check/stack.awk board/$(BOARD)/board.mk
+$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) board/tools/stack.awk board/$(BOARD)/board.mk
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
 	    -v indirect='$(SOURCE_FUNCTIONS)' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
-	    -v entry='$(INTERRUPT_FRAME)' -f tests/check/stack.awk \
+	    -v entry='$(INTERRUPT_FRAME)' -f board/tools/stack.awk \
 	    $(FIRMWARE_OBJECTS:.o=.ci) - >$@ || { cat $@ >&2; exit 1; }
 
 $(OUT)/%.o: %.c $(OUT)/flags
 	$(call compile,$(COMMAND))
 
 # The instruction counter is a program of the host.
-$(OUT)/libcount.so: tests/qemu/count.c
+$(OUT)/libcount.so: board/tools/count.c
 	@mkdir -p $(@D)
 	@echo "cc $@"
 	@$(HOST_CC) $(STRICT) -O2 -shared -fPIC -o $@ $<
@@ -74,7 +74,7 @@ ifeq ($(PROGRAM),wired)
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BOARD='$(BOARD)' SCENE='$(SCENE)' \
-	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' sh tests/qemu/demo.sh
+	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' sh board/tools/demo.sh
 
 profile:
 	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))
@@ -82,15 +82,15 @@ else
 ##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: with counts
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
-	@BUILD='$(BUILD)' sh tests/qemu/run_like_host.sh $(BOARD) '$(SCENE)' \
+	@BUILD='$(BUILD)' sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
 ##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function
 profile: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
-	@BUILD='$(BUILD)' PROFILE='$(OUT)/profile.txt' sh tests/qemu/run_like_host.sh $(BOARD) \
+	@BUILD='$(BUILD)' PROFILE='$(OUT)/profile.txt' sh board/tools/run_like_host.sh $(BOARD) \
 	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)
-	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f tests/qemu/profile.awk - $(OUT)/profile.txt | \
+	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f board/tools/profile.awk - $(OUT)/profile.txt | \
 	    sort -rn | head -n 25
 endif
 

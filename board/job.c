@@ -96,7 +96,7 @@ static int read_camera(const char *all, job *j) {
 static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
     static const char *const shaders[] = {"eyelight", "normal", "triangle"};
-    if (read_word(all, "walk", walks, 2, &j->options.walk) < 0) {
+    if (read_word(all, "walk", walks, 2, &j->options.order) < 0) {
         return -1;
     }
     return read_word(all, "shader", shaders, 3, &j->frame.shader);

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/budget.h"
 
-#include "engine/build/blocks.h"
-#include "engine/build/build.h"
+#include "engine/builder/blocks.h"
+#include "engine/builder/build.h"
 
 /* Sums are of 64 bits: on a 32-bit machine they may exceed any arena. */
 static uint64_t cut(uint64_t bytes) {
@@ -23,11 +23,11 @@ static uint32_t saturated(uint64_t bytes) {
 int plt_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side == 2 || side == 4 || side == 8 || side == 16) && side <= PLT_PACKET_SIDE_MAX &&
-           o->walk <= PLT_WALK_TWO_STAGE;
+           o->order <= PLT_ORDER_TWO_STAGE;
 }
 
 int plt_budget_walk_valid(const plt_info *info, const plt_options *o) {
-    return info->nodes_format == PLT_NODES_THESIS || o->walk == PLT_WALK_DEPTH_FIRST;
+    return info->nodes_format == PLT_NODES_THESIS || o->order == PLT_ORDER_DEPTH_FIRST;
 }
 
 size_t plt_budget_groups(const plt_options *o) {
@@ -43,12 +43,12 @@ uint32_t plt_budget_touched_words(const plt_info *info) {
 
 uint32_t plt_budget_main_stack(const plt_info *info, const plt_options *o) {
     const uint32_t need =
-        o->walk == PLT_WALK_TWO_STAGE ? info->global_stack_entries : info->depth_stack_entries;
+        o->order == PLT_ORDER_TWO_STAGE ? info->global_stack_entries : info->depth_stack_entries;
     return need > 0 ? need : 1;
 }
 
 uint32_t plt_budget_local_stack(const plt_info *info, const plt_options *o) {
-    return o->walk == PLT_WALK_TWO_STAGE ? info->local_stack_entries : 0;
+    return o->order == PLT_ORDER_TWO_STAGE ? info->local_stack_entries : 0;
 }
 
 size_t plt_budget_entry(const plt_info *info) {
@@ -56,13 +56,13 @@ size_t plt_budget_entry(const plt_info *info) {
 }
 
 size_t plt_budget_open_blocks(const plt_info *info) {
-    return info->nodes_format == PLT_NODES_COMPACT ? PLT_OPEN_BLOCKS * sizeof(plt_open_block) : 0;
+    return info->nodes_format == PLT_NODES_COMPACT ? PLT_OPEN_BLOCKS * sizeof(plt_opened_block) : 0;
 }
 
 size_t plt_budget_survey(const plt_info *info) {
     return info->nodes_format == PLT_NODES_COMPACT
-               ? PLT_DEPTH_MAX * sizeof(plt_block_frame_of_survey)
-               : PLT_SURVEY_FRAMES * sizeof(plt_survey_frame);
+               ? PLT_DEPTH_MAX * sizeof(plt_blocks_validate_level)
+               : PLT_VALIDATE_LEVELS * sizeof(plt_validate_level);
 }
 
 /* What is cut when the scratch of opening has been given back. */
@@ -97,7 +97,7 @@ static uint64_t build_bytes(const plt_info *info, const plt_info *worst, uint64_
     if (info->nodes_format == PLT_NODES_COMPACT) {
         const uint64_t blocks = cut((uint64_t)worst->node_bytes + worst->triangle_bytes);
         const uint32_t corners = info->lattice_bits <= 16 ? 18 : 36;
-        const uint64_t window = mapped ? 0 : cut(plt_window_bytes(corners));
+        const uint64_t window = mapped ? 0 : cut(plt_record_cache_bytes(corners));
         return blocks + larger(cut(plt_blocks_scratch_bytes(info->triangles)) + window, last);
     }
     const uint64_t scene =

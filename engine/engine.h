@@ -9,9 +9,9 @@
 #ifndef PLT_ENGINE_H
 #define PLT_ENGINE_H
 
-#include "engine/build/blocks.h"
+#include "engine/base/arena.h"
+#include "engine/builder/blocks.h"
 #include "engine/image/header.h"
-#include "engine/memory/arena.h"
 #include "engine/planelet.h"
 #include "engine/trace/walk.h"
 
@@ -47,8 +47,8 @@ static inline uint32_t plt_engine_walk(plt_engine *e, uint32_t visits) {
     if (e->walker.compact) {
         return plt_walk_blocks(&e->walker, visits);
     }
-    return e->options.walk == PLT_WALK_TWO_STAGE ? plt_walk_two_stage(&e->walker, visits)
-                                                 : plt_walk_depth_first(&e->walker, visits);
+    return e->options.order == PLT_ORDER_TWO_STAGE ? plt_walk_two_stage(&e->walker, visits)
+                                                   : plt_walk_depth_first(&e->walker, visits);
 }
 
 #endif

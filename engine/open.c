@@ -1,10 +1,10 @@
 /* open - from an image to an engine in an arena
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/base/crc32.h"
+#include "engine/base/fault.h"
 #include "engine/budget.h"
-#include "engine/image/crc32.h"
-#include "engine/image/fault.h"
-#include "engine/memory/fetch.h"
+#include "engine/image/fetch.h"
 #include "engine/opening.h"
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
@@ -88,7 +88,7 @@ static int cut_rest(const plt_opening *o) {
     }
     if (w->compact) {
         w->blocks.stack = stack;
-        plt_open_blocks_begin(w->blocks.open);
+        plt_block_cache_clear(w->blocks.open);
     } else {
         w->stack = stack;
     }

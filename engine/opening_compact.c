@@ -1,11 +1,11 @@
 /* opening_compact - scenes of compact blocks
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/base/fault.h"
 #include "engine/budget.h"
-#include "engine/build/blocks.h"
-#include "engine/image/check.h"
-#include "engine/image/fault.h"
+#include "engine/builder/blocks.h"
 #include "engine/opening.h"
+#include "engine/tree/thesis/validate_image.h"
 
 #define BEHIND 8 /* bytes that readers of bits may look at */
 
@@ -16,7 +16,7 @@ static void describe(const plt_opening *o) {
     t->leaf_triangles = e->header.info.leaf_triangles;
     t->lattice = e->header.lattice;
     t->box = e->header.lattice_box;
-    t->numbers.bits = e->header.info.number_bits;
+    t->numbers.bits = e->header.info.primitive_id_bits;
     for (int a = 0; a < 3; a++) {
         e->walker.blocks.origin[a] = t->lattice.origin[a];
     }
@@ -39,13 +39,14 @@ static int same_counts(const plt_info *a, const plt_info *b) {
 /* Numbers of the section are those of the packed mesh. */
 static int check_numbers(const plt_opening *o) {
     const plt_info *info = &o->e->header.info;
-    const plt_numbers *n = &o->e->walker.blocks.tree.numbers;
+    const plt_primitive_ids *n = &o->e->walker.blocks.tree.numbers;
     for (uint32_t i = 0; i < info->triangles && n->bytes != NULL; i++) {
-        const uint32_t word = plt_number_find(n, i);
-        if (plt_number_triangle(word) >= info->source_triangles || plt_number_turn(word) > 2) {
+        const uint32_t word = plt_primitive_word_find(n, i);
+        if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
             const uint32_t at = (uint32_t)((uint64_t)i * n->bits >> 3);
             return plt_broken(o->fault, 19,
-                              plt_header_section(&o->e->header, PLT_SECTION_NUMBERS)->offset + at,
+                              plt_header_section(&o->e->header, PLT_SECTION_PRIMITIVE_IDS)->offset +
+                                  at,
                               "a triangle's number is too large");
         }
     }
@@ -57,11 +58,11 @@ static int survey_blocks(const plt_opening *o, plt_info *found) {
     plt_engine *e = o->e;
     const size_t mark = e->arena.used;
     *found = e->header.info;
-    plt_block_frame_of_survey *frames = plt_arena_cut(&e->arena, plt_budget_survey(found));
+    plt_blocks_validate_level *frames = plt_arena_cut(&e->arena, plt_budget_survey(found));
     if (frames == NULL) {
         return plt_opening_short(o);
     }
-    const int status = plt_block_survey(&e->walker.blocks.tree, frames, found, o->fault);
+    const int status = plt_blocks_validate(&e->walker.blocks.tree, frames, found, o->fault);
     plt_arena_release(&e->arena, mark);
     return status;
 }
@@ -100,14 +101,14 @@ static int take_blocks(const plt_opening *o) {
     const plt_info *info = &o->e->header.info;
     const void *blocks = NULL, *numbers = NULL, *records = NULL;
     int status = plt_opening_section(o, PLT_SECTION_BLOCKS, 0, &blocks);
-    if (status == PLT_OK && info->number_bits > 0) {
-        status = plt_opening_section(o, PLT_SECTION_NUMBERS, 0, &numbers);
+    if (status == PLT_OK && info->primitive_id_bits > 0) {
+        status = plt_opening_section(o, PLT_SECTION_PRIMITIVE_IDS, 0, &numbers);
     }
     if (status == PLT_OK && info->geometry_format == PLT_GEOMETRY_FLOAT) {
         status = plt_opening_section(o, PLT_SECTION_TRIANGLES, 0, &records);
     }
     if (status == PLT_OK && records != NULL) {
-        status = plt_check_records(&o->e->header, records, o->fault);
+        status = plt_records_validate(&o->e->header, records, o->fault);
     }
     t->bytes = blocks;
     t->numbers.bytes = numbers;
@@ -135,7 +136,7 @@ static int check_corners(const plt_opening *o, const plt_lattice_triangles *t) {
 }
 
 /* What the source said of its failure. */
-static int window_status(const plt_opening *o, const plt_window *w) {
+static int window_status(const plt_opening *o, const plt_record_cache *w) {
     if (w == NULL || w->status == PLT_OK) {
         return PLT_OK;
     }
@@ -148,8 +149,8 @@ static int window_status(const plt_opening *o, const plt_window *w) {
 static int open_window(const plt_opening *o, plt_lattice_triangles *t, void *memory) {
     plt_engine *e = o->e;
     const plt_section *s = plt_header_section(&e->header, PLT_SECTION_CORNERS);
-    t->window = plt_window_begin(memory, &e->source, s->offset, 9 * t->width, t->count);
-    const uint32_t crc = plt_window_crc(t->window, s->bytes);
+    t->window = plt_record_cache_init(memory, &e->source, s->offset, 9 * t->width, t->count);
+    const uint32_t crc = plt_record_cache_crc(t->window, s->bytes);
     const int status = window_status(o, t->window);
     return status != PLT_OK || crc == s->crc
                ? status
@@ -158,7 +159,7 @@ static int open_window(const plt_opening *o, plt_lattice_triangles *t, void *mem
 
 static size_t window_bytes(const plt_engine *e) {
     const uint32_t width = e->header.info.lattice_bits <= 16 ? 2 : 4;
-    return e->source.mapped != NULL ? 0 : plt_arena_cut_bytes(plt_window_bytes(9 * width));
+    return e->source.mapped != NULL ? 0 : plt_arena_cut_bytes(plt_record_cache_bytes(9 * width));
 }
 
 /* Blocks grow over the free arena, scratch and window take its end. */

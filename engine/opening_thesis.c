@@ -1,11 +1,11 @@
 /* opening_thesis - scenes of thesis nodes and float records
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/base/fault.h"
 #include "engine/budget.h"
-#include "engine/build/build.h"
-#include "engine/image/check.h"
-#include "engine/image/fault.h"
+#include "engine/builder/build.h"
 #include "engine/opening.h"
+#include "engine/tree/thesis/validate_image.h"
 
 static int take_scene(const plt_opening *o) {
     plt_engine *e = o->e;
@@ -17,7 +17,7 @@ static int take_scene(const plt_opening *o) {
         status = plt_opening_section(o, PLT_SECTION_TRIANGLES, build, &records);
     }
     if (status == PLT_OK) {
-        status = plt_check_records(&e->header, records, o->fault);
+        status = plt_records_validate(&e->header, records, o->fault);
     }
     tree->nodes = nodes;
     tree->records = records;
@@ -36,16 +36,16 @@ static int take_scene(const plt_opening *o) {
 static int survey_or_check(const plt_opening *o, int built) {
     plt_engine *e = o->e;
     const size_t mark = e->arena.used;
-    plt_survey_frame *frames =
-        plt_arena_cut(&e->arena, PLT_SURVEY_FRAMES * sizeof(plt_survey_frame));
+    plt_validate_level *frames =
+        plt_arena_cut(&e->arena, PLT_VALIDATE_LEVELS * sizeof(plt_validate_level));
     if (frames == NULL) {
         return plt_opening_short(o);
     }
     const uint32_t k = e->header.info.leaf_triangles;
-    int status = built ? plt_tree_survey(&e->walker.tree, frames, &e->header.info, o->fault)
-                       : plt_check_planes(&e->header, e->walker.tree.nodes, o->fault);
+    int status = built ? plt_tree_validate(&e->walker.tree, frames, &e->header.info, o->fault)
+                       : plt_planes_validate(&e->header, e->walker.tree.nodes, o->fault);
     if (status == PLT_OK && !built) {
-        status = plt_check_tree(&e->header, &e->walker.tree, frames, o->fault);
+        status = plt_tree_validate_counts(&e->header, &e->walker.tree, frames, o->fault);
     }
     e->header.info.leaf_triangles = k;
     plt_arena_release(&e->arena, mark);

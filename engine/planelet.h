@@ -64,9 +64,9 @@ typedef struct plt_source {
     int (*wait)(void *context, uint32_t tags);
 } plt_source;
 
-enum plt_walk {
-    PLT_WALK_DEPTH_FIRST = 0, /* resident scenes: one stack, near child first */
-    PLT_WALK_TWO_STAGE = 1    /* thesis nodes only: local and global stack (section 4.2) */
+enum plt_order {
+    PLT_ORDER_DEPTH_FIRST = 0, /* resident scenes: one stack, near child first */
+    PLT_ORDER_TWO_STAGE = 1    /* thesis nodes only: local and global stack (section 4.2) */
 };
 
 enum plt_splits {
@@ -93,7 +93,7 @@ enum plt_geometry_format {
 /* How an engine shall run; all zero but `packet_side` is a good choice. */
 typedef struct plt_options {
     uint8_t packet_side; /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
-    uint8_t walk;        /* enum plt_walk */
+    uint8_t order;       /* enum plt_order */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -110,15 +110,15 @@ typedef struct plt_info {
     uint32_t global_stack_entries; /* ... and of its global stack */
     uint32_t depth_stack_entries;  /* exact need of the depth-first walk */
     uint32_t image_bytes;
-    uint32_t node_bytes;       /* all nodes; of compact blocks the nodes parts */
-    uint32_t triangle_bytes;   /* all triangles; of compact blocks the geometry parts */
-    uint32_t number_bytes;     /* packing-order numbers kept apart; 0: there are none */
-    uint32_t source_triangles; /* in packing order, with those that lost their area */
-    float lo[3], hi[3];        /* box of all triangles; lo > hi when there are none */
+    uint32_t node_bytes;         /* all nodes; of compact blocks the nodes parts */
+    uint32_t triangle_bytes;     /* all triangles; of compact blocks the geometry parts */
+    uint32_t primitive_id_bytes; /* packing-order numbers kept apart; 0: there are none */
+    uint32_t source_triangles;   /* in packing order, with those that lost their area */
+    float lo[3], hi[3];          /* box of all triangles; lo > hi when there are none */
     uint8_t splits, build;
     uint8_t nodes_format, geometry_format; /* enum plt_nodes, plt_geometry_format */
     uint8_t lattice_bits;                  /* 12 .. 21; 0 without a lattice */
-    uint8_t number_bits;                   /* an entry of the numbers, 0 without */
+    uint8_t primitive_id_bits;             /* an entry of the numbers, 0 without */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */

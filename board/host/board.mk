@@ -16,7 +16,7 @@ TOOLS := $(filter-out host_tools/cli/main.c host_tools/hid/%,$(sort $(wildcard h
 HOST := $(sort $(wildcard board/host/*.c))
 # The portable firmware runs on the host too, on the fake board.
 FAKE := $(sort $(wildcard board/*.c board/fake/*.c))
-TESTS := $(sort $(wildcard tests/test_*.c))
+TESTS := $(sort $(wildcard tests/*/test_*.c))
 REFERENCE := $(sort $(wildcard tests/reference/*.c))
 
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
@@ -54,7 +54,7 @@ $(OUT)/tests/reference/lanes_sse_fma.o: PROBE_FLAGS := -mavx2 -mfma
 $(OUT)/tests/reference/lanes_scalar_fma.o: PROBE_FLAGS := -mavx2 -mfma
 endif
 
-$(OUT)/tests/test_%: $(OUT)/tests/test_%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+$(OUT)/tests/%: $(OUT)/tests/%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 

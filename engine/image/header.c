@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/image/header.h"
 
-#include "engine/image/bytes.h"
-#include "engine/image/crc32.h"
-#include "engine/image/fault.h"
+#include "engine/base/bytes.h"
+#include "engine/base/crc32.h"
+#include "engine/base/fault.h"
 #include "engine/image/header_at.h"
 
 static const unsigned char magic[8] = {'P', 'L', 'A', 'N', 'E', 'L', 'E', 'T'};
@@ -64,8 +64,8 @@ static void read_lattice(plt_header *h, const unsigned char *bytes) {
     plt_info *info = &h->info;
     info->lattice_bits = (uint8_t)(h->lattice.bits <= 255 ? h->lattice.bits : 255);
     info->source_triangles = plt_get_u32(bytes + PLT_AT_SOURCE_TRIANGLES);
-    const uint32_t number_bits = plt_get_u32(bytes + PLT_AT_NUMBER_BITS);
-    info->number_bits = (uint8_t)(number_bits <= 255 ? number_bits : 255);
+    const uint32_t primitive_id_bits = plt_get_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS);
+    info->primitive_id_bits = (uint8_t)(primitive_id_bits <= 255 ? primitive_id_bits : 255);
     info->node_bytes = plt_get_u32(bytes + PLT_AT_NODE_BYTES);
     info->triangle_bytes = plt_get_u32(bytes + PLT_AT_TRIANGLE_BYTES);
 }
@@ -79,7 +79,7 @@ static void write_lattice(unsigned char *bytes, const plt_header *h) {
         plt_put_u32(bytes + PLT_AT_LATTICE_BOX + 12 + 4 * a, h->lattice_box.hi[a]);
     }
     plt_put_u32(bytes + PLT_AT_SOURCE_TRIANGLES, h->info.source_triangles);
-    plt_put_u32(bytes + PLT_AT_NUMBER_BITS, h->info.number_bits);
+    plt_put_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS, h->info.primitive_id_bits);
     plt_put_u32(bytes + PLT_AT_NODE_BYTES, h->info.node_bytes);
     plt_put_u32(bytes + PLT_AT_TRIANGLE_BYTES, h->info.triangle_bytes);
 }
@@ -118,8 +118,10 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         info->triangle_bytes = header->section[1].bytes;
         info->source_triangles = info->triangles;
     }
-    info->number_bytes =
-        info->number_bits > 0 ? (uint32_t)plt_header_section_bytes(info, PLT_SECTION_NUMBERS) : 0;
+    info->primitive_id_bytes =
+        info->primitive_id_bits > 0
+            ? (uint32_t)plt_header_section_bytes(info, PLT_SECTION_PRIMITIVE_IDS)
+            : 0;
     return plt_header_check(header, bytes, fault);
 }
 

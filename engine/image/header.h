@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
+#include "engine/base/lattice.h"
 #include "engine/planelet.h"
-#include "engine/tree/lattice.h"
 
 #define PLT_HEADER_BYTES 256
 #define PLT_SECTION_ALIGN 64
@@ -18,11 +18,11 @@
 
 enum plt_section_kind {
     PLT_SECTION_NONE = 0,
-    PLT_SECTION_NODES = 1,     /* thesis nodes in their slots */
-    PLT_SECTION_TRIANGLES = 2, /* float records */
-    PLT_SECTION_BLOCKS = 3,    /* compact blocks */
-    PLT_SECTION_NUMBERS = 4,   /* packing-order numbers (numbers.h) */
-    PLT_SECTION_CORNERS = 5    /* lattice corners, for the device to build from */
+    PLT_SECTION_NODES = 1,         /* thesis nodes in their slots */
+    PLT_SECTION_TRIANGLES = 2,     /* float records */
+    PLT_SECTION_BLOCKS = 3,        /* compact blocks */
+    PLT_SECTION_PRIMITIVE_IDS = 4, /* packing-order numbers (numbers.h) */
+    PLT_SECTION_CORNERS = 5        /* lattice corners, for the device to build from */
 };
 
 typedef struct plt_section {

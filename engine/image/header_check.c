@@ -1,12 +1,12 @@
 /* header_check - is a header one that an engine can go by?
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/image/bytes.h"
-#include "engine/image/fault.h"
+#include "engine/base/bytes.h"
+#include "engine/base/fault.h"
 #include "engine/image/header.h"
 #include "engine/image/header_at.h"
-#include "engine/tree/block.h"
-#include "engine/tree/link.h"
+#include "engine/tree/compact/block.h"
+#include "engine/tree/thesis/link.h"
 
 static int is_number_between(float x, float least, float most) {
     return x >= least && x <= most;
@@ -43,9 +43,9 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
                  h->lattice_box.hi[a] < 1u << l->bits);
     }
     /* An entry of the numbers holds any number and two bits more. */
-    good &= info->number_bits == 0 ||
-            (info->number_bits >= 2 && info->number_bits <= 29 && info->build == PLT_BUILD_HOST &&
-             info->geometry_format == PLT_GEOMETRY_LATTICE);
+    good &= info->primitive_id_bits == 0 ||
+            (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
+             info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
     if (!good || info->node_bytes > 8u * 0xFFFFFFu || info->triangle_bytes > 8u * 0xFFFFFFu) {
         return plt_refused(fault, 14, PLT_AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");

@@ -4,8 +4,8 @@
 #include <stddef.h>
 
 #include "engine/image/header.h"
-#include "engine/tree/node.h"
 #include "engine/tree/record.h"
+#include "engine/tree/thesis/node.h"
 
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes) {
     const uint64_t bytes = (uint64_t)count * item_bytes;
@@ -23,8 +23,8 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
             kind[count++] = PLT_SECTION_TRIANGLES;
         }
     }
-    if (info->number_bits > 0) {
-        kind[count++] = PLT_SECTION_NUMBERS;
+    if (info->primitive_id_bits > 0) {
+        kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
     }
     return count;
 }
@@ -41,8 +41,9 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
         return plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
     case PLT_SECTION_CORNERS:
         return plt_section_bytes(info->triangles, info->lattice_bits <= 16 ? 18 : 36);
-    case PLT_SECTION_NUMBERS:
-        return (((uint64_t)info->triangles * info->number_bits + 7) / 8 + BEHIND + 63) & ~63ull;
+    case PLT_SECTION_PRIMITIVE_IDS:
+        return (((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 + BEHIND + 63) &
+               ~63ull;
     default:
         return (used + BEHIND + 63) & ~63ull;
     }

@@ -37,8 +37,8 @@
  *                   PLT_LANES_REGISTERS: 1 if four lanes are one register, 0 if four
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_LANES_H
-#define PLT_LANES_H
+#ifndef PLT_LANES_LANES_H
+#define PLT_LANES_LANES_H
 
 #include <float.h>
 #include <stdint.h>

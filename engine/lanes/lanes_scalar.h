@@ -3,8 +3,8 @@
  * Invariant: each lane is what lanes.h says of it, and nothing else.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_LANES_SCALAR_H
-#define PLT_LANES_SCALAR_H
+#ifndef PLT_LANES_LANES_SCALAR_H
+#define PLT_LANES_LANES_SCALAR_H
 
 #include <stdint.h>
 #include <string.h>

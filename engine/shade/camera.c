@@ -43,7 +43,7 @@ static int in_range(const plt_camera *c) {
     return c->tan_half_fov >= 1.0e-6f && c->tan_half_fov <= 1.0e6f;
 }
 
-int plt_camera_aim(plt_rendering *r) {
+int plt_camera_setup(plt_rendering *r) {
     const plt_camera *c = &r->frame.camera;
     float forward[3], up[3] = {c->up[0], c->up[1], c->up[2]};
     if (!in_range(c)) {

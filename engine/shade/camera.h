@@ -11,7 +11,7 @@
 
 /* Fills corner, right and down. PLT_ERR_ARGUMENT: eye and look coincide, up
  * runs along the view, or a value is out of range. */
-int plt_camera_aim(plt_rendering *r);
+int plt_camera_setup(plt_rendering *r);
 
 /* Sets up the packet whose top left pixel is (x, y); pixels from `x_end` and
  * `y_end` on get no rays. */

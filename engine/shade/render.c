@@ -23,7 +23,7 @@ int plt_render_begin(plt_engine *e, const plt_frame *frame) {
         return PLT_ERR_ARGUMENT;
     }
     r->frame = *frame;
-    const int status = plt_camera_aim(r);
+    const int status = plt_camera_setup(r);
     if (status == PLT_OK) {
         r->x = r->y = r->px = r->py = 0;
         r->tracing = r->done = 0;

@@ -11,10 +11,10 @@
 #ifndef PLT_TRACE_PACKET_H
 #define PLT_TRACE_PACKET_H
 
+#include "engine/base/box.h"
 #include "engine/lanes/lanes.h"
 #include "engine/planelet.h"
 #include "engine/trace/mask.h"
-#include "engine/tree/box.h"
 
 /* Four rays; [axis][lane]. Lanes without a valid ray have tmin > tmax. */
 typedef struct plt_group {

@@ -229,8 +229,8 @@ static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int
     normal_of((const float(*)[3])t->triangle->corner, normal);
     const m4 in_box = own_box(t, g, &enter, &leave);
     const f4 distance = plane_distance(t, normal, g, z, enter, leave);
-    const uint32_t number = plt_number_find(t->triangle->numbers, t->triangle->number);
-    const u4 source = u4_all(plt_number_triangle(number));
+    const uint32_t number = plt_primitive_word_find(t->triangle->numbers, t->triangle->number);
+    const u4 source = u4_all(plt_primitive_id(number));
     const m4 wanted = m4_and(m4_and(may, in_box), nearer(g, distance, source));
     if (m4_mask(wanted) == 0) {
         return 0;
@@ -241,7 +241,7 @@ static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         f4_store(g->normal[a], f4_select(hit, f4_all(normal[a]), f4_load(g->normal[a])));
     }
-    store_weights(g, hit, e, plt_number_turn(number));
+    store_weights(g, hit, e, plt_primitive_rotation(number));
     return m4_mask(hit);
 }
 

@@ -18,14 +18,14 @@
 #define PLT_TRACE_TRIANGLE_H
 
 #include "engine/trace/packet.h"
-#include "engine/tree/numbers.h"
+#include "engine/tree/primitive_id.h"
 
 /* A triangle as any format gives it: corners in canonical order (record.h). */
 typedef struct plt_triangle {
     float corner[3][3];
     float longest;   /* at least the longest side of its box */
     uint32_t number; /* word of numbers.h, or the place of that word in `numbers` */
-    const plt_numbers *numbers;
+    const plt_primitive_ids *numbers;
 } plt_triangle;
 
 /* Tests a triangle for `groups`; records hits in the groups. For any-hit

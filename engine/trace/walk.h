@@ -13,7 +13,7 @@
 
 #include "engine/trace/packet.h"
 #include "engine/trace/walk_blocks.h"
-#include "engine/tree/survey.h"
+#include "engine/tree/thesis/validate.h"
 
 typedef struct plt_walker plt_walker;
 

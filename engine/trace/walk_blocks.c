@@ -16,12 +16,12 @@ static void count_fetch(plt_walker *w, uint32_t place, uint32_t bytes) {
 }
 
 /* Makes the block behind `link` the one in hand. */
-static inline plt_open_block *take_block(plt_walker *w, uint32_t link) {
+static inline plt_opened_block *take_block(plt_walker *w, uint32_t link) {
     plt_block_walker *b = &w->blocks;
     if (b->in_hand != NULL && link == b->in_hand->link) {
         return b->in_hand;
     }
-    b->in_hand = plt_open_block_find(b->open, &b->tree, link);
+    b->in_hand = plt_block_cache_find(b->open, &b->tree, link);
     b->geometry_in_hand = 0;
     w->stats.treelet_fetches++;
     count_fetch(w, plt_block_address(link) / 8, b->in_hand->block.node_bytes);
@@ -29,15 +29,15 @@ static inline plt_open_block *take_block(plt_walker *w, uint32_t link) {
 }
 
 static void test_unit(plt_walker *w, const plt_block_entry *at) {
-    plt_open_block *o = take_block(w, at->child.link);
+    plt_opened_block *o = take_block(w, at->child.link);
     if (!o->geometry_open) {
-        plt_open_block_geometry(o, &w->blocks.tree);
+        plt_opened_block_geometry(o, &w->blocks.tree);
     }
     if (!w->blocks.geometry_in_hand) {
         w->blocks.geometry_in_hand = 1;
         count_fetch(w, plt_block_address(o->link) / 8 + 1, o->block.geometry_bytes);
     }
-    plt_walk_unit(w, o, at);
+    plt_walk_leaf_strips(w, o, at);
 }
 
 void plt_walk_blocks_begin(plt_walker *w) {
@@ -59,7 +59,7 @@ static plt_mask meet(const plt_walker *w, const plt_block_entry *e, plt_mask gro
 }
 
 /* What slot `slot` of the block in hand leads to. */
-static inline plt_block_child child_of(const plt_open_block *o, uint32_t slot) {
+static inline plt_block_child child_of(const plt_opened_block *o, uint32_t slot) {
     const plt_block *b = &o->block;
     const uint32_t word = slot >> 5, bit = 1u << (slot & 31), below = bit - 1u;
     const uint32_t inner = b->mask[PLT_SLOT_INNER][word], edge = b->mask[PLT_SLOT_EDGE][word];
@@ -76,7 +76,7 @@ static inline plt_block_child child_of(const plt_open_block *o, uint32_t slot) {
     }
     const uint32_t pair = b->pair[word];
     const uint32_t pairs = b->pairs_before[word] + plt_count_bits(pair & below);
-    child.what = PLT_SLOT_UNIT | (slot - inners - edges) << 8 | pairs << 16 |
+    child.what = PLT_SLOT_LEAF | (slot - inners - edges) << 8 | pairs << 16 |
                  (uint32_t)((pair & bit) != 0) << 24;
     return child;
 }
@@ -105,7 +105,7 @@ static inline uint32_t number_of(const plt_block_entry *e) {
 /* Goes into the block behind an edge. The frame of a tree that was packed is no larger
  * than the box that led here; a larger one costs tests, never hits. */
 static void enter(plt_walker *w, plt_block_entry *at) {
-    const plt_open_block *o = take_block(w, at->child.link);
+    const plt_opened_block *o = take_block(w, at->child.link);
     at->child.what = PLT_SLOT_INNER; /* node 0 */
     f4_store(at->lo, f4_load(o->lo));
     f4_store(at->hi, f4_load(o->hi));
@@ -164,7 +164,7 @@ static int visit(plt_walker *w, plt_block_entry *at) {
                                                                              plane_hi[1]};
     plt_mask hit[2];
     const uint32_t node = number_of(at);
-    const plt_open_block *o = take_block(w, at->child.link);
+    const plt_opened_block *o = take_block(w, at->child.link);
     ask_for_edges(&b->tree, &o->block, node);
     decode(&o->block, at, lo, hi);
     for (int c = 0; c < 2; c++) {
@@ -187,7 +187,7 @@ static int visit(plt_walker *w, plt_block_entry *at) {
 /* From an entry down to a unit that is met, or to nothing. Returns the visits. */
 static uint32_t descend(plt_walker *w, plt_block_entry *at) {
     for (uint32_t visits = 0;; visits++) {
-        if (kind_of(at) == PLT_SLOT_UNIT) {
+        if (kind_of(at) == PLT_SLOT_LEAF) {
             test_unit(w, at);
             return visits;
         }

@@ -10,7 +10,7 @@
 #ifndef PLT_TRACE_WALK_BLOCKS_H
 #define PLT_TRACE_WALK_BLOCKS_H
 
-#include "engine/trace/open_blocks.h"
+#include "engine/memory/block_cache.h"
 #include "engine/trace/packet.h"
 
 /* What a slot leads to: a node of the block, an edge to another, a unit. */
@@ -30,9 +30,9 @@ typedef struct plt_block_entry {
 typedef struct plt_block_walker {
     plt_block_tree tree;
     plt_block_entry *stack;
-    plt_open_block *open;    /* PLT_OPEN_BLOCKS places */
-    float origin[4];         /* of the lattice, as 4-lane operations load it */
-    plt_open_block *in_hand; /* NULL: none is */
+    plt_opened_block *open;    /* PLT_OPEN_BLOCKS places */
+    float origin[4];           /* of the lattice, as 4-lane operations load it */
+    plt_opened_block *in_hand; /* NULL: none is */
     uint8_t geometry_in_hand;
 } plt_block_walker;
 

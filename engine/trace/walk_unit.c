@@ -5,14 +5,14 @@
 
 #include <string.h>
 
-#include "engine/trace/rim.h"
+#include "engine/trace/frustum.h"
 #include "engine/trace/triangle.h"
 
 enum { RIM_FROM = 4 }; /* triangles a list */
 
 /* Vertices from lattice numbers to floats; `key` gets what orders them (record.h):
  * x, y, z. */
-static void place(plt_unit *u, const plt_block_walker *b, uint64_t key[]) {
+static void place(plt_leaf *u, const plt_block_walker *b, uint64_t key[]) {
     for (uint32_t i = 0; i < u->vertices; i++) {
         plt_vertex *v = &u->vertex[i];
         key[i] = (uint64_t)v->number[0] << 42 | (uint64_t)v->number[1] << 21 | v->number[2];
@@ -22,7 +22,7 @@ static void place(plt_unit *u, const plt_block_walker *b, uint64_t key[]) {
 
 /* Corners in canonical order (record.h): the least first. Which is least cannot be
  * predicted, so there is no branch. */
-static void canonical(const plt_unit *u, const uint64_t key[], uint32_t triangle, float to[3][3]) {
+static void canonical(const plt_leaf *u, const uint64_t key[], uint32_t triangle, float to[3][3]) {
     /* by b < a, c < a and c < b: bits to turn the three places by */
     static const uint8_t turn[8] = {0, 8, 16, 8, 0, 16, 16, 16};
     const uint32_t corner = u->corner[triangle];
@@ -46,31 +46,31 @@ static float longest_side(const plt_lattice *l, const plt_block_entry *e) {
 
 /* Of each vertex which edges of the rim it lies outside of. Strips of two lists share
  * enough of them for this to pay; those of shorter ones do not. */
-static void rim_codes(const plt_unit *u, const plt_packet *p, plt_mask groups, uint8_t code[]) {
-    plt_rim rim;
-    if (!plt_rim_set(&rim, p, groups)) {
+static void rim_codes(const plt_leaf *u, const plt_packet *p, plt_mask groups, uint8_t code[]) {
+    plt_frustum rim;
+    if (!plt_frustum_set(&rim, p, groups)) {
         memset(code, 0, u->vertices);
         return;
     }
     for (uint32_t i = 0; i < u->vertices; i++) {
-        code[i] = (uint8_t)plt_rim_code(&rim, u->vertex[i].scene);
+        code[i] = (uint8_t)plt_frustum_outcode(&rim, u->vertex[i].scene);
     }
 }
 
-static int is_beside(const plt_unit *u, const uint8_t code[], uint32_t triangle) {
-    return plt_rim_is_beside(code[plt_unit_corner(u, triangle, 0)],
-                             code[plt_unit_corner(u, triangle, 1)],
-                             code[plt_unit_corner(u, triangle, 2)]);
+static int is_beside(const plt_leaf *u, const uint8_t code[], uint32_t triangle) {
+    return plt_frustum_culls(code[plt_leaf_corner(u, triangle, 0)],
+                             code[plt_leaf_corner(u, triangle, 1)],
+                             code[plt_leaf_corner(u, triangle, 2)]);
 }
 
 /* Triangle i of the `count` is number first + i of the block. */
 static void test_lattice(plt_walker *w, const plt_geometry *g, plt_triangle *t, uint32_t first,
                          uint32_t count, plt_mask groups) {
-    plt_unit u;
-    uint64_t key[PLT_UNIT_VERTICES_MOST];
-    uint8_t code[PLT_UNIT_VERTICES_MOST];
+    plt_leaf u;
+    uint64_t key[PLT_LEAF_VERTICES_MOST];
+    uint8_t code[PLT_LEAF_VERTICES_MOST];
     const int has_rim = g->k >= RIM_FROM;
-    plt_unit_read(g, first, count, &u);
+    plt_leaf_read(g, first, count, &u);
     place(&u, &w->blocks, key);
     if (has_rim) {
         rim_codes(&u, &w->packet, groups, code);
@@ -94,12 +94,12 @@ static void test_records(plt_walker *w, const plt_record *record, plt_triangle *
     }
 }
 
-void plt_walk_unit(plt_walker *w, const plt_open_block *o, const plt_block_entry *at) {
+void plt_walk_leaf_strips(plt_walker *w, const plt_opened_block *o, const plt_block_entry *at) {
     const plt_block_tree *tree = &w->blocks.tree;
     const plt_geometry *g = &o->geometry;
     const uint32_t what = at->child.what, unit = what >> 8 & 0xFFu, pairs = what >> 16 & 0xFFu;
     uint32_t count;
-    const uint32_t first = plt_unit_find(g, unit, pairs, (int)(what >> 24), &count);
+    const uint32_t first = plt_leaf_find(g, unit, pairs, (int)(what >> 24), &count);
     plt_triangle t;
     t.longest = longest_side(&tree->lattice, at);
     t.numbers = tree->numbers.bytes == NULL ? NULL : &tree->numbers;

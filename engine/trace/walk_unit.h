@@ -11,6 +11,6 @@
 
 /* Tests the triangles of the unit that `at` leads to; the geometry part of its block
  * is open. */
-void plt_walk_unit(plt_walker *w, const plt_open_block *block, const plt_block_entry *at);
+void plt_walk_leaf_strips(plt_walker *w, const plt_opened_block *block, const plt_block_entry *at);
 
 #endif

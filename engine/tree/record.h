@@ -16,9 +16,9 @@
 
 #include <stdint.h>
 
-#include "engine/image/bytes.h"
-#include "engine/tree/box.h"
-#include "engine/tree/numbers.h"
+#include "engine/base/box.h"
+#include "engine/base/bytes.h"
+#include "engine/tree/primitive_id.h"
 
 #define PLT_RECORD_BYTES 40
 #define PLT_RECORD_LAST 0x80000000u
@@ -34,7 +34,7 @@ static inline float plt_record_float(const plt_record *r, int corner, int axis) 
 }
 
 static inline uint32_t plt_record_source(const plt_record *r) {
-    return plt_number_triangle(plt_get_u32(&r->word[9]));
+    return plt_primitive_id(plt_get_u32(&r->word[9]));
 }
 
 static inline int plt_record_is_last(const plt_record *r) {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "engine/engine.h"
-#include "engine/tree/unit.h"
+#include "engine/tree/compact/leaf.h"
 
 const char *const breakdown_names[PARTS] = {
     "planes",           "owners",           "kinds",  "links",  "frames",     "headers",
@@ -19,7 +19,7 @@ static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
     to->bytes[PART_OWNERS] += owners;
     to->bytes[PART_KINDS] += masks;
     to->bytes[PART_LINKS] += 4.0 * b->edges;
-    to->bytes[PART_FRAMES] += plt_block_frame_bytes(bits);
+    to->bytes[PART_FRAMES] += plt_block_bounds_bytes(bits);
     to->bytes[PART_HEADERS] += PLT_BLOCK_HEADER_BYTES;
     const uint32_t size = (b->node_bytes + b->geometry_bytes + 7u) & ~7u;
     to->bytes[PART_PADDING] += (double)(size - b->geometry_bytes) -
@@ -37,7 +37,7 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
         to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - g.starts / 8.0;
         return;
     }
-    plt_block_frame(b, tree->lattice.bits, &frame);
+    plt_block_bounds(b, tree->lattice.bits, &frame);
     plt_geometry_open(&g, b, &frame, tree->leaf_triangles);
     const double end = g.positions + (double)g.vertices * g.vertex_bits;
     to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
@@ -63,5 +63,5 @@ void breakdown_count(const plt_engine *engine, breakdown *b) {
     }
     b->bytes[PART_POSITIONS] +=
         tree->records != NULL ? (double)info->triangles * PLT_RECORD_BYTES : 0.0;
-    b->bytes[PART_NUMBERS] = (double)info->triangles * info->number_bits / 8.0;
+    b->bytes[PART_NUMBERS] = (double)info->triangles * info->primitive_id_bits / 8.0;
 }

@@ -5,8 +5,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "engine/tree/node.h"
 #include "engine/tree/record.h"
+#include "engine/tree/thesis/node.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
@@ -91,7 +91,7 @@ static void print_json(const plt_info *i, const derived *d) {
         "  \"slot_overhead_bytes\": %" PRIu64 ",\n",
         split_names[i->splits], build_names[i->build], node_names[i->nodes_format],
         geometry_names[i->geometry_format], (unsigned)i->lattice_bits, i->source_triangles,
-        i->number_bytes, i->image_bytes, d->tree_bytes, d->tree_each, d->geometry_bytes,
+        i->primitive_id_bytes, i->image_bytes, d->tree_bytes, d->tree_each, d->geometry_bytes,
         d->geometry_each, d->overhead_bytes);
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
            ",\n  \"depth_stack_entries\": %" PRIu32
@@ -160,7 +160,7 @@ static void print_text(const plt_info *i, const derived *d) {
     if (i->nodes_format == PLT_NODES_COMPACT) {
         printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",
                (unsigned)i->lattice_bits, i->triangles, i->source_triangles);
-        printf("triangle numbers   %s\n", i->number_bits > 0
+        printf("triangle numbers   %s\n", i->primitive_id_bits > 0
                                               ? "of the packed meshes, kept in a section"
                                               : "by place: packing order is image order");
         if (d->has_parts && d->parts.of_one_mesh > 0) {

@@ -58,7 +58,7 @@ static uint8_t read_packet(args *a) {
 
 static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
-    s->options.walk = (uint8_t)args_choice(a, "--walk", walks, PLT_WALK_DEPTH_FIRST);
+    s->options.order = (uint8_t)args_choice(a, "--walk", walks, PLT_ORDER_DEPTH_FIRST);
     *fetched = args_choice(a, "--source", sources, 0) == 1;
     args_choice(a, "--residency", resident, 0);
     args_choice(a, "--schedule", branch, 0);

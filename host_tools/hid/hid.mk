@@ -11,7 +11,7 @@ $(OUT)/libhid.a: $(HID_TEST_OBJECTS)
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
-$(OUT)/tests/test_hid_%: $(OUT)/tests/test_hid_%.o $(OUT)/libhid.a $(TEST_OBJECTS) \
+$(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/libhid.a $(TEST_OBJECTS) \
                          $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm

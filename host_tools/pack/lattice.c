@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/image/bytes.h"
+#include "engine/base/bytes.h"
 
 uint32_t lattice_bits_for(double tolerance) {
     for (uint32_t bits = PLT_LATTICE_BITS_LEAST; bits <= PLT_LATTICE_BITS_MOST; bits++) {

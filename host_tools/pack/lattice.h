@@ -5,7 +5,7 @@
 #define HOST_LATTICE_H
 #include <stdint.h>
 
-#include "engine/tree/lattice.h"
+#include "engine/base/lattice.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/mesh/mesh.h"
 

@@ -9,11 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/build/build.h"
-#include "engine/build/split.h"
-#include "engine/image/crc32.h"
+#include "engine/base/crc32.h"
+#include "engine/builder/build.h"
+#include "engine/builder/split.h"
 #include "engine/image/header.h"
-#include "engine/tree/survey.h"
+#include "engine/tree/thesis/validate.h"
 
 typedef struct packing {
     const mesh *m;
@@ -59,7 +59,7 @@ void pack_record(plt_record *r, const mesh *m, size_t triangle) {
         plt_put_floats((unsigned char *)&r->word[3 * c], corner[(least + c) % 3], 3);
     }
     const uint32_t turn = (3 - least) % 3;
-    plt_put_u32(&r->word[9], (uint32_t)triangle | turn << PLT_NUMBER_TURN_SHIFT);
+    plt_put_u32(&r->word[9], (uint32_t)triangle | turn << PLT_PRIMITIVE_ROTATION_SHIFT);
 }
 
 static void fill_records(packing *p) {
@@ -111,7 +111,7 @@ static int build(packing *p, fail *f) {
 
 /* Counts and stack needs, by the same survey that opening trusts. */
 static int survey(packing *p, fail *f) {
-    plt_survey_frame frames[PLT_SURVEY_FRAMES];
+    plt_validate_level frames[PLT_VALIDATE_LEVELS];
     plt_info *info = &p->header.info;
     const plt_tree tree = {.nodes = p->nodes,
                            .records = p->records,
@@ -121,7 +121,7 @@ static int survey(packing *p, fail *f) {
                            .root = p->header.root};
     const uint32_t k = info->leaf_triangles;
     plt_fault fault;
-    if (plt_tree_survey(&tree, frames, info, &fault) != PLT_OK) {
+    if (plt_tree_validate(&tree, frames, info, &fault) != PLT_OK) {
         return fail_set(f, p->name, "the finished tree is refused: %s; please report this",
                         fault.message);
     }

@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/build/blocks.h"
-#include "engine/image/crc32.h"
+#include "engine/base/bits.h"
+#include "engine/base/crc32.h"
+#include "engine/builder/blocks.h"
 #include "engine/image/header.h"
-#include "engine/tree/bits.h"
-#include "engine/tree/block.h"
-#include "engine/tree/link.h"
-#include "engine/tree/numbers.h"
+#include "engine/tree/compact/block.h"
+#include "engine/tree/primitive_id.h"
+#include "engine/tree/thesis/link.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
 
@@ -61,7 +61,7 @@ static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
         return out_of_memory(c, f);
     }
     int status = plt_blocks_begin(job);
-    plt_blocks_watch(job, c->order);
+    plt_blocks_record_order(job, c->order);
     for (status = status == PLT_OK ? PLT_MORE : status; status == PLT_MORE;) {
         status = plt_blocks_step(job);
     }
@@ -121,13 +121,13 @@ static void describe(compacting *c) {
     info->triangles = c->s.count;
     if (c->options->numbers && !c->options->floats && info->build == PLT_BUILD_HOST &&
         c->s.count > 0) {
-        info->number_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
+        info->primitive_id_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
     }
     c->header.root = PLT_MISS;
 }
 
 static void write_numbers(const compacting *c, unsigned char *to) {
-    const uint32_t bits = c->header.info.number_bits;
+    const uint32_t bits = c->header.info.primitive_id_bits;
     for (uint32_t i = 0; i < c->triangles; i++) {
         const uint32_t place = c->order[i];
         const uint64_t at = (uint64_t)i * bits;
@@ -152,7 +152,7 @@ static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
         memcpy(to, c->s.corners, (size_t)c->s.count * 9 * c->s.width);
     } else if (kind == PLT_SECTION_TRIANGLES) {
         write_records(c, to);
-    } else if (kind == PLT_SECTION_NUMBERS) {
+    } else if (kind == PLT_SECTION_PRIMITIVE_IDS) {
         write_numbers(c, to);
     }
 }

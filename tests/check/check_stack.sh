@@ -33,7 +33,7 @@ C
     (cd "$folder" && arm-none-eabi-gcc -mthumb -mcpu=cortex-m4 -O1 -c bad.c \
         -fcallgraph-info=su,da)
     seen() { # SENTENCE ROOT WORDS
-        verdict "$1" "$(awk -v root="$2" -f tests/check/stack.awk "$folder/bad.ci" |
+        verdict "$1" "$(awk -v root="$2" -f board/tools/stack.awk "$folder/bad.ci" |
             grep -q "$3" || echo "not seen in a file that has it")"
     }
     seen "recursion is seen" round_one "recursion"

@@ -18,8 +18,8 @@ programs_pass() {
 }
 
 programs_pass "scalar lanes give the same frames and hits" scalar.txt sh -c "
-    $MAKE -s LANES=scalar $BUILD/host-scalar/tests/test_render \
-        $BUILD/host-scalar/tests/test_trace_brute &&
-    sh tests/run.sh $BUILD/host-scalar/tests/test_render $BUILD/host-scalar/tests/test_trace_brute"
+    $MAKE -s LANES=scalar $BUILD/host-scalar/tests/engine/test_render \
+        $BUILD/host-scalar/tests/engine/test_trace_brute &&
+    sh tests/run.sh $BUILD/host-scalar/tests/engine/test_render $BUILD/host-scalar/tests/engine/test_trace_brute"
 programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s tiny
 finish

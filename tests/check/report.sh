@@ -45,7 +45,7 @@ stack_of() {
     shift 2
     # shellcheck disable=SC2046,SC2086
     arm-none-eabi-objdump -d $(objects_of "$out" o $sources) |
-        awk -v out="$out/" "$@" -f tests/check/stack.awk $(objects_of "$out" ci $sources) -
+        awk -v out="$out/" "$@" -f board/tools/stack.awk $(objects_of "$out" ci $sources) -
 }
 
 # make_board BOARD: builds its firmware; a failed check when that fails.

@@ -21,7 +21,7 @@
 #include <stdio.h>
 
 #include "engine/image/header.h"
-#include "engine/tree/block_sound.h"
+#include "engine/tree/compact/validate_block.h"
 #include "engine/tree/record.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/unit_corners.h"
@@ -58,15 +58,15 @@ static uint32_t decode_boxes(const plt_block *b, const plt_lattice_box *frame) {
 }
 
 static void decode_units(const plt_block *b, const plt_block_tree *tree, const plt_geometry *g) {
-    uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3], sum = 0;
+    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3], sum = 0;
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
-        if (plt_block_kind(b, slot) != PLT_SLOT_UNIT) {
+        if (plt_block_kind(b, slot) != PLT_SLOT_LEAF) {
             continue;
         }
-        const uint32_t unit = plt_block_rank(b, PLT_SLOT_UNIT, slot);
+        const uint32_t unit = plt_block_rank(b, PLT_SLOT_LEAF, slot);
         const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
         uint32_t count;
-        const uint32_t first = plt_unit_find(g, unit, plt_block_pairs(b, slot), pair, &count);
+        const uint32_t first = plt_leaf_find(g, unit, plt_block_pairs(b, slot), pair, &count);
         promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a unit's size");
         sum += count;
         if (tree->records == NULL) {
@@ -154,12 +154,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (data[0] & 16) {
         hostile_seal_block(bytes, limit, tree.lattice.bits);
     }
-    if (plt_block_is_sound(bytes, limit, &tree) == 0) {
+    if (plt_block_validate(bytes, limit, &tree) == 0) {
         plt_block b;
         plt_lattice_box frame;
         plt_geometry g = {.triangles = 0};
         plt_block_open(&b, bytes, tree.lattice.bits);
-        plt_block_frame(&b, tree.lattice.bits, &frame);
+        plt_block_bounds(&b, tree.lattice.bits, &frame);
         const uint32_t depth = decode_boxes(&b, &frame);
         if (b.units > 0) {
             tree.records != NULL ? plt_geometry_open_counts(&g, &b, tree.leaf_triangles)
@@ -178,7 +178,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 #if defined(FUZZ_BLOCKS_MAIN)
 #include <time.h>
 
-#include "engine/build/blocks.h"
+#include "engine/builder/blocks.h"
 #include "tests/reference/random.h"
 
 /* The first block of a scene of `count` random triangles; returns its bytes. */

@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/image/bytes.h"
-#include "engine/image/crc32.h"
+#include "engine/base/bytes.h"
+#include "engine/base/crc32.h"
 #include "engine/planelet.h"
-#include "engine/tree/block.h"
+#include "engine/tree/compact/block.h"
 
 #define HOSTILE_RAYS 70u
 #define HOSTILE_ARENA_MOST (8u << 20)
@@ -28,7 +28,7 @@ typedef struct hostile_result {
 } hostile_result;
 
 typedef struct hostile_way {
-    uint8_t streamed, walk, packet_side;
+    uint8_t streamed, order, packet_side;
 } hostile_way;
 
 /* ---- sealing -------------------------------------------------------------- */
@@ -186,7 +186,7 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {way.packet_side, way.walk};
+    const plt_options options = {way.packet_side, way.order};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }

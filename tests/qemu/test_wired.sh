@@ -11,7 +11,7 @@ needs arm-none-eabi-gcc qemu-system-arm || { finish; exit; }
 
 rm -f "$out/device.ppm"
 text=$(FRAMES=2 SIZE=160x120 BOARD_LOG="$out/log.txt" BUILD="$BUILD" MAKE="$MAKE" \
-    timeout 300 sh tests/qemu/demo.sh -o "$out/device.ppm" --show --verbose 2>&1)
+    timeout 300 sh board/tools/demo.sh -o "$out/device.ppm" --show --verbose 2>&1)
 status=$?
 scene=$BUILD/demo/marbles-compact.plt
 verdict "make demo-firmware ends well, and draws the frames in the terminal" "$(
@@ -54,7 +54,7 @@ for bytes in 1 12000; do
     temporary=$(mktemp -d) # a socket's path must be short
     (unset NO_COLOR COLUMNS LINES
         TMPDIR=$temporary FRAMES=100 SIZE=96x64 TERM=xterm BUILD="$BUILD" MAKE="$MAKE" \
-            timeout 100 "$out/pty" $bytes sh tests/qemu/demo.sh >"$out/seen" 2>&1 </dev/null)
+            timeout 100 "$out/pty" $bytes sh board/tools/demo.sh >"$out/seen" 2>&1 </dev/null)
     status=$?
     verdict "Ctrl-C after $bytes bytes of it: no board, no folder and no colour stays behind" "$(
         echo "$trouble"

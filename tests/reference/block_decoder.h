@@ -70,7 +70,7 @@ typedef struct decoded_header {
     decoded_section section[2];
     float origin[3], step;
     uint32_t lattice_bits, lattice_lo[3], lattice_hi[3];
-    uint32_t source_triangles, number_bits, node_bytes, triangle_bytes;
+    uint32_t source_triangles, primitive_id_bits, node_bytes, triangle_bytes;
 } decoded_header;
 
 typedef struct decoded_image {

@@ -173,7 +173,7 @@ static void place_corners(const decoded_header *header, decoder_part *part,
 
 static int read_number(decoded_image *image, decoder_part *part, uint32_t place,
                        decoded_triangle *triangle) {
-    const unsigned bits = image->header.number_bits;
+    const unsigned bits = image->header.primitive_id_bits;
     if (bits == 0) {
         triangle->number = place;
         return 0;

@@ -48,7 +48,7 @@ static void read_lattice(decoded_header *h, decoder_bytes *in) {
     h->step = decoder_float(in, 180);
     h->lattice_bits = decoder_u32(in, 184);
     h->source_triangles = decoder_u32(in, 212);
-    h->number_bits = decoder_u32(in, 216);
+    h->primitive_id_bits = decoder_u32(in, 216);
     h->node_bytes = decoder_u32(in, 220);
     h->triangle_bytes = decoder_u32(in, 224);
 }
@@ -140,7 +140,7 @@ static size_t section_bytes(const decoded_header *h, uint32_t kind) {
     case 3:
         return (size_t)h->node_bytes + h->triangle_bytes + 8;
     case 4:
-        return ((size_t)h->triangles * h->number_bits + 7) / 8 + 8;
+        return ((size_t)h->triangles * h->primitive_id_bits + 7) / 8 + 8;
     default:
         return 0;
     }
@@ -170,7 +170,7 @@ static int check_sections(decoded_image *image, const unsigned char *bytes) {
     uint32_t kind[2] = {3, 0}, sections = 1;
     if (h->geometry_format == 0) {
         kind[sections++] = KIND_RECORDS;
-    } else if (h->number_bits != 0) {
+    } else if (h->primitive_id_bits != 0) {
         kind[sections++] = 4;
     }
     if (h->sections != sections) {

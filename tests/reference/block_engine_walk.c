@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/tree/lattice.h"
-#include "engine/tree/numbers.h"
-#include "engine/tree/unit.h"
+#include "engine/base/lattice.h"
+#include "engine/tree/compact/leaf.h"
+#include "engine/tree/primitive_id.h"
 #include "tests/reference/unit_corners.h"
 
 /* The image, and the block in hand. */
@@ -65,10 +65,10 @@ static void add_lattice_triangle(engine_walk *walk, const walk_source *source,
                                  uint32_t corner[3][3]) {
     const uint32_t place = walk->triangles++;
     engine_triangle *triangle = &walk->triangle[place];
-    const plt_numbers numbers = {source->second, source->header->number_bits};
-    const uint32_t word = plt_number_find(numbers.bits != 0 ? &numbers : NULL, place);
-    triangle->number = plt_number_triangle(word);
-    triangle->turn = plt_number_turn(word);
+    const plt_primitive_ids numbers = {source->second, source->header->primitive_id_bits};
+    const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, place);
+    triangle->number = plt_primitive_id(word);
+    triangle->turn = plt_primitive_rotation(word);
     turn_to_least(triangle->corner, corner);
     for (int i = 0; i < 9; i++) {
         triangle->point[i / 3][i % 3] =
@@ -81,8 +81,8 @@ static void add_record(engine_walk *walk, const walk_source *source) {
     const unsigned char *record = source->second + 40 * (size_t)place;
     engine_triangle *triangle = &walk->triangle[place];
     memcpy(triangle->point, record, sizeof triangle->point);
-    triangle->number = plt_number_triangle(plt_get_u32(record + 36));
-    triangle->turn = plt_number_turn(plt_get_u32(record + 36));
+    triangle->number = plt_primitive_id(plt_get_u32(record + 36));
+    triangle->turn = plt_primitive_rotation(plt_get_u32(record + 36));
 }
 
 static void add_unit(engine_walk *walk, const walk_source *source, engine_child *child,
@@ -90,8 +90,8 @@ static void add_unit(engine_walk *walk, const walk_source *source, engine_child 
     const uint32_t pairs = plt_block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
     const uint32_t first =
-        plt_unit_find(&source->geometry, child->rank, pairs, is_pair, &child->count);
-    uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3];
+        plt_leaf_find(&source->geometry, child->rank, pairs, is_pair, &child->count);
+    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     child->first = source->geometry.first_triangle + first;
     walk->triangle = grow(walk->triangle, walk->triangles, child->count, sizeof *walk->triangle);
     if (!has_floats(source)) {
@@ -160,7 +160,7 @@ static uint32_t add_block(engine_walk *walk, walk_source *source, uint32_t addre
                             .edges = open->edges,
                             .units = open->units,
                             .pairs = open->pairs};
-    plt_block_frame(open, source->lattice.bits, &block->frame);
+    plt_block_bounds(open, source->lattice.bits, &block->frame);
     open_geometry(source, block);
     below[0] = block->frame;
     for (uint32_t node = 0; node < open->nodes; node++) {

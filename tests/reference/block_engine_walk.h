@@ -6,7 +6,7 @@
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_BLOCK_ENGINE_WALK_H
 #define REFERENCE_BLOCK_ENGINE_WALK_H
-#include "engine/tree/block.h"
+#include "engine/tree/compact/block.h"
 #include "tests/reference/block_decoder.h"
 
 /* A child of a node: of slot 2 * node + child, counted over all blocks. */

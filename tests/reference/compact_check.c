@@ -90,11 +90,11 @@ static plt_lattice_box child_box(const open_block *o, uint32_t node, const plt_l
 /* Takes a unit's triangles; returns their exact box. */
 static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
                                   const plt_lattice_box *box) {
-    uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3];
+    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     plt_lattice_box exact = {{~0u, ~0u, ~0u}, {0, 0, 0}};
     const uint32_t k = c->tree->leaf_triangles;
     uint32_t count;
-    const uint32_t first = plt_unit_find(&o->g, o->units, o->pairs, pair, &count);
+    const uint32_t first = plt_leaf_find(&o->g, o->units, o->pairs, pair, &count);
     expect(c, first == o->triangles, "units do not follow each other");
     expect(c, pair ? count > k && count <= 2 * k : count >= 1 && count <= k,
            "a unit's size is not what its pair bit says");
@@ -190,7 +190,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     open_block o = {.inner = 0};
     row *r = calloc(1, sizeof *r);
     plt_block_open(&o.b, c->tree->bytes + address, bits);
-    plt_block_frame(&o.b, bits, &r->box[0]);
+    plt_block_bounds(&o.b, bits, &r->box[0]);
     if (o.b.units > 0) {
         plt_geometry_open(&o.g, &o.b, &r->box[0], c->tree->leaf_triangles);
         expect(c, o.g.first_triangle == c->facts->triangles, "a block's first triangle is wrong");

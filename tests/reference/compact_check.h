@@ -8,7 +8,7 @@
 #ifndef REFERENCE_COMPACT_CHECK_H
 #define REFERENCE_COMPACT_CHECK_H
 
-#include "engine/tree/block_survey.h"
+#include "engine/tree/compact/validate.h"
 #include "host_tools/pack/lattice.h"
 
 typedef struct compact_facts {

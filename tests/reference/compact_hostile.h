@@ -8,7 +8,7 @@
 #ifndef REFERENCE_COMPACT_HOSTILE_H
 #define REFERENCE_COMPACT_HOSTILE_H
 
-#include "engine/tree/block_survey.h"
+#include "engine/tree/compact/validate.h"
 #include "tests/hostile/images.h"
 
 enum { COMPACT_BITS = 184, COMPACT_BEHIND = 8 };
@@ -50,7 +50,7 @@ static inline void compact_odd_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *
 
 static inline uint32_t compact_numbers(const plt_info *info) {
     const int lone = info->source_triangles == 1; /* is there twice */
-    return info->number_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
+    return info->primitive_id_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
 }
 
 /* A hit's number is below `numbers`. */
@@ -81,7 +81,7 @@ static inline const char *compact_trace_any(plt_engine *e) {
 
 static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,
                                          uint8_t streamed, uint8_t packet_side) {
-    const hostile_way way = {streamed, PLT_WALK_DEPTH_FIRST, packet_side};
+    const hostile_way way = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side};
     return hostile_try_by(bytes, size, way, compact_trace_any);
 }
 

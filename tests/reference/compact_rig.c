@@ -22,7 +22,7 @@ compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build,
                  .lattice_bits = bits,
                  .numbers = 1,
                  .leaf_triangles = leaf_triangles},
-        .run = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_WALK_DEPTH_FIRST}};
+        .run = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST}};
     return way;
 }
 

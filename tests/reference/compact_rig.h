@@ -7,7 +7,7 @@
 #ifndef REFERENCE_COMPACT_RIG_H
 #define REFERENCE_COMPACT_RIG_H
 
-#include "engine/tree/block_survey.h"
+#include "engine/tree/compact/validate.h"
 #include "tests/reference/rig.h"
 
 typedef struct compact_way {

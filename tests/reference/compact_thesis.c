@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/image/crc32.h"
+#include "engine/base/crc32.h"
 #include "engine/image/header.h"
-#include "engine/tree/survey.h"
+#include "engine/tree/thesis/validate.h"
 #include "tests/reference/unit_corners.h"
 
 typedef struct converting {
@@ -26,7 +26,7 @@ typedef struct subtree {
 
 /* The number word of a record (SPEC.md, 4.4) from the entry of a triangle (4.12), read
  * bit by bit and not as the engine does. */
-static uint32_t number_word(const plt_numbers *numbers, uint32_t place) {
+static uint32_t number_word(const plt_primitive_ids *numbers, uint32_t place) {
     uint32_t entry = 0;
     for (uint32_t i = 0; i < numbers->bits; i++) {
         const uint64_t at = (uint64_t)place * numbers->bits + i;
@@ -50,7 +50,7 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
     for (int k = 0; k < 9; k++) {
         plt_put_float(&r->word[k], plt_lattice_float(l, k % 3, corner[(least + k / 3) % 3][k % 3]));
     }
-    const plt_numbers *numbers = &c->tree->numbers;
+    const plt_primitive_ids *numbers = &c->tree->numbers;
     plt_put_u32(&r->word[9], numbers->bytes != NULL ? number_word(numbers, place) : place);
     plt_record_set_last(r, last);
 }
@@ -59,13 +59,13 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
 static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
     plt_geometry g;
     plt_lattice_box frame;
-    uint32_t corner[PLT_UNIT_TRIANGLES_MOST][3][3];
+    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
-    const uint32_t number = plt_block_rank(b, PLT_SLOT_UNIT, slot), k = c->tree->leaf_triangles;
-    plt_block_frame(b, c->tree->lattice.bits, &frame);
+    const uint32_t number = plt_block_rank(b, PLT_SLOT_LEAF, slot), k = c->tree->leaf_triangles;
+    plt_block_bounds(b, c->tree->lattice.bits, &frame);
     plt_geometry_open(&g, b, &frame, k);
     uint32_t count;
-    const uint32_t first = plt_unit_find(&g, number, plt_block_pairs(b, slot), pair, &count);
+    const uint32_t first = plt_leaf_find(&g, number, plt_block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
     unit_corners(&g, first, count, corner);
@@ -103,8 +103,8 @@ static subtree convert(converting *c, const plt_block *b, uint32_t node) {
     }
     const plt_box boxes[2] = {child[0].box, child[1].box};
     plt_node_encode(&c->nodes[index], &s.box, boxes);
-    plt_node_aim(&c->nodes[index], 0, child[0].link);
-    plt_node_aim(&c->nodes[index], 1, child[1].link);
+    plt_node_relink(&c->nodes[index], 0, child[0].link);
+    plt_node_relink(&c->nodes[index], 1, child[1].link);
     return s;
 }
 
@@ -132,7 +132,7 @@ packed compact_as_thesis(const plt_block_tree *tree, const plt_info *info) {
                     .records = malloc(info->triangles * sizeof *c.records)};
     plt_block root;
     plt_fault fault = {0, 0, 0, 0, NULL};
-    plt_survey_frame frames[PLT_SURVEY_FRAMES];
+    plt_validate_level frames[PLT_VALIDATE_LEVELS];
     plt_block_open(&root, tree->bytes, tree->lattice.bits);
     const subtree all = convert(&c, &root, 0);
     plt_header h = {.info = {.triangles = c.records_used,
@@ -148,7 +148,7 @@ packed compact_as_thesis(const plt_block_tree *tree, const plt_info *info) {
                              .root = h.root};
     memcpy(h.info.lo, all.box.lo, sizeof h.info.lo);
     memcpy(h.info.hi, all.box.hi, sizeof h.info.hi);
-    if (plt_tree_survey(&thesis, frames, &h.info, &fault) != PLT_OK) {
+    if (plt_tree_validate(&thesis, frames, &h.info, &fault) != PLT_OK) {
         printf("FAIL a compact tree as thesis nodes: %s\n", fault.message);
         exit(1);
     }

@@ -8,7 +8,7 @@
 #ifndef REFERENCE_COMPACT_THESIS_H
 #define REFERENCE_COMPACT_THESIS_H
 
-#include "engine/tree/block_survey.h"
+#include "engine/tree/compact/validate.h"
 #include "host_tools/pack/pack.h"
 
 /* From the tree of an engine that was opened, of lattice geometry and not empty;

@@ -8,8 +8,9 @@
 #include <string.h>
 
 rig_way rig_way_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build, uint8_t splits) {
-    const rig_way way = {{splits, build, leaf_triangles, treelet_nodes},
-                         {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_WALK_DEPTH_FIRST}};
+    const rig_way way = {
+        {splits, build, leaf_triangles, treelet_nodes},
+        {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST}};
     return way;
 }
 
@@ -57,6 +58,6 @@ const char *rig_name(const rig_way *way) {
     snprintf(name, sizeof name, "K %u N %u %s %s side %u walk %u", way->pack.leaf_triangles,
              way->pack.treelet_nodes, build[way->pack.build % 3],
              way->pack.splits == PLT_SPLIT_SAH ? "sah" : "median", way->run.packet_side,
-             way->run.walk);
+             way->run.order);
     return name;
 }

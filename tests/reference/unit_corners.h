@@ -6,15 +6,15 @@
 
 #include <string.h>
 
-#include "engine/tree/unit.h"
+#include "engine/tree/compact/leaf.h"
 
 static inline void unit_corners(const plt_geometry *g, uint32_t first, uint32_t count,
                                 uint32_t corner[][3][3]) {
-    plt_unit u;
-    plt_unit_read(g, first, count, &u);
+    plt_leaf u;
+    plt_leaf_read(g, first, count, &u);
     for (uint32_t i = 0; i < count; i++) {
         for (unsigned c = 0; c < 3; c++) {
-            memcpy(corner[i][c], u.vertex[plt_unit_corner(&u, i, c)].number, sizeof corner[i][c]);
+            memcpy(corner[i][c], u.vertex[plt_leaf_corner(&u, i, c)].number, sizeof corner[i][c]);
         }
     }
 }

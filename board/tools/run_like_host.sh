@@ -1,0 +1,33 @@
+#!/bin/sh
+# run_like_host.sh BOARD SCENE.plt WIDTHxHEIGHT [key=value ...] - a run, beside the host's
+#
+# Gives the firmware the camera of `planelet render`, says whether both frames
+# are the same, and leaves them in build/BOARD/frame.ppm and host.ppm.
+# SPDX-License-Identifier: MIT
+board=$1 scene=$2 size=$3
+shift 3
+if [ -z "$scene" ]; then
+    echo "run: which scene? make BOARD=$board run SCENE=x.plt [SIZE=320x240]" >&2
+    exit 2
+fi
+out=${BUILD:-build}/$board
+# A camera or a shader of its own is the firmware's alone.
+view=$(sh board/tools/host_view.sh "$scene" "$size" "$out/host.ppm") || exit 1
+case " $*" in
+*\ eye=* | *\ look=* | *\ up=* | *\ tan=* | *\ shader=*) hash= camera= ;;
+*) hash=${view%% *} camera=${view#* } ;;
+esac
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# shellcheck disable=SC2086
+sh "board/$board/run.sh" "$scene" "size=$size" $camera "frame=$out/frame.ppm" "$@" >"$log" 2>&1
+status=$?
+cat "$log"
+[ -z "$hash" ] && exit $status
+if grep -q "^frame_hash=$hash\$" "$log"; then
+    echo "the host renders the same frame"
+elif [ $status -eq 0 ]; then
+    echo "the host renders another frame: $hash"
+    exit 1
+fi
+exit $status

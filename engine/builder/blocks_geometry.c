@@ -1,0 +1,123 @@
+/* blocks_geometry - the units of a block: order, strips, local vertices
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/builder/blocks_state.h"
+
+#define NONE 0xFFFFu
+
+/* Nodes breadth first: the root, then in order of parent and child. */
+static void order_nodes(plt_blocks_state *s) {
+    uint32_t count = 1;
+    s->order_of[0] = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const plt_block_node *node = &s->node[s->order_of[i]];
+        for (int c = 0; c < 2; c++) {
+            if (node->kind[c] == PLT_SLOT_INNER) {
+                s->order_of[count++] = node->node[c];
+            }
+        }
+    }
+}
+
+/* The block's number of a vertex; NONE when there is no room. New vertices
+ * get the next number. */
+static uint32_t vertex_number(plt_blocks_state *s, const uint32_t position[3]) {
+    const uint64_t key =
+        (uint64_t)position[0] << 42 | (uint64_t)position[1] << 21 | (uint64_t)position[2];
+    uint32_t at = (uint32_t)((key * 0x9E3779B97F4A7C15u) >> 54) % PLT_BLOCK_HASH;
+    while (s->hash[at] != NONE && s->vertex[s->hash[at]] != key) {
+        at = (at + 1) % PLT_BLOCK_HASH;
+    }
+    if (s->hash[at] == NONE) {
+        if (s->vertices == PLT_BLOCK_VERTICES_MOST) {
+            return NONE;
+        }
+        s->vertex[s->vertices] = key;
+        s->hash[at] = (uint16_t)s->vertices++;
+    }
+    return s->hash[at];
+}
+
+static int add_reference(plt_blocks_state *s, const uint32_t position[3]) {
+    const uint32_t number = vertex_number(s, position);
+    s->reference[s->references++] = (uint16_t)number;
+    return number != NONE;
+}
+
+/* A triangle joins the block at the next place of image order. */
+static void add_triangle(plt_blocks_state *s, uint32_t triangle) {
+    const uint32_t mesh = s->job->mesh == NULL ? 0 : s->job->mesh[triangle] + 1u;
+    s->mesh = s->triangles == 0 || s->mesh == mesh ? mesh : 0;
+    if (s->order != NULL) {
+        s->order[s->job->written + s->triangles] = triangle;
+    }
+    s->triangles++;
+}
+
+/* Float records are put into image order by whoever watches. */
+static void add_records(plt_blocks_state *s, uint32_t first, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        add_triangle(s, plt_permuted(s, first + i));
+    }
+    s->unit_count[s->units++] = (uint8_t)count;
+}
+
+static int add_unit(plt_blocks_state *s, uint32_t first, uint32_t count) {
+    if (s->job->triangles.boxes) {
+        add_records(s, first, count);
+        return 1;
+    }
+    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3], number[PLT_LEAF_TRIANGLES_MOST];
+    plt_strip_step step[PLT_LEAF_TRIANGLES_MOST];
+    for (uint32_t i = 0; i < count; i++) {
+        number[i] = plt_permuted(s, first + i);
+        plt_lattice_corners(&s->job->triangles, number[i], corner[i]);
+    }
+    plt_strips_find((const uint32_t(*)[3][3])corner, count, step);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t(*c)[3] = (const uint32_t(*)[3])corner[step[i].triangle];
+        for (uint32_t k = step[i].start ? 0 : 2; k < 3; k++) {
+            if (!add_reference(s, c[(step[i].turned + k) % 3])) {
+                return 0;
+            }
+        }
+        s->flags[s->triangles] = (uint8_t)(step[i].start | step[i].turn << 1);
+        add_triangle(s, number[step[i].triangle]);
+    }
+    s->unit_count[s->units] = (uint8_t)count;
+    s->units++;
+    return 1;
+}
+
+/* Strips, references and positions. */
+static uint32_t geometry_bits(const plt_blocks_state *s) {
+    uint32_t vertex_bits = 0;
+    for (int a = 0; a < 3; a++) {
+        vertex_bits += plt_bits_for(s->at.frame.hi[a] - s->at.frame.lo[a]);
+    }
+    const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
+    return 2 * s->triangles + s->references + (s->references - s->vertices) * ref_bits +
+           s->vertices * vertex_bits;
+}
+
+uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s) {
+    const uint32_t k = s->job->leaf_triangles;
+    const uint32_t counts = (k == 4 ? 2 : (uint32_t)(k == 2)) * s->units;
+    return s->job->triangles.boxes ? counts : counts + geometry_bits(s);
+}
+
+int plt_blocks_collect_geometry(plt_blocks_state *s) {
+    order_nodes(s);
+    s->units = s->triangles = s->references = s->vertices = 0;
+    memset(s->hash, 0xFF, sizeof s->hash);
+    for (uint32_t i = 0; i < s->nodes; i++) {
+        const plt_block_node *node = &s->node[s->order_of[i]];
+        for (int c = 0; c < 2; c++) {
+            if (node->kind[c] == PLT_SLOT_LEAF && !add_unit(s, node->first[c], node->count[c])) {
+                return 0;
+            }
+        }
+    }
+    return PLT_GEOMETRY_HEADER_BYTES + (plt_blocks_geometry_bits(s) + 7) / 8 <=
+           PLT_BLOCK_GEOMETRY_MOST;
+}

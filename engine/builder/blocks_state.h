@@ -1,0 +1,156 @@
+/* blocks_state - what the builder of compact blocks keeps in its scratch
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_BUILDER_BLOCKS_STATE_H
+#define PLT_BUILDER_BLOCKS_STATE_H
+
+#include "engine/builder/blocks.h"
+#include "engine/tree/compact/leaf.h"
+
+#define PLT_BLOCK_VERTICES_MOST 640
+#define PLT_BLOCK_HASH 1024
+#define PLT_BLOCK_TRIANGLES_MOST ((PLT_BLOCK_NODES_MOST + 1) * PLT_LEAF_TRIANGLES_MOST)
+
+/* A range of the permutation, its exact box, and the box that the walk will
+ * have decoded for it. */
+typedef struct plt_block_range {
+    uint32_t first, count;
+    plt_lattice_box box, tight;
+    uint16_t depth;
+    uint8_t parent, child; /* node of this block that leads here */
+} plt_block_range;
+
+/* An edge that waits for its block. */
+typedef struct plt_block_edge_waiting {
+    uint32_t first, count;
+    plt_lattice_box frame;
+    uint32_t link_at; /* byte of memory where its link goes; PLT_MISS: the root's */
+    uint32_t depth;
+} plt_block_edge_waiting;
+
+typedef struct plt_block_node {
+    uint8_t plane[6];
+    uint8_t owners;  /* six bits, xmin first */
+    uint8_t kind[2]; /* enum plt_slot_kind */
+    uint8_t node[2]; /* inner children */
+    uint8_t level;   /* nodes above it in this block */
+    uint32_t first[2], count[2];
+} plt_block_node;
+
+typedef struct plt_lattice_bin {
+    plt_lattice_box box;
+    uint32_t count;
+} plt_lattice_bin;
+
+/* A triangle of a strip: which of the unit, turned by how many corners. */
+typedef struct plt_strip_step {
+    uint8_t triangle, turned, start, turn;
+} plt_strip_step;
+
+typedef struct plt_blocks_state {
+    plt_blocks_job *job;
+    uint32_t *order; /* of plt_blocks_record_order */
+    unsigned char *permutation;
+    uint32_t index_bytes; /* 2 or 4 */
+    /* edges that wait, the lowest range on top */
+    plt_block_edge_waiting *edge; /* behind this struct */
+    uint32_t waiting, edges_most;
+    uint32_t sealed; /* bytes of blocks whose checks are set, at the end */
+    /* the block in hand */
+    plt_block_edge_waiting at;
+    plt_block_range pending[PLT_BLOCK_NODES_MOST + 1];
+    plt_block_node node[PLT_BLOCK_NODES_MOST];
+    uint8_t order_of[PLT_BLOCK_NODES_MOST]; /* nodes, breadth first */
+    uint32_t pendings, nodes, nodes_most;
+    uint8_t open;
+    /* its geometry */
+    uint64_t vertex[PLT_BLOCK_VERTICES_MOST];
+    uint16_t hash[PLT_BLOCK_HASH];
+    uint16_t reference[3 * PLT_BLOCK_TRIANGLES_MOST];
+    uint8_t flags[PLT_BLOCK_TRIANGLES_MOST]; /* 1: start, 2: turn */
+    uint8_t unit_count[PLT_BLOCK_NODES_MOST + 1], unit_pair[PLT_BLOCK_NODES_MOST + 1];
+    uint32_t units, triangles, references, vertices;
+    uint32_t mesh; /* number + 1 of all its triangles' mesh; 0: several, or not known */
+    /* splitting */
+    plt_lattice_bin bin[3][PLT_SAH_BINS];
+    plt_lattice_box right_box[PLT_SAH_BINS];
+    plt_lattice_box few_box[PLT_SAH_BINS]; /* ranges of no more triangles than bins */
+    uint32_t few[PLT_SAH_BINS];
+    uint8_t few_rank[3][PLT_SAH_BINS];
+    uint32_t right_count[PLT_SAH_BINS];
+} plt_blocks_state;
+
+static inline uint32_t plt_permuted(const plt_blocks_state *s, uint32_t i) {
+    uint16_t small;
+    uint32_t large;
+    if (s->index_bytes == 2) {
+        memcpy(&small, s->permutation + 2 * (size_t)i, 2);
+        return small;
+    }
+    memcpy(&large, s->permutation + 4 * (size_t)i, 4);
+    return large;
+}
+
+static inline void plt_permute(plt_blocks_state *s, uint32_t i, uint32_t triangle) {
+    const uint16_t small = (uint16_t)triangle;
+    if (s->index_bytes == 2) {
+        memcpy(s->permutation + 2 * (size_t)i, &small, 2);
+    } else {
+        memcpy(s->permutation + 4 * (size_t)i, &triangle, 4);
+    }
+}
+
+static inline void plt_lattice_corners(const plt_lattice_triangles *t, uint32_t triangle,
+                                       uint32_t corner[3][3]) {
+    const unsigned char *at = plt_lattice_triangle(t, triangle);
+    for (uint32_t k = 0; k < 9; k++) {
+        corner[k / 3][k % 3] = plt_lattice_number(t, at, k);
+    }
+}
+
+static inline plt_lattice_box plt_lattice_box_empty(void) {
+    const plt_lattice_box b = {{0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu}, {0, 0, 0}};
+    return b;
+}
+
+static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box *c) {
+    for (int a = 0; a < 3; a++) {
+        b->lo[a] = c->lo[a] < b->lo[a] ? c->lo[a] : b->lo[a];
+        b->hi[a] = c->hi[a] > b->hi[a] ? c->hi[a] : b->hi[a];
+    }
+}
+
+static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
+                                                       uint32_t triangle) {
+    const unsigned char *at = plt_lattice_triangle(t, triangle);
+    const uint32_t step = 3 * t->width, last = t->boxes ? 3 : 6; /* of nine numbers, or six */
+    plt_lattice_box b;
+    for (uint32_t a = 0; a < 3; a++) {
+        const uint32_t x = plt_lattice_number(t, at, a), z = plt_lattice_number(t, at, last + a);
+        const uint32_t y = plt_lattice_number(t, at + step, a);
+        const uint32_t lo = x < y ? x : y, hi = x < y ? y : x;
+        b.lo[a] = z < lo ? z : lo;
+        b.hi[a] = z > hi ? z : hi;
+    }
+    return b;
+}
+
+/* Splits a range of the permutation in place: [first, middle), [middle, first +
+ * count), neither empty, with their exact boxes. (blocks_split.c) */
+uint32_t plt_blocks_split(plt_blocks_state *s, const plt_block_range *range,
+                          plt_lattice_box child[2]);
+
+/* The order, turns and starts of a unit's triangles that take the fewest
+ * strips. `count` is 1 .. 8. (strips.c) */
+void plt_strips_find(const uint32_t corner[][3][3], uint32_t count, plt_strip_step *step);
+
+/* Gathers the geometry of the block in hand; 0 when it exceeds what a block may
+ * hold. Then writes the block. (blocks_geometry.c, blocks_write.c) */
+int plt_blocks_collect_geometry(plt_blocks_state *s);
+uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s); /* behind the header */
+int plt_blocks_write(plt_blocks_state *s);
+
+/* Where in the block the link of each edge lies: offset[2 * node + child]. */
+void plt_blocks_link_offsets(const plt_blocks_state *s, uint32_t *offset);
+
+#endif

@@ -1,0 +1,52 @@
+/* build - a BPH with treelets from triangle records, in place
+ *
+ * Records are permuted so that every list lies in a row; nodes come straight
+ * from the splits, no other hierarchy is ever kept. The same code runs in the
+ * host's packer and, over an arena, on the device.
+ *
+ * Memory beside records and nodes: PLT_BUILD_SCRATCH_BYTES while splitting;
+ * then, to put the nodes into treelets, 4 bytes a node and 4 a slot of a
+ * treelet (plt_treelet_scratch_bytes).
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_BUILDER_BUILD_H
+#define PLT_BUILDER_BUILD_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "engine/planelet.h"
+#include "engine/tree/record.h"
+#include "engine/tree/thesis/node.h"
+
+typedef struct plt_build_job {
+    plt_record *records;     /* permuted; source numbers set, last bits rewritten */
+    uint32_t count;          /* records, at most PLT_INDEX_MAX */
+    plt_node *nodes;         /* out */
+    uint32_t room;           /* node slots there */
+    uint32_t leaf_triangles; /* K: 1, 2 or 4 (any from 1 works) */
+    uint32_t treelet_nodes;  /* N: 1 .. PLT_INDEX_MAX */
+    uint8_t splits;          /* enum plt_splits */
+    void *scratch;           /* aligned to PLT_ALIGN */
+    size_t scratch_bytes;
+    /* results */
+    uint32_t nodes_used, node_slots, root;
+    plt_box box;
+} plt_build_job;
+
+/* Most inner nodes that `count` triangles can take. */
+uint32_t plt_build_nodes_bound(uint32_t count);
+
+/* Most node slots of `nodes` nodes in treelets of `treelet_nodes`. */
+uint32_t plt_build_slots_bound(uint32_t nodes, uint32_t treelet_nodes);
+
+/* Scratch that is enough for `nodes` nodes. */
+size_t plt_build_scratch_bytes(uint32_t nodes, uint32_t treelet_nodes);
+
+/* PLT_OK, PLT_ERR_ARENA (room or scratch too small; the bounds above are
+ * always enough), PLT_ERR_LIMIT (more triangles than PLT_DEPTH_MAX levels can
+ * hold). Deterministic: equal records give equal bytes on every machine.
+ * Cost: about log2(count / K) passes over the records. */
+int plt_build(plt_build_job *job);
+
+#endif

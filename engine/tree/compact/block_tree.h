@@ -1,0 +1,23 @@
+/* block_tree - compact blocks, and what reads them, as the traversal sees them
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TREE_COMPACT_BLOCK_TREE_H
+#define PLT_TREE_COMPACT_BLOCK_TREE_H
+
+#include "engine/base/lattice.h"
+#include "engine/tree/compact/leaf.h"
+#include "engine/tree/primitive_id.h"
+#include "engine/tree/record.h"
+
+typedef struct plt_block_tree {
+    const unsigned char *bytes; /* block address 0; 8 bytes behind may be read */
+    uint32_t used;              /* bytes of blocks */
+    uint32_t root;              /* link, or PLT_MISS */
+    uint32_t leaf_triangles;
+    plt_lattice lattice;
+    plt_lattice_box box; /* of all triangles */
+    plt_primitive_ids numbers;
+    const plt_record *records; /* float geometry, in image order; NULL: lattice */
+} plt_block_tree;
+
+#endif

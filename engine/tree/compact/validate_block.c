@@ -1,0 +1,170 @@
+/* validate_block - see validate_block.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/tree/compact/validate_block.h"
+
+/* Node i + 1 needs a parent among nodes 0 .. i. */
+static int kinds_form_a_tree(const plt_block *b) {
+    uint32_t inner = 0;
+    for (uint32_t i = 0; i < b->nodes; i++) {
+        inner += plt_block_kind(b, 2 * i) == PLT_SLOT_INNER;
+        inner += plt_block_kind(b, 2 * i + 1) == PLT_SLOT_INNER;
+        if (i + 1 < b->nodes && inner < i + 1) {
+            return 0;
+        }
+    }
+    return inner == b->nodes - 1;
+}
+
+static int frame_is_inside(const plt_lattice_box *f, const plt_lattice_box *scene) {
+    int inside = 1;
+    for (int a = 0; a < 3; a++) {
+        inside &= f->lo[a] >= scene->lo[a] && f->lo[a] <= f->hi[a] && f->hi[a] <= scene->hi[a];
+    }
+    return inside;
+}
+
+static int checks_are_right(const plt_block *b) {
+    if (plt_get_u32(b->bytes) >> 16 != plt_block_check(b->bytes, b->node_bytes, 2)) {
+        return 0;
+    }
+    return b->geometry_bytes == 0 ||
+           plt_get_u32(b->geometry + 4) >> 16 == plt_block_check(b->geometry, b->geometry_bytes, 6);
+}
+
+/* Each string begins where the one before ends; all must end inside the part. Counts are bounded
+ * first, so that no position overflows. */
+static int geometry_fits(const plt_geometry *g, const plt_block *b) {
+    const uint64_t bits = 8ull * b->geometry_bytes;
+    if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->turns > bits || g->news > bits ||
+        g->refs > bits || g->slots < g->vertices || g->news_ones != g->vertices) {
+        return 0;
+    }
+    return g->positions + (uint64_t)g->vertices * g->vertex_bits <= bits;
+}
+
+static int references_are_known(const plt_geometry *g) {
+    uint32_t rank = 0;
+    for (uint32_t slot = 0; slot < g->slots; slot++) {
+        if (plt_bits_get(g->bytes, g->news + slot, 1)) {
+            rank++;
+        } else if (plt_bits_get(g->bytes, g->refs + (slot - rank) * g->ref_bits, g->ref_bits) >=
+                   rank) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *frame) {
+    int inside = 1;
+    for (uint32_t v = 0; v < g->vertices; v++) {
+        uint32_t position[3];
+        plt_leaf_vertex(g, v, position);
+        for (int a = 0; a < 3; a++) {
+            inside &= position[a] <= frame->hi[a]; /* never below: it is added to lo */
+        }
+    }
+    return inside;
+}
+
+/* Units follow each other without gaps and each begins a strip. */
+static int units_are_sound(const plt_geometry *g, const plt_block *b) {
+    uint32_t unit = 0, pairs = 0, triangle = 0;
+    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
+        if (plt_block_kind(b, slot) != PLT_SLOT_LEAF) {
+            continue;
+        }
+        const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
+        if (triangle >= g->triangles || !plt_bits_get(g->bytes, g->starts + triangle, 1)) {
+            return 0;
+        }
+        uint32_t count;
+        plt_leaf_find(g, unit, pairs, pair, &count);
+        triangle += count;
+        unit++;
+        pairs += (uint32_t)pair;
+    }
+    return triangle == g->triangles;
+}
+
+/* Float geometry has nothing but counts here. */
+static int counts_rule(const plt_block *b, uint32_t k) {
+    plt_geometry g;
+    plt_geometry_open_counts(&g, b, k);
+    return g.starts <= 8 * b->geometry_bytes ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
+}
+
+static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k, int floats) {
+    plt_geometry g;
+    if (b->units == 0) {
+        return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
+    }
+    if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
+        return PLT_BLOCK_RULE_GEOMETRY;
+    }
+    if (floats) {
+        return counts_rule(b, k);
+    }
+    plt_geometry_open(&g, b, frame, k);
+    if (!geometry_fits(&g, b)) {
+        return PLT_BLOCK_RULE_GEOMETRY;
+    }
+    if (!units_are_sound(&g, b)) {
+        return PLT_BLOCK_RULE_LEAVES;
+    }
+    if (!references_are_known(&g)) {
+        return PLT_BLOCK_RULE_REFERENCES;
+    }
+    return vertices_are_inside(&g, frame) ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_VERTICES;
+}
+
+int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
+    plt_block b;
+    plt_lattice_box frame;
+    const uint32_t bits = tree->lattice.bits;
+    if (limit < PLT_BLOCK_HEADER_BYTES ||
+        limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
+        return PLT_BLOCK_RULE_SIZES;
+    }
+    plt_block_open(&b, bytes, bits);
+    if (b.node_bytes > limit || b.geometry_bytes > limit - b.node_bytes) {
+        return PLT_BLOCK_RULE_SIZES;
+    }
+    if (!kinds_form_a_tree(&b)) {
+        return PLT_BLOCK_RULE_KINDS;
+    }
+    plt_block_bounds(&b, bits, &frame);
+    if (!frame_is_inside(&frame, &tree->box)) {
+        return PLT_BLOCK_RULE_BOUNDS;
+    }
+    return checks_are_right(&b)
+               ? geometry_rule(&b, &frame, tree->leaf_triangles, tree->records != NULL)
+               : PLT_BLOCK_RULE_CHECK;
+}
+
+/* A switch: a table of pointers would be data that start-up has to fill in. */
+const char *plt_block_rule_message(int rule) {
+    switch (rule) {
+    case PLT_BLOCK_RULE_SIZES:
+        return "a block's parts do not fit its sizes";
+    case PLT_BLOCK_RULE_KINDS:
+        return "a block's nodes form no tree";
+    case PLT_BLOCK_RULE_BOUNDS:
+        return "a block's frame is no box inside the scene's";
+    case PLT_BLOCK_RULE_CHECK:
+        return "a block is damaged (check)";
+    case PLT_BLOCK_RULE_GEOMETRY:
+        return "a block's geometry does not fit its size";
+    case PLT_BLOCK_RULE_LEAVES:
+        return "a unit of triangles does not begin a strip or is too long";
+    case PLT_BLOCK_RULE_REFERENCES:
+        return "a triangle names a vertex before it is there";
+    case PLT_BLOCK_RULE_VERTICES:
+        return "a vertex lies outside its block's frame";
+    case PLT_BLOCK_RULE_LINKS:
+        return "a link leads back, astray or twice to a block";
+    default:
+        return "the header's counts are not the blocks'";
+    }
+}

@@ -1,0 +1,50 @@
+/* primitive_id - what a triangle was called when it was packed
+ *
+ * A number word holds the triangle's number in packing order in bits 0 .. 26
+ * and its turn in bits 29 and 30: which corner of the canonical order (record.h)
+ * came first in the packed mesh. Float records carry the word; lattice
+ * geometry keeps the words apart, packed to as few bits as they take, and they
+ * are looked up only for hits. Without them a triangle's number is its place in the
+ * image and its turn 0.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TREE_PRIMITIVE_ID_H
+#define PLT_TREE_PRIMITIVE_ID_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "engine/base/bytes.h"
+
+#define PLT_PRIMITIVE_ROTATION_SHIFT 29
+#define PLT_PRIMITIVE_ID_MASK 0x07FFFFFFu
+#define PLT_PRIMITIVE_UNUSED 0x18000000u /* bits 27 and 28: 0 */
+
+/* A section of the image: entry i is `bits` bits at bit i * bits, the turn in
+ * the lowest two, then the number; least significant bit first. Eight bytes
+ * behind the last entry may be read. */
+typedef struct plt_primitive_ids {
+    const unsigned char *bytes;
+    uint32_t bits; /* 2 .. 29 */
+} plt_primitive_ids;
+
+static inline uint32_t plt_primitive_id(uint32_t word) {
+    return word & PLT_PRIMITIVE_ID_MASK;
+}
+
+static inline uint32_t plt_primitive_rotation(uint32_t word) {
+    return word >> PLT_PRIMITIVE_ROTATION_SHIFT & 3u;
+}
+
+static inline uint32_t plt_primitive_word_find(const plt_primitive_ids *numbers, uint32_t number) {
+    if (numbers == NULL) {
+        return number;
+    }
+    const uint64_t at = (uint64_t)number * numbers->bits;
+    const unsigned char *byte = numbers->bytes + (at >> 3);
+    const uint64_t word = (uint64_t)plt_get_u32(byte + 4) << 32 | plt_get_u32(byte);
+    const uint32_t entry = (uint32_t)(word >> (at & 7)) & ((1u << numbers->bits) - 1u);
+    return entry >> 2 | (entry & 3u) << PLT_PRIMITIVE_ROTATION_SHIFT;
+}
+
+#endif

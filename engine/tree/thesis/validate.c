@@ -1,0 +1,168 @@
+/* validate - see validate.h
+ *
+ * Needs, for a node in hand (SPEC.md, section 5, has the derivation):
+ *   local  = the greater child's + 1 when both children are inner to the
+ *            treelet (the far one waits), else the inner child's, else 0
+ *   edges  = edges of inner children + 1 for every other child
+ *   depth  = the greater child's + 1, a leaf counting 0
+ *   locals = the greatest local need of any treelet behind an edge: treelets
+ *            follow one another on the same local stack
+ *   global need of a treelet = edges + max(0, beyond - 1): one edge is taken,
+ *            the others wait while what lies behind it is worked off
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/tree/thesis/validate.h"
+
+#include "engine/base/fault.h"
+
+static uint32_t larger(uint32_t a, uint32_t b) {
+    return a > b ? a : b;
+}
+
+static uint32_t treelet_need(const plt_need *root) {
+    return root->edges + (root->beyond > 0 ? root->beyond - 1 : 0);
+}
+
+/* Walks the lists of a leaf link. Lists lie in the order of a left-first walk,
+ * `seen` records in all so far: every record is in one list and read once. */
+static int survey_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, plt_info *info,
+                        plt_fault *fault) {
+    uint32_t record = plt_link_index(link);
+    if (record != *seen) {
+        return plt_broken(fault, 4, record, "a list does not follow the one before it");
+    }
+    for (uint32_t lists = plt_link_lists(link); lists > 0; lists--) {
+        uint32_t length = 0;
+        do {
+            if (record >= tree->records_count) {
+                return plt_broken(fault, 3, record - 1,
+                                  "a list of triangles runs past the last one");
+            }
+            length++;
+        } while (!plt_record_is_last(&tree->records[record++]));
+        info->leaf_triangles = larger(info->leaf_triangles, length);
+    }
+    *seen = record;
+    if (plt_link_lists(link) == 2) {
+        info->intermediate_lists++;
+    } else {
+        info->leaf_lists++;
+    }
+    return PLT_OK;
+}
+
+static void combine(plt_need *need, const plt_node *node, const plt_need child[2]) {
+    const plt_need none = {0, 0, 0, 0, 0};
+    *need = none;
+    int inner = 0;
+    for (int c = 0; c < 2; c++) {
+        const uint32_t link = plt_node_link(node, c);
+        need->depth = larger(need->depth, child[c].depth);
+        need->locals = larger(need->locals, child[c].locals);
+        if (plt_link_is_inner(link)) {
+            inner++;
+            need->local = larger(need->local, child[c].local);
+            need->edges += child[c].edges;
+            need->beyond = larger(need->beyond, child[c].beyond);
+        } else {
+            need->edges++;
+            if (!plt_link_is_leaf(link)) {
+                need->beyond = larger(need->beyond, treelet_need(&child[c]));
+                need->locals = larger(need->locals, child[c].local);
+            }
+        }
+    }
+    need->local += inner == 2;
+    need->depth++;
+}
+
+/* An inner link stays in the block of its node, an edge leaves it. */
+static int link_is_honest(const plt_tree *tree, uint32_t node, uint32_t link) {
+    const int same = node / tree->treelet_nodes == plt_link_index(link) / tree->treelet_nodes;
+    return same == plt_link_is_inner(link);
+}
+
+/* Descends from `frames[0]` until it is complete: the post-order walk. */
+static int walk(const plt_tree *tree, plt_validate_level *frames, plt_need *root, uint32_t *seen,
+                plt_info *info, plt_fault *fault) {
+    uint32_t level = 0;
+    for (;;) {
+        plt_validate_level *f = &frames[level];
+        const plt_node *node = &tree->nodes[f->node];
+        if (f->next_child == 2) {
+            plt_need need;
+            combine(&need, node, f->need);
+            if (level == 0) {
+                *root = need;
+                return PLT_OK;
+            }
+            level--;
+            frames[level].need[frames[level].next_child++] = need;
+            continue;
+        }
+        const uint32_t link = plt_node_link(node, (int)f->next_child);
+        if (plt_link_is_leaf(link)) {
+            const plt_need leaf = {0, 0, 0, 0, 0};
+            const int status = survey_lists(tree, link, seen, info, fault);
+            if (status != PLT_OK) {
+                return status;
+            }
+            f->need[f->next_child++] = leaf;
+            continue;
+        }
+        if (plt_link_index(link) >= tree->node_slots) {
+            return plt_broken(fault, 1, f->node, "a link names a node that is not there");
+        }
+        if (!link_is_honest(tree, f->node, link)) {
+            return plt_broken(fault, 1, f->node, "a link is not in the treelet that it says");
+        }
+        if (++info->nodes > tree->node_slots) {
+            return plt_broken(fault, 2, f->node, "the nodes form no tree");
+        }
+        if (++level == PLT_DEPTH_MAX) {
+            return plt_limit(fault, "the tree is deeper than PLT_DEPTH_MAX");
+        }
+        info->treelets += (link & PLT_LINK_OUT) != 0;
+        frames[level].node = plt_link_index(link);
+        frames[level].next_child = 0;
+    }
+}
+
+/* The root link is a node: walks below it and fills in the stack needs. */
+static int survey_nodes(const plt_tree *tree, plt_validate_level *frames, uint32_t *seen,
+                        plt_info *info, plt_fault *fault) {
+    if (plt_link_index(tree->root) >= tree->node_slots) {
+        return plt_broken(fault, 1, PLT_AT_ROOT_LINK,
+                          "the root link names a node that is not there");
+    }
+    info->nodes = info->treelets = 1;
+    frames[0].node = plt_link_index(tree->root);
+    frames[0].next_child = 0;
+    plt_need root;
+    const int status = walk(tree, frames, &root, seen, info, fault);
+    if (status == PLT_OK) {
+        info->local_stack_entries = larger(root.local, root.locals);
+        info->global_stack_entries = larger(1, treelet_need(&root));
+        info->depth_stack_entries = larger(1, root.depth);
+    }
+    return status;
+}
+
+int plt_tree_validate(const plt_tree *tree, plt_validate_level *frames, plt_info *info,
+                      plt_fault *fault) {
+    info->nodes = info->leaf_lists = info->intermediate_lists = info->treelets = 0;
+    info->leaf_triangles = 0;
+    info->local_stack_entries = info->global_stack_entries = info->depth_stack_entries = 0;
+    if (tree->root == PLT_LINK_NONE) {
+        return PLT_OK;
+    }
+    uint32_t seen = 0;
+    info->global_stack_entries = info->depth_stack_entries = 1;
+    const int status = plt_link_is_leaf(tree->root)
+                           ? survey_lists(tree, tree->root, &seen, info, fault)
+                           : survey_nodes(tree, frames, &seen, info, fault);
+    if (status == PLT_OK && seen != tree->records_count) {
+        return plt_broken(fault, 4, seen, "a triangle is in no list");
+    }
+    return status;
+}

@@ -1,0 +1,66 @@
+/* test_compact_depth - the builder of compact blocks at the last levels there are
+ *
+ * No scene of ordinary size is 64 levels deep: the job is told that its root is
+ * already so far down. Triangles lie at 1, 2, 4, .. along an axis, so that halving
+ * the box, and the surface area heuristic, take them off one by one.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "engine/builder/blocks_state.h"
+#include "tests/test.h"
+
+enum { TRIANGLES = 8, LEVELS = 2, MEMORY = 4096 };
+
+static void put(uint16_t *corner, uint32_t x) {
+    const uint32_t number[9] = {x, 0, 0, x + 1, 0, 0, x, 1, 0};
+    for (int i = 0; i < 9; i++) {
+        corner[i] = (uint16_t)number[i];
+    }
+}
+
+/* What building eight triangles, two a unit, comes to below `depth` levels. */
+static int build(uint32_t depth, uint8_t splits, plt_blocks_job *job) {
+    static _Alignas(8) unsigned char memory[MEMORY];
+    uint16_t corners[TRIANGLES][9];
+    for (uint32_t i = 0; i < TRIANGLES; i++) {
+        put(corners[i], 8u << i);
+    }
+    const plt_blocks_job fresh = {.triangles = {(const unsigned char *)corners, TRIANGLES, 2, 0},
+                                  .bits = 12,
+                                  .leaf_triangles = 1,
+                                  .splits = splits,
+                                  .memory = memory,
+                                  .bytes = MEMORY,
+                                  .scratch = malloc(plt_blocks_scratch_bytes(TRIANGLES))};
+    *job = fresh;
+    int status = plt_blocks_begin(job);
+    plt_blocks_state *s = job->scratch;
+    s->edge[0].depth = depth;
+    for (status = status == PLT_OK ? PLT_MORE : status; status == PLT_MORE;) {
+        status = plt_blocks_step(job);
+    }
+    free(job->scratch);
+    return status;
+}
+
+int main(void) {
+    for (uint8_t splits = PLT_SPLIT_SAH; splits <= PLT_SPLIT_MEDIAN; splits++) {
+        const char *name = splits == PLT_SPLIT_SAH ? "SAH" : "median";
+        plt_blocks_job job;
+        test(splits == PLT_SPLIT_SAH ? "near the last level ranges are halved by number: SAH"
+                                     : "... and median splits");
+        int status = build(0, splits, &job);
+        CHECK(status == PLT_OK && job.depth > LEVELS, "%s: status %d, depth %u: too even", name,
+              status, job.depth);
+        status = build(PLT_DEPTH_MAX - LEVELS, splits, &job);
+        CHECK(status == PLT_OK && job.depth == PLT_DEPTH_MAX, "%s: status %d, depth %u", name,
+              status, job.depth);
+        test("... and what needs a level more is refused");
+        status = build(PLT_DEPTH_MAX - LEVELS + 1, splits, &job);
+        CHECK(status == PLT_ERR_LIMIT, "%s: status %d, depth %u", name, status, job.depth);
+        status = build(PLT_DEPTH_MAX, splits, &job);
+        CHECK(status == PLT_ERR_LIMIT, "%s: status %d, depth %u", name, status, job.depth);
+    }
+    return test_done();
+}

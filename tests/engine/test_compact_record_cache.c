@@ -1,0 +1,210 @@
+/* test_compact_window - blocks built straight from a source that is not mapped
+ *
+ * The same blocks as from a mapped image, with a few KB of window instead of all
+ * corners; a source that fails at any transfer ends the build with its error; one
+ * that gives other bytes when it is read again harms nothing but the picture.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/engine.h"
+#include "engine/image/record_cache.h"
+#include "host_tools/scenes/scenes.h"
+#include "tests/reference/compact_hostile.h"
+#include "tests/reference/compact_rig.h"
+#include "tests/reference/random.h"
+#include "tests/test.h"
+
+enum { GUARD = 64, PATTERN = 0xA5 };
+
+/* An image behind a line that counts, fails or lies. */
+typedef struct line {
+    const unsigned char *bytes;
+    uint32_t size, reads;
+    uint32_t fail_at; /* this read fails; 0: none */
+    uint32_t lie_at;  /* from this read on numbers are changed; 0: none */
+    random_state random;
+    int beyond;
+} line;
+
+static int line_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
+    line *l = context;
+    (void)tag;
+    l->beyond |= offset > l->size || count > l->size - offset;
+    if (l->beyond || ++l->reads == l->fail_at) {
+        return -1;
+    }
+    memcpy(to, l->bytes + offset, count);
+    if (l->lie_at > 0 && l->reads >= l->lie_at) {
+        for (uint32_t i = 0; i < 1 + count / 16; i++) {
+            ((unsigned char *)to)[random_below(&l->random, count)] ^=
+                (unsigned char)random_bits(&l->random);
+        }
+    }
+    return 0;
+}
+
+static int line_wait(void *context, uint32_t tags) {
+    (void)context, (void)tags;
+    return 0;
+}
+
+typedef struct built {
+    int status;
+    plt_fault fault;
+    unsigned char *arena;
+    plt_engine *engine;
+    size_t peak;
+} built;
+
+static built build(const packed *image, line *l, const plt_options *options) {
+    const plt_source source = {NULL, image->size, l, line_start, line_wait};
+    const size_t need = plt_arena_need(&image->info, 0, options);
+    built b = {.arena = malloc(need + GUARD)};
+    memset(b.arena + need, PATTERN, GUARD);
+    b.status = plt_open(&b.engine, b.arena, need, &source, options, &b.fault);
+    CHECK((b.engine != NULL) == (b.status == PLT_OK), "status %d", b.status);
+    CHECK(!l->beyond, "asked for bytes beyond the image");
+    for (size_t i = 0; i < GUARD; i++) {
+        CHECK(b.arena[need + i] == PATTERN, "byte %zu behind the arena was written", i);
+    }
+    b.peak = b.engine != NULL ? plt_arena_peak(b.engine) : 0;
+    return b;
+}
+
+static line line_of(const packed *image) {
+    const line l = {image->bytes, image->size, 0, 0, 0, {1}, 0};
+    return l;
+}
+
+static packed image_of(uint32_t triangles, const compact_way *way) {
+    mesh m = {0};
+    fail f = {""};
+    CHECK(scene_knot(&m, triangles, &f) == 0, "%s", f.text);
+    return compact_packed(&m, way);
+}
+
+static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
+    const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, splits);
+    packed image = image_of(compact_triangles(6000, k), &way);
+    const plt_source mapped = {image.bytes, image.size, NULL, NULL, NULL};
+    const size_t need = plt_arena_need(&image.info, 1, &way.run);
+    void *arena = malloc(need);
+    plt_engine *e = NULL;
+    plt_fault fault;
+    CHECK(plt_open(&e, arena, need, &mapped, &way.run, &fault) == PLT_OK, "%s", fault.message);
+    line l = line_of(&image);
+    built b = build(&image, &l, &way.run);
+    CHECK(b.status == PLT_OK, "%s", b.fault.message);
+    if (e != NULL && b.engine != NULL) {
+        const plt_block_tree *x = &e->walker.blocks.tree, *y = &b.engine->walker.blocks.tree;
+        const size_t window = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
+        CHECK(x->used == y->used && memcmp(x->bytes, y->bytes, x->used) == 0, "other blocks");
+        CHECK(b.peak <= plt_arena_peak(e) + window, "peak %zu, mapped %zu", b.peak,
+              plt_arena_peak(e));
+        printf("    %u triangles, K %u, %u bits: %zu bytes at most, %zu mapped; %u reads\n",
+               image.info.triangles, k, bits, b.peak, plt_arena_peak(e), l.reads);
+    }
+    free(arena);
+    free(b.arena);
+    pack_free(&image);
+}
+
+static void failures(void) {
+    const compact_way way = compact_way_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(400, 2), &way);
+    line whole = line_of(&image);
+    built b = build(&image, &whole, &way.run);
+    CHECK(b.status == PLT_OK, "%s", b.fault.message);
+    free(b.arena);
+    for (uint32_t at = 1; at <= whole.reads; at++) {
+        line l = line_of(&image);
+        l.fail_at = at;
+        b = build(&image, &l, &way.run);
+        CHECK(b.status == PLT_ERR_SOURCE, "read %u of %u: status %d", at, whole.reads, b.status);
+        CHECK(l.reads == at, "read %u of %u: it was asked %u times", at, whole.reads, l.reads);
+        free(b.arena);
+    }
+    pack_free(&image);
+}
+
+/* Reads of the header and of the first pass over the corners are honest. */
+static void lies(uint32_t k, uint8_t splits) {
+    const compact_way way = compact_way_of(k, 14, PLT_BUILD_DEVICE, splits);
+    packed image = image_of(compact_triangles(400, k), &way);
+    uint32_t opened = 0, refused = 0;
+    line whole = line_of(&image);
+    built b = build(&image, &whole, &way.run);
+    free(b.arena);
+    for (uint32_t i = 0; i < 300; i++) {
+        line l = line_of(&image);
+        l.lie_at = 3 + random_below(&l.random, whole.reads);
+        l.random.at = i;
+        l.lie_at = 3 + random_below(&l.random, whole.reads);
+        b = build(&image, &l, &way.run);
+        if (b.status == PLT_OK) {
+            const char *sentence = compact_trace_any(b.engine);
+            CHECK(sentence == NULL, "%s", sentence);
+            opened++;
+        } else {
+            CHECK(b.status == PLT_ERR_SOURCE || b.status == PLT_ERR_IMAGE ||
+                      b.status == PLT_ERR_LIMIT || b.status == PLT_ERR_ARENA,
+                  "status %d: %s", b.status, b.fault.message);
+            refused++;
+        }
+        free(b.arena);
+    }
+    CHECK(refused > 0, "no lie was seen");
+    printf("    K %u: of 300 sources that lie %u were refused, %u traced\n", k, refused, opened);
+    pack_free(&image);
+}
+
+/* A step after one that failed fails again, whatever became of the arena: here one
+ * with no byte to spare, in which a check follows where scratch was. */
+static void after_failure(void) {
+    const compact_way way = compact_way_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(400, 2), &way);
+    line whole = line_of(&image);
+    built b = build(&image, &whole, &way.run);
+    const size_t bytes = b.peak;
+    unsigned failed = 0;
+    free(b.arena);
+    for (uint32_t at = 3; at <= whole.reads; at++) {
+        line l = line_of(&image);
+        const plt_source source = {NULL, image.size, &l, line_start, line_wait};
+        void *arena = malloc(bytes);
+        plt_engine *e = NULL;
+        plt_fault fault;
+        *(at % 2 ? &l.lie_at : &l.fail_at) = at;
+        int status = plt_open_begin(&e, arena, bytes, &source, &way.run, &fault);
+        while (status == PLT_MORE) {
+            status = plt_open_step(e, 1, &fault);
+        }
+        failed += status < 0;
+        for (int i = 0; i < 3 && e != NULL && status < 0; i++) {
+            CHECK(plt_open_step(e, 1, &fault) == status && fault.message[0] != 0,
+                  "read %u: status %d, then another", at, status);
+        }
+        free(arena);
+    }
+    CHECK(failed > whole.reads / 2, "%u of %u failed", failed, whole.reads);
+    pack_free(&image);
+}
+
+int main(void) {
+    test("through a window the blocks are those of a mapped image, and a window is all it takes");
+    for (uint32_t k = 1; k <= 4; k *= 2) {
+        same_blocks(k, 14, PLT_SPLIT_SAH);
+        same_blocks(k, 21, PLT_SPLIT_SAH);
+        same_blocks(k, 14, PLT_SPLIT_MEDIAN);
+    }
+    test("a source that fails at any read ends the build with its error, and is not asked again");
+    failures();
+    after_failure();
+    test("a source that gives other bytes when read again gives an error or a sound tree");
+    lies(2, PLT_SPLIT_SAH);
+    lies(4, PLT_SPLIT_SAH);
+    lies(2, PLT_SPLIT_MEDIAN);
+    return test_done();
+}

@@ -1,0 +1,247 @@
+/* test_trace_rim - a triangle that lies beside all rays is one that none of them meets
+ *
+ * Triangles of all sizes and shapes stand in the way of a bundle of rays: the first
+ * corner on one of them, or a rounding to half the scene beside it; or the rays lie
+ * in their plane. One that the rim of some groups says lies beside is tested against
+ * every ray of those all the same, and may have no hit.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "engine/planelet.h"
+#include "engine/trace/frustum.h"
+#include "engine/trace/triangle.h"
+#include "tests/reference/random.h"
+#include "tests/test.h"
+
+enum { SIDE = 4, GROUPS = SIDE * SIDE / 4 };
+
+typedef struct bundle {
+    plt_group group[GROUPS];
+    plt_packet packet;
+    float org[3];
+} bundle;
+
+/* `away`: of the scene, of size 2, from where coordinates are 0, on all axes. */
+static plt_box scene_at(float away) {
+    const plt_box b = {{away - 1, away - 1, away - 1}, {away + 1, away + 1, away + 1}};
+    return b;
+}
+
+/* Rays of slopes x .. x + spread, y .. y + spread along an axis, one way or back. */
+static void make_bundle(bundle *b, random_state *r, float spread, float away) {
+    const plt_box scene = scene_at(away);
+    const int axis = (int)random_below(r, 3);
+    const float way = random_below(r, 2) ? 1.0f : -1.0f, length = random_float(r, 0.5f, 2.0f);
+    const float x = random_float(r, 0.0f, 0.9f - spread), y = random_float(r, 0.0f, 0.9f - spread);
+    const float sign_x = random_below(r, 2) ? 1.0f : -1.0f,
+                sign_y = random_below(r, 2) ? 1.0f : -1.0f;
+    memset(b, 0, sizeof *b);
+    b->packet.group = b->group;
+    plt_packet_begin(&b->packet, GROUPS, 0);
+    const unsigned lanes = 1 + random_below(r, 4);
+    for (int a = 0; a < 3; a++) {
+        b->org[a] = away + random_float(r, -2.0f, 2.0f);
+    }
+    for (unsigned i = 0; i < GROUPS; i++) {
+        float dir[3][4];
+        f4 o[3], d[3];
+        for (unsigned lane = 0; lane < 4; lane++) {
+            const unsigned column = 2 * (i % (SIDE / 2)) + lane % 2,
+                           row = 2 * (i / (SIDE / 2)) + lane / 2;
+            const float along = way * length;
+            dir[axis][lane] = along;
+            dir[(axis + 1) % 3][lane] = along * sign_x * (x + spread * (float)column / (SIDE - 1));
+            dir[(axis + 2) % 3][lane] = along * sign_y * (y + spread * (float)row / (SIDE - 1));
+        }
+        for (int a = 0; a < 3; a++) {
+            o[a] = f4_all(b->org[a]);
+            d[a] = f4_load(dir[a]);
+        }
+        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), lanes);
+    }
+    plt_packet_finish(&b->packet);
+}
+
+/* On a ray of the bundle, at distance t, or `off` beside it. */
+static void point(const bundle *b, random_state *r, float t, float off, float to[3]) {
+    const plt_group *g = &b->group[random_below(r, GROUPS)];
+    const unsigned lane = random_below(r, 4);
+    for (int a = 0; a < 3; a++) {
+        to[a] = b->org[a] + t * g->dir[a][lane] + random_float(r, -off, off);
+    }
+}
+
+static void measure(plt_triangle *t) {
+    t->longest = 0.0f;
+    for (int i = 0; i < 9; i++) {
+        const float side = fabsf(t->corner[i % 3][i / 3] - t->corner[(i + 1) % 3][i / 3]);
+        t->longest = side > t->longest ? side : t->longest;
+    }
+}
+
+static void make_triangle(const bundle *b, random_state *r, plt_triangle *t) {
+    static const float offs[5] = {0.0f, 1e-7f, 1e-5f, 1e-2f, 0.5f};
+    const float at = random_float(r, 0.05f, 1.5f), size = ldexpf(1.0f, -(int)random_below(r, 24));
+    float push[3];
+    point(b, r, at, offs[random_below(r, 5)], t->corner[0]);
+    for (int a = 0; a < 3; a++) {
+        push[a] = random_float(r, -size, size);
+        t->corner[1][a] = t->corner[0][a] + push[a];
+        /* a sliver, or any shape */
+        t->corner[2][a] =
+            t->corner[0][a] + (random_below(r, 2) ? 2.0f * push[a] + random_float(r, -1e-7f, 1e-7f)
+                                                  : random_float(r, -size, size));
+    }
+    measure(t);
+}
+
+/* Does any ray of the groups meet the triangle? */
+static int is_met(bundle *b, const plt_triangle *t, plt_mask groups) {
+    int met = 0;
+    plt_triangle_groups(&b->packet, t, groups);
+    for (unsigned i = 0; i < GROUPS; i++) {
+        for (unsigned lane = 0; lane < 4; lane++) {
+            met |= b->group[i].source[lane] != PLT_MISS;
+            b->group[i].source[lane] = PLT_MISS;
+            b->group[i].tmax[lane] = b->group[i].valid >> lane & 1u ? 1e30f : -1.0f;
+        }
+    }
+    return met;
+}
+
+static int is_beside(const plt_frustum *rim, const plt_triangle *t) {
+    return plt_frustum_culls(plt_frustum_outcode(rim, t->corner[0]),
+                             plt_frustum_outcode(rim, t->corner[1]),
+                             plt_frustum_outcode(rim, t->corner[2]));
+}
+
+typedef struct counts {
+    unsigned triangles, beside, met, wrong, without;
+} counts;
+
+/* Triangles against a bundle, some groups of it at a time. */
+static void compare(counts *n, bundle *b, random_state *r, const plt_triangle *t) {
+    const plt_mask groups = 1 + random_below(r, (1u << GROUPS) - 1);
+    plt_frustum rim;
+    if (!plt_frustum_set(&rim, &b->packet, groups)) {
+        n->without++;
+        return;
+    }
+    const int out = is_beside(&rim, t), hit = is_met(b, t, groups);
+    n->triangles++;
+    n->beside += (unsigned)out;
+    n->met += (unsigned)hit;
+    n->wrong += (unsigned)(out && hit);
+}
+
+static void verdict(const counts *n) {
+    CHECK(n->wrong == 0, "%u triangles beside are met", n->wrong);
+    CHECK(n->beside > n->triangles / 50 && n->met > n->triangles / 100, "only %u beside, %u met",
+          n->beside, n->met);
+    printf("    %u triangles, %u met, %u beside\n", n->triangles, n->met, n->beside);
+}
+
+static void test_bundles(float spread, float away) {
+    enum { BUNDLES = 4000, TRIANGLES = 50 };
+    random_state r = {(uint64_t)(spread * 1e6f) + ((uint64_t)away << 32)};
+    counts n = {0, 0, 0, 0, 0};
+    for (int i = 0; i < BUNDLES; i++) {
+        static bundle b;
+        make_bundle(&b, &r, spread, away);
+        for (int k = 0; k < TRIANGLES; k++) {
+            plt_triangle t = {.number = 0, .numbers = NULL};
+            make_triangle(&b, &r, &t);
+            compare(&n, &b, &r, &t);
+        }
+    }
+    test("what lies beside a bundle of rays is met by none of them");
+    CHECK(n.without == 0, "%u bundles have no rim", n.without);
+    verdict(&n);
+}
+
+static void whole_numbers(random_state *r, int most, float to[3]) {
+    for (int a = 0; a < 3; a++) {
+        to[a] = (float)((int)random_below(r, 2u * (unsigned)most + 1) - most);
+    }
+}
+
+/* Rays in the plane that p and q span, from a corner of the grid or a hair beside. */
+static void make_flat(bundle *b, random_state *r, const float p[3], const float q[3]) {
+    const plt_box scene = {{-4096, -4096, -4096}, {4096, 4096, 4096}};
+    memset(b, 0, sizeof *b);
+    b->packet.group = b->group;
+    plt_packet_begin(&b->packet, GROUPS, 0);
+    whole_numbers(r, 16, b->org);
+    b->org[random_below(r, 3)] = ldexpf((float)random_below(r, 3), -(int)random_below(r, 40));
+    for (unsigned i = 0; i < GROUPS; i++) {
+        float dir[3][4];
+        f4 o[3], d[3];
+        for (unsigned lane = 0; lane < 4; lane++) {
+            const float u = (float)(8 + random_below(r, 4)), v = (float)random_below(r, 4);
+            for (int a = 0; a < 3; a++) {
+                dir[a][lane] = u * p[a] + v * q[a];
+            }
+        }
+        for (int a = 0; a < 3; a++) {
+            o[a] = f4_all(b->org[a]);
+            d[a] = f4_load(dir[a]);
+        }
+        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), 4);
+    }
+    plt_packet_finish(&b->packet);
+}
+
+/* All edge functions are 0, or as good as that, in every ray. */
+static void test_edge_on(void) {
+    random_state r = {7};
+    counts n = {0, 0, 0, 0, 0};
+    test("a triangle seen edge-on is met by no ray beside it");
+    for (int i = 0; i < 400000; i++) {
+        static bundle b;
+        plt_triangle t = {.longest = 0.0f, .number = 0, .numbers = NULL};
+        float p[3], q[3];
+        whole_numbers(&r, 9, p);
+        whole_numbers(&r, 9, q);
+        make_flat(&b, &r, p, q);
+        for (int c = 0; c < 3; c++) {
+            const float u = (float)random_below(&r, 40) - 4.0f;
+            const float v = (float)random_below(&r, 40) - 20.0f;
+            for (int a = 0; a < 3; a++) {
+                t.corner[c][a] = rintf(b.org[a]) + u * p[a] + v * q[a];
+            }
+        }
+        measure(&t);
+        compare(&n, &b, &r, &t);
+    }
+    CHECK(n.wrong == 0, "%u triangles beside are met", n.wrong);
+    CHECK(n.beside > 10000 && n.without < 390000, "%u beside, %u without a rim", n.beside,
+          n.without);
+    printf("    %u triangles, %u met, %u beside\n", n.triangles, n.met, n.beside);
+}
+
+static void test_none(void) {
+    static bundle b;
+    random_state r = {1};
+    plt_frustum rim;
+    test("rays that share no axis or origin, and no rays, have no rim");
+    make_bundle(&b, &r, 0.1f, 0.0f);
+    CHECK(plt_frustum_set(&rim, &b.packet, b.packet.active), "one bundle has");
+    CHECK(!plt_frustum_set(&rim, &b.packet, 0), "no groups");
+    b.packet.axis = 3;
+    CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no axis");
+    b.packet.axis = 0;
+    b.packet.shared = 0;
+    CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no origin");
+}
+
+int main(void) {
+    static const float spreads[4] = {0.0f, 1e-6f, 1e-3f, 0.1f}, aways[3] = {0.0f, 4096.0f, 1e6f};
+    for (int i = 0; i < 12; i++) {
+        test_bundles(spreads[i % 4], aways[i / 4]);
+    }
+    test_edge_on();
+    test_none();
+    return test_done();
+}

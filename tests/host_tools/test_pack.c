@@ -1,0 +1,152 @@
+/* test_pack - an image holds the mesh, whole and unchanged, and the options
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "engine/image/header.h"
+#include "engine/tree/record.h"
+#include "engine/tree/thesis/link.h"
+#include "engine/tree/thesis/node.h"
+#include "host_tools/pack/pack.h"
+#include "tests/reference/random.h"
+#include "tests/reference/rig.h"
+#include "tests/test.h"
+
+/* Triangles that share no vertex, with odd ones among them: degenerate to a
+ * point or a line, zeros of both signs, the largest and smallest floats. */
+static void make_mesh(mesh *m, uint32_t triangles) {
+    static const float odd[] = {0.0f, -0.0f, PLT_COORD_MAX, -PLT_COORD_MAX, 1.0e-40f, -1.0e-40f};
+    random_state random = {triangles};
+    fail f = {""};
+    for (uint32_t i = 0; i < triangles; i++) {
+        for (int corner = 0; corner < 3; corner++) {
+            float p[3];
+            for (int a = 0; a < 3; a++) {
+                p[a] = random_float(&random, -10.0f, 10.0f);
+                p[a] = i % 5 == 4 ? odd[random_below(&random, 6)] : p[a];
+            }
+            mesh_add_vertex(m, p[0], p[1], p[2], &f);
+        }
+        const uint32_t first = 3 * i, second = i % 7 == 6 ? first : first + 1;
+        mesh_add_triangle(m, first, second, i % 14 == 13 ? first : first + 2, &f);
+    }
+}
+
+/* The record's corners, from the one that its turn names on, are the mesh's. */
+static int same_corners(const plt_record *r, const mesh *m, uint32_t number) {
+    const uint32_t turn = plt_get_u32(&r->word[9]) / 0x20000000u % 4; /* SPEC.md, 4.4 */
+    for (size_t corner = 0; corner < 3; corner++) {
+        const float *vertex = m->vertex + 3 * (size_t)m->triangle[3 * (size_t)number + corner];
+        if (memcmp(&r->word[3 * ((turn + corner) % 3)], vertex, 3 * sizeof *vertex) != 0) {
+            return 0;
+        }
+    }
+    return turn < 3;
+}
+
+/* Each number once, each corner bit for bit (on a little-endian host). */
+static void check_records(const packed *image, const mesh *m) {
+    const plt_info *info = &image->info;
+    const plt_record *records =
+        (const plt_record *)(const void *)(image->bytes + PLT_HEADER_BYTES +
+                                           plt_section_bytes(info->node_slots, PLT_NODE_BYTES));
+    unsigned char *seen = calloc(m->triangles + 1, 1);
+    for (uint32_t i = 0; i < info->triangles && seen != NULL; i++) {
+        const uint32_t number = plt_get_u32(&records[i].word[9]) % 0x8000000u; /* SPEC.md, 4.4 */
+        CHECK(number < m->triangles && !seen[number], "record %u: number %u", i, number);
+        if (number < m->triangles) {
+            seen[number] = 1;
+            CHECK(same_corners(&records[i], m, number), "record %u: triangle %u", i, number);
+        }
+    }
+    free(seen);
+}
+
+static void check_image(const packed *image, const mesh *m, const pack_options *o) {
+    const plt_source source = rig_source(image);
+    plt_info info;
+    plt_fault fault;
+    CHECK(plt_image_info(&source, &info, &fault) == PLT_OK, "%s", fault.message);
+    CHECK(info.triangles == m->triangles, "%u triangles", info.triangles);
+    CHECK(info.image_bytes == image->size, "%u bytes", info.image_bytes);
+    CHECK(info.splits == o->splits && info.build == o->build, "%u %u", info.splits, info.build);
+    CHECK(info.treelet_nodes == o->treelet_nodes, "%u nodes", info.treelet_nodes);
+    CHECK(o->build == PLT_BUILD_NONE || info.leaf_triangles == o->leaf_triangles, "%u triangles",
+          info.leaf_triangles);
+    check_records(image, m);
+}
+
+static void check_ways(uint32_t triangles) {
+    mesh m = {0};
+    make_mesh(&m, triangles);
+    for (unsigned way = 0; way < 18; way++) {
+        const pack_options options = {.splits = way & 1,
+                                      .build = (uint8_t)(way / 2 % 3),
+                                      .leaf_triangles = 1u << way / 6,
+                                      .treelet_nodes = 1 + 5 * way};
+        packed image, again;
+        fail f = {""};
+        CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
+        CHECK(pack_mesh(&again, &m, &options, "test", &f) == 0, "%s", f.text);
+        if (image.bytes != NULL && again.bytes != NULL) {
+            check_image(&image, &m, &options);
+            CHECK(image.size == again.size && !memcmp(image.bytes, again.bytes, image.size),
+                  "way %u differs the second time", way);
+        }
+        pack_free(&image);
+        pack_free(&again);
+    }
+    mesh_free(&m);
+}
+
+static void check_too_many(void) {
+    const mesh m = {.triangles = (size_t)PLT_INDEX_MAX + 1};
+    const pack_options options = {.leaf_triangles = 1, .treelet_nodes = 1};
+    const compact_options compact = {.lattice_bits = 14, .leaf_triangles = 1};
+    lattice_loss loss;
+    for (int format = 0; format < 2; format++) {
+        packed image;
+        fail f = {""};
+        const int status = format == 0 ? pack_mesh(&image, &m, &options, "large.ply", &f)
+                                       : pack_compact(&image, &m, &compact, "large.ply", &loss, &f);
+        CHECK(status != 0, "packed");
+        CHECK(strncmp(f.text, "large.ply: 134217728 triangles: ", 32) == 0, "%s", f.text);
+        CHECK(strchr(f.text, ';') != NULL, "no remedy: %s", f.text);
+        CHECK(image.bytes == NULL, "there is an image");
+        pack_free(&image);
+    }
+}
+
+/* A vertex far away that no triangle uses: it has no place on the lattice. */
+static void check_unused(void) {
+    static const float corner[5][3] = {
+        {-1.0e6f, -1.0e6f, 1.0e6f}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const compact_options options = {.lattice_bits = 16, .leaf_triangles = 2};
+    mesh m = {0};
+    packed image;
+    lattice_loss loss;
+    fail f = {""};
+    for (int i = 0; i < 5; i++) {
+        mesh_add_vertex(&m, corner[i][0], corner[i][1], corner[i][2], &f);
+    }
+    mesh_add_triangle(&m, 1, 2, 3, &f);
+    mesh_add_triangle(&m, 1, 2, 4, &f);
+    CHECK(pack_compact(&image, &m, &options, "test", &loss, &f) == 0, "%s", f.text);
+    CHECK(loss.largest_move < 1.0e-4, "moved by %g", loss.largest_move);
+    CHECK(loss.merged == 0 && image.info.triangles == 2, "%u triangles", image.info.triangles);
+    pack_free(&image);
+    mesh_free(&m);
+}
+
+int main(void) {
+    test("an image holds every triangle once, bit for bit, and the options");
+    const uint32_t counts[] = {0, 1, 2, 3, 5, 17, 100};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        check_ways(rig_triangles(counts[i], 1));
+    }
+    test("a mesh of 2^27 triangles is refused before anything is read or allocated");
+    check_too_many();
+    test("a vertex that no triangle uses has no part in what the lattice cost");
+    check_unused();
+    return test_done();
+}
