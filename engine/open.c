@@ -1,11 +1,12 @@
 /* open - from an image to an engine in an arena
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/base/crc32.h"
+#include <string.h>
+
 #include "engine/base/fault.h"
-#include "engine/budget.h"
+#include "engine/engine.h"
 #include "engine/image/fetch.h"
-#include "engine/opening.h"
+#include "engine/layout.h"
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 
@@ -36,79 +37,71 @@ int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault) {
     return status;
 }
 
-int plt_opening_short(const plt_opening *o) {
-    const plt_engine *e = o->e;
-    return plt_arena_short(o->fault,
-                           plt_arena_need(&e->header.info, e->source.mapped != NULL, &e->options));
-}
-
-/* A section where it lies, or fetched into the arena; its checksum is right. */
-int plt_opening_section(const plt_opening *o, uint32_t kind, int copy, const void **bytes) {
-    plt_engine *e = o->e;
-    const plt_section *s = plt_header_section(&e->header, kind);
-    if (e->source.mapped != NULL && !copy) {
-        *bytes = (const unsigned char *)e->source.mapped + s->offset;
-    } else {
-        void *to = plt_arena_cut(&e->arena, s->bytes);
-        if (to == NULL) {
+/* Parts that depend on neither the image nor its building come last, where scratch was. */
+static int cut_running(const plt_opening *o, void *to[PLT_PARTS_COUNT]) {
+    for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
+        to[i] = NULL;
+        if (plt_part_lifetime((enum plt_part)i) != PLT_LIFETIME_RUNS) {
+            continue;
+        }
+        to[i] = plt_opening_cut(o, (enum plt_part)i);
+        if (to[i] == NULL) {
             return plt_opening_short(o);
         }
-        const int status = plt_fetch(&e->source, s->offset, to, s->bytes, o->fault);
-        if (status != PLT_OK) {
-            return status;
-        }
-        *bytes = to;
-    }
-    if (plt_crc32(0, *bytes, s->bytes) != s->crc) {
-        return plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
     }
     return PLT_OK;
 }
 
-/* Everything that depends on neither the scene nor its building comes last,
- * where scratch was. */
-static int cut_rest(const plt_opening *o) {
-    plt_engine *e = o->e;
-    plt_walker *w = &e->walker;
-    const plt_info *info = &e->header.info;
-    const size_t entry = plt_budget_entry(info);
+/* The scene is open: a traversal, a packet and a tile buffer over it. */
+static int start_worker(plt_engine *e, plt_fault *fault) {
+    plt_layout layout;
+    void *part[PLT_PARTS_COUNT];
+    const plt_info *info = &e->scene.info;
+    const plt_opening o = {&e->scene, &e->source, &e->arena, &layout, fault};
     if (info->global_stack_entries > PLT_GLOBAL_STACK_MAX) {
-        return plt_limit(o->fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
+        return plt_limit(fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
     }
-    e->touched_words = plt_budget_touched_words(info);
-    w->touched = plt_arena_cut(&e->arena, 4 * (size_t)e->touched_words);
-    w->packet.group = plt_arena_cut(&e->arena, plt_budget_groups(&e->options));
-    e->film = plt_arena_cut(&e->arena, 3 * PLT_TILE_SIDE * PLT_TILE_SIDE);
-    void *stack = plt_arena_cut(&e->arena, plt_budget_main_stack(info, &e->options) * entry);
-    w->local = plt_arena_cut(&e->arena, plt_budget_local_stack(info, &e->options) * entry);
-    w->blocks.open = plt_arena_cut(&e->arena, plt_budget_open_blocks(info));
-    if (w->touched == NULL || w->packet.group == NULL || e->film == NULL || stack == NULL ||
-        w->local == NULL || w->blocks.open == NULL) {
-        return plt_opening_short(o);
+    plt_layout_set(&layout, info, info, e->source.mapped != NULL, &e->options);
+    const int status = cut_running(&o, part);
+    if (status != PLT_OK) {
+        return status;
     }
-    if (w->compact) {
-        w->blocks.stack = stack;
-        plt_block_cache_clear(w->blocks.open);
-    } else {
-        w->stack = stack;
-    }
+    const plt_traversal_memory memory = {
+        .stack = part[PLT_PART_STACK],
+        .local = part[PLT_PART_LOCAL_STACK],
+        .cache = part[PLT_PART_BLOCK_CACHE],
+        .touched = e->options.count_touched ? part[PLT_PART_TOUCHED] : NULL};
+    e->touched_words = plt_touched_words(info);
+    plt_traversal_init(&e->traversal, &e->scene, (enum plt_order)e->options.order, &memory);
+    plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
+    plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], e->options.packet_side);
+    plt_stats_reset(e);
     return PLT_OK;
 }
 
-static int lay_out(const plt_opening *o) {
-    plt_engine *e = o->e;
-    e->walker.compact = e->header.info.nodes_format == PLT_NODES_COMPACT;
-    const int status = e->walker.compact ? plt_opening_compact(o) : plt_opening_thesis(o);
-    return status == PLT_OK ? cut_rest(o) : status;
+/* An arena that is too small: how many bytes would do. */
+static int with_need(const plt_engine *e, int status, plt_fault *fault) {
+    if (status == PLT_ERR_ARENA) {
+        fault->need_bytes = plt_arena_need(&e->scene.info, e->source.mapped != NULL, &e->options);
+    }
+    return status;
 }
 
-/* What plt_open does, up to the building of blocks. */
+static int open_scene(plt_engine *e, const plt_header *header, plt_fault *fault) {
+    plt_layout layout;
+    plt_layout_of_image(&layout, &header->info, e->source.mapped != NULL, &e->options);
+    const plt_opening o = {&e->scene, &e->source, &e->arena, &layout, fault};
+    plt_scene_describe(&e->scene, header);
+    return plt_scene_open(&o, header, &e->build);
+}
+
 int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
                    const plt_options *options, plt_fault *fault) {
     plt_header header;
     *engine = NULL;
     *fault = no_fault;
-    if (!plt_options_valid(options) || !valid_source(source) || (uintptr_t)arena % PLT_ALIGN != 0) {
+    if (!plt_layout_options_valid(options) || !valid_source(source) ||
+        (uintptr_t)arena % PLT_ALIGN != 0) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "an option is out of range, or source or arena are not aligned");
     }
@@ -116,8 +109,9 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     if (status != PLT_OK) {
         return status;
     }
-    if (!plt_budget_walk_valid(&header.info, options)) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "compact blocks are walked depth first");
+    if (!plt_layout_order_valid(&header.info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "compact blocks are traversed depth first");
     }
     plt_arena a = {arena, arena_bytes, 0, 0};
     plt_engine *e = plt_arena_cut(&a, sizeof *e);
@@ -129,38 +123,37 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     e->arena = a;
     e->source = *source;
     e->options = *options;
-    e->header = header;
     e->rendering.done = 1;
-    const plt_opening o = {e, fault};
-    status = lay_out(&o);
+    status = open_scene(e, &header, fault);
     if (status == PLT_OK) {
-        plt_stats_reset(e);
+        status = start_worker(e, fault);
     }
     if (status >= PLT_OK) {
         *engine = e;
     }
-    return status;
+    return with_need(e, status, fault);
 }
 
 int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
-    const plt_opening o = {e, fault};
+    plt_layout layout;
     *fault = no_fault;
     if (e->failed != PLT_OK) {
         return plt_fault_set(fault, e->failed, 0, "the opening has failed before");
     }
-    if (!e->building) {
+    if (e->build == NULL) {
         return PLT_OK;
     }
-    int status = plt_opening_step(&o, splits > 0 ? splits : 1);
+    plt_layout_of_image(&layout, &e->scene.info, e->source.mapped != NULL, &e->options);
+    const plt_opening o = {&e->scene, &e->source, &e->arena, &layout, fault};
+    int status = plt_scene_build_step(&o, e->build, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
-        status = cut_rest(&o);
+        status = start_worker(e, fault);
     }
     if (status == PLT_OK) {
-        e->building = 0;
-        plt_stats_reset(e);
+        e->build = NULL;
     }
     e->failed = (int8_t)(status < 0 ? status : PLT_OK);
-    return status;
+    return with_need(e, status, fault);
 }
 
 int plt_open(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,

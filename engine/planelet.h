@@ -3,7 +3,7 @@
  * CONVENTIONS
  *          y
  *          |      right-handed world, y up unless the camera says otherwise;
- *          |      film row 0 is the top, pixel (0,0) top left, rays through
+ *          |      row 0 is the top, pixel (0,0) top left, rays through
  *          +--- x pixel centres; counter-clockwise or not makes no difference:
  *         /       both sides of a triangle are hit. Units are the scene's.
  *        z        A point on a ray is org + t * dir; dir needs no unit length.
@@ -28,7 +28,11 @@
 extern "C" {
 #endif
 
-#define PLT_VERSION_MAJOR 1
+/* 2.0: enum plt_walk is enum plt_order and plt_options.walk is .order; number_bytes and
+ * number_bits of plt_info are primitive_id_bytes and primitive_id_bits; touched blocks
+ * are counted only if plt_options.count_touched asks for it; plt_trace and
+ * plt_render_step report a source that fails. Images are those of 1.0. */
+#define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
 /* Alignment of the arena and of a mapped image. */
@@ -92,8 +96,10 @@ enum plt_geometry_format {
 
 /* How an engine shall run; all zero but `packet_side` is a good choice. */
 typedef struct plt_options {
-    uint8_t packet_side; /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
-    uint8_t order;       /* enum plt_order */
+    uint8_t packet_side;   /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
+    uint8_t order;         /* enum plt_order */
+    uint8_t count_touched; /* 1: count plt_stats.bytes_touched_once, for a bit per treelet
+                            * block, of compact blocks a bit per 8 bytes */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -142,9 +148,31 @@ int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault);
  * PLT_BUILD_DEVICE the bound for the worst tree, which a real one is mostly
  * well below. Compact blocks that are built of an image that is not mapped read
  * its corners where they lie, through a window of 5 KB, 9 above 16 bits of
- * lattice. 0: an option is out of range, or the walk is not for these nodes.
+ * lattice. 0: an option is out of range, the order is not for these nodes, or this
+ * build of the engine has no part that the image needs (planelet_config.h).
  * Arena parts: DESIGN.md, section 3. */
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *options);
+
+/* When a part of an arena is in use. */
+enum plt_lifetime {
+    PLT_LIFETIME_STAYS,     /* as long as the engine */
+    PLT_LIFETIME_VALIDATES, /* scratch, while a tree is validated */
+    PLT_LIFETIME_BUILDS,    /* scratch, while a tree is built */
+    PLT_LIFETIME_RUNS,      /* once the scene is open; lies where the scratch was */
+    PLT_LIFETIMES           /* how many there are */
+};
+
+typedef struct plt_arena_part {
+    const char *name; /* in static storage */
+    uint64_t bytes;   /* 0: this image and these options do not need it */
+    uint8_t lifetime; /* enum plt_lifetime */
+} plt_arena_part;
+
+/* Part `index` (from 0 on) of the sum above. PLT_ERR_ARGUMENT: there are fewer parts, or
+ * plt_arena_need gives 0. The need is the sum of what stays and the greatest of the
+ * sums of the other three lifetimes. */
+int plt_arena_part_get(const plt_info *info, int mapped, const plt_options *options, unsigned index,
+                       plt_arena_part *part);
 
 /* Checks the whole image, builds the tree where the image asks for it, and
  * lays the engine out in `arena` (aligned to PLT_ALIGN, owned by the caller,
@@ -189,8 +217,10 @@ typedef struct plt_hit {
 /* Traces `count` rays in packets of side^2 consecutive rays; every four are
  * a group that shares registers, so neighbours should point alike. `any`:
  * only whether anything is hit. A hit depends on ray, triangle and the scene's
- * box alone: packet size, tree and walk never change it. Ends a frame that was
- * being rendered. Cost: see DESIGN.md, section 6. */
+ * box alone: packet size, tree and order never change it. Ends a frame that was
+ * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed; hits before those of
+ * the packet in hand are right, that packet's and later ones are as they were. Cost:
+ * see DESIGN.md, section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
 
 /* ---- frames ---------------------------------------------------------- */
@@ -226,7 +256,8 @@ int plt_render_begin(plt_engine *engine, const plt_frame *frame);
 /* Goes on with the frame for about `visits` node visits (at least one stack
  * entry is worked off; one entry visits at most a treelet or a list), so
  * that a main loop stays alive. Returns PLT_MORE, PLT_TILE (fetch it with
- * plt_render_tile) or PLT_OK when the frame is complete. */
+ * plt_render_tile) or PLT_OK when the frame is complete; PLT_ERR_SOURCE: the source
+ * failed, and the frame has ended. */
 int plt_render_step(plt_engine *engine, uint32_t visits);
 void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 
@@ -240,7 +271,7 @@ typedef struct plt_stats {
                                 packet told that all of it passes by */
     uint64_t treelet_fetches;
     uint64_t bytes_fetched;      /* of those treelets, had each been copied */
-    uint64_t bytes_touched_once; /* of the different treelets among them */
+    uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */
     uint64_t mixed_packets;      /* packets whose rays differ in sign */
     uint64_t packets;
 } plt_stats;

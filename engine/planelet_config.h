@@ -9,13 +9,25 @@
 
 #include <stdint.h>
 
+/* Parts of the engine, 1 or 0; an image that needs a part which was left out is refused
+ * with PLT_ERR_LIMIT. Cost: code. `make PARTS=...` sets them and leaves the files out. */
+#ifndef PLT_WITH_THESIS
+#define PLT_WITH_THESIS 1 /* thesis nodes, and lists without a tree */
+#endif
+#ifndef PLT_WITH_COMPACT
+#define PLT_WITH_COMPACT 1 /* compact blocks */
+#endif
+#ifndef PLT_WITH_BUILDER
+#define PLT_WITH_BUILDER 1 /* images whose tree is built in the arena */
+#endif
+
 /* Largest packet, rays along one side: 2, 4, 8 or 16. Decides only what
  * `plt_options.packet_side` may be: the arena holds the packet asked for. */
 #ifndef PLT_PACKET_SIDE_MAX
 #define PLT_PACKET_SIDE_MAX 16
 #endif
 
-/* Film tile, pixels along one side: 2, 4, 8, 16 or 32, and at least the
+/* Tile buffer, pixels along one side: 2, 4, 8, 16 or 32, and at least the
  * packet side. Cost: 3 bytes a pixel (16: 768 bytes). */
 #ifndef PLT_TILE_SIDE
 #define PLT_TILE_SIDE 16
@@ -61,6 +73,9 @@
  * product of the ray/triangle test can overflow. Not a knob. */
 #define PLT_COORD_MAX 1099511627776.0f
 
+#if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
+#error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"
+#endif
 #if PLT_PACKET_SIDE_MAX != 2 && PLT_PACKET_SIDE_MAX != 4 && PLT_PACKET_SIDE_MAX != 8 &&            \
     PLT_PACKET_SIDE_MAX != 16
 #error "PLT_PACKET_SIDE_MAX is 2, 4, 8 or 16"

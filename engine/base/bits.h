@@ -38,6 +38,9 @@ static inline uint32_t plt_low_bits(uint32_t count) {
     return count >= 32 ? 0xFFFFFFFFu : (1u << count) - 1u;
 }
 
+/* Bytes behind a string of bits that readers may look at: every string has them. */
+#define PLT_BITS_BEHIND 8
+
 #define PLT_BITS_LONG 57
 
 /* At least PLT_BITS_LONG bits from bit `at`. */

@@ -1,10 +1,9 @@
-/* lattice - the scene's grid of whole numbers for boxes and vertices
+/* lattice - the scene's quantisation grid, for boxes and vertices
  *
- * Number q on an axis is the float origin + step * q. q has at most `bits` bits
- * and step at most 24 - bits bits of mantissa, so that the product is exact and
- * the sum rounds once: the same with or without fused arithmetic, and monotone,
- * so that an integer box around integer vertices is a float box around their
- * floats.
+ * The lattice has one step for all three axes. Number q on an axis is the float origin + step * q.
+ * q has at most `bits` bits and step at most 24 - bits bits of mantissa, so that the product is
+ * exact and the sum rounds once: the same with or without fused arithmetic, and monotone, so that
+ * an integer box around integer vertices is a float box around their floats.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BASE_LATTICE_H
@@ -18,7 +17,7 @@
 #define PLT_LATTICE_BITS_MOST 21
 
 typedef struct plt_lattice {
-    float origin[3];
+    float origin[4]; /* x y z; the fourth is 0, for 4-lane operations */
     float step;
     uint32_t bits; /* 12 .. 21 */
 } plt_lattice;

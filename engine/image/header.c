@@ -36,7 +36,7 @@ static int check_identity(const unsigned char *bytes, uint32_t image_bytes, plt_
     if (memcmp(bytes, magic, sizeof magic) != 0) {
         return plt_refused(fault, 2, 0, "this is no Planelet scene image");
     }
-    if (bytes[PLT_AT_VERSION] != PLT_VERSION_MAJOR || bytes[PLT_AT_VERSION + 1] != 0) {
+    if (bytes[PLT_AT_VERSION] != PLT_IMAGE_MAJOR || bytes[PLT_AT_VERSION + 1] != 0) {
         return plt_refused(fault, 3, PLT_AT_VERSION,
                            "the image is of another version; pack it anew");
     }
@@ -55,6 +55,7 @@ static int check_identity(const unsigned char *bytes, uint32_t image_bytes, plt_
 
 static void read_lattice(plt_header *h, const unsigned char *bytes) {
     plt_get_floats(h->lattice.origin, bytes + PLT_AT_ORIGIN, 3);
+    h->lattice.origin[3] = 0.0f;
     h->lattice.step = plt_get_float(bytes + PLT_AT_STEP);
     h->lattice.bits = plt_get_u32(bytes + PLT_AT_BITS);
     for (int a = 0; a < 3; a++) {
@@ -148,8 +149,8 @@ void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header)
     place_sections(header);
     memset(bytes, 0, PLT_HEADER_BYTES);
     memcpy(bytes, magic, sizeof magic);
-    bytes[PLT_AT_VERSION] = PLT_VERSION_MAJOR;
-    bytes[PLT_AT_VERSION + 2] = PLT_VERSION_MINOR;
+    bytes[PLT_AT_VERSION] = PLT_IMAGE_MAJOR;
+    bytes[PLT_AT_VERSION + 2] = PLT_IMAGE_MINOR;
     plt_put_u32(bytes + PLT_AT_HEADER_BYTES, PLT_HEADER_BYTES);
     plt_put_u32(bytes + PLT_AT_IMAGE_BYTES, info->image_bytes);
     for (int i = 0; i < COUNTS; i++) {

@@ -12,6 +12,10 @@
 #include "engine/base/lattice.h"
 #include "engine/planelet.h"
 
+/* Version of the image format, which is not that of the interface (planelet.h). */
+#define PLT_IMAGE_MAJOR 1
+#define PLT_IMAGE_MINOR 0
+
 #define PLT_HEADER_BYTES 256
 #define PLT_SECTION_ALIGN 64
 #define PLT_SECTIONS_MOST 4

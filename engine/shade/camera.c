@@ -43,8 +43,8 @@ static int in_range(const plt_camera *c) {
     return c->tan_half_fov >= 1.0e-6f && c->tan_half_fov <= 1.0e6f;
 }
 
-int plt_camera_setup(plt_rendering *r) {
-    const plt_camera *c = &r->frame.camera;
+int plt_view_set(plt_view *v, const plt_frame *frame) {
+    const plt_camera *c = &frame->camera;
     float forward[3], up[3] = {c->up[0], c->up[1], c->up[2]};
     if (!in_range(c)) {
         return PLT_ERR_ARGUMENT;
@@ -55,51 +55,52 @@ int plt_camera_setup(plt_rendering *r) {
     if (!normalise(forward) || !normalise(up)) {
         return PLT_ERR_ARGUMENT;
     }
-    cross(forward, up, r->right);
-    if (!normalise(r->right)) {
+    cross(forward, up, v->right);
+    if (!normalise(v->right)) {
         return PLT_ERR_ARGUMENT;
     }
-    cross(forward, r->right, r->down);
-    const float width = (float)r->frame.width, height = (float)r->frame.height;
+    cross(forward, v->right, v->down);
+    const float width = (float)frame->width, height = (float)frame->height;
     const float step = 2.0f * c->tan_half_fov / height; /* of a pixel, at distance 1 */
     for (int a = 0; a < 3; a++) {
-        r->right[a] *= step;
-        r->down[a] *= step;
-        r->corner[a] =
-            forward[a] - (0.5f * width - 0.5f) * r->right[a] - (0.5f * height - 0.5f) * r->down[a];
+        v->eye[a] = c->eye[a];
+        v->right[a] *= step;
+        v->down[a] *= step;
+        v->corner[a] =
+            forward[a] - (0.5f * width - 0.5f) * v->right[a] - (0.5f * height - 0.5f) * v->down[a];
     }
     return PLT_OK;
 }
 
-static void camera_group(plt_engine *e, unsigned index, const uint32_t px[4], const uint32_t py[4],
-                         unsigned lanes) {
-    const plt_rendering *r = &e->rendering;
+static void set_group(const plt_view *v, const plt_box *scene, plt_packet *p, unsigned index,
+                      const uint32_t px[4], const uint32_t py[4], unsigned lanes) {
     f4 org[3], dir[3];
     for (int a = 0; a < 3; a++) {
         float d[4];
         for (int i = 0; i < 4; i++) {
-            d[i] = (r->corner[a] + (float)px[i] * r->right[a]) + (float)py[i] * r->down[a];
+            d[i] = (v->corner[a] + (float)px[i] * v->right[a]) + (float)py[i] * v->down[a];
         }
-        org[a] = f4_all(r->frame.camera.eye[a]);
+        org[a] = f4_all(v->eye[a]);
         dir[a] = f4_load(d);
     }
     /* Lanes outside the frame get an empty interval. */
     const f4 tmax = f4_select(m4_bits(lanes), f4_all(PLT_BOX_FAR), f4_all(-1.0f));
-    plt_group_set(&e->walker.packet, index, &e->walker.tree.box, org, dir, f4_zero(), tmax, 4);
+    plt_packet_set_group(p, index, scene, org, dir, f4_zero(), tmax, 4);
 }
 
-void plt_camera_packet(plt_engine *e, uint32_t x, uint32_t y, uint32_t x_end, uint32_t y_end) {
-    const uint32_t side = e->options.packet_side;
-    plt_packet_begin(&e->walker.packet, side * side / 4, 0);
-    for (uint32_t k = 0; k < side * side; k += 4) {
+void plt_view_packet(const plt_view *v, const plt_box *scene, plt_packet *p,
+                     const plt_pixels *pixels) {
+    const uint32_t rays = pixels->side * pixels->side;
+    plt_packet_begin(p, rays / 4, 0);
+    for (uint32_t k = 0; k < rays; k += 4) {
         uint32_t px[4], py[4];
         unsigned lanes = 0;
         for (uint32_t i = 0; i < 4; i++) {
-            px[i] = x + plt_z_order_x(k + i);
-            py[i] = y + plt_z_order_y(k + i);
-            lanes |= (unsigned)(px[i] < x_end && py[i] < y_end) << i;
+            px[i] = pixels->x + plt_z_order_x(k + i);
+            py[i] = pixels->y + plt_z_order_y(k + i);
+            lanes |= (unsigned)(px[i] < pixels->x_end && py[i] < pixels->y_end) << i;
         }
-        camera_group(e, k / 4, px, py, lanes);
+        set_group(v, scene, p, k / 4, px, py, lanes);
     }
-    plt_packet_finish(&e->walker.packet);
+    plt_packet_finish(p);
 }

@@ -7,17 +7,29 @@
 #ifndef PLT_SHADE_CAMERA_H
 #define PLT_SHADE_CAMERA_H
 
-#include "engine/engine.h"
+#include "engine/trace/packet.h"
 
-/* Fills corner, right and down. PLT_ERR_ARGUMENT: eye and look coincide, up
- * runs along the view, or a value is out of range. */
-int plt_camera_setup(plt_rendering *r);
+/* A camera over a frame of so many pixels. */
+typedef struct plt_view {
+    float eye[3];
+    float corner[3];         /* direction through pixel (0, 0) */
+    float right[3], down[3]; /* from a pixel to the next */
+} plt_view;
 
-/* Sets up the packet whose top left pixel is (x, y); pixels from `x_end` and
- * `y_end` on get no rays. */
-void plt_camera_packet(plt_engine *e, uint32_t x, uint32_t y, uint32_t x_end, uint32_t y_end);
+/* PLT_ERR_ARGUMENT: eye and look coincide, up runs along the view, or a value is out
+ * of range. */
+int plt_view_set(plt_view *view, const plt_frame *frame);
 
-/* Pixel k of a packet in Z order: x from the even bits, y from the odd ones. */
+/* A square of pixels, its top left one, and the first column and row behind the frame. */
+typedef struct plt_pixels {
+    uint32_t side, x, y, x_end, y_end;
+} plt_pixels;
+
+/* Sets the packet up for these pixels, in Z order; those behind the frame get no ray. */
+void plt_view_packet(const plt_view *view, const plt_box *scene, plt_packet *packet,
+                     const plt_pixels *pixels);
+
+/* Pixel k of a square in Z order: x from the even bits, y from the odd ones. */
 static inline uint32_t plt_z_order_x(uint32_t k) {
     return (k & 1u) | (k >> 1 & 2u) | (k >> 2 & 4u) | (k >> 3 & 8u);
 }

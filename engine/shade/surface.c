@@ -30,16 +30,16 @@ static void even_out(float v[3]) {
 }
 
 /* The sky: a little lighter towards the ground. */
-static void background(const plt_engine *e, uint32_t y, uint8_t rgb[3]) {
+static void background(const plt_frame *frame, uint32_t y, uint8_t rgb[3]) {
     static const float top[3] = {0.10f, 0.12f, 0.16f}, bottom[3] = {0.30f, 0.34f, 0.40f};
-    const float down = ((float)y + 0.5f) / (float)e->rendering.frame.height;
+    const float down = ((float)y + 0.5f) / (float)frame->height;
     for (int c = 0; c < 3; c++) {
         rgb[c] = byte_of(top[c] + down * (bottom[c] - top[c]));
     }
 }
 
-static void flat_colour(uint32_t triangle, float facing, uint8_t rgb[3]) {
-    uint32_t mixed = (triangle + 1) * 0x9E3779B1u; /* golden ratio: neighbours differ */
+static void flat_colour(uint32_t id, float facing, uint8_t rgb[3]) {
+    uint32_t mixed = (id + 1) * 0x9E3779B1u; /* golden ratio: neighbours differ */
     mixed ^= mixed >> 15;
     for (int c = 0; c < 3; c++) {
         const float tint = 0.35f + 0.65f * (float)(mixed >> 8 * c & 0xFF) / 255.0f;
@@ -47,11 +47,11 @@ static void flat_colour(uint32_t triangle, float facing, uint8_t rgb[3]) {
     }
 }
 
-void plt_surface_colour(const plt_engine *e, const plt_group *g, unsigned lane, uint32_t y,
+void plt_surface_colour(const plt_frame *frame, const plt_rays *g, unsigned lane, uint32_t y,
                         uint8_t rgb[3]) {
     static const float clay[3] = {1.0f, 0.93f, 0.84f};
-    if (!(g->valid >> lane & 1u) || g->source[lane] == PLT_MISS) {
-        background(e, y, rgb);
+    if (!(g->valid >> lane & 1u) || g->id[lane] == PLT_MISS) {
+        background(frame, y, rgb);
         return;
     }
     float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
@@ -65,14 +65,14 @@ void plt_surface_colour(const plt_engine *e, const plt_group *g, unsigned lane, 
     }
     const float along = dot(normal, dir);
     const float facing = __builtin_sqrtf(along * along / (dot(normal, normal) * dot(dir, dir)));
-    if (e->rendering.frame.shader == PLT_SHADE_TRIANGLE) {
-        flat_colour(g->source[lane], facing, rgb);
+    if (frame->shader == PLT_SHADE_TRIANGLE) {
+        flat_colour(g->id[lane], facing, rgb);
         return;
     }
     const float length = __builtin_sqrtf(dot(normal, normal));
     for (int c = 0; c < 3; c++) {
         const float to_eye = (along > 0.0f ? -normal[c] : normal[c]) / length;
-        rgb[c] = e->rendering.frame.shader == PLT_SHADE_NORMAL ? byte_of(0.5f + 0.5f * to_eye)
-                                                               : byte_of(facing * clay[c]);
+        rgb[c] = frame->shader == PLT_SHADE_NORMAL ? byte_of(0.5f + 0.5f * to_eye)
+                                                   : byte_of(facing * clay[c]);
     }
 }

@@ -4,10 +4,10 @@
 #ifndef PLT_SHADE_SURFACE_H
 #define PLT_SHADE_SURFACE_H
 
-#include "engine/engine.h"
+#include "engine/trace/packet.h"
 
-/* Colour of ray `lane` of group `g`, seen from pixel row `y` of the frame. */
-void plt_surface_colour(const plt_engine *e, const plt_group *g, unsigned lane, uint32_t y,
+/* Colour of ray `lane` of the group, in a frame's row `y` of pixels. */
+void plt_surface_colour(const plt_frame *frame, const plt_rays *rays, unsigned lane, uint32_t y,
                         uint8_t rgb[3]);
 
 #endif

@@ -1,28 +1,27 @@
-/* boxes - a packet's groups against boxes
+/* boxes - groups of rays against boxes, by slabs
  *
- * A group is hit when any of its rays meets the box within tmin .. tmax. The
- * distances are (plane - moved origin) * (1 / dir), the same numbers in each
- * of three ways: rays of equal signs from one point, of equal signs, and
- * mixed. Monotone in the planes: a ray that meets a box meets every box
- * around it.
+ * A group meets a box when any of its lanes does, within tmin .. tmax. The
+ * distances are (plane - moved origin) * (1 / dir). Monotone in the planes: a ray
+ * that meets a box meets every box around it.
  *
- * Source: Kay and Kajiya 1986 (slabs); Karrenberg 2007, section 3.5.
+ * Source: Kay and Kajiya 1986; Karrenberg 2007, section 3.5.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_BOXES_H
 #define PLT_TRACE_BOXES_H
 
-#include "engine/trace/packet.h"
+#include "engine/base/box.h"
+#include "engine/trace/mask.h"
+#include "engine/trace/slabs.h"
 
 /* Groups of `groups` that meet a box, given its three low and three high planes. */
-plt_mask plt_box_groups(const plt_packet *packet, const float *lo, const float *hi,
-                        plt_mask groups);
+plt_mask plt_box_groups(const plt_slab_set *set, const float *lo, const float *hi, plt_mask groups);
 
 /* The same for both children of a node at once. */
-void plt_box_pair(const plt_packet *packet, const float *const lo[2], const float *const hi[2],
+void plt_box_pair(const plt_slab_set *set, const float *const lo[2], const float *const hi[2],
                   plt_mask groups, plt_mask hit[2]);
 
 /* Least distance at which the first group of `groups` enters the box. */
-float plt_box_entry(const plt_packet *packet, const plt_box *box, plt_mask groups);
+float plt_box_entry(const plt_slab_set *set, const plt_box *box, plt_mask groups);
 
 #endif

@@ -35,16 +35,17 @@ static m4 valid_lanes(const f4 org[3], const f4 dir[3], f4 tmin, f4 tmax) {
     return m4_and(m4_and(within(org, PLT_COORD_MAX), within(dir, LARGEST)), m4_and(length, range));
 }
 
-static void set_reciprocals(plt_group *g, const f4 dir[3]) {
+static void set_reciprocals(plt_slabs *s, const f4 dir[3]) {
     const f4 tiny = f4_mul(largest_of(dir), f4_all(SMALLEST));
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 signed_tiny = f4_select(f4_lt(dir[a], f4_zero()), f4_neg(tiny), tiny);
         const f4 d = f4_select(f4_lt(f4_abs(dir[a]), tiny), signed_tiny, dir[a]);
-        f4_store(g->rdir[a], f4_div(f4_all(1.0f), d));
+        f4_store(s->rdir[a], f4_div(f4_all(1.0f), d));
     }
 }
 
-static void set_origins(plt_group *g, const plt_box *scene, const f4 org[3], const f4 dir[3]) {
+static void set_origins(plt_slabs *s, plt_rays *g, const plt_box *scene, const f4 org[3],
+                        const f4 dir[3]) {
     f4 reach = f4_zero();
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
@@ -58,14 +59,14 @@ static void set_origins(plt_group *g, const plt_box *scene, const f4 org[3], con
         const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(ORIGIN_ERROR)));
         const m4 negative = f4_lt(dir[a], f4_zero());
         const f4 up = f4_add(org[a], e), down = f4_sub(org[a], e);
-        f4_store(g->near_org[a], f4_select(negative, down, up));
-        f4_store(g->far_org[a], f4_select(negative, up, down));
+        f4_store(s->near_org[a], f4_select(negative, down, up));
+        f4_store(s->far_org[a], f4_select(negative, up, down));
     }
 }
 
 /* The axis of the largest component (the first of equals) and the shear that
  * makes the ray run along it: Woop et al. 2013, section 3.1. */
-static void set_shear(plt_group *g, const f4 dir[3], unsigned valid) {
+static void set_shear(plt_rays *g, const f4 dir[3], unsigned valid) {
     const f4 x = f4_abs(dir[0]), y = f4_abs(dir[1]), z = f4_abs(dir[2]);
     const m4 is_x = m4_and(f4_le(y, x), f4_le(z, x));
     const m4 is_y = m4_andnot(f4_le(z, y), is_x);
@@ -79,9 +80,15 @@ static void set_shear(plt_group *g, const f4 dir[3], unsigned valid) {
     g->axis_lanes[2] = (uint8_t)(valid & ~(m4_mask(is_x) | m4_mask(is_y)));
 }
 
-void plt_group_set(plt_packet *packet, unsigned index, const plt_box *scene, const f4 org[3],
-                   const f4 dir[3], f4 tmin, f4 tmax, unsigned count) {
-    plt_group *g = &packet->group[index];
+void plt_packet_init(plt_packet *packet, void *memory, unsigned side) {
+    packet->slabs.group = memory;
+    packet->rays = (plt_rays *)(void *)(packet->slabs.group + side * side / 4);
+}
+
+void plt_packet_set_group(plt_packet *packet, unsigned index, const plt_box *scene, const f4 org[3],
+                          const f4 dir[3], f4 tmin, f4 tmax, unsigned count) {
+    plt_slabs *s = &packet->slabs.group[index];
+    plt_rays *g = &packet->rays[index];
     const m4 ok = m4_and(valid_lanes(org, dir, tmin, tmax), m4_bits((1u << count) - 1u));
     g->valid = (uint8_t)m4_mask(ok);
     if (g->valid == 0) {
@@ -95,12 +102,12 @@ void plt_group_set(plt_packet *packet, unsigned index, const plt_box *scene, con
         f4_store(g->org[a], o[a]);
         f4_store(g->dir[a], d[a]);
     }
-    set_reciprocals(g, d);
-    set_origins(g, scene, o, d);
+    set_reciprocals(s, d);
+    set_origins(s, g, scene, o, d);
     set_shear(g, d, g->valid);
-    f4_store(g->tmin, f4_select(ok, f4_max(tmin, f4_zero()), f4_all(1.0f)));
-    f4_store(g->tmax, f4_select(ok, tmax, f4_all(-1.0f)));
-    u4_store(g->source, u4_all(PLT_MISS));
+    f4_store(s->tmin, f4_select(ok, f4_max(tmin, f4_zero()), f4_all(1.0f)));
+    f4_store(s->tmax, f4_select(ok, tmax, f4_all(-1.0f)));
+    u4_store(g->id, u4_all(PLT_MISS));
     packet->active |= plt_mask_of(index, 1);
 }
 
@@ -110,59 +117,76 @@ void plt_packet_begin(plt_packet *packet, unsigned groups, int any) {
     packet->any = (uint8_t)(any != 0);
 }
 
-/* Lanes of `g` whose `row` equals x. */
+/* Lanes whose `row` equals x. */
 static unsigned lanes_equal(const float row[4], float x) {
     return m4_mask(f4_eq(f4_load(row), f4_all(x)));
 }
 
-static unsigned lanes_negative(const plt_group *g, int axis) {
-    return m4_mask(f4_lt(f4_load(g->rdir[axis]), f4_zero())) & g->valid;
+static unsigned lanes_negative(const float row[4]) {
+    return m4_mask(f4_lt(f4_load(row), f4_zero()));
 }
 
-static void take_from_first(plt_packet *p, const plt_group *g, unsigned lane) {
+/* Origin and signs of one ray, which all others are compared with. */
+static void copy_ray(plt_packet *p, unsigned group, unsigned lane) {
+    const plt_slabs *s = &p->slabs.group[group];
+    const plt_rays *g = &p->rays[group];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         p->org[a] = g->org[a][lane];
-        p->negative[a] = g->rdir[a][lane] < 0.0f;
+        p->slabs.near_org[a] = s->near_org[a][lane];
+        p->slabs.far_org[a] = s->far_org[a][lane];
+        p->slabs.negative[a] = s->rdir[a][lane] < 0.0f;
         p->forward[a] = 0.0f;
     }
+    p->reach = g->reach[lane];
+    p->reach_error = g->reach_error[lane];
 }
 
-void plt_packet_finish(plt_packet *p) {
-    p->mixed = 0;
-    p->shared = 1;
-    p->axis = 3;
-    if (p->active == 0) {
-        return;
+/* What a group has in common with the ray that was copied. */
+typedef struct common {
+    unsigned is_mixed, is_apart; /* 0: so far all are alike */
+    unsigned axes;               /* a bit per axis that is the largest of some ray */
+} common;
+
+static void compare_group(plt_packet *p, unsigned group, common *c) {
+    const plt_slabs *s = &p->slabs.group[group];
+    const plt_rays *g = &p->rays[group];
+    const unsigned valid = g->valid;
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        const unsigned negative = p->slabs.negative[a] ? valid : 0u;
+        c->is_apart |= valid & ~lanes_equal(g->org[a], p->org[a]);
+        c->is_mixed |= (lanes_negative(s->rdir[a]) & valid) ^ negative;
+        c->axes |= (unsigned)(g->axis_lanes[a] != 0) << a;
     }
-    const plt_group *first = &p->group[plt_mask_first(p->active)];
-    unsigned lane = 0;
-    while (!(first->valid >> lane & 1u)) {
-        lane++;
-    }
-    take_from_first(p, first, lane);
-    unsigned axes = 0;
-    for (plt_mask m = p->active; m != 0; m &= m - 1) {
-        const plt_group *g = &p->group[plt_mask_first(m)];
-        PLT_UNROLLED for (int a = 0; a < 3; a++) {
-            p->shared &= (g->valid & ~lanes_equal(g->org[a], p->org[a])) == 0;
-            p->mixed |= lanes_negative(g, a) != (p->negative[a] ? g->valid : 0u);
-            axes |= (unsigned)(g->axis_lanes[a] != 0) << a;
-        }
-        if (!(g->valid & 1u)) {
-            continue;
-        }
+    if (valid & 1u) {
         PLT_UNROLLED for (int a = 0; a < 3; a++) {
             p->forward[a] += g->dir[a][0];
         }
     }
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        p->near_org[a] = first->near_org[a][lane];
-        p->far_org[a] = first->far_org[a][lane];
+}
+
+void plt_packet_finish(plt_packet *p) {
+    p->slabs.coherence = PLT_ONE_ORIGIN;
+    p->axis = 3;
+    if (p->active == 0) {
+        return;
     }
-    p->reach = first->reach[lane];
-    p->reach_error = first->reach_error[lane];
-    if ((axes & (axes - 1)) == 0) {
-        p->axis = (uint8_t)(axes >> 1); /* 1, 2, 4 to 0, 1, 2 */
+    const unsigned first = plt_mask_first(p->active);
+    unsigned lane = 0;
+    while (!(p->rays[first].valid >> lane & 1u)) {
+        lane++;
     }
-    p->shared &= !p->mixed; /* the short cut needs one sign: moved origins follow it */
+    copy_ray(p, first, lane);
+    common c = {0, 0, 0};
+    for (plt_mask m = p->active; m != 0; m &= m - 1) {
+        compare_group(p, plt_mask_first(m), &c);
+    }
+    if ((c.axes & (c.axes - 1)) == 0) {
+        p->axis = (uint8_t)(c.axes >> 1); /* 1, 2, 4 to 0, 1, 2 */
+    }
+    /* One origin needs one sign, too: moved origins follow the sign. */
+    if (c.is_mixed) {
+        p->slabs.coherence = PLT_MIXED;
+    } else if (c.is_apart) {
+        p->slabs.coherence = PLT_ONE_SIGN;
+    }
 }

@@ -1,9 +1,9 @@
 /* packet - up to 16 x 16 rays in groups of four
  *
  * Invariant: everything in a group depends on its rays and the scene's box
- * alone, never on the other groups; flags of the packet only say which short
- * cuts give the same numbers, and leave out nothing that a ray would hit (rim.h).
- * So a ray's hit is the same in any packet.
+ * alone, never on the other groups; fields of the packet only say which short
+ * cuts give the same numbers, and leave out nothing that a ray would hit
+ * (frustum.h). So a ray's hit is the same in any packet.
  *
  * Source: Karrenberg 2007, section 3.5 (packets, masks, equal signs).
  *
@@ -15,46 +15,49 @@
 #include "engine/lanes/lanes.h"
 #include "engine/planelet.h"
 #include "engine/trace/mask.h"
+#include "engine/trace/slabs.h"
 
-/* Four rays; [axis][lane]. Lanes without a valid ray have tmin > tmax. */
-typedef struct plt_group {
-    float rdir[3][4];       /* 1 / dir, finite: tiny components are made 2^-60 of the largest */
-    float tmin[4], tmax[4]; /* tmax shrinks to the nearest hit; any hit: -1 */
-    float near_org[3][4];   /* org moved so that a near plane comes no later ... */
-    float far_org[3][4];    /* ... and a far plane no earlier than for any hit */
+/* Four rays and their hits, beside their slabs; [axis][lane]. 272 bytes, 68 per ray. */
+typedef struct plt_rays {
     float org[3][4], dir[3][4];
-    float slope[2][4];    /* shear towards the axis of the largest component */
-    float reach[4];       /* to the scene's box, on any axis: at least to every corner */
-    float reach_error[4]; /* 320 u^2 reach^2 */
-    float u[4], v[4];
-    uint32_t source[4];    /* number of the nearest hit, PLT_MISS: none */
+    float slope[2][4];     /* shear towards the axis of the largest component */
+    float reach[4];        /* to the scene's box, on any axis: at least to every corner */
+    float reach_error[4];  /* 320 u^2 reach^2 */
+    float u[4], v[4];      /* of the nearest hit, whose t is tmax of the slabs */
+    uint32_t id[4];        /* its primitive id, PLT_MISS: none */
     float normal[3][4];    /* its normal, not of unit length */
     uint8_t axis_lanes[3]; /* lanes whose largest component is that axis */
     uint8_t valid;         /* lanes that hold a ray */
     uint8_t pad[12];       /* to a multiple of 16 */
-} plt_group;
+} plt_rays;
 
 typedef struct plt_packet {
-    plt_group *group; /* in the arena */
+    plt_slab_set slabs; /* of the groups */
+    plt_rays *rays;     /* [groups], in the arena */
     unsigned groups;
-    plt_mask active;                       /* groups with a valid ray; any hit: that still seeks */
-    uint8_t any;                           /* any hit is enough */
-    uint8_t mixed;                         /* rays differ in a direction sign */
-    uint8_t shared;                        /* all rays start at one point */
-    uint8_t negative[3];                   /* sign by axis, unless mixed */
-    uint8_t axis;                          /* of the largest component in all rays; 3: differs */
-    float near_org[3], far_org[3], org[3]; /* if shared */
-    float reach, reach_error;              /* if shared: as in the groups */
-    float forward[3];                      /* roughly where the packet goes */
+    plt_mask active; /* groups with a valid ray; any hit: with one that has hit nothing yet */
+    uint8_t any;     /* any hit is enough */
+    uint8_t axis;    /* of the largest component in all rays; 3: differs */
+    float org[3], reach, reach_error; /* PLT_ONE_ORIGIN: as in the groups */
+    float forward[3];                 /* sum of the directions of first lanes */
 } plt_packet;
 
-/* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. */
-void plt_group_set(plt_packet *packet, unsigned index, const plt_box *scene, const f4 org[3],
-                   const f4 dir[3], f4 tmin, f4 tmax, unsigned count);
+/* Bytes of slabs and rays of a packet of side^2 rays. */
+static inline size_t plt_packet_bytes(unsigned side) {
+    return (size_t)side * side / 4 * (sizeof(plt_slabs) + sizeof(plt_rays));
+}
 
-/* Starts a packet of `groups` groups, then finds its short cuts when all
- * groups are set. */
+/* Lays slabs and rays out in `memory`, plt_packet_bytes(side) of it. */
+void plt_packet_init(plt_packet *packet, void *memory, unsigned side);
+
+/* Starts a packet of `groups` groups; when all of them are set, finish finds its
+ * short cuts. */
 void plt_packet_begin(plt_packet *packet, unsigned groups, int any);
 void plt_packet_finish(plt_packet *packet);
+
+/* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. `scene`:
+ * the box of all that may be hit. */
+void plt_packet_set_group(plt_packet *packet, unsigned index, const plt_box *scene, const f4 org[3],
+                          const f4 dir[3], f4 tmin, f4 tmax, unsigned count);
 
 #endif

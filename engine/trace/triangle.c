@@ -18,13 +18,13 @@
 #include "engine/trace/exact.h"
 
 #define U 5.9604644775390625e-8f /* 2^-24 */
-#define BESIDE 3.0517578125e-5f  /* 2^-15; rim.c counts on it */
+#define BESIDE 3.0517578125e-5f  /* 2^-15; frustum.c relies on it */
 
 static const uint8_t axis_after[3] = {1, 2, 0};
 
 /* What the rays of a packet share: nothing, or where they start, or that and the axis
  * they are sheared to. */
-enum way { APART, ONE_ORIGIN, ONE_AXIS };
+enum sharing { APART, ONE_ORIGIN, ONE_AXIS };
 
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
@@ -49,14 +49,14 @@ static void normal_of(const float c[3][3], float normal[3]) {
     normal[2] = x1 * y2 - y1 * x2;
 }
 
-static inline void prepare(prepared *t, const plt_packet *p, enum way way) {
+static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
     const plt_triangle *triangle = t->triangle;
     t->slack = f4_all(72.0f * U * triangle->longest);
-    if (way == APART) {
+    if (sharing == APART) {
         return;
     }
     t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->reach_error));
-    unsigned axis = way == ONE_AXIS ? axis_after[p->axis] : 0;
+    unsigned axis = sharing == ONE_AXIS ? axis_after[p->axis] : 0;
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         for (int c = 0; c < 3; c++) {
             t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
@@ -65,10 +65,11 @@ static inline void prepare(prepared *t, const plt_packet *p, enum way way) {
     }
 }
 
-static inline f4 from_origin(const prepared *t, const plt_group *g, int corner, int axis,
-                             enum way way) {
-    return way == APART ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
-                        : t->from_org[corner][axis];
+static inline f4 from_origin(const prepared *t, const plt_rays *g, int corner, int axis,
+                             enum sharing sharing) {
+    return sharing == APART
+               ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
+               : t->from_org[corner][axis];
 }
 
 static inline f4 cross(f4 ax, f4 ay, f4 bx, f4 by) {
@@ -80,15 +81,15 @@ static inline f4 larger3(f4 a, f4 b, f4 c) {
 }
 
 /* The edge functions as seen along axis z. */
-static inline edges edges_of(const prepared *t, const plt_group *g, int z, enum way way) {
-    z = way == ONE_AXIS ? 2 : z;
+static inline edges edges_of(const prepared *t, const plt_rays *g, int z, enum sharing sharing) {
+    z = sharing == ONE_AXIS ? 2 : z;
     const int ax = axis_after[z], ay = axis_after[ax];
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     edges e;
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        const f4 depth = from_origin(t, g, c, z, way);
-        e.x[c] = f4_sub(from_origin(t, g, c, ax, way), f4_mul(slope_x, depth));
-        e.y[c] = f4_sub(from_origin(t, g, c, ay, way), f4_mul(slope_y, depth));
+        const f4 depth = from_origin(t, g, c, z, sharing);
+        e.x[c] = f4_sub(from_origin(t, g, c, ax, sharing), f4_mul(slope_x, depth));
+        e.y[c] = f4_sub(from_origin(t, g, c, ay, sharing), f4_mul(slope_y, depth));
     }
     e.weight[0] = cross(e.x[2], e.y[2], e.x[1], e.y[1]);
     e.weight[1] = cross(e.x[0], e.y[0], e.x[2], e.y[2]);
@@ -99,10 +100,10 @@ static inline edges edges_of(const prepared *t, const plt_group *g, int z, enum 
 }
 
 /* Lanes that the triangle covers, or may cover. */
-static inline unsigned may_cover(const prepared *t, const plt_group *g, const edges *e,
-                                 enum way way) {
+static inline unsigned may_cover(const prepared *t, const plt_rays *g, const edges *e,
+                                 enum sharing sharing) {
     f4 slack = t->slack;
-    if (way == APART) {
+    if (sharing == APART) {
         slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->reach_error));
     }
     return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
@@ -110,7 +111,7 @@ static inline unsigned may_cover(const prepared *t, const plt_group *g, const ed
 
 /* The side of one edge for a ray whose edge function is too close to 0 to say:
  * weight[c] belongs to the edge from corner c + 2 to corner c + 1, seen along z. */
-static int close_side(const prepared *t, const plt_group *g, int z, unsigned lane, int c) {
+static int close_side(const prepared *t, const plt_rays *g, int z, unsigned lane, int c) {
     const float org[3] = {g->org[0][lane], g->org[1][lane], g->org[2][lane]};
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     const float(*corner)[3] = t->triangle->corner;
@@ -121,7 +122,7 @@ static int close_side(const prepared *t, const plt_group *g, int z, unsigned lan
 
 /* Does the ray meet the triangle? Never wrong: an edge function is believed
  * beyond its error, the others are worked out anew. */
-static int meets_exactly(const prepared *t, const plt_group *g, const edges *e, int z,
+static int meets_exactly(const prepared *t, const plt_rays *g, const edges *e, int z,
                          const float error[4], unsigned lane) {
     int positive = 0, negative = 0;
     for (int c = 0; c < 3; c++) {
@@ -149,7 +150,7 @@ static m4 beside(const edges *e, f4 reach) {
 }
 
 /* Of the lanes that may be covered those that are. */
-static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, m4 may) {
+static m4 covered(const prepared *t, const plt_rays *g, const edges *e, int z, m4 may) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
@@ -169,16 +170,16 @@ static m4 covered(const prepared *t, const plt_group *g, const edges *e, int z, 
 }
 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
-static m4 own_box(const prepared *t, const plt_group *g, f4 *enter, f4 *leave) {
+static m4 own_box(const prepared *t, const plt_slabs *s, f4 *enter, f4 *leave) {
     f4 n[3], f[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p = f4_all(t->triangle->corner[0][a]), q = f4_all(t->triangle->corner[1][a]),
                  r = f4_all(t->triangle->corner[2][a]);
         const f4 lo = f4_min(f4_min(p, q), r), hi = f4_max(f4_max(p, q), r);
-        const f4 rdir = f4_load(g->rdir[a]);
+        const f4 rdir = f4_load(s->rdir[a]);
         const m4 negative = f4_lt(rdir, f4_zero());
-        n[a] = f4_mul(f4_sub(f4_select(negative, hi, lo), f4_load(g->near_org[a])), rdir);
-        f[a] = f4_mul(f4_sub(f4_select(negative, lo, hi), f4_load(g->far_org[a])), rdir);
+        n[a] = f4_mul(f4_sub(f4_select(negative, hi, lo), f4_load(s->near_org[a])), rdir);
+        f[a] = f4_mul(f4_sub(f4_select(negative, lo, hi), f4_load(s->far_org[a])), rdir);
     }
     *enter = f4_max(f4_max(n[0], n[1]), n[2]);
     *leave = f4_min(f4_min(f[0], f[1]), f[2]);
@@ -188,7 +189,7 @@ static m4 own_box(const prepared *t, const plt_group *g, f4 *enter, f4 *leave) {
 /* t = n . (p0 - org) / n . dir, with dir as its component along z times the
  * slopes: no factor is above 1, so no direction that is allowed overflows. A
  * NaN (0 / 0) becomes `enter` by the rule of max. */
-static f4 plane_distance(const prepared *t, const float normal[3], const plt_group *g, int z,
+static f4 plane_distance(const prepared *t, const float normal[3], const plt_rays *g, int z,
                          f4 enter, f4 leave) {
     const int ax = axis_after[z], ay = axis_after[ax];
     f4 above = f4_zero();
@@ -203,89 +204,98 @@ static f4 plane_distance(const prepared *t, const float normal[3], const plt_gro
     return f4_min(f4_max(distance, enter), leave);
 }
 
-static m4 nearer(const plt_group *g, f4 t, u4 source) {
-    const f4 tmax = f4_load(g->tmax);
-    const m4 tie = m4_and(f4_eq(t, tmax), u4_lt(source, u4_load(g->source)));
-    return m4_and(f4_le(f4_load(g->tmin), t), m4_or(f4_lt(t, tmax), tie));
+static m4 nearer(const plt_slabs *s, const plt_rays *g, f4 t, u4 id) {
+    const f4 tmax = f4_load(s->tmax);
+    const m4 tie = m4_and(f4_eq(t, tmax), u4_lt(id, u4_load(g->id)));
+    return m4_and(f4_le(f4_load(s->tmin), t), m4_or(f4_lt(t, tmax), tie));
 }
 
 /* u and v count from the corner that came first in the packed mesh. */
-static void store_weights(plt_group *g, m4 hit, const edges *e, uint32_t turn) {
+static void store_weights(plt_rays *g, m4 hit, const edges *e, uint32_t rotation) {
     static const uint8_t next[3] = {1, 2, 0};
     const f4 sum = f4_add(f4_add(e->weight[0], e->weight[1]), e->weight[2]);
-    const unsigned first = next[turn], second = next[first];
+    const unsigned first = next[rotation], second = next[first];
     const f4 u = f4_min(f4_max(f4_div(e->weight[first], sum), f4_zero()), f4_all(1.0f));
     const f4 v = f4_min(f4_max(f4_div(e->weight[second], sum), f4_zero()), f4_all(1.0f));
     f4_store(g->u, f4_select(hit, u, f4_load(g->u)));
     f4_store(g->v, f4_select(hit, v, f4_load(g->v)));
 }
 
-/* The rays of `may` are those that can meet the triangle; which is a hit? */
-static unsigned record_hits(const prepared *t, plt_group *g, const edges *e, int z, unsigned lanes,
-                            int any) {
-    const m4 may = m4_bits(lanes);
+/* The rays of `lanes` are those that can meet the triangle; which is a hit? */
+static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, const edges *e, int z,
+                            unsigned lanes) {
+    plt_slabs *s = &p->slabs.group[index];
+    plt_rays *g = &p->rays[index];
     f4 enter, leave;
     float normal[3];
     normal_of((const float(*)[3])t->triangle->corner, normal);
-    const m4 in_box = own_box(t, g, &enter, &leave);
+    const m4 in_box = own_box(t, s, &enter, &leave);
     const f4 distance = plane_distance(t, normal, g, z, enter, leave);
-    const uint32_t number = plt_primitive_word_find(t->triangle->numbers, t->triangle->number);
-    const u4 source = u4_all(plt_primitive_id(number));
-    const m4 wanted = m4_and(m4_and(may, in_box), nearer(g, distance, source));
+    const uint32_t word = plt_primitive_word_find(t->triangle->ids, t->triangle->word);
+    const u4 id = u4_all(plt_primitive_id(word));
+    const m4 wanted = m4_and(m4_and(m4_bits(lanes), in_box), nearer(s, g, distance, id));
     if (m4_mask(wanted) == 0) {
         return 0;
     }
     const m4 hit = covered(t, g, e, z, wanted);
-    f4_store(g->tmax, f4_select(hit, any ? f4_all(-1.0f) : distance, f4_load(g->tmax)));
-    u4_store(g->source, u4_select(hit, source, u4_load(g->source)));
+    f4_store(s->tmax, f4_select(hit, p->any ? f4_all(-1.0f) : distance, f4_load(s->tmax)));
+    u4_store(g->id, u4_select(hit, id, u4_load(g->id)));
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         f4_store(g->normal[a], f4_select(hit, f4_all(normal[a]), f4_load(g->normal[a])));
     }
-    store_weights(g, hit, e, plt_primitive_rotation(number));
+    store_weights(g, hit, e, plt_primitive_rotation(word));
     return m4_mask(hit);
 }
 
-static inline unsigned test_axis(plt_group *g, const prepared *t, int z, int any, enum way way) {
-    const edges e = edges_of(t, g, z, way);
-    const unsigned may = may_cover(t, g, &e, way) & g->axis_lanes[z];
+static inline unsigned test_axis(const prepared *t, plt_packet *p, unsigned index, int z,
+                                 enum sharing sharing) {
+    const plt_rays *g = &p->rays[index];
+    const edges e = edges_of(t, g, z, sharing);
+    const unsigned may = may_cover(t, g, &e, sharing) & g->axis_lanes[z];
     if (may == 0) {
         return 0;
     }
     const edges kept = e; /* leaves the registers only for a ray that may hit */
-    return record_hits(t, g, PLT_LANES_REGISTERS ? &kept : &e, z, may, any);
+    return record_hits(t, p, index, PLT_LANES_REGISTERS ? &kept : &e, z, may);
 }
 
-static inline void test_group(plt_packet *p, const prepared *t, unsigned index, enum way way) {
-    plt_group *g = &p->group[index];
+/* Any hit: a group whose rays have all hit something leaves the packet. */
+static inline void retire_group(plt_packet *p, unsigned index) {
+    const plt_slabs *s = &p->slabs.group[index];
+    const unsigned seeking = m4_mask(f4_le(f4_load(s->tmin), f4_load(s->tmax)));
+    p->active &= ~plt_mask_of(index, seeking == 0);
+}
+
+static inline void test_group(const prepared *t, plt_packet *p, unsigned index,
+                              enum sharing sharing) {
     unsigned hits = 0;
-    if (way == ONE_AXIS || (way == APART && p->axis < 3)) {
-        hits = test_axis(g, t, p->axis, p->any, way);
+    if (sharing == ONE_AXIS || (sharing == APART && p->axis < 3)) {
+        hits = test_axis(t, p, index, p->axis, sharing);
     } else {
         for (int z = 0; z < 3; z++) {
-            hits |= g->axis_lanes[z] != 0 ? test_axis(g, t, z, p->any, way) : 0;
+            hits |= p->rays[index].axis_lanes[z] != 0 ? test_axis(t, p, index, z, sharing) : 0;
         }
     }
     if (p->any && hits != 0) {
-        const unsigned seeking = m4_mask(f4_le(f4_load(g->tmin), f4_load(g->tmax)));
-        p->active &= ~plt_mask_of(index, seeking == 0);
+        retire_group(p, index);
     }
 }
 
-static inline void test_groups(plt_packet *p, prepared *t, plt_mask groups, enum way way) {
-    prepare(t, p, way);
+static inline void test_groups(prepared *t, plt_packet *p, plt_mask groups, enum sharing sharing) {
+    prepare(t, p, sharing);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
-        test_group(p, t, plt_mask_first(m), way);
+        test_group(t, p, plt_mask_first(m), sharing);
     }
 }
 
 void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask groups) {
     prepared t;
     t.triangle = triangle;
-    if (!p->shared) {
-        test_groups(p, &t, groups, APART);
+    if (p->slabs.coherence != PLT_ONE_ORIGIN) {
+        test_groups(&t, p, groups, APART);
     } else if (p->axis == 3) {
-        test_groups(p, &t, groups, ONE_ORIGIN);
+        test_groups(&t, p, groups, ONE_ORIGIN);
     } else {
-        test_groups(p, &t, groups, ONE_AXIS);
+        test_groups(&t, p, groups, ONE_AXIS);
     }
 }

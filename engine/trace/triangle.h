@@ -6,7 +6,7 @@
  * slips through an edge or a corner of a closed mesh. t comes from the
  * triangle's plane and is held within the triangle's own box, which a ray
  * must meet: hence a hit lies in every box around its triangle, and no tree,
- * packet or order of visits can change it. Of equal t the lower source number
+ * packet or order of visits can change it. Of equal t the lower primitive id
  * wins. A triangle without area has no inside and is never hit.
  *
  * Sources: Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013
@@ -23,9 +23,9 @@
 /* A triangle as any format gives it: corners in canonical order (record.h). */
 typedef struct plt_triangle {
     float corner[3][3];
-    float longest;   /* at least the longest side of its box */
-    uint32_t number; /* word of numbers.h, or the place of that word in `numbers` */
-    const plt_primitive_ids *numbers;
+    float longest;                /* at least the longest side of its box */
+    uint32_t word;                /* of primitive_id.h, or the index of that word in `ids` */
+    const plt_primitive_ids *ids; /* or NULL */
 } plt_triangle;
 
 /* Tests a triangle for `groups`; records hits in the groups. For any-hit

@@ -49,7 +49,7 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
 }
 
 void breakdown_count(const plt_engine *engine, breakdown *b) {
-    const plt_block_tree *tree = &engine->walker.blocks.tree;
+    const plt_block_tree *tree = &engine->scene.compact;
     const plt_info *info = plt_engine_info(engine);
     memset(b, 0, sizeof *b);
     for (uint32_t at = 0; at < tree->used;) {

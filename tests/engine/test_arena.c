@@ -137,7 +137,7 @@ static void sizes(void (*of)(const packed *, int, const plt_options *), uint8_t 
     for (int i = 0; i < count; i++) {
         packed image = image_of(triangles[i], build, 1, nodes[i]);
         for (uint8_t walk = 0; walk < 2; walk++) {
-            const plt_options small = {2, walk}, large = {PLT_PACKET_SIDE_MAX, walk};
+            const plt_options small = {2, walk, 1}, large = {PLT_PACKET_SIDE_MAX, walk, 1};
             of(&image, 0, &small);
             of(&image, 1, &large);
         }
@@ -157,7 +157,7 @@ static void read_only(uint8_t build) {
     packed locked = image;
     locked.bytes = pages;
     for (uint8_t walk = 0; walk < 2; walk++) {
-        const plt_options options = {2, walk};
+        const plt_options options = {2, walk, 1};
         const opened o = open_in(&locked, plt_arena_need(&image.info, 1, &options), 0, &options);
         CHECK(o.status == PLT_OK, "build %u: %s", build, o.fault.message);
     }
@@ -171,7 +171,7 @@ static void side_by_side(void) {
     enum { ENGINES = 4, RAYS = 256 };
     packed image = image_of(60, PLT_BUILD_HOST, 1, 2);
     const plt_source source = rig_source(&image);
-    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST};
+    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
     const size_t need = plt_arena_need(&image.info, 1, &options);
     unsigned char *arena = aligned_alloc(PLT_ALIGN, ENGINES * need), *before = malloc(need);
     plt_engine *e[ENGINES];
@@ -218,7 +218,7 @@ static void cuts(void) {
 
 /* The need of what no arena holds: it grows with the triangles, and never wraps. */
 static void largest_needs(void) {
-    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST};
+    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
     for (uint8_t format = 0; format < 2; format++) {
         size_t before = 0;
         for (uint32_t triangles = 1; triangles < 1u << 27; triangles = 2 * triangles + 1) {

@@ -122,7 +122,7 @@ static void same_on_device(int scene, uint32_t k, uint32_t n, uint8_t splits) {
     CHECK(a == PLT_OK || (a == PLT_ERR_LIMIT && rig_is_tiny()), "scene %d: %s", scene,
           host.fault.message);
     if (a == PLT_OK && b == PLT_OK) {
-        const plt_tree *h = &host.engine->walker.tree, *d = &device.engine->walker.tree;
+        const plt_tree *h = &host.engine->scene.thesis, *d = &device.engine->scene.thesis;
         plt_info hi = *plt_engine_info(host.engine), di = *plt_engine_info(device.engine);
         CHECK(h->root == d->root && h->node_slots == d->node_slots, "scene %d: root, slots", scene);
         CHECK(memcmp(h->nodes, d->nodes, 32 * (size_t)h->node_slots) == 0, "scene %d: nodes",

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/budget.h"
 #include "engine/builder/blocks.h"
 #include "engine/engine.h"
+#include "engine/layout.h"
 #include "tests/reference/compact_check.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
@@ -37,7 +37,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     hostile_stream stream = {image->bytes, image->size, 0};
     const plt_source fetched = {NULL, image->size, &stream, hostile_start, hostile_wait};
     const plt_source source = streamed ? fetched : rig_source(image);
-    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST};
+    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST, 1};
     unsigned char *zone = malloc(bytes + ZONE);
     plt_engine *e = NULL;
     memset(zone, PATTERN, bytes + ZONE);
@@ -58,7 +58,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
 }
 
 static void every_size(const packed *image, int streamed, uint8_t side) {
-    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST};
+    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST, 1};
     const size_t need = plt_arena_need(&image->info, !streamed, &options);
     const int device = image->info.build == PLT_BUILD_DEVICE;
     size_t least = 0;
@@ -111,9 +111,9 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
     plt_fault fault;
     CHECK(plt_open(&e, arena, need, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
     if (e != NULL) {
-        const plt_block_tree *tree = &e->walker.blocks.tree;
+        const plt_block_tree *tree = &e->scene.compact;
         const compact_facts f = compact_check(tree, NULL);
-        const size_t fixed = sizeof *e + plt_blocks_scratch_bytes(triangles) + 64 +
+        const size_t fixed = sizeof *e + plt_compact_build_bytes(triangles) + 64 +
                              (streamed ? plt_record_cache_bytes(bits <= 16 ? 18 : 36) + 64 : 0);
         const size_t blocks = (size_t)tree->used + f.largest_block;
         CHECK(f.broken == 0 && f.triangles == triangles, "%u of %u: %s", f.triangles, triangles,
@@ -152,7 +152,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
     }
     CHECK(status == PLT_OK, "%s", fault.message);
     if (whole != NULL && status == PLT_OK) {
-        const plt_block_tree *a = &whole->walker.blocks.tree, *b = &e->walker.blocks.tree;
+        const plt_block_tree *a = &whole->scene.compact, *b = &e->scene.compact;
         const plt_info *info = plt_engine_info(e);
         const uint32_t work = info->nodes + 2 * info->treelets;
         CHECK(a->used == b->used && memcmp(a->bytes, b->bytes, a->used) == 0, "blocks differ");

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/budget.h"
 #include "engine/builder/blocks.h"
 #include "engine/engine.h"
+#include "engine/scene/worst_tree.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/compact_check.h"
 #include "tests/reference/compact_rig.h"
@@ -182,7 +182,7 @@ static size_t bound_of(const plt_blocks_job *job) {
                            .nodes_format = PLT_NODES_COMPACT,
                            .geometry_format = PLT_GEOMETRY_LATTICE,
                            .build = PLT_BUILD_DEVICE};
-    const plt_info worst = plt_budget_worst_tree(&info);
+    const plt_info worst = plt_worst_tree(&info);
     return (size_t)worst.node_bytes + worst.triangle_bytes;
 }
 

@@ -8,13 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The walk's own arithmetic, to be looked at without a walk. */
-#define plt_walk_blocks_begin test_walk_blocks_begin
-#define plt_walk_blocks test_walk_blocks
-#include "engine/trace/walk_blocks.c"
-#undef plt_walk_blocks_begin
-#undef plt_walk_blocks
-
+#include "engine/trace/format_compact.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
@@ -253,7 +247,7 @@ static void ties(void) {
     mesh_free(&m);
 }
 
-/* ---- the walk's arithmetic ---------------------------------------------------- */
+/* ---- the traversal's arithmetic ------------------------------------------------- */
 
 static void every_step(void) {
     uint32_t wrong = 0, first = 0;
@@ -272,14 +266,14 @@ static void every_step(void) {
     CHECK(wrong == 0, "%u wrong, the first of extent %u", wrong, first);
 }
 
-/* One node with any bytes: the walk's boxes are those of plt_block_children. */
+/* One node with any bytes: the boxes of the traversal are those of plt_block_apply. */
 static void any_planes(void) {
     random_state r = {9};
     for (int round = 0; round < 20000; round++) {
         unsigned char bytes[32] = {0};
         plt_block b = {.owners = bytes, .planes = bytes + 1};
         plt_lattice_box box, child[2];
-        plt_block_entry at;
+        format_entry at;
         memset(&at, 0, sizeof at); /* node 0 */
         float lo[2][4], hi[2][4];
         f4 los[2], his[2];
@@ -293,8 +287,8 @@ static void any_planes(void) {
             at.lo[a] = (float)box.lo[a];
             at.hi[a] = (float)box.hi[a];
         }
-        plt_block_children(&b, 0, &box, child);
-        decode(&b, &at, los, his);
+        plt_block_apply(&box, b.planes, (uint32_t)(bytes[0] & 31u) << 1 | 1u, child);
+        decode_boxes(&b, 0, &at, los, his);
         for (int c = 0; c < 2; c++) {
             f4_store(lo[c], los[c]);
             f4_store(hi[c], his[c]);
@@ -309,9 +303,9 @@ static void any_planes(void) {
 }
 
 int main(void) {
-    test("the walk's step of a plane is the format's for every extent there is");
+    test("the traversal's step of a plane is the format's for every extent there is");
     every_step();
-    test("the walk decodes the boxes of any node as the format has them");
+    test("the traversal decodes the boxes of any node as the format has them");
     any_planes();
     test("with numbers kept, hits are thesis nodes' over the same positions, bit for bit");
     everything(with_numbers);

@@ -24,7 +24,7 @@ static packed image_of(uint32_t triangles, uint8_t build) {
 }
 
 static plt_options options_of(void) {
-    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST};
+    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
     return options;
 }
 
@@ -205,7 +205,7 @@ static void arguments(const packed *image) {
 static void two_stages_of_blocks(void) {
     static _Alignas(PLT_ALIGN) unsigned char arena[PLT_ALIGN];
     const compact_options how = {.lattice_bits = 16, .leaf_triangles = 2};
-    const plt_options options = {2, PLT_ORDER_TWO_STAGE};
+    const plt_options options = {2, PLT_ORDER_TWO_STAGE, 1};
     packed image;
     mesh m = {0};
     lattice_loss loss;

@@ -18,7 +18,8 @@
 enum { SIDE = 4, GROUPS = SIDE * SIDE / 4 };
 
 typedef struct bundle {
-    plt_group group[GROUPS];
+    plt_slabs slabs[GROUPS];
+    plt_rays rays[GROUPS];
     plt_packet packet;
     float org[3];
 } bundle;
@@ -38,7 +39,8 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
     const float sign_x = random_below(r, 2) ? 1.0f : -1.0f,
                 sign_y = random_below(r, 2) ? 1.0f : -1.0f;
     memset(b, 0, sizeof *b);
-    b->packet.group = b->group;
+    b->packet.slabs.group = b->slabs;
+    b->packet.rays = b->rays;
     plt_packet_begin(&b->packet, GROUPS, 0);
     const unsigned lanes = 1 + random_below(r, 4);
     for (int a = 0; a < 3; a++) {
@@ -59,14 +61,14 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
             o[a] = f4_all(b->org[a]);
             d[a] = f4_load(dir[a]);
         }
-        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), lanes);
+        plt_packet_set_group(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), lanes);
     }
     plt_packet_finish(&b->packet);
 }
 
 /* On a ray of the bundle, at distance t, or `off` beside it. */
 static void point(const bundle *b, random_state *r, float t, float off, float to[3]) {
-    const plt_group *g = &b->group[random_below(r, GROUPS)];
+    const plt_rays *g = &b->rays[random_below(r, GROUPS)];
     const unsigned lane = random_below(r, 4);
     for (int a = 0; a < 3; a++) {
         to[a] = b->org[a] + t * g->dir[a][lane] + random_float(r, -off, off);
@@ -103,9 +105,9 @@ static int is_met(bundle *b, const plt_triangle *t, plt_mask groups) {
     plt_triangle_groups(&b->packet, t, groups);
     for (unsigned i = 0; i < GROUPS; i++) {
         for (unsigned lane = 0; lane < 4; lane++) {
-            met |= b->group[i].source[lane] != PLT_MISS;
-            b->group[i].source[lane] = PLT_MISS;
-            b->group[i].tmax[lane] = b->group[i].valid >> lane & 1u ? 1e30f : -1.0f;
+            met |= b->rays[i].id[lane] != PLT_MISS;
+            b->rays[i].id[lane] = PLT_MISS;
+            b->slabs[i].tmax[lane] = b->rays[i].valid >> lane & 1u ? 1e30f : -1.0f;
         }
     }
     return met;
@@ -151,7 +153,7 @@ static void test_bundles(float spread, float away) {
         static bundle b;
         make_bundle(&b, &r, spread, away);
         for (int k = 0; k < TRIANGLES; k++) {
-            plt_triangle t = {.number = 0, .numbers = NULL};
+            plt_triangle t = {.word = 0, .ids = NULL};
             make_triangle(&b, &r, &t);
             compare(&n, &b, &r, &t);
         }
@@ -171,7 +173,8 @@ static void whole_numbers(random_state *r, int most, float to[3]) {
 static void make_flat(bundle *b, random_state *r, const float p[3], const float q[3]) {
     const plt_box scene = {{-4096, -4096, -4096}, {4096, 4096, 4096}};
     memset(b, 0, sizeof *b);
-    b->packet.group = b->group;
+    b->packet.slabs.group = b->slabs;
+    b->packet.rays = b->rays;
     plt_packet_begin(&b->packet, GROUPS, 0);
     whole_numbers(r, 16, b->org);
     b->org[random_below(r, 3)] = ldexpf((float)random_below(r, 3), -(int)random_below(r, 40));
@@ -188,7 +191,7 @@ static void make_flat(bundle *b, random_state *r, const float p[3], const float 
             o[a] = f4_all(b->org[a]);
             d[a] = f4_load(dir[a]);
         }
-        plt_group_set(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), 4);
+        plt_packet_set_group(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), 4);
     }
     plt_packet_finish(&b->packet);
 }
@@ -200,7 +203,7 @@ static void test_edge_on(void) {
     test("a triangle seen edge-on is met by no ray beside it");
     for (int i = 0; i < 400000; i++) {
         static bundle b;
-        plt_triangle t = {.longest = 0.0f, .number = 0, .numbers = NULL};
+        plt_triangle t = {.longest = 0.0f, .word = 0, .ids = NULL};
         float p[3], q[3];
         whole_numbers(&r, 9, p);
         whole_numbers(&r, 9, q);
@@ -232,7 +235,7 @@ static void test_none(void) {
     b.packet.axis = 3;
     CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no axis");
     b.packet.axis = 0;
-    b.packet.shared = 0;
+    b.packet.slabs.coherence = PLT_ONE_SIGN;
     CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no origin");
 }
 

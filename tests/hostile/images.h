@@ -186,7 +186,7 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {way.packet_side, way.order};
+    const plt_options options = {way.packet_side, way.order, 1};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }

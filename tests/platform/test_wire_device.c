@@ -194,7 +194,7 @@ static const wire_view views[2] = {
      .shader = PLT_SHADE_NORMAL}};
 
 static void open_engine(const packed *image, uint64_t seed) {
-    static const plt_options options = {4, 0};
+    static const plt_options options = {4, 0, 0};
     const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
     memset(&e, 0, sizeof e);
     fake_cable_open(&e.cable, &e.host, &e.device.end, seed);

@@ -143,7 +143,7 @@ mesh compact_mesh_in_order(const packed *image, const mesh *moved) {
 }
 
 const plt_block_tree *compact_tree(const rig *r) {
-    return &r->engine->walker.blocks.tree;
+    return &r->engine->scene.compact;
 }
 
 uint32_t compact_triangles(uint32_t wanted, uint32_t leaf_triangles) {

@@ -10,7 +10,7 @@
 rig_way rig_way_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build, uint8_t splits) {
     const rig_way way = {
         {splits, build, leaf_triangles, treelet_nodes},
-        {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST}};
+        {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST, 1}};
     return way;
 }
 

@@ -9,15 +9,22 @@
 #include "engine/tree/primitive_id.h"
 #include "engine/tree/record.h"
 
+/* What the leaves of the blocks are. */
+enum plt_leaf_kind {
+    PLT_LEAF_STRIPS, /* strips of lattice vertices, in the geometry part of each block */
+    PLT_LEAF_RECORDS /* float records of a section, in image order */
+};
+
 typedef struct plt_block_tree {
     const unsigned char *bytes; /* block address 0; 8 bytes behind may be read */
     uint32_t used;              /* bytes of blocks */
     uint32_t root;              /* link, or PLT_MISS */
     uint32_t leaf_triangles;
+    uint8_t leaf_kind; /* enum plt_leaf_kind */
     plt_lattice lattice;
     plt_lattice_box box; /* of all triangles */
     plt_primitive_ids numbers;
-    const plt_record *records; /* float geometry, in image order; NULL: lattice */
+    const plt_record *records; /* of PLT_LEAF_RECORDS */
 } plt_block_tree;
 
 #endif

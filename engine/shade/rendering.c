@@ -1,7 +1,8 @@
-/* render - a frame, tile after tile, a bounded piece at a time
+/* rendering - see rendering.h
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/shade/camera.h"
+#include "engine/shade/rendering.h"
+
 #include "engine/shade/surface.h"
 
 static uint32_t least(uint32_t a, uint32_t b) {
@@ -16,14 +17,18 @@ static uint32_t tile_height(const plt_rendering *r) {
     return least(PLT_TILE_SIDE, r->frame.height - r->y);
 }
 
-int plt_render_begin(plt_engine *e, const plt_frame *frame) {
-    plt_rendering *r = &e->rendering;
+void plt_rendering_init(plt_rendering *r, uint8_t *tile, uint32_t packet_side) {
+    const plt_rendering idle = {.tile = tile, .side = packet_side, .done = 1};
+    *r = idle;
+}
+
+int plt_rendering_begin(plt_rendering *r, const plt_frame *frame) {
     r->done = 1;
     if (frame->width == 0 || frame->height == 0 || frame->shader > PLT_SHADE_TRIANGLE) {
         return PLT_ERR_ARGUMENT;
     }
     r->frame = *frame;
-    const int status = plt_camera_setup(r);
+    const int status = plt_view_set(&r->view, frame);
     if (status == PLT_OK) {
         r->x = r->y = r->px = r->py = 0;
         r->tracing = r->done = 0;
@@ -31,38 +36,34 @@ int plt_render_begin(plt_engine *e, const plt_frame *frame) {
     return status;
 }
 
-static void begin_packet(plt_engine *e) {
-    plt_rendering *r = &e->rendering;
-    const uint32_t side = e->options.packet_side;
-    const uint32_t x = r->x + r->px, y = r->y + r->py;
-    plt_camera_packet(e, x, y, r->frame.width, r->frame.height);
-    plt_walk_begin(&e->walker);
-    e->walker.stats.rays +=
-        (uint64_t)least(side, r->frame.width - x) * least(side, r->frame.height - y);
+static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
+    const plt_pixels pixels = {r->side, r->x + r->px, r->y + r->py, r->frame.width,
+                               r->frame.height};
+    plt_view_packet(&r->view, &t->scene->box, p, &pixels);
+    plt_traversal_begin(t, p);
+    t->stats.rays += (uint64_t)least(r->side, r->frame.width - pixels.x) *
+                     least(r->side, r->frame.height - pixels.y);
     r->tracing = 1;
 }
 
-static void shade_packet(plt_engine *e) {
-    const plt_rendering *r = &e->rendering;
-    const uint32_t side = e->options.packet_side;
+static void shade_packet(const plt_rendering *r, const plt_packet *p) {
     const uint32_t width = tile_width(r), height = tile_height(r);
-    for (uint32_t k = 0; k < side * side; k++) {
+    for (uint32_t k = 0; k < r->side * r->side; k++) {
         const uint32_t x = r->px + plt_z_order_x(k), y = r->py + plt_z_order_y(k);
         if (x < width && y < height) {
-            plt_surface_colour(e, &e->walker.packet.group[k / 4], k % 4, r->y + y,
-                               &e->film[3 * (y * width + x)]);
+            plt_surface_colour(&r->frame, &p->rays[k / 4], k % 4, r->y + y,
+                               &r->tile[3 * (y * width + x)]);
         }
     }
 }
 
 /* To the next packet of the tile; 0 when the tile is complete. */
-static int next_packet(plt_engine *e) {
-    plt_rendering *r = &e->rendering;
+static int next_packet(plt_rendering *r) {
     r->tracing = 0;
-    r->px += e->options.packet_side;
+    r->px += r->side;
     if (r->px >= tile_width(r)) {
         r->px = 0;
-        r->py += e->options.packet_side;
+        r->py += r->side;
     }
     return r->py < tile_height(r);
 }
@@ -78,8 +79,7 @@ static void next_tile(plt_rendering *r) {
     r->done = r->y >= r->frame.height;
 }
 
-int plt_render_step(plt_engine *e, uint32_t visits) {
-    plt_rendering *r = &e->rendering;
+int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
     if (!r->done && r->py >= tile_height(r)) {
         next_tile(r);
     }
@@ -87,19 +87,21 @@ int plt_render_step(plt_engine *e, uint32_t visits) {
         return PLT_OK;
     }
     if (!r->tracing) {
-        begin_packet(e);
+        begin_packet(r, t, p);
     }
-    plt_engine_walk(e, visits > 0 ? visits : 1);
-    if (e->walker.waiting > 0) {
-        return PLT_MORE;
+    const int status = plt_traverse(t, p, visits > 0 ? visits : 1);
+    if (status < 0) {
+        r->done = 1;
     }
-    shade_packet(e);
-    return next_packet(e) ? PLT_MORE : PLT_TILE;
+    if (status != PLT_OK) {
+        return status;
+    }
+    shade_packet(r, p);
+    return next_packet(r) ? PLT_MORE : PLT_TILE;
 }
 
-void plt_render_tile(const plt_engine *e, plt_tile *tile) {
-    const plt_rendering *r = &e->rendering;
-    tile->rgb = e->film;
+void plt_rendering_tile(const plt_rendering *r, plt_tile *tile) {
+    tile->rgb = r->tile;
     tile->x = (uint16_t)r->x;
     tile->y = (uint16_t)r->y;
     tile->width = (uint16_t)tile_width(r);

@@ -1,0 +1,57 @@
+/* engine - the public calls on an engine that is open
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/engine.h"
+
+#include <string.h>
+
+#include "engine/trace/rays.h"
+
+const plt_info *plt_engine_info(const plt_engine *e) {
+    return &e->scene.info;
+}
+
+int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
+    const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
+    int status = PLT_OK;
+    e->rendering.done = 1;
+    while (count > 0 && status == PLT_OK) {
+        const uint32_t now = count < most ? count : most;
+        status = plt_trace_packet(&e->traversal, &e->packet, rays, hits, now, any);
+        rays += now;
+        hits += now;
+        count -= now;
+    }
+    return status;
+}
+
+int plt_render_begin(plt_engine *e, const plt_frame *frame) {
+    return plt_rendering_begin(&e->rendering, frame);
+}
+
+int plt_render_step(plt_engine *e, uint32_t visits) {
+    return plt_rendering_step(&e->rendering, &e->traversal, &e->packet, visits);
+}
+
+void plt_render_tile(const plt_engine *e, plt_tile *tile) {
+    plt_rendering_tile(&e->rendering, tile);
+}
+
+void plt_stats_get(const plt_engine *e, plt_stats *stats) {
+    *stats = e->traversal.stats;
+}
+
+void plt_stats_reset(plt_engine *e) {
+    memset(&e->traversal.stats, 0, sizeof e->traversal.stats);
+    if (e->traversal.touched != NULL) {
+        memset(e->traversal.touched, 0, 4 * (size_t)e->touched_words);
+    }
+}
+
+size_t plt_arena_used(const plt_engine *e) {
+    return e->arena.used;
+}
+
+size_t plt_arena_peak(const plt_engine *e) {
+    return e->arena.peak;
+}

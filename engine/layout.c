@@ -1,0 +1,206 @@
+/* layout - see layout.h; the rows are in scene/layout.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/layout.h"
+
+#include "engine/engine.h"
+#include "engine/image/record_cache.h"
+#include "engine/scene/build_compact.h"
+#include "engine/scene/worst_tree.h"
+#include "engine/tree/compact/validate.h"
+
+#if PLT_WITH_BUILDER
+#include "engine/builder/build.h"
+#endif
+
+/* What the sizes of parts depend on. */
+typedef struct subject {
+    const plt_info *info, *tree;
+    const plt_options *options;
+    int mapped, builds; /* builds: the tree is built here */
+    enum plt_format format;
+} subject;
+
+static uint64_t rounded(uint64_t bytes) {
+    return (bytes + PLT_ALIGN - 1) & ~(uint64_t)(PLT_ALIGN - 1);
+}
+
+static uint64_t larger(uint64_t a, uint64_t b) {
+    return a > b ? a : b;
+}
+
+/* Thesis records are copied even if they are mapped when a builder orders them; corners
+ * stay where they are. */
+static uint64_t section_bytes(const subject *s) {
+    uint32_t kind[PLT_SECTIONS_MOST];
+    uint64_t bytes = 0;
+    if (s->builds) {
+        return s->format == PLT_FORMAT_THESIS ? s->info->triangle_bytes : 0;
+    }
+    for (unsigned i = s->mapped ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
+        bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
+    }
+    return bytes;
+}
+
+static uint64_t tree_bytes(const subject *s) {
+    if (!s->builds) {
+        return 0;
+    }
+    return s->format == PLT_FORMAT_THESIS
+               ? (uint64_t)s->tree->node_slots * PLT_NODE_BYTES
+               : (uint64_t)s->tree->node_bytes + s->tree->triangle_bytes + PLT_BITS_BEHIND;
+}
+
+static uint64_t validation_bytes(const subject *s) {
+    return s->format == PLT_FORMAT_COMPACT ? PLT_DEPTH_MAX * sizeof(plt_blocks_validate_level)
+                                           : PLT_VALIDATE_LEVELS * sizeof(plt_validate_level);
+}
+
+static uint64_t builder_bytes(const subject *s) {
+#if PLT_WITH_BUILDER
+    if (s->builds) {
+        return s->format == PLT_FORMAT_THESIS
+                   ? plt_build_scratch_bytes(s->tree->nodes, s->info->treelet_nodes)
+                   : plt_compact_build_bytes(s->info->triangles);
+    }
+#endif
+    (void)s;
+    return 0;
+}
+
+static uint64_t record_cache_bytes(const subject *s) {
+    const uint32_t corners = s->info->lattice_bits <= 16 ? 18 : 36;
+    return s->builds && !s->mapped && s->format == PLT_FORMAT_COMPACT
+               ? plt_record_cache_bytes(corners)
+               : 0;
+}
+
+static uint64_t stack_bytes(const subject *s) {
+    const uint32_t need = s->options->order == PLT_ORDER_TWO_STAGE ? s->tree->global_stack_entries
+                                                                   : s->tree->depth_stack_entries;
+    return (uint64_t)(need > 0 ? need : 1) * plt_entry_bytes(s->format);
+}
+
+static uint64_t local_stack_bytes(const subject *s) {
+    return s->options->order == PLT_ORDER_TWO_STAGE
+               ? (uint64_t)s->tree->local_stack_entries * plt_entry_bytes(s->format)
+               : 0;
+}
+
+/* One line per row of the table in scene/layout.h. */
+static uint64_t part_bytes(enum plt_part part, const subject *s) {
+    switch (part) {
+    case PLT_PART_ENGINE:
+        return sizeof(plt_engine);
+    case PLT_PART_SECTIONS:
+        return section_bytes(s);
+    case PLT_PART_TREE:
+        return tree_bytes(s);
+    case PLT_PART_VALIDATION:
+        return validation_bytes(s);
+    case PLT_PART_BUILDER:
+        return builder_bytes(s);
+    case PLT_PART_RECORD_CACHE:
+        return record_cache_bytes(s);
+    case PLT_PART_TOUCHED:
+        return s->options->count_touched ? 4ull * plt_touched_words(s->tree) : 0;
+    case PLT_PART_PACKET:
+        return plt_packet_bytes(s->options->packet_side);
+    case PLT_PART_TILE_BUFFER:
+        return PLT_TILE_BUFFER_BYTES;
+    case PLT_PART_STACK:
+        return stack_bytes(s);
+    case PLT_PART_LOCAL_STACK:
+        return local_stack_bytes(s);
+    case PLT_PART_BLOCK_CACHE:
+        return s->format == PLT_FORMAT_COMPACT ? PLT_OPEN_BLOCKS * sizeof(plt_opened_block) : 0;
+    default:
+        return 0;
+    }
+}
+
+void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *tree, int mapped,
+                    const plt_options *options) {
+    const subject s = {
+        info, tree, options, mapped, info->build == PLT_BUILD_DEVICE, plt_format_of(info)};
+    for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
+        layout->bytes[i] = rounded(part_bytes((enum plt_part)i, &s));
+    }
+}
+
+void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
+                         const plt_options *options) {
+#if PLT_WITH_BUILDER
+    const plt_info worst = plt_worst_tree(info);
+    plt_layout_set(layout, info, &worst, mapped, options);
+#else
+    plt_layout_set(layout, info, info, mapped, options);
+#endif
+}
+
+uint64_t plt_layout_need(const plt_layout *layout) {
+    uint64_t sum[PLT_LIFETIMES] = {0, 0, 0, 0};
+    for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
+        sum[plt_part_lifetime((enum plt_part)i)] += layout->bytes[i];
+    }
+    return sum[PLT_LIFETIME_STAYS] +
+           larger(sum[PLT_LIFETIME_RUNS],
+                  larger(sum[PLT_LIFETIME_BUILDS], sum[PLT_LIFETIME_VALIDATES]));
+}
+
+int plt_layout_options_valid(const plt_options *o) {
+    const unsigned side = o->packet_side;
+    return (side == 2 || side == 4 || side == 8 || side == 16) && side <= PLT_PACKET_SIDE_MAX &&
+           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1;
+}
+
+int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
+    return info->nodes_format == PLT_NODES_THESIS || o->order == PLT_ORDER_DEPTH_FIRST;
+}
+
+static int is_built_in(const plt_info *info) {
+    return plt_entry_bytes(plt_format_of(info)) > 0 &&
+           (PLT_WITH_BUILDER || info->build != PLT_BUILD_DEVICE);
+}
+
+static int valid(const plt_info *info, const plt_options *o) {
+    return plt_layout_options_valid(o) && plt_layout_order_valid(info, o) &&
+           info->treelet_nodes > 0 && is_built_in(info);
+}
+
+size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {
+    plt_layout layout;
+    if (!valid(info, o)) {
+        return 0;
+    }
+    plt_layout_of_image(&layout, info, mapped, o);
+    const uint64_t need = plt_layout_need(&layout);
+    return need < SIZE_MAX ? (size_t)need : SIZE_MAX;
+}
+
+/* A switch: a table of pointers would be data that start-up has to fill in. */
+static const char *part_name(enum plt_part part) {
+    switch (part) {
+#define PLT_PART_CASE(name, lifetime, text)                                                        \
+    case PLT_PART_##name:                                                                          \
+        return text;
+        PLT_PARTS(PLT_PART_CASE)
+#undef PLT_PART_CASE
+    default:
+        return "";
+    }
+}
+
+int plt_arena_part_get(const plt_info *info, int mapped, const plt_options *o, unsigned index,
+                       plt_arena_part *part) {
+    plt_layout layout;
+    if (!valid(info, o) || index >= PLT_PARTS_COUNT) {
+        return PLT_ERR_ARGUMENT;
+    }
+    plt_layout_of_image(&layout, info, mapped, o);
+    part->name = part_name((enum plt_part)index);
+    part->lifetime = (uint8_t)plt_part_lifetime((enum plt_part)index);
+    part->bytes = layout.bytes[index];
+    return PLT_OK;
+}

@@ -1,0 +1,25 @@
+/* layout - how many bytes each part of an arena takes
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_LAYOUT_H
+#define PLT_LAYOUT_H
+
+#include "engine/scene/layout.h"
+
+/* The options are in range, and this build can open such an image with them. */
+int plt_layout_options_valid(const plt_options *options);
+int plt_layout_order_valid(const plt_info *info, const plt_options *options);
+
+/* Fills in every part. `tree`: info of the tree that will be traversed: the image's, the
+ * worst that may be built (plt_worst_tree), or the one that was built. */
+void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *tree, int mapped,
+                    const plt_options *options);
+
+/* The same for an image that is not open yet. */
+void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
+                         const plt_options *options);
+
+/* What an arena must hold for these parts. */
+uint64_t plt_layout_need(const plt_layout *layout);
+
+#endif

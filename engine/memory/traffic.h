@@ -1,0 +1,20 @@
+/* traffic - what a traversal would have fetched, had the scene to be streamed
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_MEMORY_TRAFFIC_H
+#define PLT_MEMORY_TRAFFIC_H
+
+#include "engine/planelet.h"
+
+/* `bytes` are entered that were not at hand. `slot`: where they lie, a bit of
+ * `touched`, which tells the first time from later ones; NULL: nobody asks. */
+static inline void plt_traffic_count(plt_stats *stats, uint32_t *touched, uint32_t slot,
+                                     uint32_t bytes) {
+    stats->bytes_fetched += bytes;
+    if (touched != NULL && !(touched[slot / 32] >> slot % 32 & 1u)) {
+        touched[slot / 32] |= 1u << slot % 32;
+        stats->bytes_touched_once += bytes;
+    }
+}
+
+#endif

@@ -1,0 +1,55 @@
+/* layout - the parts of an arena, one row each
+ *
+ * The rows below are the only list of what lies in an arena: plt_arena_need adds
+ * them up, opening cuts them, `planelet info` prints them and DESIGN.md, section 3,
+ * explains them. How many bytes a part takes is in engine/layout.c.
+ *
+ * Parts of a scene come first and stay. The scratch of validation and of the
+ * builder is given back, and what runs then is cut where it was: so an arena must
+ * hold the parts that stay and the greatest of the three groups behind them.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_SCENE_LAYOUT_H
+#define PLT_SCENE_LAYOUT_H
+
+#include <stdint.h>
+
+#include "engine/planelet.h"
+
+/* ROW(name, lifetime, what it is) in the order of the cuts. */
+#define PLT_PARTS(ROW)                                                                             \
+    ROW(ENGINE, STAYS, "engine")                                                                   \
+    ROW(SECTIONS, STAYS, "sections of the image, copied")                                          \
+    ROW(TREE, STAYS, "tree, built here")                                                           \
+    ROW(VALIDATION, VALIDATES, "validation")                                                       \
+    ROW(BUILDER, BUILDS, "builder")                                                                \
+    ROW(RECORD_CACHE, BUILDS, "cached corners")                                                    \
+    ROW(TOUCHED, RUNS, "touched blocks, a bit each")                                               \
+    ROW(PACKET, RUNS, "packet of rays")                                                            \
+    ROW(TILE_BUFFER, RUNS, "tile buffer")                                                          \
+    ROW(STACK, RUNS, "traversal stack")                                                            \
+    ROW(LOCAL_STACK, RUNS, "local stack")                                                          \
+    ROW(BLOCK_CACHE, RUNS, "opened blocks")
+
+enum plt_part {
+#define PLT_PART_NAMED(name, lifetime, text) PLT_PART_##name,
+    PLT_PARTS(PLT_PART_NAMED)
+#undef PLT_PART_NAMED
+        PLT_PARTS_COUNT
+};
+
+/* Bytes of each part; 64 bits, as sums may exceed what a small machine can address. */
+typedef struct plt_layout {
+    uint64_t bytes[PLT_PARTS_COUNT];
+} plt_layout;
+
+static inline enum plt_lifetime plt_part_lifetime(enum plt_part part) {
+    static const uint8_t lifetime[PLT_PARTS_COUNT] = {
+#define PLT_PART_LIFETIME(name, lifetime, text) PLT_LIFETIME_##lifetime,
+        PLT_PARTS(PLT_PART_LIFETIME)
+#undef PLT_PART_LIFETIME
+    };
+    return (enum plt_lifetime)lifetime[part];
+}
+
+#endif

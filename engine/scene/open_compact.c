@@ -1,0 +1,88 @@
+/* open_compact - scenes of compact blocks
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/base/fault.h"
+#include "engine/scene/open_formats.h"
+#include "engine/scene/validate_compact.h"
+#include "engine/tree/thesis/validate_image.h"
+
+static void describe(const plt_opening *o, const plt_header *header) {
+    plt_block_tree *t = &o->scene->compact;
+    t->root = header->root;
+    t->leaf_triangles = header->info.leaf_triangles;
+    t->leaf_kind =
+        header->info.geometry_format == PLT_GEOMETRY_FLOAT ? PLT_LEAF_RECORDS : PLT_LEAF_STRIPS;
+    t->lattice = header->lattice;
+    t->box = header->lattice_box;
+    t->numbers.bits = header->info.primitive_id_bits;
+}
+
+/* Primitive ids of the section are those of the packed mesh. */
+static int validate_ids(const plt_opening *o, const plt_section *section) {
+    const plt_info *info = &o->scene->info;
+    const plt_primitive_ids *n = &o->scene->compact.numbers;
+    for (uint32_t i = 0; i < info->triangles; i++) {
+        const uint32_t word = plt_primitive_word_find(n, i);
+        if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
+            const uint32_t at = (uint32_t)((uint64_t)i * n->bits >> 3);
+            return plt_broken(o->fault, 19, section->offset + at,
+                              "a triangle's number is too large");
+        }
+    }
+    return PLT_OK;
+}
+
+static int validate_blocks(const plt_opening *o, const plt_section *blocks) {
+    plt_info found;
+    int status = plt_compact_validate(o, &found);
+    if (status == PLT_ERR_IMAGE) {
+        o->fault->offset += blocks->offset;
+    }
+    if (status == PLT_OK && !plt_compact_counts_agree(&o->scene->info, &found)) {
+        status = plt_broken(o->fault, 18, 24, "the header's counts are not the blocks'");
+    }
+    return status;
+}
+
+/* Sections in the order of the image, so that a source is read from front to back. */
+static int read_sections(const plt_opening *o, const plt_header *header) {
+    plt_block_tree *t = &o->scene->compact;
+    const plt_section *ids = plt_header_section(header, PLT_SECTION_PRIMITIVE_IDS);
+    const void *blocks = NULL, *numbers = NULL, *records = NULL;
+    int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_BLOCKS), &blocks);
+    if (status == PLT_OK && ids != NULL) {
+        status = plt_opening_section(o, ids, &numbers);
+    }
+    if (status == PLT_OK && t->leaf_kind == PLT_LEAF_RECORDS) {
+        status =
+            plt_opening_section(o, plt_header_section(header, PLT_SECTION_TRIANGLES), &records);
+    }
+    if (status == PLT_OK && records != NULL) {
+        status = plt_records_validate(header, records, o->fault);
+    }
+    t->bytes = blocks;
+    t->numbers.bytes = numbers;
+    t->records = records;
+    t->used = header->info.node_bytes + header->info.triangle_bytes;
+    return status;
+}
+
+static int read_tree(const plt_opening *o, const plt_header *header) {
+    const plt_section *ids = plt_header_section(header, PLT_SECTION_PRIMITIVE_IDS);
+    int status = read_sections(o, header);
+    if (status == PLT_OK) {
+        status = validate_blocks(o, plt_header_section(header, PLT_SECTION_BLOCKS));
+    }
+    return status == PLT_OK && ids != NULL ? validate_ids(o, ids) : status;
+}
+
+int plt_open_compact(const plt_opening *o, const plt_header *header, plt_compact_build **build) {
+    describe(o, header);
+#if PLT_WITH_BUILDER
+    if (header->info.build == PLT_BUILD_DEVICE) {
+        return plt_build_compact_begin(o, header, build);
+    }
+#endif
+    (void)build;
+    return read_tree(o, header);
+}

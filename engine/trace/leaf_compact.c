@@ -1,0 +1,94 @@
+/* leaf_compact - see leaf_compact.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/leaf_compact.h"
+
+#include <string.h>
+
+#include "engine/trace/frustum.h"
+#include "engine/trace/leaf_records.h"
+#include "engine/trace/triangle.h"
+
+/* Strips of this many triangles per list share enough vertices for frustum culling to
+ * pay; those of shorter lists do not. */
+enum { CULLING_FROM = 4 };
+
+/* Vertices from lattice numbers to floats; `key` gets what orders them (record.h):
+ * x, y, z. */
+static void set_positions(plt_leaf *u, const plt_lattice *l, uint64_t key[]) {
+    for (uint32_t i = 0; i < u->vertices; i++) {
+        plt_vertex *v = &u->vertex[i];
+        key[i] = (uint64_t)v->number[0] << 42 | (uint64_t)v->number[1] << 21 | v->number[2];
+        f4_store(v->scene, plt_lattice_planes(l, f4_of_u4(u4_load(v->number))));
+    }
+}
+
+/* Corners in canonical order (record.h): the least first. Which is least cannot be
+ * predicted, so there is no branch. */
+static void set_corners(const plt_leaf *u, const uint64_t key[], uint32_t triangle,
+                        float to[3][3]) {
+    /* by b < a, c < a and c < b: bits to rotate the three indices by */
+    static const uint8_t rotation[8] = {0, 8, 16, 8, 0, 16, 16, 16};
+    const uint32_t corner = u->corner[triangle];
+    const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
+    const unsigned order = (unsigned)(b < a) | (unsigned)(c < a) << 1 | (unsigned)(c < b) << 2;
+    const uint64_t rotated = ((uint64_t)corner << 24 | corner) >> rotation[order];
+    PLT_UNROLLED for (unsigned i = 0; i < 3; i++) {
+        memcpy(to[i], u->vertex[rotated >> 8 * i & 0xFFu].scene, sizeof to[i]);
+    }
+}
+
+/* Outcodes of all vertices; 0 where the packet has no frustum, so that nothing is
+ * culled. */
+static void set_outcodes(const plt_leaf *u, const plt_packet *p, plt_mask groups, uint8_t code[]) {
+    plt_frustum frustum;
+    if (!plt_frustum_set(&frustum, p, groups)) {
+        memset(code, 0, u->vertices);
+        return;
+    }
+    for (uint32_t i = 0; i < u->vertices; i++) {
+        code[i] = (uint8_t)plt_frustum_outcode(&frustum, u->vertex[i].scene);
+    }
+}
+
+static int is_culled(const plt_leaf *u, const uint8_t code[], uint32_t triangle) {
+    return plt_frustum_culls(code[plt_leaf_corner(u, triangle, 0)],
+                             code[plt_leaf_corner(u, triangle, 1)],
+                             code[plt_leaf_corner(u, triangle, 2)]);
+}
+
+static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
+                        plt_packet *p, plt_mask groups) {
+    plt_leaf u;
+    uint64_t key[PLT_LEAF_VERTICES_MOST];
+    uint8_t code[PLT_LEAF_VERTICES_MOST];
+    const int culling = g->k >= CULLING_FROM;
+    plt_triangle t;
+    t.longest = run->longest;
+    t.ids = tree->numbers.bytes == NULL ? NULL : &tree->numbers;
+    plt_leaf_read(g, run->first, run->count, &u);
+    set_positions(&u, &tree->lattice, key);
+    if (culling) {
+        set_outcodes(&u, p, groups, code);
+    }
+    for (uint32_t i = 0; i < run->count; i++) {
+        if (culling && is_culled(&u, code, i)) {
+            continue;
+        }
+        t.word = g->first_triangle + run->first + i;
+        set_corners(&u, key, i, t.corner);
+        plt_triangle_groups(p, &t, p->any ? groups & p->active : groups);
+    }
+}
+
+void plt_leaf_groups(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
+                     plt_packet *p, plt_mask groups) {
+    if (tree->leaf_kind == PLT_LEAF_STRIPS) {
+        test_strips(tree, g, run, p, groups);
+        return;
+    }
+    const plt_record *record = &tree->records[g->first_triangle + run->first];
+    for (uint32_t i = 0; i < run->count; i++) {
+        plt_record_groups(p, &record[i], run->longest, groups);
+    }
+}
