@@ -133,11 +133,11 @@ static inline f4 f4_max(f4 a, f4 b) {
 }
 
 static inline f4 f4_abs(f4 a) {
-    PLT_EACH_LANE(f4, plt_float_of(plt_bits_of(a.lane[i]) & 0x7FFFFFFFu));
+    PLT_EACH_LANE(f4, __builtin_fabsf(a.lane[i])); /* IEEE abs and -: the sign bit alone */
 }
 
 static inline f4 f4_neg(f4 a) {
-    PLT_EACH_LANE(f4, plt_float_of(plt_bits_of(a.lane[i]) ^ 0x80000000u));
+    PLT_EACH_LANE(f4, -a.lane[i]);
 }
 
 static inline m4 f4_lt(f4 a, f4 b) {

@@ -1,4 +1,4 @@
-/* unroll - short loops laid out flat
+/* unroll - short loops laid out flat, and functions kept apart
  *
  * Before a loop of 3 or 4 rounds over axes or lanes: unrolled, its arrays live
  * in registers. As loops, at -O2, they go through memory.
@@ -13,6 +13,14 @@
 #define PLT_UNROLLED _Pragma("GCC unroll 4")
 #else
 #define PLT_UNROLLED
+#endif
+
+/* Before a function whose locals must not lie on the stack below what its caller calls
+ * next: it is not inlined. */
+#if defined(__GNUC__)
+#define PLT_OUTLINED __attribute__((noinline))
+#else
+#define PLT_OUTLINED
 #endif
 
 #endif

@@ -13,7 +13,7 @@ static void cross(const float a[3], const float b[3], float to[3]) {
 static int normalise(float v[3]) {
     float most = 0.0f;
     for (int a = 0; a < 3; a++) {
-        const float size = v[a] < 0.0f ? -v[a] : v[a];
+        const float size = __builtin_fabsf(v[a]);
         most = size > most ? size : most;
     }
     if (!(most > 0.0f && most <= 4.0f * PLT_COORD_MAX)) {

@@ -21,7 +21,7 @@ static float dot(const float a[3], const float b[3]) {
 static void even_out(float v[3]) {
     float most = 0.0f;
     for (int a = 0; a < 3; a++) {
-        const float size = v[a] < 0.0f ? -v[a] : v[a];
+        const float size = __builtin_fabsf(v[a]);
         most = size > most ? size : most;
     }
     for (int a = 0; a < 3 && most > 0.0f; a++) {

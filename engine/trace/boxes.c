@@ -10,12 +10,12 @@ typedef struct planes {
     f4 near[3], far[3]; /* ONE_ORIGIN: less the origin; MIXED: lo and hi */
 } planes;
 
-static inline void spread(planes *b, const plt_slab_set *set, const float *lo, const float *hi,
+static inline void spread(planes *b, const plt_slab_set *set, const plt_box *box,
                           enum plt_coherence kind) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const int swap = kind != PLT_MIXED && set->negative[a];
-        const float near = swap ? hi[a] : lo[a];
-        const float far = swap ? lo[a] : hi[a];
+        const float near = swap ? box->hi[a] : box->lo[a];
+        const float far = swap ? box->lo[a] : box->hi[a];
         b->near[a] = f4_all(kind == PLT_ONE_ORIGIN ? near - set->near_org[a] : near);
         b->far[a] = f4_all(kind == PLT_ONE_ORIGIN ? far - set->far_org[a] : far);
     }
@@ -48,11 +48,11 @@ static inline m4 meets(const planes *b, const plt_slabs *g, enum plt_coherence k
     return f4_le(*entry, leave);
 }
 
-static inline plt_mask groups_in(const plt_slab_set *set, const float *lo, const float *hi,
-                                 plt_mask groups, enum plt_coherence kind) {
+static inline plt_mask groups_in(const plt_slab_set *set, const plt_box *box, plt_mask groups,
+                                 enum plt_coherence kind) {
     planes b;
     plt_mask hit = 0;
-    spread(&b, set, lo, hi, kind);
+    spread(&b, set, box, kind);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
@@ -61,14 +61,14 @@ static inline plt_mask groups_in(const plt_slab_set *set, const float *lo, const
     return hit;
 }
 
-static inline void groups_in_both(const plt_slab_set *set, const float *const lo[2],
-                                  const float *const hi[2], plt_mask groups, plt_mask hit[2],
-                                  enum plt_coherence kind) {
+static inline uint32_t groups_in_both(const plt_slab_set *set, const plt_box child[2],
+                                      plt_mask groups, plt_mask hit[2], enum plt_coherence kind) {
     planes b[2];
     plt_mask left = 0, right = 0;
-    spread(&b[0], set, lo[0], hi[0], kind);
-    spread(&b[1], set, lo[1], hi[1], kind);
-    for (plt_mask m = groups; m != 0; m &= m - 1) {
+    uint32_t tested = 0;
+    spread(&b[0], set, &child[0], kind);
+    spread(&b[1], set, &child[1], kind);
+    for (plt_mask m = groups; m != 0; m &= m - 1, tested++) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
         left |= plt_mask_of(i, m4_mask(meets(&b[0], &set->group[i], kind, &entry)) != 0);
@@ -76,38 +76,36 @@ static inline void groups_in_both(const plt_slab_set *set, const float *const lo
     }
     hit[0] = left;
     hit[1] = right;
+    return tested;
 }
 
-plt_mask plt_box_groups(const plt_slab_set *set, const float *lo, const float *hi,
-                        plt_mask groups) {
+plt_mask plt_box_groups(const plt_slab_set *set, const plt_box *box, plt_mask groups) {
     switch (set->coherence) {
     case PLT_ONE_ORIGIN:
-        return groups_in(set, lo, hi, groups, PLT_ONE_ORIGIN);
+        return groups_in(set, box, groups, PLT_ONE_ORIGIN);
     case PLT_ONE_SIGN:
-        return groups_in(set, lo, hi, groups, PLT_ONE_SIGN);
+        return groups_in(set, box, groups, PLT_ONE_SIGN);
     default:
-        return groups_in(set, lo, hi, groups, PLT_MIXED);
+        return groups_in(set, box, groups, PLT_MIXED);
     }
 }
 
-void plt_box_pair(const plt_slab_set *set, const float *const lo[2], const float *const hi[2],
-                  plt_mask groups, plt_mask hit[2]) {
+uint32_t plt_box_pair(const plt_slab_set *set, const plt_box child[2], plt_mask groups,
+                      plt_mask hit[2]) {
     switch (set->coherence) {
     case PLT_ONE_ORIGIN:
-        groups_in_both(set, lo, hi, groups, hit, PLT_ONE_ORIGIN);
-        break;
+        return groups_in_both(set, child, groups, hit, PLT_ONE_ORIGIN);
     case PLT_ONE_SIGN:
-        groups_in_both(set, lo, hi, groups, hit, PLT_ONE_SIGN);
-        break;
+        return groups_in_both(set, child, groups, hit, PLT_ONE_SIGN);
     default:
-        groups_in_both(set, lo, hi, groups, hit, PLT_MIXED);
+        return groups_in_both(set, child, groups, hit, PLT_MIXED);
     }
 }
 
 float plt_box_entry(const plt_slab_set *set, const plt_box *box, plt_mask groups) {
     planes b;
     f4 entry;
-    spread(&b, set, box->lo, box->hi, PLT_MIXED); /* right for any packet, and rare */
+    spread(&b, set, box, PLT_MIXED); /* right for any packet, and rare */
     const m4 hit = meets(&b, &set->group[plt_mask_first(groups)], PLT_MIXED, &entry);
     return f4_min_lane(f4_select(hit, entry, f4_all(PLT_BOX_FAR)));
 }

@@ -14,12 +14,12 @@
 #include "engine/trace/mask.h"
 #include "engine/trace/slabs.h"
 
-/* Groups of `groups` that meet a box, given its three low and three high planes. */
-plt_mask plt_box_groups(const plt_slab_set *set, const float *lo, const float *hi, plt_mask groups);
+/* Groups of `groups` that meet a box. */
+plt_mask plt_box_groups(const plt_slab_set *set, const plt_box *box, plt_mask groups);
 
-/* The same for both children of a node at once. */
-void plt_box_pair(const plt_slab_set *set, const float *const lo[2], const float *const hi[2],
-                  plt_mask groups, plt_mask hit[2]);
+/* The same for both children of a node at once. Returns how many groups were tested. */
+uint32_t plt_box_pair(const plt_slab_set *set, const plt_box child[2], plt_mask groups,
+                      plt_mask hit[2]);
 
 /* Least distance at which the first group of `groups` enters the box. */
 float plt_box_entry(const plt_slab_set *set, const plt_box *box, plt_mask groups);

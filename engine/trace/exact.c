@@ -23,7 +23,7 @@ typedef struct pair {
 } pair;
 
 static float size_of(float x) {
-    return x < 0.0f ? -x : x;
+    return __builtin_fabsf(x);
 }
 
 static float largest(const float v[3]) {

@@ -8,7 +8,7 @@
  *
  *   format_entry                       what waits on a stack: a box, what it leads to,
  *                                      and `groups`, the groups that are concerned
- *   format_children                    both children of a node, boxes as planes
+ *   format_children                    both children of a node
  *
  *   int format_root(t, p, e)           the scene's root; 0: there is nothing to hit
  *   int format_is_leaf(e)              it leads to triangles
@@ -20,8 +20,7 @@
  *   int format_enter(t, p, e)          e is an edge that was just met: the treelet behind
  *                                      it becomes the one in hand, e its root
  *   void format_decode(t, e, c)        the children of the node that e leads to
- *   const float *format_low(c, i)      three low planes of child i ...
- *   const float *format_high(c, i)     ... and three high ones, in the scene's units
+ *   const plt_box *format_boxes(c)     their two boxes, in the scene's units
  *   void format_child(c, i, g, e)      e becomes child i, for groups g
  *   int format_leaf(t, p, e)           tests its triangles
  *
@@ -41,12 +40,11 @@
 #include "engine/trace/traversal.h"
 
 /* The child whose centre lies further back along the packet's direction comes first. */
-static inline unsigned plt_nearer_child(const plt_packet *p, const float *const lo[2],
-                                        const float *const hi[2]) {
+static inline unsigned plt_nearer_child(const plt_packet *p, const plt_box child[2]) {
     float ahead = 0.0f;
     for (int a = 0; a < 3; a++) {
-        const float left = lo[0][a] + hi[0][a];
-        const float right = lo[1][a] + hi[1][a];
+        const float left = child[0].lo[a] + child[0].hi[a];
+        const float right = child[1].lo[a] + child[1].hi[a];
         ahead += p->forward[a] * (left - right);
     }
     return ahead > 0.0f;

@@ -32,11 +32,18 @@ static inline uint32_t index_of(const format_entry *e) {
     return e->what >> 8 & 0xFFu;
 }
 
+/* Boxes in the scene's units, written four lanes at once: the fourth of a store is
+ * overwritten by the next. */
+typedef union scene_boxes {
+    plt_box box[2];
+    float lane[13];
+} scene_boxes;
+
 typedef struct format_children {
     const plt_opened_block *opened;
-    uint32_t node;               /* index in the block */
-    f4 lo[2], hi[2];             /* lattice numbers */
-    float low[2][4], high[2][4]; /* planes of the scene */
+    uint32_t node;   /* index in the block */
+    f4 lo[2], hi[2]; /* lattice numbers */
+    scene_boxes scene;
 } format_children;
 
 /* Makes the block behind `link` the one in hand. */
@@ -70,11 +77,17 @@ static inline int format_is_edge(const format_entry *e) {
     return kind_of(e) == PLT_SLOT_EDGE;
 }
 
-static inline plt_mask meet(const plt_traversal *t, const plt_packet *p, const format_entry *e) {
-    float lo[4], hi[4];
-    f4_store(lo, plt_lattice_planes(&t->scene->compact.lattice, f4_load(e->lo)));
-    f4_store(hi, plt_lattice_planes(&t->scene->compact.lattice, f4_load(e->hi)));
-    return plt_box_groups(&p->slabs, lo, hi, e->groups);
+/* Seven floats from `to` on; the last means nothing. */
+static inline void set_scene_box(const plt_lattice *l, f4 lo, f4 hi, float *to) {
+    f4_store(to, plt_lattice_planes(l, lo));
+    f4_store(to + 3, plt_lattice_planes(l, hi));
+}
+
+PLT_OUTLINED static plt_mask meet(const plt_traversal *t, const plt_packet *p,
+                                  const format_entry *e) {
+    scene_boxes scene;
+    set_scene_box(&t->scene->compact.lattice, f4_load(e->lo), f4_load(e->hi), scene.lane);
+    return plt_box_groups(&p->slabs, scene.box, e->groups);
 }
 
 /* Into the block behind an edge: its root has exact bounds. Those of a tree that was
@@ -155,17 +168,12 @@ static inline void format_decode(const plt_traversal *t, const format_entry *e,
     prefetch_edges(tree, &c->opened->block, c->node);
     decode_boxes(&c->opened->block, c->node, e, c->lo, c->hi);
     for (int i = 0; i < 2; i++) {
-        f4_store(c->low[i], plt_lattice_planes(&tree->lattice, c->lo[i]));
-        f4_store(c->high[i], plt_lattice_planes(&tree->lattice, c->hi[i]));
+        set_scene_box(&tree->lattice, c->lo[i], c->hi[i], c->scene.lane + 6 * i);
     }
 }
 
-static inline const float *format_low(const format_children *c, unsigned child) {
-    return c->low[child];
-}
-
-static inline const float *format_high(const format_children *c, unsigned child) {
-    return c->high[child];
+static inline const plt_box *format_boxes(const format_children *c) {
+    return c->scene.box;
 }
 
 /* What slot `slot` of the block leads to. */

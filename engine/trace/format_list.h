@@ -16,7 +16,7 @@ typedef struct format_entry {
 
 /* A list has none. */
 typedef struct format_children {
-    plt_box box;
+    plt_box box[2];
 } format_children;
 
 static inline int format_root(const plt_traversal *t, const plt_packet *p, format_entry *e) {
@@ -35,8 +35,7 @@ static inline int format_is_edge(const format_entry *e) {
 }
 
 static inline int format_resume(const plt_traversal *t, const plt_packet *p, format_entry *e) {
-    const plt_box *box = &t->scene->box;
-    e->groups = plt_box_groups(&p->slabs, box->lo, box->hi, e->groups);
+    e->groups = plt_box_groups(&p->slabs, &t->scene->box, e->groups);
     return PLT_OK;
 }
 
@@ -50,17 +49,11 @@ static inline int format_enter(const plt_traversal *t, const plt_packet *p, cons
 static inline void format_decode(const plt_traversal *t, const format_entry *e,
                                  format_children *c) {
     (void)e;
-    c->box = t->scene->box;
+    c->box[0] = c->box[1] = t->scene->box;
 }
 
-static inline const float *format_low(const format_children *c, unsigned child) {
-    (void)child;
-    return c->box.lo;
-}
-
-static inline const float *format_high(const format_children *c, unsigned child) {
-    (void)child;
-    return c->box.hi;
+static inline const plt_box *format_boxes(const format_children *c) {
+    return c->box;
 }
 
 static inline void format_child(const format_children *c, unsigned child, plt_mask groups,

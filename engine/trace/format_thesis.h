@@ -57,7 +57,7 @@ static inline int format_enter(plt_traversal *t, const plt_packet *p, const form
 }
 
 static inline int format_resume(plt_traversal *t, const plt_packet *p, format_entry *e) {
-    e->groups = plt_box_groups(&p->slabs, e->box.lo, e->box.hi, e->groups);
+    e->groups = plt_box_groups(&p->slabs, &e->box, e->groups);
     return e->groups == 0 || format_is_leaf(e) ? PLT_OK : format_enter(t, p, e);
 }
 
@@ -80,12 +80,8 @@ static inline void format_decode(const plt_traversal *t, const format_entry *e,
     plt_node_decode(c->node, &e->box, c->box);
 }
 
-static inline const float *format_low(const format_children *c, unsigned child) {
-    return c->box[child].lo;
-}
-
-static inline const float *format_high(const format_children *c, unsigned child) {
-    return c->box[child].hi;
+static inline const plt_box *format_boxes(const format_children *c) {
+    return c->box;
 }
 
 static inline void format_child(const format_children *c, unsigned child, plt_mask groups,

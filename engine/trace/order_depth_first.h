@@ -15,17 +15,16 @@
 #include "engine/trace/boxes.h"
 
 /* Visits the node that `at` leads to, and goes on to the nearer child that is met; the
- * other one, if it is met, too, waits. 0: none is. */
-static inline int visit_node(plt_traversal *t, const plt_packet *p, format_entry *at) {
+ * other one, if it is met, too, waits. 0: none is. Not inline: both children's boxes
+ * would lie on the stack below every leaf. */
+PLT_OUTLINED static int visit_node(plt_traversal *t, const plt_packet *p, format_entry *at) {
     format_children c;
     plt_mask hit[2];
     format_decode(t, at, &c);
-    const float *const lo[2] = {format_low(&c, 0), format_low(&c, 1)};
-    const float *const hi[2] = {format_high(&c, 0), format_high(&c, 1)};
-    plt_box_pair(&p->slabs, lo, hi, at->groups, hit);
+    const plt_box *box = format_boxes(&c);
+    t->stats.group_tests += 2 * plt_box_pair(&p->slabs, box, at->groups, hit);
     t->stats.node_visits++;
-    t->stats.group_tests += 2 * plt_mask_count(at->groups);
-    unsigned near = plt_nearer_child(p, lo, hi);
+    unsigned near = plt_nearer_child(p, box);
     if (hit[near] == 0) {
         near ^= 1;
     } else if (hit[near ^ 1] != 0) {

@@ -46,12 +46,10 @@ static int visit_local(plt_traversal *t, const plt_packet *p, format_entry *at, 
     plt_mask hit[2];
     int goes_on = 0;
     format_decode(t, at, &c);
-    const float *const lo[2] = {format_low(&c, 0), format_low(&c, 1)};
-    const float *const hi[2] = {format_high(&c, 0), format_high(&c, 1)};
-    plt_box_pair(&p->slabs, lo, hi, at->groups, hit);
+    const plt_box *box = format_boxes(&c);
+    t->stats.group_tests += 2 * plt_box_pair(&p->slabs, box, at->groups, hit);
     t->stats.node_visits++;
-    t->stats.group_tests += 2 * plt_mask_count(at->groups);
-    const unsigned near = plt_nearer_child(p, lo, hi);
+    const unsigned near = plt_nearer_child(p, box);
     for (unsigned k = 0; k < 2; k++) {
         format_entry e;
         if (hit[near ^ k] == 0) {

@@ -37,7 +37,7 @@ static m4 valid_lanes(const f4 org[3], const f4 dir[3], f4 tmin, f4 tmax) {
 
 static void set_reciprocals(plt_slabs *s, const f4 dir[3]) {
     const f4 tiny = f4_mul(largest_of(dir), f4_all(SMALLEST));
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++) {
         const f4 signed_tiny = f4_select(f4_lt(dir[a], f4_zero()), f4_neg(tiny), tiny);
         const f4 d = f4_select(f4_lt(f4_abs(dir[a]), tiny), signed_tiny, dir[a]);
         f4_store(s->rdir[a], f4_div(f4_all(1.0f), d));
@@ -47,7 +47,7 @@ static void set_reciprocals(plt_slabs *s, const f4 dir[3]) {
 static void set_origins(plt_slabs *s, plt_rays *g, const plt_box *scene, const f4 org[3],
                         const f4 dir[3]) {
     f4 reach = f4_zero();
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++) {
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->hi[a]), org[a])), reach);
     }
@@ -55,7 +55,7 @@ static void set_origins(plt_slabs *s, plt_rays *g, const plt_box *scene, const f
     f4_store(g->reach, reach);
     f4_store(g->reach_error, f4_mul(f4_mul(reach, reach), f4_all(CLOSE_ERROR)));
     const f4 box_error = f4_mul(reach, f4_all(BOX_ERROR));
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++) {
         const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(ORIGIN_ERROR)));
         const m4 negative = f4_lt(dir[a], f4_zero());
         const f4 up = f4_add(org[a], e), down = f4_sub(org[a], e);
@@ -96,7 +96,7 @@ void plt_packet_set_group(plt_packet *packet, unsigned index, const plt_box *sce
     }
     /* Lanes without a ray copy nothing: zeros and a fixed direction keep NaN out. */
     f4 o[3], d[3];
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++) {
         o[a] = f4_select(ok, org[a], f4_zero());
         d[a] = f4_select(ok, dir[a], f4_all(1.0f));
         f4_store(g->org[a], o[a]);

@@ -22,15 +22,15 @@
 
 static const uint8_t axis_after[3] = {1, 2, 0};
 
-/* What the rays of a packet share: nothing, or where they start, or that and the axis
- * they are sheared to. */
-enum sharing { APART, ONE_ORIGIN, ONE_AXIS };
+/* What the rays of a packet share: their origin and the axis they are sheared to, or
+ * nothing that is made use of. (One origin without one axis is rare, and was not worth
+ * its code: DESIGN.md, section 7.) */
+enum sharing { APART, ONE_AXIS };
 
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
     const plt_triangle *triangle;
-    f4 from_org[3][3]; /* ONE_ORIGIN: corner - origin, in all lanes, axes x y z;
-                          ONE_AXIS: the axis and the two after it, it being last */
+    f4 from_org[3][3]; /* ONE_AXIS: corner - origin, in all lanes, that axis last */
     f4 slack;          /* 72 u R L + 320 u^2 R^2; APART: 72 u L */
 } prepared;
 
@@ -56,7 +56,7 @@ static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharin
         return;
     }
     t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->reach_error));
-    unsigned axis = sharing == ONE_AXIS ? axis_after[p->axis] : 0;
+    unsigned axis = axis_after[p->axis];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         for (int c = 0; c < 3; c++) {
             t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
@@ -291,11 +291,9 @@ static inline void test_groups(prepared *t, plt_packet *p, plt_mask groups, enum
 void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask groups) {
     prepared t;
     t.triangle = triangle;
-    if (p->slabs.coherence != PLT_ONE_ORIGIN) {
-        test_groups(&t, p, groups, APART);
-    } else if (p->axis == 3) {
-        test_groups(&t, p, groups, ONE_ORIGIN);
-    } else {
+    if (p->slabs.coherence == PLT_ONE_ORIGIN && p->axis < 3) {
         test_groups(&t, p, groups, ONE_AXIS);
+    } else {
+        test_groups(&t, p, groups, APART);
     }
 }
