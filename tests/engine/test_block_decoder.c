@@ -16,14 +16,14 @@
 #include "tests/test.h"
 
 /* Lattice geometry with numbers, without, and float records. */
-enum way { NUMBERS, PLACES, FLOATS, WAYS };
+enum variant { PRIMITIVE_IDS, IMAGE_INDICES, FLOATS, VARIANTS };
 
-/* One mesh, packed in one way, and what the decoder made of it. */
+/* One mesh, packed as one variant, and what the decoder read from it. */
 typedef struct subject {
     const mesh *m;
     packed image;
     decoded_image decoded;
-    enum way way;
+    enum variant variant;
     int is_packed; /* a tiny build may refuse */
     char name[80];
 } subject;
@@ -37,28 +37,29 @@ static const uint32_t all_bits[] = {12, 14, 16, 17, 21};
 static const uint32_t all_k[] = {1, 2, 4};
 enum { BITS = 5, KS = 3 };
 
-static void pack_subject(subject *s, const mesh *m, uint32_t bits, uint32_t k, enum way way) {
+static void pack_subject(subject *s, const mesh *m, uint32_t bits, uint32_t k,
+                         enum variant variant) {
     compact_options options = {0};
     options.lattice_bits = (uint8_t)bits;
     options.leaf_triangles = k;
-    options.numbers = way == NUMBERS;
-    options.floats = way == FLOATS;
+    options.numbers = variant == PRIMITIVE_IDS;
+    options.floats = variant == FLOATS;
     lattice_loss loss;
     fail f = {""};
-    static const char *const word[WAYS] = {"numbers", "places", "floats"};
+    static const char *const word[VARIANTS] = {"primitive ids", "image indices", "floats"};
     s->m = m;
-    s->way = way;
-    snprintf(s->name, sizeof s->name, "%u bits, K %u, %s", bits, k, word[way]);
+    s->variant = variant;
+    snprintf(s->name, sizeof s->name, "%u bits, K %u, %s", bits, k, word[variant]);
     s->is_packed = pack_compact(&s->image, m, &options, "mesh", &loss, &f) == 0;
     CHECK(s->is_packed || rig_is_tiny(), "%s: %s", s->name, f.text);
 }
 
 static subjects pack_all(const mesh *m) {
-    subjects all = {calloc((size_t)BITS * KS * WAYS, sizeof(subject)), 0};
+    subjects all = {calloc((size_t)BITS * KS * VARIANTS, sizeof(subject)), 0};
     for (size_t b = 0; b < BITS && all.list != NULL; b++) {
         for (size_t k = 0; k < KS; k++) {
-            for (int way = 0; way < WAYS; way++) {
-                pack_subject(&all.list[all.count], m, all_bits[b], all_k[k], (enum way)way);
+            for (int variant = 0; variant < VARIANTS; variant++) {
+                pack_subject(&all.list[all.count], m, all_bits[b], all_k[k], (enum variant)variant);
                 all.count += (size_t)all.list[all.count].is_packed;
             }
         }
@@ -116,7 +117,8 @@ static expected_triangle *found_triangles(const subject *s) {
         memcpy(found[t].corner, d->triangle[t].corner, sizeof found[t].corner);
         found[t].number = d->triangle[t].number;
         found[t].turn = d->triangle[t].turn;
-        CHECK(s->way == NUMBERS || (found[t].number == t && found[t].turn == 0), "%s", s->name);
+        CHECK(s->variant == PRIMITIVE_IDS || (found[t].number == t && found[t].turn == 0), "%s",
+              s->name);
     }
     return found;
 }
@@ -133,7 +135,7 @@ static void check_lattice(const subject *s) {
     expected_triangle *found = found_triangles(s);
     CHECK(count == d->triangles, "%s: %u, not %u", s->name, d->triangles, count);
     CHECK(d->header.source_triangles == s->m->triangles, "%s: source triangles", s->name);
-    if (s->way == NUMBERS) {
+    if (s->variant == PRIMITIVE_IDS) {
         qsort(found, d->triangles, sizeof *found, compare_numbers);
     } else {
         expect_sort(found, d->triangles);
@@ -144,7 +146,7 @@ static void check_lattice(const subject *s) {
         const int same_number =
             found[t].number == expected[t].number && found[t].turn == expected[t].turn;
         CHECK(same, "%s: triangle %u of %u", s->name, t, expected[t].number);
-        CHECK(s->way == PLACES || same_number, "%s: %u turn %u, not %u turn %u", s->name,
+        CHECK(s->variant == IMAGE_INDICES || same_number, "%s: %u turn %u, not %u turn %u", s->name,
               found[t].number, found[t].turn, expected[t].number, expected[t].turn);
     }
     free(expected);
@@ -152,7 +154,7 @@ static void check_lattice(const subject *s) {
 }
 
 static void check_triangles(const subject *s) {
-    s->way == FLOATS ? check_records(s) : check_lattice(s);
+    s->variant == FLOATS ? check_records(s) : check_lattice(s);
 }
 
 /* The tightest lattice box around the floats: with lattice geometry it has the
@@ -173,7 +175,7 @@ static int is_exact(const decoded_header *h, const decoded_box *frame, const dec
 
 /* With float records the exact box has no lattice numbers: takes the outer's. */
 static int holds(const subject *s, const decoded_box *outer, decoded_box exact) {
-    if (s->way == FLOATS) {
+    if (s->variant == FLOATS) {
         memcpy(exact.lo, outer->lo, sizeof exact.lo);
         memcpy(exact.hi, outer->hi, sizeof exact.hi);
     }
@@ -254,7 +256,7 @@ static void check_engine_block(const subject *s, uint32_t b, const engine_block 
     CHECK(same_boxes(&ours->frame, &theirs->frame), "%s: block %u: frame", s->name, b);
     CHECK(ours->triangles == theirs->triangles, "%s: block %u: triangles", s->name, b);
     CHECK(ours->units == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name, b);
-    CHECK(s->way == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
+    CHECK(s->variant == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
     CHECK(ours->mesh == theirs->mesh, "%s: block %u: mesh", s->name, b);
 }
 
@@ -343,11 +345,11 @@ static void check_scenes(void) {
 
 /* ---- odd and small meshes ------------------------------------------------ */
 
-static void check_one_size(size_t triangles, uint32_t k, enum way way) {
+static void check_one_size(size_t triangles, uint32_t k, enum variant variant) {
     mesh m = {0};
     subject s = {0};
     shape_soup(&m, (uint32_t)triangles, 0.5f, 7);
-    pack_subject(&s, &m, 16, k, way);
+    pack_subject(&s, &m, 16, k, variant);
     if (s.is_packed) {
         decode_subject(&s);
         const decoded_image *d = &s.decoded;
@@ -370,8 +372,8 @@ static void check_sizes(void) {
     test("up to 2K triangles are one node of two units, one triangle is there twice");
     for (size_t triangles = 0; triangles <= 10; triangles++) {
         for (size_t k = 0; k < KS; k++) {
-            for (int way = 0; way < WAYS; way++) {
-                check_one_size(triangles, all_k[k], (enum way)way);
+            for (int variant = 0; variant < VARIANTS; variant++) {
+                check_one_size(triangles, all_k[k], (enum variant)variant);
             }
         }
     }

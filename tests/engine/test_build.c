@@ -115,9 +115,9 @@ static void few_triangles(void) {
 static void same_on_device(int scene, uint32_t k, uint32_t n, uint8_t splits) {
     mesh m = make(scene);
     rig host, device;
-    const rig_way host_way = rig_way_of(k, n, PLT_BUILD_HOST, splits);
-    const rig_way device_way = rig_way_of(k, n, PLT_BUILD_DEVICE, splits);
-    const int a = rig_open(&host, &m, &host_way), b = rig_open(&device, &m, &device_way);
+    const rig_config host_config = rig_config_of(k, n, PLT_BUILD_HOST, splits);
+    const rig_config device_config = rig_config_of(k, n, PLT_BUILD_DEVICE, splits);
+    const int a = rig_open(&host, &m, &host_config), b = rig_open(&device, &m, &device_config);
     CHECK(a == b, "scene %d: host %d, device %d", scene, a, b);
     CHECK(a == PLT_OK || (a == PLT_ERR_LIMIT && rig_is_tiny()), "scene %d: %s", scene,
           host.fault.message);

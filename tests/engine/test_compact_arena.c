@@ -19,10 +19,10 @@
 
 enum { ZONE = 64, PATTERN = 0xC3 };
 
-static packed image_of(uint32_t triangles, const compact_way *way) {
+static packed image_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     shape_soup(&m, triangles, 0.5f, triangles);
-    return compact_packed(&m, way);
+    return compact_packed(&m, config);
 }
 
 typedef struct opened {
@@ -85,9 +85,10 @@ static void sizes(void) {
     for (int i = 0; i < 4; i++) {
         for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
             for (uint8_t floats = 0; floats <= (build == PLT_BUILD_HOST); floats++) {
-                compact_way way = compact_way_of(1u << i % 3, i == 3 ? 21 : 14, build, floats);
-                way.pack.floats = floats;
-                packed image = image_of(triangles[i], &way);
+                compact_config config =
+                    compact_config_of(1u << i % 3, i == 3 ? 21 : 14, build, floats);
+                config.pack.floats = floats;
+                packed image = image_of(triangles[i], &config);
                 every_size(&image, 0, 2);
                 every_size(&image, 1, PLT_PACKET_SIDE_MAX);
                 pack_free(&image);
@@ -100,16 +101,16 @@ static void sizes(void) {
  * that are not mapped), the finished blocks and
  * at most one block more (or, of few triangles, their permutation). */
 static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) {
-    const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
-    packed image = image_of(triangles, &way);
+    const compact_config config = compact_config_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(triangles, &config);
     hostile_stream stream = {image.bytes, image.size, 0};
     const plt_source fetched = {NULL, image.size, &stream, hostile_start, hostile_wait};
     const plt_source source = streamed ? fetched : rig_source(&image);
-    const size_t need = plt_arena_need(&image.info, !streamed, &way.run);
+    const size_t need = plt_arena_need(&image.info, !streamed, &config.run);
     void *arena = malloc(need);
     plt_engine *e = NULL;
     plt_fault fault;
-    CHECK(plt_open(&e, arena, need, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
+    CHECK(plt_open(&e, arena, need, &source, &config.run, &fault) == PLT_OK, "%s", fault.message);
     if (e != NULL) {
         const plt_block_tree *tree = &e->walker.blocks.tree;
         const compact_facts f = compact_check(tree, NULL);
@@ -134,16 +135,16 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
 
 /* In pieces of any size: the blocks of plt_open, and a bounded number of pieces. */
 static void in_steps(uint32_t k, uint32_t splits) {
-    const compact_way way = compact_way_of(k, 16, PLT_BUILD_DEVICE, PLT_SPLIT_MEDIAN);
-    packed image = image_of(compact_triangles(500, k), &way);
+    const compact_config config = compact_config_of(k, 16, PLT_BUILD_DEVICE, PLT_SPLIT_MEDIAN);
+    packed image = image_of(compact_triangles(500, k), &config);
     const plt_source source = rig_source(&image);
-    const size_t need = plt_arena_need(&image.info, 1, &way.run);
+    const size_t need = plt_arena_need(&image.info, 1, &config.run);
     void *whole_arena = malloc(need), *arena = malloc(need);
     plt_engine *whole = NULL, *e = NULL;
     plt_fault fault;
-    CHECK(plt_open(&whole, whole_arena, need, &source, &way.run, &fault) == PLT_OK, "%s",
+    CHECK(plt_open(&whole, whole_arena, need, &source, &config.run, &fault) == PLT_OK, "%s",
           fault.message);
-    int status = plt_open_begin(&e, arena, need, &source, &way.run, &fault);
+    int status = plt_open_begin(&e, arena, need, &source, &config.run, &fault);
     uint32_t steps = 0;
     CHECK(status == PLT_MORE, "status %d", status);
     while (status == PLT_MORE && steps < 100000) {
@@ -192,7 +193,7 @@ static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
 }
 
 /* The soup with its axes exchanged: a tree of the same shape, of other boxes. */
-static packed turned_of(uint32_t triangles, const compact_way *way) {
+static packed turned_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     shape_soup(&m, triangles, 0.5f, triangles);
     for (size_t i = 0; i < m.vertices; i++) {
@@ -202,17 +203,17 @@ static packed turned_of(uint32_t triangles, const compact_way *way) {
         v[1] = v[2];
         v[2] = x;
     }
-    return compact_packed(&m, way);
+    return compact_packed(&m, config);
 }
 
 /* Blocks that are still open from before change neither hits nor statistics, and
  * those of another scene in the same arena are forgotten. */
 static void one_after_another(uint8_t build) {
-    const compact_way way = compact_way_of(2, 14, build, PLT_SPLIT_SAH);
-    packed image[2] = {image_of(compact_triangles(300, 2), &way),
-                       turned_of(compact_triangles(300, 2), &way)};
-    const size_t need[2] = {plt_arena_need(&image[0].info, 1, &way.run),
-                            plt_arena_need(&image[1].info, 1, &way.run)};
+    const compact_config config = compact_config_of(2, 14, build, PLT_SPLIT_SAH);
+    packed image[2] = {image_of(compact_triangles(300, 2), &config),
+                       turned_of(compact_triangles(300, 2), &config)};
+    const size_t need[2] = {plt_arena_need(&image[0].info, 1, &config.run),
+                            plt_arena_need(&image[1].info, 1, &config.run)};
     const size_t bytes = need[0] > need[1] ? need[0] : need[1];
     void *arena = malloc(bytes), *fresh = malloc(bytes);
     for (int i = 0; i < 4; i++) {
@@ -221,8 +222,9 @@ static void one_after_another(uint8_t build) {
         static plt_hit hit[3][RAYS];
         const plt_source source = rig_source(&image[i % 2]);
         memset(fresh, 0, bytes);
-        CHECK(plt_open(&e, arena, bytes, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
-        CHECK(plt_open(&other, fresh, bytes, &source, &way.run, &fault) == PLT_OK, "%s",
+        CHECK(plt_open(&e, arena, bytes, &source, &config.run, &fault) == PLT_OK, "%s",
+              fault.message);
+        CHECK(plt_open(&other, fresh, bytes, &source, &config.run, &fault) == PLT_OK, "%s",
               fault.message);
         const plt_stats cold = hits_of(e, hit[0]), warm = hits_of(e, hit[1]);
         const plt_stats alone = hits_of(other, hit[2]);

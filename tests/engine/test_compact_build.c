@@ -68,16 +68,16 @@ static void look(const rig *r, const snapped *s, const char *name) {
     closed_early += f.most_vertices > 600;
 }
 
-static void build_and_look(const mesh *m, const char *scene, compact_way way) {
+static void build_and_look(const mesh *m, const char *scene, compact_config config) {
     snapped s;
     fail f = {""};
     char name[128];
-    CHECK(lattice_snap(&s, m, way.pack.lattice_bits, "test", &f) == 0, "%s", f.text);
+    CHECK(lattice_snap(&s, m, config.pack.lattice_bits, "test", &f) == 0, "%s", f.text);
     for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
         rig r;
-        way.pack.build = build;
-        snprintf(name, sizeof name, "%s, %s", scene, compact_name(&way));
-        const int status = compact_open(&r, m, &way);
+        config.pack.build = build;
+        snprintf(name, sizeof name, "%s, %s", scene, compact_name(&config));
+        const int status = compact_open(&r, m, &config);
         CHECK(status == PLT_OK, "%s: %s", name, r.fault.message);
         if (status == PLT_OK) {
             look(&r, &s, name);
@@ -94,8 +94,8 @@ static void every_scene(void) {
         char name[16];
         snprintf(name, sizeof name, "scene %d", scene);
         for (uint32_t i = 0; i < 15; i++) {
-            build_and_look(&m, name,
-                           compact_way_of(1u << i % 3, bits[i / 3], PLT_BUILD_HOST, (i / 3) & 1));
+            build_and_look(
+                &m, name, compact_config_of(1u << i % 3, bits[i / 3], PLT_BUILD_HOST, (i / 3) & 1));
         }
         mesh_free(&m);
     }
@@ -109,8 +109,8 @@ static void few_triangles(void) {
         shape_soup(&m, count, 0.5f, count);
         snprintf(name, sizeof name, "%u in a soup", count);
         for (uint32_t k = 1; k <= 4; k *= 2) {
-            build_and_look(&m, name, compact_way_of(k, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH));
-            build_and_look(&m, name, compact_way_of(k, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN));
+            build_and_look(&m, name, compact_config_of(k, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH));
+            build_and_look(&m, name, compact_config_of(k, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN));
         }
         mesh_free(&m);
     }
@@ -259,13 +259,13 @@ static void depth_limit(void) {
     for (uint32_t count = most / 2; count <= 2 * most; count += most / 2) {
         mesh m = {0};
         rig r;
-        const compact_way way = compact_way_of(1, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN);
+        const compact_config config = compact_config_of(1, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN);
         shape_coincident(&m, count - 2);
-        const int status = compact_open(&r, &m, &way);
+        const int status = compact_open(&r, &m, &config);
         const int fits = !rig_is_tiny() || count <= most;
         CHECK(status == (fits ? PLT_OK : PLT_ERR_LIMIT), "%u triangles: status %d", count, status);
         rig_close(&r);
-        compact_way device = way;
+        compact_config device = config;
         device.pack.build = PLT_BUILD_DEVICE;
         CHECK(compact_open(&r, &m, &device) == status, "%u triangles on the device", count);
         rig_close(&r);

@@ -78,24 +78,24 @@ static line line_of(const packed *image) {
     return l;
 }
 
-static packed image_of(uint32_t triangles, const compact_way *way) {
+static packed image_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     fail f = {""};
     CHECK(scene_knot(&m, triangles, &f) == 0, "%s", f.text);
-    return compact_packed(&m, way);
+    return compact_packed(&m, config);
 }
 
 static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
-    const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, splits);
-    packed image = image_of(compact_triangles(6000, k), &way);
+    const compact_config config = compact_config_of(k, bits, PLT_BUILD_DEVICE, splits);
+    packed image = image_of(compact_triangles(6000, k), &config);
     const plt_source mapped = {image.bytes, image.size, NULL, NULL, NULL};
-    const size_t need = plt_arena_need(&image.info, 1, &way.run);
+    const size_t need = plt_arena_need(&image.info, 1, &config.run);
     void *arena = malloc(need);
     plt_engine *e = NULL;
     plt_fault fault;
-    CHECK(plt_open(&e, arena, need, &mapped, &way.run, &fault) == PLT_OK, "%s", fault.message);
+    CHECK(plt_open(&e, arena, need, &mapped, &config.run, &fault) == PLT_OK, "%s", fault.message);
     line l = line_of(&image);
-    built b = build(&image, &l, &way.run);
+    built b = build(&image, &l, &config.run);
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     if (e != NULL && b.engine != NULL) {
         const plt_block_tree *x = &e->walker.blocks.tree, *y = &b.engine->walker.blocks.tree;
@@ -112,16 +112,16 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
 }
 
 static void failures(void) {
-    const compact_way way = compact_way_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
-    packed image = image_of(compact_triangles(400, 2), &way);
+    const compact_config config = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(400, 2), &config);
     line whole = line_of(&image);
-    built b = build(&image, &whole, &way.run);
+    built b = build(&image, &whole, &config.run);
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     free(b.arena);
     for (uint32_t at = 1; at <= whole.reads; at++) {
         line l = line_of(&image);
         l.fail_at = at;
-        b = build(&image, &l, &way.run);
+        b = build(&image, &l, &config.run);
         CHECK(b.status == PLT_ERR_SOURCE, "read %u of %u: status %d", at, whole.reads, b.status);
         CHECK(l.reads == at, "read %u of %u: it was asked %u times", at, whole.reads, l.reads);
         free(b.arena);
@@ -131,18 +131,18 @@ static void failures(void) {
 
 /* Reads of the header and of the first pass over the corners are honest. */
 static void lies(uint32_t k, uint8_t splits) {
-    const compact_way way = compact_way_of(k, 14, PLT_BUILD_DEVICE, splits);
-    packed image = image_of(compact_triangles(400, k), &way);
+    const compact_config config = compact_config_of(k, 14, PLT_BUILD_DEVICE, splits);
+    packed image = image_of(compact_triangles(400, k), &config);
     uint32_t opened = 0, refused = 0;
     line whole = line_of(&image);
-    built b = build(&image, &whole, &way.run);
+    built b = build(&image, &whole, &config.run);
     free(b.arena);
     for (uint32_t i = 0; i < 300; i++) {
         line l = line_of(&image);
         l.lie_at = 3 + random_below(&l.random, whole.reads);
         l.random.at = i;
         l.lie_at = 3 + random_below(&l.random, whole.reads);
-        b = build(&image, &l, &way.run);
+        b = build(&image, &l, &config.run);
         if (b.status == PLT_OK) {
             const char *sentence = compact_trace_any(b.engine);
             CHECK(sentence == NULL, "%s", sentence);
@@ -163,10 +163,10 @@ static void lies(uint32_t k, uint8_t splits) {
 /* A step after one that failed fails again, whatever became of the arena: here one
  * with no byte to spare, in which a check follows where scratch was. */
 static void after_failure(void) {
-    const compact_way way = compact_way_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
-    packed image = image_of(compact_triangles(400, 2), &way);
+    const compact_config config = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(400, 2), &config);
     line whole = line_of(&image);
-    built b = build(&image, &whole, &way.run);
+    built b = build(&image, &whole, &config.run);
     const size_t bytes = b.peak;
     unsigned failed = 0;
     free(b.arena);
@@ -177,7 +177,7 @@ static void after_failure(void) {
         plt_engine *e = NULL;
         plt_fault fault;
         *(at % 2 ? &l.lie_at : &l.fail_at) = at;
-        int status = plt_open_begin(&e, arena, bytes, &source, &way.run, &fault);
+        int status = plt_open_begin(&e, arena, bytes, &source, &config.run, &fault);
         while (status == PLT_MORE) {
             status = plt_open_step(e, 1, &fault);
         }

@@ -109,13 +109,13 @@ static uint32_t bounce(plt_ray *rays, const plt_hit *hits, uint32_t count, rando
 
 static void scene(const mesh *m, const char *name, uint32_t k, uint8_t bits) {
     enum { RAYS = 40000 };
-    compact_way way = compact_way_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     plt_ray *rays = malloc(RAYS * sizeof *rays);
     plt_hit *hits = malloc(RAYS * sizeof *hits);
     random_state r = {k};
     pair_of p;
     rig one;
-    CHECK(compact_open(&one, m, &way) == PLT_OK, "%s: %s", name, one.fault.message);
+    CHECK(compact_open(&one, m, &config) == PLT_OK, "%s: %s", name, one.fault.message);
     CHECK(open_pair(&p, &one.image, 2) == PLT_OK, "%s: %s", name, p.compact.fault.message);
     if (p.thesis.engine != NULL) {
         uint32_t count = RAYS;

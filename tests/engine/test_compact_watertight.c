@@ -88,14 +88,14 @@ static void shoot(const rig *r, const char *name, const plt_ray *rays, uint32_t 
 
 /* From as far behind `at` again as the mesh is wide, to the point inside. */
 static plt_ray from_outside(const mesh *m, const float inside[3], const float at[3]) {
-    float lo[3], hi[3], org[3], wide = 0.0f, way = 0.0f;
+    float lo[3], hi[3], org[3], wide = 0.0f, distance = 0.0f;
     shape_box(m, lo, hi);
     for (int a = 0; a < 3; a++) {
         wide += hi[a] - lo[a];
-        way = fmaxf(way, fabsf(at[a] - inside[a]));
+        distance = fmaxf(distance, fabsf(at[a] - inside[a]));
     }
     for (int a = 0; a < 3; a++) {
-        org[a] = at[a] + (at[a] - inside[a]) * (wide / way);
+        org[a] = at[a] + (at[a] - inside[a]) * (wide / distance);
     }
     plt_ray ray = ray_between(org, inside);
     ray.tmax = 1.0f;
@@ -110,11 +110,11 @@ static void target(const mesh *m, uint32_t i, float at[3]) {
     }
 }
 
-static void bombard(const closed *c, const compact_way *way) {
-    mesh moved = compact_mesh(&c->m, way->pack.lattice_bits);
+static void bombard(const closed *c, const compact_config *config) {
+    mesh moved = compact_mesh(&c->m, config->pack.lattice_bits);
     plt_ray rays[BATCH];
     rig r;
-    CHECK(compact_open(&r, &c->m, way) == PLT_OK, "%s: %s", c->name, r.fault.message);
+    CHECK(compact_open(&r, &c->m, config) == PLT_OK, "%s: %s", c->name, r.fault.message);
     for (uint32_t from = 0; from < INSIDE && r.engine != NULL; from++) {
         uint32_t made = 0;
         for (uint32_t i = 0; i < 6 * moved.triangles; i++) {
@@ -132,12 +132,13 @@ static void bombard(const closed *c, const compact_way *way) {
     mesh_free(&moved);
 }
 
-static void every_way(closed *c, const uint8_t bits[3]) {
+static void every_config(closed *c, const uint8_t bits[3]) {
     for (int i = 0; i < 3; i++) {
-        compact_way way = compact_way_of(1u << i, bits[i], (uint8_t)(i & 1), (uint8_t)(i == 2));
-        way.run.packet_side = i == 1 ? 2 : way.run.packet_side;
+        compact_config config =
+            compact_config_of(1u << i, bits[i], (uint8_t)(i & 1), (uint8_t)(i == 2));
+        config.run.packet_side = i == 1 ? 2 : config.run.packet_side;
         stays_closed(c, bits[i]);
-        bombard(c, &way);
+        bombard(c, &config);
     }
     mesh_free(&c->m);
 }
@@ -147,23 +148,23 @@ int main(void) {
     const uint32_t triangles = rig_triangles(800, 1);
     closed c = sphere();
     test("no ray escapes from an icosphere through a vertex or an edge");
-    every_way(&c, coarse);
+    every_config(&c, coarse);
     c = sphere();
     place(&c, 1e-6f, 0.0f, 0.0f, 0.0f);
-    every_way(&c, fine);
+    every_config(&c, fine);
     test("no ray escapes from a knot through a vertex or an edge");
     c = knot(triangles);
-    every_way(&c, coarse);
+    every_config(&c, coarse);
     c = knot(triangles);
     place(&c, 1e6f, 1e5f, -1e6f, 2e6f);
-    every_way(&c, fine);
+    every_config(&c, fine);
     test("... nor where the floats of the lattice are rounded, far from the origin");
     c = sphere();
     place(&c, 1.0f, 100.0f, -200.0f, 77.0f);
-    every_way(&c, coarse);
+    every_config(&c, coarse);
     c = knot(triangles);
     place(&c, 3.0f, -1000.0f, 500.0f, 1.0f);
-    every_way(&c, coarse);
+    every_config(&c, coarse);
     printf("    %llu rays, %llu escaped\n", (unsigned long long)aimed, (unsigned long long)escaped);
     return test_done();
 }

@@ -27,8 +27,8 @@ static packed image_of(uint32_t triangles, uint8_t build, uint32_t k, uint32_t n
 /* Both walks by turns. */
 static hostile_result open_once(const unsigned char *bytes, uint32_t size, uint8_t streamed,
                                 uint32_t at) {
-    const hostile_way way = {streamed, (uint8_t)((at ^ streamed) & 1), 2};
-    return hostile_try(bytes, size, way);
+    const hostile_config config = {streamed, (uint8_t)((at ^ streamed) & 1), 2};
+    return hostile_try(bytes, size, config);
 }
 
 /* ---- lies: checksums are right ---------------------------------------------------- */

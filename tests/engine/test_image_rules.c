@@ -73,7 +73,7 @@ static const change changes[] = {
 };
 
 static hostile_result changed(const change *c) {
-    const hostile_way way = {(uint8_t)(c->at & 1), 0, 2};
+    const hostile_config config = {(uint8_t)(c->at & 1), 0, 2};
     unsigned char *bytes = malloc(image.size);
     memcpy(bytes, image.bytes, image.size);
     if (c->bytes == 1) {
@@ -82,7 +82,7 @@ static hostile_result changed(const change *c) {
         plt_put_u32(bytes + c->at, c->value);
     }
     hostile_seal_header(bytes, image.size);
-    const hostile_result r = hostile_try(bytes, image.size, way);
+    const hostile_result r = hostile_try(bytes, image.size, config);
     free(bytes);
     return r;
 }
@@ -101,8 +101,8 @@ static void every_change(void) {
 
 static void refused(const unsigned char *bytes, uint32_t size, unsigned rule, uint32_t offset) {
     for (uint8_t streamed = 0; streamed < 2; streamed++) {
-        const hostile_way way = {streamed, 0, 2};
-        const hostile_result r = hostile_try(bytes, size, way);
+        const hostile_config config = {streamed, 0, 2};
+        const hostile_result r = hostile_try(bytes, size, config);
         CHECK(r.status == PLT_ERR_IMAGE && r.fault.kind == 'R' && r.fault.rule == rule &&
                   r.fault.offset == offset,
               "status %d, rule %u at %u, not %u at %u", r.status, r.fault.rule, r.fault.offset,
@@ -154,7 +154,7 @@ static void by_hand(void) {
               image.size == 256 + image.info.node_bytes + image.info.triangle_bytes,
           "%u bytes", image.size);
     CHECK(image.info.nodes + 1 == image.info.leaf_lists + image.info.intermediate_lists,
-          "a tree of two-way nodes");
+          "a tree of nodes with two children each");
     CHECK(plt_crc32(0, "123456789", 9) == 0xCBF43926, "the check value");
     CHECK(plt_crc32(plt_crc32(0, "1234", 4), "56789", 5) == 0xCBF43926, "in two pieces");
     CHECK(plt_crc32(0, "", 0) == 0, "of nothing");

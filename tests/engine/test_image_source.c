@@ -50,7 +50,7 @@ static int open_over(fake_link *link, void *arena, size_t bytes, plt_engine **e,
 
 static void no_bad_manners(const fake_link *link, const char *what, uint32_t call) {
     CHECK(link->broken == 0, "%s %u: %s", what, call, link->sentence);
-    CHECK(fake_unfinished(link) == 0, "%s %u: %u transfers still under way", what, call,
+    CHECK(fake_unfinished(link) == 0, "%s %u: %u transfers still pending", what, call,
           fake_unfinished(link));
 }
 

@@ -309,7 +309,7 @@ static int starts_name(const char *text, const char *at) {
             strncmp(at, "m4_", 3) == 0 || strncmp(at, "plt_prefetch", 12) == 0);
 }
 
-/* Every operation the file names is in the list, and the other way round.
+/* Every operation the file names is in the list, and vice versa.
  * A name counts when it is a whole word; in lanes.h the list is prose. */
 static void check_names(const char *path) {
     char *text = read_text(path);

@@ -1,4 +1,4 @@
-/* test_trace_brute - every way of tracing against every triangle in double
+/* test_trace_brute - every configuration against every triangle in double
  *
  * All packets, walks, K, N, builders and builds must agree bit for bit with
  * the list of all triangles, and that one with the reference.
@@ -88,8 +88,8 @@ static trial trial_of(int scene) {
     rays_mixed(t.rays, MIXED, &t.m, &r);
     rays_edges(t.rays + MIXED, RAYS - MIXED, &t.m, &r);
     rig one;
-    const rig_way way = rig_way_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH);
-    CHECK(rig_open(&one, &t.m, &way) == PLT_OK, "%s: %s", t.name, one.fault.message);
+    const rig_config config = rig_config_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH);
+    CHECK(rig_open(&one, &t.m, &config) == PLT_OK, "%s: %s", t.name, one.fault.message);
     if (one.engine != NULL) {
         plt_trace(one.engine, t.rays, t.hits, RAYS, 0);
     }
@@ -121,28 +121,28 @@ static uint32_t same_hits(const trial *t, plt_engine *e) {
 
 static uint32_t compared, limited;
 
-static void compare(const trial *t, const rig_way *way) {
+static void compare(const trial *t, const rig_config *config) {
     rig one;
-    const int status = rig_open(&one, &t->m, way);
+    const int status = rig_open(&one, &t->m, config);
     if (status == PLT_ERR_LIMIT && rig_is_tiny()) {
         limited++;
     } else {
-        CHECK(status == PLT_OK, "%s, %s: %s", t->name, rig_name(way), one.fault.message);
+        CHECK(status == PLT_OK, "%s, %s: %s", t->name, rig_name(config), one.fault.message);
     }
     if (one.engine != NULL) {
         const uint32_t wrong = same_hits(t, one.engine);
-        CHECK(wrong == 0, "%s, %s: %u hits differ", t->name, rig_name(way), wrong);
+        CHECK(wrong == 0, "%s, %s: %u hits differ", t->name, rig_name(config), wrong);
         compared++;
     }
     rig_close(&one);
 }
 
-static void compare_runs(const trial *t, rig_way way) {
+static void compare_runs(const trial *t, rig_config config) {
     for (uint8_t walk = 0; walk < 2; walk++) {
         for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
-            way.run.packet_side = side;
-            way.run.order = walk;
-            compare(t, &way);
+            config.run.packet_side = side;
+            config.run.order = walk;
+            compare(t, &config);
         }
     }
 }
@@ -152,12 +152,12 @@ static void compare_packings(const trial *t) {
     for (uint32_t k = 1; k <= 4; k *= 2) {
         for (int n = 0; n < 3; n++) {
             for (uint8_t splits = 0; splits < 2; splits++) {
-                compare_runs(t, rig_way_of(k, nodes[n], PLT_BUILD_HOST, splits));
-                compare_runs(t, rig_way_of(k, nodes[n], PLT_BUILD_DEVICE, splits));
+                compare_runs(t, rig_config_of(k, nodes[n], PLT_BUILD_HOST, splits));
+                compare_runs(t, rig_config_of(k, nodes[n], PLT_BUILD_DEVICE, splits));
             }
         }
     }
-    compare_runs(t, rig_way_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH));
+    compare_runs(t, rig_config_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH));
 }
 
 int main(void) {
@@ -177,8 +177,8 @@ int main(void) {
         compare_packings(&t[i]);
         mesh_free(&t[i].m);
     }
-    CHECK(compared > (rig_is_tiny() ? 100u : 5000u), "%u ways compared", compared);
-    printf("    %u ways compared, %u beyond this build's limits\n", compared, limited);
+    CHECK(compared > (rig_is_tiny() ? 100u : 5000u), "%u configurations compared", compared);
+    printf("    %u configurations compared, %u beyond this build's limits\n", compared, limited);
     free(t);
     return test_done();
 }

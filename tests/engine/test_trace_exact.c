@@ -30,7 +30,8 @@ static int asked(const question *x, int power, int turn) {
     to_floats(x->org, power, org);
     to_floats(x->dir, turn, dir);
     const int side = plt_edge_side(p, q, org, dir);
-    CHECK(plt_edge_side(q, p, org, dir) == -side, "the other way it is not the opposite");
+    CHECK(plt_edge_side(q, p, org, dir) == -side,
+          "the reversed edge does not have the opposite side");
     return side;
 }
 

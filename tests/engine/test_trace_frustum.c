@@ -33,7 +33,7 @@ static plt_box scene_at(float away) {
 static void make_bundle(bundle *b, random_state *r, float spread, float away) {
     const plt_box scene = scene_at(away);
     const int axis = (int)random_below(r, 3);
-    const float way = random_below(r, 2) ? 1.0f : -1.0f, length = random_float(r, 0.5f, 2.0f);
+    const float sign = random_below(r, 2) ? 1.0f : -1.0f, length = random_float(r, 0.5f, 2.0f);
     const float x = random_float(r, 0.0f, 0.9f - spread), y = random_float(r, 0.0f, 0.9f - spread);
     const float sign_x = random_below(r, 2) ? 1.0f : -1.0f,
                 sign_y = random_below(r, 2) ? 1.0f : -1.0f;
@@ -50,7 +50,7 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
         for (unsigned lane = 0; lane < 4; lane++) {
             const unsigned column = 2 * (i % (SIDE / 2)) + lane % 2,
                            row = 2 * (i / (SIDE / 2)) + lane / 2;
-            const float along = way * length;
+            const float along = sign * length;
             dir[axis][lane] = along;
             dir[(axis + 1) % 3][lane] = along * sign_x * (x + spread * (float)column / (SIDE - 1));
             dir[(axis + 2) % 3][lane] = along * sign_y * (y + spread * (float)row / (SIDE - 1));

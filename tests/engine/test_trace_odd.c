@@ -16,10 +16,10 @@ static const float INF = HUGE_VALF;
 
 static rig opened(const mesh *m, uint8_t walk) {
     rig r;
-    rig_way way = rig_way_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    way.run.order = walk;
-    const int status = rig_open(&r, m, &way);
-    CHECK(status == PLT_OK, "%s: %s", rig_name(&way), r.fault.message);
+    rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    config.run.order = walk;
+    const int status = rig_open(&r, m, &config);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config), r.fault.message);
     if (status != PLT_OK) {
         exit(test_done());
     }
@@ -232,8 +232,8 @@ static void visits_are_bounded(uint8_t walk) {
 static void empty(uint8_t build) {
     mesh m = {0};
     rig one;
-    const rig_way way = rig_way_of(1, 2, build, PLT_SPLIT_SAH);
-    CHECK(rig_open(&one, &m, &way) == PLT_OK, "%s", one.fault.message);
+    const rig_config config = rig_config_of(1, 2, build, PLT_SPLIT_SAH);
+    CHECK(rig_open(&one, &m, &config) == PLT_OK, "%s", one.fault.message);
     hits_nothing(one.engine, towards(0, 0, 0, 1, 0, 0), "nothing to hit");
     const plt_info *info = plt_engine_info(one.engine);
     CHECK(info->triangles == 0 && info->nodes == 0, "counts");

@@ -21,10 +21,10 @@ static int same(const plt_hit *a, const plt_hit *b) {
 
 static rig opened(const mesh *m, uint8_t build, uint8_t walk) {
     rig r;
-    rig_way way = rig_way_of(2, 3, build, PLT_SPLIT_SAH);
-    way.run.order = walk;
-    const int status = rig_open(&r, m, &way);
-    CHECK(status == PLT_OK, "%s: %s", rig_name(&way), r.fault.message);
+    rig_config config = rig_config_of(2, 3, build, PLT_SPLIT_SAH);
+    config.run.order = walk;
+    const int status = rig_open(&r, m, &config);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config), r.fault.message);
     if (status != PLT_OK) {
         exit(test_done());
     }

@@ -227,13 +227,13 @@ static void bombard_places(const closed *base, int outside, uint32_t count) {
         /* A needle's radius must not drown in the offset's rounding. */
         const int drowned = strcmp(base->name, "needles") == 0 && places[p].offset[0] != 0.0f;
         rig one;
-        rig_way way = rig_way_of(1 + p % 2, 3, PLT_BUILD_HOST, p % 3 == 0);
-        way.run.order = p % 2 == 0 ? PLT_ORDER_DEPTH_FIRST : PLT_ORDER_TWO_STAGE;
+        rig_config config = rig_config_of(1 + p % 2, 3, PLT_BUILD_HOST, p % 3 == 0);
+        config.run.order = p % 2 == 0 ? PLT_ORDER_DEPTH_FIRST : PLT_ORDER_TWO_STAGE;
         if (drowned) {
             mesh_free(&c.m);
             continue;
         }
-        CHECK(rig_open(&one, &c.m, &way) == PLT_OK, "%s", one.fault.message);
+        CHECK(rig_open(&one, &c.m, &config) == PLT_OK, "%s", one.fault.message);
         if (one.engine != NULL) {
             bombard(&c, one.engine, count, outside, p + 1);
         }

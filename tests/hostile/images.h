@@ -27,9 +27,9 @@ typedef struct hostile_result {
     const char *sentence; /* NULL: all promises kept */
 } hostile_result;
 
-typedef struct hostile_way {
+typedef struct hostile_config {
     uint8_t streamed, order, packet_side;
-} hostile_way;
+} hostile_config;
 
 /* ---- sealing -------------------------------------------------------------- */
 
@@ -177,16 +177,17 @@ static inline size_t hostile_arena_bytes(const plt_source *source, const plt_opt
 /* Opens a copy of exactly its size in exactly the arena it needs and, if that works,
  * traces by `trace`. The bytes must not change meanwhile. */
 static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t size,
-                                            hostile_way way, const char *(*trace)(plt_engine *e)) {
+                                            hostile_config config,
+                                            const char *(*trace)(plt_engine *e)) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
     unsigned char *copy = malloc(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
     plt_source source = {copy, size, NULL, NULL, NULL};
-    if (way.streamed) {
+    if (config.streamed) {
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {way.packet_side, way.order};
+    const plt_options options = {config.packet_side, config.order};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }
@@ -207,8 +208,8 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
 }
 
 static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,
-                                         hostile_way way) {
-    return hostile_try_by(bytes, size, way, hostile_trace);
+                                         hostile_config config) {
+    return hostile_try_by(bytes, size, config, hostile_trace);
 }
 
 #endif

@@ -81,8 +81,8 @@ static inline const char *compact_trace_any(plt_engine *e) {
 
 static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,
                                          uint8_t streamed, uint8_t packet_side) {
-    const hostile_way way = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side};
-    return hostile_try_by(bytes, size, way, compact_trace_any);
+    const hostile_config config = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side};
+    return hostile_try_by(bytes, size, config, compact_trace_any);
 }
 
 #endif

@@ -15,53 +15,55 @@ static uint32_t word_at(const unsigned char *b) {
     return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build, uint8_t splits) {
-    const compact_way way = {
+compact_config compact_config_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build,
+                                 uint8_t splits) {
+    const compact_config config = {
         .pack = {.splits = splits,
                  .build = build,
                  .lattice_bits = bits,
                  .numbers = 1,
                  .leaf_triangles = leaf_triangles},
         .run = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST}};
-    return way;
+    return config;
 }
 
-packed compact_packed(mesh *m, const compact_way *way) {
+packed compact_packed(mesh *m, const compact_config *config) {
     packed image = {NULL, 0, {0}};
     fail f = {""};
     lattice_loss loss;
-    if (pack_compact(&image, m, &way->pack, "test", &loss, &f) != 0) {
+    if (pack_compact(&image, m, &config->pack, "test", &loss, &f) != 0) {
         image.bytes = NULL;
     }
     mesh_free(m);
     return image;
 }
 
-int compact_open(rig *r, const mesh *m, const compact_way *way) {
+int compact_open(rig *r, const mesh *m, const compact_config *config) {
     fail f = {""};
     lattice_loss loss;
     memset(r, 0, sizeof *r);
     r->fault.message = "the packer refused";
-    if (pack_compact(&r->image, m, &way->pack, "test", &loss, &f) != 0) {
+    if (pack_compact(&r->image, m, &config->pack, "test", &loss, &f) != 0) {
         return PLT_ERR_LIMIT;
     }
-    r->arena_bytes = plt_arena_need(&r->image.info, 1, &way->run);
+    r->arena_bytes = plt_arena_need(&r->image.info, 1, &config->run);
     r->arena = aligned_alloc(PLT_ALIGN, (r->arena_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
     if (r->arena == NULL) {
         return PLT_ERR_ARENA;
     }
     memset(r->arena, 0xA5, r->arena_bytes);
     const plt_source source = rig_source(&r->image);
-    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &way->run, &r->fault);
+    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &config->run, &r->fault);
 }
 
-const char *compact_name(const compact_way *way) {
+const char *compact_name(const compact_config *config) {
     static char name[96];
-    snprintf(name, sizeof name, "K %u %u bits %s %s%s side %u", way->pack.leaf_triangles,
-             way->pack.lattice_bits,
-             way->pack.floats ? "floats" : (way->pack.build == PLT_BUILD_HOST ? "host" : "device"),
-             way->pack.splits == PLT_SPLIT_SAH ? "sah" : "median",
-             way->pack.numbers ? "" : " no numbers", way->run.packet_side);
+    snprintf(name, sizeof name, "K %u %u bits %s %s%s side %u", config->pack.leaf_triangles,
+             config->pack.lattice_bits,
+             config->pack.floats ? "floats"
+                                 : (config->pack.build == PLT_BUILD_HOST ? "host" : "device"),
+             config->pack.splits == PLT_SPLIT_SAH ? "sah" : "median",
+             config->pack.numbers ? "" : " no numbers", config->run.packet_side);
     return name;
 }
 

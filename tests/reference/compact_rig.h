@@ -10,22 +10,23 @@
 #include "engine/tree/compact/validate.h"
 #include "tests/reference/rig.h"
 
-typedef struct compact_way {
+typedef struct compact_config {
     compact_options pack;
     plt_options run;
-} compact_way;
+} compact_config;
 
 /* K, bits, build and splits; numbers kept; the largest packet of this build. */
-compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build, uint8_t splits);
+compact_config compact_config_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build,
+                                 uint8_t splits);
 
 /* The image of a mesh, which is freed; without bytes if the packer refused. */
-packed compact_packed(mesh *m, const compact_way *way);
+packed compact_packed(mesh *m, const compact_config *config);
 
 /* As rig_open; closed by rig_close. */
-int compact_open(rig *r, const mesh *m, const compact_way *way);
+int compact_open(rig *r, const mesh *m, const compact_config *config);
 
-/* The name of a way, for messages; overwritten by the next call. */
-const char *compact_name(const compact_way *way);
+/* The name of a configuration, for messages; overwritten by the next call. */
+const char *compact_name(const compact_config *config);
 
 /* Where section `index` begins, read here and not by the engine. */
 const unsigned char *compact_section(const packed *image, unsigned index);

@@ -17,7 +17,7 @@ plt_ray ray_between(const float from[3], const float to[3]) {
     return ray_make(from, dir, 0.0f, RAYS_FAR);
 }
 
-/* The mesh's box, and one around it that is half as large again each way. */
+/* The mesh's box, and one around it that is half as large again on each side. */
 static void boxes(const mesh *m, float lo[3], float hi[3], float out_lo[3], float out_hi[3]) {
     float most = 0.0f;
     shape_box(m, lo, hi);
