@@ -136,8 +136,8 @@ static void sizes(void (*of)(const packed *, int, const plt_options *), uint8_t 
     const int count = build == PLT_BUILD_HOST && !rig_is_tiny() ? 5 : 4;
     for (int i = 0; i < count; i++) {
         packed image = image_of(triangles[i], build, 1, nodes[i]);
-        for (uint8_t walk = 0; walk < 2; walk++) {
-            const plt_options small = {2, walk}, large = {PLT_PACKET_SIDE_MAX, walk};
+        for (uint8_t order = 0; order < 2; order++) {
+            const plt_options small = {2, order}, large = {PLT_PACKET_SIDE_MAX, order};
             of(&image, 0, &small);
             of(&image, 1, &large);
         }
@@ -156,8 +156,8 @@ static void read_only(uint8_t build) {
     mprotect(pages, bytes, PROT_READ);
     packed locked = image;
     locked.bytes = pages;
-    for (uint8_t walk = 0; walk < 2; walk++) {
-        const plt_options options = {2, walk};
+    for (uint8_t order = 0; order < 2; order++) {
+        const plt_options options = {2, order};
         const opened o = open_in(&locked, plt_arena_need(&image.info, 1, &options), 0, &options);
         CHECK(o.status == PLT_OK, "build %u: %s", build, o.fault.message);
     }

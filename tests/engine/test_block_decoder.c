@@ -9,7 +9,7 @@
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/block_decoder.h"
-#include "tests/reference/block_engine_walk.h"
+#include "tests/reference/block_engine_scan.h"
 #include "tests/reference/block_expect.h"
 #include "tests/reference/rig.h"
 #include "tests/reference/shapes.h"
@@ -262,26 +262,26 @@ static void check_engine_block(const subject *s, uint32_t b, const engine_block 
 
 static void check_engine(const subject *s) {
     const decoded_image *d = &s->decoded;
-    engine_walk walk;
-    engine_walk_make(&walk, s->image.bytes, &d->header);
-    CHECK(walk.blocks == d->blocks && walk.children == 2 * d->nodes, "%s: nodes", s->name);
-    CHECK(walk.triangles == d->triangles, "%s: %u triangles", s->name, walk.triangles);
-    for (uint32_t b = 0; b < d->blocks && b < walk.blocks; b++) {
-        check_engine_block(s, b, &walk.block[b]);
+    engine_scan scan;
+    engine_scan_make(&scan, s->image.bytes, &d->header);
+    CHECK(scan.blocks == d->blocks && scan.children == 2 * d->nodes, "%s: nodes", s->name);
+    CHECK(scan.triangles == d->triangles, "%s: %u triangles", s->name, scan.triangles);
+    for (uint32_t b = 0; b < d->blocks && b < scan.blocks; b++) {
+        check_engine_block(s, b, &scan.block[b]);
     }
-    for (uint32_t slot = 0; slot < 2 * d->nodes && slot < walk.children; slot++) {
-        check_engine_child(s, slot, &walk.child[slot]);
+    for (uint32_t slot = 0; slot < 2 * d->nodes && slot < scan.children; slot++) {
+        check_engine_child(s, slot, &scan.child[slot]);
     }
-    for (uint32_t t = 0; t < d->triangles && t < walk.triangles; t++) {
+    for (uint32_t t = 0; t < d->triangles && t < scan.triangles; t++) {
         const decoded_triangle *ours = &d->triangle[t];
-        const engine_triangle *theirs = &walk.triangle[t];
+        const engine_triangle *theirs = &scan.triangle[t];
         CHECK(memcmp(ours->corner, theirs->corner, sizeof ours->corner) == 0 &&
                   memcmp(ours->point, theirs->point, sizeof ours->point) == 0,
               "%s: place %u: corners", s->name, t);
         CHECK(ours->number == theirs->number && ours->turn == theirs->turn, "%s: place %u: number",
               s->name, t);
     }
-    engine_walk_free(&walk);
+    engine_scan_free(&scan);
 }
 
 static void check_subjects(const char *scene, const char *property, const subjects *all,

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The walk's own arithmetic, to be looked at without a walk. */
+/* The traversal's arithmetic, tested here without a traversal. */
 #define plt_walk_blocks_begin test_walk_blocks_begin
 #define plt_walk_blocks test_walk_blocks
 #include "engine/trace/walk_blocks.c"
@@ -254,7 +254,7 @@ static void ties(void) {
     mesh_free(&m);
 }
 
-/* ---- the walk's arithmetic ---------------------------------------------------- */
+/* ---- the traversal's arithmetic ---------------------------------------------------- */
 
 static void every_step(void) {
     uint32_t wrong = 0, first = 0;
@@ -273,7 +273,7 @@ static void every_step(void) {
     CHECK(wrong == 0, "%u wrong, the first of extent %u", wrong, first);
 }
 
-/* One node with any bytes: the walk's boxes are those of plt_block_children. */
+/* One node with any bytes: the traversal's boxes are those of plt_block_children. */
 static void any_planes(void) {
     random_state r = {9};
     for (int round = 0; round < 20000; round++) {
@@ -310,9 +310,9 @@ static void any_planes(void) {
 }
 
 int main(void) {
-    test("the walk's step of a plane is the format's for every extent there is");
+    test("the traversal's step of a plane is the format's for every possible extent");
     every_step();
-    test("the walk decodes the boxes of any node as the format has them");
+    test("the traversal decodes the boxes of any node as the format defines them");
     any_planes();
     test("with numbers kept, hits are thesis nodes' over the same positions, bit for bit");
     everything(with_numbers);

@@ -197,7 +197,7 @@ static void arguments(const packed *image) {
     }
     options = options_of();
     options.order = 2;
-    CHECK(plt_open(&e, arena, bytes, &source, &options, &fault) == PLT_ERR_ARGUMENT && !e, "walk");
+    CHECK(plt_open(&e, arena, bytes, &source, &options, &fault) == PLT_ERR_ARGUMENT && !e, "order");
     free(arena);
 }
 

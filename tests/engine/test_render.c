@@ -114,16 +114,16 @@ static void sizes(void) {
     mesh_free(&m);
 }
 
-static void bounded_steps(uint8_t walk, uint32_t n) {
+static void bounded_steps(uint8_t order, uint32_t n) {
     static const uint32_t budget[5] = {0, 1, 7, 100, 100000};
     mesh m = some_scene();
     rig_config config = rig_config_of(2, n, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    config.run.order = walk;
+    config.run.order = order;
     rig r = opened(&m, &config);
     for (int i = 0; i < 5 && r.engine != NULL; i++) {
         const plt_frame frame = frame_of(eye, origin, 40, 30, PLT_SHADE_EYELIGHT);
         const plt_info *info = plt_engine_info(r.engine);
-        const uint32_t entry = walk == PLT_ORDER_TWO_STAGE ? n : info->depth_stack_entries;
+        const uint32_t entry = order == PLT_ORDER_TWO_STAGE ? n : info->depth_stack_entries;
         const frame_result f = frame_render(r.engine, &frame, budget[i]);
         CHECK(f.most_visits <= budget[i] + (uint64_t)entry, "%s: %" PRIu64 " visits of %u + %u",
               rig_name(&config), f.most_visits, budget[i], entry);
@@ -326,7 +326,7 @@ static void golden_frames(void) {
 }
 
 int main(void) {
-    test("the picture is the same for every packet, walk, build, K, N, source and step");
+    test("the picture is the same for every packet, order, build, K, N, source and step");
     same_picture();
     test("tiles cover every pixel exactly once, at any size");
     sizes();

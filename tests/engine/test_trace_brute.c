@@ -1,6 +1,6 @@
 /* test_trace_brute - every configuration against every triangle in double
  *
- * All packets, walks, K, N, builders and builds must agree bit for bit with
+ * All packets, orders, K, N, builders and builds must agree bit for bit with
  * the list of all triangles, and that one with the reference.
  *
  * SPDX-License-Identifier: MIT */
@@ -138,10 +138,10 @@ static void compare(const trial *t, const rig_config *config) {
 }
 
 static void compare_runs(const trial *t, rig_config config) {
-    for (uint8_t walk = 0; walk < 2; walk++) {
+    for (uint8_t order = 0; order < 2; order++) {
         for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
             config.run.packet_side = side;
-            config.run.order = walk;
+            config.run.order = order;
             compare(t, &config);
         }
     }
@@ -172,7 +172,7 @@ int main(void) {
     CHECK(hits > SCENES * RAYS / 6, "%u hits of %u rays", hits, SCENES * RAYS);
     CHECK(unsure < SCENES * MIXED / 8, "%u of %u rays are undecided", unsure, SCENES * RAYS);
     printf("    %u rays, %u hits, %u undecided\n", SCENES * RAYS, hits, unsure);
-    test("packet size, walk, K, N, splits and build change no bit of any hit");
+    test("packet size, order, K, N, splits and build change no bit of any hit");
     for (int i = 0; i < SCENES; i++) {
         compare_packings(&t[i]);
         mesh_free(&t[i].m);

@@ -14,10 +14,10 @@
 
 static const float INF = HUGE_VALF;
 
-static rig opened(const mesh *m, uint8_t walk) {
+static rig opened(const mesh *m, uint8_t order) {
     rig r;
     rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    config.run.order = walk;
+    config.run.order = order;
     const int status = rig_open(&r, m, &config);
     CHECK(status == PLT_OK, "%s: %s", rig_name(&config), r.fault.message);
     if (status != PLT_OK) {
@@ -148,8 +148,8 @@ static float any_float(random_state *r) {
 }
 
 /* Bits at random: no NaN comes out and what is hit is in range. */
-static void any_bits(const mesh *m, uint8_t walk) {
-    rig one = opened(m, walk);
+static void any_bits(const mesh *m, uint8_t order) {
+    rig one = opened(m, order);
     random_state r = {11};
     for (int round = 0; round < 400; round++) {
         plt_ray rays[64];
@@ -203,7 +203,7 @@ static void far_corners(void) {
     mesh_free(&m);
 }
 
-static void visits_are_bounded(uint8_t walk) {
+static void visits_are_bounded(uint8_t order) {
     mesh m = {0};
     fail f = {""};
     random_state r = {8};
@@ -211,7 +211,7 @@ static void visits_are_bounded(uint8_t walk) {
     plt_hit hits[1024];
     plt_stats s;
     scene_knot(&m, rig_triangles(4000, 2), &f);
-    rig one = opened(&m, walk);
+    rig one = opened(&m, order);
     for (int kind = 0; kind < 12; kind++) {
         plt_stats_reset(one.engine);
         rays_mixed(rays, 1024, &m, &r);

@@ -19,10 +19,10 @@ static int same(const plt_hit *a, const plt_hit *b) {
     return memcmp(a, b, sizeof *a) == 0;
 }
 
-static rig opened(const mesh *m, uint8_t build, uint8_t walk) {
+static rig opened(const mesh *m, uint8_t build, uint8_t order) {
     rig r;
     rig_config config = rig_config_of(2, 3, build, PLT_SPLIT_SAH);
-    config.run.order = walk;
+    config.run.order = order;
     const int status = rig_open(&r, m, &config);
     CHECK(status == PLT_OK, "%s: %s", rig_name(&config), r.fault.message);
     if (status != PLT_OK) {
@@ -106,7 +106,7 @@ static void permutation(uint64_t seed) {
     mesh_free(&m);
 }
 
-static void lowest_number_wins(uint8_t build, uint8_t walk) {
+static void lowest_number_wins(uint8_t build, uint8_t order) {
     mesh m = {0};
     random_state r = {5};
     shape_soup(&m, 20, 0.5f, 5);
@@ -119,7 +119,7 @@ static void lowest_number_wins(uint8_t build, uint8_t walk) {
         }
     }
     rays_mixed(rays, RAYS, &m, &r);
-    rig one = opened(&m, build, walk);
+    rig one = opened(&m, build, order);
     plt_trace(one.engine, rays, hits, RAYS, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         CHECK(hits[i].triangle < 20 || hits[i].triangle == PLT_MISS, "ray %u: %u", i,
@@ -287,14 +287,14 @@ static plt_ray garbage(random_state *r) {
 }
 
 /* Every third ray stays, garbage takes the place of the others. */
-static void company(uint64_t seed, uint8_t walk) {
+static void company(uint64_t seed, uint8_t order) {
     mesh m = soup(seed);
     random_state r = {seed};
     plt_ray mixed[RAYS];
     for (uint32_t i = 0; i < RAYS; i++) {
         mixed[i] = i % 3 == 0 ? rays[i] : garbage(&r);
     }
-    rig one = opened(&m, PLT_BUILD_HOST, walk);
+    rig one = opened(&m, PLT_BUILD_HOST, order);
     plt_trace(one.engine, mixed, others, RAYS, 0);
     for (uint32_t i = 0; i < RAYS; i += 3) {
         CHECK(same(&hits[i], &others[i]), "ray %u", i);

@@ -1,4 +1,4 @@
-/* test_tree_treelets - treelets and the stacks that walks through them need
+/* test_tree_treelets - treelets, and the stacks that traversing them needs
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -134,16 +134,16 @@ static void needs(const packed *image, int scene) {
 
 static void reached(const packed *image, int scene) {
     tree_view v = tree_view_of(image);
-    tree_walk w = {.order = tree_deepest_order, .context = &v};
+    tree_traversal t = {.order = tree_deepest_order, .context = &v};
     const plt_info *i = &image->info;
-    tree_walk_depth_first(&v, &w);
-    w.order = tree_bushiest_order;
-    tree_walk_two_stage(&v, &w);
-    CHECK(w.local == i->local_stack_entries && w.global == i->global_stack_entries &&
-              w.depth == i->depth_stack_entries,
+    tree_traverse_depth_first(&v, &t);
+    t.order = tree_bushiest_order;
+    tree_traverse_two_stage(&v, &t);
+    CHECK(t.local == i->local_stack_entries && t.global == i->global_stack_entries &&
+              t.depth == i->depth_stack_entries,
           "scene %d, K %u, N %u: local %u of %u, global %u of %u, depth %u of %u", scene,
-          i->leaf_triangles, i->treelet_nodes, w.local, i->local_stack_entries, w.global,
-          i->global_stack_entries, w.depth, i->depth_stack_entries);
+          i->leaf_triangles, i->treelet_nodes, t.local, i->local_stack_entries, t.global,
+          i->global_stack_entries, t.depth, i->depth_stack_entries);
 }
 
 static unsigned any_order(void *context, uint32_t node, uint32_t left, uint32_t right) {
@@ -157,11 +157,11 @@ static void never_exceeded(const packed *image, int scene) {
     random_state r = {(uint64_t)scene};
     const plt_info *i = &image->info;
     for (int round = 0; round < 10; round++) {
-        tree_walk w = {.order = any_order, .context = &r};
-        tree_walk_depth_first(&v, &w);
-        tree_walk_two_stage(&v, &w);
-        CHECK(w.local <= i->local_stack_entries && w.global <= i->global_stack_entries &&
-                  w.depth <= i->depth_stack_entries,
+        tree_traversal t = {.order = any_order, .context = &r};
+        tree_traverse_depth_first(&v, &t);
+        tree_traverse_two_stage(&v, &t);
+        CHECK(t.local <= i->local_stack_entries && t.global <= i->global_stack_entries &&
+                  t.depth <= i->depth_stack_entries,
               "scene %d, K %u, N %u", scene, i->leaf_triangles, i->treelet_nodes);
     }
 }

@@ -24,7 +24,7 @@
 #include "engine/tree/compact/validate_block.h"
 #include "engine/tree/record.h"
 #include "tests/reference/compact_hostile.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -70,7 +70,7 @@ static void decode_units(const plt_block *b, const plt_block_tree *tree, const p
         promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a unit's size");
         sum += count;
         if (tree->records == NULL) {
-            unit_corners(g, first, count, corner);
+            leaf_corners(g, first, count, corner);
             for (uint32_t i = 0; i < 9 * count; i++) {
                 promise(corner[i / 9][i / 3 % 3][i % 3] < 1u << 22, "a coordinate is too large");
             }

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/compact_check.h"
 
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,8 +15,8 @@ typedef struct triangle_key {
 typedef struct checking {
     const plt_block_tree *tree;
     compact_facts *facts;
-    triangle_key *found; /* in the order of the walk */
-    uint32_t room, next; /* next: address where the walk's next block must lie */
+    triangle_key *found; /* in the order of the traversal */
+    uint32_t room, next; /* next: address where the next block must lie */
 } checking;
 
 typedef struct open_block {
@@ -98,7 +98,7 @@ static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
     expect(c, first == o->triangles, "units do not follow each other");
     expect(c, pair ? count > k && count <= 2 * k : count >= 1 && count <= k,
            "a unit's size is not what its pair bit says");
-    unit_corners(&o->g, first, count, corner);
+    leaf_corners(&o->g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         if (c->facts->triangles < c->room) {
             c->found[c->facts->triangles] = key_of((const uint32_t(*)[3])corner[i]);

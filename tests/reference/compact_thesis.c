@@ -10,7 +10,7 @@
 #include "engine/base/crc32.h"
 #include "engine/image/header.h"
 #include "engine/tree/thesis/validate.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 typedef struct converting {
     const plt_block_tree *tree;
@@ -68,7 +68,7 @@ static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
     const uint32_t first = plt_leaf_find(&g, number, plt_block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
-    unit_corners(&g, first, count, corner);
+    leaf_corners(&g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         plt_record *r = &c->records[c->records_used++];
         set_record(c, r, (const uint32_t(*)[3])corner[i], g.first_triangle + first + i,

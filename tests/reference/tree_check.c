@@ -205,7 +205,7 @@ static void check_free_slots(checking *c) {
     }
 }
 
-/* ---- stack needs, from what the walks do --------------------------------------- */
+/* ---- stack needs, from what the traversals do ------------------------------------ */
 
 static uint32_t local_need(const tree_view *v, uint32_t node) {
     uint32_t need[2] = {0, 0}, inner = 0;
@@ -225,8 +225,8 @@ static uint32_t depth_need(const tree_view *v, uint32_t link) {
                                            depth_need(v, link_of(v, link >> 5, 1)));
 }
 
-/* Largest local need of all treelets is the header's only if it takes the
- * treelets behind edges too. */
+/* The header's local need is the largest of all treelets, also of those that
+ * edges lead to. */
 static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *behind,
                      uint32_t *local);
 
@@ -291,7 +291,7 @@ tree_facts tree_check(const tree_view *v) {
     return facts;
 }
 
-/* ---- walks that only count ------------------------------------------------------ */
+/* ---- traversals that only count --------------------------------------------------- */
 
 typedef struct stack {
     uint32_t *link;
@@ -309,9 +309,9 @@ static stack stack_for(const tree_view *v) {
 }
 
 /* The children that are hit, the first to come first; returns how many. */
-static int ordered(const tree_view *v, tree_walk *w, uint32_t node, uint32_t child[2]) {
+static int ordered(const tree_view *v, tree_traversal *t, uint32_t node, uint32_t child[2]) {
     const uint32_t link[2] = {link_of(v, node, 0), link_of(v, node, 1)};
-    const unsigned bits = w->order(w->context, node, link[0], link[1]);
+    const unsigned bits = t->order(t->context, node, link[0], link[1]);
     int count = 0;
     for (unsigned k = 0; k < 2; k++) {
         const unsigned c = k ^ (bits >> 2 & 1);
@@ -322,13 +322,13 @@ static int ordered(const tree_view *v, tree_walk *w, uint32_t node, uint32_t chi
     return count;
 }
 
-void tree_walk_depth_first(const tree_view *v, tree_walk *w) {
+void tree_traverse_depth_first(const tree_view *v, tree_traversal *t) {
     stack s = stack_for(v);
     push(&s, v->root);
     while (s.used > 0) {
         uint32_t at = s.link[--s.used], child[2];
         while (!tree_is_leaf(at)) {
-            const int hit = ordered(v, w, at >> 5, child);
+            const int hit = ordered(v, t, at >> 5, child);
             if (hit == 2) {
                 push(&s, child[1]);
             }
@@ -338,15 +338,16 @@ void tree_walk_depth_first(const tree_view *v, tree_walk *w) {
             at = child[0];
         }
     }
-    w->depth = s.most;
+    t->depth = s.most;
     free(s.link);
 }
 
-/* One path down inside a treelet: the second inner child waits. */
-static void walk_path(const tree_view *v, tree_walk *w, uint32_t at, stack *global, stack *local) {
+/* One path down inside a treelet: the second inner child is pushed. */
+static void traverse_path(const tree_view *v, tree_traversal *t, uint32_t at, stack *global,
+                          stack *local) {
     for (int deeper = 1; deeper;) {
         uint32_t child[2];
-        const int hit = ordered(v, w, at >> 5, child);
+        const int hit = ordered(v, t, at >> 5, child);
         deeper = 0;
         for (int k = 0; k < hit; k++) {
             if ((child[k] & 3) != 0) {
@@ -360,7 +361,7 @@ static void walk_path(const tree_view *v, tree_walk *w, uint32_t at, stack *glob
     }
 }
 
-/* Sorting may put any edge on top: here the one that needs most. */
+/* Sorting may put any edge on top: this puts the one that needs most there. */
 static void worst_on_top(const tree_view *v, stack *s, uint32_t first) {
     uint32_t worst = first, need = 0, ignored = 0;
     for (uint32_t i = first; i < s->used; i++) {
@@ -376,21 +377,21 @@ static void worst_on_top(const tree_view *v, stack *s, uint32_t first) {
     }
 }
 
-void tree_walk_two_stage(const tree_view *v, tree_walk *w) {
+void tree_traverse_two_stage(const tree_view *v, tree_traversal *t) {
     stack global = stack_for(v), local = stack_for(v);
     push(&global, v->root);
     while (global.used > 0) {
         const uint32_t at = global.link[--global.used], first = global.used;
         if (!tree_is_leaf(at)) {
-            walk_path(v, w, at, &global, &local);
+            traverse_path(v, t, at, &global, &local);
             while (local.used > 0) {
-                walk_path(v, w, local.link[--local.used], &global, &local);
+                traverse_path(v, t, local.link[--local.used], &global, &local);
             }
             worst_on_top(v, &global, first);
         }
     }
-    w->local = local.most;
-    w->global = global.most;
+    t->local = local.most;
+    t->global = global.most;
     free(global.link);
     free(local.link);
 }

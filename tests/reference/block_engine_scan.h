@@ -1,11 +1,11 @@
-/* block_engine_walk - what the engine's own functions make of compact blocks
+/* block_engine_scan - what the engine's own functions make of compact blocks
  *
  * For images that the second decoder has found sound: the engine's functions
  * check nothing. Blocks one behind the other, in a block slots in order.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef REFERENCE_BLOCK_ENGINE_WALK_H
-#define REFERENCE_BLOCK_ENGINE_WALK_H
+#ifndef REFERENCE_BLOCK_ENGINE_SCAN_H
+#define REFERENCE_BLOCK_ENGINE_SCAN_H
 #include "engine/tree/compact/block.h"
 #include "tests/reference/block_decoder.h"
 
@@ -33,15 +33,15 @@ typedef struct engine_triangle {
     uint32_t number, turn;
 } engine_triangle;
 
-typedef struct engine_walk {
+typedef struct engine_scan {
     engine_block *block;
     engine_child *child;
     engine_triangle *triangle;
     uint32_t blocks, children, triangles;
-} engine_walk;
+} engine_scan;
 
 /* Memory that is out ends the program. */
-void engine_walk_make(engine_walk *walk, const unsigned char *image, const decoded_header *header);
-void engine_walk_free(engine_walk *walk);
+void engine_scan_make(engine_scan *scan, const unsigned char *image, const decoded_header *header);
+void engine_scan_free(engine_scan *scan);
 
 #endif
