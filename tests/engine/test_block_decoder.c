@@ -91,15 +91,16 @@ static void check_records(const subject *s) {
     unsigned char *seen = calloc(s->m->triangles + 1, 1);
     for (uint32_t t = 0; t < d->triangles && seen != NULL; t++) {
         const decoded_triangle *triangle = &d->triangle[t];
-        if (triangle->number >= s->m->triangles) {
-            CHECK(0, "%s: record %u: number %u", s->name, t, triangle->number);
+        if (triangle->primitive_id >= s->m->triangles) {
+            CHECK(0, "%s: record %u: number %u", s->name, t, triangle->primitive_id);
             continue;
         }
-        CHECK(!seen[triangle->number], "%s: number %u twice", s->name, triangle->number);
-        seen[triangle->number] = 1;
+        CHECK(!seen[triangle->primitive_id], "%s: number %u twice", s->name,
+              triangle->primitive_id);
+        seen[triangle->primitive_id] = 1;
         for (unsigned c = 0; c < 3; c++) {
-            const float *vertex = shape_corner(s->m, triangle->number, c);
-            const float *point = triangle->point[(triangle->turn + c) % 3];
+            const float *vertex = shape_corner(s->m, triangle->primitive_id, c);
+            const float *point = triangle->point[(triangle->rotation + c) % 3];
             CHECK(memcmp(vertex, point, 3 * sizeof *point) == 0, "%s: record %u", s->name, t);
         }
     }
@@ -115,17 +116,17 @@ static expected_triangle *found_triangles(const subject *s) {
     expected_triangle *found = calloc((size_t)d->triangles + 1, sizeof *found);
     for (uint32_t t = 0; t < d->triangles && found != NULL; t++) {
         memcpy(found[t].corner, d->triangle[t].corner, sizeof found[t].corner);
-        found[t].number = d->triangle[t].number;
-        found[t].turn = d->triangle[t].turn;
-        CHECK(s->variant == PRIMITIVE_IDS || (found[t].number == t && found[t].turn == 0), "%s",
-              s->name);
+        found[t].primitive_id = d->triangle[t].primitive_id;
+        found[t].rotation = d->triangle[t].rotation;
+        CHECK(s->variant == PRIMITIVE_IDS || (found[t].primitive_id == t && found[t].rotation == 0),
+              "%s", s->name);
     }
     return found;
 }
 
-static int compare_numbers(const void *first, const void *second) {
+static int compare_ids(const void *first, const void *second) {
     const expected_triangle *s = first, *t = second;
-    return s->number < t->number ? -1 : s->number > t->number;
+    return s->primitive_id < t->primitive_id ? -1 : s->primitive_id > t->primitive_id;
 }
 
 static void check_lattice(const subject *s) {
@@ -136,18 +137,19 @@ static void check_lattice(const subject *s) {
     CHECK(count == d->triangles, "%s: %u, not %u", s->name, d->triangles, count);
     CHECK(d->header.source_triangles == s->m->triangles, "%s: source triangles", s->name);
     if (s->variant == PRIMITIVE_IDS) {
-        qsort(found, d->triangles, sizeof *found, compare_numbers);
+        qsort(found, d->triangles, sizeof *found, compare_ids);
     } else {
         expect_sort(found, d->triangles);
         expect_sort(expected, count);
     }
     for (uint32_t t = 0; t < count && t < d->triangles; t++) {
         const int same = memcmp(found[t].corner, expected[t].corner, sizeof found[t].corner) == 0;
-        const int same_number =
-            found[t].number == expected[t].number && found[t].turn == expected[t].turn;
-        CHECK(same, "%s: triangle %u of %u", s->name, t, expected[t].number);
-        CHECK(s->variant == IMAGE_INDICES || same_number, "%s: %u turn %u, not %u turn %u", s->name,
-              found[t].number, found[t].turn, expected[t].number, expected[t].turn);
+        const int same_id = found[t].primitive_id == expected[t].primitive_id &&
+                            found[t].rotation == expected[t].rotation;
+        CHECK(same, "%s: triangle %u of %u", s->name, t, expected[t].primitive_id);
+        CHECK(s->variant == IMAGE_INDICES || same_id, "%s: %u rotation %u, not %u rotation %u",
+              s->name, found[t].primitive_id, found[t].rotation, expected[t].primitive_id,
+              expected[t].rotation);
     }
     free(expected);
     free(found);
@@ -159,14 +161,14 @@ static void check_triangles(const subject *s) {
 
 /* The tightest lattice box around the floats: with lattice geometry it has the
  * very numbers of the corners. */
-static int is_exact(const decoded_header *h, const decoded_box *frame, const decoded_box *exact) {
+static int is_exact(const decoded_header *h, const decoded_box *bounds, const decoded_box *exact) {
     for (int a = 0; a < 3; a++) {
-        const float up = block_decode_float(h, a, frame->lo[a] + 1);
-        const float down = block_decode_float(h, a, frame->hi[a] - 1);
+        const float up = block_decode_float(h, a, bounds->lo[a] + 1);
+        const float down = block_decode_float(h, a, bounds->hi[a] - 1);
         const int numbers = h->geometry_format == 0 ||
-                            (frame->lo[a] == exact->lo[a] && frame->hi[a] == exact->hi[a]);
-        if (!numbers || frame->float_lo[a] > exact->float_lo[a] || exact->float_lo[a] >= up ||
-            frame->float_hi[a] < exact->float_hi[a] || exact->float_hi[a] <= down) {
+                            (bounds->lo[a] == exact->lo[a] && bounds->hi[a] == exact->hi[a]);
+        if (!numbers || bounds->float_lo[a] > exact->float_lo[a] || exact->float_lo[a] >= up ||
+            bounds->float_hi[a] < exact->float_hi[a] || exact->float_hi[a] <= down) {
             return 0;
         }
     }
@@ -187,15 +189,15 @@ static void check_boxes(const subject *s) {
     expected_boxes exact = expect_boxes(d);
     for (uint32_t b = 0; b < d->blocks; b++) {
         const decoded_block *block = &d->block[b];
-        CHECK(is_exact(&d->header, &block->frame, &exact.node[block->first_node]),
-              "%s: block %u: frame", s->name, block->address);
+        CHECK(is_exact(&d->header, &block->bounds, &exact.node[block->first_node]),
+              "%s: block %u: bounds", s->name, block->address);
     }
     for (uint32_t i = 0; i < d->nodes; i++) {
         const decoded_node *node = &d->node[i];
         CHECK(holds(s, &node->box, exact.node[i]), "%s: node %u", s->name, i);
         for (int c = 0; c < 2; c++) {
             const decoded_child *child = &node->child[c];
-            const decoded_box *below = &exact.unit[child->kind >= DECODED_UNIT ? child->which : 0];
+            const decoded_box *below = &exact.leaf[child->kind >= DECODED_LEAF ? child->which : 0];
             if (child->kind == DECODED_INNER) {
                 below = &exact.node[child->which];
             } else if (child->kind == DECODED_EDGE) {
@@ -206,9 +208,9 @@ static void check_boxes(const subject *s) {
         }
     }
     for (int a = 0; a < 3 && d->blocks > 0; a++) {
-        CHECK(d->block[0].frame.lo[a] == (int32_t)d->header.lattice_lo[a] &&
-                  d->block[0].frame.hi[a] == (int32_t)d->header.lattice_hi[a],
-              "%s: the first frame is not the scene's box", s->name);
+        CHECK(d->block[0].bounds.lo[a] == (int32_t)d->header.lattice_lo[a] &&
+                  d->block[0].bounds.hi[a] == (int32_t)d->header.lattice_hi[a],
+              "%s: the first bounds are not the scene's box", s->name);
     }
     expect_boxes_free(&exact);
 }
@@ -238,11 +240,11 @@ static void check_engine_child(const subject *s, uint32_t slot, const engine_chi
         CHECK(behind->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
         CHECK(behind->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
     } else {
-        const decoded_unit *unit = &d->unit[ours->which];
+        const decoded_leaf *leaf = &d->leaf[ours->which];
         CHECK(theirs->kind == PLT_SLOT_LEAF, "%s: slot %u", s->name, slot);
-        CHECK(ours->which == block->first_unit + theirs->rank, "%s: slot %u", s->name, slot);
-        CHECK(unit->first == theirs->first, "%s: slot %u: first", s->name, slot);
-        CHECK(unit->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
+        CHECK(ours->which == block->first_leaf + theirs->rank, "%s: slot %u", s->name, slot);
+        CHECK(leaf->first == theirs->first, "%s: slot %u: first", s->name, slot);
+        CHECK(leaf->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
     }
 }
 
@@ -252,10 +254,11 @@ static void check_engine_block(const subject *s, uint32_t b, const engine_block 
     CHECK(ours->nodes_bytes == theirs->node_bytes, "%s: block %u: nodes part", s->name, b);
     CHECK(ours->geometry_bytes == theirs->geometry_bytes, "%s: block %u: geometry", s->name, b);
     CHECK(ours->nodes == theirs->nodes && ours->edges == theirs->edges, "%s: %u", s->name, b);
-    CHECK(ours->units == theirs->units, "%s: block %u: units", s->name, b);
-    CHECK(same_boxes(&ours->frame, &theirs->frame), "%s: block %u: frame", s->name, b);
+    CHECK(ours->leaves == theirs->leaves, "%s: block %u: leaves", s->name, b);
+    CHECK(same_boxes(&ours->bounds, &theirs->bounds), "%s: block %u: bounds", s->name, b);
     CHECK(ours->triangles == theirs->triangles, "%s: block %u: triangles", s->name, b);
-    CHECK(ours->units == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name, b);
+    CHECK(ours->leaves == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name,
+          b);
     CHECK(s->variant == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
     CHECK(ours->mesh == theirs->mesh, "%s: block %u: mesh", s->name, b);
 }
@@ -277,9 +280,9 @@ static void check_engine(const subject *s) {
         const engine_triangle *theirs = &scan.triangle[t];
         CHECK(memcmp(ours->corner, theirs->corner, sizeof ours->corner) == 0 &&
                   memcmp(ours->point, theirs->point, sizeof ours->point) == 0,
-              "%s: place %u: corners", s->name, t);
-        CHECK(ours->number == theirs->number && ours->turn == theirs->turn, "%s: place %u: number",
-              s->name, t);
+              "%s: triangle %u: corners", s->name, t);
+        CHECK(ours->primitive_id == theirs->primitive_id && ours->rotation == theirs->rotation,
+              "%s: triangle %u: primitive id", s->name, t);
     }
     engine_scan_free(&scan);
 }
@@ -308,7 +311,7 @@ static void check_scene(const char *scene, const mesh *m) {
     }
     check_subjects(scene, "each triangle is there once, snapped, its turning and number right",
                    &all, check_triangles);
-    check_subjects(scene, "frames are exact, every box holds what is below it", &all, check_boxes);
+    check_subjects(scene, "bounds are exact, every box holds what is below it", &all, check_boxes);
     check_subjects(scene, "the engine finds the same, bit for bit", &all, check_engine);
     for (size_t i = 0; i < all.count; i++) {
         free_subject(&all.list[i]);
@@ -357,7 +360,7 @@ static void check_one_size(size_t triangles, uint32_t k, enum variant variant) {
         CHECK(d->triangles == wanted, "%s: %u of %u", s.name, d->triangles, wanted);
         CHECK(d->header.source_triangles == triangles, "%s: source triangles", s.name);
         CHECK(triangles > 0 || d->blocks == 0, "%s: blocks", s.name);
-        CHECK(triangles == 0 || triangles > 2 * k || (d->nodes == 1 && d->units == 2),
+        CHECK(triangles == 0 || triangles > 2 * k || (d->nodes == 1 && d->leaves == 2),
               "%s, %u triangles: %u nodes", s.name, wanted, d->nodes);
         if (triangles > 1) {
             check_triangles(&s);
@@ -369,7 +372,7 @@ static void check_one_size(size_t triangles, uint32_t k, enum variant variant) {
 }
 
 static void check_sizes(void) {
-    test("up to 2K triangles are one node of two units, one triangle is there twice");
+    test("up to 2K triangles are one node of two leaves, one triangle is there twice");
     for (size_t triangles = 0; triangles <= 10; triangles++) {
         for (size_t k = 0; k < KS; k++) {
             for (int variant = 0; variant < VARIANTS; variant++) {
@@ -396,7 +399,7 @@ static void check_mesh_numbers(void) {
     test("a block that names a mesh holds triangles of that mesh alone");
     mesh m = {0};
     shape_icosphere(&m, 2);
-    shape_place(&m, 1.0f, 4.0f, 0.0f, 0.0f);
+    shape_transform(&m, 1.0f, 4.0f, 0.0f, 0.0f);
     const size_t first = m.triangles;
     shape_sheet(&m, 12, 1);
     const size_t mesh_end[] = {first, m.triangles};
@@ -414,7 +417,7 @@ static void check_mesh_numbers(void) {
             named += block->mesh != 0;
             CHECK(block->mesh <= 2, "block %u: mesh %u", block->address, block->mesh);
             for (uint32_t t = 0; t < block->triangles && block->mesh != 0; t++) {
-                const uint32_t number = s.decoded.triangle[block->first_triangle + t].number;
+                const uint32_t number = s.decoded.triangle[block->first_triangle + t].primitive_id;
                 CHECK((number >= first) == (block->mesh == 2), "block %u", block->address);
             }
         }

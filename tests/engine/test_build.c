@@ -34,7 +34,7 @@ static mesh make(int scene) {
         shape_degenerate(&m);
         break;
     case 6:
-        shape_exponential(&m, rig_triangles(600, 1)); /* 120 places, each again and again */
+        shape_exponential(&m, rig_triangles(600, 1)); /* 120 different ones, repeated */
         break;
     case 7:
         shape_exponential(&m, 100);
@@ -47,11 +47,11 @@ static mesh make(int scene) {
         break;
     case 10:
         shape_soup(&m, 100, 0.1f, 5);
-        shape_place(&m, 1e-30f, 1.0f, 2.0f, -3.0f); /* all in one point */
+        shape_transform(&m, 1e-30f, 1.0f, 2.0f, -3.0f); /* all in one point */
         break;
     default:
         shape_icosphere(&m, 1);
-        shape_place(&m, 1e9f, 1e12f, -1e12f, 0.0f); /* few steps of a float across */
+        shape_transform(&m, 1e9f, 1e12f, -1e12f, 0.0f); /* few steps of a float across */
     }
     return m;
 }

@@ -63,11 +63,11 @@ static subject make(int number, uint32_t k) {
         break;
     case 6:
         scene_terrain(&s.m, compact_triangles(900, k), &f);
-        shape_place(&s.m, 37.0f, 30.0f, -77.0f, 21.0f);
+        shape_transform(&s.m, 37.0f, 30.0f, -77.0f, 21.0f);
         break;
     case 7:
         shape_icosphere(&s.m, rig_is_tiny() ? 1 : 2);
-        shape_place(&s.m, 1e-6f, 1e-6f, 0.0f, 1e-7f);
+        shape_transform(&s.m, 1e-6f, 1e-6f, 0.0f, 1e-7f);
         break;
     default:
         shape_needles(&s.m, 13);
@@ -169,8 +169,8 @@ static void with_floats(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     mesh_free(&s.m);
 }
 
-/* Hosts and devices alike call a triangle by its place. */
-static void by_place(int number, uint32_t k, uint8_t bits, uint8_t splits) {
+/* Host and device alike report a triangle by its image index. */
+static void by_image_index(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);
     compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, splits);
@@ -231,7 +231,7 @@ static void everything(void (*one)(int, uint32_t, uint8_t, uint8_t)) {
     }
 }
 
-/* Many triangles in one place: the lowest number is hit, wherever it lies. */
+/* Many equal triangles: the lowest primitive id is hit, wherever it lies. */
 static void ties(void) {
     enum { COPIES = 37 };
     mesh m = {0};
@@ -318,8 +318,8 @@ int main(void) {
     everything(with_numbers);
     test("with float geometry, hits are thesis nodes' over the same mesh, bit for bit");
     everything(with_floats);
-    test("without numbers, and built on the device, a hit names the place in image order");
-    everything(by_place);
+    test("without primitive ids, and built on the device, a hit reports the image index");
+    everything(by_image_index);
     test("a device's blocks are byte for byte the host's");
     everything(same_blocks);
     test("of coincident triangles the lowest number is hit");

@@ -172,20 +172,20 @@ static void bend(const packed *image, uint32_t at, uint64_t value, uint32_t coun
 typedef struct some_block {
     plt_block b;
     plt_geometry g;
-    uint32_t bits, frame_at, mask_at, links_at, geometry_at; /* bytes of the image */
+    uint32_t bits, bounds_at, mask_at, links_at, geometry_at; /* bytes of the image */
 } some_block;
 
 static some_block open_at(const packed *image, uint32_t address) {
     some_block f = {.bits = plt_get_u32(image->bytes + COMPACT_BITS)};
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
     plt_block_open(&f.b, image->bytes + 256 + address, f.bits);
-    plt_block_bounds(&f.b, f.bits, &frame);
-    f.frame_at = 256 + address + 4;
-    f.mask_at = f.frame_at + plt_block_bounds_bytes(f.bits);
+    plt_block_bounds(&f.b, f.bits, &bounds);
+    f.bounds_at = 256 + address + 4;
+    f.mask_at = f.bounds_at + plt_block_bounds_bytes(f.bits);
     f.links_at = (uint32_t)(f.b.links - image->bytes);
     f.geometry_at = (uint32_t)(f.b.geometry - image->bytes);
     if (f.b.geometry_bytes > 0) {
-        plt_geometry_open(&f.g, &f.b, &frame, image->info.leaf_triangles);
+        plt_geometry_open(&f.g, &f.b, &bounds, image->info.leaf_triangles);
     }
     return f;
 }
@@ -248,28 +248,28 @@ static void bent_kinds(const packed *image) {
 }
 
 /* Low and high of one axis exchanged, and bytes of all values. */
-static void bent_frames(const packed *image) {
+static void bent_bounds(const packed *image) {
     const some_block f = open_at(image, second_address(image));
-    const uint32_t frame_bytes = plt_block_bounds_bytes(f.bits), width = f.bits <= 16 ? 16 : 21;
+    const uint32_t bounds_bytes = plt_block_bounds_bytes(f.bits), width = f.bits <= 16 ? 16 : 21;
     for (uint32_t axis = 0; axis < 3; axis++) {
-        plt_lattice_box frame;
-        unsigned char *bytes = copy_of(image), *at = bytes + f.frame_at;
-        plt_block_bounds(&f.b, f.bits, &frame);
-        memset(at, 0, frame_bytes);
+        plt_lattice_box bounds;
+        unsigned char *bytes = copy_of(image), *at = bytes + f.bounds_at;
+        plt_block_bounds(&f.b, f.bits, &bounds);
+        memset(at, 0, bounds_bytes);
         for (uint32_t a = 0; a < 3; a++) {
-            plt_bits_put(at, a * width, width, a == axis ? frame.hi[a] : frame.lo[a]);
-            plt_bits_put(at, (a + 3) * width, width, a == axis ? frame.lo[a] : frame.hi[a]);
+            plt_bits_put(at, a * width, width, a == axis ? bounds.hi[a] : bounds.lo[a]);
+            plt_bits_put(at, (a + 3) * width, width, a == axis ? bounds.lo[a] : bounds.hi[a]);
         }
-        must_break(image, bytes, f.frame_at, 12, "a frame with hi below lo");
+        must_break(image, bytes, f.bounds_at, 12, "bounds with hi below lo");
     }
-    for (uint32_t i = 0; i < frame_bytes; i++) {
-        bend(image, f.frame_at + i, 0xFF, 1, 255, "a frame bent");
-        bend(image, f.frame_at + i, 0, 1, 255, "a frame bent");
+    for (uint32_t i = 0; i < bounds_bytes; i++) {
+        bend(image, f.bounds_at + i, 0xFF, 1, 255, "bounds bent");
+        bend(image, f.bounds_at + i, 0, 1, 255, "bounds bent");
     }
-    bend(image, f.frame_at, 0xFFFFFFFFFFFFFFFFu, 6, 12, "a frame beyond the lattice");
+    bend(image, f.bounds_at, 0xFFFFFFFFFFFFFFFFu, 6, 12, "bounds beyond the lattice");
 }
 
-/* Counts, strips and references of the last block, which has units. */
+/* Counts, strips and references of the last block, which has leaves. */
 static void bent_geometry(const packed *image) {
     const some_block f = open_at(image, last_address(image));
     const uint32_t word0 = plt_get_u32(image->bytes + f.geometry_at);
@@ -290,7 +290,7 @@ static uint32_t bit_at(const packed *image, const some_block *f, uint32_t bit) {
     return image->bytes[f->geometry_at + bit / 8] >> bit % 8 & 1u;
 }
 
-/* The start of a strip moved to the triangle behind it: where a unit began there, it
+/* The start of a strip moved to the triangle behind it: where a leaf began there, it
  * no longer does. */
 static void moved_starts(const packed *image, const some_block *f) {
     uint32_t by_rule = 0;
@@ -305,7 +305,7 @@ static void moved_starts(const packed *image, const some_block *f) {
             free(bytes);
         }
     }
-    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no unit without a start was noticed");
+    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no leaf without a start was noticed");
 }
 
 /* The first reference that is not new names the last vertex, or one behind it. */
@@ -331,8 +331,8 @@ static void bent_strips(const packed *image) {
         bytes[f.geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
         compact_seal(bytes, image->size, 1);
         const hostile_result r = meet(bytes, image->size, "a strip's bit", bit);
-        const int turn = bit >= f.g.turns && bit < f.g.news, ref = bit >= f.g.refs;
-        CHECK(turn || ref ? r.status == PLT_OK || r.fault.rule == 16
+        const int swap = bit >= f.g.turns && bit < f.g.news, ref = bit >= f.g.refs;
+        CHECK(swap || ref ? r.status == PLT_OK || r.fault.rule == 16
                           : r.status == PLT_ERR_IMAGE && r.fault.rule >= 14,
               "bit %u: status %d, rule %u", bit, r.status, r.fault.rule);
         free(bytes);
@@ -359,7 +359,7 @@ static void bent_numbers(const packed *image) {
     const uint32_t at = plt_get_u32(image->bytes + HOSTILE_SECTION + 16 + 4);
     const uint32_t source = image->info.source_triangles;
     bend(image, at, 0xFFFFFFFF, 4, 19, "numbers beyond the last");
-    bend(image, at, 3, 1, 19, "a turn of 3");
+    bend(image, at, 3, 1, 19, "a rotation of 3");
     bend(image, AT_SOURCE, source - 1, 4, 19, "fewer source triangles than numbers");
     bend(image, AT_SOURCE, source + 5, 4, 0, "more source triangles than numbers");
 }
@@ -383,7 +383,7 @@ static void bent_corners(const packed *image) {
             memcpy(flat + 256 + i * width, value == 2 ? flat + 256 + i % 9 * width : box, width);
         }
         compact_seal(flat, image->size, 1);
-        CHECK(meet(flat, image->size, "corners in one place", 0).status == PLT_OK, "refused");
+        CHECK(meet(flat, image->size, "corners in one point", 0).status == PLT_OK, "refused");
     }
     free(flat);
 }
@@ -400,7 +400,7 @@ static void all_traps(void) {
         bent_links(&image);
         bent_sizes(&image);
         bent_kinds(&image);
-        bent_frames(&image);
+        bent_bounds(&image);
         bent_geometry(&image);
         bent_strips(&image);
         bent_counts(&image);

@@ -55,9 +55,9 @@ static closed knot(uint32_t triangles) {
     return c;
 }
 
-static void place(closed *c, float scale, float x, float y, float z) {
+static void move(closed *c, float scale, float x, float y, float z) {
     const float move[3] = {x, y, z};
-    shape_place(&c->m, scale, x, y, z);
+    shape_transform(&c->m, scale, x, y, z);
     for (int i = 0; i < 3 * INSIDE; i++) {
         float *p = &c->inside[i / 3][i % 3];
         *p = *p * scale + move[i % 3];
@@ -150,20 +150,20 @@ int main(void) {
     test("no ray escapes from an icosphere through a vertex or an edge");
     every_config(&c, coarse);
     c = sphere();
-    place(&c, 1e-6f, 0.0f, 0.0f, 0.0f);
+    move(&c, 1e-6f, 0.0f, 0.0f, 0.0f);
     every_config(&c, fine);
     test("no ray escapes from a knot through a vertex or an edge");
     c = knot(triangles);
     every_config(&c, coarse);
     c = knot(triangles);
-    place(&c, 1e6f, 1e5f, -1e6f, 2e6f);
+    move(&c, 1e6f, 1e5f, -1e6f, 2e6f);
     every_config(&c, fine);
     test("... nor where the floats of the lattice are rounded, far from the origin");
     c = sphere();
-    place(&c, 1.0f, 100.0f, -200.0f, 77.0f);
+    move(&c, 1.0f, 100.0f, -200.0f, 77.0f);
     every_config(&c, coarse);
     c = knot(triangles);
-    place(&c, 3.0f, -1000.0f, 500.0f, 1.0f);
+    move(&c, 3.0f, -1000.0f, 500.0f, 1.0f);
     every_config(&c, coarse);
     printf("    %llu rays, %llu escaped\n", (unsigned long long)aimed, (unsigned long long)escaped);
     return test_done();

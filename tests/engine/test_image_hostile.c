@@ -261,7 +261,7 @@ int main(void) {
     sealed_flips(&large, 3);
     CHECK(opened > 1000 && refused > 1000, "%u opened, %u refused", opened, refused);
     printf("    %u images opened, %u refused\n", opened, refused);
-    test("links that lead astray, in circles or twice to a place break an invariant");
+    test("links that lead out of range, in cycles or twice to one node break an invariant");
     bent_links(&large);
     shared_children();
     long_lists();

@@ -106,7 +106,7 @@ static int compare(const lanes_probe *p, enum lanes_op op, const lanes_in *in) {
     return 1;
 }
 
-/* Four different pairs at a time, each pair in each lane in turn. */
+/* Four different pairs at a time, each pair once in each lane. */
 static void compare_pairs(const lanes_probe *p, enum lanes_op op) {
     for (int i = 0; i < VALUES; i++) {
         for (int j = 0; j < VALUES; j++) {

@@ -26,11 +26,11 @@ static const char *const scene_name[SCENES] = {
 static void place_soup(mesh *m, int scene) {
     shape_soup(m, scene == 1 ? 128 : 90, scene == 1 ? 0.1f : 0.8f, (uint64_t)scene + 7);
     if (scene == 2) {
-        shape_place(m, 1e-6f, 0.0f, 0.0f, 0.0f);
+        shape_transform(m, 1e-6f, 0.0f, 0.0f, 0.0f);
     } else if (scene == 3) {
-        shape_place(m, 1e6f, 0.0f, 0.0f, 0.0f);
+        shape_transform(m, 1e6f, 0.0f, 0.0f, 0.0f);
     } else if (scene == 4) {
-        shape_place(m, 1.0f, 1000.0f, -3000.0f, 20.0f);
+        shape_transform(m, 1.0f, 1000.0f, -3000.0f, 20.0f);
     }
 }
 

@@ -51,7 +51,7 @@ static void hits_at(plt_engine *e, plt_ray ray, double t, const char *what) {
           "%s: triangle %u, t %g, not %g", what, hit.triangle, (double)hit.t, t);
 }
 
-/* In the cube -1 .. 1, every field by turns made NaN or infinite. */
+/* In the cube -1 .. 1, one field after another made NaN or infinite. */
 static void not_numbers(plt_engine *e) {
     const float bad[3] = {NAN, INF, -INF};
     for (int field = 0; field < 8; field++) {
@@ -180,7 +180,7 @@ static void far_corners(void) {
     mesh m = {0};
     random_state r = {2};
     shape_soup(&m, 60, 1.0f, 21);
-    shape_place(&m, PLT_COORD_MAX / 2.5f, 0.0f, 0.0f, 0.0f);
+    shape_transform(&m, PLT_COORD_MAX / 2.5f, 0.0f, 0.0f, 0.0f);
     rig one = opened(&m, PLT_ORDER_DEPTH_FIRST);
     uint32_t hits = 0;
     for (int i = 0; i < 3000; i++) {
@@ -258,7 +258,7 @@ int main(void) {
     intervals(one.engine);
     test("rays that start on planes, edges and vertices hit them at 0");
     on_surfaces(one.engine);
-    test("rays in the plane of a face get a number and a place in range, or a miss");
+    test("rays in the plane of a face get an id, a distance and weights in range, or a miss");
     in_the_plane(one.engine);
     test("random bits as rays give misses or hits in range");
     any_bits(&mixed, PLT_ORDER_DEPTH_FIRST);

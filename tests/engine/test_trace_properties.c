@@ -172,8 +172,8 @@ static void advance(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* Scene and origins by 2^power, directions by 2^turn. */
-static void scale(uint64_t seed, int power, int turn) {
+/* Scene and origins by 2^power, directions by 2^dir_power. */
+static void scale(uint64_t seed, int power, int dir_power) {
     mesh m = soup(seed);
     plt_ray scaled[RAYS];
     for (size_t i = 0; i < 3 * m.vertices; i++) {
@@ -183,25 +183,25 @@ static void scale(uint64_t seed, int power, int turn) {
         scaled[i] = rays[i];
         for (int a = 0; a < 3; a++) {
             scaled[i].org[a] = ldexpf(rays[i].org[a], power);
-            scaled[i].dir[a] = ldexpf(rays[i].dir[a], turn);
+            scaled[i].dir[a] = ldexpf(rays[i].dir[a], dir_power);
         }
-        scaled[i].tmin = ldexpf(rays[i].tmin, power - turn);
-        scaled[i].tmax = rays[i].tmax < 1e30f ? ldexpf(rays[i].tmax, power - turn) : RAYS_FAR;
+        scaled[i].tmin = ldexpf(rays[i].tmin, power - dir_power);
+        scaled[i].tmax = rays[i].tmax < 1e30f ? ldexpf(rays[i].tmax, power - dir_power) : RAYS_FAR;
     }
     trace_other(&m, scaled, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         plt_hit expected = hits[i];
-        expected.t = ldexpf(hits[i].t, power - turn);
-        CHECK(same(&others[i], &expected), "2^%d, 2^%d, ray %u: %g, not %g", power, turn, i,
+        expected.t = ldexpf(hits[i].t, power - dir_power);
+        CHECK(same(&others[i], &expected), "2^%d, 2^%d, ray %u: %g, not %g", power, dir_power, i,
               (double)others[i].t, (double)expected.t);
     }
     mesh_free(&m);
 }
 
-/* Corners a and b of every triangle change places: u and v follow, t is near. */
-static void turn_around(uint64_t seed) {
+/* Corners a and b of every triangle are exchanged: so are u and v, and t is close. */
+static void reverse_triangles(uint64_t seed) {
     mesh m = soup(seed);
-    uint32_t turned = 0;
+    uint32_t unchanged = 0;
     for (size_t i = 0; i < m.triangles; i++) {
         const uint32_t t = m.triangle[3 * i + 1];
         m.triangle[3 * i + 1] = m.triangle[3 * i + 2];
@@ -209,14 +209,14 @@ static void turn_around(uint64_t seed) {
     }
     trace_other(&m, rays, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
-        turned += same(&hits[i], &others[i]) != 0;
+        unchanged += same(&hits[i], &others[i]) != 0;
         CHECK(hits[i].triangle == others[i].triangle && hits[i].t == others[i].t, "ray %u", i);
         /* u + v + w is summed in another order: two roundings. */
         CHECK(fabsf(hits[i].u - others[i].v) <= 2.5e-7f &&
                   fabsf(hits[i].v - others[i].u) <= 2.5e-7f,
               "ray %u: u and v", i);
     }
-    CHECK(turned < RAYS, "nothing changed");
+    CHECK(unchanged < RAYS, "nothing changed");
     mesh_free(&m);
 }
 
@@ -245,9 +245,9 @@ static void mirror(uint64_t seed, int axis) {
 }
 
 /* x y z become y z x: the same hits, but sums are taken in another order. */
-static void turn_axes(uint64_t seed) {
+static void rotate_axes(uint64_t seed) {
     mesh m = soup(seed);
-    plt_ray turned[RAYS];
+    plt_ray rotated[RAYS];
     uint32_t off = 0;
     for (size_t i = 0; i < m.vertices; i++) {
         float *v = m.vertex + 3 * i, x = v[0];
@@ -256,13 +256,13 @@ static void turn_axes(uint64_t seed) {
         v[2] = x;
     }
     for (uint32_t i = 0; i < RAYS; i++) {
-        turned[i] = rays[i];
+        rotated[i] = rays[i];
         for (int a = 0; a < 3; a++) {
-            turned[i].org[a] = rays[i].org[(a + 1) % 3];
-            turned[i].dir[a] = rays[i].dir[(a + 1) % 3];
+            rotated[i].org[a] = rays[i].org[(a + 1) % 3];
+            rotated[i].dir[a] = rays[i].dir[(a + 1) % 3];
         }
     }
-    trace_other(&m, turned, 0);
+    trace_other(&m, rotated, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         const int bounded = rays[i].tmin > 0.0f || rays[i].tmax < 1e30f;
         CHECK(bounded || (hits[i].triangle == PLT_MISS) == (others[i].triangle == PLT_MISS),
@@ -286,7 +286,7 @@ static plt_ray garbage(random_state *r) {
     return ray;
 }
 
-/* Every third ray stays, garbage takes the place of the others. */
+/* Every third ray stays, garbage replaces the others. */
 static void company(uint64_t seed, uint8_t order) {
     mesh m = soup(seed);
     random_state r = {seed};
@@ -351,15 +351,15 @@ int main(void) {
     scale(8, -19, 0);
     scale(9, 0, 50);
     scale(9, 12, -50);
-    test("turning triangles around exchanges u and v");
-    turn_around(10);
+    test("reversing the winding of triangles exchanges u and v");
+    reverse_triangles(10);
     test("a mirrored world has mirrored hits");
     for (int axis = 0; axis < 3; axis++) {
         mirror(11, axis);
     }
     test("a world with its axes exchanged has the same hits and misses");
-    turn_axes(15);
-    turn_axes(16);
+    rotate_axes(15);
+    rotate_axes(16);
     test("hits do not depend on the other rays of a packet, be they garbage");
     company(12, PLT_ORDER_DEPTH_FIRST);
     company(13, PLT_ORDER_TWO_STAGE);

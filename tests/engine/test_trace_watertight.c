@@ -40,11 +40,11 @@ typedef struct closed {
     int points;
 } closed;
 
-typedef struct place {
+typedef struct transform {
     float scale, offset[3];
-} place;
+} transform;
 
-static const place places[] = {
+static const transform transforms[] = {
     {1.0f, {0.0f, 0.0f, 0.0f}},         {1e-6f, {0.0f, 0.0f, 0.0f}},
     {1e6f, {0.0f, 0.0f, 0.0f}},         {1.0f, {100.0f, -33.0f, 7.0f}},
     {1e-6f, {1e-4f, 2e-4f, -3e-4f}},    {1e6f, {-7e7f, 3e7f, 1e6f}},
@@ -128,7 +128,7 @@ static closed knot(uint32_t triangles) {
     return c;
 }
 
-static closed placed(const closed *from, const place *to) {
+static closed transformed(const closed *from, const transform *to) {
     closed c = *from;
     c.m = (mesh){0};
     fail f = {""};
@@ -137,7 +137,7 @@ static closed placed(const closed *from, const place *to) {
     c.m.triangles = from->m.triangles;
     memcpy(c.m.vertex, from->m.vertex, 12 * c.m.vertices);
     memcpy(c.m.triangle, from->m.triangle, 12 * c.m.triangles);
-    shape_place(&c.m, to->scale, to->offset[0], to->offset[1], to->offset[2]);
+    shape_transform(&c.m, to->scale, to->offset[0], to->offset[1], to->offset[2]);
     for (int i = 0; i < c.points; i++) {
         for (int a = 0; a < 3; a++) {
             c.inside[i][a] = from->inside[i][a] * to->scale + to->offset[a];
@@ -221,11 +221,11 @@ static void bombard(const closed *c, plt_engine *e, uint32_t count, int outside,
     shoot(e, c->name, rays, made);
 }
 
-static void bombard_places(const closed *base, int outside, uint32_t count) {
-    for (size_t p = 0; p < sizeof places / sizeof places[0]; p++) {
-        closed c = placed(base, &places[p]);
+static void bombard_transformed(const closed *base, int outside, uint32_t count) {
+    for (size_t p = 0; p < sizeof transforms / sizeof transforms[0]; p++) {
+        closed c = transformed(base, &transforms[p]);
         /* A needle's radius must not drown in the offset's rounding. */
-        const int drowned = strcmp(base->name, "needles") == 0 && places[p].offset[0] != 0.0f;
+        const int drowned = strcmp(base->name, "needles") == 0 && transforms[p].offset[0] != 0.0f;
         rig one;
         rig_config config = rig_config_of(1 + p % 2, 3, PLT_BUILD_HOST, p % 3 == 0);
         config.run.order = p % 2 == 0 ? PLT_ORDER_DEPTH_FIRST : PLT_ORDER_TWO_STAGE;
@@ -254,11 +254,11 @@ int main(void) {
     }
     test("from inside no ray escapes through an edge, a vertex or a face");
     for (int i = 0; i < 5; i++) {
-        bombard_places(&c[i], 0, count);
+        bombard_transformed(&c[i], 0, count);
     }
     test("from outside no ray reaches a point inside without a hit");
     for (int i = 0; i < 5; i++) {
-        bombard_places(&c[i], 1, count);
+        bombard_transformed(&c[i], 1, count);
     }
     printf("    %llu rays, %llu escaped\n", (unsigned long long)rays_aimed,
            (unsigned long long)escaped);

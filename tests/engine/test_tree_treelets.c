@@ -20,7 +20,7 @@ static const uint32_t treelet_sizes[] = {1, 2, 3, 7, 8, 16, 64, 256, 512, 10000}
 static void chain_then_bush(mesh *m, uint32_t triangles) {
     fail f = {""};
     shape_soup(m, triangles - 40 < triangles ? triangles - 40 : 1, 0.05f, 4);
-    shape_place(m, 1e-6f, 0.0f, 0.0f, 0.0f);
+    shape_transform(m, 1e-6f, 0.0f, 0.0f, 0.0f);
     for (int i = 0; i < 40 && m->triangles < triangles; i++) {
         const float x = (float)(1u << (i < 30 ? i : 30)) * 1e-5f;
         const uint32_t first = (uint32_t)m->vertices;

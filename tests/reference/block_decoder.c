@@ -84,8 +84,8 @@ static void push_edges(decoded_image *image, block_traversal *traversal) {
                 depth[child->which - block->first_node] = depth[i] + 1;
             } else if (child->kind == DECODED_EDGE) {
                 const uint32_t rank = decoder_slot_rank(&traversal->part, 2 * i + c);
-                const size_t place = traversal->part.links + 32 * (size_t)rank;
-                push(traversal, decoder_bits(&traversal->part.in, place, 32), depth[i] + 1);
+                const size_t bit = traversal->part.links + 32 * (size_t)rank;
+                push(traversal, decoder_bits(&traversal->part.in, bit, 32), depth[i] + 1);
             }
         }
     }
@@ -152,7 +152,7 @@ static int resolve_edges(decoded_image *image) {
 static int check_counts(decoded_image *image, const block_traversal *traversal) {
     const decoded_header *h = &image->header;
     if (h->triangles != image->triangles || h->nodes != image->nodes ||
-        h->leaf_lists != image->units - image->pairs || h->intermediate_lists != image->pairs ||
+        h->leaf_lists != image->leaves - image->pairs || h->intermediate_lists != image->pairs ||
         h->treelets != image->blocks || h->depth_stack != image->depth) {
         return block_decode_wrong(image, "header: counts are not the blocks'");
     }
@@ -212,10 +212,10 @@ int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) 
     traversal.part.in = section_of(h, bytes, 3);
     traversal.part.in.size = (size_t)h->node_bytes + h->triangle_bytes;
     traversal.part.records = section_of(h, bytes, 2);
-    traversal.part.numbers = section_of(h, bytes, 4);
+    traversal.part.primitive_ids = section_of(h, bytes, 4);
     const int status = traverse_blocks(image, &traversal);
     free(traversal.stack);
-    if (status == 0 && (traversal.part.records.overrun || traversal.part.numbers.overrun)) {
+    if (status == 0 && (traversal.part.records.overrun || traversal.part.primitive_ids.overrun)) {
         return block_decode_wrong(image, "image: read behind a section");
     }
     return status;
@@ -224,10 +224,10 @@ int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) 
 void block_decode_free(decoded_image *image) {
     free(image->block);
     free(image->node);
-    free(image->unit);
+    free(image->leaf);
     free(image->triangle);
     image->block = NULL;
     image->node = NULL;
-    image->unit = NULL;
+    image->leaf = NULL;
     image->triangle = NULL;
 }

@@ -48,8 +48,8 @@ static void *grow(void *array, uint32_t count, uint32_t more, size_t element_byt
     return array;
 }
 
-/* Begins with the least corner; the direction of turning stays. */
-static void turn_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
+/* Begins with the least corner; the winding stays. */
+static void rotate_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
     uint64_t key[3];
     int least = 0;
     for (int c = 0; c < 3; c++) {
@@ -63,13 +63,13 @@ static void turn_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
 
 static void add_lattice_triangle(engine_scan *scan, const scan_source *source,
                                  uint32_t corner[3][3]) {
-    const uint32_t place = scan->triangles++;
-    engine_triangle *triangle = &scan->triangle[place];
+    const uint32_t index = scan->triangles++;
+    engine_triangle *triangle = &scan->triangle[index];
     const plt_primitive_ids numbers = {source->second, source->header->primitive_id_bits};
-    const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, place);
-    triangle->number = plt_primitive_id(word);
-    triangle->turn = plt_primitive_rotation(word);
-    turn_to_least(triangle->corner, corner);
+    const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, index);
+    triangle->primitive_id = plt_primitive_id(word);
+    triangle->rotation = plt_primitive_rotation(word);
+    rotate_to_least(triangle->corner, corner);
     for (int i = 0; i < 9; i++) {
         triangle->point[i / 3][i % 3] =
             plt_lattice_float(&source->lattice, i % 3, triangle->corner[i / 3][i % 3]);
@@ -77,15 +77,15 @@ static void add_lattice_triangle(engine_scan *scan, const scan_source *source,
 }
 
 static void add_record(engine_scan *scan, const scan_source *source) {
-    const uint32_t place = scan->triangles++;
-    const unsigned char *record = source->second + 40 * (size_t)place;
-    engine_triangle *triangle = &scan->triangle[place];
+    const uint32_t index = scan->triangles++;
+    const unsigned char *record = source->second + 40 * (size_t)index;
+    engine_triangle *triangle = &scan->triangle[index];
     memcpy(triangle->point, record, sizeof triangle->point);
-    triangle->number = plt_primitive_id(plt_get_u32(record + 36));
-    triangle->turn = plt_primitive_rotation(plt_get_u32(record + 36));
+    triangle->primitive_id = plt_primitive_id(plt_get_u32(record + 36));
+    triangle->rotation = plt_primitive_rotation(plt_get_u32(record + 36));
 }
 
-static void add_unit(engine_scan *scan, const scan_source *source, engine_child *child,
+static void add_leaf(engine_scan *scan, const scan_source *source, engine_child *child,
                      uint32_t slot) {
     const uint32_t pairs = plt_block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
@@ -124,12 +124,12 @@ static void add_children(engine_scan *scan, const scan_source *source, uint32_t 
         } else if (child->kind == PLT_SLOT_EDGE) {
             child->link = plt_block_edge(&source->block, child->rank);
         } else {
-            add_unit(scan, source, child, slot);
+            add_leaf(scan, source, child, slot);
         }
     }
 }
 
-/* The engine opens a part with units alone. */
+/* The engine opens a part with leaves alone. */
 static void open_geometry(scan_source *source, engine_block *block) {
     plt_geometry *g = &source->geometry;
     if (source->block.units == 0) {
@@ -138,7 +138,7 @@ static void open_geometry(scan_source *source, engine_block *block) {
     if (has_floats(source)) {
         plt_geometry_open_counts(g, &source->block, source->header->leaf_triangles);
     } else {
-        plt_geometry_open(g, &source->block, &block->frame, source->header->leaf_triangles);
+        plt_geometry_open(g, &source->block, &block->bounds, source->header->leaf_triangles);
     }
     block->first_triangle = g->first_triangle;
     block->triangles = g->triangles;
@@ -158,11 +158,11 @@ static uint32_t add_block(engine_scan *scan, scan_source *source, uint32_t addre
                             .geometry_bytes = open->geometry_bytes,
                             .nodes = open->nodes,
                             .edges = open->edges,
-                            .units = open->units,
+                            .leaves = open->units,
                             .pairs = open->pairs};
-    plt_block_bounds(open, source->lattice.bits, &block->frame);
+    plt_block_bounds(open, source->lattice.bits, &block->bounds);
     open_geometry(source, block);
-    below[0] = block->frame;
+    below[0] = block->bounds;
     for (uint32_t node = 0; node < open->nodes; node++) {
         add_children(scan, source, node, below);
     }

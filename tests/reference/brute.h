@@ -1,7 +1,7 @@
 /* brute - every triangle, in double, with margins
  *
  * A verdict is certain only where no rounding of a single precision tracer
- * could turn it: rays that pass an edge closer than its error are UNSURE.
+ * could change it: rays that pass an edge closer than its error are UNSURE.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_BRUTE_H

@@ -1,7 +1,7 @@
 /* compact_check - what a tree of compact blocks promises, by recursion
  *
  * The triangles come from the packer's snapped mesh, not from the blocks: every
- * one must be found once, inside every box on the way to it. Boxes and frames are
+ * one must be found once, inside every box on the way to it. Boxes and bounds are
  * worked out here from the bytes (SPEC.md, 4.9); strips are read by the engine.
  *
  * SPDX-License-Identifier: MIT */
@@ -12,8 +12,8 @@
 #include "host_tools/pack/lattice.h"
 
 typedef struct compact_facts {
-    uint32_t blocks, nodes, units, pairs, triangles, depth;
-    uint32_t longest_unit, largest_block, most_vertices; /* bytes with padding */
+    uint32_t blocks, nodes, leaves, pairs, triangles, depth;
+    uint32_t longest_leaf, largest_block, most_vertices; /* bytes with padding */
     uint32_t broken;                                     /* promises broken; 0: a good tree */
     const char *sentence;                                /* the first of them */
 } compact_facts;

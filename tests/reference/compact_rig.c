@@ -71,16 +71,16 @@ const unsigned char *compact_section(const packed *image, unsigned index) {
     return image->bytes + word_at(image->bytes + SECTION_AT + 16 * index + 4);
 }
 
-void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *turn) {
+void compact_primitive_id(const packed *image, uint32_t index, uint32_t *id, uint32_t *rotation) {
     const unsigned char *bytes = compact_section(image, 1);
     const uint32_t bits = word_at(image->bytes + NUMBER_BITS_AT);
     uint32_t entry = 0;
     for (uint32_t i = 0; i < bits; i++) {
-        const uint64_t at = (uint64_t)place * bits + i;
+        const uint64_t at = (uint64_t)index * bits + i;
         entry |= (uint32_t)(bytes[at / 8] >> at % 8 & 1) << i;
     }
-    *turn = entry & 3;
-    *number = entry >> 2;
+    *rotation = entry & 3;
+    *id = entry >> 2;
 }
 
 static void must(int status, const fail *f) {
@@ -131,12 +131,13 @@ mesh compact_mesh(const mesh *m, uint8_t bits) {
 
 mesh compact_mesh_in_order(const packed *image, const mesh *moved) {
     mesh to = {0};
-    for (uint32_t place = 0; place < image->info.triangles; place++) {
-        uint32_t number, turn;
+    for (uint32_t index = 0; index < image->info.triangles; index++) {
+        uint32_t id, rotation;
         float corner[3][3];
-        compact_number(image, place, &number, &turn);
-        for (uint32_t c = 0; c < 3; c++) { /* the turn counts from the least to the first */
-            const uint32_t from = moved->triangle[3 * number + (3 - turn + c) % 3];
+        compact_primitive_id(image, index, &id, &rotation);
+        for (uint32_t c = 0; c < 3;
+             c++) { /* the rotation counts from the least corner to the first */
+            const uint32_t from = moved->triangle[3 * id + (3 - rotation + c) % 3];
             memcpy(corner[c], moved->vertex + 3 * (size_t)from, sizeof corner[c]);
         }
         add(&to, (const float(*)[3])corner);

@@ -31,15 +31,15 @@ const char *compact_name(const compact_config *config);
 /* Where section `index` begins, read here and not by the engine. */
 const unsigned char *compact_section(const packed *image, unsigned index);
 
-/* Number and turn of the triangle at `place`, from the numbers of the image. */
-void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *turn);
+/* Primitive id and rotation of the triangle with image index `index`, from the image. */
+void compact_primitive_id(const packed *image, uint32_t index, uint32_t *id, uint32_t *rotation);
 
 /* Triangle i of `m` where the lattice puts it. One that has lost its area is a
  * point of another, so that it is never hit and widens no box. */
 mesh compact_mesh(const mesh *m, uint8_t bits);
 
-/* Triangle i is the one at place i of `image`, which has numbers, least corner
- * first: what the image is without numbers. `moved` is of compact_mesh. */
+/* Triangle i has image index i in `image`, which has primitive ids, least corner
+ * first: what the image is without primitive ids. `moved` is of compact_mesh. */
 mesh compact_mesh_in_order(const packed *image, const mesh *moved);
 
 /* The tree of an opened engine. */

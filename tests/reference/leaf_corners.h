@@ -1,4 +1,4 @@
-/* leaf_corners - a unit's triangles, each with its own three lattice corners
+/* leaf_corners - a leaf's triangles, each with its own three lattice corners
  *
  * SPDX-License-Identifier: MIT */
 #ifndef TESTS_REFERENCE_LEAF_CORNERS_H

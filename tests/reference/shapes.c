@@ -188,7 +188,7 @@ void shape_exponential(mesh *m, uint32_t triangles) {
     }
 }
 
-void shape_place(mesh *m, float scale, float x, float y, float z) {
+void shape_transform(mesh *m, float scale, float x, float y, float z) {
     const float move[3] = {x, y, z};
     for (size_t i = 0; i < 3 * m->vertices; i++) {
         m->vertex[i] = m->vertex[i] * scale + move[i % 3];

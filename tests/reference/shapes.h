@@ -32,7 +32,7 @@ void shape_degenerate(mesh *m);
 void shape_exponential(mesh *m, uint32_t triangles);
 
 /* Multiplies, then moves, every vertex. */
-void shape_place(mesh *m, float scale, float x, float y, float z);
+void shape_transform(mesh *m, float scale, float x, float y, float z);
 
 /* The box of all vertices. */
 void shape_box(const mesh *m, float lo[3], float hi[3]);
