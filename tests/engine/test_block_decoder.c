@@ -1,7 +1,7 @@
 /* test_block_decoder - a second decoder, from SPEC.md alone, reads what was packed
  *
- * What the decoder finds is compared with the meshes, and with what the engine's
- * own functions find.
+ * What the decoder reads is compared with the meshes, and with what the engine's own functions
+ * read.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -15,7 +15,7 @@
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
-/* Lattice geometry with numbers, without, and float records. */
+/* Lattice geometry with primitive ids, without, and float records. */
 enum variant { PRIMITIVE_IDS, IMAGE_INDICES, FLOATS, VARIANTS };
 
 /* One mesh, packed as one variant, and what the decoder read from it. */
@@ -92,10 +92,10 @@ static void check_records(const subject *s) {
     for (uint32_t t = 0; t < d->triangles && seen != NULL; t++) {
         const decoded_triangle *triangle = &d->triangle[t];
         if (triangle->primitive_id >= s->m->triangles) {
-            CHECK(0, "%s: record %u: number %u", s->name, t, triangle->primitive_id);
+            CHECK(0, "%s: record %u: primitive id %u", s->name, t, triangle->primitive_id);
             continue;
         }
-        CHECK(!seen[triangle->primitive_id], "%s: number %u twice", s->name,
+        CHECK(!seen[triangle->primitive_id], "%s: primitive id %u twice", s->name,
               triangle->primitive_id);
         seen[triangle->primitive_id] = 1;
         for (unsigned c = 0; c < 3; c++) {
@@ -109,8 +109,8 @@ static void check_records(const subject *s) {
     free(seen);
 }
 
-/* What the decoder found, in the shape of what is expected: by number, or in
- * the order of the corners. */
+/* What the decoder read, in the form of what is expected: by primitive id, or ordered by
+ * corners. */
 static expected_triangle *found_triangles(const subject *s) {
     const decoded_image *d = &s->decoded;
     expected_triangle *found = calloc((size_t)d->triangles + 1, sizeof *found);
@@ -159,8 +159,8 @@ static void check_triangles(const subject *s) {
     s->variant == FLOATS ? check_records(s) : check_lattice(s);
 }
 
-/* The tightest lattice box around the floats: with lattice geometry it has the
- * very numbers of the corners. */
+/* The tightest lattice box around the floats; with lattice geometry it has exactly the corners'
+ * coordinates. */
 static int is_exact(const decoded_header *h, const decoded_box *bounds, const decoded_box *exact) {
     for (int a = 0; a < 3; a++) {
         const float up = block_decode_float(h, a, bounds->lo[a] + 1);
@@ -175,7 +175,7 @@ static int is_exact(const decoded_header *h, const decoded_box *bounds, const de
     return 1;
 }
 
-/* With float records the exact box has no lattice numbers: takes the outer's. */
+/* With float records the exact box has no lattice coordinates: uses the outer box's. */
 static int holds(const subject *s, const decoded_box *outer, decoded_box exact) {
     if (s->variant == FLOATS) {
         memcpy(exact.lo, outer->lo, sizeof exact.lo);
@@ -309,10 +309,11 @@ static void check_scene(const char *scene, const mesh *m) {
     for (size_t i = 0; i < all.count; i++) {
         decode_subject(&all.list[i]);
     }
-    check_subjects(scene, "each triangle is there once, snapped, its turning and number right",
+    check_subjects(scene, "each triangle is there once, snapped, with its winding and primitive id",
                    &all, check_triangles);
-    check_subjects(scene, "bounds are exact, every box holds what is below it", &all, check_boxes);
-    check_subjects(scene, "the engine finds the same, bit for bit", &all, check_engine);
+    check_subjects(scene, "bounds are exact, every box contains what is below it", &all,
+                   check_boxes);
+    check_subjects(scene, "the engine reads the same, bit for bit", &all, check_engine);
     for (size_t i = 0; i < all.count; i++) {
         free_subject(&all.list[i]);
     }

@@ -1,7 +1,7 @@
-/* test_block_dump - the bytes in SPEC.md section 8 are what is said of them
+/* test_block_dump - the bytes in SPEC.md section 8 are what its annotation says
  *
- * Read by the second decoder, which knows SPEC.md alone; and the packer makes
- * the same bytes of the mesh that the section gives.
+ * The second decoder, written from SPEC.md alone, reads them; and the packer makes the same
+ * bytes from the section's mesh.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static const dump_line dump[] = {
     {0x180, "a1 91 24 2d"},
 };
 
-/* In the dump the positions are left out; their numbers stand below it. */
+/* The dump leaves out the positions; their coordinates are listed below it. */
 static const uint32_t dump_vertex[10][3] = {
     {105, 0, 0},   {105, 90, 0},   {0, 0, 0},     {0, 90, 20},     {3990, 0, 10},
     {4094, 0, 10}, {4094, 80, 10}, {3990, 80, 0}, {3990, 160, 10}, {4094, 160, 300},
@@ -91,7 +91,7 @@ static void make_dump(unsigned char bytes[DUMP_BYTES]) {
     CHECK(bit == 8 * (size_t)0x11c + 388, "positions end at %zu", bit);
 }
 
-/* The bytes of positions that the dump gives are those that it describes. */
+/* The bytes of positions in the dump are those that the text describes. */
 static void check_dump_positions(const unsigned char bytes[DUMP_BYTES]) {
     static const unsigned char first[] = {0xa6, 0x01, 0x00, 0x80};
     CHECK(memcmp(bytes + 0x128, first, sizeof first) == 0, "first bytes of the positions");
@@ -112,7 +112,7 @@ static void check_dump_boxes(const decoded_image *d) {
 static void check_dump_triangles(const decoded_image *d) {
     for (uint32_t t = 0; t < 6; t++) {
         const decoded_triangle *triangle = &d->triangle[t];
-        CHECK(triangle->primitive_id == dump_table[t][3], "triangle %u: number", t);
+        CHECK(triangle->primitive_id == dump_table[t][3], "triangle %u: primitive id", t);
         CHECK(triangle->rotation == dump_table[t][4], "triangle %u: rotation", t);
         for (uint32_t i = 0; i < 9; i++) {
             const uint32_t vertex = dump_table[t][i / 3];
@@ -167,7 +167,7 @@ static void check_dump_packs(void) {
     const int status = pack_compact(&image, &m, &options, "dump", &loss, &f);
     CHECK(status == 0 && image.size == DUMP_BYTES, "%u bytes; %s", image.size, f.text);
     for (unsigned i = 0; i < DUMP_BYTES && i < image.size; i++) {
-        /* With other bins the tree may be another. */
+        /* With other bins the tree may differ. */
         const int same = image.bytes[i] == bytes[i] || rig_is_tiny();
         CHECK(same, "%04x: %02x, not %02x", i, image.bytes[i], bytes[i]);
     }

@@ -1,7 +1,7 @@
-/* test_compact_arena - the arena of compact scenes: need, peak, guards, steps
+/* test_compact_arena - the arena of compact scenes: size, peak, guards, steps
  *
- * Arenas lie on the heap in exactly their size, with a pattern before them, and
- * images are compared afterwards; sanitizers see what lies behind.
+ * Arenas are heap blocks of exactly their size, with a pattern before them, and images are
+ * compared afterwards; sanitizers see accesses beyond the end.
  *
  * SPDX-License-Identifier: MIT */
 #include <stddef.h>
@@ -52,7 +52,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     for (int i = 0; i < ZONE; i++) {
         CHECK(zone[i] == PATTERN, "byte %d before the arena was written", ZONE - i);
     }
-    CHECK(!stream.beyond, "the source was asked for too much");
+    CHECK(!stream.beyond, "the source was read beyond its end");
     free(zone);
     return o;
 }
@@ -97,9 +97,9 @@ static void sizes(void) {
     }
 }
 
-/* What a device build needs at a time: the engine, scratch (and a window on corners
- * that are not mapped), the finished blocks and
- * at most one block more (or, of few triangles, their permutation). */
+/* What a device build needs at any time: the engine, scratch (and a record cache for corners
+ * that are not mapped), the finished blocks and at most one block more (or, with few triangles,
+ * their permutation). */
 static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) {
     const compact_config config = compact_config_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
     packed image = image_of(triangles, &config);
@@ -133,7 +133,7 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
     pack_free(&image);
 }
 
-/* In pieces of any size: the blocks of plt_open, and a bounded number of pieces. */
+/* In steps of any size: the blocks of plt_open, in a bounded number of steps. */
 static void in_steps(uint32_t k, uint32_t splits) {
     const compact_config config = compact_config_of(k, 16, PLT_BUILD_DEVICE, PLT_SPLIT_MEDIAN);
     packed image = image_of(compact_triangles(500, k), &config);
@@ -157,7 +157,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
         const plt_info *info = plt_engine_info(e);
         const uint32_t work = info->nodes + 2 * info->treelets;
         CHECK(a->used == b->used && memcmp(a->bytes, b->bytes, a->used) == 0, "blocks differ");
-        /* Every field; what lies behind the last is nobody's. */
+        /* Every field; the padding after the last is not compared. */
         const size_t fields =
             offsetof(plt_info, primitive_id_bits) + sizeof info->primitive_id_bits;
         CHECK(memcmp(plt_engine_info(whole), info, fields) == 0, "counts differ");
@@ -165,7 +165,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
         CHECK(steps >= work / splits && steps <= 3 * work / splits + 1,
               "%u steps of %u for %u nodes and %u blocks", steps, splits, info->nodes,
               info->treelets);
-        CHECK(plt_open_step(e, 1, &fault) == PLT_OK, "a step more is an error");
+        CHECK(plt_open_step(e, 1, &fault) == PLT_OK, "one more step is an error");
         CHECK(compact_trace(e, info->triangles) == NULL, "cannot be traced");
     }
     free(whole_arena);
@@ -175,7 +175,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
 
 enum { RAYS = 256 };
 
-/* Hits of some rays at the scene, and what the statistics say of them. */
+/* Hits of some rays, and their statistics. */
 static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
     const plt_info *info = plt_engine_info(e);
     plt_ray rays[RAYS];
@@ -192,7 +192,7 @@ static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
     return s;
 }
 
-/* The soup with its axes exchanged: a tree of the same shape, of other boxes. */
+/* The soup with its axes exchanged: a tree of the same shape with other boxes. */
 static packed turned_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     shape_soup(&m, triangles, 0.5f, triangles);
@@ -206,8 +206,8 @@ static packed turned_of(uint32_t triangles, const compact_config *config) {
     return compact_packed(&m, config);
 }
 
-/* Blocks that are still open from before change neither hits nor statistics, and
- * those of another scene in the same arena are forgotten. */
+/* Blocks still open from earlier rays change neither hits nor statistics, and those of another
+ * scene in the same arena are forgotten. */
 static void one_after_another(uint8_t build) {
     const compact_config config = compact_config_of(2, 14, build, PLT_SPLIT_SAH);
     packed image[2] = {image_of(compact_triangles(300, 2), &config),
@@ -243,7 +243,7 @@ static void one_after_another(uint8_t build) {
 }
 
 int main(void) {
-    test("exactly the need is enough; less is built by a device, or refused with the need");
+    test("exactly the need is enough; with less a device builds, or fails and reports the need");
     sizes();
     test("a device's peak is engine, scratch, the blocks and at most one block");
     for (uint32_t k = 1; k <= 4; k *= 2) {
@@ -253,11 +253,11 @@ int main(void) {
             peak_of(compact_triangles(3000, k), k, 14, streamed);
         }
     }
-    test("built in steps the blocks are the same, in as many steps as nodes and blocks bound");
+    test("a build in steps gives the same blocks; nodes and blocks bound the number of steps");
     in_steps(1, 1);
     in_steps(2, 1);
     in_steps(4, 7);
-    test("a scene after another in one arena, and rays after others, find what they find alone");
+    test("scenes and rays one after another in one arena give the hits that they give alone");
     one_after_another(PLT_BUILD_HOST);
     one_after_another(PLT_BUILD_DEVICE);
     return test_done();

@@ -1,8 +1,8 @@
 /* test_compact_hits - compact blocks hit what thesis nodes hit, bit for bit
  *
- * Thesis nodes are given the mesh with every vertex where the lattice puts it.
- * Scenes of this kind hold all that could differ: long and flat triangles,
- * shared edges, ties, triangles that the lattice leaves no area.
+ * Thesis nodes get the mesh with every vertex moved to its lattice point. The scenes contain
+ * whatever could make a difference: long and flat triangles, shared edges, ties, triangles
+ * without area on the lattice.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -115,7 +115,7 @@ static void compare(const char *name, const compact_config *config, const plt_hi
     }
 }
 
-/* All packets there are, nearest and any hit. */
+/* All packet sizes, nearest and any hit. */
 static void trace_compact(const subject *s, compact_config config, const plt_ray *rays,
                           const plt_hit *nearest, const plt_hit *any) {
     static plt_hit hits[4 * RAYS];
@@ -158,7 +158,7 @@ static void with_numbers(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     mesh_free(&s.m);
 }
 
-/* Float records: the mesh as it is, its own numbers and box. */
+/* Float records: the mesh as it is, with its own primitive ids and box. */
 static void with_floats(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);
@@ -314,17 +314,17 @@ int main(void) {
     every_step();
     test("the traversal decodes the boxes of any node as the format defines them");
     any_planes();
-    test("with numbers kept, hits are thesis nodes' over the same positions, bit for bit");
+    test("with primitive ids, hits are those of thesis nodes over the same positions, bit for bit");
     everything(with_numbers);
-    test("with float geometry, hits are thesis nodes' over the same mesh, bit for bit");
+    test("with float geometry, hits are those of thesis nodes over the same mesh, bit for bit");
     everything(with_floats);
     test("without primitive ids, and built on the device, a hit reports the image index");
     everything(by_image_index);
     test("a device's blocks are byte for byte the host's");
     everything(same_blocks);
-    test("of coincident triangles the lowest number is hit");
+    test("of coincident triangles the lowest primitive id is hit");
     ties();
-    CHECK(met > compared / 10, "hardly a hit");
+    CHECK(met > compared / 10, "hardly any hit");
     printf("    %llu hits compared, %llu of them of triangles\n", (unsigned long long)compared,
            (unsigned long long)met);
     return test_done();

@@ -1,10 +1,9 @@
-/* test_compact_watertight - through closed meshes on a lattice no ray passes
+/* test_compact_watertight - no ray passes through a closed mesh on a lattice
  *
- * Equal lattice numbers become equal floats in every block, so what was closed
- * stays closed. Rays from points inside are aimed at every vertex and the middle
- * of every edge where the lattice has put them; others come from outside and must
- * meet something before they get there. Meshes are chosen such that the lattice
- * drops no sliver whose middle corner would be left on an edge.
+ * Equal lattice coordinates become equal floats in every block, so a closed mesh stays closed.
+ * Rays from points inside go to every vertex and the middle of every edge at their lattice
+ * positions; others come from outside and must hit something before they arrive. The meshes are
+ * chosen such that the lattice drops no sliver whose middle corner would be left on an edge.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -64,7 +63,7 @@ static void move(closed *c, float scale, float x, float y, float z) {
     }
 }
 
-/* No triangle is lost, and no two vertices become one. */
+/* No triangle is lost, and no two vertices coincide. */
 static void stays_closed(const closed *c, uint8_t bits) {
     snapped s;
     fail f = {""};
@@ -86,7 +85,7 @@ static void shoot(const rig *r, const char *name, const plt_ray *rays, uint32_t 
     }
 }
 
-/* From as far behind `at` again as the mesh is wide, to the point inside. */
+/* From behind `at`, at a distance of the mesh's width, to the point inside. */
 static plt_ray from_outside(const mesh *m, const float inside[3], const float at[3]) {
     float lo[3], hi[3], org[3], wide = 0.0f, distance = 0.0f;
     shape_box(m, lo, hi);
@@ -102,7 +101,7 @@ static plt_ray from_outside(const mesh *m, const float inside[3], const float at
     return ray;
 }
 
-/* Target i: corner i % 3 of a triangle, or the middle of the edge behind it. */
+/* Target i: corner i % 3 of a triangle, or the middle of the edge that starts there. */
 static void target(const mesh *m, uint32_t i, float at[3]) {
     const float *p = shape_corner(m, i / 6, i % 3), *q = shape_corner(m, i / 6, (i + 1) % 3);
     for (int a = 0; a < 3; a++) {

@@ -1,7 +1,7 @@
 /* test_image_rules - each refusal of SPEC.md, section 5.1, by rule and offset
  *
- * A good image with one thing changed and its checksums made right, so that
- * no earlier rule speaks; and the CRC's check value, and a header by hand.
+ * A valid image with one thing changed and its checksums made right, so that no earlier rule
+ * refuses it; the CRC's check value; and a header by hand.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/image/header.h"
@@ -125,7 +125,7 @@ static void sizes_and_checksums(void) {
     bytes[image.size - 1] ^= 1; /* padding */
     refused(bytes, image.size, 13, 256 + image.info.node_bytes);
     free(bytes);
-    /* The sections are right, but something follows them. */
+    /* The sections are valid, but something follows them. */
     unsigned char *longer = calloc(image.size + 64, 1);
     memcpy(longer, image.bytes, image.size);
     plt_put_u32(longer + 16, image.size + 64);
@@ -143,7 +143,7 @@ static void tolerated(void) {
     CHECK(changed(&larger_k).status == PLT_OK, "K above the longest list is refused");
 }
 
-/* Bytes of the specification's table, read without the engine's help. */
+/* Bytes of the specification's table, read without the engine. */
 static void by_hand(void) {
     const unsigned char *b = image.bytes;
     CHECK(memcmp(b, "PLANELET\1\0\0\0\0\1\0\0", 16) == 0, "magic, version, header size");
@@ -160,7 +160,7 @@ static void by_hand(void) {
     CHECK(plt_crc32(0, "", 0) == 0, "of nothing");
 }
 
-/* What was written is what is read, for any counts that pass. */
+/* A header is read as it was written, for any valid counts. */
 static void round_trip(void) {
     plt_header h, again;
     plt_fault fault;
@@ -177,7 +177,7 @@ int main(void) {
     make_image();
     test("each refusal names its rule and offset");
     every_change();
-    test("sizes and checksums too");
+    test("... also for sizes and checksums");
     sizes_and_checksums();
     test("what the specification tolerates is tolerated");
     tolerated();

@@ -1,7 +1,6 @@
 /* test_render - frames: the same picture in every configuration, each pixel once, in steps
  *
- * PLANELET_GOLDEN=write prints the table of golden/frames.txt with the hashes
- * that this program finds.
+ * PLANELET_GOLDEN=write prints the table of golden/frames.txt with the hashes of this build.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -173,7 +172,7 @@ static void camera_errors(plt_engine *e) {
     plt_frame f = good;
     CHECK(plt_render_begin(e, &good) == PLT_OK, "a good camera");
     memcpy(f.camera.look, f.camera.eye, sizeof f.camera.eye);
-    refuse(e, f, "looks where it stands");
+    refuse(e, f, "looks at its own position");
     f = good;
     memset(f.camera.up, 0, sizeof f.camera.up);
     refuse(e, f, "no up");
@@ -240,7 +239,7 @@ static void shaders(void) {
     const uint8_t *sky = pixel(&grey, 12, 0), *ground = pixel(&grey, 12, 19);
     CHECK(pixel(&grey, 9, 9)[0] >= 254 && pixel(&grey, 9, 9)[2] < pixel(&grey, 9, 9)[1],
           "facing the eye: clay, bright");
-    CHECK(pixel(&grey, 0, 0)[0] < pixel(&grey, 9, 9)[0], "darker at the rim");
+    CHECK(pixel(&grey, 0, 0)[0] < pixel(&grey, 9, 9)[0], "darker at the edge");
     CHECK(sky[0] < ground[0] && sky[1] < ground[1] && sky[2] < ground[2], "sky");
     CHECK(is_colour(pixel(&grey, 0, 19), ground[0], ground[1], ground[2]), "lower left is free");
     CHECK(is_colour(pixel(&normal, 12, 0), sky[0], sky[1], sky[2]), "upper right is free");
@@ -334,7 +333,7 @@ int main(void) {
     bounded_steps(PLT_ORDER_DEPTH_FIRST, 3);
     bounded_steps(PLT_ORDER_TWO_STAGE, 3);
     bounded_steps(PLT_ORDER_TWO_STAGE, 64);
-    test("a frame that was dropped leaves nothing behind");
+    test("a frame that was dropped has no effect on the next");
     interrupted();
     mesh m = some_scene();
     rig r = plain(&m);
@@ -342,7 +341,7 @@ int main(void) {
     camera_errors(r.engine);
     rig_close(&r);
     mesh_free(&m);
-    test("shaders show facing, direction and number, above a sky, left is left");
+    test("shaders show facing, normal and primitive id; the sky is above, left is left");
     shaders();
     test("golden frames have their hashes");
     golden_frames();

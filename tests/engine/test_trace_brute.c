@@ -1,7 +1,7 @@
 /* test_trace_brute - every configuration against every triangle in double
  *
- * All packets, orders, K, N, builders and builds must agree bit for bit with
- * the list of all triangles, and that one with the reference.
+ * All packets, orders, K, N, builders and builds must agree bit for bit with the list of all
+ * triangles, and that list with the reference.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -19,9 +19,9 @@
 #define SCENES 18
 
 static const char *const scene_name[SCENES] = {
-    "soup",         "fine soup",     "soup, 1e-6",      "soup, 1e6", "soup far off", "cube",
-    "icosphere",    "sheet x",       "sheet y",         "sheet z",   "coincident",   "degenerate",
-    "one triangle", "two triangles", "three triangles", "needles",   "exponential",  "knot"};
+    "soup",         "fine soup",     "soup, 1e-6",      "soup, 1e6", "soup far away", "cube",
+    "icosphere",    "sheet x",       "sheet y",         "sheet z",   "coincident",    "degenerate",
+    "one triangle", "two triangles", "three triangles", "needles",   "exponential",   "knot"};
 
 static void place_soup(mesh *m, int scene) {
     shape_soup(m, scene == 1 ? 128 : 90, scene == 1 ? 0.1f : 0.8f, (uint64_t)scene + 7);
@@ -104,7 +104,7 @@ static void against_reference(const trial *t, uint32_t *hits, uint32_t *unsure) 
         const char *wrong = brute_objects(&t->m, &t->rays[i], h, &open);
         CHECK(wrong == NULL, "%s, ray %u: %s (triangle %u, t %g)", t->name, i, wrong, h->triangle,
               (double)h->t);
-        *unsure += open && i < 2 * MIXED / 3; /* the others graze by design */
+        *unsure += open && i < 2 * MIXED / 3; /* the others graze on purpose */
         *hits += h->triangle != PLT_MISS;
     }
 }
@@ -163,7 +163,7 @@ static void compare_packings(const trial *t) {
 int main(void) {
     uint32_t hits = 0, unsure = 0;
     trial *t = malloc(SCENES * sizeof *t);
-    test("every hit and miss is what all triangles in double precision say");
+    test("every hit and miss agrees with testing all triangles in double precision");
     for (int i = 0; i < SCENES; i++) {
         t[i] = trial_of(i);
         against_reference(&t[i], &hits, &unsure);

@@ -1,7 +1,7 @@
-/* test_trace_exact - on which side of an edge a ray passes, against integers
+/* test_trace_exact - the side of an edge on which a ray passes, against integers
  *
- * Coordinates are integers of at most 20 bits times a power of two, so that
- * 128-bit integers give dir . ((p - org) x (q - org)) exactly.
+ * Coordinates are integers of at most 20 bits times a power of two, so that 128-bit integers
+ * give dir . ((p - org) x (q - org)) exactly.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -39,7 +39,7 @@ static wide size(wide x) {
     return x < 0 ? -x : x;
 }
 
-/* The value, and the sum of the magnitudes that it is made of. */
+/* The value, and the sum of the magnitudes of its terms. */
 static wide exactly(const question *x, wide *magnitude) {
     wide value = 0;
     *magnitude = 0;
@@ -69,7 +69,7 @@ static question random_question(random_state *r) {
     return x;
 }
 
-/* The ray through a point of the line p q, or off by one somewhere. */
+/* The ray through a point of the line p q, or with one coordinate off by one. */
 static question close_question(random_state *r) {
     question x = random_question(r);
     const int32_t steps = 1 + (int32_t)random_below(r, 6), at = (int32_t)random_below(r, 7);
@@ -103,13 +103,13 @@ static void ask(const question *x, int power, int turn) {
 
 int main(void) {
     random_state r = {3};
-    test("a side is never wrong, and found when farther than 2^-41");
+    test("a side is never wrong, and is decided when farther than 2^-41");
     for (int i = 0; i < 400000; i++) {
         const question x = i % 2 ? random_question(&r) : close_question(&r);
         ask(&x, 0, 0);
     }
     CHECK(on > 20000 && off > 20000, "%u on the line, %u off it", on, off);
-    test("powers of two as far as coordinates and directions go change no side");
+    test("scaling by powers of two within the limits changes no side");
     for (int i = 0; i < 200000; i++) {
         const question x = i % 2 ? random_question(&r) : close_question(&r);
         const int power = (int)random_below(&r, 120) - 100, turn = (int)random_below(&r, 80) - 40;

@@ -1,4 +1,4 @@
-/* test_trace_odd - rays nobody should send, and rays at the limits
+/* test_trace_odd - invalid rays, and rays at the limits
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -109,7 +109,7 @@ static void intervals(plt_engine *e) {
 
 static void on_surfaces(plt_engine *e) {
     hits_at(e, towards(-1, 0.25f, 0.125f, 1, 0, 0), 0.0, "starts on a plane, leaves it");
-    hits_at(e, towards(-1, 0.25f, 0.125f, -1, 0, 0), 0.0, "starts on a plane, goes out");
+    hits_at(e, towards(-1, 0.25f, 0.125f, -1, 0, 0), 0.0, "starts on a plane, goes outward");
     hits_at(e, towards(-1, -1, -1, 1, 1, 1), 0.0, "starts at a vertex");
     hits_at(e, towards(1, 1, -1, -1, 1, 1), 0.0, "starts at a vertex, grazes");
     hits_at(e, towards(-1, -1, 0, 0, 1, 1), 0.0, "starts on an edge");
@@ -118,8 +118,8 @@ static void on_surfaces(plt_engine *e) {
     hits_at(e, towards(-2, -1, 0, 1, 1, 0), 1.0, "through an edge");
 }
 
-/* In the plane of a face the answer may be either, but must be the same in
- * any company, without a NaN and within the interval. */
+/* In the plane of a face a ray may hit or miss, but the answer must be the same in any packet,
+ * without a NaN and within the interval. */
 static void in_the_plane(plt_engine *e) {
     random_state r = {3};
     for (int i = 0; i < 2000; i++) {
@@ -147,7 +147,7 @@ static float any_float(random_state *r) {
     return random_below(r, 4) ? ldexpf(random_float(r, -1, 1), (int)random_below(r, 140) - 70) : x;
 }
 
-/* Bits at random: no NaN comes out and what is hit is in range. */
+/* Random bits as rays: no NaN is returned, and hits are in range. */
 static void any_bits(const mesh *m, uint8_t order) {
     rig one = opened(m, order);
     random_state r = {11};
@@ -175,7 +175,7 @@ static void any_bits(const mesh *m, uint8_t order) {
     rig_close(&one);
 }
 
-/* Coordinates and origins up to 2^40, so that products come near overflow. */
+/* Coordinates and origins up to 2^40: products come near overflow. */
 static void far_corners(void) {
     mesh m = {0};
     random_state r = {2};
@@ -254,7 +254,7 @@ int main(void) {
     not_numbers(one.engine);
     test("directions from 2^-60 to 2^60 hit, others hit nothing");
     directions(one.engine);
-    test("hits lie in tmin .. tmax, both ends included");
+    test("hits are in tmin .. tmax, both included");
     intervals(one.engine);
     test("rays that start on planes, edges and vertices hit them at 0");
     on_surfaces(one.engine);

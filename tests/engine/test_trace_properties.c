@@ -1,4 +1,4 @@
-/* test_trace_properties - what must hold of hits without knowing them
+/* test_trace_properties - properties of hits that hold for any scene
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -62,7 +62,7 @@ static void occlusion(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* Triangle i of `m` becomes triangle `number[i]`. */
+/* Triangle i of `m` gets primitive id `number[i]`. */
 static void shuffle(mesh *m, uint32_t *number, uint64_t seed) {
     random_state r = {seed};
     const uint32_t count = (uint32_t)m->triangles;
@@ -94,7 +94,7 @@ static void permutation(uint64_t seed) {
         if (hits[i].triangle != PLT_MISS) {
             expected.triangle = number[hits[i].triangle];
         }
-        /* A tie may go to another triangle, then with a lower number now. */
+        /* A tie may go to another triangle, but only to one with a lower id now. */
         const int tie = others[i].triangle < expected.triangle;
         ties += tie != 0;
         CHECK(others[i].t == hits[i].t, "ray %u", i);
@@ -110,7 +110,8 @@ static void lowest_number_wins(uint8_t build, uint8_t order) {
     mesh m = {0};
     random_state r = {5};
     shape_soup(&m, 20, 0.5f, 5);
-    for (uint32_t copies = 0; copies < 3; copies++) { /* again, the corners in another order */
+    for (uint32_t copies = 0; copies < 3;
+         copies++) { /* once more, with the corners in another order */
         for (uint32_t i = 0; i < 20; i++) {
             fail f = {""};
             const uint32_t *t = m.triangle + 3 * i;
@@ -129,7 +130,7 @@ static void lowest_number_wins(uint8_t build, uint8_t order) {
     mesh_free(&m);
 }
 
-/* tmax at t keeps the hit, just below t loses it or finds nothing nearer. */
+/* With tmax at t the hit stays; just below t it is lost, and nothing nearer is found. */
 static void shrink(uint64_t seed) {
     mesh m = soup(seed);
     plt_ray shorter[RAYS];
@@ -151,7 +152,7 @@ static void shrink(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* tmin at t keeps the hit; above it, the next one is no nearer. */
+/* With tmin at t the hit stays; above t the next hit is no nearer. */
 static void advance(uint64_t seed) {
     mesh m = soup(seed);
     plt_ray later[RAYS];
@@ -220,8 +221,8 @@ static void reverse_triangles(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* The world seen in a mirror. Negating an axis rounds nothing differently, but
- * another corner may come first in canonical order: a few roundings in t. */
+/* The scene mirrored. Negating an axis changes no rounding, but another corner may come first
+ * in canonical order: a few roundings in t. */
 static void mirror(uint64_t seed, int axis) {
     mesh m = soup(seed);
     plt_ray image[RAYS];
@@ -235,7 +236,7 @@ static void mirror(uint64_t seed, int axis) {
     }
     trace_other(&m, image, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
-        const plt_hit *h = &hits[i], *o = &others[i]; /* but a zero may change its sign */
+        const plt_hit *h = &hits[i], *o = &others[i]; /* a zero may change its sign */
         CHECK(h->triangle == o->triangle && fabsf(h->t - o->t) <= 1e-5f * h->t + 1e-6f &&
                   fabsf(h->u - o->u) <= 1e-4f && fabsf(h->v - o->v) <= 1e-4f,
               "axis %d, ray %u: %u t %.9g, not %u t %.9g", axis, i, others[i].triangle,
@@ -244,7 +245,7 @@ static void mirror(uint64_t seed, int axis) {
     mesh_free(&m);
 }
 
-/* x y z become y z x: the same hits, but sums are taken in another order. */
+/* x y z become y z x: the same hits, but sums are computed in another order. */
 static void rotate_axes(uint64_t seed) {
     mesh m = soup(seed);
     plt_ray rotated[RAYS];
@@ -270,7 +271,7 @@ static void rotate_axes(uint64_t seed) {
         off += hits[i].triangle != others[i].triangle ||
                !(fabsf(hits[i].t - others[i].t) <= 1e-5f * hits[i].t);
     }
-    CHECK(off < RAYS / 100, "%u hits are another or farther than 1e-5", off);
+    CHECK(off < RAYS / 100, "%u hits differ in triangle, or by more than 1e-5", off);
     mesh_free(&m);
 }
 
@@ -312,7 +313,7 @@ static void any_count(uint64_t seed) {
     const plt_hit untouched = {-7.0f, -7.0f, -7.0f, 77};
     rig one = opened(&m, PLT_BUILD_HOST, PLT_ORDER_DEPTH_FIRST);
     for (uint32_t count = 0; count < 600; count += count < 70 ? 1 : 37) {
-        /* Exactly as many as asked for, so that sanitizers see one too many. */
+        /* Arrays of exactly the requested size: sanitizers see one element too many. */
         plt_ray *some = malloc(count * sizeof *some + 1);
         plt_hit *found = malloc((count + 1) * sizeof *found);
         memcpy(some, rays + 100, count * sizeof *some);
@@ -330,20 +331,20 @@ static void any_count(uint64_t seed) {
 }
 
 int main(void) {
-    test("occluded is the same as having a nearest hit");
+    test("any hit is the same as having a nearest hit");
     occlusion(1);
     occlusion(2);
-    test("the order of triangles changes nothing but their numbers");
+    test("the order of triangles changes only their primitive ids");
     permutation(3);
     permutation(4);
-    test("of triangles hit at equal t the lowest number wins");
+    test("of triangles hit at equal t the lowest primitive id wins");
     for (uint8_t build = 0; build < 3; build++) {
         lowest_number_wins(build, PLT_ORDER_DEPTH_FIRST);
         lowest_number_wins(build, PLT_ORDER_TWO_STAGE);
     }
     test("tmax at t keeps a hit, tmax below t finds nothing");
     shrink(6);
-    test("tmin at t keeps a hit, tmin above t finds only what lies behind");
+    test("tmin at t keeps a hit, tmin above t finds only hits behind it");
     advance(7);
     test("scaling by powers of two scales t exactly and nothing else");
     scale(8, 0, 0);
@@ -353,14 +354,14 @@ int main(void) {
     scale(9, 12, -50);
     test("reversing the winding of triangles exchanges u and v");
     reverse_triangles(10);
-    test("a mirrored world has mirrored hits");
+    test("a mirrored scene has mirrored hits");
     for (int axis = 0; axis < 3; axis++) {
         mirror(11, axis);
     }
-    test("a world with its axes exchanged has the same hits and misses");
+    test("a scene with its axes exchanged has the same hits and misses");
     rotate_axes(15);
     rotate_axes(16);
-    test("hits do not depend on the other rays of a packet, be they garbage");
+    test("hits do not depend on the other rays of a packet, even if these are garbage");
     company(12, PLT_ORDER_DEPTH_FIRST);
     company(13, PLT_ORDER_TWO_STAGE);
     test("any count of rays is traced, and no hit beyond it is written");

@@ -1,12 +1,11 @@
-/* test_trace_watertight - through closed meshes no ray passes
+/* test_trace_watertight - no ray passes through a closed mesh
  *
- * Rays are aimed at every vertex, every edge's middle and random points of
- * edges and faces, from points inside (they must hit something) and from
- * outside to such a point (they must hit something before it), at several
- * scales and offsets. PLANELET_SOAK=1 aims twenty times as many.
+ * Rays go to every vertex, every edge's middle and random points of edges and faces, from
+ * points inside (they must hit something) and from outside to such a point (they must hit
+ * something before it), at several scales and offsets. PLANELET_SOAK=1 traces twenty times as
+ * many.
  *
- * Source of the promise: Woop, Benthin, Wald, "Watertight ray/triangle
- * intersection", 2013.
+ * Source of the property: Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -53,7 +52,7 @@ static const transform transforms[] = {
 
 static uint64_t rays_aimed, escaped;
 
-/* ---- are the meshes closed at all? ----------------------------------------- */
+/* ---- are the meshes closed? ----------------------------------------- */
 
 static uint32_t count_edge(const mesh *m, uint32_t a, uint32_t b) {
     uint32_t count = 0;
@@ -224,7 +223,7 @@ static void bombard(const closed *c, plt_engine *e, uint32_t count, int outside,
 static void bombard_transformed(const closed *base, int outside, uint32_t count) {
     for (size_t p = 0; p < sizeof transforms / sizeof transforms[0]; p++) {
         closed c = transformed(base, &transforms[p]);
-        /* A needle's radius must not drown in the offset's rounding. */
+        /* A needle's radius must not vanish in the offset's rounding. */
         const int drowned = strcmp(base->name, "needles") == 0 && transforms[p].offset[0] != 0.0f;
         rig one;
         rig_config config = rig_config_of(1 + p % 2, 3, PLT_BUILD_HOST, p % 3 == 0);

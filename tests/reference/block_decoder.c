@@ -1,7 +1,7 @@
 /* block_decoder - the traversal of all blocks of a compact image
  *
- * Blocks are met depth first, so in the order of their addresses: each shall
- * begin where the one before it ended.
+ * Blocks are visited depth first, which is the order of their addresses: each shall begin where
+ * the one before it ended.
  *
  * Source: SPEC.md, sections 3, 4.8 and 5.3.
  *
@@ -16,7 +16,7 @@
 
 #define LINK_NONE 0xFFFFFFFFu
 
-/* A link that waits, and the nodes above what it leads to. */
+/* A pending link, and the number of nodes above what it leads to. */
 typedef struct waiting {
     uint32_t address, nodes_bytes, depth;
 } waiting;
@@ -25,7 +25,7 @@ typedef struct block_traversal {
     decoder_part part;
     waiting *stack;
     uint32_t waiting;
-    uint32_t end; /* where the block before ended */
+    uint32_t end; /* where the previous block ended */
     uint32_t geometry_bytes;
 } block_traversal;
 
@@ -43,7 +43,7 @@ void *decoder_room(void *array, uint32_t count, size_t element_bytes) {
 
 uint32_t decoder_check(const decoder_bytes *in, size_t at, size_t size, size_t hole) {
     if (at > in->size || size > in->size - at) {
-        return 0x10000; /* no check of 16 bits */
+        return 0x10000; /* differs from any 16-bit check */
     }
     const uint32_t crc = decoder_crc(in->at + at, size, hole, 2);
     return (crc ^ crc >> 16) & 0xFFFFu;
@@ -55,7 +55,7 @@ static void push(block_traversal *traversal, uint32_t link, uint32_t depth) {
         (waiting){8 * (link & 0xFFFFFFu), 4 * (link >> 24), depth};
 }
 
-/* The stack's part from `from` on, so that the least address is on top. */
+/* Sorts the stack from `from` on: the lowest address on top. */
 static void sort_down(block_traversal *traversal, uint32_t from) {
     for (uint32_t i = from; i < traversal->waiting; i++) {
         for (uint32_t k = i; k > from; k--) {
@@ -69,7 +69,7 @@ static void sort_down(block_traversal *traversal, uint32_t from) {
     }
 }
 
-/* Nodes above each node of the block, and the edges of each. */
+/* Computes the depth of each node of the block and pushes its edges. */
 static void push_edges(decoded_image *image, block_traversal *traversal) {
     const decoded_block *block = traversal->part.block;
     uint32_t depth[64];
@@ -92,7 +92,7 @@ static void push_edges(decoded_image *image, block_traversal *traversal) {
     sort_down(traversal, from);
 }
 
-/* Padding of the block, and where it ends. */
+/* Checks the block's padding and sets its end. */
 static int end_block(decoded_image *image, block_traversal *traversal) {
     decoded_block *block = traversal->part.block;
     const uint32_t used = block->nodes_bytes + block->geometry_bytes;
@@ -130,7 +130,7 @@ static int read_block(decoded_image *image, block_traversal *traversal, const wa
     return 0;
 }
 
-/* Edges held addresses so far. */
+/* Edges have held addresses so far: replaces them by indices. */
 static int resolve_edges(decoded_image *image) {
     for (uint32_t i = 0; i < 2 * image->nodes; i++) {
         decoded_child *child = &image->node[i / 2].child[i % 2];
@@ -163,7 +163,7 @@ static int check_counts(decoded_image *image, const block_traversal *traversal) 
     return 0;
 }
 
-/* The box at 72 is that of the triangles, no more and no less. */
+/* The box at 72 is exactly that of the triangles. */
 static int check_tight(decoded_image *image) {
     for (int a = 0; a < 3 && image->triangles > 0; a++) {
         float lo = image->triangle[0].point[0][a], hi = lo;
@@ -216,7 +216,7 @@ int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) 
     const int status = traverse_blocks(image, &traversal);
     free(traversal.stack);
     if (status == 0 && (traversal.part.records.overrun || traversal.part.primitive_ids.overrun)) {
-        return block_decode_wrong(image, "image: read behind a section");
+        return block_decode_wrong(image, "image: read beyond a section");
     }
     return status;
 }

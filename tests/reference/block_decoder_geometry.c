@@ -12,7 +12,7 @@ enum { WORST_BLOCK_TRIANGLES = 520, WORST_BLOCK_VERTICES = 2047, ALL_PARTS_BITS 
 /* Strips are read from the first reference of the block to the last. */
 typedef struct strip_reader {
     uint32_t reference, known; /* references read, vertices met */
-    uint32_t corner[3];        /* of the triangle before, as it was given */
+    uint32_t corner[3];        /* of the previous triangle, in strip order */
 } strip_reader;
 
 static int part_wrong(decoded_image *image, const decoder_part *part, const char *what) {
@@ -123,7 +123,7 @@ static int next_vertex(decoded_image *image, decoder_part *part, strip_reader *s
     return *vertex < strip->known ? 0 : part_wrong(image, part, "a vertex not yet met");
 }
 
-/* Corners of triangle t of the block as the strip gives them. */
+/* Corners of triangle t of the block, in strip order. */
 static int next_triangle(decoded_image *image, decoder_part *part, strip_reader *strip,
                          uint32_t t) {
     uint32_t *corner = strip->corner;
@@ -255,7 +255,7 @@ static int check_part(decoded_image *image, decoder_part *part, size_t strings_e
         return part_wrong(image, part, "counts of the geometry part");
     }
     if (!decoder_is_zero(&part->in, strings_end, part->end + 8 * bytes)) {
-        return part_wrong(image, part, "bits behind the strings");
+        return part_wrong(image, part, "bits after the strings");
     }
     const uint32_t check = decoder_check(&part->in, at, bytes, 6);
     return check == decoder_bits(&part->in, part->end + 48, 16)

@@ -44,7 +44,7 @@ static void count_kinds(decoder_part *part, uint32_t *inner) {
     }
 }
 
-/* Where the rows of the nodes part lie; how many there are of each kind. */
+/* Positions of the rows of the nodes part, and the number of slots of each kind. */
 static int lay_out(decoded_image *image, decoder_part *part) {
     decoded_block *block = part->block;
     const size_t begin = block->address, n = block->nodes;
@@ -74,7 +74,7 @@ static int lay_out(decoded_image *image, decoder_part *part) {
                : block_decode_wrong(image, "block %u: padding", block->address);
 }
 
-/* Bits behind the last one of a string that begins a row. */
+/* Bits after the last one of a string that has its own row. */
 static int rows_end_in_zeros(decoder_part *part) {
     const size_t n = part->block->nodes;
     return decoder_is_zero(&part->in, part->mask_a + 2 * n, part->mask_b) &&
@@ -105,7 +105,7 @@ static int read_bounds(decoded_image *image, decoder_part *part) {
     set_floats(h, box);
     return decoder_is_zero(&part->in, bounds + (size_t)6 * w, part->mask_a)
                ? 0
-               : block_decode_wrong(image, "block %u: behind the bounds", part->block->address);
+               : block_decode_wrong(image, "block %u: bits after the bounds", part->block->address);
 }
 
 static int32_t step_of(int32_t extent) {
@@ -143,7 +143,7 @@ static decoded_box child_box(const decoded_header *header, decoder_part *part, u
     return box;
 }
 
-/* Index of what the child is; of an edge its address, until all are known. */
+/* Index of what the child is; for an edge its address, until all blocks are known. */
 static uint32_t child_which(decoder_part *part, uint32_t slot, enum decoded_kind kind) {
     const uint32_t rank = decoder_slot_rank(part, slot);
     if (kind == DECODED_INNER) {

@@ -1,4 +1,4 @@
-/* block_decoder_part - what the files of block_decoder tell each other
+/* block_decoder_part - what the files of block_decoder share
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_BLOCK_DECODER_PART_H
@@ -32,7 +32,7 @@ int decoder_geometry_part(decoded_image *image, decoder_part *part);
  * check itself at byte `hole` of them. */
 uint32_t decoder_check(const decoder_bytes *in, size_t at, size_t size, size_t hole);
 
-/* `array` with room for one more than `count` elements; fills it with 0. */
+/* Returns `array` with room for one more than `count` elements; the new one is 0. */
 void *decoder_room(void *array, uint32_t count, size_t element_bytes);
 
 #endif

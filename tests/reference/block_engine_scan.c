@@ -1,4 +1,4 @@
-/* block_engine_scan - what the engine's own functions make of compact blocks
+/* block_engine_scan - what the engine's own functions read from compact blocks
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/block_engine_scan.h"
@@ -12,7 +12,7 @@
 #include "engine/tree/primitive_id.h"
 #include "tests/reference/leaf_corners.h"
 
-/* The image, and the block in hand. */
+/* The image, and the current block. */
 typedef struct scan_source {
     const unsigned char *blocks, *second; /* sections; the second may be missing */
     const decoded_header *header;
@@ -34,7 +34,7 @@ static size_t room_of(size_t count) {
     return room;
 }
 
-/* The array with room for `more` elements behind its `count`, those 0. */
+/* Returns the array with room for `more` elements after its `count`; the new ones are 0. */
 static void *grow(void *array, uint32_t count, uint32_t more, size_t element_bytes) {
     const size_t room = room_of((size_t)count + more);
     if (array == NULL || room != room_of(count)) {
@@ -48,7 +48,7 @@ static void *grow(void *array, uint32_t count, uint32_t more, size_t element_byt
     return array;
 }
 
-/* Begins with the least corner; the winding stays. */
+/* Rotates the least corner to the front; the winding stays. */
 static void rotate_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
     uint64_t key[3];
     int least = 0;
@@ -129,7 +129,7 @@ static void add_children(engine_scan *scan, const scan_source *source, uint32_t 
     }
 }
 
-/* The engine opens a part with leaves alone. */
+/* Only blocks with leaves have a geometry part to open. */
 static void open_geometry(scan_source *source, engine_block *block) {
     plt_geometry *g = &source->geometry;
     if (source->block.units == 0) {

@@ -1,7 +1,7 @@
-/* block_engine_scan - what the engine's own functions make of compact blocks
+/* block_engine_scan - what the engine's own functions read from compact blocks
  *
- * For images that the second decoder has found sound: the engine's functions
- * check nothing. Blocks one behind the other, in a block slots in order.
+ * Only for images that the second decoder has found valid: the engine's functions check
+ * nothing. Blocks are read one after the other, in a block slots in order.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_BLOCK_ENGINE_SCAN_H
@@ -14,8 +14,8 @@ typedef struct engine_child {
     enum plt_slot_kind kind;
     uint32_t rank;  /* among those of its kind in the block */
     uint32_t link;  /* of an edge */
-    uint32_t first; /* of a leaf: image order of its first triangle, */
-    uint32_t count; /* and how many there are */
+    uint32_t first; /* of a leaf: image index of its first triangle, */
+    uint32_t count; /* and the number of its triangles */
     plt_lattice_box box;
     plt_box floats;
 } engine_child;
@@ -40,7 +40,7 @@ typedef struct engine_scan {
     uint32_t blocks, children, triangles;
 } engine_scan;
 
-/* Memory that is out ends the program. */
+/* Running out of memory ends the program. */
 void engine_scan_make(engine_scan *scan, const unsigned char *image, const decoded_header *header);
 void engine_scan_free(engine_scan *scan);
 

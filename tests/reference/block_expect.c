@@ -16,10 +16,10 @@ static void *allocate(size_t count, size_t bytes) {
     return memory;
 }
 
-/* The number nearest to where `p` lies, of two the upper one. */
+/* The lattice coordinate nearest to `p`, of two the upper one. */
 static int32_t snap(const decoded_header *header, int axis, float p) {
     const double steps = ((double)p - (double)header->origin[axis]) / (double)header->step;
-    return (int32_t)(steps + 0.5); /* of a number that is not negative */
+    return (int32_t)(steps + 0.5); /* `steps` is not negative */
 }
 
 static int is_flat(const int32_t c[3][3]) {
@@ -118,7 +118,7 @@ static const decoded_box *box_below(const decoded_image *image, const expected_b
     }
 }
 
-/* Children stand behind their parents, so from the last node to the first. */
+/* Children come after their parents, so from the last node to the first. */
 expected_boxes expect_boxes(const decoded_image *image) {
     expected_boxes boxes = {allocate(image->nodes, sizeof *boxes.node),
                             allocate(image->leaves, sizeof *boxes.leaf)};

@@ -22,7 +22,7 @@ typedef struct checking {
 typedef struct open_block {
     plt_block b;
     plt_geometry g;
-    uint32_t inner, edges, leaves, pairs; /* met so far, in the order of slots */
+    uint32_t inner, edges, leaves, pairs; /* read so far, in the order of slots */
     uint32_t triangles;
 } open_block;
 
@@ -87,7 +87,7 @@ static plt_lattice_box child_box(const open_block *o, uint32_t node, const plt_l
     return to;
 }
 
-/* Takes a leaf's triangles; returns their exact box. */
+/* Records a leaf's triangles; returns their exact box. */
 static plt_lattice_box check_leaf(checking *c, open_block *o, int pair,
                                   const plt_lattice_box *box) {
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
@@ -124,9 +124,9 @@ static plt_lattice_box check_leaf(checking *c, open_block *o, int pair,
 static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice_box *around,
                                    uint32_t depth);
 
-/* The block in hand, slot by slot: node i's children are slots 2i and 2i + 1, and
- * inner ones come in the order of their numbers, so boxes can be kept in a row.
- * Edges wait till the block is done: what is behind them lies behind it. */
+/* Reads the current block slot by slot. Node i's children are slots 2i and 2i + 1, and inner
+ * ones are in the order of their numbers, so boxes fit in an array. Edges are followed after
+ * the block, as their blocks lie after it. */
 typedef struct row {
     plt_lattice_box box[PLT_BLOCK_NODES_MOST], exact[PLT_BLOCK_NODES_MOST];
     plt_lattice_box edge_box[PLT_BLOCK_NODES_MOST + 1];
@@ -197,7 +197,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     }
     const uint32_t size = (o.b.node_bytes + o.b.geometry_bytes + 7u) & ~7u;
     expect(c, plt_block_node_bytes(link) == o.b.node_bytes, "a link has another size");
-    expect(c, encloses(around, &r->box[0]), "bounds leaves the box of its edge");
+    expect(c, encloses(around, &r->box[0]), "a block's bounds leave the box of its edge");
     c->next += size;
     r->depth[0] = depth + 1;
     for (uint32_t i = 0; i < o.b.nodes; i++) {
@@ -217,12 +217,13 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     c->facts->largest_block = size > c->facts->largest_block ? size : c->facts->largest_block;
     check_edges(c, &o, r);
     for (uint32_t i = o.b.nodes; i-- > 0;) {
-        expect(c, encloses(&r->box[i], &r->exact[i]), "a box does not hold what is below it");
+        expect(c, encloses(&r->box[i], &r->exact[i]), "a box does not contain what is below it");
         if (i > 0) {
             grow(&r->exact[r->parent[i]], &r->exact[i]);
         }
     }
-    expect(c, memcmp(&r->exact[0], &r->box[0], sizeof r->exact[0]) == 0, "bounds is not exact");
+    expect(c, memcmp(&r->exact[0], &r->box[0], sizeof r->exact[0]) == 0,
+           "a block's bounds are not exact");
     const plt_lattice_box exact = r->exact[0];
     free(r);
     return exact;

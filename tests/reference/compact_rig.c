@@ -99,7 +99,7 @@ static void add(mesh *m, const float corner[3][3]) {
     must(mesh_add_triangle(m, first, first + 1, first + 2, &f), &f);
 }
 
-/* Triangle `i` of those that are left, in the order of the mesh. */
+/* Triangle `i` of the remaining ones, in the order of the mesh. */
 static void corners_of(const snapped *s, uint32_t i, float corner[3][3]) {
     const unsigned char *at = s->corners + (size_t)i * 9 * s->width;
     for (int k = 0; k < 9; k++, at += s->width) {

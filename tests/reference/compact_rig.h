@@ -1,7 +1,7 @@
 /* compact_rig - a mesh as compact blocks, and the same positions as a mesh
  *
- * What a lattice does to a mesh is asked of the packer (lattice_snap); the
- * meshes made of that here are what thesis nodes and brute force are given.
+ * The packer (lattice_snap) moves a mesh to the lattice, the scene's quantisation grid; thesis
+ * nodes and brute force get the moved mesh.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_COMPACT_RIG_H
@@ -15,7 +15,7 @@ typedef struct compact_config {
     plt_options run;
 } compact_config;
 
-/* K, bits, build and splits; numbers kept; the largest packet of this build. */
+/* K, bits, build and splits; with primitive ids; the largest packet of this build. */
 compact_config compact_config_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build,
                                  uint8_t splits);
 
@@ -34,8 +34,8 @@ const unsigned char *compact_section(const packed *image, unsigned index);
 /* Primitive id and rotation of the triangle with image index `index`, from the image. */
 void compact_primitive_id(const packed *image, uint32_t index, uint32_t *id, uint32_t *rotation);
 
-/* Triangle i of `m` where the lattice puts it. One that has lost its area is a
- * point of another, so that it is never hit and widens no box. */
+/* The mesh with triangle i of `m` at its lattice position. A triangle that has lost its area
+ * becomes a point of another: it is never hit and widens no box. */
 mesh compact_mesh(const mesh *m, uint8_t bits);
 
 /* Triangle i has image index i in `image`, which has primitive ids, least corner

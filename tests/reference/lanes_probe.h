@@ -11,16 +11,16 @@
 #include "engine/lanes/lanes.h"
 #include "tests/reference/lanes_ops.h"
 
-/* Four words, four bytes off any larger alignment: the least that load and
- * store are promised. */
+/* Four words at an address aligned to 4 bytes only: the least alignment that load and store
+ * must accept. */
 typedef union buffer {
     float f[5];
     uint32_t u[5];
     _Alignas(16) unsigned char bytes[20];
 } buffer;
 
-/* The compiler must not see where `p` leads, or it forwards what was stored
- * there and an aligned access never happens. */
+/* The compiler must not know where `p` points, or it would forward the stored value and skip
+ * the access that is tested. */
 static buffer *hidden(buffer *p) {
     __asm__ volatile("" : "+r"(p) : : "memory");
     return p;

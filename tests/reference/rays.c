@@ -38,7 +38,7 @@ void rays_random(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) 
         random_point(r, out_lo, out_hi, from);
         random_point(r, lo, hi, to);
         rays[i] = ray_between(from, to);
-        for (int a = 0; a < 3; a++) { /* of a flat scene from its plane: never zero */
+        for (int a = 0; a < 3; a++) { /* for a flat scene the distance from its plane: never zero */
             rays[i].dir[a] += rays[i].dir[a] == 0.0f ? 1e-3f * (out_hi[a] - out_lo[a]) : 0.0f;
         }
         if (random_below(r, 4) == 0) {
@@ -105,7 +105,7 @@ void rays_edges(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
         }
         rays[i] = ray_between(from, to);
         const float *d = rays[i].dir;
-        if (fabsf(d[0]) + fabsf(d[1]) + fabsf(d[2]) < 1e-15f) { /* below what is allowed */
+        if (fabsf(d[0]) + fabsf(d[1]) + fabsf(d[2]) < 1e-15f) { /* shorter than allowed */
             rays[i].dir[i % 3] = 1.0f;
         }
     }

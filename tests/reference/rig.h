@@ -1,6 +1,6 @@
 /* rig - a mesh, packed and opened in an arena of exactly its need
  *
- * The arena comes from the heap, so that sanitizers see a byte too many.
+ * The arena is a heap block, so sanitizers see an access beyond it.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_RIG_H

@@ -81,13 +81,13 @@ static uint32_t check_list(checking *c, uint32_t record, bounds *b) {
     uint32_t length = 0;
     for (int last = 0; !last; record++, length++) {
         if (record >= c->v->count) {
-            broken(c, "a list runs past the last record");
+            broken(c, "a list runs beyond the last record");
             break;
         }
         const unsigned char *at = c->v->records + 40 * (size_t)record;
         const uint32_t name = tree_word(at + 36) & 0x07FFFFFF;
         if (name >= c->v->count || c->number_seen[name]++ || c->record_seen[record]++) {
-            broken(c, "a triangle is there twice or has no number");
+            broken(c, "a triangle occurs twice or has no primitive id");
         }
         for (int k = 0; k < 3; k++) {
             const bounds corner = {
@@ -161,7 +161,7 @@ static bounds check_below(checking *c, uint32_t link, const bounds *given, uint3
         }
     }
     if (!same_bounds(&b, given)) {
-        broken(c, "a box is not the box of what is in it");
+        broken(c, "a box is not the exact box of its contents");
     }
     return b;
 }
@@ -175,7 +175,7 @@ static void check_treelet(checking *c, uint32_t root) {
     c->facts->treelets++;
     for (uint32_t i = 0; i < count; i++) {
         if (queue[i] != root + i) {
-            broken(c, "a treelet is not breadth first in a row");
+            broken(c, "a treelet's nodes are not consecutive and breadth first");
         }
         for (int k = 0; k < 2; k++) {
             const uint32_t link = link_of(c->v, queue[i], k);
@@ -308,7 +308,7 @@ static stack stack_for(const tree_view *v) {
     return s;
 }
 
-/* The children that are hit, the first to come first; returns how many. */
+/* The children that are hit, in visiting order; returns how many. */
 static int ordered(const tree_view *v, tree_traversal *t, uint32_t node, uint32_t child[2]) {
     const uint32_t link[2] = {link_of(v, node, 0), link_of(v, node, 1)};
     const unsigned bits = t->order(t->context, node, link[0], link[1]);

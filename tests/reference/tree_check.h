@@ -1,7 +1,7 @@
 /* tree_check - an image's tree, read bit by bit and checked by recursion
  *
- * Shares no code with engine/tree: links, planes and lists are decoded here
- * once more, so that a mistake there cannot hide.
+ * Shares no code with engine/tree: links, planes and lists are decoded here independently, so a
+ * mistake there cannot hide.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_TREE_CHECK_H
