@@ -235,10 +235,10 @@ static void check_engine_child(const subject *s, uint32_t slot, const engine_chi
         CHECK(theirs->kind == PLT_SLOT_INNER, "%s: slot %u", s->name, slot);
         CHECK(ours->which == block->first_node + 1 + theirs->rank, "%s: slot %u", s->name, slot);
     } else if (ours->kind == DECODED_EDGE) {
-        const decoded_block *behind = &d->block[ours->which];
+        const decoded_block *below = &d->block[ours->which];
         CHECK(theirs->kind == PLT_SLOT_EDGE, "%s: slot %u", s->name, slot);
-        CHECK(behind->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
-        CHECK(behind->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
+        CHECK(below->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
+        CHECK(below->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
     } else {
         const decoded_leaf *leaf = &d->leaf[ours->which];
         CHECK(theirs->kind == PLT_SLOT_LEAF, "%s: slot %u", s->name, slot);

@@ -43,7 +43,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     memset(zone, PATTERN, bytes + ZONE);
     o.status = plt_open(&e, zone + ZONE, bytes, &source, &options, &o.fault);
     if (o.status == PLT_OK) {
-        const char *sentence = compact_trace(e, compact_numbers(plt_engine_info(e)));
+        const char *sentence = compact_trace(e, compact_ids_end(plt_engine_info(e)));
         CHECK(sentence == NULL, "%s", sentence);
         o.used = plt_arena_used(e);
         o.peak = plt_arena_peak(e);

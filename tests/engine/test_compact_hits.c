@@ -76,7 +76,7 @@ static subject make(int number, uint32_t k) {
 }
 
 /* Rays of all kinds at the snapped mesh; `rays` has room for 4 * RAYS. */
-static void aim(plt_ray *rays, const mesh *m, uint64_t seed) {
+static void set_rays(plt_ray *rays, const mesh *m, uint64_t seed) {
     random_state r = {seed};
     rays_mixed(rays, RAYS, m, &r);
     rays_edges(rays + RAYS, RAYS, m, &r);
@@ -143,12 +143,12 @@ typedef struct expected {
 } expected;
 
 static void expect(expected *e, const mesh *m, uint64_t seed) {
-    aim(e->rays, m, seed);
+    set_rays(e->rays, m, seed);
     trace_thesis(m, e->rays, e->nearest, 0);
     trace_thesis(m, e->rays, e->any, 1);
 }
 
-static void with_numbers(int number, uint32_t k, uint8_t bits, uint8_t splits) {
+static void with_primitive_ids(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);
     mesh moved = compact_mesh(&s.m, bits);
@@ -315,7 +315,7 @@ int main(void) {
     test("the traversal decodes the boxes of any node as the format defines them");
     any_planes();
     test("with primitive ids, hits are those of thesis nodes over the same positions, bit for bit");
-    everything(with_numbers);
+    everything(with_primitive_ids);
     test("with float geometry, hits are those of thesis nodes over the same mesh, bit for bit");
     everything(with_floats);
     test("without primitive ids, and built on the device, a hit reports the image index");

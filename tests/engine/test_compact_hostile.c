@@ -311,11 +311,11 @@ static void moved_starts(const packed *image, const some_block *f) {
 static void bent_references(const packed *image, const some_block *f) {
     const uint32_t known = f->g.vertices < 4 ? 0 : f->g.slots - f->g.vertices;
     CHECK(known > 0 && f->g.ref_bits > 0, "no reference to change");
-    for (uint32_t behind = 0; behind < 2; behind++) {
+    for (uint32_t beyond = 0; beyond < 2; beyond++) {
         unsigned char *bytes = copy_of(image);
         for (uint32_t i = 0; i < f->g.ref_bits; i++) {
             const uint32_t bit = f->g.refs + i;
-            const uint32_t value = behind ? 1 : (f->g.vertices - 1) >> i & 1;
+            const uint32_t value = beyond ? 1 : (f->g.vertices - 1) >> i & 1;
             bytes[f->geometry_at + bit / 8] &= (unsigned char)~(1u << bit % 8);
             bytes[f->geometry_at + bit / 8] |= (unsigned char)(value << bit % 8);
         }
@@ -354,7 +354,7 @@ static void bent_counts(const packed *image) {
     bend(image, 36, plt_get_u32(image->bytes + 36) - 1, 4, 18, "a list too few");
 }
 
-static void bent_numbers(const packed *image) {
+static void bent_primitive_ids(const packed *image) {
     const uint32_t at = plt_get_u32(image->bytes + HOSTILE_SECTION + 16 + 4);
     const uint32_t source = image->info.source_triangles;
     bend(image, at, 0xFFFFFFFF, 4, 19, "primitive ids beyond the last");
@@ -403,7 +403,7 @@ static void all_traps(void) {
         bent_geometry(&image);
         bent_strips(&image);
         bent_counts(&image);
-        bent_numbers(&image);
+        bent_primitive_ids(&image);
         pack_free(&image);
     }
 }

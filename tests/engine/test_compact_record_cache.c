@@ -65,7 +65,7 @@ static built build(const packed *image, line *l, const plt_options *options) {
     memset(b.arena + need, PATTERN, GUARD);
     b.status = plt_open(&b.engine, b.arena, need, &source, options, &b.fault);
     CHECK((b.engine != NULL) == (b.status == PLT_OK), "status %d", b.status);
-    CHECK(!l->beyond, "asked for bytes beyond the image");
+    CHECK(!l->beyond, "read beyond the image");
     for (size_t i = 0; i < GUARD; i++) {
         CHECK(b.arena[need + i] == PATTERN, "byte %zu after the arena was written", i);
     }
@@ -99,9 +99,9 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     if (e != NULL && b.engine != NULL) {
         const plt_block_tree *x = &e->walker.blocks.tree, *y = &b.engine->walker.blocks.tree;
-        const size_t window = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
+        const size_t cache = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
         CHECK(x->used == y->used && memcmp(x->bytes, y->bytes, x->used) == 0, "blocks differ");
-        CHECK(b.peak <= plt_arena_peak(e) + window, "peak %zu, mapped %zu", b.peak,
+        CHECK(b.peak <= plt_arena_peak(e) + cache, "peak %zu, mapped %zu", b.peak,
               plt_arena_peak(e));
         printf("    %u triangles, K %u, %u bits: %zu bytes at most, %zu mapped; %u reads\n",
                image.info.triangles, k, bits, b.peak, plt_arena_peak(e), l.reads);
@@ -130,7 +130,7 @@ static void failures(void) {
 }
 
 /* Reads of the header and of the first pass over the corners return true bytes. */
-static void lies(uint32_t k, uint8_t splits) {
+static void false_bytes(uint32_t k, uint8_t splits) {
     const compact_config config = compact_config_of(k, 14, PLT_BUILD_DEVICE, splits);
     packed image = image_of(compact_triangles(400, k), &config);
     uint32_t opened = 0, refused = 0;
@@ -205,8 +205,8 @@ int main(void) {
     failures();
     after_failure();
     test("a source that returns other bytes when read again gives an error or a valid tree");
-    lies(2, PLT_SPLIT_SAH);
-    lies(4, PLT_SPLIT_SAH);
-    lies(2, PLT_SPLIT_MEDIAN);
+    false_bytes(2, PLT_SPLIT_SAH);
+    false_bytes(4, PLT_SPLIT_SAH);
+    false_bytes(2, PLT_SPLIT_MEDIAN);
     return test_done();
 }

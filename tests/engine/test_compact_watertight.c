@@ -23,7 +23,7 @@ typedef struct closed {
     float inside[INSIDE][3];
 } closed;
 
-static uint64_t aimed, escaped;
+static uint64_t traced, escaped;
 
 static closed sphere(void) {
     closed c = {.name = "icosphere"};
@@ -77,7 +77,7 @@ static void shoot(const rig *r, const char *name, const plt_ray *rays, uint32_t 
     plt_hit hits[BATCH];
     plt_trace(r->engine, rays, hits, count, 0);
     for (uint32_t i = 0; i < count; i++) {
-        aimed++;
+        traced++;
         escaped += hits[i].triangle == PLT_MISS;
         CHECK(hits[i].triangle != PLT_MISS, "%s: from %a %a %a along %a %a %a", name,
               (double)rays[i].org[0], (double)rays[i].org[1], (double)rays[i].org[2],
@@ -164,6 +164,7 @@ int main(void) {
     c = knot(triangles);
     move(&c, 3.0f, -1000.0f, 500.0f, 1.0f);
     every_config(&c, coarse);
-    printf("    %llu rays, %llu escaped\n", (unsigned long long)aimed, (unsigned long long)escaped);
+    printf("    %llu rays, %llu escaped\n", (unsigned long long)traced,
+           (unsigned long long)escaped);
     return test_done();
 }

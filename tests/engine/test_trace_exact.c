@@ -23,12 +23,12 @@ static void to_floats(const int32_t from[3], int power, float to[3]) {
     }
 }
 
-static int asked(const question *x, int power, int turn) {
+static int side_of(const question *x, int power, int dir_power) {
     float p[3], q[3], org[3], dir[3];
     to_floats(x->p, power, p);
     to_floats(x->q, power, q);
     to_floats(x->org, power, org);
-    to_floats(x->dir, turn, dir);
+    to_floats(x->dir, dir_power, dir);
     const int side = plt_edge_side(p, q, org, dir);
     CHECK(plt_edge_side(q, p, org, dir) == -side,
           "the reversed edge does not have the opposite side");
@@ -88,10 +88,10 @@ static question close_question(random_state *r) {
 
 static uint32_t on, off;
 
-static void ask(const question *x, int power, int turn) {
+static void ask(const question *x, int power, int dir_power) {
     wide magnitude;
     const wide value = exactly(x, &magnitude);
-    const int side = asked(x, power, turn), due = value > 0 ? 1 : (value < 0 ? -1 : 0);
+    const int side = side_of(x, power, dir_power), due = value > 0 ? 1 : (value < 0 ? -1 : 0);
     if (size(value) > magnitude >> 41) {
         CHECK(side == due, "side %d, not %d", side, due);
     } else {
@@ -112,9 +112,10 @@ int main(void) {
     test("scaling by powers of two within the limits changes no side");
     for (int i = 0; i < 200000; i++) {
         const question x = i % 2 ? random_question(&r) : close_question(&r);
-        const int power = (int)random_below(&r, 120) - 100, turn = (int)random_below(&r, 80) - 40;
-        ask(&x, power, turn);
-        CHECK(asked(&x, power, turn) == asked(&x, 0, 0), "2^%d, 2^%d", power, turn);
+        const int power = (int)random_below(&r, 120) - 100,
+                  dir_power = (int)random_below(&r, 80) - 40;
+        ask(&x, power, dir_power);
+        CHECK(side_of(&x, power, dir_power) == side_of(&x, 0, 0), "2^%d, 2^%d", power, dir_power);
     }
     return test_done();
 }

@@ -111,36 +111,36 @@ static int is_met(bundle *b, const plt_triangle *t, plt_mask groups) {
     return met;
 }
 
-static int is_beside(const plt_frustum *rim, const plt_triangle *t) {
-    return plt_frustum_culls(plt_frustum_outcode(rim, t->corner[0]),
-                             plt_frustum_outcode(rim, t->corner[1]),
-                             plt_frustum_outcode(rim, t->corner[2]));
+static int is_culled(const plt_frustum *frustum, const plt_triangle *t) {
+    return plt_frustum_culls(plt_frustum_outcode(frustum, t->corner[0]),
+                             plt_frustum_outcode(frustum, t->corner[1]),
+                             plt_frustum_outcode(frustum, t->corner[2]));
 }
 
 typedef struct counts {
-    unsigned triangles, beside, met, wrong, without;
+    unsigned triangles, culled, met, wrong, without;
 } counts;
 
 /* A triangle against some groups of a bundle. */
 static void compare(counts *n, bundle *b, random_state *r, const plt_triangle *t) {
     const plt_mask groups = 1 + random_below(r, (1u << GROUPS) - 1);
-    plt_frustum rim;
-    if (!plt_frustum_set(&rim, &b->packet, groups)) {
+    plt_frustum frustum;
+    if (!plt_frustum_set(&frustum, &b->packet, groups)) {
         n->without++;
         return;
     }
-    const int out = is_beside(&rim, t), hit = is_met(b, t, groups);
+    const int out = is_culled(&frustum, t), hit = is_met(b, t, groups);
     n->triangles++;
-    n->beside += (unsigned)out;
+    n->culled += (unsigned)out;
     n->met += (unsigned)hit;
     n->wrong += (unsigned)(out && hit);
 }
 
 static void verdict(const counts *n) {
     CHECK(n->wrong == 0, "%u culled triangles are met", n->wrong);
-    CHECK(n->beside > n->triangles / 50 && n->met > n->triangles / 100, "only %u culled, %u met",
-          n->beside, n->met);
-    printf("    %u triangles, %u met, %u culled\n", n->triangles, n->met, n->beside);
+    CHECK(n->culled > n->triangles / 50 && n->met > n->triangles / 100, "only %u culled, %u met",
+          n->culled, n->met);
+    printf("    %u triangles, %u met, %u culled\n", n->triangles, n->met, n->culled);
 }
 
 static void test_bundles(float spread, float away) {
@@ -216,24 +216,24 @@ static void test_edge_on(void) {
         compare(&n, &b, &r, &t);
     }
     CHECK(n.wrong == 0, "%u culled triangles are met", n.wrong);
-    CHECK(n.beside > 10000 && n.without < 390000, "%u culled, %u without a frustum", n.beside,
+    CHECK(n.culled > 10000 && n.without < 390000, "%u culled, %u without a frustum", n.culled,
           n.without);
-    printf("    %u triangles, %u met, %u culled\n", n.triangles, n.met, n.beside);
+    printf("    %u triangles, %u met, %u culled\n", n.triangles, n.met, n.culled);
 }
 
 static void test_none(void) {
     static bundle b;
     random_state r = {1};
-    plt_frustum rim;
+    plt_frustum frustum;
     test("rays without a common axis or origin, and no rays, have no frustum");
     make_bundle(&b, &r, 0.1f, 0.0f);
-    CHECK(plt_frustum_set(&rim, &b.packet, b.packet.active), "one bundle has");
-    CHECK(!plt_frustum_set(&rim, &b.packet, 0), "no groups");
+    CHECK(plt_frustum_set(&frustum, &b.packet, b.packet.active), "one bundle has");
+    CHECK(!plt_frustum_set(&frustum, &b.packet, 0), "no groups");
     b.packet.axis = 3;
-    CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no axis");
+    CHECK(!plt_frustum_set(&frustum, &b.packet, b.packet.active), "no axis");
     b.packet.axis = 0;
     b.packet.shared = 0;
-    CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no origin");
+    CHECK(!plt_frustum_set(&frustum, &b.packet, b.packet.active), "no origin");
 }
 
 int main(void) {

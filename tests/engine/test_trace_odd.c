@@ -52,7 +52,7 @@ static void hits_at(plt_engine *e, plt_ray ray, double t, const char *what) {
 }
 
 /* In the cube -1 .. 1, one field after another made NaN or infinite. */
-static void not_numbers(plt_engine *e) {
+static void not_finite(plt_engine *e) {
     const float bad[3] = {NAN, INF, -INF};
     for (int field = 0; field < 8; field++) {
         for (int i = 0; i < 3; i++) {
@@ -219,7 +219,7 @@ static void visits_are_bounded(uint8_t order) {
         plt_stats_get(one.engine, &s);
         const uint64_t nodes = plt_engine_info(one.engine)->nodes;
         CHECK(s.node_visits <= s.packets * nodes, "%llu visits", (unsigned long long)s.node_visits);
-        CHECK(s.rays == 1024 && s.packets > 0 && s.mixed_packets <= s.packets, "figures");
+        CHECK(s.rays == 1024 && s.packets > 0 && s.mixed_packets <= s.packets, "statistics");
         CHECK(s.bytes_touched_once <= s.bytes_fetched &&
                   s.bytes_touched_once <= plt_engine_info(one.engine)->node_bytes + 64u,
               "bytes");
@@ -251,7 +251,7 @@ int main(void) {
     shape_degenerate(&mixed);
     rig one = opened(&cube, PLT_ORDER_DEPTH_FIRST);
     test("NaN and infinity hit nothing, but an interval may be unbounded");
-    not_numbers(one.engine);
+    not_finite(one.engine);
     test("directions from 2^-60 to 2^60 hit, others hit nothing");
     directions(one.engine);
     test("hits are in tmin .. tmax, both included");

@@ -106,7 +106,7 @@ static void permutation(uint64_t seed) {
     mesh_free(&m);
 }
 
-static void lowest_number_wins(uint8_t build, uint8_t order) {
+static void lowest_id_wins(uint8_t build, uint8_t order) {
     mesh m = {0};
     random_state r = {5};
     shape_soup(&m, 20, 0.5f, 5);
@@ -339,8 +339,8 @@ int main(void) {
     permutation(4);
     test("of triangles hit at equal t the lowest primitive id wins");
     for (uint8_t build = 0; build < 3; build++) {
-        lowest_number_wins(build, PLT_ORDER_DEPTH_FIRST);
-        lowest_number_wins(build, PLT_ORDER_TWO_STAGE);
+        lowest_id_wins(build, PLT_ORDER_DEPTH_FIRST);
+        lowest_id_wins(build, PLT_ORDER_TWO_STAGE);
     }
     test("tmax at t keeps a hit, tmax below t finds nothing");
     shrink(6);

@@ -148,7 +148,7 @@ static closed transformed(const closed *from, const transform *to) {
 /* ---- rays -------------------------------------------------------------------- */
 
 /* A vertex, an edge's middle, a point of an edge, or of the face. */
-static void aim(const mesh *m, uint32_t i, random_state *r, float at[3]) {
+static void pick_target(const mesh *m, uint32_t i, random_state *r, float at[3]) {
     const uint32_t triangle = i / 3 % (uint32_t)m->triangles;
     const float *p = shape_corner(m, triangle, i % 3), *q = shape_corner(m, triangle, (i + 1) % 3),
                 *s = shape_corner(m, triangle, (i + 2) % 3);
@@ -208,7 +208,7 @@ static void bombard(const closed *c, plt_engine *e, uint32_t count, int outside,
     for (uint32_t i = 0; i < count; i++) {
         float at[3];
         const float *inside = c->inside[(i / 64) % (uint32_t)c->points];
-        aim(&c->m, i, &r, at);
+        pick_target(&c->m, i, &r, at);
         rays[made] = outside ? from_outside(corners, inside, at, random_float(&r, 1.0f, 8.0f))
                              : from_inside(inside, at);
         made += (uint32_t)has_direction(&rays[made]);

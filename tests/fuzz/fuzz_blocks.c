@@ -13,7 +13,7 @@
  * the checks are made right (4), or hardly a mutation would pass them. The block
  * follows, with 8 bytes behind it and no more, so that sanitizers see over-reads.
  *
- * The oracle is SPEC.md, 5.2: a block that is sound (I10 to I16) can be decoded
+ * The oracle is SPEC.md, 5.2: a block that is valid (I10 to I16) can be decoded
  * without leaving it, has leaves of at most 2 K, coordinates below 2^22, and, as the
  * only block of an image, can be traced.
  *
@@ -28,7 +28,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-static unsigned long blocks_sound, blocks_traced;
+static unsigned long blocks_valid, blocks_traced;
 
 static void promise(int kept, const char *sentence) {
     if (!kept) {
@@ -128,7 +128,7 @@ static void trace_alone(const plt_block *b, const plt_block_tree *tree, uint32_t
     const hostile_result r = compact_try(image, h.info.image_bytes, depth & 1, 2);
     free(image);
     promise(r.sentence == NULL, r.sentence);
-    promise(r.status == PLT_OK || r.status == PLT_ERR_LIMIT, "a sound block does not open");
+    promise(r.status == PLT_OK || r.status == PLT_ERR_LIMIT, "a valid block does not open");
     blocks_traced += r.status == PLT_OK;
 }
 
@@ -166,7 +166,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                  : plt_geometry_open(&g, &b, &bounds, tree.leaf_triangles);
             decode_leaves(&b, &tree, &g);
         }
-        blocks_sound++;
+        blocks_valid++;
         if (b.edges == 0 && g.first_triangle == 0) {
             trace_alone(&b, &tree, g.triangles, depth);
         }
@@ -224,7 +224,7 @@ int main(int count, char **argument) {
                                    1 + (random_below(&r, 20) ? bytes : random_below(&r, bytes)));
         }
     }
-    printf("%lu runs, %lu sound blocks, %lu traced\n", runs, blocks_sound, blocks_traced);
+    printf("%lu runs, %lu valid blocks, %lu traced\n", runs, blocks_valid, blocks_traced);
     return 0;
 }
 #endif

@@ -141,7 +141,7 @@ static inline void check_triangles(const mesh *m, const uint32_t *expected, size
 }
 
 /* Checks what holds for every mesh that a reader returns; 1 when it does. */
-static inline int mesh_is_sound(const mesh *m) {
+static inline int mesh_is_valid(const mesh *m) {
     for (size_t i = 0; i < 3 * m->vertices; i++) {
         if (!(fabsf(m->vertex[i]) <= PLT_COORD_MAX)) {
             return 0;

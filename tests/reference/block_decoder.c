@@ -17,14 +17,14 @@
 #define LINK_NONE 0xFFFFFFFFu
 
 /* A pending link, and the number of nodes above what it leads to. */
-typedef struct waiting {
+typedef struct pending_link {
     uint32_t address, nodes_bytes, depth;
-} waiting;
+} pending_link;
 
 typedef struct block_traversal {
     decoder_part part;
-    waiting *stack;
-    uint32_t waiting;
+    pending_link *stack;
+    uint32_t pending;
     uint32_t end; /* where the previous block ended */
     uint32_t geometry_bytes;
 } block_traversal;
@@ -50,18 +50,18 @@ uint32_t decoder_check(const decoder_bytes *in, size_t at, size_t size, size_t h
 }
 
 static void push(block_traversal *traversal, uint32_t link, uint32_t depth) {
-    traversal->stack = decoder_room(traversal->stack, traversal->waiting, sizeof *traversal->stack);
-    traversal->stack[traversal->waiting++] =
-        (waiting){8 * (link & 0xFFFFFFu), 4 * (link >> 24), depth};
+    traversal->stack = decoder_room(traversal->stack, traversal->pending, sizeof *traversal->stack);
+    traversal->stack[traversal->pending++] =
+        (pending_link){8 * (link & 0xFFFFFFu), 4 * (link >> 24), depth};
 }
 
 /* Sorts the stack from `from` on: the lowest address on top. */
 static void sort_down(block_traversal *traversal, uint32_t from) {
-    for (uint32_t i = from; i < traversal->waiting; i++) {
+    for (uint32_t i = from; i < traversal->pending; i++) {
         for (uint32_t k = i; k > from; k--) {
-            waiting *later = &traversal->stack[k], *sooner = &traversal->stack[k - 1];
+            pending_link *later = &traversal->stack[k], *sooner = &traversal->stack[k - 1];
             if (sooner->address < later->address) {
-                const waiting swapped = *later;
+                const pending_link swapped = *later;
                 *later = *sooner;
                 *sooner = swapped;
             }
@@ -73,7 +73,7 @@ static void sort_down(block_traversal *traversal, uint32_t from) {
 static void push_edges(decoded_image *image, block_traversal *traversal) {
     const decoded_block *block = traversal->part.block;
     uint32_t depth[64];
-    const uint32_t from = traversal->waiting;
+    const uint32_t from = traversal->pending;
     depth[0] = block->depth;
     for (uint32_t i = 0; i < block->nodes; i++) {
         const decoded_node *node = &image->node[block->first_node + i];
@@ -108,7 +108,7 @@ static int end_block(decoded_image *image, block_traversal *traversal) {
     return 0;
 }
 
-static int read_block(decoded_image *image, block_traversal *traversal, const waiting *link) {
+static int read_block(decoded_image *image, block_traversal *traversal, const pending_link *link) {
     image->block = decoder_room(image->block, image->blocks, sizeof *image->block);
     decoded_block *block = &image->block[image->blocks];
     block->address = link->address;
@@ -193,8 +193,8 @@ static int traverse_blocks(decoded_image *image, block_traversal *traversal) {
     if (image->header.root_link != LINK_NONE) {
         push(traversal, image->header.root_link, 0);
     }
-    while (traversal->waiting > 0) {
-        const waiting link = traversal->stack[--traversal->waiting];
+    while (traversal->pending > 0) {
+        const pending_link link = traversal->stack[--traversal->pending];
         if (read_block(image, traversal, &link) != 0) {
             return -1;
         }

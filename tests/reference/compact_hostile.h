@@ -49,13 +49,13 @@ static inline void compact_odd_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *
     }
 }
 
-static inline uint32_t compact_numbers(const plt_info *info) {
+static inline uint32_t compact_ids_end(const plt_info *info) {
     const int lone = info->source_triangles == 1; /* is stored twice */
     return info->primitive_id_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
 }
 
-/* A hit's primitive id is below `numbers`. */
-static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
+/* A hit's primitive id is below `ids_end`. */
+static inline const char *compact_trace(plt_engine *e, uint32_t ids_end) {
     plt_ray rays[HOSTILE_RAYS];
     plt_hit hits[HOSTILE_RAYS];
     const plt_info *info = plt_engine_info(e);
@@ -65,7 +65,7 @@ static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
         plt_trace(e, rays, hits, HOSTILE_RAYS, 0);
         for (uint32_t i = 0; i < HOSTILE_RAYS; i++) {
             if (hits[i].triangle != PLT_MISS &&
-                !(hits[i].triangle < numbers && hits[i].t >= 0.0f && hits[i].u >= 0.0f &&
+                !(hits[i].triangle < ids_end && hits[i].t >= 0.0f && hits[i].u >= 0.0f &&
                   hits[i].u <= 1.0f && hits[i].v >= 0.0f && hits[i].v <= 1.0f)) {
                 return "a hit is out of range";
             }
@@ -77,7 +77,7 @@ static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
 }
 
 static inline const char *compact_trace_any(plt_engine *e) {
-    return compact_trace(e, compact_numbers(plt_engine_info(e)));
+    return compact_trace(e, compact_ids_end(plt_engine_info(e)));
 }
 
 static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,

@@ -63,7 +63,7 @@ const char *compact_name(const compact_config *config) {
              config->pack.floats ? "floats"
                                  : (config->pack.build == PLT_BUILD_HOST ? "host" : "device"),
              config->pack.splits == PLT_SPLIT_SAH ? "sah" : "median",
-             config->pack.numbers ? "" : " no numbers", config->run.packet_side);
+             config->pack.numbers ? "" : " no ids", config->run.packet_side);
     return name;
 }
 

@@ -26,11 +26,11 @@ typedef struct subtree {
 
 /* The primitive id word of a record (SPEC.md, 4.4) from the entry of a triangle (4.12), read
  * bit by bit and not as the engine does. */
-static uint32_t primitive_id_word(const plt_primitive_ids *numbers, uint32_t index) {
+static uint32_t primitive_id_word(const plt_primitive_ids *ids, uint32_t index) {
     uint32_t entry = 0;
-    for (uint32_t i = 0; i < numbers->bits; i++) {
-        const uint64_t at = (uint64_t)index * numbers->bits + i;
-        entry |= (uint32_t)(numbers->bytes[at / 8] >> at % 8 & 1) << i;
+    for (uint32_t i = 0; i < ids->bits; i++) {
+        const uint64_t at = (uint64_t)index * ids->bits + i;
+        entry |= (uint32_t)(ids->bytes[at / 8] >> at % 8 & 1) << i;
     }
     const uint32_t id = entry / 4, rotation = entry % 4;
     return id + rotation * 0x20000000u;
@@ -50,8 +50,8 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
     for (int k = 0; k < 9; k++) {
         plt_put_float(&r->word[k], plt_lattice_float(l, k % 3, corner[(least + k / 3) % 3][k % 3]));
     }
-    const plt_primitive_ids *numbers = &c->tree->numbers;
-    plt_put_u32(&r->word[9], numbers->bytes != NULL ? primitive_id_word(numbers, index) : index);
+    const plt_primitive_ids *ids = &c->tree->numbers;
+    plt_put_u32(&r->word[9], ids->bytes != NULL ? primitive_id_word(ids, index) : index);
     plt_record_set_last(r, last);
 }
 
@@ -84,17 +84,17 @@ static subtree convert(converting *c, const plt_block *b, uint32_t node) {
     subtree child[2], s = {plt_link_make(index, PLT_LINK_OUT), plt_box_empty()};
     for (uint32_t i = 0; i < 2; i++) {
         const uint32_t slot = 2 * node + i;
-        plt_block behind;
+        plt_block below;
         switch (plt_block_kind(b, slot)) {
         case PLT_SLOT_INNER:
             child[i] = convert(c, b, 1 + plt_block_rank(b, PLT_SLOT_INNER, slot));
             break;
         case PLT_SLOT_EDGE:
-            plt_block_open(&behind,
+            plt_block_open(&below,
                            c->tree->bytes + plt_block_address(plt_block_edge(
                                                 b, plt_block_rank(b, PLT_SLOT_EDGE, slot))),
                            c->tree->lattice.bits);
-            child[i] = convert(c, &behind, 0);
+            child[i] = convert(c, &below, 0);
             break;
         default:
             child[i] = leaf(c, b, slot);

@@ -13,7 +13,7 @@ typedef struct bounds {
 typedef struct checking {
     const tree_view *v;
     tree_facts *facts;
-    unsigned char *node_seen, *record_seen, *number_seen;
+    unsigned char *node_seen, *record_seen, *id_seen;
     uint32_t *queue; /* of a treelet */
 } checking;
 
@@ -86,7 +86,7 @@ static uint32_t check_list(checking *c, uint32_t record, bounds *b) {
         }
         const unsigned char *at = c->v->records + 40 * (size_t)record;
         const uint32_t name = tree_word(at + 36) & 0x07FFFFFF;
-        if (name >= c->v->count || c->number_seen[name]++ || c->record_seen[record]++) {
+        if (name >= c->v->count || c->id_seen[name]++ || c->record_seen[record]++) {
             broken(c, "a triangle occurs twice or has no primitive id");
         }
         for (int k = 0; k < 3; k++) {
@@ -227,27 +227,27 @@ static uint32_t depth_need(const tree_view *v, uint32_t link) {
 
 /* The header's local need is the largest of all treelets, also of those that
  * edges lead to. */
-static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *behind,
+static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *below,
                      uint32_t *local);
 
 static uint32_t global_need(const tree_view *v, uint32_t root, uint32_t *local) {
-    uint32_t edges = 0, behind = 0;
+    uint32_t edges = 0, below = 0;
     *local = larger(*local, local_need(v, root));
-    edges_of(v, root, &edges, &behind, local);
-    return behind > 1 ? edges - 1 + behind : edges;
+    edges_of(v, root, &edges, &below, local);
+    return below > 1 ? edges - 1 + below : edges;
 }
 
-static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *behind,
+static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *below,
                      uint32_t *local) {
     for (int k = 0; k < 2; k++) {
         const uint32_t link = link_of(v, node, k);
         if ((link & 3) == 0) {
-            edges_of(v, link >> 5, edges, behind, local);
+            edges_of(v, link >> 5, edges, below, local);
             continue;
         }
         ++*edges;
         if (!tree_is_leaf(link)) {
-            *behind = larger(*behind, global_need(v, link >> 5, local));
+            *below = larger(*below, global_need(v, link >> 5, local));
         }
     }
 }
@@ -273,7 +273,7 @@ tree_facts tree_check(const tree_view *v) {
     memcpy(scene.hi, v->hi, sizeof scene.hi);
     check_below(&c, v->root, &scene, 0);
     for (uint32_t i = 0; i < v->count; i++) {
-        if (!c.record_seen[i] || !c.number_seen[i]) {
+        if (!c.record_seen[i] || !c.id_seen[i]) {
             broken(&c, "a triangle is in no list");
             break;
         }
@@ -287,7 +287,7 @@ tree_facts tree_check(const tree_view *v) {
     }
     free(c.node_seen);
     free(c.record_seen);
-    free(c.number_seen);
+    free(c.id_seen);
     return facts;
 }
 
