@@ -60,7 +60,7 @@ static void every_config(const mesh *m, const plt_frame *frame, uint64_t due) {
         }
         rig r = opened(m, &config);
         for (int b = 0; b < 3 && r.engine != NULL; b++) {
-            CHECK(frame_hash(r.engine, frame, budget[b]) == due, "%s, %u visits a step",
+            CHECK(frame_hash(r.engine, frame, budget[b]) == due, "%s, %u visits per step",
                   rig_name(&config), budget[b]);
         }
         rig_close(&r);
