@@ -1,4 +1,4 @@
-/* test_arena - the arena: need, guards, failure, and images never written
+/* test_arena - the arena's size, guards, failures, and images that are never written
  *
  * Arenas lie between pages that may not be touched; an image that is mapped
  * lies on pages that may not be written.
@@ -56,8 +56,8 @@ typedef struct opened {
     size_t used, peak;
 } opened;
 
-/* Opens in an arena of `bytes` (a multiple of PLT_ALIGN or not: then the wall
- * stands at the next multiple) and traces if that works. */
+/* Opens in an arena of `bytes` and traces if that works. (If `bytes` is no multiple of
+ * PLT_ALIGN, the guard page is at the next multiple.) */
 static opened open_in(const packed *image, size_t bytes, int streamed, const plt_options *options) {
     opened o;
     hostile_stream stream = {image->bytes, image->size, 0};
@@ -78,7 +78,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, const plt
     }
     CHECK((e != NULL) == (o.status == PLT_OK), "status %d", o.status);
     CHECK(zone_is_whole(&w), "bytes before the arena were written");
-    CHECK(!stream.beyond, "the source was asked for too much");
+    CHECK(!stream.beyond, "the source was read beyond its end");
     unwall(&w);
     return o;
 }
@@ -94,7 +94,7 @@ static packed image_of(uint32_t triangles, uint8_t build, uint32_t k, uint32_t n
     return image;
 }
 
-/* Every size: enough from exactly the need on; below it the fault names it. */
+/* Every size: from exactly the need on it is enough; below, the fault reports the need. */
 static void host_sizes(const packed *image, int streamed, const plt_options *options) {
     const size_t need = plt_arena_need(&image->info, !streamed, options);
     for (size_t bytes = 0; bytes < need + 100; bytes += bytes + 200 < need ? 97 : 1) {
@@ -111,7 +111,7 @@ static void host_sizes(const packed *image, int streamed, const plt_options *opt
     }
 }
 
-/* A device may do with less than its need, which is for the worst tree. */
+/* A device may need less: the need is for the worst tree. */
 static void device_sizes(const packed *image, int streamed, const plt_options *options) {
     const size_t need = plt_arena_need(&image->info, !streamed, options);
     size_t least = 0;
@@ -131,13 +131,13 @@ static void device_sizes(const packed *image, int streamed, const plt_options *o
 }
 
 static void sizes(void (*of)(const packed *, int, const plt_options *), uint8_t build) {
-    /* The last one's stacks are larger than the scratch of opening. */
+    /* The stacks of the last scene are larger than the scratch of opening. */
     static const uint32_t triangles[5] = {0, 1, 3, 60, 500}, nodes[5] = {1, 1, 1, 3, 64};
     const int count = build == PLT_BUILD_HOST && !rig_is_tiny() ? 5 : 4;
     for (int i = 0; i < count; i++) {
         packed image = image_of(triangles[i], build, 1, nodes[i]);
-        for (uint8_t walk = 0; walk < 2; walk++) {
-            const plt_options small = {2, walk, 1}, large = {PLT_PACKET_SIDE_MAX, walk, 1};
+        for (uint8_t order = 0; order < 2; order++) {
+            const plt_options small = {2, order, 1}, large = {PLT_PACKET_SIDE_MAX, order, 1};
             of(&image, 0, &small);
             of(&image, 1, &large);
         }
@@ -145,7 +145,7 @@ static void sizes(void (*of)(const packed *, int, const plt_options *), uint8_t 
     }
 }
 
-/* The image on pages that cannot be written. */
+/* The image lies on pages that cannot be written. */
 static void read_only(uint8_t build) {
     packed image = image_of(rig_triangles(200, 2), build, 2, 3);
     const size_t page = (size_t)sysconf(_SC_PAGESIZE);
@@ -156,8 +156,8 @@ static void read_only(uint8_t build) {
     mprotect(pages, bytes, PROT_READ);
     packed locked = image;
     locked.bytes = pages;
-    for (uint8_t walk = 0; walk < 2; walk++) {
-        const plt_options options = {2, walk, 1};
+    for (uint8_t order = 0; order < 2; order++) {
+        const plt_options options = {2, order, 1};
         const opened o = open_in(&locked, plt_arena_need(&image.info, 1, &options), 0, &options);
         CHECK(o.status == PLT_OK, "build %u: %s", build, o.fault.message);
     }
@@ -166,7 +166,7 @@ static void read_only(uint8_t build) {
     pack_free(&image);
 }
 
-/* Many engines of one image: none knows of the others. */
+/* Many engines of one image: none affects the others. */
 static void side_by_side(void) {
     enum { ENGINES = 4, RAYS = 256 };
     packed image = image_of(60, PLT_BUILD_HOST, 1, 2);
@@ -207,7 +207,7 @@ static void cuts(void) {
     CHECK(plt_arena_cut(&a, 16) == memory + 16 && a.used == 32, "sixteen");
     CHECK(plt_arena_cut(&a, 0) == memory + 32 && a.used == 32, "none");
     CHECK(plt_arena_cut(&a, 225) == NULL && a.used == 32 && a.peak == 32, "too many");
-    CHECK(plt_arena_cut(&a, SIZE_MAX) == NULL && a.used == 32, "all there could be");
+    CHECK(plt_arena_cut(&a, SIZE_MAX) == NULL && a.used == 32, "the largest possible count");
     CHECK(plt_arena_cut(&a, SIZE_MAX - 15) == NULL && a.used == 32, "all but fifteen");
     CHECK(plt_arena_cut(&a, 224) == memory + 32 && a.used == 256, "the rest");
     plt_arena_release(&a, 16);
@@ -216,7 +216,7 @@ static void cuts(void) {
     CHECK(plt_arena_cut_bytes(SIZE_MAX - 3) == SIZE_MAX, "saturates");
 }
 
-/* The need of what no arena holds: it grows with the triangles, and never wraps. */
+/* Needs larger than any arena: they grow with the triangles and never wrap. */
 static void largest_needs(void) {
     const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
     for (uint8_t format = 0; format < 2; format++) {
@@ -241,10 +241,10 @@ static void largest_needs(void) {
 int main(void) {
     test("cuts are aligned, a cut that does not fit changes nothing");
     cuts();
-    test("exactly the need is enough, a byte less is not and names the need");
+    test("exactly the need is enough; a byte less fails and reports the need");
     sizes(host_sizes, PLT_BUILD_HOST);
     sizes(host_sizes, PLT_BUILD_NONE);
-    test("building on the device, the need is enough and less is built or refused");
+    test("for a build on the device the need is enough; less is built or refused");
     sizes(device_sizes, PLT_BUILD_DEVICE);
     test("more triangles never need less, up to 2^27 - 1 of them");
     largest_needs();
@@ -252,7 +252,7 @@ int main(void) {
     for (uint8_t build = 0; build < 3; build++) {
         read_only(build);
     }
-    test("engines side by side do not know of each other");
+    test("engines side by side do not affect each other");
     side_by_side();
     return test_done();
 }

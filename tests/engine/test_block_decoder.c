@@ -1,7 +1,7 @@
 /* test_block_decoder - a second decoder, from SPEC.md alone, reads what was packed
  *
- * What the decoder finds is compared with the meshes, and with what the engine's
- * own functions find.
+ * What the decoder reads is compared with the meshes, and with what the engine's own functions
+ * read.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -9,21 +9,21 @@
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/block_decoder.h"
-#include "tests/reference/block_engine_walk.h"
+#include "tests/reference/block_engine_scan.h"
 #include "tests/reference/block_expect.h"
 #include "tests/reference/rig.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
-/* Lattice geometry with numbers, without, and float records. */
-enum way { NUMBERS, PLACES, FLOATS, WAYS };
+/* Lattice geometry with primitive ids, without, and float records. */
+enum variant { PRIMITIVE_IDS, IMAGE_INDICES, FLOATS, VARIANTS };
 
-/* One mesh, packed in one way, and what the decoder made of it. */
+/* One mesh, packed as one variant, and what the decoder read from it. */
 typedef struct subject {
     const mesh *m;
     packed image;
     decoded_image decoded;
-    enum way way;
+    enum variant variant;
     int is_packed; /* a tiny build may refuse */
     char name[80];
 } subject;
@@ -37,28 +37,29 @@ static const uint32_t all_bits[] = {12, 14, 16, 17, 21};
 static const uint32_t all_k[] = {1, 2, 4};
 enum { BITS = 5, KS = 3 };
 
-static void pack_subject(subject *s, const mesh *m, uint32_t bits, uint32_t k, enum way way) {
+static void pack_subject(subject *s, const mesh *m, uint32_t bits, uint32_t k,
+                         enum variant variant) {
     compact_options options = {0};
     options.lattice_bits = (uint8_t)bits;
     options.leaf_triangles = k;
-    options.numbers = way == NUMBERS;
-    options.floats = way == FLOATS;
+    options.numbers = variant == PRIMITIVE_IDS;
+    options.floats = variant == FLOATS;
     lattice_loss loss;
     fail f = {""};
-    static const char *const word[WAYS] = {"numbers", "places", "floats"};
+    static const char *const word[VARIANTS] = {"primitive ids", "image indices", "floats"};
     s->m = m;
-    s->way = way;
-    snprintf(s->name, sizeof s->name, "%u bits, K %u, %s", bits, k, word[way]);
+    s->variant = variant;
+    snprintf(s->name, sizeof s->name, "%u bits, K %u, %s", bits, k, word[variant]);
     s->is_packed = pack_compact(&s->image, m, &options, "mesh", &loss, &f) == 0;
     CHECK(s->is_packed || rig_is_tiny(), "%s: %s", s->name, f.text);
 }
 
 static subjects pack_all(const mesh *m) {
-    subjects all = {calloc((size_t)BITS * KS * WAYS, sizeof(subject)), 0};
+    subjects all = {calloc((size_t)BITS * KS * VARIANTS, sizeof(subject)), 0};
     for (size_t b = 0; b < BITS && all.list != NULL; b++) {
         for (size_t k = 0; k < KS; k++) {
-            for (int way = 0; way < WAYS; way++) {
-                pack_subject(&all.list[all.count], m, all_bits[b], all_k[k], (enum way)way);
+            for (int variant = 0; variant < VARIANTS; variant++) {
+                pack_subject(&all.list[all.count], m, all_bits[b], all_k[k], (enum variant)variant);
                 all.count += (size_t)all.list[all.count].is_packed;
             }
         }
@@ -90,15 +91,16 @@ static void check_records(const subject *s) {
     unsigned char *seen = calloc(s->m->triangles + 1, 1);
     for (uint32_t t = 0; t < d->triangles && seen != NULL; t++) {
         const decoded_triangle *triangle = &d->triangle[t];
-        if (triangle->number >= s->m->triangles) {
-            CHECK(0, "%s: record %u: number %u", s->name, t, triangle->number);
+        if (triangle->primitive_id >= s->m->triangles) {
+            CHECK(0, "%s: record %u: primitive id %u", s->name, t, triangle->primitive_id);
             continue;
         }
-        CHECK(!seen[triangle->number], "%s: number %u twice", s->name, triangle->number);
-        seen[triangle->number] = 1;
+        CHECK(!seen[triangle->primitive_id], "%s: primitive id %u twice", s->name,
+              triangle->primitive_id);
+        seen[triangle->primitive_id] = 1;
         for (unsigned c = 0; c < 3; c++) {
-            const float *vertex = shape_corner(s->m, triangle->number, c);
-            const float *point = triangle->point[(triangle->turn + c) % 3];
+            const float *vertex = shape_corner(s->m, triangle->primitive_id, c);
+            const float *point = triangle->point[(triangle->rotation + c) % 3];
             CHECK(memcmp(vertex, point, 3 * sizeof *point) == 0, "%s: record %u", s->name, t);
         }
     }
@@ -107,23 +109,24 @@ static void check_records(const subject *s) {
     free(seen);
 }
 
-/* What the decoder found, in the shape of what is expected: by number, or in
- * the order of the corners. */
+/* What the decoder read, in the form of what is expected: by primitive id, or ordered by
+ * corners. */
 static expected_triangle *found_triangles(const subject *s) {
     const decoded_image *d = &s->decoded;
     expected_triangle *found = calloc((size_t)d->triangles + 1, sizeof *found);
     for (uint32_t t = 0; t < d->triangles && found != NULL; t++) {
         memcpy(found[t].corner, d->triangle[t].corner, sizeof found[t].corner);
-        found[t].number = d->triangle[t].number;
-        found[t].turn = d->triangle[t].turn;
-        CHECK(s->way == NUMBERS || (found[t].number == t && found[t].turn == 0), "%s", s->name);
+        found[t].primitive_id = d->triangle[t].primitive_id;
+        found[t].rotation = d->triangle[t].rotation;
+        CHECK(s->variant == PRIMITIVE_IDS || (found[t].primitive_id == t && found[t].rotation == 0),
+              "%s", s->name);
     }
     return found;
 }
 
-static int compare_numbers(const void *first, const void *second) {
+static int compare_ids(const void *first, const void *second) {
     const expected_triangle *s = first, *t = second;
-    return s->number < t->number ? -1 : s->number > t->number;
+    return s->primitive_id < t->primitive_id ? -1 : s->primitive_id > t->primitive_id;
 }
 
 static void check_lattice(const subject *s) {
@@ -133,47 +136,48 @@ static void check_lattice(const subject *s) {
     expected_triangle *found = found_triangles(s);
     CHECK(count == d->triangles, "%s: %u, not %u", s->name, d->triangles, count);
     CHECK(d->header.source_triangles == s->m->triangles, "%s: source triangles", s->name);
-    if (s->way == NUMBERS) {
-        qsort(found, d->triangles, sizeof *found, compare_numbers);
+    if (s->variant == PRIMITIVE_IDS) {
+        qsort(found, d->triangles, sizeof *found, compare_ids);
     } else {
         expect_sort(found, d->triangles);
         expect_sort(expected, count);
     }
     for (uint32_t t = 0; t < count && t < d->triangles; t++) {
         const int same = memcmp(found[t].corner, expected[t].corner, sizeof found[t].corner) == 0;
-        const int same_number =
-            found[t].number == expected[t].number && found[t].turn == expected[t].turn;
-        CHECK(same, "%s: triangle %u of %u", s->name, t, expected[t].number);
-        CHECK(s->way == PLACES || same_number, "%s: %u turn %u, not %u turn %u", s->name,
-              found[t].number, found[t].turn, expected[t].number, expected[t].turn);
+        const int same_id = found[t].primitive_id == expected[t].primitive_id &&
+                            found[t].rotation == expected[t].rotation;
+        CHECK(same, "%s: triangle %u of %u", s->name, t, expected[t].primitive_id);
+        CHECK(s->variant == IMAGE_INDICES || same_id, "%s: %u rotation %u, not %u rotation %u",
+              s->name, found[t].primitive_id, found[t].rotation, expected[t].primitive_id,
+              expected[t].rotation);
     }
     free(expected);
     free(found);
 }
 
 static void check_triangles(const subject *s) {
-    s->way == FLOATS ? check_records(s) : check_lattice(s);
+    s->variant == FLOATS ? check_records(s) : check_lattice(s);
 }
 
-/* The tightest lattice box around the floats: with lattice geometry it has the
- * very numbers of the corners. */
-static int is_exact(const decoded_header *h, const decoded_box *frame, const decoded_box *exact) {
+/* The tightest lattice box around the floats; with lattice geometry it has exactly the corners'
+ * coordinates. */
+static int is_exact(const decoded_header *h, const decoded_box *bounds, const decoded_box *exact) {
     for (int a = 0; a < 3; a++) {
-        const float up = block_decode_float(h, a, frame->lo[a] + 1);
-        const float down = block_decode_float(h, a, frame->hi[a] - 1);
+        const float up = block_decode_float(h, a, bounds->lo[a] + 1);
+        const float down = block_decode_float(h, a, bounds->hi[a] - 1);
         const int numbers = h->geometry_format == 0 ||
-                            (frame->lo[a] == exact->lo[a] && frame->hi[a] == exact->hi[a]);
-        if (!numbers || frame->float_lo[a] > exact->float_lo[a] || exact->float_lo[a] >= up ||
-            frame->float_hi[a] < exact->float_hi[a] || exact->float_hi[a] <= down) {
+                            (bounds->lo[a] == exact->lo[a] && bounds->hi[a] == exact->hi[a]);
+        if (!numbers || bounds->float_lo[a] > exact->float_lo[a] || exact->float_lo[a] >= up ||
+            bounds->float_hi[a] < exact->float_hi[a] || exact->float_hi[a] <= down) {
             return 0;
         }
     }
     return 1;
 }
 
-/* With float records the exact box has no lattice numbers: takes the outer's. */
+/* With float records the exact box has no lattice coordinates: uses the outer box's. */
 static int holds(const subject *s, const decoded_box *outer, decoded_box exact) {
-    if (s->way == FLOATS) {
+    if (s->variant == FLOATS) {
         memcpy(exact.lo, outer->lo, sizeof exact.lo);
         memcpy(exact.hi, outer->hi, sizeof exact.hi);
     }
@@ -185,15 +189,15 @@ static void check_boxes(const subject *s) {
     expected_boxes exact = expect_boxes(d);
     for (uint32_t b = 0; b < d->blocks; b++) {
         const decoded_block *block = &d->block[b];
-        CHECK(is_exact(&d->header, &block->frame, &exact.node[block->first_node]),
-              "%s: block %u: frame", s->name, block->address);
+        CHECK(is_exact(&d->header, &block->bounds, &exact.node[block->first_node]),
+              "%s: block %u: bounds", s->name, block->address);
     }
     for (uint32_t i = 0; i < d->nodes; i++) {
         const decoded_node *node = &d->node[i];
         CHECK(holds(s, &node->box, exact.node[i]), "%s: node %u", s->name, i);
         for (int c = 0; c < 2; c++) {
             const decoded_child *child = &node->child[c];
-            const decoded_box *below = &exact.unit[child->kind >= DECODED_UNIT ? child->which : 0];
+            const decoded_box *below = &exact.leaf[child->kind >= DECODED_LEAF ? child->which : 0];
             if (child->kind == DECODED_INNER) {
                 below = &exact.node[child->which];
             } else if (child->kind == DECODED_EDGE) {
@@ -204,9 +208,9 @@ static void check_boxes(const subject *s) {
         }
     }
     for (int a = 0; a < 3 && d->blocks > 0; a++) {
-        CHECK(d->block[0].frame.lo[a] == (int32_t)d->header.lattice_lo[a] &&
-                  d->block[0].frame.hi[a] == (int32_t)d->header.lattice_hi[a],
-              "%s: the first frame is not the scene's box", s->name);
+        CHECK(d->block[0].bounds.lo[a] == (int32_t)d->header.lattice_lo[a] &&
+                  d->block[0].bounds.hi[a] == (int32_t)d->header.lattice_hi[a],
+              "%s: the first bounds are not the scene's box", s->name);
     }
     expect_boxes_free(&exact);
 }
@@ -231,16 +235,16 @@ static void check_engine_child(const subject *s, uint32_t slot, const engine_chi
         CHECK(theirs->kind == PLT_SLOT_INNER, "%s: slot %u", s->name, slot);
         CHECK(ours->which == block->first_node + 1 + theirs->rank, "%s: slot %u", s->name, slot);
     } else if (ours->kind == DECODED_EDGE) {
-        const decoded_block *behind = &d->block[ours->which];
+        const decoded_block *below = &d->block[ours->which];
         CHECK(theirs->kind == PLT_SLOT_EDGE, "%s: slot %u", s->name, slot);
-        CHECK(behind->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
-        CHECK(behind->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
+        CHECK(below->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
+        CHECK(below->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
     } else {
-        const decoded_unit *unit = &d->unit[ours->which];
+        const decoded_leaf *leaf = &d->leaf[ours->which];
         CHECK(theirs->kind == PLT_SLOT_LEAF, "%s: slot %u", s->name, slot);
-        CHECK(ours->which == block->first_unit + theirs->rank, "%s: slot %u", s->name, slot);
-        CHECK(unit->first == theirs->first, "%s: slot %u: first", s->name, slot);
-        CHECK(unit->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
+        CHECK(ours->which == block->first_leaf + theirs->rank, "%s: slot %u", s->name, slot);
+        CHECK(leaf->first == theirs->first, "%s: slot %u: first", s->name, slot);
+        CHECK(leaf->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
     }
 }
 
@@ -250,36 +254,37 @@ static void check_engine_block(const subject *s, uint32_t b, const engine_block 
     CHECK(ours->nodes_bytes == theirs->node_bytes, "%s: block %u: nodes part", s->name, b);
     CHECK(ours->geometry_bytes == theirs->geometry_bytes, "%s: block %u: geometry", s->name, b);
     CHECK(ours->nodes == theirs->nodes && ours->edges == theirs->edges, "%s: %u", s->name, b);
-    CHECK(ours->units == theirs->units, "%s: block %u: units", s->name, b);
-    CHECK(same_boxes(&ours->frame, &theirs->frame), "%s: block %u: frame", s->name, b);
+    CHECK(ours->leaves == theirs->leaves, "%s: block %u: leaves", s->name, b);
+    CHECK(same_boxes(&ours->bounds, &theirs->bounds), "%s: block %u: bounds", s->name, b);
     CHECK(ours->triangles == theirs->triangles, "%s: block %u: triangles", s->name, b);
-    CHECK(ours->units == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name, b);
-    CHECK(s->way == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
+    CHECK(ours->leaves == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name,
+          b);
+    CHECK(s->variant == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
     CHECK(ours->mesh == theirs->mesh, "%s: block %u: mesh", s->name, b);
 }
 
 static void check_engine(const subject *s) {
     const decoded_image *d = &s->decoded;
-    engine_walk walk;
-    engine_walk_make(&walk, s->image.bytes, &d->header);
-    CHECK(walk.blocks == d->blocks && walk.children == 2 * d->nodes, "%s: nodes", s->name);
-    CHECK(walk.triangles == d->triangles, "%s: %u triangles", s->name, walk.triangles);
-    for (uint32_t b = 0; b < d->blocks && b < walk.blocks; b++) {
-        check_engine_block(s, b, &walk.block[b]);
+    engine_scan scan;
+    engine_scan_make(&scan, s->image.bytes, &d->header);
+    CHECK(scan.blocks == d->blocks && scan.children == 2 * d->nodes, "%s: nodes", s->name);
+    CHECK(scan.triangles == d->triangles, "%s: %u triangles", s->name, scan.triangles);
+    for (uint32_t b = 0; b < d->blocks && b < scan.blocks; b++) {
+        check_engine_block(s, b, &scan.block[b]);
     }
-    for (uint32_t slot = 0; slot < 2 * d->nodes && slot < walk.children; slot++) {
-        check_engine_child(s, slot, &walk.child[slot]);
+    for (uint32_t slot = 0; slot < 2 * d->nodes && slot < scan.children; slot++) {
+        check_engine_child(s, slot, &scan.child[slot]);
     }
-    for (uint32_t t = 0; t < d->triangles && t < walk.triangles; t++) {
+    for (uint32_t t = 0; t < d->triangles && t < scan.triangles; t++) {
         const decoded_triangle *ours = &d->triangle[t];
-        const engine_triangle *theirs = &walk.triangle[t];
+        const engine_triangle *theirs = &scan.triangle[t];
         CHECK(memcmp(ours->corner, theirs->corner, sizeof ours->corner) == 0 &&
                   memcmp(ours->point, theirs->point, sizeof ours->point) == 0,
-              "%s: place %u: corners", s->name, t);
-        CHECK(ours->number == theirs->number && ours->turn == theirs->turn, "%s: place %u: number",
-              s->name, t);
+              "%s: triangle %u: corners", s->name, t);
+        CHECK(ours->primitive_id == theirs->primitive_id && ours->rotation == theirs->rotation,
+              "%s: triangle %u: primitive id", s->name, t);
     }
-    engine_walk_free(&walk);
+    engine_scan_free(&scan);
 }
 
 static void check_subjects(const char *scene, const char *property, const subjects *all,
@@ -304,10 +309,11 @@ static void check_scene(const char *scene, const mesh *m) {
     for (size_t i = 0; i < all.count; i++) {
         decode_subject(&all.list[i]);
     }
-    check_subjects(scene, "each triangle is there once, snapped, its turning and number right",
+    check_subjects(scene, "each triangle is there once, snapped, with its winding and primitive id",
                    &all, check_triangles);
-    check_subjects(scene, "frames are exact, every box holds what is below it", &all, check_boxes);
-    check_subjects(scene, "the engine finds the same, bit for bit", &all, check_engine);
+    check_subjects(scene, "bounds are exact, every box contains what is below it", &all,
+                   check_boxes);
+    check_subjects(scene, "the engine reads the same, bit for bit", &all, check_engine);
     for (size_t i = 0; i < all.count; i++) {
         free_subject(&all.list[i]);
     }
@@ -343,11 +349,11 @@ static void check_scenes(void) {
 
 /* ---- odd and small meshes ------------------------------------------------ */
 
-static void check_one_size(size_t triangles, uint32_t k, enum way way) {
+static void check_one_size(size_t triangles, uint32_t k, enum variant variant) {
     mesh m = {0};
     subject s = {0};
     shape_soup(&m, (uint32_t)triangles, 0.5f, 7);
-    pack_subject(&s, &m, 16, k, way);
+    pack_subject(&s, &m, 16, k, variant);
     if (s.is_packed) {
         decode_subject(&s);
         const decoded_image *d = &s.decoded;
@@ -355,7 +361,7 @@ static void check_one_size(size_t triangles, uint32_t k, enum way way) {
         CHECK(d->triangles == wanted, "%s: %u of %u", s.name, d->triangles, wanted);
         CHECK(d->header.source_triangles == triangles, "%s: source triangles", s.name);
         CHECK(triangles > 0 || d->blocks == 0, "%s: blocks", s.name);
-        CHECK(triangles == 0 || triangles > 2 * k || (d->nodes == 1 && d->units == 2),
+        CHECK(triangles == 0 || triangles > 2 * k || (d->nodes == 1 && d->leaves == 2),
               "%s, %u triangles: %u nodes", s.name, wanted, d->nodes);
         if (triangles > 1) {
             check_triangles(&s);
@@ -367,11 +373,11 @@ static void check_one_size(size_t triangles, uint32_t k, enum way way) {
 }
 
 static void check_sizes(void) {
-    test("up to 2K triangles are one node of two units, one triangle is there twice");
+    test("up to 2K triangles are one node of two leaves, one triangle is there twice");
     for (size_t triangles = 0; triangles <= 10; triangles++) {
         for (size_t k = 0; k < KS; k++) {
-            for (int way = 0; way < WAYS; way++) {
-                check_one_size(triangles, all_k[k], (enum way)way);
+            for (int variant = 0; variant < VARIANTS; variant++) {
+                check_one_size(triangles, all_k[k], (enum variant)variant);
             }
         }
     }
@@ -394,7 +400,7 @@ static void check_mesh_numbers(void) {
     test("a block that names a mesh holds triangles of that mesh alone");
     mesh m = {0};
     shape_icosphere(&m, 2);
-    shape_place(&m, 1.0f, 4.0f, 0.0f, 0.0f);
+    shape_transform(&m, 1.0f, 4.0f, 0.0f, 0.0f);
     const size_t first = m.triangles;
     shape_sheet(&m, 12, 1);
     const size_t mesh_end[] = {first, m.triangles};
@@ -412,7 +418,7 @@ static void check_mesh_numbers(void) {
             named += block->mesh != 0;
             CHECK(block->mesh <= 2, "block %u: mesh %u", block->address, block->mesh);
             for (uint32_t t = 0; t < block->triangles && block->mesh != 0; t++) {
-                const uint32_t number = s.decoded.triangle[block->first_triangle + t].number;
+                const uint32_t number = s.decoded.triangle[block->first_triangle + t].primitive_id;
                 CHECK((number >= first) == (block->mesh == 2), "block %u", block->address);
             }
         }

@@ -1,7 +1,7 @@
-/* test_block_dump - the bytes in SPEC.md section 8 are what is said of them
+/* test_block_dump - the bytes in SPEC.md section 8 are what its annotation says
  *
- * Read by the second decoder, which knows SPEC.md alone; and the packer makes
- * the same bytes of the mesh that the section gives.
+ * The second decoder, written from SPEC.md alone, reads them; and the packer makes the same
+ * bytes from the section's mesh.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static const dump_line dump[] = {
     {0x180, "a1 91 24 2d"},
 };
 
-/* In the dump the positions are left out; their numbers stand below it. */
+/* The dump leaves out the positions; their coordinates are listed below it. */
 static const uint32_t dump_vertex[10][3] = {
     {105, 0, 0},   {105, 90, 0},   {0, 0, 0},     {0, 90, 20},     {3990, 0, 10},
     {4094, 0, 10}, {4094, 80, 10}, {3990, 80, 0}, {3990, 160, 10}, {4094, 160, 300},
@@ -62,7 +62,7 @@ static const float dump_mesh[6][9] = {
     {3990, 160, 10, 3990, 80, 0, 4094, 80, 10}, {4094, 160, 300, 3990, 160, 10, 4094, 0, 10},
 };
 
-/* The table at the end of the section: canonical corners, number, turn. */
+/* The table at the end of the section: canonical corners, primitive id, rotation. */
 static const uint32_t dump_table[6][5] = {
     {2, 0, 1, 0, 1}, {2, 1, 3, 3, 1}, {4, 5, 6, 1, 0},
     {4, 6, 7, 2, 1}, {7, 6, 8, 4, 2}, {8, 5, 9, 5, 2},
@@ -91,7 +91,7 @@ static void make_dump(unsigned char bytes[DUMP_BYTES]) {
     CHECK(bit == 8 * (size_t)0x11c + 388, "positions end at %zu", bit);
 }
 
-/* The bytes of positions that the dump gives are those that it describes. */
+/* The bytes of positions in the dump are those that the text describes. */
 static void check_dump_positions(const unsigned char bytes[DUMP_BYTES]) {
     static const unsigned char first[] = {0xa6, 0x01, 0x00, 0x80};
     CHECK(memcmp(bytes + 0x128, first, sizeof first) == 0, "first bytes of the positions");
@@ -103,7 +103,7 @@ static void check_dump_boxes(const decoded_image *d) {
     static const int32_t hi[2][3] = {{116, 90, 20}, {4094, 160, 300}};
     for (int c = 0; c < 2; c++) {
         const decoded_child *child = &d->node[0].child[c];
-        CHECK(child->kind == (c == 0 ? DECODED_UNIT : DECODED_PAIR), "child %d", c);
+        CHECK(child->kind == (c == 0 ? DECODED_LEAF : DECODED_PAIR), "child %d", c);
         CHECK(memcmp(child->box.lo, lo[c], sizeof lo[c]) == 0, "child %d: lo", c);
         CHECK(memcmp(child->box.hi, hi[c], sizeof hi[c]) == 0, "child %d: hi", c);
     }
@@ -112,15 +112,16 @@ static void check_dump_boxes(const decoded_image *d) {
 static void check_dump_triangles(const decoded_image *d) {
     for (uint32_t t = 0; t < 6; t++) {
         const decoded_triangle *triangle = &d->triangle[t];
-        CHECK(triangle->number == dump_table[t][3], "place %u: number", t);
-        CHECK(triangle->turn == dump_table[t][4], "place %u: turn", t);
+        CHECK(triangle->primitive_id == dump_table[t][3], "triangle %u: primitive id", t);
+        CHECK(triangle->rotation == dump_table[t][4], "triangle %u: rotation", t);
         for (uint32_t i = 0; i < 9; i++) {
             const uint32_t vertex = dump_table[t][i / 3];
             CHECK(triangle->corner[i / 3][i % 3] == (int32_t)dump_vertex[vertex][i % 3],
-                  "place %u: corner %u", t, i / 3);
-            const uint32_t from = (i / 3 + 3 - triangle->turn) % 3;
-            CHECK(triangle->point[i / 3][i % 3] == dump_mesh[triangle->number][3 * from + i % 3],
-                  "place %u: corner %u of the mesh", t, from);
+                  "triangle %u: corner %u", t, i / 3);
+            const uint32_t from = (i / 3 + 3 - triangle->rotation) % 3;
+            CHECK(triangle->point[i / 3][i % 3] ==
+                      dump_mesh[triangle->primitive_id][3 * from + i % 3],
+                  "triangle %u: corner %u of the mesh", t, from);
         }
     }
 }
@@ -135,12 +136,12 @@ static void check_dump(void) {
     CHECK(status == 0, "%s", d.wrong);
     if (status == 0) {
         const decoded_block *block = &d.block[0];
-        CHECK(d.triangles == 6 && d.nodes == 1 && d.units == 2 && d.pairs == 1, "counts");
+        CHECK(d.triangles == 6 && d.nodes == 1 && d.leaves == 2 && d.pairs == 1, "counts");
         CHECK(d.blocks == 1 && d.depth == 1 && d.header.source_triangles == 6, "counts");
         CHECK(block->nodes_bytes == 28 && block->geometry_bytes == 56, "parts");
         CHECK(block->takes_bytes == 88, "block");
         CHECK(block->vertices == 10 && block->strips == 3 && block->mesh == 0, "header");
-        CHECK(d.unit[0].triangles == 2 && d.unit[1].triangles == 4, "units");
+        CHECK(d.leaf[0].triangles == 2 && d.leaf[1].triangles == 4, "leaves");
         check_dump_boxes(&d);
         check_dump_triangles(&d);
     }
@@ -166,7 +167,7 @@ static void check_dump_packs(void) {
     const int status = pack_compact(&image, &m, &options, "dump", &loss, &f);
     CHECK(status == 0 && image.size == DUMP_BYTES, "%u bytes; %s", image.size, f.text);
     for (unsigned i = 0; i < DUMP_BYTES && i < image.size; i++) {
-        /* With other bins the tree may be another. */
+        /* With other bins the tree may differ. */
         const int same = image.bytes[i] == bytes[i] || rig_is_tiny();
         CHECK(same, "%04x: %02x, not %02x", i, image.bytes[i], bytes[i]);
     }

@@ -34,7 +34,7 @@ static mesh make(int scene) {
         shape_degenerate(&m);
         break;
     case 6:
-        shape_exponential(&m, rig_triangles(600, 1)); /* 120 places, each again and again */
+        shape_exponential(&m, rig_triangles(600, 1)); /* 120 different ones, repeated */
         break;
     case 7:
         shape_exponential(&m, 100);
@@ -47,11 +47,11 @@ static mesh make(int scene) {
         break;
     case 10:
         shape_soup(&m, 100, 0.1f, 5);
-        shape_place(&m, 1e-30f, 1.0f, 2.0f, -3.0f); /* all in one point */
+        shape_transform(&m, 1e-30f, 1.0f, 2.0f, -3.0f); /* all in one point */
         break;
     default:
         shape_icosphere(&m, 1);
-        shape_place(&m, 1e9f, 1e12f, -1e12f, 0.0f); /* few steps of a float across */
+        shape_transform(&m, 1e9f, 1e12f, -1e12f, 0.0f); /* few steps of a float across */
     }
     return m;
 }
@@ -111,13 +111,13 @@ static void few_triangles(void) {
     }
 }
 
-/* The device's nodes and records, in its arena, are those of the host's image. */
+/* The device's nodes and records, in its arena, equal those of the host's image. */
 static void same_on_device(int scene, uint32_t k, uint32_t n, uint8_t splits) {
     mesh m = make(scene);
     rig host, device;
-    const rig_way host_way = rig_way_of(k, n, PLT_BUILD_HOST, splits);
-    const rig_way device_way = rig_way_of(k, n, PLT_BUILD_DEVICE, splits);
-    const int a = rig_open(&host, &m, &host_way), b = rig_open(&device, &m, &device_way);
+    const rig_config host_config = rig_config_of(k, n, PLT_BUILD_HOST, splits);
+    const rig_config device_config = rig_config_of(k, n, PLT_BUILD_DEVICE, splits);
+    const int a = rig_open(&host, &m, &host_config), b = rig_open(&device, &m, &device_config);
     CHECK(a == b, "scene %d: host %d, device %d", scene, a, b);
     CHECK(a == PLT_OK || (a == PLT_ERR_LIMIT && rig_is_tiny()), "scene %d: %s", scene,
           host.fault.message);
@@ -129,7 +129,7 @@ static void same_on_device(int scene, uint32_t k, uint32_t n, uint8_t splits) {
               scene);
         CHECK(memcmp(h->records, d->records, 40 * (size_t)h->records_count) == 0,
               "scene %d: records", scene);
-        /* all that is known of the two but where they were built */
+        /* everything in plt_info except where the tree was built */
         di.image_bytes = hi.image_bytes;
         di.node_bytes = hi.node_bytes;
         di.build = hi.build;
@@ -140,7 +140,7 @@ static void same_on_device(int scene, uint32_t k, uint32_t n, uint8_t splits) {
     mesh_free(&m);
 }
 
-/* Room and scratch of any size: built the same, or refused, never beyond. */
+/* Room and scratch of any size: the same tree or a refusal, never a write beyond. */
 static void short_of_room(uint32_t n) {
     mesh m = {0};
     fail f = {""};
@@ -199,10 +199,11 @@ static void depth_limit(void) {
 
 int main(void) {
     test(
-        "boxes tight, each triangle in one list, lists at most K, no node of two lists, the same "
+        "boxes tight, each triangle in one list, at most K per list, no node of two lists, the "
+        "same "
         "twice");
     every_scene();
-    test("the same of 0 to 39 triangles");
+    test("the same for 0 to 39 triangles");
     few_triangles();
     test("a device's tree is byte for byte the host's");
     for (int scene = 0; scene < SCENES; scene++) {
@@ -210,11 +211,11 @@ int main(void) {
         same_on_device(scene, 2, 8, PLT_SPLIT_MEDIAN);
         same_on_device(scene, 4, 3, PLT_SPLIT_SAH);
     }
-    test("with less room than the bound a tree is built or refused, never half");
+    test("with less room than the bound a tree is built whole or refused");
     short_of_room(1);
     short_of_room(2);
     short_of_room(7);
-    test("the depth that this build allows is used to the last level");
+    test("the depth that this build allows is used up to the last level");
     depth_limit();
     return test_done();
 }

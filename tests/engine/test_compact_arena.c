@@ -1,7 +1,7 @@
-/* test_compact_arena - the arena of compact scenes: need, peak, guards, steps
+/* test_compact_arena - the arena of compact scenes: size, peak, guards, steps
  *
- * Arenas lie on the heap in exactly their size, with a pattern before them, and
- * images are compared afterwards; sanitizers see what lies behind.
+ * Arenas are heap blocks of exactly their size, with a pattern before them, and images are
+ * compared afterwards; sanitizers see accesses beyond the end.
  *
  * SPDX-License-Identifier: MIT */
 #include <stddef.h>
@@ -19,10 +19,10 @@
 
 enum { ZONE = 64, PATTERN = 0xC3 };
 
-static packed image_of(uint32_t triangles, const compact_way *way) {
+static packed image_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     shape_soup(&m, triangles, 0.5f, triangles);
-    return compact_packed(&m, way);
+    return compact_packed(&m, config);
 }
 
 typedef struct opened {
@@ -43,7 +43,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     memset(zone, PATTERN, bytes + ZONE);
     o.status = plt_open(&e, zone + ZONE, bytes, &source, &options, &o.fault);
     if (o.status == PLT_OK) {
-        const char *sentence = compact_trace(e, compact_numbers(plt_engine_info(e)));
+        const char *sentence = compact_trace(e, compact_ids_end(plt_engine_info(e)));
         CHECK(sentence == NULL, "%s", sentence);
         o.used = plt_arena_used(e);
         o.peak = plt_arena_peak(e);
@@ -52,7 +52,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     for (int i = 0; i < ZONE; i++) {
         CHECK(zone[i] == PATTERN, "byte %d before the arena was written", ZONE - i);
     }
-    CHECK(!stream.beyond, "the source was asked for too much");
+    CHECK(!stream.beyond, "the source was read beyond its end");
     free(zone);
     return o;
 }
@@ -85,9 +85,10 @@ static void sizes(void) {
     for (int i = 0; i < 4; i++) {
         for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
             for (uint8_t floats = 0; floats <= (build == PLT_BUILD_HOST); floats++) {
-                compact_way way = compact_way_of(1u << i % 3, i == 3 ? 21 : 14, build, floats);
-                way.pack.floats = floats;
-                packed image = image_of(triangles[i], &way);
+                compact_config config =
+                    compact_config_of(1u << i % 3, i == 3 ? 21 : 14, build, floats);
+                config.pack.floats = floats;
+                packed image = image_of(triangles[i], &config);
                 every_size(&image, 0, 2);
                 every_size(&image, 1, PLT_PACKET_SIDE_MAX);
                 pack_free(&image);
@@ -96,20 +97,20 @@ static void sizes(void) {
     }
 }
 
-/* What a device build needs at a time: the engine, scratch (and a window on corners
- * that are not mapped), the finished blocks and
- * at most one block more (or, of few triangles, their permutation). */
+/* What a device build needs at any time: the engine, scratch (and a record cache for corners
+ * that are not mapped), the finished blocks and at most one block more (or, with few triangles,
+ * their permutation). */
 static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) {
-    const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
-    packed image = image_of(triangles, &way);
+    const compact_config config = compact_config_of(k, bits, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(triangles, &config);
     hostile_stream stream = {image.bytes, image.size, 0};
     const plt_source fetched = {NULL, image.size, &stream, hostile_start, hostile_wait};
     const plt_source source = streamed ? fetched : rig_source(&image);
-    const size_t need = plt_arena_need(&image.info, !streamed, &way.run);
+    const size_t need = plt_arena_need(&image.info, !streamed, &config.run);
     void *arena = malloc(need);
     plt_engine *e = NULL;
     plt_fault fault;
-    CHECK(plt_open(&e, arena, need, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
+    CHECK(plt_open(&e, arena, need, &source, &config.run, &fault) == PLT_OK, "%s", fault.message);
     if (e != NULL) {
         const plt_block_tree *tree = &e->scene.compact;
         const compact_facts f = compact_check(tree, NULL);
@@ -132,18 +133,18 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
     pack_free(&image);
 }
 
-/* In pieces of any size: the blocks of plt_open, and a bounded number of pieces. */
+/* In steps of any size: the blocks of plt_open, in a bounded number of steps. */
 static void in_steps(uint32_t k, uint32_t splits) {
-    const compact_way way = compact_way_of(k, 16, PLT_BUILD_DEVICE, PLT_SPLIT_MEDIAN);
-    packed image = image_of(compact_triangles(500, k), &way);
+    const compact_config config = compact_config_of(k, 16, PLT_BUILD_DEVICE, PLT_SPLIT_MEDIAN);
+    packed image = image_of(compact_triangles(500, k), &config);
     const plt_source source = rig_source(&image);
-    const size_t need = plt_arena_need(&image.info, 1, &way.run);
+    const size_t need = plt_arena_need(&image.info, 1, &config.run);
     void *whole_arena = malloc(need), *arena = malloc(need);
     plt_engine *whole = NULL, *e = NULL;
     plt_fault fault;
-    CHECK(plt_open(&whole, whole_arena, need, &source, &way.run, &fault) == PLT_OK, "%s",
+    CHECK(plt_open(&whole, whole_arena, need, &source, &config.run, &fault) == PLT_OK, "%s",
           fault.message);
-    int status = plt_open_begin(&e, arena, need, &source, &way.run, &fault);
+    int status = plt_open_begin(&e, arena, need, &source, &config.run, &fault);
     uint32_t steps = 0;
     CHECK(status == PLT_MORE, "status %d", status);
     while (status == PLT_MORE && steps < 100000) {
@@ -156,7 +157,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
         const plt_info *info = plt_engine_info(e);
         const uint32_t work = info->nodes + 2 * info->treelets;
         CHECK(a->used == b->used && memcmp(a->bytes, b->bytes, a->used) == 0, "blocks differ");
-        /* Every field; what lies behind the last is nobody's. */
+        /* Every field; the padding after the last is not compared. */
         const size_t fields =
             offsetof(plt_info, primitive_id_bits) + sizeof info->primitive_id_bits;
         CHECK(memcmp(plt_engine_info(whole), info, fields) == 0, "counts differ");
@@ -164,7 +165,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
         CHECK(steps >= work / splits && steps <= 3 * work / splits + 1,
               "%u steps of %u for %u nodes and %u blocks", steps, splits, info->nodes,
               info->treelets);
-        CHECK(plt_open_step(e, 1, &fault) == PLT_OK, "a step more is an error");
+        CHECK(plt_open_step(e, 1, &fault) == PLT_OK, "one more step is an error");
         CHECK(compact_trace(e, info->triangles) == NULL, "cannot be traced");
     }
     free(whole_arena);
@@ -174,7 +175,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
 
 enum { RAYS = 256 };
 
-/* Hits of some rays at the scene, and what the statistics say of them. */
+/* Hits of some rays, and their statistics. */
 static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
     const plt_info *info = plt_engine_info(e);
     plt_ray rays[RAYS];
@@ -191,8 +192,8 @@ static plt_stats hits_of(plt_engine *e, plt_hit hits[RAYS]) {
     return s;
 }
 
-/* The soup with its axes exchanged: a tree of the same shape, of other boxes. */
-static packed turned_of(uint32_t triangles, const compact_way *way) {
+/* The soup with its axes exchanged: a tree of the same shape with other boxes. */
+static packed turned_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     shape_soup(&m, triangles, 0.5f, triangles);
     for (size_t i = 0; i < m.vertices; i++) {
@@ -202,17 +203,17 @@ static packed turned_of(uint32_t triangles, const compact_way *way) {
         v[1] = v[2];
         v[2] = x;
     }
-    return compact_packed(&m, way);
+    return compact_packed(&m, config);
 }
 
-/* Blocks that are still open from before change neither hits nor statistics, and
- * those of another scene in the same arena are forgotten. */
+/* Blocks still open from earlier rays change neither hits nor statistics, and those of another
+ * scene in the same arena are forgotten. */
 static void one_after_another(uint8_t build) {
-    const compact_way way = compact_way_of(2, 14, build, PLT_SPLIT_SAH);
-    packed image[2] = {image_of(compact_triangles(300, 2), &way),
-                       turned_of(compact_triangles(300, 2), &way)};
-    const size_t need[2] = {plt_arena_need(&image[0].info, 1, &way.run),
-                            plt_arena_need(&image[1].info, 1, &way.run)};
+    const compact_config config = compact_config_of(2, 14, build, PLT_SPLIT_SAH);
+    packed image[2] = {image_of(compact_triangles(300, 2), &config),
+                       turned_of(compact_triangles(300, 2), &config)};
+    const size_t need[2] = {plt_arena_need(&image[0].info, 1, &config.run),
+                            plt_arena_need(&image[1].info, 1, &config.run)};
     const size_t bytes = need[0] > need[1] ? need[0] : need[1];
     void *arena = malloc(bytes), *fresh = malloc(bytes);
     for (int i = 0; i < 4; i++) {
@@ -221,8 +222,9 @@ static void one_after_another(uint8_t build) {
         static plt_hit hit[3][RAYS];
         const plt_source source = rig_source(&image[i % 2]);
         memset(fresh, 0, bytes);
-        CHECK(plt_open(&e, arena, bytes, &source, &way.run, &fault) == PLT_OK, "%s", fault.message);
-        CHECK(plt_open(&other, fresh, bytes, &source, &way.run, &fault) == PLT_OK, "%s",
+        CHECK(plt_open(&e, arena, bytes, &source, &config.run, &fault) == PLT_OK, "%s",
+              fault.message);
+        CHECK(plt_open(&other, fresh, bytes, &source, &config.run, &fault) == PLT_OK, "%s",
               fault.message);
         const plt_stats cold = hits_of(e, hit[0]), warm = hits_of(e, hit[1]);
         const plt_stats alone = hits_of(other, hit[2]);
@@ -241,7 +243,7 @@ static void one_after_another(uint8_t build) {
 }
 
 int main(void) {
-    test("exactly the need is enough; less is built by a device, or refused with the need");
+    test("exactly the need is enough; with less a device builds, or fails and reports the need");
     sizes();
     test("a device's peak is engine, scratch, the blocks and at most one block");
     for (uint32_t k = 1; k <= 4; k *= 2) {
@@ -251,11 +253,11 @@ int main(void) {
             peak_of(compact_triangles(3000, k), k, 14, streamed);
         }
     }
-    test("built in steps the blocks are the same, in as many steps as nodes and blocks bound");
+    test("a build in steps gives the same blocks; nodes and blocks bound the number of steps");
     in_steps(1, 1);
     in_steps(2, 1);
     in_steps(4, 7);
-    test("a scene after another in one arena, and rays after others, find what they find alone");
+    test("scenes and rays one after another in one arena give the hits that they give alone");
     one_after_another(PLT_BUILD_HOST);
     one_after_another(PLT_BUILD_DEVICE);
     return test_done();

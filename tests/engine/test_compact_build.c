@@ -23,7 +23,7 @@ static mesh make(int scene) {
     fail f = {""};
     switch (scene) {
     case 0:
-        shape_soup(&m, compact_triangles(900, 1), 1.5f, 3); /* hardly a shared vertex */
+        shape_soup(&m, compact_triangles(900, 1), 1.5f, 3); /* hardly any shared vertex */
         break;
     case 1:
         shape_soup(&m, compact_triangles(1500, 1), 0.003f, 4); /* tiny */
@@ -57,27 +57,27 @@ static void look(const rig *r, const snapped *s, const char *name) {
     const compact_facts f = compact_check(tree, s);
     const plt_info *i = plt_engine_info(r->engine);
     CHECK(f.broken == 0, "%s, %u triangles: %s (%u times)", name, s->count, f.sentence, f.broken);
-    CHECK(f.longest_unit <= 2 * i->leaf_triangles, "%s: a unit of %u", name, f.longest_unit);
-    CHECK(f.depth <= PLT_DEPTH_MAX && f.depth == i->depth_stack_entries, "%s: depth %u, said %u",
-          name, f.depth, i->depth_stack_entries);
+    CHECK(f.longest_leaf <= 2 * i->leaf_triangles, "%s: a leaf of %u", name, f.longest_leaf);
+    CHECK(f.depth <= PLT_DEPTH_MAX && f.depth == i->depth_stack_entries,
+          "%s: depth %u, reported %u", name, f.depth, i->depth_stack_entries);
     CHECK(f.nodes == i->nodes && f.blocks == i->treelets && f.pairs == i->intermediate_lists &&
-              f.units - f.pairs == i->leaf_lists,
-          "%s: %u nodes, %u blocks, %u units", name, f.nodes, f.blocks, f.units);
+              f.leaves - f.pairs == i->leaf_lists,
+          "%s: %u nodes, %u blocks, %u leaves", name, f.nodes, f.blocks, f.leaves);
     CHECK(i->node_bytes + i->triangle_bytes == tree->used, "%s: bytes", name);
     deepest = f.depth > deepest ? f.depth : deepest;
     closed_early += f.most_vertices > 600;
 }
 
-static void build_and_look(const mesh *m, const char *scene, compact_way way) {
+static void build_and_look(const mesh *m, const char *scene, compact_config config) {
     snapped s;
     fail f = {""};
     char name[128];
-    CHECK(lattice_snap(&s, m, way.pack.lattice_bits, "test", &f) == 0, "%s", f.text);
+    CHECK(lattice_snap(&s, m, config.pack.lattice_bits, "test", &f) == 0, "%s", f.text);
     for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
         rig r;
-        way.pack.build = build;
-        snprintf(name, sizeof name, "%s, %s", scene, compact_name(&way));
-        const int status = compact_open(&r, m, &way);
+        config.pack.build = build;
+        snprintf(name, sizeof name, "%s, %s", scene, compact_name(&config));
+        const int status = compact_open(&r, m, &config);
         CHECK(status == PLT_OK, "%s: %s", name, r.fault.message);
         if (status == PLT_OK) {
             look(&r, &s, name);
@@ -94,8 +94,8 @@ static void every_scene(void) {
         char name[16];
         snprintf(name, sizeof name, "scene %d", scene);
         for (uint32_t i = 0; i < 15; i++) {
-            build_and_look(&m, name,
-                           compact_way_of(1u << i % 3, bits[i / 3], PLT_BUILD_HOST, (i / 3) & 1));
+            build_and_look(
+                &m, name, compact_config_of(1u << i % 3, bits[i / 3], PLT_BUILD_HOST, (i / 3) & 1));
         }
         mesh_free(&m);
     }
@@ -109,14 +109,14 @@ static void few_triangles(void) {
         shape_soup(&m, count, 0.5f, count);
         snprintf(name, sizeof name, "%u in a soup", count);
         for (uint32_t k = 1; k <= 4; k *= 2) {
-            build_and_look(&m, name, compact_way_of(k, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH));
-            build_and_look(&m, name, compact_way_of(k, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN));
+            build_and_look(&m, name, compact_config_of(k, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH));
+            build_and_look(&m, name, compact_config_of(k, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN));
         }
         mesh_free(&m);
     }
 }
 
-/* ---- jobs of the builder itself -------------------------------------------------- */
+/* ---- jobs for the builder alone -------------------------------------------------- */
 
 typedef struct work {
     plt_blocks_job job;
@@ -125,7 +125,7 @@ typedef struct work {
     int status;
 } work;
 
-/* Triangles with corners on `range` numbers of each axis: many share a centre. */
+/* Triangles with corners on `range` coordinates of each axis: many share a centre. */
 static work random_work(uint64_t seed, uint32_t k, uint32_t most) {
     random_state r = {seed};
     static const uint32_t bits[5] = {12, 14, 16, 17, 21};
@@ -186,8 +186,8 @@ static size_t bound_of(const plt_blocks_job *job) {
     return (size_t)worst.node_bytes + worst.triangle_bytes;
 }
 
-/* The tree's counts are those of its blocks, also where blocks were begun again;
- * memory and steps stay within what is promised. */
+/* The tree's counts are those of its blocks, also where blocks were restarted; memory and steps
+ * stay within their bounds. */
 static void check_work(work *w, uint64_t seed) {
     unsigned char *memory;
     const size_t bound = bound_of(&w->job);
@@ -206,16 +206,16 @@ static void check_work(work *w, uint64_t seed) {
         const compact_facts f = compact_check(&tree, &s);
         CHECK(f.broken == 0, "seed %llu: %s", (unsigned long long)seed, f.sentence);
         CHECK(f.depth == w->job.depth && f.nodes == w->job.nodes && f.blocks == w->job.blocks &&
-                  f.units == w->job.units && f.pairs == w->job.pairs,
-              "seed %llu: depth %u, said %u", (unsigned long long)seed, f.depth, w->job.depth);
+                  f.leaves == w->job.units && f.pairs == w->job.pairs,
+              "seed %llu: depth %u, reported %u", (unsigned long long)seed, f.depth, w->job.depth);
         const size_t permutation = w->job.triangles.count * 2u;
         CHECK(w->job.peak <= bound && w->job.peak >= w->job.used &&
                   (w->job.peak <= (size_t)w->job.used + f.largest_block ||
                    w->job.peak == permutation),
               "seed %llu: peak %zu, used %u, largest block %u", (unsigned long long)seed,
               w->job.peak, w->job.used, f.largest_block);
-        /* A split or a block a step, a check a block; a block that held too many
-         * vertices is split again, at half the nodes each time. */
+        /* One split or one block per step, one check per block; a block with too many vertices
+         * is restarted, with half the nodes each time. */
         CHECK(w->steps >= w->job.nodes + 2 * w->job.blocks &&
                   w->steps <= 3 * w->job.nodes + 9 * w->job.blocks,
               "seed %llu: %u steps for %u nodes in %u blocks", (unsigned long long)seed, w->steps,
@@ -233,7 +233,8 @@ static void random_soups(void) {
     }
 }
 
-/* Memory of every size up to the bound: built or refused, and more is never worse. */
+/* Memory of every size up to the bound: a build succeeds or is refused, and more memory never
+ * makes it fail. */
 static void short_of_memory(uint32_t k, uint64_t seed) {
     work w = random_work(seed, k, 60);
     const size_t bound = bound_of(&w.job);
@@ -253,19 +254,19 @@ static void short_of_memory(uint32_t k, uint64_t seed) {
     free(w.corners);
 }
 
-/* Halving by number fills all levels: units of two below the last nodes. */
+/* Halving by count fills all levels: leaves of two below the last nodes. */
 static void depth_limit(void) {
     const uint32_t most = rig_is_tiny() ? 2u << PLT_DEPTH_MAX % 31 : 600;
     for (uint32_t count = most / 2; count <= 2 * most; count += most / 2) {
         mesh m = {0};
         rig r;
-        const compact_way way = compact_way_of(1, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN);
+        const compact_config config = compact_config_of(1, 21, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN);
         shape_coincident(&m, count - 2);
-        const int status = compact_open(&r, &m, &way);
+        const int status = compact_open(&r, &m, &config);
         const int fits = !rig_is_tiny() || count <= most;
         CHECK(status == (fits ? PLT_OK : PLT_ERR_LIMIT), "%u triangles: status %d", count, status);
         rig_close(&r);
-        compact_way device = way;
+        compact_config device = config;
         device.pack.build = PLT_BUILD_DEVICE;
         CHECK(compact_open(&r, &m, &device) == status, "%u triangles on the device", count);
         rig_close(&r);
@@ -274,17 +275,19 @@ static void depth_limit(void) {
 }
 
 int main(void) {
-    test("each triangle once, boxes and frames that hold it, units of at most 2 K, true counts");
+    test(
+        "each triangle once, boxes and bounds that contain it, leaves of at most 2 K, correct "
+        "counts");
     every_scene();
-    test("the same of 0 to 40 triangles");
+    test("the same for 0 to 40 triangles");
     few_triangles();
-    test("the same of corners with many ties; peak and steps within their bounds");
+    test("the same for corners with many ties; peak and steps within their bounds");
     random_soups();
     test("in memory of any size blocks are built or refused, and nothing else is written");
     short_of_memory(1, 11);
     short_of_memory(2, 12);
     short_of_memory(4, 13);
-    test("a scene deeper than PLT_DEPTH_MAX is refused, one as deep is built");
+    test("a scene deeper than PLT_DEPTH_MAX is refused, one of that depth is built");
     depth_limit();
     printf("    the deepest tree has %u levels\n", deepest);
     return test_done();

@@ -1,8 +1,8 @@
-/* test_compact_depth - the builder of compact blocks at the last levels there are
+/* test_compact_depth - the builder of compact blocks at the last levels
  *
- * No scene of ordinary size is 64 levels deep: the job is told that its root is
- * already so far down. Triangles lie at 1, 2, 4, .. along an axis, so that halving
- * the box, and the surface area heuristic, take them off one by one.
+ * No scene of ordinary size is 64 levels deep, so the job starts with a root that is already
+ * near that depth. Triangles lie at 1, 2, 4, .. along an axis, so both the median and the
+ * surface area heuristic split them off one by one.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -19,7 +19,7 @@ static void put(uint16_t *corner, uint32_t x) {
     }
 }
 
-/* What building eight triangles, two a unit, comes to below `depth` levels. */
+/* The status of building eight triangles, two per list, below `depth` levels. */
 static int build(uint32_t depth, uint8_t splits, plt_blocks_job *job) {
     static _Alignas(8) unsigned char memory[MEMORY];
     uint16_t corners[TRIANGLES][9];
@@ -48,7 +48,7 @@ int main(void) {
     for (uint8_t splits = PLT_SPLIT_SAH; splits <= PLT_SPLIT_MEDIAN; splits++) {
         const char *name = splits == PLT_SPLIT_SAH ? "SAH" : "median";
         plt_blocks_job job;
-        test(splits == PLT_SPLIT_SAH ? "near the last level ranges are halved by number: SAH"
+        test(splits == PLT_SPLIT_SAH ? "near the last level ranges are halved by count: SAH"
                                      : "... and median splits");
         int status = build(0, splits, &job);
         CHECK(status == PLT_OK && job.depth > LEVELS, "%s: status %d, depth %u: too even", name,
@@ -56,7 +56,7 @@ int main(void) {
         status = build(PLT_DEPTH_MAX - LEVELS, splits, &job);
         CHECK(status == PLT_OK && job.depth == PLT_DEPTH_MAX, "%s: status %d, depth %u", name,
               status, job.depth);
-        test("... and what needs a level more is refused");
+        test("... and what needs one more level is refused");
         status = build(PLT_DEPTH_MAX - LEVELS + 1, splits, &job);
         CHECK(status == PLT_ERR_LIMIT, "%s: status %d, depth %u", name, status, job.depth);
         status = build(PLT_DEPTH_MAX, splits, &job);

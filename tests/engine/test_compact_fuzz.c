@@ -1,6 +1,6 @@
-/* test_compact_fuzz - fuzz_blocks with deterministic mutations, for seconds
+/* test_compact_fuzz - the target fuzz_blocks with deterministic mutations, for a few seconds
  *
- * PLANELET_SOAK=1 mutates a hundred times as much.
+ * PLANELET_SOAK=1 runs a hundred times as many.
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/fuzz/fuzz_blocks.c"
@@ -12,7 +12,7 @@
 
 enum { SEEDS = 16, MUTATIONS = 2000, INPUT_MOST = 1 << 14 };
 
-/* The choosing byte, then the first block of a packed scene. */
+/* The byte that selects options, then the first block of a packed scene. */
 static uint32_t seed_input(uint32_t seed, unsigned char input[INPUT_MOST]) {
     mesh m = {0};
     packed image;
@@ -60,9 +60,9 @@ static void fuzz(uint32_t seed, uint32_t mutations) {
     static unsigned char input[INPUT_MOST], one[INPUT_MOST];
     random_state r = {seed};
     const uint32_t size = seed_input(seed, input);
-    const unsigned long before = blocks_sound;
-    CHECK(LLVMFuzzerTestOneInput(input, size) == 0 && blocks_sound == before + 1,
-          "seed %u: the block itself is not sound", seed);
+    const unsigned long before = blocks_valid;
+    CHECK(LLVMFuzzerTestOneInput(input, size) == 0 && blocks_valid == before + 1,
+          "seed %u: the block itself is not valid", seed);
     for (uint32_t i = 0; i < mutations; i++) {
         memcpy(one, input, size);
         one[0] |= 16;
@@ -75,14 +75,14 @@ static void fuzz(uint32_t seed, uint32_t mutations) {
 int main(void) {
     const char *soak = getenv("PLANELET_SOAK");
     const uint32_t mutations = MUTATIONS * (soak != NULL && soak[0] == '1' ? 100 : 1);
-    test("mutated blocks are not sound, or are decoded and traced without harm");
+    test("mutated blocks are refused, or are decoded and traced without harm");
     for (uint32_t seed = 0; seed < SEEDS; seed++) {
         fuzz(seed, mutations);
     }
-    test("of the mutated blocks some are sound and many are not");
+    test("of the mutated blocks some are valid and many are not");
     const unsigned long all = (unsigned long)SEEDS * mutations;
-    CHECK(blocks_sound > all / 50 && blocks_sound < all * 9 / 10, "%lu of %lu", blocks_sound, all);
-    CHECK(blocks_traced > blocks_sound / 4, "%lu of %lu traced", blocks_traced, blocks_sound);
-    printf("    %lu of %lu blocks sound, %lu traced\n", blocks_sound, all, blocks_traced);
+    CHECK(blocks_valid > all / 50 && blocks_valid < all * 9 / 10, "%lu of %lu", blocks_valid, all);
+    CHECK(blocks_traced > blocks_valid / 4, "%lu of %lu traced", blocks_traced, blocks_valid);
+    printf("    %lu of %lu blocks valid, %lu traced\n", blocks_valid, all, blocks_traced);
     return test_done();
 }

@@ -1,8 +1,8 @@
 /* test_compact_hits - compact blocks hit what thesis nodes hit, bit for bit
  *
- * Thesis nodes are given the mesh with every vertex where the lattice puts it.
- * Scenes of this kind hold all that could differ: long and flat triangles,
- * shared edges, ties, triangles that the lattice leaves no area.
+ * Thesis nodes get the mesh with every vertex moved to its lattice point. The scenes contain
+ * whatever could make a difference: long and flat triangles, shared edges, ties, triangles
+ * without area on the lattice.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -57,11 +57,11 @@ static subject make(int number, uint32_t k) {
         break;
     case 6:
         scene_terrain(&s.m, compact_triangles(900, k), &f);
-        shape_place(&s.m, 37.0f, 30.0f, -77.0f, 21.0f);
+        shape_transform(&s.m, 37.0f, 30.0f, -77.0f, 21.0f);
         break;
     case 7:
         shape_icosphere(&s.m, rig_is_tiny() ? 1 : 2);
-        shape_place(&s.m, 1e-6f, 1e-6f, 0.0f, 1e-7f);
+        shape_transform(&s.m, 1e-6f, 1e-6f, 0.0f, 1e-7f);
         break;
     default:
         shape_needles(&s.m, 13);
@@ -70,7 +70,7 @@ static subject make(int number, uint32_t k) {
 }
 
 /* Rays of all kinds at the snapped mesh; `rays` has room for 4 * RAYS. */
-static void aim(plt_ray *rays, const mesh *m, uint64_t seed) {
+static void set_rays(plt_ray *rays, const mesh *m, uint64_t seed) {
     random_state r = {seed};
     rays_mixed(rays, RAYS, m, &r);
     rays_edges(rays + RAYS, RAYS, m, &r);
@@ -82,12 +82,12 @@ static void aim(plt_ray *rays, const mesh *m, uint64_t seed) {
 
 static void trace_thesis(const mesh *m, const plt_ray *rays, plt_hit *hits, int any) {
     rig thesis;
-    rig_way way = rig_way_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    int status = rig_open(&thesis, m, &way);
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    int status = rig_open(&thesis, m, &config);
     if (status == PLT_ERR_LIMIT && rig_is_tiny()) {
         rig_close(&thesis);
-        way.pack.build = PLT_BUILD_NONE;
-        status = rig_open(&thesis, m, &way);
+        config.pack.build = PLT_BUILD_NONE;
+        status = rig_open(&thesis, m, &config);
     }
     CHECK(status == PLT_OK, "thesis nodes: %s", thesis.fault.message);
     memset(hits, 0x55, 4 * RAYS * sizeof *hits);
@@ -97,32 +97,33 @@ static void trace_thesis(const mesh *m, const plt_ray *rays, plt_hit *hits, int 
     rig_close(&thesis);
 }
 
-static void compare(const char *name, const compact_way *way, const plt_hit *a, const plt_hit *b) {
+static void compare(const char *name, const compact_config *config, const plt_hit *a,
+                    const plt_hit *b) {
     for (uint32_t i = 0; i < 4 * RAYS; i++) {
         compared++;
         met += a[i].triangle != PLT_MISS;
         CHECK(memcmp(&a[i], &b[i], sizeof a[i]) == 0,
               "%s, %s, ray %u: triangle %u t %a u %a v %a, not triangle %u t %a u %a v %a", name,
-              compact_name(way), i, b[i].triangle, (double)b[i].t, (double)b[i].u, (double)b[i].v,
-              a[i].triangle, (double)a[i].t, (double)a[i].u, (double)a[i].v);
+              compact_name(config), i, b[i].triangle, (double)b[i].t, (double)b[i].u,
+              (double)b[i].v, a[i].triangle, (double)a[i].t, (double)a[i].u, (double)a[i].v);
     }
 }
 
-/* All packets there are, nearest and any hit. */
-static void trace_compact(const subject *s, compact_way way, const plt_ray *rays,
+/* All packet sizes, nearest and any hit. */
+static void trace_compact(const subject *s, compact_config config, const plt_ray *rays,
                           const plt_hit *nearest, const plt_hit *any) {
     static plt_hit hits[4 * RAYS];
     rig compact;
-    CHECK(compact_open(&compact, &s->m, &way) == PLT_OK, "%s, %s: %s", s->name, compact_name(&way),
-          compact.fault.message);
+    CHECK(compact_open(&compact, &s->m, &config) == PLT_OK, "%s, %s: %s", s->name,
+          compact_name(&config), compact.fault.message);
     rig_close(&compact);
     for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
-        way.run.packet_side = side;
-        if (compact_open(&compact, &s->m, &way) == PLT_OK) {
+        config.run.packet_side = side;
+        if (compact_open(&compact, &s->m, &config) == PLT_OK) {
             plt_trace(compact.engine, rays, hits, 4 * RAYS, 0);
-            compare(s->name, &way, nearest, hits);
+            compare(s->name, &config, nearest, hits);
             plt_trace(compact.engine, rays, hits, 4 * RAYS, 1);
-            compare(s->name, &way, any, hits);
+            compare(s->name, &config, any, hits);
         }
         rig_close(&compact);
     }
@@ -136,50 +137,50 @@ typedef struct expected {
 } expected;
 
 static void expect(expected *e, const mesh *m, uint64_t seed) {
-    aim(e->rays, m, seed);
+    set_rays(e->rays, m, seed);
     trace_thesis(m, e->rays, e->nearest, 0);
     trace_thesis(m, e->rays, e->any, 1);
 }
 
-static void with_numbers(int number, uint32_t k, uint8_t bits, uint8_t splits) {
+static void with_primitive_ids(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);
     mesh moved = compact_mesh(&s.m, bits);
     expect(&e, &moved, 7u * (uint64_t)number + k);
-    trace_compact(&s, compact_way_of(k, bits, PLT_BUILD_HOST, splits), e.rays, e.nearest, e.any);
+    trace_compact(&s, compact_config_of(k, bits, PLT_BUILD_HOST, splits), e.rays, e.nearest, e.any);
     mesh_free(&moved);
     mesh_free(&s.m);
 }
 
-/* Float records: the mesh as it is, its own numbers and box. */
+/* Float records: the mesh as it is, with its own primitive ids and box. */
 static void with_floats(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);
-    compact_way way = compact_way_of(k, bits, PLT_BUILD_HOST, splits);
-    way.pack.floats = 1;
+    compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, splits);
+    config.pack.floats = 1;
     expect(&e, &s.m, 3u * (uint64_t)number + k);
-    trace_compact(&s, way, e.rays, e.nearest, e.any);
+    trace_compact(&s, config, e.rays, e.nearest, e.any);
     mesh_free(&s.m);
 }
 
-/* Hosts and devices alike call a triangle by its place. */
-static void by_place(int number, uint32_t k, uint8_t bits, uint8_t splits) {
+/* Host and device alike report a triangle by its image index. */
+static void by_image_index(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);
-    compact_way way = compact_way_of(k, bits, PLT_BUILD_HOST, splits);
+    compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, splits);
     rig numbered;
-    if (compact_open(&numbered, &s.m, &way) == PLT_OK && numbered.image.info.triangles > 0) {
+    if (compact_open(&numbered, &s.m, &config) == PLT_OK && numbered.image.info.triangles > 0) {
         mesh moved = compact_mesh(&s.m, bits);
         mesh ordered = compact_mesh_in_order(&numbered.image, &moved);
         expect(&e, &ordered, 5u * (uint64_t)number + k);
-        way.pack.numbers = 0;
-        trace_compact(&s, way, e.rays, e.nearest, e.any);
-        way.pack.build = PLT_BUILD_DEVICE;
-        trace_compact(&s, way, e.rays, e.nearest, e.any);
+        config.pack.numbers = 0;
+        trace_compact(&s, config, e.rays, e.nearest, e.any);
+        config.pack.build = PLT_BUILD_DEVICE;
+        trace_compact(&s, config, e.rays, e.nearest, e.any);
         mesh_free(&moved);
         mesh_free(&ordered);
     }
-    CHECK(numbered.engine != NULL, "%s, %s: %s", s.name, compact_name(&way),
+    CHECK(numbered.engine != NULL, "%s, %s: %s", s.name, compact_name(&config),
           numbered.fault.message);
     rig_close(&numbered);
     mesh_free(&s.m);
@@ -188,11 +189,11 @@ static void by_place(int number, uint32_t k, uint8_t bits, uint8_t splits) {
 /* Blocks, root and counts of device and host. */
 static void same_blocks(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     subject s = make(number, k);
-    const compact_way host_way = compact_way_of(k, bits, PLT_BUILD_HOST, splits);
-    const compact_way device_way = compact_way_of(k, bits, PLT_BUILD_DEVICE, splits);
+    const compact_config host_config = compact_config_of(k, bits, PLT_BUILD_HOST, splits);
+    const compact_config device_config = compact_config_of(k, bits, PLT_BUILD_DEVICE, splits);
     rig host, device;
-    const int a = compact_open(&host, &s.m, &host_way);
-    const int b = compact_open(&device, &s.m, &device_way);
+    const int a = compact_open(&host, &s.m, &host_config);
+    const int b = compact_open(&device, &s.m, &device_config);
     CHECK(a == PLT_OK && b == PLT_OK, "%s: host %d, device %d", s.name, a, b);
     if (a == PLT_OK && b == PLT_OK) {
         const plt_block_tree *h = compact_tree(&host), *d = compact_tree(&device);
@@ -200,13 +201,13 @@ static void same_blocks(int number, uint32_t k, uint8_t bits, uint8_t splits) {
         CHECK(h->used == d->used && h->root == d->root, "%s: %u and %u bytes", s.name, h->used,
               d->used);
         CHECK(h->used == d->used && memcmp(h->bytes, d->bytes, h->used) == 0,
-              "%s, %s: blocks differ", s.name, compact_name(&host_way));
+              "%s, %s: blocks differ", s.name, compact_name(&host_config));
         CHECK(hi->nodes == di->nodes && hi->treelets == di->treelets &&
                   hi->leaf_lists == di->leaf_lists &&
                   hi->intermediate_lists == di->intermediate_lists &&
                   hi->node_bytes == di->node_bytes && hi->triangle_bytes == di->triangle_bytes &&
                   hi->depth_stack_entries == di->depth_stack_entries,
-              "%s, %s: counts differ", s.name, compact_name(&host_way));
+              "%s, %s: counts differ", s.name, compact_name(&host_config));
     }
     rig_close(&host);
     rig_close(&device);
@@ -224,7 +225,7 @@ static void everything(void (*one)(int, uint32_t, uint8_t, uint8_t)) {
     }
 }
 
-/* Many triangles in one place: the lowest number is hit, wherever it lies. */
+/* Many equal triangles: the lowest primitive id is hit, wherever it lies. */
 static void ties(void) {
     enum { COPIES = 37 };
     mesh m = {0};
@@ -232,22 +233,22 @@ static void ties(void) {
     shape_coincident(&m, COPIES);
     for (uint32_t k = 1; k <= 4; k *= 2) {
         for (uint8_t floats = 0; floats < 2; floats++) {
-            compact_way way = compact_way_of(k, 14, PLT_BUILD_HOST, floats);
+            compact_config config = compact_config_of(k, 14, PLT_BUILD_HOST, floats);
             plt_hit hit = {0, 0, 0, PLT_MISS};
             rig r;
-            way.pack.floats = floats;
-            CHECK(compact_open(&r, &m, &way) == PLT_OK, "%s", r.fault.message);
+            config.pack.floats = floats;
+            CHECK(compact_open(&r, &m, &config) == PLT_OK, "%s", r.fault.message);
             if (r.engine != NULL) {
                 plt_trace(r.engine, &ray, &hit, 1, 0);
             }
-            CHECK(hit.triangle == 0, "%s: %u", compact_name(&way), hit.triangle);
+            CHECK(hit.triangle == 0, "%s: %u", compact_name(&config), hit.triangle);
             rig_close(&r);
         }
     }
     mesh_free(&m);
 }
 
-/* ---- the traversal's arithmetic ------------------------------------------------- */
+/* ---- the traversal's arithmetic ---------------------------------------------------- */
 
 static void every_step(void) {
     uint32_t wrong = 0, first = 0;
@@ -266,7 +267,7 @@ static void every_step(void) {
     CHECK(wrong == 0, "%u wrong, the first of extent %u", wrong, first);
 }
 
-/* One node with any bytes: the boxes of the traversal are those of plt_block_apply. */
+/* One node with any bytes: the traversal's boxes are those of plt_block_apply. */
 static void any_planes(void) {
     random_state r = {9};
     for (int round = 0; round < 20000; round++) {
@@ -303,21 +304,21 @@ static void any_planes(void) {
 }
 
 int main(void) {
-    test("the traversal's step of a plane is the format's for every extent there is");
+    test("the traversal's step of a plane is the format's for every possible extent");
     every_step();
-    test("the traversal decodes the boxes of any node as the format has them");
+    test("the traversal decodes the boxes of any node as the format defines them");
     any_planes();
-    test("with numbers kept, hits are thesis nodes' over the same positions, bit for bit");
-    everything(with_numbers);
-    test("with float geometry, hits are thesis nodes' over the same mesh, bit for bit");
+    test("with primitive ids, hits are those of thesis nodes over the same positions, bit for bit");
+    everything(with_primitive_ids);
+    test("with float geometry, hits are those of thesis nodes over the same mesh, bit for bit");
     everything(with_floats);
-    test("without numbers, and built on the device, a hit names the place in image order");
-    everything(by_place);
+    test("without primitive ids, and built on the device, a hit reports the image index");
+    everything(by_image_index);
     test("a device's blocks are byte for byte the host's");
     everything(same_blocks);
-    test("of coincident triangles the lowest number is hit");
+    test("of coincident triangles the lowest primitive id is hit");
     ties();
-    CHECK(met > compared / 10, "hardly a hit");
+    CHECK(met > compared / 10, "hardly any hit");
     printf("    %llu hits compared, %llu of them of triangles\n", (unsigned long long)compared,
            (unsigned long long)met);
     return test_done();

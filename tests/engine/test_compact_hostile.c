@@ -1,8 +1,7 @@
-/* test_compact_hostile - compact images with damage, lies and traps in them
+/* test_compact_hostile - damaged, forged and malicious compact images
  *
- * Every image is opened mapped and streamed, copied to exactly its size, in
- * exactly the arena it needs (reference/compact_hostile.h): sanitizers watch the
- * rest.
+ * Every image is opened mapped and streamed, copied to exactly its size, in exactly the arena
+ * it needs (reference/compact_hostile.h): sanitizers check the rest.
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/hostile/attacks.h"
@@ -26,7 +25,7 @@ static const kind kinds[] = {{PLT_BUILD_HOST, 0, 1, 14, 2},
                              {PLT_BUILD_DEVICE, 0, 0, 17, 1}};
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-/* A soup; of 0xFFFFFFFF triangles a sphere, where they share corners. */
+/* A soup; if `triangles` is 0xFFFFFFFF a sphere, whose triangles share corners. */
 #define SPHERE 0xFFFFFFFFu
 
 static packed image_of(const kind *of, uint32_t triangles) {
@@ -60,16 +59,16 @@ static void every_kind(uint32_t triangles, void (*attack)(const packed *image)) 
     for (int i = 0; i < KINDS; i++) {
         packed image = image_of(&kinds[i], triangles);
         attack(&image);
-        CHECK(meet(image.bytes, image.size, "the image as it was", 0).status == PLT_OK,
-              "kind %d is not itself again", i);
+        CHECK(meet(image.bytes, image.size, "the unchanged image", 0).status == PLT_OK,
+              "kind %d was not restored", i);
         pack_free(&image);
     }
 }
 
-/* ---- accidents: every one is noticed ---------------------------------------------- */
+/* ---- accidents: every one is detected ---------------------------------------------- */
 
-/* A block's own checks notice, too, when the section's and header's do not: all but
- * what lies between blocks, below 8 bytes each. */
+/* A block's own checks detect a flip even when section and header CRCs are made right, except
+ * in the padding between blocks, less than 8 bytes each. */
 static void flips_in_blocks(const packed *image) {
     const uint32_t bytes = image->info.node_bytes + image->info.triangle_bytes;
     uint32_t unnoticed = 0, by_check = 0;
@@ -87,26 +86,26 @@ static void flips_in_blocks(const packed *image) {
         image->bytes[at] ^= 0x10;
     }
     compact_seal(image->bytes, image->size, 0);
-    CHECK(unnoticed < 8 * image->info.treelets, "%u flips of %u bytes were not noticed", unnoticed,
+    CHECK(unnoticed < 8 * image->info.treelets, "%u flips of %u bytes were not detected", unnoticed,
           bytes);
-    CHECK(by_check > bytes / 2, "%u of %u flips were noticed by a check", by_check, bytes);
+    CHECK(by_check > bytes / 2, "%u of %u flips were detected by a check", by_check, bytes);
 }
 
-/* Cut short, and the header knows of it. */
+/* Cut short, with the header's size changed to match. */
 static void sealed_lengths(const packed *image) {
     unsigned char *shorter = malloc(image->size);
     for (uint32_t size = 256; size < image->size; size += 4) {
         memcpy(shorter, image->bytes, image->size);
         plt_put_u32(shorter + 16, size);
         compact_seal(shorter, size, 1);
-        must_refuse(shorter, size, "a size the header knows", size);
+        must_refuse(shorter, size, "a size that the header confirms", size);
     }
     free(shorter);
 }
 
-/* ---- lies: checks are right ---------------------------------------------------------- */
+/* ---- forgeries: checks are right ---------------------------------------------------------- */
 
-/* Two header words at a time, random ones of few values. */
+/* Two random header words at a time, each set to one of a few values. */
 static void header_pairs(const packed *image) {
     random_state r = {6};
     unsigned char *bytes = malloc(image->size);
@@ -139,8 +138,8 @@ static void sealed_flips(const packed *image) {
 
 /* ---- traps ------------------------------------------------------------------------------ */
 
-/* The image with these bytes, resealed, must break invariant `rule`, or 0: open; or
- * 255: either, without harm. Frees the bytes. */
+/* The image with these bytes and correct checks must break invariant `rule` (0: it must open;
+ * 255: either, without harm). Frees the bytes. */
 static void must_break(const packed *image, unsigned char *bytes, uint32_t at, uint8_t rule,
                        const char *what) {
     compact_seal(bytes, image->size, 1);
@@ -172,20 +171,20 @@ static void bend(const packed *image, uint32_t at, uint64_t value, uint32_t coun
 typedef struct some_block {
     plt_block b;
     plt_geometry g;
-    uint32_t bits, frame_at, mask_at, links_at, geometry_at; /* bytes of the image */
+    uint32_t bits, bounds_at, mask_at, links_at, geometry_at; /* bytes of the image */
 } some_block;
 
 static some_block open_at(const packed *image, uint32_t address) {
     some_block f = {.bits = plt_get_u32(image->bytes + COMPACT_BITS)};
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
     plt_block_open(&f.b, image->bytes + 256 + address, f.bits);
-    plt_block_bounds(&f.b, f.bits, &frame);
-    f.frame_at = 256 + address + 4;
-    f.mask_at = f.frame_at + plt_block_bounds_bytes(f.bits);
+    plt_block_bounds(&f.b, f.bits, &bounds);
+    f.bounds_at = 256 + address + 4;
+    f.mask_at = f.bounds_at + plt_block_bounds_bytes(f.bits);
     f.links_at = (uint32_t)(f.b.links - image->bytes);
     f.geometry_at = (uint32_t)(f.b.geometry - image->bytes);
     if (f.b.geometry_bytes > 0) {
-        plt_geometry_open(&f.g, &f.b, &frame, image->info.leaf_triangles);
+        plt_geometry_open(&f.g, &f.b, &bounds, image->info.leaf_triangles);
     }
     return f;
 }
@@ -200,11 +199,11 @@ static void bent_links(const packed *image) {
     const uint32_t used = image->info.node_bytes + image->info.triangle_bytes;
     const uint32_t link = plt_get_u32(image->bytes + f.links_at);
     const uint32_t second = plt_get_u32(image->bytes + f.links_at + 4);
-    CHECK(f.b.edges >= 2, "%u edges are too few to bend", f.b.edges);
+    CHECK(f.b.edges >= 2, "%u edges are too few to change", f.b.edges);
     bend(image, f.links_at, link & 0xFF000000u, 4, 17, "a link to the root");
     bend(image, f.links_at, second, 4, 17, "two links to one block");
     bend(image, f.links_at, link + 1, 4, 17, "a link into a block");
-    bend(image, f.links_at, (link & 0xFF000000u) | used / 8, 4, 17, "a link behind the last");
+    bend(image, f.links_at, (link & 0xFF000000u) | used / 8, 4, 17, "a link beyond the last");
     bend(image, f.links_at, 0xFFFFFFFF, 4, 17, "a link far beyond");
     bend(image, f.links_at, link ^ 0x01000000u, 4, 17, "a link of another size");
     bend(image, f.links_at, (uint64_t)link << 32 | second, 8, 0, "links exchanged");
@@ -247,29 +246,29 @@ static void bent_kinds(const packed *image) {
     must_break(image, bytes, f.mask_at, 255, "nothing but edges");
 }
 
-/* Low and high of one axis exchanged, and bytes of all values. */
-static void bent_frames(const packed *image) {
+/* Low and high of one axis exchanged, and bytes of extreme values. */
+static void bent_bounds(const packed *image) {
     const some_block f = open_at(image, second_address(image));
-    const uint32_t frame_bytes = plt_block_bounds_bytes(f.bits), width = f.bits <= 16 ? 16 : 21;
+    const uint32_t bounds_bytes = plt_block_bounds_bytes(f.bits), width = f.bits <= 16 ? 16 : 21;
     for (uint32_t axis = 0; axis < 3; axis++) {
-        plt_lattice_box frame;
-        unsigned char *bytes = copy_of(image), *at = bytes + f.frame_at;
-        plt_block_bounds(&f.b, f.bits, &frame);
-        memset(at, 0, frame_bytes);
+        plt_lattice_box bounds;
+        unsigned char *bytes = copy_of(image), *at = bytes + f.bounds_at;
+        plt_block_bounds(&f.b, f.bits, &bounds);
+        memset(at, 0, bounds_bytes);
         for (uint32_t a = 0; a < 3; a++) {
-            plt_bits_put(at, a * width, width, a == axis ? frame.hi[a] : frame.lo[a]);
-            plt_bits_put(at, (a + 3) * width, width, a == axis ? frame.lo[a] : frame.hi[a]);
+            plt_bits_put(at, a * width, width, a == axis ? bounds.hi[a] : bounds.lo[a]);
+            plt_bits_put(at, (a + 3) * width, width, a == axis ? bounds.lo[a] : bounds.hi[a]);
         }
-        must_break(image, bytes, f.frame_at, 12, "a frame with hi below lo");
+        must_break(image, bytes, f.bounds_at, 12, "bounds with hi below lo");
     }
-    for (uint32_t i = 0; i < frame_bytes; i++) {
-        bend(image, f.frame_at + i, 0xFF, 1, 255, "a frame bent");
-        bend(image, f.frame_at + i, 0, 1, 255, "a frame bent");
+    for (uint32_t i = 0; i < bounds_bytes; i++) {
+        bend(image, f.bounds_at + i, 0xFF, 1, 255, "changed bounds");
+        bend(image, f.bounds_at + i, 0, 1, 255, "changed bounds");
     }
-    bend(image, f.frame_at, 0xFFFFFFFFFFFFFFFFu, 6, 12, "a frame beyond the lattice");
+    bend(image, f.bounds_at, 0xFFFFFFFFFFFFFFFFu, 6, 12, "bounds beyond the lattice");
 }
 
-/* Counts, strips and references of the last block, which has units. */
+/* Counts, strips and references of the last block, which has leaves. */
 static void bent_geometry(const packed *image) {
     const some_block f = open_at(image, last_address(image));
     const uint32_t word0 = plt_get_u32(image->bytes + f.geometry_at);
@@ -281,8 +280,8 @@ static void bent_geometry(const packed *image) {
     bend(image, f.geometry_at + 4, word1 ^ 0x40u, 4, 0, "another mesh"); /* SPEC 5.4 */
     for (uint32_t i = 0; i < 32; i++) {
         const uint32_t at = f.geometry_at + strings[i / 8] / 8;
-        bend(image, at, 0xFFu << i % 8, 1, 255, "a string bent");
-        bend(image, at, 0xFFu >> i % 8, 1, 255, "a string bent");
+        bend(image, at, 0xFFu << i % 8, 1, 255, "a changed string");
+        bend(image, at, 0xFFu >> i % 8, 1, 255, "a changed string");
     }
 }
 
@@ -290,8 +289,8 @@ static uint32_t bit_at(const packed *image, const some_block *f, uint32_t bit) {
     return image->bytes[f->geometry_at + bit / 8] >> bit % 8 & 1u;
 }
 
-/* The start of a strip moved to the triangle behind it: where a unit began there, it
- * no longer does. */
+/* The start of a strip moved to the next triangle: a leaf that began there no longer starts a
+ * strip. */
 static void moved_starts(const packed *image, const some_block *f) {
     uint32_t by_rule = 0;
     for (uint32_t bit = f->g.starts; bit + 1 < f->g.turns; bit++) {
@@ -300,27 +299,27 @@ static void moved_starts(const packed *image, const some_block *f) {
             bytes[f->geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
             bytes[f->geometry_at + (bit + 1) / 8] ^= (unsigned char)(1u << (bit + 1) % 8);
             compact_seal(bytes, image->size, 1);
-            const hostile_result r = meet(bytes, image->size, "a start moved", bit);
+            const hostile_result r = meet(bytes, image->size, "a moved start", bit);
             by_rule += r.fault.rule == 15;
             free(bytes);
         }
     }
-    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no unit without a start was noticed");
+    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no leaf without a start was detected");
 }
 
-/* The first reference that is not new names the last vertex, or one behind it. */
+/* The first reference that is not new names the last vertex, or one beyond it. */
 static void bent_references(const packed *image, const some_block *f) {
     const uint32_t known = f->g.vertices < 4 ? 0 : f->g.slots - f->g.vertices;
-    CHECK(known > 0 && f->g.ref_bits > 0, "no reference to bend");
-    for (uint32_t behind = 0; behind < 2; behind++) {
+    CHECK(known > 0 && f->g.ref_bits > 0, "no reference to change");
+    for (uint32_t beyond = 0; beyond < 2; beyond++) {
         unsigned char *bytes = copy_of(image);
         for (uint32_t i = 0; i < f->g.ref_bits; i++) {
             const uint32_t bit = f->g.refs + i;
-            const uint32_t value = behind ? 1 : (f->g.vertices - 1) >> i & 1;
+            const uint32_t value = beyond ? 1 : (f->g.vertices - 1) >> i & 1;
             bytes[f->geometry_at + bit / 8] &= (unsigned char)~(1u << bit % 8);
             bytes[f->geometry_at + bit / 8] |= (unsigned char)(value << bit % 8);
         }
-        must_break(image, bytes, f->geometry_at, 16, "a vertex that is not there yet");
+        must_break(image, bytes, f->geometry_at, 16, "a vertex not yet met");
     }
 }
 
@@ -331,8 +330,8 @@ static void bent_strips(const packed *image) {
         bytes[f.geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
         compact_seal(bytes, image->size, 1);
         const hostile_result r = meet(bytes, image->size, "a strip's bit", bit);
-        const int turn = bit >= f.g.turns && bit < f.g.news, ref = bit >= f.g.refs;
-        CHECK(turn || ref ? r.status == PLT_OK || r.fault.rule == 16
+        const int swap = bit >= f.g.turns && bit < f.g.news, ref = bit >= f.g.refs;
+        CHECK(swap || ref ? r.status == PLT_OK || r.fault.rule == 16
                           : r.status == PLT_ERR_IMAGE && r.fault.rule >= 14,
               "bit %u: status %d, rule %u", bit, r.status, r.fault.rule);
         free(bytes);
@@ -355,16 +354,16 @@ static void bent_counts(const packed *image) {
     bend(image, 36, plt_get_u32(image->bytes + 36) - 1, 4, 18, "a list too few");
 }
 
-static void bent_numbers(const packed *image) {
+static void bent_primitive_ids(const packed *image) {
     const uint32_t at = plt_get_u32(image->bytes + HOSTILE_SECTION + 16 + 4);
     const uint32_t source = image->info.source_triangles;
-    bend(image, at, 0xFFFFFFFF, 4, 19, "numbers beyond the last");
-    bend(image, at, 3, 1, 19, "a turn of 3");
-    bend(image, AT_SOURCE, source - 1, 4, 19, "fewer source triangles than numbers");
-    bend(image, AT_SOURCE, source + 5, 4, 0, "more source triangles than numbers");
+    bend(image, at, 0xFFFFFFFF, 4, 19, "primitive ids beyond the last");
+    bend(image, at, 3, 1, 19, "a rotation of 3");
+    bend(image, AT_SOURCE, source - 1, 4, 19, "fewer source triangles than primitive ids");
+    bend(image, AT_SOURCE, source + 5, 4, 0, "more source triangles than primitive ids");
 }
 
-/* Corners for the device, which trusts nothing about them either. */
+/* Corners for a device build, which trusts nothing about them either. */
 static void bent_corners(const packed *image) {
     const uint32_t width = image->info.lattice_bits <= 16 ? 2 : 4, bits = image->info.lattice_bits;
     const uint32_t bytes = image->info.triangles * 9 * width;
@@ -383,7 +382,7 @@ static void bent_corners(const packed *image) {
             memcpy(flat + 256 + i * width, value == 2 ? flat + 256 + i % 9 * width : box, width);
         }
         compact_seal(flat, image->size, 1);
-        CHECK(meet(flat, image->size, "corners in one place", 0).status == PLT_OK, "refused");
+        CHECK(meet(flat, image->size, "corners in one point", 0).status == PLT_OK, "refused");
     }
     free(flat);
 }
@@ -391,20 +390,20 @@ static void bent_corners(const packed *image) {
 static void all_traps(void) {
     static const kind host = {PLT_BUILD_HOST, 0, 1, 14, 2}, fine = {PLT_BUILD_HOST, 0, 1, 21, 1};
     const kind *const both[2] = {&host, &fine};
-    for (int i = 0; i < 2 && !rig_is_tiny(); i++) { /* tiny trees have no two edges */
+    for (int i = 0; i < 2 && !rig_is_tiny(); i++) { /* tiny trees have fewer than two edges */
         packed image = image_of(both[i], SPHERE);
         CHECK(image.info.treelets >= 3, "%u blocks", image.info.treelets);
         test(i ? "... and one of 21 bits, K 1"
-               : "links, nodes, strips, counts and numbers that lie "
+               : "forged links, nodes, strips, counts and primitive ids "
                  "break their invariants: 14 bits, K 2");
         bent_links(&image);
         bent_sizes(&image);
         bent_kinds(&image);
-        bent_frames(&image);
+        bent_bounds(&image);
         bent_geometry(&image);
         bent_strips(&image);
         bent_counts(&image);
-        bent_numbers(&image);
+        bent_primitive_ids(&image);
         pack_free(&image);
     }
 }
@@ -412,19 +411,19 @@ static void all_traps(void) {
 int main(void) {
     test("a compact image with any byte damaged is refused by a rule");
     every_kind(9, flips);
-    test("an image too short or too long is refused, also when the header knows of it");
+    test("an image too short or too long is refused, also when the header's size matches");
     every_kind(9, lengths);
     every_kind(9, sealed_lengths);
-    test("a block with any byte damaged is noticed by its own checks");
+    test("a block with any byte damaged is detected by its own checks");
     every_kind(40, flips_in_blocks);
-    test("extreme header words under a right checksum do no harm");
+    test("extreme header words with a correct checksum do no harm");
     every_kind(9, header_words);
     every_kind(9, header_pairs);
-    test("flipped bits under right checksums and checks do no harm");
+    test("flipped bits with correct checksums and checks do no harm");
     every_kind(13, sealed_flips);
     CHECK(opened > 1000 && refused > 1000, "%u opened, %u refused", opened, refused);
     all_traps();
-    test("corners that lie do no harm to the device's builder");
+    test("forged corners do no harm to the device's builder");
     for (int i = 3; i < KINDS; i++) {
         packed image = image_of(&kinds[i], 30);
         bent_corners(&image);

@@ -1,8 +1,8 @@
-/* test_compact_window - blocks built straight from a source that is not mapped
+/* test_compact_record_cache - blocks built directly from a source that is not mapped
  *
- * The same blocks as from a mapped image, with a few KB of window instead of all
- * corners; a source that fails at any transfer ends the build with its error; one
- * that gives other bytes when it is read again harms nothing but the picture.
+ * The same blocks as from a mapped image, with a record cache of a few KB instead of all
+ * corners. A source that fails at any transfer ends the build with its error; one that returns
+ * other bytes when it is read again harms only the picture.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -18,12 +18,12 @@
 
 enum { GUARD = 64, PATTERN = 0xA5 };
 
-/* An image behind a line that counts, fails or lies. */
+/* An image behind a source that counts reads, fails or returns false bytes. */
 typedef struct line {
     const unsigned char *bytes;
     uint32_t size, reads;
     uint32_t fail_at; /* this read fails; 0: none */
-    uint32_t lie_at;  /* from this read on numbers are changed; 0: none */
+    uint32_t lie_at;  /* from this read on coordinates are changed; 0: none */
     random_state random;
     int beyond;
 } line;
@@ -65,9 +65,9 @@ static built build(const packed *image, line *l, const plt_options *options) {
     memset(b.arena + need, PATTERN, GUARD);
     b.status = plt_open(&b.engine, b.arena, need, &source, options, &b.fault);
     CHECK((b.engine != NULL) == (b.status == PLT_OK), "status %d", b.status);
-    CHECK(!l->beyond, "asked for bytes beyond the image");
+    CHECK(!l->beyond, "read beyond the image");
     for (size_t i = 0; i < GUARD; i++) {
-        CHECK(b.arena[need + i] == PATTERN, "byte %zu behind the arena was written", i);
+        CHECK(b.arena[need + i] == PATTERN, "byte %zu after the arena was written", i);
     }
     b.peak = b.engine != NULL ? plt_arena_peak(b.engine) : 0;
     return b;
@@ -78,30 +78,30 @@ static line line_of(const packed *image) {
     return l;
 }
 
-static packed image_of(uint32_t triangles, const compact_way *way) {
+static packed image_of(uint32_t triangles, const compact_config *config) {
     mesh m = {0};
     fail f = {""};
     CHECK(scene_knot(&m, triangles, &f) == 0, "%s", f.text);
-    return compact_packed(&m, way);
+    return compact_packed(&m, config);
 }
 
 static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
-    const compact_way way = compact_way_of(k, bits, PLT_BUILD_DEVICE, splits);
-    packed image = image_of(compact_triangles(6000, k), &way);
+    const compact_config config = compact_config_of(k, bits, PLT_BUILD_DEVICE, splits);
+    packed image = image_of(compact_triangles(6000, k), &config);
     const plt_source mapped = {image.bytes, image.size, NULL, NULL, NULL};
-    const size_t need = plt_arena_need(&image.info, 1, &way.run);
+    const size_t need = plt_arena_need(&image.info, 1, &config.run);
     void *arena = malloc(need);
     plt_engine *e = NULL;
     plt_fault fault;
-    CHECK(plt_open(&e, arena, need, &mapped, &way.run, &fault) == PLT_OK, "%s", fault.message);
+    CHECK(plt_open(&e, arena, need, &mapped, &config.run, &fault) == PLT_OK, "%s", fault.message);
     line l = line_of(&image);
-    built b = build(&image, &l, &way.run);
+    built b = build(&image, &l, &config.run);
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     if (e != NULL && b.engine != NULL) {
         const plt_block_tree *x = &e->scene.compact, *y = &b.engine->scene.compact;
-        const size_t window = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
-        CHECK(x->used == y->used && memcmp(x->bytes, y->bytes, x->used) == 0, "other blocks");
-        CHECK(b.peak <= plt_arena_peak(e) + window, "peak %zu, mapped %zu", b.peak,
+        const size_t cache = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
+        CHECK(x->used == y->used && memcmp(x->bytes, y->bytes, x->used) == 0, "blocks differ");
+        CHECK(b.peak <= plt_arena_peak(e) + cache, "peak %zu, mapped %zu", b.peak,
               plt_arena_peak(e));
         printf("    %u triangles, K %u, %u bits: %zu bytes at most, %zu mapped; %u reads\n",
                image.info.triangles, k, bits, b.peak, plt_arena_peak(e), l.reads);
@@ -112,37 +112,37 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
 }
 
 static void failures(void) {
-    const compact_way way = compact_way_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
-    packed image = image_of(compact_triangles(400, 2), &way);
+    const compact_config config = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(400, 2), &config);
     line whole = line_of(&image);
-    built b = build(&image, &whole, &way.run);
+    built b = build(&image, &whole, &config.run);
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     free(b.arena);
     for (uint32_t at = 1; at <= whole.reads; at++) {
         line l = line_of(&image);
         l.fail_at = at;
-        b = build(&image, &l, &way.run);
+        b = build(&image, &l, &config.run);
         CHECK(b.status == PLT_ERR_SOURCE, "read %u of %u: status %d", at, whole.reads, b.status);
-        CHECK(l.reads == at, "read %u of %u: it was asked %u times", at, whole.reads, l.reads);
+        CHECK(l.reads == at, "read %u of %u: it was read %u times", at, whole.reads, l.reads);
         free(b.arena);
     }
     pack_free(&image);
 }
 
-/* Reads of the header and of the first pass over the corners are honest. */
-static void lies(uint32_t k, uint8_t splits) {
-    const compact_way way = compact_way_of(k, 14, PLT_BUILD_DEVICE, splits);
-    packed image = image_of(compact_triangles(400, k), &way);
+/* Reads of the header and of the first pass over the corners return true bytes. */
+static void false_bytes(uint32_t k, uint8_t splits) {
+    const compact_config config = compact_config_of(k, 14, PLT_BUILD_DEVICE, splits);
+    packed image = image_of(compact_triangles(400, k), &config);
     uint32_t opened = 0, refused = 0;
     line whole = line_of(&image);
-    built b = build(&image, &whole, &way.run);
+    built b = build(&image, &whole, &config.run);
     free(b.arena);
     for (uint32_t i = 0; i < 300; i++) {
         line l = line_of(&image);
         l.lie_at = 3 + random_below(&l.random, whole.reads);
         l.random.at = i;
         l.lie_at = 3 + random_below(&l.random, whole.reads);
-        b = build(&image, &l, &way.run);
+        b = build(&image, &l, &config.run);
         if (b.status == PLT_OK) {
             const char *sentence = compact_trace_any(b.engine);
             CHECK(sentence == NULL, "%s", sentence);
@@ -155,18 +155,18 @@ static void lies(uint32_t k, uint8_t splits) {
         }
         free(b.arena);
     }
-    CHECK(refused > 0, "no lie was seen");
-    printf("    K %u: of 300 sources that lie %u were refused, %u traced\n", k, refused, opened);
+    CHECK(refused > 0, "no false bytes were detected");
+    printf("    K %u: of 300 false sources %u were refused, %u traced\n", k, refused, opened);
     pack_free(&image);
 }
 
-/* A step after one that failed fails again, whatever became of the arena: here one
- * with no byte to spare, in which a check follows where scratch was. */
+/* A step after one that failed fails again, whatever the arena now contains: this arena has no
+ * byte to spare, and the check reuses the scratch. */
 static void after_failure(void) {
-    const compact_way way = compact_way_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
-    packed image = image_of(compact_triangles(400, 2), &way);
+    const compact_config config = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(400, 2), &config);
     line whole = line_of(&image);
-    built b = build(&image, &whole, &way.run);
+    built b = build(&image, &whole, &config.run);
     const size_t bytes = b.peak;
     unsigned failed = 0;
     free(b.arena);
@@ -177,14 +177,14 @@ static void after_failure(void) {
         plt_engine *e = NULL;
         plt_fault fault;
         *(at % 2 ? &l.lie_at : &l.fail_at) = at;
-        int status = plt_open_begin(&e, arena, bytes, &source, &way.run, &fault);
+        int status = plt_open_begin(&e, arena, bytes, &source, &config.run, &fault);
         while (status == PLT_MORE) {
             status = plt_open_step(e, 1, &fault);
         }
         failed += status < 0;
         for (int i = 0; i < 3 && e != NULL && status < 0; i++) {
             CHECK(plt_open_step(e, 1, &fault) == status && fault.message[0] != 0,
-                  "read %u: status %d, then another", at, status);
+                  "read %u: status %d, then a different one", at, status);
         }
         free(arena);
     }
@@ -193,18 +193,20 @@ static void after_failure(void) {
 }
 
 int main(void) {
-    test("through a window the blocks are those of a mapped image, and a window is all it takes");
+    test(
+        "through a record cache the blocks are those of a mapped image; it is the only extra "
+        "memory");
     for (uint32_t k = 1; k <= 4; k *= 2) {
         same_blocks(k, 14, PLT_SPLIT_SAH);
         same_blocks(k, 21, PLT_SPLIT_SAH);
         same_blocks(k, 14, PLT_SPLIT_MEDIAN);
     }
-    test("a source that fails at any read ends the build with its error, and is not asked again");
+    test("a source that fails at any read ends the build with its error, and is not read again");
     failures();
     after_failure();
-    test("a source that gives other bytes when read again gives an error or a sound tree");
-    lies(2, PLT_SPLIT_SAH);
-    lies(4, PLT_SPLIT_SAH);
-    lies(2, PLT_SPLIT_MEDIAN);
+    test("a source that returns other bytes when read again gives an error or a valid tree");
+    false_bytes(2, PLT_SPLIT_SAH);
+    false_bytes(4, PLT_SPLIT_SAH);
+    false_bytes(2, PLT_SPLIT_MEDIAN);
     return test_done();
 }

@@ -1,4 +1,4 @@
-/* test_compact_rules - each refusal of a compact header, by a header that earns it
+/* test_compact_rules - each refusal of a compact header, by a header that breaks the rule
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -9,8 +9,8 @@
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
-/* A header of 14 bits with one field changed, and the rule that refuses it at an
- * offset; rule 0: it is fine. `floats`: of float records, of lattice geometry, or both. */
+/* A header with 14 lattice bits and one field changed, the rule that refuses it (0: none) and
+ * the offset. `floats`: for float records, lattice geometry, or both. */
 typedef struct change {
     uint32_t at, value, bytes;
     uint8_t floats, rule;
@@ -64,7 +64,7 @@ static packed image_of(int floats) {
     return image;
 }
 
-/* What opening says of the image with a field changed. */
+/* The result of opening the image with a field changed. */
 static hostile_result changed(const packed *image, uint32_t at, uint32_t value, uint32_t bytes) {
     unsigned char *copy = malloc(image->size);
     memcpy(copy, image->bytes, image->size);
@@ -94,7 +94,7 @@ static void every_rule(int floats, const packed *image) {
     }
 }
 
-/* The scene's box against that of the lattice, a number or a float to either side. */
+/* The scene's box against the lattice box, one step or one float to either side. */
 static void two_boxes(int floats, const packed *image) {
     for (uint32_t side = 0; side < 6; side++) {
         const uint32_t at = AT_LO + 4 * side, lattice_at = AT_BOX + 4 * side;
@@ -109,7 +109,7 @@ static void two_boxes(int floats, const packed *image) {
             {at, beyond, 4, BOTH, 14, AT_BOX},
             {lattice_at, side < 3 ? number + 1 : number - 1, 4, BOTH, 14, AT_BOX}};
         for (int i = 0; i < 3; i++) {
-            /* The lattice's origin is the mesh's lowest corner: nothing lies below. */
+            /* The lattice's origin is the mesh's lowest corner: no coordinate is below it. */
             if (!(floats && i == 0 && side < 3)) {
                 expect(image, &around[i]);
             }
@@ -132,8 +132,8 @@ int main(void) {
         test(floats ? "... and one of float records"
                     : "a compact header is refused by the rule it breaks");
         every_rule(floats, &image);
-        test(floats ? "float records lie within the lattice's box and their own"
-                    : "the scene's box is the lattice's where triangles lie on it");
+        test(floats ? "float records lie within the lattice box and their own"
+                    : "with lattice geometry the scene's box is the lattice box");
         two_boxes(floats, &image);
         pack_free(&image);
     }

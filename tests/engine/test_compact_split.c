@@ -1,4 +1,4 @@
-/* test_compact_split - nodes are saved where a split is nearly as good
+/* test_compact_split - a split that saves a node is preferred when it is nearly as good
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 enum { SIDES = 4, MEMORY = 4096 };
 
-/* A triangle in the plane z = 0 from x to x + width, one number high. */
+/* A triangle in the plane z = 0 from x to x + width, one lattice step high. */
 static void put(uint16_t *corner, uint32_t x, uint32_t width) {
     const uint32_t number[9] = {x, 0, 0, x + width, 0, 0, x, 1, 0};
     for (int i = 0; i < 9; i++) {
@@ -16,9 +16,9 @@ static void put(uint16_t *corner, uint32_t x, uint32_t width) {
     }
 }
 
-/* Four lists of K side by side: the first 100 wide, `gap` from its start to the
- * others, 600 wide in all. Halves cost 2 (gap + 150) + 2 * 300 and take one node;
- * the first list apart costs 100 + 3 * 600 = 1,900 and takes two. */
+/* Four lists of K side by side: the first 100 wide, `gap` from its start to the others, 600
+ * wide in all. Splitting into halves costs 2 (gap + 150) + 2 * 300 and needs one node;
+ * splitting off the first list costs 100 + 3 * 600 = 1,900 and needs two. */
 static uint32_t nodes_of(uint32_t k, uint32_t gap) {
     static _Alignas(8) unsigned char memory[MEMORY];
     uint16_t corners[SIDES * 4][9];
@@ -46,7 +46,7 @@ static uint32_t nodes_of(uint32_t k, uint32_t gap) {
 }
 
 int main(void) {
-    test("a split that fills units is taken up to a 32nd above the best, and not beyond");
+    test("a split that fills leaves is chosen up to a 32nd above the best cost, and not beyond");
     for (uint32_t k = 1; k <= 4 && SIDES * k <= PLT_SAH_BINS; k *= 2) {
         static const struct {
             uint32_t gap, nodes;

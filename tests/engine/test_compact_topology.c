@@ -1,12 +1,12 @@
 /* test_compact_topology - what the bytes of compact nodes cost in visits and tests
  *
- * Against thesis nodes of the same topology and positions (compact_thesis.h): the
- * hits are the same bit for bit, and no more than +1.5 % of node visits and +2.5 %
- * of triangle tests are added, on rays from a camera and on what bounces off.
+ * Compared with thesis nodes of the same topology and positions (compact_thesis.h): the hits
+ * are the same bit for bit, with at most +1.5 % node visits and +2.5 % triangle tests, on
+ * camera rays and their bounces.
  *
- * test_compact_topology IMAGE RAYS [SIDE [THESIS]] compares on a packed image and a
- * ray file and prints both in per cent; THESIS is a file for the image with thesis
- * nodes, to be traced for time (used by compact.sh).
+ * test_compact_topology IMAGE RAYS [SIDE [THESIS]] compares on a packed image and a ray file
+ * and prints both in per cent; THESIS is a file for the image with thesis nodes, to be timed
+ * (used by compact.sh).
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -88,7 +88,7 @@ static excess compare(const pair_of *p, const plt_ray *rays, plt_hit *hits, uint
 
 /* ---- scenes of our own ----------------------------------------------------------- */
 
-/* From each hit a little back along the ray, then anywhere. */
+/* From each hit a little back along the ray, then in a random direction. */
 static uint32_t bounce(plt_ray *rays, const plt_hit *hits, uint32_t count, random_state *r) {
     static const float lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
     uint32_t made = 0;
@@ -109,13 +109,13 @@ static uint32_t bounce(plt_ray *rays, const plt_hit *hits, uint32_t count, rando
 
 static void scene(const mesh *m, const char *name, uint32_t k, uint8_t bits) {
     enum { RAYS = 40000 };
-    compact_way way = compact_way_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     plt_ray *rays = malloc(RAYS * sizeof *rays);
     plt_hit *hits = malloc(RAYS * sizeof *hits);
     random_state r = {k};
     pair_of p;
     rig one;
-    CHECK(compact_open(&one, m, &way) == PLT_OK, "%s: %s", name, one.fault.message);
+    CHECK(compact_open(&one, m, &config) == PLT_OK, "%s: %s", name, one.fault.message);
     CHECK(open_pair(&p, &one.image, 2) == PLT_OK, "%s: %s", name, p.compact.fault.message);
     if (p.thesis.engine != NULL) {
         uint32_t count = RAYS;
@@ -123,7 +123,7 @@ static void scene(const mesh *m, const char *name, uint32_t k, uint8_t bits) {
         for (int bounced = 0; bounced < 2; bounced++) {
             const excess e = compare(&p, rays, hits, count);
             CHECK(e.differ == 0, "%s: %u hits differ", name, e.differ);
-            /* A tiny tree has few nodes, each with coarse bytes. */
+            /* A tiny tree has few nodes, each with coarse planes. */
             CHECK(rig_is_tiny() || (e.visits <= 0.015 && e.tests <= 0.025),
                   "%s, K %u, %u bits, %s: visits %+.2f %%, tests %+.2f %%", name, k, bits,
                   bounced ? "bounce" : "camera", 100.0 * e.visits, 100.0 * e.tests);

@@ -1,10 +1,9 @@
-/* test_compact_watertight - through closed meshes on a lattice no ray passes
+/* test_compact_watertight - no ray passes through a closed mesh on a lattice
  *
- * Equal lattice numbers become equal floats in every block, so what was closed
- * stays closed. Rays from points inside are aimed at every vertex and the middle
- * of every edge where the lattice has put them; others come from outside and must
- * meet something before they get there. Meshes are chosen such that the lattice
- * drops no sliver whose middle corner would be left on an edge.
+ * Equal lattice coordinates become equal floats in every block, so a closed mesh stays closed.
+ * Rays from points inside go to every vertex and the middle of every edge at their lattice
+ * positions; others come from outside and must hit something before they arrive. The meshes are
+ * chosen such that the lattice drops no sliver whose middle corner would be left on an edge.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -24,7 +23,7 @@ typedef struct closed {
     float inside[INSIDE][3];
 } closed;
 
-static uint64_t aimed, escaped;
+static uint64_t traced, escaped;
 
 static closed sphere(void) {
     closed c = {.name = "icosphere"};
@@ -55,16 +54,16 @@ static closed knot(uint32_t triangles) {
     return c;
 }
 
-static void place(closed *c, float scale, float x, float y, float z) {
+static void move(closed *c, float scale, float x, float y, float z) {
     const float move[3] = {x, y, z};
-    shape_place(&c->m, scale, x, y, z);
+    shape_transform(&c->m, scale, x, y, z);
     for (int i = 0; i < 3 * INSIDE; i++) {
         float *p = &c->inside[i / 3][i % 3];
         *p = *p * scale + move[i % 3];
     }
 }
 
-/* No triangle is lost, and no two vertices become one. */
+/* No triangle is lost, and no two vertices coincide. */
 static void stays_closed(const closed *c, uint8_t bits) {
     snapped s;
     fail f = {""};
@@ -78,7 +77,7 @@ static void shoot(const rig *r, const char *name, const plt_ray *rays, uint32_t 
     plt_hit hits[BATCH];
     plt_trace(r->engine, rays, hits, count, 0);
     for (uint32_t i = 0; i < count; i++) {
-        aimed++;
+        traced++;
         escaped += hits[i].triangle == PLT_MISS;
         CHECK(hits[i].triangle != PLT_MISS, "%s: from %a %a %a along %a %a %a", name,
               (double)rays[i].org[0], (double)rays[i].org[1], (double)rays[i].org[2],
@@ -86,23 +85,23 @@ static void shoot(const rig *r, const char *name, const plt_ray *rays, uint32_t 
     }
 }
 
-/* From as far behind `at` again as the mesh is wide, to the point inside. */
+/* From behind `at`, at a distance of the mesh's width, to the point inside. */
 static plt_ray from_outside(const mesh *m, const float inside[3], const float at[3]) {
-    float lo[3], hi[3], org[3], wide = 0.0f, way = 0.0f;
+    float lo[3], hi[3], org[3], wide = 0.0f, distance = 0.0f;
     shape_box(m, lo, hi);
     for (int a = 0; a < 3; a++) {
         wide += hi[a] - lo[a];
-        way = fmaxf(way, fabsf(at[a] - inside[a]));
+        distance = fmaxf(distance, fabsf(at[a] - inside[a]));
     }
     for (int a = 0; a < 3; a++) {
-        org[a] = at[a] + (at[a] - inside[a]) * (wide / way);
+        org[a] = at[a] + (at[a] - inside[a]) * (wide / distance);
     }
     plt_ray ray = ray_between(org, inside);
     ray.tmax = 1.0f;
     return ray;
 }
 
-/* Target i: corner i % 3 of a triangle, or the middle of the edge behind it. */
+/* Target i: corner i % 3 of a triangle, or the middle of the edge that starts there. */
 static void target(const mesh *m, uint32_t i, float at[3]) {
     const float *p = shape_corner(m, i / 6, i % 3), *q = shape_corner(m, i / 6, (i + 1) % 3);
     for (int a = 0; a < 3; a++) {
@@ -110,11 +109,11 @@ static void target(const mesh *m, uint32_t i, float at[3]) {
     }
 }
 
-static void bombard(const closed *c, const compact_way *way) {
-    mesh moved = compact_mesh(&c->m, way->pack.lattice_bits);
+static void bombard(const closed *c, const compact_config *config) {
+    mesh moved = compact_mesh(&c->m, config->pack.lattice_bits);
     plt_ray rays[BATCH];
     rig r;
-    CHECK(compact_open(&r, &c->m, way) == PLT_OK, "%s: %s", c->name, r.fault.message);
+    CHECK(compact_open(&r, &c->m, config) == PLT_OK, "%s: %s", c->name, r.fault.message);
     for (uint32_t from = 0; from < INSIDE && r.engine != NULL; from++) {
         uint32_t made = 0;
         for (uint32_t i = 0; i < 6 * moved.triangles; i++) {
@@ -132,12 +131,13 @@ static void bombard(const closed *c, const compact_way *way) {
     mesh_free(&moved);
 }
 
-static void every_way(closed *c, const uint8_t bits[3]) {
+static void every_config(closed *c, const uint8_t bits[3]) {
     for (int i = 0; i < 3; i++) {
-        compact_way way = compact_way_of(1u << i, bits[i], (uint8_t)(i & 1), (uint8_t)(i == 2));
-        way.run.packet_side = i == 1 ? 2 : way.run.packet_side;
+        compact_config config =
+            compact_config_of(1u << i, bits[i], (uint8_t)(i & 1), (uint8_t)(i == 2));
+        config.run.packet_side = i == 1 ? 2 : config.run.packet_side;
         stays_closed(c, bits[i]);
-        bombard(c, &way);
+        bombard(c, &config);
     }
     mesh_free(&c->m);
 }
@@ -147,23 +147,24 @@ int main(void) {
     const uint32_t triangles = rig_triangles(800, 1);
     closed c = sphere();
     test("no ray escapes from an icosphere through a vertex or an edge");
-    every_way(&c, coarse);
+    every_config(&c, coarse);
     c = sphere();
-    place(&c, 1e-6f, 0.0f, 0.0f, 0.0f);
-    every_way(&c, fine);
+    move(&c, 1e-6f, 0.0f, 0.0f, 0.0f);
+    every_config(&c, fine);
     test("no ray escapes from a knot through a vertex or an edge");
     c = knot(triangles);
-    every_way(&c, coarse);
+    every_config(&c, coarse);
     c = knot(triangles);
-    place(&c, 1e6f, 1e5f, -1e6f, 2e6f);
-    every_way(&c, fine);
+    move(&c, 1e6f, 1e5f, -1e6f, 2e6f);
+    every_config(&c, fine);
     test("... nor where the floats of the lattice are rounded, far from the origin");
     c = sphere();
-    place(&c, 1.0f, 100.0f, -200.0f, 77.0f);
-    every_way(&c, coarse);
+    move(&c, 1.0f, 100.0f, -200.0f, 77.0f);
+    every_config(&c, coarse);
     c = knot(triangles);
-    place(&c, 3.0f, -1000.0f, 500.0f, 1.0f);
-    every_way(&c, coarse);
-    printf("    %llu rays, %llu escaped\n", (unsigned long long)aimed, (unsigned long long)escaped);
+    move(&c, 3.0f, -1000.0f, 500.0f, 1.0f);
+    every_config(&c, coarse);
+    printf("    %llu rays, %llu escaped\n", (unsigned long long)traced,
+           (unsigned long long)escaped);
     return test_done();
 }

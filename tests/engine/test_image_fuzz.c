@@ -1,6 +1,6 @@
-/* test_image_fuzz - the fuzz target with deterministic mutations, for seconds
+/* test_image_fuzz - the target fuzz_image with deterministic mutations, for a few seconds
  *
- * PLANELET_SOAK=1 mutates a hundred times as much.
+ * PLANELET_SOAK=1 runs a hundred times as many.
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/fuzz/fuzz_image.c"
@@ -15,7 +15,7 @@
 #define MUTATIONS 5000
 
 typedef struct input {
-    unsigned char *bytes; /* the choosing byte, then the image */
+    unsigned char *bytes; /* the byte that selects options, then the image */
     size_t size;
 } input;
 
@@ -110,7 +110,7 @@ int main(void) {
     for (int seed = 0; seed < SEEDS; seed++) {
         fuzz(seed, MUTATIONS * more);
     }
-    test("mutated compact images likewise, the checks of their blocks made right");
+    test("the same for mutated compact images whose block checks are made right");
     const unsigned long before = images_opened;
     for (int seed = SEEDS; seed < SEEDS + COMPACT_SEEDS; seed++) {
         fuzz(seed, MUTATIONS * more);

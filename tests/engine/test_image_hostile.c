@@ -1,7 +1,7 @@
-/* test_image_hostile - images with damage, lies and traps in them
+/* test_image_hostile - damaged, forged and malicious images
  *
- * Every image is opened mapped and streamed, copied to exactly its size, in
- * exactly the arena it needs (hostile/images.h): sanitizers watch the rest.
+ * Every image is opened mapped and streamed, copied to exactly its size, in exactly the arena
+ * it needs (hostile/images.h): sanitizers check the rest.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/image/header.h"
@@ -24,14 +24,14 @@ static packed image_of(uint32_t triangles, uint8_t build, uint32_t k, uint32_t n
     return image;
 }
 
-/* Both walks by turns. */
+/* Both orders alternately. */
 static hostile_result open_once(const unsigned char *bytes, uint32_t size, uint8_t streamed,
                                 uint32_t at) {
-    const hostile_way way = {streamed, (uint8_t)((at ^ streamed) & 1), 2};
-    return hostile_try(bytes, size, way);
+    const hostile_config config = {streamed, (uint8_t)((at ^ streamed) & 1), 2};
+    return hostile_try(bytes, size, config);
 }
 
-/* ---- lies: checksums are right ---------------------------------------------------- */
+/* ---- forgeries: checksums are right ---------------------------------------------------- */
 
 static void sealed_flips(const packed *image, uint32_t step) {
     for (uint32_t at = 0; at < image->size; at += step) {
@@ -46,7 +46,7 @@ static void sealed_flips(const packed *image, uint32_t step) {
     hostile_seal(image->bytes, image->size);
 }
 
-/* Two header words at a time, random ones of few values. */
+/* Two random header words at a time, each set to one of a few values. */
 static void header_pairs(const packed *image, uint32_t rounds) {
     random_state r = {6};
     unsigned char *bytes = malloc(image->size);
@@ -64,7 +64,7 @@ static void header_pairs(const packed *image, uint32_t rounds) {
     free(bytes);
 }
 
-/* ---- traps: links and records made to lead astray ------------------------------------ */
+/* ---- traps: links and records that lead out of range ------------------------------------ */
 
 static unsigned char *node_at(const packed *image, uint32_t node) {
     return image->bytes + 256 + 32 * (size_t)node;
@@ -74,14 +74,14 @@ static unsigned char *record_at(const packed *image, uint32_t record) {
     return image->bytes + 256 + image->info.node_bytes + 40 * (size_t)record;
 }
 
-/* The image as changed must break invariant `rule`; then it is put back. */
+/* The changed image must break invariant `rule`; then it is restored. */
 static void breaks(packed *image, unsigned char *word, uint32_t value, uint8_t rule,
                    const char *what) {
     const uint32_t was = plt_get_u32(word);
     plt_put_u32(word, value);
     hostile_seal(image->bytes, image->size);
     const hostile_result r = meet(image->bytes, image->size, what, value);
-    /* A circle is deeper than a tiny limit before all nodes were counted. */
+    /* With a tiny limit a cycle is too deep before all nodes have been counted. */
     const int limit = rig_is_tiny() && r.status == PLT_ERR_LIMIT;
     CHECK(limit || (r.status == PLT_ERR_IMAGE && r.fault.kind == 'I' && r.fault.rule == rule),
           "%s: status %d, rule %c%u, not I%u", what, r.status, r.fault.kind ? r.fault.kind : '-',
@@ -90,7 +90,7 @@ static void breaks(packed *image, unsigned char *word, uint32_t value, uint8_t r
     hostile_seal(image->bytes, image->size);
 }
 
-/* A link of a node to another node, for the traps to bend. */
+/* A link from a node to another node, for the traps to change. */
 static unsigned char *some_inner_link(const packed *image, uint32_t *node) {
     for (uint32_t i = image->info.node_slots; i-- > 0;) {
         for (int c = 0; c < 2; c++) {
@@ -120,14 +120,14 @@ static unsigned char *some_leaf_link(const packed *image) {
 static void bent_links(packed *image) {
     uint32_t node = 0;
     unsigned char *inner = some_inner_link(image, &node), *leaf = some_leaf_link(image);
-    CHECK(inner != NULL && leaf != NULL, "no link to bend");
+    CHECK(inner != NULL && leaf != NULL, "no link to change");
     if (inner == NULL || leaf == NULL) {
         return;
     }
     const uint32_t owners = plt_get_u32(inner) & 0x1C, slots = image->info.node_slots;
     breaks(image, inner, owners | node << 5, 4, "a node below itself");
     breaks(image, inner, owners | 0, 1, "the root below a node");
-    breaks(image, inner, owners | 2 | 0, 4, "the root behind an edge");
+    breaks(image, inner, owners | 2 | 0, 4, "the root below an edge");
     breaks(image, inner, owners | slots << 5, 1, "a node just beyond the last");
     breaks(image, inner, owners | 0xFFFFFFE0u, 1, "a node far beyond");
     breaks(image, leaf, 0xFFFFFFE0u | 1, 4, "a list far beyond");
@@ -145,9 +145,9 @@ static void bent_values(packed *image) {
         breaks(image, record_at(image, 2) + 16, bad[i], 5, "a corner that is no coordinate");
         breaks(image, node_at(image, 1) + 8, bad[i], 6, "a plane that is no coordinate");
     }
-    breaks(image, record_at(image, 1) + 36, 0x07FFFFFF, 7, "a number beyond the last");
+    breaks(image, record_at(image, 1) + 36, 0x07FFFFFF, 7, "a primitive id beyond the last");
     breaks(image, record_at(image, 1) + 36, 0x80000000 | image->info.triangles, 7,
-           "a number just beyond");
+           "a primitive id just beyond");
     static const uint8_t count_at[6] = {28, 36, 40, 44, 56, 64};
     for (int i = 0; i < 6; i++) {
         unsigned char *word = image->bytes + count_at[i];
@@ -203,7 +203,7 @@ static void deep_chains(void) {
     }
 }
 
-/* Many links that share what they lead to: refused before it takes long. */
+/* Many links to the same list: refused quickly. */
 static void shared_children(void) {
     packed image = chain(PLT_DEPTH_MAX < 40 ? PLT_DEPTH_MAX : 40);
     for (uint32_t i = 0; i + 1 < image.info.node_slots; i++) {
@@ -215,7 +215,7 @@ static void shared_children(void) {
     free(image.bytes);
 }
 
-static void long_lists(void) { /* every list is the whole rest: n^2 / 2 in all */
+static void long_lists(void) { /* every list is all remaining records: n^2 / 2 in all */
     packed image = chain(PLT_DEPTH_MAX < 60 ? PLT_DEPTH_MAX : 60);
     for (uint32_t i = 0; i + 1 < image.info.triangles; i++) {
         plt_put_u32(record_at(&image, i) + 36, i);
@@ -252,22 +252,22 @@ int main(void) {
     test("an image too short or too long is refused by a rule");
     all_builds(lengths);
     CHECK(opened == 0, "%u opened", opened);
-    test("extreme header words under a right checksum do no harm");
+    test("extreme header words with a correct checksum do no harm");
     all_builds(header_words);
     all_builds(many_pairs);
-    test("flipped bits under right checksums do no harm");
+    test("flipped bits with correct checksums do no harm");
     all_builds(every_sealed_flip);
     packed large = image_of(rig_triangles(100, 2), PLT_BUILD_HOST, 2, 3);
     sealed_flips(&large, 3);
     CHECK(opened > 1000 && refused > 1000, "%u opened, %u refused", opened, refused);
     printf("    %u images opened, %u refused\n", opened, refused);
-    test("links that lead astray, in circles or twice to a place break an invariant");
+    test("links that lead out of range, in cycles or twice to one node break an invariant");
     bent_links(&large);
     shared_children();
     long_lists();
-    test("corners, planes, numbers and counts that lie break an invariant");
+    test("forged corners, planes, primitive ids and counts break an invariant");
     bent_values(&large);
-    test("a chain opens up to PLT_DEPTH_MAX nodes and is beyond the limits after that");
+    test("a chain of up to PLT_DEPTH_MAX nodes opens, a longer one is over the limit");
     deep_chains();
     pack_free(&large);
     return test_done();

@@ -1,7 +1,7 @@
 /* test_image_rules - each refusal of SPEC.md, section 5.1, by rule and offset
  *
- * A good image with one thing changed and its checksums made right, so that
- * no earlier rule speaks; and the CRC's check value, and a header by hand.
+ * A valid image with one thing changed and its checksums made right, so that no earlier rule
+ * refuses it; the CRC's check value; and a header by hand.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/image/header.h"
@@ -73,7 +73,7 @@ static const change changes[] = {
 };
 
 static hostile_result changed(const change *c) {
-    const hostile_way way = {(uint8_t)(c->at & 1), 0, 2};
+    const hostile_config config = {(uint8_t)(c->at & 1), 0, 2};
     unsigned char *bytes = malloc(image.size);
     memcpy(bytes, image.bytes, image.size);
     if (c->bytes == 1) {
@@ -82,7 +82,7 @@ static hostile_result changed(const change *c) {
         plt_put_u32(bytes + c->at, c->value);
     }
     hostile_seal_header(bytes, image.size);
-    const hostile_result r = hostile_try(bytes, image.size, way);
+    const hostile_result r = hostile_try(bytes, image.size, config);
     free(bytes);
     return r;
 }
@@ -101,8 +101,8 @@ static void every_change(void) {
 
 static void refused(const unsigned char *bytes, uint32_t size, unsigned rule, uint32_t offset) {
     for (uint8_t streamed = 0; streamed < 2; streamed++) {
-        const hostile_way way = {streamed, 0, 2};
-        const hostile_result r = hostile_try(bytes, size, way);
+        const hostile_config config = {streamed, 0, 2};
+        const hostile_result r = hostile_try(bytes, size, config);
         CHECK(r.status == PLT_ERR_IMAGE && r.fault.kind == 'R' && r.fault.rule == rule &&
                   r.fault.offset == offset,
               "status %d, rule %u at %u, not %u at %u", r.status, r.fault.rule, r.fault.offset,
@@ -125,7 +125,7 @@ static void sizes_and_checksums(void) {
     bytes[image.size - 1] ^= 1; /* padding */
     refused(bytes, image.size, 13, 256 + image.info.node_bytes);
     free(bytes);
-    /* The sections are right, but something follows them. */
+    /* The sections are valid, but something follows them. */
     unsigned char *longer = calloc(image.size + 64, 1);
     memcpy(longer, image.bytes, image.size);
     plt_put_u32(longer + 16, image.size + 64);
@@ -143,7 +143,7 @@ static void tolerated(void) {
     CHECK(changed(&larger_k).status == PLT_OK, "K above the longest list is refused");
 }
 
-/* Bytes of the specification's table, read without the engine's help. */
+/* Bytes of the specification's table, read without the engine. */
 static void by_hand(void) {
     const unsigned char *b = image.bytes;
     CHECK(memcmp(b, "PLANELET\1\0\0\0\0\1\0\0", 16) == 0, "magic, version, header size");
@@ -154,13 +154,13 @@ static void by_hand(void) {
               image.size == 256 + image.info.node_bytes + image.info.triangle_bytes,
           "%u bytes", image.size);
     CHECK(image.info.nodes + 1 == image.info.leaf_lists + image.info.intermediate_lists,
-          "a tree of two-way nodes");
+          "a tree of nodes with two children each");
     CHECK(plt_crc32(0, "123456789", 9) == 0xCBF43926, "the check value");
     CHECK(plt_crc32(plt_crc32(0, "1234", 4), "56789", 5) == 0xCBF43926, "in two pieces");
     CHECK(plt_crc32(0, "", 0) == 0, "of nothing");
 }
 
-/* What was written is what is read, for any counts that pass. */
+/* A header is read as it was written, for any valid counts. */
 static void round_trip(void) {
     plt_header h, again;
     plt_fault fault;
@@ -177,7 +177,7 @@ int main(void) {
     make_image();
     test("each refusal names its rule and offset");
     every_change();
-    test("sizes and checksums too");
+    test("... also for sizes and checksums");
     sizes_and_checksums();
     test("what the specification tolerates is tolerated");
     tolerated();

@@ -1,4 +1,4 @@
-/* test_image_source - sources that fail, delay, garble or run dry
+/* test_image_source - sources that fail, delay, corrupt or end early
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -50,11 +50,11 @@ static int open_over(fake_link *link, void *arena, size_t bytes, plt_engine **e,
 
 static void no_bad_manners(const fake_link *link, const char *what, uint32_t call) {
     CHECK(link->broken == 0, "%s %u: %s", what, call, link->sentence);
-    CHECK(fake_unfinished(link) == 0, "%s %u: %u transfers still under way", what, call,
+    CHECK(fake_unfinished(link) == 0, "%s %u: %u transfers still pending", what, call,
           fake_unfinished(link));
 }
 
-/* Calls that opening makes when all goes well; also checks the hits. */
+/* The number of calls a successful opening makes; also checks the hits. */
 static uint32_t works(const packed *image, int at_once) {
     plt_ray rays[RAYS];
     plt_hit streamed[RAYS], mapped[RAYS];
@@ -118,7 +118,7 @@ static void fails_at_every_call(const packed *image, enum fake_failure kind, uin
     CHECK(failed >= calls / 3, "kind %d: %u of %u calls failed", (int)kind, failed, calls);
 }
 
-/* Nothing says that bytes are wrong: only the checksums can. */
+/* The source reports no error: only the checksums can detect wrong bytes. */
 static void lies_at_every_start(const packed *image, enum fake_failure kind, uint32_t calls) {
     uint32_t noticed = 0;
     for (uint32_t call = 1; call <= calls; call++) {
@@ -197,11 +197,11 @@ static void arguments(const packed *image) {
     }
     options = options_of();
     options.order = 2;
-    CHECK(plt_open(&e, arena, bytes, &source, &options, &fault) == PLT_ERR_ARGUMENT && !e, "walk");
+    CHECK(plt_open(&e, arena, bytes, &source, &options, &fault) == PLT_ERR_ARGUMENT && !e, "order");
     free(arena);
 }
 
-/* Said before anything of the arena, which is none. */
+/* Reported before the arena, which is too small for anything, is looked at. */
 static void two_stages_of_blocks(void) {
     static _Alignas(PLT_ALIGN) unsigned char arena[PLT_ALIGN];
     const compact_options how = {.lattice_bits = 16, .leaf_triangles = 2};
@@ -231,7 +231,7 @@ int main(void) {
         works(&image[i], 1);
         calls[i] = works(&image[i], 0);
     }
-    test("a source that fails at any call gives PLT_ERR_SOURCE and no open transfer");
+    test("a source that fails at any call gives PLT_ERR_SOURCE and leaves no pending transfer");
     for (int i = 0; i < 2; i++) {
         for (int at_once = 0; at_once < 2; at_once++) {
             fails_at_every_call(&image[i], FAKE_FAILS_AT_CALL, calls[i] + 2, at_once);
@@ -241,12 +241,12 @@ int main(void) {
         }
         fails_at_every_call(&image[i], FAKE_SHORT_AT_START, calls[i], 0);
     }
-    test("bytes that are wrong or never came are noticed");
+    test("wrong or missing bytes are detected");
     for (int i = 0; i < 2; i++) {
         lies_at_every_start(&image[i], FAKE_GARBLED_AT_START, calls[i]);
         lies_at_every_start(&image[i], FAKE_SILENT_AT_START, calls[i]);
     }
-    test("a source shorter than its image is refused and not read beyond");
+    test("a source shorter than its image is refused and not read beyond its end");
     shorter_source(&image[0]);
     shorter_source(&image[1]);
     test("an image is fetched once, in transfers of PLT_TRANSFER_BYTES");

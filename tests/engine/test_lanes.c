@@ -1,10 +1,10 @@
-/* test_lanes - every lanes header against the scalar reference, bit for bit,
- * and the scalar reference against integers and double precision
+/* test_lanes - every lanes header against the scalar reference, bit for bit, and the scalar
+ * reference against integers and double precision
  *
- * Double is reference enough for + - * / sqrt of floats: when the wide format
- * has at least 2 p + 2 bits (53 for p = 24), rounding its result once more
- * gives what rounding once would have given (S. A. Figueroa, When is double
- * rounding innocuous?, 1995). Subnormal results have a smaller p.
+ * Double is reference enough for + - * / sqrt of floats: when the wide format has at least 2 p
+ * + 2 bits (53 for p = 24), rounding its result a second time gives the same as rounding once
+ * (S. A. Figueroa, When is double rounding innocuous?, 1995). Subnormal results have a smaller
+ * p.
  *
  * SPDX-License-Identifier: MIT */
 #include <ctype.h>
@@ -48,7 +48,7 @@ static uint32_t random_word(void) {
     return (uint32_t)(random_state >> 24);
 }
 
-/* Signalling NaNs become quiet ones: lanes.h promises nothing for them. */
+/* Signalling NaNs become quiet ones: lanes.h guarantees nothing for them. */
 static uint32_t quiet(uint32_t bits) {
     return (bits & 0x7FFFFFFFu) > 0x7F800000u ? bits | 0x00400000u : bits;
 }
@@ -75,8 +75,8 @@ static uint32_t as_bits(float x) {
     return bits;
 }
 
-/* -1, 0, 1 as a is below, equal to, above b; 2 when a NaN is among them:
- * from the bits alone, with no float compare. */
+/* -1, 0, 1 if a is below, equal to, above b; 2 if one is a NaN. Uses the bits alone, no float
+ * compare. */
 static int order(uint32_t a, uint32_t b) {
     if (is_nan(a) || is_nan(b)) {
         return 2;
@@ -106,7 +106,7 @@ static int compare(const lanes_probe *p, enum lanes_op op, const lanes_in *in) {
     return 1;
 }
 
-/* Four different pairs at a time, each pair in each lane in turn. */
+/* Four different pairs at a time, each pair once in each lane. */
 static void compare_pairs(const lanes_probe *p, enum lanes_op op) {
     for (int i = 0; i < VALUES; i++) {
         for (int j = 0; j < VALUES; j++) {
@@ -139,7 +139,7 @@ static void compare_masks(const lanes_probe *p, enum lanes_op op) {
     }
 }
 
-/* The least lane of every four values that hold no NaN. */
+/* The least lane of every four values without a NaN. */
 static void compare_min_lane(const lanes_probe *p) {
     for (int i = 0; i < VALUES * 64; i++) {
         lanes_in in = {.mask = {0, 0}};
@@ -243,7 +243,7 @@ static void test_compares(void) {
 }
 
 static void test_sign_bits(void) {
-    test("scalar: abs clears and neg flips the sign bit alone, of NaNs too");
+    test("scalar: abs clears and neg flips only the sign bit, also of NaNs");
     for (int i = 0; i < VALUES; i++) {
         CHECK(scalar(OP_f4_abs, values[i], 0, 0) == (values[i] & 0x7FFFFFFFu), "%08x", values[i]);
         CHECK(scalar(OP_f4_neg, values[i], 0, 0) == (values[i] ^ 0x80000000u), "%08x", values[i]);
@@ -251,7 +251,7 @@ static void test_sign_bits(void) {
 }
 
 static void test_whole_numbers(void) {
-    test("scalar: whole numbers become floats, rounded to nearest, and add and mask as words");
+    test("scalar: integers become floats, rounded to nearest; integer add and mask act on words");
     for (uint32_t i = 0; i < 100000; i++) {
         const uint32_t a = random_word(), b = random_word(), below = a & 0x7FFFFFFFu;
         CHECK(scalar(OP_f4_of_u4, below, 0, 0) == as_bits((float)(double)below), "%08x", below);
@@ -309,8 +309,8 @@ static int starts_name(const char *text, const char *at) {
             strncmp(at, "m4_", 3) == 0 || strncmp(at, "plt_prefetch", 12) == 0);
 }
 
-/* Every operation the file names is in the list, and the other way round.
- * A name counts when it is a whole word; in lanes.h the list is prose. */
+/* Every operation the file names is in the list, and vice versa. Only whole words count as
+ * names; in lanes.h the list is prose. */
 static void check_names(const char *path) {
     char *text = read_text(path);
     int seen[LANES_OP_COUNT] = {0};
@@ -323,7 +323,7 @@ static void check_names(const char *path) {
         while (isalnum((unsigned char)at[n]) || at[n] == '_') {
             n++;
         }
-        CHECK(is_listed(at, n), "%s names %.*s, which no probe knows", path, (int)n, at);
+        CHECK(is_listed(at, n), "%s names %.*s, which no probe runs", path, (int)n, at);
         for (int op = 0; op < LANES_OP_COUNT; op++) {
             seen[op] |= strlen(names[op]) == n && strncmp(names[op], at, n) == 0;
         }
@@ -336,8 +336,7 @@ static void check_names(const char *path) {
 
 static void test_complete(const lanes_probe *p) {
     char sentence[160];
-    snprintf(sentence, sizeof sentence, "%s has the closed list of operations, no less, no more",
-             p->header);
+    snprintf(sentence, sizeof sentence, "%s has exactly the closed list of operations", p->header);
     test(sentence);
     check_names(p->header);
 }

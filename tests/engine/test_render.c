@@ -1,7 +1,6 @@
-/* test_render - frames: the same picture every way, each pixel once, in steps
+/* test_render - frames: the same picture in every configuration, each pixel once, in steps
  *
- * PLANELET_GOLDEN=write prints the table of golden/frames.txt with the hashes
- * that this program finds.
+ * PLANELET_GOLDEN=write prints the table of golden/frames.txt with the hashes of this build.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -27,42 +26,42 @@ static mesh some_scene(void) {
     return m;
 }
 
-static rig opened(const mesh *m, const rig_way *way) {
+static rig opened(const mesh *m, const rig_config *config) {
     rig r;
-    const int status = rig_open(&r, m, way);
-    CHECK(status == PLT_OK || (status == PLT_ERR_LIMIT && rig_is_tiny()), "%s: %s", rig_name(way),
-          r.fault.message);
+    const int status = rig_open(&r, m, config);
+    CHECK(status == PLT_OK || (status == PLT_ERR_LIMIT && rig_is_tiny()), "%s: %s",
+          rig_name(config), r.fault.message);
     return r;
 }
 
 static rig plain(const mesh *m) {
-    const rig_way way = rig_way_of(2, 2, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    return opened(m, &way);
+    const rig_config config = rig_config_of(2, 2, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    return opened(m, &config);
 }
 
 /* ---- one picture -------------------------------------------------------------- */
 
 static uint64_t one_hash(const mesh *m, const plt_frame *frame) {
-    const rig_way way = rig_way_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH);
-    rig r = opened(m, &way);
+    const rig_config config = rig_config_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH);
+    rig r = opened(m, &config);
     const uint64_t hash = frame_hash(r.engine, frame, 1000000);
     rig_close(&r);
     return hash;
 }
 
-static void every_way(const mesh *m, const plt_frame *frame, uint64_t due) {
+static void every_config(const mesh *m, const plt_frame *frame, uint64_t due) {
     static const uint32_t budget[3] = {1, 7, 1000000};
     for (unsigned i = 0; i < 2 * 3 * 4 * 2; i++) {
-        rig_way way = rig_way_of(1 + i % 2, i % 2 ? 3 : 64, i / 2 % 3, PLT_SPLIT_SAH);
-        way.run.packet_side = (uint8_t)(2u << i / 6 % 4);
-        way.run.order = (uint8_t)(i / 24);
-        if (way.run.packet_side > PLT_PACKET_SIDE_MAX) {
+        rig_config config = rig_config_of(1 + i % 2, i % 2 ? 3 : 64, i / 2 % 3, PLT_SPLIT_SAH);
+        config.run.packet_side = (uint8_t)(2u << i / 6 % 4);
+        config.run.order = (uint8_t)(i / 24);
+        if (config.run.packet_side > PLT_PACKET_SIDE_MAX) {
             continue;
         }
-        rig r = opened(m, &way);
+        rig r = opened(m, &config);
         for (int b = 0; b < 3 && r.engine != NULL; b++) {
-            CHECK(frame_hash(r.engine, frame, budget[b]) == due, "%s, %u visits a step",
-                  rig_name(&way), budget[b]);
+            CHECK(frame_hash(r.engine, frame, budget[b]) == due, "%s, %u visits per step",
+                  rig_name(&config), budget[b]);
         }
         rig_close(&r);
     }
@@ -87,7 +86,7 @@ static void same_picture(void) {
     mesh m = some_scene();
     const plt_frame frame = frame_of(eye, origin, 37, 29, PLT_SHADE_EYELIGHT);
     const uint64_t due = one_hash(&m, &frame);
-    every_way(&m, &frame, due);
+    every_config(&m, &frame, due);
     streamed(&m, &frame, due);
     mesh_free(&m);
 }
@@ -114,19 +113,19 @@ static void sizes(void) {
     mesh_free(&m);
 }
 
-static void bounded_steps(uint8_t walk, uint32_t n) {
+static void bounded_steps(uint8_t order, uint32_t n) {
     static const uint32_t budget[5] = {0, 1, 7, 100, 100000};
     mesh m = some_scene();
-    rig_way way = rig_way_of(2, n, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    way.run.order = walk;
-    rig r = opened(&m, &way);
+    rig_config config = rig_config_of(2, n, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    config.run.order = order;
+    rig r = opened(&m, &config);
     for (int i = 0; i < 5 && r.engine != NULL; i++) {
         const plt_frame frame = frame_of(eye, origin, 40, 30, PLT_SHADE_EYELIGHT);
         const plt_info *info = plt_engine_info(r.engine);
-        const uint32_t entry = walk == PLT_ORDER_TWO_STAGE ? n : info->depth_stack_entries;
+        const uint32_t entry = order == PLT_ORDER_TWO_STAGE ? n : info->depth_stack_entries;
         const frame_result f = frame_render(r.engine, &frame, budget[i]);
         CHECK(f.most_visits <= budget[i] + (uint64_t)entry, "%s: %" PRIu64 " visits of %u + %u",
-              rig_name(&way), f.most_visits, budget[i], entry);
+              rig_name(&config), f.most_visits, budget[i], entry);
         CHECK(budget[i] > 1 || f.steps > 200, "%" PRIu64 " steps", f.steps);
         free(f.rgb);
     }
@@ -173,7 +172,7 @@ static void camera_errors(plt_engine *e) {
     plt_frame f = good;
     CHECK(plt_render_begin(e, &good) == PLT_OK, "a good camera");
     memcpy(f.camera.look, f.camera.eye, sizeof f.camera.eye);
-    refuse(e, f, "looks where it stands");
+    refuse(e, f, "looks at its own position");
     f = good;
     memset(f.camera.up, 0, sizeof f.camera.up);
     refuse(e, f, "no up");
@@ -240,12 +239,12 @@ static void shaders(void) {
     const uint8_t *sky = pixel(&grey, 12, 0), *ground = pixel(&grey, 12, 19);
     CHECK(pixel(&grey, 9, 9)[0] >= 254 && pixel(&grey, 9, 9)[2] < pixel(&grey, 9, 9)[1],
           "facing the eye: clay, bright");
-    CHECK(pixel(&grey, 0, 0)[0] < pixel(&grey, 9, 9)[0], "darker at the rim");
+    CHECK(pixel(&grey, 0, 0)[0] < pixel(&grey, 9, 9)[0], "darker at the edge");
     CHECK(sky[0] < ground[0] && sky[1] < ground[1] && sky[2] < ground[2], "sky");
     CHECK(is_colour(pixel(&grey, 0, 19), ground[0], ground[1], ground[2]), "lower left is free");
     CHECK(is_colour(pixel(&normal, 12, 0), sky[0], sky[1], sky[2]), "upper right is free");
     CHECK(is_colour(pixel(&normal, 2, 2), 128, 128, 255), "towards +z: blue");
-    /* From behind, x runs the other way and the normal turns to the eye. */
+    /* From behind, x runs in the other direction and the normal still faces the eye. */
     CHECK(is_colour(pixel(&behind, 17, 2), 128, 128, 0), "towards -z");
     CHECK(is_colour(pixel(&behind, 2, 2), sky[0], sky[1], sky[2]) || pixel(&behind, 2, 2)[2] < 128,
           "left of the picture is +x from behind");
@@ -293,8 +292,9 @@ static mesh golden_mesh(const golden *g) {
 static void check_golden(const golden *g, int write) {
     mesh m = golden_mesh(g);
     const int fits = !rig_is_tiny();
-    const rig_way way = rig_way_of(2, 8, fits ? PLT_BUILD_HOST : PLT_BUILD_NONE, PLT_SPLIT_SAH);
-    rig r = opened(&m, &way);
+    const rig_config config =
+        rig_config_of(2, 8, fits ? PLT_BUILD_HOST : PLT_BUILD_NONE, PLT_SPLIT_SAH);
+    rig r = opened(&m, &config);
     const plt_frame frame =
         frame_of(g->eye, g->look, (uint16_t)g->width, (uint16_t)g->height, (uint8_t)g->shader);
     const uint64_t found = frame_hash(r.engine, &frame, 100000);
@@ -325,7 +325,7 @@ static void golden_frames(void) {
 }
 
 int main(void) {
-    test("the picture is the same for every packet, walk, build, K, N, source and step");
+    test("the picture is the same for every packet, order, build, K, N, source and step");
     same_picture();
     test("tiles cover every pixel exactly once, at any size");
     sizes();
@@ -333,7 +333,7 @@ int main(void) {
     bounded_steps(PLT_ORDER_DEPTH_FIRST, 3);
     bounded_steps(PLT_ORDER_TWO_STAGE, 3);
     bounded_steps(PLT_ORDER_TWO_STAGE, 64);
-    test("a frame that was dropped leaves nothing behind");
+    test("a frame that was dropped has no effect on the next");
     interrupted();
     mesh m = some_scene();
     rig r = plain(&m);
@@ -341,7 +341,7 @@ int main(void) {
     camera_errors(r.engine);
     rig_close(&r);
     mesh_free(&m);
-    test("shaders show facing, direction and number, above a sky, left is left");
+    test("shaders show facing, normal and primitive id; the sky is above, left is left");
     shaders();
     test("golden frames have their hashes");
     golden_frames();

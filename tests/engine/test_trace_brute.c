@@ -1,7 +1,7 @@
-/* test_trace_brute - every way of tracing against every triangle in double
+/* test_trace_brute - every configuration against every triangle in double
  *
- * All packets, walks, K, N, builders and builds must agree bit for bit with
- * the list of all triangles, and that one with the reference.
+ * All packets, orders, K, N, builders and builds must agree bit for bit with the list of all
+ * triangles, and that list with the reference.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -19,18 +19,18 @@
 #define SCENES 18
 
 static const char *const scene_name[SCENES] = {
-    "soup",         "fine soup",     "soup, 1e-6",      "soup, 1e6", "soup far off", "cube",
-    "icosphere",    "sheet x",       "sheet y",         "sheet z",   "coincident",   "degenerate",
-    "one triangle", "two triangles", "three triangles", "needles",   "exponential",  "knot"};
+    "soup",         "fine soup",     "soup, 1e-6",      "soup, 1e6", "soup far away", "cube",
+    "icosphere",    "sheet x",       "sheet y",         "sheet z",   "coincident",    "degenerate",
+    "one triangle", "two triangles", "three triangles", "needles",   "exponential",   "knot"};
 
 static void place_soup(mesh *m, int scene) {
     shape_soup(m, scene == 1 ? 128 : 90, scene == 1 ? 0.1f : 0.8f, (uint64_t)scene + 7);
     if (scene == 2) {
-        shape_place(m, 1e-6f, 0.0f, 0.0f, 0.0f);
+        shape_transform(m, 1e-6f, 0.0f, 0.0f, 0.0f);
     } else if (scene == 3) {
-        shape_place(m, 1e6f, 0.0f, 0.0f, 0.0f);
+        shape_transform(m, 1e6f, 0.0f, 0.0f, 0.0f);
     } else if (scene == 4) {
-        shape_place(m, 1.0f, 1000.0f, -3000.0f, 20.0f);
+        shape_transform(m, 1.0f, 1000.0f, -3000.0f, 20.0f);
     }
 }
 
@@ -88,8 +88,8 @@ static trial trial_of(int scene) {
     rays_mixed(t.rays, MIXED, &t.m, &r);
     rays_edges(t.rays + MIXED, RAYS - MIXED, &t.m, &r);
     rig one;
-    const rig_way way = rig_way_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH);
-    CHECK(rig_open(&one, &t.m, &way) == PLT_OK, "%s: %s", t.name, one.fault.message);
+    const rig_config config = rig_config_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH);
+    CHECK(rig_open(&one, &t.m, &config) == PLT_OK, "%s: %s", t.name, one.fault.message);
     if (one.engine != NULL) {
         plt_trace(one.engine, t.rays, t.hits, RAYS, 0);
     }
@@ -104,7 +104,7 @@ static void against_reference(const trial *t, uint32_t *hits, uint32_t *unsure) 
         const char *wrong = brute_objects(&t->m, &t->rays[i], h, &open);
         CHECK(wrong == NULL, "%s, ray %u: %s (triangle %u, t %g)", t->name, i, wrong, h->triangle,
               (double)h->t);
-        *unsure += open && i < 2 * MIXED / 3; /* the others graze by design */
+        *unsure += open && i < 2 * MIXED / 3; /* the others graze on purpose */
         *hits += h->triangle != PLT_MISS;
     }
 }
@@ -121,28 +121,28 @@ static uint32_t same_hits(const trial *t, plt_engine *e) {
 
 static uint32_t compared, limited;
 
-static void compare(const trial *t, const rig_way *way) {
+static void compare(const trial *t, const rig_config *config) {
     rig one;
-    const int status = rig_open(&one, &t->m, way);
+    const int status = rig_open(&one, &t->m, config);
     if (status == PLT_ERR_LIMIT && rig_is_tiny()) {
         limited++;
     } else {
-        CHECK(status == PLT_OK, "%s, %s: %s", t->name, rig_name(way), one.fault.message);
+        CHECK(status == PLT_OK, "%s, %s: %s", t->name, rig_name(config), one.fault.message);
     }
     if (one.engine != NULL) {
         const uint32_t wrong = same_hits(t, one.engine);
-        CHECK(wrong == 0, "%s, %s: %u hits differ", t->name, rig_name(way), wrong);
+        CHECK(wrong == 0, "%s, %s: %u hits differ", t->name, rig_name(config), wrong);
         compared++;
     }
     rig_close(&one);
 }
 
-static void compare_runs(const trial *t, rig_way way) {
-    for (uint8_t walk = 0; walk < 2; walk++) {
+static void compare_runs(const trial *t, rig_config config) {
+    for (uint8_t order = 0; order < 2; order++) {
         for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
-            way.run.packet_side = side;
-            way.run.order = walk;
-            compare(t, &way);
+            config.run.packet_side = side;
+            config.run.order = order;
+            compare(t, &config);
         }
     }
 }
@@ -152,18 +152,18 @@ static void compare_packings(const trial *t) {
     for (uint32_t k = 1; k <= 4; k *= 2) {
         for (int n = 0; n < 3; n++) {
             for (uint8_t splits = 0; splits < 2; splits++) {
-                compare_runs(t, rig_way_of(k, nodes[n], PLT_BUILD_HOST, splits));
-                compare_runs(t, rig_way_of(k, nodes[n], PLT_BUILD_DEVICE, splits));
+                compare_runs(t, rig_config_of(k, nodes[n], PLT_BUILD_HOST, splits));
+                compare_runs(t, rig_config_of(k, nodes[n], PLT_BUILD_DEVICE, splits));
             }
         }
     }
-    compare_runs(t, rig_way_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH));
+    compare_runs(t, rig_config_of(1, 1, PLT_BUILD_NONE, PLT_SPLIT_SAH));
 }
 
 int main(void) {
     uint32_t hits = 0, unsure = 0;
     trial *t = malloc(SCENES * sizeof *t);
-    test("every hit and miss is what all triangles in double precision say");
+    test("every hit and miss agrees with testing all triangles in double precision");
     for (int i = 0; i < SCENES; i++) {
         t[i] = trial_of(i);
         against_reference(&t[i], &hits, &unsure);
@@ -172,13 +172,13 @@ int main(void) {
     CHECK(hits > SCENES * RAYS / 6, "%u hits of %u rays", hits, SCENES * RAYS);
     CHECK(unsure < SCENES * MIXED / 8, "%u of %u rays are undecided", unsure, SCENES * RAYS);
     printf("    %u rays, %u hits, %u undecided\n", SCENES * RAYS, hits, unsure);
-    test("packet size, walk, K, N, splits and build change no bit of any hit");
+    test("packet size, order, K, N, splits and build change no bit of any hit");
     for (int i = 0; i < SCENES; i++) {
         compare_packings(&t[i]);
         mesh_free(&t[i].m);
     }
-    CHECK(compared > (rig_is_tiny() ? 100u : 5000u), "%u ways compared", compared);
-    printf("    %u ways compared, %u beyond this build's limits\n", compared, limited);
+    CHECK(compared > (rig_is_tiny() ? 100u : 5000u), "%u configurations compared", compared);
+    printf("    %u configurations compared, %u beyond this build's limits\n", compared, limited);
     free(t);
     return test_done();
 }

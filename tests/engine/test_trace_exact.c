@@ -1,7 +1,7 @@
-/* test_trace_exact - on which side of an edge a ray passes, against integers
+/* test_trace_exact - the side of an edge on which a ray passes, against integers
  *
- * Coordinates are integers of at most 20 bits times a power of two, so that
- * 128-bit integers give dir . ((p - org) x (q - org)) exactly.
+ * Coordinates are integers of at most 20 bits times a power of two, so that 128-bit integers
+ * give dir . ((p - org) x (q - org)) exactly.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -23,14 +23,15 @@ static void to_floats(const int32_t from[3], int power, float to[3]) {
     }
 }
 
-static int asked(const question *x, int power, int turn) {
+static int side_of(const question *x, int power, int dir_power) {
     float p[3], q[3], org[3], dir[3];
     to_floats(x->p, power, p);
     to_floats(x->q, power, q);
     to_floats(x->org, power, org);
-    to_floats(x->dir, turn, dir);
+    to_floats(x->dir, dir_power, dir);
     const int side = plt_edge_side(p, q, org, dir);
-    CHECK(plt_edge_side(q, p, org, dir) == -side, "the other way it is not the opposite");
+    CHECK(plt_edge_side(q, p, org, dir) == -side,
+          "the reversed edge does not have the opposite side");
     return side;
 }
 
@@ -38,7 +39,7 @@ static wide size(wide x) {
     return x < 0 ? -x : x;
 }
 
-/* The value, and the sum of the magnitudes that it is made of. */
+/* The value, and the sum of the magnitudes of its terms. */
 static wide exactly(const question *x, wide *magnitude) {
     wide value = 0;
     *magnitude = 0;
@@ -68,7 +69,7 @@ static question random_question(random_state *r) {
     return x;
 }
 
-/* The ray through a point of the line p q, or off by one somewhere. */
+/* The ray through a point of the line p q, or with one coordinate off by one. */
 static question close_question(random_state *r) {
     question x = random_question(r);
     const int32_t steps = 1 + (int32_t)random_below(r, 6), at = (int32_t)random_below(r, 7);
@@ -87,10 +88,10 @@ static question close_question(random_state *r) {
 
 static uint32_t on, off;
 
-static void ask(const question *x, int power, int turn) {
+static void ask(const question *x, int power, int dir_power) {
     wide magnitude;
     const wide value = exactly(x, &magnitude);
-    const int side = asked(x, power, turn), due = value > 0 ? 1 : (value < 0 ? -1 : 0);
+    const int side = side_of(x, power, dir_power), due = value > 0 ? 1 : (value < 0 ? -1 : 0);
     if (size(value) > magnitude >> 41) {
         CHECK(side == due, "side %d, not %d", side, due);
     } else {
@@ -102,18 +103,19 @@ static void ask(const question *x, int power, int turn) {
 
 int main(void) {
     random_state r = {3};
-    test("a side is never wrong, and found when farther than 2^-41");
+    test("a side is never wrong, and is decided when farther than 2^-41");
     for (int i = 0; i < 400000; i++) {
         const question x = i % 2 ? random_question(&r) : close_question(&r);
         ask(&x, 0, 0);
     }
     CHECK(on > 20000 && off > 20000, "%u on the line, %u off it", on, off);
-    test("powers of two as far as coordinates and directions go change no side");
+    test("scaling by powers of two within the limits changes no side");
     for (int i = 0; i < 200000; i++) {
         const question x = i % 2 ? random_question(&r) : close_question(&r);
-        const int power = (int)random_below(&r, 120) - 100, turn = (int)random_below(&r, 80) - 40;
-        ask(&x, power, turn);
-        CHECK(asked(&x, power, turn) == asked(&x, 0, 0), "2^%d, 2^%d", power, turn);
+        const int power = (int)random_below(&r, 120) - 100,
+                  dir_power = (int)random_below(&r, 80) - 40;
+        ask(&x, power, dir_power);
+        CHECK(side_of(&x, power, dir_power) == side_of(&x, 0, 0), "2^%d, 2^%d", power, dir_power);
     }
     return test_done();
 }

@@ -1,9 +1,9 @@
-/* test_trace_rim - a triangle that lies beside all rays is one that none of them meets
+/* test_trace_frustum - no ray meets a triangle that the frustum culls
  *
- * Triangles of all sizes and shapes stand in the way of a bundle of rays: the first
- * corner on one of them, or a rounding to half the scene beside it; or the rays lie
- * in their plane. One that the rim of some groups says lies beside is tested against
- * every ray of those all the same, and may have no hit.
+ * Triangles of all sizes and shapes are near a bundle of rays: the first corner is on a ray, or
+ * beside it by anything from a rounding to half the scene; or the rays are in the triangle's
+ * plane. A triangle that the frustum of some groups culls is tested against every ray of these
+ * groups all the same, and must have no hit.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -24,17 +24,17 @@ typedef struct bundle {
     float org[3];
 } bundle;
 
-/* `away`: of the scene, of size 2, from where coordinates are 0, on all axes. */
+/* `away`: the distance of the scene, of size 2, from the origin on all axes. */
 static plt_box scene_at(float away) {
     const plt_box b = {{away - 1, away - 1, away - 1}, {away + 1, away + 1, away + 1}};
     return b;
 }
 
-/* Rays of slopes x .. x + spread, y .. y + spread along an axis, one way or back. */
+/* Rays with slopes x .. x + spread, y .. y + spread along an axis, in either direction. */
 static void make_bundle(bundle *b, random_state *r, float spread, float away) {
     const plt_box scene = scene_at(away);
     const int axis = (int)random_below(r, 3);
-    const float way = random_below(r, 2) ? 1.0f : -1.0f, length = random_float(r, 0.5f, 2.0f);
+    const float sign = random_below(r, 2) ? 1.0f : -1.0f, length = random_float(r, 0.5f, 2.0f);
     const float x = random_float(r, 0.0f, 0.9f - spread), y = random_float(r, 0.0f, 0.9f - spread);
     const float sign_x = random_below(r, 2) ? 1.0f : -1.0f,
                 sign_y = random_below(r, 2) ? 1.0f : -1.0f;
@@ -52,7 +52,7 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
         for (unsigned lane = 0; lane < 4; lane++) {
             const unsigned column = 2 * (i % (SIDE / 2)) + lane % 2,
                            row = 2 * (i / (SIDE / 2)) + lane / 2;
-            const float along = way * length;
+            const float along = sign * length;
             dir[axis][lane] = along;
             dir[(axis + 1) % 3][lane] = along * sign_x * (x + spread * (float)column / (SIDE - 1));
             dir[(axis + 2) % 3][lane] = along * sign_y * (y + spread * (float)row / (SIDE - 1));
@@ -113,36 +113,36 @@ static int is_met(bundle *b, const plt_triangle *t, plt_mask groups) {
     return met;
 }
 
-static int is_beside(const plt_frustum *rim, const plt_triangle *t) {
-    return plt_frustum_culls(plt_frustum_outcode(rim, t->corner[0]),
-                             plt_frustum_outcode(rim, t->corner[1]),
-                             plt_frustum_outcode(rim, t->corner[2]));
+static int is_culled(const plt_frustum *frustum, const plt_triangle *t) {
+    return plt_frustum_culls(plt_frustum_outcode(frustum, t->corner[0]),
+                             plt_frustum_outcode(frustum, t->corner[1]),
+                             plt_frustum_outcode(frustum, t->corner[2]));
 }
 
 typedef struct counts {
-    unsigned triangles, beside, met, wrong, without;
+    unsigned triangles, culled, met, wrong, without;
 } counts;
 
-/* Triangles against a bundle, some groups of it at a time. */
+/* A triangle against some groups of a bundle. */
 static void compare(counts *n, bundle *b, random_state *r, const plt_triangle *t) {
     const plt_mask groups = 1 + random_below(r, (1u << GROUPS) - 1);
-    plt_frustum rim;
-    if (!plt_frustum_set(&rim, &b->packet, groups)) {
+    plt_frustum frustum;
+    if (!plt_frustum_set(&frustum, &b->packet, groups)) {
         n->without++;
         return;
     }
-    const int out = is_beside(&rim, t), hit = is_met(b, t, groups);
+    const int out = is_culled(&frustum, t), hit = is_met(b, t, groups);
     n->triangles++;
-    n->beside += (unsigned)out;
+    n->culled += (unsigned)out;
     n->met += (unsigned)hit;
     n->wrong += (unsigned)(out && hit);
 }
 
 static void verdict(const counts *n) {
-    CHECK(n->wrong == 0, "%u triangles beside are met", n->wrong);
-    CHECK(n->beside > n->triangles / 50 && n->met > n->triangles / 100, "only %u beside, %u met",
-          n->beside, n->met);
-    printf("    %u triangles, %u met, %u beside\n", n->triangles, n->met, n->beside);
+    CHECK(n->wrong == 0, "%u culled triangles are met", n->wrong);
+    CHECK(n->culled > n->triangles / 50 && n->met > n->triangles / 100, "only %u culled, %u met",
+          n->culled, n->met);
+    printf("    %u triangles, %u met, %u culled\n", n->triangles, n->met, n->culled);
 }
 
 static void test_bundles(float spread, float away) {
@@ -158,8 +158,8 @@ static void test_bundles(float spread, float away) {
             compare(&n, &b, &r, &t);
         }
     }
-    test("what lies beside a bundle of rays is met by none of them");
-    CHECK(n.without == 0, "%u bundles have no rim", n.without);
+    test("a triangle that the frustum of a bundle culls is met by none of its rays");
+    CHECK(n.without == 0, "%u bundles have no frustum", n.without);
     verdict(&n);
 }
 
@@ -169,7 +169,7 @@ static void whole_numbers(random_state *r, int most, float to[3]) {
     }
 }
 
-/* Rays in the plane that p and q span, from a corner of the grid or a hair beside. */
+/* Rays in the plane that p and q span, from a grid point or very close to one. */
 static void make_flat(bundle *b, random_state *r, const float p[3], const float q[3]) {
     const plt_box scene = {{-4096, -4096, -4096}, {4096, 4096, 4096}};
     memset(b, 0, sizeof *b);
@@ -196,11 +196,11 @@ static void make_flat(bundle *b, random_state *r, const float p[3], const float 
     plt_packet_finish(&b->packet);
 }
 
-/* All edge functions are 0, or as good as that, in every ray. */
+/* All edge functions are 0, or nearly so, for every ray. */
 static void test_edge_on(void) {
     random_state r = {7};
     counts n = {0, 0, 0, 0, 0};
-    test("a triangle seen edge-on is met by no ray beside it");
+    test("a culled triangle seen edge-on is met by no ray");
     for (int i = 0; i < 400000; i++) {
         static bundle b;
         plt_triangle t = {.longest = 0.0f, .word = 0, .ids = NULL};
@@ -218,25 +218,25 @@ static void test_edge_on(void) {
         measure(&t);
         compare(&n, &b, &r, &t);
     }
-    CHECK(n.wrong == 0, "%u triangles beside are met", n.wrong);
-    CHECK(n.beside > 10000 && n.without < 390000, "%u beside, %u without a rim", n.beside,
+    CHECK(n.wrong == 0, "%u culled triangles are met", n.wrong);
+    CHECK(n.culled > 10000 && n.without < 390000, "%u culled, %u without a frustum", n.culled,
           n.without);
-    printf("    %u triangles, %u met, %u beside\n", n.triangles, n.met, n.beside);
+    printf("    %u triangles, %u met, %u culled\n", n.triangles, n.met, n.culled);
 }
 
 static void test_none(void) {
     static bundle b;
     random_state r = {1};
-    plt_frustum rim;
-    test("rays that share no axis or origin, and no rays, have no rim");
+    plt_frustum frustum;
+    test("rays without a common axis or origin, and no rays, have no frustum");
     make_bundle(&b, &r, 0.1f, 0.0f);
-    CHECK(plt_frustum_set(&rim, &b.packet, b.packet.active), "one bundle has");
-    CHECK(!plt_frustum_set(&rim, &b.packet, 0), "no groups");
+    CHECK(plt_frustum_set(&frustum, &b.packet, b.packet.active), "one bundle has");
+    CHECK(!plt_frustum_set(&frustum, &b.packet, 0), "no groups");
     b.packet.axis = 3;
-    CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no axis");
+    CHECK(!plt_frustum_set(&frustum, &b.packet, b.packet.active), "no axis");
     b.packet.axis = 0;
     b.packet.slabs.coherence = PLT_ONE_SIGN;
-    CHECK(!plt_frustum_set(&rim, &b.packet, b.packet.active), "no origin");
+    CHECK(!plt_frustum_set(&frustum, &b.packet, b.packet.active), "no origin");
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* test_trace_odd - rays nobody should send, and rays at the limits
+/* test_trace_odd - invalid rays, and rays at the limits
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -14,12 +14,12 @@
 
 static const float INF = HUGE_VALF;
 
-static rig opened(const mesh *m, uint8_t walk) {
+static rig opened(const mesh *m, uint8_t order) {
     rig r;
-    rig_way way = rig_way_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    way.run.order = walk;
-    const int status = rig_open(&r, m, &way);
-    CHECK(status == PLT_OK, "%s: %s", rig_name(&way), r.fault.message);
+    rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    config.run.order = order;
+    const int status = rig_open(&r, m, &config);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config), r.fault.message);
     if (status != PLT_OK) {
         exit(test_done());
     }
@@ -51,8 +51,8 @@ static void hits_at(plt_engine *e, plt_ray ray, double t, const char *what) {
           "%s: triangle %u, t %g, not %g", what, hit.triangle, (double)hit.t, t);
 }
 
-/* In the cube -1 .. 1, every field by turns made NaN or infinite. */
-static void not_numbers(plt_engine *e) {
+/* In the cube -1 .. 1, one field after another made NaN or infinite. */
+static void not_finite(plt_engine *e) {
     const float bad[3] = {NAN, INF, -INF};
     for (int field = 0; field < 8; field++) {
         for (int i = 0; i < 3; i++) {
@@ -109,7 +109,7 @@ static void intervals(plt_engine *e) {
 
 static void on_surfaces(plt_engine *e) {
     hits_at(e, towards(-1, 0.25f, 0.125f, 1, 0, 0), 0.0, "starts on a plane, leaves it");
-    hits_at(e, towards(-1, 0.25f, 0.125f, -1, 0, 0), 0.0, "starts on a plane, goes out");
+    hits_at(e, towards(-1, 0.25f, 0.125f, -1, 0, 0), 0.0, "starts on a plane, goes outward");
     hits_at(e, towards(-1, -1, -1, 1, 1, 1), 0.0, "starts at a vertex");
     hits_at(e, towards(1, 1, -1, -1, 1, 1), 0.0, "starts at a vertex, grazes");
     hits_at(e, towards(-1, -1, 0, 0, 1, 1), 0.0, "starts on an edge");
@@ -118,8 +118,8 @@ static void on_surfaces(plt_engine *e) {
     hits_at(e, towards(-2, -1, 0, 1, 1, 0), 1.0, "through an edge");
 }
 
-/* In the plane of a face the answer may be either, but must be the same in
- * any company, without a NaN and within the interval. */
+/* In the plane of a face a ray may hit or miss, but the answer must be the same in any packet,
+ * without a NaN and within the interval. */
 static void in_the_plane(plt_engine *e) {
     random_state r = {3};
     for (int i = 0; i < 2000; i++) {
@@ -147,9 +147,9 @@ static float any_float(random_state *r) {
     return random_below(r, 4) ? ldexpf(random_float(r, -1, 1), (int)random_below(r, 140) - 70) : x;
 }
 
-/* Bits at random: no NaN comes out and what is hit is in range. */
-static void any_bits(const mesh *m, uint8_t walk) {
-    rig one = opened(m, walk);
+/* Random bits as rays: no NaN is returned, and hits are in range. */
+static void any_bits(const mesh *m, uint8_t order) {
+    rig one = opened(m, order);
     random_state r = {11};
     for (int round = 0; round < 400; round++) {
         plt_ray rays[64];
@@ -175,12 +175,12 @@ static void any_bits(const mesh *m, uint8_t walk) {
     rig_close(&one);
 }
 
-/* Coordinates and origins up to 2^40, so that products come near overflow. */
+/* Coordinates and origins up to 2^40: products come near overflow. */
 static void far_corners(void) {
     mesh m = {0};
     random_state r = {2};
     shape_soup(&m, 60, 1.0f, 21);
-    shape_place(&m, PLT_COORD_MAX / 2.5f, 0.0f, 0.0f, 0.0f);
+    shape_transform(&m, PLT_COORD_MAX / 2.5f, 0.0f, 0.0f, 0.0f);
     rig one = opened(&m, PLT_ORDER_DEPTH_FIRST);
     uint32_t hits = 0;
     for (int i = 0; i < 3000; i++) {
@@ -203,7 +203,7 @@ static void far_corners(void) {
     mesh_free(&m);
 }
 
-static void visits_are_bounded(uint8_t walk) {
+static void visits_are_bounded(uint8_t order) {
     mesh m = {0};
     fail f = {""};
     random_state r = {8};
@@ -211,7 +211,7 @@ static void visits_are_bounded(uint8_t walk) {
     plt_hit hits[1024];
     plt_stats s;
     scene_knot(&m, rig_triangles(4000, 2), &f);
-    rig one = opened(&m, walk);
+    rig one = opened(&m, order);
     for (int kind = 0; kind < 12; kind++) {
         plt_stats_reset(one.engine);
         rays_mixed(rays, 1024, &m, &r);
@@ -219,7 +219,7 @@ static void visits_are_bounded(uint8_t walk) {
         plt_stats_get(one.engine, &s);
         const uint64_t nodes = plt_engine_info(one.engine)->nodes;
         CHECK(s.node_visits <= s.packets * nodes, "%llu visits", (unsigned long long)s.node_visits);
-        CHECK(s.rays == 1024 && s.packets > 0 && s.mixed_packets <= s.packets, "figures");
+        CHECK(s.rays == 1024 && s.packets > 0 && s.mixed_packets <= s.packets, "statistics");
         CHECK(s.bytes_touched_once <= s.bytes_fetched &&
                   s.bytes_touched_once <= plt_engine_info(one.engine)->node_bytes + 64u,
               "bytes");
@@ -232,8 +232,8 @@ static void visits_are_bounded(uint8_t walk) {
 static void empty(uint8_t build) {
     mesh m = {0};
     rig one;
-    const rig_way way = rig_way_of(1, 2, build, PLT_SPLIT_SAH);
-    CHECK(rig_open(&one, &m, &way) == PLT_OK, "%s", one.fault.message);
+    const rig_config config = rig_config_of(1, 2, build, PLT_SPLIT_SAH);
+    CHECK(rig_open(&one, &m, &config) == PLT_OK, "%s", one.fault.message);
     hits_nothing(one.engine, towards(0, 0, 0, 1, 0, 0), "nothing to hit");
     const plt_info *info = plt_engine_info(one.engine);
     CHECK(info->triangles == 0 && info->nodes == 0, "counts");
@@ -251,14 +251,14 @@ int main(void) {
     shape_degenerate(&mixed);
     rig one = opened(&cube, PLT_ORDER_DEPTH_FIRST);
     test("NaN and infinity hit nothing, but an interval may be unbounded");
-    not_numbers(one.engine);
+    not_finite(one.engine);
     test("directions from 2^-60 to 2^60 hit, others hit nothing");
     directions(one.engine);
-    test("hits lie in tmin .. tmax, both ends included");
+    test("hits are in tmin .. tmax, both included");
     intervals(one.engine);
     test("rays that start on planes, edges and vertices hit them at 0");
     on_surfaces(one.engine);
-    test("rays in the plane of a face get a number and a place in range, or a miss");
+    test("rays in the plane of a face get an id, a distance and weights in range, or a miss");
     in_the_plane(one.engine);
     test("random bits as rays give misses or hits in range");
     any_bits(&mixed, PLT_ORDER_DEPTH_FIRST);

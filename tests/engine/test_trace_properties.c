@@ -1,4 +1,4 @@
-/* test_trace_properties - what must hold of hits without knowing them
+/* test_trace_properties - properties of hits that hold for any scene
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -19,12 +19,12 @@ static int same(const plt_hit *a, const plt_hit *b) {
     return memcmp(a, b, sizeof *a) == 0;
 }
 
-static rig opened(const mesh *m, uint8_t build, uint8_t walk) {
+static rig opened(const mesh *m, uint8_t build, uint8_t order) {
     rig r;
-    rig_way way = rig_way_of(2, 3, build, PLT_SPLIT_SAH);
-    way.run.order = walk;
-    const int status = rig_open(&r, m, &way);
-    CHECK(status == PLT_OK, "%s: %s", rig_name(&way), r.fault.message);
+    rig_config config = rig_config_of(2, 3, build, PLT_SPLIT_SAH);
+    config.run.order = order;
+    const int status = rig_open(&r, m, &config);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config), r.fault.message);
     if (status != PLT_OK) {
         exit(test_done());
     }
@@ -62,7 +62,7 @@ static void occlusion(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* Triangle i of `m` becomes triangle `number[i]`. */
+/* Triangle i of `m` gets primitive id `number[i]`. */
 static void shuffle(mesh *m, uint32_t *number, uint64_t seed) {
     random_state r = {seed};
     const uint32_t count = (uint32_t)m->triangles;
@@ -94,7 +94,7 @@ static void permutation(uint64_t seed) {
         if (hits[i].triangle != PLT_MISS) {
             expected.triangle = number[hits[i].triangle];
         }
-        /* A tie may go to another triangle, then with a lower number now. */
+        /* A tie may go to another triangle, but only to one with a lower id now. */
         const int tie = others[i].triangle < expected.triangle;
         ties += tie != 0;
         CHECK(others[i].t == hits[i].t, "ray %u", i);
@@ -106,11 +106,12 @@ static void permutation(uint64_t seed) {
     mesh_free(&m);
 }
 
-static void lowest_number_wins(uint8_t build, uint8_t walk) {
+static void lowest_id_wins(uint8_t build, uint8_t order) {
     mesh m = {0};
     random_state r = {5};
     shape_soup(&m, 20, 0.5f, 5);
-    for (uint32_t copies = 0; copies < 3; copies++) { /* again, the corners in another order */
+    for (uint32_t copies = 0; copies < 3;
+         copies++) { /* once more, with the corners in another order */
         for (uint32_t i = 0; i < 20; i++) {
             fail f = {""};
             const uint32_t *t = m.triangle + 3 * i;
@@ -119,7 +120,7 @@ static void lowest_number_wins(uint8_t build, uint8_t walk) {
         }
     }
     rays_mixed(rays, RAYS, &m, &r);
-    rig one = opened(&m, build, walk);
+    rig one = opened(&m, build, order);
     plt_trace(one.engine, rays, hits, RAYS, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         CHECK(hits[i].triangle < 20 || hits[i].triangle == PLT_MISS, "ray %u: %u", i,
@@ -129,7 +130,7 @@ static void lowest_number_wins(uint8_t build, uint8_t walk) {
     mesh_free(&m);
 }
 
-/* tmax at t keeps the hit, just below t loses it or finds nothing nearer. */
+/* With tmax at t the hit stays; just below t it is lost, and nothing nearer is found. */
 static void shrink(uint64_t seed) {
     mesh m = soup(seed);
     plt_ray shorter[RAYS];
@@ -151,7 +152,7 @@ static void shrink(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* tmin at t keeps the hit; above it, the next one is no nearer. */
+/* With tmin at t the hit stays; above t the next hit is no nearer. */
 static void advance(uint64_t seed) {
     mesh m = soup(seed);
     plt_ray later[RAYS];
@@ -172,8 +173,8 @@ static void advance(uint64_t seed) {
     mesh_free(&m);
 }
 
-/* Scene and origins by 2^power, directions by 2^turn. */
-static void scale(uint64_t seed, int power, int turn) {
+/* Scene and origins by 2^power, directions by 2^dir_power. */
+static void scale(uint64_t seed, int power, int dir_power) {
     mesh m = soup(seed);
     plt_ray scaled[RAYS];
     for (size_t i = 0; i < 3 * m.vertices; i++) {
@@ -183,25 +184,25 @@ static void scale(uint64_t seed, int power, int turn) {
         scaled[i] = rays[i];
         for (int a = 0; a < 3; a++) {
             scaled[i].org[a] = ldexpf(rays[i].org[a], power);
-            scaled[i].dir[a] = ldexpf(rays[i].dir[a], turn);
+            scaled[i].dir[a] = ldexpf(rays[i].dir[a], dir_power);
         }
-        scaled[i].tmin = ldexpf(rays[i].tmin, power - turn);
-        scaled[i].tmax = rays[i].tmax < 1e30f ? ldexpf(rays[i].tmax, power - turn) : RAYS_FAR;
+        scaled[i].tmin = ldexpf(rays[i].tmin, power - dir_power);
+        scaled[i].tmax = rays[i].tmax < 1e30f ? ldexpf(rays[i].tmax, power - dir_power) : RAYS_FAR;
     }
     trace_other(&m, scaled, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         plt_hit expected = hits[i];
-        expected.t = ldexpf(hits[i].t, power - turn);
-        CHECK(same(&others[i], &expected), "2^%d, 2^%d, ray %u: %g, not %g", power, turn, i,
+        expected.t = ldexpf(hits[i].t, power - dir_power);
+        CHECK(same(&others[i], &expected), "2^%d, 2^%d, ray %u: %g, not %g", power, dir_power, i,
               (double)others[i].t, (double)expected.t);
     }
     mesh_free(&m);
 }
 
-/* Corners a and b of every triangle change places: u and v follow, t is near. */
-static void turn_around(uint64_t seed) {
+/* Corners a and b of every triangle are exchanged: so are u and v, and t is close. */
+static void reverse_triangles(uint64_t seed) {
     mesh m = soup(seed);
-    uint32_t turned = 0;
+    uint32_t unchanged = 0;
     for (size_t i = 0; i < m.triangles; i++) {
         const uint32_t t = m.triangle[3 * i + 1];
         m.triangle[3 * i + 1] = m.triangle[3 * i + 2];
@@ -209,19 +210,19 @@ static void turn_around(uint64_t seed) {
     }
     trace_other(&m, rays, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
-        turned += same(&hits[i], &others[i]) != 0;
+        unchanged += same(&hits[i], &others[i]) != 0;
         CHECK(hits[i].triangle == others[i].triangle && hits[i].t == others[i].t, "ray %u", i);
         /* u + v + w is summed in another order: two roundings. */
         CHECK(fabsf(hits[i].u - others[i].v) <= 2.5e-7f &&
                   fabsf(hits[i].v - others[i].u) <= 2.5e-7f,
               "ray %u: u and v", i);
     }
-    CHECK(turned < RAYS, "nothing changed");
+    CHECK(unchanged < RAYS, "nothing changed");
     mesh_free(&m);
 }
 
-/* The world seen in a mirror. Negating an axis rounds nothing differently, but
- * another corner may come first in canonical order: a few roundings in t. */
+/* The scene mirrored. Negating an axis changes no rounding, but another corner may come first
+ * in canonical order: a few roundings in t. */
 static void mirror(uint64_t seed, int axis) {
     mesh m = soup(seed);
     plt_ray image[RAYS];
@@ -235,7 +236,7 @@ static void mirror(uint64_t seed, int axis) {
     }
     trace_other(&m, image, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
-        const plt_hit *h = &hits[i], *o = &others[i]; /* but a zero may change its sign */
+        const plt_hit *h = &hits[i], *o = &others[i]; /* a zero may change its sign */
         CHECK(h->triangle == o->triangle && fabsf(h->t - o->t) <= 1e-5f * h->t + 1e-6f &&
                   fabsf(h->u - o->u) <= 1e-4f && fabsf(h->v - o->v) <= 1e-4f,
               "axis %d, ray %u: %u t %.9g, not %u t %.9g", axis, i, others[i].triangle,
@@ -244,10 +245,10 @@ static void mirror(uint64_t seed, int axis) {
     mesh_free(&m);
 }
 
-/* x y z become y z x: the same hits, but sums are taken in another order. */
-static void turn_axes(uint64_t seed) {
+/* x y z become y z x: the same hits, but sums are computed in another order. */
+static void rotate_axes(uint64_t seed) {
     mesh m = soup(seed);
-    plt_ray turned[RAYS];
+    plt_ray rotated[RAYS];
     uint32_t off = 0;
     for (size_t i = 0; i < m.vertices; i++) {
         float *v = m.vertex + 3 * i, x = v[0];
@@ -256,13 +257,13 @@ static void turn_axes(uint64_t seed) {
         v[2] = x;
     }
     for (uint32_t i = 0; i < RAYS; i++) {
-        turned[i] = rays[i];
+        rotated[i] = rays[i];
         for (int a = 0; a < 3; a++) {
-            turned[i].org[a] = rays[i].org[(a + 1) % 3];
-            turned[i].dir[a] = rays[i].dir[(a + 1) % 3];
+            rotated[i].org[a] = rays[i].org[(a + 1) % 3];
+            rotated[i].dir[a] = rays[i].dir[(a + 1) % 3];
         }
     }
-    trace_other(&m, turned, 0);
+    trace_other(&m, rotated, 0);
     for (uint32_t i = 0; i < RAYS; i++) {
         const int bounded = rays[i].tmin > 0.0f || rays[i].tmax < 1e30f;
         CHECK(bounded || (hits[i].triangle == PLT_MISS) == (others[i].triangle == PLT_MISS),
@@ -270,7 +271,7 @@ static void turn_axes(uint64_t seed) {
         off += hits[i].triangle != others[i].triangle ||
                !(fabsf(hits[i].t - others[i].t) <= 1e-5f * hits[i].t);
     }
-    CHECK(off < RAYS / 100, "%u hits are another or farther than 1e-5", off);
+    CHECK(off < RAYS / 100, "%u hits differ in triangle, or by more than 1e-5", off);
     mesh_free(&m);
 }
 
@@ -286,15 +287,15 @@ static plt_ray garbage(random_state *r) {
     return ray;
 }
 
-/* Every third ray stays, garbage takes the place of the others. */
-static void company(uint64_t seed, uint8_t walk) {
+/* Every third ray stays, garbage replaces the others. */
+static void company(uint64_t seed, uint8_t order) {
     mesh m = soup(seed);
     random_state r = {seed};
     plt_ray mixed[RAYS];
     for (uint32_t i = 0; i < RAYS; i++) {
         mixed[i] = i % 3 == 0 ? rays[i] : garbage(&r);
     }
-    rig one = opened(&m, PLT_BUILD_HOST, walk);
+    rig one = opened(&m, PLT_BUILD_HOST, order);
     plt_trace(one.engine, mixed, others, RAYS, 0);
     for (uint32_t i = 0; i < RAYS; i += 3) {
         CHECK(same(&hits[i], &others[i]), "ray %u", i);
@@ -312,7 +313,7 @@ static void any_count(uint64_t seed) {
     const plt_hit untouched = {-7.0f, -7.0f, -7.0f, 77};
     rig one = opened(&m, PLT_BUILD_HOST, PLT_ORDER_DEPTH_FIRST);
     for (uint32_t count = 0; count < 600; count += count < 70 ? 1 : 37) {
-        /* Exactly as many as asked for, so that sanitizers see one too many. */
+        /* Arrays of exactly the requested size: sanitizers see one element too many. */
         plt_ray *some = malloc(count * sizeof *some + 1);
         plt_hit *found = malloc((count + 1) * sizeof *found);
         memcpy(some, rays + 100, count * sizeof *some);
@@ -330,20 +331,20 @@ static void any_count(uint64_t seed) {
 }
 
 int main(void) {
-    test("occluded is the same as having a nearest hit");
+    test("any hit is the same as having a nearest hit");
     occlusion(1);
     occlusion(2);
-    test("the order of triangles changes nothing but their numbers");
+    test("the order of triangles changes only their primitive ids");
     permutation(3);
     permutation(4);
-    test("of triangles hit at equal t the lowest number wins");
+    test("of triangles hit at equal t the lowest primitive id wins");
     for (uint8_t build = 0; build < 3; build++) {
-        lowest_number_wins(build, PLT_ORDER_DEPTH_FIRST);
-        lowest_number_wins(build, PLT_ORDER_TWO_STAGE);
+        lowest_id_wins(build, PLT_ORDER_DEPTH_FIRST);
+        lowest_id_wins(build, PLT_ORDER_TWO_STAGE);
     }
     test("tmax at t keeps a hit, tmax below t finds nothing");
     shrink(6);
-    test("tmin at t keeps a hit, tmin above t finds only what lies behind");
+    test("tmin at t keeps a hit, tmin above t finds only hits behind it");
     advance(7);
     test("scaling by powers of two scales t exactly and nothing else");
     scale(8, 0, 0);
@@ -351,16 +352,16 @@ int main(void) {
     scale(8, -19, 0);
     scale(9, 0, 50);
     scale(9, 12, -50);
-    test("turning triangles around exchanges u and v");
-    turn_around(10);
-    test("a mirrored world has mirrored hits");
+    test("reversing the winding of triangles exchanges u and v");
+    reverse_triangles(10);
+    test("a mirrored scene has mirrored hits");
     for (int axis = 0; axis < 3; axis++) {
         mirror(11, axis);
     }
-    test("a world with its axes exchanged has the same hits and misses");
-    turn_axes(15);
-    turn_axes(16);
-    test("hits do not depend on the other rays of a packet, be they garbage");
+    test("a scene with its axes exchanged has the same hits and misses");
+    rotate_axes(15);
+    rotate_axes(16);
+    test("hits do not depend on the other rays of a packet, even if these are garbage");
     company(12, PLT_ORDER_DEPTH_FIRST);
     company(13, PLT_ORDER_TWO_STAGE);
     test("any count of rays is traced, and no hit beyond it is written");

@@ -1,12 +1,11 @@
-/* test_trace_watertight - through closed meshes no ray passes
+/* test_trace_watertight - no ray passes through a closed mesh
  *
- * Rays are aimed at every vertex, every edge's middle and random points of
- * edges and faces, from points inside (they must hit something) and from
- * outside to such a point (they must hit something before it), at several
- * scales and offsets. PLANELET_SOAK=1 aims twenty times as many.
+ * Rays go to every vertex, every edge's middle and random points of edges and faces, from
+ * points inside (they must hit something) and from outside to such a point (they must hit
+ * something before it), at several scales and offsets. PLANELET_SOAK=1 traces twenty times as
+ * many.
  *
- * Source of the promise: Woop, Benthin, Wald, "Watertight ray/triangle
- * intersection", 2013.
+ * Source of the property: Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -40,11 +39,11 @@ typedef struct closed {
     int points;
 } closed;
 
-typedef struct place {
+typedef struct transform {
     float scale, offset[3];
-} place;
+} transform;
 
-static const place places[] = {
+static const transform transforms[] = {
     {1.0f, {0.0f, 0.0f, 0.0f}},         {1e-6f, {0.0f, 0.0f, 0.0f}},
     {1e6f, {0.0f, 0.0f, 0.0f}},         {1.0f, {100.0f, -33.0f, 7.0f}},
     {1e-6f, {1e-4f, 2e-4f, -3e-4f}},    {1e6f, {-7e7f, 3e7f, 1e6f}},
@@ -53,7 +52,7 @@ static const place places[] = {
 
 static uint64_t rays_aimed, escaped;
 
-/* ---- are the meshes closed at all? ----------------------------------------- */
+/* ---- are the meshes closed? ----------------------------------------- */
 
 static uint32_t count_edge(const mesh *m, uint32_t a, uint32_t b) {
     uint32_t count = 0;
@@ -128,7 +127,7 @@ static closed knot(uint32_t triangles) {
     return c;
 }
 
-static closed placed(const closed *from, const place *to) {
+static closed transformed(const closed *from, const transform *to) {
     closed c = *from;
     c.m = (mesh){0};
     fail f = {""};
@@ -137,7 +136,7 @@ static closed placed(const closed *from, const place *to) {
     c.m.triangles = from->m.triangles;
     memcpy(c.m.vertex, from->m.vertex, 12 * c.m.vertices);
     memcpy(c.m.triangle, from->m.triangle, 12 * c.m.triangles);
-    shape_place(&c.m, to->scale, to->offset[0], to->offset[1], to->offset[2]);
+    shape_transform(&c.m, to->scale, to->offset[0], to->offset[1], to->offset[2]);
     for (int i = 0; i < c.points; i++) {
         for (int a = 0; a < 3; a++) {
             c.inside[i][a] = from->inside[i][a] * to->scale + to->offset[a];
@@ -149,7 +148,7 @@ static closed placed(const closed *from, const place *to) {
 /* ---- rays -------------------------------------------------------------------- */
 
 /* A vertex, an edge's middle, a point of an edge, or of the face. */
-static void aim(const mesh *m, uint32_t i, random_state *r, float at[3]) {
+static void pick_target(const mesh *m, uint32_t i, random_state *r, float at[3]) {
     const uint32_t triangle = i / 3 % (uint32_t)m->triangles;
     const float *p = shape_corner(m, triangle, i % 3), *q = shape_corner(m, triangle, (i + 1) % 3),
                 *s = shape_corner(m, triangle, (i + 2) % 3);
@@ -209,7 +208,7 @@ static void bombard(const closed *c, plt_engine *e, uint32_t count, int outside,
     for (uint32_t i = 0; i < count; i++) {
         float at[3];
         const float *inside = c->inside[(i / 64) % (uint32_t)c->points];
-        aim(&c->m, i, &r, at);
+        pick_target(&c->m, i, &r, at);
         rays[made] = outside ? from_outside(corners, inside, at, random_float(&r, 1.0f, 8.0f))
                              : from_inside(inside, at);
         made += (uint32_t)has_direction(&rays[made]);
@@ -221,19 +220,19 @@ static void bombard(const closed *c, plt_engine *e, uint32_t count, int outside,
     shoot(e, c->name, rays, made);
 }
 
-static void bombard_places(const closed *base, int outside, uint32_t count) {
-    for (size_t p = 0; p < sizeof places / sizeof places[0]; p++) {
-        closed c = placed(base, &places[p]);
-        /* A needle's radius must not drown in the offset's rounding. */
-        const int drowned = strcmp(base->name, "needles") == 0 && places[p].offset[0] != 0.0f;
+static void bombard_transformed(const closed *base, int outside, uint32_t count) {
+    for (size_t p = 0; p < sizeof transforms / sizeof transforms[0]; p++) {
+        closed c = transformed(base, &transforms[p]);
+        /* A needle's radius must not vanish in the offset's rounding. */
+        const int drowned = strcmp(base->name, "needles") == 0 && transforms[p].offset[0] != 0.0f;
         rig one;
-        rig_way way = rig_way_of(1 + p % 2, 3, PLT_BUILD_HOST, p % 3 == 0);
-        way.run.order = p % 2 == 0 ? PLT_ORDER_DEPTH_FIRST : PLT_ORDER_TWO_STAGE;
+        rig_config config = rig_config_of(1 + p % 2, 3, PLT_BUILD_HOST, p % 3 == 0);
+        config.run.order = p % 2 == 0 ? PLT_ORDER_DEPTH_FIRST : PLT_ORDER_TWO_STAGE;
         if (drowned) {
             mesh_free(&c.m);
             continue;
         }
-        CHECK(rig_open(&one, &c.m, &way) == PLT_OK, "%s", one.fault.message);
+        CHECK(rig_open(&one, &c.m, &config) == PLT_OK, "%s", one.fault.message);
         if (one.engine != NULL) {
             bombard(&c, one.engine, count, outside, p + 1);
         }
@@ -254,11 +253,11 @@ int main(void) {
     }
     test("from inside no ray escapes through an edge, a vertex or a face");
     for (int i = 0; i < 5; i++) {
-        bombard_places(&c[i], 0, count);
+        bombard_transformed(&c[i], 0, count);
     }
     test("from outside no ray reaches a point inside without a hit");
     for (int i = 0; i < 5; i++) {
-        bombard_places(&c[i], 1, count);
+        bombard_transformed(&c[i], 1, count);
     }
     printf("    %llu rays, %llu escaped\n", (unsigned long long)rays_aimed,
            (unsigned long long)escaped);

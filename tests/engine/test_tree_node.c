@@ -1,8 +1,7 @@
-/* test_tree_node - the thesis node: boxes in and out, bits by hand
+/* test_tree_node - the thesis node: encoding and decoding, and bytes worked out by hand
  *
- * The literal node's bytes were worked out by hand from figure 3.5 of
- * Karrenberg 2007: planes_min, planes_max, left link, right link, all words
- * little-endian.
+ * The literal node's bytes were worked out by hand from figure 3.5 of Karrenberg 2007:
+ * planes_min, planes_max, left link, right link, all words little-endian.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -18,7 +17,7 @@ static plt_box box_of(const float lo[3], const float hi[3]) {
     return b;
 }
 
-/* Two values from few, so that planes are often shared and extents zero. */
+/* Two of a few values, so planes are often shared and extents zero. */
 static void interval(random_state *r, int kind, float *lo, float *hi) {
     float a = random_float(r, -100.0f, 100.0f), b = random_float(r, -100.0f, 100.0f);
     if (kind == 1) {
@@ -138,7 +137,7 @@ static void links(void) {
     CHECK(plt_owner_bit(0) == 16 && plt_owner_bit(1) == 8 && plt_owner_bit(2) == 4, "owners");
 }
 
-/* Corners, number, last bit: 40 bytes, worked out by hand. */
+/* Corners, primitive id, last bit: 40 bytes, worked out by hand. */
 static void record(void) {
     const float corner[9] = {1, 2, 3, -4, 5, -6, 0.5f, 0.25f, 7};
     plt_record r;
@@ -163,15 +162,15 @@ int main(void) {
     for (int i = 0; i < 90000; i++) {
         round_trip(&r, i % 3);
     }
-    test("boxes stay exact down forty levels of nodes");
+    test("boxes stay exact through forty levels of nodes");
     for (int i = 0; i < 200; i++) {
         nested(&r);
     }
-    test("a node worked out by hand from figure 3.5 reads and writes the same");
+    test("a node worked out by hand from figure 3.5 is decoded and encoded correctly");
     by_hand();
     test("a link has its index above five bits of kind and owners");
     links();
-    test("a record has three corners, its number and the last bit in 40 bytes");
+    test("a record has three corners, its primitive id and the last bit in 40 bytes");
     record();
     return test_done();
 }

@@ -1,4 +1,4 @@
-/* test_tree_treelets - treelets and the stacks that walks through them need
+/* test_tree_treelets - treelets, and the stacks that traversing them needs
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -15,12 +15,12 @@ static const uint32_t treelet_sizes[] = {1, 2, 3, 7, 8, 16, 64, 256, 512, 10000}
 #define SIZES (sizeof treelet_sizes / sizeof treelet_sizes[0])
 #define SCENES 6
 
-/* Two lumps of triangles, one drawn out so that the root's treelet is a chain
- * and treelets far below are bushy. */
+/* Two clusters of triangles, one stretched out so that the root's treelet is a chain and
+ * treelets far below are bushy. */
 static void chain_then_bush(mesh *m, uint32_t triangles) {
     fail f = {""};
     shape_soup(m, triangles - 40 < triangles ? triangles - 40 : 1, 0.05f, 4);
-    shape_place(m, 1e-6f, 0.0f, 0.0f, 0.0f);
+    shape_transform(m, 1e-6f, 0.0f, 0.0f, 0.0f);
     for (int i = 0; i < 40 && m->triangles < triangles; i++) {
         const float x = (float)(1u << (i < 30 ? i : 30)) * 1e-5f;
         const uint32_t first = (uint32_t)m->vertices;
@@ -96,8 +96,8 @@ static void well_formed(const packed *image, int scene) {
 
 static uint32_t exact, wider;
 
-/* Table 5.5: nothing is free but what the last block leaves. Where the rule of
- * filling slots falls short of that, whole blocks are lost. */
+/* Table 5.5: only the last block has free slots. Where the slot rule does not reach that, whole
+ * blocks are lost. */
 static void overhead(int scene, uint32_t triangles) {
     mesh m = {0};
     fail f = {""};
@@ -108,7 +108,8 @@ static void overhead(int scene, uint32_t triangles) {
             const uint32_t nodes = image.info.nodes, size = treelet_sizes[n];
             const uint32_t due = (size - nodes % size) % size;
             const uint32_t found = image.info.node_slots - nodes;
-            /* Treelets of more than half a block do not share one: only a bound. */
+            /* Treelets larger than half a block do not share one: here only the bound is
+             * checked. */
             const uint32_t most = size <= 16 && !rig_is_tiny() ? due : due + nodes / 4 + size;
             CHECK(found <= most, "%s, N %u: %u nodes, %u free slots, not %u",
                   scene == 0 ? "knot" : "terrain", size, nodes, found, due);
@@ -134,16 +135,16 @@ static void needs(const packed *image, int scene) {
 
 static void reached(const packed *image, int scene) {
     tree_view v = tree_view_of(image);
-    tree_walk w = {.order = tree_deepest_order, .context = &v};
+    tree_traversal t = {.order = tree_deepest_order, .context = &v};
     const plt_info *i = &image->info;
-    tree_walk_depth_first(&v, &w);
-    w.order = tree_bushiest_order;
-    tree_walk_two_stage(&v, &w);
-    CHECK(w.local == i->local_stack_entries && w.global == i->global_stack_entries &&
-              w.depth == i->depth_stack_entries,
+    tree_traverse_depth_first(&v, &t);
+    t.order = tree_bushiest_order;
+    tree_traverse_two_stage(&v, &t);
+    CHECK(t.local == i->local_stack_entries && t.global == i->global_stack_entries &&
+              t.depth == i->depth_stack_entries,
           "scene %d, K %u, N %u: local %u of %u, global %u of %u, depth %u of %u", scene,
-          i->leaf_triangles, i->treelet_nodes, w.local, i->local_stack_entries, w.global,
-          i->global_stack_entries, w.depth, i->depth_stack_entries);
+          i->leaf_triangles, i->treelet_nodes, t.local, i->local_stack_entries, t.global,
+          i->global_stack_entries, t.depth, i->depth_stack_entries);
 }
 
 static unsigned any_order(void *context, uint32_t node, uint32_t left, uint32_t right) {
@@ -157,11 +158,11 @@ static void never_exceeded(const packed *image, int scene) {
     random_state r = {(uint64_t)scene};
     const plt_info *i = &image->info;
     for (int round = 0; round < 10; round++) {
-        tree_walk w = {.order = any_order, .context = &r};
-        tree_walk_depth_first(&v, &w);
-        tree_walk_two_stage(&v, &w);
-        CHECK(w.local <= i->local_stack_entries && w.global <= i->global_stack_entries &&
-                  w.depth <= i->depth_stack_entries,
+        tree_traversal t = {.order = any_order, .context = &r};
+        tree_traverse_depth_first(&v, &t);
+        tree_traverse_two_stage(&v, &t);
+        CHECK(t.local <= i->local_stack_entries && t.global <= i->global_stack_entries &&
+                  t.depth <= i->depth_stack_entries,
               "scene %d, K %u, N %u", scene, i->leaf_triangles, i->treelet_nodes);
     }
 }
@@ -169,16 +170,18 @@ static void never_exceeded(const packed *image, int scene) {
 int main(void) {
     test("treelets are connected, breadth first, inside blocks; free slots are zero");
     each_image(well_formed);
-    test("median scenes have free slots in the last block alone, but for some of N 64 and 256");
+    test(
+        "median scenes have free slots in the last block only, except for some with N = 64 and "
+        "256");
     overhead(0, 4000);
     overhead(0, 20000);
     overhead(1, 3000);
     overhead(1, 20000);
     CHECK(wider * (rig_is_tiny() ? 4 : 8) < exact, "%u of %u images lose a block", wider,
           exact + wider);
-    test("the header's stack needs are those that plain recursion finds");
+    test("the header's stack needs are those that plain recursion computes");
     each_image(needs);
-    test("the stack needs are reached by an order that goes for the worst");
+    test("the stack needs are reached by the worst order");
     each_image(reached);
     test("no random order exceeds the stack needs");
     each_image(never_exceeded);

@@ -13,8 +13,8 @@
  * the checks are made right (4), or hardly a mutation would pass them. The block
  * follows, with 8 bytes behind it and no more, so that sanitizers see over-reads.
  *
- * The oracle is SPEC.md, 5.2: a block that is sound (I10 to I16) can be decoded
- * without leaving it, has units of at most 2 K, coordinates below 2^22, and, as the
+ * The oracle is SPEC.md, 5.2: a block that is valid (I10 to I16) can be decoded
+ * without leaving it, has leaves of at most 2 K, coordinates below 2^22, and, as the
  * only block of an image, can be traced.
  *
  * SPDX-License-Identifier: MIT */
@@ -24,11 +24,11 @@
 #include "engine/tree/compact/validate_block.h"
 #include "engine/tree/record.h"
 #include "tests/reference/compact_hostile.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-static unsigned long blocks_sound, blocks_traced;
+static unsigned long blocks_valid, blocks_traced;
 
 static void promise(int kept, const char *sentence) {
     if (!kept) {
@@ -38,10 +38,10 @@ static void promise(int kept, const char *sentence) {
 }
 
 /* Returns the depth of the block's tree. */
-static uint32_t decode_boxes(const plt_block *b, const plt_lattice_box *frame) {
+static uint32_t decode_boxes(const plt_block *b, const plt_lattice_box *bounds) {
     plt_lattice_box box[PLT_BLOCK_NODES_MOST], child[2];
     uint32_t depth[PLT_BLOCK_NODES_MOST] = {1}, deepest = 1;
-    box[0] = *frame;
+    box[0] = *bounds;
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
         plt_block_children(b, slot / 2, &box[slot / 2], child);
         const uint32_t rank = plt_block_rank(b, plt_block_kind(b, slot), slot);
@@ -57,26 +57,26 @@ static uint32_t decode_boxes(const plt_block *b, const plt_lattice_box *frame) {
     return deepest;
 }
 
-static void decode_units(const plt_block *b, const plt_block_tree *tree, const plt_geometry *g) {
+static void decode_leaves(const plt_block *b, const plt_block_tree *tree, const plt_geometry *g) {
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3], sum = 0;
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
         if (plt_block_kind(b, slot) != PLT_SLOT_LEAF) {
             continue;
         }
-        const uint32_t unit = plt_block_rank(b, PLT_SLOT_LEAF, slot);
+        const uint32_t leaf = plt_block_rank(b, PLT_SLOT_LEAF, slot);
         const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
         uint32_t count;
-        const uint32_t first = plt_leaf_find(g, unit, plt_block_pairs(b, slot), pair, &count);
-        promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a unit's size");
+        const uint32_t first = plt_leaf_find(g, leaf, plt_block_pairs(b, slot), pair, &count);
+        promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a leaf's size");
         sum += count;
         if (tree->records == NULL) {
-            unit_corners(g, first, count, corner);
+            leaf_corners(g, first, count, corner);
             for (uint32_t i = 0; i < 9 * count; i++) {
                 promise(corner[i / 9][i / 3 % 3][i % 3] < 1u << 22, "a coordinate is too large");
             }
         }
     }
-    promise(sum == g->triangles, "units do not make up the block");
+    promise(sum == g->triangles, "leaves do not make up the block");
 }
 
 static plt_header header_of(const plt_block *b, const plt_block_tree *tree, uint32_t triangles,
@@ -128,7 +128,7 @@ static void trace_alone(const plt_block *b, const plt_block_tree *tree, uint32_t
     const hostile_result r = compact_try(image, h.info.image_bytes, depth & 1, 2);
     free(image);
     promise(r.sentence == NULL, r.sentence);
-    promise(r.status == PLT_OK || r.status == PLT_ERR_LIMIT, "a sound block does not open");
+    promise(r.status == PLT_OK || r.status == PLT_ERR_LIMIT, "a valid block does not open");
     blocks_traced += r.status == PLT_OK;
 }
 
@@ -156,17 +156,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     if (plt_block_validate(bytes, limit, &tree) == 0) {
         plt_block b;
-        plt_lattice_box frame;
+        plt_lattice_box bounds;
         plt_geometry g = {.triangles = 0};
         plt_block_open(&b, bytes, tree.lattice.bits);
-        plt_block_bounds(&b, tree.lattice.bits, &frame);
-        const uint32_t depth = decode_boxes(&b, &frame);
+        plt_block_bounds(&b, tree.lattice.bits, &bounds);
+        const uint32_t depth = decode_boxes(&b, &bounds);
         if (b.units > 0) {
             tree.records != NULL ? plt_geometry_open_counts(&g, &b, tree.leaf_triangles)
-                                 : plt_geometry_open(&g, &b, &frame, tree.leaf_triangles);
-            decode_units(&b, &tree, &g);
+                                 : plt_geometry_open(&g, &b, &bounds, tree.leaf_triangles);
+            decode_leaves(&b, &tree, &g);
         }
-        blocks_sound++;
+        blocks_valid++;
         if (b.edges == 0 && g.first_triangle == 0) {
             trace_alone(&b, &tree, g.triangles, depth);
         }
@@ -224,7 +224,7 @@ int main(int count, char **argument) {
                                    1 + (random_below(&r, 20) ? bytes : random_below(&r, bytes)));
         }
     }
-    printf("%lu runs, %lu sound blocks, %lu traced\n", runs, blocks_sound, blocks_traced);
+    printf("%lu runs, %lu valid blocks, %lu traced\n", runs, blocks_valid, blocks_traced);
     return 0;
 }
 #endif

@@ -23,15 +23,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     }
     const uint8_t side = sides[data[0] >> 2 & 3];
-    const hostile_way way = {data[0] & 1, data[0] >> 1 & 1,
-                             side < PLT_PACKET_SIDE_MAX ? side : PLT_PACKET_SIDE_MAX};
+    const hostile_config config = {data[0] & 1, data[0] >> 1 & 1,
+                                   side < PLT_PACKET_SIDE_MAX ? side : PLT_PACKET_SIDE_MAX};
     const uint32_t count = (uint32_t)size - 1;
     unsigned char *bytes = malloc(count > 0 ? count : 1);
     memcpy(bytes, data + 1, count);
     if (data[0] & 16) {
         hostile_seal(bytes, count);
     }
-    const hostile_result r = hostile_try(bytes, count, way);
+    const hostile_result r = hostile_try(bytes, count, config);
     free(bytes);
     images_opened += r.status == PLT_OK;
     if (r.sentence != NULL) {

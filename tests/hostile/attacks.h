@@ -1,7 +1,7 @@
-/* attacks - what every kind of image is met with: flips, lengths, extreme header words
+/* attacks - damage for every kind of image: flips, lengths, extreme header words
  *
- * The program that includes this says how an image is opened (open_once), and gets
- * counts of what was opened and refused.
+ * The including program defines how an image is opened (open_once), and gets counts of opened
+ * and refused images.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HOSTILE_ATTACKS_H
@@ -16,7 +16,7 @@
 
 static uint32_t opened, refused;
 
-/* The program's: one try at the damage that is at byte `at`. */
+/* Defined by the program: opens once, with the damage at byte `at`. */
 static hostile_result open_once(const unsigned char *bytes, uint32_t size, uint8_t streamed,
                                 uint32_t at);
 
@@ -41,7 +41,7 @@ static inline void must_refuse(const unsigned char *bytes, uint32_t size, const 
           r.status);
 }
 
-/* ---- accidents: every one is noticed --- */
+/* ---- accidents: every one is detected --- */
 
 static inline void flips(const packed *image) {
     static const unsigned char pattern[4] = {0x01, 0x80, 0xFF, 0x24};
@@ -65,9 +65,9 @@ static inline void lengths(const packed *image) {
     free(longer);
 }
 
-/* ---- lies: checksums are right --- */
+/* ---- forgeries: checksums are right --- */
 
-/* Offsets, too, which sections and blocks round to 32 or 64 bytes. */
+/* Includes offsets, which sections and blocks round to 32 or 64 bytes. */
 static inline void header_words(const packed *image) {
     static const uint32_t extreme[] = {0,          1,          2,          3,          5,
                                        0x40,       0x100,      0x7FFFFFFF, 0x80000000, 0xFFFFFFFF,

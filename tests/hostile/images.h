@@ -1,8 +1,8 @@
-/* images - opens bytes that nobody vouches for, and traces what opens
+/* images - opens untrusted images, and traces those that open
  *
- * The image is copied to the heap in exactly its size and the arena has
- * exactly its need, so that sanitizers see the first byte too many. Needs
- * the engine alone: the fuzz target links nothing else.
+ * The image is copied to a heap block of exactly its size and the arena has exactly its need,
+ * so sanitizers see the first byte beyond. Needs only the engine: the fuzz target links nothing
+ * else.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HOSTILE_IMAGES_H
@@ -20,16 +20,16 @@
 #define HOSTILE_RAYS 70u
 #define HOSTILE_ARENA_MOST (8u << 20)
 
-/* How an image was met. */
+/* The result of opening and tracing an image. */
 typedef struct hostile_result {
     int status;           /* of plt_open */
     plt_fault fault;      /* of plt_open */
-    const char *sentence; /* NULL: all promises kept */
+    const char *sentence; /* NULL: all guarantees hold */
 } hostile_result;
 
-typedef struct hostile_way {
+typedef struct hostile_config {
     uint8_t streamed, order, packet_side;
-} hostile_way;
+} hostile_config;
 
 /* ---- sealing -------------------------------------------------------------- */
 
@@ -42,7 +42,8 @@ static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
     }
 }
 
-/* Both checks of a block in `bytes`; returns its size, 0 when it does not fit `limit`. */
+/* Makes both checks of the block at `bytes` right; returns its size, 0 when it does not fit
+ * `limit`. */
 static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, uint32_t bits) {
     plt_block b;
     if (limit < 8 || limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
@@ -62,7 +63,7 @@ static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, 
     return (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
 }
 
-/* The checks of all blocks, as far as each begins where the one before ends. */
+/* Makes the checks of all blocks right, as long as each begins where the one before ends. */
 static inline void hostile_seal_blocks(unsigned char *bytes, uint32_t size) {
     const uint32_t offset = plt_get_u32(bytes + HOSTILE_SECTION + 4);
     const uint32_t count = plt_get_u32(bytes + HOSTILE_SECTION + 8);
@@ -76,8 +77,8 @@ static inline void hostile_seal_blocks(unsigned char *bytes, uint32_t size) {
     }
 }
 
-/* The checks of blocks, the CRCs of both sections where they lie inside the image,
- * and the header's. */
+/* Makes the checks of blocks, the CRCs of the sections that lie inside the image, and the
+ * header's right. */
 static inline void hostile_seal(unsigned char *bytes, uint32_t size) {
     if (size >= HOSTILE_HEADER) {
         hostile_seal_blocks(bytes, size);
@@ -92,12 +93,12 @@ static inline void hostile_seal(unsigned char *bytes, uint32_t size) {
     hostile_seal_header(bytes, size);
 }
 
-/* ---- a source that hands out bytes, and sees where it is asked --------------- */
+/* ---- a source that detects reads beyond its end --------------- */
 
 typedef struct hostile_stream {
     const unsigned char *bytes;
     uint32_t size;
-    int beyond; /* asked for bytes that are not there */
+    int beyond; /* was read beyond its end */
 } hostile_stream;
 
 static inline int hostile_start(void *context, unsigned tag, uint32_t offset, void *to,
@@ -174,19 +175,20 @@ static inline size_t hostile_arena_bytes(const plt_source *source, const plt_opt
     return need < HOSTILE_ARENA_MOST ? need : HOSTILE_ARENA_MOST;
 }
 
-/* Opens a copy of exactly its size in exactly the arena it needs and, if that works,
- * traces by `trace`. The bytes must not change meanwhile. */
+/* Opens a copy of exactly its size in exactly the arena it needs and, if that works, calls
+ * `trace`. The copy must not be changed by that. */
 static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t size,
-                                            hostile_way way, const char *(*trace)(plt_engine *e)) {
+                                            hostile_config config,
+                                            const char *(*trace)(plt_engine *e)) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
     unsigned char *copy = malloc(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
     plt_source source = {copy, size, NULL, NULL, NULL};
-    if (way.streamed) {
+    if (config.streamed) {
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {way.packet_side, way.order, 1};
+    const plt_options options = {config.packet_side, config.order, 1};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }
@@ -199,7 +201,7 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
         r.sentence = "the image was written";
     }
     if (stream.beyond) {
-        r.sentence = "the source was asked for bytes beyond its end";
+        r.sentence = "the source was read beyond its end";
     }
     free(arena);
     free(copy);
@@ -207,8 +209,8 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
 }
 
 static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,
-                                         hostile_way way) {
-    return hostile_try_by(bytes, size, way, hostile_trace);
+                                         hostile_config config) {
+    return hostile_try_by(bytes, size, config, hostile_trace);
 }
 
 #endif

@@ -101,7 +101,7 @@ static inline mesh must_read_blob(const char *path, const blob *b) {
     return m;
 }
 
-/* Reading must fail with exactly this text behind "PATH: ". */
+/* Reading must fail with exactly this text after "PATH: ". */
 static inline void must_fail_blob(const char *path, const blob *b, const char *expected) {
     mesh m = {0};
     mesh_repair repair = {0};
@@ -140,8 +140,8 @@ static inline void check_triangles(const mesh *m, const uint32_t *expected, size
     }
 }
 
-/* What every mesh that a reader returned keeps; 1 when it does. */
-static inline int mesh_is_sound(const mesh *m) {
+/* Checks what holds for every mesh that a reader returns; 1 when it does. */
+static inline int mesh_is_valid(const mesh *m) {
     for (size_t i = 0; i < 3 * m->vertices; i++) {
         if (!(fabsf(m->vertex[i]) <= PLT_COORD_MAX)) {
             return 0;

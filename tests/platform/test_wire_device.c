@@ -244,10 +244,10 @@ static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
 static void test_engine(void) {
     mesh m = {0};
     rig direct;
-    const rig_way way = rig_way_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     shape_icosphere(&m, 3);
     test("scene and view go in, and the frame that comes back has the hash of a direct render");
-    CHECK(rig_open(&direct, &m, &way) == PLT_OK, "%s", direct.fault.message);
+    CHECK(rig_open(&direct, &m, &config) == PLT_OK, "%s", direct.fault.message);
     for (uint32_t n = 0; n < 8; n++) {
         open_engine(&direct.image, n);
         if (n % 2) {

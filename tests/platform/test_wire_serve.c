@@ -160,9 +160,9 @@ static void test_serving(void) {
     stream_link l;
     serve_result result;
     fail f = {""};
-    const rig_way way = rig_way_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     shape_icosphere(&m, 3);
-    CHECK(rig_open(&direct, &m, &way) == PLT_OK, "%s", direct.fault.message);
+    CHECK(rig_open(&direct, &m, &config) == PLT_OK, "%s", direct.fault.message);
     test(
         "a device in another process renders what a direct render gives: by socket, by pseudo "
         "terminal");

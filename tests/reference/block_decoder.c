@@ -1,7 +1,7 @@
-/* block_decoder - the walk over all blocks of a compact image
+/* block_decoder - the traversal of all blocks of a compact image
  *
- * Blocks are met depth first, so in the order of their addresses: each shall
- * begin where the one before it ended.
+ * Blocks are visited depth first, which is the order of their addresses: each shall begin where
+ * the one before it ended.
  *
  * Source: SPEC.md, sections 3, 4.8 and 5.3.
  *
@@ -16,18 +16,18 @@
 
 #define LINK_NONE 0xFFFFFFFFu
 
-/* A link that waits, and the nodes above what it leads to. */
-typedef struct waiting {
+/* A pending link, and the number of nodes above what it leads to. */
+typedef struct pending_link {
     uint32_t address, nodes_bytes, depth;
-} waiting;
+} pending_link;
 
-typedef struct block_walk {
+typedef struct block_traversal {
     decoder_part part;
-    waiting *stack;
-    uint32_t waiting;
-    uint32_t end; /* where the block before ended */
+    pending_link *stack;
+    uint32_t pending;
+    uint32_t end; /* where the previous block ended */
     uint32_t geometry_bytes;
-} block_walk;
+} block_traversal;
 
 void *decoder_room(void *array, uint32_t count, size_t element_bytes) {
     if ((count & (count - 1)) == 0) {
@@ -43,24 +43,25 @@ void *decoder_room(void *array, uint32_t count, size_t element_bytes) {
 
 uint32_t decoder_check(const decoder_bytes *in, size_t at, size_t size, size_t hole) {
     if (at > in->size || size > in->size - at) {
-        return 0x10000; /* no check of 16 bits */
+        return 0x10000; /* differs from any 16-bit check */
     }
     const uint32_t crc = decoder_crc(in->at + at, size, hole, 2);
     return (crc ^ crc >> 16) & 0xFFFFu;
 }
 
-static void push(block_walk *walk, uint32_t link, uint32_t depth) {
-    walk->stack = decoder_room(walk->stack, walk->waiting, sizeof *walk->stack);
-    walk->stack[walk->waiting++] = (waiting){8 * (link & 0xFFFFFFu), 4 * (link >> 24), depth};
+static void push(block_traversal *traversal, uint32_t link, uint32_t depth) {
+    traversal->stack = decoder_room(traversal->stack, traversal->pending, sizeof *traversal->stack);
+    traversal->stack[traversal->pending++] =
+        (pending_link){8 * (link & 0xFFFFFFu), 4 * (link >> 24), depth};
 }
 
-/* The stack's part from `from` on, so that the least address is on top. */
-static void sort_down(block_walk *walk, uint32_t from) {
-    for (uint32_t i = from; i < walk->waiting; i++) {
+/* Sorts the stack from `from` on: the lowest address on top. */
+static void sort_down(block_traversal *traversal, uint32_t from) {
+    for (uint32_t i = from; i < traversal->pending; i++) {
         for (uint32_t k = i; k > from; k--) {
-            waiting *later = &walk->stack[k], *sooner = &walk->stack[k - 1];
+            pending_link *later = &traversal->stack[k], *sooner = &traversal->stack[k - 1];
             if (sooner->address < later->address) {
-                const waiting swapped = *later;
+                const pending_link swapped = *later;
                 *later = *sooner;
                 *sooner = swapped;
             }
@@ -68,11 +69,11 @@ static void sort_down(block_walk *walk, uint32_t from) {
     }
 }
 
-/* Nodes above each node of the block, and the edges of each. */
-static void push_edges(decoded_image *image, block_walk *walk) {
-    const decoded_block *block = walk->part.block;
+/* Computes the depth of each node of the block and pushes its edges. */
+static void push_edges(decoded_image *image, block_traversal *traversal) {
+    const decoded_block *block = traversal->part.block;
     uint32_t depth[64];
-    const uint32_t from = walk->waiting;
+    const uint32_t from = traversal->pending;
     depth[0] = block->depth;
     for (uint32_t i = 0; i < block->nodes; i++) {
         const decoded_node *node = &image->node[block->first_node + i];
@@ -82,52 +83,54 @@ static void push_edges(decoded_image *image, block_walk *walk) {
             if (child->kind == DECODED_INNER) {
                 depth[child->which - block->first_node] = depth[i] + 1;
             } else if (child->kind == DECODED_EDGE) {
-                const uint32_t rank = decoder_slot_rank(&walk->part, 2 * i + c);
-                const size_t place = walk->part.links + 32 * (size_t)rank;
-                push(walk, decoder_bits(&walk->part.in, place, 32), depth[i] + 1);
+                const uint32_t rank = decoder_slot_rank(&traversal->part, 2 * i + c);
+                const size_t bit = traversal->part.links + 32 * (size_t)rank;
+                push(traversal, decoder_bits(&traversal->part.in, bit, 32), depth[i] + 1);
             }
         }
     }
-    sort_down(walk, from);
+    sort_down(traversal, from);
 }
 
-/* Padding of the block, and where it ends. */
-static int end_block(decoded_image *image, block_walk *walk) {
-    decoded_block *block = walk->part.block;
+/* Checks the block's padding and sets its end. */
+static int end_block(decoded_image *image, block_traversal *traversal) {
+    decoded_block *block = traversal->part.block;
     const uint32_t used = block->nodes_bytes + block->geometry_bytes;
     block->takes_bytes = (used + 7) / 8 * 8;
     const size_t used_end = (size_t)block->address + used;
     const size_t end = (size_t)block->address + block->takes_bytes;
-    if (!decoder_is_zero(&walk->part.in, 8 * used_end, 8 * end) || walk->part.in.overrun) {
+    if (!decoder_is_zero(&traversal->part.in, 8 * used_end, 8 * end) ||
+        traversal->part.in.overrun) {
         return block_decode_wrong(image, "block %u: its end", block->address);
     }
-    walk->end = (uint32_t)end;
-    walk->geometry_bytes += block->geometry_bytes;
+    traversal->end = (uint32_t)end;
+    traversal->geometry_bytes += block->geometry_bytes;
     return 0;
 }
 
-static int read_block(decoded_image *image, block_walk *walk, const waiting *link) {
+static int read_block(decoded_image *image, block_traversal *traversal, const pending_link *link) {
     image->block = decoder_room(image->block, image->blocks, sizeof *image->block);
     decoded_block *block = &image->block[image->blocks];
     block->address = link->address;
     block->depth = link->depth;
-    walk->part.block = block;
-    if (block->address != walk->end) {
-        return block_decode_wrong(image, "block %u: expected at %u", block->address, walk->end);
+    traversal->part.block = block;
+    if (block->address != traversal->end) {
+        return block_decode_wrong(image, "block %u: expected at %u", block->address,
+                                  traversal->end);
     }
-    if (decoder_nodes_part(image, &walk->part) != 0 ||
-        decoder_geometry_part(image, &walk->part) != 0 || end_block(image, walk) != 0) {
+    if (decoder_nodes_part(image, &traversal->part) != 0 ||
+        decoder_geometry_part(image, &traversal->part) != 0 || end_block(image, traversal) != 0) {
         return -1;
     }
     if (block->nodes_bytes != link->nodes_bytes) {
         return block_decode_wrong(image, "block %u: nodes part is not the link's", block->address);
     }
-    push_edges(image, walk);
+    push_edges(image, traversal);
     image->blocks++;
     return 0;
 }
 
-/* Edges held addresses so far. */
+/* Edges have held addresses so far: replaces them by indices. */
 static int resolve_edges(decoded_image *image) {
     for (uint32_t i = 0; i < 2 * image->nodes; i++) {
         decoded_child *child = &image->node[i / 2].child[i % 2];
@@ -146,21 +149,21 @@ static int resolve_edges(decoded_image *image) {
     return 0;
 }
 
-static int check_counts(decoded_image *image, const block_walk *walk) {
+static int check_counts(decoded_image *image, const block_traversal *traversal) {
     const decoded_header *h = &image->header;
     if (h->triangles != image->triangles || h->nodes != image->nodes ||
-        h->leaf_lists != image->units - image->pairs || h->intermediate_lists != image->pairs ||
+        h->leaf_lists != image->leaves - image->pairs || h->intermediate_lists != image->pairs ||
         h->treelets != image->blocks || h->depth_stack != image->depth) {
         return block_decode_wrong(image, "header: counts are not the blocks'");
     }
-    if (h->triangle_bytes != walk->geometry_bytes ||
-        h->node_bytes != walk->end - walk->geometry_bytes) {
+    if (h->triangle_bytes != traversal->geometry_bytes ||
+        h->node_bytes != traversal->end - traversal->geometry_bytes) {
         return block_decode_wrong(image, "header: node bytes or triangle bytes");
     }
     return 0;
 }
 
-/* The box at 72 is that of the triangles, no more and no less. */
+/* The box at 72 is exactly that of the triangles. */
 static int check_tight(decoded_image *image) {
     for (int a = 0; a < 3 && image->triangles > 0; a++) {
         float lo = image->triangle[0].point[0][a], hi = lo;
@@ -186,17 +189,18 @@ static decoder_bytes section_of(const decoded_header *h, const unsigned char *by
     return (decoder_bytes){bytes, 0, 0};
 }
 
-static int walk_blocks(decoded_image *image, block_walk *walk) {
+static int traverse_blocks(decoded_image *image, block_traversal *traversal) {
     if (image->header.root_link != LINK_NONE) {
-        push(walk, image->header.root_link, 0);
+        push(traversal, image->header.root_link, 0);
     }
-    while (walk->waiting > 0) {
-        const waiting link = walk->stack[--walk->waiting];
-        if (read_block(image, walk, &link) != 0) {
+    while (traversal->pending > 0) {
+        const pending_link link = traversal->stack[--traversal->pending];
+        if (read_block(image, traversal, &link) != 0) {
             return -1;
         }
     }
-    return resolve_edges(image) != 0 || check_counts(image, walk) != 0 ? -1 : check_tight(image);
+    return resolve_edges(image) != 0 || check_counts(image, traversal) != 0 ? -1
+                                                                            : check_tight(image);
 }
 
 int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) {
@@ -204,15 +208,15 @@ int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) 
         return -1;
     }
     const decoded_header *h = &image->header;
-    block_walk walk = {0};
-    walk.part.in = section_of(h, bytes, 3);
-    walk.part.in.size = (size_t)h->node_bytes + h->triangle_bytes;
-    walk.part.records = section_of(h, bytes, 2);
-    walk.part.numbers = section_of(h, bytes, 4);
-    const int status = walk_blocks(image, &walk);
-    free(walk.stack);
-    if (status == 0 && (walk.part.records.overrun || walk.part.numbers.overrun)) {
-        return block_decode_wrong(image, "image: read behind a section");
+    block_traversal traversal = {0};
+    traversal.part.in = section_of(h, bytes, 3);
+    traversal.part.in.size = (size_t)h->node_bytes + h->triangle_bytes;
+    traversal.part.records = section_of(h, bytes, 2);
+    traversal.part.primitive_ids = section_of(h, bytes, 4);
+    const int status = traverse_blocks(image, &traversal);
+    free(traversal.stack);
+    if (status == 0 && (traversal.part.records.overrun || traversal.part.primitive_ids.overrun)) {
+        return block_decode_wrong(image, "image: read beyond a section");
     }
     return status;
 }
@@ -220,10 +224,10 @@ int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) 
 void block_decode_free(decoded_image *image) {
     free(image->block);
     free(image->node);
-    free(image->unit);
+    free(image->leaf);
     free(image->triangle);
     image->block = NULL;
     image->node = NULL;
-    image->unit = NULL;
+    image->leaf = NULL;
     image->triangle = NULL;
 }

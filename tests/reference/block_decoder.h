@@ -1,13 +1,12 @@
 /* block_decoder - a second reader of compact scene images, from SPEC.md alone
  *
- * Shares nothing with the engine, so that a mistake in either shows. Plain and
- * slow: one bit at a time, every rank counted anew. Takes images of build
- * host with lattice geometry or float records, and says what is wrong with any
- * other.
+ * Shares nothing with the engine, so a mistake in either shows. Plain and slow: one bit at a
+ * time, every rank counted again. Reads images of build host with lattice geometry or float
+ * records, and reports what is wrong with any other. The lattice is the scene's quantisation
+ * grid.
  *
- * Nodes, units and triangles stand in the order of the image: blocks by
- * address, in a block nodes by number and units by slot. So the index of a
- * triangle is its number in image order.
+ * Nodes, leaves and triangles are in the order of the image: blocks by address, in a block
+ * nodes by number and leaves by slot. So a triangle's index is its image index.
  *
  * Source: SPEC.md, sections 2 to 4 and the invariants I10 to I21.
  *
@@ -17,9 +16,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum decoded_kind { DECODED_INNER, DECODED_EDGE, DECODED_UNIT, DECODED_PAIR };
+enum decoded_kind { DECODED_INNER, DECODED_EDGE, DECODED_LEAF, DECODED_PAIR };
 
-/* Lattice numbers; the floats are those of section 4.7. */
+/* Lattice coordinates; the floats are those of section 4.7. */
 typedef struct decoded_box {
     int32_t lo[3], hi[3];
     float float_lo[3], float_hi[3];
@@ -27,7 +26,7 @@ typedef struct decoded_box {
 
 typedef struct decoded_child {
     enum decoded_kind kind;
-    uint32_t which; /* inner: index of a node; edge: of a block; else of a unit */
+    uint32_t which; /* inner: index of a node; edge: of a block; else of a leaf */
     decoded_box box;
 } decoded_child;
 
@@ -37,23 +36,23 @@ typedef struct decoded_node {
     decoded_child child[2];
 } decoded_node;
 
-typedef struct decoded_unit {
+typedef struct decoded_leaf {
     uint32_t block, slot;
     uint32_t first, triangles; /* index of the first triangle, how many */
-} decoded_unit;
+} decoded_leaf;
 
 typedef struct decoded_triangle {
     int32_t corner[3][3]; /* canonical order; 0 with float records */
     float point[3][3];
-    uint32_t number, turn; /* in packing order; image order, 0 without numbers */
+    uint32_t primitive_id, rotation; /* without primitive ids: image index, 0 */
 } decoded_triangle;
 
 typedef struct decoded_block {
     uint32_t address, nodes_bytes, geometry_bytes, takes_bytes;
-    uint32_t first_node, nodes, first_unit, units, first_triangle, triangles;
+    uint32_t first_node, nodes, first_leaf, leaves, first_triangle, triangles;
     uint32_t edges, vertices, mesh, strips;
     uint32_t depth; /* nodes above its root */
-    decoded_box frame;
+    decoded_box bounds;
 } decoded_block;
 
 typedef struct decoded_section {
@@ -77,25 +76,25 @@ typedef struct decoded_image {
     decoded_header header;
     decoded_block *block;
     decoded_node *node;
-    decoded_unit *unit;
+    decoded_leaf *leaf;
     decoded_triangle *triangle;
-    uint32_t blocks, nodes, units, pairs, triangles;
+    uint32_t blocks, nodes, leaves, pairs, triangles;
     uint32_t depth;  /* nodes on the longest path */
-    char wrong[200]; /* empty, or the first thing that is wrong */
+    char wrong[200]; /* empty, or the first error */
 } decoded_image;
 
-/* 0, or -1 with `wrong` set. The arrays are freed by block_decode_free in
- * either case. Memory that is out ends the program. */
+/* Returns 0, or -1 with `wrong` set. block_decode_free frees the arrays in either case. Running
+ * out of memory ends the program. */
 int block_decode(decoded_image *image, const unsigned char *bytes, size_t size);
 void block_decode_free(decoded_image *image);
 
-/* Lattice number `number` on `axis` as a float. */
+/* Lattice coordinate `number` on `axis` as a float. */
 float block_decode_float(const decoded_header *header, int axis, int32_t number);
 
-/* Header, sections and their checksums alone; the first half of the above. */
+/* Only header, sections and their checksums; the first half of block_decode. */
 int block_decode_header(decoded_image *image, const unsigned char *bytes, size_t size);
 
-/* Sets `wrong` when nothing was yet; -1. */
+/* Sets `wrong` unless it is already set; returns -1. */
 int block_decode_wrong(decoded_image *image, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

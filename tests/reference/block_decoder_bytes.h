@@ -1,6 +1,6 @@
 /* block_decoder_bytes - bits, numbers and checksums, one bit at a time
  *
- * A read behind the end gives 0 and sets `overrun`; nothing is read there.
+ * A read beyond the end returns 0 and sets `overrun`; memory there is not accessed.
  *
  * Source: SPEC.md, sections 2, 4.1 and 4.8.
  *
@@ -13,7 +13,7 @@
 typedef struct decoder_bytes {
     const unsigned char *at;
     size_t size;
-    int overrun; /* something behind the end was asked for */
+    int overrun; /* a read beyond the end was requested */
 } decoder_bytes;
 
 /* The number of `width` bits, 32 at most, whose least bit is bit `bit`. */

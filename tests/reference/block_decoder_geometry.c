@@ -12,44 +12,44 @@ enum { WORST_BLOCK_TRIANGLES = 520, WORST_BLOCK_VERTICES = 2047, ALL_PARTS_BITS 
 /* Strips are read from the first reference of the block to the last. */
 typedef struct strip_reader {
     uint32_t reference, known; /* references read, vertices met */
-    uint32_t corner[3];        /* of the triangle before, as it was given */
+    uint32_t corner[3];        /* of the previous triangle, in strip order */
 } strip_reader;
 
 static int part_wrong(decoded_image *image, const decoder_part *part, const char *what) {
     return block_decode_wrong(image, "block %u: %s", part->block->address, what);
 }
 
-static uint32_t unit_triangles(decoder_part *part, uint32_t k, uint32_t unit, int pair) {
+static uint32_t triangles_of_leaf(decoder_part *part, uint32_t k, uint32_t leaf, int pair) {
     uint32_t triangles = 1 + (pair ? k : 0);
     if (k >= 2) {
-        triangles += decoder_bits(&part->in, part->counts[0] + unit, 1);
+        triangles += decoder_bits(&part->in, part->counts[0] + leaf, 1);
     }
     if (k == 4) {
-        triangles += 2 * decoder_bits(&part->in, part->counts[1] + unit, 1);
+        triangles += 2 * decoder_bits(&part->in, part->counts[1] + leaf, 1);
     }
     return triangles;
 }
 
-static void add_units(decoded_image *image, decoder_part *part) {
+static void add_leaves(decoded_image *image, decoder_part *part) {
     decoded_block *block = part->block;
     const uint32_t k = image->header.leaf_triangles;
     for (uint32_t slot = 0; slot < 2 * block->nodes; slot++) {
         const enum decoded_kind kind = decoder_slot_kind(part, slot);
-        if (kind < DECODED_UNIT) {
+        if (kind < DECODED_LEAF) {
             continue;
         }
         const uint32_t u = decoder_slot_rank(part, slot);
-        const uint32_t triangles = unit_triangles(part, k, u, kind == DECODED_PAIR);
-        image->unit = decoder_room(image->unit, image->units, sizeof *image->unit);
-        image->unit[image->units++] = (decoded_unit){
+        const uint32_t triangles = triangles_of_leaf(part, k, u, kind == DECODED_PAIR);
+        image->leaf = decoder_room(image->leaf, image->leaves, sizeof *image->leaf);
+        image->leaf[image->leaves++] = (decoded_leaf){
             image->blocks, slot, block->first_triangle + block->triangles, triangles};
         image->pairs += kind == DECODED_PAIR;
         block->triangles += triangles;
     }
 }
 
-/* Header and counts, which every geometry part has; the bit behind them. */
-static size_t read_units(decoded_image *image, decoder_part *part) {
+/* Header and counts, which every geometry part has; the bit after them. */
+static size_t read_leaves(decoded_image *image, decoder_part *part) {
     decoded_block *block = part->block;
     const uint32_t k = image->header.leaf_triangles;
     const size_t header = part->end;
@@ -58,19 +58,19 @@ static size_t read_units(decoded_image *image, decoder_part *part) {
     block->vertices |= decoder_bits(&part->in, header + 32, 6) << 5;
     block->mesh = decoder_bits(&part->in, header + 38, 10);
     part->counts[0] = header + ALL_PARTS_BITS;
-    part->counts[1] = part->counts[0] + block->units;
-    add_units(image, part);
+    part->counts[1] = part->counts[0] + block->leaves;
+    add_leaves(image, part);
     const size_t strings = k == 4 ? 2 : k == 2 ? 1 : 0;
-    return part->counts[0] + strings * block->units;
+    return part->counts[0] + strings * block->leaves;
 }
 
-/* Places of the strings of lattice geometry; the bit behind them. */
+/* Positions of the strings of lattice geometry; the bit after the last. */
 static size_t lay_out(decoder_part *part, size_t at) {
     decoded_block *block = part->block;
-    const decoded_box *frame = &block->frame;
+    const decoded_box *bounds = &block->bounds;
     part->start = at;
-    part->turn = part->start + block->triangles;
-    part->fresh = part->turn + block->triangles;
+    part->swap = part->start + block->triangles;
+    part->fresh = part->swap + block->triangles;
     block->strips = decoder_ones(&part->in, part->start, 0, block->triangles);
     const uint32_t references = block->triangles + 2 * block->strips;
     part->refs = part->fresh + references;
@@ -81,7 +81,7 @@ static size_t lay_out(decoder_part *part, size_t at) {
     }
     unsigned vertex_bits = 0;
     for (int a = 0; a < 3; a++) {
-        part->position_bits[a] = decoder_width((uint32_t)(frame->hi[a] - frame->lo[a]));
+        part->position_bits[a] = decoder_width((uint32_t)(bounds->hi[a] - bounds->lo[a]));
         vertex_bits += part->position_bits[a];
     }
     return part->positions + (size_t)block->vertices * vertex_bits;
@@ -91,19 +91,19 @@ static void read_position(decoder_part *part, uint32_t vertex, int32_t position[
     const unsigned *bits = part->position_bits;
     size_t at = part->positions + (size_t)vertex * (bits[0] + bits[1] + bits[2]);
     for (int a = 0; a < 3; a++) {
-        position[a] = part->block->frame.lo[a] + (int32_t)decoder_bits(&part->in, at, bits[a]);
+        position[a] = part->block->bounds.lo[a] + (int32_t)decoder_bits(&part->in, at, bits[a]);
         at += bits[a];
     }
 }
 
 static int check_positions(decoded_image *image, decoder_part *part) {
-    const decoded_box *frame = &part->block->frame;
+    const decoded_box *bounds = &part->block->bounds;
     for (uint32_t vertex = 0; vertex < part->block->vertices; vertex++) {
         int32_t position[3];
         read_position(part, vertex, position);
         for (int a = 0; a < 3; a++) {
-            if (position[a] < frame->lo[a] || position[a] > frame->hi[a]) {
-                return part_wrong(image, part, "a vertex outside the frame");
+            if (position[a] < bounds->lo[a] || position[a] > bounds->hi[a]) {
+                return part_wrong(image, part, "a vertex outside the bounds");
             }
         }
     }
@@ -123,21 +123,21 @@ static int next_vertex(decoded_image *image, decoder_part *part, strip_reader *s
     return *vertex < strip->known ? 0 : part_wrong(image, part, "a vertex not yet met");
 }
 
-/* Corners of triangle t of the block as the strip gives them. */
+/* Corners of triangle t of the block, in strip order. */
 static int next_triangle(decoded_image *image, decoder_part *part, strip_reader *strip,
                          uint32_t t) {
     uint32_t *corner = strip->corner;
     const uint32_t starts = decoder_bits(&part->in, part->start + t, 1);
-    const uint32_t turn = decoder_bits(&part->in, part->turn + t, 1);
+    const uint32_t swap = decoder_bits(&part->in, part->swap + t, 1);
     if (starts) {
         for (int c = 0; c < 3; c++) {
             if (next_vertex(image, part, strip, &corner[c]) != 0) {
                 return -1;
             }
         }
-        return turn == 0 ? 0 : part_wrong(image, part, "a start with a turn");
+        return swap == 0 ? 0 : part_wrong(image, part, "a start with its swap bit set");
     }
-    if (turn == 0) {
+    if (swap == 0) {
         corner[0] = corner[2]; /* (c, b, x) */
     } else {
         corner[1] = corner[2]; /* (a, c, x) */
@@ -155,8 +155,8 @@ static int is_less(const int32_t *p, const int32_t *q) {
 }
 
 /* The corners in canonical order, and their floats. */
-static void place_corners(const decoded_header *header, decoder_part *part,
-                          const uint32_t vertex[3], decoded_triangle *triangle) {
+static void set_corners(const decoded_header *header, decoder_part *part, const uint32_t vertex[3],
+                        decoded_triangle *triangle) {
     int32_t given[3][3];
     int least = 0;
     for (int c = 0; c < 3; c++) {
@@ -171,25 +171,25 @@ static void place_corners(const decoded_header *header, decoder_part *part,
     }
 }
 
-static int read_number(decoded_image *image, decoder_part *part, uint32_t place,
-                       decoded_triangle *triangle) {
+static int read_primitive_id(decoded_image *image, decoder_part *part, uint32_t index,
+                             decoded_triangle *triangle) {
     const unsigned bits = image->header.primitive_id_bits;
     if (bits == 0) {
-        triangle->number = place;
+        triangle->primitive_id = index;
         return 0;
     }
-    const size_t entry = (size_t)place * bits;
-    triangle->turn = decoder_bits(&part->numbers, entry, 2);
-    triangle->number = decoder_bits(&part->numbers, entry + 2, bits - 2);
-    if (triangle->turn > 2 || triangle->number >= image->header.source_triangles) {
-        return block_decode_wrong(image, "number %u: out of range", place);
+    const size_t entry = (size_t)index * bits;
+    triangle->rotation = decoder_bits(&part->primitive_ids, entry, 2);
+    triangle->primitive_id = decoder_bits(&part->primitive_ids, entry + 2, bits - 2);
+    if (triangle->rotation > 2 || triangle->primitive_id >= image->header.source_triangles) {
+        return block_decode_wrong(image, "primitive id %u: out of range", index);
     }
     return 0;
 }
 
-static int starts_a_unit(const decoded_image *image, const decoded_block *block, uint32_t t) {
-    for (uint32_t u = 0; u < block->units; u++) {
-        if (image->unit[block->first_unit + u].first == block->first_triangle + t) {
+static int starts_a_leaf(const decoded_image *image, const decoded_block *block, uint32_t t) {
+    for (uint32_t u = 0; u < block->leaves; u++) {
+        if (image->leaf[block->first_leaf + u].first == block->first_triangle + t) {
             return 1;
         }
     }
@@ -203,17 +203,17 @@ static int read_strips(decoded_image *image, decoder_part *part) {
         return -1;
     }
     for (uint32_t t = 0; t < block->triangles; t++) {
-        const uint32_t place = block->first_triangle + t;
-        if (starts_a_unit(image, block, t) && !decoder_bits(&part->in, part->start + t, 1)) {
-            return part_wrong(image, part, "a unit that does not start a strip");
+        const uint32_t index = block->first_triangle + t;
+        if (starts_a_leaf(image, block, t) && !decoder_bits(&part->in, part->start + t, 1)) {
+            return part_wrong(image, part, "a leaf that does not start a strip");
         }
         if (next_triangle(image, part, &strip, t) != 0) {
             return -1;
         }
-        image->triangle = decoder_room(image->triangle, place, sizeof *image->triangle);
+        image->triangle = decoder_room(image->triangle, index, sizeof *image->triangle);
         image->triangles++;
-        place_corners(&image->header, part, strip.corner, &image->triangle[place]);
-        if (read_number(image, part, place, &image->triangle[place]) != 0) {
+        set_corners(&image->header, part, strip.corner, &image->triangle[index]);
+        if (read_primitive_id(image, part, index, &image->triangle[index]) != 0) {
             return -1;
         }
     }
@@ -226,20 +226,20 @@ static int read_strips(decoded_image *image, decoder_part *part) {
 static int read_records(decoded_image *image, decoder_part *part) {
     const decoded_block *block = part->block;
     for (uint32_t t = 0; t < block->triangles; t++) {
-        const uint32_t place = block->first_triangle + t;
-        image->triangle = decoder_room(image->triangle, place, sizeof *image->triangle);
+        const uint32_t index = block->first_triangle + t;
+        image->triangle = decoder_room(image->triangle, index, sizeof *image->triangle);
         image->triangles++;
-        decoded_triangle *triangle = &image->triangle[place];
+        decoded_triangle *triangle = &image->triangle[index];
         for (size_t i = 0; i < 9; i++) {
-            const size_t at = 40 * (size_t)place + 4 * i;
+            const size_t at = 40 * (size_t)index + 4 * i;
             triangle->point[i / 3][i % 3] = decoder_float(&part->records, at);
         }
-        const uint32_t word = decoder_u32(&part->records, 40 * (size_t)place + 36);
-        triangle->number = word & 0x7FFFFFFu;
-        triangle->turn = word >> 29 & 3u;
-        if (triangle->number >= image->header.triangles || triangle->turn > 2 ||
+        const uint32_t word = decoder_u32(&part->records, 40 * (size_t)index + 36);
+        triangle->primitive_id = word & 0x7FFFFFFu;
+        triangle->rotation = word >> 29 & 3u;
+        if (triangle->primitive_id >= image->header.triangles || triangle->rotation > 2 ||
             (word >> 27 & 3u) != 0) {
-            return block_decode_wrong(image, "record %u: number word", place);
+            return block_decode_wrong(image, "record %u: primitive id word", index);
         }
     }
     return 0;
@@ -255,7 +255,7 @@ static int check_part(decoded_image *image, decoder_part *part, size_t strings_e
         return part_wrong(image, part, "counts of the geometry part");
     }
     if (!decoder_is_zero(&part->in, strings_end, part->end + 8 * bytes)) {
-        return part_wrong(image, part, "bits behind the strings");
+        return part_wrong(image, part, "bits after the strings");
     }
     const uint32_t check = decoder_check(&part->in, at, bytes, 6);
     return check == decoder_bits(&part->in, part->end + 48, 16)
@@ -267,10 +267,10 @@ int decoder_geometry_part(decoded_image *image, decoder_part *part) {
     decoded_block *block = part->block;
     const int lattice = image->header.geometry_format == 1;
     block->first_triangle = image->triangles;
-    if (block->units == 0) {
-        return block->geometry_bytes == 0 ? 0 : part_wrong(image, part, "geometry without units");
+    if (block->leaves == 0) {
+        return block->geometry_bytes == 0 ? 0 : part_wrong(image, part, "geometry without leaves");
     }
-    const size_t counts_end = read_units(image, part);
+    const size_t counts_end = read_leaves(image, part);
     const size_t strings_end = lattice ? lay_out(part, counts_end) : counts_end;
     if (check_part(image, part, strings_end) != 0) {
         return -1;

@@ -97,7 +97,8 @@ static int check_values(decoded_image *image, const unsigned char *bytes, size_t
     }
     if (h->build != BUILD_HOST || h->node_format != NODES_COMPACT || h->geometry_format > 1 ||
         h->splits > 1) {
-        return block_decode_wrong(image, "header: build or formats that are not ours");
+        return block_decode_wrong(image,
+                                  "header: build or formats that this decoder does not read");
     }
     const uint32_t k = h->leaf_triangles;
     if (h->lattice_bits < 12 || h->lattice_bits > 21 || (k != 1 && k != 2 && k != 4) ||
@@ -183,7 +184,8 @@ static int check_sections(decoded_image *image, const unsigned char *bytes) {
         }
         offset += h->section[s].bytes;
     }
-    return offset == h->image_bytes ? 0 : block_decode_wrong(image, "image: bytes behind it");
+    return offset == h->image_bytes ? 0
+                                    : block_decode_wrong(image, "image: bytes after the sections");
 }
 
 int block_decode_header(decoded_image *image, const unsigned char *bytes, size_t size) {

@@ -17,12 +17,12 @@ enum decoded_kind decoder_slot_kind(decoder_part *part, uint32_t slot) {
     if (a) {
         return b ? DECODED_EDGE : DECODED_INNER;
     }
-    return b ? DECODED_PAIR : DECODED_UNIT;
+    return b ? DECODED_PAIR : DECODED_LEAF;
 }
 
 static int same_rank(enum decoded_kind x, enum decoded_kind y) {
-    const int both_units = x >= DECODED_UNIT && y >= DECODED_UNIT;
-    return x == y || both_units;
+    const int both_leaves = x >= DECODED_LEAF && y >= DECODED_LEAF;
+    return x == y || both_leaves;
 }
 
 uint32_t decoder_slot_rank(decoder_part *part, uint32_t slot) {
@@ -40,16 +40,16 @@ static void count_kinds(decoder_part *part, uint32_t *inner) {
         const enum decoded_kind kind = decoder_slot_kind(part, slot);
         *inner += kind == DECODED_INNER;
         block->edges += kind == DECODED_EDGE;
-        block->units += kind >= DECODED_UNIT;
+        block->leaves += kind >= DECODED_LEAF;
     }
 }
 
-/* Where the rows of the nodes part lie; how many there are of each kind. */
+/* Positions of the rows of the nodes part, and the number of slots of each kind. */
 static int lay_out(decoded_image *image, decoder_part *part) {
     decoded_block *block = part->block;
     const size_t begin = block->address, n = block->nodes;
-    const size_t frame_bytes = image->header.lattice_bits <= 16 ? 12 : 16;
-    size_t at = begin + 4 + frame_bytes;
+    const size_t bounds_bytes = image->header.lattice_bits <= 16 ? 12 : 16;
+    size_t at = begin + 4 + bounds_bytes;
     part->mask_a = 8 * at;
     at += whole_bytes(2 * n);
     part->mask_b = 8 * at;
@@ -65,7 +65,7 @@ static int lay_out(decoded_image *image, decoder_part *part) {
     const size_t end = begin + (at - begin + 3) / 4 * 4;
     block->nodes_bytes = (uint32_t)(end - begin);
     part->end = 8 * end;
-    if (inner != n - 1 || block->edges + block->units != n + 1) {
+    if (inner != n - 1 || block->edges + block->leaves != n + 1) {
         return block_decode_wrong(image, "block %u: %u inner of %u nodes", block->address, inner,
                                   block->nodes);
     }
@@ -74,7 +74,7 @@ static int lay_out(decoded_image *image, decoder_part *part) {
                : block_decode_wrong(image, "block %u: padding", block->address);
 }
 
-/* Bits behind the last one of a string that begins a row. */
+/* Bits after the last one of a string that has its own row. */
 static int rows_end_in_zeros(decoder_part *part) {
     const size_t n = part->block->nodes;
     return decoder_is_zero(&part->in, part->mask_a + 2 * n, part->mask_b) &&
@@ -89,23 +89,23 @@ static void set_floats(const decoded_header *header, decoded_box *box) {
     }
 }
 
-static int read_frame(decoded_image *image, decoder_part *part) {
+static int read_bounds(decoded_image *image, decoder_part *part) {
     const decoded_header *h = &image->header;
     const unsigned w = h->lattice_bits <= 16 ? 16 : 21;
-    const size_t frame = 8 * ((size_t)part->block->address + 4);
-    decoded_box *box = &part->block->frame;
+    const size_t bounds = 8 * ((size_t)part->block->address + 4);
+    decoded_box *box = &part->block->bounds;
     for (size_t a = 0; a < 3; a++) {
-        box->lo[a] = (int32_t)decoder_bits(&part->in, frame + a * w, w);
-        box->hi[a] = (int32_t)decoder_bits(&part->in, frame + (3 + a) * w, w);
+        box->lo[a] = (int32_t)decoder_bits(&part->in, bounds + a * w, w);
+        box->hi[a] = (int32_t)decoder_bits(&part->in, bounds + (3 + a) * w, w);
         if (box->lo[a] > box->hi[a] || box->lo[a] < (int32_t)h->lattice_lo[a] ||
             box->hi[a] > (int32_t)h->lattice_hi[a]) {
-            return block_decode_wrong(image, "block %u: frame", part->block->address);
+            return block_decode_wrong(image, "block %u: bounds", part->block->address);
         }
     }
     set_floats(h, box);
-    return decoder_is_zero(&part->in, frame + (size_t)6 * w, part->mask_a)
+    return decoder_is_zero(&part->in, bounds + (size_t)6 * w, part->mask_a)
                ? 0
-               : block_decode_wrong(image, "block %u: behind the frame", part->block->address);
+               : block_decode_wrong(image, "block %u: bits after the bounds", part->block->address);
 }
 
 static int32_t step_of(int32_t extent) {
@@ -143,7 +143,7 @@ static decoded_box child_box(const decoded_header *header, decoder_part *part, u
     return box;
 }
 
-/* Index of what the child is; of an edge its address, until all are known. */
+/* Index of what the child is; for an edge its address, until all blocks are known. */
 static uint32_t child_which(decoder_part *part, uint32_t slot, enum decoded_kind kind) {
     const uint32_t rank = decoder_slot_rank(part, slot);
     if (kind == DECODED_INNER) {
@@ -152,7 +152,7 @@ static uint32_t child_which(decoder_part *part, uint32_t slot, enum decoded_kind
     if (kind == DECODED_EDGE) {
         return 8 * decoder_bits(&part->in, part->links + 32 * (size_t)rank, 24);
     }
-    return part->block->first_unit + rank;
+    return part->block->first_leaf + rank;
 }
 
 static int add_node(decoded_image *image, decoder_part *part, uint32_t number) {
@@ -181,8 +181,8 @@ int decoder_nodes_part(decoded_image *image, decoder_part *part) {
     block->nodes = 1 + decoder_bits(&part->in, head, 6);
     block->geometry_bytes = 8 * decoder_bits(&part->in, head + 6, 10);
     block->first_node = image->nodes;
-    block->first_unit = image->units;
-    if (lay_out(image, part) != 0 || read_frame(image, part) != 0) {
+    block->first_leaf = image->leaves;
+    if (lay_out(image, part) != 0 || read_bounds(image, part) != 0) {
         return -1;
     }
     if (part->in.overrun || !rows_end_in_zeros(part)) {
@@ -195,7 +195,7 @@ int decoder_nodes_part(decoded_image *image, decoder_part *part) {
     for (uint32_t i = 0; i < block->nodes; i++) {
         image->node = decoder_room(image->node, image->nodes++, sizeof *image->node);
     }
-    image->node[block->first_node].box = block->frame;
+    image->node[block->first_node].box = block->bounds;
     for (uint32_t i = 0; i < block->nodes; i++) {
         if (add_node(image, part, i) != 0) {
             return -1;

@@ -1,17 +1,16 @@
 /* brute - see brute.h
  *
- * The side of an edge that a ray passes on is left open only below 2^-38 of
- * the factors' size: the engine decides close calls in pairs of floats. t, u
- * and v are single precision, with an error bound worked out for each.
+ * The side of an edge that a ray passes on is left open only below 2^-38 of the factors' size:
+ * the engine decides close cases in pairs of floats. t, u and v are single precision, with an
+ * error bound worked out for each.
  *
- * Scaled triple products: with A B C the corners seen from the origin of the
- * ray, dir . (C x B) and so on have one sign each where the ray passes inside.
- * Error bounds: u = 2^-24; a difference, two products and a sum of each of
- * two factors are off by at most some 16 u of the factors' magnitudes; the
- * floors keep subnormal numbers unsure.
+ * Scaled triple products: with A B C the corners seen from the origin of the ray, dir . (C x B)
+ * and so on all have the same sign where the ray passes inside. Error bounds: u = 2^-24; a
+ * difference, two products and a sum of each of two factors are off by at most some 16 u of the
+ * factors' magnitudes; the floors make subnormal numbers unsure.
  *
- * Source: Moeller, Trumbore, "Fast, minimum storage ray/triangle
- * intersection", 1997 (the determinants); errors our own.
+ * Source: Moeller, Trumbore, "Fast, minimum storage ray/triangle intersection", 1997 (the
+ * determinants); errors our own.
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/brute.h"
@@ -46,7 +45,7 @@ static double largest(const double a[3]) {
 typedef struct volume {
     double value;
     double error; /* of single precision: for u and v */
-    double close; /* nearer to 0 the side is left open */
+    double close; /* closer to 0 the side is left open */
 } volume;
 
 static volume volume_of(const double dir[3], const double b[3], const double c[3]) {
@@ -58,7 +57,7 @@ static volume volume_of(const double dir[3], const double b[3], const double c[3
     return v;
 }
 
-/* The normal and how far each component of a single precision one may be off. */
+/* The normal, and the error bound of each component in single precision. */
 static void normal_of(const double p[3][3], double n[3], double error[3]) {
     double e[3], f[3];
     for (int a = 0; a < 3; a++) {
@@ -72,7 +71,7 @@ static void normal_of(const double p[3][3], double n[3], double error[3]) {
     }
 }
 
-/* The engine reckons from the least corner, by x, then y, then z. */
+/* The engine computes from the least corner, by x, then y, then z. */
 static int least_corner(const double p[3][3]) {
     int least = 0;
     for (int c = 1; c < 3; c++) {
@@ -155,7 +154,7 @@ brute_answer brute_triangle(const mesh *m, uint32_t triangle, const plt_ray *ray
     return answer;
 }
 
-/* What the triangle that was named says to the hit. */
+/* Checks the hit against the triangle that it names. */
 static const char *hit_objects(const brute_answer *a, const plt_ray *ray, const plt_hit *hit) {
     if (a->verdict == BRUTE_MISS) {
         return "the triangle is certainly missed";
@@ -176,7 +175,7 @@ static const char *hit_objects(const brute_answer *a, const plt_ray *ray, const 
 }
 
 const char *brute_objects(const mesh *m, const plt_ray *ray, const plt_hit *hit, int *unsure) {
-    double nearest = HUGE_VAL; /* something is certainly hit by then */
+    double nearest = HUGE_VAL; /* something is certainly hit at this distance */
     const double tmin = ray->tmin > 0.0f ? (double)ray->tmin : 0.0;
     const double far = hit->triangle == PLT_MISS ? (double)ray->tmax : (double)hit->t;
     *unsure = 0;

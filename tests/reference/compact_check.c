@@ -3,26 +3,26 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/compact_check.h"
 
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct triangle_key {
-    uint32_t q[9]; /* the least turn of its corners */
+    uint32_t q[9]; /* the least rotation of its corners */
 } triangle_key;
 
 typedef struct checking {
     const plt_block_tree *tree;
     compact_facts *facts;
-    triangle_key *found; /* in the order of the walk */
-    uint32_t room, next; /* next: address where the walk's next block must lie */
+    triangle_key *found; /* in the order of the traversal */
+    uint32_t room, next; /* next: address where the next block must lie */
 } checking;
 
 typedef struct open_block {
     plt_block b;
     plt_geometry g;
-    uint32_t inner, edges, units, pairs; /* met so far, in the order of slots */
+    uint32_t inner, edges, leaves, pairs; /* read so far, in the order of slots */
     uint32_t triangles;
 } open_block;
 
@@ -32,19 +32,19 @@ static void expect(const checking *c, int good, const char *sentence) {
     }
 }
 
-/* The least of the three turns: also of triangles that have a corner twice. */
+/* The least of the three rotations: also of triangles that have a corner twice. */
 static triangle_key key_of(const uint32_t corner[3][3]) {
     triangle_key least;
-    for (int turn = 0; turn < 3; turn++) {
+    for (int rotation = 0; rotation < 3; rotation++) {
         triangle_key k;
         for (int i = 0; i < 9; i++) {
-            k.q[i] = corner[(turn + i / 3) % 3][i % 3];
+            k.q[i] = corner[(rotation + i / 3) % 3][i % 3];
         }
         int at = 0;
-        while (turn > 0 && at < 8 && k.q[at] == least.q[at]) {
+        while (rotation > 0 && at < 8 && k.q[at] == least.q[at]) {
             at++;
         }
-        least = turn == 0 || k.q[at] < least.q[at] ? k : least;
+        least = rotation == 0 || k.q[at] < least.q[at] ? k : least;
     }
     return least;
 }
@@ -87,18 +87,18 @@ static plt_lattice_box child_box(const open_block *o, uint32_t node, const plt_l
     return to;
 }
 
-/* Takes a unit's triangles; returns their exact box. */
-static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
+/* Records a leaf's triangles; returns their exact box. */
+static plt_lattice_box check_leaf(checking *c, open_block *o, int pair,
                                   const plt_lattice_box *box) {
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     plt_lattice_box exact = {{~0u, ~0u, ~0u}, {0, 0, 0}};
     const uint32_t k = c->tree->leaf_triangles;
     uint32_t count;
-    const uint32_t first = plt_leaf_find(&o->g, o->units, o->pairs, pair, &count);
-    expect(c, first == o->triangles, "units do not follow each other");
+    const uint32_t first = plt_leaf_find(&o->g, o->leaves, o->pairs, pair, &count);
+    expect(c, first == o->triangles, "leaves do not follow each other");
     expect(c, pair ? count > k && count <= 2 * k : count >= 1 && count <= k,
-           "a unit's size is not what its pair bit says");
-    unit_corners(&o->g, first, count, corner);
+           "a leaf's size is not what its pair bit says");
+    leaf_corners(&o->g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         if (c->facts->triangles < c->room) {
             c->found[c->facts->triangles] = key_of((const uint32_t(*)[3])corner[i]);
@@ -113,20 +113,20 @@ static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
         }
     }
     o->triangles += count;
-    o->units++;
+    o->leaves++;
     o->pairs += (uint32_t)pair;
-    c->facts->units++;
+    c->facts->leaves++;
     c->facts->pairs += (uint32_t)pair;
-    c->facts->longest_unit = count > c->facts->longest_unit ? count : c->facts->longest_unit;
+    c->facts->longest_leaf = count > c->facts->longest_leaf ? count : c->facts->longest_leaf;
     return exact;
 }
 
 static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice_box *around,
                                    uint32_t depth);
 
-/* The block in hand, slot by slot: node i's children are slots 2i and 2i + 1, and
- * inner ones come in the order of their numbers, so boxes can be kept in a row.
- * Edges wait till the block is done: what is behind them lies behind it. */
+/* Reads the current block slot by slot. Node i's children are slots 2i and 2i + 1, and inner
+ * ones are in the order of their numbers, so boxes fit in an array. Edges are followed after
+ * the block, as their blocks lie after it. */
 typedef struct row {
     plt_lattice_box box[PLT_BLOCK_NODES_MOST], exact[PLT_BLOCK_NODES_MOST];
     plt_lattice_box edge_box[PLT_BLOCK_NODES_MOST + 1];
@@ -152,7 +152,7 @@ static void check_slot(checking *c, open_block *o, row *r, uint32_t node, uint32
         r->edge_depth[e] = r->depth[node];
         r->edge_node[e] = node;
     } else {
-        const plt_lattice_box exact = check_unit(c, o, (int)b, &box);
+        const plt_lattice_box exact = check_leaf(c, o, (int)b, &box);
         grow(&r->exact[node], &exact);
     }
 }
@@ -197,7 +197,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     }
     const uint32_t size = (o.b.node_bytes + o.b.geometry_bytes + 7u) & ~7u;
     expect(c, plt_block_node_bytes(link) == o.b.node_bytes, "a link has another size");
-    expect(c, encloses(around, &r->box[0]), "a frame leaves the box of its edge");
+    expect(c, encloses(around, &r->box[0]), "a block's bounds leave the box of its edge");
     c->next += size;
     r->depth[0] = depth + 1;
     for (uint32_t i = 0; i < o.b.nodes; i++) {
@@ -209,7 +209,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     expect(c, o.inner + 1 == o.b.nodes, "a block's nodes are no tree");
     if (o.b.units > 0) {
         const uint32_t v = o.g.vertices;
-        expect(c, o.triangles == o.g.triangles, "a block has triangles in no unit");
+        expect(c, o.triangles == o.g.triangles, "a block has triangles in no leaf");
         c->facts->most_vertices = v > c->facts->most_vertices ? v : c->facts->most_vertices;
     }
     c->facts->blocks++;
@@ -217,12 +217,13 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     c->facts->largest_block = size > c->facts->largest_block ? size : c->facts->largest_block;
     check_edges(c, &o, r);
     for (uint32_t i = o.b.nodes; i-- > 0;) {
-        expect(c, encloses(&r->box[i], &r->exact[i]), "a box does not hold what is below it");
+        expect(c, encloses(&r->box[i], &r->exact[i]), "a box does not contain what is below it");
         if (i > 0) {
             grow(&r->exact[r->parent[i]], &r->exact[i]);
         }
     }
-    expect(c, memcmp(&r->exact[0], &r->box[0], sizeof r->exact[0]) == 0, "a frame is not exact");
+    expect(c, memcmp(&r->exact[0], &r->box[0], sizeof r->exact[0]) == 0,
+           "a block's bounds are not exact");
     const plt_lattice_box exact = r->exact[0];
     free(r);
     return exact;

@@ -1,8 +1,8 @@
-/* compact_check - what a tree of compact blocks promises, by recursion
+/* compact_check - checks a tree of compact blocks by recursion
  *
- * The triangles come from the packer's snapped mesh, not from the blocks: every
- * one must be found once, inside every box on the way to it. Boxes and frames are
- * worked out here from the bytes (SPEC.md, 4.9); strips are read by the engine.
+ * The triangles come from the packer's snapped mesh, not from the blocks: every one must be
+ * found once, inside every box above it. Boxes and bounds are decoded here from the bytes
+ * (SPEC.md, 4.9); strips are read by the engine.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_COMPACT_CHECK_H
@@ -12,13 +12,13 @@
 #include "host_tools/pack/lattice.h"
 
 typedef struct compact_facts {
-    uint32_t blocks, nodes, units, pairs, triangles, depth;
-    uint32_t longest_unit, largest_block, most_vertices; /* bytes with padding */
+    uint32_t blocks, nodes, leaves, pairs, triangles, depth;
+    uint32_t longest_leaf, largest_block, most_vertices; /* bytes with padding */
     uint32_t broken;                                     /* promises broken; 0: a good tree */
     const char *sentence;                                /* the first of them */
 } compact_facts;
 
-/* A scene of one triangle has it twice; NULL for `s` leaves the triangles aside. */
+/* A scene of one triangle contains it twice; with `s` NULL the triangles are not compared. */
 compact_facts compact_check(const plt_block_tree *tree, const snapped *s);
 
 #endif

@@ -1,8 +1,8 @@
-/* compact_hostile - compact images and blocks that nobody vouches for
+/* compact_hostile - opens and traces untrusted compact images and blocks
  *
- * As hostile/images.h, whose source, rays and refusals are used here, but with
- * the promises of compact scenes, and a seal that leaves blocks alone. Needs the engine
- * alone: the fuzz target links nothing else.
+ * As hostile/images.h, whose source, rays and refusals are used here, but with the guarantees
+ * of compact scenes, and with resealing that can leave block checks as they are. Needs only the
+ * engine: the fuzz target links nothing else.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_COMPACT_HOSTILE_H
@@ -15,7 +15,8 @@ enum { COMPACT_BITS = 184, COMPACT_BEHIND = 8 };
 
 /* ---- sealing ----------------------------------------------------------------- */
 
-/* Checks of blocks if wanted, CRCs of sections, header: nothing but the lie is left. */
+/* Makes the checks of blocks (if wanted), the CRCs of sections and the header right: only the
+ * forged bytes remain wrong. */
 static inline void compact_seal(unsigned char *bytes, uint32_t size, int blocks) {
     if (blocks) {
         hostile_seal(bytes, size);
@@ -33,7 +34,7 @@ static inline void compact_seal(unsigned char *bytes, uint32_t size, int blocks)
 
 /* ---- trying -------------------------------------------------------------------- */
 
-/* Rays that are no rays, start inside, lie in planes, or see nothing. */
+/* Rays that are invalid, start inside, are in planes, or hit nothing. */
 static inline void compact_odd_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *info) {
     static const uint32_t odd[8] = {0x7FC00000, 0x7F800000, 0xFF800000, 0x80000000,
                                     0x00000001, 0x7F7FFFFF, 0xDD800000, 0x21800000};
@@ -48,13 +49,13 @@ static inline void compact_odd_rays(plt_ray rays[HOSTILE_RAYS], const plt_info *
     }
 }
 
-static inline uint32_t compact_numbers(const plt_info *info) {
-    const int lone = info->source_triangles == 1; /* is there twice */
+static inline uint32_t compact_ids_end(const plt_info *info) {
+    const int lone = info->source_triangles == 1; /* is stored twice */
     return info->primitive_id_bits > 0 ? info->source_triangles : info->triangles + (uint32_t)lone;
 }
 
-/* A hit's number is below `numbers`. */
-static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
+/* A hit's primitive id is below `ids_end`. */
+static inline const char *compact_trace(plt_engine *e, uint32_t ids_end) {
     plt_ray rays[HOSTILE_RAYS];
     plt_hit hits[HOSTILE_RAYS];
     const plt_info *info = plt_engine_info(e);
@@ -64,7 +65,7 @@ static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
         plt_trace(e, rays, hits, HOSTILE_RAYS, 0);
         for (uint32_t i = 0; i < HOSTILE_RAYS; i++) {
             if (hits[i].triangle != PLT_MISS &&
-                !(hits[i].triangle < numbers && hits[i].t >= 0.0f && hits[i].u >= 0.0f &&
+                !(hits[i].triangle < ids_end && hits[i].t >= 0.0f && hits[i].u >= 0.0f &&
                   hits[i].u <= 1.0f && hits[i].v >= 0.0f && hits[i].v <= 1.0f)) {
                 return "a hit is out of range";
             }
@@ -76,13 +77,13 @@ static inline const char *compact_trace(plt_engine *e, uint32_t numbers) {
 }
 
 static inline const char *compact_trace_any(plt_engine *e) {
-    return compact_trace(e, compact_numbers(plt_engine_info(e)));
+    return compact_trace(e, compact_ids_end(plt_engine_info(e)));
 }
 
 static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,
                                          uint8_t streamed, uint8_t packet_side) {
-    const hostile_way way = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side};
-    return hostile_try_by(bytes, size, way, compact_trace_any);
+    const hostile_config config = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side};
+    return hostile_try_by(bytes, size, config, compact_trace_any);
 }
 
 #endif

@@ -15,53 +15,55 @@ static uint32_t word_at(const unsigned char *b) {
     return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-compact_way compact_way_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build, uint8_t splits) {
-    const compact_way way = {
+compact_config compact_config_of(uint32_t leaf_triangles, uint8_t bits, uint8_t build,
+                                 uint8_t splits) {
+    const compact_config config = {
         .pack = {.splits = splits,
                  .build = build,
                  .lattice_bits = bits,
                  .numbers = 1,
                  .leaf_triangles = leaf_triangles},
         .run = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST}};
-    return way;
+    return config;
 }
 
-packed compact_packed(mesh *m, const compact_way *way) {
+packed compact_packed(mesh *m, const compact_config *config) {
     packed image = {NULL, 0, {0}};
     fail f = {""};
     lattice_loss loss;
-    if (pack_compact(&image, m, &way->pack, "test", &loss, &f) != 0) {
+    if (pack_compact(&image, m, &config->pack, "test", &loss, &f) != 0) {
         image.bytes = NULL;
     }
     mesh_free(m);
     return image;
 }
 
-int compact_open(rig *r, const mesh *m, const compact_way *way) {
+int compact_open(rig *r, const mesh *m, const compact_config *config) {
     fail f = {""};
     lattice_loss loss;
     memset(r, 0, sizeof *r);
     r->fault.message = "the packer refused";
-    if (pack_compact(&r->image, m, &way->pack, "test", &loss, &f) != 0) {
+    if (pack_compact(&r->image, m, &config->pack, "test", &loss, &f) != 0) {
         return PLT_ERR_LIMIT;
     }
-    r->arena_bytes = plt_arena_need(&r->image.info, 1, &way->run);
+    r->arena_bytes = plt_arena_need(&r->image.info, 1, &config->run);
     r->arena = aligned_alloc(PLT_ALIGN, (r->arena_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
     if (r->arena == NULL) {
         return PLT_ERR_ARENA;
     }
     memset(r->arena, 0xA5, r->arena_bytes);
     const plt_source source = rig_source(&r->image);
-    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &way->run, &r->fault);
+    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &config->run, &r->fault);
 }
 
-const char *compact_name(const compact_way *way) {
+const char *compact_name(const compact_config *config) {
     static char name[96];
-    snprintf(name, sizeof name, "K %u %u bits %s %s%s side %u", way->pack.leaf_triangles,
-             way->pack.lattice_bits,
-             way->pack.floats ? "floats" : (way->pack.build == PLT_BUILD_HOST ? "host" : "device"),
-             way->pack.splits == PLT_SPLIT_SAH ? "sah" : "median",
-             way->pack.numbers ? "" : " no numbers", way->run.packet_side);
+    snprintf(name, sizeof name, "K %u %u bits %s %s%s side %u", config->pack.leaf_triangles,
+             config->pack.lattice_bits,
+             config->pack.floats ? "floats"
+                                 : (config->pack.build == PLT_BUILD_HOST ? "host" : "device"),
+             config->pack.splits == PLT_SPLIT_SAH ? "sah" : "median",
+             config->pack.numbers ? "" : " no ids", config->run.packet_side);
     return name;
 }
 
@@ -69,16 +71,16 @@ const unsigned char *compact_section(const packed *image, unsigned index) {
     return image->bytes + word_at(image->bytes + SECTION_AT + 16 * index + 4);
 }
 
-void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *turn) {
+void compact_primitive_id(const packed *image, uint32_t index, uint32_t *id, uint32_t *rotation) {
     const unsigned char *bytes = compact_section(image, 1);
     const uint32_t bits = word_at(image->bytes + NUMBER_BITS_AT);
     uint32_t entry = 0;
     for (uint32_t i = 0; i < bits; i++) {
-        const uint64_t at = (uint64_t)place * bits + i;
+        const uint64_t at = (uint64_t)index * bits + i;
         entry |= (uint32_t)(bytes[at / 8] >> at % 8 & 1) << i;
     }
-    *turn = entry & 3;
-    *number = entry >> 2;
+    *rotation = entry & 3;
+    *id = entry >> 2;
 }
 
 static void must(int status, const fail *f) {
@@ -97,7 +99,7 @@ static void add(mesh *m, const float corner[3][3]) {
     must(mesh_add_triangle(m, first, first + 1, first + 2, &f), &f);
 }
 
-/* Triangle `i` of those that are left, in the order of the mesh. */
+/* Triangle `i` of the remaining ones, in the order of the mesh. */
 static void corners_of(const snapped *s, uint32_t i, float corner[3][3]) {
     const unsigned char *at = s->corners + (size_t)i * 9 * s->width;
     for (int k = 0; k < 9; k++, at += s->width) {
@@ -129,12 +131,13 @@ mesh compact_mesh(const mesh *m, uint8_t bits) {
 
 mesh compact_mesh_in_order(const packed *image, const mesh *moved) {
     mesh to = {0};
-    for (uint32_t place = 0; place < image->info.triangles; place++) {
-        uint32_t number, turn;
+    for (uint32_t index = 0; index < image->info.triangles; index++) {
+        uint32_t id, rotation;
         float corner[3][3];
-        compact_number(image, place, &number, &turn);
-        for (uint32_t c = 0; c < 3; c++) { /* the turn counts from the least to the first */
-            const uint32_t from = moved->triangle[3 * number + (3 - turn + c) % 3];
+        compact_primitive_id(image, index, &id, &rotation);
+        for (uint32_t c = 0; c < 3;
+             c++) { /* the rotation counts from the least corner to the first */
+            const uint32_t from = moved->triangle[3 * id + (3 - rotation + c) % 3];
             memcpy(corner[c], moved->vertex + 3 * (size_t)from, sizeof corner[c]);
         }
         add(&to, (const float(*)[3])corner);

@@ -10,7 +10,7 @@
 #include "engine/base/crc32.h"
 #include "engine/image/header.h"
 #include "engine/tree/thesis/validate.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 typedef struct converting {
     const plt_block_tree *tree;
@@ -24,20 +24,20 @@ typedef struct subtree {
     plt_box box; /* exact */
 } subtree;
 
-/* The number word of a record (SPEC.md, 4.4) from the entry of a triangle (4.12), read
+/* The primitive id word of a record (SPEC.md, 4.4) from the entry of a triangle (4.12), read
  * bit by bit and not as the engine does. */
-static uint32_t number_word(const plt_primitive_ids *numbers, uint32_t place) {
+static uint32_t primitive_id_word(const plt_primitive_ids *ids, uint32_t index) {
     uint32_t entry = 0;
-    for (uint32_t i = 0; i < numbers->bits; i++) {
-        const uint64_t at = (uint64_t)place * numbers->bits + i;
-        entry |= (uint32_t)(numbers->bytes[at / 8] >> at % 8 & 1) << i;
+    for (uint32_t i = 0; i < ids->bits; i++) {
+        const uint64_t at = (uint64_t)index * ids->bits + i;
+        entry |= (uint32_t)(ids->bytes[at / 8] >> at % 8 & 1) << i;
     }
-    const uint32_t number = entry / 4, turn = entry % 4;
-    return number + turn * 0x20000000u;
+    const uint32_t id = entry / 4, rotation = entry % 4;
+    return id + rotation * 0x20000000u;
 }
 
 static void set_record(const converting *c, plt_record *r, const uint32_t corner[3][3],
-                       uint32_t place, int last) {
+                       uint32_t index, int last) {
     const plt_lattice *l = &c->tree->lattice;
     int least = 0;
     for (int i = 1; i < 3; i++) {
@@ -50,25 +50,25 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
     for (int k = 0; k < 9; k++) {
         plt_put_float(&r->word[k], plt_lattice_float(l, k % 3, corner[(least + k / 3) % 3][k % 3]));
     }
-    const plt_primitive_ids *numbers = &c->tree->numbers;
-    plt_put_u32(&r->word[9], numbers->bytes != NULL ? number_word(numbers, place) : place);
+    const plt_primitive_ids *ids = &c->tree->numbers;
+    plt_put_u32(&r->word[9], ids->bytes != NULL ? primitive_id_word(ids, index) : index);
     plt_record_set_last(r, last);
 }
 
-/* A unit's triangles as one list, or as two in a row. */
-static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
+/* A leaf's triangles as one list, or as two in a row. */
+static subtree leaf(converting *c, const plt_block *b, uint32_t slot) {
     plt_geometry g;
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
     const uint32_t number = plt_block_rank(b, PLT_SLOT_LEAF, slot), k = c->tree->leaf_triangles;
-    plt_block_bounds(b, c->tree->lattice.bits, &frame);
-    plt_geometry_open(&g, b, &frame, k);
+    plt_block_bounds(b, c->tree->lattice.bits, &bounds);
+    plt_geometry_open(&g, b, &bounds, k);
     uint32_t count;
     const uint32_t first = plt_leaf_find(&g, number, plt_block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
-    unit_corners(&g, first, count, corner);
+    leaf_corners(&g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         plt_record *r = &c->records[c->records_used++];
         set_record(c, r, (const uint32_t(*)[3])corner[i], g.first_triangle + first + i,
@@ -84,20 +84,20 @@ static subtree convert(converting *c, const plt_block *b, uint32_t node) {
     subtree child[2], s = {plt_link_make(index, PLT_LINK_OUT), plt_box_empty()};
     for (uint32_t i = 0; i < 2; i++) {
         const uint32_t slot = 2 * node + i;
-        plt_block behind;
+        plt_block below;
         switch (plt_block_kind(b, slot)) {
         case PLT_SLOT_INNER:
             child[i] = convert(c, b, 1 + plt_block_rank(b, PLT_SLOT_INNER, slot));
             break;
         case PLT_SLOT_EDGE:
-            plt_block_open(&behind,
+            plt_block_open(&below,
                            c->tree->bytes + plt_block_address(plt_block_edge(
                                                 b, plt_block_rank(b, PLT_SLOT_EDGE, slot))),
                            c->tree->lattice.bits);
-            child[i] = convert(c, &behind, 0);
+            child[i] = convert(c, &below, 0);
             break;
         default:
-            child[i] = unit(c, b, slot);
+            child[i] = leaf(c, b, slot);
         }
         plt_box_add(&s.box, &child[i].box);
     }
@@ -132,7 +132,7 @@ packed compact_as_thesis(const plt_block_tree *tree, const plt_info *info) {
                     .records = malloc(info->triangles * sizeof *c.records)};
     plt_block root;
     plt_fault fault = {0, 0, 0, 0, NULL};
-    plt_validate_level frames[PLT_VALIDATE_LEVELS];
+    plt_validate_level levels[PLT_VALIDATE_LEVELS];
     plt_block_open(&root, tree->bytes, tree->lattice.bits);
     const subtree all = convert(&c, &root, 0);
     plt_header h = {.info = {.triangles = c.records_used,
@@ -148,7 +148,7 @@ packed compact_as_thesis(const plt_block_tree *tree, const plt_info *info) {
                              .root = h.root};
     memcpy(h.info.lo, all.box.lo, sizeof h.info.lo);
     memcpy(h.info.hi, all.box.hi, sizeof h.info.hi);
-    if (plt_tree_validate(&thesis, frames, &h.info, &fault) != PLT_OK) {
+    if (plt_tree_validate(&thesis, levels, &h.info, &fault) != PLT_OK) {
         printf("FAIL a compact tree as thesis nodes: %s\n", fault.message);
         exit(1);
     }

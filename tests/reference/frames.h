@@ -1,4 +1,4 @@
-/* frames - renders a frame step by step and looks at every pixel
+/* frames - renders a frame step by step and checks every pixel
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_FRAMES_H
@@ -17,7 +17,7 @@ typedef struct frame_result {
 
 frame_result frame_render(plt_engine *engine, const plt_frame *frame, uint32_t visits);
 
-/* The hash alone; `rgb` is freed. */
+/* Only the hash; `rgb` is freed. */
 uint64_t frame_hash(plt_engine *engine, const plt_frame *frame, uint32_t visits);
 
 plt_frame frame_of(const float eye[3], const float look[3], uint16_t width, uint16_t height,

@@ -1,9 +1,8 @@
 /* lanes_ops - every 4-lane operation by number and name, and what a probe is
  *
- * A probe is one lanes header compiled into one object: `run` does operation
- * `op` on the bits in `in` and leaves the bits of the result in `out`.
- * Floats, integers and masks all travel as 32-bit words, so that no NaN is
- * touched on the way.
+ * A probe is one lanes header compiled into one object: `run` does operation `op` on the bits
+ * in `in` and leaves the bits of the result in `out`. Floats, integers and masks are all passed
+ * as 32-bit words, so no NaN is changed.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef LANES_OPS_H
@@ -13,7 +12,7 @@
 
 /* X(name, kind, operands). Kind: how results compare with the reference.
  *   EXACT       every bit
- *   ARITHMETIC  every bit, but one NaN is as good as another
+ *   ARITHMETIC  every bit, but any NaN equals any other
  *   VALUE       as numbers: +0 is -0 */
 #define LANES_OPS(X)                                                                               \
     X(f4_load, EXACT, 1)                                                                           \

@@ -11,41 +11,41 @@
 #include "engine/lanes/lanes.h"
 #include "tests/reference/lanes_ops.h"
 
-/* Four words, four bytes off any larger alignment: the least that load and
- * store are promised. */
-typedef union places {
+/* Four words at an address aligned to 4 bytes only: the least alignment that load and store
+ * must accept. */
+typedef union buffer {
     float f[5];
     uint32_t u[5];
     _Alignas(16) unsigned char bytes[20];
-} places;
+} buffer;
 
-/* The compiler must not see where `p` leads, or it forwards what was stored
- * there and an aligned access never happens. */
-static places *hidden(places *p) {
+/* The compiler must not know where `p` points, or it would forward the stored value and skip
+ * the access that is tested. */
+static buffer *hidden(buffer *p) {
     __asm__ volatile("" : "+r"(p) : : "memory");
     return p;
 }
 
 static f4 f4_of(const uint32_t *words) {
-    places p;
+    buffer p;
     memcpy(p.bytes + 4, words, 16);
     return f4_load(hidden(&p)->f + 1);
 }
 
 static u4 u4_of(const uint32_t *words) {
-    places p;
+    buffer p;
     memcpy(p.bytes + 4, words, 16);
     return u4_load(hidden(&p)->u + 1);
 }
 
 static void put_f4(uint32_t *out, f4 a) {
-    places p;
+    buffer p;
     f4_store(hidden(&p)->f + 1, a);
     memcpy(out, p.bytes + 4, 16);
 }
 
 static void put_u4(uint32_t *out, u4 a) {
-    places p;
+    buffer p;
     u4_store(hidden(&p)->u + 1, a);
     memcpy(out, p.bytes + 4, 16);
 }
@@ -76,7 +76,7 @@ static void run_transpose(const lanes_in *in, uint32_t *out) {
 
 /* From an odd address. */
 static void run_bytes(const lanes_in *in, uint32_t *out) {
-    places p;
+    buffer p;
     for (int i = 0; i < 4; i++) {
         p.bytes[5 + i] = (unsigned char)in->row[0][i];
     }

@@ -1,9 +1,9 @@
 /* random - deterministic random numbers for tests
  *
- * The same on every machine: a test that fails once fails always.
+ * The same on every machine: a test that fails once always fails.
  *
- * Source: Steele, Lea, Flood, "Fast splittable pseudorandom number
- * generators", 2014 (SplitMix64).
+ * Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014
+ * (SplitMix64).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_RANDOM_H

@@ -17,7 +17,7 @@ plt_ray ray_between(const float from[3], const float to[3]) {
     return ray_make(from, dir, 0.0f, RAYS_FAR);
 }
 
-/* The mesh's box, and one around it that is half as large again each way. */
+/* The mesh's box, and one around it that is half as large again on each side. */
 static void boxes(const mesh *m, float lo[3], float hi[3], float out_lo[3], float out_hi[3]) {
     float most = 0.0f;
     shape_box(m, lo, hi);
@@ -38,7 +38,7 @@ void rays_random(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) 
         random_point(r, out_lo, out_hi, from);
         random_point(r, lo, hi, to);
         rays[i] = ray_between(from, to);
-        for (int a = 0; a < 3; a++) { /* of a flat scene from its plane: never zero */
+        for (int a = 0; a < 3; a++) { /* for a flat scene the distance from its plane: never zero */
             rays[i].dir[a] += rays[i].dir[a] == 0.0f ? 1e-3f * (out_hi[a] - out_lo[a]) : 0.0f;
         }
         if (random_below(r, 4) == 0) {
@@ -105,7 +105,7 @@ void rays_edges(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
         }
         rays[i] = ray_between(from, to);
         const float *d = rays[i].dir;
-        if (fabsf(d[0]) + fabsf(d[1]) + fabsf(d[2]) < 1e-15f) { /* below what is allowed */
+        if (fabsf(d[0]) + fabsf(d[1]) + fabsf(d[2]) < 1e-15f) { /* shorter than allowed */
             rays[i].dir[i % 3] = 1.0f;
         }
     }

@@ -7,11 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-rig_way rig_way_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build, uint8_t splits) {
-    const rig_way way = {
+rig_config rig_config_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build,
+                         uint8_t splits) {
+    const rig_config config = {
         {splits, build, leaf_triangles, treelet_nodes},
         {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST, 1}};
-    return way;
+    return config;
 }
 
 plt_source rig_source(const packed *image) {
@@ -19,21 +20,21 @@ plt_source rig_source(const packed *image) {
     return source;
 }
 
-int rig_open(rig *r, const mesh *m, const rig_way *way) {
+int rig_open(rig *r, const mesh *m, const rig_config *config) {
     fail f = {""};
     memset(r, 0, sizeof *r);
     r->fault.message = "the packer refused";
-    if (pack_mesh(&r->image, m, &way->pack, "test", &f) != 0) {
+    if (pack_mesh(&r->image, m, &config->pack, "test", &f) != 0) {
         return PLT_ERR_LIMIT;
     }
-    r->arena_bytes = plt_arena_need(&r->image.info, 1, &way->run);
+    r->arena_bytes = plt_arena_need(&r->image.info, 1, &config->run);
     r->arena = aligned_alloc(PLT_ALIGN, r->arena_bytes);
     if (r->arena == NULL) {
         return PLT_ERR_ARENA;
     }
     memset(r->arena, 0xA5, r->arena_bytes);
     const plt_source source = rig_source(&r->image);
-    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &way->run, &r->fault);
+    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &config->run, &r->fault);
 }
 
 void rig_close(rig *r) {
@@ -52,12 +53,12 @@ int rig_is_tiny(void) {
     return PLT_DEPTH_MAX < 64 || PLT_GLOBAL_STACK_MAX < 65536;
 }
 
-const char *rig_name(const rig_way *way) {
+const char *rig_name(const rig_config *config) {
     static const char *const build[3] = {"host", "device", "none"};
     static char name[96];
-    snprintf(name, sizeof name, "K %u N %u %s %s side %u walk %u", way->pack.leaf_triangles,
-             way->pack.treelet_nodes, build[way->pack.build % 3],
-             way->pack.splits == PLT_SPLIT_SAH ? "sah" : "median", way->run.packet_side,
-             way->run.order);
+    snprintf(name, sizeof name, "K %u N %u %s %s side %u order %u", config->pack.leaf_triangles,
+             config->pack.treelet_nodes, build[config->pack.build % 3],
+             config->pack.splits == PLT_SPLIT_SAH ? "sah" : "median", config->run.packet_side,
+             config->run.order);
     return name;
 }

@@ -1,6 +1,6 @@
 /* rig - a mesh, packed and opened in an arena of exactly its need
  *
- * The arena comes from the heap, so that sanitizers see a byte too many.
+ * The arena is a heap block, so sanitizers see an access beyond it.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_RIG_H
@@ -10,10 +10,10 @@
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/pack.h"
 
-typedef struct rig_way {
+typedef struct rig_config {
     pack_options pack;
     plt_options run;
-} rig_way;
+} rig_config;
 
 typedef struct rig {
     packed image;
@@ -23,11 +23,12 @@ typedef struct rig {
     plt_fault fault;
 } rig;
 
-/* K, N, build and splits of `way`; the largest packet of this build. */
-rig_way rig_way_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build, uint8_t splits);
+/* K, N, build and splits of a configuration; the largest packet of this build. */
+rig_config rig_config_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build,
+                         uint8_t splits);
 
 /* The status of plt_open, or PLT_ERR_LIMIT when the packer refused. */
-int rig_open(rig *r, const mesh *m, const rig_way *way);
+int rig_open(rig *r, const mesh *m, const rig_config *config);
 void rig_close(rig *r);
 
 /* The image as a mapped source. */
@@ -40,7 +41,7 @@ uint32_t rig_triangles(uint32_t wanted, uint32_t leaf_triangles);
  * refused with PLT_ERR_LIMIT. */
 int rig_is_tiny(void);
 
-/* The name of a way, for messages; overwritten by the next call. */
-const char *rig_name(const rig_way *way);
+/* The name of a configuration, for messages; overwritten by the next call. */
+const char *rig_name(const rig_config *config);
 
 #endif

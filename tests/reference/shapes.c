@@ -102,7 +102,7 @@ static void icosahedron(mesh *m) {
     }
 }
 
-/* The middle of the edge a b: found by search among those since `first`. */
+/* The middle of the edge a b: searched for among the vertices since `first`. */
 static uint32_t middle(mesh *m, size_t first, uint32_t a, uint32_t b) {
     const float *p = m->vertex + 3 * (size_t)a, *q = m->vertex + 3 * (size_t)b;
     mesh one = {0};
@@ -169,7 +169,7 @@ void shape_degenerate(mesh *m) {
         {0, 0, 0, 0, 0, 0, 0, 0, 0},                           /* a point */
         {-1, 0, 0, 0, 0, 0, 1, 0, 0},                          /* a line along x */
         {-1, -1, -1, 0, 0, 0, 1, 1, 1},                        /* a diagonal line */
-        {-1, 0.5f, 0, 1, 0.5f, 0, -1, 0.5f, 0},                /* two corners are one */
+        {-1, 0.5f, 0, 1, 0.5f, 0, -1, 0.5f, 0},                /* two equal corners */
         {-1, -1, 0.5f, 1, -1, 0.5f, 0, 1, 0.5f},               /* proper */
         {0, -1, -1, 0, 1, -1, 0, 0, 1},                        /* proper, x = 0 */
         {0, 0, 0, 1e-30f, 0, 0, 0, 1e-30f, 0},                 /* its normal vanishes */
@@ -188,7 +188,7 @@ void shape_exponential(mesh *m, uint32_t triangles) {
     }
 }
 
-void shape_place(mesh *m, float scale, float x, float y, float z) {
+void shape_transform(mesh *m, float scale, float x, float y, float z) {
     const float move[3] = {x, y, z};
     for (size_t i = 0; i < 3 * m->vertices; i++) {
         m->vertex[i] = m->vertex[i] * scale + move[i % 3];

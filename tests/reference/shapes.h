@@ -1,7 +1,7 @@
 /* shapes - small meshes for tests
  *
- * Each appends to `m`; memory that is out ends the program. Closed shapes
- * have every edge twice, once in each direction, and `inside` points.
+ * Each appends to `m`; running out of memory ends the program. Closed shapes have every edge
+ * twice, once in each direction, and `inside` points.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_SHAPES_H
@@ -28,11 +28,11 @@ void shape_coincident(mesh *m, uint32_t copies);
 /* Points, lines, repeated corners among a few proper triangles. */
 void shape_degenerate(mesh *m);
 
-/* Triangle i lies at 2^-i and has its size, as far as floats go. */
+/* Triangle i is at 2^-i and of that size, as far as floats go. */
 void shape_exponential(mesh *m, uint32_t triangles);
 
 /* Multiplies, then moves, every vertex. */
-void shape_place(mesh *m, float scale, float x, float y, float z);
+void shape_transform(mesh *m, float scale, float x, float y, float z);
 
 /* The box of all vertices. */
 void shape_box(const mesh *m, float lo[3], float hi[3]);

@@ -13,7 +13,7 @@ typedef struct bounds {
 typedef struct checking {
     const tree_view *v;
     tree_facts *facts;
-    unsigned char *node_seen, *record_seen, *number_seen;
+    unsigned char *node_seen, *record_seen, *id_seen;
     uint32_t *queue; /* of a treelet */
 } checking;
 
@@ -81,13 +81,13 @@ static uint32_t check_list(checking *c, uint32_t record, bounds *b) {
     uint32_t length = 0;
     for (int last = 0; !last; record++, length++) {
         if (record >= c->v->count) {
-            broken(c, "a list runs past the last record");
+            broken(c, "a list runs beyond the last record");
             break;
         }
         const unsigned char *at = c->v->records + 40 * (size_t)record;
         const uint32_t name = tree_word(at + 36) & 0x07FFFFFF;
-        if (name >= c->v->count || c->number_seen[name]++ || c->record_seen[record]++) {
-            broken(c, "a triangle is there twice or has no number");
+        if (name >= c->v->count || c->id_seen[name]++ || c->record_seen[record]++) {
+            broken(c, "a triangle occurs twice or has no primitive id");
         }
         for (int k = 0; k < 3; k++) {
             const bounds corner = {
@@ -161,7 +161,7 @@ static bounds check_below(checking *c, uint32_t link, const bounds *given, uint3
         }
     }
     if (!same_bounds(&b, given)) {
-        broken(c, "a box is not the box of what is in it");
+        broken(c, "a box is not the exact box of its contents");
     }
     return b;
 }
@@ -175,7 +175,7 @@ static void check_treelet(checking *c, uint32_t root) {
     c->facts->treelets++;
     for (uint32_t i = 0; i < count; i++) {
         if (queue[i] != root + i) {
-            broken(c, "a treelet is not breadth first in a row");
+            broken(c, "a treelet's nodes are not consecutive and breadth first");
         }
         for (int k = 0; k < 2; k++) {
             const uint32_t link = link_of(c->v, queue[i], k);
@@ -205,7 +205,7 @@ static void check_free_slots(checking *c) {
     }
 }
 
-/* ---- stack needs, from what the walks do --------------------------------------- */
+/* ---- stack needs, from what the traversals do ------------------------------------ */
 
 static uint32_t local_need(const tree_view *v, uint32_t node) {
     uint32_t need[2] = {0, 0}, inner = 0;
@@ -225,29 +225,29 @@ static uint32_t depth_need(const tree_view *v, uint32_t link) {
                                            depth_need(v, link_of(v, link >> 5, 1)));
 }
 
-/* Largest local need of all treelets is the header's only if it takes the
- * treelets behind edges too. */
-static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *behind,
+/* The header's local need is the largest of all treelets, also of those that
+ * edges lead to. */
+static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *below,
                      uint32_t *local);
 
 static uint32_t global_need(const tree_view *v, uint32_t root, uint32_t *local) {
-    uint32_t edges = 0, behind = 0;
+    uint32_t edges = 0, below = 0;
     *local = larger(*local, local_need(v, root));
-    edges_of(v, root, &edges, &behind, local);
-    return behind > 1 ? edges - 1 + behind : edges;
+    edges_of(v, root, &edges, &below, local);
+    return below > 1 ? edges - 1 + below : edges;
 }
 
-static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *behind,
+static void edges_of(const tree_view *v, uint32_t node, uint32_t *edges, uint32_t *below,
                      uint32_t *local) {
     for (int k = 0; k < 2; k++) {
         const uint32_t link = link_of(v, node, k);
         if ((link & 3) == 0) {
-            edges_of(v, link >> 5, edges, behind, local);
+            edges_of(v, link >> 5, edges, below, local);
             continue;
         }
         ++*edges;
         if (!tree_is_leaf(link)) {
-            *behind = larger(*behind, global_need(v, link >> 5, local));
+            *below = larger(*below, global_need(v, link >> 5, local));
         }
     }
 }
@@ -273,7 +273,7 @@ tree_facts tree_check(const tree_view *v) {
     memcpy(scene.hi, v->hi, sizeof scene.hi);
     check_below(&c, v->root, &scene, 0);
     for (uint32_t i = 0; i < v->count; i++) {
-        if (!c.record_seen[i] || !c.number_seen[i]) {
+        if (!c.record_seen[i] || !c.id_seen[i]) {
             broken(&c, "a triangle is in no list");
             break;
         }
@@ -287,11 +287,11 @@ tree_facts tree_check(const tree_view *v) {
     }
     free(c.node_seen);
     free(c.record_seen);
-    free(c.number_seen);
+    free(c.id_seen);
     return facts;
 }
 
-/* ---- walks that only count ------------------------------------------------------ */
+/* ---- traversals that only count --------------------------------------------------- */
 
 typedef struct stack {
     uint32_t *link;
@@ -308,10 +308,10 @@ static stack stack_for(const tree_view *v) {
     return s;
 }
 
-/* The children that are hit, the first to come first; returns how many. */
-static int ordered(const tree_view *v, tree_walk *w, uint32_t node, uint32_t child[2]) {
+/* The children that are hit, in visiting order; returns how many. */
+static int ordered(const tree_view *v, tree_traversal *t, uint32_t node, uint32_t child[2]) {
     const uint32_t link[2] = {link_of(v, node, 0), link_of(v, node, 1)};
-    const unsigned bits = w->order(w->context, node, link[0], link[1]);
+    const unsigned bits = t->order(t->context, node, link[0], link[1]);
     int count = 0;
     for (unsigned k = 0; k < 2; k++) {
         const unsigned c = k ^ (bits >> 2 & 1);
@@ -322,13 +322,13 @@ static int ordered(const tree_view *v, tree_walk *w, uint32_t node, uint32_t chi
     return count;
 }
 
-void tree_walk_depth_first(const tree_view *v, tree_walk *w) {
+void tree_traverse_depth_first(const tree_view *v, tree_traversal *t) {
     stack s = stack_for(v);
     push(&s, v->root);
     while (s.used > 0) {
         uint32_t at = s.link[--s.used], child[2];
         while (!tree_is_leaf(at)) {
-            const int hit = ordered(v, w, at >> 5, child);
+            const int hit = ordered(v, t, at >> 5, child);
             if (hit == 2) {
                 push(&s, child[1]);
             }
@@ -338,15 +338,16 @@ void tree_walk_depth_first(const tree_view *v, tree_walk *w) {
             at = child[0];
         }
     }
-    w->depth = s.most;
+    t->depth = s.most;
     free(s.link);
 }
 
-/* One path down inside a treelet: the second inner child waits. */
-static void walk_path(const tree_view *v, tree_walk *w, uint32_t at, stack *global, stack *local) {
+/* One path down inside a treelet: the second inner child is pushed. */
+static void traverse_path(const tree_view *v, tree_traversal *t, uint32_t at, stack *global,
+                          stack *local) {
     for (int deeper = 1; deeper;) {
         uint32_t child[2];
-        const int hit = ordered(v, w, at >> 5, child);
+        const int hit = ordered(v, t, at >> 5, child);
         deeper = 0;
         for (int k = 0; k < hit; k++) {
             if ((child[k] & 3) != 0) {
@@ -360,7 +361,7 @@ static void walk_path(const tree_view *v, tree_walk *w, uint32_t at, stack *glob
     }
 }
 
-/* Sorting may put any edge on top: here the one that needs most. */
+/* Sorting may put any edge on top: this puts the one that needs most there. */
 static void worst_on_top(const tree_view *v, stack *s, uint32_t first) {
     uint32_t worst = first, need = 0, ignored = 0;
     for (uint32_t i = first; i < s->used; i++) {
@@ -376,21 +377,21 @@ static void worst_on_top(const tree_view *v, stack *s, uint32_t first) {
     }
 }
 
-void tree_walk_two_stage(const tree_view *v, tree_walk *w) {
+void tree_traverse_two_stage(const tree_view *v, tree_traversal *t) {
     stack global = stack_for(v), local = stack_for(v);
     push(&global, v->root);
     while (global.used > 0) {
         const uint32_t at = global.link[--global.used], first = global.used;
         if (!tree_is_leaf(at)) {
-            walk_path(v, w, at, &global, &local);
+            traverse_path(v, t, at, &global, &local);
             while (local.used > 0) {
-                walk_path(v, w, local.link[--local.used], &global, &local);
+                traverse_path(v, t, local.link[--local.used], &global, &local);
             }
             worst_on_top(v, &global, first);
         }
     }
-    w->local = local.most;
-    w->global = global.most;
+    t->local = local.most;
+    t->global = global.most;
     free(global.link);
     free(local.link);
 }

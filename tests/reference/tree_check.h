@@ -1,7 +1,7 @@
 /* tree_check - an image's tree, read bit by bit and checked by recursion
  *
- * Shares no code with engine/tree: links, planes and lists are decoded here
- * once more, so that a mistake there cannot hide.
+ * Shares no code with engine/tree: links, planes and lists are decoded here independently, so a
+ * mistake there cannot hide.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_TREE_CHECK_H
@@ -33,19 +33,19 @@ tree_view tree_view_of(const packed *image);
  * free slots zero. */
 tree_facts tree_check(const tree_view *view);
 
-/* Most entries that stacks held in a walk: `order` decides at each node with
- * `bits`: bit 0 and 1, whether the left and right child are hit, bit 2 which
- * one comes first. */
-typedef struct tree_walk {
+/* The most entries that stacks held in a traversal. At each node `order` returns
+ * bits: 0 and 1, whether the left and right child are hit; 2, which one comes
+ * first. */
+typedef struct tree_traversal {
     unsigned (*order)(void *context, uint32_t node, uint32_t left, uint32_t right);
     void *context;
     uint32_t local, global, depth; /* results */
-} tree_walk;
+} tree_traversal;
 
-void tree_walk_depth_first(const tree_view *view, tree_walk *walk);
-void tree_walk_two_stage(const tree_view *view, tree_walk *walk);
+void tree_traverse_depth_first(const tree_view *view, tree_traversal *traversal);
+void tree_traverse_two_stage(const tree_view *view, tree_traversal *traversal);
 
-/* Orders that hit everything and go first for the child that is deeper, or
+/* Orders that hit everything and visit first the child that is deeper, or that
  * needs more of the local stack. */
 unsigned tree_deepest_order(void *view, uint32_t node, uint32_t left, uint32_t right);
 unsigned tree_bushiest_order(void *view, uint32_t node, uint32_t left, uint32_t right);

@@ -1,11 +1,11 @@
-/* block_engine_walk - what the engine's own functions make of compact blocks
+/* block_engine_scan - what the engine's own functions read from compact blocks
  *
- * For images that the second decoder has found sound: the engine's functions
- * check nothing. Blocks one behind the other, in a block slots in order.
+ * Only for images that the second decoder has found valid: the engine's functions check
+ * nothing. Blocks are read one after the other, in a block slots in order.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef REFERENCE_BLOCK_ENGINE_WALK_H
-#define REFERENCE_BLOCK_ENGINE_WALK_H
+#ifndef REFERENCE_BLOCK_ENGINE_SCAN_H
+#define REFERENCE_BLOCK_ENGINE_SCAN_H
 #include "engine/tree/compact/block.h"
 #include "tests/reference/block_decoder.h"
 
@@ -14,34 +14,34 @@ typedef struct engine_child {
     enum plt_slot_kind kind;
     uint32_t rank;  /* among those of its kind in the block */
     uint32_t link;  /* of an edge */
-    uint32_t first; /* of a unit: image order of its first triangle, */
-    uint32_t count; /* and how many there are */
+    uint32_t first; /* of a leaf: image index of its first triangle, */
+    uint32_t count; /* and the number of its triangles */
     plt_lattice_box box;
     plt_box floats;
 } engine_child;
 
 typedef struct engine_block {
-    uint32_t address, node_bytes, geometry_bytes, nodes, edges, units, pairs;
+    uint32_t address, node_bytes, geometry_bytes, nodes, edges, leaves, pairs;
     uint32_t first_triangle, triangles, vertices, mesh; /* 0 without geometry */
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
 } engine_block;
 
 /* A triangle with lattice geometry begins with its least corner. */
 typedef struct engine_triangle {
     uint32_t corner[3][3]; /* 0 with float records */
     float point[3][3];
-    uint32_t number, turn;
+    uint32_t primitive_id, rotation;
 } engine_triangle;
 
-typedef struct engine_walk {
+typedef struct engine_scan {
     engine_block *block;
     engine_child *child;
     engine_triangle *triangle;
     uint32_t blocks, children, triangles;
-} engine_walk;
+} engine_scan;
 
-/* Memory that is out ends the program. */
-void engine_walk_make(engine_walk *walk, const unsigned char *image, const decoded_header *header);
-void engine_walk_free(engine_walk *walk);
+/* Running out of memory ends the program. */
+void engine_scan_make(engine_scan *scan, const unsigned char *image, const decoded_header *header);
+void engine_scan_free(engine_scan *scan);
 
 #endif

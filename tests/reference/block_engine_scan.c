@@ -1,7 +1,7 @@
-/* block_engine_walk - what the engine's own functions make of compact blocks
+/* block_engine_scan - what the engine's own functions read from compact blocks
  *
  * SPDX-License-Identifier: MIT */
-#include "tests/reference/block_engine_walk.h"
+#include "tests/reference/block_engine_scan.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,18 +10,18 @@
 #include "engine/base/lattice.h"
 #include "engine/tree/compact/leaf.h"
 #include "engine/tree/primitive_id.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
-/* The image, and the block in hand. */
-typedef struct walk_source {
+/* The image, and the current block. */
+typedef struct scan_source {
     const unsigned char *blocks, *second; /* sections; the second may be missing */
     const decoded_header *header;
     plt_lattice lattice;
     plt_block block;
     plt_geometry geometry;
-} walk_source;
+} scan_source;
 
-static int has_floats(const walk_source *source) {
+static int has_floats(const scan_source *source) {
     return source->header->geometry_format == 0;
 }
 
@@ -34,22 +34,22 @@ static size_t room_of(size_t count) {
     return room;
 }
 
-/* The array with room for `more` elements behind its `count`, those 0. */
+/* Returns the array with room for `more` elements after its `count`; the new ones are 0. */
 static void *grow(void *array, uint32_t count, uint32_t more, size_t element_bytes) {
     const size_t room = room_of((size_t)count + more);
     if (array == NULL || room != room_of(count)) {
         array = realloc(array, room * element_bytes);
     }
     if (array == NULL) {
-        fprintf(stderr, "block_engine_walk: out of memory\n");
+        fprintf(stderr, "block_engine_scan: out of memory\n");
         exit(1);
     }
     memset((char *)array + count * element_bytes, 0, more * element_bytes);
     return array;
 }
 
-/* Begins with the least corner; the direction of turning stays. */
-static void turn_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
+/* Rotates the least corner to the front; the winding stays. */
+static void rotate_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
     uint64_t key[3];
     int least = 0;
     for (int c = 0; c < 3; c++) {
@@ -61,31 +61,31 @@ static void turn_to_least(uint32_t to[3][3], uint32_t corner[3][3]) {
     }
 }
 
-static void add_lattice_triangle(engine_walk *walk, const walk_source *source,
+static void add_lattice_triangle(engine_scan *scan, const scan_source *source,
                                  uint32_t corner[3][3]) {
-    const uint32_t place = walk->triangles++;
-    engine_triangle *triangle = &walk->triangle[place];
+    const uint32_t index = scan->triangles++;
+    engine_triangle *triangle = &scan->triangle[index];
     const plt_primitive_ids numbers = {source->second, source->header->primitive_id_bits};
-    const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, place);
-    triangle->number = plt_primitive_id(word);
-    triangle->turn = plt_primitive_rotation(word);
-    turn_to_least(triangle->corner, corner);
+    const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, index);
+    triangle->primitive_id = plt_primitive_id(word);
+    triangle->rotation = plt_primitive_rotation(word);
+    rotate_to_least(triangle->corner, corner);
     for (int i = 0; i < 9; i++) {
         triangle->point[i / 3][i % 3] =
             plt_lattice_float(&source->lattice, i % 3, triangle->corner[i / 3][i % 3]);
     }
 }
 
-static void add_record(engine_walk *walk, const walk_source *source) {
-    const uint32_t place = walk->triangles++;
-    const unsigned char *record = source->second + 40 * (size_t)place;
-    engine_triangle *triangle = &walk->triangle[place];
+static void add_record(engine_scan *scan, const scan_source *source) {
+    const uint32_t index = scan->triangles++;
+    const unsigned char *record = source->second + 40 * (size_t)index;
+    engine_triangle *triangle = &scan->triangle[index];
     memcpy(triangle->point, record, sizeof triangle->point);
-    triangle->number = plt_primitive_id(plt_get_u32(record + 36));
-    triangle->turn = plt_primitive_rotation(plt_get_u32(record + 36));
+    triangle->primitive_id = plt_primitive_id(plt_get_u32(record + 36));
+    triangle->rotation = plt_primitive_rotation(plt_get_u32(record + 36));
 }
 
-static void add_unit(engine_walk *walk, const walk_source *source, engine_child *child,
+static void add_leaf(engine_scan *scan, const scan_source *source, engine_child *child,
                      uint32_t slot) {
     const uint32_t pairs = plt_block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
@@ -93,28 +93,28 @@ static void add_unit(engine_walk *walk, const walk_source *source, engine_child 
         plt_leaf_find(&source->geometry, child->rank, pairs, is_pair, &child->count);
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     child->first = source->geometry.first_triangle + first;
-    walk->triangle = grow(walk->triangle, walk->triangles, child->count, sizeof *walk->triangle);
+    scan->triangle = grow(scan->triangle, scan->triangles, child->count, sizeof *scan->triangle);
     if (!has_floats(source)) {
-        unit_corners(&source->geometry, first, child->count, corner);
+        leaf_corners(&source->geometry, first, child->count, corner);
     }
     for (uint32_t t = 0; t < child->count; t++) {
         if (has_floats(source)) {
-            add_record(walk, source);
+            add_record(scan, source);
         } else {
-            add_lattice_triangle(walk, source, corner[t]);
+            add_lattice_triangle(scan, source, corner[t]);
         }
     }
 }
 
 /* Adds both children of a node; `box` is its own box, and `below` gets theirs
  * where they are nodes of this block. */
-static void add_children(engine_walk *walk, const walk_source *source, uint32_t node,
+static void add_children(engine_scan *scan, const scan_source *source, uint32_t node,
                          plt_lattice_box below[PLT_BLOCK_NODES_MOST]) {
     plt_lattice_box box[2];
     plt_block_children(&source->block, node, &below[node], box);
     for (uint32_t c = 0; c < 2; c++) {
         const uint32_t slot = 2 * node + c;
-        engine_child *child = &walk->child[walk->children++];
+        engine_child *child = &scan->child[scan->children++];
         child->kind = plt_block_kind(&source->block, slot);
         child->rank = plt_block_rank(&source->block, child->kind, slot);
         child->box = box[c];
@@ -124,13 +124,13 @@ static void add_children(engine_walk *walk, const walk_source *source, uint32_t 
         } else if (child->kind == PLT_SLOT_EDGE) {
             child->link = plt_block_edge(&source->block, child->rank);
         } else {
-            add_unit(walk, source, child, slot);
+            add_leaf(scan, source, child, slot);
         }
     }
 }
 
-/* The engine opens a part with units alone. */
-static void open_geometry(walk_source *source, engine_block *block) {
+/* Only blocks with leaves have a geometry part to open. */
+static void open_geometry(scan_source *source, engine_block *block) {
     plt_geometry *g = &source->geometry;
     if (source->block.units == 0) {
         return;
@@ -138,7 +138,7 @@ static void open_geometry(walk_source *source, engine_block *block) {
     if (has_floats(source)) {
         plt_geometry_open_counts(g, &source->block, source->header->leaf_triangles);
     } else {
-        plt_geometry_open(g, &source->block, &block->frame, source->header->leaf_triangles);
+        plt_geometry_open(g, &source->block, &block->bounds, source->header->leaf_triangles);
     }
     block->first_triangle = g->first_triangle;
     block->triangles = g->triangles;
@@ -146,45 +146,45 @@ static void open_geometry(walk_source *source, engine_block *block) {
     block->mesh = g->mesh;
 }
 
-static uint32_t add_block(engine_walk *walk, walk_source *source, uint32_t address) {
+static uint32_t add_block(engine_scan *scan, scan_source *source, uint32_t address) {
     plt_block *open = &source->block;
     plt_lattice_box below[PLT_BLOCK_NODES_MOST];
     plt_block_open(open, source->blocks + address, source->lattice.bits);
-    walk->block = grow(walk->block, walk->blocks, 1, sizeof *walk->block);
-    walk->child = grow(walk->child, walk->children, 2 * open->nodes, sizeof *walk->child);
-    engine_block *block = &walk->block[walk->blocks++];
+    scan->block = grow(scan->block, scan->blocks, 1, sizeof *scan->block);
+    scan->child = grow(scan->child, scan->children, 2 * open->nodes, sizeof *scan->child);
+    engine_block *block = &scan->block[scan->blocks++];
     *block = (engine_block){.address = address,
                             .node_bytes = open->node_bytes,
                             .geometry_bytes = open->geometry_bytes,
                             .nodes = open->nodes,
                             .edges = open->edges,
-                            .units = open->units,
+                            .leaves = open->units,
                             .pairs = open->pairs};
-    plt_block_bounds(open, source->lattice.bits, &block->frame);
+    plt_block_bounds(open, source->lattice.bits, &block->bounds);
     open_geometry(source, block);
-    below[0] = block->frame;
+    below[0] = block->bounds;
     for (uint32_t node = 0; node < open->nodes; node++) {
-        add_children(walk, source, node, below);
+        add_children(scan, source, node, below);
     }
     return address + (open->node_bytes + open->geometry_bytes + 7) / 8 * 8;
 }
 
-void engine_walk_make(engine_walk *walk, const unsigned char *image, const decoded_header *header) {
-    walk_source source = {.header = header};
+void engine_scan_make(engine_scan *scan, const unsigned char *image, const decoded_header *header) {
+    scan_source source = {.header = header};
     source.blocks = image + header->section[0].offset;
     source.second = header->sections > 1 ? image + header->section[1].offset : NULL;
     memcpy(source.lattice.origin, header->origin, sizeof header->origin);
     source.lattice.step = header->step;
     source.lattice.bits = header->lattice_bits;
-    memset(walk, 0, sizeof *walk);
+    memset(scan, 0, sizeof *scan);
     const uint32_t end = header->node_bytes + header->triangle_bytes;
     for (uint32_t address = 0; address < end;) {
-        address = add_block(walk, &source, address);
+        address = add_block(scan, &source, address);
     }
 }
 
-void engine_walk_free(engine_walk *walk) {
-    free(walk->block);
-    free(walk->child);
-    free(walk->triangle);
+void engine_scan_free(engine_scan *scan) {
+    free(scan->block);
+    free(scan->child);
+    free(scan->triangle);
 }
