@@ -10,8 +10,8 @@ typedef struct planes {
     f4 near[3], far[3]; /* ONE_ORIGIN: less the origin; MIXED: lo and hi */
 } planes;
 
-static inline void spread(planes *b, const plt_slab_set *set, const plt_box *box,
-                          enum plt_coherence kind) {
+static inline void set_planes(planes *b, const plt_slab_set *set, const plt_box *box,
+                              enum plt_coherence kind) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const int swap = kind != PLT_MIXED && set->negative[a];
         const float near = swap ? box->hi[a] : box->lo[a];
@@ -48,11 +48,11 @@ static inline m4 meets(const planes *b, const plt_slabs *g, enum plt_coherence k
     return f4_le(*entry, leave);
 }
 
-static inline plt_mask groups_in(const plt_slab_set *set, const plt_box *box, plt_mask groups,
-                                 enum plt_coherence kind) {
+static inline plt_mask test_box(const plt_slab_set *set, const plt_box *box, plt_mask groups,
+                                enum plt_coherence kind) {
     planes b;
     plt_mask hit = 0;
-    spread(&b, set, box, kind);
+    set_planes(&b, set, box, kind);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
@@ -61,13 +61,13 @@ static inline plt_mask groups_in(const plt_slab_set *set, const plt_box *box, pl
     return hit;
 }
 
-static inline uint32_t groups_in_both(const plt_slab_set *set, const plt_box child[2],
-                                      plt_mask groups, plt_mask hit[2], enum plt_coherence kind) {
+static inline uint32_t test_pair(const plt_slab_set *set, const plt_box child[2], plt_mask groups,
+                                 plt_mask hit[2], enum plt_coherence kind) {
     planes b[2];
     plt_mask left = 0, right = 0;
     uint32_t tested = 0;
-    spread(&b[0], set, &child[0], kind);
-    spread(&b[1], set, &child[1], kind);
+    set_planes(&b[0], set, &child[0], kind);
+    set_planes(&b[1], set, &child[1], kind);
     for (plt_mask m = groups; m != 0; m &= m - 1, tested++) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
@@ -82,11 +82,11 @@ static inline uint32_t groups_in_both(const plt_slab_set *set, const plt_box chi
 plt_mask plt_box_groups(const plt_slab_set *set, const plt_box *box, plt_mask groups) {
     switch (set->coherence) {
     case PLT_ONE_ORIGIN:
-        return groups_in(set, box, groups, PLT_ONE_ORIGIN);
+        return test_box(set, box, groups, PLT_ONE_ORIGIN);
     case PLT_ONE_SIGN:
-        return groups_in(set, box, groups, PLT_ONE_SIGN);
+        return test_box(set, box, groups, PLT_ONE_SIGN);
     default:
-        return groups_in(set, box, groups, PLT_MIXED);
+        return test_box(set, box, groups, PLT_MIXED);
     }
 }
 
@@ -94,18 +94,18 @@ uint32_t plt_box_pair(const plt_slab_set *set, const plt_box child[2], plt_mask 
                       plt_mask hit[2]) {
     switch (set->coherence) {
     case PLT_ONE_ORIGIN:
-        return groups_in_both(set, child, groups, hit, PLT_ONE_ORIGIN);
+        return test_pair(set, child, groups, hit, PLT_ONE_ORIGIN);
     case PLT_ONE_SIGN:
-        return groups_in_both(set, child, groups, hit, PLT_ONE_SIGN);
+        return test_pair(set, child, groups, hit, PLT_ONE_SIGN);
     default:
-        return groups_in_both(set, child, groups, hit, PLT_MIXED);
+        return test_pair(set, child, groups, hit, PLT_MIXED);
     }
 }
 
 float plt_box_entry(const plt_slab_set *set, const plt_box *box, plt_mask groups) {
     planes b;
     f4 entry;
-    spread(&b, set, box, PLT_MIXED); /* right for any packet, and rare */
+    set_planes(&b, set, box, PLT_MIXED); /* right for any packet; calls are rare */
     const m4 hit = meets(&b, &set->group[plt_mask_first(groups)], PLT_MIXED, &entry);
     return f4_min_lane(f4_select(hit, entry, f4_all(PLT_BOX_FAR)));
 }

@@ -1,8 +1,9 @@
 /* boxes - groups of rays against boxes, by slabs
  *
- * A group meets a box when any of its lanes does, within tmin .. tmax. The
- * distances are (plane - moved origin) * (1 / dir). Monotone in the planes: a ray
- * that meets a box meets every box around it.
+ * A group meets a box when any of its lanes does, within tmin .. tmax. The distance
+ * to a plane is (plane - origin) * (1 / dir), with the origin moved by a bound on the
+ * rounding error (packet.c), away from near planes and towards far ones. Distances are
+ * monotone in the planes: a ray that meets a box meets every box around it.
  *
  * Source: Kay and Kajiya 1986; Karrenberg 2007, section 3.5.
  *
@@ -21,7 +22,8 @@ plt_mask plt_box_groups(const plt_slab_set *set, const plt_box *box, plt_mask gr
 uint32_t plt_box_pair(const plt_slab_set *set, const plt_box child[2], plt_mask groups,
                       plt_mask hit[2]);
 
-/* Least distance at which the first group of `groups` enters the box. */
+/* Least distance at which the first group of `groups` enters the box; PLT_BOX_FAR: it
+ * does not. */
 float plt_box_entry(const plt_slab_set *set, const plt_box *box, plt_mask groups);
 
 #endif

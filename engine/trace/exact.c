@@ -22,18 +22,18 @@ typedef struct pair {
     float high, low; /* value = high + low, |low| <= 2^-24 |high| */
 } pair;
 
-static float size_of(float x) {
+static float absolute(float x) {
     return __builtin_fabsf(x);
 }
 
 static float largest(const float v[3]) {
-    const float x = size_of(v[0]), y = size_of(v[1]), z = size_of(v[2]);
+    const float x = absolute(v[0]), y = absolute(v[1]), z = absolute(v[2]);
     const float xy = x > y ? x : y;
     return xy > z ? xy : z;
 }
 
 /* A power of two p so that x * p lies in 1 .. 2 (x normal and below 2^126). */
-static float to_one(float x) {
+static float power_to_one(float x) {
     uint32_t bits;
     float p;
     memcpy(&bits, &x, sizeof bits);
@@ -89,8 +89,8 @@ int plt_edge_side(const float p[3], const float q[3], const float org[3], const 
         reach[a] = from[a].high;
         length[a] = edge[a].high;
     }
-    const float by_reach = to_one(largest(reach)), by_length = to_one(largest(length));
-    const float by_dir = to_one(largest(dir));
+    const float by_reach = power_to_one(largest(reach)), by_length = power_to_one(largest(length));
+    const float by_dir = power_to_one(largest(dir));
     for (int a = 0; a < 3; a++) {
         from[a] = scaled(from[a], by_reach);
         edge[a] = scaled(edge[a], by_length);
@@ -101,7 +101,7 @@ int plt_edge_side(const float p[3], const float q[3], const float org[3], const 
         const pair d = {dir[a] * by_dir, 0.0f};
         const pair plus = pair_product(from[b], edge[c]), minus = pair_product(from[c], edge[b]);
         value = pair_sum(value, pair_product(pair_sum(plus, negative(minus)), d));
-        value_size += size_of(d.high) * (size_of(plus.high) + size_of(minus.high));
+        value_size += absolute(d.high) * (absolute(plus.high) + absolute(minus.high));
     }
     const float error = ERROR * value_size + UNDERFLOW;
     return value.high > error ? 1 : (value.high < -error ? -1 : 0);

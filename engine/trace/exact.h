@@ -1,6 +1,6 @@
 /* exact - on which side of a directed edge does a ray pass?
  *
- * The close calls of the ray/triangle test end here. Arithmetic is in pairs of
+ * Cases of the ray/triangle test that single precision cannot decide. Arithmetic is in pairs of
  * floats (about 46 bits), error-free where it matters; what is smaller than
  * its error bound counts as 0, "on the edge". So a side is never wrong, and a
  * ray that meets a triangle is never turned away.

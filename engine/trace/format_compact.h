@@ -22,14 +22,22 @@ typedef struct format_entry {
     plt_mask groups;
 } format_entry;
 
-/* `what`: enum plt_slot_kind | index of the node or leaf in its block << 8 | of a leaf:
- * pairs before it << 16 | it is a pair << 24. */
+/* `what`, four bytes: enum plt_slot_kind, the index of the node or leaf in its block,
+ * and of a leaf the pairs before it, and whether it is a pair. */
 static inline uint32_t kind_of(const format_entry *e) {
     return e->what & 0xFFu;
 }
 
 static inline uint32_t index_of(const format_entry *e) {
     return e->what >> 8 & 0xFFu;
+}
+
+static inline uint32_t pairs_before(const format_entry *e) {
+    return e->what >> 16 & 0xFFu;
+}
+
+static inline int is_pair(const format_entry *e) {
+    return (int)(e->what >> 24);
 }
 
 /* Boxes in the scene's units, written four lanes at once: the fourth of a store is
@@ -52,7 +60,7 @@ static inline plt_opened_block *open_block(plt_traversal *t, uint32_t link) {
         return t->opened;
     }
     t->opened = plt_block_cache_find(t->cache, &t->scene->compact, link);
-    t->geometry_in_hand = 0;
+    t->geometry_counted = 0;
     t->stats.treelet_fetches++;
     plt_traffic_count(&t->stats, t->touched, plt_block_address(link) / 8,
                       t->opened->block.node_bytes);
@@ -224,14 +232,13 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_entr
     if (!o->geometry_open) {
         plt_opened_block_geometry(o, tree);
     }
-    if (!t->geometry_in_hand) {
-        t->geometry_in_hand = 1;
+    if (!t->geometry_counted) {
+        t->geometry_counted = 1; /* beside the bit of the nodes part */
         plt_traffic_count(&t->stats, t->touched, plt_block_address(o->link) / 8 + 1,
                           o->block.geometry_bytes);
     }
     plt_leaf_run run = {.longest = longest_side(&tree->lattice, e)};
-    run.first = plt_leaf_find(&o->geometry, index_of(e), e->what >> 16 & 0xFFu,
-                              (int)(e->what >> 24), &run.count);
+    run.first = plt_leaf_find(&o->geometry, index_of(e), pairs_before(e), is_pair(e), &run.count);
     t->stats.triangle_tests += (uint64_t)run.count * plt_mask_count(e->groups);
     plt_leaf_groups(tree, &o->geometry, &run, p, e->groups);
     return PLT_OK;

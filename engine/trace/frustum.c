@@ -11,8 +11,8 @@ int plt_frustum_set(plt_frustum *f, const plt_packet *p, plt_mask groups) {
     if (p->slabs.coherence != PLT_ONE_ORIGIN || p->axis == 3 || groups == 0) {
         return 0;
     }
-    const f4 far = f4_all(2.0f); /* no slope is above 1 */
-    f4 x = far, minus_x = far, y = far, minus_y = far;
+    const f4 most = f4_all(2.0f); /* no slope is above 1 */
+    f4 x = most, minus_x = most, y = most, minus_y = most;
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         const plt_rays *g = &p->rays[plt_mask_first(m)];
         const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
@@ -24,16 +24,16 @@ int plt_frustum_set(plt_frustum *f, const plt_packet *p, plt_mask groups) {
     f4_transpose(&x, &minus_x, &y, &minus_y);
     const f4 least = f4_min(f4_min(x, minus_x), f4_min(y, minus_y));
     const unsigned back = p->slabs.negative[p->axis], axis = p->axis;
-    f4 *const by_axis = f->by_axis;
-    by_axis[axis] = back ? least : f4_neg(least);
-    by_axis[axis == 2 ? 0 : axis + 1] = f4_load(to_x[back]);
-    by_axis[axis == 0 ? 2 : axis - 1] = f4_load(to_y[back]);
+    f4 *const normal = f->normal;
+    normal[axis] = back ? least : f4_neg(least);
+    normal[axis == 2 ? 0 : axis + 1] = f4_load(to_x[back]);
+    normal[axis == 0 ? 2 : axis - 1] = f4_load(to_y[back]);
     for (int a = 0; a < 3; a++) {
         f->org[a] = f4_all(p->org[a]);
     }
-    f->out = f4_all(-MARGIN * p->reach);
+    f->margin = f4_all(-MARGIN * p->reach);
     f->axis = axis;
     f->sign = back ? -1.0f : 1.0f;
-    f->start = p->org[axis];
+    f->org_along = p->org[axis];
     return 1;
 }

@@ -20,10 +20,10 @@
 
 /* The four side planes, a lane each. */
 typedef struct plt_frustum {
-    f4 by_axis[3]; /* normals; the planes go through org */
+    f4 normal[3]; /* the planes go through org */
     f4 org[3];
-    f4 out;            /* a point whose distance is below it lies outside of that plane */
-    float sign, start; /* of the rays along the axis: 1 or -1; where they start */
+    f4 margin;             /* a point whose distance is below it lies outside of that plane */
+    float sign, org_along; /* of the rays along the axis: 1 or -1; where they start */
     unsigned axis;
 } plt_frustum;
 
@@ -33,11 +33,11 @@ int plt_frustum_set(plt_frustum *frustum, const plt_packet *packet, plt_mask gro
 /* Bits 0 .. 3: the planes that the point lies outside of; bit 4: it lies behind the
  * origin. */
 static inline unsigned plt_frustum_outcode(const plt_frustum *f, const float at[3]) {
-    const f4 x = f4_mul(f->by_axis[0], f4_sub(f4_all(at[0]), f->org[0]));
-    const f4 y = f4_mul(f->by_axis[1], f4_sub(f4_all(at[1]), f->org[1]));
-    const f4 z = f4_mul(f->by_axis[2], f4_sub(f4_all(at[2]), f->org[2]));
-    const unsigned behind = f->sign * (at[f->axis] - f->start) < 0.0f;
-    return m4_mask(f4_lt(f4_add(f4_add(x, y), z), f->out)) | behind << 4;
+    const f4 x = f4_mul(f->normal[0], f4_sub(f4_all(at[0]), f->org[0]));
+    const f4 y = f4_mul(f->normal[1], f4_sub(f4_all(at[1]), f->org[1]));
+    const f4 z = f4_mul(f->normal[2], f4_sub(f4_all(at[2]), f->org[2]));
+    const unsigned behind = f->sign * (at[f->axis] - f->org_along) < 0.0f;
+    return m4_mask(f4_lt(f4_add(f4_add(x, y), z), f->margin)) | behind << 4;
 }
 
 /* No ray of the groups meets a triangle whose corners have these outcodes. */

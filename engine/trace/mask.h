@@ -1,4 +1,4 @@
-/* mask - which groups of a packet are meant, a bit each
+/* mask - a set of groups of a packet, a bit each
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_MASK_H

@@ -53,7 +53,7 @@ static void set_origins(plt_slabs *s, plt_rays *g, const plt_box *scene, const f
     }
     reach = f4_mul(reach, f4_all(REACH_ROUNDING));
     f4_store(g->reach, reach);
-    f4_store(g->reach_error, f4_mul(f4_mul(reach, reach), f4_all(CLOSE_ERROR)));
+    f4_store(g->least_slack, f4_mul(f4_mul(reach, reach), f4_all(CLOSE_ERROR)));
     const f4 box_error = f4_mul(reach, f4_all(BOX_ERROR));
     for (int a = 0; a < 3; a++) {
         const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(ORIGIN_ERROR)));
@@ -138,7 +138,7 @@ static void copy_ray(plt_packet *p, unsigned group, unsigned lane) {
         p->forward[a] = 0.0f;
     }
     p->reach = g->reach[lane];
-    p->reach_error = g->reach_error[lane];
+    p->least_slack = g->least_slack[lane];
 }
 
 /* What a group has in common with the ray that was copied. */

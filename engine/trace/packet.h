@@ -22,11 +22,11 @@ typedef struct plt_rays {
     float org[3][4], dir[3][4];
     float slope[2][4];     /* shear towards the axis of the largest component */
     float reach[4];        /* to the scene's box, on any axis: at least to every corner */
-    float reach_error[4];  /* 320 u^2 reach^2 */
+    float least_slack[4];  /* of edge functions (triangle.c): 320 u^2 reach^2 */
     float u[4], v[4];      /* of the nearest hit, whose t is tmax of the slabs */
     uint32_t id[4];        /* its primitive id, PLT_MISS: none */
     float normal[3][4];    /* its normal, not of unit length */
-    uint8_t axis_lanes[3]; /* lanes whose largest component is that axis */
+    uint8_t axis_lanes[3]; /* per axis, the lanes whose largest component it is */
     uint8_t valid;         /* lanes that hold a ray */
     uint8_t pad[12];       /* to a multiple of 16 */
 } plt_rays;
@@ -38,7 +38,7 @@ typedef struct plt_packet {
     plt_mask active; /* groups with a valid ray; any hit: with one that has hit nothing yet */
     uint8_t any;     /* any hit is enough */
     uint8_t axis;    /* of the largest component in all rays; 3: differs */
-    float org[3], reach, reach_error; /* PLT_ONE_ORIGIN: as in the groups */
+    float org[3], reach, least_slack; /* PLT_ONE_ORIGIN: as in the groups */
     float forward[3];                 /* sum of the directions of first lanes */
 } plt_packet;
 

@@ -24,7 +24,7 @@ typedef struct plt_traversal {
     uint32_t treelet;         /* thesis nodes: the treelet block in hand, PLT_MISS: none */
     plt_opened_block *cache;  /* compact blocks: PLT_OPEN_BLOCKS slots */
     plt_opened_block *opened; /* the one in hand, NULL: none */
-    uint8_t geometry_in_hand; /* its geometry part has been counted */
+    uint8_t geometry_counted; /* its geometry part is in the statistics */
     uint32_t *touched;        /* a bit per block that was counted once; NULL: not asked for */
     plt_stats stats;
 } plt_traversal;

@@ -17,8 +17,8 @@
 
 #include "engine/trace/exact.h"
 
-#define U 5.9604644775390625e-8f /* 2^-24 */
-#define BESIDE 3.0517578125e-5f  /* 2^-15; frustum.c relies on it */
+#define U 5.9604644775390625e-8f     /* 2^-24 */
+#define MISS_MARGIN 3.0517578125e-5f /* 2^-15; frustum.c relies on it */
 
 static const uint8_t axis_after[3] = {1, 2, 0};
 
@@ -55,7 +55,7 @@ static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharin
     if (sharing == APART) {
         return;
     }
-    t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->reach_error));
+    t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->least_slack));
     unsigned axis = axis_after[p->axis];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         for (int c = 0; c < 3; c++) {
@@ -104,7 +104,7 @@ static inline unsigned may_cover(const prepared *t, const plt_rays *g, const edg
                                  enum sharing sharing) {
     f4 slack = t->slack;
     if (sharing == APART) {
-        slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->reach_error));
+        slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->least_slack));
     }
     return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
 }
@@ -120,8 +120,8 @@ static int close_side(const prepared *t, const plt_rays *g, int z, unsigned lane
     return dir[z] < 0.0f ? -side : side;
 }
 
-/* Does the ray meet the triangle? Never wrong: an edge function is believed
- * beyond its error, the others are worked out anew. */
+/* Does the ray meet the triangle? Never wrong: an edge function larger than its error
+ * bound is relied on, the others are computed anew. */
 static int meets_exactly(const prepared *t, const plt_rays *g, const edges *e, int z,
                          const float error[4], unsigned lane) {
     int positive = 0, negative = 0;
@@ -135,14 +135,14 @@ static int meets_exactly(const prepared *t, const plt_rays *g, const edges *e, i
         positive |= side > 0;
         negative |= side < 0;
     }
-    return positive != negative; /* not both, and not on all three lines */
+    return positive != negative; /* one sign only; all zero is edge-on */
 }
 
 /* Lanes that all three corners lie on one side of, seen along the axis, by more than
  * any rounding. A triangle seen edge-on has all edge functions close to 0 in every
  * ray of its plane, however far beside. */
-static m4 beside(const edges *e, f4 reach) {
-    const f4 far = f4_mul(reach, f4_all(BESIDE)), minus_far = f4_neg(far);
+static m4 clearly_missed(const edges *e, f4 reach) {
+    const f4 far = f4_mul(reach, f4_all(MISS_MARGIN)), minus_far = f4_neg(far);
     m4 any = f4_lt(far, f4_min(f4_min(e->x[0], e->x[1]), e->x[2]));
     any = m4_or(any, f4_lt(larger3(e->x[0], e->x[1], e->x[2]), minus_far));
     any = m4_or(any, f4_lt(far, f4_min(f4_min(e->y[0], e->y[1]), e->y[2])));
@@ -150,15 +150,16 @@ static m4 beside(const edges *e, f4 reach) {
 }
 
 /* Of the lanes that may be covered those that are. */
-static m4 covered(const prepared *t, const plt_rays *g, const edges *e, int z, m4 may) {
+static m4 covered(const prepared *t, const plt_rays *g, const edges *e, int z, m4 candidates) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
     const f4 error = f4_mul(
         reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
     const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
-    unsigned lanes = m4_mask(m4_and(may, sure));
-    const unsigned close = m4_mask(m4_andnot(m4_andnot(may, sure), beside(e, reach)));
+    unsigned lanes = m4_mask(m4_and(candidates, sure));
+    const unsigned close =
+        m4_mask(m4_andnot(m4_andnot(candidates, sure), clearly_missed(e, reach)));
     float errors[4];
     f4_store(errors, error);
     for (unsigned lane = 0; close >> lane != 0; lane++) {
@@ -192,15 +193,15 @@ static m4 own_box(const prepared *t, const plt_slabs *s, f4 *enter, f4 *leave) {
 static f4 plane_distance(const prepared *t, const float normal[3], const plt_rays *g, int z,
                          f4 enter, f4 leave) {
     const int ax = axis_after[z], ay = axis_after[ax];
-    f4 above = f4_zero();
+    f4 numerator = f4_zero();
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p0 = f4_sub(f4_all(t->triangle->corner[0][a]), f4_load(g->org[a]));
-        above = f4_add(above, f4_mul(f4_all(normal[a]), p0));
+        numerator = f4_add(numerator, f4_mul(f4_all(normal[a]), p0));
     }
-    const f4 along =
+    const f4 n_dot_dir = /* over dir[z] */
         f4_add(f4_all(normal[z]), f4_add(f4_mul(f4_all(normal[ax]), f4_load(g->slope[0])),
                                          f4_mul(f4_all(normal[ay]), f4_load(g->slope[1]))));
-    const f4 distance = f4_div(f4_div(above, along), f4_load(g->dir[z]));
+    const f4 distance = f4_div(f4_div(numerator, n_dot_dir), f4_load(g->dir[z]));
     return f4_min(f4_max(distance, enter), leave);
 }
 
@@ -233,11 +234,11 @@ static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, co
     const f4 distance = plane_distance(t, normal, g, z, enter, leave);
     const uint32_t word = plt_primitive_word_find(t->triangle->ids, t->triangle->word);
     const u4 id = u4_all(plt_primitive_id(word));
-    const m4 wanted = m4_and(m4_and(m4_bits(lanes), in_box), nearer(s, g, distance, id));
-    if (m4_mask(wanted) == 0) {
+    const m4 nearer_lanes = m4_and(m4_and(m4_bits(lanes), in_box), nearer(s, g, distance, id));
+    if (m4_mask(nearer_lanes) == 0) {
         return 0;
     }
-    const m4 hit = covered(t, g, e, z, wanted);
+    const m4 hit = covered(t, g, e, z, nearer_lanes);
     f4_store(s->tmax, f4_select(hit, p->any ? f4_all(-1.0f) : distance, f4_load(s->tmax)));
     u4_store(g->id, u4_select(hit, id, u4_load(g->id)));
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
@@ -255,7 +256,7 @@ static inline unsigned test_axis(const prepared *t, plt_packet *p, unsigned inde
     if (may == 0) {
         return 0;
     }
-    const edges kept = e; /* leaves the registers only for a ray that may hit */
+    const edges kept = e; /* so that e stays in registers for a miss, the common case */
     return record_hits(t, p, index, PLT_LANES_REGISTERS ? &kept : &e, z, may);
 }
 
