@@ -3,13 +3,14 @@
 #
 # BASE is the folder of another checkout, with its build/host/planelet built; SCENES a
 # folder of binary PLY meshes; PEER a program that makes ray files ("rays"). Each build
-# packs its own images, so that a new version of the format is no obstacle. First the
-# same: images (but for the version and the CRC of the header), frames of 320x240, and
-# the hits of primary, shadow and bounce rays, byte for byte. Then the speed: rays per
-# second in runs by turns, this build and BASE; of every mesh, format and kind of ray the
-# median of the ratios counts. Last the instructions per ray of a firmware, which are
-# exact. Set MESHES, FORMATS, KINDS, ROUNDS or REPEAT for less; ROUNDS=0 leaves the speed
-# out, DEVICE= the firmware, MESHES= all but the firmware. SPDX-License-Identifier: MIT
+# packs its own images, so a new version of the format does not matter. First the results:
+# images (but for the version and the CRC of the header), frames of 320x240 and the hits
+# of primary, shadow and bounce rays must be the same, byte for byte. Then the speed: rays
+# per second in alternating runs of this build and BASE; for each mesh, format and kind of
+# ray the median of the ratios counts. Last the instructions per ray of a firmware, which
+# are exact. Set MESHES, FORMATS, KINDS, ROUNDS or REPEAT for less; ROUNDS=0 leaves out
+# the speed, DEVICE= the firmware, MESHES= all but the firmware.
+# SPDX-License-Identifier: MIT
 set -u
 base=${1:-} scenes=${2:-} peer=${3:-}
 planelet=${PLANELET:-build/host/planelet}
