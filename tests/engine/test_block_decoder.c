@@ -24,7 +24,7 @@ typedef struct subject {
     packed image;
     decoded_image decoded;
     enum way way;
-    int is_packed; /* a tiny build may refuse */
+    int is_packed;
     char name[80];
 } subject;
 
@@ -50,7 +50,7 @@ static void pack_subject(subject *s, const mesh *m, uint32_t bits, uint32_t k, e
     s->way = way;
     snprintf(s->name, sizeof s->name, "%u bits, K %u, %s", bits, k, word[way]);
     s->is_packed = pack_compact(&s->image, m, &options, "mesh", &loss, &f) == 0;
-    CHECK(s->is_packed || rig_is_tiny(), "%s: %s", s->name, f.text);
+    CHECK(s->is_packed, "%s: %s", s->name, f.text);
 }
 
 static subjects pack_all(const mesh *m) {
@@ -287,12 +287,14 @@ static void check_subjects(const char *scene, const char *property, const subjec
     char sentence[200];
     snprintf(sentence, sizeof sentence, "%s: %s", scene, property);
     test(sentence);
+    size_t checked = 0;
     for (size_t i = 0; i < all->count; i++) {
         if (all->list[i].decoded.wrong[0] == '\0') {
             check(&all->list[i]);
+            checked++;
         }
     }
-    CHECK(all->count > 0 || rig_is_tiny(), "nothing was packed");
+    CHECK(checked == (size_t)BITS * KS * WAYS, "only %zu images were looked at", checked);
 }
 
 static void check_scene(const char *scene, const mesh *m) {
@@ -317,6 +319,9 @@ static void check_scene(const char *scene, const mesh *m) {
 static void check_scenes(void) {
     static const char *const name[] = {"knot", "terrain", "marbles", "ground"};
     for (int scene = 0; scene < 4; scene++) {
+        if (scene == 2 && rig_is_tiny()) {
+            continue; /* the marbles' tree is deeper than tiny limits allow */
+        }
         mesh m = {0};
         fail f = {""};
         const uint32_t triangles = rig_triangles(2000, 2);
@@ -403,7 +408,7 @@ static void check_mesh_numbers(void) {
     fail f = {""};
     subject s = {0};
     s.is_packed = pack_compact(&s.image, &m, &options, "two", &loss, &f) == 0;
-    CHECK(s.is_packed || rig_is_tiny(), "%s", f.text);
+    CHECK(s.is_packed, "%s", f.text);
     if (s.is_packed) {
         decode_subject(&s);
         uint32_t named = 0;
@@ -416,7 +421,7 @@ static void check_mesh_numbers(void) {
                 CHECK((number >= first) == (block->mesh == 2), "block %u", block->address);
             }
         }
-        CHECK(named > 0 || rig_is_tiny(), "no block names a mesh");
+        CHECK(named > 0, "no block names a mesh");
         free_subject(&s);
     }
     mesh_free(&m);

@@ -27,7 +27,13 @@ enum { RAYS = 64 };
 #else
 enum { RAYS = 200 };
 #endif
-enum { SCENES = 9 };
+enum { SCENES = 9, COMBINATIONS = SCENES * 3 * 5 }; /* of a scene, K and bits */
+enum {
+    SIDES =
+        1 + (PLT_PACKET_SIDE_MAX >= 4) + (PLT_PACKET_SIDE_MAX >= 8) + (PLT_PACKET_SIDE_MAX >= 16)
+};
+/* What one pass over all combinations compares: nearest and any hit per packet size. */
+static const uint64_t HITS = (uint64_t)COMBINATIONS * SIDES * 2 * 4 * RAYS;
 
 typedef struct subject {
     const char *name;
@@ -119,12 +125,11 @@ static void trace_compact(const subject *s, compact_way way, const plt_ray *rays
                           const plt_hit *nearest, const plt_hit *any) {
     static plt_hit hits[4 * RAYS];
     rig compact;
-    CHECK(compact_open(&compact, &s->m, &way) == PLT_OK, "%s, %s: %s", s->name, compact_name(&way),
-          compact.fault.message);
-    rig_close(&compact);
     for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
         way.run.packet_side = side;
-        if (compact_open(&compact, &s->m, &way) == PLT_OK) {
+        const int status = compact_open(&compact, &s->m, &way);
+        CHECK(status == PLT_OK, "%s, %s: %s", s->name, compact_name(&way), compact.fault.message);
+        if (status == PLT_OK) {
             plt_trace(compact.engine, rays, hits, 4 * RAYS, 0);
             compare(s->name, &way, nearest, hits);
             plt_trace(compact.engine, rays, hits, 4 * RAYS, 1);
@@ -191,6 +196,8 @@ static void by_place(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     mesh_free(&s.m);
 }
 
+static uint32_t same; /* pairs of device and host that were compared */
+
 /* Blocks, root and counts of device and host. */
 static void same_blocks(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     subject s = make(number, k);
@@ -213,6 +220,7 @@ static void same_blocks(int number, uint32_t k, uint8_t bits, uint8_t splits) {
                   hi->node_bytes == di->node_bytes && hi->triangle_bytes == di->triangle_bytes &&
                   hi->depth_stack_entries == di->depth_stack_entries,
               "%s, %s: counts differ", s.name, compact_name(&host_way));
+        same++;
     }
     rig_close(&host);
     rig_close(&device);
@@ -315,12 +323,16 @@ int main(void) {
     any_planes();
     test("with numbers kept, hits are thesis nodes' over the same positions, bit for bit");
     everything(with_numbers);
+    CHECK(compared == HITS, "only %llu hits", (unsigned long long)compared);
     test("with float geometry, hits are thesis nodes' over the same mesh, bit for bit");
     everything(with_floats);
+    CHECK(compared == 2 * HITS, "only %llu hits", (unsigned long long)(compared - HITS));
     test("without numbers, and built on the device, a hit names the place in image order");
     everything(by_place);
+    CHECK(compared == 4 * HITS, "only %llu hits", (unsigned long long)(compared - 2 * HITS));
     test("a device's blocks are byte for byte the host's");
     everything(same_blocks);
+    CHECK(same == COMBINATIONS, "only %u were compared", same);
     test("of coincident triangles the lowest number is hit");
     ties();
     CHECK(met > compared / 10, "hardly a hit");
