@@ -48,7 +48,8 @@ put engine/base/a.c '#include "engine/base/a.h"' 'int plt_a(void) { return 1; }'
 put engine/trace/b.h 'int plt_b(void);'
 put engine/trace/b.c '#include "engine/trace/b.h"' '#include "engine/base/a.h"' \
     'int plt_b(void) { return plt_a(); }'
-put platform/wire/w.c '#include <stdint.h>' 'int w(void) { return 1; }'
+put engine/planelet_crc32.h ''
+put platform/wire/w.c '#include "engine/planelet_crc32.h"' 'int w(void) { return 1; }'
 put board/board.h 'void board_print(void);' 'int firmware(void);'
 put board/firmware.c '#include "board/board.h"' 'int firmware(void) { board_print(); return 0; }'
 put board/small/board.c '#include "board/board.h"' \
@@ -67,6 +68,11 @@ look
 verdict "nothing is found in a clean tree, the board's contract included" \
     "$(tail -n 1 "$tree/said" | grep -q '^[1-9][0-9]* passed, 0 failed$' || cat "$tree/said")"
 
+put platform/wire/w.c '#include "engine/base/a.h"' 'int w(void) { return 1; }'
+seen "a platform that looks into the engine is seen" \
+    "platform includes only the engine's public headers and itself" \
+    'platform/wire/w.c:1: "engine/base/a.h"'
+again
 put engine/base/a.c '#include "engine/trace/b.h"' 'int plt_a(void) { return 1; }'
 seen "an include that looks up is seen" "$up" \
     'engine/base/a.c:1: engine/trace/b.h: engine/trace is above engine/base'

@@ -102,7 +102,8 @@ verdict "each of $rows rows finds its example" "$(
     })"
 printf '%s\n' ' * 40 bytes' ' * a triangle' >"$examples/engine/old.h"
 printf '%s\n' 'A node names a node, a ray tests a triangle.' \
-    'Of ten rays, a second list, 10 times a second.' 'An error of one unit in the last place.' >"$examples/engine/new.h"
+    'Of ten rays, a second list, 10 times a second.' \
+    'An error of one unit in the last place.' >"$examples/engine/new.h"
 verdict "a phrase is found across two lines, and what is fine is not" "$(
     cd "$examples" || exit
     [ "$(words engine/old.h)" = "engine/old.h:1: bytes a triangle: write per" ] ||

@@ -23,7 +23,7 @@ BEGIN {
 }
 
 function folder_of(path) {
-    if (path ~ /^engine\/planelet[a-z_]*\.h$/) { return "engine/planelet*.h" }
+    if (path ~ /^engine\/planelet[a-z0-9_]*\.h$/) { return "engine/planelet*.h" }
     if (path ~ /^tests\//) { return "tests" }
     sub(/\/[^\/]*$/, "", path)
     return path
