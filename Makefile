@@ -25,7 +25,7 @@ lanes_scalar :=
 ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c engine/*/*/*.c))
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
-        sanitize tiny scalar fuzz run profile clean help FORCE
+        against sanitize tiny scalar fuzz run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -148,6 +148,11 @@ peers: all
 ##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
 compact: all $(OUT)/tests/engine/test_compact_topology
 	@sh tests/measure/compact.sh "$(SCENES)" "$(PEER)"
+
+##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
+against: all
+	@BUILD='$(BUILD)' PLANELET='$(PLANELET)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= \
+	    sh tests/measure/against.sh "$(BASE)" "$(SCENES)" "$(PEER)"
 
 ##keep clean: removes build/
 clean:

@@ -17,9 +17,9 @@ programs_pass() {
             grep -E '^FAIL|error|failed' "$file" | head -n 12)"
 }
 
+tests=$BUILD/host-scalar/tests/engine
 programs_pass "scalar lanes give the same frames and hits" scalar.txt sh -c "
-    $MAKE -s LANES=scalar $BUILD/host-scalar/tests/engine/test_render \
-        $BUILD/host-scalar/tests/engine/test_trace_brute &&
-    sh tests/run.sh $BUILD/host-scalar/tests/engine/test_render $BUILD/host-scalar/tests/engine/test_trace_brute"
+    $MAKE -s LANES=scalar $tests/test_render $tests/test_trace_brute &&
+    sh tests/run.sh $tests/test_render $tests/test_trace_brute"
 programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s tiny
 finish

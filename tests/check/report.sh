@@ -48,11 +48,13 @@ stack_of() {
         awk -v out="$out/" "$@" -f board/tools/stack.awk $(objects_of "$out" ci $sources) -
 }
 
-# make_board BOARD: builds its firmware; a failed check when that fails.
+# make_board BOARD [VARIABLE=...]: builds its firmware; a failed check when that fails.
 make_board() {
     needs arm-none-eabi-gcc || return 1
-    trouble=$($MAKE -s BOARD="$1" 2>&1 >/dev/null) && return 0
-    verdict "the firmware of $1 builds" "${trouble:-make BOARD=$1 failed}"
+    board=$1
+    shift
+    trouble=$($MAKE -s BOARD="$board" "$@" 2>&1 >/dev/null) && return 0
+    verdict "the firmware of $board builds" "${trouble:-make BOARD=$board $* failed}"
     return 1
 }
 

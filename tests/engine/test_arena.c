@@ -191,6 +191,11 @@ static void side_by_side(void) {
     plt_trace(e[2], rays, hits[2], RAYS, 0);
     CHECK(memcmp(before, arena + need, need) == 0, "an engine wrote into another's arena");
     plt_trace(e[1], rays, hits[1], RAYS, 0);
+    uint32_t met = 0;
+    for (int i = 0; i < RAYS; i++) {
+        met += hits[0][i].triangle != PLT_MISS;
+    }
+    CHECK(met > RAYS / 8, "%u of %d rays hit", met, (int)RAYS);
     CHECK(memcmp(hits[0], hits[1], sizeof hits[0]) == 0 &&
               memcmp(hits[0], hits[2], sizeof hits[0]) == 0,
           "hits differ");

@@ -24,7 +24,7 @@ typedef struct subject {
     packed image;
     decoded_image decoded;
     enum variant variant;
-    int is_packed; /* a tiny build may refuse */
+    int is_packed;
     char name[80];
 } subject;
 
@@ -51,7 +51,7 @@ static void pack_subject(subject *s, const mesh *m, uint32_t bits, uint32_t k,
     s->variant = variant;
     snprintf(s->name, sizeof s->name, "%u bits, K %u, %s", bits, k, word[variant]);
     s->is_packed = pack_compact(&s->image, m, &options, "mesh", &loss, &f) == 0;
-    CHECK(s->is_packed || rig_is_tiny(), "%s: %s", s->name, f.text);
+    CHECK(s->is_packed, "%s: %s", s->name, f.text);
 }
 
 static subjects pack_all(const mesh *m) {
@@ -292,12 +292,14 @@ static void check_subjects(const char *scene, const char *property, const subjec
     char sentence[200];
     snprintf(sentence, sizeof sentence, "%s: %s", scene, property);
     test(sentence);
+    size_t checked = 0;
     for (size_t i = 0; i < all->count; i++) {
         if (all->list[i].decoded.wrong[0] == '\0') {
             check(&all->list[i]);
+            checked++;
         }
     }
-    CHECK(all->count > 0 || rig_is_tiny(), "nothing was packed");
+    CHECK(checked == (size_t)BITS * KS * VARIANTS, "only %zu images were looked at", checked);
 }
 
 static void check_scene(const char *scene, const mesh *m) {
@@ -323,6 +325,9 @@ static void check_scene(const char *scene, const mesh *m) {
 static void check_scenes(void) {
     static const char *const name[] = {"knot", "terrain", "marbles", "ground"};
     for (int scene = 0; scene < 4; scene++) {
+        if (scene == 2 && rig_is_tiny()) {
+            continue; /* the marbles' tree is deeper than tiny limits allow */
+        }
         mesh m = {0};
         fail f = {""};
         const uint32_t triangles = rig_triangles(2000, 2);
@@ -409,7 +414,7 @@ static void check_mesh_numbers(void) {
     fail f = {""};
     subject s = {0};
     s.is_packed = pack_compact(&s.image, &m, &options, "two", &loss, &f) == 0;
-    CHECK(s.is_packed || rig_is_tiny(), "%s", f.text);
+    CHECK(s.is_packed, "%s", f.text);
     if (s.is_packed) {
         decode_subject(&s);
         uint32_t named = 0;
@@ -422,7 +427,7 @@ static void check_mesh_numbers(void) {
                 CHECK((number >= first) == (block->mesh == 2), "block %u", block->address);
             }
         }
-        CHECK(named > 0 || rig_is_tiny(), "no block names a mesh");
+        CHECK(named > 0, "no block names a mesh");
         free_subject(&s);
     }
     mesh_free(&m);

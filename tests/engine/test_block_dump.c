@@ -109,20 +109,23 @@ static void check_dump_boxes(const decoded_image *d) {
     }
 }
 
+/* The triangle at index t of an image is that of a row of the table. */
+static void check_dump_triangle(const decoded_image *d, uint32_t t, const uint32_t row[5]) {
+    const decoded_triangle *triangle = &d->triangle[t];
+    CHECK(triangle->primitive_id == row[3], "index %u: number", t);
+    CHECK(triangle->rotation == row[4], "index %u: turn", t);
+    for (uint32_t i = 0; i < 9; i++) {
+        CHECK(triangle->corner[i / 3][i % 3] == (int32_t)dump_vertex[row[i / 3]][i % 3],
+              "index %u: corner %u", t, i / 3);
+        const uint32_t from = (i / 3 + 3 - triangle->rotation) % 3;
+        CHECK(triangle->point[i / 3][i % 3] == dump_mesh[row[3]][3 * from + i % 3],
+              "index %u: corner %u of the mesh", t, from);
+    }
+}
+
 static void check_dump_triangles(const decoded_image *d) {
     for (uint32_t t = 0; t < 6; t++) {
-        const decoded_triangle *triangle = &d->triangle[t];
-        CHECK(triangle->primitive_id == dump_table[t][3], "triangle %u: primitive id", t);
-        CHECK(triangle->rotation == dump_table[t][4], "triangle %u: rotation", t);
-        for (uint32_t i = 0; i < 9; i++) {
-            const uint32_t vertex = dump_table[t][i / 3];
-            CHECK(triangle->corner[i / 3][i % 3] == (int32_t)dump_vertex[vertex][i % 3],
-                  "triangle %u: corner %u", t, i / 3);
-            const uint32_t from = (i / 3 + 3 - triangle->rotation) % 3;
-            CHECK(triangle->point[i / 3][i % 3] ==
-                      dump_mesh[triangle->primitive_id][3 * from + i % 3],
-                  "triangle %u: corner %u of the mesh", t, from);
-        }
+        check_dump_triangle(d, t, dump_table[t]);
     }
 }
 
@@ -148,8 +151,33 @@ static void check_dump(void) {
     block_decode_free(&d);
 }
 
+/* The triangles of the dump, each once, in any order. */
+static void check_dump_holds(const packed *image) {
+    decoded_image d;
+    unsigned seen = 0;
+    const int status = block_decode(&d, image->bytes, image->size);
+    CHECK(status == 0 && d.triangles == 6, "%u triangles; %s", d.triangles, d.wrong);
+    for (uint32_t t = 0; t < 6 && status == 0 && d.triangles == 6; t++) {
+        for (uint32_t row = 0; row < 6; row++) {
+            if (dump_table[row][3] == d.triangle[t].primitive_id) {
+                check_dump_triangle(&d, t, dump_table[row]);
+                seen |= 1u << row;
+            }
+        }
+    }
+    CHECK(seen == 63, "not every triangle is there: %x", seen);
+    block_decode_free(&d);
+}
+
+static void check_dump_bytes(const packed *image, const unsigned char bytes[DUMP_BYTES]) {
+    for (unsigned i = 0; i < DUMP_BYTES && i < image->size; i++) {
+        CHECK(image->bytes[i] == bytes[i], "%04x: %02x, not %02x", i, image->bytes[i], bytes[i]);
+    }
+}
+
 static void check_dump_packs(void) {
-    test("the mesh of SPEC.md section 8 packs to the bytes of its dump");
+    test(rig_is_tiny() ? "the mesh of SPEC.md section 8 packs to an image that holds it"
+                       : "the mesh of SPEC.md section 8 packs to the bytes of its dump");
     unsigned char bytes[DUMP_BYTES];
     mesh m = {0};
     fail f = {""};
@@ -166,10 +194,9 @@ static void check_dump_packs(void) {
     lattice_loss loss;
     const int status = pack_compact(&image, &m, &options, "dump", &loss, &f);
     CHECK(status == 0 && image.size == DUMP_BYTES, "%u bytes; %s", image.size, f.text);
-    for (unsigned i = 0; i < DUMP_BYTES && i < image.size; i++) {
-        /* With other bins the tree may differ. */
-        const int same = image.bytes[i] == bytes[i] || rig_is_tiny();
-        CHECK(same, "%04x: %02x, not %02x", i, image.bytes[i], bytes[i]);
+    check_dump_holds(&image);
+    if (!rig_is_tiny()) { /* with fewer bins the tree is another */
+        check_dump_bytes(&image, bytes);
     }
     pack_free(&image);
     mesh_free(&m);

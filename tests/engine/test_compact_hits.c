@@ -21,7 +21,13 @@ enum { RAYS = 64 };
 #else
 enum { RAYS = 200 };
 #endif
-enum { SCENES = 9 };
+enum { SCENES = 9, COMBINATIONS = SCENES * 3 * 5 }; /* of a scene, K and bits */
+enum {
+    SIDES =
+        1 + (PLT_PACKET_SIDE_MAX >= 4) + (PLT_PACKET_SIDE_MAX >= 8) + (PLT_PACKET_SIDE_MAX >= 16)
+};
+/* What one pass over all combinations compares: nearest and any hit per packet size. */
+static const uint64_t HITS = (uint64_t)COMBINATIONS * SIDES * 2 * 4 * RAYS;
 
 typedef struct subject {
     const char *name;
@@ -114,12 +120,12 @@ static void trace_compact(const subject *s, compact_config config, const plt_ray
                           const plt_hit *nearest, const plt_hit *any) {
     static plt_hit hits[4 * RAYS];
     rig compact;
-    CHECK(compact_open(&compact, &s->m, &config) == PLT_OK, "%s, %s: %s", s->name,
-          compact_name(&config), compact.fault.message);
-    rig_close(&compact);
     for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
         config.run.packet_side = side;
-        if (compact_open(&compact, &s->m, &config) == PLT_OK) {
+        const int status = compact_open(&compact, &s->m, &config);
+        CHECK(status == PLT_OK, "%s, %s: %s", s->name, compact_name(&config),
+              compact.fault.message);
+        if (status == PLT_OK) {
             plt_trace(compact.engine, rays, hits, 4 * RAYS, 0);
             compare(s->name, &config, nearest, hits);
             plt_trace(compact.engine, rays, hits, 4 * RAYS, 1);
@@ -186,6 +192,8 @@ static void by_image_index(int number, uint32_t k, uint8_t bits, uint8_t splits)
     mesh_free(&s.m);
 }
 
+static uint32_t same; /* pairs of device and host that were compared */
+
 /* Blocks, root and counts of device and host. */
 static void same_blocks(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     subject s = make(number, k);
@@ -208,6 +216,7 @@ static void same_blocks(int number, uint32_t k, uint8_t bits, uint8_t splits) {
                   hi->node_bytes == di->node_bytes && hi->triangle_bytes == di->triangle_bytes &&
                   hi->depth_stack_entries == di->depth_stack_entries,
               "%s, %s: counts differ", s.name, compact_name(&host_config));
+        same++;
     }
     rig_close(&host);
     rig_close(&device);
@@ -310,12 +319,16 @@ int main(void) {
     any_planes();
     test("with primitive ids, hits are those of thesis nodes over the same positions, bit for bit");
     everything(with_primitive_ids);
+    CHECK(compared == HITS, "only %llu hits", (unsigned long long)compared);
     test("with float geometry, hits are those of thesis nodes over the same mesh, bit for bit");
     everything(with_floats);
+    CHECK(compared == 2 * HITS, "only %llu hits", (unsigned long long)(compared - HITS));
     test("without primitive ids, and built on the device, a hit reports the image index");
     everything(by_image_index);
+    CHECK(compared == 4 * HITS, "only %llu hits", (unsigned long long)(compared - 2 * HITS));
     test("a device's blocks are byte for byte the host's");
     everything(same_blocks);
+    CHECK(same == COMBINATIONS, "only %u were compared", same);
     test("of coincident triangles the lowest primitive id is hit");
     ties();
     CHECK(met > compared / 10, "hardly any hit");

@@ -122,9 +122,9 @@ static void scene(const mesh *m, const char *name, uint32_t k, uint8_t bits) {
         rays_camera(rays, count, m, &r);
         for (int bounced = 0; bounced < 2; bounced++) {
             const excess e = compare(&p, rays, hits, count);
+            CHECK(count >= RAYS / 8, "%s: only %u rays", name, count);
             CHECK(e.differ == 0, "%s: %u hits differ", name, e.differ);
-            /* A tiny tree has few nodes, each with coarse planes. */
-            CHECK(rig_is_tiny() || (e.visits <= 0.015 && e.tests <= 0.025),
+            CHECK(e.visits <= 0.015 && e.tests <= 0.025,
                   "%s, K %u, %u bits, %s: visits %+.2f %%, tests %+.2f %%", name, k, bits,
                   bounced ? "bounce" : "camera", 100.0 * e.visits, 100.0 * e.tests);
             printf("    %s, K %u, %u bits, %s: visits %+.2f %%, tests %+.2f %%\n", name, k, bits,

@@ -74,6 +74,8 @@ static unsigned char *record_at(const packed *image, uint32_t record) {
     return image->bytes + 256 + image->info.node_bytes + 40 * (size_t)record;
 }
 
+static uint32_t by_limit; /* traps that a tiny limit met first */
+
 /* The changed image must break invariant `rule`; then it is restored. */
 static void breaks(packed *image, unsigned char *word, uint32_t value, uint8_t rule,
                    const char *what) {
@@ -86,6 +88,7 @@ static void breaks(packed *image, unsigned char *word, uint32_t value, uint8_t r
     CHECK(limit || (r.status == PLT_ERR_IMAGE && r.fault.kind == 'I' && r.fault.rule == rule),
           "%s: status %d, rule %c%u, not I%u", what, r.status, r.fault.kind ? r.fault.kind : '-',
           r.fault.rule, rule);
+    by_limit += (uint32_t)limit;
     plt_put_u32(word, was);
     hostile_seal(image->bytes, image->size);
 }
@@ -267,6 +270,7 @@ int main(void) {
     long_lists();
     test("forged corners, planes, primitive ids and counts break an invariant");
     bent_values(&large);
+    CHECK(by_limit <= 2, "%u traps ended at a limit", by_limit);
     test("a chain of up to PLT_DEPTH_MAX nodes opens, a longer one is over the limit");
     deep_chains();
     pack_free(&large);

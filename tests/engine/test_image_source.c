@@ -76,6 +76,11 @@ static uint32_t works(const packed *image, int at_once) {
     if (e != NULL) {
         plt_trace(e, rays, streamed, RAYS, 0);
     }
+    uint32_t met = 0;
+    for (uint32_t i = 0; i < RAYS && e != NULL; i++) {
+        met += streamed[i].triangle != PLT_MISS;
+    }
+    CHECK(met > RAYS / 8, "%u of %u rays hit", met, (unsigned)RAYS);
     const plt_source source = rig_source(image);
     const plt_options options = options_of();
     const size_t need = plt_arena_need(&image->info, 1, &options);

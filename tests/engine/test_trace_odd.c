@@ -151,6 +151,7 @@ static float any_float(random_state *r) {
 static void any_bits(const mesh *m, uint8_t order) {
     rig one = opened(m, order);
     random_state r = {11};
+    uint32_t met = 0;
     for (int round = 0; round < 400; round++) {
         plt_ray rays[64];
         plt_hit hits[64];
@@ -166,8 +167,10 @@ static void any_bits(const mesh *m, uint8_t order) {
             CHECK(miss || (h->triangle < m->triangles && h->t >= rays[i].tmin && h->t >= 0.0f &&
                            h->t <= rays[i].tmax && h->u >= 0.0f && h->v >= 0.0f),
                   "triangle %u, t %g", h->triangle, (double)h->t);
+            met += h->triangle != PLT_MISS;
         }
     }
+    CHECK(met >= 100, "only %u hits", met);
     plt_stats s;
     plt_stats_get(one.engine, &s);
     CHECK(s.node_visits <= s.packets * plt_engine_info(one.engine)->nodes, "%llu visits",

@@ -42,6 +42,11 @@ static mesh soup(uint64_t seed) {
     rig one = opened(&m, PLT_BUILD_HOST, PLT_ORDER_DEPTH_FIRST);
     plt_trace(one.engine, rays, hits, RAYS, 0);
     rig_close(&one);
+    uint32_t met = 0;
+    for (uint32_t i = 0; i < RAYS; i++) {
+        met += hits[i].triangle != PLT_MISS;
+    }
+    CHECK(met > RAYS / 8 && met < RAYS, "%u of %u rays hit", met, RAYS);
     return m;
 }
 

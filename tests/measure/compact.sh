@@ -2,12 +2,12 @@
 # compact.sh SCENES [PEER] - what compact nodes take and cost, in one table
 #
 # SCENES is a folder of binary PLY meshes. For every mesh there, K = 2 and 4, and
-# lattices of 14, 16 and 21 bits: bytes a triangle of tree and geometry, and how
+# lattices of 14, 16 and 21 bits: bytes per triangle of tree and geometry, and how
 # fast the host builds. With PEER, a program that makes ray files ("rays"), also
 # node visits and triangle tests relative to thesis nodes of the same topology
 # (test_compact_topology, which compares all hits, too) on primary and bounce rays
-# at 14 bits in packets of 2x2, and rays a second relative to thesis nodes, as they
-# are packed and of the same topology: medians of ratios of runs in turn. Set MESHES,
+# at 14 bits in packets of 2x2, and rays per second relative to thesis nodes, as they
+# are packed and of the same topology: medians of ratios of alternating runs. Set MESHES,
 # ROUNDS or REPEAT for less. SPDX-License-Identifier: MIT
 set -u
 scenes=${1:-} peer=${2:-}
@@ -70,8 +70,8 @@ sizes() { # MESH
         done
         triangles=$(field triangles <"$work/info")
         echo "$1|$k|$row" >>"$work/table"
-        what="$1, $k a list, $triangles triangles"
-        verdict "$worst <= $limit" "$what: tree at most $worst bytes a triangle, limit $limit"
+        what="$1, $k per list, $triangles triangles"
+        verdict "$worst <= $limit" "$what: tree at most $worst bytes per triangle, limit $limit"
         verdict "$total14 <= $limit_total" "$what, 14 bits: $total14 in all, limit $limit_total"
     done
 }
@@ -84,27 +84,27 @@ processor_us() {
         printf "%d", 1e6 * (60 * (u[1] + k[1]) + u[2] + k[2]) }' "$work/times")
 }
 
-# Triangles a second: the difference to packing a tree for the device to build.
+# Triangles per second: the difference to packing a tree for the device to build.
 build_speed() { # MESH
-    for way in device host; do
+    for builder in device host; do
         best=
         for _ in 1 2 3; do
             processor_us
             began=$spent
-            pack "$1" "$work/scene.plt" --nodes compact --geometry lattice:14 --build $way \
+            pack "$1" "$work/scene.plt" --nodes compact --geometry lattice:14 --build $builder \
                 --numbers none || return 1
             processor_us
             took=$((spent - began))
             [ -z "$best" ] || [ $took -lt $best ] && best=$took
         done
-        [ $way = device ] && without=$best
+        [ $builder = device ] && without=$best
     done
     rate=$(awk "BEGIN { printf \"%.2f\", $triangles / ($best - $without + 1) }")
     echo "$1|$rate" >>"$work/speeds"
-    verdict "$rate >= 0.6" "$1: SAH builds $rate million triangles a second, 0.6 or more"
+    verdict "$rate >= 0.6" "$1: SAH builds $rate million triangles per second, 0.6 or more"
 }
 
-# Rays that start on axis-aligned flat faces (engine) have no limit but a figure.
+# Rays that start on axis-aligned flat faces (engine) have no limit; their values are printed.
 visits() { # MESH K
     pack "$1" "$work/scene.plt" --leaf "$2" --nodes compact --geometry lattice:14 --numbers none ||
         return 1
@@ -113,10 +113,10 @@ visits() { # MESH K
         # shellcheck disable=SC2086
         set -- "$1" "$2" $line
         echo "$1|$2|$kind|$3|$4|$5" >>"$work/visits"
-        verdict "$5 == 0" "$1, $2 a list, $kind: $5 hits differ from those of thesis nodes"
+        verdict "$5 == 0" "$1, $2 per list, $kind: $5 hits differ from those of thesis nodes"
         if [ $kind = primary ] || [ "$1" != engine ]; then
-            verdict "$3 <= 1.5" "$1, $2 a list, $kind: $3 % node visits, limit +1.5"
-            verdict "$4 <= 2.5" "$1, $2 a list, $kind: $4 % triangle tests, limit +2.5"
+            verdict "$3 <= 1.5" "$1, $2 per list, $kind: $3 % node visits, limit +1.5"
+            verdict "$4 <= 2.5" "$1, $2 per list, $kind: $4 % triangle tests, limit +2.5"
         fi
     done
 }
@@ -142,7 +142,7 @@ race() { # MESH K SIDE
     least=0.9
     case $1 in dragon | statues) least=1 ;; esac
     echo "$1|$2|$3x$3|$ratio|$same|$(median 3)|$(median 4)|$(median 5)" >>"$work/races"
-    what="$1, $2 a list, $3x$3: rays a second against thesis nodes"
+    what="$1, $2 per list, $3x$3: rays per second against thesis nodes"
     verdict "$ratio >= $least" "$what as packed: $ratio, $least or more"
     verdict "$same >= 0.9" "$what of the same topology: $same, 0.9 or more"
 }
@@ -170,14 +170,14 @@ for mesh in $meshes; do
 done
 
 echo
-echo "bytes a triangle: mesh | K | tree + geometry = total at 14, 16 and 21 bits"
+echo "bytes per triangle: mesh | K | tree + geometry = total at 14, 16 and 21 bits"
 cat "$work/table"
-echo "million triangles a second built (SAH, K 2): mesh | rate"
+echo "million triangles per second built (SAH, K 2): mesh | rate"
 cat "$work/speeds"
 if [ -n "$peer" ]; then
     echo "against thesis nodes: mesh | K | rays | node visits, % | triangle tests, % | other hits"
     cat "$work/visits"
-    echo "rays a second: mesh | K | packet | against thesis nodes as packed | of the same" \
+    echo "rays per second: mesh | K | packet | against thesis nodes as packed | of the same" \
         "topology | Mray/s of compact | as packed | of the same topology"
     cat "$work/races"
 fi

@@ -7,21 +7,44 @@
 arm=$BUILD/mps2_an386
 status=0
 
-# table TITLE FOLDER SIZE: bytes of every engine object, and their sum.
-table() {
-    echo "$1"
-    objects_of "$2" o engine | xargs "$3" | awk -v folder="$2/" '
-        NR == 1 { printf "%8s %8s %8s\n", "code", "data", "bss"; next }
+# sizes_of FOLDER SIZE [NAME]: bytes of every engine object in FOLDER and their sum; with
+# a NAME the sum alone, in a line that ends in it. Fails on data, bss, or no object.
+sizes_of() {
+    objects_of "$1" o engine | xargs -r "$2" | awk -v folder="$1/" -v brief="${3:-}" '
+        $1 !~ /^[0-9]+$/ { next }
         {
             name = $6
             sub(folder, "", name)
-            printf "%8d %8d %8d  %s\n", $1, $2, $3, name
-            code += $1; data += $2; bss += $3
+            if (brief == "") { printf "%8d %8d %8d  %s\n", $1, $2, $3, name }
+            code += $1; data += $2; bss += $3; files++
         }
         END {
-            printf "%8d %8d %8d  in all\n\n", code, data, bss
+            printf "%8d %8d %8d  in all", code, data, bss
+            if (brief != "") { printf ", %d files: %s", files, brief }
+            printf "\n"
             if (data + bss > 0) { print "error: the engine has data or bss"; exit 1 }
-        }' || status=1
+            if (code == 0) { print "error: there is no engine object in " folder; exit 1 }
+        }'
+}
+
+# table TITLE FOLDER SIZE
+table() {
+    echo "$1"
+    printf "%8s %8s %8s\n" code data bss
+    sizes_of "$2" "$3" || status=1
+    echo
+}
+
+# totals TITLE SIZE FOLDER...: a line for each folder that is there.
+totals() {
+    echo "$1"
+    printf "%8s %8s %8s\n" code data bss
+    size=$2
+    shift 2
+    for folder in "$@"; do
+        [ ! -d "$folder/engine" ] || sizes_of "$folder" "$size" "${folder#"$BUILD"/}" || status=1
+    done
+    echo
 }
 
 # All public functions, as declared in planelet.h.
@@ -49,6 +72,13 @@ if [ ! -e "$arm/firmware.elf" ]; then
     exit 1
 fi
 table "engine, Cortex-M4F, -O2, scalar lanes" "$arm" arm-none-eabi-size
+# Firmware of the same engine but for another program (wired) is not another engine.
+parts=
+for folder in "$arm"-*; do
+    [ "$folder" = "$arm-wired" ] || parts="$parts $folder"
+done
+# shellcheck disable=SC2086
+totals "the whole engine and parts of it, Cortex-M4F" arm-none-eabi-size "$arm" $parts
 
 echo "worst C stack of the Cortex-M4F, bytes: frame by frame"
 sed -n 's/^worst \([0-9]*\).*/\1 from start-up, the board and the source included/p;/^ /p' \
