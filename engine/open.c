@@ -1,11 +1,11 @@
 /* open - from an image to an engine in an arena
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/base/crc32.h"
 #include "engine/base/fault.h"
 #include "engine/budget.h"
 #include "engine/image/fetch.h"
 #include "engine/opening.h"
+#include "engine/planelet_crc32.h"
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 

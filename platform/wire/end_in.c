@@ -5,7 +5,7 @@
  * after a gap a channel is silent until a message is known to begin.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 
 enum stage { IN_TYPE, IN_LOW, IN_LENGTH, IN_LENGTH2, IN_HEAD, IN_BODY };
@@ -234,7 +234,7 @@ int wire_on_report(wire_end *end, const uint8_t *report, size_t bytes, uint32_t 
         return 0;
     }
     const uint32_t side = end->role == WIRE_HOST ? UINT32_MAX : 0;
-    const uint32_t tag = wire_crc(0, report + 4, bytes - 4) ^ wire_get32(report) ^ side;
+    const uint32_t tag = plt_crc32(0, report + 4, bytes - 4) ^ wire_get32(report) ^ side;
     const reading r = read_header(report, (uint32_t)bytes);
     const unsigned low = report[4];
     const uint32_t number = end->in_number + (uint32_t)(int8_t)(low - end->in_number);

@@ -5,7 +5,7 @@
  * need no credit, so two ends can never wait for each other's.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 
 typedef struct writing {
@@ -31,7 +31,7 @@ static size_t finish(const wire_end *end, const writing *w, int is_control, uint
     }
     const uint32_t bytes = end->own.out_bytes - 4u;
     const uint32_t side = end->role == WIRE_HOST ? 0 : UINT32_MAX;
-    wire_put32(w->report, wire_crc(0, w->report + 4, bytes) ^ key ^ side ^ wire_scramble(number));
+    wire_put32(w->report, plt_crc32(0, w->report + 4, bytes) ^ key ^ side ^ wire_scramble(number));
     return bytes + 4;
 }
 

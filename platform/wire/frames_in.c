@@ -4,7 +4,7 @@
  * came under right checksums, in order and without a gap, and only inside it.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 
 /* Where pointers have 8 bytes, six of them and their alignment take 32 more. */
@@ -146,7 +146,7 @@ void wire_frames_in_tile(wire_frames_in *in, unsigned type, unsigned low, uint32
     uint8_t number[2];
     wire_put16(number, index);
     in->tile = (uint16_t)index;
-    in->crc = wire_crc(in->crc, number, 2);
+    in->crc = plt_crc32(in->crc, number, 2);
     in->got[index / 8] &= (uint8_t) ~(1u << (index & 7));
     in->in_tile = wire_tile_begin(&in->reader, shape_at(in, x, y), type >> 5 & 3, bytes,
                                   panel_at(in, x, y), in->panel.stride) == 0;
@@ -158,7 +158,7 @@ static void put_row(wire_frames_in *in) {
     const unsigned x = in->tile % in->columns * 16, y = in->tile / in->columns * 16 + r->y - 1u;
     const uint32_t bytes = wire_row_bytes(r->shape.format, r->shape.width);
     wire_tile_row(r, row);
-    in->crc = wire_crc(in->crc, row, bytes);
+    in->crc = plt_crc32(in->crc, row, bytes);
     if (in->panel.pixels != NULL) {
         memcpy(panel_at(in, x, y), row, bytes);
     } else {

@@ -1,7 +1,7 @@
 /* hello - who is there: capabilities, and a key for the session
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 
 enum { CAPS_BYTES = 22, HELLO_BYTES = 4 + CAPS_BYTES + 4 };
@@ -44,7 +44,7 @@ static wire_caps get_caps(const uint8_t *at) {
 uint32_t wire_hello_make(const wire_end *end, uint8_t *body) {
     wire_put32(body, end->role == WIRE_HOST ? end->own.session : end->host_half);
     put_caps(body + 4, &end->own);
-    wire_put32(body + 4 + CAPS_BYTES, wire_crc(0, body, 4 + CAPS_BYTES));
+    wire_put32(body + 4 + CAPS_BYTES, plt_crc32(0, body, 4 + CAPS_BYTES));
     return HELLO_BYTES;
 }
 
@@ -66,7 +66,7 @@ static void offered(wire_end *end, uint32_t host_half, const wire_caps *caps) {
 
 void wire_hello_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes) {
     if (bytes != HELLO_BYTES ||
-        wire_crc(0, body, 4 + CAPS_BYTES) != wire_get32(body + 4 + CAPS_BYTES)) {
+        plt_crc32(0, body, 4 + CAPS_BYTES) != wire_get32(body + 4 + CAPS_BYTES)) {
         return;
     }
     const uint32_t host_half = wire_get32(body);

@@ -5,7 +5,7 @@
  * is offered.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 
 enum { AGAIN_MS = 30 }; /* between complaints about the same gap */
@@ -98,7 +98,7 @@ void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count
     const uint32_t left = in->bytes - in->has;
     const uint32_t n = count - skip < left ? count - skip : left;
     memcpy(in->to + in->has, bytes + skip, n);
-    in->sum = wire_crc(in->sum, bytes + skip, n);
+    in->sum = plt_crc32(in->sum, bytes + skip, n);
     in->has += n;
     in->is_deaf = 0;
     in->said_ms = in->end->now_ms;

@@ -1,7 +1,7 @@
 /* scene_out - gives a scene image: offers it, sends from where it is wanted
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 
 /* Bytes a message; after a gap, for CAREFUL messages, what fills one report,
@@ -13,7 +13,7 @@ void wire_scene_out_open(wire_scene_out *out, wire_end *end, const void *image, 
     out->end = end;
     out->image = image;
     out->bytes = bytes;
-    out->crc = wire_crc(0, image, image != NULL ? bytes : 0);
+    out->crc = plt_crc32(0, image, image != NULL ? bytes : 0);
     if (end->queue == NULL) {
         end->queue = &out->own_queue;
     }

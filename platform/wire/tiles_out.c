@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/hash.h"
 
 wire_piece wire_piece_of(const wire_frames_out *out, unsigned index) {
@@ -76,8 +76,8 @@ static int append(wire_frames_out *out, const wire_piece *p, const uint8_t *old,
 static void add_to_checksum(wire_frames_out *out, const wire_piece *p) {
     uint8_t index[2];
     wire_put16(index, p->index);
-    out->crc = wire_crc(out->crc, index, 2);
-    out->crc = wire_crc(out->crc, out->pixels, p->row_bytes * p->shape.height);
+    out->crc = plt_crc32(out->crc, index, 2);
+    out->crc = plt_crc32(out->crc, out->pixels, p->row_bytes * p->shape.height);
 }
 
 int wire_offer(wire_frames_out *out, const wire_piece *p) {

@@ -167,7 +167,7 @@ int wire_end_open(wire_end *end, const wire_setup *setup, uint32_t now_ms);
 void wire_on_link(wire_end *end, int up, uint32_t now_ms);
 
 /* A report came, of `bytes` bytes. Anything at all may be in it; an empty one
- * is nothing. Cost: the checksum (about 12 instructions a byte on a
+ * is nothing. Cost: the checksum (7 instructions per byte on a
  * Cortex-M), and decoding straight into the panel. Returns 1 when it was
  * valid and new, else 0. */
 int wire_on_report(wire_end *end, const uint8_t *report, size_t bytes, uint32_t now_ms);

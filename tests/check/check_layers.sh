@@ -22,9 +22,9 @@ verdict "engine includes only itself, freestanding headers and string.h" \
 verdict "PLT_LANES is named in one place" \
     "$(grep -rln 'include PLT_LANES' engine | grep -v '^engine/lanes/lanes.h$')"
 verdict "platform includes only the engine's public headers and itself" \
-    "$(includes platform '"engine/planelet[a-z_]*\.h"|"platform/.*"|<.*>')"
+    "$(includes platform '"engine/planelet[a-z0-9_]*\.h"|"platform/.*"|<.*>')"
 verdict "board includes only the engine's public headers, platform and itself" \
-    "$(includes board '"engine/planelet[a-z_]*\.h"|"platform/.*"|"board/.*"|<.*>')"
+    "$(includes board '"engine/planelet[a-z0-9_]*\.h"|"platform/.*"|"board/.*"|<.*>')"
 verdict "host_tools includes nothing of tests" \
     "$(includes host_tools '"(engine|platform|board|host_tools)/.*"|<.*>')"
 verdict "only host_tools and tests allocate" \

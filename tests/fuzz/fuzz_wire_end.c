@@ -2,7 +2,7 @@
  *
  *   clang -g -O1 -fsanitize=fuzzer,address,undefined -DPLT_TILE_SIDE=16 -I. \
  *       tests/fuzz/fuzz_wire_end.c tests/reference/wire_fake.c \
- *       $(ls platform/wire/[a-z]*.c | grep -v wire/device.c)
+ *       engine/base/crc32.c $(ls platform/wire/[a-z]*.c | grep -v wire/device.c)
  *
  * A session is brought up, then the input is cut into reports whose checksum
  * is made right, so that what is behind it is reached: the parsers of both
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/parts.h"
 #include "tests/reference/wire_fake.h"
 
@@ -86,7 +86,7 @@ static void deliver(wire_end *end, const uint8_t *data, size_t count, uint32_t n
     memcpy(report + 5, data, count < 59 ? count : 59);
     const uint32_t from = end->role == WIRE_HOST ? UINT32_MAX : 0;
     wire_put32(report,
-               wire_crc(0, report + 4, 60) ^ end->key ^ from ^ wire_scramble(end->in_number));
+               plt_crc32(0, report + 4, 60) ^ end->key ^ from ^ wire_scramble(end->in_number));
     reports_taken += (unsigned)wire_on_report(end, report, 64, now);
     free(report);
     for (int i = 0; i < 20 && wire_next_report(end, answer, now) > 0; i++) {

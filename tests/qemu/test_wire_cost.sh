@@ -13,7 +13,7 @@ trouble=$(arm-none-eabi-gcc -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-
     -Wl,--defsym=plt_arena_bytes=16,--defsym=plt_stack_bytes=4096,--defsym=plt_stack_worst=4096 \
     -o "$elf" tests/qemu/wire_cost.c platform/wire/wire_format.c platform/wire/model.c \
     platform/wire/tile_encode.c platform/wire/tile_decode.c \
-    platform/wire/crc.c platform/cortex_m/*.c 2>&1)
+    engine/base/crc32.c platform/cortex_m/*.c 2>&1)
 verdict "the codec links for a Cortex-M4F without a library" "$trouble"
 
 symbol() {
