@@ -128,7 +128,7 @@ static size_t data_report(wire_end *end, writing *w) {
         }
     }
     w->first = w->first < w->none ? w->first : w->none;
-    if (end->out_asks <= end->out_acked) {
+    if ((int32_t)(end->out_asks - end->out_acked) <= 0) {
         end->asked_ms = end->now_ms; /* the wait for an acknowledgement begins */
     }
     if (end->frames_out != NULL && wire_queue_bytes(end->queue) == 0) {
