@@ -22,7 +22,7 @@ enum { VISITS_A_STEP = 1000 };
 enum { QUIET_MS = 2, MOVE_MS = 20 };
 
 /* Credits: as many reports with data as the line keeps, beside some without. */
-enum { WINDOW_MOST = 16, WINDOW_LEAST = 2, SPARE_REPORTS = 4, REPORT_BYTES = 64 };
+enum { CREDITS_MOST = 16, CREDITS_LEAST = 2, SPARE_REPORTS = 4, REPORT_BYTES = 64 };
 
 static wire_device device;
 static wire_bytes_reader incoming;
@@ -55,17 +55,17 @@ static int receive(void) {
     if (byte < 0) {
         return 0;
     }
-    const size_t bytes = wire_bytes_take(&incoming, (uint8_t)byte);
+    const size_t bytes = wire_bytes_read(&incoming, (uint8_t)byte);
     is_within = byte != 0;
     if (bytes > 0) {
-        wire_on_report(&device.end, incoming.report, bytes, now_ms());
+        wire_on_report(&device.peer, incoming.report, bytes, now_ms());
     }
     return 1;
 }
 
 static int send(void) {
     if (gone == used) {
-        const size_t bytes = wire_next_report(&device.end, report, now_ms());
+        const size_t bytes = wire_next_report(&device.peer, report, now_ms());
         used = bytes > 0 ? wire_bytes_put(outgoing, report, bytes) : 0;
         gone = 0;
     }
@@ -138,19 +138,20 @@ static void say_frame(void) {
         line_item(&l, "arena", plt_arena_peak(device.engine));
         line_item(&l, "painted", painted);
         line_item(&l, "lost_bytes", board_serial_lost());
-        line_item(&l, "lost_reports", device.end.stats.reports_lost);
+        line_item(&l, "lost_reports", device.peer.stats.reports_lost);
         line_print(&l);
     }
 }
 
 /* ---- the program ------------------------------------------------------------------ */
 
-static uint8_t window_for(uint32_t room_bytes, uint32_t report_bytes) {
+static uint8_t credits_for(uint32_t room_bytes, uint32_t report_bytes) {
     const uint32_t reports = room_bytes / (report_bytes + report_bytes / 254 + 2);
-    if (reports < WINDOW_LEAST + SPARE_REPORTS) {
-        return WINDOW_LEAST;
+    if (reports < CREDITS_LEAST + SPARE_REPORTS) {
+        return CREDITS_LEAST;
     }
-    return reports - SPARE_REPORTS < WINDOW_MOST ? (uint8_t)(reports - SPARE_REPORTS) : WINDOW_MOST;
+    return reports - SPARE_REPORTS < CREDITS_MOST ? (uint8_t)(reports - SPARE_REPORTS)
+                                                  : CREDITS_MOST;
 }
 
 static int open_device(uint16_t report_bytes) {
@@ -160,7 +161,7 @@ static int open_device(uint16_t report_bytes) {
                               .caps = {.session = board_ticks(),
                                        .in_bytes = report_bytes,
                                        .out_bytes = report_bytes,
-                                       .window = window_for(room_bytes, report_bytes)}};
+                                       .credits = credits_for(room_bytes, report_bytes)}};
     size_t bytes;
     unsigned char *memory = board_arena(&bytes);
     last_ticks = board_ticks();
@@ -192,7 +193,7 @@ int firmware(const char *parameters) {
     say_name();
     for (;;) {
         move_reports();
-        wire_poll(&device.end, now_ms());
+        wire_poll(&device.peer, now_ms());
         wire_device_run(&device, VISITS_A_STEP);
         say_scene();
         say_frame();

@@ -9,16 +9,17 @@
 
 enum { CHUNK_BYTES = 240 };
 
-void wire_blocks_out_open(wire_blocks_out *out, wire_end *end, const void *image, uint32_t bytes) {
+void wire_blocks_out_open(wire_blocks_out *out, wire_peer *peer, const void *image,
+                          uint32_t bytes) {
     memset(out, 0, sizeof *out);
-    out->end = end;
+    out->peer = peer;
     out->image = image;
     out->bytes = bytes;
-    if (end->queue == NULL) {
-        end->queue = &out->own_queue;
+    if (peer->queue == NULL) {
+        peer->queue = &out->own_queue;
     }
-    out->queue = end->queue;
-    end->blocks_out = out;
+    out->queue = peer->queue;
+    peer->blocks_out = out;
 }
 
 static wire_block_order *place_for(wire_blocks_out *out, unsigned tag, uint32_t until) {
@@ -34,12 +35,12 @@ static wire_block_order *place_for(wire_blocks_out *out, unsigned tag, uint32_t 
 }
 
 /* Tag, offset, count. An order too many is dropped; it will be asked again. */
-void wire_blocks_out_take(wire_blocks_out *out, const uint8_t *body) {
+void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body) {
     const uint32_t offset = wire_get32(body + 1), count = wire_get32(body + 5);
     if (count == 0 || offset > out->bytes || count > out->bytes - offset) {
         out->refused_tag = body[0];
         out->refused = offset;
-        wire_owe(out->end, WIRE_BLOCK_REFUSE);
+        wire_queue_control(out->peer, WIRE_BLOCK_REFUSE);
         return;
     }
     wire_block_order *o = place_for(out, body[0], offset + count);
@@ -48,7 +49,7 @@ void wire_blocks_out_take(wire_blocks_out *out, const uint8_t *body) {
     }
 }
 
-uint32_t wire_blocks_out_make(wire_blocks_out *out, uint8_t *body) {
+uint32_t wire_blocks_out_write(wire_blocks_out *out, uint8_t *body) {
     body[0] = out->refused_tag;
     wire_put32(body + 1, out->refused);
     return 5;
@@ -56,7 +57,7 @@ uint32_t wire_blocks_out_make(wire_blocks_out *out, uint8_t *body) {
 
 /* What fills a report, so that each that arrives is of use. */
 static uint32_t chunk_bytes(const wire_blocks_out *out, uint32_t left) {
-    const uint32_t size = out->end->own.out_bytes, payload = size - wire_header_bytes(size);
+    const uint32_t size = out->peer->own.out_bytes, payload = size - wire_header_bytes(size);
     const uint32_t most = payload < 17 ? 10 : payload - 7 < CHUNK_BYTES ? payload - 7 : CHUNK_BYTES;
     return left < most ? left : most;
 }

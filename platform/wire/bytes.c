@@ -38,7 +38,7 @@ static size_t end_report(wire_bytes_reader *r) {
     return count;
 }
 
-size_t wire_bytes_take(wire_bytes_reader *r, uint8_t byte) {
+size_t wire_bytes_read(wire_bytes_reader *r, uint8_t byte) {
     if (byte == 0) {
         return end_report(r);
     }

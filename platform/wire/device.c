@@ -18,22 +18,23 @@ int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options 
     if (PLT_TILE_SIDE != WIRE_TILE_SIDE || own.role != WIRE_DEVICE) {
         return WIRE_ERR_SETUP;
     }
-    const int status = wire_end_open(&d->end, &own, now_ms);
+    const int status = wire_peer_open(&d->peer, &own, now_ms);
     d->memory = memory;
     d->memory_bytes = memory_bytes;
     d->options = *options;
-    wire_frames_out_open(&d->out, &d->end);
-    wire_scene_in_open(&d->scene, &d->end, memory, own.caps.arena_bytes);
-    wire_view_in_open(&d->view, &d->end);
+    wire_frames_out_open(&d->out, &d->peer);
+    wire_scene_in_open(&d->scene, &d->peer, memory, own.caps.arena_bytes);
+    wire_view_in_open(&d->view, &d->peer);
     return status;
 }
 
 /* Why the engine refused the image, for the host. */
 static void tell(wire_device *d, int status, const plt_fault *fault) {
     if (status == PLT_ERR_ARENA) {
-        wire_tell(&d->end, WIRE_E_ARENA, (uint32_t)fault->need_bytes + d->source.bytes);
+        wire_error_send(&d->peer, WIRE_E_ARENA, (uint32_t)fault->need_bytes + d->source.bytes);
     } else {
-        wire_tell(&d->end, WIRE_E_SCENE, (uint32_t)fault->rule << 24 | (fault->offset & 0xFFFFFFu));
+        wire_error_send(&d->peer, WIRE_E_SCENE,
+                        (uint32_t)fault->rule << 24 | (fault->offset & 0xFFFFFFu));
     }
 }
 
@@ -71,7 +72,7 @@ static int watch_scene(wire_device *d) {
 }
 
 static int has_view(wire_device *d) {
-    d->is_viewed |= (uint8_t)wire_view_take(&d->view);
+    d->is_viewed |= (uint8_t)wire_view_read(&d->view);
     return d->view.view.number != 0 || d->is_viewed;
 }
 
@@ -90,7 +91,7 @@ static int begin(wire_device *d) {
     }
     d->step = RENDERS;
     if (plt_render_begin(d->engine, &frame) != PLT_OK) {
-        wire_tell(&d->end, WIRE_E_VIEW, v->number);
+        wire_error_send(&d->peer, WIRE_E_VIEW, v->number);
         d->step = ENDS;
     }
     return 1;
@@ -134,7 +135,7 @@ static int end_frame(wire_device *d) {
 /* A new view, or something of this one was lost on the way. */
 static int rest(wire_device *d) {
     const int is_lost = d->out.unanswered == 0 && !wire_frames_out_done(&d->out);
-    if (!wire_is_up(&d->end) || d->out.tiles == 0 || (has_view(d) && d->is_viewed) || is_lost) {
+    if (!wire_is_up(&d->peer) || d->out.tiles == 0 || (has_view(d) && d->is_viewed) || is_lost) {
         d->step = BEGINS;
         return 1;
     }

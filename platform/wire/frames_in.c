@@ -10,19 +10,19 @@
 /* Where pointers have 8 bytes, six of them and their alignment take 32 more. */
 _Static_assert(sizeof(wire_frames_in) <= (sizeof(void *) > 4 ? 544 : 512), "the receiver's state");
 
-int wire_frames_in_open(wire_frames_in *in, wire_end *end, const wire_panel *panel) {
-    const wire_caps *own = &end->own;
+int wire_frames_in_open(wire_frames_in *in, wire_peer *peer, const wire_panel *panel) {
+    const wire_caps *own = &peer->own;
     const uint32_t columns = (own->width + 15u) / 16, rows = (own->height + 15u) / 16;
     if (!(own->features & WIRE_SHOWS) || columns * rows > WIRE_TILES_MAX ||
         (panel->pixels == NULL && (panel->row == NULL || own->features & WIRE_READS))) {
         return WIRE_ERR_SETUP;
     }
     memset(in, 0, sizeof *in);
-    in->end = end;
+    in->peer = peer;
     in->panel = *panel;
     in->columns = (uint16_t)columns;
     in->tiles = (uint16_t)(columns * rows);
-    end->frames_in = in;
+    peer->frames_in = in;
     return WIRE_OK;
 }
 
@@ -49,7 +49,7 @@ static void answer(wire_frames_in *in, unsigned what) {
     in->answer = (uint8_t)what;
     in->answer_number = in->number;
     in->answer_part = 0;
-    wire_owe(in->end, what == ANSWER_GOOD ? WIRE_FRAME_GOOD : WIRE_FRAME_BAD);
+    wire_queue_control(in->peer, what == ANSWER_GOOD ? WIRE_FRAME_GOOD : WIRE_FRAME_BAD);
 }
 
 /* The frame that a tile or an end belongs to; one that is still open got no
@@ -59,7 +59,7 @@ static void enter(wire_frames_in *in, unsigned number) {
         return;
     }
     if (in->in_frame) {
-        in->end->stats.frames_bad++;
+        in->peer->stats.frames_bad++;
         answer(in, ANSWER_BAD);
     }
     in->in_frame = in->is_any = 1;
@@ -70,7 +70,7 @@ static void enter(wire_frames_in *in, unsigned number) {
     memset(in->got, 0, sizeof in->got);
 }
 
-uint32_t wire_frames_in_make(wire_frames_in *in, unsigned type, uint8_t *body) {
+uint32_t wire_frames_in_write(wire_frames_in *in, unsigned type, uint8_t *body) {
     body[0] = in->answer_number;
     if (type == WIRE_FRAME_GOOD || in->answer != ANSWER_BAD) {
         const int is_due = type == WIRE_FRAME_GOOD && in->answer == ANSWER_GOOD;
@@ -85,7 +85,7 @@ uint32_t wire_frames_in_make(wire_frames_in *in, unsigned type, uint8_t *body) {
         body[2 + i] = in->got[32 * part + i];
     }
     if (256u * in->answer_part < in->tiles) {
-        wire_owe(in->end, WIRE_FRAME_BAD);
+        wire_queue_control(in->peer, WIRE_FRAME_BAD);
     } else {
         in->answer = ANSWER_NONE;
     }
@@ -108,17 +108,17 @@ void wire_frames_in_end(wire_frames_in *in, const uint8_t *body) {
             !in->is_torn && in->came == wire_get16(body + 2) && in->crc == wire_get32(body + 4);
         in->shown += in->is_good;
         in->mark = in->is_good ? body[8] : in->mark;
-        in->end->stats.frames_in += in->is_good;
-        in->end->stats.frames_bad += !in->is_good;
+        in->peer->stats.frames_in += in->is_good;
+        in->peer->stats.frames_bad += !in->is_good;
     }
     answer(in, in->is_good ? ANSWER_GOOD : ANSWER_BAD);
-    wire_owe(in->end, WIRE_ACK);
+    wire_queue_control(in->peer, WIRE_ACK);
 }
 
 /* ---- tiles ---------------------------------------------------------------------------------- */
 
 static wire_tile_shape shape_at(const wire_frames_in *in, unsigned x, unsigned y) {
-    const wire_caps *own = &in->end->own;
+    const wire_caps *own = &in->peer->own;
     const wire_tile_shape shape = {own->format,
                                    (uint8_t)(own->width - x < 16 ? own->width - x : 16),
                                    (uint8_t)(own->height - y < 16 ? own->height - y : 16)};
@@ -128,7 +128,7 @@ static wire_tile_shape shape_at(const wire_frames_in *in, unsigned x, unsigned y
 static uint8_t *panel_at(const wire_frames_in *in, unsigned x, unsigned y) {
     return in->panel.pixels == NULL ? NULL
                                     : in->panel.pixels + (size_t)y * in->panel.stride +
-                                          wire_row_bytes(in->end->own.format, x);
+                                          wire_row_bytes(in->peer->own.format, x);
 }
 
 void wire_frames_in_tile(wire_frames_in *in, unsigned type, unsigned low, uint32_t bytes) {
@@ -177,7 +177,7 @@ void wire_frames_in_bytes(wire_frames_in *in, const uint8_t *bytes, uint32_t cou
             in->in_tile = 0;
             in->is_torn = 0;
             in->came++;
-            in->end->stats.tiles_in++;
+            in->peer->stats.tiles_in++;
             in->got[in->tile / 8] |= (uint8_t)(1u << (in->tile & 7));
             break;
         case WIRE_TILE_WRONG:

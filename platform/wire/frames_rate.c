@@ -17,15 +17,16 @@ void wire_frames_near(wire_frames_out *out, unsigned near) {
     out->goal_ms = 0;
 }
 
-void wire_frames_rate(wire_frames_out *out, unsigned frames_a_second) {
+void wire_frames_rate(wire_frames_out *out, unsigned frames_per_second) {
     out->near = 0;
-    const unsigned most = frames_a_second < 1000 ? frames_a_second : 1000; /* a ms is the clock */
+    const unsigned most =
+        frames_per_second < 1000 ? frames_per_second : 1000; /* a ms is the clock */
     out->goal_ms = (uint16_t)(most > 0 ? 1000 / most : 0);
 }
 
 void wire_rate_begin(wire_frames_out *out) {
     out->is_timed = 1;
-    out->begun_ms = out->end->now_ms;
+    out->begun_ms = out->peer->now_ms;
 }
 
 /* A step changes the bytes by a quarter or so, from 1 to 0 by more: between
@@ -48,7 +49,7 @@ void wire_rate_end(wire_frames_out *out, unsigned looked_at) {
         return;
     }
     out->is_timed = 0;
-    out->over_ms = out->end->now_ms;
+    out->over_ms = out->peer->now_ms;
     if (out->goal_ms > 0 && looked_at > 0) {
         const uint32_t took = out->over_ms - out->begun_ms;
         adapt(out, (took < 60000 ? took : 60000) * out->tiles / looked_at);

@@ -36,7 +36,7 @@ static int is_missing(const wire_frames_out *out, int *coarse) {
     *coarse = 0;
     for (unsigned t = 0; t < out->tiles; t++) {
         missing |= out->hash[t] == 0;
-        *coarse |= wire_is_coarse(out, t) && wire_way_of(out, t) == 0;
+        *coarse |= wire_is_coarse(out, t) && wire_slot_of(out, t) == 0;
     }
     return missing;
 }
@@ -44,7 +44,7 @@ static int is_missing(const wire_frames_out *out, int *coarse) {
 /* Whether the last frame has rested: while frames follow each other, what is
  * near is not worth the time of the next. */
 static int is_resting(const wire_frames_out *out) {
-    return out->unanswered == 0 && out->end->now_ms - out->over_ms >= REST_MS;
+    return out->unanswered == 0 && out->peer->now_ms - out->over_ms >= REST_MS;
 }
 
 /* Whether a pass over the frame should begin. */
@@ -102,7 +102,7 @@ int wire_frames_out_fill(wire_frames_out *out) {
 }
 
 static int is_ready(const wire_frames_out *out) {
-    return wire_is_up(out->end) && out->tiles > 0;
+    return wire_is_up(out->peer) && out->tiles > 0;
 }
 
 int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride) {

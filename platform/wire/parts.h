@@ -44,8 +44,8 @@ static inline uint32_t wire_bit(unsigned type) {
     return UINT32_C(1) << (type - WIRE_HELLO);
 }
 
-static inline void wire_owe(wire_end *end, unsigned type) {
-    end->pending |= wire_bit(type);
+static inline void wire_queue_control(wire_peer *peer, unsigned type) {
+    peer->pending |= wire_bit(type);
 }
 
 /* Of the message that ends a frame: body and all. */
@@ -73,12 +73,12 @@ static inline uint32_t wire_get32(const uint8_t *at) {
     return wire_get16(at) | wire_get16(at + 2) << 16;
 }
 
-/* ---- the end (end.c, end_in.c, end_out.c, control.c) -------------------------------- */
+/* ---- the end (end.c, peer_in.c, peer_out.c, control.c) -------------------------------- */
 
 uint32_t wire_session_key(uint32_t host_half, uint32_t device_half);
 uint32_t wire_scramble(uint32_t number);
-void wire_session_begin(wire_end *end);
-void wire_session_end(wire_end *end);
+void wire_session_begin(wire_peer *peer);
+void wire_session_end(wire_peer *peer);
 
 /* Bytes of a report before its payload. */
 static inline uint32_t wire_header_bytes(uint32_t report_bytes) {
@@ -89,15 +89,15 @@ static inline uint32_t wire_header_bytes(uint32_t report_bytes) {
 enum { WIRE_HELLO_KEY = 0x31544C50 };
 
 /* Builds the body of a control message; returns its bytes. */
-uint32_t wire_control_make(wire_end *end, unsigned type, uint8_t *body);
+uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body);
 
 /* `hello`: the report was under the hello key. */
-void wire_control_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes,
-                       int hello);
+void wire_control_receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_t bytes,
+                          int hello);
 
 /* Body of a HELLO or WELCOME (hello.c). */
-uint32_t wire_hello_make(const wire_end *end, uint8_t *body);
-void wire_hello_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes);
+uint32_t wire_hello_write(const wire_peer *peer, uint8_t *body);
+void wire_hello_receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_t bytes);
 
 /* ---- the queue (queue.c) ---------------------------------------------------------------- */
 
@@ -108,7 +108,7 @@ static inline uint32_t wire_queue_bytes(const wire_queue *q) {
 
 /* Moves bytes into a report, at most `room`. `*first`: offset in `to` of the
  * first message that begins there, unchanged when none does. */
-uint32_t wire_queue_take(wire_queue *q, uint8_t *to, uint32_t room, uint32_t *first);
+uint32_t wire_queue_read(wire_queue *q, uint8_t *to, uint32_t room, uint32_t *first);
 
 /* Head of a message: type, and the length of the body in one or two bytes. */
 uint32_t wire_head_put(uint8_t *to, unsigned type, uint32_t body_bytes);
@@ -123,10 +123,10 @@ void wire_frames_out_poll(wire_frames_out *out);
 /* 1: what is queued should leave even if it does not fill a report. */
 int wire_frames_out_fill(wire_frames_out *out);
 void wire_frames_out_left(wire_frames_out *out, uint32_t number);
-void wire_frames_out_take(wire_frames_out *out, unsigned type, const uint8_t *body);
+void wire_frames_out_receive(wire_frames_out *out, unsigned type, const uint8_t *body);
 
 void wire_frames_in_begin(wire_frames_in *in);
-uint32_t wire_frames_in_make(wire_frames_in *in, unsigned type, uint8_t *body);
+uint32_t wire_frames_in_write(wire_frames_in *in, unsigned type, uint8_t *body);
 void wire_frames_in_tile(wire_frames_in *in, unsigned type, unsigned low, uint32_t bytes);
 void wire_frames_in_bytes(wire_frames_in *in, const uint8_t *bytes, uint32_t count);
 void wire_frames_in_cut(wire_frames_in *in);
@@ -135,28 +135,28 @@ void wire_frames_in_end(wire_frames_in *in, const uint8_t *body);
 void wire_scene_out_begin(wire_scene_out *out);
 void wire_scene_out_poll(wire_scene_out *out);
 int wire_scene_out_fill(wire_scene_out *out);
-uint32_t wire_scene_out_make(wire_scene_out *out, uint8_t *body);
-void wire_scene_out_take(wire_scene_out *out, const uint8_t *body);
+uint32_t wire_scene_out_write(wire_scene_out *out, uint8_t *body);
+void wire_scene_out_receive(wire_scene_out *out, const uint8_t *body);
 
 void wire_scene_in_poll(wire_scene_in *in);
-uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body);
-void wire_scene_in_take(wire_scene_in *in, const uint8_t *body);
+uint32_t wire_scene_in_write(wire_scene_in *in, uint8_t *body);
+void wire_scene_in_receive(wire_scene_in *in, const uint8_t *body);
 void wire_scene_in_head(wire_scene_in *in, uint32_t offset);
 void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count);
 
 void wire_view_out_begin(wire_view_out *out);
 void wire_view_out_poll(wire_view_out *out);
-uint32_t wire_view_out_make(wire_view_out *out, uint8_t *body);
-void wire_view_in_message(wire_view_in *in, const uint8_t *body);
+uint32_t wire_view_out_write(wire_view_out *out, uint8_t *body);
+void wire_view_in_receive(wire_view_in *in, const uint8_t *body);
 
 int wire_blocks_out_fill(wire_blocks_out *out);
-uint32_t wire_blocks_out_make(wire_blocks_out *out, uint8_t *body);
-void wire_blocks_out_take(wire_blocks_out *out, const uint8_t *body);
+uint32_t wire_blocks_out_write(wire_blocks_out *out, uint8_t *body);
+void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body);
 
 void wire_blocks_in_begin(wire_blocks_in *in);
 void wire_blocks_in_poll(wire_blocks_in *in);
-uint32_t wire_blocks_in_make(wire_blocks_in *in, uint8_t *body);
-void wire_blocks_in_take(wire_blocks_in *in, const uint8_t *body);
+uint32_t wire_blocks_in_write(wire_blocks_in *in, uint8_t *body);
+void wire_blocks_in_receive(wire_blocks_in *in, const uint8_t *body);
 void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset);
 void wire_blocks_in_bytes(wire_blocks_in *in, const uint8_t *bytes, uint32_t count);
 

@@ -33,7 +33,7 @@ static uint32_t message_bytes(const uint8_t *at) {
                         : head + 2 + ((length & 127) | (uint32_t)at[head + 1] << 7);
 }
 
-uint32_t wire_queue_take(wire_queue *q, uint8_t *to, uint32_t room, uint32_t *first) {
+uint32_t wire_queue_read(wire_queue *q, uint8_t *to, uint32_t room, uint32_t *first) {
     uint32_t taken = 0;
     int is_first = 1;
     while (taken < room && wire_queue_bytes(q) > 0) {

@@ -10,12 +10,12 @@
 
 enum { AGAIN_MS = 30 }; /* between complaints about the same gap */
 
-void wire_scene_in_open(wire_scene_in *in, wire_end *end, void *to, uint32_t room) {
+void wire_scene_in_open(wire_scene_in *in, wire_peer *peer, void *to, uint32_t room) {
     memset(in, 0, sizeof *in);
-    in->end = end;
+    in->peer = peer;
     in->to = to;
     in->room = room;
-    end->scene_in = in;
+    peer->scene_in = in;
 }
 
 unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes) {
@@ -24,8 +24,8 @@ unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes) {
 }
 
 static void tell(wire_scene_in *in) {
-    in->said_ms = in->end->now_ms;
-    wire_owe(in->end, WIRE_SCENE_STATE);
+    in->said_ms = in->peer->now_ms;
+    wire_queue_control(in->peer, WIRE_SCENE_STATE);
 }
 
 void wire_scene_in_verdict(wire_scene_in *in, unsigned state) {
@@ -39,7 +39,7 @@ static void start_over(wire_scene_in *in) {
     in->is_missed = 1;
 }
 
-void wire_scene_in_take(wire_scene_in *in, const uint8_t *body) {
+void wire_scene_in_receive(wire_scene_in *in, const uint8_t *body) {
     const uint32_t bytes = wire_get32(body), crc = wire_get32(body + 4);
     if (in->state == WIRE_SCENE_NONE || bytes != in->bytes || crc != in->crc) {
         in->bytes = bytes;
@@ -50,7 +50,7 @@ void wire_scene_in_take(wire_scene_in *in, const uint8_t *body) {
     tell(in);
 }
 
-uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body) {
+uint32_t wire_scene_in_write(wire_scene_in *in, uint8_t *body) {
     body[0] = in->state;
     body[1] = in->is_missed;
     wire_put32(body + 2, in->has);
@@ -62,7 +62,7 @@ uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body) {
 /* Stuck: says again what it has, as the last word may have been lost. */
 void wire_scene_in_poll(wire_scene_in *in) {
     const uint32_t pause = in->is_deaf ? AGAIN_MS : WIRE_IDLE_MS;
-    if (in->state == WIRE_SCENE_GOING && in->end->now_ms - in->said_ms >= pause) {
+    if (in->state == WIRE_SCENE_GOING && in->peer->now_ms - in->said_ms >= pause) {
         in->is_missed |= in->is_deaf;
         tell(in);
     }
@@ -70,7 +70,7 @@ void wire_scene_in_poll(wire_scene_in *in) {
 
 void wire_scene_in_head(wire_scene_in *in, uint32_t offset) {
     in->at = offset;
-    const int is_told = in->is_deaf && in->end->now_ms - in->said_ms < AGAIN_MS;
+    const int is_told = in->is_deaf && in->peer->now_ms - in->said_ms < AGAIN_MS;
     if (in->state == WIRE_SCENE_GOING && offset > in->has && !is_told) {
         in->is_deaf = 1;
         in->is_missed = 1;
@@ -101,7 +101,7 @@ void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count
     in->sum = plt_crc32(in->sum, bytes + skip, n);
     in->has += n;
     in->is_deaf = 0;
-    in->said_ms = in->end->now_ms;
+    in->said_ms = in->peer->now_ms;
     if (in->has == in->bytes) {
         complete(in);
     }

@@ -21,7 +21,7 @@ static uint32_t hash_of(const wire_frames_out *out, const wire_piece *p) {
 }
 
 int wire_has_reference(const wire_frames_out *out) {
-    return out->reference != NULL && out->end->peer.features & WIRE_READS &&
+    return out->reference != NULL && out->peer->other.features & WIRE_READS &&
            out->reference_bytes >= wire_row_bytes(out->format, out->width) * out->height;
 }
 
@@ -92,7 +92,7 @@ int wire_offer(wire_frames_out *out, const wire_piece *p) {
         return 1;
     }
     const int delta =
-        wire_has_reference(out) && out->hash[p->index] != 0 && wire_way_of(out, p->index) == 0;
+        wire_has_reference(out) && out->hash[p->index] != 0 && wire_slot_of(out, p->index) == 0;
     if (delta) {
         move_reference(out, p, old, 0);
         if (near > 0 && is_near_enough(out, p, old, near)) {
@@ -109,11 +109,11 @@ int wire_offer(wire_frames_out *out, const wire_piece *p) {
     if (wire_has_reference(out)) {
         move_reference(out, p, out->pixels, 1);
     }
-    wire_set_way(out, p->index, wire_way_back(out, 0));
+    wire_set_slot(out, p->index, wire_slot_back(out, 0));
     wire_set_coarse(out, p->index, near > 0);
     out->hash[p->index] = hash;
     out->sent++;
-    out->end->stats.tiles_out++;
+    out->peer->stats.tiles_out++;
     return 1;
 }
 

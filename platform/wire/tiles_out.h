@@ -1,7 +1,7 @@
 /* tiles_out - what the sender knows of a tile, and how one goes out
  *
- * Invariant: hash != 0 and way 0: the panel shows those pixels, whole, or, where
- * coarse is set, samples within `near` of theirs. With way != 0 it shows that or
+ * Invariant: hash != 0 and slot 0: the panel shows those pixels, whole, or, where
+ * coarse is set, samples within `near` of theirs. With slot != 0 it shows that or
  * what it showed before, row by row.
  *
  * SPDX-License-Identifier: MIT */
@@ -10,17 +10,17 @@
 
 #include "platform/wire/parts.h"
 
-/* WIRE_NUMBERS is a multiple of it: frames on the way have ways of their own. */
+/* WIRE_NUMBERS is a multiple of it: frames on the slot have ways of their own. */
 enum { WIRE_SLOTS = 3 };
-_Static_assert((int)WIRE_NUMBERS % WIRE_SLOTS == 0, "a way for each frame");
+_Static_assert((int)WIRE_NUMBERS % WIRE_SLOTS == 0, "a slot for each frame");
 
-static inline unsigned wire_way_of(const wire_frames_out *out, unsigned tile) {
-    return out->way[tile / 4] >> (2 * (tile & 3)) & 3;
+static inline unsigned wire_slot_of(const wire_frames_out *out, unsigned tile) {
+    return out->slot[tile / 4] >> (2 * (tile & 3)) & 3;
 }
 
-static inline void wire_set_way(wire_frames_out *out, unsigned tile, unsigned way) {
-    uint8_t *at = &out->way[tile / 4];
-    *at = (uint8_t)((*at & ~(3u << (2 * (tile & 3)))) | way << (2 * (tile & 3)));
+static inline void wire_set_slot(wire_frames_out *out, unsigned tile, unsigned slot) {
+    uint8_t *at = &out->slot[tile / 4];
+    *at = (uint8_t)((*at & ~(3u << (2 * (tile & 3)))) | slot << (2 * (tile & 3)));
 }
 
 static inline int wire_is_coarse(const wire_frames_out *out, unsigned tile) {
@@ -32,8 +32,8 @@ static inline void wire_set_coarse(wire_frames_out *out, unsigned tile, unsigned
     *at = (uint8_t)((*at & ~(1u << (tile & 7))) | is << (tile & 7));
 }
 
-/* The way of the frame `back` frames before the one that goes out. */
-static inline unsigned wire_way_back(const wire_frames_out *out, unsigned back) {
+/* The slot of the frame `back` frames before the one that goes out. */
+static inline unsigned wire_slot_back(const wire_frames_out *out, unsigned back) {
     return (out->number + WIRE_NUMBERS - back) % WIRE_SLOTS + 1;
 }
 

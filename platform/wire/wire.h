@@ -2,7 +2,7 @@
  *
  *   wire_format.h  pixel formats, and RGB to each of them
  *   wire_tile.h    the codec: 16 x 16 pixels to bytes and back
- *   wire_end.h     an end of the wire: reports, sessions, credits, statistics
+ *   wire_peer.h     an end of the wire: reports, sessions, credits, statistics
  *   wire_frames.h  frames out (any end) and frames in (any end with a panel)
  *   wire_scene.h   a scene image out and in, resumed after a cut
  *   wire_block.h   pieces of a scene image on request
@@ -15,11 +15,11 @@
  *
  * A host that shows frames on a display:
  *
- *     wire_end end;                            a display behind a USB stack:
+ *     wire_peer peer;                            a display behind a USB stack:
  *     wire_frames_out out;
- *     const wire_setup setup = {...};          wire_end end;
- *     wire_end_open(&end, &setup, now_ms);     wire_frames_in in;
- *     wire_frames_out_open(&out, &end);        wire_end_open(&end, &setup, now_ms);
+ *     const wire_setup setup = {...};          wire_peer peer;
+ *     wire_peer_open(&end, &setup, now_ms);     wire_frames_in in;
+ *     wire_frames_out_open(&out, &end);        wire_peer_open(&end, &setup, now_ms);
  *     for (;;) {                               wire_frames_in_open(&in, &end, &panel);
  *         while (receive(report, &n)) {        on a report from the host:
  *             wire_on_report(&end, report,         wire_on_report(&end, report, n, now_ms);
@@ -43,9 +43,9 @@
 #define PLT_WIRE_H
 
 #include "platform/wire/wire_block.h"
-#include "platform/wire/wire_end.h"
 #include "platform/wire/wire_format.h"
 #include "platform/wire/wire_frames.h"
+#include "platform/wire/wire_peer.h"
 #include "platform/wire/wire_scene.h"
 #include "platform/wire/wire_tile.h"
 

@@ -23,7 +23,7 @@ typedef struct wire_block_order {
 } wire_block_order;
 
 typedef struct wire_blocks_out {
-    wire_end *end;
+    wire_peer *peer;
     wire_queue *queue;
     const uint8_t *image;
     uint32_t bytes;
@@ -34,7 +34,7 @@ typedef struct wire_blocks_out {
 } wire_blocks_out;
 
 /* Answers requests for bytes of `image`, which stays where it is. */
-void wire_blocks_out_open(wire_blocks_out *out, wire_end *end, const void *image, uint32_t bytes);
+void wire_blocks_out_open(wire_blocks_out *out, wire_peer *peer, const void *image, uint32_t bytes);
 
 /* ---- in: the end that asks ---------------------------------------------------------- */
 
@@ -46,7 +46,7 @@ typedef struct wire_block_want {
 } wire_block_want;
 
 typedef struct wire_blocks_in {
-    wire_end *end;
+    wire_peer *peer;
     wire_block_want want[WIRE_BLOCKS];
     uint32_t at; /* of the bytes that come next */
     uint8_t coming;
@@ -56,7 +56,7 @@ typedef struct wire_blocks_in {
     void *pump_context;
 } wire_blocks_in;
 
-void wire_blocks_in_open(wire_blocks_in *in, wire_end *end, int (*pump)(void *), void *context);
+void wire_blocks_in_open(wire_blocks_in *in, wire_peer *peer, int (*pump)(void *), void *context);
 
 /* Asks. `to` gets the bytes; WIRE_BUSY when WIRE_BLOCKS are on the way. */
 int wire_block_ask(wire_blocks_in *in, unsigned tag, uint32_t offset, void *to, uint32_t count);

@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "platform/wire/wire_end.h"
+#include "platform/wire/wire_peer.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -35,7 +35,7 @@ typedef struct wire_bytes_reader {
 
 /* Takes a byte of the stream (a zeroed reader at first). Returns the bytes of
  * a report that is complete in reader->report, else 0. */
-size_t wire_bytes_take(wire_bytes_reader *reader, uint8_t byte);
+size_t wire_bytes_read(wire_bytes_reader *reader, uint8_t byte);
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,7 @@
 #ifndef PLT_WIRE_FRAMES_H
 #define PLT_WIRE_FRAMES_H
 
-#include "platform/wire/wire_end.h"
+#include "platform/wire/wire_peer.h"
 #include "platform/wire/wire_tile.h"
 
 #ifdef __cplusplus
@@ -33,7 +33,7 @@ typedef struct wire_queue {
 } wire_queue;
 
 typedef struct wire_frames_out {
-    wire_end *end;
+    wire_peer *peer;
     const uint8_t *rgb; /* the caller's frame, when there is one */
     uint8_t *reference; /* the caller's memory for what the panel shows, or NULL */
     uint32_t stride, reference_bytes;
@@ -49,7 +49,7 @@ typedef struct wire_frames_out {
     uint8_t in_frame, is_cut, is_fresh, is_exact_pass, is_waiting, is_whole;
     uint8_t is_timed, is_refining;
     uint32_t hash[WIRE_TILES_MAX];      /* of the pixels last sent, without an error; 0: send it */
-    uint8_t way[WIRE_TILES_MAX / 4];    /* 2 bits a tile: 0 acknowledged, else which frame */
+    uint8_t slot[WIRE_TILES_MAX / 4];   /* 2 bits a tile: 0 acknowledged, else which frame */
     uint8_t coarse[WIRE_TILES_MAX / 8]; /* sent with an error */
     uint8_t pixels[WIRE_TILE_BYTES_MAX];
     wire_queue queue;
@@ -57,7 +57,7 @@ typedef struct wire_frames_out {
 
 /* Gives `end` the part that sends frames; it goes to work whenever a session
  * is up and the other end shows. `out` belongs to the end from then on. */
-void wire_frames_out_open(wire_frames_out *out, wire_end *end);
+void wire_frames_out_open(wire_frames_out *out, wire_peer *peer);
 
 /* Lets wire_frames_show say only what differs from what the panel shows, on
  * panels that can be read (WIRE_READS). `reference`: `bytes` of the caller's
@@ -71,10 +71,10 @@ void wire_frames_reference(wire_frames_out *out, uint8_t *reference, uint32_t by
 void wire_frames_near(wire_frames_out *out, unsigned near);
 
 /* The same with a bound that the sender chooses from frame to frame: as small
- * as lets `frames_a_second` (more than 1000 are 1000; 0: exact) through, but no
+ * as lets `frames_per_second` (more than 1000 are 1000; 0: exact) through, but no
  * more than 6 for RGB565 and 15 for 8 bits: slower links show fewer. It begins
  * exact. */
-void wire_frames_rate(wire_frames_out *out, unsigned frames_a_second);
+void wire_frames_rate(wire_frames_out *out, unsigned frames_per_second);
 
 /* A whole frame, for ends that have one: rows of 3 bytes a pixel, top down,
  * `stride` bytes apart, of the other end's panel size. What changed goes out
@@ -121,7 +121,7 @@ typedef struct wire_panel {
 } wire_panel;
 
 typedef struct wire_frames_in {
-    wire_end *end;
+    wire_peer *peer;
     wire_panel panel;
     uint32_t crc, shown; /* frames that came whole, since open */
     uint16_t tile, columns, tiles, came;
@@ -135,7 +135,7 @@ typedef struct wire_frames_in {
 /* Gives `end` the part that takes frames, of the size and format of its
  * capabilities. The panel is written only from wire_on_report. WIRE_ERR_SETUP:
  * the end does not show, or has more than WIRE_TILES_MAX tiles. */
-int wire_frames_in_open(wire_frames_in *in, wire_end *end, const wire_panel *panel);
+int wire_frames_in_open(wire_frames_in *in, wire_peer *peer, const wire_panel *panel);
 
 /* Frames that came whole since open, each with the right checksum. */
 uint32_t wire_frames_shown(const wire_frames_in *in);

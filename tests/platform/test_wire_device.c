@@ -19,17 +19,17 @@ static const wire_setup host_setup = {.role = WIRE_HOST,
                                                .width = WIDTH,
                                                .height = HEIGHT,
                                                .format = WIRE_RGB888,
-                                               .window = 16,
+                                               .credits = 16,
                                                .features = WIRE_SHOWS | WIRE_SCENES}};
 static const wire_setup device_setup = {
     .role = WIRE_DEVICE,
     .caps = {
-        .session = 2, .in_bytes = 64, .out_bytes = 64, .window = 16, .features = WIRE_RENDERS}};
+        .session = 2, .in_bytes = 64, .out_bytes = 64, .credits = 16, .features = WIRE_RENDERS}};
 
 /* ---- a scene image ------------------------------------------------------------------ */
 
 static struct {
-    wire_end host, device;
+    wire_peer host, device;
     wire_scene_out out;
     wire_scene_in in;
     fake_cable cable;
@@ -43,8 +43,8 @@ static void open_scene_pair(uint32_t bytes, uint32_t room, uint64_t seed) {
         s.image[i] = (uint8_t)random_bits(&s.cable.random);
     }
     s.to = malloc(room);
-    wire_end_open(&s.host, &host_setup, s.cable.now_ms);
-    wire_end_open(&s.device, &device_setup, s.cable.now_ms);
+    wire_peer_open(&s.host, &host_setup, s.cable.now_ms);
+    wire_peer_open(&s.device, &device_setup, s.cable.now_ms);
     wire_scene_out_open(&s.out, &s.host, s.image, bytes);
     wire_scene_in_open(&s.in, &s.device, s.to, room);
 }
@@ -108,7 +108,7 @@ static void test_scene(void) {
 /* ---- blocks -------------------------------------------------------------------------- */
 
 static struct {
-    wire_end host, device;
+    wire_peer host, device;
     wire_blocks_out out;
     wire_blocks_in in;
     fake_cable cable;
@@ -128,8 +128,8 @@ static void open_block_pair(uint64_t seed) {
     for (uint32_t i = 0; i < IMAGE_MOST; i++) {
         b.image[i] = (uint8_t)random_bits(&b.cable.random);
     }
-    wire_end_open(&b.host, &host_setup, b.cable.now_ms);
-    wire_end_open(&b.device, &device_setup, b.cable.now_ms);
+    wire_peer_open(&b.host, &host_setup, b.cable.now_ms);
+    wire_peer_open(&b.device, &device_setup, b.cable.now_ms);
     wire_blocks_out_open(&b.out, &b.host, b.image, IMAGE_MOST);
     wire_blocks_in_open(&b.in, &b.device, pump, NULL);
     b.patience = 200000;
@@ -175,7 +175,7 @@ static void test_blocks(void) {
 /* ---- the engine as a device -------------------------------------------------------------- */
 
 static struct {
-    wire_end host;
+    wire_peer host;
     wire_frames_in frames;
     wire_scene_out scene;
     wire_view_out view;
@@ -197,8 +197,8 @@ static void open_engine(const packed *image, uint64_t seed) {
     static const plt_options options = {4, 0};
     const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
     memset(&e, 0, sizeof e);
-    fake_cable_open(&e.cable, &e.host, &e.device.end, seed);
-    wire_end_open(&e.host, &host_setup, e.cable.now_ms);
+    fake_cable_open(&e.cable, &e.host, &e.device.peer, seed);
+    wire_peer_open(&e.host, &host_setup, e.cable.now_ms);
     wire_frames_in_open(&e.frames, &e.host, &panel);
     wire_scene_out_open(&e.scene, &e.host, image->bytes, (uint32_t)image->size);
     wire_view_out_open(&e.view, &e.host);
@@ -271,7 +271,8 @@ static void test_engine(void) {
     CHECK(engine_frame(3000) == 0, "rendered");
     uint32_t detail, has;
     CHECK(wire_scene_out_state(&e.scene, &has) == WIRE_SCENE_REFUSED, "not refused");
-    CHECK(wire_told(&e.host, &detail) == WIRE_E_SCENE && detail >> 24 > 0, "detail %u", detail);
+    CHECK(wire_error_read(&e.host, &detail) == WIRE_E_SCENE && detail >> 24 > 0, "detail %u",
+          detail);
     test("then a good one is taken, without a reset");
     wire_scene_out_open(&e.scene, &e.host, direct.image.bytes, (uint32_t)direct.image.size);
     CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[0]), "hash");
@@ -280,7 +281,7 @@ static void test_engine(void) {
     memcpy(blind.look, blind.eye, sizeof blind.eye);
     wire_view_send(&e.view, &blind);
     engine_frame(3000);
-    CHECK(wire_told(&e.host, &detail) == WIRE_E_VIEW, "not told");
+    CHECK(wire_error_read(&e.host, &detail) == WIRE_E_VIEW, "not told");
     wire_view_send(&e.view, &views[1]);
     CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[1]), "hash");
     free(bad.bytes);

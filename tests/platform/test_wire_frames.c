@@ -17,7 +17,7 @@ static int up(uint32_t most) {
 static void show_and_compare(int kind, uint32_t most) {
     wire_rig_draw(&rig, kind);
     CHECK(wire_rig_show(&rig), "no session");
-    const int ms = wire_rig_settle(&rig, most);
+    const int ms = wire_rig_wait(&rig, most);
     CHECK(ms >= 0, "not acknowledged");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     CHECK(rig.wrong_rows == 0, "%u rows of no frame", rig.wrong_rows);
@@ -59,14 +59,14 @@ static void test_latest_wins(void) {
             fake_cable_step(&rig.cable);
         }
     }
-    const int ms = wire_rig_settle(&rig, 2000);
+    const int ms = wire_rig_wait(&rig, 2000);
     CHECK(ms > 0 && ms < 1000, "%d ms for the last of 20", ms);
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     test("an unchanged frame costs its end and the tile that is refreshed");
     const uint32_t tiles = rig.host.stats.tiles_out;
     wire_rig_draw(&rig, 3);
     memcpy(rig.rgb, rig.spare, 3 * 160 * 128);
-    CHECK(wire_rig_show(&rig) && wire_rig_settle(&rig, 100) >= 0, "not acknowledged");
+    CHECK(wire_rig_show(&rig) && wire_rig_wait(&rig, 100) >= 0, "not acknowledged");
     CHECK(rig.host.stats.tiles_out == tiles + 1, "%u tiles", rig.host.stats.tiles_out - tiles);
     wire_rig_close(&rig);
 }
@@ -83,7 +83,7 @@ static void test_refresh(void) {
     for (int i = 0; i < 12; i++) {
         wire_rig_draw(&rig, 3);
         memcpy(rig.rgb, rig.spare, 3 * 64 * 48);
-        CHECK(wire_rig_show(&rig) && wire_rig_settle(&rig, 100) >= 0, "not acknowledged");
+        CHECK(wire_rig_show(&rig) && wire_rig_wait(&rig, 100) >= 0, "not acknowledged");
     }
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     wire_rig_close(&rig);
@@ -108,7 +108,7 @@ static void test_near(void) {
         }
         coarse += wire_rig_differences(&rig) > 0;
     }
-    CHECK(wire_rig_settle(&rig, 3000) >= 0, "not refined");
+    CHECK(wire_rig_wait(&rig, 3000) >= 0, "not refined");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     CHECK(coarse == 6, "%u of 6 frames were near", coarse);
     wire_rig_close(&rig);
@@ -123,7 +123,7 @@ static void test_silence(void) {
     fake_cable_unplug(&rig.cable, 500);
     memset(rig.panel, 0, rig.panel_bytes);
     CHECK(!wire_is_up(&rig.host), "still up");
-    CHECK(wire_rig_settle(&rig, 2000) >= 0, "not whole");
+    CHECK(wire_rig_wait(&rig, 2000) >= 0, "not whole");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     test("a device that was reset unseen is noticed in WIRE_DEAD_MS and gets the picture again");
     wire_rig_start_device(&rig);
@@ -131,7 +131,7 @@ static void test_silence(void) {
     for (int i = 0; i < WIRE_DEAD_MS + 600; i++) {
         fake_cable_step(&rig.cable);
     }
-    CHECK(wire_rig_settle(&rig, 1500) >= 0, "not whole");
+    CHECK(wire_rig_wait(&rig, 1500) >= 0, "not whole");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     test("while nothing is shown, an idle wire carries a few reports a second");
     const uint32_t before = rig.cable.carried[0] + rig.cable.carried[1];
@@ -177,11 +177,11 @@ static void test_talk(void) {
     rig.cable.faults.lose = 20000;
     CHECK(up(3000), "no session");
     unsigned value = 0, key = 0, got = 0;
-    wire_set(&rig.host, WIRE_SET_BRIGHTNESS, 20);
-    wire_set(&rig.host, WIRE_SET_BRIGHTNESS, 80);
+    wire_setting_send(&rig.host, WIRE_SET_BRIGHTNESS, 20);
+    wire_setting_send(&rig.host, WIRE_SET_BRIGHTNESS, 80);
     for (int i = 0; i < 5000; i++) {
         fake_cable_step(&rig.cable);
-        key = wire_setting_take(&rig.device, &value);
+        key = wire_setting_read(&rig.device, &value);
         got = key == WIRE_SET_BRIGHTNESS ? value : got;
     }
     CHECK(got == 80, "brightness %u", got);
@@ -189,38 +189,39 @@ static void test_talk(void) {
     CHECK(up(3000), "no session");
     wire_stats theirs;
     uint32_t detail;
-    wire_tell(&rig.device, WIRE_E_ARENA, 123456);
+    wire_error_send(&rig.device, WIRE_E_ARENA, 123456);
     wire_stats_ask(&rig.host, &theirs);
     for (int i = 0; i < 100; i++) {
         fake_cable_step(&rig.cable);
     }
-    CHECK(wire_told(&rig.host, &detail) == WIRE_E_ARENA && detail == 123456, "detail %u", detail);
-    CHECK(wire_told(&rig.host, &detail) == WIRE_FINE, "told twice");
+    CHECK(wire_error_read(&rig.host, &detail) == WIRE_E_ARENA && detail == 123456, "detail %u",
+          detail);
+    CHECK(wire_error_read(&rig.host, &detail) == WIRE_FINE, "told twice");
     CHECK(theirs.reports_in > 0 && theirs.sessions > 0, "no statistics");
     wire_rig_close(&rig);
 }
 
 static void test_setup(void) {
     test("setups out of range are refused");
-    wire_setup s = {.role = WIRE_HOST, .caps = {.in_bytes = 64, .out_bytes = 64, .window = 16}};
-    wire_end end;
-    CHECK(wire_end_open(&end, &s, 0) == WIRE_OK, "good");
+    wire_setup s = {.role = WIRE_HOST, .caps = {.in_bytes = 64, .out_bytes = 64, .credits = 16}};
+    wire_peer peer;
+    CHECK(wire_peer_open(&peer, &s, 0) == WIRE_OK, "good");
     s.caps.in_bytes = 7;
-    CHECK(wire_end_open(&end, &s, 0) == WIRE_ERR_SETUP, "7 bytes");
+    CHECK(wire_peer_open(&peer, &s, 0) == WIRE_ERR_SETUP, "7 bytes");
     s.caps.in_bytes = 1025;
-    CHECK(wire_end_open(&end, &s, 0) == WIRE_ERR_SETUP, "1025 bytes");
-    s.caps.in_bytes = 64, s.caps.window = 33;
-    CHECK(wire_end_open(&end, &s, 0) == WIRE_ERR_SETUP, "window 33");
-    s.caps.window = 16, s.role = 2;
-    CHECK(wire_end_open(&end, &s, 0) == WIRE_ERR_SETUP, "role 2");
+    CHECK(wire_peer_open(&peer, &s, 0) == WIRE_ERR_SETUP, "1025 bytes");
+    s.caps.in_bytes = 64, s.caps.credits = 33;
+    CHECK(wire_peer_open(&peer, &s, 0) == WIRE_ERR_SETUP, "33 credits");
+    s.caps.credits = 16, s.role = 2;
+    CHECK(wire_peer_open(&peer, &s, 0) == WIRE_ERR_SETUP, "role 2");
     test("a panel with more tiles than a sender keeps is refused");
     wire_frames_in in;
     const wire_panel none = {0};
     s.role = WIRE_DEVICE, s.caps.features = WIRE_SHOWS, s.caps.width = s.caps.height = 1000;
-    CHECK(wire_end_open(&end, &s, 0) == WIRE_OK, "good");
-    CHECK(wire_frames_in_open(&in, &end, &none) == WIRE_ERR_SETUP, "a million pixels");
+    CHECK(wire_peer_open(&peer, &s, 0) == WIRE_OK, "good");
+    CHECK(wire_frames_in_open(&in, &peer, &none) == WIRE_ERR_SETUP, "a million pixels");
     printf("    bytes on this machine: end %zu, frames in %zu, frames out %zu, tile reader %zu\n",
-           sizeof(wire_end), sizeof(wire_frames_in), sizeof(wire_frames_out),
+           sizeof(wire_peer), sizeof(wire_frames_in), sizeof(wire_frames_out),
            sizeof(wire_tile_reader));
 }
 

@@ -7,7 +7,7 @@
 #include "tests/fuzz/fuzz_wire_tile.c"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzz_end
-#include "tests/fuzz/fuzz_wire_end.c"
+#include "tests/fuzz/fuzz_wire_peer.c"
 #undef LLVMFuzzerTestOneInput
 
 #include "tests/test.h"

@@ -49,11 +49,11 @@ static void rate_of(unsigned format, uint32_t exact_ms) {
     CHECK(rig.out.near > 0 && ms * goal <= 10500, "format %u: near %u, 10 frames in %u ms", format,
           rig.out.near, ms);
     CHECK(wire_rig_differences(&rig) > 0, "nothing was near");
-    CHECK(wire_rig_settle(&rig, 3000) >= 0, "not refined");
+    CHECK(wire_rig_wait(&rig, 3000) >= 0, "not refined");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     show_film(2, 20, 0);
     CHECK(rig.out.near == 0, "format %u: near %u for a few pixels", format, rig.out.near);
-    CHECK(wire_rig_settle(&rig, 3000) >= 0 && wire_rig_differences(&rig) == 0, "not exact");
+    CHECK(wire_rig_wait(&rig, 3000) >= 0 && wire_rig_differences(&rig) == 0, "not exact");
     wire_rig_close(&rig);
 }
 
@@ -77,13 +77,13 @@ static void test_rate(void) {
 
 /* `near` after a pass that took `ms`, with `near` before and this goal. */
 static unsigned near_after(unsigned near, unsigned goal_fps, uint32_t ms) {
-    static wire_end end;
+    static wire_peer peer;
     static wire_frames_out out;
-    out = (wire_frames_out){.end = &end, .format = WIRE_GREY8, .tiles = 1};
+    out = (wire_frames_out){.peer = &peer, .format = WIRE_GREY8, .tiles = 1};
     wire_frames_rate(&out, goal_fps);
     out.near = (uint8_t)near;
     wire_rate_begin(&out);
-    end.now_ms += ms;
+    peer.now_ms += ms;
     wire_rate_end(&out, out.tiles);
     return out.near;
 }

@@ -39,7 +39,7 @@ static void test_stuffing(void) {
         size_t got = 0;
         for (size_t i = 0; i < used; i++) {
             CHECK((bytes[i] == 0) == (i + 1 == used), "a zero at %zu of %zu", i, used);
-            got = wire_bytes_take(&reader, bytes[i]);
+            got = wire_bytes_read(&reader, bytes[i]);
         }
         CHECK(got == count && memcmp(reader.report, report, count) == 0, "%zu of %zu bytes", got,
               count);
@@ -51,16 +51,16 @@ static void test_stuffing(void) {
         const size_t at = random_below(&r, (uint32_t)used);
         for (size_t i = 0; i < used; i++) {
             if (i == at) {
-                wire_bytes_take(&reader, (uint8_t)random_bits(&r));
+                wire_bytes_read(&reader, (uint8_t)random_bits(&r));
             } else if (i != at + 1 || i + 1 == used) {
-                wire_bytes_take(&reader, bytes[i]);
+                wire_bytes_read(&reader, bytes[i]);
             }
         }
-        wire_bytes_take(&reader, 0);
+        wire_bytes_read(&reader, 0);
         count = random_report(&r, report);
         used = wire_bytes_put(bytes, report, count);
         for (size_t i = 0; i < used; i++) {
-            got = wire_bytes_take(&reader, bytes[i]);
+            got = wire_bytes_read(&reader, bytes[i]);
         }
         CHECK(got == count && memcmp(reader.report, report, count) == 0, "%zu of %zu", got, count);
     }

@@ -72,7 +72,7 @@ static void test_frames(void) {
     open_at(UINT32_MAX - 100);
     for (int kind = 0; kind < 3; kind++) {
         wire_rig_draw(&rig, kind);
-        CHECK(wire_rig_show(&rig) && wire_rig_settle(&rig, 20000) >= 0, "not acknowledged");
+        CHECK(wire_rig_show(&rig) && wire_rig_wait(&rig, 20000) >= 0, "not acknowledged");
         CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     }
     CHECK(rig.host.out_number < 100000, "number %u: it did not wrap", rig.host.out_number);

@@ -28,7 +28,7 @@ typedef struct fake_report {
 } fake_report;
 
 typedef struct fake_cable {
-    wire_end *host, *device;
+    wire_peer *host, *device;
     fake_faults faults;
     random_state random;
     uint32_t now_ms, order, plugged_at_ms; /* 0: in; else the time it comes back */
@@ -37,7 +37,7 @@ typedef struct fake_cable {
     fake_report flight[FAKE_IN_FLIGHT];
 } fake_cable;
 
-void fake_cable_open(fake_cable *c, wire_end *host, wire_end *device, uint64_t seed);
+void fake_cable_open(fake_cable *c, wire_peer *host, wire_peer *device, uint64_t seed);
 
 /* A millisecond: what is due arrives, both ends are polled, reports leave. */
 void fake_cable_step(fake_cable *c);

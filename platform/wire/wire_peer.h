@@ -1,4 +1,4 @@
-/* wire_end - an end of the wire: reports in, reports out, and what is between
+/* wire_peer - an end of the wire: reports in, reports out, and what is between
  *
  * Both ends run this same code; the only difference is who speaks first
  * (WIRE_HOST). An end has parts (frames out, frames in, scene, blocks), each
@@ -9,8 +9,8 @@
  * and either end may vanish and come back: WIRE.md says what holds then.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_WIRE_END_H
-#define PLT_WIRE_END_H
+#ifndef PLT_WIRE_PEER_H
+#define PLT_WIRE_PEER_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -25,7 +25,7 @@ enum {
     WIRE_REPORT_BYTES_MIN = 8,
     WIRE_REPORT_BYTES_MAX = 1024,
     WIRE_HEADER_BYTES = 6, /* of a report of at most 128 bytes, else 7: WIRE.md, section 2 */
-    WIRE_WINDOW_MAX = 32   /* credits: reports on the way without an acknowledgement */
+    WIRE_CREDITS_MAX = 32  /* credits: reports on the way without an acknowledgement */
 };
 
 /* Milliseconds. */
@@ -64,7 +64,7 @@ typedef struct wire_caps {
     uint16_t out_bytes;     /* ... and of those it sends */
     uint8_t format;         /* the one that frames must come in */
     uint8_t features;       /* bits of enum wire_feature */
-    uint8_t window;         /* reports its transport can queue: 2 .. WIRE_WINDOW_MAX */
+    uint8_t credits;        /* reports its transport can queue: 2 .. WIRE_CREDITS_MAX */
     uint8_t version;        /* WIRE_VERSION */
 } wire_caps;
 
@@ -89,7 +89,7 @@ typedef struct wire_stats {
     uint32_t payload_out, payload_in; /* bytes of data messages */
 } wire_stats;
 
-/* Errors that one end tells the other (wire_tell) and both can read. */
+/* Errors that one end tells the other (wire_error_send) and both can read. */
 enum wire_code {
     WIRE_FINE = 0,
     WIRE_E_VERSION = 1, /* `detail`: the version this end speaks */
@@ -119,13 +119,13 @@ enum { WIRE_CONTROL_BYTES = 48 }; /* longest control message with its head */
 /* Messages of one channel as they come (WIRE.md, section 3). */
 typedef struct wire_stream {
     uint16_t left;   /* bytes of the body still to come */
-    uint8_t stage;   /* enum in end_in.c */
+    uint8_t stage;   /* enum in peer_in.c */
     uint8_t is_lost; /* something was missed: wait for a report that says where a message begins */
     uint8_t type, low, used;
 } wire_stream;
 
 /* Looked at only through the functions below. */
-typedef struct wire_end {
+typedef struct wire_peer {
     struct wire_frames_out *frames_out;
     struct wire_frames_in *frames_in;
     struct wire_scene_out *scene_out;
@@ -135,9 +135,9 @@ typedef struct wire_end {
     struct wire_blocks_out *blocks_out;
     struct wire_blocks_in *blocks_in;
     struct wire_queue *queue; /* of data messages, shared by the parts that send */
-    wire_stats *peer_stats;
+    wire_stats *other_stats;
 
-    wire_caps own, peer, next_peer;
+    wire_caps own, other, next_other;
     wire_stats stats;
     uint32_t key;        /* of the session: in every checksum */
     uint32_t next_key;   /* device: of the session offered and not yet taken */
@@ -147,59 +147,59 @@ typedef struct wire_end {
     uint32_t out_asks;   /* reports below want an acknowledgement */
     uint32_t in_number;  /* the report expected next */
     uint32_t heard_ms, asked_ms, set_ms, now_ms;
-    uint32_t error_detail, peer_detail;
+    uint32_t error_detail, other_detail;
     uint32_t pending; /* control messages to send: bits of parts.h */
-    uint8_t role, state, has_next, error, peer_error;
-    uint8_t setting[2], peer_setting[2], settings_to_go;
+    uint8_t role, state, has_next, error, other_error;
+    uint8_t setting[2], other_setting[2], settings_to_go;
     uint8_t unacked_in, hello_number, hello_in, hello_used;
     uint8_t control_used, control_gone; /* of a control message being sent */
     wire_stream control, data;
     uint8_t control_out[WIRE_CONTROL_BYTES], control_in[WIRE_CONTROL_BYTES];
     uint8_t data_head[12];
-} wire_end;
+} wire_peer;
 
 /* Opens an end without parts; a host begins to say hello. Errors:
- * WIRE_ERR_SETUP for sizes, window or role out of range. */
-int wire_end_open(wire_end *end, const wire_setup *setup, uint32_t now_ms);
+ * WIRE_ERR_SETUP for sizes, credits or role out of range. */
+int wire_peer_open(wire_peer *peer, const wire_setup *setup, uint32_t now_ms);
 
 /* The transport came up (cable in, file opened) or went down: the session is
  * over, everything on the way is forgotten, what the panel shows stays. */
-void wire_on_link(wire_end *end, int up, uint32_t now_ms);
+void wire_on_link(wire_peer *peer, int up, uint32_t now_ms);
 
 /* A report came, of `bytes` bytes. Anything at all may be in it; an empty one
  * is nothing. Cost: the checksum (7 instructions per byte on a
  * Cortex-M), and decoding straight into the panel. Returns 1 when it was
  * valid and new, else 0. */
-int wire_on_report(wire_end *end, const uint8_t *report, size_t bytes, uint32_t now_ms);
+int wire_on_report(wire_peer *peer, const uint8_t *report, size_t bytes, uint32_t now_ms);
 
 /* Time passed: call it 20 times a second at least. `now_ms` may wrap. */
-void wire_poll(wire_end *end, uint32_t now_ms);
+void wire_poll(wire_peer *peer, uint32_t now_ms);
 
 /* Writes the next report to `report` (own.out_bytes of room) and returns its
  * size, or 0 when there is nothing to send or no credit to send it. Once
  * returned, the report counts as sent. */
-size_t wire_next_report(wire_end *end, uint8_t *report, uint32_t now_ms);
+size_t wire_next_report(wire_peer *peer, uint8_t *report, uint32_t now_ms);
 
 /* Whether a session is up; what the other end said it is (while up). */
-int wire_is_up(const wire_end *end);
-const wire_caps *wire_peer(const wire_end *end);
+int wire_is_up(const wire_peer *peer);
+const wire_caps *wire_other(const wire_peer *peer);
 
 /* Reports on the way that the other end has not acknowledged. */
-uint32_t wire_unacked(const wire_end *end);
+uint32_t wire_unacked(const wire_peer *peer);
 
 /* Tells the other end of an error; the latest counts. */
-void wire_tell(wire_end *end, unsigned code, uint32_t detail);
+void wire_error_send(wire_peer *peer, unsigned code, uint32_t detail);
 
 /* The latest error the other end told, and forgets it. WIRE_FINE: none. */
-unsigned wire_told(wire_end *end, uint32_t *detail);
+unsigned wire_error_read(wire_peer *peer, uint32_t *detail);
 
-/* Sends a setting; the latest counts. At the other end wire_setting_take
+/* Sends a setting; the latest counts. At the other end wire_setting_read
  * gives its key once, 0 when there is none. */
-void wire_set(wire_end *end, unsigned key, unsigned value);
-unsigned wire_setting_take(wire_end *end, unsigned *value);
+void wire_setting_send(wire_peer *peer, unsigned key, unsigned value);
+unsigned wire_setting_read(wire_peer *peer, unsigned *value);
 
 /* Asks for the other end's statistics, which come into `*to` (until then 0). */
-void wire_stats_ask(wire_end *end, wire_stats *to);
+void wire_stats_ask(wire_peer *peer, wire_stats *to);
 
 #ifdef __cplusplus
 }
