@@ -4,7 +4,7 @@
  * outside to[0 .. count - 1].
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
 enum want_state { FREE, TO_ASK, ASKED, DONE, REFUSED };
 

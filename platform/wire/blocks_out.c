@@ -5,7 +5,8 @@
  * other end knows best what it still lacks.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
+#include "platform/wire/services.h"
 
 enum { CHUNK_BYTES = 240 };
 
@@ -18,7 +19,6 @@ void wire_blocks_out_open(wire_blocks_out *out, wire_peer *peer, const void *ima
     if (peer->queue == NULL) {
         peer->queue = &out->own_queue;
     }
-    out->queue = peer->queue;
     peer->blocks_out = out;
 }
 
@@ -63,21 +63,23 @@ static uint32_t chunk_bytes(const wire_blocks_out *out, uint32_t left) {
 }
 
 static void send_chunk(wire_blocks_out *out, wire_block_order *o) {
+    wire_queue *q = out->peer->queue;
     const uint32_t count = chunk_bytes(out, o->count);
-    uint8_t *to = out->queue->bytes + out->queue->used;
+    uint8_t *to = q->bytes + q->used;
     const uint32_t head = wire_head_put(to, WIRE_BLOCK_DATA, count + 5);
     to[head] = o->tag;
     wire_put32(to + head + 1, o->offset);
     memcpy(to + head + 5, out->image + o->offset, count);
-    out->queue->used = (uint16_t)(out->queue->used + head + 5 + count);
+    q->used = (uint16_t)(q->used + head + 5 + count);
     o->offset += count;
     o->count -= count;
     o->live = o->count > 0;
 }
 
 int wire_blocks_out_fill(wire_blocks_out *out) {
+    wire_queue *q = out->peer->queue;
     for (int looked = 0; looked < WIRE_BLOCKS; looked++) {
-        if (wire_queue_room(out->queue) < CHUNK_BYTES + 8) {
+        if (wire_queue_room(q) < CHUNK_BYTES + 8) {
             break;
         }
         wire_block_order *o = &out->order[out->turn];

@@ -1,21 +1,22 @@
-/* control - control messages: built when they can leave, taken when they came
+/* control - control messages: written when they can leave, read when they came
  *
  * Every one of them may be lost; each is repeated until what it asks for is
  * seen (hellos, offers, views, settings, requests), or its loss is noticed
  * otherwise (acknowledgements, frame answers).
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
+#include "platform/wire/session.h"
 
 /* ---- acknowledgement and statistics ------------------------------------------------------ */
 
-static uint32_t make_ack(wire_peer *peer, uint8_t *body) {
+static uint32_t write_ack(wire_peer *peer, uint8_t *body) {
     peer->unacked_in = 0;
     wire_put32(body, peer->in_number);
     return 4;
 }
 
-static void take_ack(wire_peer *peer, const uint8_t *body) {
+static void receive_ack(wire_peer *peer, const uint8_t *body) {
     const uint32_t number = wire_get32(body);
     const int32_t news = (int32_t)(number - peer->out_acked);
     if (news > 0 && (int32_t)(peer->out_number - number) >= 0) {
@@ -33,7 +34,7 @@ static void stats_list(wire_stats *s, uint32_t *list[STATS]) {
     memcpy(list, all, sizeof all);
 }
 
-static uint32_t make_stats(wire_peer *peer, uint8_t *body) {
+static uint32_t write_stats(wire_peer *peer, uint8_t *body) {
     uint32_t *list[STATS];
     stats_list(&peer->stats, list);
     for (int i = 0; i < STATS; i++) {
@@ -42,7 +43,7 @@ static uint32_t make_stats(wire_peer *peer, uint8_t *body) {
     return 4 * STATS;
 }
 
-static void take_stats(wire_peer *peer, const uint8_t *body) {
+static void receive_stats(wire_peer *peer, const uint8_t *body) {
     uint32_t *list[STATS];
     if (peer->other_stats != NULL) {
         stats_list(peer->other_stats, list);
@@ -55,12 +56,12 @@ static void take_stats(wire_peer *peer, const uint8_t *body) {
 /* ---- settings and errors -------------------------------------------------------------------- */
 
 /* A device sends back what it took, and the host stops repeating it. */
-static uint32_t make_set(const wire_peer *peer, uint8_t *body) {
+static uint32_t write_set(const wire_peer *peer, uint8_t *body) {
     memcpy(body, peer->setting, 2);
     return 2;
 }
 
-static void take_set(wire_peer *peer, const uint8_t *body) {
+static void receive_set(wire_peer *peer, const uint8_t *body) {
     if (peer->role == WIRE_HOST) {
         if (memcmp(body, peer->setting, 2) == 0) {
             peer->settings_to_go = 0;
@@ -74,19 +75,18 @@ static void take_set(wire_peer *peer, const uint8_t *body) {
     wire_queue_control(peer, WIRE_SET);
 }
 
-static uint32_t make_error(const wire_peer *peer, uint8_t *body) {
+static uint32_t write_error(const wire_peer *peer, uint8_t *body) {
     body[0] = peer->error;
     wire_put32(body + 1, peer->error_detail);
     return 5;
 }
 
-static void take_error(wire_peer *peer, const uint8_t *body) {
+static void receive_error(wire_peer *peer, const uint8_t *body) {
     peer->other_error = body[0];
     peer->other_detail = wire_get32(body + 1);
 }
 
-/* ---- all ----------------------------------------------------------------------------------------
- */
+/* ---- all -------------------------------------------------------------------------------- */
 
 uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body) {
     switch (type) {
@@ -94,7 +94,7 @@ uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body) {
     case WIRE_WELCOME:
         return wire_hello_write(peer, body);
     case WIRE_ACK:
-        return make_ack(peer, body);
+        return write_ack(peer, body);
     case WIRE_PING:
     case WIRE_STATS_ASK:
         body[0] = 0;
@@ -110,18 +110,17 @@ uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body) {
     case WIRE_VIEW:
         return wire_view_out_write(peer->view_out, body);
     case WIRE_VIEW_HAVE:
-        body[0] = peer->view_in->view.number;
-        return 1;
+        return wire_view_in_write(peer->view_in, body);
     case WIRE_BLOCK_ASK:
         return wire_blocks_in_write(peer->blocks_in, body);
     case WIRE_BLOCK_REFUSE:
         return wire_blocks_out_write(peer->blocks_out, body);
     case WIRE_ERROR:
-        return make_error(peer, body);
+        return write_error(peer, body);
     case WIRE_SET:
-        return make_set(peer, body);
+        return write_set(peer, body);
     case WIRE_STATS:
-        return make_stats(peer, body);
+        return write_stats(peer, body);
     default:
         return 0;
     }
@@ -162,10 +161,10 @@ static uint32_t bytes_wanted(const wire_peer *peer, unsigned type) {
     }
 }
 
-static void take(wire_peer *peer, unsigned type, const uint8_t *body) {
+static void receive(wire_peer *peer, unsigned type, const uint8_t *body) {
     switch (type) {
     case WIRE_ACK:
-        take_ack(peer, body);
+        receive_ack(peer, body);
         break;
     case WIRE_PING:
         wire_queue_control(peer, WIRE_ACK);
@@ -188,7 +187,7 @@ static void take(wire_peer *peer, unsigned type, const uint8_t *body) {
         wire_queue_control(peer, WIRE_VIEW_HAVE);
         break;
     case WIRE_VIEW_HAVE:
-        peer->view_out->have = peer->view_out->have || body[0] == peer->view_out->view.number;
+        wire_view_out_receive(peer->view_out, body);
         break;
     case WIRE_BLOCK_ASK:
         wire_blocks_out_receive(peer->blocks_out, body);
@@ -197,13 +196,13 @@ static void take(wire_peer *peer, unsigned type, const uint8_t *body) {
         wire_blocks_in_receive(peer->blocks_in, body);
         break;
     case WIRE_ERROR:
-        take_error(peer, body);
+        receive_error(peer, body);
         break;
     case WIRE_SET:
-        take_set(peer, body);
+        receive_set(peer, body);
         break;
     default: /* WIRE_STATS */
-        take_stats(peer, body);
+        receive_stats(peer, body);
     }
 }
 
@@ -215,6 +214,6 @@ void wire_control_receive(wire_peer *peer, unsigned type, const uint8_t *body, u
     }
     const uint32_t wanted = bytes_wanted(peer, type);
     if (wanted > 0 && bytes >= wanted) { /* later versions may add to a body's end */
-        take(peer, type, body);
+        receive(peer, type, body);
     }
 }

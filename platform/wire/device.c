@@ -4,7 +4,8 @@
  * at the front of the memory, and the engine's arena behind it.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include <string.h>
+
 #include "platform/wire/wire_device.h"
 
 enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS };

@@ -5,7 +5,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
 /* Where pointers have 8 bytes, six of them and their alignment take 32 more. */
 _Static_assert(sizeof(wire_frames_in) <= (sizeof(void *) > 4 ? 544 : 512), "the receiver's state");

@@ -20,12 +20,6 @@ void wire_frames_out_open(wire_frames_out *out, wire_peer *peer) {
     out->peer = peer;
     peer->frames_out = out;
     peer->queue = &out->queue;
-    if (peer->scene_out != NULL) {
-        peer->scene_out->queue = peer->queue;
-    }
-    if (peer->blocks_out != NULL) {
-        peer->blocks_out->queue = peer->queue;
-    }
     if (wire_is_up(peer)) {
         wire_frames_out_begin(out);
     }

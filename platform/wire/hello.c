@@ -2,7 +2,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
+#include "platform/wire/session.h"
 
 enum { CAPS_BYTES = 22, HELLO_BYTES = 4 + CAPS_BYTES + 4 };
 

@@ -1,25 +1,13 @@
-/* end - sessions: how an end comes up, stays up, and notices that it is down
+/* peer - sessions: how a peer comes up, stays up, and notices that it is down
  *
- * Invariant: outside WIRE_IS_UP nothing but hellos is sent or believed.
+ * Invariant: outside WIRE_IS_UP nothing but hellos is sent or accepted.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
+#include "platform/wire/services.h"
+#include "platform/wire/session.h"
 
-/* Bijective on 32 bits, every bit depends on every other (C. Wellons, "Hash
- * prospector", 2018). */
-uint32_t wire_scramble(uint32_t x) {
-    x ^= x >> 16;
-    x *= UINT32_C(0x7FEB352D);
-    x ^= x >> 15;
-    x *= UINT32_C(0x846CA68B);
-    return x ^ x >> 16;
-}
-
-uint32_t wire_session_key(uint32_t host_half, uint32_t device_half) {
-    return wire_scramble(wire_scramble(host_half) + device_half);
-}
-
-static int is_right(const wire_setup *setup) {
+static int is_valid(const wire_setup *setup) {
     const wire_caps *c = &setup->caps;
     return setup->role <= WIRE_HOST && c->in_bytes >= WIRE_REPORT_BYTES_MIN &&
            c->in_bytes <= WIRE_REPORT_BYTES_MAX && c->out_bytes >= WIRE_REPORT_BYTES_MIN &&
@@ -29,7 +17,7 @@ static int is_right(const wire_setup *setup) {
 }
 
 int wire_peer_open(wire_peer *peer, const wire_setup *setup, uint32_t now_ms) {
-    if (!is_right(setup)) {
+    if (!is_valid(setup)) {
         return WIRE_ERR_SETUP;
     }
     memset(peer, 0, sizeof *peer);
@@ -61,7 +49,7 @@ static void forget(wire_peer *peer) {
     }
 }
 
-void wire_session_end(wire_peer *peer) {
+static void session_end(wire_peer *peer) {
     forget(peer);
     renew(peer);
     peer->state = WIRE_IS_DOWN;
@@ -102,7 +90,7 @@ void wire_session_begin(wire_peer *peer) {
 void wire_on_link(wire_peer *peer, int up, uint32_t now_ms) {
     peer->now_ms = now_ms;
     peer->has_next = 0;
-    wire_session_end(peer);
+    session_end(peer);
     if (!up) {
         peer->state = WIRE_IS_DOWN;
         peer->pending = 0;
@@ -115,7 +103,7 @@ static int is_over(uint32_t now, uint32_t since, uint32_t most) {
 
 static void poll_session(wire_peer *peer, uint32_t now) {
     if (is_over(now, peer->heard_ms, WIRE_DEAD_MS)) {
-        wire_session_end(peer);
+        session_end(peer);
         return;
     }
     const int is_stalled = (int32_t)(peer->out_asks - peer->out_acked) > 0 &&
@@ -154,45 +142,6 @@ void wire_poll(wire_peer *peer, uint32_t now_ms) {
         peer->asked_ms = now_ms;
         wire_queue_control(peer, WIRE_HELLO);
     }
-}
-
-int wire_is_up(const wire_peer *peer) {
-    return peer->state == WIRE_IS_UP;
-}
-
-const wire_caps *wire_other(const wire_peer *peer) {
-    return &peer->other;
-}
-
-uint32_t wire_unacked(const wire_peer *peer) {
-    return peer->out_number - peer->out_acked;
-}
-
-void wire_error_send(wire_peer *peer, unsigned code, uint32_t detail) {
-    peer->error = (uint8_t)code;
-    peer->error_detail = detail;
-    wire_queue_control(peer, WIRE_ERROR);
-}
-
-unsigned wire_error_read(wire_peer *peer, uint32_t *detail) {
-    const unsigned code = peer->other_error;
-    *detail = peer->other_detail;
-    peer->other_error = WIRE_FINE;
-    return code;
-}
-
-void wire_setting_send(wire_peer *peer, unsigned key, unsigned value) {
-    peer->setting[0] = (uint8_t)key;
-    peer->setting[1] = (uint8_t)value;
-    peer->settings_to_go = 1;
-    wire_queue_control(peer, WIRE_SET);
-}
-
-unsigned wire_setting_read(wire_peer *peer, unsigned *value) {
-    const unsigned key = peer->other_setting[0];
-    *value = peer->other_setting[1];
-    peer->other_setting[0] = 0;
-    return key;
 }
 
 void wire_stats_ask(wire_peer *peer, wire_stats *to) {

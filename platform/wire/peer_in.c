@@ -1,12 +1,13 @@
-/* end_in - a report that came: is it one of ours, is it new, what is in it
+/* peer_in - a report that came: is it one of ours, is it new, what is in it
  *
  * Invariants: no byte of a report is looked at before its checksum, which
  * holds session, direction and full number, was right; numbers only go up;
  * after a gap a channel is silent until a message is known to begin.
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
+#include "platform/wire/services.h"
+#include "platform/wire/session.h"
 
 enum stage { IN_TYPE, IN_LOW, IN_LENGTH, IN_LENGTH2, IN_HEAD, IN_BODY };
 
@@ -35,7 +36,7 @@ static void begin_body(wire_peer *peer) {
     }
 }
 
-static void body(wire_peer *peer, const uint8_t *bytes, uint32_t count) {
+static void receive_data(wire_peer *peer, const uint8_t *bytes, uint32_t count) {
     const unsigned type = peer->data.type;
     peer->stats.payload_in += count;
     if (type & WIRE_TILE && peer->frames_in != NULL) {
@@ -49,7 +50,7 @@ static void body(wire_peer *peer, const uint8_t *bytes, uint32_t count) {
 
 /* ---- both channels ------------------------------------------------------------------------ */
 
-static void take_type(wire_stream *s, unsigned byte) {
+static void read_type(wire_stream *s, unsigned byte) {
     s->type = (uint8_t)byte;
     s->used = 0;
     s->stage = byte & WIRE_TILE ? IN_LOW : IN_LENGTH;
@@ -67,10 +68,10 @@ static void length_known(wire_peer *peer, wire_stream *s) {
 }
 
 /* One byte of a message's head; a body follows at once. */
-static void take_head(wire_peer *peer, wire_stream *s, unsigned byte) {
+static void read_head(wire_peer *peer, wire_stream *s, unsigned byte) {
     switch (s->stage) {
     case IN_TYPE:
-        take_type(s, byte);
+        read_type(s, byte);
         break;
     case IN_LOW:
         s->low = (uint8_t)byte;
@@ -97,9 +98,9 @@ static void take_head(wire_peer *peer, wire_stream *s, unsigned byte) {
     }
 }
 
-static void take_body(wire_peer *peer, wire_stream *s, const uint8_t *at, uint32_t count) {
+static void receive_body(wire_peer *peer, wire_stream *s, const uint8_t *at, uint32_t count) {
     if (s == &peer->data) {
-        body(peer, at, count);
+        receive_data(peer, at, count);
         return;
     }
     for (uint32_t i = 0; i < count && s->used < WIRE_CONTROL_BYTES; i++) {
@@ -113,12 +114,12 @@ static void stream(wire_peer *peer, wire_stream *s, const uint8_t *at, uint32_t 
             return;
         }
         if (s->stage != IN_BODY) {
-            take_head(peer, s, *at++);
+            read_head(peer, s, *at++);
             count--;
         }
         if (s->stage == IN_BODY) {
             const uint32_t n = s->left < count ? s->left : count;
-            take_body(peer, s, at, n);
+            receive_body(peer, s, at, n);
             at += n;
             count -= n;
             s->left = (uint16_t)(s->left - n);
@@ -132,7 +133,7 @@ static void stream(wire_peer *peer, wire_stream *s, const uint8_t *at, uint32_t 
     }
 }
 
-static void lose(wire_peer *peer) {
+static void note_gap(wire_peer *peer) {
     peer->control.is_lost = peer->data.is_lost = 1;
     if (peer->frames_in != NULL) {
         wire_frames_in_cut(peer->frames_in);
@@ -141,29 +142,7 @@ static void lose(wire_peer *peer) {
 
 /* ---- reports --------------------------------------------------------------------------------- */
 
-typedef struct reading {
-    const uint8_t *payload;
-    uint32_t count, first, none;
-    int is_control;
-} reading;
-
-static reading read_header(const uint8_t *report, uint32_t bytes) {
-    reading r;
-    if (bytes > 128) {
-        r.first = wire_get16(report + 5);
-        r.none = 32767;
-    } else {
-        r.first = report[5];
-        r.none = 127;
-    }
-    r.is_control = r.first > r.none;
-    r.first &= r.none;
-    r.payload = report + wire_header_bytes(bytes);
-    r.count = bytes - wire_header_bytes(bytes);
-    return r;
-}
-
-static void take_payload(wire_peer *peer, const reading *r) {
+static void receive_payload(wire_peer *peer, const wire_report_view *r) {
     wire_stream *s = r->is_control ? &peer->control : &peer->data;
     uint32_t from = 0;
     if (r->is_control) {
@@ -180,7 +159,7 @@ static void take_payload(wire_peer *peer, const reading *r) {
     stream(peer, s, r->payload + from, r->count - from);
 }
 
-static int take_report(wire_peer *peer, const reading *r, uint32_t number) {
+static int receive_report(wire_peer *peer, const wire_report_view *r, uint32_t number) {
     const int32_t ahead = (int32_t)(number - peer->in_number);
     peer->heard_ms = peer->now_ms;
     if (ahead < 0) {
@@ -189,7 +168,7 @@ static int take_report(wire_peer *peer, const reading *r, uint32_t number) {
     }
     if (ahead > 0) {
         peer->stats.reports_lost += (uint32_t)ahead;
-        lose(peer);
+        note_gap(peer);
         wire_queue_control(peer, WIRE_ACK);
     }
     peer->in_number = number + 1;
@@ -197,12 +176,12 @@ static int take_report(wire_peer *peer, const reading *r, uint32_t number) {
     if (++peer->unacked_in >= (peer->own.credits + 1) / 2) {
         wire_queue_control(peer, WIRE_ACK);
     }
-    take_payload(peer, r);
+    receive_payload(peer, r);
     return 1;
 }
 
 /* Hellos are numbered from 0 each; their message holds a checksum of its own. */
-static int take_hello(wire_peer *peer, const reading *r, unsigned number) {
+static int receive_hello(wire_peer *peer, const wire_report_view *r, unsigned number) {
     if (number == 0) {
         peer->hello_in = 0;
         peer->hello_used = 0;
@@ -234,22 +213,22 @@ int wire_on_report(wire_peer *peer, const uint8_t *report, size_t bytes, uint32_
         peer->stats.reports_bad++;
         return 0;
     }
-    const uint32_t side = peer->role == WIRE_HOST ? UINT32_MAX : 0;
-    const uint32_t tag = plt_crc32(0, report + 4, bytes - 4) ^ wire_get32(report) ^ side;
-    const reading r = read_header(report, (uint32_t)bytes);
+    const unsigned from = peer->role == WIRE_HOST ? WIRE_DEVICE : WIRE_HOST;
+    const uint32_t tag = wire_report_tag(report, bytes, from);
+    const wire_report_view r = wire_report_read(report, (uint32_t)bytes);
     const unsigned low = report[4];
     const uint32_t number = peer->in_number + (uint32_t)(int8_t)(low - peer->in_number);
     if (peer->state == WIRE_IS_UP && tag == (peer->key ^ wire_scramble(number))) {
-        return take_report(peer, &r, number);
+        return receive_report(peer, &r, number);
     }
     if (peer->has_next && tag == (peer->next_key ^ wire_scramble(low))) {
         peer->key = peer->next_key;
         peer->other = peer->next_other;
         wire_session_begin(peer);
-        return take_report(peer, &r, low);
+        return receive_report(peer, &r, low);
     }
     if (tag == (WIRE_HELLO_KEY ^ wire_scramble(low))) {
-        return take_hello(peer, &r, low);
+        return receive_hello(peer, &r, low);
     }
     peer->stats.reports_bad++;
     return 0;

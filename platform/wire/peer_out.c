@@ -1,38 +1,27 @@
-/* end_out - the next report: control messages first, then data within credits
+/* peer_out - the next report: control messages first, then data within credits
  *
  * Invariants: every number is used once a session; data leaves only while
  * fewer than the other peer's credits are unacknowledged; control messages
  * need no credit, so two ends can never wait for each other's.
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
+#include "platform/wire/services.h"
+#include "platform/wire/session.h"
 
 typedef struct writing {
-    uint8_t *report;
+    uint8_t *report, *payload;
     uint32_t room, used; /* of the payload */
     uint32_t first;      /* offset of the first message that begins, or `none` */
     uint32_t none;
 } writing;
 
-static uint8_t *payload_of(const writing *w) {
-    return w->report + (w->none == 127 ? 6 : 7);
-}
-
 static size_t finish(const wire_peer *peer, const writing *w, int is_control, uint32_t number,
                      uint32_t key) {
-    uint8_t *at = w->report + 4;
-    memset(payload_of(w) + w->used, WIRE_PAD, w->room - w->used);
-    *at++ = (uint8_t)number;
-    if (w->none == 127) {
-        *at = (uint8_t)(w->first | (is_control ? 128u : 0u));
-    } else {
-        wire_put16(at, w->first | (is_control ? 32768u : 0u));
-    }
-    const uint32_t bytes = peer->own.out_bytes - 4u;
-    const uint32_t side = peer->role == WIRE_HOST ? 0 : UINT32_MAX;
-    wire_put32(w->report, plt_crc32(0, w->report + 4, bytes) ^ key ^ side ^ wire_scramble(number));
-    return bytes + 4;
+    const uint32_t bytes = peer->own.out_bytes;
+    memset(w->payload + w->used, WIRE_PAD, w->room - w->used);
+    wire_report_seal(w->report, bytes, peer->role, key, number, w->first, is_control);
+    return bytes;
 }
 
 /* ---- control ------------------------------------------------------------------------- */
@@ -75,7 +64,7 @@ static void add_control(wire_peer *peer, writing *w) {
     if (peer->control_out[0] == WIRE_PING) {
         peer->out_asks = peer->out_number + 1;
     }
-    memcpy(payload_of(w) + w->used, peer->control_out + peer->control_gone, n);
+    memcpy(w->payload + w->used, peer->control_out + peer->control_gone, n);
     peer->control_gone = (uint8_t)(peer->control_gone + n);
     w->used += n;
 }
@@ -116,7 +105,7 @@ static size_t data_report(wire_peer *peer, writing *w) {
     for (;;) {
         uint32_t first = w->none;
         const uint32_t n =
-            wire_queue_read(peer->queue, payload_of(w) + w->used, w->room - w->used, &first);
+            wire_queue_read(peer->queue, w->payload + w->used, w->room - w->used, &first);
         w->first = w->first == w->none && first != w->none ? first + w->used : w->first;
         w->used += n;
         if (w->used == w->room) {
@@ -141,8 +130,9 @@ static size_t data_report(wire_peer *peer, writing *w) {
 }
 
 size_t wire_next_report(wire_peer *peer, uint8_t *report, uint32_t now_ms) {
-    const uint32_t size = peer->own.out_bytes, none = size > 128 ? 32767 : 127;
-    writing w = {report, size - wire_header_bytes(size), 0, none, none};
+    const uint32_t size = peer->own.out_bytes, head = wire_header_bytes(size);
+    const uint32_t none = wire_first_none(size);
+    writing w = {report, report + head, size - head, 0, none, none};
     peer->now_ms = now_ms;
     if (peer->control_gone < peer->control_used || next_control(peer, -1)) {
         return control_report(peer, &w);

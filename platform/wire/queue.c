@@ -4,7 +4,7 @@
  * which `left` bytes are there; `left` 0: a message begins at `gone`.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/base.h"
 
 uint32_t wire_queue_room(wire_queue *q) {
     memmove(q->bytes, q->bytes + q->gone, wire_queue_bytes(q));

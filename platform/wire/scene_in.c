@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
 enum { AGAIN_MS = 30 }; /* between complaints about the same gap */
 

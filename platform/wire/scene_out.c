@@ -2,7 +2,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
+#include "platform/wire/services.h"
 
 /* Bytes a message; after a gap, for CAREFUL messages, what fills one report,
  * so that each that arrives is of use. */
@@ -17,7 +18,6 @@ void wire_scene_out_open(wire_scene_out *out, wire_peer *peer, const void *image
     if (peer->queue == NULL) {
         peer->queue = &out->own_queue;
     }
-    out->queue = peer->queue;
     peer->scene_out = out;
     if (wire_is_up(peer)) {
         wire_scene_out_begin(out);
@@ -83,19 +83,20 @@ static uint32_t chunk_bytes(wire_scene_out *out) {
 }
 
 int wire_scene_out_fill(wire_scene_out *out) {
+    wire_queue *q = out->peer->queue;
     if (out->image == NULL || !out->is_known || out->state != WIRE_SCENE_GOING) {
         return 1;
     }
     while (out->at < out->bytes) {
-        if (wire_queue_room(out->queue) < CHUNK_BYTES + 7) {
+        if (wire_queue_room(q) < CHUNK_BYTES + 7) {
             break;
         }
         const uint32_t count = chunk_bytes(out);
-        uint8_t *to = out->queue->bytes + out->queue->used;
+        uint8_t *to = q->bytes + q->used;
         const uint32_t head = wire_head_put(to, WIRE_SCENE_DATA, count + 4);
         wire_put32(to + head, out->at);
         memcpy(to + head + 4, out->image + out->at, count);
-        out->queue->used = (uint16_t)(out->queue->used + head + 4 + count);
+        q->used = (uint16_t)(q->used + head + 4 + count);
         out->at += count;
     }
     return 1;

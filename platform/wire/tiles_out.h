@@ -8,7 +8,7 @@
 #ifndef PLT_WIRE_TILES_OUT_H
 #define PLT_WIRE_TILES_OUT_H
 
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
 /* WIRE_NUMBERS is a multiple of it: frames on the slot have ways of their own. */
 enum { WIRE_SLOTS = 3 };

@@ -3,7 +3,7 @@
  * Floats travel as their bits, so both ends see exactly the same camera.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
 void wire_view_out_open(wire_view_out *out, wire_peer *peer) {
     memset(out, 0, sizeof *out);
@@ -63,6 +63,10 @@ uint32_t wire_view_out_write(wire_view_out *out, uint8_t *body) {
     return 42;
 }
 
+void wire_view_out_receive(wire_view_out *out, const uint8_t *body) {
+    out->have = out->have || body[0] == out->view.number;
+}
+
 void wire_view_in_open(wire_view_in *in, wire_peer *peer) {
     memset(in, 0, sizeof *in);
     peer->view_in = in;
@@ -77,6 +81,11 @@ void wire_view_in_receive(wire_view_in *in, const uint8_t *body) {
     floats_get(v->up, body + 26, 3);
     floats_get(&v->tan_half_fov, body + 38, 1);
     in->fresh = 1;
+}
+
+uint32_t wire_view_in_write(const wire_view_in *in, uint8_t *body) {
+    body[0] = in->view.number;
+    return 1;
 }
 
 int wire_view_read(wire_view_in *in) {

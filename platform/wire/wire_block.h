@@ -24,13 +24,12 @@ typedef struct wire_block_order {
 
 typedef struct wire_blocks_out {
     wire_peer *peer;
-    wire_queue *queue;
     const uint8_t *image;
     uint32_t bytes;
     wire_block_order order[WIRE_BLOCKS];
     uint32_t refused;
     uint8_t turn, refused_tag;
-    wire_queue own_queue;
+    wire_queue own_queue; /* of a peer that sends neither frames nor scenes */
 } wire_blocks_out;
 
 /* Answers requests for bytes of `image`, which stays where it is. */

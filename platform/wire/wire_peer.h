@@ -148,7 +148,7 @@ typedef struct wire_peer {
     uint32_t in_number;  /* the report expected next */
     uint32_t heard_ms, asked_ms, set_ms, now_ms;
     uint32_t error_detail, other_detail;
-    uint32_t pending; /* control messages to send: bits of parts.h */
+    uint32_t pending; /* control messages to send: bits of base.h */
     uint8_t role, state, has_next, error, other_error;
     uint8_t setting[2], other_setting[2], settings_to_go;
     uint8_t unacked_in, hello_number, hello_in, hello_used;

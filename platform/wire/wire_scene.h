@@ -28,11 +28,10 @@ enum wire_scene_state {
 
 typedef struct wire_scene_out {
     wire_peer *peer;
-    wire_queue *queue;
     const uint8_t *image;
     uint32_t bytes, crc, at, other_has, asked_ms;
     uint8_t state, is_known, careful;
-    wire_queue own_queue;
+    wire_queue own_queue; /* of a peer that sends no frames */
 } wire_scene_out;
 
 /* Offers `image` at every session from now on; it stays where it is. Costs a

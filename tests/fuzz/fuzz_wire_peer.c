@@ -14,8 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/planelet_crc32.h"
-#include "platform/wire/parts.h"
+#include "platform/wire/report.h"
 #include "tests/reference/wire_fake.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -79,14 +78,12 @@ static void close_side(side *s) {
     free(s->block);
 }
 
-/* Seals 58 bytes at most as the next report to `end`. */
+/* Seals 58 bytes at most as the next report to `peer`. */
 static void deliver(wire_peer *peer, const uint8_t *data, size_t count, uint32_t now) {
     uint8_t *report = calloc(1, 64), answer[64];
-    report[4] = (uint8_t)peer->in_number;
     memcpy(report + 5, data, count < 59 ? count : 59);
-    const uint32_t from = peer->role == WIRE_HOST ? UINT32_MAX : 0;
-    wire_put32(report,
-               plt_crc32(0, report + 4, 60) ^ peer->key ^ from ^ wire_scramble(peer->in_number));
+    const unsigned from = peer->role == WIRE_HOST ? WIRE_DEVICE : WIRE_HOST;
+    wire_report_seal(report, 64, from, peer->key, peer->in_number, data[0] & 127, data[0] >> 7);
     reports_taken += (unsigned)wire_on_report(peer, report, 64, now);
     free(report);
     for (int i = 0; i < 20 && wire_next_report(peer, answer, now) > 0; i++) {

@@ -1,7 +1,7 @@
 /* test_wire_frames - frames over a good and a bad cable, pixel by pixel
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 #include "tests/reference/wire_rig.h"
 #include "tests/test.h"
 

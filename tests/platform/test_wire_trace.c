@@ -7,7 +7,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
-#include "platform/wire/parts.h"
+#include "platform/wire/base.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
