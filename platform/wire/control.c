@@ -27,30 +27,15 @@ static void receive_ack(wire_peer *peer, const uint8_t *body) {
 
 enum { STATS = 10 };
 
-static void stats_list(wire_stats *s, uint32_t *list[STATS]) {
-    uint32_t *const all[STATS] = {
-        &s->reports_out, &s->reports_in, &s->reports_lost, &s->reports_late, &s->reports_bad,
-        &s->sessions,    &s->frames_out, &s->frames_in,    &s->tiles_out,    &s->tiles_in};
-    memcpy(list, all, sizeof all);
-}
-
-static uint32_t write_stats(wire_peer *peer, uint8_t *body) {
-    uint32_t *list[STATS];
-    stats_list(&peer->stats, list);
+static uint32_t write_stats(const wire_peer *peer, uint8_t *body) {
+    const wire_stats *s = &peer->stats;
+    const uint32_t list[STATS] = {s->reports_out, s->reports_in, s->reports_lost, s->reports_late,
+                                  s->reports_bad, s->sessions,   s->frames_out,   s->frames_in,
+                                  s->tiles_out,   s->tiles_in};
     for (int i = 0; i < STATS; i++) {
-        wire_put32(body + 4 * i, *list[i]);
+        wire_put32(body + 4 * i, list[i]);
     }
     return 4 * STATS;
-}
-
-static void receive_stats(wire_peer *peer, const uint8_t *body) {
-    uint32_t *list[STATS];
-    if (peer->other_stats != NULL) {
-        stats_list(peer->other_stats, list);
-        for (int i = 0; i < STATS; i++) {
-            *list[i] = wire_get32(body + 4 * i);
-        }
-    }
 }
 
 /* ---- settings and errors -------------------------------------------------------------------- */
@@ -96,9 +81,8 @@ uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body) {
     case WIRE_ACK:
         return write_ack(peer, body);
     case WIRE_PING:
-    case WIRE_STATS_ASK:
         body[0] = 0;
-        peer->stats.pings_out += type == WIRE_PING;
+        peer->stats.pings_out++;
         return 1;
     case WIRE_FRAME_GOOD:
     case WIRE_FRAME_BAD:
@@ -154,8 +138,6 @@ static uint32_t bytes_wanted(const wire_peer *peer, unsigned type) {
         return 5;
     case WIRE_SET:
         return 2;
-    case WIRE_STATS:
-        return 4 * STATS;
     default:
         return 0;
     }
@@ -198,11 +180,8 @@ static void receive(wire_peer *peer, unsigned type, const uint8_t *body) {
     case WIRE_ERROR:
         receive_error(peer, body);
         break;
-    case WIRE_SET:
+    default: /* WIRE_SET */
         receive_set(peer, body);
-        break;
-    default: /* WIRE_STATS */
-        receive_stats(peer, body);
     }
 }
 

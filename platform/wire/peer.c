@@ -143,9 +143,3 @@ void wire_poll(wire_peer *peer, uint32_t now_ms) {
         wire_queue_control(peer, WIRE_HELLO);
     }
 }
-
-void wire_stats_ask(wire_peer *peer, wire_stats *to) {
-    memset(to, 0, sizeof *to);
-    peer->other_stats = to;
-    wire_queue_control(peer, WIRE_STATS_ASK);
-}

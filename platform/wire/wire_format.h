@@ -42,9 +42,6 @@ void wire_row_from_rgb(uint8_t *to, unsigned format, const uint8_t *rgb, unsigne
  * 565 is widened by repeating the high bits. */
 void wire_row_to_rgb(uint8_t *rgb, unsigned format, const uint8_t *from, unsigned width);
 
-/* "rgb565" ...; NULL for an unknown format. */
-const char *wire_format_name(unsigned format);
-
 #ifdef __cplusplus
 }
 #endif

@@ -135,7 +135,6 @@ typedef struct wire_peer {
     struct wire_blocks_out *blocks_out;
     struct wire_blocks_in *blocks_in;
     struct wire_queue *queue; /* of data messages, shared by the parts that send */
-    wire_stats *other_stats;
 
     wire_caps own, other, next_other;
     wire_stats stats;
@@ -197,9 +196,6 @@ unsigned wire_error_read(wire_peer *peer, uint32_t *detail);
  * gives its key once, 0 when there is none. */
 void wire_setting_send(wire_peer *peer, unsigned key, unsigned value);
 unsigned wire_setting_read(wire_peer *peer, unsigned *value);
-
-/* Asks for the other end's statistics, which come into `*to` (until then 0). */
-void wire_stats_ask(wire_peer *peer, wire_stats *to);
 
 #ifdef __cplusplus
 }
