@@ -194,7 +194,7 @@ static const wire_view views[2] = {
      .shader = PLT_SHADE_NORMAL}};
 
 static void open_engine(const packed *image, uint64_t seed) {
-    static const plt_options options = {4, 0};
+    static const plt_options options = {PLT_PACKET_SIDE_MAX < 4 ? PLT_PACKET_SIDE_MAX : 4, 0};
     const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
     memset(&e, 0, sizeof e);
     fake_cable_open(&e.cable, &e.host, &e.device.peer, seed);
@@ -227,7 +227,8 @@ static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
     memcpy(frame.camera.look, v->look, sizeof v->look);
     memcpy(frame.camera.up, v->up, sizeof v->up);
     frame.camera.tan_half_fov = v->tan_half_fov;
-    plt_render_begin(engine, &frame);
+    uint32_t pixels = 0;
+    CHECK(plt_render_begin(engine, &frame) == PLT_OK, "the camera");
     for (int status = PLT_MORE; status > 0;) {
         status = plt_render_step(engine, 10000);
         if (status == PLT_TILE) {
@@ -236,8 +237,10 @@ static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
             for (unsigned y = 0; y < t.height; y++) {
                 memcpy(rgb + 3 * ((t.y + y) * WIDTH + t.x), t.rgb + 3u * y * t.width, 3u * t.width);
             }
+            pixels += (uint32_t)t.width * t.height;
         }
     }
+    CHECK(pixels == WIDTH * HEIGHT, "%u pixels rendered", pixels);
     return hash_bytes(rgb, sizeof rgb);
 }
 
@@ -245,7 +248,7 @@ static void test_engine(void) {
     mesh m = {0};
     rig direct;
     const rig_way way = rig_way_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    shape_icosphere(&m, 3);
+    shape_icosphere(&m, rig_is_tiny() ? 1 : 3);
     test("scene and view go in, and the frame that comes back has the hash of a direct render");
     CHECK(rig_open(&direct, &m, &way) == PLT_OK, "%s", direct.fault.message);
     for (uint32_t n = 0; n < 8; n++) {
@@ -289,11 +292,21 @@ static void test_engine(void) {
     mesh_free(&m);
 }
 
+static void test_other_tiles(void) {
+    static const plt_options options = {PLT_PACKET_SIDE_MAX, 0};
+    test("an engine whose tiles are not those of the wire is refused as a device");
+    CHECK(wire_device_open(&e.device, &device_setup, &options, e.memory, sizeof e.memory, 0) ==
+              WIRE_ERR_SETUP,
+          "it was opened");
+}
+
 int main(void) {
     test_scene();
     test_blocks();
-    if (PLT_TILE_SIDE == WIRE_TILE_SIDE && !rig_is_tiny()) {
+    if (PLT_TILE_SIDE == WIRE_TILE_SIDE) {
         test_engine();
+    } else {
+        test_other_tiles();
     }
     return test_done();
 }
