@@ -1,6 +1,6 @@
 /* blocks_in - asks for pieces of an image and puts them where they belong
  *
- * Invariant: the first `has` bytes of a want are in `to`; nothing is written
+ * Invariant: the first `has` bytes of a request are in `to`; nothing is written
  * outside to[0 .. count - 1].
  *
  * SPDX-License-Identifier: MIT */
@@ -91,8 +91,8 @@ void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset) {
     in->coming = (uint8_t)tag;
 }
 
-/* Takes the part of the bytes that a want lacks next. */
-static void take_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
+/* Copies the part of the bytes that this request lacks next. */
+static void copy_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
                      uint32_t count) {
     const uint32_t next = w->offset + w->has, skip = next - in->at;
     if (w->tag != in->coming || in->at > next || skip >= count) {
@@ -109,7 +109,7 @@ static void take_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t
 void wire_blocks_in_bytes(wire_blocks_in *in, const uint8_t *bytes, uint32_t count) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         if (is_asked(&in->want[i])) {
-            take_for(in, &in->want[i], bytes, count);
+            copy_for(in, &in->want[i], bytes, count);
         }
     }
     in->at += count;

@@ -1,8 +1,8 @@
 /* blocks_out - answers requests for pieces of an image
  *
- * Orders are served in turn, a chunk each, so that a short one does not wait
- * for a long one. An order for what is being served already replaces it: the
- * other end knows best what it still lacks.
+ * Orders are served round robin, a chunk each: a short one does not wait for a
+ * long one. An order for what is being served already replaces it: the
+ * other peer knows best what it still lacks.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/report.h"
@@ -22,16 +22,16 @@ void wire_blocks_out_open(wire_blocks_out *out, wire_peer *peer, const void *ima
     peer->blocks_out = out;
 }
 
-static wire_block_order *place_for(wire_blocks_out *out, unsigned tag, uint32_t until) {
-    wire_block_order *place = NULL;
+static wire_block_order *order_for(wire_blocks_out *out, unsigned tag, uint32_t until) {
+    wire_block_order *unused = NULL;
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_order *o = &out->order[i];
         if (o->live && o->tag == tag && o->offset + o->count == until) {
             return o;
         }
-        place = place == NULL && !o->live ? o : place;
+        unused = unused == NULL && !o->live ? o : unused;
     }
-    return place;
+    return unused;
 }
 
 /* Tag, offset, count. An order too many is dropped; it will be asked again. */
@@ -43,7 +43,7 @@ void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body) {
         wire_queue_control(out->peer, WIRE_BLOCK_REFUSE);
         return;
     }
-    wire_block_order *o = place_for(out, body[0], offset + count);
+    wire_block_order *o = order_for(out, body[0], offset + count);
     if (o != NULL) {
         *o = (wire_block_order){offset, count, body[0], 1};
     }
@@ -55,7 +55,7 @@ uint32_t wire_blocks_out_write(wire_blocks_out *out, uint8_t *body) {
     return 5;
 }
 
-/* What fills a report, so that each that arrives is of use. */
+/* As much as fills a report: each report that arrives is then of use. */
 static uint32_t chunk_bytes(const wire_blocks_out *out, uint32_t left) {
     const uint32_t size = out->peer->own.out_bytes, payload = size - wire_header_bytes(size);
     const uint32_t most = payload < 17 ? 10 : payload - 7 < CHUNK_BYTES ? payload - 7 : CHUNK_BYTES;
@@ -82,8 +82,8 @@ int wire_blocks_out_fill(wire_blocks_out *out) {
         if (wire_queue_room(q) < CHUNK_BYTES + 8) {
             break;
         }
-        wire_block_order *o = &out->order[out->turn];
-        out->turn = (uint8_t)((out->turn + 1) % WIRE_BLOCKS);
+        wire_block_order *o = &out->order[out->next_order];
+        out->next_order = (uint8_t)((out->next_order + 1) % WIRE_BLOCKS);
         if (o->live) {
             send_chunk(out, o);
             looked = -1;

@@ -40,7 +40,7 @@ static uint32_t write_stats(const wire_peer *peer, uint8_t *body) {
 
 /* ---- settings and errors -------------------------------------------------------------------- */
 
-/* A device sends back what it took, and the host stops repeating it. */
+/* A device sends back what it received, and the host stops repeating it. */
 static uint32_t write_set(const wire_peer *peer, uint8_t *body) {
     memcpy(body, peer->setting, 2);
     return 2;
@@ -192,7 +192,7 @@ void wire_control_receive(wire_peer *peer, unsigned type, const uint8_t *body, u
         return;
     }
     const uint32_t wanted = bytes_wanted(peer, type);
-    if (wanted > 0 && bytes >= wanted) { /* later versions may add to a body's end */
+    if (wanted > 0 && bytes >= wanted) { /* later versions may append to a body */
         receive(peer, type, body);
     }
 }

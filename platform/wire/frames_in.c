@@ -1,13 +1,13 @@
 /* frames_in - tiles straight into the panel, and an answer for each frame
  *
- * Invariant: the panel is written only with rows of a tile whose bytes all
- * came under right checksums, in order and without a gap, and only inside it.
+ * Invariant: the panel is written only inside, and only with rows of a tile whose
+ * bytes all came in order, without a gap, under right checksums.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
 #include "platform/wire/services.h"
 
-/* Where pointers have 8 bytes, six of them and their alignment take 32 more. */
+/* Where pointers have 8 bytes, six of them and their alignment need 32 more. */
 _Static_assert(sizeof(wire_frames_in) <= (sizeof(void *) > 4 ? 544 : 512), "the receiver's state");
 
 int wire_frames_in_open(wire_frames_in *in, wire_peer *peer, const wire_panel *panel) {
@@ -44,7 +44,8 @@ enum { ANSWER_NONE, ANSWER_GOOD, ANSWER_BAD };
 
 static void answer(wire_frames_in *in, unsigned what) {
     const int goes_on = in->answer == ANSWER_GOOD && what == ANSWER_GOOD && in->in_frame;
-    in->answer_more = (uint8_t)(goes_on ? in->answer_more + 1 : 0); /* also good, not told yet */
+    in->answer_more =
+        (uint8_t)(goes_on ? in->answer_more + 1 : 0); /* also good, not yet reported */
     in->in_frame = 0;
     in->answer = (uint8_t)what;
     in->answer_number = in->number;
@@ -52,9 +53,9 @@ static void answer(wire_frames_in *in, unsigned what) {
     wire_queue_control(in->peer, what == ANSWER_GOOD ? WIRE_FRAME_GOOD : WIRE_FRAME_BAD);
 }
 
-/* The frame that a tile or an end belongs to; one that is still open got no
- * end, so something of it is missing. */
-static void enter(wire_frames_in *in, unsigned number) {
+/* Makes the frame that a tile or a FRAME_END belongs to the current one. One that is
+ * still open had no FRAME_END, so something of it is missing. */
+static void enter_frame(wire_frames_in *in, unsigned number) {
     if (in->in_frame && in->number == number) {
         return;
     }
@@ -92,7 +93,7 @@ uint32_t wire_frames_in_write(wire_frames_in *in, unsigned type, uint8_t *body) 
     return 34;
 }
 
-/* The same end again: its answer was lost. */
+/* The same FRAME_END again: its answer was lost. */
 static int is_again(const wire_frames_in *in, unsigned number) {
     return in->is_any && !in->in_frame && in->number == number;
 }
@@ -100,10 +101,10 @@ static int is_again(const wire_frames_in *in, unsigned number) {
 void wire_frames_in_end(wire_frames_in *in, const uint8_t *body) {
     const unsigned number = body[0];
     if (number >= WIRE_NUMBERS) {
-        return; /* of no sender's frame, so no answer is waited for */
+        return; /* no sender numbers a frame so: nobody waits for an answer */
     }
     if (!is_again(in, number)) {
-        enter(in, number);
+        enter_frame(in, number);
         in->is_good =
             !in->is_torn && in->came == wire_get16(body + 2) && in->crc == wire_get32(body + 4);
         in->shown += in->is_good;
@@ -137,7 +138,7 @@ void wire_frames_in_tile(wire_frames_in *in, unsigned type, unsigned low, uint32
     if (frame >= WIRE_NUMBERS) {
         return;
     }
-    enter(in, frame);
+    enter_frame(in, frame);
     in->is_torn = 1; /* until it is complete */
     if (index >= in->tiles) {
         return;
@@ -189,7 +190,7 @@ void wire_frames_in_bytes(wire_frames_in *in, const uint8_t *bytes, uint32_t cou
     }
 }
 
-/* Something was missed: the tile under way stays as far as it came, and the
+/* Something was missed: the tile that was coming keeps the rows that came, and the
  * frame will be answered with what is missing. */
 void wire_frames_in_cut(wire_frames_in *in) {
     in->is_torn = (uint8_t)(in->is_torn || in->in_tile);

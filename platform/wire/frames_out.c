@@ -1,11 +1,11 @@
-/* frames_out - which tiles go out, and what is known of the other end's panel
+/* frames_out - which tiles go out, and what is known of the other peer's panel
  *
- * Of a tile the sender knows the hash of the pixels it last sent (0: nothing it
- * could rely on), whether it sent them with an error, and which frame carried
- * it, until that frame is answered. The hash is of the pixels without the error.
+ * Of each tile the sender keeps the hash of the pixels it last sent (0: nothing is
+ * known), whether it sent them with an error, and which frame carried it until
+ * that frame is answered. The hash is of the pixels without the error.
  *
- * A hash that is equal by chance, 2^-32 for each tile that changes, leaves it
- * stale until the refresh, one tile a frame, comes round.
+ * A hash that is equal by chance, 2^-32 for each tile that changes, leaves the
+ * tile stale until the refresh, one tile per frame, reaches it.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
@@ -64,8 +64,8 @@ void wire_frames_out_begin(wire_frames_out *out) {
 
 /* Tiles from .. to - 1 of the frame with this slot: on the panel when their
  * bit is set in `got`, else to be sent again. */
-static void settle(wire_frames_out *out, unsigned slot, unsigned from, unsigned to,
-                   const uint8_t *got) {
+static void mark_answered(wire_frames_out *out, unsigned slot, unsigned from, unsigned to,
+                          const uint8_t *got) {
     for (unsigned t = from; t < to && t < out->tiles; t++) {
         if (wire_slot_of(out, t) == slot) {
             const int is_there = got != NULL && got[(t - from) / 8] >> (t & 7) & 1;
@@ -75,7 +75,7 @@ static void settle(wire_frames_out *out, unsigned slot, unsigned from, unsigned 
     }
 }
 
-static void settle_good(wire_frames_out *out, unsigned slot) {
+static void mark_good(wire_frames_out *out, unsigned slot) {
     for (unsigned t = 0; t < out->tiles; t++) {
         if (wire_slot_of(out, t) == slot) {
             wire_set_slot(out, t, 0);
@@ -84,13 +84,13 @@ static void settle_good(wire_frames_out *out, unsigned slot) {
 }
 
 static void drop_oldest(wire_frames_out *out) {
-    settle(out, wire_slot_back(out, out->unanswered), 0, out->tiles, NULL);
+    mark_answered(out, wire_slot_back(out, out->unanswered), 0, out->tiles, NULL);
     out->unanswered--;
     out->peer->stats.frames_bad++;
 }
 
 /* Frame `number` came whole, and so did the `more` before it. */
-static void take_good(wire_frames_out *out, unsigned number, unsigned more) {
+static void receive_good(wire_frames_out *out, unsigned number, unsigned more) {
     unsigned back =
         (out->number + WIRE_NUMBERS - number) % WIRE_NUMBERS + (more < WIRE_SLOTS ? more : 0);
     back = back < out->unanswered ? back : out->unanswered;
@@ -99,19 +99,19 @@ static void take_good(wire_frames_out *out, unsigned number, unsigned more) {
     }
     const unsigned after = (out->number + WIRE_NUMBERS - number) % WIRE_NUMBERS - 1;
     while (out->unanswered > after) {
-        settle_good(out, wire_slot_back(out, out->unanswered));
+        mark_good(out, wire_slot_back(out, out->unanswered));
         out->unanswered--;
         out->peer->stats.frames_out++;
     }
 }
 
-/* Which tiles of 256 came; the last part settles the frame. */
-static void take_bad(wire_frames_out *out, const uint8_t *body) {
+/* Which tiles of 256 came; the last part completes the answer. */
+static void receive_bad(wire_frames_out *out, const uint8_t *body) {
     const unsigned from = 256u * (body[1] & 3u);
     while (out->unanswered > (out->number + WIRE_NUMBERS - body[0]) % WIRE_NUMBERS) {
         drop_oldest(out);
     }
-    settle(out, wire_slot_back(out, out->unanswered), from, from + 256, body + 2);
+    mark_answered(out, wire_slot_back(out, out->unanswered), from, from + 256, body + 2);
     if (from + 256 >= out->tiles) {
         drop_oldest(out);
     }
@@ -124,9 +124,9 @@ void wire_frames_out_receive(wire_frames_out *out, unsigned type, const uint8_t 
         return; /* not of ours */
     }
     if (type == WIRE_FRAME_GOOD) {
-        take_good(out, body[0], body[1]);
+        receive_good(out, body[0], body[1]);
     } else {
-        take_bad(out, body);
+        receive_bad(out, body);
     }
     out->is_waiting = 0;
 }
@@ -150,8 +150,8 @@ int wire_put_end(wire_frames_out *out, unsigned number) {
     return 1;
 }
 
-/* No answer although its report was acknowledged: the end was lost, or the
- * answer. Only after some answer may numbers go round. */
+/* No answer although its report was acknowledged: the frame's end was lost, or the
+ * answer. Numbers may go round only after an answer. */
 void wire_frames_out_poll(wire_frames_out *out) {
     const wire_peer *peer = out->peer;
     if (out->unanswered == 0 || out->in_frame ||

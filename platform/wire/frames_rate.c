@@ -1,14 +1,14 @@
 /* frames_rate - how far off a moving picture may be, so that enough of them come
  *
  * A pass over a new frame is timed from its first tile to when the next could
- * begin. One that takes longer than the goal lets the next frames be off by
- * more, one that takes well less by less. What is near when the last frame has
- * rested is sent again exactly, as always (frames_show.c).
+ * begin. If it is longer than the goal, the error bound of the next frames grows;
+ * if it is well below, the bound shrinks. Once the picture is at rest, what was
+ * sent near is sent again exactly (frames_show.c).
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
 
-/* Most steps chosen: a tenth of green's 63 and a fifth of the others' 31, or
+/* The largest bound chosen, in steps: a tenth of green's 63 and a fifth of the others' 31, or
  * a seventeenth of 255. */
 enum { MOST_565 = 6, MOST_8_BITS = 15 };
 
@@ -29,8 +29,8 @@ void wire_rate_begin(wire_frames_out *out) {
     out->begun_ms = out->peer->now_ms;
 }
 
-/* A step changes the bytes by a quarter or so, from 1 to 0 by more: between
- * three quarters of the goal and the goal it stays. */
+/* A step changes the bytes by about a quarter, from 1 to 0 by more. So the bound
+ * stays while the time is between three quarters of the goal and the goal. */
 static void adapt(wire_frames_out *out, uint32_t took_ms) {
     const unsigned most = out->format == WIRE_RGB565 ? MOST_565 : MOST_8_BITS;
     unsigned near = out->near;

@@ -50,8 +50,8 @@ uint32_t wire_hello_write(const wire_peer *peer, uint8_t *body) {
 }
 
 /* Device: a session is offered. It begins with the first report under its
- * key, so an old hello that comes late can end nothing. */
-static void offered(wire_peer *peer, uint32_t host_half, const wire_caps *caps) {
+ * key, so an old hello that comes late ends nothing. */
+static void offer_session(wire_peer *peer, uint32_t host_half, const wire_caps *caps) {
     const int is_known = host_half == peer->host_half;
     if (!(is_known && (peer->has_next || peer->state == WIRE_IS_UP))) {
         peer->host_half = host_half;
@@ -78,7 +78,7 @@ void wire_hello_receive(wire_peer *peer, unsigned type, const uint8_t *body, uin
         return;
     }
     if (type == WIRE_HELLO && peer->role == WIRE_DEVICE) {
-        offered(peer, host_half, &caps);
+        offer_session(peer, host_half, &caps);
     } else if (type == WIRE_WELCOME && peer->state == WIRE_IS_ASKING &&
                host_half == peer->own.session) {
         peer->other = caps;

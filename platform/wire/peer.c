@@ -29,7 +29,7 @@ int wire_peer_open(wire_peer *peer, const wire_setup *setup, uint32_t now_ms) {
 }
 
 /* A new half of a session's number: hellos and sessions of before are over. */
-static void renew(wire_peer *peer) {
+static void renew_session(wire_peer *peer) {
     peer->own.session = wire_scramble(peer->own.session + 1);
 }
 
@@ -51,7 +51,7 @@ static void forget(wire_peer *peer) {
 
 static void session_end(wire_peer *peer) {
     forget(peer);
-    renew(peer);
+    renew_session(peer);
     peer->state = WIRE_IS_DOWN;
     if (peer->role == WIRE_HOST) {
         peer->state = WIRE_IS_ASKING;
@@ -80,7 +80,7 @@ void wire_session_begin(wire_peer *peer) {
         wire_blocks_in_begin(peer->blocks_in);
     }
     if (peer->role == WIRE_HOST) {
-        wire_queue_control(peer, WIRE_PING); /* tells the device that its welcome came */
+        wire_queue_control(peer, WIRE_PING); /* shows the device that its welcome came */
     }
     if (peer->settings_to_go > 0) {
         wire_queue_control(peer, WIRE_SET);

@@ -1,7 +1,7 @@
 /* peer_in - a report that came: is it one of ours, is it new, what is in it
  *
  * Invariants: no byte of a report is looked at before its checksum, which
- * holds session, direction and full number, was right; numbers only go up;
+ * covers session, direction and full number, was found right; numbers only go up;
  * after a gap a channel is silent until a message is known to begin.
  *
  * SPDX-License-Identifier: MIT */
@@ -58,7 +58,7 @@ static void read_type(wire_stream *s, unsigned byte) {
 
 static void length_known(wire_peer *peer, wire_stream *s) {
     const uint32_t head = s == &peer->data ? head_bytes(s->type) : 0;
-    if (s->left < head) { /* not a message of ours: skip it */
+    if (s->left < head) { /* not a message of this protocol: skip it */
         s->type = WIRE_PAD;
     }
     s->stage = head > 0 && s->type != WIRE_PAD ? IN_HEAD : IN_BODY;

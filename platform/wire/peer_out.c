@@ -2,7 +2,7 @@
  *
  * Invariants: every number is used once a session; data leaves only while
  * fewer than the other peer's credits are unacknowledged; control messages
- * need no credit, so two ends can never wait for each other's.
+ * need no credit, so two peers can never wait for each other's.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/report.h"
@@ -83,7 +83,7 @@ static size_t control_report(wire_peer *peer, writing *w) {
 
 /* ---- data ------------------------------------------------------------------------------ */
 
-static int fill(wire_peer *peer) {
+static int fill_queue(wire_peer *peer) {
     int leaves = 0;
     if (peer->blocks_out != NULL) {
         leaves |= wire_blocks_out_fill(peer->blocks_out);
@@ -98,7 +98,7 @@ static int fill(wire_peer *peer) {
 }
 
 static size_t data_report(wire_peer *peer, writing *w) {
-    const int leaves = fill(peer);
+    const int leaves = fill_queue(peer);
     if (wire_queue_bytes(peer->queue) < (leaves ? 1 : w->room)) {
         return 0;
     }
@@ -111,7 +111,7 @@ static size_t data_report(wire_peer *peer, writing *w) {
         if (w->used == w->room) {
             break;
         }
-        fill(peer);
+        fill_queue(peer);
         if (wire_queue_bytes(peer->queue) == 0) {
             break;
         }

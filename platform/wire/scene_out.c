@@ -1,12 +1,12 @@
-/* scene_out - gives a scene image: offers it, sends from where it is wanted
+/* scene_out - sends a scene image: offers it, sends from where it is wanted
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
 #include "platform/wire/report.h"
 #include "platform/wire/services.h"
 
-/* Bytes a message; after a gap, for CAREFUL messages, what fills one report,
- * so that each that arrives is of use. */
+/* Bytes per message; after a gap, for CAREFUL messages, what fills one report:
+ * each report that arrives is then of use. */
 enum { CHUNK_BYTES = 240, CAREFUL = 16 };
 
 void wire_scene_out_open(wire_scene_out *out, wire_peer *peer, const void *image, uint32_t bytes) {
@@ -38,11 +38,11 @@ unsigned wire_scene_out_state(const wire_scene_out *out, uint32_t *has) {
     return out->state;
 }
 
-/* Offers ask how it stands, until the other end has made up its mind. */
+/* An offer asks for the state; repeated until the other peer has decided. */
 void wire_scene_out_poll(wire_scene_out *out) {
     const uint32_t now = out->peer->now_ms;
-    const int is_settled = out->state >= WIRE_SCENE_LARGE;
-    if (out->image != NULL && !is_settled && out->peer->other.features & WIRE_RENDERS &&
+    const int is_decided = out->state >= WIRE_SCENE_LARGE;
+    if (out->image != NULL && !is_decided && out->peer->other.features & WIRE_RENDERS &&
         now - out->asked_ms >= WIRE_IDLE_MS) {
         out->asked_ms = now;
         wire_queue_control(out->peer, WIRE_SCENE_OFFER);

@@ -1,4 +1,4 @@
-/* state - what a peer can be asked and told at any time: session, errors, settings
+/* state - what is known of a peer at any time: session, errors, settings
  *
  * Only data of the peer is read and written here; the services use it, too.
  *

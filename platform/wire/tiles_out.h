@@ -1,8 +1,8 @@
 /* tiles_out - what the sender knows of a tile, and how one goes out
  *
- * Invariant: hash != 0 and slot 0: the panel shows those pixels, whole, or, where
- * coarse is set, samples within `near` of theirs. With slot != 0 it shows that or
- * what it showed before, row by row.
+ * Invariant: hash != 0 and slot 0: the panel shows those pixels, or, where coarse is
+ * set, samples within `near` of theirs. With slot != 0 each row shows either that or
+ * what it showed before.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_TILES_OUT_H
@@ -10,7 +10,7 @@
 
 #include "platform/wire/services.h"
 
-/* WIRE_NUMBERS is a multiple of it: frames on the slot have ways of their own. */
+/* WIRE_NUMBERS is a multiple of it: each unanswered frame has a slot of its own. */
 enum { WIRE_SLOTS = 3 };
 _Static_assert((int)WIRE_NUMBERS % WIRE_SLOTS == 0, "a slot for each frame");
 
@@ -49,7 +49,7 @@ int wire_has_reference(const wire_frames_out *out);
 /* The tile's pixels in the panel's format, into out->pixels. */
 void wire_convert(wire_frames_out *out, const wire_piece *p, const uint8_t *rgb, uint32_t stride);
 
-/* The tile in out->pixels, when it has to go: 1 done with it, 0 no room. */
+/* Queues the tile in out->pixels if it has to be sent. 0: no room, call again. */
 int wire_offer(wire_frames_out *out, const wire_piece *p);
 
 /* The message that ends a frame; 0: no room for it. */

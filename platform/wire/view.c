@@ -1,6 +1,6 @@
-/* view - what shall be rendered: the latest one wins, repeated until it is had
+/* view - what to render: the latest one wins, repeated until it is acknowledged
  *
- * Floats travel as their bits, so both ends see exactly the same camera.
+ * Floats travel as their bits, so both peers see exactly the same camera.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/services.h"

@@ -1,6 +1,6 @@
 /* wire_block - pieces of a scene image on request, for scenes that stay out
  *
- * One end asks for `count` bytes from `offset` under a tag; the other sends
+ * One peer asks for `count` bytes from `offset` under a tag; the other sends
  * them in pieces. What is lost is asked for again: requests are idempotent.
  *
  * SPDX-License-Identifier: MIT */
@@ -15,7 +15,7 @@ extern "C" {
 
 enum { WIRE_BLOCKS = 8, WIRE_BLOCK_AGAIN_MS = 100 };
 
-/* ---- out: the end that has the image ---------------------------------------------- */
+/* ---- out: the peer that has the image ---------------------------------------------- */
 
 typedef struct wire_block_order {
     uint32_t offset, count; /* still to send */
@@ -28,14 +28,14 @@ typedef struct wire_blocks_out {
     uint32_t bytes;
     wire_block_order order[WIRE_BLOCKS];
     uint32_t refused;
-    uint8_t turn, refused_tag;
+    uint8_t next_order, refused_tag;
     wire_queue own_queue; /* of a peer that sends neither frames nor scenes */
 } wire_blocks_out;
 
 /* Answers requests for bytes of `image`, which stays where it is. */
 void wire_blocks_out_open(wire_blocks_out *out, wire_peer *peer, const void *image, uint32_t bytes);
 
-/* ---- in: the end that asks ---------------------------------------------------------- */
+/* ---- in: the peer that asks ---------------------------------------------------------- */
 
 typedef struct wire_block_want {
     uint8_t *to;
@@ -62,7 +62,7 @@ int wire_block_ask(wire_blocks_in *in, unsigned tag, uint32_t offset, void *to, 
 
 /* Of all requests of the tags in `tags` (bit n: tag n): WIRE_OK all are there
  * (and are forgotten), WIRE_BUSY some are on the way, WIRE_ERR_DOWN one was
- * refused by the other end. Requests outlive sessions. */
+ * refused by the other peer. Requests outlive sessions. */
 int wire_block_state(wire_blocks_in *in, uint32_t tags);
 
 /* The two functions of plt_source, `context` a wire_blocks_in. */

@@ -1,10 +1,10 @@
 /* wire_device - the engine as a device: a scene in, views in, frames out
  *
- * Takes a scene image over the wire into the front of its memory, opens it
- * with the rest as arena, renders the latest view tile by tile with
- * plt_render_step, and sends what changed to an end that shows.
+ * Receives a scene image into the front of its memory, opens it with the rest as
+ * arena, renders the latest view tile by tile with
+ * plt_render_step, and sends what changed to a peer that shows.
  *
- * Needs PLT_TILE_SIDE 16, as tiles of the film are tiles of the wire.
+ * Needs PLT_TILE_SIDE 16, as tiles of the engine are tiles of the wire.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_DEVICE_H

@@ -1,9 +1,8 @@
-/* wire_scene - a scene image from one end into the memory of the other
+/* wire_scene - a scene image from one peer into the memory of the other
  *
  * The receiver says from which byte on it needs the image; the sender begins
- * there. So a cut costs what was on the way, and nothing is sent twice after
- * a replug: an image is known by its size and checksum, and one that was
- * half there goes on where it stopped.
+ * there. An image is known by its size and checksum, and one that was half there
+ * goes on where it stopped: a cut costs only what was on its way.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_SCENE_H
@@ -38,7 +37,7 @@ typedef struct wire_scene_out {
  * checksum of the whole image. `image` NULL: none. */
 void wire_scene_out_open(wire_scene_out *out, wire_peer *peer, const void *image, uint32_t bytes);
 
-/* enum wire_scene_state as the other end last told; bytes it has in `*has`. */
+/* enum wire_scene_state as the other peer last said; bytes it has in `*has`. */
 unsigned wire_scene_out_state(const wire_scene_out *out, uint32_t *has);
 
 /* ---- in ------------------------------------------------------------------------ */
@@ -51,7 +50,7 @@ typedef struct wire_scene_in {
     uint8_t state, is_missed, is_deaf;
 } wire_scene_in;
 
-/* Takes an image of at most `room` bytes into `to`. */
+/* Receives an image of at most `room` bytes into `to`. */
 void wire_scene_in_open(wire_scene_in *in, wire_peer *peer, void *to, uint32_t room);
 
 /* WIRE_SCENE_HERE: the image lies whole in `to`, `*bytes` of it. */
@@ -63,7 +62,7 @@ void wire_scene_in_verdict(wire_scene_in *in, unsigned state);
 
 /* ---- views --------------------------------------------------------------------- */
 
-/* What shall be rendered: floats as in plt_camera, and a shader. */
+/* What to render: floats as in plt_camera, and a shader. */
 typedef struct wire_view {
     float eye[3], look[3], up[3], tan_half_fov;
     uint8_t shader;

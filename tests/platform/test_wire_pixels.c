@@ -33,7 +33,7 @@ static uint32_t decode_whole(const coded *c, uint16_t chance, uint8_t *to) {
     wire_model m;
     uint32_t most = 0;
     for (int i = 0; i < 4; i++) {
-        wire_range_take(&range);
+        wire_range_get(&range);
     }
     range.range = UINT32_MAX;
     wire_model_start(&m, c->shape, c->bytes[0]);
