@@ -1,9 +1,9 @@
 /* wired/firmware - the firmware that gets its scene over a serial line and sends frames
  *
- * Stands in place of board/firmware.c: the board calls it the same way. Image
- * and arena share board_arena(), reports travel as bytes over board_serial
- * (platform/WIRE.md), and the host's end is `planelet serve`. It never ends:
- * hosts come and go, and the scene stays. The only parameter is report=BYTES,
+ * Replaces board/firmware.c; the board calls it in the same manner. Image and
+ * arena share board_arena(), reports travel as bytes over board_serial
+ * (platform/WIRE.md), and the host is `planelet serve`. It never ends: hosts come
+ * and go, and the scene stays. The only parameter is report=BYTES,
  * the size of a report, 8 to 1024 (64), the same as the host's.
  *
  * SPDX-License-Identifier: MIT */
@@ -15,10 +15,10 @@
 #include "platform/wire/wire_device.h"
 
 /* Between two looks at the serial line: some milliseconds at 25 MHz. */
-enum { VISITS_A_STEP = 1000 };
+enum { VISITS_PER_STEP = 1000 };
 
-/* A report stops coming when it is quiet for so long; then, and after moving
- * bytes for so long, it is the engine's turn. */
+/* A report has stopped coming when the line is quiet for QUIET_MS. Then, and after
+ * MOVE_MS of moving bytes at most, the engine works again. */
 enum { QUIET_MS = 2, MOVE_MS = 20 };
 
 /* Credits: as many reports with data as the line keeps, beside some without. */
@@ -37,11 +37,11 @@ static uint32_t last_ticks, spare_ticks, clock_ms;
 
 /* Adds up differences, so that the counter may wrap between any two calls. */
 static uint32_t now_ms(void) {
-    const uint32_t ticks = board_ticks(), ticks_a_ms = board_ticks_per_second() / 1000;
+    const uint32_t ticks = board_ticks(), ticks_per_ms = board_ticks_per_second() / 1000;
     spare_ticks += ticks - last_ticks;
     last_ticks = ticks;
-    clock_ms += spare_ticks / ticks_a_ms;
-    spare_ticks %= ticks_a_ms;
+    clock_ms += spare_ticks / ticks_per_ms;
+    spare_ticks %= ticks_per_ms;
     return clock_ms;
 }
 
@@ -76,8 +76,8 @@ static int send(void) {
     return 1;
 }
 
-/* Moves what there is to move, and stays for the rest of a report that has
- * begun to come: a step of rendering is long, a byte is not. */
+/* Moves the bytes that can move, and waits for the rest of a report that has begun
+ * to come: a step of rendering is long, a byte is not. */
 static void move_reports(void) {
     const uint32_t begun_ms = now_ms();
     uint32_t moved_ms = begun_ms, ms = begun_ms;
@@ -95,7 +95,7 @@ static void move_reports(void) {
     }
 }
 
-/* ---- what goes on, on the board's log ------------------------------------------ */
+/* ---- events, on the board's log ------------------------------------------ */
 
 static unsigned scene_said;
 
@@ -122,8 +122,8 @@ static void say_scene(void) {
     scene_said = state;
 }
 
-/* A line for every frame that was handed over whole. A byte that the line lost
- * is a report lost. */
+/* A line for every frame that was sent whole. Each byte that the serial line loses
+ * is a lost report. */
 static void say_frame(void) {
     static uint32_t said;
     uint32_t painted, size;
@@ -194,7 +194,7 @@ int firmware(const char *parameters) {
     for (;;) {
         move_reports();
         wire_poll(&device.peer, now_ms());
-        wire_device_run(&device, VISITS_A_STEP);
+        wire_device_run(&device, VISITS_PER_STEP);
         say_scene();
         say_frame();
     }

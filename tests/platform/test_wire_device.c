@@ -264,7 +264,7 @@ static void test_engine(void) {
                   i, (unsigned long long)hash);
         }
     }
-    test("an image that the engine refuses is told to the host with its rule");
+    test("an image that the engine refuses is reported to the host with its rule");
     packed bad = direct.image;
     bad.bytes = malloc(bad.size);
     memcpy(bad.bytes, direct.image.bytes, bad.size);
@@ -279,12 +279,12 @@ static void test_engine(void) {
     test("then a good one is taken, without a reset");
     wire_scene_out_open(&e.scene, &e.host, direct.image.bytes, (uint32_t)direct.image.size);
     CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[0]), "hash");
-    test("a view without a direction is told, and the next one is rendered");
+    test("a view without a direction is reported, and the next one is rendered");
     wire_view blind = views[0];
     memcpy(blind.look, blind.eye, sizeof blind.eye);
     wire_view_send(&e.view, &blind);
     engine_frame(3000);
-    CHECK(wire_error_read(&e.host, &detail) == WIRE_E_VIEW, "not told");
+    CHECK(wire_error_read(&e.host, &detail) == WIRE_E_VIEW, "not reported");
     wire_view_send(&e.view, &views[1]);
     CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[1]), "hash");
     free(bad.bytes);

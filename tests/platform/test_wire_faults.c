@@ -1,7 +1,7 @@
 /* test_wire_faults - ten thousand bad cables, each from a seed
  *
  * A schedule shows frames for a second or two over a cable with faults of
- * every kind, ends that are reset and a plug that is pulled; then the cable is
+ * every kind, peers that are reset and a plug that is pulled; then the cable is
  * good again, and the picture must be complete within RECOVERY_MS. Every frame
  * that is confirmed, on the bad cable too, is compared in every pixel (W4 of
  * platform/WIRE.md); what lies on the panel before that is promised by rows of

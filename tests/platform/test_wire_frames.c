@@ -49,7 +49,8 @@ static void test_all_sizes(void) {
 
 static void test_latest_wins(void) {
     const rig_shape shape = {160, 128, WIRE_RGB565, 64, 64, 16, 0};
-    test("a frame shown while another is on its way wins: the old one's end is not waited for");
+    test(
+        "a frame shown while another is on its way wins: nothing waits for the end of the old one");
     wire_rig_open(&rig, shape, 3);
     rig.cable.paced = 1;
     CHECK(up(300), "no session");
@@ -134,7 +135,7 @@ static void test_silence(void) {
     }
     CHECK(wire_rig_wait(&rig, 1500) >= 0, "not whole");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
-    test("while nothing is shown, an idle wire carries a few reports a second");
+    test("while nothing is shown, an idle wire carries a few reports per second");
     const uint32_t before = rig.cable.carried[0] + rig.cable.carried[1];
     for (int i = 0; i < 10000; i++) {
         fake_cable_step(&rig.cable);
@@ -148,7 +149,7 @@ static void test_silence(void) {
 
 static void test_numbers(void) {
     const rig_shape shape = {64, 48, WIRE_RGB565, 64, 64, 16, 0};
-    test("tiles and ends of frames 6 and up, which no sender has, are passed over");
+    test("tiles and ends of frames 6 and up, which no sender has, are skipped");
     wire_rig_open(&rig, shape, 9);
     CHECK(up(300), "no session");
     show_and_compare(0, 1000);
@@ -193,7 +194,7 @@ static void test_talk(void) {
     }
     CHECK(wire_error_read(&rig.host, &detail) == WIRE_E_ARENA && detail == 123456, "detail %u",
           detail);
-    CHECK(wire_error_read(&rig.host, &detail) == WIRE_FINE, "told twice");
+    CHECK(wire_error_read(&rig.host, &detail) == WIRE_FINE, "read twice");
     wire_rig_close(&rig);
 }
 
@@ -249,7 +250,7 @@ static void test_setup(void) {
     s.role = WIRE_DEVICE, s.caps.features = WIRE_SHOWS, s.caps.width = s.caps.height = 1000;
     CHECK(wire_peer_open(&peer, &s, 0) == WIRE_OK, "good");
     CHECK(wire_frames_in_open(&in, &peer, &none) == WIRE_ERR_SETUP, "a million pixels");
-    printf("    bytes on this machine: end %zu, frames in %zu, frames out %zu, tile reader %zu\n",
+    printf("    bytes on this machine: peer %zu, frames in %zu, frames out %zu, tile reader %zu\n",
            sizeof(wire_peer), sizeof(wire_frames_in), sizeof(wire_frames_out),
            sizeof(wire_tile_reader));
 }

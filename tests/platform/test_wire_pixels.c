@@ -68,7 +68,7 @@ static void decode_pieces(const coded *c, uint16_t chance, uint32_t piece, uint8
     CHECK(r.y == 16, "%u rows", r.y);
 }
 
-/* Ones where all chances expect zeros, and the other way round; noise. */
+/* Ones where all chances expect zeros, and the reverse; noise. */
 static void test_longest_pixels(void) {
     static const uint16_t limits[] = {WIRE_CHANCE_LEAST, WIRE_CHANCE_MOST};
     random_state random = {5};
@@ -92,7 +92,7 @@ static void test_longest_pixels(void) {
         }
     }
     CHECK(most > 24 && most <= MODEL_PIXEL_BYTES, "%u bytes", most);
-    printf("    at most %u bytes a pixel\n", most);
+    printf("    at most %u bytes per pixel\n", most);
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* test_wire_rate - as many frames a second as asked for, by being off
+/* test_wire_rate - as many frames per second as asked for, by being off
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
@@ -59,7 +59,7 @@ static void rate_of(unsigned format, uint32_t exact_ms) {
 
 static void test_rate(void) {
     test(
-        "a goal of frames a second is kept by being off, where it must be; at rest the picture "
+        "a goal of frames per second is kept by being off, where it must be; at rest the picture "
         "is exact");
     for (unsigned format = WIRE_RGB565; format <= WIRE_GREY8; format++) {
         open_film(format, 0);
@@ -95,7 +95,7 @@ static void test_rate_steps(void) {
     test("less than three quarters of it are one step down, also of a goal of 1 ms");
     CHECK(near_after(4, 100, 8) == 4 && near_after(4, 100, 7) == 3, "three quarters");
     CHECK(near_after(3, 1000, 1) == 3 && near_after(3, 1000, 0) == 2, "three quarters of 1 ms");
-    test("goals beyond what a clock of milliseconds can tell are 1 ms, not none");
+    test("goals beyond the resolution of a clock of milliseconds are 1 ms, not none");
     CHECK(near_after(0, 5000, 2) == 1 && near_after(0, 5000, 1) == 0, "5000 a second");
     CHECK(near_after(0, 0, 100) == 0, "no goal");
 }

@@ -79,7 +79,7 @@ static void view_of(void *context, unsigned number, wire_view *v) {
     *v = (wire_view){.eye = {3.0f - (float)number, 2, 4}, .up = {0, 1, 0}, .tan_half_fov = 0.4f};
 }
 
-static int take(void *context, unsigned number, const picture *p, fail *f) {
+static int keep_frame(void *context, unsigned number, const picture *p, fail *f) {
     (void)context, (void)f;
     memcpy(frames[number % FRAMES], p->rgb, sizeof frames[0]);
     frames_taken++;
@@ -96,7 +96,7 @@ static serve_job job_of(uint32_t patience_ms) {
                        .frames = FRAMES,
                        .patience_ms = patience_ms,
                        .view = view_of,
-                       .frame = take};
+                       .frame = keep_frame};
 }
 
 static void check_frames(const char *how) {

@@ -210,7 +210,7 @@ static void measure_oled(void) {
     wire_rig_close(&pair);
 }
 
-/* There is then nothing to film; that it is so is what is checked. */
+/* Such a build has nothing to measure; it must say why. */
 static void test_tiny(void) {
     mesh m = {0};
     rig r;

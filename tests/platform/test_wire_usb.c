@@ -102,7 +102,7 @@ static void lcd_row(void *context, unsigned x, unsigned y, unsigned width, const
     memcpy(&panel[y][2 * x], pixels, 2 * width);
 }
 
-/* A millisecond of the bus: one report each way. */
+/* A millisecond of the bus: one report in each direction. */
 static void bus(wire_peer *host) {
     uint8_t out[64];
     now++;

@@ -1,6 +1,6 @@
 /* test_wire_wrap - numbers of reports that pass 2^32
  *
- * A session reaches that number after months; here both ends are put there.
+ * A session reaches that number after months; here both peers are put there.
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/wire_rig.h"

@@ -15,7 +15,7 @@ static int is_of_some_frame(const wire_rig *r, uint32_t at, const uint8_t *row, 
     return 0;
 }
 
-/* The window of a display controller; complains of rows outside and of rows
+/* The window of a display controller; counts rows outside and rows
  * that no frame had. */
 static void put_row(void *context, unsigned x, unsigned y, unsigned width, const uint8_t *pixels) {
     wire_rig *r = context;

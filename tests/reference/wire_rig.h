@@ -10,7 +10,7 @@ enum { RIG_FRAMES = 64 };
 
 typedef struct rig_shape {
     unsigned width, height, format, out_bytes, in_bytes, credits;
-    int reads; /* the panel is memory; else rows are written into a window */
+    int reads; /* the panel is memory; else rows go to a display controller */
 } rig_shape;
 
 typedef struct wire_rig {
@@ -30,7 +30,7 @@ typedef struct wire_rig {
 void wire_rig_open(wire_rig *r, rig_shape shape, uint64_t seed);
 void wire_rig_close(wire_rig *r);
 
-/* Power-cycles an end: its memory is as after a reset; the panel stays. */
+/* Power-cycles a peer: its memory is as after a reset; the panel stays. */
 void wire_rig_start_host(wire_rig *r);
 void wire_rig_start_device(wire_rig *r);
 
