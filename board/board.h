@@ -4,7 +4,7 @@
  * how it is run), a linker script, and the functions below. The firmware
  * (firmware.c) is the same on every board; it calls nothing else outside the
  * engine and the small files beside it. Nothing here is called from an
- * interrupt. platform/PORTING.md walks through a new board.
+ * interrupt. platform/PORTING.md leads through a new board.
  *
  * Order of calls: start-up, then firmware(), which calls
  *   board_arena  board_scene  { board_frame_begin  board_tile*  board_frame_end }
@@ -28,7 +28,7 @@ enum firmware_status {
 };
 
 /* The whole program; the board calls it once, when board_print works, and
- * ends with its status. `parameters` is a line of key=value items parted by
+ * ends with its status. `parameters` is a line of key=value items separated by
  * spaces ("" is allowed; firmware.c lists the keys) and stays as it is. */
 int firmware(const char *parameters);
 
@@ -42,11 +42,11 @@ const char *board_name(void);
 unsigned char *board_arena(size_t *bytes);
 
 /* Where the scene image lies; called once. Fills `source`, which must stay
- * valid to the end. On failure prints a line that says why and returns -1. */
+ * valid until the program ends. On failure prints a line that says why and returns -1. */
 int board_scene(const char *parameters, plt_source *source);
 
 /* A frame of this size comes next. -1 after a printed line when the board
- * has no room for it; no tile is handed over then. */
+ * has no room for it; then no tile follows. */
 int board_frame_begin(uint16_t width, uint16_t height);
 
 /* A finished tile: copied or sent before the call returns, as its bytes are
@@ -55,7 +55,7 @@ void board_tile(const plt_tile *tile);
 
 /* The frame is complete. Returns its width * height * 3 bytes, rows top down
  * without gaps, valid until the next board_frame_begin, or NULL on a board
- * that sends tiles away and keeps none (its display end hashes the frame).
+ * that sends tiles away and keeps none (what shows them hashes the frame).
  * Shows or stores the frame as `parameters` ask. */
 const uint8_t *board_frame_end(const char *parameters);
 
@@ -67,7 +67,7 @@ uint32_t board_ticks(void);
 uint32_t board_ticks_per_second(void);
 
 /* The C stack: most bytes ever used (found by painting) and its size.
- * 0 and 0 on a board that cannot tell. */
+ * 0 and 0 on a board that does not know. */
 void board_stack(uint32_t *used_bytes, uint32_t *size_bytes);
 
 #endif

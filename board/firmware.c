@@ -1,17 +1,17 @@
-/* firmware - opens a scene, renders one frame in a main loop, prints figures
+/* firmware - opens a scene, renders one frame in a main loop, prints statistics
  *
  * Parameters, key=value; numbers of three are x,y,z; a float is decimal or
- * its bits in hexadecimal (0x3f800000), which is how two machines hand each
- * other exactly the same camera:
+ * its bits in hexadecimal (0x3f800000), with which two machines can use
+ * exactly the same camera:
  *   size=320x240       pixels          eye= look= up= tan=   the camera; tan is
- *   packet=8           rays a side                 of half the vertical angle
- *   walk=depth|two     order of the walk           shader=eyelight|normal|triangle
- *   visits=20000       node visits a step of the main loop
+ *   packet=8           rays per side               of half the vertical angle
+ *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle
+ *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
  *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
  *
- * Prints one line a matter, each a word and name=value items, or one line
- * that begins with "error: ". What it returns is in board.h.
+ * Prints one line per topic, each a word and name=value items, or one line that
+ * begins with "error: ". What it returns is in board.h.
  *
  * SPDX-License-Identifier: MIT */
 #include "board/board.h"
@@ -195,7 +195,7 @@ int firmware(const char *parameters) {
     }
     firmware_open_begin();
     int status = plt_open_begin(&engine, arena, arena_bytes, &source, &j.options, &fault);
-    while (status == PLT_MORE) { /* a product would look after its other work here */
+    while (status == PLT_MORE) { /* a product would do its other work here */
         status = plt_open_step(engine, 16, &fault);
     }
     firmware_open_end();
@@ -203,7 +203,7 @@ int firmware(const char *parameters) {
         return print_fault(&fault, status, arena_bytes);
     }
     print_scene(plt_engine_info(engine));
-    job_aim(&j, plt_engine_info(engine));
+    job_set_camera(&j, plt_engine_info(engine));
     const int result = run(engine, &j, parameters);
     print_memory(engine, arena_bytes);
     return result;

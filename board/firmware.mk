@@ -1,8 +1,8 @@
-# firmware - what every board but the host has in common
+# firmware - what every board except the host has in common
 #
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
-# takes board/wired and the wire instead of the job in board/firmware.c, and
-# lands in build/BOARD-wired. The worst stack is computed from the call graph
+# uses board/wired and the wire instead of the job in board/firmware.c, and is
+# built in build/BOARD-wired. The worst stack is computed from the call graph
 # before linking, and the linker script refuses a smaller stack. No C library is
 # linked; its headers are used.
 # SPDX-License-Identifier: MIT
@@ -49,8 +49,8 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 	    -o $@ $(FIRMWARE_OBJECTS)
 	@$(CROSS)size $@
 
-# The worst path from start-up to anywhere; fails on recursion and on frames
-# of unknown size.
+# The deepest path from start-up; fails on recursion and on stack frames of
+# unknown size.
 $(OUT)/stack.txt: $(FIRMWARE_OBJECTS) board/tools/stack.awk board/$(BOARD)/board.mk
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
 	    -v indirect='$(SOURCE_FUNCTIONS)' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
@@ -69,7 +69,7 @@ $(OUT)/libcount.so: board/tools/count.c
 $(OUT)/flags: FORCE
 	$(call remember,$(COMMAND))
 
-##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host gets them
+##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host receives them
 ifeq ($(PROGRAM),wired)
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all

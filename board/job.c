@@ -1,4 +1,4 @@
-/* job - what the firmware shall do, read from its parameters
+/* job - what the firmware is to do, read from its parameters
  *
  * SPDX-License-Identifier: MIT */
 #include "board/job.h"
@@ -10,7 +10,7 @@ static const char keys[] =
     "size eye look up tan packet walk shader visits arena "
     "scene bytes frame";
 
-enum { AIM_EYE = 1, AIM_LOOK = 2, AIM_UP = 4, AIM_TAN = 8 };
+enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
 static int complain(const char *what, const parameter *p, const char *wanted) {
     line l;
@@ -51,7 +51,7 @@ static int read_floats(const char *all, const char *key, float *values, unsigned
     return 1;
 }
 
-/* One of several words; *choice becomes its number. */
+/* One of several words; *choice becomes its index. */
 static int read_word(const char *all, const char *key, const char *const *words, unsigned count,
                      uint8_t *choice) {
     parameter p;
@@ -88,8 +88,8 @@ static int read_camera(const char *all, job *j) {
     if (eye < 0 || look < 0 || up < 0 || tan < 0) {
         return -1;
     }
-    j->aimed =
-        (eye ? AIM_EYE : 0u) | (look ? AIM_LOOK : 0u) | (up ? AIM_UP : 0u) | (tan ? AIM_TAN : 0u);
+    j->given = (eye ? GIVEN_EYE : 0u) | (look ? GIVEN_LOOK : 0u) | (up ? GIVEN_UP : 0u) |
+               (tan ? GIVEN_TAN : 0u);
     return 0;
 }
 
@@ -122,8 +122,8 @@ int job_read(job *j, const char *parameters, size_t *arena_bytes) {
     return 0;
 }
 
-void job_aim(job *j, const plt_info *info) {
-    static const float from[3] = {0.9f, 0.7f, 1.9f}; /* the box lies in view from there */
+void job_set_camera(job *j, const plt_info *info) {
+    static const float from[3] = {0.9f, 0.7f, 1.9f}; /* from there the whole box is in view */
     plt_camera *c = &j->frame.camera;
     float square = 0.0f;
     for (int a = 0; a < 3; a++) {
@@ -133,9 +133,9 @@ void job_aim(job *j, const plt_info *info) {
     const float radius = 0.5f * __builtin_sqrtf(square);
     for (int a = 0; a < 3; a++) {
         const float centre = 0.5f * info->lo[a] + 0.5f * info->hi[a];
-        c->look[a] = j->aimed & AIM_LOOK ? c->look[a] : centre;
-        c->eye[a] = j->aimed & AIM_EYE ? c->eye[a] : centre + from[a] * radius;
-        c->up[a] = j->aimed & AIM_UP ? c->up[a] : (a == 1 ? 1.0f : 0.0f);
+        c->look[a] = j->given & GIVEN_LOOK ? c->look[a] : centre;
+        c->eye[a] = j->given & GIVEN_EYE ? c->eye[a] : centre + from[a] * radius;
+        c->up[a] = j->given & GIVEN_UP ? c->up[a] : (a == 1 ? 1.0f : 0.0f);
     }
-    c->tan_half_fov = j->aimed & AIM_TAN ? c->tan_half_fov : 0.5f;
+    c->tan_half_fov = j->given & GIVEN_TAN ? c->tan_half_fov : 0.5f;
 }

@@ -1,7 +1,7 @@
 /* line - one line of text, built piece by piece and printed whole
  *
- * Decimal digits come from subtraction: a 64-bit division would be a library
- * call on small CPUs, of a stack nobody has counted.
+ * Decimal digits come from subtraction: a 64-bit division would be a library call
+ * on small CPUs, with a stack that is not in the call graph.
  *
  * SPDX-License-Identifier: MIT */
 #include "board/line.h"
@@ -42,13 +42,13 @@ static uint64_t power_of_ten(unsigned n) {
 
 void line_u64(line *l, uint64_t value) {
     int begun = 0;
-    for (unsigned place = 20; place-- > 0;) { /* 10^19 is the last below 2^64 */
-        const uint64_t power = power_of_ten(place);
+    for (unsigned position = 20; position-- > 0;) { /* 10^19 is the last below 2^64 */
+        const uint64_t power = power_of_ten(position);
         char digit = '0';
         for (; value >= power; value -= power) {
             digit++;
         }
-        begun |= digit != '0' || place == 0;
+        begun |= digit != '0' || position == 0;
         if (begun) {
             add(l, digit);
         }

@@ -2,7 +2,7 @@
  *
  * A decimal number is digits * 5^e * 2^e, a fraction of two integers below 2^62
  * and a power of two; a long division gives its first 25 bits and whether
- * anything is left, which is all that rounding to nearest even needs.
+ * a remainder is left; rounding to nearest even needs no more.
  *
  * SPDX-License-Identifier: MIT */
 #include "board/number.h"
@@ -23,7 +23,7 @@ static int is_digit(const cursor *c) {
     return c->at < c->end && *c->at >= '0' && *c->at <= '9';
 }
 
-static int take(cursor *c, char wanted) {
+static int accept(cursor *c, char wanted) {
     if (c->at < c->end && *c->at == wanted) {
         c->at++;
         return 1;
@@ -84,10 +84,10 @@ static int parse_digits(cursor *c, decimal *d, int exponent_step) {
 }
 
 static int parse_exponent(cursor *c, decimal *d) {
-    const int negative = take(c, '-');
+    const int negative = accept(c, '-');
     int sum = 0;
     if (!negative) {
-        take(c, '+');
+        accept(c, '+');
     }
     if (!is_digit(c)) {
         return -1;
@@ -105,14 +105,14 @@ static int parse_decimal(cursor *c, decimal *d) {
     if (parse_digits(c, d, 0) < 0) {
         return -1;
     }
-    const int point = take(c, '.');
+    const int point = accept(c, '.');
     if (point && parse_digits(c, d, -1) < 0) {
         return -1;
     }
     if (c->at - first <= point) { /* no digit at all */
         return -1;
     }
-    if ((take(c, 'e') || take(c, 'E')) && parse_exponent(c, d) < 0) {
+    if ((accept(c, 'e') || accept(c, 'E')) && parse_exponent(c, d) < 0) {
         return -1;
     }
     return c->at == c->end ? 0 : -1;
@@ -136,7 +136,8 @@ static uint32_t round_quotient(uint64_t a, uint64_t b, int two) {
     }
     const int half = bits & 1, odd = bits >> 1 & 1;
     const uint32_t up = half && (a != 0 || odd);
-    return ((uint32_t)exponent << 23) + (bits >> 1) - 0x800000u + up; /* a carry is right */
+    return ((uint32_t)exponent << 23) + (bits >> 1) - 0x800000u +
+           up; /* a carry into the exponent is correct */
 }
 
 static int decimal_bits(decimal d, uint32_t *bits) {
@@ -168,7 +169,7 @@ int number_float(const char *text, unsigned length, float *value) {
         }
     } else {
         decimal d = {0, 0, 0};
-        sign = take(&c, '-') ? 0x80000000u : 0;
+        sign = accept(&c, '-') ? 0x80000000u : 0;
         if (parse_decimal(&c, &d) < 0 || decimal_bits(d, &bits) < 0) {
             return -1;
         }

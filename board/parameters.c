@@ -1,4 +1,4 @@
-/* parameters - a line of key=value items parted by spaces
+/* parameters - a line of key=value items separated by spaces
  *
  * SPDX-License-Identifier: MIT */
 #include "board/parameters.h"

@@ -1,4 +1,4 @@
-/* parameters - a line of key=value items parted by spaces
+/* parameters - a line of key=value items separated by spaces
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BOARD_PARAMETERS_H
@@ -16,7 +16,7 @@ typedef struct parameter {
 /* The value of the first item with this key: 1, or 0 when there is none. */
 int parameter_find(const char *line, const char *key, parameter *value);
 
-/* The first item whose key is not among `keys` (parted by spaces), or that
+/* The first item whose key is not among `keys` (separated by spaces), or that
  * has no '=': 1 and the item; 0 when there is none. */
 int parameter_unknown(const char *line, const char *keys, parameter *item);
 

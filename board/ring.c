@@ -1,7 +1,7 @@
 /* ring - see ring.h
  *
  * A byte is written before the count that shows it (release, acquire), and read
- * before the count that gives its place away.
+ * before the count that frees its slot.
  *
  * SPDX-License-Identifier: MIT */
 #include "board/ring.h"

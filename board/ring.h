@@ -25,19 +25,19 @@ _Static_assert(PLT_RING_BYTES >= 16 && PLT_RING_BYTES <= 65536 &&
                    (PLT_RING_BYTES & (PLT_RING_BYTES - 1)) == 0,
                "PLT_RING_BYTES is a power of two, 16 .. 65536");
 
-/* All zero is an empty ring. Counts run on and wrap at 2^32; in - out is what the
- * ring holds. `in` and `lost` are written by the putting side alone, `out` by the
- * getting side alone. */
+/* All zero is an empty ring. Counts only grow and wrap at 2^32; in - out is what the
+ * ring holds. `in` and `lost` are written only by the side that puts, `out` only
+ * by the side that gets. */
 typedef struct ring {
     ring_count in, out, lost;
     uint8_t bytes[PLT_RING_BYTES];
 } ring;
 
-/* The putting side: a byte that came, and one that the hardware lost. */
+/* The side that puts: a byte that came, and one that the hardware lost. */
 void ring_put(ring *r, uint8_t byte);
 void ring_missed(ring *r);
 
-/* The getting side: the oldest byte, or -1: there is none. */
+/* The side that gets: the oldest byte, or -1: there is none. */
 int ring_get(ring *r);
 
 /* Either side: bytes lost so far. */

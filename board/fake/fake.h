@@ -1,7 +1,7 @@
 /* fake - a board that records everything, and a source that fails on order
  *
  * For tests. The fake honours the contracts of board.h and plt_source to the
- * letter, and complains when its caller does not: `broken` counts calls that
+ * letter, and records when its caller does not: `broken` counts calls that
  * break the contract and `sentence` says what the last one did.
  *
  * SPDX-License-Identifier: MIT */
@@ -21,9 +21,9 @@ enum fake_failure {
     FAKE_FAILS_AT_WAIT,    /* wait number `at_call` returns -1 */
     FAKE_FAILS_AT_CALL,    /* the same, starts and waits counted together */
     FAKE_FAILS_FROM_CALL,  /* and every call after it: the link is cut */
-    FAKE_SHORT_AT_START,   /* transfer `at_call` brings half, its wait says -1 */
-    FAKE_GARBLED_AT_START, /* transfer `at_call` has one bit wrong and says 0 */
-    FAKE_SILENT_AT_START   /* transfer `at_call` brings nothing and says 0 */
+    FAKE_SHORT_AT_START,   /* transfer `at_call` delivers half, its wait returns -1 */
+    FAKE_GARBLED_AT_START, /* transfer `at_call` has one bit wrong, its wait returns 0 */
+    FAKE_SILENT_AT_START   /* transfer `at_call` delivers nothing, its wait returns 0 */
 };
 
 enum { FAKE_TRANSFERS = 64 };
@@ -69,7 +69,7 @@ enum {
 
 typedef struct fake_board {
     /* Set these before firmware() runs. */
-    plt_source source;  /* what board_scene hands out */
+    plt_source source;  /* what board_scene returns */
     int scene_fails;    /* board_scene returns -1 */
     int frame_fails;    /* board_frame_begin returns -1 */
     int keeps_no_frame; /* board_frame_end returns NULL */

@@ -1,7 +1,7 @@
 /* host - a computer with an operating system, as a board
  *
- * One static arena, of which a caller takes as much as the device it wants to
- * play has; and scene images in files, mapped or fetched piece by piece.
+ * One static arena, of which a caller uses as much as the device has that it plays; and scene
+ * images in files, mapped or fetched piece by piece.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BOARD_HOST_H

@@ -8,12 +8,12 @@ ARENA_BYTES := 262144
 STACK_BYTES := 8192
 PLATFORM_FAMILY := cortex_m
 LINK_SCRIPT := board/mps2_an386/memory.ld
-# For the stack figure: where it starts, and where plt_source's pointers may lead.
+# For the stack bound: where it starts, and where plt_source's pointers may lead.
 STACK_ROOT := cortex_m_start
 SOURCE_FUNCTIONS := scene_start scene_wait
 # The handler that may come on top of it once, and what the CPU itself stacks: 26
 # words with those of the FPU, and one to align.
 INTERRUPTS_wired := serial_interrupt
 INTERRUPT_FRAME := 108
-# 16 groups a packet: their mask is one register, not two.
+# 16 groups per packet: their mask is one register, not two.
 FIRMWARE_FLAGS := -DPLT_PACKET_SIDE_MAX=8

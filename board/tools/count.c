@@ -5,7 +5,7 @@
  * Counts every instruction executed, and those between the one at address
  * BEGIN and the one at END, summed over all passes. Watches stores between
  * LOW and HIGH once the instruction at FROM has run: the lowest gives the
- * deepest stack, a second opinion on the firmware's own paint.
+ * deepest stack, which checks what the firmware's own paint shows.
  * With code=LOW:HIGH,profile=PATH every instruction there has a counter of its
  * own; PATH gets "ADDRESS COUNT" lines.
  * Writes "instructions total=N NAME=N ... stored_stack=N" to FILE.

@@ -2,13 +2,17 @@
 # demo.sh [serve option ...] - a board in QEMU renders, its frames are shown as they come
 #
 # The board starts empty: scene and views go to it over its serial line, frames
-# come back over the same. BUILD, MAKE as in the Makefile; BOARD: one that has a
-# wired.sh (mps2_an386); SCENE: a packed scene (marbles); FRAMES: how many, once
+# come back over the same line. BUILD, MAKE as in the Makefile; BOARD: one that has a
+# wired.sh (the first); SCENE: a packed scene (marbles); FRAMES: how many, once
 # around it (25); SIZE: of a frame (320x240); BOARD_LOG: keeps what the firmware
 # prints. Without options the frames are drawn in the terminal.
 # SPDX-License-Identifier: MIT
 build=${BUILD:-build}
-name=${BOARD:-mps2_an386}
+name=$BOARD
+[ -n "$name" ] || for script in board/*/wired.sh; do
+    name=$(basename "$(dirname "$script")")
+    break
+done
 say() {
     echo "demo-firmware: $1" >&2
     exit 1

@@ -1,5 +1,5 @@
 #!/bin/sh
-# run_like_host.sh BOARD SCENE.plt WIDTHxHEIGHT [key=value ...] - a run, beside the host's
+# run_like_host.sh BOARD SCENE.plt WIDTHxHEIGHT [key=value ...] - a run, compared with the host's
 #
 # Gives the firmware the camera of `planelet render`, says whether both frames
 # are the same, and leaves them in build/BOARD/frame.ppm and host.ppm.
@@ -11,7 +11,7 @@ if [ -z "$scene" ]; then
     exit 2
 fi
 out=${BUILD:-build}/$board
-# A camera or a shader of its own is the firmware's alone.
+# With a camera or shader of its own there is no host frame to compare.
 view=$(sh board/tools/host_view.sh "$scene" "$size" "$out/host.ppm") || exit 1
 case " $*" in
 *\ eye=* | *\ look=* | *\ up=* | *\ tan=* | *\ shader=*) hash= camera= ;;

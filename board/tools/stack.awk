@@ -5,15 +5,15 @@
 #       -f stack.awk FILE.ci ... -
 #
 # Reads the output of -fcallgraph-info=su,da, and the disassembly of the same
-# objects (below FOLDER), because GCC 12 forgets in its figures what a function
-# pushes for arguments that came in registers: a frame is the larger of GCC's
-# figure and the sum of all pushes and decrements of sp. Prints "worst BYTES ROOT" for
+# objects (below FOLDER), because GCC 12 leaves out what a function pushes for
+# arguments that came in registers: a stack frame is the larger of GCC's value
+# and the sum of all pushes and decrements of sp. Prints "worst BYTES ROOT" for
 # the root with the deepest path, the path itself with the frame of every
 # function on it, and a line for each other root. Every path is followed, so
-# that the figure is a bound, not a sample. Of the handlers of `interrupt`, which do
-# not interrupt each other, the deepest is on top of every root, and `entry`, what
-# the CPU stacks before it. What would make it wrong is an
-# error, printed, with exit status 1: recursion, a frame whose size is only
+# the result is a bound, not a sample. The deepest of the handlers of `interrupt`,
+# which do not interrupt each other, is added to every root, and `entry`, what the
+# CPU stacks before it. What would make the bound wrong is an error, printed, with
+# exit status 1: recursion, a frame whose size is only
 # known at run time, a function without a call graph, a call by pointer when
 # `indirect` does not say where it may lead, a frame above `limit`.
 # SPDX-License-Identifier: MIT

@@ -1,9 +1,9 @@
 /* wired/firmware - the firmware that gets its scene over a serial line and sends frames
  *
- * Stands in place of board/firmware.c: the board calls it the same way. Image
- * and arena share board_arena(), reports travel as bytes over board_serial
- * (platform/WIRE.md), and the host's end is `planelet serve`. It never ends:
- * hosts come and go, and the scene stays. The only parameter is report=BYTES,
+ * Replaces board/firmware.c; the board calls it in the same manner. Image and
+ * arena share board_arena(), reports travel as bytes over board_serial
+ * (platform/WIRE.md), and the host is `planelet serve`. It never ends: hosts come
+ * and go, and the scene stays. The only parameter is report=BYTES,
  * the size of a report, 8 to 1024 (64), the same as the host's.
  *
  * SPDX-License-Identifier: MIT */
@@ -15,14 +15,14 @@
 #include "platform/wire/wire_device.h"
 
 /* Between two looks at the serial line: some milliseconds at 25 MHz. */
-enum { VISITS_A_STEP = 1000 };
+enum { VISITS_PER_STEP = 1000 };
 
-/* A report stops coming when it is quiet for so long; then, and after moving
- * bytes for so long, it is the engine's turn. */
+/* A report has stopped coming when the line is quiet for QUIET_MS. Then, and after
+ * MOVE_MS of moving bytes at most, the engine works again. */
 enum { QUIET_MS = 2, MOVE_MS = 20 };
 
 /* Credits: as many reports with data as the line keeps, beside some without. */
-enum { WINDOW_MOST = 16, WINDOW_LEAST = 2, SPARE_REPORTS = 4, REPORT_BYTES = 64 };
+enum { CREDITS_MOST = 16, CREDITS_LEAST = 2, SPARE_REPORTS = 4, REPORT_BYTES = 64 };
 
 static wire_device device;
 static wire_bytes_reader incoming;
@@ -37,11 +37,11 @@ static uint32_t last_ticks, spare_ticks, clock_ms;
 
 /* Adds up differences, so that the counter may wrap between any two calls. */
 static uint32_t now_ms(void) {
-    const uint32_t ticks = board_ticks(), ticks_a_ms = board_ticks_per_second() / 1000;
+    const uint32_t ticks = board_ticks(), ticks_per_ms = board_ticks_per_second() / 1000;
     spare_ticks += ticks - last_ticks;
     last_ticks = ticks;
-    clock_ms += spare_ticks / ticks_a_ms;
-    spare_ticks %= ticks_a_ms;
+    clock_ms += spare_ticks / ticks_per_ms;
+    spare_ticks %= ticks_per_ms;
     return clock_ms;
 }
 
@@ -55,17 +55,17 @@ static int receive(void) {
     if (byte < 0) {
         return 0;
     }
-    const size_t bytes = wire_bytes_take(&incoming, (uint8_t)byte);
+    const size_t bytes = wire_bytes_read(&incoming, (uint8_t)byte);
     is_within = byte != 0;
     if (bytes > 0) {
-        wire_on_report(&device.end, incoming.report, bytes, now_ms());
+        wire_on_report(&device.peer, incoming.report, bytes, now_ms());
     }
     return 1;
 }
 
 static int send(void) {
     if (gone == used) {
-        const size_t bytes = wire_next_report(&device.end, report, now_ms());
+        const size_t bytes = wire_next_report(&device.peer, report, now_ms());
         used = bytes > 0 ? wire_bytes_put(outgoing, report, bytes) : 0;
         gone = 0;
     }
@@ -76,8 +76,8 @@ static int send(void) {
     return 1;
 }
 
-/* Moves what there is to move, and stays for the rest of a report that has
- * begun to come: a step of rendering is long, a byte is not. */
+/* Moves the bytes that can move, and waits for the rest of a report that has begun
+ * to come: a step of rendering is long, a byte is not. */
 static void move_reports(void) {
     const uint32_t begun_ms = now_ms();
     uint32_t moved_ms = begun_ms, ms = begun_ms;
@@ -95,7 +95,7 @@ static void move_reports(void) {
     }
 }
 
-/* ---- what goes on, on the board's log ------------------------------------------ */
+/* ---- events, on the board's log ------------------------------------------ */
 
 static unsigned scene_said;
 
@@ -122,8 +122,8 @@ static void say_scene(void) {
     scene_said = state;
 }
 
-/* A line for every frame that was handed over whole. A byte that the line lost
- * is a report lost. */
+/* A line for every frame that was sent whole. Each byte that the serial line loses
+ * is a lost report. */
 static void say_frame(void) {
     static uint32_t said;
     uint32_t painted, size;
@@ -138,19 +138,20 @@ static void say_frame(void) {
         line_item(&l, "arena", plt_arena_peak(device.engine));
         line_item(&l, "painted", painted);
         line_item(&l, "lost_bytes", board_serial_lost());
-        line_item(&l, "lost_reports", device.end.stats.reports_lost);
+        line_item(&l, "lost_reports", device.peer.stats.reports_lost);
         line_print(&l);
     }
 }
 
 /* ---- the program ------------------------------------------------------------------ */
 
-static uint8_t window_for(uint32_t room_bytes, uint32_t report_bytes) {
+static uint8_t credits_for(uint32_t room_bytes, uint32_t report_bytes) {
     const uint32_t reports = room_bytes / (report_bytes + report_bytes / 254 + 2);
-    if (reports < WINDOW_LEAST + SPARE_REPORTS) {
-        return WINDOW_LEAST;
+    if (reports < CREDITS_LEAST + SPARE_REPORTS) {
+        return CREDITS_LEAST;
     }
-    return reports - SPARE_REPORTS < WINDOW_MOST ? (uint8_t)(reports - SPARE_REPORTS) : WINDOW_MOST;
+    return reports - SPARE_REPORTS < CREDITS_MOST ? (uint8_t)(reports - SPARE_REPORTS)
+                                                  : CREDITS_MOST;
 }
 
 static int open_device(uint16_t report_bytes) {
@@ -160,7 +161,7 @@ static int open_device(uint16_t report_bytes) {
                               .caps = {.session = board_ticks(),
                                        .in_bytes = report_bytes,
                                        .out_bytes = report_bytes,
-                                       .window = window_for(room_bytes, report_bytes)}};
+                                       .credits = credits_for(room_bytes, report_bytes)}};
     size_t bytes;
     unsigned char *memory = board_arena(&bytes);
     last_ticks = board_ticks();
@@ -192,8 +193,8 @@ int firmware(const char *parameters) {
     say_name();
     for (;;) {
         move_reports();
-        wire_poll(&device.end, now_ms());
-        wire_device_run(&device, VISITS_A_STEP);
+        wire_poll(&device.peer, now_ms());
+        wire_device_run(&device, VISITS_PER_STEP);
         say_scene();
         say_frame();
     }

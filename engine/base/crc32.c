@@ -1,7 +1,7 @@
-/* crc32 - see crc32.h
+/* crc32 - see engine/planelet_crc32.h
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/base/crc32.h"
+#include "engine/planelet_crc32.h"
 
 /* Entry i: the remainder of byte i, bit-reversed polynomial 0xEDB88320. */
 static const uint32_t remainder_of[256] = {

@@ -4,9 +4,9 @@
 #include "engine/image/header.h"
 
 #include "engine/base/bytes.h"
-#include "engine/base/crc32.h"
 #include "engine/base/fault.h"
 #include "engine/image/header_at.h"
+#include "engine/planelet_crc32.h"
 
 static const unsigned char magic[8] = {'P', 'L', 'A', 'N', 'E', 'L', 'E', 'T'};
 

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-#include "engine/base/crc32.h"
 #include "engine/image/fetch.h"
+#include "engine/planelet_crc32.h"
 
 plt_record_cache *plt_record_cache_init(void *memory, const plt_source *source, uint32_t offset,
                                         uint32_t record_bytes, uint32_t records) {

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/opening.h"
 
-#include "engine/base/crc32.h"
+#include "engine/planelet_crc32.h"
 #include "engine/base/fault.h"
 #include "engine/image/fetch.h"
 

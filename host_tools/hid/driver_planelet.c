@@ -23,7 +23,7 @@ enum {
 };
 
 typedef struct planelet {
-    wire_end end;
+    wire_peer peer;
     wire_frames_out out;
     picture frame;
     uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
@@ -45,7 +45,7 @@ static int take_reports(display *d, unsigned wait_ms) {
         if (bytes <= 0) {
             return bytes == 0 ? PORT_OK : PORT_GONE;
         }
-        wire_on_report(&p->end, report, (size_t)bytes, now_ms());
+        wire_on_report(&p->peer, report, (size_t)bytes, now_ms());
         wait_ms = 0;
     }
 }
@@ -54,7 +54,7 @@ static int take_reports(display *d, unsigned wait_ms) {
  * part is lost, and the wire sends again what was in it. */
 static int send_report(display *d, int *sent) {
     planelet *p = d->state;
-    const size_t bytes = wire_next_report(&p->end, p->report + 1, now_ms());
+    const size_t bytes = wire_next_report(&p->peer, p->report + 1, now_ms());
     *sent = bytes > 0;
     if (bytes == 0) {
         return PORT_OK;
@@ -66,7 +66,7 @@ static int send_report(display *d, int *sent) {
 /* One report out, then all that came in; waits only if none went out. */
 static int pump(display *d, unsigned wait_ms, int *sent) {
     planelet *p = d->state;
-    wire_poll(&p->end, now_ms());
+    wire_poll(&p->peer, now_ms());
     const int status = send_report(d, sent);
     return status == PORT_OK ? take_reports(d, *sent ? 0 : wait_ms) : status;
 }
@@ -76,7 +76,7 @@ static int pump(display *d, unsigned wait_ms, int *sent) {
  * the call takes longer than a whole picture may, STOPPED a second after a wish. */
 static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
-    uint32_t heard = p->end.stats.reports_in, since = now_ms();
+    uint32_t heard = p->peer.stats.reports_in, since = now_ms();
     while (!is_so(p)) {
         int sent;
         if (now_ms() - p->begun > p->whole) {
@@ -88,8 +88,8 @@ static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned pati
         if (pump(d, WAIT_MS, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
-        if (p->end.stats.reports_in != heard) {
-            heard = p->end.stats.reports_in;
+        if (p->peer.stats.reports_in != heard) {
+            heard = p->peer.stats.reports_in;
             since = now_ms();
         } else if (now_ms() - since > patience_ms) {
             return DISPLAY_GONE;
@@ -110,15 +110,15 @@ static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
 }
 
 static int is_up(const planelet *p) {
-    return wire_is_up(&p->end);
+    return wire_is_up(&p->peer);
 }
 
 static int is_idle(const planelet *p) {
-    return !wire_is_up(&p->end) || wire_frames_out_idle(&p->out);
+    return !wire_is_up(&p->peer) || wire_frames_out_idle(&p->out);
 }
 
 static int is_done(const planelet *p) {
-    return !wire_is_up(&p->end) || wire_frames_out_done(&p->out);
+    return !wire_is_up(&p->peer) || wire_frames_out_done(&p->out);
 }
 
 /* A number that no session had before: the clock in steps of a microsecond. */
@@ -136,9 +136,9 @@ static int open_end(planelet *p, report_sizes sizes, fail *f) {
                                        .in_bytes = (uint16_t)in,
                                        .out_bytes = (uint16_t)out,
                                        .features = WIRE_SENDS,
-                                       .window = WINDOW}};
+                                       .credits = WINDOW}};
     if (in > IN_BYTES || out > WIRE_REPORT_BYTES_MAX ||
-        wire_end_open(&p->end, &setup, now_ms()) != WIRE_OK) {
+        wire_peer_open(&p->peer, &setup, now_ms()) != WIRE_OK) {
         return fail_set(f, NULL,
                         "reports of %u bytes out and %u in are not for the planelet driver (8 to "
                         "1024 and 8 to 64)",
@@ -146,8 +146,8 @@ static int open_end(planelet *p, report_sizes sizes, fail *f) {
     }
     p->begun = now_ms();
     p->whole = UINT32_MAX; /* greetings have their own patience */
-    wire_frames_out_open(&p->out, &p->end);
-    wire_on_link(&p->end, 1, now_ms());
+    wire_frames_out_open(&p->out, &p->peer);
+    wire_on_link(&p->peer, 1, now_ms());
     return DISPLAY_OK;
 }
 
@@ -161,7 +161,7 @@ static int greet(display *d, fail *f) {
                  "choose another with --device or --driver");
         return status;
     }
-    const wire_caps *peer = wire_peer(&p->end);
+    const wire_caps *peer = wire_other(&p->peer);
     if (!(peer->features & WIRE_SHOWS)) {
         return fail_set(f, NULL, "the device has no display; choose another with --device");
     }
@@ -210,7 +210,7 @@ static int planelet_open(display *d, fail *f) {
 static int ensure_up(display *d, fail *f) {
     const planelet *p = d->state;
     const int status = deliver(d, is_up, f);
-    const wire_caps *peer = wire_peer(&p->end);
+    const wire_caps *peer = wire_other(&p->peer);
     if (status == DISPLAY_OK && (peer->width != d->width || peer->height != d->height)) {
         return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
                         peer->width, peer->height);
@@ -220,7 +220,7 @@ static int ensure_up(display *d, fail *f) {
 
 static int say_told(planelet *p, fail *f) {
     uint32_t detail = 0;
-    const unsigned code = wire_told(&p->end, &detail);
+    const unsigned code = wire_error_read(&p->peer, &detail);
     return fail_set(f, NULL, "the display reports error %u (%u); see platform/WIRE.md", code,
                     detail);
 }
@@ -238,7 +238,7 @@ static int planelet_show(display *d, const picture *shown, fail *f) {
         if (wire_frames_show(&p->out, p->frame.rgb, 3 * d->width) == WIRE_OK) {
             return deliver(d, is_idle, f);
         }
-        if (p->end.peer_error != WIRE_FINE) {
+        if (p->peer.other_error != WIRE_FINE) {
             return say_told(p, f);
         }
     }
@@ -273,10 +273,10 @@ static int planelet_tick(display *d) {
 
 static int planelet_brightness(display *d, unsigned percent, fail *f) {
     planelet *p = d->state;
-    if (!(wire_peer(&p->end)->features & WIRE_BRIGHTNESS)) {
+    if (!(wire_other(&p->peer)->features & WIRE_BRIGHTNESS)) {
         return fail_set(f, NULL, "this display's brightness cannot be set; leave out --brightness");
     }
-    wire_set(&p->end, WIRE_SET_BRIGHTNESS, percent);
+    wire_setting_send(&p->peer, WIRE_SET_BRIGHTNESS, percent);
     return DISPLAY_OK;
 }
 

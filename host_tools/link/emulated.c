@@ -25,7 +25,7 @@ static uint32_t now_ms(void) {
 static int send_reports(wire_device *d, const transport *t, uint8_t *report, size_t *held) {
     for (;;) {
         if (*held == 0) {
-            *held = wire_next_report(&d->end, report, now_ms());
+            *held = wire_next_report(&d->peer, report, now_ms());
         }
         const int taken = *held > 0 ? t->send(t->context, report, *held) : 0;
         if (taken <= 0) {
@@ -41,7 +41,7 @@ int emulated_device(const transport *t, unsigned report_bytes, size_t memory_byt
                               .caps = {.session = now_ms(),
                                        .in_bytes = (uint16_t)report_bytes,
                                        .out_bytes = (uint16_t)report_bytes,
-                                       .window = 16}};
+                                       .credits = 16}};
     uint8_t in[WIRE_REPORT_BYTES_MAX], out[WIRE_REPORT_BYTES_MAX];
     size_t held = 0;
     wire_device *d = malloc(sizeof *d);
@@ -57,9 +57,9 @@ int emulated_device(const transport *t, unsigned report_bytes, size_t memory_byt
             works |= wire_device_run(d, VISITS);
         }
         while ((n = t->receive(t->context, in, works ? 0 : 2)) > 0) {
-            wire_on_report(&d->end, in, (size_t)n, now_ms());
+            wire_on_report(&d->peer, in, (size_t)n, now_ms());
         }
-        wire_poll(&d->end, now_ms());
+        wire_poll(&d->peer, now_ms());
         if (n == 0) {
             n = send_reports(d, t, out, &held);
         }

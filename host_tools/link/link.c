@@ -195,7 +195,7 @@ static int stream_receive(void *context, uint8_t *report, int ms) {
         l->in_used = n > 0 ? (size_t)n : 0;
     }
     while (l->in_gone < l->in_used) {
-        const size_t count = wire_bytes_take(&l->reader, l->in[l->in_gone++]);
+        const size_t count = wire_bytes_read(&l->reader, l->in[l->in_gone++]);
         if (count > 0) {
             memcpy(report, l->reader.report, count);
             return (int)count;

@@ -16,7 +16,7 @@ enum phase { PHASE_NONE, PHASE_SCENE, PHASE_FRAME };
 typedef struct serving {
     const serve_job *job;
     const transport *t;
-    wire_end end;
+    wire_peer peer;
     wire_frames_in in;
     wire_scene_out scene;
     wire_view_out view;
@@ -49,7 +49,7 @@ static int open_end(serving *s, fail *f) {
                                        .formats = 1u << job->format,
                                        .in_bytes = (uint16_t)job->report_bytes,
                                        .out_bytes = (uint16_t)job->report_bytes,
-                                       .window = 16,
+                                       .credits = 16,
                                        .features = WIRE_SHOWS | WIRE_READS | WIRE_SCENES}};
     const uint32_t stride = wire_row_bytes(job->format, job->width);
     s->panel = calloc(stride, job->height);
@@ -57,15 +57,15 @@ static int open_end(serving *s, fail *f) {
     if (s->panel == NULL || picture_make(&s->shown, job->width, job->height, f) != 0) {
         return fail_set(f, "frame", "out of memory; choose a smaller --size");
     }
-    if (wire_end_open(&s->end, &setup, now_ms()) != WIRE_OK ||
-        wire_frames_in_open(&s->in, &s->end, &panel) != WIRE_OK) {
+    if (wire_peer_open(&s->peer, &setup, now_ms()) != WIRE_OK ||
+        wire_frames_in_open(&s->in, &s->peer, &panel) != WIRE_OK) {
         return fail_set(f, "--size", "%ux%u has more than %d tiles of 16x16; choose a smaller one",
                         job->width, job->height, WIRE_TILES_MAX);
     }
-    wire_scene_out_open(&s->scene, &s->end, job->image, job->image_bytes);
-    wire_blocks_out_open(&s->blocks, &s->end, job->image, job->image_bytes);
-    wire_view_out_open(&s->view, &s->end);
-    wire_on_link(&s->end, 0, now_ms());
+    wire_scene_out_open(&s->scene, &s->peer, job->image, job->image_bytes);
+    wire_blocks_out_open(&s->blocks, &s->peer, job->image, job->image_bytes);
+    wire_view_out_open(&s->view, &s->peer);
+    wire_on_link(&s->peer, 0, now_ms());
     return 0;
 }
 
@@ -74,13 +74,13 @@ static int move(serving *s) {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
     int n = s->t->receive(s->t->context, report, 2);
     for (; n > 0; n = s->t->receive(s->t->context, report, 0)) {
-        wire_on_report(&s->end, report, (size_t)n, now_ms());
+        wire_on_report(&s->peer, report, (size_t)n, now_ms());
     }
     if (n < 0) {
         return 0;
     }
-    wire_poll(&s->end, now_ms());
-    for (size_t bytes; (bytes = wire_next_report(&s->end, report, now_ms())) > 0;) {
+    wire_poll(&s->peer, now_ms());
+    for (size_t bytes; (bytes = wire_next_report(&s->peer, report, now_ms())) > 0;) {
         int taken;
         while ((taken = s->t->send(s->t->context, report, bytes)) == 0) {
             const struct timespec pause = {0, 500000};
@@ -115,7 +115,7 @@ static void enter(serving *s, enum phase phase) {
     } else if (phase == PHASE_FRAME) {
         const unsigned tiles = (s->job->width + 15) / 16 * ((s->job->height + 15) / 16);
         snprintf(s->what, sizeof s->what, "serve: rendering, frame %u", s->number + 1);
-        s->tiles = s->end.stats.tiles_in;
+        s->tiles = s->peer.stats.tiles_in;
         progress_begin(&s->bar, s->what, tiles);
     }
 }
@@ -124,12 +124,12 @@ static void enter(serving *s, enum phase phase) {
 static void show_progress(serving *s) {
     uint32_t has = 0;
     const unsigned state = wire_scene_out_state(&s->scene, &has);
-    enter(s, !wire_is_up(&s->end)        ? PHASE_NONE
+    enter(s, !wire_is_up(&s->peer)       ? PHASE_NONE
              : state == WIRE_SCENE_GOING ? PHASE_SCENE
              : state == WIRE_SCENE_OPEN  ? PHASE_FRAME
                                          : PHASE_NONE);
     if (s->phase != PHASE_NONE) {
-        const uint64_t done = s->phase == PHASE_SCENE ? has : s->end.stats.tiles_in - s->tiles;
+        const uint64_t done = s->phase == PHASE_SCENE ? has : s->peer.stats.tiles_in - s->tiles;
         progress_show(&s->bar, done < s->bar.total ? done : s->bar.total);
     }
 }
@@ -137,7 +137,7 @@ static void show_progress(serving *s) {
 static void watch_link(serving *s, int is_there) {
     if (is_there != s->is_up) {
         s->is_up = is_there;
-        wire_on_link(&s->end, is_there, now_ms());
+        wire_on_link(&s->peer, is_there, now_ms());
         say(s, is_there ? "the link is there" : "the link is down, waiting");
     }
 }
@@ -146,10 +146,10 @@ static void watch_link(serving *s, int is_there) {
 static int refusal(serving *s, fail *f) {
     uint32_t detail, has;
     const unsigned state = wire_scene_out_state(&s->scene, &has);
-    const unsigned code = wire_told(&s->end, &detail);
+    const unsigned code = wire_error_read(&s->peer, &detail);
     if (code == WIRE_E_ARENA) {
         return fail_set(f, "device", "the scene needs %u bytes there, it has %u; pack it smaller",
-                        detail, wire_peer(&s->end)->arena_bytes);
+                        detail, wire_other(&s->peer)->arena_bytes);
     }
     if (code == WIRE_E_SCENE) {
         return fail_set(f, "device", "the scene was refused: rule R%u at byte %u; pack it again",
@@ -161,7 +161,7 @@ static int refusal(serving *s, fail *f) {
     }
     if (state == WIRE_SCENE_LARGE) {
         return fail_set(f, "device", "the image of %u bytes does not fit in its %u",
-                        s->job->image_bytes, wire_peer(&s->end)->arena_bytes);
+                        s->job->image_bytes, wire_other(&s->peer)->arena_bytes);
     }
     if (code == WIRE_E_VIEW) {
         return fail_set(f, "device", "the camera has no direction; change --eye, --look or --up");
@@ -221,13 +221,13 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
         if (status == 0 && job->patience_ms > 0 && now_ms() - s->frame_ms > job->patience_ms) {
             status =
                 fail_set(f, "device", "%s; is it connected, and does it render?",
-                         wire_is_up(&s->end) ? "sent no frame in time" : "did not answer in time");
+                         wire_is_up(&s->peer) ? "sent no frame in time" : "did not answer in time");
         }
     }
     if (s != NULL) {
         end_progress(s);
-        *result =
-            (serve_result){.host = s->end.stats, .frames = s->number, .ms = now_ms() - s->began_ms};
+        *result = (serve_result){
+            .host = s->peer.stats, .frames = s->number, .ms = now_ms() - s->began_ms};
         free(s->panel);
         picture_free(&s->shown);
     }

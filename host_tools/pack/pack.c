@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/base/crc32.h"
 #include "engine/builder/build.h"
 #include "engine/builder/split.h"
 #include "engine/image/header.h"
+#include "engine/planelet_crc32.h"
 #include "engine/tree/thesis/validate.h"
 
 typedef struct packing {

@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "engine/base/bits.h"
-#include "engine/base/crc32.h"
 #include "engine/builder/blocks.h"
 #include "engine/image/header.h"
+#include "engine/planelet_crc32.h"
 #include "engine/tree/compact/block.h"
 #include "engine/tree/primitive_id.h"
 #include "engine/tree/thesis/link.h"

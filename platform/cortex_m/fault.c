@@ -1,6 +1,6 @@
 /* fault - the last words of a Cortex-M
  *
- * Invariant: works with a stack that has run out: the handler takes the whole
+ * Invariant: works with a stack that has run out: the handler uses the whole
  * stack anew, with the guard switched off.
  *
  * Source: Armv7-M Architecture Reference Manual, B3.2.15 to B3.2.18.

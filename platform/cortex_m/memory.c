@@ -1,7 +1,7 @@
 /* memory - the four functions that a compiler may call on its own
  *
  * The firmware links no C library: its whole code is in the call graph, and
- * so is its whole stack. Words are moved where both ends allow it.
+ * so is its whole stack. Words are moved where both addresses allow it.
  * GCC must not see a memcpy in these loops: -fno-tree-loop-distribute-patterns
  * in board/firmware.mk.
  *
@@ -34,7 +34,7 @@ void *memcpy(void *restrict to, const void *restrict from, size_t count) {
 void *memmove(void *to, const void *from, size_t count) {
     unsigned char *t = to;
     const unsigned char *f = from;
-    if ((uintptr_t)t - (uintptr_t)f >= count) { /* t before f, or behind its end */
+    if ((uintptr_t)t - (uintptr_t)f >= count) { /* t before f, or after its last byte */
         for (size_t i = 0; i < count; i++) {
             t[i] = f[i];
         }

@@ -88,7 +88,7 @@ static void paint_stack(void) {
 
 static void guard_stack(void) {
     if (MPU_TYPE == 0) {
-        return; /* a core without MPU: the paint still tells */
+        return; /* a core without MPU: the paint still shows it */
     }
     MPU_RNR = 0;
     MPU_RBAR = (uint32_t)(uintptr_t)plt_stack_guard;

@@ -13,7 +13,7 @@
 /* Given by the board: called once, on the painted stack, all memory set up. */
 _Noreturn void cortex_m_main(void);
 
-/* Given by the board: a line of text out, and the end, from a fault. */
+/* Given by the board, for faults: prints a line of text; ends the program. */
 void cortex_m_print(const char *text);
 _Noreturn void cortex_m_exit(int status);
 

@@ -1,24 +1,24 @@
 /* blocks_in - asks for pieces of an image and puts them where they belong
  *
- * Invariant: the first `has` bytes of a want are in `to`; nothing is written
+ * Invariant: the first `has` bytes of a request are in `to`; nothing is written
  * outside to[0 .. count - 1].
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
 enum want_state { FREE, TO_ASK, ASKED, DONE, REFUSED };
 
-void wire_blocks_in_open(wire_blocks_in *in, wire_end *end, int (*pump)(void *), void *context) {
+void wire_blocks_in_open(wire_blocks_in *in, wire_peer *peer, int (*pump)(void *), void *context) {
     memset(in, 0, sizeof *in);
-    in->end = end;
+    in->peer = peer;
     in->pump = pump;
     in->pump_context = context;
-    end->blocks_in = in;
+    peer->blocks_in = in;
 }
 
 static void ask(wire_blocks_in *in, wire_block_want *w) {
     w->state = TO_ASK;
-    wire_owe(in->end, WIRE_BLOCK_ASK);
+    wire_queue_control(in->peer, WIRE_BLOCK_ASK);
 }
 
 int wire_block_ask(wire_blocks_in *in, unsigned tag, uint32_t offset, void *to, uint32_t count) {
@@ -50,13 +50,13 @@ void wire_blocks_in_begin(wire_blocks_in *in) {
 void wire_blocks_in_poll(wire_blocks_in *in) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_want *w = &in->want[i];
-        if (w->state == ASKED && in->end->now_ms - w->asked_ms >= WIRE_BLOCK_AGAIN_MS) {
+        if (w->state == ASKED && in->peer->now_ms - w->asked_ms >= WIRE_BLOCK_AGAIN_MS) {
             ask(in, w);
         }
     }
 }
 
-uint32_t wire_blocks_in_make(wire_blocks_in *in, uint8_t *body) {
+uint32_t wire_blocks_in_write(wire_blocks_in *in, uint8_t *body) {
     uint32_t made = 0;
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_want *w = &in->want[i];
@@ -64,20 +64,20 @@ uint32_t wire_blocks_in_make(wire_blocks_in *in, uint8_t *body) {
             continue;
         }
         if (made > 0) {
-            wire_owe(in->end, WIRE_BLOCK_ASK); /* the next one in its own message */
+            wire_queue_control(in->peer, WIRE_BLOCK_ASK); /* the next one in its own message */
             break;
         }
         body[0] = w->tag;
         wire_put32(body + 1, w->offset + w->has);
         wire_put32(body + 5, w->count - w->has);
         w->state = ASKED;
-        w->asked_ms = in->end->now_ms;
+        w->asked_ms = in->peer->now_ms;
         made = 9;
     }
     return made;
 }
 
-void wire_blocks_in_take(wire_blocks_in *in, const uint8_t *body) {
+void wire_blocks_in_receive(wire_blocks_in *in, const uint8_t *body) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_want *w = &in->want[i];
         if (is_asked(w) && w->tag == body[0] && w->offset + w->has == wire_get32(body + 1)) {
@@ -91,8 +91,8 @@ void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset) {
     in->coming = (uint8_t)tag;
 }
 
-/* Takes the part of the bytes that a want lacks next. */
-static void take_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
+/* Copies the part of the bytes that this request lacks next. */
+static void copy_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
                      uint32_t count) {
     const uint32_t next = w->offset + w->has, skip = next - in->at;
     if (w->tag != in->coming || in->at > next || skip >= count) {
@@ -102,14 +102,14 @@ static void take_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t
     const uint32_t n = count - skip < left ? count - skip : left;
     memcpy(w->to + w->has, bytes + skip, n);
     w->has += n;
-    w->asked_ms = in->end->now_ms;
+    w->asked_ms = in->peer->now_ms;
     w->state = w->has == w->count ? DONE : w->state;
 }
 
 void wire_blocks_in_bytes(wire_blocks_in *in, const uint8_t *bytes, uint32_t count) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         if (is_asked(&in->want[i])) {
-            take_for(in, &in->want[i], bytes, count);
+            copy_for(in, &in->want[i], bytes, count);
         }
     }
     in->at += count;

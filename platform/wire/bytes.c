@@ -30,7 +30,7 @@ static void add(wire_bytes_reader *r, uint8_t byte) {
     }
 }
 
-/* The end of a report: the zero that its last run stands for is not its own. */
+/* The report is complete: the zero that its last run stands for is not part of it. */
 static size_t end_report(wire_bytes_reader *r) {
     const size_t count = r->is_bad || r->left > 0 || !r->is_begun ? 0 : r->used;
     r->used = 0;
@@ -38,7 +38,7 @@ static size_t end_report(wire_bytes_reader *r) {
     return count;
 }
 
-size_t wire_bytes_take(wire_bytes_reader *r, uint8_t byte) {
+size_t wire_bytes_read(wire_bytes_reader *r, uint8_t byte) {
     if (byte == 0) {
         return end_report(r);
     }

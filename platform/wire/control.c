@@ -1,134 +1,117 @@
-/* control - control messages: built when they can leave, taken when they came
+/* control - control messages: written when they can leave, read when they came
  *
  * Every one of them may be lost; each is repeated until what it asks for is
  * seen (hellos, offers, views, settings, requests), or its loss is noticed
  * otherwise (acknowledgements, frame answers).
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
+#include "platform/wire/session.h"
 
 /* ---- acknowledgement and statistics ------------------------------------------------------ */
 
-static uint32_t make_ack(wire_end *end, uint8_t *body) {
-    end->unacked_in = 0;
-    wire_put32(body, end->in_number);
+static uint32_t write_ack(wire_peer *peer, uint8_t *body) {
+    peer->unacked_in = 0;
+    wire_put32(body, peer->in_number);
     return 4;
 }
 
-static void take_ack(wire_end *end, const uint8_t *body) {
+static void receive_ack(wire_peer *peer, const uint8_t *body) {
     const uint32_t number = wire_get32(body);
-    const int32_t news = (int32_t)(number - end->out_acked);
-    if (news > 0 && (int32_t)(end->out_number - number) >= 0) {
-        end->out_acked = number;
-        end->asked_ms = end->now_ms;
+    const int32_t news = (int32_t)(number - peer->out_acked);
+    if (news > 0 && (int32_t)(peer->out_number - number) >= 0) {
+        peer->out_acked = number;
+        peer->asked_ms = peer->now_ms;
     }
 }
 
 enum { STATS = 10 };
 
-static void stats_list(wire_stats *s, uint32_t *list[STATS]) {
-    uint32_t *const all[STATS] = {
-        &s->reports_out, &s->reports_in, &s->reports_lost, &s->reports_late, &s->reports_bad,
-        &s->sessions,    &s->frames_out, &s->frames_in,    &s->tiles_out,    &s->tiles_in};
-    memcpy(list, all, sizeof all);
-}
-
-static uint32_t make_stats(wire_end *end, uint8_t *body) {
-    uint32_t *list[STATS];
-    stats_list(&end->stats, list);
+static uint32_t write_stats(const wire_peer *peer, uint8_t *body) {
+    const wire_stats *s = &peer->stats;
+    const uint32_t list[STATS] = {s->reports_out, s->reports_in, s->reports_lost, s->reports_late,
+                                  s->reports_bad, s->sessions,   s->frames_out,   s->frames_in,
+                                  s->tiles_out,   s->tiles_in};
     for (int i = 0; i < STATS; i++) {
-        wire_put32(body + 4 * i, *list[i]);
+        wire_put32(body + 4 * i, list[i]);
     }
     return 4 * STATS;
 }
 
-static void take_stats(wire_end *end, const uint8_t *body) {
-    uint32_t *list[STATS];
-    if (end->peer_stats != NULL) {
-        stats_list(end->peer_stats, list);
-        for (int i = 0; i < STATS; i++) {
-            *list[i] = wire_get32(body + 4 * i);
-        }
-    }
-}
-
 /* ---- settings and errors -------------------------------------------------------------------- */
 
-/* A device sends back what it took, and the host stops repeating it. */
-static uint32_t make_set(const wire_end *end, uint8_t *body) {
-    memcpy(body, end->setting, 2);
+/* A device sends back what it received, and the host stops repeating it. */
+static uint32_t write_set(const wire_peer *peer, uint8_t *body) {
+    memcpy(body, peer->setting, 2);
     return 2;
 }
 
-static void take_set(wire_end *end, const uint8_t *body) {
-    if (end->role == WIRE_HOST) {
-        if (memcmp(body, end->setting, 2) == 0) {
-            end->settings_to_go = 0;
+static void receive_set(wire_peer *peer, const uint8_t *body) {
+    if (peer->role == WIRE_HOST) {
+        if (memcmp(body, peer->setting, 2) == 0) {
+            peer->settings_to_go = 0;
         }
         return;
     }
-    if (memcmp(body, end->setting, 2) != 0 || end->setting[0] == 0) {
-        memcpy(end->peer_setting, body, 2);
+    if (memcmp(body, peer->setting, 2) != 0 || peer->setting[0] == 0) {
+        memcpy(peer->other_setting, body, 2);
     }
-    memcpy(end->setting, body, 2);
-    wire_owe(end, WIRE_SET);
+    memcpy(peer->setting, body, 2);
+    wire_queue_control(peer, WIRE_SET);
 }
 
-static uint32_t make_error(const wire_end *end, uint8_t *body) {
-    body[0] = end->error;
-    wire_put32(body + 1, end->error_detail);
+static uint32_t write_error(const wire_peer *peer, uint8_t *body) {
+    body[0] = peer->error;
+    wire_put32(body + 1, peer->error_detail);
     return 5;
 }
 
-static void take_error(wire_end *end, const uint8_t *body) {
-    end->peer_error = body[0];
-    end->peer_detail = wire_get32(body + 1);
+static void receive_error(wire_peer *peer, const uint8_t *body) {
+    peer->other_error = body[0];
+    peer->other_detail = wire_get32(body + 1);
 }
 
-/* ---- all ----------------------------------------------------------------------------------------
- */
+/* ---- all -------------------------------------------------------------------------------- */
 
-uint32_t wire_control_make(wire_end *end, unsigned type, uint8_t *body) {
+uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body) {
     switch (type) {
     case WIRE_HELLO:
     case WIRE_WELCOME:
-        return wire_hello_make(end, body);
+        return wire_hello_write(peer, body);
     case WIRE_ACK:
-        return make_ack(end, body);
+        return write_ack(peer, body);
     case WIRE_PING:
-    case WIRE_STATS_ASK:
         body[0] = 0;
-        end->stats.pings_out += type == WIRE_PING;
+        peer->stats.pings_out++;
         return 1;
     case WIRE_FRAME_GOOD:
     case WIRE_FRAME_BAD:
-        return wire_frames_in_make(end->frames_in, type, body);
+        return wire_frames_in_write(peer->frames_in, type, body);
     case WIRE_SCENE_OFFER:
-        return wire_scene_out_make(end->scene_out, body);
+        return wire_scene_out_write(peer->scene_out, body);
     case WIRE_SCENE_STATE:
-        return wire_scene_in_make(end->scene_in, body);
+        return wire_scene_in_write(peer->scene_in, body);
     case WIRE_VIEW:
-        return wire_view_out_make(end->view_out, body);
+        return wire_view_out_write(peer->view_out, body);
     case WIRE_VIEW_HAVE:
-        body[0] = end->view_in->view.number;
-        return 1;
+        return wire_view_in_write(peer->view_in, body);
     case WIRE_BLOCK_ASK:
-        return wire_blocks_in_make(end->blocks_in, body);
+        return wire_blocks_in_write(peer->blocks_in, body);
     case WIRE_BLOCK_REFUSE:
-        return wire_blocks_out_make(end->blocks_out, body);
+        return wire_blocks_out_write(peer->blocks_out, body);
     case WIRE_ERROR:
-        return make_error(end, body);
+        return write_error(peer, body);
     case WIRE_SET:
-        return make_set(end, body);
+        return write_set(peer, body);
     case WIRE_STATS:
-        return make_stats(end, body);
+        return write_stats(peer, body);
     default:
         return 0;
     }
 }
 
 /* Bytes that a body has; 0: the type is not known, or nobody here wants it. */
-static uint32_t bytes_wanted(const wire_end *end, unsigned type) {
+static uint32_t bytes_wanted(const wire_peer *peer, unsigned type) {
     switch (type) {
     case WIRE_ACK:
         return 4;
@@ -136,85 +119,80 @@ static uint32_t bytes_wanted(const wire_end *end, unsigned type) {
     case WIRE_STATS_ASK:
         return 1;
     case WIRE_FRAME_GOOD:
-        return end->frames_out != NULL ? 2 : 0;
+        return peer->frames_out != NULL ? 2 : 0;
     case WIRE_FRAME_BAD:
-        return end->frames_out != NULL ? 34 : 0;
+        return peer->frames_out != NULL ? 34 : 0;
     case WIRE_SCENE_OFFER:
-        return end->scene_in != NULL ? 8 : 0;
+        return peer->scene_in != NULL ? 8 : 0;
     case WIRE_SCENE_STATE:
-        return end->scene_out != NULL ? 10 : 0;
+        return peer->scene_out != NULL ? 10 : 0;
     case WIRE_VIEW:
-        return end->view_in != NULL ? 42 : 0;
+        return peer->view_in != NULL ? 42 : 0;
     case WIRE_VIEW_HAVE:
-        return end->view_out != NULL ? 1 : 0;
+        return peer->view_out != NULL ? 1 : 0;
     case WIRE_BLOCK_ASK:
-        return end->blocks_out != NULL ? 9 : 0;
+        return peer->blocks_out != NULL ? 9 : 0;
     case WIRE_BLOCK_REFUSE:
-        return end->blocks_in != NULL ? 5 : 0;
+        return peer->blocks_in != NULL ? 5 : 0;
     case WIRE_ERROR:
         return 5;
     case WIRE_SET:
         return 2;
-    case WIRE_STATS:
-        return 4 * STATS;
     default:
         return 0;
     }
 }
 
-static void take(wire_end *end, unsigned type, const uint8_t *body) {
+static void receive(wire_peer *peer, unsigned type, const uint8_t *body) {
     switch (type) {
     case WIRE_ACK:
-        take_ack(end, body);
+        receive_ack(peer, body);
         break;
     case WIRE_PING:
-        wire_owe(end, WIRE_ACK);
+        wire_queue_control(peer, WIRE_ACK);
         break;
     case WIRE_STATS_ASK:
-        wire_owe(end, WIRE_STATS);
+        wire_queue_control(peer, WIRE_STATS);
         break;
     case WIRE_FRAME_GOOD:
     case WIRE_FRAME_BAD:
-        wire_frames_out_take(end->frames_out, type, body);
+        wire_frames_out_receive(peer->frames_out, type, body);
         break;
     case WIRE_SCENE_OFFER:
-        wire_scene_in_take(end->scene_in, body);
+        wire_scene_in_receive(peer->scene_in, body);
         break;
     case WIRE_SCENE_STATE:
-        wire_scene_out_take(end->scene_out, body);
+        wire_scene_out_receive(peer->scene_out, body);
         break;
     case WIRE_VIEW:
-        wire_view_in_message(end->view_in, body);
-        wire_owe(end, WIRE_VIEW_HAVE);
+        wire_view_in_receive(peer->view_in, body);
+        wire_queue_control(peer, WIRE_VIEW_HAVE);
         break;
     case WIRE_VIEW_HAVE:
-        end->view_out->have = end->view_out->have || body[0] == end->view_out->view.number;
+        wire_view_out_receive(peer->view_out, body);
         break;
     case WIRE_BLOCK_ASK:
-        wire_blocks_out_take(end->blocks_out, body);
+        wire_blocks_out_receive(peer->blocks_out, body);
         break;
     case WIRE_BLOCK_REFUSE:
-        wire_blocks_in_take(end->blocks_in, body);
+        wire_blocks_in_receive(peer->blocks_in, body);
         break;
     case WIRE_ERROR:
-        take_error(end, body);
+        receive_error(peer, body);
         break;
-    case WIRE_SET:
-        take_set(end, body);
-        break;
-    default: /* WIRE_STATS */
-        take_stats(end, body);
+    default: /* WIRE_SET */
+        receive_set(peer, body);
     }
 }
 
-void wire_control_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes,
-                       int hello) {
+void wire_control_receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_t bytes,
+                          int hello) {
     if (hello) {
-        wire_hello_take(end, type, body, bytes);
+        wire_hello_receive(peer, type, body, bytes);
         return;
     }
-    const uint32_t wanted = bytes_wanted(end, type);
-    if (wanted > 0 && bytes >= wanted) { /* later versions may add to a body's end */
-        take(end, type, body);
+    const uint32_t wanted = bytes_wanted(peer, type);
+    if (wanted > 0 && bytes >= wanted) { /* later versions may append to a body */
+        receive(peer, type, body);
     }
 }

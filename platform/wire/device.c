@@ -1,10 +1,11 @@
 /* device - see wire_device.h
  *
- * A machine of a few steps; wire_device_run does one of them. The image lies
- * at the front of the memory, and the engine's arena behind it.
+ * A state machine; wire_device_run does one step of it. The image lies at the
+ * front of the memory, the engine's arena behind it.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include <string.h>
+
 #include "platform/wire/wire_device.h"
 
 enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS };
@@ -18,22 +19,23 @@ int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options 
     if (PLT_TILE_SIDE != WIRE_TILE_SIDE || own.role != WIRE_DEVICE) {
         return WIRE_ERR_SETUP;
     }
-    const int status = wire_end_open(&d->end, &own, now_ms);
+    const int status = wire_peer_open(&d->peer, &own, now_ms);
     d->memory = memory;
     d->memory_bytes = memory_bytes;
     d->options = *options;
-    wire_frames_out_open(&d->out, &d->end);
-    wire_scene_in_open(&d->scene, &d->end, memory, own.caps.arena_bytes);
-    wire_view_in_open(&d->view, &d->end);
+    wire_frames_out_open(&d->out, &d->peer);
+    wire_scene_in_open(&d->scene, &d->peer, memory, own.caps.arena_bytes);
+    wire_view_in_open(&d->view, &d->peer);
     return status;
 }
 
 /* Why the engine refused the image, for the host. */
-static void tell(wire_device *d, int status, const plt_fault *fault) {
+static void report_refusal(wire_device *d, int status, const plt_fault *fault) {
     if (status == PLT_ERR_ARENA) {
-        wire_tell(&d->end, WIRE_E_ARENA, (uint32_t)fault->need_bytes + d->source.bytes);
+        wire_error_send(&d->peer, WIRE_E_ARENA, (uint32_t)fault->need_bytes + d->source.bytes);
     } else {
-        wire_tell(&d->end, WIRE_E_SCENE, (uint32_t)fault->rule << 24 | (fault->offset & 0xFFFFFFu));
+        wire_error_send(&d->peer, WIRE_E_SCENE,
+                        (uint32_t)fault->rule << 24 | (fault->offset & 0xFFFFFFu));
     }
 }
 
@@ -48,13 +50,13 @@ static void open_scene(wire_device *d) {
                                 &d->source, &d->options, &fault);
     if (status < 0) {
         d->engine = NULL;
-        tell(d, status, &fault);
+        report_refusal(d, status, &fault);
     }
     wire_scene_in_verdict(&d->scene, status < 0 ? WIRE_SCENE_REFUSED : WIRE_SCENE_OPEN);
 }
 
-/* The scene may be replaced at any moment: then there is no engine any more. */
-static int watch_scene(wire_device *d) {
+/* The host may replace the scene at any time; then there is no engine any more. */
+static int check_scene(wire_device *d) {
     uint32_t bytes;
     const unsigned state = wire_scene_in_state(&d->scene, &bytes);
     if (state == WIRE_SCENE_HERE) {
@@ -71,7 +73,7 @@ static int watch_scene(wire_device *d) {
 }
 
 static int has_view(wire_device *d) {
-    d->is_viewed |= (uint8_t)wire_view_take(&d->view);
+    d->is_viewed |= (uint8_t)wire_view_read(&d->view);
     return d->view.view.number != 0 || d->is_viewed;
 }
 
@@ -90,7 +92,7 @@ static int begin(wire_device *d) {
     }
     d->step = RENDERS;
     if (plt_render_begin(d->engine, &frame) != PLT_OK) {
-        wire_tell(&d->end, WIRE_E_VIEW, v->number);
+        wire_error_send(&d->peer, WIRE_E_VIEW, v->number);
         d->step = ENDS;
     }
     return 1;
@@ -107,7 +109,7 @@ static int render(wire_device *d, uint32_t visits) {
     return 1;
 }
 
-/* A session that ended takes its frame with it: render again in the next. */
+/* With a session its frame ends, too: it is rendered again in the next. */
 static int after(wire_device *d, int status, unsigned next) {
     if (status == WIRE_OK) {
         d->step = (uint8_t)next;
@@ -131,10 +133,10 @@ static int end_frame(wire_device *d) {
     return went;
 }
 
-/* A new view, or something of this one was lost on the way. */
+/* Begins again for a new view, or when something of this one was lost. */
 static int rest(wire_device *d) {
     const int is_lost = d->out.unanswered == 0 && !wire_frames_out_done(&d->out);
-    if (!wire_is_up(&d->end) || d->out.tiles == 0 || (has_view(d) && d->is_viewed) || is_lost) {
+    if (!wire_is_up(&d->peer) || d->out.tiles == 0 || (has_view(d) && d->is_viewed) || is_lost) {
         d->step = BEGINS;
         return 1;
     }
@@ -142,7 +144,7 @@ static int rest(wire_device *d) {
 }
 
 int wire_device_run(wire_device *d, uint32_t visits) {
-    if (watch_scene(d)) {
+    if (check_scene(d)) {
         return 1;
     }
     switch (d->step) {

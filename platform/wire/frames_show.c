@@ -1,12 +1,12 @@
 /* frames_show - frames from the caller: whole ones, or tile by tile
  *
- * Invariant: at most one frame is open, and every frame that was begun gets
- * its end, or the session does.
+ * Invariant: at most one frame is open, and every frame that was begun is ended
+ * by a FRAME_END, or by the end of the session.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
 
-/* Without a newer frame for so long a picture rests. */
+/* A picture is at rest when no newer frame came for so long. */
 enum { REST_MS = 100 };
 
 static void start_frame(wire_frames_out *out) {
@@ -36,15 +36,15 @@ static int is_missing(const wire_frames_out *out, int *coarse) {
     *coarse = 0;
     for (unsigned t = 0; t < out->tiles; t++) {
         missing |= out->hash[t] == 0;
-        *coarse |= wire_is_coarse(out, t) && wire_way_of(out, t) == 0;
+        *coarse |= wire_is_coarse(out, t) && wire_slot_of(out, t) == 0;
     }
     return missing;
 }
 
-/* Whether the last frame has rested: while frames follow each other, what is
- * near is not worth the time of the next. */
+/* Whether the picture is at rest. While frames follow each other, sending exactly
+ * what was sent near would cost the next frame its time. */
 static int is_resting(const wire_frames_out *out) {
-    return out->unanswered == 0 && out->end->now_ms - out->over_ms >= REST_MS;
+    return out->unanswered == 0 && out->peer->now_ms - out->over_ms >= REST_MS;
 }
 
 /* Whether a pass over the frame should begin. */
@@ -86,7 +86,7 @@ int wire_frames_out_fill(wire_frames_out *out) {
     if (out->rgb == NULL) {
         return !out->in_frame || out->is_cut; /* tile by tile: when full or ended */
     }
-    /* A delta needs the answer to what was sent before: worth a round trip. */
+    /* A delta needs the answer to what was sent before, and is worth that wait. */
     const unsigned most = wire_has_reference(out) ? 1 : WIRE_SLOTS;
     if (!out->in_frame && out->unanswered < most) {
         wire_rate_end(out, out->tiles);
@@ -102,7 +102,7 @@ int wire_frames_out_fill(wire_frames_out *out) {
 }
 
 static int is_ready(const wire_frames_out *out) {
-    return wire_is_up(out->end) && out->tiles > 0;
+    return wire_is_up(out->peer) && out->tiles > 0;
 }
 
 int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride) {

@@ -1,8 +1,8 @@
 /* hash - of a tile's pixels, to see that they changed; never sent
  *
  * Each word goes through a one-to-one mapping, so that tiles which differ in
- * one word only never have the same hash; others do once in 2^32. Four times as
- * fast as the checksum. SPDX-License-Identifier: MIT */
+ * one word only never have the same hash; others do once in 2^32. A word at a time,
+ * it costs about a quarter of the checksum. SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_HASH_H
 #define PLT_WIRE_HASH_H
 

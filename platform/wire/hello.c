@@ -1,8 +1,9 @@
 /* hello - who is there: capabilities, and a key for the session
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
-#include "platform/wire/parts.h"
+#include "engine/planelet_crc32.h"
+#include "platform/wire/report.h"
+#include "platform/wire/session.h"
 
 enum { CAPS_BYTES = 22, HELLO_BYTES = 4 + CAPS_BYTES + 4 };
 
@@ -10,7 +11,7 @@ static void put_caps(uint8_t *to, const wire_caps *c) {
     to[0] = c->version;
     to[1] = c->features;
     to[2] = c->format;
-    to[3] = c->window;
+    to[3] = c->credits;
     wire_put16(to + 4, c->width);
     wire_put16(to + 6, c->height);
     wire_put16(to + 8, c->formats);
@@ -20,13 +21,13 @@ static void put_caps(uint8_t *to, const wire_caps *c) {
     wire_put32(to + 18, c->session);
 }
 
-/* Values that could harm are made harmless: window, format, sizes. */
+/* Values that could harm are made harmless: credits, format, sizes. */
 static wire_caps get_caps(const uint8_t *at) {
     wire_caps c;
     c.version = at[0];
     c.features = at[1];
     c.format = at[2];
-    c.window = at[3] < 2 ? 2 : at[3] > WIRE_WINDOW_MAX ? WIRE_WINDOW_MAX : at[3];
+    c.credits = at[3] < 2 ? 2 : at[3] > WIRE_CREDITS_MAX ? WIRE_CREDITS_MAX : at[3];
     c.width = (uint16_t)wire_get16(at + 4);
     c.height = (uint16_t)wire_get16(at + 6);
     c.formats = (uint16_t)wire_get16(at + 8);
@@ -41,47 +42,47 @@ static wire_caps get_caps(const uint8_t *at) {
 }
 
 /* Host's half, the sender's capabilities, CRC-32 of both. */
-uint32_t wire_hello_make(const wire_end *end, uint8_t *body) {
-    wire_put32(body, end->role == WIRE_HOST ? end->own.session : end->host_half);
-    put_caps(body + 4, &end->own);
-    wire_put32(body + 4 + CAPS_BYTES, wire_crc(0, body, 4 + CAPS_BYTES));
+uint32_t wire_hello_write(const wire_peer *peer, uint8_t *body) {
+    wire_put32(body, peer->role == WIRE_HOST ? peer->own.session : peer->host_half);
+    put_caps(body + 4, &peer->own);
+    wire_put32(body + 4 + CAPS_BYTES, plt_crc32(0, body, 4 + CAPS_BYTES));
     return HELLO_BYTES;
 }
 
 /* Device: a session is offered. It begins with the first report under its
- * key, so an old hello that comes late can end nothing. */
-static void offered(wire_end *end, uint32_t host_half, const wire_caps *caps) {
-    const int is_known = host_half == end->host_half;
-    if (!(is_known && (end->has_next || end->state == WIRE_IS_UP))) {
-        end->host_half = host_half;
-        if (end->state != WIRE_IS_UP) {
-            end->own.session = wire_scramble(end->own.session + 1);
+ * key, so an old hello that comes late ends nothing. */
+static void offer_session(wire_peer *peer, uint32_t host_half, const wire_caps *caps) {
+    const int is_known = host_half == peer->host_half;
+    if (!(is_known && (peer->has_next || peer->state == WIRE_IS_UP))) {
+        peer->host_half = host_half;
+        if (peer->state != WIRE_IS_UP) {
+            peer->own.session = wire_scramble(peer->own.session + 1);
         }
-        end->next_key = wire_session_key(host_half, end->own.session);
-        end->next_peer = *caps;
-        end->has_next = end->state != WIRE_IS_UP || end->next_key != end->key;
+        peer->next_key = wire_session_key(host_half, peer->own.session);
+        peer->next_other = *caps;
+        peer->has_next = peer->state != WIRE_IS_UP || peer->next_key != peer->key;
     }
-    wire_owe(end, WIRE_WELCOME);
+    wire_queue_control(peer, WIRE_WELCOME);
 }
 
-void wire_hello_take(wire_end *end, unsigned type, const uint8_t *body, uint32_t bytes) {
+void wire_hello_receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_t bytes) {
     if (bytes != HELLO_BYTES ||
-        wire_crc(0, body, 4 + CAPS_BYTES) != wire_get32(body + 4 + CAPS_BYTES)) {
+        plt_crc32(0, body, 4 + CAPS_BYTES) != wire_get32(body + 4 + CAPS_BYTES)) {
         return;
     }
     const uint32_t host_half = wire_get32(body);
     const wire_caps caps = get_caps(body + 4);
     if (caps.version != WIRE_VERSION) {
-        end->peer_error = WIRE_E_VERSION;
-        end->peer_detail = caps.version;
+        peer->other_error = WIRE_E_VERSION;
+        peer->other_detail = caps.version;
         return;
     }
-    if (type == WIRE_HELLO && end->role == WIRE_DEVICE) {
-        offered(end, host_half, &caps);
-    } else if (type == WIRE_WELCOME && end->state == WIRE_IS_ASKING &&
-               host_half == end->own.session) {
-        end->peer = caps;
-        end->key = wire_session_key(host_half, caps.session);
-        wire_session_begin(end);
+    if (type == WIRE_HELLO && peer->role == WIRE_DEVICE) {
+        offer_session(peer, host_half, &caps);
+    } else if (type == WIRE_WELCOME && peer->state == WIRE_IS_ASKING &&
+               host_half == peer->own.session) {
+        peer->other = caps;
+        peer->key = wire_session_key(host_half, caps.session);
+        wire_session_begin(peer);
     }
 }

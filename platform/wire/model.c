@@ -11,7 +11,7 @@
 enum { START_COARSE, START_NEAR, START_FINE, STARTS };
 
 static const uint8_t start_chance[STARTS][MODEL_CHANCES] = {
-    /* 4 to 6 bits a sample, exact */
+    /* 4 to 6 bits per sample, exact */
     {239, 203, 187, 175, 174, 156, 134, 110, 86,  95,  72,  59,  53,  53,  56,  27,  95,  91,  37,
      43,  31,  36,  24,  10,  128, 215, 119, 128, 128, 142, 124, 145, 158, 206, 171, 181, 147, 136,
      115, 200, 42,  145, 162, 144, 162, 216, 195, 175, 112, 144, 118, 204, 42,  164, 156, 201, 187,
@@ -25,7 +25,7 @@ static const uint8_t start_chance[STARTS][MODEL_CHANCES] = {
      254, 160, 195, 126, 127, 132, 207, 63,  112, 147, 208, 242, 254, 153, 185, 57,  127, 152, 219,
      56,  44,  75,  160, 247, 254, 132, 160, 222, 231, 181, 232, 236, 196, 103, 128, 141, 128, 128,
      250, 239, 230, 229, 228, 226, 229, 174, 128, 111, 16,  197, 247, 227, 246, 252, 128, 205, 188},
-    /* 8 bits a sample, exact or nearly so */
+    /* 8 bits per sample, exact or nearly so */
     {248, 214, 161, 196, 178, 172, 128, 77,  207, 193, 47,  74,  19,  57,  50,  11,  55,
      77,  14,  47,  12,  33,  10,  3,   210, 189, 152, 221, 39,  148, 42,  52,  63,  116,
      155, 164, 84,  114, 121, 169, 77,  70,  82,  133, 142, 153, 143, 167, 52,  86,  126,
@@ -42,7 +42,7 @@ static const uint8_t start_mono[64] = {
     20,  23,  144, 22, 112, 14,  104, 9,   226, 161, 115, 67,  73,  6,  73,  17,
     11,  13,  154, 9,  84,  18,  15,  2,   81,  34,  67,  5,   19,  6,  89,  21};
 
-/* Steps of 8-bit samples from which on they are like those of 6 bits. */
+/* From so many steps on, 8-bit samples behave like those of 6 bits. */
 enum { MANY_STEPS = 9 };
 
 static const uint8_t *start_of(const wire_model *m) {

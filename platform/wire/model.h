@@ -18,7 +18,7 @@
 enum { MODEL_ZERO = 0, MODEL_SIGN = 2, MODEL_LENGTH = 5, MODEL_LENGTHS = 5, MODEL_UPPER = 10 };
 enum { MODEL_SAMPLE = 12, MODEL_CLASSES = 5, MODEL_BITS = 7 };
 
-/* Places of the chances. */
+/* Index of the first chance of each kind. */
 enum {
     MODEL_SAME = 0,                                           /* is it as on the panel? */
     MODEL_FIRST = MODEL_SAME + 24,                            /* the first sample */
@@ -31,7 +31,7 @@ enum {
 /* Bits of the first byte of a predicted tile. */
 enum { MODEL_NEAR = 15, MODEL_DELTA = 16, MODEL_FLAGS = 31 };
 
-/* A pixel takes no more bytes: 32 decisions with a chance (delta, exact, and
+/* A pixel never needs more bytes: 32 decisions with a chance (delta, exact, and
  * 10 of each sample) at 7.001 bits, 6 even bits of each sample: 243 bits. */
 enum { MODEL_PIXEL_BYTES = 32 };
 

@@ -1,8 +1,8 @@
 /* model_code - the next pixel of a tile, to bits or from them
  *
- * Written once for both ways (range.h): `way` is a constant of the caller, and
- * the encoder gives what the decoder gets. So they cannot disagree, and an
- * encoder that may be off by some steps knows what becomes of its pixels.
+ * Written once for encoder and decoder (range.h): `direction` is a constant of the
+ * caller, and the encoder finds what the decoder will find. So they cannot disagree,
+ * and an encoder with an error bound knows what its pixels become.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_MODEL_CODE_H
@@ -14,31 +14,32 @@
 /* ---- how far off a prediction was ------------------------------------------------ */
 
 /* 1 .. 255: how many bits, then those below the first. */
-static inline unsigned wire_code_size(wire_range *c, enum wire_way way, uint16_t *chance,
-                                      unsigned size) {
+static inline unsigned wire_code_size(wire_range *c, enum wire_direction direction,
+                                      uint16_t *chance, unsigned size) {
     unsigned bits = 0, value = 1;
     while (bits < MODEL_BITS) {
         const unsigned last = bits < MODEL_LENGTHS ? bits : MODEL_LENGTHS - 1;
-        if (!wire_code(c, way, chance + MODEL_LENGTH + last, size >> bits > 1)) {
+        if (!wire_code(c, direction, chance + MODEL_LENGTH + last, size >> bits > 1)) {
             break;
         }
         bits++;
     }
     if (bits > 0) {
-        value = 2 | wire_code(c, way, chance + MODEL_UPPER + (bits > 1), size >> (bits - 1) & 1);
+        value =
+            2 | wire_code(c, direction, chance + MODEL_UPPER + (bits > 1), size >> (bits - 1) & 1);
         for (unsigned left = bits - 1; left > 0; left--) {
-            value = value << 1 | wire_code_even(c, way, size >> (left - 1) & 1);
+            value = value << 1 | wire_code_even(c, direction, size >> (left - 1) & 1);
         }
     }
     return value;
 }
 
 /* -255 .. 255 but 0. `sign`: which chance, 0 .. 2. */
-static inline int wire_code_signed(wire_range *c, enum wire_way way, uint16_t *chance,
+static inline int wire_code_signed(wire_range *c, enum wire_direction direction, uint16_t *chance,
                                    unsigned sign, int steps) {
-    const unsigned negative = wire_code(c, way, chance + MODEL_SIGN + sign, steps < 0);
+    const unsigned negative = wire_code(c, direction, chance + MODEL_SIGN + sign, steps < 0);
     const unsigned size = (unsigned)(steps < 0 ? -steps : steps);
-    const int value = (int)wire_code_size(c, way, chance, size);
+    const int value = (int)wire_code_size(c, direction, chance, size);
     return negative ? -value : value;
 }
 
@@ -130,8 +131,8 @@ static inline const wire_sample *wire_nearest(const wire_model *m, int first, in
     return best;
 }
 
-/* They go with that neighbour: in proportion when it is another brightness,
- * else by the difference. Returns 0 .. 2: how near it is. */
+/* They follow that neighbour: in proportion when its brightness is another, else
+ * by the difference. Returns 0 .. 2: how near it is. */
 static inline unsigned wire_guess_others(const wire_model *m, int guess[3]) {
     int distance;
     const wire_sample *near = wire_nearest(m, guess[0], &distance);
@@ -150,26 +151,27 @@ static inline unsigned wire_guess_others(const wire_model *m, int guess[3]) {
     return distance < MODEL_FAR ? 1 : 2;
 }
 
-static inline void wire_code_others(wire_model *m, wire_range *c, enum wire_way way,
+static inline void wire_code_others(wire_model *m, wire_range *c, enum wire_direction direction,
                                     unsigned is_exact, int value[3], const wire_sample *pixel) {
     const unsigned kind = wire_guess_others(m, value) + (is_exact ? 3 : 0);
     int second = 0, third = 0;
-    if (way == WIRE_ENCODES) {
+    if (direction == WIRE_ENCODES) {
         second = wire_model_steps(pixel->v[1] - value[1], m->step);
         third = wire_model_steps(pixel->v[2] - value[2], m->step);
     }
-    if (!wire_code(c, way, m->chance + MODEL_EXACT + kind, (second | third) != 0)) {
+    if (!wire_code(c, direction, m->chance + MODEL_EXACT + kind, (second | third) != 0)) {
         return;
     }
     uint16_t *const chance = m->chance + MODEL_SECOND;
     unsigned sign = 0;
-    if (wire_code(c, way, chance + MODEL_ZERO, second != 0)) {
-        second = wire_code_signed(c, way, chance, 0, second);
+    if (wire_code(c, direction, chance + MODEL_ZERO, second != 0)) {
+        second = wire_code_signed(c, direction, chance, 0, second);
         value[1] = wire_clamp(value[1] + second * m->step, wire_sample_most(m->format, 1));
         sign = second < 0 ? 1 : 2;
     }
-    if (sign == 0 || wire_code(c, way, chance + MODEL_SAMPLE, third != 0)) { /* not both are zero */
-        third = wire_code_signed(c, way, chance + MODEL_SAMPLE, sign, third);
+    if (sign == 0 ||
+        wire_code(c, direction, chance + MODEL_SAMPLE, third != 0)) { /* not both are zero */
+        third = wire_code_signed(c, direction, chance + MODEL_SAMPLE, sign, third);
         value[2] = wire_clamp(value[2] + third * m->step, wire_sample_most(m->format, 2));
     }
 }
@@ -188,7 +190,7 @@ static inline unsigned wire_is_same(const wire_model *m, const wire_sample *a,
            wire_distance(a->v[2], b->v[2]) <= near;
 }
 
-/* By which neighbours changed, and how well what is there fits to them. */
+/* Chosen by which neighbours changed, and by how well the old pixel fits them. */
 static inline uint16_t *wire_same_chance(wire_model *m, const wire_sample *old, int guess) {
     const unsigned left = m->x > 0 ? m->here >> (m->x - 1) & 1 : 0;
     const int off = wire_distance(old->v[0], guess) / m->step;
@@ -215,25 +217,25 @@ static inline void wire_pixel_done(wire_model *m, const wire_sample *pixel) {
     }
 }
 
-static inline void wire_code_grey(wire_model *m, wire_range *c, enum wire_way way,
+static inline void wire_code_grey(wire_model *m, wire_range *c, enum wire_direction direction,
                                   const wire_sample *old, wire_sample *pixel) {
     const wire_guess g = wire_guess_first(m);
     if (m->flags & MODEL_DELTA) {
-        const unsigned differs = way == WIRE_ENCODES && !wire_is_same(m, pixel, old);
-        if (!wire_code(c, way, wire_same_chance(m, old, g.value), differs)) {
+        const unsigned differs = direction == WIRE_ENCODES && !wire_is_same(m, pixel, old);
+        if (!wire_code(c, direction, wire_same_chance(m, old, g.value), differs)) {
             *pixel = *old;
             return;
         }
         m->here |= (uint16_t)(1u << m->x);
     }
     int value[3] = {g.value, 0, 0};
-    int steps = way == WIRE_ENCODES ? wire_model_steps(pixel->v[0] - g.value, m->step) : 0;
-    if (wire_code(c, way, g.chance + g.zero, steps != 0)) {
-        steps = wire_code_signed(c, way, g.chance, g.sign, steps);
+    int steps = direction == WIRE_ENCODES ? wire_model_steps(pixel->v[0] - g.value, m->step) : 0;
+    if (wire_code(c, direction, g.chance + g.zero, steps != 0)) {
+        steps = wire_code_signed(c, direction, g.chance, g.sign, steps);
         value[0] = wire_clamp(g.value + steps * m->step, wire_sample_most(m->format, 0));
     }
     if (wire_has_colour(m->format)) {
-        wire_code_others(m, c, way, steps == 0, value, pixel);
+        wire_code_others(m, c, direction, steps == 0, value, pixel);
     }
     for (int i = 0; i < 3; i++) {
         pixel->v[i] = (uint8_t)value[i];
@@ -242,13 +244,13 @@ static inline void wire_code_grey(wire_model *m, wire_range *c, enum wire_way wa
 
 /* Codes `pixel`, which becomes what the decoder gets, or decodes it. `old`:
  * what the panel shows there, with MODEL_DELTA; else not looked at. */
-static inline void wire_code_pixel(wire_model *m, wire_range *c, enum wire_way way,
+static inline void wire_code_pixel(wire_model *m, wire_range *c, enum wire_direction direction,
                                    const wire_sample *old, wire_sample *pixel) {
     if (m->format == WIRE_MONO1) {
-        pixel->v[0] = (uint8_t)wire_code(c, way, wire_mono_chance(m, old), pixel->v[0]);
+        pixel->v[0] = (uint8_t)wire_code(c, direction, wire_mono_chance(m, old), pixel->v[0]);
         m->here |= (uint16_t)(pixel->v[0] << m->x);
     } else {
-        wire_code_grey(m, c, way, old, pixel);
+        wire_code_grey(m, c, direction, old, pixel);
     }
     wire_pixel_done(m, pixel);
 }

@@ -1,10 +1,10 @@
-/* queue - data messages on their way into reports
+/* queue - data messages that wait for room in reports
  *
  * Invariant: bytes[gone .. used) are whole messages but for the first, of
  * which `left` bytes are there; `left` 0: a message begins at `gone`.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/base.h"
 
 uint32_t wire_queue_room(wire_queue *q) {
     memmove(q->bytes, q->bytes + q->gone, wire_queue_bytes(q));
@@ -33,22 +33,22 @@ static uint32_t message_bytes(const uint8_t *at) {
                         : head + 2 + ((length & 127) | (uint32_t)at[head + 1] << 7);
 }
 
-uint32_t wire_queue_take(wire_queue *q, uint8_t *to, uint32_t room, uint32_t *first) {
-    uint32_t taken = 0;
+uint32_t wire_queue_read(wire_queue *q, uint8_t *to, uint32_t room, uint32_t *first) {
+    uint32_t moved = 0;
     int is_first = 1;
-    while (taken < room && wire_queue_bytes(q) > 0) {
+    while (moved < room && wire_queue_bytes(q) > 0) {
         if (q->left == 0) {
             q->left = (uint16_t)message_bytes(q->bytes + q->gone);
             if (is_first) {
-                *first = taken;
+                *first = moved;
                 is_first = 0;
             }
         }
-        const uint32_t n = q->left < room - taken ? q->left : room - taken;
-        memcpy(to + taken, q->bytes + q->gone, n);
-        taken += n;
+        const uint32_t n = q->left < room - moved ? q->left : room - moved;
+        memcpy(to + moved, q->bytes + q->gone, n);
+        moved += n;
         q->gone = (uint16_t)(q->gone + n);
         q->left = (uint16_t)(q->left - n);
     }
-    return taken;
+    return moved;
 }

@@ -53,7 +53,7 @@ static inline wire_sample wire_sample_get(unsigned format, const uint8_t *row, u
     return s;
 }
 
-/* Pixels of a byte are put from left to right. */
+/* Pixels that share a byte are written from left to right. */
 static inline void wire_sample_put(unsigned format, uint8_t *row, unsigned x, wire_sample s) {
     switch (format) {
     case WIRE_RGB565:

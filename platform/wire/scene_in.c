@@ -1,21 +1,21 @@
-/* scene_in - takes a scene image, in order, and says from where it wants it
+/* scene_in - receives a scene image, in order, and says from which byte it needs it
  *
  * Invariant: the first `has` bytes of the image are in `to`, and `sum` is
  * their checksum. State OPEN: the bytes are not touched until another image
  * is offered.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/crc.h"
-#include "platform/wire/parts.h"
+#include "engine/planelet_crc32.h"
+#include "platform/wire/services.h"
 
-enum { AGAIN_MS = 30 }; /* between complaints about the same gap */
+enum { AGAIN_MS = 30 }; /* between reports of the same gap */
 
-void wire_scene_in_open(wire_scene_in *in, wire_end *end, void *to, uint32_t room) {
+void wire_scene_in_open(wire_scene_in *in, wire_peer *peer, void *to, uint32_t room) {
     memset(in, 0, sizeof *in);
-    in->end = end;
+    in->peer = peer;
     in->to = to;
     in->room = room;
-    end->scene_in = in;
+    peer->scene_in = in;
 }
 
 unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes) {
@@ -23,14 +23,14 @@ unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes) {
     return in->state;
 }
 
-static void tell(wire_scene_in *in) {
-    in->said_ms = in->end->now_ms;
-    wire_owe(in->end, WIRE_SCENE_STATE);
+static void report_state(wire_scene_in *in) {
+    in->said_ms = in->peer->now_ms;
+    wire_queue_control(in->peer, WIRE_SCENE_STATE);
 }
 
 void wire_scene_in_verdict(wire_scene_in *in, unsigned state) {
     in->state = (uint8_t)state;
-    tell(in);
+    report_state(in);
 }
 
 static void start_over(wire_scene_in *in) {
@@ -39,7 +39,7 @@ static void start_over(wire_scene_in *in) {
     in->is_missed = 1;
 }
 
-void wire_scene_in_take(wire_scene_in *in, const uint8_t *body) {
+void wire_scene_in_receive(wire_scene_in *in, const uint8_t *body) {
     const uint32_t bytes = wire_get32(body), crc = wire_get32(body + 4);
     if (in->state == WIRE_SCENE_NONE || bytes != in->bytes || crc != in->crc) {
         in->bytes = bytes;
@@ -47,10 +47,10 @@ void wire_scene_in_take(wire_scene_in *in, const uint8_t *body) {
         in->state = bytes == 0 || bytes > in->room ? WIRE_SCENE_LARGE : WIRE_SCENE_GOING;
         start_over(in);
     }
-    tell(in);
+    report_state(in);
 }
 
-uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body) {
+uint32_t wire_scene_in_write(wire_scene_in *in, uint8_t *body) {
     body[0] = in->state;
     body[1] = in->is_missed;
     wire_put32(body + 2, in->has);
@@ -59,22 +59,22 @@ uint32_t wire_scene_in_make(wire_scene_in *in, uint8_t *body) {
     return 10;
 }
 
-/* Stuck: says again what it has, as the last word may have been lost. */
+/* Without progress it reports again, as the last report may have been lost. */
 void wire_scene_in_poll(wire_scene_in *in) {
     const uint32_t pause = in->is_deaf ? AGAIN_MS : WIRE_IDLE_MS;
-    if (in->state == WIRE_SCENE_GOING && in->end->now_ms - in->said_ms >= pause) {
+    if (in->state == WIRE_SCENE_GOING && in->peer->now_ms - in->said_ms >= pause) {
         in->is_missed |= in->is_deaf;
-        tell(in);
+        report_state(in);
     }
 }
 
 void wire_scene_in_head(wire_scene_in *in, uint32_t offset) {
     in->at = offset;
-    const int is_told = in->is_deaf && in->end->now_ms - in->said_ms < AGAIN_MS;
-    if (in->state == WIRE_SCENE_GOING && offset > in->has && !is_told) {
+    const int is_reported = in->is_deaf && in->peer->now_ms - in->said_ms < AGAIN_MS;
+    if (in->state == WIRE_SCENE_GOING && offset > in->has && !is_reported) {
         in->is_deaf = 1;
         in->is_missed = 1;
-        tell(in);
+        report_state(in);
     }
 }
 
@@ -84,10 +84,10 @@ static void complete(wire_scene_in *in) {
     } else {
         start_over(in);
     }
-    tell(in);
+    report_state(in);
 }
 
-/* Bytes of what is there already are passed over. */
+/* Bytes that are there already are skipped. */
 void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count) {
     const uint32_t from = in->at;
     in->at += count;
@@ -98,10 +98,10 @@ void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count
     const uint32_t left = in->bytes - in->has;
     const uint32_t n = count - skip < left ? count - skip : left;
     memcpy(in->to + in->has, bytes + skip, n);
-    in->sum = wire_crc(in->sum, bytes + skip, n);
+    in->sum = plt_crc32(in->sum, bytes + skip, n);
     in->has += n;
     in->is_deaf = 0;
-    in->said_ms = in->end->now_ms;
+    in->said_ms = in->peer->now_ms;
     if (in->has == in->bytes) {
         complete(in);
     }

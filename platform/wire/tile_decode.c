@@ -2,7 +2,7 @@
  *
  * Invariants, for any bytes: at most `coded` of them are read, at most
  * `height` rows reported, the reader's buffers never left; wire_tile_read
- * ends after as many steps as there are bytes, and 50 bits a pixel.
+ * ends after as many steps as there are bytes, and 50 bits per pixel.
  *
  * SPDX-License-Identifier: MIT */
 #include <string.h>
@@ -24,10 +24,10 @@ int wire_tile_begin(wire_tile_reader *r, wire_tile_shape shape, unsigned coder, 
     r->left = (uint16_t)coded;
     r->range.mask = WIRE_HELD_BYTES - 1;
     r->unit = (uint8_t)wire_unit_bytes(shape.format);
-    const int is_right = coder == WIRE_RAW     ? coded == raw
+    const int is_valid = coder == WIRE_RAW     ? coded == raw
                          : coder == WIRE_SOLID ? coded == r->unit
                                                : 1;
-    return is_right ? 0 : -1;
+    return is_valid ? 0 : -1;
 }
 
 static uint32_t row_bytes(const wire_tile_reader *r) {
@@ -141,7 +141,7 @@ static int start_predicted(wire_tile_reader *r) {
     }
     wire_model_start(&r->as.model, r->shape, flags);
     for (int i = 0; i < 4; i++) {
-        wire_range_take(c);
+        wire_range_get(c);
     }
     c->range = UINT32_MAX;
     r->started = 1;

@@ -1,7 +1,7 @@
 /* tile_encode - pixels of a tile to the fewest bytes
  *
- * Every coder is tried; one that needs more than another is given up. Invariant:
- * what is written decodes to `pixels` as they are then.
+ * Every coder is tried; one that needs more than another is given up.
+ * Invariant: what is written decodes to `pixels` as they are afterwards.
  *
  * SPDX-License-Identifier: MIT */
 #include <string.h>
@@ -36,7 +36,7 @@ static uint32_t literals_from(const uint8_t *units, uint32_t unit, uint32_t coun
 }
 
 /* Bytes of the run coding, written when `to` is not NULL; or some number
- * beyond `most`, when it takes more. */
+ * beyond `most` when it needs more. */
 static uint32_t encode_runs(const uint8_t *units, uint32_t unit, uint32_t count, uint8_t *to,
                             uint32_t most) {
     uint32_t used = 0;
@@ -55,7 +55,7 @@ static uint32_t encode_runs(const uint8_t *units, uint32_t unit, uint32_t count,
     return used;
 }
 
-/* Bytes, or 0 when it takes more than `room`. `pixels` become what the decoder
+/* Bytes, or 0 when it needs more than `room`. `pixels` become what the decoder
  * gets, as far as they were coded. */
 static uint32_t encode_predicted(wire_tile_shape shape, uint8_t *pixels, const uint8_t *old,
                                  unsigned near, uint8_t *to, uint32_t room) {

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/hash.h"
 
 wire_piece wire_piece_of(const wire_frames_out *out, unsigned index) {
@@ -21,7 +21,7 @@ static uint32_t hash_of(const wire_frames_out *out, const wire_piece *p) {
 }
 
 int wire_has_reference(const wire_frames_out *out) {
-    return out->reference != NULL && out->end->peer.features & WIRE_READS &&
+    return out->reference != NULL && out->peer->other.features & WIRE_READS &&
            out->reference_bytes >= wire_row_bytes(out->format, out->width) * out->height;
 }
 
@@ -76,8 +76,8 @@ static int append(wire_frames_out *out, const wire_piece *p, const uint8_t *old,
 static void add_to_checksum(wire_frames_out *out, const wire_piece *p) {
     uint8_t index[2];
     wire_put16(index, p->index);
-    out->crc = wire_crc(out->crc, index, 2);
-    out->crc = wire_crc(out->crc, out->pixels, p->row_bytes * p->shape.height);
+    out->crc = plt_crc32(out->crc, index, 2);
+    out->crc = plt_crc32(out->crc, out->pixels, p->row_bytes * p->shape.height);
 }
 
 int wire_offer(wire_frames_out *out, const wire_piece *p) {
@@ -92,7 +92,7 @@ int wire_offer(wire_frames_out *out, const wire_piece *p) {
         return 1;
     }
     const int delta =
-        wire_has_reference(out) && out->hash[p->index] != 0 && wire_way_of(out, p->index) == 0;
+        wire_has_reference(out) && out->hash[p->index] != 0 && wire_slot_of(out, p->index) == 0;
     if (delta) {
         move_reference(out, p, old, 0);
         if (near > 0 && is_near_enough(out, p, old, near)) {
@@ -109,11 +109,11 @@ int wire_offer(wire_frames_out *out, const wire_piece *p) {
     if (wire_has_reference(out)) {
         move_reference(out, p, out->pixels, 1);
     }
-    wire_set_way(out, p->index, wire_way_back(out, 0));
+    wire_set_slot(out, p->index, wire_slot_back(out, 0));
     wire_set_coarse(out, p->index, near > 0);
     out->hash[p->index] = hash;
     out->sent++;
-    out->end->stats.tiles_out++;
+    out->peer->stats.tiles_out++;
     return 1;
 }
 

@@ -1,26 +1,26 @@
 /* tiles_out - what the sender knows of a tile, and how one goes out
  *
- * Invariant: hash != 0 and way 0: the panel shows those pixels, whole, or, where
- * coarse is set, samples within `near` of theirs. With way != 0 it shows that or
- * what it showed before, row by row.
+ * Invariant: hash != 0 and slot 0: the panel shows those pixels, or, where coarse is
+ * set, samples within `near` of theirs. With slot != 0 each row shows either that or
+ * what it showed before.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_TILES_OUT_H
 #define PLT_WIRE_TILES_OUT_H
 
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
-/* WIRE_NUMBERS is a multiple of it: frames on the way have ways of their own. */
+/* WIRE_NUMBERS is a multiple of it: each unanswered frame has a slot of its own. */
 enum { WIRE_SLOTS = 3 };
-_Static_assert((int)WIRE_NUMBERS % WIRE_SLOTS == 0, "a way for each frame");
+_Static_assert((int)WIRE_NUMBERS % WIRE_SLOTS == 0, "a slot for each frame");
 
-static inline unsigned wire_way_of(const wire_frames_out *out, unsigned tile) {
-    return out->way[tile / 4] >> (2 * (tile & 3)) & 3;
+static inline unsigned wire_slot_of(const wire_frames_out *out, unsigned tile) {
+    return out->slot[tile / 4] >> (2 * (tile & 3)) & 3;
 }
 
-static inline void wire_set_way(wire_frames_out *out, unsigned tile, unsigned way) {
-    uint8_t *at = &out->way[tile / 4];
-    *at = (uint8_t)((*at & ~(3u << (2 * (tile & 3)))) | way << (2 * (tile & 3)));
+static inline void wire_set_slot(wire_frames_out *out, unsigned tile, unsigned slot) {
+    uint8_t *at = &out->slot[tile / 4];
+    *at = (uint8_t)((*at & ~(3u << (2 * (tile & 3)))) | slot << (2 * (tile & 3)));
 }
 
 static inline int wire_is_coarse(const wire_frames_out *out, unsigned tile) {
@@ -32,8 +32,8 @@ static inline void wire_set_coarse(wire_frames_out *out, unsigned tile, unsigned
     *at = (uint8_t)((*at & ~(1u << (tile & 7))) | is << (tile & 7));
 }
 
-/* The way of the frame `back` frames before the one that goes out. */
-static inline unsigned wire_way_back(const wire_frames_out *out, unsigned back) {
+/* The slot of the frame `back` frames before the one that goes out. */
+static inline unsigned wire_slot_back(const wire_frames_out *out, unsigned back) {
     return (out->number + WIRE_NUMBERS - back) % WIRE_SLOTS + 1;
 }
 
@@ -49,7 +49,7 @@ int wire_has_reference(const wire_frames_out *out);
 /* The tile's pixels in the panel's format, into out->pixels. */
 void wire_convert(wire_frames_out *out, const wire_piece *p, const uint8_t *rgb, uint32_t stride);
 
-/* The tile in out->pixels, when it has to go: 1 done with it, 0 no room. */
+/* Queues the tile in out->pixels if it has to be sent. 0: no room, call again. */
 int wire_offer(wire_frames_out *out, const wire_piece *p);
 
 /* The message that ends a frame; 0: no room for it. */

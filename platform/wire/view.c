@@ -1,15 +1,15 @@
-/* view - what shall be rendered: the latest one wins, repeated until it is had
+/* view - what to render: the latest one wins, repeated until it is acknowledged
  *
- * Floats travel as their bits, so both ends see exactly the same camera.
+ * Floats travel as their bits, so both peers see exactly the same camera.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/wire/parts.h"
+#include "platform/wire/services.h"
 
-void wire_view_out_open(wire_view_out *out, wire_end *end) {
+void wire_view_out_open(wire_view_out *out, wire_peer *peer) {
     memset(out, 0, sizeof *out);
-    out->end = end;
+    out->peer = peer;
     out->have = 1;
-    end->view_out = out;
+    peer->view_out = out;
 }
 
 void wire_view_send(wire_view_out *out, const wire_view *view) {
@@ -18,22 +18,22 @@ void wire_view_send(wire_view_out *out, const wire_view *view) {
     out->view.number = number;
     out->have = 0;
     out->is_set = 1;
-    out->sent_ms = out->end->now_ms;
-    wire_owe(out->end, WIRE_VIEW);
+    out->sent_ms = out->peer->now_ms;
+    wire_queue_control(out->peer, WIRE_VIEW);
 }
 
 void wire_view_out_begin(wire_view_out *out) {
     if (out->is_set) {
         out->have = 0;
-        out->sent_ms = out->end->now_ms;
-        wire_owe(out->end, WIRE_VIEW);
+        out->sent_ms = out->peer->now_ms;
+        wire_queue_control(out->peer, WIRE_VIEW);
     }
 }
 
 void wire_view_out_poll(wire_view_out *out) {
-    if (!out->have && out->end->now_ms - out->sent_ms >= WIRE_IDLE_MS) {
-        out->sent_ms = out->end->now_ms;
-        wire_owe(out->end, WIRE_VIEW);
+    if (!out->have && out->peer->now_ms - out->sent_ms >= WIRE_IDLE_MS) {
+        out->sent_ms = out->peer->now_ms;
+        wire_queue_control(out->peer, WIRE_VIEW);
     }
 }
 
@@ -52,7 +52,7 @@ static void floats_get(float *to, const uint8_t *at, unsigned count) {
     }
 }
 
-uint32_t wire_view_out_make(wire_view_out *out, uint8_t *body) {
+uint32_t wire_view_out_write(wire_view_out *out, uint8_t *body) {
     const wire_view *v = &out->view;
     body[0] = v->number;
     body[1] = v->shader;
@@ -63,12 +63,16 @@ uint32_t wire_view_out_make(wire_view_out *out, uint8_t *body) {
     return 42;
 }
 
-void wire_view_in_open(wire_view_in *in, wire_end *end) {
-    memset(in, 0, sizeof *in);
-    end->view_in = in;
+void wire_view_out_receive(wire_view_out *out, const uint8_t *body) {
+    out->have = out->have || body[0] == out->view.number;
 }
 
-void wire_view_in_message(wire_view_in *in, const uint8_t *body) {
+void wire_view_in_open(wire_view_in *in, wire_peer *peer) {
+    memset(in, 0, sizeof *in);
+    peer->view_in = in;
+}
+
+void wire_view_in_receive(wire_view_in *in, const uint8_t *body) {
     wire_view *v = &in->view;
     v->number = body[0];
     v->shader = body[1];
@@ -79,7 +83,12 @@ void wire_view_in_message(wire_view_in *in, const uint8_t *body) {
     in->fresh = 1;
 }
 
-int wire_view_take(wire_view_in *in) {
+uint32_t wire_view_in_write(const wire_view_in *in, uint8_t *body) {
+    body[0] = in->view.number;
+    return 1;
+}
+
+int wire_view_read(wire_view_in *in) {
     const int fresh = in->fresh;
     in->fresh = 0;
     return fresh;

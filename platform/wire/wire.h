@@ -2,32 +2,32 @@
  *
  *   wire_format.h  pixel formats, and RGB to each of them
  *   wire_tile.h    the codec: 16 x 16 pixels to bytes and back
- *   wire_end.h     an end of the wire: reports, sessions, credits, statistics
- *   wire_frames.h  frames out (any end) and frames in (any end with a panel)
+ *   wire_peer.h    a peer: reports, sessions, credits, statistics
+ *   wire_frames.h  frames out (any peer) and frames in (a peer with a panel)
  *   wire_scene.h   a scene image out and in, resumed after a cut
  *   wire_block.h   pieces of a scene image on request
  *   wire_device.h  the engine as a device (not included here: it needs the
- *                  engine; all the rest is engine-free)
+ *                  engine; all the rest needs only its CRC-32)
  *
  * Freestanding C11: no allocation, no operating system, no static data that
- * changes. Everything an end knows lies in structures of the caller. Calls on
- * one end come from one thread (or interrupt level) at a time.
+ * changes. Everything a peer knows lies in structures of the caller. Calls for
+ * one peer come from one thread (or interrupt level) at a time.
  *
  * A host that shows frames on a display:
  *
- *     wire_end end;                            a display behind a USB stack:
+ *     wire_peer peer;                          a display behind a USB stack:
  *     wire_frames_out out;
- *     const wire_setup setup = {...};          wire_end end;
- *     wire_end_open(&end, &setup, now_ms);     wire_frames_in in;
- *     wire_frames_out_open(&out, &end);        wire_end_open(&end, &setup, now_ms);
- *     for (;;) {                               wire_frames_in_open(&in, &end, &panel);
+ *     const wire_setup setup = {...};          wire_peer peer;
+ *     wire_peer_open(&peer, &setup, now_ms);   wire_frames_in in;
+ *     wire_frames_out_open(&out, &peer);       wire_peer_open(&peer, &setup, now_ms);
+ *     for (;;) {                               wire_frames_in_open(&in, &peer, &panel);
  *         while (receive(report, &n)) {        on a report from the host:
- *             wire_on_report(&end, report,         wire_on_report(&end, report, n, now_ms);
+ *             wire_on_report(&peer, report,        wire_on_report(&peer, report, n, now_ms);
  *                            n, now_ms);       when the last one has left, and
- *         }                                    some times a second:
- *         wire_poll(&end, now_ms);                 wire_poll(&end, now_ms);
- *         while (can_send() && (n =                n = wire_next_report(&end, report, now_ms);
- *             wire_next_report(&end,               if (n > 0) send(report, n);
+ *         }                                    20 times per second:
+ *         wire_poll(&peer, now_ms);                wire_poll(&peer, now_ms);
+ *         while (can_send() && (n =                n = wire_next_report(&peer, report, now_ms);
+ *             wire_next_report(&peer,              if (n > 0) send(report, n);
  *                 report, now_ms)) > 0) {
  *             send(report, n);
  *         }
@@ -43,9 +43,9 @@
 #define PLT_WIRE_H
 
 #include "platform/wire/wire_block.h"
-#include "platform/wire/wire_end.h"
 #include "platform/wire/wire_format.h"
 #include "platform/wire/wire_frames.h"
+#include "platform/wire/wire_peer.h"
 #include "platform/wire/wire_scene.h"
 #include "platform/wire/wire_tile.h"
 

@@ -2,7 +2,7 @@
  *
  * A report is stuffed so that it holds no zero (COBS), and ends in one; so a
  * reader that comes late or misses bytes is in step again at the next zero.
- * Whether a report is right its own checksum says.
+ * Whether a report is undamaged is for its own checksum to say.
  *
  * Source: S. Cheshire, M. Baker, "Consistent overhead byte stuffing", 1999.
  *
@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "platform/wire/wire_end.h"
+#include "platform/wire/wire_peer.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,9 +33,9 @@ typedef struct wire_bytes_reader {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
 } wire_bytes_reader;
 
-/* Takes a byte of the stream (a zeroed reader at first). Returns the bytes of
+/* Reads a byte of the stream (begin with a zeroed reader). Returns the bytes of
  * a report that is complete in reader->report, else 0. */
-size_t wire_bytes_take(wire_bytes_reader *reader, uint8_t byte);
+size_t wire_bytes_read(wire_bytes_reader *reader, uint8_t byte);
 
 #ifdef __cplusplus
 }

@@ -1,10 +1,10 @@
 /* wire_device - the engine as a device: a scene in, views in, frames out
  *
- * Takes a scene image over the wire into the front of its memory, opens it
- * with the rest as arena, renders the latest view tile by tile with
- * plt_render_step, and sends what changed to an end that shows.
+ * Receives a scene image into the front of its memory, opens it with the rest as
+ * arena, renders the latest view tile by tile with
+ * plt_render_step, and sends what changed to a peer that shows.
  *
- * Needs PLT_TILE_SIDE 16, as tiles of the film are tiles of the wire.
+ * Needs PLT_TILE_SIDE 16, as tiles of the engine are tiles of the wire.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_DEVICE_H
@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 typedef struct wire_device {
-    wire_end end;
+    wire_peer peer;
     wire_frames_out out;
     wire_scene_in scene;
     wire_view_in view;
@@ -34,12 +34,12 @@ typedef struct wire_device {
 
 /* `memory` (aligned to PLT_ALIGN) holds image and arena. `setup`: role
  * WIRE_DEVICE; features and arena_bytes are filled in. WIRE_ERR_SETUP as
- * wire_end_open, or a build of another tile side. */
+ * wire_peer_open, or a build of another tile side. */
 int wire_device_open(wire_device *device, const wire_setup *setup, const plt_options *options,
                      void *memory, size_t memory_bytes, uint32_t now_ms);
 
 /* Does some work: about `visits` node visits of rendering at most, or a scene
- * opened. Call it in the main loop beside wire_poll(&device->end). Returns 1
+ * opened. Call it in the main loop beside wire_poll(&device->peer). Returns 1
  * when it did something, 0 when it waits for reports to leave or to come. */
 int wire_device_run(wire_device *device, uint32_t visits);
 

@@ -96,8 +96,3 @@ void wire_row_to_rgb(uint8_t *rgb, unsigned format, const uint8_t *from, unsigne
         }
     }
 }
-
-const char *wire_format_name(unsigned format) {
-    static const char *const names[WIRE_FORMATS] = {"rgb565", "rgb888", "grey8", "grey4", "mono1"};
-    return format < WIRE_FORMATS ? names[format] : NULL;
-}

@@ -18,8 +18,8 @@ enum wire_format {
     WIRE_RGB565 = 0, /* 2 bytes: RRRRRGGG GGGBBBBB, as display controllers take them */
     WIRE_RGB888 = 1, /* 3 bytes: red, green, blue */
     WIRE_GREY8 = 2,  /* luma of BT.601 */
-    WIRE_GREY4 = 3,  /* 2 pixels a byte, 15 is white */
-    WIRE_MONO1 = 4,  /* 8 pixels a byte, 1 is lit; 8 x 8 ordered dither */
+    WIRE_GREY4 = 3,  /* 2 pixels per byte, 15 is white */
+    WIRE_MONO1 = 4,  /* 8 pixels per byte, 1 is lit; 8 x 8 ordered dither */
     WIRE_FORMATS = 5
 };
 
@@ -34,16 +34,13 @@ typedef struct wire_tile_shape {
 uint32_t wire_row_bytes(unsigned format, uint32_t width);
 
 /* `width` pixels of a row, 3 bytes each, into `to` in the format. (x, y): the
- * place of the first on the panel, which the dither goes by; x a multiple of 8. */
+ * position of the first on the panel, for the dither; x a multiple of 8. */
 void wire_row_from_rgb(uint8_t *to, unsigned format, const uint8_t *rgb, unsigned width, unsigned x,
                        unsigned y);
 
 /* The inverse, for showing a panel on a computer: grey and mono become grey,
  * 565 is widened by repeating the high bits. */
 void wire_row_to_rgb(uint8_t *rgb, unsigned format, const uint8_t *from, unsigned width);
-
-/* "rgb565" ...; NULL for an unknown format. */
-const char *wire_format_name(unsigned format);
 
 #ifdef __cplusplus
 }

@@ -1,9 +1,8 @@
-/* wire_scene - a scene image from one end into the memory of the other
+/* wire_scene - a scene image from one peer into the memory of the other
  *
  * The receiver says from which byte on it needs the image; the sender begins
- * there. So a cut costs what was on the way, and nothing is sent twice after
- * a replug: an image is known by its size and checksum, and one that was
- * half there goes on where it stopped.
+ * there. An image is known by its size and checksum, and one that was half there
+ * goes on where it stopped: a cut costs only what was on its way.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_WIRE_SCENE_H
@@ -21,39 +20,38 @@ enum wire_scene_state {
     WIRE_SCENE_HERE = 2,   /* all bytes are there and the checksum is right */
     WIRE_SCENE_LARGE = 3,  /* it does not fit */
     WIRE_SCENE_OPEN = 4,   /* the engine opened it */
-    WIRE_SCENE_REFUSED = 5 /* the engine refused it: wire_told says why */
+    WIRE_SCENE_REFUSED = 5 /* the engine refused it: wire_error_read says why */
 };
 
 /* ---- out ----------------------------------------------------------------------- */
 
 typedef struct wire_scene_out {
-    wire_end *end;
-    wire_queue *queue;
+    wire_peer *peer;
     const uint8_t *image;
-    uint32_t bytes, crc, at, peer_has, asked_ms;
+    uint32_t bytes, crc, at, other_has, asked_ms;
     uint8_t state, is_known, careful;
-    wire_queue own_queue;
+    wire_queue own_queue; /* of a peer that sends no frames */
 } wire_scene_out;
 
 /* Offers `image` at every session from now on; it stays where it is. Costs a
  * checksum of the whole image. `image` NULL: none. */
-void wire_scene_out_open(wire_scene_out *out, wire_end *end, const void *image, uint32_t bytes);
+void wire_scene_out_open(wire_scene_out *out, wire_peer *peer, const void *image, uint32_t bytes);
 
-/* enum wire_scene_state as the other end last told; bytes it has in `*has`. */
+/* enum wire_scene_state as the other peer last said; bytes it has in `*has`. */
 unsigned wire_scene_out_state(const wire_scene_out *out, uint32_t *has);
 
 /* ---- in ------------------------------------------------------------------------ */
 
 typedef struct wire_scene_in {
-    wire_end *end;
+    wire_peer *peer;
     uint8_t *to;
     uint32_t room, bytes, crc, has, sum;
     uint32_t at, said_ms; /* offset of the bytes that come next */
     uint8_t state, is_missed, is_deaf;
 } wire_scene_in;
 
-/* Takes an image of at most `room` bytes into `to`. */
-void wire_scene_in_open(wire_scene_in *in, wire_end *end, void *to, uint32_t room);
+/* Receives an image of at most `room` bytes into `to`. */
+void wire_scene_in_open(wire_scene_in *in, wire_peer *peer, void *to, uint32_t room);
 
 /* WIRE_SCENE_HERE: the image lies whole in `to`, `*bytes` of it. */
 unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes);
@@ -64,7 +62,7 @@ void wire_scene_in_verdict(wire_scene_in *in, unsigned state);
 
 /* ---- views --------------------------------------------------------------------- */
 
-/* What shall be rendered: floats as in plt_camera, and a shader. */
+/* What to render: floats as in plt_camera, and a shader. */
 typedef struct wire_view {
     float eye[3], look[3], up[3], tan_half_fov;
     uint8_t shader;
@@ -72,7 +70,7 @@ typedef struct wire_view {
 } wire_view;
 
 typedef struct wire_view_out {
-    wire_end *end;
+    wire_peer *peer;
     wire_view view;
     uint32_t sent_ms;
     uint8_t have, is_set;
@@ -83,15 +81,15 @@ typedef struct wire_view_in {
     uint8_t fresh;
 } wire_view_in;
 
-void wire_view_out_open(wire_view_out *out, wire_end *end);
+void wire_view_out_open(wire_view_out *out, wire_peer *peer);
 
 /* Sends a view, at once and at every later session; the latest wins. */
 void wire_view_send(wire_view_out *out, const wire_view *view);
 
-void wire_view_in_open(wire_view_in *in, wire_end *end);
+void wire_view_in_open(wire_view_in *in, wire_peer *peer);
 
 /* 1: a view came since the last call, and is in `view->view`. */
-int wire_view_take(wire_view_in *in);
+int wire_view_read(wire_view_in *in);
 
 #ifdef __cplusplus
 }

@@ -2,9 +2,9 @@
  *
  * A tile coded without `old` stands for itself: nothing of another tile or
  * frame is needed to decode it, so a lost one leaves the old pixels and harms
- * no other. With `old`, what the panel shows is known at both ends (it was
+ * no other. With `old`, what the panel shows is known to both peers (it was
  * acknowledged) and only what differs is coded; that needs a panel that can
- * be read. The encoder takes the shortest of the coders. WIRE.md, section 5,
+ * be read. The encoder chooses the shortest of the coders. WIRE.md, section 5,
  * has every bit.
  *
  * SPDX-License-Identifier: MIT */
@@ -40,7 +40,7 @@ uint32_t wire_tile_bytes(wire_tile_shape shape);
 
 /* Encodes `pixels` (wire_tile_bytes of them) into `to`, `room` bytes. `old`:
  * what the panel shows there now, or NULL. `near` 0: exact; else a sample may
- * be off by so many steps, and `pixels` becomes what the decoder will get.
+ * be off by so many steps, and `pixels` becomes what the decoder will find.
  * Returns the bytes written and the coder, or 0 when the shortest does not
  * fit. Stack: about 500 bytes. */
 uint32_t wire_tile_encode(wire_tile_shape shape, uint8_t *pixels, const uint8_t *old, unsigned near,
@@ -73,7 +73,7 @@ enum wire_tile_event {
 };
 
 /* `coded`: bytes of the coded tile. `old` (may be NULL): rows of the panel at
- * the tile's place; a row is not read after it was reported. -1: a coder,
+ * the tile's position; a row is not read after it was reported. -1: a coder,
  * shape or length out of range. */
 int wire_tile_begin(wire_tile_reader *reader, wire_tile_shape shape, unsigned coder, uint32_t coded,
                     const uint8_t *old, uint32_t old_stride);

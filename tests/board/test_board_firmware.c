@@ -65,7 +65,7 @@ static void test_frame(void) {
 }
 
 static void test_same_picture(void) {
-    test("packet side, walk, step length and source do not change the picture");
+    test("packet side, order, step length and source do not change the picture");
     run_mapped("size=60x44");
     const uint64_t want = frame_hash();
     static const char *const ways[] = {"packet=2",          "packet=4",           "packet=8",

@@ -47,7 +47,7 @@ static void overflow(void) {
 
 static ring shared;
 
-/* In the place of the interrupt, which waits for no one. The first half comes at a
+/* Instead of the interrupt, which waits for no one. The first half comes at a
  * speed at which the ring is empty most of the time, the second floods it. */
 static void *put_all(void *context) {
     (void)context;

@@ -10,8 +10,8 @@ work=$BUILD/fuzz
 sources_of() { # TARGET
     case $1 in
     wire_tile) echo platform/wire/tile_*.c platform/wire/model*.c platform/wire/wire_format.c ;;
-    wire_end)
-        echo tests/reference/wire_fake.c
+    wire_peer)
+        echo tests/reference/wire_fake.c engine/base/crc32.c
         find platform/wire -name '*.c' ! -name device.c
         ;;
     *) find engine -name '*.c' ;;
@@ -33,11 +33,11 @@ command -v clang >/dev/null || {
     echo "there is no clang here: install the packages clang and libclang-rt-dev" >&2
     exit 2
 }
-[ $# -gt 0 ] || set -- image blocks wire_tile wire_end
+[ $# -gt 0 ] || set -- image blocks wire_tile wire_peer
 for target; do
     [ -e "tests/fuzz/fuzz_$target.c" ] || {
         echo "there is no tests/fuzz/fuzz_$target.c; the targets are image, blocks, wire_tile" \
-            "and wire_end" >&2
+            "and wire_peer" >&2
         exit 2
     }
     echo "    $target: $seconds s, its words are in $work/$target/log"

@@ -11,7 +11,7 @@
 enum { WINDOW = 16 };
 
 typedef struct own {
-    wire_end end;
+    wire_peer peer;
     wire_frames_in in;
     uint32_t shown;
     uint8_t pixels[]; /* of a panel that can be read, in its format */
@@ -55,13 +55,13 @@ static int own_open(model *m) {
                  .in_bytes = (uint16_t)m->report_bytes,
                  .out_bytes = (uint16_t)m->in_bytes,
                  .features = (uint8_t)(WIRE_SHOWS | WIRE_BRIGHTNESS | (m->reads ? WIRE_READS : 0)),
-                 .window = WINDOW}};
+                 .credits = WINDOW}};
     const wire_panel panel = {.pixels = m->reads ? o->pixels : NULL,
                               .stride = stride,
                               .row = m->reads ? NULL : take_row,
                               .context = m};
-    return wire_end_open(&o->end, &setup, now_ms()) != WIRE_OK ||
-                   wire_frames_in_open(&o->in, &o->end, &panel) != WIRE_OK
+    return wire_peer_open(&o->peer, &setup, now_ms()) != WIRE_OK ||
+                   wire_frames_in_open(&o->in, &o->peer, &panel) != WIRE_OK
                ? -1
                : 0;
 }
@@ -69,8 +69,8 @@ static int own_open(model *m) {
 static void own_output(model *m, const uint8_t *report, size_t bytes) {
     own *o = m->state;
     unsigned percent = 0;
-    wire_on_report(&o->end, report, bytes, now_ms());
-    if (wire_setting_take(&o->end, &percent) == WIRE_SET_BRIGHTNESS) {
+    wire_on_report(&o->peer, report, bytes, now_ms());
+    if (wire_setting_read(&o->peer, &percent) == WIRE_SET_BRIGHTNESS) {
         m->brightness = (int)percent;
     }
     if (wire_frames_shown(&o->in) != o->shown) {
@@ -87,8 +87,8 @@ static void own_output(model *m, const uint8_t *report, size_t bytes) {
 
 static size_t own_input(model *m, uint8_t *report, size_t room) {
     own *o = m->state;
-    wire_poll(&o->end, now_ms());
-    return room < m->in_bytes ? 0 : wire_next_report(&o->end, report, now_ms());
+    wire_poll(&o->peer, now_ms());
+    return room < m->in_bytes ? 0 : wire_next_report(&o->peer, report, now_ms());
 }
 
 const model_kind model_planelet = {.name = "planelet",

@@ -42,7 +42,7 @@ static size_t end_input(void *context, uint8_t *report, size_t room) {
 
 static void large(void) {
     fail f = {""};
-    wire_end end;
+    wire_peer peer;
     const wire_setup setup = {.role = WIRE_DEVICE,
                               .caps = {.session = 1,
                                        .width = 800,
@@ -51,15 +51,15 @@ static void large(void) {
                                        .in_bytes = 64,
                                        .out_bytes = 64,
                                        .features = WIRE_SHOWS,
-                                       .window = 16}};
+                                       .credits = 16}};
     const fake_device device = {.path = "1-1:1.0",
                                 .vendor = 0x1209,
                                 .product = 0x0001,
-                                .context = &end,
+                                .context = &peer,
                                 .output = end_output,
                                 .input = end_input};
     test("a panel of more tiles than the sender keeps is refused at once, with its size");
-    CHECK(wire_end_open(&end, &setup, clock_ms()) == WIRE_OK, "no such end");
+    CHECK(wire_peer_open(&peer, &setup, clock_ms()) == WIRE_OK, "no such end");
     fake_bus_reset();
     fake_plug(0, &device);
     session s = {.brightness = -1};

@@ -13,8 +13,8 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
-#include "engine/base/crc32.h"
 #include "engine/planelet.h"
+#include "engine/planelet_crc32.h"
 #include "engine/tree/compact/block.h"
 
 #define HOSTILE_RAYS 70u

@@ -19,17 +19,17 @@ static const wire_setup host_setup = {.role = WIRE_HOST,
                                                .width = WIDTH,
                                                .height = HEIGHT,
                                                .format = WIRE_RGB888,
-                                               .window = 16,
+                                               .credits = 16,
                                                .features = WIRE_SHOWS | WIRE_SCENES}};
 static const wire_setup device_setup = {
     .role = WIRE_DEVICE,
     .caps = {
-        .session = 2, .in_bytes = 64, .out_bytes = 64, .window = 16, .features = WIRE_RENDERS}};
+        .session = 2, .in_bytes = 64, .out_bytes = 64, .credits = 16, .features = WIRE_RENDERS}};
 
 /* ---- a scene image ------------------------------------------------------------------ */
 
 static struct {
-    wire_end host, device;
+    wire_peer host, device;
     wire_scene_out out;
     wire_scene_in in;
     fake_cable cable;
@@ -43,8 +43,8 @@ static void open_scene_pair(uint32_t bytes, uint32_t room, uint64_t seed) {
         s.image[i] = (uint8_t)random_bits(&s.cable.random);
     }
     s.to = malloc(room);
-    wire_end_open(&s.host, &host_setup, s.cable.now_ms);
-    wire_end_open(&s.device, &device_setup, s.cable.now_ms);
+    wire_peer_open(&s.host, &host_setup, s.cable.now_ms);
+    wire_peer_open(&s.device, &device_setup, s.cable.now_ms);
     wire_scene_out_open(&s.out, &s.host, s.image, bytes);
     wire_scene_in_open(&s.in, &s.device, s.to, room);
 }
@@ -108,7 +108,7 @@ static void test_scene(void) {
 /* ---- blocks -------------------------------------------------------------------------- */
 
 static struct {
-    wire_end host, device;
+    wire_peer host, device;
     wire_blocks_out out;
     wire_blocks_in in;
     fake_cable cable;
@@ -128,8 +128,8 @@ static void open_block_pair(uint64_t seed) {
     for (uint32_t i = 0; i < IMAGE_MOST; i++) {
         b.image[i] = (uint8_t)random_bits(&b.cable.random);
     }
-    wire_end_open(&b.host, &host_setup, b.cable.now_ms);
-    wire_end_open(&b.device, &device_setup, b.cable.now_ms);
+    wire_peer_open(&b.host, &host_setup, b.cable.now_ms);
+    wire_peer_open(&b.device, &device_setup, b.cable.now_ms);
     wire_blocks_out_open(&b.out, &b.host, b.image, IMAGE_MOST);
     wire_blocks_in_open(&b.in, &b.device, pump, NULL);
     b.patience = 200000;
@@ -175,7 +175,7 @@ static void test_blocks(void) {
 /* ---- the engine as a device -------------------------------------------------------------- */
 
 static struct {
-    wire_end host;
+    wire_peer host;
     wire_frames_in frames;
     wire_scene_out scene;
     wire_view_out view;
@@ -194,11 +194,11 @@ static const wire_view views[2] = {
      .shader = PLT_SHADE_NORMAL}};
 
 static void open_engine(const packed *image, uint64_t seed) {
-    static const plt_options options = {4, 0, 0};
+    static const plt_options options = {PLT_PACKET_SIDE_MAX < 4 ? PLT_PACKET_SIDE_MAX : 4, 0, 0};
     const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
     memset(&e, 0, sizeof e);
-    fake_cable_open(&e.cable, &e.host, &e.device.end, seed);
-    wire_end_open(&e.host, &host_setup, e.cable.now_ms);
+    fake_cable_open(&e.cable, &e.host, &e.device.peer, seed);
+    wire_peer_open(&e.host, &host_setup, e.cable.now_ms);
     wire_frames_in_open(&e.frames, &e.host, &panel);
     wire_scene_out_open(&e.scene, &e.host, image->bytes, (uint32_t)image->size);
     wire_view_out_open(&e.view, &e.host);
@@ -227,7 +227,8 @@ static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
     memcpy(frame.camera.look, v->look, sizeof v->look);
     memcpy(frame.camera.up, v->up, sizeof v->up);
     frame.camera.tan_half_fov = v->tan_half_fov;
-    plt_render_begin(engine, &frame);
+    uint32_t pixels = 0;
+    CHECK(plt_render_begin(engine, &frame) == PLT_OK, "the camera");
     for (int status = PLT_MORE; status > 0;) {
         status = plt_render_step(engine, 10000);
         if (status == PLT_TILE) {
@@ -236,8 +237,10 @@ static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
             for (unsigned y = 0; y < t.height; y++) {
                 memcpy(rgb + 3 * ((t.y + y) * WIDTH + t.x), t.rgb + 3u * y * t.width, 3u * t.width);
             }
+            pixels += (uint32_t)t.width * t.height;
         }
     }
+    CHECK(pixels == WIDTH * HEIGHT, "%u pixels rendered", pixels);
     return hash_bytes(rgb, sizeof rgb);
 }
 
@@ -245,7 +248,7 @@ static void test_engine(void) {
     mesh m = {0};
     rig direct;
     const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    shape_icosphere(&m, 3);
+    shape_icosphere(&m, rig_is_tiny() ? 1 : 3);
     test("scene and view go in, and the frame that comes back has the hash of a direct render");
     CHECK(rig_open(&direct, &m, &config) == PLT_OK, "%s", direct.fault.message);
     for (uint32_t n = 0; n < 8; n++) {
@@ -261,7 +264,7 @@ static void test_engine(void) {
                   i, (unsigned long long)hash);
         }
     }
-    test("an image that the engine refuses is told to the host with its rule");
+    test("an image that the engine refuses is reported to the host with its rule");
     packed bad = direct.image;
     bad.bytes = malloc(bad.size);
     memcpy(bad.bytes, direct.image.bytes, bad.size);
@@ -271,16 +274,17 @@ static void test_engine(void) {
     CHECK(engine_frame(3000) == 0, "rendered");
     uint32_t detail, has;
     CHECK(wire_scene_out_state(&e.scene, &has) == WIRE_SCENE_REFUSED, "not refused");
-    CHECK(wire_told(&e.host, &detail) == WIRE_E_SCENE && detail >> 24 > 0, "detail %u", detail);
+    CHECK(wire_error_read(&e.host, &detail) == WIRE_E_SCENE && detail >> 24 > 0, "detail %u",
+          detail);
     test("then a good one is taken, without a reset");
     wire_scene_out_open(&e.scene, &e.host, direct.image.bytes, (uint32_t)direct.image.size);
     CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[0]), "hash");
-    test("a view without a direction is told, and the next one is rendered");
+    test("a view without a direction is reported, and the next one is rendered");
     wire_view blind = views[0];
     memcpy(blind.look, blind.eye, sizeof blind.eye);
     wire_view_send(&e.view, &blind);
     engine_frame(3000);
-    CHECK(wire_told(&e.host, &detail) == WIRE_E_VIEW, "not told");
+    CHECK(wire_error_read(&e.host, &detail) == WIRE_E_VIEW, "not reported");
     wire_view_send(&e.view, &views[1]);
     CHECK(engine_frame(20000) == direct_frame(direct.engine, &views[1]), "hash");
     free(bad.bytes);
@@ -288,11 +292,21 @@ static void test_engine(void) {
     mesh_free(&m);
 }
 
+static void test_other_tiles(void) {
+    static const plt_options options = {PLT_PACKET_SIDE_MAX, 0};
+    test("an engine whose tiles are not those of the wire is refused as a device");
+    CHECK(wire_device_open(&e.device, &device_setup, &options, e.memory, sizeof e.memory, 0) ==
+              WIRE_ERR_SETUP,
+          "it was opened");
+}
+
 int main(void) {
     test_scene();
     test_blocks();
-    if (PLT_TILE_SIDE == WIRE_TILE_SIDE && !rig_is_tiny()) {
+    if (PLT_TILE_SIDE == WIRE_TILE_SIDE) {
         test_engine();
+    } else {
+        test_other_tiles();
     }
     return test_done();
 }

@@ -1,7 +1,7 @@
 /* test_wire_faults - ten thousand bad cables, each from a seed
  *
  * A schedule shows frames for a second or two over a cable with faults of
- * every kind, ends that are reset and a plug that is pulled; then the cable is
+ * every kind, peers that are reset and a plug that is pulled; then the cable is
  * good again, and the picture must be complete within RECOVERY_MS. Every frame
  * that is confirmed, on the bad cable too, is compared in every pixel (W4 of
  * platform/WIRE.md); what lies on the panel before that is promised by rows of
@@ -44,7 +44,7 @@ static rig_shape shape_of(random_state *r, uint32_t number) {
                              .format = random_below(r, WIRE_FORMATS),
                              .out_bytes = sizes[number % 8],
                              .in_bytes = sizes[random_below(r, 5)],
-                             .window = 2 + random_below(r, WIRE_WINDOW_MAX - 1),
+                             .credits = 2 + random_below(r, WIRE_CREDITS_MAX - 1),
                              .reads = (int)random_below(r, 2)};
     return shape;
 }
@@ -104,7 +104,7 @@ static void recover(wire_rig *rig, uint32_t number, totals *sum) {
         fake_cable_step(&rig->cable);
         waited++;
     }
-    const int more = wire_rig_settle(rig, RECOVERY_MS - waited);
+    const int more = wire_rig_wait(rig, RECOVERY_MS - waited);
     CHECK(more >= 0, "schedule %u: not complete after %d ms, host %s, device %s", number,
           RECOVERY_MS, wire_is_up(&rig->host) ? "up" : "down",
           wire_is_up(&rig->device) ? "up" : "down");

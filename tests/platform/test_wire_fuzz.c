@@ -7,7 +7,7 @@
 #include "tests/fuzz/fuzz_wire_tile.c"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzz_end
-#include "tests/fuzz/fuzz_wire_end.c"
+#include "tests/fuzz/fuzz_wire_peer.c"
 #undef LLVMFuzzerTestOneInput
 
 #include "tests/test.h"
@@ -88,7 +88,7 @@ int main(void) {
     test("of the mutated tiles some are whole and some are refused");
     CHECK(tiles_whole > TILES / 10 && tiles_wrong > TILES / 50, "%lu whole, %lu wrong", tiles_whole,
           tiles_wrong);
-    test("sealed reports of any content harm no end");
+    test("sealed reports of any content harm no peer");
     for (unsigned long i = 0; i < SESSIONS * more; i++) {
         const size_t size = end_input(&r, data, 61 + random_below(&r, 600));
         mutate(&r, data, size);

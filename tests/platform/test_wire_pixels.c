@@ -33,7 +33,7 @@ static uint32_t decode_whole(const coded *c, uint16_t chance, uint8_t *to) {
     wire_model m;
     uint32_t most = 0;
     for (int i = 0; i < 4; i++) {
-        wire_range_take(&range);
+        wire_range_get(&range);
     }
     range.range = UINT32_MAX;
     wire_model_start(&m, c->shape, c->bytes[0]);
@@ -68,7 +68,7 @@ static void decode_pieces(const coded *c, uint16_t chance, uint32_t piece, uint8
     CHECK(r.y == 16, "%u rows", r.y);
 }
 
-/* Ones where all chances expect zeros, and the other way round; noise. */
+/* Ones where all chances expect zeros, and the reverse; noise. */
 static void test_longest_pixels(void) {
     static const uint16_t limits[] = {WIRE_CHANCE_LEAST, WIRE_CHANCE_MOST};
     random_state random = {5};
@@ -92,7 +92,7 @@ static void test_longest_pixels(void) {
         }
     }
     CHECK(most > 24 && most <= MODEL_PIXEL_BYTES, "%u bytes", most);
-    printf("    at most %u bytes a pixel\n", most);
+    printf("    at most %u bytes per pixel\n", most);
 }
 
 int main(void) {

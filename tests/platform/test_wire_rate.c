@@ -1,4 +1,4 @@
-/* test_wire_rate - as many frames a second as asked for, by being off
+/* test_wire_rate - as many frames per second as asked for, by being off
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/tiles_out.h"
@@ -49,17 +49,17 @@ static void rate_of(unsigned format, uint32_t exact_ms) {
     CHECK(rig.out.near > 0 && ms * goal <= 10500, "format %u: near %u, 10 frames in %u ms", format,
           rig.out.near, ms);
     CHECK(wire_rig_differences(&rig) > 0, "nothing was near");
-    CHECK(wire_rig_settle(&rig, 3000) >= 0, "not refined");
+    CHECK(wire_rig_wait(&rig, 3000) >= 0, "not refined");
     CHECK(wire_rig_differences(&rig) == 0, "%u bytes differ", wire_rig_differences(&rig));
     show_film(2, 20, 0);
     CHECK(rig.out.near == 0, "format %u: near %u for a few pixels", format, rig.out.near);
-    CHECK(wire_rig_settle(&rig, 3000) >= 0 && wire_rig_differences(&rig) == 0, "not exact");
+    CHECK(wire_rig_wait(&rig, 3000) >= 0 && wire_rig_differences(&rig) == 0, "not exact");
     wire_rig_close(&rig);
 }
 
 static void test_rate(void) {
     test(
-        "a goal of frames a second is kept by being off, where it must be; at rest the picture "
+        "a goal of frames per second is kept by being off, where it must be; at rest the picture "
         "is exact");
     for (unsigned format = WIRE_RGB565; format <= WIRE_GREY8; format++) {
         open_film(format, 0);
@@ -77,13 +77,13 @@ static void test_rate(void) {
 
 /* `near` after a pass that took `ms`, with `near` before and this goal. */
 static unsigned near_after(unsigned near, unsigned goal_fps, uint32_t ms) {
-    static wire_end end;
+    static wire_peer peer;
     static wire_frames_out out;
-    out = (wire_frames_out){.end = &end, .format = WIRE_GREY8, .tiles = 1};
+    out = (wire_frames_out){.peer = &peer, .format = WIRE_GREY8, .tiles = 1};
     wire_frames_rate(&out, goal_fps);
     out.near = (uint8_t)near;
     wire_rate_begin(&out);
-    end.now_ms += ms;
+    peer.now_ms += ms;
     wire_rate_end(&out, out.tiles);
     return out.near;
 }
@@ -95,7 +95,7 @@ static void test_rate_steps(void) {
     test("less than three quarters of it are one step down, also of a goal of 1 ms");
     CHECK(near_after(4, 100, 8) == 4 && near_after(4, 100, 7) == 3, "three quarters");
     CHECK(near_after(3, 1000, 1) == 3 && near_after(3, 1000, 0) == 2, "three quarters of 1 ms");
-    test("goals beyond what a clock of milliseconds can tell are 1 ms, not none");
+    test("goals beyond the resolution of a clock of milliseconds are 1 ms, not none");
     CHECK(near_after(0, 5000, 2) == 1 && near_after(0, 5000, 1) == 0, "5000 a second");
     CHECK(near_after(0, 0, 100) == 0, "no goal");
 }

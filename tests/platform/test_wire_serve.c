@@ -1,4 +1,4 @@
-/* test_wire_serve - reports over byte streams, and both ends in two processes
+/* test_wire_serve - reports over byte streams, and both peers in two processes
  *
  * SPDX-License-Identifier: MIT */
 #include <fcntl.h>
@@ -39,7 +39,7 @@ static void test_stuffing(void) {
         size_t got = 0;
         for (size_t i = 0; i < used; i++) {
             CHECK((bytes[i] == 0) == (i + 1 == used), "a zero at %zu of %zu", i, used);
-            got = wire_bytes_take(&reader, bytes[i]);
+            got = wire_bytes_read(&reader, bytes[i]);
         }
         CHECK(got == count && memcmp(reader.report, report, count) == 0, "%zu of %zu bytes", got,
               count);
@@ -51,16 +51,16 @@ static void test_stuffing(void) {
         const size_t at = random_below(&r, (uint32_t)used);
         for (size_t i = 0; i < used; i++) {
             if (i == at) {
-                wire_bytes_take(&reader, (uint8_t)random_bits(&r));
+                wire_bytes_read(&reader, (uint8_t)random_bits(&r));
             } else if (i != at + 1 || i + 1 == used) {
-                wire_bytes_take(&reader, bytes[i]);
+                wire_bytes_read(&reader, bytes[i]);
             }
         }
-        wire_bytes_take(&reader, 0);
+        wire_bytes_read(&reader, 0);
         count = random_report(&r, report);
         used = wire_bytes_put(bytes, report, count);
         for (size_t i = 0; i < used; i++) {
-            got = wire_bytes_take(&reader, bytes[i]);
+            got = wire_bytes_read(&reader, bytes[i]);
         }
         CHECK(got == count && memcmp(reader.report, report, count) == 0, "%zu of %zu", got, count);
     }
@@ -79,7 +79,7 @@ static void view_of(void *context, unsigned number, wire_view *v) {
     *v = (wire_view){.eye = {3.0f - (float)number, 2, 4}, .up = {0, 1, 0}, .tan_half_fov = 0.4f};
 }
 
-static int take(void *context, unsigned number, const picture *p, fail *f) {
+static int keep_frame(void *context, unsigned number, const picture *p, fail *f) {
     (void)context, (void)f;
     memcpy(frames[number % FRAMES], p->rgb, sizeof frames[0]);
     frames_taken++;
@@ -96,11 +96,13 @@ static serve_job job_of(uint32_t patience_ms) {
                        .frames = FRAMES,
                        .patience_ms = patience_ms,
                        .view = view_of,
-                       .frame = take};
+                       .frame = keep_frame};
 }
 
 static void check_frames(const char *how) {
     static uint8_t rgb[WIDTH * HEIGHT * 3];
+    uint32_t pixels = 0;
+    CHECK(frames_taken == FRAMES, "%s: %u frames came", how, frames_taken);
     for (unsigned i = 0; i < FRAMES; i++) {
         wire_view v;
         view_of(NULL, i, &v);
@@ -108,18 +110,21 @@ static void check_frames(const char *how) {
         memcpy(frame.camera.eye, v.eye, sizeof v.eye);
         memcpy(frame.camera.up, v.up, sizeof v.up);
         frame.camera.tan_half_fov = v.tan_half_fov;
-        plt_render_begin(direct.engine, &frame);
+        CHECK(plt_render_begin(direct.engine, &frame) == PLT_OK, "the camera");
         for (int status = PLT_MORE; status > 0;) {
             status = plt_render_step(direct.engine, 10000);
             plt_tile t;
             plt_render_tile(direct.engine, &t);
             for (unsigned y = 0; status == PLT_TILE && y < t.height; y++) {
                 memcpy(rgb + 3 * ((t.y + y) * WIDTH + t.x), t.rgb + 3u * y * t.width, 3u * t.width);
+                pixels += t.width;
             }
         }
         CHECK(memcmp(rgb, frames[i], sizeof rgb) == 0, "%s: frame %u differs", how, i);
     }
+    CHECK(pixels == FRAMES * WIDTH * HEIGHT, "%s: %u pixels compared", how, pixels);
     memset(frames, 0, sizeof frames);
+    frames_taken = 0;
 }
 
 /* A device that connects to what the link says, as a process. */
@@ -161,7 +166,7 @@ static void test_serving(void) {
     serve_result result;
     fail f = {""};
     const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    shape_icosphere(&m, 3);
+    shape_icosphere(&m, rig_is_tiny() ? 1 : 3);
     CHECK(rig_open(&direct, &m, &config) == PLT_OK, "%s", direct.fault.message);
     test(
         "a device in another process renders what a direct render gives: by socket, by pseudo "
@@ -190,10 +195,29 @@ static void test_serving(void) {
     mesh_free(&m);
 }
 
+/* The device refuses to open, so its process ends. */
+static void test_other_tiles(void) {
+    static const uint8_t image[64];
+    stream_link l;
+    serve_result result;
+    fail f = {""};
+    test("a device built with tiles of another size does not answer, and the host says so");
+    serve_job job = job_of(300);
+    job.image = image;
+    job.image_bytes = sizeof image;
+    CHECK(emulated_start(&l, 64, MEMORY, &f) == 0, "%s", f.text);
+    const transport t = link_transport(&l);
+    CHECK(serve_run(&job, &t, &result, &f) != 0 && f.text[0] != '\0', "it answered");
+    CHECK(frames_taken == 0, "%u frames came", frames_taken);
+    link_close(&l);
+}
+
 int main(void) {
     test_stuffing();
-    if (PLT_TILE_SIDE == WIRE_TILE_SIDE && !rig_is_tiny()) {
+    if (PLT_TILE_SIDE == WIRE_TILE_SIDE) {
         test_serving();
+    } else {
+        test_other_tiles();
     }
     return test_done();
 }

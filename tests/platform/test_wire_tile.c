@@ -213,9 +213,9 @@ static void test_golden(void) {
     for (unsigned tile = 0; tile < PICTURE_TILES; tile++) {
         unsigned coder;
         wire_picture_tile(tile, pixels);
-        crc = wire_crc(crc, bytes, wire_tile_encode(shape, pixels, NULL, 0, bytes, 512, &coder));
-        crc = wire_crc(crc, bytes,
-                       wire_tile_encode(shape, pixels, NULL, PICTURE_NEAR, bytes, 512, &coder));
+        crc = plt_crc32(crc, bytes, wire_tile_encode(shape, pixels, NULL, 0, bytes, 512, &coder));
+        crc = plt_crc32(crc, bytes,
+                        wire_tile_encode(shape, pixels, NULL, PICTURE_NEAR, bytes, 512, &coder));
     }
     CHECK(crc == PICTURE_CODED_CRC, "their checksum is %08X", (unsigned)crc);
 }

@@ -7,7 +7,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
-#include "platform/wire/parts.h"
+#include "platform/wire/base.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
@@ -63,7 +63,7 @@ static void explain(const char *who, const uint8_t *report, size_t bytes) {
 
 enum { WIDTH = 20, HEIGHT = 4, BYTES = 64 };
 
-static void exchange(wire_end *host, wire_end *device, uint32_t now) {
+static void exchange(wire_peer *host, wire_peer *device, uint32_t now) {
     uint8_t report[BYTES];
     size_t n;
     wire_poll(host, now);
@@ -83,7 +83,7 @@ static void session(void) {
                            .caps = {.session = 1,
                                     .in_bytes = BYTES,
                                     .out_bytes = BYTES,
-                                    .window = 16,
+                                    .credits = 16,
                                     .features = WIRE_SENDS}};
     const wire_setup ds = {.role = WIRE_DEVICE,
                            .caps = {.session = 2,
@@ -93,15 +93,15 @@ static void session(void) {
                                     .formats = 4,
                                     .in_bytes = BYTES,
                                     .out_bytes = BYTES,
-                                    .window = 8,
+                                    .credits = 8,
                                     .features = WIRE_SHOWS}};
     static uint8_t pixels[HEIGHT][WIDTH], rgb[HEIGHT][3 * WIDTH];
     const wire_panel panel = {&pixels[0][0], WIDTH, NULL, NULL};
     static wire_frames_out out;
     static wire_frames_in in;
-    wire_end host, device;
-    wire_end_open(&host, &hs, 0);
-    wire_end_open(&device, &ds, 0);
+    wire_peer host, device;
+    wire_peer_open(&host, &hs, 0);
+    wire_peer_open(&device, &ds, 0);
     wire_frames_out_open(&out, &host);
     wire_frames_in_open(&in, &device, &panel);
     for (uint32_t now = 1; now < 4; now++) {

@@ -30,12 +30,12 @@ uint32_t board_millis(void);
 
 /* ---- the firmware, as in PORTING.md ------------------------------------------------------ */
 
-static wire_end end;
+static wire_peer peer;
 static wire_frames_in frames;
 static uint8_t report[64];
 
 static void send_next(void) {
-    const size_t n = tud_hid_ready() ? wire_next_report(&end, report, board_millis()) : 0;
+    const size_t n = tud_hid_ready() ? wire_next_report(&peer, report, board_millis()) : 0;
     if (n > 0) {
         tud_hid_report(0, report, (uint16_t)n);
     }
@@ -44,7 +44,7 @@ static void send_next(void) {
 void tud_hid_set_report_cb(uint8_t instance, uint8_t report_id, hid_report_type_t type,
                            const uint8_t *buffer, uint16_t size) {
     (void)instance, (void)report_id, (void)type;
-    wire_on_report(&end, buffer, size, board_millis());
+    wire_on_report(&peer, buffer, size, board_millis());
 }
 
 void tud_hid_report_complete_cb(uint8_t instance, const uint8_t *sent, uint16_t len) {
@@ -53,15 +53,15 @@ void tud_hid_report_complete_cb(uint8_t instance, const uint8_t *sent, uint16_t 
 }
 
 void tud_mount_cb(void) {
-    wire_on_link(&end, 1, board_millis());
+    wire_on_link(&peer, 1, board_millis());
 }
 
 void tud_umount_cb(void) {
-    wire_on_link(&end, 0, board_millis());
+    wire_on_link(&peer, 0, board_millis());
 }
 
 static void main_loop(void) {
-    wire_poll(&end, board_millis());
+    wire_poll(&peer, board_millis());
     send_next();
 }
 
@@ -102,8 +102,8 @@ static void lcd_row(void *context, unsigned x, unsigned y, unsigned width, const
     memcpy(&panel[y][2 * x], pixels, 2 * width);
 }
 
-/* A millisecond of the bus: one report each way. */
-static void bus(wire_end *host) {
+/* A millisecond of the bus: one report in each direction. */
+static void bus(wire_peer *host) {
     uint8_t out[64];
     now++;
     if (in_is_full) {
@@ -126,20 +126,20 @@ int main(void) {
                                               .format = WIRE_RGB565,
                                               .in_bytes = 64,
                                               .out_bytes = 64,
-                                              .window = 8,
+                                              .credits = 8,
                                               .features = WIRE_SHOWS}};
     const wire_setup host_setup = {
         .role = WIRE_HOST,
         .caps = {
-            .session = 22, .in_bytes = 64, .out_bytes = 64, .window = 16, .features = WIRE_SENDS}};
+            .session = 22, .in_bytes = 64, .out_bytes = 64, .credits = 16, .features = WIRE_SENDS}};
     const wire_panel lcd = {.row = lcd_row};
     static wire_frames_out out;
-    wire_end host;
+    wire_peer host;
     static uint8_t rgb[HEIGHT][WIDTH * 3], wanted[WIDTH * 2];
 
-    wire_end_open(&end, &device_setup, now);
-    wire_frames_in_open(&frames, &end, &lcd);
-    wire_end_open(&host, &host_setup, now);
+    wire_peer_open(&peer, &device_setup, now);
+    wire_frames_in_open(&frames, &peer, &lcd);
+    wire_peer_open(&host, &host_setup, now);
     wire_frames_out_open(&out, &host);
 
     test("the glue of PORTING.md shows frames, before and after the cable was out");
@@ -166,7 +166,7 @@ int main(void) {
         is_mounted = in_is_full = 0;
         tud_umount_cb();
         wire_on_link(&host, 0, now);
-        CHECK(!wire_is_up(&end) && rows_outside == 0, "still up");
+        CHECK(!wire_is_up(&peer) && rows_outside == 0, "still up");
     }
     return test_done();
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # test_compact.sh - compact blocks built by a Cortex-M4F in 256 KiB, in QEMU
 #
-# Reduced landscapes of at least 35,000 (two a list) and 45,000 triangles (four)
+# Reduced landscapes of at least 35,000 (two per list) and 45,000 triangles (four)
 # are built and rendered by the firmware; the picture is that of the host, which
 # builds the same image, and that of the image which the host has built.
 # SPDX-License-Identifier: MIT
@@ -35,7 +35,7 @@ built() {
         "frame=$out/device.ppm" 2>&1)
     status=$?
     triangles=$(value triangles)
-    verdict "$1 a list: $triangles triangles, $2 or more, are built in $(value bytes) bytes" "$(
+    verdict "$1 per list: $triangles triangles, $2 or more, are built in $(value bytes) bytes" "$(
         [ "$status" -eq 0 ] || echo "status $status: $text"
         [ "${triangles:-0}" -ge "$2" ] || echo "$triangles triangles"
         [ "$(value bytes)" -eq 262144 ] || echo "an arena of $(value bytes) bytes")"
@@ -58,10 +58,10 @@ built() {
         /^instructions total/ { split($3, open, "="); split($4, render, "=") }
         /^arena / { split($3, peak, "=") }
         END {
-            printf "    %d a list: %d triangles, %.3f bytes each; ", k, n, image / n
+            printf "    %d per list: %d triangles, %.3f bytes each; ", k, n, image / n
             printf "peak %d; ", peak[2]
-            printf "%.0f instructions a triangle to build, ", open[2] / n
-            printf "%.0f a pixel to render\n", render[2] / 76800
+            printf "%.0f instructions per triangle to build, ", open[2] / n
+            printf "%.0f per pixel to render\n", render[2] / 76800
         }'
 }
 

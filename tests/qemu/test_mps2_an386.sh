@@ -65,7 +65,7 @@ scene small knot --triangles 500 -- --build device
 scene list ground -- --build none
 scene large knot --triangles 20000 -- --build device
 same "8,800 marbles in flash" marbles 160x120 ""
-same "marbles, packets of 4, two-stage walk" marbles 80x60 "--packet 4 --walk two-stage" \
+same "marbles, packets of 4, two-stage order" marbles 80x60 "--packet 4 --walk two-stage" \
     packet=4 walk=two
 same "a knot fetched into the arena" knot 81x61 "" "scene=$out/knot.plt"
 same "a tree built on the device" small 80x60 ""
@@ -75,11 +75,11 @@ same "a list without a tree" list 40x30 "--shader normal" shader=normal
 built() {
     scene "$1" knot --triangles "$3" -- --nodes compact --geometry lattice:14 --leaf "$2" \
         --build device 2>/dev/null
-    same "$4 triangles and more, $2 a list, built on the device" "$1" 320x240 ""
+    same "$4 triangles and more, $2 per list, built on the device" "$1" 320x240 ""
     verdict "... within 262,144 bytes" "$(
         [ "$(value triangles)" -ge "$4" ] || echo "$(value triangles) triangles"
         [ "$(value peak)" -gt 0 ] && [ "$(value peak)" -le 262144 ] || echo "peak $(value peak)")"
-    echo "    $(($(value open) / $(value triangles))) instructions a triangle to open and build"
+    echo "    $(($(value open) / $(value triangles))) instructions per triangle to open and build"
 }
 built blocks2 2 35400 35000
 built blocks4 4 45400 45000

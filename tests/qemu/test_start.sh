@@ -31,7 +31,7 @@ try() {
 
 try float 42 '' "the FPU is on and rounds to nearest"
 try memory 42 '' "data is copied and bss cleared"
-try paint 42 '' "the painted stack has a mark between its ends"
+try paint 42 '' "the painted stack has a mark inside"
 try guard 99 'FAULT .*cfsr=000000[0-9a-f]2 ' "a store below the stack is a fault, status 99"
 try nowhere 99 'FAULT .*bfar=30000000' "a read from nowhere is a fault that names the address"
 try undefined 99 'FAULT .*cfsr=00010000' "an undefined instruction is a fault"

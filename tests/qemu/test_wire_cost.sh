@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_wire_cost.sh - instructions a pixel of the wire's codec on a Cortex-M4F, in QEMU
+# test_wire_cost.sh - instructions per pixel of the wire's codec on a Cortex-M4F, in QEMU
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 needs arm-none-eabi-gcc qemu-system-arm && make_board mps2_an386 || { finish; exit; }
@@ -13,7 +13,7 @@ trouble=$(arm-none-eabi-gcc -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-
     -Wl,--defsym=plt_arena_bytes=16,--defsym=plt_stack_bytes=4096,--defsym=plt_stack_worst=4096 \
     -o "$elf" tests/qemu/wire_cost.c platform/wire/wire_format.c platform/wire/model.c \
     platform/wire/tile_encode.c platform/wire/tile_decode.c \
-    platform/wire/crc.c platform/cortex_m/*.c 2>&1)
+    engine/base/crc32.c platform/cortex_m/*.c 2>&1)
 verdict "the codec links for a Cortex-M4F without a library" "$trouble"
 
 symbol() {
@@ -30,11 +30,11 @@ verdict "tiles encoded there have the bytes they have here, and come back bit fo
     [ "$status" -eq 42 ] || echo "status $status")"
 
 # 64 tiles of 256 pixels
-figures=$(tr ' ' '\n' <"$out/wire_cost.txt" | awk -F= '
+costs=$(tr ' ' '\n' <"$out/wire_cost.txt" | awk -F= '
     /^(hash|encode|decode|near)=/ { printf "%s %.1f  ", $1, $2 / 16384 }')
-echo "    instructions a pixel of RGB565: $figures"
+echo "    instructions per pixel of RGB565: $costs"
 verdict "a pixel costs at most 25 instructions to look at, 350 or 300 to encode, 360 to decode" "$(
-    echo "$figures" | awk '
+    echo "$costs" | awk '
         function out(x, most) { return !(x > 0 && x <= most) }
         out($2, 25) || out($4, 350) || out($6, 360) || out($8, 300)')"
 finish

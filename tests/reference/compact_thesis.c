@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/base/crc32.h"
 #include "engine/image/header.h"
+#include "engine/planelet_crc32.h"
 #include "engine/tree/thesis/validate.h"
 #include "tests/reference/leaf_corners.h"
 

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-void fake_cable_open(fake_cable *c, wire_end *host, wire_end *device, uint64_t seed) {
+void fake_cable_open(fake_cable *c, wire_peer *host, wire_peer *device, uint64_t seed) {
     memset(c, 0, sizeof *c);
     c->host = host;
     c->device = device;
@@ -44,7 +44,7 @@ static void launch(fake_cable *c, const uint8_t *data, size_t bytes, int to_host
     }
 }
 
-static void carry(fake_cable *c, wire_end *from, int to_host) {
+static void carry(fake_cable *c, wire_peer *from, int to_host) {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
     for (int sent = 0; sent < (c->paced ? 1 : 8); sent++) {
         const size_t bytes = wire_next_report(from, report, c->now_ms);

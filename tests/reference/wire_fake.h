@@ -1,8 +1,8 @@
-/* wire_fake - two ends and a cable between them that misbehaves on order
+/* wire_fake - two peers and a cable between them that misbehaves on order
  *
  * A cable carries reports both ways, each with its own delay, one report a
  * step and direction at most when `paced`. Faults come with the chances of
- * `faults`, in 1/65536 a report, from a seed, so that a run that fails once
+ * `faults`, in 1/65536 per report, from a seed, so that a run that fails once
  * fails always. The clock is the cable's own.
  *
  * SPDX-License-Identifier: MIT */
@@ -15,9 +15,9 @@
 enum { FAKE_IN_FLIGHT = 128 };
 
 typedef struct fake_faults {
-    uint32_t lose, repeat, reorder, truncate, damage; /* chances a report */
+    uint32_t lose, repeat, reorder, truncate, damage; /* chances per report */
     uint32_t delay_ms;                                /* 0 .. this, at random */
-    uint32_t unplug;                                  /* chance a millisecond */
+    uint32_t unplug;                                  /* chance per millisecond */
 } fake_faults;
 
 typedef struct fake_report {
@@ -28,18 +28,18 @@ typedef struct fake_report {
 } fake_report;
 
 typedef struct fake_cable {
-    wire_end *host, *device;
+    wire_peer *host, *device;
     fake_faults faults;
     random_state random;
     uint32_t now_ms, order, plugged_at_ms; /* 0: in; else the time it comes back */
-    int paced;                      /* one report a millisecond each way, as full-speed USB */
+    int paced; /* one report per millisecond and direction, as full-speed USB */
     uint32_t carried[2], unplugged; /* to device, to host */
     fake_report flight[FAKE_IN_FLIGHT];
 } fake_cable;
 
-void fake_cable_open(fake_cable *c, wire_end *host, wire_end *device, uint64_t seed);
+void fake_cable_open(fake_cable *c, wire_peer *host, wire_peer *device, uint64_t seed);
 
-/* A millisecond: what is due arrives, both ends are polled, reports leave. */
+/* A millisecond: what is due arrives, both peers are polled, reports leave. */
 void fake_cable_step(fake_cable *c);
 
 /* Pulls the cable out for `ms`. */

@@ -7,7 +7,7 @@
 #ifndef REFERENCE_WIRE_PICTURE_H
 #define REFERENCE_WIRE_PICTURE_H
 
-#include "platform/wire/crc.h"
+#include "engine/planelet_crc32.h"
 #include "platform/wire/wire_tile.h"
 
 enum { PICTURE_TILES = 64, PICTURE_NEAR = 3 };

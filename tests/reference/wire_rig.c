@@ -15,7 +15,7 @@ static int is_of_some_frame(const wire_rig *r, uint32_t at, const uint8_t *row, 
     return 0;
 }
 
-/* The window of a display controller; complains of rows outside and of rows
+/* The window of a display controller; counts rows outside and rows
  * that no frame had. */
 static void put_row(void *context, unsigned x, unsigned y, unsigned width, const uint8_t *pixels) {
     wire_rig *r = context;
@@ -35,9 +35,9 @@ void wire_rig_start_host(wire_rig *r) {
                               .caps = {.session = 1000 + ++r->hosts,
                                        .in_bytes = (uint16_t)r->shape.in_bytes,
                                        .out_bytes = (uint16_t)r->shape.out_bytes,
-                                       .window = 16,
+                                       .credits = 16,
                                        .features = WIRE_SENDS}};
-    wire_end_open(&r->host, &setup, r->cable.now_ms);
+    wire_peer_open(&r->host, &setup, r->cable.now_ms);
     wire_frames_out_open(&r->out, &r->host);
     wire_frames_reference(&r->out, r->reference, r->panel_bytes);
 }
@@ -52,10 +52,10 @@ void wire_rig_start_device(wire_rig *r) {
                  .width = (uint16_t)r->shape.width,
                  .height = (uint16_t)r->shape.height,
                  .format = (uint8_t)r->shape.format,
-                 .window = (uint8_t)r->shape.window,
+                 .credits = (uint8_t)r->shape.credits,
                  .features = (uint8_t)(WIRE_SHOWS | (reads ? WIRE_READS : 0))}};
     const wire_panel panel = {reads ? r->panel : NULL, r->stride, reads ? NULL : put_row, r};
-    wire_end_open(&r->device, &setup, r->cable.now_ms);
+    wire_peer_open(&r->device, &setup, r->cable.now_ms);
     wire_frames_in_open(&r->in, &r->device, &panel);
 }
 
@@ -126,7 +126,7 @@ int wire_rig_show(wire_rig *r) {
     return 1;
 }
 
-int wire_rig_settle(wire_rig *r, uint32_t most) {
+int wire_rig_wait(wire_rig *r, uint32_t most) {
     for (uint32_t i = 0; i < most; i++) {
         if (wire_frames_out_done(&r->out)) {
             return (int)i;

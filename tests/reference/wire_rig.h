@@ -9,13 +9,13 @@
 enum { RIG_FRAMES = 64 };
 
 typedef struct rig_shape {
-    unsigned width, height, format, out_bytes, in_bytes, window;
-    int reads; /* the panel is memory; else rows are written into a window */
+    unsigned width, height, format, out_bytes, in_bytes, credits;
+    int reads; /* the panel is memory; else rows go to a display controller */
 } rig_shape;
 
 typedef struct wire_rig {
     rig_shape shape;
-    wire_end host, device;
+    wire_peer host, device;
     wire_frames_out out;
     wire_frames_in in;
     fake_cable cable;
@@ -30,7 +30,7 @@ typedef struct wire_rig {
 void wire_rig_open(wire_rig *r, rig_shape shape, uint64_t seed);
 void wire_rig_close(wire_rig *r);
 
-/* Power-cycles an end: its memory is as after a reset; the panel stays. */
+/* Power-cycles a peer: its memory is as after a reset; the panel stays. */
 void wire_rig_start_host(wire_rig *r);
 void wire_rig_start_device(wire_rig *r);
 
@@ -41,7 +41,7 @@ void wire_rig_draw(wire_rig *r, int kind);
 int wire_rig_show(wire_rig *r);
 
 /* Steps until every tile is acknowledged; the milliseconds, or -1 after `most`. */
-int wire_rig_settle(wire_rig *r, uint32_t most);
+int wire_rig_wait(wire_rig *r, uint32_t most);
 
 /* Bytes of the panel that differ from the last frame shown. */
 uint32_t wire_rig_differences(const wire_rig *r);

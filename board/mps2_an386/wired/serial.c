@@ -1,10 +1,10 @@
 /* serial - the second UART of Arm's MPS2, as board/wired/serial.h asks for
  *
- * The first is left to a log. The device keeps one byte, which comes every 160
- * cycles at this speed, and a step of rendering is longer: an interrupt takes it
- * into a ring. It is the only interrupt there is, so its frame is on top of the
- * stack figure once (INTERRUPTS in board.mk). Sending is polled: nothing is lost
- * by being late.
+ * The first UART is for a log. The device holds one byte. A byte comes every 160
+ * cycles at this speed, and a step of rendering is longer; so an interrupt puts
+ * each byte into a ring. It is the only interrupt, so its stack frame counts once
+ * in the stack bound (INTERRUPTS_wired in board.mk). Sending is polled: nothing is
+ * lost by being late.
  *
  * Source: Arm DDI 0479, Cortex-M System Design Kit, section 4.3 (APB UART);
  * Arm DAI 0386, memory map and interrupts; Armv7-M Architecture Reference

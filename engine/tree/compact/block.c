@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/compact/block.h"
 
-#include "engine/base/crc32.h"
+#include "engine/planelet_crc32.h"
 
 /* Word `w` of a mask of `bits` bits that starts at `bytes`. */
 static uint32_t mask_word(const unsigned char *bytes, uint32_t bits, uint32_t w) {

@@ -1,16 +1,16 @@
-/* wire_end - an end of the wire: reports in, reports out, and what is between
+/* wire_peer - a party of the wire: reports in, reports out, and what is between
  *
- * Both ends run this same code; the only difference is who speaks first
- * (WIRE_HOST). An end has parts (frames out, frames in, scene, blocks), each
- * opened on it by its own header's call; parts it lacks cost nothing.
+ * Both peers run this same code; the only difference is who speaks first
+ * (WIRE_HOST). A peer has services (frames out, frames in, scene, blocks), each
+ * opened on it by its own header's call; services it lacks cost nothing.
  *
  * Nothing here blocks, and nothing is kept of a report after the call that
  * brought it. Transports may lose, repeat, reorder, cut and damage reports,
- * and either end may vanish and come back: WIRE.md says what holds then.
+ * and either peer may vanish and come back: WIRE.md says what holds then.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_WIRE_END_H
-#define PLT_WIRE_END_H
+#ifndef PLT_WIRE_PEER_H
+#define PLT_WIRE_PEER_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -25,7 +25,7 @@ enum {
     WIRE_REPORT_BYTES_MIN = 8,
     WIRE_REPORT_BYTES_MAX = 1024,
     WIRE_HEADER_BYTES = 6, /* of a report of at most 128 bytes, else 7: WIRE.md, section 2 */
-    WIRE_WINDOW_MAX = 32   /* credits: reports on the way without an acknowledgement */
+    WIRE_CREDITS_MAX = 32  /* credits: reports on the way without an acknowledgement */
 };
 
 /* Milliseconds. */
@@ -45,33 +45,33 @@ enum wire_status {
     WIRE_ERR_DOWN = -2   /* no session */
 };
 
-/* What an end can do and has; told to the other end in the hello. */
+/* What a peer can do and has; the hello says it to the other peer. */
 enum wire_feature {
-    WIRE_SHOWS = 1,       /* takes frames: `width`, `height`, `format` are its panel */
-    WIRE_SENDS = 2,       /* sends frames to an end that shows */
-    WIRE_RENDERS = 4,     /* takes a scene image and views, renders them */
-    WIRE_SCENES = 8,      /* gives a scene image, and blocks of it on request */
-    WIRE_BRIGHTNESS = 16, /* takes WIRE_SET_BRIGHTNESS */
+    WIRE_SHOWS = 1,       /* shows frames: `width`, `height`, `format` are its panel */
+    WIRE_SENDS = 2,       /* sends frames to a peer that shows */
+    WIRE_RENDERS = 4,     /* receives a scene image and views, and renders them */
+    WIRE_SCENES = 8,      /* sends a scene image, and blocks of it on request */
+    WIRE_BRIGHTNESS = 16, /* obeys WIRE_SET_BRIGHTNESS */
     WIRE_READS = 32       /* its panel can be read: tiles may say only what differs */
 };
 
 typedef struct wire_caps {
     uint32_t arena_bytes;   /* WIRE_RENDERS: room for scene and engine */
-    uint32_t session;       /* random; the end's own half of the session number */
+    uint32_t session;       /* random; the peer's own half of the session number */
     uint16_t width, height; /* WIRE_SHOWS: pixels, 1 .. 65535; else 0 */
     uint16_t formats;       /* bit f: can show enum wire_format f (information) */
-    uint16_t in_bytes;      /* size of the reports it takes ... */
+    uint16_t in_bytes;      /* size of the reports it receives ... */
     uint16_t out_bytes;     /* ... and of those it sends */
     uint8_t format;         /* the one that frames must come in */
     uint8_t features;       /* bits of enum wire_feature */
-    uint8_t window;         /* reports its transport can queue: 2 .. WIRE_WINDOW_MAX */
+    uint8_t credits;        /* reports its transport can queue: 2 .. WIRE_CREDITS_MAX */
     uint8_t version;        /* WIRE_VERSION */
 } wire_caps;
 
 typedef struct wire_setup {
     uint8_t role; /* enum wire_role */
-    /* Of this end. `version` is filled in. `session`: a number that was not
-     * used before at this end if possible (a clock, a counter in flash, noise
+    /* Of this peer. `version` is filled in. `session`: a number that this peer has
+     * not used before, if possible (a clock, a counter in flash, noise
      * of an ADC); sessions after a cut count on from it. */
     wire_caps caps;
 } wire_setup;
@@ -89,14 +89,14 @@ typedef struct wire_stats {
     uint32_t payload_out, payload_in; /* bytes of data messages */
 } wire_stats;
 
-/* Errors that one end tells the other (wire_tell) and both can read. */
+/* Errors that one peer reports to the other: wire_error_send, wire_error_read. */
 enum wire_code {
     WIRE_FINE = 0,
-    WIRE_E_VERSION = 1, /* `detail`: the version this end speaks */
+    WIRE_E_VERSION = 1, /* `detail`: the version this peer speaks */
     WIRE_E_PANEL = 2,   /* the panel has more tiles than the sender can keep */
     WIRE_E_SCENE = 3,   /* the image was refused: rule << 24 | offset & 0xFFFFFF */
     WIRE_E_ARENA = 4,   /* `detail`: bytes it would need */
-    WIRE_E_SOURCE = 5,  /* a block could not be had: its offset */
+    WIRE_E_SOURCE = 5,  /* a block could not be read: its offset */
     WIRE_E_VIEW = 6,    /* the camera has no direction */
     WIRE_E_BLOCK = 7    /* a request outside the image: its offset */
 };
@@ -119,13 +119,13 @@ enum { WIRE_CONTROL_BYTES = 48 }; /* longest control message with its head */
 /* Messages of one channel as they come (WIRE.md, section 3). */
 typedef struct wire_stream {
     uint16_t left;   /* bytes of the body still to come */
-    uint8_t stage;   /* enum in end_in.c */
+    uint8_t stage;   /* enum in peer_in.c */
     uint8_t is_lost; /* something was missed: wait for a report that says where a message begins */
     uint8_t type, low, used;
 } wire_stream;
 
 /* Looked at only through the functions below. */
-typedef struct wire_end {
+typedef struct wire_peer {
     struct wire_frames_out *frames_out;
     struct wire_frames_in *frames_in;
     struct wire_scene_out *scene_out;
@@ -135,71 +135,67 @@ typedef struct wire_end {
     struct wire_blocks_out *blocks_out;
     struct wire_blocks_in *blocks_in;
     struct wire_queue *queue; /* of data messages, shared by the parts that send */
-    wire_stats *peer_stats;
 
-    wire_caps own, peer, next_peer;
+    wire_caps own, other, next_other;
     wire_stats stats;
     uint32_t key;        /* of the session: in every checksum */
-    uint32_t next_key;   /* device: of the session offered and not yet taken */
+    uint32_t next_key;   /* device: of the session offered, not yet begun */
     uint32_t host_half;  /* the host's half of the session's number */
     uint32_t out_number; /* of the next report */
-    uint32_t out_acked;  /* the other end has seen, or missed, all below */
+    uint32_t out_acked;  /* the other peer has seen, or missed, all below */
     uint32_t out_asks;   /* reports below want an acknowledgement */
     uint32_t in_number;  /* the report expected next */
     uint32_t heard_ms, asked_ms, set_ms, now_ms;
-    uint32_t error_detail, peer_detail;
-    uint32_t pending; /* control messages to send: bits of parts.h */
-    uint8_t role, state, has_next, error, peer_error;
-    uint8_t setting[2], peer_setting[2], settings_to_go;
+    uint32_t error_detail, other_detail;
+    uint32_t pending; /* control messages to send: bits of base.h */
+    uint8_t role, state, has_next, error, other_error;
+    uint8_t setting[2], other_setting[2], settings_to_go;
     uint8_t unacked_in, hello_number, hello_in, hello_used;
     uint8_t control_used, control_gone; /* of a control message being sent */
     wire_stream control, data;
     uint8_t control_out[WIRE_CONTROL_BYTES], control_in[WIRE_CONTROL_BYTES];
     uint8_t data_head[12];
-} wire_end;
+} wire_peer;
 
-/* Opens an end without parts; a host begins to say hello. Errors:
- * WIRE_ERR_SETUP for sizes, window or role out of range. */
-int wire_end_open(wire_end *end, const wire_setup *setup, uint32_t now_ms);
+/* Opens a peer without services; a host begins to say hello. Errors:
+ * WIRE_ERR_SETUP for sizes, credits or role out of range. */
+int wire_peer_open(wire_peer *peer, const wire_setup *setup, uint32_t now_ms);
 
 /* The transport came up (cable in, file opened) or went down: the session is
  * over, everything on the way is forgotten, what the panel shows stays. */
-void wire_on_link(wire_end *end, int up, uint32_t now_ms);
+void wire_on_link(wire_peer *peer, int up, uint32_t now_ms);
 
 /* A report came, of `bytes` bytes. Anything at all may be in it; an empty one
- * is nothing. Cost: the checksum (about 12 instructions a byte on a
+ * is nothing. Cost: the checksum (7 instructions per byte on a
  * Cortex-M), and decoding straight into the panel. Returns 1 when it was
  * valid and new, else 0. */
-int wire_on_report(wire_end *end, const uint8_t *report, size_t bytes, uint32_t now_ms);
+int wire_on_report(wire_peer *peer, const uint8_t *report, size_t bytes, uint32_t now_ms);
 
-/* Time passed: call it 20 times a second at least. `now_ms` may wrap. */
-void wire_poll(wire_end *end, uint32_t now_ms);
+/* Time passed: call it 20 times per second at least. `now_ms` may wrap. */
+void wire_poll(wire_peer *peer, uint32_t now_ms);
 
 /* Writes the next report to `report` (own.out_bytes of room) and returns its
  * size, or 0 when there is nothing to send or no credit to send it. Once
  * returned, the report counts as sent. */
-size_t wire_next_report(wire_end *end, uint8_t *report, uint32_t now_ms);
+size_t wire_next_report(wire_peer *peer, uint8_t *report, uint32_t now_ms);
 
-/* Whether a session is up; what the other end said it is (while up). */
-int wire_is_up(const wire_end *end);
-const wire_caps *wire_peer(const wire_end *end);
+/* Whether a session is up; what the other peer said it is (while up). */
+int wire_is_up(const wire_peer *peer);
+const wire_caps *wire_other(const wire_peer *peer);
 
-/* Reports on the way that the other end has not acknowledged. */
-uint32_t wire_unacked(const wire_end *end);
+/* Reports on the way that the other peer has not acknowledged. */
+uint32_t wire_unacked(const wire_peer *peer);
 
-/* Tells the other end of an error; the latest counts. */
-void wire_tell(wire_end *end, unsigned code, uint32_t detail);
+/* Reports an error to the other peer; the latest counts. */
+void wire_error_send(wire_peer *peer, unsigned code, uint32_t detail);
 
-/* The latest error the other end told, and forgets it. WIRE_FINE: none. */
-unsigned wire_told(wire_end *end, uint32_t *detail);
+/* The latest error that the other peer reported; read once. WIRE_FINE: none. */
+unsigned wire_error_read(wire_peer *peer, uint32_t *detail);
 
-/* Sends a setting; the latest counts. At the other end wire_setting_take
- * gives its key once, 0 when there is none. */
-void wire_set(wire_end *end, unsigned key, unsigned value);
-unsigned wire_setting_take(wire_end *end, unsigned *value);
-
-/* Asks for the other end's statistics, which come into `*to` (until then 0). */
-void wire_stats_ask(wire_end *end, wire_stats *to);
+/* Sends a setting; the latest counts. At the other peer wire_setting_read
+ * returns its key once, 0 when there is none. */
+void wire_setting_send(wire_peer *peer, unsigned key, unsigned value);
+unsigned wire_setting_read(wire_peer *peer, unsigned *value);
 
 #ifdef __cplusplus
 }

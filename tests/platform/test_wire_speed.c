@@ -1,7 +1,7 @@
-/* test_wire_figures - bytes a frame and frames a second through full speed
+/* test_wire_speed - bytes per frame and frames per second over full-speed USB
  *
- * Frames of 320 x 240 RGB565 in the views that `planelet render` chooses, at
- * 25 a second, over the fake cable at one report of 64 bytes a millisecond.
+ * Frames of 320 x 240 RGB565 in the views that `planelet render` chooses, 25 per
+ * second, over the fake cable at one report of 64 bytes per millisecond.
  * A frame counts when it was acknowledged whole; one that is ready while
  * another is on its way is left out. Arguments: scene images to orbit, beside
  * the scenes that planelet makes.
@@ -22,7 +22,7 @@
 #include "tests/reference/wire_rig.h"
 #include "tests/test.h"
 
-enum { WIDTH = 320, HEIGHT = 240, FILM = 50, FRAME_MS = 40, TURN = 120, GOAL = 12 };
+enum { WIDTH = 320, HEIGHT = 240, FILM = 50, FRAME_MS = 40, ORBIT = 120, GOAL = 12 };
 
 static uint8_t *film[FILM];
 static size_t arena_bytes = 64u << 20;
@@ -37,6 +37,7 @@ static plt_camera camera_of(const plt_info *info, unsigned width, unsigned heigh
 }
 
 static void render(plt_engine *engine, const plt_frame *frame, uint8_t *rgb) {
+    uint32_t pixels = 0;
     CHECK(plt_render_begin(engine, frame) == PLT_OK, "the camera");
     for (int status = PLT_MORE; status > 0;) {
         status = plt_render_step(engine, 100000);
@@ -47,8 +48,10 @@ static void render(plt_engine *engine, const plt_frame *frame, uint8_t *rgb) {
                 memcpy(rgb + 3 * ((size_t)(t.y + y) * frame->width + t.x),
                        t.rgb + 3 * (size_t)y * t.width, 3 * (size_t)t.width);
             }
+            pixels += (uint32_t)t.width * t.height;
         }
     }
+    CHECK(pixels == (uint32_t)frame->width * frame->height, "%u pixels", pixels);
 }
 
 static plt_engine *engine_of(const plt_source *source) {
@@ -68,7 +71,7 @@ static void render_orbit(plt_engine *engine, int frames) {
     for (int i = 0; i < frames; i++) {
         frame.camera = start;
         if (i > 0) {
-            view_orbit(&start, (double)i / TURN, &frame.camera);
+            view_orbit(&start, (double)i / ORBIT, &frame.camera);
         }
         render(engine, &frame, film[i]);
     }
@@ -109,19 +112,19 @@ static void film_mesh(int (*make)(mesh *, uint64_t, fail *), uint64_t triangles)
     mesh_free(&m);
 }
 
-typedef struct figure {
-    double fps, bytes; /* frames a second; bytes of messages a frame */
+typedef struct measurement {
+    double fps, bytes; /* frames per second; bytes of messages per frame */
     double near;       /* steps, of all frames */
     uint32_t key;      /* of the first frame */
-} figure;
+} measurement;
 
 /* Plays the film in a loop there and back, for `ms`. */
-static figure play(rig_shape shape, unsigned goal, uint32_t ms) {
+static measurement play(rig_shape shape, unsigned goal, uint32_t ms) {
     static wire_rig pair;
     wire_rig_open(&pair, shape, 1);
     pair.cable.paced = 1;
     wire_frames_rate(&pair.out, goal);
-    figure result = {0, 0, 0, 0};
+    measurement result = {0, 0, 0, 0};
     uint32_t shown = 0, frames = 0, payload = 0, since = 0, last = UINT32_MAX;
     for (uint32_t t = 0; t < ms + since; t++) {
         fake_cable_step(&pair.cable);
@@ -140,9 +143,11 @@ static figure play(rig_shape shape, unsigned goal, uint32_t ms) {
         result.near += pair.out.near;
         shown++;
     }
-    result.near /= shown;
+    CHECK(shown > 0 && since > 0, "%u frames were shown", shown);
+    result.near /= shown > 0 ? shown : 1;
     frames = pair.host.stats.frames_out - frames;
     result.fps = 1000.0 * frames / ms;
+    CHECK(frames > 0, "no frame came whole");
     result.bytes = (double)(pair.host.stats.payload_out - payload) / (frames ? frames : 1);
     CHECK(pair.host.stats.frames_bad == 0 && pair.device.stats.reports_lost == 0,
           "%u bad frames, %u reports lost", pair.host.stats.frames_bad,
@@ -151,7 +156,7 @@ static figure play(rig_shape shape, unsigned goal, uint32_t ms) {
     return result;
 }
 
-static void report(const char *scene, figure fps[3]) {
+static void report(const char *scene, measurement fps[3]) {
     rig_shape shape = {WIDTH, HEIGHT, WIRE_RGB565, 64, 64, 16, 0};
     fps[0] = play(shape, 0, 4000);
     shape.reads = 1;
@@ -164,10 +169,13 @@ static void report(const char *scene, figure fps[3]) {
         fps[2].bytes, fps[2].fps);
 }
 
-static void figure_file(const char *path) {
+static void measure_file(const char *path) {
     host_scene file;
-    figure f[3];
-    if (host_scene_map(&file, path) == 0) {
+    measurement f[3];
+    test(path);
+    const int status = host_scene_map(&file, path);
+    CHECK(status == 0, "it cannot be read");
+    if (status == 0) {
         arena_bytes = 1u << 28;
         plt_engine *engine = engine_of(&file.source);
         if (engine != NULL) {
@@ -178,7 +186,7 @@ static void figure_file(const char *path) {
     host_scene_close(&file);
 }
 
-static void figure_oled(void) {
+static void measure_oled(void) {
     const rig_shape shape = {128, 64, WIRE_MONO1, 64, 64, 16, 1};
     for (int i = 0; i < FILM; i++) { /* the middle of the film, 1 to 1 */
         for (unsigned y = 0; y < 64; y++) {
@@ -197,28 +205,40 @@ static void figure_oled(void) {
     printf("    128x64 1 bit, marbles: %u bytes, %.1f fps\n",
            pair.host.stats.payload_out / (pair.host.stats.frames_out + 1),
            pair.host.stats.frames_out / 2.0);
-    test("128 x 64 at 1 bit, a new frame as soon as one has gone: at least 50 frames a second");
+    test("128 x 64 at 1 bit, a new frame as soon as one has gone: at least 50 frames per second");
     CHECK(pair.host.stats.frames_out >= 100, "%u in 2 s", pair.host.stats.frames_out);
     wire_rig_close(&pair);
 }
 
+/* Such a build has nothing to measure; it must say why. */
+static void test_tiny(void) {
+    mesh m = {0};
+    rig r;
+    fail f = {""};
+    const rig_config config = rig_config_of(2, 32, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    test("a build with tiny limits refuses the scene of a film, and says that it is a limit");
+    CHECK(scene_knot(&m, 20000, &f) == 0, "%s", f.text);
+    CHECK(rig_open(&r, &m, &config) == PLT_ERR_LIMIT, "%s", r.fault.message);
+    rig_close(&r);
+    mesh_free(&m);
+}
+
 int main(int count, char **words) {
-    figure f[3];
+    measurement f[3];
     if (rig_is_tiny()) {
-        test("a build with tiny limits cannot hold the films");
-        CHECK(1, "it can");
+        test_tiny();
         return test_done();
     }
     for (int i = 0; i < FILM; i++) {
         film[i] = malloc(3u * WIDTH * HEIGHT);
     }
-    test("with a goal of 12 frames a second: marbles before a static camera, at least 12");
+    test("with a goal of 12 frames per second: marbles before a static camera, at least 12");
     film_marbles();
     report("109 marbles, still camera", f);
     CHECK(f[2].fps >= GOAL, "%.1f", f[2].fps);
-    figure_oled();
+    measure_oled();
     test(
-        "an orbit round a knot: at least 4 frames a second exact, nothing asked of the panel; 12 "
+        "an orbit round a knot: at least 4 frames per second exact, nothing asked of the panel; 12 "
         "with the goal");
     film_mesh(scene_knot, 20000);
     report("20,000 knot, orbit", f);
@@ -228,7 +248,7 @@ int main(int count, char **words) {
     report("20,000 terrain, orbit", f);
     CHECK(f[0].fps >= 3.0 && f[2].fps >= GOAL, "%.1f, %.1f with the goal", f[0].fps, f[2].fps);
     for (int i = 1; i < count; i++) {
-        figure_file(words[i]);
+        measure_file(words[i]);
     }
     for (int i = 0; i < FILM; i++) {
         free(film[i]);
