@@ -293,7 +293,7 @@ static void test_engine(void) {
 }
 
 static void test_other_tiles(void) {
-    static const plt_options options = {PLT_PACKET_SIDE_MAX, 0};
+    static const plt_options options = {PLT_PACKET_SIDE_MAX, 0, 0};
     test("an engine whose tiles are not those of the wire is refused as a device");
     CHECK(wire_device_open(&e.device, &device_setup, &options, e.memory, sizeof e.memory, 0) ==
               WIRE_ERR_SETUP,
