@@ -135,7 +135,9 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     }
     uint32_t middle = p.first;
     if (p.count > 1) {
-        middle = plt_blocks_split(s, &p, exact);
+        const plt_split_range range = {p.first, p.first + p.count, p.depth, s->job->leaf_triangles,
+                                       s->job->splits};
+        middle = plt_split_lattice(s, &range, &p.tight, exact);
     } else { /* a scene of one triangle has it twice */
         exact[0] = exact[1] = p.tight;
     }

@@ -5,6 +5,7 @@
 #define PLT_BUILDER_BLOCKS_STATE_H
 
 #include "engine/builder/blocks.h"
+#include "engine/builder/split.h"
 #include "engine/tree/compact/leaf.h"
 
 #define PLT_BLOCK_VERTICES_MOST 640
@@ -42,6 +43,15 @@ typedef struct plt_lattice_bin {
     uint32_t count;
 } plt_lattice_bin;
 
+typedef struct plt_lattice_bins {
+    plt_lattice_bin bin[3][PLT_SAH_BINS];
+    plt_lattice_box right_box[PLT_SAH_BINS]; /* of bins k and up, while an axis is swept */
+    uint32_t right_count[PLT_SAH_BINS];
+    plt_lattice_box few_box[PLT_SAH_BINS]; /* a range of no more triangles than bins */
+    uint32_t few_index[PLT_SAH_BINS];
+    uint8_t few_rank[3][PLT_SAH_BINS];
+} plt_lattice_bins;
+
 /* A triangle of a strip: which of the unit, turned by how many corners. */
 typedef struct plt_strip_step {
     uint8_t triangle, turned, start, turn;
@@ -70,14 +80,8 @@ typedef struct plt_blocks_state {
     uint8_t flags[PLT_BLOCK_TRIANGLES_MOST]; /* 1: start, 2: turn */
     uint8_t unit_count[PLT_BLOCK_NODES_MOST + 1], unit_pair[PLT_BLOCK_NODES_MOST + 1];
     uint32_t units, triangles, references, vertices;
-    uint32_t mesh; /* number + 1 of all its triangles' mesh; 0: several, or not known */
-    /* splitting */
-    plt_lattice_bin bin[3][PLT_SAH_BINS];
-    plt_lattice_box right_box[PLT_SAH_BINS];
-    plt_lattice_box few_box[PLT_SAH_BINS]; /* ranges of no more triangles than bins */
-    uint32_t few[PLT_SAH_BINS];
-    uint8_t few_rank[3][PLT_SAH_BINS];
-    uint32_t right_count[PLT_SAH_BINS];
+    uint32_t mesh;         /* number + 1 of all its triangles' mesh; 0: several, or not known */
+    plt_lattice_bins bins; /* splitting */
 } plt_blocks_state;
 
 static inline uint32_t plt_permuted(const plt_blocks_state *s, uint32_t i) {
@@ -135,10 +139,9 @@ static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangl
     return b;
 }
 
-/* Splits a range of the permutation in place: [first, middle), [middle, first +
- * count), neither empty, with their exact boxes. (blocks_split.c) */
-uint32_t plt_blocks_split(plt_blocks_state *s, const plt_block_range *range,
-                          plt_lattice_box child[2]);
+/* plt_split_records, for a range of the permutation. (split_lattice.c) */
+uint32_t plt_split_lattice(plt_blocks_state *items, const plt_split_range *range,
+                           const plt_lattice_box *box, plt_lattice_box child[2]);
 
 /* The order, turns and starts of a unit's triangles that take the fewest
  * strips. `count` is 1 .. 8. (strips.c) */

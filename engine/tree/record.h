@@ -66,4 +66,14 @@ static inline plt_box plt_record_box(const plt_record *r) {
     return b;
 }
 
+/* The tight box of records begin .. end - 1. */
+static inline plt_box plt_records_box(const plt_record *records, uint32_t begin, uint32_t end) {
+    plt_box box = plt_box_empty();
+    for (uint32_t i = begin; i < end; i++) {
+        const plt_box b = plt_record_box(&records[i]);
+        plt_box_add(&box, &b);
+    }
+    return box;
+}
+
 #endif

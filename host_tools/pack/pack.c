@@ -11,7 +11,6 @@
 
 #include "engine/base/crc32.h"
 #include "engine/builder/build.h"
-#include "engine/builder/split.h"
 #include "engine/image/header.h"
 #include "engine/tree/thesis/validate.h"
 
