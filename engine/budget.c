@@ -96,7 +96,7 @@ static uint64_t build_bytes(const plt_info *info, const plt_info *worst, uint64_
     const uint64_t survey = cut(plt_budget_survey(info));
     if (info->nodes_format == PLT_NODES_COMPACT) {
         const uint64_t blocks = cut((uint64_t)worst->node_bytes + worst->triangle_bytes);
-        const uint32_t corners = info->lattice_bits <= 16 ? 18 : 36;
+        const uint32_t corners = plt_corners_bytes(info->lattice_bits);
         const uint64_t window = mapped ? 0 : cut(plt_record_cache_bytes(corners));
         return blocks + larger(cut(plt_blocks_scratch_bytes(info->triangles)) + window, last);
     }

@@ -7,8 +7,6 @@
 #include "engine/opening.h"
 #include "engine/tree/thesis/validate_image.h"
 
-#define BEHIND 8 /* bytes that readers of bits may look at */
-
 static void describe(const plt_opening *o) {
     plt_engine *e = o->e;
     plt_block_tree *t = &e->walker.blocks.tree;
@@ -158,8 +156,8 @@ static int open_window(const plt_opening *o, plt_lattice_triangles *t, void *mem
 }
 
 static size_t window_bytes(const plt_engine *e) {
-    const uint32_t width = e->header.info.lattice_bits <= 16 ? 2 : 4;
-    return e->source.mapped != NULL ? 0 : plt_arena_cut_bytes(plt_record_cache_bytes(9 * width));
+    const uint32_t corners = plt_corners_bytes(e->header.info.lattice_bits);
+    return e->source.mapped != NULL ? 0 : plt_arena_cut_bytes(plt_record_cache_bytes(corners));
 }
 
 /* Blocks grow over the free arena, scratch and window take its end. */
@@ -167,7 +165,7 @@ static int cut_for_build(const plt_opening *o, plt_blocks_job *job) {
     plt_engine *e = o->e;
     const size_t scratch = plt_arena_cut_bytes(plt_blocks_scratch_bytes(e->header.info.triangles));
     const size_t free_bytes = e->arena.bytes - e->arena.used, end = scratch + window_bytes(e);
-    if (end + BEHIND > free_bytes) {
+    if (end + PLT_BITS_BEHIND > free_bytes) {
         return plt_opening_short(o);
     }
     const plt_info worst = plt_budget_worst_tree(&e->header.info);
@@ -197,7 +195,7 @@ static int begin_build(const plt_opening *o) {
     plt_engine *e = o->e;
     const plt_info *info = &e->header.info;
     const plt_blocks_job job = {
-        .triangles = {NULL, info->triangles, info->lattice_bits <= 16 ? 2 : 4, 0, NULL},
+        .triangles = {NULL, info->triangles, plt_corner_width(info->lattice_bits), 0, NULL},
         .bits = info->lattice_bits,
         .leaf_triangles = info->leaf_triangles,
         .splits = info->splits};
@@ -240,7 +238,7 @@ static int finish_build(const plt_opening *o) {
     const size_t needed = e->build_mark + e->build.peak + scratch + window_bytes(e);
     plt_arena_release(&e->arena, e->build_mark);
     e->arena.peak = needed > e->build_peak ? needed : e->build_peak;
-    plt_arena_cut(&e->arena, (size_t)e->build.used + BEHIND);
+    plt_arena_cut(&e->arena, (size_t)e->build.used + PLT_BITS_BEHIND);
     believe(o, &e->build);
     return e->build.triangles.window != NULL ? check_built(o) : PLT_OK;
 }

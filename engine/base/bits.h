@@ -1,6 +1,6 @@
 /* bits - strings of bits in memory, least significant bit first
  *
- * Readers may look at up to 8 bytes behind the bits they were asked for.
+ * Readers may look at up to PLT_BITS_BEHIND bytes behind the bits they were asked for.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BASE_BITS_H
@@ -10,6 +10,8 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+
+#define PLT_BITS_BEHIND 8
 
 static inline uint32_t plt_count_bits(uint32_t x) {
 #if defined(__POPCNT__)

@@ -205,7 +205,7 @@ static int seal_next(plt_blocks_state *s) {
     plt_block_open(&b, bytes, job->bits);
     const uint32_t check = plt_block_check(bytes, b.node_bytes, 2);
     plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) | check << 16);
-    s->sealed += (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
+    s->sealed += plt_block_bytes(&b);
     return s->sealed == job->used ? PLT_OK : PLT_MORE;
 }
 

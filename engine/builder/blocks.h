@@ -20,6 +20,7 @@
 
 #include "engine/base/bytes.h"
 #include "engine/base/lattice.h"
+#include "engine/image/items.h"
 #include "engine/image/record_cache.h"
 #include "engine/planelet.h"
 

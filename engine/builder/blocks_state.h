@@ -10,7 +10,6 @@
 
 #define PLT_BLOCK_VERTICES_MOST 640
 #define PLT_BLOCK_HASH 1024
-#define PLT_BLOCK_TRIANGLES_MOST ((PLT_BLOCK_NODES_MOST + 1) * PLT_LEAF_TRIANGLES_MOST)
 
 /* A range of the permutation, its exact box, and the box that the walk will
  * have decoded for it. */

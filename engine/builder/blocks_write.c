@@ -31,7 +31,7 @@ void plt_blocks_link_offsets(const plt_blocks_state *s, uint32_t *offset) {
 }
 
 static void write_frame(const plt_blocks_state *s, unsigned char *at) {
-    const uint32_t width = s->job->bits <= 16 ? 16 : 21;
+    const uint32_t width = plt_block_bounds_width(s->job->bits);
     for (uint32_t a = 0; a < 3; a++) {
         plt_bits_put(at, a * width, width, s->at.frame.lo[a]);
         plt_bits_put(at, (a + 3) * width, width, s->at.frame.hi[a]);
@@ -104,7 +104,7 @@ static uint32_t write_vertices(const plt_blocks_state *s, unsigned char *bytes, 
 
 static uint32_t geometry_bytes(const plt_blocks_state *s) {
     const uint32_t bytes = (plt_blocks_geometry_bits(s) + 7) / 8;
-    return s->units == 0 ? 0 : (PLT_GEOMETRY_HEADER_BYTES + bytes + 7) & ~7u;
+    return s->units == 0 ? 0 : plt_block_pad(PLT_GEOMETRY_HEADER_BYTES + bytes);
 }
 
 static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint32_t size) {
@@ -132,10 +132,8 @@ static void set_link(plt_blocks_state *s, uint32_t link) {
 int plt_blocks_write(plt_blocks_state *s) {
     plt_blocks_job *job = s->job;
     const uint32_t geometry = geometry_bytes(s);
-    const uint32_t node_part =
-        (plt_block_parts_bytes(s->nodes, count_edges(s), job->bits) + 3u) & ~3u;
-    const uint32_t padded = geometry > 0 ? node_part : (node_part + 7u) & ~7u;
-    const uint32_t size = (padded + geometry + 7u) & ~7u;
+    const uint32_t node_part = plt_block_nodes_bytes(s->nodes, count_edges(s), job->bits);
+    const uint32_t size = plt_block_pad(node_part + geometry);
     const size_t room =
         (size_t)(s->permutation - job->memory) + (size_t)s->at.first * s->index_bytes;
     const size_t need =
@@ -144,7 +142,7 @@ int plt_blocks_write(plt_blocks_state *s) {
     if ((size_t)job->used + size > room) {
         return PLT_ERR_ARENA;
     }
-    if (job->used + size > 8u * 0xFFFFFFu) {
+    if (job->used + size > PLT_BLOCKS_BYTES_MAX) {
         return PLT_ERR_LIMIT;
     }
     unsigned char *bytes = job->memory + job->used;

@@ -5,8 +5,7 @@
 #include "engine/base/fault.h"
 #include "engine/image/header.h"
 #include "engine/image/header_at.h"
-#include "engine/tree/compact/block.h"
-#include "engine/tree/thesis/link.h"
+#include "engine/image/items.h"
 
 static int is_number_between(float x, float least, float most) {
     return x >= least && x <= most;
@@ -46,7 +45,8 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
     good &= info->primitive_id_bits == 0 ||
             (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
              info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
-    if (!good || info->node_bytes > 8u * 0xFFFFFFu || info->triangle_bytes > 8u * 0xFFFFFFu) {
+    if (!good || info->node_bytes > PLT_BLOCKS_BYTES_MAX ||
+        info->triangle_bytes > PLT_BLOCKS_BYTES_MAX) {
         return plt_refused(fault, 14, PLT_AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");
     }

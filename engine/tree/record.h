@@ -18,9 +18,9 @@
 
 #include "engine/base/box.h"
 #include "engine/base/bytes.h"
+#include "engine/image/items.h"
 #include "engine/tree/primitive_id.h"
 
-#define PLT_RECORD_BYTES 40
 #define PLT_RECORD_LAST 0x80000000u
 
 typedef struct plt_record {
@@ -31,10 +31,6 @@ _Static_assert(sizeof(plt_record) == PLT_RECORD_BYTES, "a triangle record has 40
 
 static inline float plt_record_float(const plt_record *r, int corner, int axis) {
     return plt_get_float(&r->word[3 * corner + axis]);
-}
-
-static inline uint32_t plt_record_source(const plt_record *r) {
-    return plt_primitive_id(plt_get_u32(&r->word[9]));
 }
 
 static inline int plt_record_is_last(const plt_record *r) {

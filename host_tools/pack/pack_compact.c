@@ -11,9 +11,9 @@
 #include "engine/base/crc32.h"
 #include "engine/builder/blocks.h"
 #include "engine/image/header.h"
+#include "engine/image/items.h"
 #include "engine/tree/compact/block.h"
 #include "engine/tree/primitive_id.h"
-#include "engine/tree/thesis/link.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
 

@@ -16,6 +16,7 @@
 #undef plt_walk_blocks
 
 #include "host_tools/scenes/scenes.h"
+#include "tests/reference/block_slots.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
 #include "tests/reference/rays.h"
@@ -272,7 +273,7 @@ static void every_step(void) {
     CHECK(wrong == 0, "%u wrong, the first of extent %u", wrong, first);
 }
 
-/* One node with any bytes: the walk's boxes are those of plt_block_children. */
+/* One node with any bytes: the walk's boxes are those of block_children. */
 static void any_planes(void) {
     random_state r = {9};
     for (int round = 0; round < 20000; round++) {
@@ -293,7 +294,7 @@ static void any_planes(void) {
             at.lo[a] = (float)box.lo[a];
             at.hi[a] = (float)box.hi[a];
         }
-        plt_block_children(&b, 0, &box, child);
+        block_children(&b, 0, &box, child);
         decode(&b, &at, los, his);
         for (int c = 0; c < 2; c++) {
             f4_store(lo[c], los[c]);

@@ -192,7 +192,7 @@ static some_block open_at(const packed *image, uint32_t address) {
 
 static uint32_t second_address(const packed *image) {
     const some_block f = open_at(image, 0);
-    return (f.b.node_bytes + f.b.geometry_bytes + 7u) & ~7u;
+    return plt_block_bytes(&f.b);
 }
 
 static void bent_links(const packed *image) {
@@ -219,7 +219,7 @@ static uint32_t last_address(const packed *image) {
     for (uint32_t next = 0; next < used;) {
         const some_block f = open_at(image, next);
         at = next;
-        next += (f.b.node_bytes + f.b.geometry_bytes + 7u) & ~7u;
+        next += plt_block_bytes(&f.b);
     }
     return at;
 }

@@ -1,7 +1,7 @@
 /* test_lanes - every lanes header against the scalar reference, bit for bit,
  * and the scalar reference against integers and double precision
  *
- * Double is reference enough for + - * / sqrt of floats: when the wide format
+ * Double is reference enough for + - * / of floats: when the wide format
  * has at least 2 p + 2 bits (53 for p = 24), rounding its result once more
  * gives what rounding once would have given (S. A. Figueroa, When is double
  * rounding innocuous?, 1995). Subnormal results have a smaller p.
@@ -185,10 +185,8 @@ static uint32_t by_double(enum lanes_op op, double a, double b) {
         return as_bits((float)(a - b));
     case OP_f4_mul:
         return as_bits((float)(a * b));
-    case OP_f4_div:
-        return as_bits((float)(a / b));
     default:
-        return as_bits((float)sqrt(a));
+        return as_bits((float)(a / b));
     }
 }
 
@@ -352,7 +350,7 @@ int main(void) {
     test("lanes.h lists exactly the operations that the probes run");
     check_names("engine/lanes/lanes.h");
     test_complete(&lanes_probe_scalar);
-    for (int op = OP_f4_add; op <= OP_f4_sqrt; op++) {
+    for (int op = OP_f4_add; op <= OP_f4_div; op++) {
         test_rounding((enum lanes_op)op);
     }
     test_nan_rule(OP_f4_min, -1);

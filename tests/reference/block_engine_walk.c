@@ -10,6 +10,7 @@
 #include "engine/base/lattice.h"
 #include "engine/tree/compact/leaf.h"
 #include "engine/tree/primitive_id.h"
+#include "tests/reference/block_slots.h"
 #include "tests/reference/unit_corners.h"
 
 /* The image, and the block in hand. */
@@ -87,7 +88,7 @@ static void add_record(engine_walk *walk, const walk_source *source) {
 
 static void add_unit(engine_walk *walk, const walk_source *source, engine_child *child,
                      uint32_t slot) {
-    const uint32_t pairs = plt_block_pairs(&source->block, slot);
+    const uint32_t pairs = block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
     const uint32_t first =
         plt_leaf_find(&source->geometry, child->rank, pairs, is_pair, &child->count);
@@ -111,7 +112,7 @@ static void add_unit(engine_walk *walk, const walk_source *source, engine_child 
 static void add_children(engine_walk *walk, const walk_source *source, uint32_t node,
                          plt_lattice_box below[PLT_BLOCK_NODES_MOST]) {
     plt_lattice_box box[2];
-    plt_block_children(&source->block, node, &below[node], box);
+    block_children(&source->block, node, &below[node], box);
     for (uint32_t c = 0; c < 2; c++) {
         const uint32_t slot = 2 * node + c;
         engine_child *child = &walk->child[walk->children++];

@@ -10,6 +10,7 @@
 #include "engine/base/crc32.h"
 #include "engine/image/header.h"
 #include "engine/tree/thesis/validate.h"
+#include "tests/reference/block_slots.h"
 #include "tests/reference/unit_corners.h"
 
 typedef struct converting {
@@ -65,7 +66,7 @@ static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
     plt_block_bounds(b, c->tree->lattice.bits, &frame);
     plt_geometry_open(&g, b, &frame, k);
     uint32_t count;
-    const uint32_t first = plt_leaf_find(&g, number, plt_block_pairs(b, slot), pair, &count);
+    const uint32_t first = plt_leaf_find(&g, number, block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
     unit_corners(&g, first, count, corner);

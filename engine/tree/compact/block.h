@@ -18,8 +18,8 @@
 
 #include "engine/base/bits.h"
 #include "engine/base/lattice.h"
+#include "engine/image/items.h"
 
-#define PLT_BLOCK_NODES_MOST 64
 #define PLT_BLOCK_GEOMETRY_MOST 8184 /* bytes */
 #define PLT_BLOCK_HEADER_BYTES 4
 
@@ -51,15 +51,34 @@ typedef struct plt_block {
     uint8_t pairs_before[4];
 } plt_block;
 
-/* Frame bytes: six 16-bit numbers, or six of 21 bits. */
+/* Bounds are six numbers of so many bits. */
+static inline uint32_t plt_block_bounds_width(uint32_t bits) {
+    return bits <= 16 ? 16 : 21;
+}
+
 static inline uint32_t plt_block_bounds_bytes(uint32_t bits) {
     return bits <= 16 ? 12 : 16;
+}
+
+/* Blocks and geometry parts begin and end at multiples of 8 bytes. */
+static inline uint32_t plt_block_pad(uint32_t bytes) {
+    return (bytes + 7u) & ~7u;
 }
 
 /* Bytes of the nodes part, with `edges` links, before padding. */
 static inline uint32_t plt_block_parts_bytes(uint32_t nodes, uint32_t edges, uint32_t bits) {
     return PLT_BLOCK_HEADER_BYTES + plt_block_bounds_bytes(bits) + 2 * ((2 * nodes + 7) / 8) +
            (5 * nodes + 7) / 8 + 6 * nodes + 4 * edges;
+}
+
+/* And as it lies in the block, a multiple of 4. */
+static inline uint32_t plt_block_nodes_bytes(uint32_t nodes, uint32_t edges, uint32_t bits) {
+    return (plt_block_parts_bytes(nodes, edges, bits) + 3u) & ~3u;
+}
+
+/* Bytes from a block to the next. */
+static inline uint32_t plt_block_bytes(const plt_block *b) {
+    return plt_block_pad(b->node_bytes + b->geometry_bytes);
 }
 
 void plt_block_open(plt_block *block, const unsigned char *bytes, uint32_t bits);
@@ -83,12 +102,6 @@ static inline uint32_t plt_block_rank(const plt_block *b, enum plt_slot_kind kin
     return kind == PLT_SLOT_LEAF ? slot - rank[0] - rank[1] : rank[kind];
 }
 
-/* Pairs among the units before slot `slot`. */
-static inline uint32_t plt_block_pairs(const plt_block *b, uint32_t slot) {
-    return b->pairs_before[slot >> 5] +
-           plt_count_bits(b->pair[slot >> 5] & plt_low_bits(slot & 31));
-}
-
 static inline uint32_t plt_block_edge(const plt_block *b, uint32_t rank) {
     return plt_get_u32(b->links + 4 * rank);
 }
@@ -97,10 +110,6 @@ static inline uint32_t plt_block_edge(const plt_block *b, uint32_t rank) {
  * ymax zmax, and six owner bits in that order (1: the right child's). */
 void plt_block_apply(const plt_lattice_box *box, const unsigned char plane[6], uint32_t owners,
                      plt_lattice_box child[2]);
-
-/* Both children's boxes of node `node`, given its own. */
-void plt_block_children(const plt_block *block, uint32_t node, const plt_lattice_box *box,
-                        plt_lattice_box child[2]);
 
 /* Width of a plane's step on an axis of this extent; 1 for the extents below 0
  * that only a hostile block decodes to. */

@@ -90,7 +90,7 @@ static int arrive(surveying *s, plt_blocks_validate_level *f) {
         if (rule == PLT_BLOCK_VALID && f->node_bytes != b->node_bytes) {
             rule = PLT_BLOCK_RULE_LINKS;
         }
-        s->end += (b->node_bytes + b->geometry_bytes + 7u) & ~7u;
+        s->end += plt_block_bytes(b);
         s->edges += b->edges;
         f->last = f->address;
     }
