@@ -5,7 +5,7 @@
 #include "engine/budget.h"
 #include "engine/builder/blocks.h"
 #include "engine/opening.h"
-#include "engine/tree/thesis/validate_image.h"
+#include "engine/tree/validate_records.h"
 
 static void describe(const plt_opening *o) {
     plt_engine *e = o->e;

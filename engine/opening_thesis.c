@@ -5,7 +5,8 @@
 #include "engine/budget.h"
 #include "engine/builder/build.h"
 #include "engine/opening.h"
-#include "engine/tree/thesis/validate_image.h"
+#include "engine/tree/thesis/validate.h"
+#include "engine/tree/validate_records.h"
 
 static int take_scene(const plt_opening *o) {
     plt_engine *e = o->e;

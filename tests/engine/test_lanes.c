@@ -8,7 +8,6 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 
 #include "tests/reference/lanes_ops.h"
