@@ -14,7 +14,7 @@ static void describe(const plt_opening *o) {
     t->leaf_triangles = e->header.info.leaf_triangles;
     t->lattice = e->header.lattice;
     t->box = e->header.lattice_box;
-    t->numbers.bits = e->header.info.primitive_id_bits;
+    t->ids.bits = e->header.info.primitive_id_bits;
     for (int a = 0; a < 3; a++) {
         e->walker.blocks.origin[a] = t->lattice.origin[a];
     }
@@ -37,7 +37,7 @@ static int same_counts(const plt_info *a, const plt_info *b) {
 /* Numbers of the section are those of the packed mesh. */
 static int check_numbers(const plt_opening *o) {
     const plt_info *info = &o->e->header.info;
-    const plt_primitive_ids *n = &o->e->walker.blocks.tree.numbers;
+    const plt_primitive_ids *n = &o->e->walker.blocks.tree.ids;
     for (uint32_t i = 0; i < info->triangles && n->bytes != NULL; i++) {
         const uint32_t word = plt_primitive_word_find(n, i);
         if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
@@ -109,7 +109,7 @@ static int take_blocks(const plt_opening *o) {
         status = plt_records_validate(&o->e->header, records, o->fault);
     }
     t->bytes = blocks;
-    t->numbers.bytes = numbers;
+    t->ids.bytes = numbers;
     t->records = records;
     t->used = info->node_bytes + info->triangle_bytes;
     return status == PLT_OK ? check_blocks(o) : status;
@@ -147,9 +147,9 @@ static int window_status(const plt_opening *o, const plt_record_cache *w) {
 static int open_window(const plt_opening *o, plt_lattice_triangles *t, void *memory) {
     plt_engine *e = o->e;
     const plt_section *s = plt_header_section(&e->header, PLT_SECTION_CORNERS);
-    t->window = plt_record_cache_init(memory, &e->source, s->offset, 9 * t->width, t->count);
-    const uint32_t crc = plt_record_cache_crc(t->window, s->bytes);
-    const int status = window_status(o, t->window);
+    t->cache = plt_record_cache_init(memory, &e->source, s->offset, 9 * t->width, t->count);
+    const uint32_t crc = plt_record_cache_crc(t->cache, s->bytes);
+    const int status = window_status(o, t->cache);
     return status != PLT_OK || crc == s->crc
                ? status
                : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
@@ -210,7 +210,7 @@ static int begin_build(const plt_opening *o) {
         status = plt_opening_short(o);
     }
     if (status == PLT_OK) {
-        status = window_status(o, e->build.triangles.window);
+        status = window_status(o, e->build.triangles.cache);
     }
     e->building = status == PLT_OK;
     return status == PLT_OK ? PLT_MORE : status;
@@ -224,7 +224,7 @@ static void believe(const plt_opening *o, const plt_blocks_job *job) {
     t->root = o->e->header.root = job->root;
     info->nodes = info->node_slots = job->nodes;
     info->treelets = job->blocks;
-    info->leaf_lists = job->units - job->pairs;
+    info->leaf_lists = job->leaves - job->pairs;
     info->intermediate_lists = job->pairs;
     info->node_bytes = job->node_bytes;
     info->triangle_bytes = job->used - job->node_bytes;
@@ -240,7 +240,7 @@ static int finish_build(const plt_opening *o) {
     e->arena.peak = needed > e->build_peak ? needed : e->build_peak;
     plt_arena_cut(&e->arena, (size_t)e->build.used + PLT_BITS_BEHIND);
     believe(o, &e->build);
-    return e->build.triangles.window != NULL ? check_built(o) : PLT_OK;
+    return e->build.triangles.cache != NULL ? check_built(o) : PLT_OK;
 }
 
 int plt_opening_step(const plt_opening *o, uint32_t steps) {
@@ -249,7 +249,7 @@ int plt_opening_step(const plt_opening *o, uint32_t steps) {
         status = plt_blocks_step(&o->e->build);
         steps--;
     }
-    const int source = window_status(o, o->e->build.triangles.window);
+    const int source = window_status(o, o->e->build.triangles.cache);
     if (source != PLT_OK) {
         status = source;
     } else if (status == PLT_OK) {

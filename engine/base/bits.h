@@ -79,7 +79,7 @@ static inline uint32_t plt_bits_count(const unsigned char *bytes, uint32_t begin
     return count + plt_count_bits_long(plt_get_u64(at) & wanted & (((uint64_t)1 << left) - 1));
 }
 
-/* Running ranks of the string begin .. end - 1, one a 64 bits from the byte it begins
+/* Running ranks of the string begin .. end - 1, one per 64 bits from the byte it begins
  * in, PLT_RANKS(its bits) at most; returns its ones. */
 #define PLT_RANKS(bits) (((bits) + 7) / 64 + 1)
 

@@ -1,10 +1,9 @@
-/* lattice - the scene's grid of whole numbers for boxes and vertices
+/* lattice - the scene's quantisation grid: whole numbers for boxes and vertices
  *
  * Number q on an axis is the float origin + step * q. q has at most `bits` bits
- * and step at most 24 - bits bits of mantissa, so that the product is exact and
- * the sum rounds once: the same with or without fused arithmetic, and monotone,
- * so that an integer box around integer vertices is a float box around their
- * floats.
+ * and step at most 24 - bits bits of mantissa: the product is exact and the sum rounds
+ * once. That is the same with or without fused arithmetic, and monotone: an integer box
+ * around integer vertices is a float box around their floats.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BASE_LATTICE_H

@@ -1,12 +1,12 @@
 /* build - see build.h
  *
- * A stack of ranges that wait, left child first, so that nodes come out depth
- * first. A range whose two halves are both lists becomes an intermediate node:
- * nothing but its parent's link (thesis, section 3.2).
+ * A stack of ranges that wait, left child on top: nodes come out depth first. A range whose two
+ * halves are both lists becomes an intermediate node: nothing but its parent's link (thesis,
+ * section 3.2).
  *
- * Stack bound: one waiting range a level, so PLT_DEPTH_MAX + 1. Depth bound:
+ * Stack bound: one waiting range per level, so PLT_DEPTH_MAX + 1. Depth bound:
  * a range that could not be finished by halving in the levels that are left
- * after one more free split is halved by number.
+ * after one more free split is halved by count.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/build.h"

@@ -102,7 +102,7 @@ void plt_walk_leaf_strips(plt_walker *w, const plt_opened_block *o, const plt_bl
     const uint32_t first = plt_leaf_find(g, unit, pairs, (int)(what >> 24), &count);
     plt_triangle t;
     t.longest = longest_side(&tree->lattice, at);
-    t.numbers = tree->numbers.bytes == NULL ? NULL : &tree->numbers;
+    t.numbers = tree->ids.bytes == NULL ? NULL : &tree->ids;
     w->stats.triangle_tests += (uint64_t)count * plt_mask_count(at->groups);
     if (tree->records == NULL) {
         test_lattice(w, g, &t, first, count, at->groups);

@@ -1,14 +1,14 @@
 /* record - one triangle of float geometry, 40 bytes
  *
- * Nine floats (three corners, x y z each), then a number word
- * (numbers.h) that says in bit 31 whether this is the last of its list. Lists have 1 .. K records
- * in a row; a last-in-list bit instead of a count leaves the thesis node as it is (thesis,
- * section 8.1.4).
+ * Nine floats (three corners, x y z each), then an id word (primitive_id.h) that says
+ * in bit 31 whether this is the last of its list. Lists have 1 .. K records in a row; a
+ * last-in-list bit instead of a count leaves the thesis node as it is (thesis, section
+ * 8.1.4).
  *
  * Corners stand in canonical order: the least, by x, then y, then z, comes
- * first and the direction of turning stays. Arithmetic on a triangle then does
- * not depend on how a format stores it. The turn says which corner was the
- * packed mesh's first, and so what u and v belong to.
+ * first and their cyclic order stays. Arithmetic on a triangle then does not depend on
+ * how a format stores it. The rotation says which corner was the packed mesh's first,
+ * and so what u and v belong to.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_RECORD_H

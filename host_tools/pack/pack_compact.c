@@ -87,7 +87,7 @@ static int build(compacting *c, fail *f) {
     free(numbers);
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
-    info->leaf_lists = job.units - job.pairs;
+    info->leaf_lists = job.leaves - job.pairs;
     info->intermediate_lists = job.pairs;
     info->node_bytes = job.node_bytes;
     info->triangle_bytes = job.used - job.node_bytes;

@@ -98,7 +98,7 @@ static void check_records(const subject *s) {
         seen[triangle->number] = 1;
         for (unsigned c = 0; c < 3; c++) {
             const float *vertex = shape_corner(s->m, triangle->number, c);
-            const float *point = triangle->point[(triangle->turn + c) % 3];
+            const float *point = triangle->point[(triangle->rotation + c) % 3];
             CHECK(memcmp(vertex, point, 3 * sizeof *point) == 0, "%s: record %u", s->name, t);
         }
     }
@@ -115,8 +115,8 @@ static expected_triangle *found_triangles(const subject *s) {
     for (uint32_t t = 0; t < d->triangles && found != NULL; t++) {
         memcpy(found[t].corner, d->triangle[t].corner, sizeof found[t].corner);
         found[t].number = d->triangle[t].number;
-        found[t].turn = d->triangle[t].turn;
-        CHECK(s->way == NUMBERS || (found[t].number == t && found[t].turn == 0), "%s", s->name);
+        found[t].rotation = d->triangle[t].rotation;
+        CHECK(s->way == NUMBERS || (found[t].number == t && found[t].rotation == 0), "%s", s->name);
     }
     return found;
 }
@@ -142,10 +142,10 @@ static void check_lattice(const subject *s) {
     for (uint32_t t = 0; t < count && t < d->triangles; t++) {
         const int same = memcmp(found[t].corner, expected[t].corner, sizeof found[t].corner) == 0;
         const int same_number =
-            found[t].number == expected[t].number && found[t].turn == expected[t].turn;
+            found[t].number == expected[t].number && found[t].rotation == expected[t].rotation;
         CHECK(same, "%s: triangle %u of %u", s->name, t, expected[t].number);
-        CHECK(s->way == PLACES || same_number, "%s: %u turn %u, not %u turn %u", s->name,
-              found[t].number, found[t].turn, expected[t].number, expected[t].turn);
+        CHECK(s->way == PLACES || same_number, "%s: %u rotation %u, not %u rotation %u", s->name,
+              found[t].number, found[t].rotation, expected[t].number, expected[t].rotation);
     }
     free(expected);
     free(found);
@@ -193,7 +193,7 @@ static void check_boxes(const subject *s) {
         CHECK(holds(s, &node->box, exact.node[i]), "%s: node %u", s->name, i);
         for (int c = 0; c < 2; c++) {
             const decoded_child *child = &node->child[c];
-            const decoded_box *below = &exact.unit[child->kind >= DECODED_UNIT ? child->which : 0];
+            const decoded_box *below = &exact.leaf[child->kind >= DECODED_LEAF ? child->which : 0];
             if (child->kind == DECODED_INNER) {
                 below = &exact.node[child->which];
             } else if (child->kind == DECODED_EDGE) {
@@ -236,11 +236,11 @@ static void check_engine_child(const subject *s, uint32_t slot, const engine_chi
         CHECK(behind->address == plt_block_address(theirs->link), "%s: slot %u", s->name, slot);
         CHECK(behind->nodes_bytes == plt_block_node_bytes(theirs->link), "%s: %u", s->name, slot);
     } else {
-        const decoded_unit *unit = &d->unit[ours->which];
+        const decoded_leaf *leaf = &d->leaf[ours->which];
         CHECK(theirs->kind == PLT_SLOT_LEAF, "%s: slot %u", s->name, slot);
-        CHECK(ours->which == block->first_unit + theirs->rank, "%s: slot %u", s->name, slot);
-        CHECK(unit->first == theirs->first, "%s: slot %u: first", s->name, slot);
-        CHECK(unit->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
+        CHECK(ours->which == block->first_leaf + theirs->rank, "%s: slot %u", s->name, slot);
+        CHECK(leaf->first == theirs->first, "%s: slot %u: first", s->name, slot);
+        CHECK(leaf->triangles == theirs->count, "%s: slot %u: count", s->name, slot);
     }
 }
 
@@ -250,10 +250,11 @@ static void check_engine_block(const subject *s, uint32_t b, const engine_block 
     CHECK(ours->nodes_bytes == theirs->node_bytes, "%s: block %u: nodes part", s->name, b);
     CHECK(ours->geometry_bytes == theirs->geometry_bytes, "%s: block %u: geometry", s->name, b);
     CHECK(ours->nodes == theirs->nodes && ours->edges == theirs->edges, "%s: %u", s->name, b);
-    CHECK(ours->units == theirs->units, "%s: block %u: units", s->name, b);
+    CHECK(ours->leaves == theirs->leaves, "%s: block %u: leaves", s->name, b);
     CHECK(same_boxes(&ours->frame, &theirs->frame), "%s: block %u: frame", s->name, b);
     CHECK(ours->triangles == theirs->triangles, "%s: block %u: triangles", s->name, b);
-    CHECK(ours->units == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name, b);
+    CHECK(ours->leaves == 0 || ours->first_triangle == theirs->first_triangle, "%s: %u", s->name,
+          b);
     CHECK(s->way == FLOATS || ours->vertices == theirs->vertices, "%s: %u", s->name, b);
     CHECK(ours->mesh == theirs->mesh, "%s: block %u: mesh", s->name, b);
 }
@@ -276,8 +277,8 @@ static void check_engine(const subject *s) {
         CHECK(memcmp(ours->corner, theirs->corner, sizeof ours->corner) == 0 &&
                   memcmp(ours->point, theirs->point, sizeof ours->point) == 0,
               "%s: place %u: corners", s->name, t);
-        CHECK(ours->number == theirs->number && ours->turn == theirs->turn, "%s: place %u: number",
-              s->name, t);
+        CHECK(ours->number == theirs->number && ours->rotation == theirs->rotation,
+              "%s: place %u: number", s->name, t);
     }
     engine_walk_free(&walk);
 }
@@ -355,7 +356,7 @@ static void check_one_size(size_t triangles, uint32_t k, enum way way) {
         CHECK(d->triangles == wanted, "%s: %u of %u", s.name, d->triangles, wanted);
         CHECK(d->header.source_triangles == triangles, "%s: source triangles", s.name);
         CHECK(triangles > 0 || d->blocks == 0, "%s: blocks", s.name);
-        CHECK(triangles == 0 || triangles > 2 * k || (d->nodes == 1 && d->units == 2),
+        CHECK(triangles == 0 || triangles > 2 * k || (d->nodes == 1 && d->leaves == 2),
               "%s, %u triangles: %u nodes", s.name, wanted, d->nodes);
         if (triangles > 1) {
             check_triangles(&s);
@@ -367,7 +368,7 @@ static void check_one_size(size_t triangles, uint32_t k, enum way way) {
 }
 
 static void check_sizes(void) {
-    test("up to 2K triangles are one node of two units, one triangle is there twice");
+    test("up to 2K triangles are one node of two leaves, one triangle is there twice");
     for (size_t triangles = 0; triangles <= 10; triangles++) {
         for (size_t k = 0; k < KS; k++) {
             for (int way = 0; way < WAYS; way++) {

@@ -62,7 +62,7 @@ static const float dump_mesh[6][9] = {
     {3990, 160, 10, 3990, 80, 0, 4094, 80, 10}, {4094, 160, 300, 3990, 160, 10, 4094, 0, 10},
 };
 
-/* The table at the end of the section: canonical corners, number, turn. */
+/* The table at the end of the section: canonical corners, number, rotation. */
 static const uint32_t dump_table[6][5] = {
     {2, 0, 1, 0, 1}, {2, 1, 3, 3, 1}, {4, 5, 6, 1, 0},
     {4, 6, 7, 2, 1}, {7, 6, 8, 4, 2}, {8, 5, 9, 5, 2},
@@ -103,7 +103,7 @@ static void check_dump_boxes(const decoded_image *d) {
     static const int32_t hi[2][3] = {{116, 90, 20}, {4094, 160, 300}};
     for (int c = 0; c < 2; c++) {
         const decoded_child *child = &d->node[0].child[c];
-        CHECK(child->kind == (c == 0 ? DECODED_UNIT : DECODED_PAIR), "child %d", c);
+        CHECK(child->kind == (c == 0 ? DECODED_LEAF : DECODED_PAIR), "child %d", c);
         CHECK(memcmp(child->box.lo, lo[c], sizeof lo[c]) == 0, "child %d: lo", c);
         CHECK(memcmp(child->box.hi, hi[c], sizeof hi[c]) == 0, "child %d: hi", c);
     }
@@ -113,12 +113,12 @@ static void check_dump_triangles(const decoded_image *d) {
     for (uint32_t t = 0; t < 6; t++) {
         const decoded_triangle *triangle = &d->triangle[t];
         CHECK(triangle->number == dump_table[t][3], "place %u: number", t);
-        CHECK(triangle->turn == dump_table[t][4], "place %u: turn", t);
+        CHECK(triangle->rotation == dump_table[t][4], "place %u: rotation", t);
         for (uint32_t i = 0; i < 9; i++) {
             const uint32_t vertex = dump_table[t][i / 3];
             CHECK(triangle->corner[i / 3][i % 3] == (int32_t)dump_vertex[vertex][i % 3],
                   "place %u: corner %u", t, i / 3);
-            const uint32_t from = (i / 3 + 3 - triangle->turn) % 3;
+            const uint32_t from = (i / 3 + 3 - triangle->rotation) % 3;
             CHECK(triangle->point[i / 3][i % 3] == dump_mesh[triangle->number][3 * from + i % 3],
                   "place %u: corner %u of the mesh", t, from);
         }
@@ -135,12 +135,12 @@ static void check_dump(void) {
     CHECK(status == 0, "%s", d.wrong);
     if (status == 0) {
         const decoded_block *block = &d.block[0];
-        CHECK(d.triangles == 6 && d.nodes == 1 && d.units == 2 && d.pairs == 1, "counts");
+        CHECK(d.triangles == 6 && d.nodes == 1 && d.leaves == 2 && d.pairs == 1, "counts");
         CHECK(d.blocks == 1 && d.depth == 1 && d.header.source_triangles == 6, "counts");
         CHECK(block->nodes_bytes == 28 && block->geometry_bytes == 56, "parts");
         CHECK(block->takes_bytes == 88, "block");
         CHECK(block->vertices == 10 && block->strips == 3 && block->mesh == 0, "header");
-        CHECK(d.unit[0].triangles == 2 && d.unit[1].triangles == 4, "units");
+        CHECK(d.leaf[0].triangles == 2 && d.leaf[1].triangles == 4, "leaves");
         check_dump_boxes(&d);
         check_dump_triangles(&d);
     }

@@ -57,12 +57,12 @@ static void look(const rig *r, const snapped *s, const char *name) {
     const compact_facts f = compact_check(tree, s);
     const plt_info *i = plt_engine_info(r->engine);
     CHECK(f.broken == 0, "%s, %u triangles: %s (%u times)", name, s->count, f.sentence, f.broken);
-    CHECK(f.longest_unit <= 2 * i->leaf_triangles, "%s: a unit of %u", name, f.longest_unit);
+    CHECK(f.longest_leaf <= 2 * i->leaf_triangles, "%s: a leaf of %u", name, f.longest_leaf);
     CHECK(f.depth <= PLT_DEPTH_MAX && f.depth == i->depth_stack_entries, "%s: depth %u, said %u",
           name, f.depth, i->depth_stack_entries);
     CHECK(f.nodes == i->nodes && f.blocks == i->treelets && f.pairs == i->intermediate_lists &&
-              f.units - f.pairs == i->leaf_lists,
-          "%s: %u nodes, %u blocks, %u units", name, f.nodes, f.blocks, f.units);
+              f.leaves - f.pairs == i->leaf_lists,
+          "%s: %u nodes, %u blocks, %u leaves", name, f.nodes, f.blocks, f.leaves);
     CHECK(i->node_bytes + i->triangle_bytes == tree->used, "%s: bytes", name);
     deepest = f.depth > deepest ? f.depth : deepest;
     closed_early += f.most_vertices > 600;
@@ -206,7 +206,7 @@ static void check_work(work *w, uint64_t seed) {
         const compact_facts f = compact_check(&tree, &s);
         CHECK(f.broken == 0, "seed %llu: %s", (unsigned long long)seed, f.sentence);
         CHECK(f.depth == w->job.depth && f.nodes == w->job.nodes && f.blocks == w->job.blocks &&
-                  f.units == w->job.units && f.pairs == w->job.pairs,
+                  f.leaves == w->job.leaves && f.pairs == w->job.pairs,
               "seed %llu: depth %u, said %u", (unsigned long long)seed, f.depth, w->job.depth);
         const size_t permutation = w->job.triangles.count * 2u;
         CHECK(w->job.peak <= bound && w->job.peak >= w->job.used &&
@@ -253,7 +253,7 @@ static void short_of_memory(uint32_t k, uint64_t seed) {
     free(w.corners);
 }
 
-/* Halving by number fills all levels: units of two below the last nodes. */
+/* Halving by number fills all levels: leaves of two below the last nodes. */
 static void depth_limit(void) {
     const uint32_t most = rig_is_tiny() ? 2u << PLT_DEPTH_MAX % 31 : 600;
     for (uint32_t count = most / 2; count <= 2 * most; count += most / 2) {
@@ -274,7 +274,7 @@ static void depth_limit(void) {
 }
 
 int main(void) {
-    test("each triangle once, boxes and frames that hold it, units of at most 2 K, true counts");
+    test("each triangle once, boxes and frames that hold it, leaves of at most 2 K, true counts");
     every_scene();
     test("the same of 0 to 40 triangles");
     few_triangles();

@@ -19,7 +19,7 @@ static void put(uint16_t *corner, uint32_t x) {
     }
 }
 
-/* What building eight triangles, two a unit, comes to below `depth` levels. */
+/* What building eight triangles, two a leaf, comes to below `depth` levels. */
 static int build(uint32_t depth, uint8_t splits, plt_blocks_job *job) {
     static _Alignas(8) unsigned char memory[MEMORY];
     uint16_t corners[TRIANGLES][9];

@@ -269,7 +269,7 @@ static void bent_frames(const packed *image) {
     bend(image, f.frame_at, 0xFFFFFFFFFFFFFFFFu, 6, 12, "a frame beyond the lattice");
 }
 
-/* Counts, strips and references of the last block, which has units. */
+/* Counts, strips and references of the last block, which has leaves. */
 static void bent_geometry(const packed *image) {
     const some_block f = open_at(image, last_address(image));
     const uint32_t word0 = plt_get_u32(image->bytes + f.geometry_at);
@@ -290,11 +290,11 @@ static uint32_t bit_at(const packed *image, const some_block *f, uint32_t bit) {
     return image->bytes[f->geometry_at + bit / 8] >> bit % 8 & 1u;
 }
 
-/* The start of a strip moved to the triangle behind it: where a unit began there, it
+/* The start of a strip moved to the triangle behind it: where a leaf began there, it
  * no longer does. */
 static void moved_starts(const packed *image, const some_block *f) {
     uint32_t by_rule = 0;
-    for (uint32_t bit = f->g.starts; bit + 1 < f->g.turns; bit++) {
+    for (uint32_t bit = f->g.starts; bit + 1 < f->g.swaps; bit++) {
         if (bit_at(image, f, bit) && !bit_at(image, f, bit + 1)) {
             unsigned char *bytes = copy_of(image);
             bytes[f->geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
@@ -305,7 +305,7 @@ static void moved_starts(const packed *image, const some_block *f) {
             free(bytes);
         }
     }
-    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no unit without a start was noticed");
+    CHECK(image->info.leaf_triangles == 1 || by_rule > 0, "no leaf without a start was noticed");
 }
 
 /* The first reference that is not new names the last vertex, or one behind it. */
@@ -331,8 +331,8 @@ static void bent_strips(const packed *image) {
         bytes[f.geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
         compact_seal(bytes, image->size, 1);
         const hostile_result r = meet(bytes, image->size, "a strip's bit", bit);
-        const int turn = bit >= f.g.turns && bit < f.g.news, ref = bit >= f.g.refs;
-        CHECK(turn || ref ? r.status == PLT_OK || r.fault.rule == 16
+        const int swap = bit >= f.g.swaps && bit < f.g.news, ref = bit >= f.g.refs;
+        CHECK(swap || ref ? r.status == PLT_OK || r.fault.rule == 16
                           : r.status == PLT_ERR_IMAGE && r.fault.rule >= 14,
               "bit %u: status %d, rule %u", bit, r.status, r.fault.rule);
         free(bytes);
@@ -359,7 +359,7 @@ static void bent_numbers(const packed *image) {
     const uint32_t at = plt_get_u32(image->bytes + HOSTILE_SECTION + 16 + 4);
     const uint32_t source = image->info.source_triangles;
     bend(image, at, 0xFFFFFFFF, 4, 19, "numbers beyond the last");
-    bend(image, at, 3, 1, 19, "a turn of 3");
+    bend(image, at, 3, 1, 19, "a rotation of 3");
     bend(image, AT_SOURCE, source - 1, 4, 19, "fewer source triangles than numbers");
     bend(image, AT_SOURCE, source + 5, 4, 0, "more source triangles than numbers");
 }

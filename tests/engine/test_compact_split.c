@@ -46,7 +46,7 @@ static uint32_t nodes_of(uint32_t k, uint32_t gap) {
 }
 
 int main(void) {
-    test("a split that fills units is taken up to a 32nd above the best, and not beyond");
+    test("a split that fills leaves is taken up to a 32nd above the best, and not beyond");
     for (uint32_t k = 1; k <= 4 && SIDES * k <= PLT_SAH_BINS; k *= 2) {
         static const struct {
             uint32_t gap, nodes;

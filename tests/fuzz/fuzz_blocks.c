@@ -14,7 +14,7 @@
  * follows, with 8 bytes behind it and no more, so that sanitizers see over-reads.
  *
  * The oracle is SPEC.md, 5.2: a block that is sound (I10 to I16) can be decoded
- * without leaving it, has units of at most 2 K, coordinates below 2^22, and, as the
+ * without leaving it, has leaves of at most 2 K, coordinates below 2^22, and, as the
  * only block of an image, can be traced.
  *
  * SPDX-License-Identifier: MIT */
@@ -25,7 +25,7 @@
 #include "engine/tree/record.h"
 #include "tests/reference/block_slots.h"
 #include "tests/reference/compact_hostile.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -64,20 +64,20 @@ static void decode_units(const plt_block *b, const plt_block_tree *tree, const p
         if (plt_block_kind(b, slot) != PLT_SLOT_LEAF) {
             continue;
         }
-        const uint32_t unit = plt_block_rank(b, PLT_SLOT_LEAF, slot);
+        const uint32_t leaf = plt_block_rank(b, PLT_SLOT_LEAF, slot);
         const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
         uint32_t count;
-        const uint32_t first = plt_leaf_find(g, unit, block_pairs(b, slot), pair, &count);
-        promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a unit's size");
+        const uint32_t first = plt_leaf_find(g, leaf, block_pairs(b, slot), pair, &count);
+        promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a leaf's size");
         sum += count;
         if (tree->records == NULL) {
-            unit_corners(g, first, count, corner);
+            leaf_corners(g, first, count, corner);
             for (uint32_t i = 0; i < 9 * count; i++) {
                 promise(corner[i / 9][i / 3 % 3][i % 3] < 1u << 22, "a coordinate is too large");
             }
         }
     }
-    promise(sum == g->triangles, "units do not make up the block");
+    promise(sum == g->triangles, "leaves do not make up the block");
 }
 
 static plt_header header_of(const plt_block *b, const plt_block_tree *tree, uint32_t triangles,
@@ -87,7 +87,7 @@ static plt_header header_of(const plt_block *b, const plt_block_tree *tree, uint
         .info = {.triangles = triangles,
                  .nodes = b->nodes,
                  .node_slots = b->nodes,
-                 .leaf_lists = b->units - b->pairs,
+                 .leaf_lists = b->leaves - b->pairs,
                  .intermediate_lists = b->pairs,
                  .treelets = 1,
                  .treelet_nodes = PLT_BLOCK_NODES_MOST,
@@ -162,7 +162,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         plt_block_open(&b, bytes, tree.lattice.bits);
         plt_block_bounds(&b, tree.lattice.bits, &frame);
         const uint32_t depth = decode_boxes(&b, &frame);
-        if (b.units > 0) {
+        if (b.leaves > 0) {
             tree.records != NULL ? plt_geometry_open_counts(&g, &b, tree.leaf_triangles)
                                  : plt_geometry_open(&g, &b, &frame, tree.leaf_triangles);
             decode_units(&b, &tree, &g);

@@ -149,7 +149,7 @@ static int resolve_edges(decoded_image *image) {
 static int check_counts(decoded_image *image, const block_walk *walk) {
     const decoded_header *h = &image->header;
     if (h->triangles != image->triangles || h->nodes != image->nodes ||
-        h->leaf_lists != image->units - image->pairs || h->intermediate_lists != image->pairs ||
+        h->leaf_lists != image->leaves - image->pairs || h->intermediate_lists != image->pairs ||
         h->treelets != image->blocks || h->depth_stack != image->depth) {
         return block_decode_wrong(image, "header: counts are not the blocks'");
     }
@@ -220,10 +220,10 @@ int block_decode(decoded_image *image, const unsigned char *bytes, size_t size) 
 void block_decode_free(decoded_image *image) {
     free(image->block);
     free(image->node);
-    free(image->unit);
+    free(image->leaf);
     free(image->triangle);
     image->block = NULL;
     image->node = NULL;
-    image->unit = NULL;
+    image->leaf = NULL;
     image->triangle = NULL;
 }

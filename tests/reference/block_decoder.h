@@ -5,8 +5,8 @@
  * host with lattice geometry or float records, and says what is wrong with any
  * other.
  *
- * Nodes, units and triangles stand in the order of the image: blocks by
- * address, in a block nodes by number and units by slot. So the index of a
+ * Nodes, leaves and triangles stand in the order of the image: blocks by
+ * address, in a block nodes by number and leaves by slot. So the index of a
  * triangle is its number in image order.
  *
  * Source: SPEC.md, sections 2 to 4 and the invariants I10 to I21.
@@ -17,7 +17,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum decoded_kind { DECODED_INNER, DECODED_EDGE, DECODED_UNIT, DECODED_PAIR };
+enum decoded_kind { DECODED_INNER, DECODED_EDGE, DECODED_LEAF, DECODED_PAIR };
 
 /* Lattice numbers; the floats are those of section 4.7. */
 typedef struct decoded_box {
@@ -27,7 +27,7 @@ typedef struct decoded_box {
 
 typedef struct decoded_child {
     enum decoded_kind kind;
-    uint32_t which; /* inner: index of a node; edge: of a block; else of a unit */
+    uint32_t which; /* inner: index of a node; edge: of a block; else of a leaf */
     decoded_box box;
 } decoded_child;
 
@@ -37,20 +37,20 @@ typedef struct decoded_node {
     decoded_child child[2];
 } decoded_node;
 
-typedef struct decoded_unit {
+typedef struct decoded_leaf {
     uint32_t block, slot;
     uint32_t first, triangles; /* index of the first triangle, how many */
-} decoded_unit;
+} decoded_leaf;
 
 typedef struct decoded_triangle {
     int32_t corner[3][3]; /* canonical order; 0 with float records */
     float point[3][3];
-    uint32_t number, turn; /* in packing order; image order, 0 without numbers */
+    uint32_t number, rotation; /* in packing order; image order, 0 without numbers */
 } decoded_triangle;
 
 typedef struct decoded_block {
     uint32_t address, nodes_bytes, geometry_bytes, takes_bytes;
-    uint32_t first_node, nodes, first_unit, units, first_triangle, triangles;
+    uint32_t first_node, nodes, first_leaf, leaves, first_triangle, triangles;
     uint32_t edges, vertices, mesh, strips;
     uint32_t depth; /* nodes above its root */
     decoded_box frame;
@@ -77,9 +77,9 @@ typedef struct decoded_image {
     decoded_header header;
     decoded_block *block;
     decoded_node *node;
-    decoded_unit *unit;
+    decoded_leaf *leaf;
     decoded_triangle *triangle;
-    uint32_t blocks, nodes, units, pairs, triangles;
+    uint32_t blocks, nodes, leaves, pairs, triangles;
     uint32_t depth;  /* nodes on the longest path */
     char wrong[200]; /* empty, or the first thing that is wrong */
 } decoded_image;

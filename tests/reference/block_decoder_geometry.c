@@ -19,13 +19,13 @@ static int part_wrong(decoded_image *image, const decoder_part *part, const char
     return block_decode_wrong(image, "block %u: %s", part->block->address, what);
 }
 
-static uint32_t unit_triangles(decoder_part *part, uint32_t k, uint32_t unit, int pair) {
+static uint32_t leaf_triangles_of(decoder_part *part, uint32_t k, uint32_t leaf, int pair) {
     uint32_t triangles = 1 + (pair ? k : 0);
     if (k >= 2) {
-        triangles += decoder_bits(&part->in, part->counts[0] + unit, 1);
+        triangles += decoder_bits(&part->in, part->counts[0] + leaf, 1);
     }
     if (k == 4) {
-        triangles += 2 * decoder_bits(&part->in, part->counts[1] + unit, 1);
+        triangles += 2 * decoder_bits(&part->in, part->counts[1] + leaf, 1);
     }
     return triangles;
 }
@@ -35,13 +35,13 @@ static void add_units(decoded_image *image, decoder_part *part) {
     const uint32_t k = image->header.leaf_triangles;
     for (uint32_t slot = 0; slot < 2 * block->nodes; slot++) {
         const enum decoded_kind kind = decoder_slot_kind(part, slot);
-        if (kind < DECODED_UNIT) {
+        if (kind < DECODED_LEAF) {
             continue;
         }
         const uint32_t u = decoder_slot_rank(part, slot);
-        const uint32_t triangles = unit_triangles(part, k, u, kind == DECODED_PAIR);
-        image->unit = decoder_room(image->unit, image->units, sizeof *image->unit);
-        image->unit[image->units++] = (decoded_unit){
+        const uint32_t triangles = leaf_triangles_of(part, k, u, kind == DECODED_PAIR);
+        image->leaf = decoder_room(image->leaf, image->leaves, sizeof *image->leaf);
+        image->leaf[image->leaves++] = (decoded_leaf){
             image->blocks, slot, block->first_triangle + block->triangles, triangles};
         image->pairs += kind == DECODED_PAIR;
         block->triangles += triangles;
@@ -58,10 +58,10 @@ static size_t read_units(decoded_image *image, decoder_part *part) {
     block->vertices |= decoder_bits(&part->in, header + 32, 6) << 5;
     block->mesh = decoder_bits(&part->in, header + 38, 10);
     part->counts[0] = header + ALL_PARTS_BITS;
-    part->counts[1] = part->counts[0] + block->units;
+    part->counts[1] = part->counts[0] + block->leaves;
     add_units(image, part);
     const size_t strings = k == 4 ? 2 : k == 2 ? 1 : 0;
-    return part->counts[0] + strings * block->units;
+    return part->counts[0] + strings * block->leaves;
 }
 
 /* Places of the strings of lattice geometry; the bit behind them. */
@@ -69,8 +69,8 @@ static size_t lay_out(decoder_part *part, size_t at) {
     decoded_block *block = part->block;
     const decoded_box *frame = &block->frame;
     part->start = at;
-    part->turn = part->start + block->triangles;
-    part->fresh = part->turn + block->triangles;
+    part->swap = part->start + block->triangles;
+    part->fresh = part->swap + block->triangles;
     block->strips = decoder_ones(&part->in, part->start, 0, block->triangles);
     const uint32_t references = block->triangles + 2 * block->strips;
     part->refs = part->fresh + references;
@@ -128,16 +128,16 @@ static int next_triangle(decoded_image *image, decoder_part *part, strip_reader 
                          uint32_t t) {
     uint32_t *corner = strip->corner;
     const uint32_t starts = decoder_bits(&part->in, part->start + t, 1);
-    const uint32_t turn = decoder_bits(&part->in, part->turn + t, 1);
+    const uint32_t swap = decoder_bits(&part->in, part->swap + t, 1);
     if (starts) {
         for (int c = 0; c < 3; c++) {
             if (next_vertex(image, part, strip, &corner[c]) != 0) {
                 return -1;
             }
         }
-        return turn == 0 ? 0 : part_wrong(image, part, "a start with a turn");
+        return swap == 0 ? 0 : part_wrong(image, part, "a start with a swap bit");
     }
-    if (turn == 0) {
+    if (swap == 0) {
         corner[0] = corner[2]; /* (c, b, x) */
     } else {
         corner[1] = corner[2]; /* (a, c, x) */
@@ -179,17 +179,17 @@ static int read_number(decoded_image *image, decoder_part *part, uint32_t place,
         return 0;
     }
     const size_t entry = (size_t)place * bits;
-    triangle->turn = decoder_bits(&part->numbers, entry, 2);
+    triangle->rotation = decoder_bits(&part->numbers, entry, 2);
     triangle->number = decoder_bits(&part->numbers, entry + 2, bits - 2);
-    if (triangle->turn > 2 || triangle->number >= image->header.source_triangles) {
+    if (triangle->rotation > 2 || triangle->number >= image->header.source_triangles) {
         return block_decode_wrong(image, "number %u: out of range", place);
     }
     return 0;
 }
 
-static int starts_a_unit(const decoded_image *image, const decoded_block *block, uint32_t t) {
-    for (uint32_t u = 0; u < block->units; u++) {
-        if (image->unit[block->first_unit + u].first == block->first_triangle + t) {
+static int starts_a_leaf(const decoded_image *image, const decoded_block *block, uint32_t t) {
+    for (uint32_t u = 0; u < block->leaves; u++) {
+        if (image->leaf[block->first_leaf + u].first == block->first_triangle + t) {
             return 1;
         }
     }
@@ -204,8 +204,8 @@ static int read_strips(decoded_image *image, decoder_part *part) {
     }
     for (uint32_t t = 0; t < block->triangles; t++) {
         const uint32_t place = block->first_triangle + t;
-        if (starts_a_unit(image, block, t) && !decoder_bits(&part->in, part->start + t, 1)) {
-            return part_wrong(image, part, "a unit that does not start a strip");
+        if (starts_a_leaf(image, block, t) && !decoder_bits(&part->in, part->start + t, 1)) {
+            return part_wrong(image, part, "a leaf that does not start a strip");
         }
         if (next_triangle(image, part, &strip, t) != 0) {
             return -1;
@@ -236,8 +236,8 @@ static int read_records(decoded_image *image, decoder_part *part) {
         }
         const uint32_t word = decoder_u32(&part->records, 40 * (size_t)place + 36);
         triangle->number = word & 0x7FFFFFFu;
-        triangle->turn = word >> 29 & 3u;
-        if (triangle->number >= image->header.triangles || triangle->turn > 2 ||
+        triangle->rotation = word >> 29 & 3u;
+        if (triangle->number >= image->header.triangles || triangle->rotation > 2 ||
             (word >> 27 & 3u) != 0) {
             return block_decode_wrong(image, "record %u: number word", place);
         }
@@ -267,8 +267,8 @@ int decoder_geometry_part(decoded_image *image, decoder_part *part) {
     decoded_block *block = part->block;
     const int lattice = image->header.geometry_format == 1;
     block->first_triangle = image->triangles;
-    if (block->units == 0) {
-        return block->geometry_bytes == 0 ? 0 : part_wrong(image, part, "geometry without units");
+    if (block->leaves == 0) {
+        return block->geometry_bytes == 0 ? 0 : part_wrong(image, part, "geometry without leaves");
     }
     const size_t counts_end = read_units(image, part);
     const size_t strings_end = lattice ? lay_out(part, counts_end) : counts_end;

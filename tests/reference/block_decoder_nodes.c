@@ -17,11 +17,11 @@ enum decoded_kind decoder_slot_kind(decoder_part *part, uint32_t slot) {
     if (a) {
         return b ? DECODED_EDGE : DECODED_INNER;
     }
-    return b ? DECODED_PAIR : DECODED_UNIT;
+    return b ? DECODED_PAIR : DECODED_LEAF;
 }
 
 static int same_rank(enum decoded_kind x, enum decoded_kind y) {
-    const int both_units = x >= DECODED_UNIT && y >= DECODED_UNIT;
+    const int both_units = x >= DECODED_LEAF && y >= DECODED_LEAF;
     return x == y || both_units;
 }
 
@@ -40,7 +40,7 @@ static void count_kinds(decoder_part *part, uint32_t *inner) {
         const enum decoded_kind kind = decoder_slot_kind(part, slot);
         *inner += kind == DECODED_INNER;
         block->edges += kind == DECODED_EDGE;
-        block->units += kind >= DECODED_UNIT;
+        block->leaves += kind >= DECODED_LEAF;
     }
 }
 
@@ -65,7 +65,7 @@ static int lay_out(decoded_image *image, decoder_part *part) {
     const size_t end = begin + (at - begin + 3) / 4 * 4;
     block->nodes_bytes = (uint32_t)(end - begin);
     part->end = 8 * end;
-    if (inner != n - 1 || block->edges + block->units != n + 1) {
+    if (inner != n - 1 || block->edges + block->leaves != n + 1) {
         return block_decode_wrong(image, "block %u: %u inner of %u nodes", block->address, inner,
                                   block->nodes);
     }
@@ -152,7 +152,7 @@ static uint32_t child_which(decoder_part *part, uint32_t slot, enum decoded_kind
     if (kind == DECODED_EDGE) {
         return 8 * decoder_bits(&part->in, part->links + 32 * (size_t)rank, 24);
     }
-    return part->block->first_unit + rank;
+    return part->block->first_leaf + rank;
 }
 
 static int add_node(decoded_image *image, decoder_part *part, uint32_t number) {
@@ -181,7 +181,7 @@ int decoder_nodes_part(decoded_image *image, decoder_part *part) {
     block->nodes = 1 + decoder_bits(&part->in, head, 6);
     block->geometry_bytes = 8 * decoder_bits(&part->in, head + 6, 10);
     block->first_node = image->nodes;
-    block->first_unit = image->units;
+    block->first_leaf = image->leaves;
     if (lay_out(image, part) != 0 || read_frame(image, part) != 0) {
         return -1;
     }

@@ -12,12 +12,12 @@ typedef struct decoder_part {
     decoder_bytes records, numbers;
     decoded_block *block;
     size_t mask_a, mask_b, owners, planes, links, end;
-    size_t counts[2], start, turn, fresh, refs, positions;
+    size_t counts[2], start, swap, fresh, refs, positions;
     unsigned ref_bits, position_bits[3];
     int32_t vertex_lo[3];
 } decoder_part;
 
-/* Kind of a slot, and how many slots before it are of its kind (units and
+/* Kind of a slot, and how many slots before it are of its kind (leaves and
  * pairs are one kind). */
 enum decoded_kind decoder_slot_kind(decoder_part *part, uint32_t slot);
 uint32_t decoder_slot_rank(decoder_part *part, uint32_t slot);
@@ -25,7 +25,7 @@ uint32_t decoder_slot_rank(decoder_part *part, uint32_t slot);
 /* Reads the nodes part at the block's address, then appends its nodes. */
 int decoder_nodes_part(decoded_image *image, decoder_part *part);
 
-/* Appends the block's units and triangles; the nodes part comes first. */
+/* Appends the block's leaves and triangles; the nodes part comes first. */
 int decoder_geometry_part(decoded_image *image, decoder_part *part);
 
 /* The check of 16 bits over `size` bytes at byte `at`, the two bytes of the

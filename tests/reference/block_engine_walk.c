@@ -11,7 +11,7 @@
 #include "engine/tree/compact/leaf.h"
 #include "engine/tree/primitive_id.h"
 #include "tests/reference/block_slots.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 /* The image, and the block in hand. */
 typedef struct walk_source {
@@ -69,7 +69,7 @@ static void add_lattice_triangle(engine_walk *walk, const walk_source *source,
     const plt_primitive_ids numbers = {source->second, source->header->primitive_id_bits};
     const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, place);
     triangle->number = plt_primitive_id(word);
-    triangle->turn = plt_primitive_rotation(word);
+    triangle->rotation = plt_primitive_rotation(word);
     turn_to_least(triangle->corner, corner);
     for (int i = 0; i < 9; i++) {
         triangle->point[i / 3][i % 3] =
@@ -83,10 +83,10 @@ static void add_record(engine_walk *walk, const walk_source *source) {
     engine_triangle *triangle = &walk->triangle[place];
     memcpy(triangle->point, record, sizeof triangle->point);
     triangle->number = plt_primitive_id(plt_get_u32(record + 36));
-    triangle->turn = plt_primitive_rotation(plt_get_u32(record + 36));
+    triangle->rotation = plt_primitive_rotation(plt_get_u32(record + 36));
 }
 
-static void add_unit(engine_walk *walk, const walk_source *source, engine_child *child,
+static void add_leaf(engine_walk *walk, const walk_source *source, engine_child *child,
                      uint32_t slot) {
     const uint32_t pairs = block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
@@ -96,7 +96,7 @@ static void add_unit(engine_walk *walk, const walk_source *source, engine_child 
     child->first = source->geometry.first_triangle + first;
     walk->triangle = grow(walk->triangle, walk->triangles, child->count, sizeof *walk->triangle);
     if (!has_floats(source)) {
-        unit_corners(&source->geometry, first, child->count, corner);
+        leaf_corners(&source->geometry, first, child->count, corner);
     }
     for (uint32_t t = 0; t < child->count; t++) {
         if (has_floats(source)) {
@@ -125,15 +125,15 @@ static void add_children(engine_walk *walk, const walk_source *source, uint32_t 
         } else if (child->kind == PLT_SLOT_EDGE) {
             child->link = plt_block_edge(&source->block, child->rank);
         } else {
-            add_unit(walk, source, child, slot);
+            add_leaf(walk, source, child, slot);
         }
     }
 }
 
-/* The engine opens a part with units alone. */
+/* The engine opens a part with leaves alone. */
 static void open_geometry(walk_source *source, engine_block *block) {
     plt_geometry *g = &source->geometry;
-    if (source->block.units == 0) {
+    if (source->block.leaves == 0) {
         return;
     }
     if (has_floats(source)) {
@@ -159,7 +159,7 @@ static uint32_t add_block(engine_walk *walk, walk_source *source, uint32_t addre
                             .geometry_bytes = open->geometry_bytes,
                             .nodes = open->nodes,
                             .edges = open->edges,
-                            .units = open->units,
+                            .leaves = open->leaves,
                             .pairs = open->pairs};
     plt_block_bounds(open, source->lattice.bits, &block->frame);
     open_geometry(source, block);

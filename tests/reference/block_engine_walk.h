@@ -14,14 +14,14 @@ typedef struct engine_child {
     enum plt_slot_kind kind;
     uint32_t rank;  /* among those of its kind in the block */
     uint32_t link;  /* of an edge */
-    uint32_t first; /* of a unit: image order of its first triangle, */
+    uint32_t first; /* of a leaf: image order of its first triangle, */
     uint32_t count; /* and how many there are */
     plt_lattice_box box;
     plt_box floats;
 } engine_child;
 
 typedef struct engine_block {
-    uint32_t address, node_bytes, geometry_bytes, nodes, edges, units, pairs;
+    uint32_t address, node_bytes, geometry_bytes, nodes, edges, leaves, pairs;
     uint32_t first_triangle, triangles, vertices, mesh; /* 0 without geometry */
     plt_lattice_box frame;
 } engine_block;
@@ -30,7 +30,7 @@ typedef struct engine_block {
 typedef struct engine_triangle {
     uint32_t corner[3][3]; /* 0 with float records */
     float point[3][3];
-    uint32_t number, turn;
+    uint32_t number, rotation;
 } engine_triangle;
 
 typedef struct engine_walk {

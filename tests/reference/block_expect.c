@@ -51,15 +51,15 @@ static int compare_triangles(const void *first, const void *second) {
     return 0;
 }
 
-/* Mesh corner j goes to canonical corner (turn + j) mod 3. */
+/* Mesh corner j goes to canonical corner (rotation + j) mod 3. */
 static void turn_to_least(expected_triangle *triangle, const int32_t given[3][3]) {
     int least = 0;
     for (int c = 1; c < 3; c++) {
         least = compare_points(given[c], given[least]) < 0 ? c : least;
     }
-    triangle->turn = (uint32_t)(3 - least) % 3;
+    triangle->rotation = (uint32_t)(3 - least) % 3;
     for (int c = 0; c < 3; c++) {
-        memcpy(triangle->corner[(triangle->turn + (uint32_t)c) % 3], given[c], sizeof given[c]);
+        memcpy(triangle->corner[(triangle->rotation + (uint32_t)c) % 3], given[c], sizeof given[c]);
     }
 }
 
@@ -93,14 +93,14 @@ static void add_point(decoded_box *box, const int32_t *corner, const float *poin
     }
 }
 
-static decoded_box box_of_unit(const decoded_image *image, const decoded_unit *unit) {
-    const decoded_triangle *first = &image->triangle[unit->first];
+static decoded_box box_of_leaf(const decoded_image *image, const decoded_leaf *leaf) {
+    const decoded_triangle *first = &image->triangle[leaf->first];
     decoded_box box = {{0}, {0}, {0}, {0}};
     memcpy(box.lo, first->corner[0], sizeof box.lo);
     memcpy(box.hi, first->corner[0], sizeof box.hi);
     memcpy(box.float_lo, first->point[0], sizeof box.float_lo);
     memcpy(box.float_hi, first->point[0], sizeof box.float_hi);
-    for (uint32_t i = 0; i < 3 * unit->triangles; i++) {
+    for (uint32_t i = 0; i < 3 * leaf->triangles; i++) {
         add_point(&box, first[i / 3].corner[i % 3], first[i / 3].point[i % 3]);
     }
     return box;
@@ -114,16 +114,16 @@ static const decoded_box *box_below(const decoded_image *image, const expected_b
     case DECODED_EDGE:
         return &boxes->node[image->block[child->which].first_node];
     default:
-        return &boxes->unit[child->which];
+        return &boxes->leaf[child->which];
     }
 }
 
 /* Children stand behind their parents, so from the last node to the first. */
 expected_boxes expect_boxes(const decoded_image *image) {
     expected_boxes boxes = {allocate(image->nodes, sizeof *boxes.node),
-                            allocate(image->units, sizeof *boxes.unit)};
-    for (uint32_t u = 0; u < image->units; u++) {
-        boxes.unit[u] = box_of_unit(image, &image->unit[u]);
+                            allocate(image->leaves, sizeof *boxes.leaf)};
+    for (uint32_t u = 0; u < image->leaves; u++) {
+        boxes.leaf[u] = box_of_leaf(image, &image->leaf[u]);
     }
     for (uint32_t i = image->nodes; i-- > 0;) {
         const decoded_child *child = image->node[i].child;
@@ -137,7 +137,7 @@ expected_boxes expect_boxes(const decoded_image *image) {
 
 void expect_boxes_free(expected_boxes *boxes) {
     free(boxes->node);
-    free(boxes->unit);
+    free(boxes->leaf);
 }
 
 int expect_holds(const decoded_box *outer, const decoded_box *inner) {

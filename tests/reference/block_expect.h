@@ -11,7 +11,7 @@
 /* A triangle of the mesh on the lattice, in canonical order. */
 typedef struct expected_triangle {
     int32_t corner[3][3];
-    uint32_t number, turn;
+    uint32_t number, rotation;
 } expected_triangle;
 
 /* The triangles with area on the lattice, in the mesh's order; the caller
@@ -22,11 +22,11 @@ expected_triangle *expect_triangles(const mesh *m, const decoded_header *header,
 /* Puts both in order of their corners, so that they can be compared. */
 void expect_sort(expected_triangle *triangle, uint32_t count);
 
-/* The exact boxes of all triangles below each node and unit. `lo` and `hi`
+/* The exact boxes of all triangles below each node and leaf. `lo` and `hi`
  * are 0 with float records. Arrays of as many as the image has; the caller
  * frees. */
 typedef struct expected_boxes {
-    decoded_box *node, *unit;
+    decoded_box *node, *leaf;
 } expected_boxes;
 
 expected_boxes expect_boxes(const decoded_image *image);

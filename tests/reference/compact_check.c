@@ -3,13 +3,13 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/compact_check.h"
 
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct triangle_key {
-    uint32_t q[9]; /* the least turn of its corners */
+    uint32_t q[9]; /* the least rotation of its corners */
 } triangle_key;
 
 typedef struct checking {
@@ -22,7 +22,7 @@ typedef struct checking {
 typedef struct open_block {
     plt_block b;
     plt_geometry g;
-    uint32_t inner, edges, units, pairs; /* met so far, in the order of slots */
+    uint32_t inner, edges, leaves, pairs; /* met so far, in the order of slots */
     uint32_t triangles;
 } open_block;
 
@@ -35,16 +35,16 @@ static void expect(const checking *c, int good, const char *sentence) {
 /* The least of the three turns: also of triangles that have a corner twice. */
 static triangle_key key_of(const uint32_t corner[3][3]) {
     triangle_key least;
-    for (int turn = 0; turn < 3; turn++) {
+    for (int rotation = 0; rotation < 3; rotation++) {
         triangle_key k;
         for (int i = 0; i < 9; i++) {
-            k.q[i] = corner[(turn + i / 3) % 3][i % 3];
+            k.q[i] = corner[(rotation + i / 3) % 3][i % 3];
         }
         int at = 0;
-        while (turn > 0 && at < 8 && k.q[at] == least.q[at]) {
+        while (rotation > 0 && at < 8 && k.q[at] == least.q[at]) {
             at++;
         }
-        least = turn == 0 || k.q[at] < least.q[at] ? k : least;
+        least = rotation == 0 || k.q[at] < least.q[at] ? k : least;
     }
     return least;
 }
@@ -87,18 +87,18 @@ static plt_lattice_box child_box(const open_block *o, uint32_t node, const plt_l
     return to;
 }
 
-/* Takes a unit's triangles; returns their exact box. */
-static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
+/* Takes a leaf's triangles; returns their exact box. */
+static plt_lattice_box check_leaf(checking *c, open_block *o, int pair,
                                   const plt_lattice_box *box) {
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
     plt_lattice_box exact = {{~0u, ~0u, ~0u}, {0, 0, 0}};
     const uint32_t k = c->tree->leaf_triangles;
     uint32_t count;
-    const uint32_t first = plt_leaf_find(&o->g, o->units, o->pairs, pair, &count);
-    expect(c, first == o->triangles, "units do not follow each other");
+    const uint32_t first = plt_leaf_find(&o->g, o->leaves, o->pairs, pair, &count);
+    expect(c, first == o->triangles, "leaves do not follow each other");
     expect(c, pair ? count > k && count <= 2 * k : count >= 1 && count <= k,
-           "a unit's size is not what its pair bit says");
-    unit_corners(&o->g, first, count, corner);
+           "a leaf's size is not what its pair bit says");
+    leaf_corners(&o->g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         if (c->facts->triangles < c->room) {
             c->found[c->facts->triangles] = key_of((const uint32_t(*)[3])corner[i]);
@@ -113,11 +113,11 @@ static plt_lattice_box check_unit(checking *c, open_block *o, int pair,
         }
     }
     o->triangles += count;
-    o->units++;
+    o->leaves++;
     o->pairs += (uint32_t)pair;
-    c->facts->units++;
+    c->facts->leaves++;
     c->facts->pairs += (uint32_t)pair;
-    c->facts->longest_unit = count > c->facts->longest_unit ? count : c->facts->longest_unit;
+    c->facts->longest_leaf = count > c->facts->longest_leaf ? count : c->facts->longest_leaf;
     return exact;
 }
 
@@ -152,7 +152,7 @@ static void check_slot(checking *c, open_block *o, row *r, uint32_t node, uint32
         r->edge_depth[e] = r->depth[node];
         r->edge_node[e] = node;
     } else {
-        const plt_lattice_box exact = check_unit(c, o, (int)b, &box);
+        const plt_lattice_box exact = check_leaf(c, o, (int)b, &box);
         grow(&r->exact[node], &exact);
     }
 }
@@ -191,7 +191,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     row *r = calloc(1, sizeof *r);
     plt_block_open(&o.b, c->tree->bytes + address, bits);
     plt_block_bounds(&o.b, bits, &r->box[0]);
-    if (o.b.units > 0) {
+    if (o.b.leaves > 0) {
         plt_geometry_open(&o.g, &o.b, &r->box[0], c->tree->leaf_triangles);
         expect(c, o.g.first_triangle == c->facts->triangles, "a block's first triangle is wrong");
     }
@@ -207,9 +207,9 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
         check_slot(c, &o, r, i, 1);
     }
     expect(c, o.inner + 1 == o.b.nodes, "a block's nodes are no tree");
-    if (o.b.units > 0) {
+    if (o.b.leaves > 0) {
         const uint32_t v = o.g.vertices;
-        expect(c, o.triangles == o.g.triangles, "a block has triangles in no unit");
+        expect(c, o.triangles == o.g.triangles, "a block has triangles in no leaf");
         c->facts->most_vertices = v > c->facts->most_vertices ? v : c->facts->most_vertices;
     }
     c->facts->blocks++;

@@ -12,8 +12,8 @@
 #include "host_tools/pack/lattice.h"
 
 typedef struct compact_facts {
-    uint32_t blocks, nodes, units, pairs, triangles, depth;
-    uint32_t longest_unit, largest_block, most_vertices; /* bytes with padding */
+    uint32_t blocks, nodes, leaves, pairs, triangles, depth;
+    uint32_t longest_leaf, largest_block, most_vertices; /* bytes with padding */
     uint32_t broken;                                     /* promises broken; 0: a good tree */
     const char *sentence;                                /* the first of them */
 } compact_facts;

@@ -69,7 +69,7 @@ const unsigned char *compact_section(const packed *image, unsigned index) {
     return image->bytes + word_at(image->bytes + SECTION_AT + 16 * index + 4);
 }
 
-void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *turn) {
+void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *rotation) {
     const unsigned char *bytes = compact_section(image, 1);
     const uint32_t bits = word_at(image->bytes + NUMBER_BITS_AT);
     uint32_t entry = 0;
@@ -77,7 +77,7 @@ void compact_number(const packed *image, uint32_t place, uint32_t *number, uint3
         const uint64_t at = (uint64_t)place * bits + i;
         entry |= (uint32_t)(bytes[at / 8] >> at % 8 & 1) << i;
     }
-    *turn = entry & 3;
+    *rotation = entry & 3;
     *number = entry >> 2;
 }
 
@@ -130,11 +130,11 @@ mesh compact_mesh(const mesh *m, uint8_t bits) {
 mesh compact_mesh_in_order(const packed *image, const mesh *moved) {
     mesh to = {0};
     for (uint32_t place = 0; place < image->info.triangles; place++) {
-        uint32_t number, turn;
+        uint32_t number, rotation;
         float corner[3][3];
-        compact_number(image, place, &number, &turn);
-        for (uint32_t c = 0; c < 3; c++) { /* the turn counts from the least to the first */
-            const uint32_t from = moved->triangle[3 * number + (3 - turn + c) % 3];
+        compact_number(image, place, &number, &rotation);
+        for (uint32_t c = 0; c < 3; c++) { /* the rotation counts from the least to the first */
+            const uint32_t from = moved->triangle[3 * number + (3 - rotation + c) % 3];
             memcpy(corner[c], moved->vertex + 3 * (size_t)from, sizeof corner[c]);
         }
         add(&to, (const float(*)[3])corner);

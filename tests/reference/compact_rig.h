@@ -30,8 +30,8 @@ const char *compact_name(const compact_way *way);
 /* Where section `index` begins, read here and not by the engine. */
 const unsigned char *compact_section(const packed *image, unsigned index);
 
-/* Number and turn of the triangle at `place`, from the numbers of the image. */
-void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *turn);
+/* Number and rotation of the triangle at `place`, from the numbers of the image. */
+void compact_number(const packed *image, uint32_t place, uint32_t *number, uint32_t *rotation);
 
 /* Triangle i of `m` where the lattice puts it. One that has lost its area is a
  * point of another, so that it is never hit and widens no box. */

@@ -11,7 +11,7 @@
 #include "engine/image/header.h"
 #include "engine/tree/thesis/validate.h"
 #include "tests/reference/block_slots.h"
-#include "tests/reference/unit_corners.h"
+#include "tests/reference/leaf_corners.h"
 
 typedef struct converting {
     const plt_block_tree *tree;
@@ -33,8 +33,8 @@ static uint32_t number_word(const plt_primitive_ids *numbers, uint32_t place) {
         const uint64_t at = (uint64_t)place * numbers->bits + i;
         entry |= (uint32_t)(numbers->bytes[at / 8] >> at % 8 & 1) << i;
     }
-    const uint32_t number = entry / 4, turn = entry % 4;
-    return number + turn * 0x20000000u;
+    const uint32_t number = entry / 4, rotation = entry % 4;
+    return number + rotation * 0x20000000u;
 }
 
 static void set_record(const converting *c, plt_record *r, const uint32_t corner[3][3],
@@ -51,13 +51,13 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
     for (int k = 0; k < 9; k++) {
         plt_put_float(&r->word[k], plt_lattice_float(l, k % 3, corner[(least + k / 3) % 3][k % 3]));
     }
-    const plt_primitive_ids *numbers = &c->tree->numbers;
+    const plt_primitive_ids *numbers = &c->tree->ids;
     plt_put_u32(&r->word[9], numbers->bytes != NULL ? number_word(numbers, place) : place);
     plt_record_set_last(r, last);
 }
 
-/* A unit's triangles as one list, or as two in a row. */
-static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
+/* A leaf's triangles as one list, or as two in a row. */
+static subtree leaf(converting *c, const plt_block *b, uint32_t slot) {
     plt_geometry g;
     plt_lattice_box frame;
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];
@@ -69,7 +69,7 @@ static subtree unit(converting *c, const plt_block *b, uint32_t slot) {
     const uint32_t first = plt_leaf_find(&g, number, block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
-    unit_corners(&g, first, count, corner);
+    leaf_corners(&g, first, count, corner);
     for (uint32_t i = 0; i < count; i++) {
         plt_record *r = &c->records[c->records_used++];
         set_record(c, r, (const uint32_t(*)[3])corner[i], g.first_triangle + first + i,
@@ -98,7 +98,7 @@ static subtree convert(converting *c, const plt_block *b, uint32_t node) {
             child[i] = convert(c, &behind, 0);
             break;
         default:
-            child[i] = unit(c, b, slot);
+            child[i] = leaf(c, b, slot);
         }
         plt_box_add(&s.box, &child[i].box);
     }

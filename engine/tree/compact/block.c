@@ -37,7 +37,7 @@ void plt_block_open(plt_block *b, const unsigned char *bytes, uint32_t bits) {
         running_ranks(b->mask[PLT_SLOT_INNER], words, b->before[PLT_SLOT_INNER]);
     b->edges = running_ranks(b->mask[PLT_SLOT_EDGE], words, b->before[PLT_SLOT_EDGE]);
     b->pairs = running_ranks(b->pair, words, b->pairs_before);
-    b->units = slots - inners - b->edges;
+    b->leaves = slots - inners - b->edges;
     b->owners = mask_b + (slots + 7) / 8;
     b->planes = b->owners + (5 * b->nodes + 7) / 8;
     b->links = b->planes + 6 * b->nodes;
@@ -45,12 +45,12 @@ void plt_block_open(plt_block *b, const unsigned char *bytes, uint32_t bits) {
     b->geometry = bytes + b->node_bytes;
 }
 
-void plt_block_bounds(const plt_block *b, uint32_t bits, plt_lattice_box *frame) {
+void plt_block_bounds(const plt_block *b, uint32_t bits, plt_lattice_box *bounds) {
     const uint32_t width = plt_block_bounds_width(bits);
     const unsigned char *at = b->bytes + PLT_BLOCK_HEADER_BYTES;
     for (uint32_t a = 0; a < 3; a++) {
-        frame->lo[a] = plt_bits_get(at, a * width, width);
-        frame->hi[a] = plt_bits_get(at, (a + 3) * width, width);
+        bounds->lo[a] = plt_bits_get(at, a * width, width);
+        bounds->hi[a] = plt_bits_get(at, (a + 3) * width, width);
     }
 }
 

@@ -1,14 +1,14 @@
 /* block - a compact treelet: up to 64 nodes in a few hundred bytes
  *
- * A block is self-contained: a frame (the exact lattice box of its root), the
- * kinds of all children as masks, five owner bits and six plane bytes a node,
- * links to the blocks behind its edges, then the geometry part. What a child
- * is and where it is follows from ranks: counting ones in the masks. SPEC.md,
- * section 4, has every bit.
+ * A block is self-contained: its bounds (the exact box of its root on the lattice,
+ * the scene's quantisation grid), the kinds of all children as masks, five owner bits
+ * and six plane bytes per node, links to the blocks behind its edges, then the
+ * geometry part. What a child is and where it lies follows from ranks: counting ones
+ * in the masks. SPEC.md, section 4, has every bit.
  *
  * Slot s = 2 * node + child. A child is inner (a node of this block), an edge
- * (the root of another block) or a unit (1 .. K triangles, or K + 1 .. 2 K, the
- * thesis's intermediate node).
+ * (the root of another block) or a leaf: one list of 1 .. K triangles, or a pair of
+ * lists, K + 1 .. 2 K triangles (the thesis's intermediate node).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_COMPACT_BLOCK_H
@@ -40,13 +40,13 @@ enum plt_slot_kind { PLT_SLOT_INNER, PLT_SLOT_EDGE, PLT_SLOT_LEAF };
 
 /* An open block: where its parts are, and the masks with the ones before each
  * word; words behind the last slot are not set. What is neither inner nor an edge
- * is a unit. */
+ * is a leaf. */
 typedef struct plt_block {
     const unsigned char *bytes; /* of the block */
     const unsigned char *owners, *planes, *links, *geometry;
-    uint32_t nodes, node_bytes, geometry_bytes, edges, units, pairs;
+    uint32_t nodes, node_bytes, geometry_bytes, edges, leaves, pairs;
     uint32_t mask[2][4];  /* PLT_SLOT_INNER, PLT_SLOT_EDGE */
-    uint32_t pair[4];     /* units of more than K triangles */
+    uint32_t pair[4];     /* leaves that are pairs */
     uint8_t before[2][4]; /* ones of mask[k] in the words before */
     uint8_t pairs_before[4];
 } plt_block;
@@ -82,10 +82,10 @@ static inline uint32_t plt_block_bytes(const plt_block *b) {
 }
 
 void plt_block_open(plt_block *block, const unsigned char *bytes, uint32_t bits);
-void plt_block_bounds(const plt_block *block, uint32_t bits, plt_lattice_box *frame);
+void plt_block_bounds(const plt_block *block, uint32_t bits, plt_lattice_box *bounds);
 
-/* What slot `slot` is, and its number among those of its kind (an inner child's
- * node number is that plus 1). */
+/* What slot `slot` is, and its index among those of its kind (an inner child is the
+ * node of that index plus 1). */
 static inline enum plt_slot_kind plt_block_kind(const plt_block *b, uint32_t slot) {
     const uint32_t bit = 1u << (slot & 31);
     return b->mask[PLT_SLOT_INNER][slot >> 5] & bit
