@@ -26,6 +26,11 @@ typedef struct plt_lattice_box {
     uint32_t lo[3], hi[3];
 } plt_lattice_box;
 
+/* A position in one word, which orders as x, then y, then z. */
+static inline uint64_t plt_lattice_key(const uint32_t position[3]) {
+    return (uint64_t)position[0] << 42 | (uint64_t)position[1] << 21 | position[2];
+}
+
 static inline float plt_lattice_float(const plt_lattice *l, int axis, uint32_t q) {
     return l->origin[axis] + l->step * (float)(int32_t)q;
 }

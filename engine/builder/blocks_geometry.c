@@ -22,8 +22,7 @@ static void order_nodes(plt_blocks_state *s) {
 /* The block's index of a vertex; NONE when there is no room. A new vertex gets the next
  * one. */
 static uint32_t vertex_index(plt_blocks_state *s, const uint32_t position[3]) {
-    const uint64_t key =
-        (uint64_t)position[0] << 42 | (uint64_t)position[1] << 21 | (uint64_t)position[2];
+    const uint64_t key = plt_lattice_key(position);
     uint32_t at = (uint32_t)((key * 0x9E3779B97F4A7C15u) >> 54) % PLT_BLOCK_HASH;
     while (s->hash[at] != NONE && s->vertex[s->hash[at]] != key) {
         at = (at + 1) % PLT_BLOCK_HASH;

@@ -2,7 +2,7 @@
  *
  * An id word holds the primitive id, the triangle's index in packing order, in bits
  * 0 .. 26 and its rotation in bits 29 and 30: which corner of the canonical order
- * (record.h) came first in the packed mesh. Float records carry the word. Lattice
+ * (canonical.h) came first in the packed mesh. Float records carry the word. Lattice
  * geometry keeps the words in a section of their own, packed to as few bits as they
  * take, and they are read only for hits. Without them a triangle's id is its index in
  * the image, and its rotation 0.

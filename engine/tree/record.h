@@ -5,10 +5,8 @@
  * last-in-list bit instead of a count leaves the thesis node as it is (thesis, section
  * 8.1.4).
  *
- * Corners stand in canonical order: the least, by x, then y, then z, comes
- * first and their cyclic order stays. Arithmetic on a triangle then does not depend on
- * how a format stores it. The rotation says which corner was the packed mesh's first,
- * and so what u and v belong to.
+ * Corners stand in canonical order (canonical.h). The rotation says which corner was
+ * the packed mesh's first, and so what u and v belong to.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_RECORD_H

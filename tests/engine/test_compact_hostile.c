@@ -366,7 +366,8 @@ static void bent_numbers(const packed *image) {
 
 /* Corners for the device, which trusts nothing about them either. */
 static void bent_corners(const packed *image) {
-    const uint32_t width = image->info.lattice_bits <= 16 ? 2 : 4, bits = image->info.lattice_bits;
+    const uint32_t width = plt_corner_width(image->info.lattice_bits),
+                   bits = image->info.lattice_bits;
     const uint32_t bytes = image->info.triangles * 9 * width;
     const uint32_t hi = plt_get_u32(image->bytes + AT_BOX + 12);
     random_state r = {8};

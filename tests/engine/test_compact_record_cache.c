@@ -99,7 +99,7 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     if (e != NULL && b.engine != NULL) {
         const plt_block_tree *x = &e->walker.blocks.tree, *y = &b.engine->walker.blocks.tree;
-        const size_t window = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
+        const size_t window = plt_record_cache_bytes(plt_corners_bytes(bits)) + PLT_ALIGN;
         CHECK(x->used == y->used && memcmp(x->bytes, y->bytes, x->used) == 0, "other blocks");
         CHECK(b.peak <= plt_arena_peak(e) + window, "peak %zu, mapped %zu", b.peak,
               plt_arena_peak(e));
