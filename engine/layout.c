@@ -8,6 +8,7 @@
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/tree/compact/validate.h"
+#include "engine/tree/thesis/validate.h"
 
 #if PLT_WITH_BUILDER
 #include "engine/builder/build.h"
@@ -70,7 +71,7 @@ static uint64_t builder_bytes(const subject *s) {
 }
 
 static uint64_t record_cache_bytes(const subject *s) {
-    const uint32_t corners = s->info->lattice_bits <= 16 ? 18 : 36;
+    const uint32_t corners = plt_corners_bytes(s->info->lattice_bits);
     return s->builds && !s->mapped && s->format == PLT_FORMAT_COMPACT
                ? plt_record_cache_bytes(corners)
                : 0;

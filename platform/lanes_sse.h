@@ -111,10 +111,6 @@ static inline f4 f4_div(f4 a, f4 b) {
     return _mm_div_ps(a, b);
 }
 
-static inline f4 f4_sqrt(f4 a) {
-    return _mm_sqrt_ps(a);
-}
-
 static inline f4 f4_min(f4 a, f4 b) {
     return _mm_min_ps(a, b);
 }

@@ -1,6 +1,6 @@
 /* bits - strings of bits in memory, least significant bit first
  *
- * Readers may look at up to 8 bytes behind the bits they were asked for.
+ * Readers may look at up to PLT_BITS_BEHIND bytes behind the bits they were asked for.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BASE_BITS_H
@@ -10,6 +10,8 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+
+#define PLT_BITS_BEHIND 8
 
 static inline uint32_t plt_count_bits(uint32_t x) {
 #if defined(__POPCNT__)
@@ -37,9 +39,6 @@ static inline uint32_t plt_count_bits_long(uint64_t x) {
 static inline uint32_t plt_low_bits(uint32_t count) {
     return count >= 32 ? 0xFFFFFFFFu : (1u << count) - 1u;
 }
-
-/* Bytes behind a string of bits that readers may look at: every string has them. */
-#define PLT_BITS_BEHIND 8
 
 #define PLT_BITS_LONG 57
 
@@ -80,7 +79,7 @@ static inline uint32_t plt_bits_count(const unsigned char *bytes, uint32_t begin
     return count + plt_count_bits_long(plt_get_u64(at) & wanted & (((uint64_t)1 << left) - 1));
 }
 
-/* Running ranks of the string begin .. end - 1, one a 64 bits from the byte it begins
+/* Running ranks of the string begin .. end - 1, one per 64 bits from the byte it begins
  * in, PLT_RANKS(its bits) at most; returns its ones. */
 #define PLT_RANKS(bits) (((bits) + 7) / 64 + 1)
 

@@ -1,9 +1,9 @@
-/* lattice - the scene's quantisation grid, for boxes and vertices
+/* lattice - the scene's quantisation grid: whole numbers for boxes and vertices
  *
- * The lattice has one step for all three axes. Number q on an axis is the float origin + step * q.
- * q has at most `bits` bits and step at most 24 - bits bits of mantissa, so that the product is
- * exact and the sum rounds once: the same with or without fused arithmetic, and monotone, so that
- * an integer box around integer vertices is a float box around their floats.
+ * Number q on an axis is the float origin + step * q. q has at most `bits` bits
+ * and step at most 24 - bits bits of mantissa: the product is exact and the sum rounds
+ * once. That is the same with or without fused arithmetic, and monotone: an integer box
+ * around integer vertices is a float box around their floats.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BASE_LATTICE_H
@@ -25,6 +25,11 @@ typedef struct plt_lattice {
 typedef struct plt_lattice_box {
     uint32_t lo[3], hi[3];
 } plt_lattice_box;
+
+/* A position in one word, which orders as x, then y, then z. */
+static inline uint64_t plt_lattice_key(const uint32_t position[3]) {
+    return (uint64_t)position[0] << 42 | (uint64_t)position[1] << 21 | position[2];
+}
 
 static inline float plt_lattice_float(const plt_lattice *l, int axis, uint32_t q) {
     return l->origin[axis] + l->step * (float)(int32_t)q;

@@ -5,8 +5,8 @@
 
 #include "engine/builder/blocks_state.h"
 
-/* Edges that may wait: a full block's for each level of blocks that is usual for
- * so many triangles, and one for each level of nodes. */
+/* Edges that may wait: a full block's for each level of blocks that so many triangles
+ * usually take, and one for each level of nodes. */
 static uint32_t edges_most(uint32_t count) {
     return (count <= 65536 ? 2u : 4u) * PLT_BLOCK_NODES_MOST + PLT_DEPTH_MAX + 2;
 }
@@ -23,8 +23,8 @@ void plt_blocks_record_order(plt_blocks_job *job, uint32_t *order) {
     state_of(job)->order = order;
 }
 
-/* Nodes that a subtree of `count` triangles is expected to take: 0.3 a
- * triangle for K = 2, 0.155 for K = 4. A wrong guess only costs fill. */
+/* Nodes that a subtree of `count` triangles is expected to take: 0.55 per triangle for
+ * K = 1, 0.3 for K = 2, 0.155 for K = 4. A wrong guess only costs fill. */
 static uint32_t nodes_expected(const plt_blocks_job *job, uint32_t count) {
     const uint32_t per_mille =
         job->leaf_triangles == 1 ? 550 : (job->leaf_triangles == 2 ? 300 : 155);
@@ -44,7 +44,7 @@ int plt_blocks_begin(plt_blocks_job *job) {
     s->edge = (plt_block_edge_waiting *)(void *)(s + 1);
     s->edges_most = edges_most(n);
     s->index_bytes = n <= 65536 ? 2 : 4;
-    job->used = job->node_bytes = job->blocks = job->nodes = job->units = job->pairs = 0;
+    job->used = job->node_bytes = job->blocks = job->nodes = job->leaves = job->pairs = 0;
     job->written = job->depth = 0;
     job->root = PLT_MISS;
     job->box = plt_lattice_box_empty();
@@ -68,7 +68,7 @@ int plt_blocks_begin(plt_blocks_job *job) {
 /* Starts the block behind the top edge; `most` bounds its nodes. */
 static void begin_block(plt_blocks_state *s, uint32_t most) {
     const plt_block_range root = {
-        s->at.first, s->at.count, s->at.frame, s->at.frame, (uint16_t)s->at.depth, 0, 0};
+        s->at.first, s->at.count, s->at.bounds, s->at.bounds, (uint16_t)s->at.depth, 0, 0};
     s->pending[0] = root;
     s->pendings = 1;
     s->nodes = 0;
@@ -110,9 +110,9 @@ static void encode_planes(plt_block_node *node, const plt_lattice_box *box,
     }
 }
 
-static void settle_child(plt_blocks_state *s, const plt_block_range *range, uint32_t number,
-                         int child) {
-    plt_block_node *node = &s->node[number];
+static void set_child(plt_blocks_state *s, const plt_block_range *range, uint32_t index,
+                      int child) {
+    plt_block_node *node = &s->node[index];
     node->first[child] = range->first;
     node->count[child] = range->count;
     node->kind[child] = PLT_SLOT_LEAF;
@@ -124,18 +124,20 @@ static void settle_child(plt_blocks_state *s, const plt_block_range *range, uint
 
 static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     const plt_block_range p = s->pending[chosen];
-    const uint32_t number = s->nodes++;
-    plt_block_node *node = &s->node[number];
+    const uint32_t index = s->nodes++;
+    plt_block_node *node = &s->node[index];
     plt_lattice_box exact[2], decoded[2];
     s->pending[chosen] = s->pending[--s->pendings];
     node->level = (uint8_t)(p.depth - s->at.depth);
-    if (number > 0) {
+    if (index > 0) {
         s->node[p.parent].kind[p.child] = PLT_SLOT_INNER;
-        s->node[p.parent].node[p.child] = (uint8_t)number;
+        s->node[p.parent].node[p.child] = (uint8_t)index;
     }
     uint32_t middle = p.first;
     if (p.count > 1) {
-        middle = plt_blocks_split(s, &p, exact);
+        const plt_split_range range = {p.first, p.first + p.count, p.depth, s->job->leaf_triangles,
+                                       s->job->splits};
+        middle = plt_split_lattice(s, &range, &p.tight, exact);
     } else { /* a scene of one triangle has it twice */
         exact[0] = exact[1] = p.tight;
     }
@@ -153,9 +155,9 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     for (int c = 0; c < 2; c++) {
         range[c].box = decoded[c];
         range[c].depth = (uint16_t)(p.depth + 1);
-        range[c].parent = (uint8_t)number;
+        range[c].parent = (uint8_t)index;
         range[c].child = (uint8_t)c;
-        settle_child(s, &range[c], number, c);
+        set_child(s, &range[c], index, c);
     }
 }
 
@@ -192,30 +194,30 @@ static int finish_block(plt_blocks_state *s) {
     return PLT_MORE;
 }
 
-/* The checks of the next block: links are in only when all blocks are there. */
-static int seal_next(plt_blocks_state *s) {
+/* Writes the check of the next block: links are complete only when all blocks are. */
+static int write_next_check(plt_blocks_state *s) {
     plt_blocks_job *job = s->job;
-    if (s->sealed == job->used) {
+    if (s->checked == job->used) {
         return PLT_OK;
     }
-    unsigned char *bytes = job->memory + s->sealed;
+    unsigned char *bytes = job->memory + s->checked;
     plt_block b;
     plt_block_open(&b, bytes, job->bits);
     const uint32_t check = plt_block_check(bytes, b.node_bytes, 2);
     plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) | check << 16);
-    s->sealed += (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
-    return s->sealed == job->used ? PLT_OK : PLT_MORE;
+    s->checked += plt_block_bytes(&b);
+    return s->checked == job->used ? PLT_OK : PLT_MORE;
 }
 
 int plt_blocks_step(plt_blocks_job *job) {
     plt_blocks_state *s = state_of(job);
     if (!s->open) {
         if (s->waiting == 0) {
-            return seal_next(s);
+            return write_next_check(s);
         }
         s->at = s->edge[--s->waiting];
         /* A block adds at most its nodes to the edges that wait; when room is
-         * short blocks get smaller, down to one node a level. */
+         * short blocks get smaller, down to one node per level. */
         const uint32_t room = s->edges_most - 1 - s->waiting;
         const uint32_t spare = room > PLT_DEPTH_MAX ? room - PLT_DEPTH_MAX : 1;
         begin_block(s, spare < PLT_BLOCK_NODES_MOST ? spare : PLT_BLOCK_NODES_MOST);

@@ -1,4 +1,4 @@
-/* blocks_geometry - the units of a block: order, strips, local vertices
+/* blocks_geometry - the leaves of a block: order, strips, local vertices
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks_state.h"
@@ -19,11 +19,10 @@ static void order_nodes(plt_blocks_state *s) {
     }
 }
 
-/* The block's number of a vertex; NONE when there is no room. New vertices
- * get the next number. */
-static uint32_t vertex_number(plt_blocks_state *s, const uint32_t position[3]) {
-    const uint64_t key =
-        (uint64_t)position[0] << 42 | (uint64_t)position[1] << 21 | (uint64_t)position[2];
+/* The block's index of a vertex; NONE when there is no room. A new vertex gets the next
+ * one. */
+static uint32_t vertex_index(plt_blocks_state *s, const uint32_t position[3]) {
+    const uint64_t key = plt_lattice_key(position);
     uint32_t at = (uint32_t)((key * 0x9E3779B97F4A7C15u) >> 54) % PLT_BLOCK_HASH;
     while (s->hash[at] != NONE && s->vertex[s->hash[at]] != key) {
         at = (at + 1) % PLT_BLOCK_HASH;
@@ -39,12 +38,12 @@ static uint32_t vertex_number(plt_blocks_state *s, const uint32_t position[3]) {
 }
 
 static int add_reference(plt_blocks_state *s, const uint32_t position[3]) {
-    const uint32_t number = vertex_number(s, position);
-    s->reference[s->references++] = (uint16_t)number;
-    return number != NONE;
+    const uint32_t index = vertex_index(s, position);
+    s->reference[s->references++] = (uint16_t)index;
+    return index != NONE;
 }
 
-/* A triangle joins the block at the next place of image order. */
+/* A triangle joins the block, next in image order. */
 static void add_triangle(plt_blocks_state *s, uint32_t triangle) {
     const uint32_t mesh = s->job->mesh == NULL ? 0 : s->job->mesh[triangle] + 1u;
     s->mesh = s->triangles == 0 || s->mesh == mesh ? mesh : 0;
@@ -54,38 +53,38 @@ static void add_triangle(plt_blocks_state *s, uint32_t triangle) {
     s->triangles++;
 }
 
-/* Float records are put into image order by whoever watches. */
+/* Float records are put into image order by the owner of plt_blocks_record_order. */
 static void add_records(plt_blocks_state *s, uint32_t first, uint32_t count) {
     for (uint32_t i = 0; i < count; i++) {
         add_triangle(s, plt_permuted(s, first + i));
     }
-    s->unit_count[s->units++] = (uint8_t)count;
+    s->leaf_count[s->leaves++] = (uint8_t)count;
 }
 
-static int add_unit(plt_blocks_state *s, uint32_t first, uint32_t count) {
+static int add_leaf(plt_blocks_state *s, uint32_t first, uint32_t count) {
     if (s->job->triangles.boxes) {
         add_records(s, first, count);
         return 1;
     }
-    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3], number[PLT_LEAF_TRIANGLES_MOST];
+    uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3], index[PLT_LEAF_TRIANGLES_MOST];
     plt_strip_step step[PLT_LEAF_TRIANGLES_MOST];
     for (uint32_t i = 0; i < count; i++) {
-        number[i] = plt_permuted(s, first + i);
-        plt_lattice_corners(&s->job->triangles, number[i], corner[i]);
+        index[i] = plt_permuted(s, first + i);
+        plt_lattice_corners(&s->job->triangles, index[i], corner[i]);
     }
     plt_strips_find((const uint32_t(*)[3][3])corner, count, step);
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t(*c)[3] = (const uint32_t(*)[3])corner[step[i].triangle];
         for (uint32_t k = step[i].start ? 0 : 2; k < 3; k++) {
-            if (!add_reference(s, c[(step[i].turned + k) % 3])) {
+            if (!add_reference(s, c[(step[i].rotation + k) % 3])) {
                 return 0;
             }
         }
-        s->flags[s->triangles] = (uint8_t)(step[i].start | step[i].turn << 1);
-        add_triangle(s, number[step[i].triangle]);
+        s->flags[s->triangles] = (uint8_t)(step[i].start | step[i].swap << 1);
+        add_triangle(s, index[step[i].triangle]);
     }
-    s->unit_count[s->units] = (uint8_t)count;
-    s->units++;
+    s->leaf_count[s->leaves] = (uint8_t)count;
+    s->leaves++;
     return 1;
 }
 
@@ -93,7 +92,7 @@ static int add_unit(plt_blocks_state *s, uint32_t first, uint32_t count) {
 static uint32_t geometry_bits(const plt_blocks_state *s) {
     uint32_t vertex_bits = 0;
     for (int a = 0; a < 3; a++) {
-        vertex_bits += plt_bits_for(s->at.frame.hi[a] - s->at.frame.lo[a]);
+        vertex_bits += plt_bits_for(s->at.bounds.hi[a] - s->at.bounds.lo[a]);
     }
     const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
     return 2 * s->triangles + s->references + (s->references - s->vertices) * ref_bits +
@@ -102,18 +101,18 @@ static uint32_t geometry_bits(const plt_blocks_state *s) {
 
 uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s) {
     const uint32_t k = s->job->leaf_triangles;
-    const uint32_t counts = (k == 4 ? 2 : (uint32_t)(k == 2)) * s->units;
+    const uint32_t counts = (k == 4 ? 2 : (uint32_t)(k == 2)) * s->leaves;
     return s->job->triangles.boxes ? counts : counts + geometry_bits(s);
 }
 
 int plt_blocks_collect_geometry(plt_blocks_state *s) {
     order_nodes(s);
-    s->units = s->triangles = s->references = s->vertices = 0;
+    s->leaves = s->triangles = s->references = s->vertices = 0;
     memset(s->hash, 0xFF, sizeof s->hash);
     for (uint32_t i = 0; i < s->nodes; i++) {
         const plt_block_node *node = &s->node[s->order_of[i]];
         for (int c = 0; c < 2; c++) {
-            if (node->kind[c] == PLT_SLOT_LEAF && !add_unit(s, node->first[c], node->count[c])) {
+            if (node->kind[c] == PLT_SLOT_LEAF && !add_leaf(s, node->first[c], node->count[c])) {
                 return 0;
             }
         }

@@ -5,14 +5,14 @@
 #define PLT_BUILDER_BLOCKS_STATE_H
 
 #include "engine/builder/blocks.h"
+#include "engine/builder/split.h"
 #include "engine/tree/compact/leaf.h"
 
 #define PLT_BLOCK_VERTICES_MOST 640
 #define PLT_BLOCK_HASH 1024
-#define PLT_BLOCK_TRIANGLES_MOST ((PLT_BLOCK_NODES_MOST + 1) * PLT_LEAF_TRIANGLES_MOST)
 
-/* A range of the permutation, its exact box, and the box that the walk will
- * have decoded for it. */
+/* A range of the permutation, its exact box (`tight`), and the box that the traversal
+ * will have decoded for it. */
 typedef struct plt_block_range {
     uint32_t first, count;
     plt_lattice_box box, tight;
@@ -23,7 +23,7 @@ typedef struct plt_block_range {
 /* An edge that waits for its block. */
 typedef struct plt_block_edge_waiting {
     uint32_t first, count;
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
     uint32_t link_at; /* byte of memory where its link goes; PLT_MISS: the root's */
     uint32_t depth;
 } plt_block_edge_waiting;
@@ -42,9 +42,19 @@ typedef struct plt_lattice_bin {
     uint32_t count;
 } plt_lattice_bin;
 
-/* A triangle of a strip: which of the unit, turned by how many corners. */
+typedef struct plt_lattice_bins {
+    plt_lattice_bin bin[3][PLT_SAH_BINS];
+    plt_lattice_box right_box[PLT_SAH_BINS]; /* of bins k and up, while an axis is swept */
+    uint32_t right_count[PLT_SAH_BINS];
+    plt_lattice_box few_box[PLT_SAH_BINS]; /* a range of no more triangles than bins */
+    uint32_t few_index[PLT_SAH_BINS];
+    uint8_t few_rank[3][PLT_SAH_BINS];
+} plt_lattice_bins;
+
+/* A triangle of a strip: which of the leaf, rotated by how many corners; whether it
+ * starts a strip, and its swap bit. */
 typedef struct plt_strip_step {
-    uint8_t triangle, turned, start, turn;
+    uint8_t triangle, rotation, start, swap;
 } plt_strip_step;
 
 typedef struct plt_blocks_state {
@@ -55,7 +65,7 @@ typedef struct plt_blocks_state {
     /* edges that wait, the lowest range on top */
     plt_block_edge_waiting *edge; /* behind this struct */
     uint32_t waiting, edges_most;
-    uint32_t sealed; /* bytes of blocks whose checks are set, at the end */
+    uint32_t checked; /* bytes of blocks whose checks are written, at the end */
     /* the block in hand */
     plt_block_edge_waiting at;
     plt_block_range pending[PLT_BLOCK_NODES_MOST + 1];
@@ -67,17 +77,11 @@ typedef struct plt_blocks_state {
     uint64_t vertex[PLT_BLOCK_VERTICES_MOST];
     uint16_t hash[PLT_BLOCK_HASH];
     uint16_t reference[3 * PLT_BLOCK_TRIANGLES_MOST];
-    uint8_t flags[PLT_BLOCK_TRIANGLES_MOST]; /* 1: start, 2: turn */
-    uint8_t unit_count[PLT_BLOCK_NODES_MOST + 1], unit_pair[PLT_BLOCK_NODES_MOST + 1];
-    uint32_t units, triangles, references, vertices;
-    uint32_t mesh; /* number + 1 of all its triangles' mesh; 0: several, or not known */
-    /* splitting */
-    plt_lattice_bin bin[3][PLT_SAH_BINS];
-    plt_lattice_box right_box[PLT_SAH_BINS];
-    plt_lattice_box few_box[PLT_SAH_BINS]; /* ranges of no more triangles than bins */
-    uint32_t few[PLT_SAH_BINS];
-    uint8_t few_rank[3][PLT_SAH_BINS];
-    uint32_t right_count[PLT_SAH_BINS];
+    uint8_t flags[PLT_BLOCK_TRIANGLES_MOST];      /* 1: start, 2: swap */
+    uint8_t leaf_count[PLT_BLOCK_NODES_MOST + 1]; /* triangles per leaf */
+    uint32_t leaves, triangles, references, vertices;
+    uint32_t mesh; /* index + 1 of the mesh of all its triangles; 0: several, or not known */
+    plt_lattice_bins bins; /* splitting */
 } plt_blocks_state;
 
 static inline uint32_t plt_permuted(const plt_blocks_state *s, uint32_t i) {
@@ -135,16 +139,15 @@ static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangl
     return b;
 }
 
-/* Splits a range of the permutation in place: [first, middle), [middle, first +
- * count), neither empty, with their exact boxes. (blocks_split.c) */
-uint32_t plt_blocks_split(plt_blocks_state *s, const plt_block_range *range,
-                          plt_lattice_box child[2]);
+/* plt_split_records, for a range of the permutation. (split_lattice.c) */
+uint32_t plt_split_lattice(plt_blocks_state *items, const plt_split_range *range,
+                           const plt_lattice_box *box, plt_lattice_box child[2]);
 
-/* The order, turns and starts of a unit's triangles that take the fewest
- * strips. `count` is 1 .. 8. (strips.c) */
+/* The order and rotations of a leaf's triangles that take few strips, with start and
+ * swap bits. `count` is 1 .. 8. (strips.c) */
 void plt_strips_find(const uint32_t corner[][3][3], uint32_t count, plt_strip_step *step);
 
-/* Gathers the geometry of the block in hand; 0 when it exceeds what a block may
+/* Collects the geometry of the block in hand; 0 when it exceeds what a block may
  * hold. Then writes the block. (blocks_geometry.c, blocks_write.c) */
 int plt_blocks_collect_geometry(plt_blocks_state *s);
 uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s); /* behind the header */

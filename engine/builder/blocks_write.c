@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks_state.h"
 
-/* Slot kinds in breadth-first order, and how many edges there are. */
 static uint32_t count_edges(const plt_blocks_state *s) {
     uint32_t edges = 0;
     for (uint32_t i = 0; i < s->nodes; i++) {
@@ -30,11 +29,11 @@ void plt_blocks_link_offsets(const plt_blocks_state *s, uint32_t *offset) {
     }
 }
 
-static void write_frame(const plt_blocks_state *s, unsigned char *at) {
-    const uint32_t width = s->job->bits <= 16 ? 16 : 21;
+static void write_bounds(const plt_blocks_state *s, unsigned char *at) {
+    const uint32_t width = plt_block_bounds_width(s->job->bits);
     for (uint32_t a = 0; a < 3; a++) {
-        plt_bits_put(at, a * width, width, s->at.frame.lo[a]);
-        plt_bits_put(at, (a + 3) * width, width, s->at.frame.hi[a]);
+        plt_bits_put(at, a * width, width, s->at.bounds.lo[a]);
+        plt_bits_put(at, (a + 3) * width, width, s->at.bounds.hi[a]);
     }
 }
 
@@ -46,27 +45,27 @@ static void write_nodes(const plt_blocks_state *s, unsigned char *bytes) {
     for (uint32_t i = 0; i < s->nodes; i++) {
         const plt_block_node *node = &s->node[s->order_of[i]];
         for (uint32_t c = 0; c < 2; c++) {
-            const int unit = node->kind[c] == PLT_SLOT_LEAF;
-            const int b = unit ? node->count[c] > k : node->kind[c] == PLT_SLOT_EDGE;
-            plt_bits_put(mask_a, 2 * i + c, 1, !unit);
+            const int leaf = node->kind[c] == PLT_SLOT_LEAF;
+            const int b = leaf ? node->count[c] > k : node->kind[c] == PLT_SLOT_EDGE;
+            plt_bits_put(mask_a, 2 * i + c, 1, !leaf);
             plt_bits_put(mask_b, 2 * i + c, 1, (uint32_t)b);
         }
         plt_bits_put(owners, 5 * i, 5, node->owners >> 1);
         memcpy(planes + 6 * i, node->plane, 6);
     }
-    write_frame(s, bytes + PLT_BLOCK_HEADER_BYTES);
+    write_bounds(s, bytes + PLT_BLOCK_HEADER_BYTES);
 }
 
 /* Strings of the geometry part; returns the bits written. */
 static uint32_t write_counts(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
     const uint32_t k = s->job->leaf_triangles, strings = k == 4 ? 2 : k == 2;
-    for (uint32_t u = 0; u < s->units; u++) {
-        const uint32_t count = s->unit_count[u], rest = count - 1 - (count > k ? k : 0);
+    for (uint32_t u = 0; u < s->leaves; u++) {
+        const uint32_t count = s->leaf_count[u], rest = count - 1 - (count > k ? k : 0);
         for (uint32_t i = 0; i < strings; i++) {
-            plt_bits_put(bytes, at + i * s->units + u, 1, rest >> i);
+            plt_bits_put(bytes, at + i * s->leaves + u, 1, rest >> i);
         }
     }
-    return at + strings * s->units;
+    return at + strings * s->leaves;
 }
 
 static uint32_t write_strips(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
@@ -90,7 +89,7 @@ static uint32_t write_strips(const plt_blocks_state *s, unsigned char *bytes, ui
 }
 
 static uint32_t write_vertices(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
-    const plt_lattice_box *f = &s->at.frame;
+    const plt_lattice_box *f = &s->at.bounds;
     for (uint32_t v = 0; v < s->vertices; v++) {
         for (uint32_t a = 0; a < 3; a++) {
             const uint32_t q = (uint32_t)(s->vertex[v] >> 21 * (2 - a)) & 0x1FFFFFu;
@@ -104,7 +103,7 @@ static uint32_t write_vertices(const plt_blocks_state *s, unsigned char *bytes, 
 
 static uint32_t geometry_bytes(const plt_blocks_state *s) {
     const uint32_t bytes = (plt_blocks_geometry_bits(s) + 7) / 8;
-    return s->units == 0 ? 0 : (PLT_GEOMETRY_HEADER_BYTES + bytes + 7) & ~7u;
+    return s->leaves == 0 ? 0 : plt_block_pad(PLT_GEOMETRY_HEADER_BYTES + bytes);
 }
 
 static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint32_t size) {
@@ -132,10 +131,8 @@ static void set_link(plt_blocks_state *s, uint32_t link) {
 int plt_blocks_write(plt_blocks_state *s) {
     plt_blocks_job *job = s->job;
     const uint32_t geometry = geometry_bytes(s);
-    const uint32_t node_part =
-        (plt_block_parts_bytes(s->nodes, count_edges(s), job->bits) + 3u) & ~3u;
-    const uint32_t padded = geometry > 0 ? node_part : (node_part + 7u) & ~7u;
-    const uint32_t size = (padded + geometry + 7u) & ~7u;
+    const uint32_t node_part = plt_block_nodes_bytes(s->nodes, count_edges(s), job->bits);
+    const uint32_t size = plt_block_pad(node_part + geometry);
     const size_t room =
         (size_t)(s->permutation - job->memory) + (size_t)s->at.first * s->index_bytes;
     const size_t need =
@@ -144,7 +141,7 @@ int plt_blocks_write(plt_blocks_state *s) {
     if ((size_t)job->used + size > room) {
         return PLT_ERR_ARENA;
     }
-    if (job->used + size > 8u * 0xFFFFFFu) {
+    if (job->used + size > PLT_BLOCKS_BYTES_MAX) {
         return PLT_ERR_LIMIT;
     }
     unsigned char *bytes = job->memory + job->used;
@@ -159,14 +156,14 @@ int plt_blocks_write(plt_blocks_state *s) {
     job->node_bytes += size - geometry;
     job->blocks++;
     job->nodes += s->nodes;
-    job->units += s->units;
+    job->leaves += s->leaves;
     job->written += s->triangles;
     for (uint32_t i = 0; i < s->nodes; i++) { /* only of blocks that are kept */
         const uint32_t depth = s->at.depth + s->node[i].level + 1;
         job->depth = depth > job->depth ? depth : job->depth;
     }
-    for (uint32_t u = 0; u < s->units; u++) {
-        job->pairs += s->unit_count[u] > job->leaf_triangles;
+    for (uint32_t u = 0; u < s->leaves; u++) {
+        job->pairs += s->leaf_count[u] > job->leaf_triangles;
     }
     return PLT_OK;
 }

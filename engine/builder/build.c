@@ -1,18 +1,17 @@
 /* build - see build.h
  *
- * A stack of ranges that wait, left child first, so that nodes come out depth
- * first. A range whose two halves are both lists becomes an intermediate node:
- * nothing but its parent's link (thesis, section 3.2).
+ * A stack of ranges that wait, left child on top: nodes come out depth first. A range whose two
+ * halves are both lists becomes an intermediate node: nothing but its parent's link (thesis,
+ * section 3.2).
  *
- * Stack bound: one waiting range a level, so PLT_DEPTH_MAX + 1. Depth bound:
+ * Stack bound: one waiting range per level, so PLT_DEPTH_MAX + 1. Depth bound:
  * a range that could not be finished by halving in the levels that are left
- * after one more free split is halved by number.
+ * after one more free split is halved by count.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/build.h"
 
 #include "engine/base/arena.h"
-#include "engine/builder/levels.h"
 #include "engine/builder/split.h"
 #include "engine/tree/thesis/treelets.h"
 
@@ -27,7 +26,7 @@ typedef struct pending {
 } pending;
 
 typedef struct splitting {
-    plt_sah_bins bins;
+    plt_record_bins bins;
     pending stack[PLT_DEPTH_MAX + 1];
     uint32_t waiting;
 } splitting;
@@ -45,19 +44,6 @@ size_t plt_build_scratch_bytes(uint32_t nodes, uint32_t treelet_nodes) {
     return treelets > sizeof(splitting) ? treelets : sizeof(splitting);
 }
 
-static void split_range(const plt_build_job *job, splitting *s, const pending *p,
-                        plt_split *split) {
-    const plt_split_range range = {job->records, p->begin, p->end, p->box};
-    const uint32_t left = PLT_DEPTH_MAX - p->depth;
-    if (plt_levels_needed(p->end - p->begin, job->leaf_triangles) >= left) {
-        plt_split_halves(&range, split);
-    } else if (job->splits == PLT_SPLIT_MEDIAN) {
-        plt_split_median(&range, split);
-    } else {
-        plt_split_sah(&range, &s->bins, split);
-    }
-}
-
 static void set_last_bits(plt_record *records, uint32_t begin, uint32_t end) {
     for (uint32_t i = begin; i < end; i++) {
         plt_record_set_last(&records[i], i + 1 == end);
@@ -72,32 +58,29 @@ static void link_from_parent(plt_build_job *job, const pending *p, uint32_t link
     }
 }
 
-static void push_children(splitting *s, const pending *p, const plt_split *split, uint32_t node) {
+static void push_children(splitting *s, const pending *p, uint32_t middle, const plt_box box[2],
+                          uint32_t node) {
     for (int c = 1; c >= 0; c--) {
-        const pending child = {split->child[c],
-                               c == 0 ? p->begin : split->middle,
-                               c == 0 ? split->middle : p->end,
-                               node,
-                               (uint16_t)(p->depth + 1),
-                               (uint8_t)c};
+        const pending child = {box[c], c == 0 ? p->begin : middle, c == 0 ? middle : p->end,
+                               node,   (uint16_t)(p->depth + 1),   (uint8_t)c};
         s->stack[s->waiting++] = child;
     }
 }
 
-/* Turns the range into a list, an intermediate node or a node with two more
- * ranges to do. */
-static int settle(plt_build_job *job, splitting *s, const pending *p) {
+/* Makes the range a list, an intermediate node or a node with two more ranges to do. */
+static int build_range(plt_build_job *job, splitting *s, const pending *p) {
     if (p->end - p->begin <= job->leaf_triangles) {
         set_last_bits(job->records, p->begin, p->end);
         link_from_parent(job, p, plt_link_make(p->begin, PLT_LINK_LEAF));
         return PLT_OK;
     }
-    plt_split split;
-    split_range(job, s, p, &split);
-    if (split.middle - p->begin <= job->leaf_triangles &&
-        p->end - split.middle <= job->leaf_triangles) {
-        set_last_bits(job->records, p->begin, split.middle);
-        set_last_bits(job->records, split.middle, p->end);
+    plt_record_items items = {job->records, &s->bins};
+    const plt_split_range range = {p->begin, p->end, p->depth, job->leaf_triangles, job->splits};
+    plt_box box[2];
+    const uint32_t middle = plt_split_records(&items, &range, &p->box, box);
+    if (middle - p->begin <= job->leaf_triangles && p->end - middle <= job->leaf_triangles) {
+        set_last_bits(job->records, p->begin, middle);
+        set_last_bits(job->records, middle, p->end);
         link_from_parent(job, p, plt_link_make(p->begin, PLT_LINK_LEAF | PLT_LINK_TWO));
         return PLT_OK;
     }
@@ -105,9 +88,9 @@ static int settle(plt_build_job *job, splitting *s, const pending *p) {
         return PLT_ERR_ARENA;
     }
     const uint32_t node = job->nodes_used++;
-    plt_node_encode(&job->nodes[node], &p->box, split.child);
+    plt_node_encode(&job->nodes[node], &p->box, box);
     link_from_parent(job, p, plt_link_make(node, 0));
-    push_children(s, p, &split, node);
+    push_children(s, p, middle, box, node);
     return PLT_OK;
 }
 
@@ -121,7 +104,7 @@ static int split_all(plt_build_job *job) {
     s->waiting = 1;
     while (s->waiting > 0) {
         const pending p = s->stack[--s->waiting];
-        const int status = settle(job, s, &p);
+        const int status = build_range(job, s, &p);
         if (status != PLT_OK) {
             return status;
         }

@@ -1,11 +1,11 @@
 /* build - a BPH with treelets from triangle records, in place
  *
- * Records are permuted so that every list lies in a row; nodes come straight
+ * Records are permuted until every list lies in a row; nodes come straight
  * from the splits, no other hierarchy is ever kept. The same code runs in the
  * host's packer and, over an arena, on the device.
  *
  * Memory beside records and nodes: PLT_BUILD_SCRATCH_BYTES while splitting;
- * then, to put the nodes into treelets, 4 bytes a node and 4 a slot of a
+ * then, to put the nodes into treelets, 4 bytes per node and 4 per slot of a
  * treelet (plt_treelet_scratch_bytes).
  *
  * SPDX-License-Identifier: MIT */
@@ -20,7 +20,7 @@
 #include "engine/tree/thesis/node.h"
 
 typedef struct plt_build_job {
-    plt_record *records;     /* permuted; source numbers set, last bits rewritten */
+    plt_record *records;     /* permuted; primitive ids set, last bits rewritten */
     uint32_t count;          /* records, at most PLT_INDEX_MAX */
     plt_node *nodes;         /* out */
     uint32_t room;           /* node slots there */

@@ -1,6 +1,6 @@
-/* strips - few strips over the triangles of a unit
+/* strips - few strips over the triangles of a leaf
  *
- * Every triangle in each of its three turns is tried as the first; a strip goes
+ * Every triangle in each of its three rotations is tried as the first; a strip goes
  * on with the first triangle that shares the right edge in the right direction,
  * and a new one starts where none does. With at most 8 triangles that is
  * close to the best.
@@ -17,9 +17,9 @@ static int same_point(const uint32_t a[3], const uint32_t b[3]) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Corners of a triangle turned by `turned`. */
-static const uint32_t *turned_corner(const uint32_t corner[3][3], uint32_t turned, uint32_t c) {
-    return corner[(turned + c) % 3];
+/* Corner `c` of a triangle rotated by `rotation` corners. */
+static const uint32_t *rotated_corner(const uint32_t corner[3][3], uint32_t rotation, uint32_t c) {
+    return corner[(rotation + c) % 3];
 }
 
 /* A triangle not yet used that has the edge from `p` to `q`; 0: none. */
@@ -29,7 +29,7 @@ static int find_edge(const uint32_t corner[][3][3], uint32_t count, uint32_t use
         for (uint32_t r = 0; r < 3 && !(used >> t & 1u); r++) {
             if (same_point(corner[t][r], p) && same_point(corner[t][(r + 1) % 3], q)) {
                 found->triangle = (uint8_t)t;
-                found->turned = (uint8_t)r;
+                found->rotation = (uint8_t)r;
                 return 1;
             }
         }
@@ -40,18 +40,19 @@ static int find_edge(const uint32_t corner[][3][3], uint32_t count, uint32_t use
 static int go_on(const uint32_t corner[][3][3], uint32_t count, uint32_t used,
                  const plt_strip_step *last, plt_strip_step *next) {
     const uint32_t(*c)[3] = corner[last->triangle];
-    const uint32_t *p0 = turned_corner(c, last->turned, 0), *p1 = turned_corner(c, last->turned, 1),
-                   *p2 = turned_corner(c, last->turned, 2);
+    const uint32_t *p0 = rotated_corner(c, last->rotation, 0),
+                   *p1 = rotated_corner(c, last->rotation, 1),
+                   *p2 = rotated_corner(c, last->rotation, 2);
     next->start = 0;
-    next->turn = 0;
+    next->swap = 0;
     if (find_edge(corner, count, used, p2, p1, next)) {
         return 1;
     }
-    next->turn = 1;
+    next->swap = 1;
     return find_edge(corner, count, used, p0, p2, next);
 }
 
-/* The first triangle left, turned so that a strip can go on from it. */
+/* The first triangle left, rotated so that a strip can go on from it. */
 static void start_anew(const uint32_t corner[][3][3], uint32_t count, uint32_t used,
                        plt_strip_step *next) {
     uint32_t t = 0;
@@ -69,8 +70,8 @@ static void start_anew(const uint32_t corner[][3][3], uint32_t count, uint32_t u
 }
 
 static void try_from(const uint32_t corner[][3][3], uint32_t count, uint32_t triangle,
-                     uint32_t turned, strip_try *now) {
-    const plt_strip_step first = {(uint8_t)triangle, (uint8_t)turned, 1, 0};
+                     uint32_t rotation, strip_try *now) {
+    const plt_strip_step first = {(uint8_t)triangle, (uint8_t)rotation, 1, 0};
     uint32_t used = 1u << triangle;
     now->step[0] = first;
     now->starts = 1;

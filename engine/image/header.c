@@ -126,7 +126,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
     return plt_header_check(header, bytes, fault);
 }
 
-static void place_sections(plt_header *h) {
+static void set_sections(plt_header *h) {
     uint32_t kind[PLT_SECTIONS_MOST] = {0, 0, 0, 0};
     const unsigned count = plt_header_kinds(&h->info, kind);
     uint32_t offset = PLT_HEADER_BYTES;
@@ -146,7 +146,7 @@ static void place_sections(plt_header *h) {
 
 void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header) {
     plt_info *info = &header->info;
-    place_sections(header);
+    set_sections(header);
     memset(bytes, 0, PLT_HEADER_BYTES);
     memcpy(bytes, magic, sizeof magic);
     bytes[PLT_AT_VERSION] = PLT_IMAGE_MAJOR;

@@ -1,7 +1,7 @@
 /* header - the 256 bytes that an image begins with
  *
- * Byte offsets of SPEC.md, section 2; reading and writing them here keeps
- * the packer and the engine from ever disagreeing.
+ * Byte offsets of SPEC.md, section 2; reading and writing them here means
+ * that packer and engine cannot disagree.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_IMAGE_HEADER_H
@@ -25,7 +25,7 @@ enum plt_section_kind {
     PLT_SECTION_NODES = 1,         /* thesis nodes in their slots */
     PLT_SECTION_TRIANGLES = 2,     /* float records */
     PLT_SECTION_BLOCKS = 3,        /* compact blocks */
-    PLT_SECTION_PRIMITIVE_IDS = 4, /* packing-order numbers (numbers.h) */
+    PLT_SECTION_PRIMITIVE_IDS = 4, /* primitive ids (primitive_id.h) */
     PLT_SECTION_CORNERS = 5        /* lattice corners, for the device to build from */
 };
 
@@ -50,7 +50,7 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind);
 /* The section of a kind, or NULL. */
 const plt_section *plt_header_section(const plt_header *header, uint32_t kind);
 
-/* Bytes a section of `count` items takes, padding included. */
+/* Bytes of a section of `count` items, padding included. */
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);
 
 /* Checks R1 .. R12 and R14 of SPEC.md and fills `header`; `image_bytes` is what the

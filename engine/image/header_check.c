@@ -1,12 +1,11 @@
-/* header_check - is a header one that an engine can go by?
+/* header_check - may an engine rely on this header?
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/bytes.h"
 #include "engine/base/fault.h"
 #include "engine/image/header.h"
 #include "engine/image/header_at.h"
-#include "engine/tree/compact/block.h"
-#include "engine/tree/thesis/link.h"
+#include "engine/image/items.h"
 
 static int is_number_between(float x, float least, float most) {
     return x >= least && x <= most;
@@ -28,7 +27,7 @@ static int boxes_agree(const plt_header *h) {
     return 1;
 }
 
-/* R14: a lattice whose numbers become floats without surprise. */
+/* R14: a lattice (the scene's quantisation grid) whose numbers become exact floats. */
 static int check_lattice(const plt_header *h, plt_fault *fault) {
     const plt_lattice *l = &h->lattice;
     const plt_info *info = &h->info;
@@ -42,11 +41,12 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
                 (h->lattice_box.lo[a] <= h->lattice_box.hi[a] && l->bits <= PLT_LATTICE_BITS_MOST &&
                  h->lattice_box.hi[a] < 1u << l->bits);
     }
-    /* An entry of the numbers holds any number and two bits more. */
+    /* An entry of the primitive ids holds an id and two bits of rotation. */
     good &= info->primitive_id_bits == 0 ||
             (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
              info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
-    if (!good || info->node_bytes > 8u * 0xFFFFFFu || info->triangle_bytes > 8u * 0xFFFFFFu) {
+    if (!good || info->node_bytes > PLT_BLOCKS_BYTES_MAX ||
+        info->triangle_bytes > PLT_BLOCKS_BYTES_MAX) {
         return plt_refused(fault, 14, PLT_AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");
     }

@@ -3,13 +3,16 @@
  * SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "engine/base/bits.h"
 #include "engine/image/header.h"
-#include "engine/tree/record.h"
-#include "engine/tree/thesis/node.h"
+#include "engine/image/items.h"
+
+static uint64_t padded(uint64_t bytes) {
+    return (bytes + PLT_SECTION_ALIGN - 1) & ~(uint64_t)(PLT_SECTION_ALIGN - 1);
+}
 
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes) {
-    const uint64_t bytes = (uint64_t)count * item_bytes;
-    return (bytes + PLT_SECTION_ALIGN - 1) & ~(uint64_t)(PLT_SECTION_ALIGN - 1);
+    return padded((uint64_t)count * item_bytes);
 }
 
 unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]) {
@@ -29,9 +32,6 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
     return count;
 }
 
-/* Readers of bits look a little behind the last one. */
-#define BEHIND 8
-
 uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
     const uint64_t used = (uint64_t)info->node_bytes + info->triangle_bytes;
     switch (kind) {
@@ -40,12 +40,12 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
     case PLT_SECTION_TRIANGLES:
         return plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
     case PLT_SECTION_CORNERS:
-        return plt_section_bytes(info->triangles, info->lattice_bits <= 16 ? 18 : 36);
+        return plt_section_bytes(info->triangles, plt_corners_bytes(info->lattice_bits));
     case PLT_SECTION_PRIMITIVE_IDS:
-        return (((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 + BEHIND + 63) &
-               ~63ull;
+        return padded(((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 +
+                      PLT_BITS_BEHIND);
     default:
-        return (used + BEHIND + 63) & ~63ull;
+        return padded(used + PLT_BITS_BEHIND);
     }
 }
 

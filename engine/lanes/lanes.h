@@ -10,7 +10,7 @@
  *         u4  four uint32
  *
  * Rules   Every operation is IEEE single precision, round to nearest even,
- *         subnormals kept; div and sqrt are exact. No operation is fused.
+ *         subnormals kept; div is exact. No operation is fused.
  *         min(a,b) is a < b ? a : b and max(a,b) is a > b ? a : b in every
  *         lane: of a NaN and anything, or of two zeros, the SECOND operand
  *         comes back. Comparisons with a NaN are false. NaN payloads of
@@ -24,7 +24,7 @@
  *                   m4_bits(unsigned) lane i from bit i
  *                   f4_of_u4(u4) of numbers below 2^31; exact below 2^24
  *                   f4_of_bytes(const unsigned char[4]) of 8 bits each
- * arithmetic        f4_add f4_sub f4_mul f4_div f4_sqrt f4_min f4_max
+ * arithmetic        f4_add f4_sub f4_mul f4_div f4_min f4_max
  *                   f4_abs f4_neg (sign bit alone) u4_add u4_and
  * compare           f4_lt f4_le f4_eq u4_lt u4_eq -> m4
  * masks             m4_and m4_or m4_andnot (a and not b) -> m4

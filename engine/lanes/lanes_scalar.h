@@ -120,10 +120,6 @@ static inline f4 f4_div(f4 a, f4 b) {
     PLT_EACH_LANE(f4, a.lane[i] / b.lane[i]);
 }
 
-static inline f4 f4_sqrt(f4 a) {
-    PLT_EACH_LANE(f4, __builtin_sqrtf(a.lane[i]));
-}
-
 static inline f4 f4_min(f4 a, f4 b) {
     PLT_EACH_LANE(f4, a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]);
 }

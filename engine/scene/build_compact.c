@@ -47,9 +47,9 @@ static int open_cache(const plt_opening *o, plt_lattice_triangles *t, const plt_
     if (memory == NULL) {
         return plt_opening_short(o);
     }
-    t->window = plt_record_cache_init(memory, o->source, s->offset, 9 * t->width, t->count);
-    const uint32_t crc = plt_record_cache_crc(t->window, s->bytes);
-    const int status = cache_status(o, t->window);
+    t->cache = plt_record_cache_init(memory, o->source, s->offset, 9 * t->width, t->count);
+    const uint32_t crc = plt_record_cache_crc(t->cache, s->bytes);
+    const int status = cache_status(o, t->cache);
     return status != PLT_OK || crc == s->crc
                ? status
                : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
@@ -108,7 +108,7 @@ int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
     }
     b->corners_offset = corners->offset;
     b->job.triangles.count = info->triangles;
-    b->job.triangles.width = info->lattice_bits <= 16 ? 2 : 4;
+    b->job.triangles.width = plt_corner_width(info->lattice_bits);
     b->job.bits = info->lattice_bits;
     b->job.leaf_triangles = info->leaf_triangles;
     b->job.splits = info->splits;
@@ -117,7 +117,7 @@ int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
         status = plt_opening_short(o);
     }
     if (status == PLT_OK) {
-        status = cache_status(o, b->job.triangles.window);
+        status = cache_status(o, b->job.triangles.cache);
     }
     *build = b;
     return status == PLT_OK ? PLT_MORE : status;
@@ -131,7 +131,7 @@ static void set_tree(plt_scene *scene, const plt_blocks_job *job) {
     t->root = job->root;
     info->nodes = info->node_slots = job->nodes;
     info->treelets = job->blocks;
-    info->leaf_lists = job->units - job->pairs;
+    info->leaf_lists = job->leaves - job->pairs;
     info->intermediate_lists = job->pairs;
     info->node_bytes = job->node_bytes;
     info->triangle_bytes = job->used - job->node_bytes;
@@ -159,7 +159,7 @@ static int validate_built(const plt_opening *o, uint32_t corners_offset) {
 static int finish(const plt_opening *o, const plt_compact_build *b) {
     const size_t needed = b->mark + b->job.peak + b->scratch_bytes;
     const uint32_t corners_offset = b->corners_offset;
-    const int is_cached = b->job.triangles.window != NULL;
+    const int is_cached = b->job.triangles.cache != NULL;
     set_tree(o->scene, &b->job);
     o->arena->peak = needed > b->peak ? needed : b->peak;
     plt_arena_release(o->arena, b->mark);
@@ -173,7 +173,7 @@ int plt_build_compact_step(const plt_opening *o, plt_compact_build *b, uint32_t 
         status = plt_blocks_step(&b->job);
         steps--;
     }
-    const int source = cache_status(o, b->job.triangles.window);
+    const int source = cache_status(o, b->job.triangles.cache);
     if (source != PLT_OK) {
         return source;
     }

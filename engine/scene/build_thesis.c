@@ -6,7 +6,8 @@
 #include "engine/base/fault.h"
 #include "engine/builder/build.h"
 #include "engine/scene/worst_tree.h"
-#include "engine/tree/thesis/validate_image.h"
+#include "engine/tree/thesis/validate.h"
+#include "engine/tree/validate_records.h"
 
 /* Scratch that goes with as many nodes as fit beside it: 4 bytes per node and 16 per
  * treelet, and what does not depend on their number. */

@@ -4,7 +4,7 @@
 #include "engine/base/fault.h"
 #include "engine/scene/open_formats.h"
 #include "engine/scene/validate_compact.h"
-#include "engine/tree/thesis/validate_image.h"
+#include "engine/tree/validate_records.h"
 
 static void describe(const plt_opening *o, const plt_header *header) {
     plt_block_tree *t = &o->scene->compact;
@@ -14,13 +14,13 @@ static void describe(const plt_opening *o, const plt_header *header) {
         header->info.geometry_format == PLT_GEOMETRY_FLOAT ? PLT_LEAF_RECORDS : PLT_LEAF_STRIPS;
     t->lattice = header->lattice;
     t->box = header->lattice_box;
-    t->numbers.bits = header->info.primitive_id_bits;
+    t->ids.bits = header->info.primitive_id_bits;
 }
 
 /* Primitive ids of the section are those of the packed mesh. */
 static int validate_ids(const plt_opening *o, const plt_section *section) {
     const plt_info *info = &o->scene->info;
-    const plt_primitive_ids *n = &o->scene->compact.numbers;
+    const plt_primitive_ids *n = &o->scene->compact.ids;
     for (uint32_t i = 0; i < info->triangles; i++) {
         const uint32_t word = plt_primitive_word_find(n, i);
         if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
@@ -61,7 +61,7 @@ static int read_sections(const plt_opening *o, const plt_header *header) {
         status = plt_records_validate(header, records, o->fault);
     }
     t->bytes = blocks;
-    t->numbers.bytes = numbers;
+    t->ids.bytes = numbers;
     t->records = records;
     t->used = header->info.node_bytes + header->info.triangle_bytes;
     return status;

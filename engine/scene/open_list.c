@@ -4,7 +4,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/open_formats.h"
-#include "engine/tree/thesis/validate_image.h"
+#include "engine/tree/thesis/validate.h"
+#include "engine/tree/validate_records.h"
 
 int plt_open_list(const plt_opening *o, const plt_header *header) {
     const void *nodes = NULL, *bytes = NULL; /* of nodes there are none, with a checksum */

@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/build_thesis.h"
 #include "engine/scene/open_formats.h"
-#include "engine/tree/thesis/validate_image.h"
+#include "engine/tree/thesis/validate.h"
+#include "engine/tree/validate_records.h"
 
 static void describe(const plt_opening *o, const plt_header *header) {
     plt_tree *tree = &o->scene->thesis;

@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/opening.h"
 
-#include "engine/planelet_crc32.h"
 #include "engine/base/fault.h"
 #include "engine/image/fetch.h"
+#include "engine/planelet_crc32.h"
 
 int plt_opening_short(const plt_opening *o) {
     return plt_arena_short(o->fault, 0);

@@ -11,7 +11,7 @@
 #include "engine/base/box.h"
 #include "engine/planelet.h"
 #include "engine/tree/compact/block_tree.h"
-#include "engine/tree/thesis/validate.h"
+#include "engine/tree/thesis/tree.h"
 
 /* What a traversal has to know how to read. A new one is a header in trace/
  * and a line in each of the two switches, scene/open.c and trace/traverse.c. */

@@ -8,31 +8,28 @@
 #include "engine/trace/frustum.h"
 #include "engine/trace/leaf_records.h"
 #include "engine/trace/triangle.h"
+#include "engine/tree/canonical.h"
 
 /* Strips of this many triangles per list share enough vertices for frustum culling to
  * pay; those of shorter lists do not. */
 enum { CULLING_FROM = 4 };
 
-/* Vertices from lattice numbers to floats; `key` gets what orders them (record.h):
- * x, y, z. */
+/* Vertices from lattice numbers to floats, and the keys that order them. */
 static void set_positions(plt_leaf *u, const plt_lattice *l, uint64_t key[]) {
     for (uint32_t i = 0; i < u->vertices; i++) {
         plt_vertex *v = &u->vertex[i];
-        key[i] = (uint64_t)v->number[0] << 42 | (uint64_t)v->number[1] << 21 | v->number[2];
+        key[i] = plt_lattice_key(v->number);
         f4_store(v->scene, plt_lattice_planes(l, f4_of_u4(u4_load(v->number))));
     }
 }
 
-/* Corners in canonical order (record.h): the least first. Which is least cannot be
- * predicted, so there is no branch. */
+/* Corners in canonical order. */
 static void set_corners(const plt_leaf *u, const uint64_t key[], uint32_t triangle,
                         float to[3][3]) {
-    /* by b < a, c < a and c < b: bits to rotate the three indices by */
-    static const uint8_t rotation[8] = {0, 8, 16, 8, 0, 16, 16, 16};
     const uint32_t corner = u->corner[triangle];
     const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
-    const unsigned order = (unsigned)(b < a) | (unsigned)(c < a) << 1 | (unsigned)(c < b) << 2;
-    const uint64_t rotated = ((uint64_t)corner << 24 | corner) >> rotation[order];
+    const uint32_t first = plt_canonical_first(b < a, c < a, c < b);
+    const uint64_t rotated = ((uint64_t)corner << 24 | corner) >> 8 * first;
     PLT_UNROLLED for (unsigned i = 0; i < 3; i++) {
         memcpy(to[i], u->vertex[rotated >> 8 * i & 0xFFu].scene, sizeof to[i]);
     }
@@ -65,7 +62,7 @@ static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const
     const int culling = g->k >= CULLING_FROM;
     plt_triangle t;
     t.longest = run->longest;
-    t.ids = tree->numbers.bytes == NULL ? NULL : &tree->numbers;
+    t.ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
     plt_leaf_read(g, run->first, run->count, &u);
     set_positions(&u, &tree->lattice, key);
     if (culling) {

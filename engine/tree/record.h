@@ -1,14 +1,12 @@
 /* record - one triangle of float geometry, 40 bytes
  *
- * Nine floats (three corners, x y z each), then a number word
- * (numbers.h) that says in bit 31 whether this is the last of its list. Lists have 1 .. K records
- * in a row; a last-in-list bit instead of a count leaves the thesis node as it is (thesis,
- * section 8.1.4).
+ * Nine floats (three corners, x y z each), then an id word (primitive_id.h) that says
+ * in bit 31 whether this is the last of its list. Lists have 1 .. K records in a row; a
+ * last-in-list bit instead of a count leaves the thesis node as it is (thesis, section
+ * 8.1.4).
  *
- * Corners stand in canonical order: the least, by x, then y, then z, comes
- * first and the direction of turning stays. Arithmetic on a triangle then does
- * not depend on how a format stores it. The turn says which corner was the
- * packed mesh's first, and so what u and v belong to.
+ * Corners stand in canonical order (canonical.h). The rotation says which corner was
+ * the packed mesh's first, and so what u and v belong to.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_RECORD_H
@@ -18,9 +16,9 @@
 
 #include "engine/base/box.h"
 #include "engine/base/bytes.h"
+#include "engine/image/items.h"
 #include "engine/tree/primitive_id.h"
 
-#define PLT_RECORD_BYTES 40
 #define PLT_RECORD_LAST 0x80000000u
 
 typedef struct plt_record {
@@ -31,10 +29,6 @@ _Static_assert(sizeof(plt_record) == PLT_RECORD_BYTES, "a triangle record has 40
 
 static inline float plt_record_float(const plt_record *r, int corner, int axis) {
     return plt_get_float(&r->word[3 * corner + axis]);
-}
-
-static inline uint32_t plt_record_source(const plt_record *r) {
-    return plt_primitive_id(plt_get_u32(&r->word[9]));
 }
 
 static inline int plt_record_is_last(const plt_record *r) {
@@ -64,6 +58,16 @@ static inline plt_box plt_record_box(const plt_record *r) {
         b.hi[a] = s > hi ? s : hi;
     }
     return b;
+}
+
+/* The tight box of records begin .. end - 1. */
+static inline plt_box plt_records_box(const plt_record *records, uint32_t begin, uint32_t end) {
+    plt_box box = plt_box_empty();
+    for (uint32_t i = begin; i < end; i++) {
+        const plt_box b = plt_record_box(&records[i]);
+        plt_box_add(&box, &b);
+    }
+    return box;
 }
 
 #endif

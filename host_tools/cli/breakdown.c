@@ -21,7 +21,7 @@ static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
     to->bytes[PART_LINKS] += 4.0 * b->edges;
     to->bytes[PART_FRAMES] += plt_block_bounds_bytes(bits);
     to->bytes[PART_HEADERS] += PLT_BLOCK_HEADER_BYTES;
-    const uint32_t size = (b->node_bytes + b->geometry_bytes + 7u) & ~7u;
+    const uint32_t size = plt_block_bytes(b);
     to->bytes[PART_PADDING] += (double)(size - b->geometry_bytes) -
                                (double)plt_block_parts_bytes(b->nodes, b->edges, bits);
 }
@@ -59,7 +59,7 @@ void breakdown_count(const plt_engine *engine, breakdown *b) {
         if (block.geometry_bytes > 0) {
             count_geometry(tree, &block, b);
         }
-        at += (block.node_bytes + block.geometry_bytes + 7u) & ~7u;
+        at += plt_block_bytes(&block);
     }
     b->bytes[PART_POSITIONS] +=
         tree->records != NULL ? (double)info->triangles * PLT_RECORD_BYTES : 0.0;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+#include "engine/image/items.h"
 
 uint32_t lattice_bits_for(double tolerance) {
     for (uint32_t bits = PLT_LATTICE_BITS_LEAST; bits <= PLT_LATTICE_BITS_MOST; bits++) {
@@ -91,7 +92,7 @@ int lattice_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, 
     if (set_lattice(s, bits, name, f) != 0) {
         return -1;
     }
-    s->width = bits <= 16 ? 2 : 4;
+    s->width = plt_corner_width(bits);
     s->corners = malloc(m->triangles * 3 * positions * s->width + 1);
     s->source = malloc(m->triangles * sizeof *s->source + 1);
     if (s->corners == NULL || s->source == NULL) {
@@ -103,8 +104,8 @@ int lattice_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, 
 void lattice_free(snapped *s) {
     free(s->corners);
     free(s->source);
-    free(s->turn);
+    free(s->rotation);
     s->corners = NULL;
     s->source = NULL;
-    s->turn = NULL;
+    s->rotation = NULL;
 }

@@ -1,4 +1,4 @@
-/* lattice - a mesh moved onto the scene's lattice
+/* lattice - a mesh moved onto the scene's lattice, its quantisation grid
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HOST_LATTICE_H
@@ -25,8 +25,8 @@ typedef struct snapped {
     plt_lattice_box box;    /* of the triangles that are left */
     unsigned char *corners; /* 9 numbers each, `width` bytes; owned */
     uint32_t width;
-    uint32_t *source; /* packing-order number of each; owned */
-    uint8_t *turn;    /* numbers.h; owned */
+    uint32_t *source;  /* primitive id of each; owned */
+    uint8_t *rotation; /* of each, canonical.h; owned */
     uint32_t count;
     lattice_loss loss;
 } snapped;

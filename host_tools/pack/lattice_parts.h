@@ -13,9 +13,9 @@ typedef struct lattice_position {
 #define LATTICE_UNUSED UINT32_MAX
 
 /* A coordinate of the mesh in steps from the origin, not rounded. */
-double lattice_place(const snapped *s, const float p[3], int axis);
+double lattice_steps(const snapped *s, const float p[3], int axis);
 
-/* On the lattice: has area; is flat, and its corners lie in three places. */
+/* On the lattice: has area; is flat, and its corners lie at three positions. */
 int lattice_has_area(const lattice_position p[3]);
 int lattice_is_line(const lattice_position p[3]);
 
@@ -26,12 +26,12 @@ int lattice_had_area(const mesh *m, size_t triangle);
  * (lattice_mend.c) */
 int lattice_mend(snapped *s, const mesh *m, lattice_position *moved);
 
-/* The lattice of `bits` for the mesh, and room for `positions` a triangle. What
- * it has cut is freed by lattice_free, also when it fails. */
+/* The lattice of `bits` for the mesh, and room for `positions` per triangle. What
+ * it allocates is freed by lattice_free, also when it fails. */
 int lattice_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, const char *name,
                   fail *f);
 
-/* One more triangle, of so many positions, made of number `source`. */
+/* One more triangle, of so many positions, made of triangle `source`. */
 void lattice_add(snapped *s, const lattice_position *p, uint32_t positions, uint32_t source);
 
 #endif

@@ -1,6 +1,6 @@
 /* pack - see pack.h
  *
- * The builder is the engine's own (engine/build), given memory from the heap
+ * The builder is the engine's own (engine/builder), given memory from the heap
  * instead of an arena: an image built here equals what a device builds.
  *
  * SPDX-License-Identifier: MIT */
@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "engine/builder/build.h"
-#include "engine/builder/split.h"
 #include "engine/image/header.h"
 #include "engine/planelet_crc32.h"
+#include "engine/tree/canonical.h"
 #include "engine/tree/thesis/validate.h"
 
 typedef struct packing {
@@ -36,17 +36,13 @@ int pack_too_large(const mesh *m, const char *name, fail *f) {
                     m->triangles);
 }
 
-/* The corner that comes first in canonical order; of equals the first. */
-static unsigned least_corner(const float corner[3][3]) {
-    unsigned least = 0;
-    for (unsigned c = 1; c < 3; c++) {
-        int a = 0;
-        while (a < 2 && corner[c][a] == corner[least][a]) {
-            a++;
-        }
-        least = corner[c][a] < corner[least][a] ? c : least;
+/* By x, then y, then z. */
+static int is_below(const float p[3], const float q[3]) {
+    int a = 0;
+    while (a < 2 && p[a] == q[a]) {
+        a++;
     }
-    return least;
+    return p[a] < q[a];
 }
 
 void pack_record(plt_record *r, const mesh *m, size_t triangle) {
@@ -54,12 +50,14 @@ void pack_record(plt_record *r, const mesh *m, size_t triangle) {
     for (size_t c = 0; c < 3; c++) {
         memcpy(corner[c], m->vertex + 3 * (size_t)m->triangle[3 * triangle + c], sizeof corner[c]);
     }
-    const unsigned least = least_corner((const float(*)[3])corner);
+    const uint32_t first =
+        plt_canonical_first(is_below(corner[1], corner[0]), is_below(corner[2], corner[0]),
+                            is_below(corner[2], corner[1]));
     for (unsigned c = 0; c < 3; c++) {
-        plt_put_floats((unsigned char *)&r->word[3 * c], corner[(least + c) % 3], 3);
+        plt_put_floats((unsigned char *)&r->word[3 * c], corner[(first + c) % 3], 3);
     }
-    const uint32_t turn = (3 - least) % 3;
-    plt_put_u32(&r->word[9], (uint32_t)triangle | turn << PLT_PRIMITIVE_ROTATION_SHIFT);
+    plt_put_u32(&r->word[9], (uint32_t)triangle | plt_canonical_rotation(first)
+                                                      << PLT_PRIMITIVE_ROTATION_SHIFT);
 }
 
 static void fill_records(packing *p) {
@@ -109,9 +107,9 @@ static int build(packing *p, fail *f) {
     return 0;
 }
 
-/* Counts and stack needs, by the same survey that opening trusts. */
-static int survey(packing *p, fail *f) {
-    plt_validate_level frames[PLT_VALIDATE_LEVELS];
+/* Counts and stack needs, by the validation that opening relies on. */
+static int validate(packing *p, fail *f) {
+    plt_validate_level levels[PLT_VALIDATE_LEVELS];
     plt_info *info = &p->header.info;
     const plt_tree tree = {.nodes = p->nodes,
                            .records = p->records,
@@ -121,7 +119,7 @@ static int survey(packing *p, fail *f) {
                            .root = p->header.root};
     const uint32_t k = info->leaf_triangles;
     plt_fault fault;
-    if (plt_tree_validate(&tree, frames, info, &fault) != PLT_OK) {
+    if (plt_tree_validate(&tree, levels, info, &fault) != PLT_OK) {
         return fail_set(f, p->name, "the finished tree is refused: %s; please report this",
                         fault.message);
     }
@@ -176,7 +174,7 @@ static int pack(packing *p, packed *image, fail *f) {
         info->hi[a] = box.hi[a];
     }
     const int status = info->build == PLT_BUILD_HOST ? build(p, f) : leave_unbuilt(p);
-    if (status != 0 || (info->build != PLT_BUILD_DEVICE && survey(p, f) != 0)) {
+    if (status != 0 || (info->build != PLT_BUILD_DEVICE && validate(p, f) != 0)) {
         return -1;
     }
     return assemble(p, image, f);

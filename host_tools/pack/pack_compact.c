@@ -10,10 +10,10 @@
 #include "engine/base/bits.h"
 #include "engine/builder/blocks.h"
 #include "engine/image/header.h"
+#include "engine/image/items.h"
 #include "engine/planelet_crc32.h"
 #include "engine/tree/compact/block.h"
 #include "engine/tree/primitive_id.h"
-#include "engine/tree/thesis/link.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
 
@@ -24,7 +24,7 @@ typedef struct compacting {
     snapped s;
     plt_header header;
     unsigned char *blocks; /* owned */
-    uint32_t *order;       /* image order to place in `s`; owned */
+    uint32_t *order;       /* index in `s` of each triangle of the image; owned */
     uint32_t triangles;    /* in image order */
 } compacting;
 
@@ -34,7 +34,7 @@ static int out_of_memory(const compacting *c, fail *f) {
 }
 
 /* The mesh of each triangle on the lattice; NULL when there is nothing to say. */
-static uint16_t *mesh_numbers(const compacting *c) {
+static uint16_t *mesh_indices(const compacting *c) {
     const compact_options *o = c->options;
     if (o->mesh_end == NULL || o->meshes < 2 || o->meshes > 1022) {
         return NULL;
@@ -80,14 +80,14 @@ static int build(compacting *c, fail *f) {
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .splits = info->splits};
-    uint16_t *numbers = mesh_numbers(c);
-    job.mesh = numbers;
+    uint16_t *mesh_of = mesh_indices(c);
+    job.mesh = mesh_of;
     const int status = run_job(c, &job, f);
     free(job.scratch);
-    free(numbers);
+    free(mesh_of);
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
-    info->leaf_lists = job.units - job.pairs;
+    info->leaf_lists = job.leaves - job.pairs;
     info->intermediate_lists = job.pairs;
     info->node_bytes = job.node_bytes;
     info->triangle_bytes = job.used - job.node_bytes;
@@ -126,13 +126,13 @@ static void describe(compacting *c) {
     c->header.root = PLT_MISS;
 }
 
-static void write_numbers(const compacting *c, unsigned char *to) {
+static void write_ids(const compacting *c, unsigned char *to) {
     const uint32_t bits = c->header.info.primitive_id_bits;
     for (uint32_t i = 0; i < c->triangles; i++) {
-        const uint32_t place = c->order[i];
+        const uint32_t index = c->order[i];
         const uint64_t at = (uint64_t)i * bits;
         plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), bits,
-                     c->s.source[place] << 2 | c->s.turn[place]);
+                     c->s.source[index] << 2 | c->s.rotation[index]);
     }
 }
 
@@ -153,7 +153,7 @@ static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
     } else if (kind == PLT_SECTION_TRIANGLES) {
         write_records(c, to);
     } else if (kind == PLT_SECTION_PRIMITIVE_IDS) {
-        write_numbers(c, to);
+        write_ids(c, to);
     }
 }
 

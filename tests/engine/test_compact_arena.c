@@ -115,7 +115,7 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
         const plt_block_tree *tree = &e->scene.compact;
         const compact_facts f = compact_check(tree, NULL);
         const size_t fixed = sizeof *e + plt_compact_build_bytes(triangles) + 64 +
-                             (streamed ? plt_record_cache_bytes(bits <= 16 ? 18 : 36) + 64 : 0);
+                             (streamed ? plt_record_cache_bytes(plt_corners_bytes(bits)) + 64 : 0);
         const size_t blocks = (size_t)tree->used + f.largest_block;
         CHECK(f.broken == 0 && f.triangles == triangles, "%u of %u: %s", f.triangles, triangles,
               f.sentence);

@@ -131,7 +131,7 @@ static work random_work(uint64_t seed, uint32_t k, uint32_t most) {
     static const uint32_t bits[5] = {12, 14, 16, 17, 21};
     const uint32_t b = bits[random_below(&r, 5)], n = 1 + random_below(&r, most);
     const uint32_t range = random_below(&r, 2) ? 8u << random_below(&r, 5) : 1u << b;
-    work w = {.job = {.triangles = {NULL, n, b <= 16 ? 2 : 4, 0},
+    work w = {.job = {.triangles = {NULL, n, plt_corner_width(b), 0},
                       .bits = b,
                       .leaf_triangles = k,
                       .splits = (uint8_t)random_below(&r, 2)}};
@@ -206,7 +206,7 @@ static void check_work(work *w, uint64_t seed) {
         const compact_facts f = compact_check(&tree, &s);
         CHECK(f.broken == 0, "seed %llu: %s", (unsigned long long)seed, f.sentence);
         CHECK(f.depth == w->job.depth && f.nodes == w->job.nodes && f.blocks == w->job.blocks &&
-                  f.leaves == w->job.units && f.pairs == w->job.pairs,
+                  f.leaves == w->job.leaves && f.pairs == w->job.pairs,
               "seed %llu: depth %u, reported %u", (unsigned long long)seed, f.depth, w->job.depth);
         const size_t permutation = w->job.triangles.count * 2u;
         CHECK(w->job.peak <= bound && w->job.peak >= w->job.used &&

@@ -10,6 +10,7 @@
 
 #include "engine/trace/format_compact.h"
 #include "host_tools/scenes/scenes.h"
+#include "tests/reference/block_slots.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
 #include "tests/reference/rays.h"

@@ -191,7 +191,7 @@ static some_block open_at(const packed *image, uint32_t address) {
 
 static uint32_t second_address(const packed *image) {
     const some_block f = open_at(image, 0);
-    return (f.b.node_bytes + f.b.geometry_bytes + 7u) & ~7u;
+    return plt_block_bytes(&f.b);
 }
 
 static void bent_links(const packed *image) {
@@ -218,7 +218,7 @@ static uint32_t last_address(const packed *image) {
     for (uint32_t next = 0; next < used;) {
         const some_block f = open_at(image, next);
         at = next;
-        next += (f.b.node_bytes + f.b.geometry_bytes + 7u) & ~7u;
+        next += plt_block_bytes(&f.b);
     }
     return at;
 }
@@ -293,7 +293,7 @@ static uint32_t bit_at(const packed *image, const some_block *f, uint32_t bit) {
  * strip. */
 static void moved_starts(const packed *image, const some_block *f) {
     uint32_t by_rule = 0;
-    for (uint32_t bit = f->g.starts; bit + 1 < f->g.turns; bit++) {
+    for (uint32_t bit = f->g.starts; bit + 1 < f->g.swaps; bit++) {
         if (bit_at(image, f, bit) && !bit_at(image, f, bit + 1)) {
             unsigned char *bytes = copy_of(image);
             bytes[f->geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
@@ -330,7 +330,7 @@ static void bent_strips(const packed *image) {
         bytes[f.geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
         compact_seal(bytes, image->size, 1);
         const hostile_result r = meet(bytes, image->size, "a strip's bit", bit);
-        const int swap = bit >= f.g.turns && bit < f.g.news, ref = bit >= f.g.refs;
+        const int swap = bit >= f.g.swaps && bit < f.g.news, ref = bit >= f.g.refs;
         CHECK(swap || ref ? r.status == PLT_OK || r.fault.rule == 16
                           : r.status == PLT_ERR_IMAGE && r.fault.rule >= 14,
               "bit %u: status %d, rule %u", bit, r.status, r.fault.rule);
@@ -365,7 +365,8 @@ static void bent_primitive_ids(const packed *image) {
 
 /* Corners for a device build, which trusts nothing about them either. */
 static void bent_corners(const packed *image) {
-    const uint32_t width = image->info.lattice_bits <= 16 ? 2 : 4, bits = image->info.lattice_bits;
+    const uint32_t width = plt_corner_width(image->info.lattice_bits),
+                   bits = image->info.lattice_bits;
     const uint32_t bytes = image->info.triangles * 9 * width;
     const uint32_t hi = plt_get_u32(image->bytes + AT_BOX + 12);
     random_state r = {8};

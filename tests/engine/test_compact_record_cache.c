@@ -99,7 +99,7 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
     if (e != NULL && b.engine != NULL) {
         const plt_block_tree *x = &e->scene.compact, *y = &b.engine->scene.compact;
-        const size_t cache = plt_record_cache_bytes(bits <= 16 ? 18 : 36) + PLT_ALIGN;
+        const size_t cache = plt_record_cache_bytes(plt_corners_bytes(bits)) + PLT_ALIGN;
         CHECK(x->used == y->used && memcmp(x->bytes, y->bytes, x->used) == 0, "blocks differ");
         CHECK(b.peak <= plt_arena_peak(e) + cache, "peak %zu, mapped %zu", b.peak,
               plt_arena_peak(e));

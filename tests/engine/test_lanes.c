@@ -8,7 +8,6 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 
 #include "tests/reference/lanes_ops.h"
@@ -185,10 +184,8 @@ static uint32_t by_double(enum lanes_op op, double a, double b) {
         return as_bits((float)(a - b));
     case OP_f4_mul:
         return as_bits((float)(a * b));
-    case OP_f4_div:
-        return as_bits((float)(a / b));
     default:
-        return as_bits((float)sqrt(a));
+        return as_bits((float)(a / b));
     }
 }
 
@@ -351,7 +348,7 @@ int main(void) {
     test("lanes.h lists exactly the operations that the probes run");
     check_names("engine/lanes/lanes.h");
     test_complete(&lanes_probe_scalar);
-    for (int op = OP_f4_add; op <= OP_f4_sqrt; op++) {
+    for (int op = OP_f4_add; op <= OP_f4_div; op++) {
         test_rounding((enum lanes_op)op);
     }
     test_nan_rule(OP_f4_min, -1);

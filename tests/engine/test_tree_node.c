@@ -148,9 +148,11 @@ static void record(void) {
     const unsigned char *bytes = (const unsigned char *)&r;
     CHECK(bytes[0] == 0 && bytes[2] == 0x80 && bytes[3] == 0x3F, "1.0");
     CHECK(bytes[36] == 4 && bytes[37] == 3 && bytes[38] == 2 && bytes[39] == 0x81, "number");
-    CHECK(plt_record_is_last(&r) && plt_record_source(&r) == 0x01020304, "last");
+    CHECK(plt_record_is_last(&r) && plt_primitive_id(plt_get_u32(&r.word[9])) == 0x01020304,
+          "last");
     plt_record_set_last(&r, 0);
-    CHECK(!plt_record_is_last(&r) && plt_record_source(&r) == 0x01020304, "not last");
+    CHECK(!plt_record_is_last(&r) && plt_primitive_id(plt_get_u32(&r.word[9])) == 0x01020304,
+          "not last");
     const plt_box b = plt_record_box(&r);
     const float lo[3] = {-4, 0.25f, -6}, hi[3] = {1, 5, 7};
     CHECK(memcmp(b.lo, lo, sizeof lo) == 0 && memcmp(b.hi, hi, sizeof hi) == 0, "box");

@@ -23,6 +23,7 @@
 #include "engine/image/header.h"
 #include "engine/tree/compact/validate_block.h"
 #include "engine/tree/record.h"
+#include "tests/reference/block_slots.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/leaf_corners.h"
 
@@ -43,7 +44,7 @@ static uint32_t decode_boxes(const plt_block *b, const plt_lattice_box *bounds) 
     uint32_t depth[PLT_BLOCK_NODES_MOST] = {1}, deepest = 1;
     box[0] = *bounds;
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
-        plt_block_children(b, slot / 2, &box[slot / 2], child);
+        block_children(b, slot / 2, &box[slot / 2], child);
         const uint32_t rank = plt_block_rank(b, plt_block_kind(b, slot), slot);
         if (plt_block_kind(b, slot) == PLT_SLOT_INNER) {
             promise(rank + 1 > slot / 2 && rank + 1 < b->nodes, "a child is not behind its node");
@@ -66,7 +67,7 @@ static void decode_leaves(const plt_block *b, const plt_block_tree *tree, const 
         const uint32_t leaf = plt_block_rank(b, PLT_SLOT_LEAF, slot);
         const int pair = (int)(b->pair[slot >> 5] >> (slot & 31) & 1u);
         uint32_t count;
-        const uint32_t first = plt_leaf_find(g, leaf, plt_block_pairs(b, slot), pair, &count);
+        const uint32_t first = plt_leaf_find(g, leaf, block_pairs(b, slot), pair, &count);
         promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a leaf's size");
         sum += count;
         if (tree->records == NULL) {
@@ -81,12 +82,12 @@ static void decode_leaves(const plt_block *b, const plt_block_tree *tree, const 
 
 static plt_header header_of(const plt_block *b, const plt_block_tree *tree, uint32_t triangles,
                             uint32_t depth) {
-    const uint32_t size = (b->node_bytes + b->geometry_bytes + 7u) & ~7u;
+    const uint32_t size = plt_block_bytes(b);
     plt_header h = {
         .info = {.triangles = triangles,
                  .nodes = b->nodes,
                  .node_slots = b->nodes,
-                 .leaf_lists = b->units - b->pairs,
+                 .leaf_lists = b->leaves - b->pairs,
                  .intermediate_lists = b->pairs,
                  .treelets = 1,
                  .treelet_nodes = PLT_BLOCK_NODES_MOST,
@@ -161,7 +162,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         plt_block_open(&b, bytes, tree.lattice.bits);
         plt_block_bounds(&b, tree.lattice.bits, &bounds);
         const uint32_t depth = decode_boxes(&b, &bounds);
-        if (b.units > 0) {
+        if (b.leaves > 0) {
             tree.records != NULL ? plt_geometry_open_counts(&g, &b, tree.leaf_triangles)
                                  : plt_geometry_open(&g, &b, &bounds, tree.leaf_triangles);
             decode_leaves(&b, &tree, &g);

@@ -60,7 +60,7 @@ static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, 
         const uint32_t geometry = plt_block_check(part, b.geometry_bytes, 6);
         plt_put_u32(part + 4, (plt_get_u32(part + 4) & 0xFFFFu) | geometry << 16);
     }
-    return (b.node_bytes + b.geometry_bytes + 7u) & ~7u;
+    return plt_block_bytes(&b);
 }
 
 /* Makes the checks of all blocks right, as long as each begins where the one before ends. */

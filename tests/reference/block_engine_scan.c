@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/block_engine_scan.h"
+#include "tests/reference/block_slots.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -87,7 +88,7 @@ static void add_record(engine_scan *scan, const scan_source *source) {
 
 static void add_leaf(engine_scan *scan, const scan_source *source, engine_child *child,
                      uint32_t slot) {
-    const uint32_t pairs = plt_block_pairs(&source->block, slot);
+    const uint32_t pairs = block_pairs(&source->block, slot);
     const int is_pair = (source->block.pair[slot / 32] >> slot % 32 & 1u) != 0;
     const uint32_t first =
         plt_leaf_find(&source->geometry, child->rank, pairs, is_pair, &child->count);
@@ -111,7 +112,7 @@ static void add_leaf(engine_scan *scan, const scan_source *source, engine_child 
 static void add_children(engine_scan *scan, const scan_source *source, uint32_t node,
                          plt_lattice_box below[PLT_BLOCK_NODES_MOST]) {
     plt_lattice_box box[2];
-    plt_block_children(&source->block, node, &below[node], box);
+    block_children(&source->block, node, &below[node], box);
     for (uint32_t c = 0; c < 2; c++) {
         const uint32_t slot = 2 * node + c;
         engine_child *child = &scan->child[scan->children++];
@@ -132,7 +133,7 @@ static void add_children(engine_scan *scan, const scan_source *source, uint32_t 
 /* Only blocks with leaves have a geometry part to open. */
 static void open_geometry(scan_source *source, engine_block *block) {
     plt_geometry *g = &source->geometry;
-    if (source->block.units == 0) {
+    if (source->block.leaves == 0) {
         return;
     }
     if (has_floats(source)) {
@@ -158,7 +159,7 @@ static uint32_t add_block(engine_scan *scan, scan_source *source, uint32_t addre
                             .geometry_bytes = open->geometry_bytes,
                             .nodes = open->nodes,
                             .edges = open->edges,
-                            .leaves = open->units,
+                            .leaves = open->leaves,
                             .pairs = open->pairs};
     plt_block_bounds(open, source->lattice.bits, &block->bounds);
     open_geometry(source, block);

@@ -191,7 +191,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
     row *r = calloc(1, sizeof *r);
     plt_block_open(&o.b, c->tree->bytes + address, bits);
     plt_block_bounds(&o.b, bits, &r->box[0]);
-    if (o.b.units > 0) {
+    if (o.b.leaves > 0) {
         plt_geometry_open(&o.g, &o.b, &r->box[0], c->tree->leaf_triangles);
         expect(c, o.g.first_triangle == c->facts->triangles, "a block's first triangle is wrong");
     }
@@ -207,7 +207,7 @@ static plt_lattice_box check_block(checking *c, uint32_t link, const plt_lattice
         check_slot(c, &o, r, i, 1);
     }
     expect(c, o.inner + 1 == o.b.nodes, "a block's nodes are no tree");
-    if (o.b.units > 0) {
+    if (o.b.leaves > 0) {
         const uint32_t v = o.g.vertices;
         expect(c, o.triangles == o.g.triangles, "a block has triangles in no leaf");
         c->facts->most_vertices = v > c->facts->most_vertices ? v : c->facts->most_vertices;

@@ -11,7 +11,7 @@
 #include "engine/tree/compact/validate.h"
 #include "tests/hostile/images.h"
 
-enum { COMPACT_BITS = 184, COMPACT_BEHIND = 8 };
+enum { COMPACT_BITS = 184, COMPACT_BEHIND = PLT_BITS_BEHIND };
 
 /* ---- sealing ----------------------------------------------------------------- */
 

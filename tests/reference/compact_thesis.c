@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "tests/reference/compact_thesis.h"
+#include "tests/reference/block_slots.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,7 +51,7 @@ static void set_record(const converting *c, plt_record *r, const uint32_t corner
     for (int k = 0; k < 9; k++) {
         plt_put_float(&r->word[k], plt_lattice_float(l, k % 3, corner[(least + k / 3) % 3][k % 3]));
     }
-    const plt_primitive_ids *ids = &c->tree->numbers;
+    const plt_primitive_ids *ids = &c->tree->ids;
     plt_put_u32(&r->word[9], ids->bytes != NULL ? primitive_id_word(ids, index) : index);
     plt_record_set_last(r, last);
 }
@@ -65,7 +66,7 @@ static subtree leaf(converting *c, const plt_block *b, uint32_t slot) {
     plt_block_bounds(b, c->tree->lattice.bits, &bounds);
     plt_geometry_open(&g, b, &bounds, k);
     uint32_t count;
-    const uint32_t first = plt_leaf_find(&g, number, plt_block_pairs(b, slot), pair, &count);
+    const uint32_t first = plt_leaf_find(&g, number, block_pairs(b, slot), pair, &count);
     subtree s = {plt_link_make(c->records_used, PLT_LINK_LEAF | (pair ? PLT_LINK_TWO : 0)),
                  plt_box_empty()};
     leaf_corners(&g, first, count, corner);

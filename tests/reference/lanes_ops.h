@@ -30,7 +30,6 @@
     X(f4_sub, ARITHMETIC, 2)                                                                       \
     X(f4_mul, ARITHMETIC, 2)                                                                       \
     X(f4_div, ARITHMETIC, 2)                                                                       \
-    X(f4_sqrt, ARITHMETIC, 1)                                                                      \
     X(f4_min, EXACT, 2)                                                                            \
     X(f4_max, EXACT, 2)                                                                            \
     X(f4_abs, EXACT, 1)                                                                            \

@@ -116,7 +116,6 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         F_FF(f4_div);
         F_FF(f4_min);
         F_FF(f4_max);
-        F_F(f4_sqrt);
         F_F(f4_abs);
         F_F(f4_neg);
         U_UU(u4_add);

@@ -37,20 +37,20 @@ void plt_block_open(plt_block *b, const unsigned char *bytes, uint32_t bits) {
         running_ranks(b->mask[PLT_SLOT_INNER], words, b->before[PLT_SLOT_INNER]);
     b->edges = running_ranks(b->mask[PLT_SLOT_EDGE], words, b->before[PLT_SLOT_EDGE]);
     b->pairs = running_ranks(b->pair, words, b->pairs_before);
-    b->units = slots - inners - b->edges;
+    b->leaves = slots - inners - b->edges;
     b->owners = mask_b + (slots + 7) / 8;
     b->planes = b->owners + (5 * b->nodes + 7) / 8;
     b->links = b->planes + 6 * b->nodes;
-    b->node_bytes = (plt_block_parts_bytes(b->nodes, b->edges, bits) + 3u) & ~3u;
+    b->node_bytes = plt_block_nodes_bytes(b->nodes, b->edges, bits);
     b->geometry = bytes + b->node_bytes;
 }
 
-void plt_block_bounds(const plt_block *b, uint32_t bits, plt_lattice_box *frame) {
-    const uint32_t width = bits <= 16 ? 16 : 21;
+void plt_block_bounds(const plt_block *b, uint32_t bits, plt_lattice_box *bounds) {
+    const uint32_t width = plt_block_bounds_width(bits);
     const unsigned char *at = b->bytes + PLT_BLOCK_HEADER_BYTES;
     for (uint32_t a = 0; a < 3; a++) {
-        frame->lo[a] = plt_bits_get(at, a * width, width);
-        frame->hi[a] = plt_bits_get(at, (a + 3) * width, width);
+        bounds->lo[a] = plt_bits_get(at, a * width, width);
+        bounds->hi[a] = plt_bits_get(at, (a + 3) * width, width);
     }
 }
 
@@ -65,13 +65,6 @@ void plt_block_apply(const plt_lattice_box *box, const unsigned char plane[6], u
         child[0].hi[a] = right_hi ? box->hi[a] : hi;
         child[1].hi[a] = right_hi ? hi : box->hi[a];
     }
-}
-
-void plt_block_children(const plt_block *b, uint32_t node, const plt_lattice_box *box,
-                        plt_lattice_box child[2]) {
-    /* xmin is always the right child's: five bits are stored. */
-    const uint32_t owners = plt_bits_get(b->owners, 5 * node, 5) << 1 | 1u;
-    plt_block_apply(box, b->planes + 6 * node, owners, child);
 }
 
 uint16_t plt_block_check(const unsigned char *part, uint32_t bytes, uint32_t check_at) {

@@ -1,14 +1,14 @@
 /* block - a compact treelet: up to 64 nodes in a few hundred bytes
  *
- * A block is self-contained: a frame (the exact lattice box of its root), the
- * kinds of all children as masks, five owner bits and six plane bytes a node,
- * links to the blocks behind its edges, then the geometry part. What a child
- * is and where it is follows from ranks: counting ones in the masks. SPEC.md,
- * section 4, has every bit.
+ * A block is self-contained: its bounds (the exact box of its root on the lattice,
+ * the scene's quantisation grid), the kinds of all children as masks, five owner bits
+ * and six plane bytes per node, links to the blocks behind its edges, then the
+ * geometry part. What a child is and where it lies follows from ranks: counting ones
+ * in the masks. SPEC.md, section 4, has every bit.
  *
  * Slot s = 2 * node + child. A child is inner (a node of this block), an edge
- * (the root of another block) or a unit (1 .. K triangles, or K + 1 .. 2 K, the
- * thesis's intermediate node).
+ * (the root of another block) or a leaf: one list of 1 .. K triangles, or a pair of
+ * lists, K + 1 .. 2 K triangles (the thesis's intermediate node).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_COMPACT_BLOCK_H
@@ -18,8 +18,8 @@
 
 #include "engine/base/bits.h"
 #include "engine/base/lattice.h"
+#include "engine/image/items.h"
 
-#define PLT_BLOCK_NODES_MOST 64
 #define PLT_BLOCK_GEOMETRY_MOST 8184 /* bytes */
 #define PLT_BLOCK_HEADER_BYTES 4
 
@@ -40,20 +40,29 @@ enum plt_slot_kind { PLT_SLOT_INNER, PLT_SLOT_EDGE, PLT_SLOT_LEAF };
 
 /* An open block: where its parts are, and the masks with the ones before each
  * word; words behind the last slot are not set. What is neither inner nor an edge
- * is a unit. */
+ * is a leaf. */
 typedef struct plt_block {
     const unsigned char *bytes; /* of the block */
     const unsigned char *owners, *planes, *links, *geometry;
-    uint32_t nodes, node_bytes, geometry_bytes, edges, units, pairs;
+    uint32_t nodes, node_bytes, geometry_bytes, edges, leaves, pairs;
     uint32_t mask[2][4];  /* PLT_SLOT_INNER, PLT_SLOT_EDGE */
-    uint32_t pair[4];     /* units of more than K triangles */
+    uint32_t pair[4];     /* leaves that are pairs */
     uint8_t before[2][4]; /* ones of mask[k] in the words before */
     uint8_t pairs_before[4];
 } plt_block;
 
-/* Frame bytes: six 16-bit numbers, or six of 21 bits. */
+/* Bounds are six numbers of so many bits. */
+static inline uint32_t plt_block_bounds_width(uint32_t bits) {
+    return bits <= 16 ? 16 : 21;
+}
+
 static inline uint32_t plt_block_bounds_bytes(uint32_t bits) {
     return bits <= 16 ? 12 : 16;
+}
+
+/* Blocks and geometry parts begin and end at multiples of 8 bytes. */
+static inline uint32_t plt_block_pad(uint32_t bytes) {
+    return (bytes + 7u) & ~7u;
 }
 
 /* Bytes of the nodes part, with `edges` links, before padding. */
@@ -62,11 +71,21 @@ static inline uint32_t plt_block_parts_bytes(uint32_t nodes, uint32_t edges, uin
            (5 * nodes + 7) / 8 + 6 * nodes + 4 * edges;
 }
 
-void plt_block_open(plt_block *block, const unsigned char *bytes, uint32_t bits);
-void plt_block_bounds(const plt_block *block, uint32_t bits, plt_lattice_box *frame);
+/* And as it lies in the block, a multiple of 4. */
+static inline uint32_t plt_block_nodes_bytes(uint32_t nodes, uint32_t edges, uint32_t bits) {
+    return (plt_block_parts_bytes(nodes, edges, bits) + 3u) & ~3u;
+}
 
-/* What slot `slot` is, and its number among those of its kind (an inner child's
- * node number is that plus 1). */
+/* Bytes from a block to the next. */
+static inline uint32_t plt_block_bytes(const plt_block *b) {
+    return plt_block_pad(b->node_bytes + b->geometry_bytes);
+}
+
+void plt_block_open(plt_block *block, const unsigned char *bytes, uint32_t bits);
+void plt_block_bounds(const plt_block *block, uint32_t bits, plt_lattice_box *bounds);
+
+/* What slot `slot` is, and its index among those of its kind (an inner child is the
+ * node of that index plus 1). */
 static inline enum plt_slot_kind plt_block_kind(const plt_block *b, uint32_t slot) {
     const uint32_t bit = 1u << (slot & 31);
     return b->mask[PLT_SLOT_INNER][slot >> 5] & bit
@@ -83,12 +102,6 @@ static inline uint32_t plt_block_rank(const plt_block *b, enum plt_slot_kind kin
     return kind == PLT_SLOT_LEAF ? slot - rank[0] - rank[1] : rank[kind];
 }
 
-/* Pairs among the units before slot `slot`. */
-static inline uint32_t plt_block_pairs(const plt_block *b, uint32_t slot) {
-    return b->pairs_before[slot >> 5] +
-           plt_count_bits(b->pair[slot >> 5] & plt_low_bits(slot & 31));
-}
-
 static inline uint32_t plt_block_edge(const plt_block *b, uint32_t rank) {
     return plt_get_u32(b->links + 4 * rank);
 }
@@ -97,10 +110,6 @@ static inline uint32_t plt_block_edge(const plt_block *b, uint32_t rank) {
  * ymax zmax, and six owner bits in that order (1: the right child's). */
 void plt_block_apply(const plt_lattice_box *box, const unsigned char plane[6], uint32_t owners,
                      plt_lattice_box child[2]);
-
-/* Both children's boxes of node `node`, given its own. */
-void plt_block_children(const plt_block *block, uint32_t node, const plt_lattice_box *box,
-                        plt_lattice_box child[2]);
 
 /* Width of a plane's step on an axis of this extent; 1 for the extents below 0
  * that only a hostile block decodes to. */

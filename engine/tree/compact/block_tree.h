@@ -1,4 +1,4 @@
-/* block_tree - compact blocks, and what reads them, as the traversal sees them
+/* block_tree - a scene of compact blocks, as the traversal sees it
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_COMPACT_BLOCK_TREE_H
@@ -23,7 +23,7 @@ typedef struct plt_block_tree {
     uint8_t leaf_kind; /* enum plt_leaf_kind */
     plt_lattice lattice;
     plt_lattice_box box; /* of all triangles */
-    plt_primitive_ids numbers;
+    plt_primitive_ids ids;
     const plt_record *records; /* of PLT_LEAF_RECORDS */
 } plt_block_tree;
 

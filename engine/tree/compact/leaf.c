@@ -5,7 +5,7 @@
 
 #include "engine/lanes/lanes.h"
 
-/* Bits of the counts: (count - 1) & 1 for K = 2, two strings of a bit a unit for
+/* Bits of the counts: (count - 1) & 1 for K = 2, two strings of one bit per leaf for
  * K = 4, none for K = 1. */
 static uint32_t count_strings(uint32_t k) {
     return k == 4 ? 2 : k == 2;
@@ -15,31 +15,31 @@ void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     const uint32_t word0 = plt_get_u32(b->geometry), word1 = plt_get_u32(b->geometry + 4);
     g->bytes = b->geometry;
     g->k = k;
-    g->units = b->units;
+    g->leaves = b->leaves;
     g->first_triangle = word0 & 0x07FFFFFFu;
     g->vertices = word0 >> 27 | (word1 & 0x3Fu) << 5;
     g->mesh = word1 >> 6 & 0x3FFu;
     g->counts = 8 * PLT_GEOMETRY_HEADER_BYTES;
-    g->starts = g->counts + count_strings(k) * b->units;
+    g->starts = g->counts + count_strings(k) * b->leaves;
     const uint32_t bits = 8 * b->geometry_bytes;
-    g->triangles = b->units + k * b->pairs;
+    g->triangles = b->leaves + k * b->pairs;
     for (uint32_t s = 0; s < count_strings(k) && g->starts <= bits; s++) {
-        const uint32_t at = g->counts + s * b->units;
-        g->triangles += plt_bits_count(g->bytes, at, at + b->units) << s;
+        const uint32_t at = g->counts + s * b->leaves;
+        g->triangles += plt_bits_count(g->bytes, at, at + b->leaves) << s;
     }
 }
 
-void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_box *frame,
+void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_box *bounds,
                        uint32_t k) {
     const uint32_t bits = 8 * b->geometry_bytes;
     plt_geometry_open_counts(g, b, k);
-    g->turns = g->starts + g->triangles;
-    g->news = g->turns + g->triangles;
+    g->swaps = g->starts + g->triangles;
+    g->news = g->swaps + g->triangles;
     g->slots = g->triangles;
-    /* Else the block is not sound, and nothing more is read. */
-    const int fits = g->turns <= bits && g->triangles <= PLT_BLOCK_TRIANGLES_MOST;
+    /* Else the block is not valid, and nothing more is read. */
+    const int fits = g->swaps <= bits && g->triangles <= PLT_BLOCK_TRIANGLES_MOST;
     if (fits) {
-        g->slots += 2 * plt_ranks_open(g->bytes, g->starts, g->turns, g->starts_before);
+        g->slots += 2 * plt_ranks_open(g->bytes, g->starts, g->swaps, g->starts_before);
     }
     g->refs = g->news + g->slots;
     g->news_ones = 0;
@@ -50,21 +50,21 @@ void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_bo
     g->positions = g->refs + (g->slots - g->vertices) * g->ref_bits;
     g->vertex_bits = g->base[3] = g->axis_mask[3] = 0;
     for (int a = 0; a < 3; a++) {
-        g->base[a] = frame->lo[a];
-        g->axis_bits[a] = plt_bits_for(frame->hi[a] - frame->lo[a]);
+        g->base[a] = bounds->lo[a];
+        g->axis_bits[a] = plt_bits_for(bounds->hi[a] - bounds->lo[a]);
         g->axis_mask[a] = plt_low_bits(g->axis_bits[a]);
         g->vertex_bits += g->axis_bits[a];
     }
 }
 
-uint32_t plt_leaf_find(const plt_geometry *g, uint32_t unit, uint32_t pairs, int pair,
+uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int pair,
                        uint32_t *count) {
-    uint32_t first = unit + g->k * pairs;
+    uint32_t first = leaf + g->k * pairs;
     *count = 1 + (pair ? g->k : 0);
     for (uint32_t s = 0; s < count_strings(g->k); s++) {
-        const uint32_t at = g->counts + s * g->units;
-        first += plt_bits_count(g->bytes, at, at + unit) << s;
-        *count += plt_bits_get(g->bytes, at + unit, 1) << s;
+        const uint32_t at = g->counts + s * g->leaves;
+        first += plt_bits_count(g->bytes, at, at + leaf) << s;
+        *count += plt_bits_get(g->bytes, at + leaf, 1) << s;
     }
     return first;
 }
@@ -77,13 +77,13 @@ static void wide_vertex(const plt_geometry *g, uint32_t at, uint32_t position[3]
 }
 
 /* Positions of `count` vertices; one load each for all three axes if they fit. */
-static void read_vertices(const plt_geometry *g, const uint32_t number[], uint32_t count,
+static void read_vertices(const plt_geometry *g, const uint32_t index[], uint32_t count,
                           plt_vertex *restrict vertex) {
     const u4 mask = u4_load(g->axis_mask), base = u4_load(g->base);
-    /* A sound block's are at most 42; of another's nothing is believed. */
+    /* At most 42 in a valid block; another's are not used. */
     const uint32_t y_at = g->axis_bits[0] & 63u, z_at = (y_at + g->axis_bits[1]) & 63u;
     for (uint32_t i = 0; i < count; i++) {
-        const uint32_t at = g->positions + number[i] * g->vertex_bits;
+        const uint32_t at = g->positions + index[i] * g->vertex_bits;
         const uint64_t word = plt_bits_long(g->bytes, at);
         const u4 fields =
             u4_three((uint32_t)word, (uint32_t)(word >> y_at), (uint32_t)(word >> z_at));
@@ -100,44 +100,44 @@ void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3
     memcpy(position, v.number, sizeof(uint32_t[3]));
 }
 
-/* Vertex numbers behind `slots` slots from `slot` on. A new one's is the running rank.
- * Which slots have one cannot be predicted, so there is no branch; the bits of a
- * reference may be looked at either way. */
-static void read_slots(const plt_geometry *g, uint32_t slot, uint32_t slots, uint32_t number[]) {
+/* Indices of the vertices of `slots` slots from `slot` on. A new vertex has the running
+ * rank. Which slots are new cannot be predicted, so there is no branch; the bits of a
+ * reference are read either way. */
+static void read_slots(const plt_geometry *g, uint32_t slot, uint32_t slots, uint32_t index[]) {
     uint32_t news = plt_bits_get(g->bytes, g->news + slot, slots);
     uint32_t rank = plt_ranks_find(g->bytes, g->news, g->news_before, slot);
     uint32_t ref_at = g->refs + (slot - rank) * g->ref_bits;
     for (uint32_t i = 0; i < slots; i++, news >>= 1) {
         const uint32_t is_old = (news & 1u) - 1u; /* all ones, or 0 */
         const uint32_t old = plt_bits_get(g->bytes, ref_at, g->ref_bits);
-        number[i] = rank ^ ((rank ^ old) & is_old);
+        index[i] = rank ^ ((rank ^ old) & is_old);
         rank += 1 + is_old;
         ref_at += g->ref_bits & is_old;
     }
 }
 
-/* Which vertices make each triangle, from bits that tell where strips start and how
- * they turn: 0 shares b c of the triangle before, as c b x, 1 shares a c, as a c x. */
-static void run_strips(plt_leaf *u, uint32_t count, uint32_t starts, uint32_t turns) {
+/* Which vertices make each triangle, from the start bits and the swap bits: 0 shares b c
+ * of the triangle before, as c b x, 1 shares a c, as a c x. */
+static void run_strips(plt_leaf *leaf, uint32_t count, uint32_t starts, uint32_t swaps) {
     uint32_t a = 0, b = 0, c = 0, next = 0;
-    for (uint32_t i = 0; i < count; i++, starts >>= 1, turns >>= 1) {
-        const uint32_t is_start = 0u - (starts & 1u), is_turn = 0u - (turns & 1u);
-        const uint32_t old = c ^ ((c ^ a) & is_turn), shared = b ^ ((b ^ c) & is_turn);
+    for (uint32_t i = 0; i < count; i++, starts >>= 1, swaps >>= 1) {
+        const uint32_t is_start = 0u - (starts & 1u), is_swap = 0u - (swaps & 1u);
+        const uint32_t old = c ^ ((c ^ a) & is_swap), shared = b ^ ((b ^ c) & is_swap);
         a = old ^ ((old ^ next) & is_start);
         b = shared ^ ((shared ^ (next + 1)) & is_start);
         next += 2 & is_start;
         c = next++;
-        u->corner[i] = a | b << 8 | c << 16;
+        leaf->corner[i] = a | b << 8 | c << 16;
     }
 }
 
-void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *u) {
+void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *leaf) {
     const uint32_t slot = first + 2 * plt_ranks_find(g->bytes, g->starts, g->starts_before, first);
     const uint32_t starts = plt_bits_get(g->bytes, g->starts + first, count) | 1u;
-    const uint32_t turns = plt_bits_get(g->bytes, g->turns + first, count);
-    uint32_t number[PLT_LEAF_VERTICES_MOST];
-    u->vertices = count + 2 * plt_count_bits(starts);
-    read_slots(g, slot, u->vertices, number);
-    read_vertices(g, number, u->vertices, u->vertex);
-    run_strips(u, count, starts, turns);
+    const uint32_t swaps = plt_bits_get(g->bytes, g->swaps + first, count);
+    uint32_t index[PLT_LEAF_VERTICES_MOST];
+    leaf->vertices = count + 2 * plt_count_bits(starts);
+    read_slots(g, slot, leaf->vertices, index);
+    read_vertices(g, index, leaf->vertices, leaf->vertex);
+    run_strips(leaf, count, starts, swaps);
 }

@@ -1,8 +1,8 @@
 /* leaf - the triangles behind a slot of a compact block
  *
  * The geometry part of a block numbers its vertices by first use; triangles are
- * strips with a bit for "a new strip" and one for "which edge goes on". Any
- * unit is reached by counting ones. SPEC.md, section 4.10, has every bit.
+ * strips. A start bit says that a triangle begins a strip, a swap bit over which edge
+ * the strip goes on. Any leaf is reached by counting ones. SPEC.md, section 4.10, has every bit.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_COMPACT_LEAF_H
@@ -20,54 +20,54 @@
  * ranks in the two that are counted in. */
 typedef struct plt_geometry {
     const unsigned char *bytes;
-    uint32_t k; /* most triangles a list */
-    uint32_t units;
-    uint32_t first_triangle;             /* number, in image order */
-    uint32_t mesh;                       /* number + 1 of the mesh of all triangles; 0: several */
-    uint32_t vertices, triangles, slots; /* slots: references, 1 or 3 a triangle */
-    uint32_t news_ones;                  /* slots of a new vertex; `vertices` if sound */
-    uint32_t counts, starts, turns, news, refs, positions;
+    uint32_t k; /* K: most triangles per list */
+    uint32_t leaves;
+    uint32_t first_triangle;             /* index, in image order */
+    uint32_t mesh;                       /* index + 1 of the mesh of all triangles; 0: several */
+    uint32_t vertices, triangles, slots; /* slots: references, 1 or 3 per triangle */
+    uint32_t news_ones;                  /* slots of a new vertex; `vertices` if valid */
+    uint32_t counts, starts, swaps, news, refs, positions;
     uint32_t ref_bits, axis_bits[3], axis_mask[4], vertex_bits;
-    uint32_t base[4]; /* the frame's low corner */
+    uint32_t base[4]; /* the bounds' low corner */
     uint16_t starts_before[PLT_RANKS(PLT_BLOCK_TRIANGLES_MOST)];
     uint16_t news_before[PLT_RANKS(3 * PLT_BLOCK_TRIANGLES_MOST)];
 } plt_geometry;
 
 /* Opens the geometry part of a block that has one. */
-void plt_geometry_open(plt_geometry *g, const plt_block *block, const plt_lattice_box *frame,
+void plt_geometry_open(plt_geometry *g, const plt_block *block, const plt_lattice_box *bounds,
                        uint32_t k);
 
 /* Only header and counts: all there is when the triangles are float records. */
 void plt_geometry_open_counts(plt_geometry *g, const plt_block *block, uint32_t k);
 
-/* The first triangle of unit `unit`, `pairs` of the units before it being pairs, and
+/* The first triangle of leaf `leaf`, `pairs` of the leaves before it being pairs, and
  * how many it has; `pair`: it is one. */
-uint32_t plt_leaf_find(const plt_geometry *g, uint32_t unit, uint32_t pairs, int pair,
+uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int pair,
                        uint32_t *count);
 
 /* Lattice position of a vertex of the part. */
 void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]);
 
-/* A vertex, in lattice numbers; a walk turns it into the scene's floats where it is, to
- * keep its stack small. The fourth means nothing. */
+/* A vertex, in lattice numbers; the traversal makes them the scene's floats in the same
+ * memory, to keep its stack small. The fourth means nothing. */
 typedef union plt_vertex {
     uint32_t number[4];
     float scene[4];
 } plt_vertex;
 
-/* Triangles in a row: the vertices that their strips run over, and each one's three
- * places among them, 8 bits each. */
+/* Triangles in a row: the vertices that their strips run over, and the indices of each
+ * one's three among them, 8 bits each. */
 typedef struct plt_leaf {
     uint32_t vertices;
     plt_vertex vertex[PLT_LEAF_VERTICES_MOST];
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST];
 } plt_leaf;
 
-static inline uint32_t plt_leaf_corner(const plt_leaf *u, uint32_t triangle, unsigned corner) {
-    return u->corner[triangle] >> 8 * corner & 0xFFu;
+static inline uint32_t plt_leaf_corner(const plt_leaf *leaf, uint32_t triangle, unsigned corner) {
+    return leaf->corner[triangle] >> 8 * corner & 0xFFu;
 }
 
 /* Triangles first .. first + count - 1 (count <= 8), their corners as strips give them. */
-void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *unit);
+void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *leaf);
 
 #endif

@@ -16,7 +16,7 @@ static int kinds_form_a_tree(const plt_block *b) {
     return inner == b->nodes - 1;
 }
 
-static int frame_is_inside(const plt_lattice_box *f, const plt_lattice_box *scene) {
+static int bounds_are_inside(const plt_lattice_box *f, const plt_lattice_box *scene) {
     int inside = 1;
     for (int a = 0; a < 3; a++) {
         inside &= f->lo[a] >= scene->lo[a] && f->lo[a] <= f->hi[a] && f->hi[a] <= scene->hi[a];
@@ -36,7 +36,7 @@ static int checks_are_right(const plt_block *b) {
  * first, so that no position overflows. */
 static int geometry_fits(const plt_geometry *g, const plt_block *b) {
     const uint64_t bits = 8ull * b->geometry_bytes;
-    if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->turns > bits || g->news > bits ||
+    if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->swaps > bits || g->news > bits ||
         g->refs > bits || g->slots < g->vertices || g->news_ones != g->vertices) {
         return 0;
     }
@@ -56,21 +56,21 @@ static int references_are_known(const plt_geometry *g) {
     return 1;
 }
 
-static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *frame) {
+static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *bounds) {
     int inside = 1;
     for (uint32_t v = 0; v < g->vertices; v++) {
         uint32_t position[3];
         plt_leaf_vertex(g, v, position);
         for (int a = 0; a < 3; a++) {
-            inside &= position[a] <= frame->hi[a]; /* never below: it is added to lo */
+            inside &= position[a] <= bounds->hi[a]; /* never below: it is added to lo */
         }
     }
     return inside;
 }
 
-/* Units follow each other without gaps and each begins a strip. */
-static int units_are_sound(const plt_geometry *g, const plt_block *b) {
-    uint32_t unit = 0, pairs = 0, triangle = 0;
+/* Leaves follow each other without gaps and each begins a strip. */
+static int leaves_are_valid(const plt_geometry *g, const plt_block *b) {
+    uint32_t leaf = 0, pairs = 0, triangle = 0;
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
         if (plt_block_kind(b, slot) != PLT_SLOT_LEAF) {
             continue;
@@ -80,9 +80,9 @@ static int units_are_sound(const plt_geometry *g, const plt_block *b) {
             return 0;
         }
         uint32_t count;
-        plt_leaf_find(g, unit, pairs, pair, &count);
+        plt_leaf_find(g, leaf, pairs, pair, &count);
         triangle += count;
-        unit++;
+        leaf++;
         pairs += (uint32_t)pair;
     }
     return triangle == g->triangles;
@@ -95,9 +95,10 @@ static int counts_rule(const plt_block *b, uint32_t k) {
     return g.starts <= 8 * b->geometry_bytes ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
 }
 
-static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint32_t k, int floats) {
+static int geometry_rule(const plt_block *b, const plt_lattice_box *bounds, uint32_t k,
+                         int floats) {
     plt_geometry g;
-    if (b->units == 0) {
+    if (b->leaves == 0) {
         return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
     }
     if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
@@ -106,22 +107,22 @@ static int geometry_rule(const plt_block *b, const plt_lattice_box *frame, uint3
     if (floats) {
         return counts_rule(b, k);
     }
-    plt_geometry_open(&g, b, frame, k);
+    plt_geometry_open(&g, b, bounds, k);
     if (!geometry_fits(&g, b)) {
         return PLT_BLOCK_RULE_GEOMETRY;
     }
-    if (!units_are_sound(&g, b)) {
+    if (!leaves_are_valid(&g, b)) {
         return PLT_BLOCK_RULE_LEAVES;
     }
     if (!references_are_known(&g)) {
         return PLT_BLOCK_RULE_REFERENCES;
     }
-    return vertices_are_inside(&g, frame) ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_VERTICES;
+    return vertices_are_inside(&g, bounds) ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_VERTICES;
 }
 
 int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
     plt_block b;
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
     const uint32_t bits = tree->lattice.bits;
     if (limit < PLT_BLOCK_HEADER_BYTES ||
         limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
@@ -134,12 +135,12 @@ int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_blo
     if (!kinds_form_a_tree(&b)) {
         return PLT_BLOCK_RULE_KINDS;
     }
-    plt_block_bounds(&b, bits, &frame);
-    if (!frame_is_inside(&frame, &tree->box)) {
+    plt_block_bounds(&b, bits, &bounds);
+    if (!bounds_are_inside(&bounds, &tree->box)) {
         return PLT_BLOCK_RULE_BOUNDS;
     }
     return checks_are_right(&b)
-               ? geometry_rule(&b, &frame, tree->leaf_triangles, tree->records != NULL)
+               ? geometry_rule(&b, &bounds, tree->leaf_triangles, tree->records != NULL)
                : PLT_BLOCK_RULE_CHECK;
 }
 
@@ -151,17 +152,17 @@ const char *plt_block_rule_message(int rule) {
     case PLT_BLOCK_RULE_KINDS:
         return "a block's nodes form no tree";
     case PLT_BLOCK_RULE_BOUNDS:
-        return "a block's frame is no box inside the scene's";
+        return "a block's bounds are no box inside the scene's";
     case PLT_BLOCK_RULE_CHECK:
         return "a block is damaged (check)";
     case PLT_BLOCK_RULE_GEOMETRY:
         return "a block's geometry does not fit its size";
     case PLT_BLOCK_RULE_LEAVES:
-        return "a unit of triangles does not begin a strip or is too long";
+        return "a leaf does not begin a strip or is too long";
     case PLT_BLOCK_RULE_REFERENCES:
         return "a triangle names a vertex before it is there";
     case PLT_BLOCK_RULE_VERTICES:
-        return "a vertex lies outside its block's frame";
+        return "a vertex lies outside its block's bounds";
     case PLT_BLOCK_RULE_LINKS:
         return "a link leads back, astray or twice to a block";
     default:

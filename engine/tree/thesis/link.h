@@ -20,14 +20,14 @@
 
 #include <stdint.h>
 
+#include "engine/image/items.h"
+
 #define PLT_LINK_LEAF 1u
 #define PLT_LINK_TWO 2u /* with PLT_LINK_LEAF: intermediate node */
 #define PLT_LINK_OUT 2u /* without it: an edge that leaves the treelet */
 #define PLT_LINK_KIND 3u
 #define PLT_LINK_OWNERS 0x1Cu
 #define PLT_LINK_SHIFT 5
-#define PLT_INDEX_MAX ((1u << 27) - 1u)
-#define PLT_LINK_NONE 0xFFFFFFFFu /* the root link of a scene without triangles */
 
 static inline uint32_t plt_link_make(uint32_t index, uint32_t kind) {
     return index << PLT_LINK_SHIFT | kind;

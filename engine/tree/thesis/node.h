@@ -15,8 +15,6 @@
 #include "engine/base/bytes.h"
 #include "engine/tree/thesis/link.h"
 
-#define PLT_NODE_BYTES 32
-
 /* As it lies in the image: planes_min[3], planes_max[3], left, right. */
 typedef struct plt_node {
     uint32_t word[8];

@@ -1,9 +1,9 @@
 /* treelets - see treelets.h
  *
- * place[i] is where node i goes. While node i waits its entry holds the next
- * of the waiting instead: the build stack costs no memory of its own. Every
- * block has at most one free slot, its tail; free slots of equal size form a
- * chain, and a bit a size says which chains are not empty.
+ * target[i] is the index that node i moves to. While node i waits, its entry holds the
+ * next of those that wait: the build stack costs no memory of its own. Every block has
+ * at most one free slot, its tail; free slots of equal size form a chain, and one bit
+ * per size says which chains are not empty.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/thesis/treelets.h"
@@ -17,7 +17,7 @@ typedef struct forming {
     uint32_t count, room, size; /* size: N */
     uint32_t blocks;
     uint32_t stack;    /* top of the edges that wait */
-    uint32_t *place;   /* [count] */
+    uint32_t *target;  /* [count] */
     uint32_t *members; /* [min(count, N)] */
     uint32_t *partial; /* [N] first treelet of that size that waits for its slot */
     uint32_t *head;    /* [N] first block whose free slot has that size */
@@ -47,7 +47,7 @@ size_t plt_treelet_scratch_bytes(uint32_t count, uint32_t treelet_nodes) {
                 2 * (size_t)blocks_bound(count, treelet_nodes));
 }
 
-static void list_slot(forming *f, uint32_t block) {
+static void add_slot(forming *f, uint32_t block) {
     const uint32_t free_nodes = f->size - f->used[block];
     if (free_nodes > 0) {
         f->next[block] = f->head[free_nodes];
@@ -56,7 +56,7 @@ static void list_slot(forming *f, uint32_t block) {
     }
 }
 
-static uint32_t take_slot(forming *f, uint32_t free_nodes) {
+static uint32_t remove_slot(forming *f, uint32_t free_nodes) {
     const uint32_t block = f->head[free_nodes];
     f->head[free_nodes] = f->next[block];
     if (f->head[free_nodes] == NONE) {
@@ -81,10 +81,10 @@ static uint32_t block_for(forming *f, uint32_t nodes) {
     if (nodes < f->size) {
         const uint32_t largest = largest_slot(f);
         if (f->head[nodes] != NONE) {
-            return take_slot(f, nodes);
+            return remove_slot(f, nodes);
         }
         if (largest > nodes) {
-            return take_slot(f, largest);
+            return remove_slot(f, largest);
         }
     }
     if ((uint64_t)(f->blocks + 1) * f->size > f->room) {
@@ -96,7 +96,7 @@ static uint32_t block_for(forming *f, uint32_t nodes) {
 
 /* Breadth first from `root` until the treelet is full; other inner children
  * go onto the build stack. Returns the number of members. */
-static uint32_t gather(forming *f, uint32_t root) {
+static uint32_t collect(forming *f, uint32_t root) {
     uint32_t count = 1;
     f->members[0] = root;
     for (uint32_t i = 0; i < count; i++) {
@@ -111,7 +111,7 @@ static uint32_t gather(forming *f, uint32_t root) {
                 f->members[count++] = child;
             } else {
                 plt_node_set_link(node, c, link | PLT_LINK_OUT);
-                f->place[child] = f->stack;
+                f->target[child] = f->stack;
                 f->stack = child;
             }
         }
@@ -119,45 +119,45 @@ static uint32_t gather(forming *f, uint32_t root) {
     return count;
 }
 
-/* Gives the members their places. */
-static int place_members(forming *f, uint32_t nodes) {
+/* Gives the members their indices. */
+static int assign_members(forming *f, uint32_t nodes) {
     const uint32_t block = block_for(f, nodes);
     if (block == NONE) {
         return PLT_ERR_ARENA;
     }
     for (uint32_t i = 0; i < nodes; i++) {
-        f->place[f->members[i]] = block * f->size + f->used[block] + i;
+        f->target[f->members[i]] = block * f->size + f->used[block] + i;
     }
     f->used[block] += nodes;
-    list_slot(f, block);
+    add_slot(f, block);
     return PLT_OK;
 }
 
-/* Full treelets find their places at once, depth first; others wait by size
- * (they have no inner edges, so nothing waits for them). */
+/* Full treelets get their block at once, depth first; others wait by size (they have no
+ * inner edges, so nothing waits for them). */
 static int form_full(forming *f) {
     f->stack = 0;
-    f->place[0] = NONE;
+    f->target[0] = NONE;
     while (f->stack != NONE) {
         const uint32_t root = f->stack;
-        f->stack = f->place[root];
-        const uint32_t nodes = gather(f, root);
+        f->stack = f->target[root];
+        const uint32_t nodes = collect(f, root);
         if (nodes < f->size) {
-            f->place[root] = f->partial[nodes];
+            f->target[root] = f->partial[nodes];
             f->partial[nodes] = root;
-        } else if (place_members(f, nodes) != PLT_OK) {
+        } else if (assign_members(f, nodes) != PLT_OK) {
             return PLT_ERR_ARENA;
         }
     }
     return PLT_OK;
 }
 
-static int place_partial(forming *f) {
+static int form_partial(forming *f) {
     for (uint32_t nodes = f->size; nodes-- > 1;) {
         while (f->partial[nodes] != NONE) {
             const uint32_t root = f->partial[nodes];
-            f->partial[nodes] = f->place[root];
-            if (place_members(f, gather(f, root)) != PLT_OK) {
+            f->partial[nodes] = f->target[root];
+            if (assign_members(f, collect(f, root)) != PLT_OK) {
                 return PLT_ERR_ARENA;
             }
         }
@@ -165,12 +165,12 @@ static int place_partial(forming *f) {
     return PLT_OK;
 }
 
-static void renumber_links(forming *f) {
+static void update_links(forming *f) {
     for (uint32_t i = 0; i < f->count; i++) {
         for (int c = 0; c < 2; c++) {
             const uint32_t link = plt_node_link(&f->nodes[i], c);
             if (!plt_link_is_leaf(link)) {
-                const uint32_t index = f->place[plt_link_index(link)];
+                const uint32_t index = f->target[plt_link_index(link)];
                 plt_node_relink(&f->nodes[i], c, plt_link_make(index, link & PLT_LINK_KIND));
             }
         }
@@ -182,10 +182,10 @@ static void permute(forming *f) {
     for (uint32_t i = 0; i < f->count; i++) {
         plt_node carried = f->nodes[i];
         uint32_t from = i;
-        while (f->place[from] != NONE) {
-            const uint32_t to = f->place[from];
+        while (f->target[from] != NONE) {
+            const uint32_t to = f->target[from];
             const plt_node displaced = f->nodes[to];
-            f->place[from] = NONE;
+            f->target[from] = NONE;
             f->nodes[to] = carried;
             carried = displaced;
             if (to >= f->count) {
@@ -206,8 +206,8 @@ static void zero_free_slots(forming *f) {
 }
 
 static void cut_scratch(forming *f, uint32_t *at) {
-    f->place = at;
-    f->members = f->place + f->count;
+    f->target = at;
+    f->members = f->target + f->count;
     f->partial = f->members + least(f->count, f->size);
     f->head = f->partial + f->size;
     f->sizes = f->head + f->size;
@@ -229,11 +229,11 @@ int plt_treelets_form(plt_treelet_job *job) {
     forming f = {
         .nodes = job->nodes, .count = job->count, .room = job->room, .size = job->treelet_nodes};
     cut_scratch(&f, job->scratch);
-    const int status = form_full(&f) == PLT_OK ? place_partial(&f) : PLT_ERR_ARENA;
+    const int status = form_full(&f) == PLT_OK ? form_partial(&f) : PLT_ERR_ARENA;
     if (status == PLT_OK) {
         job->node_slots = f.blocks * f.size;
-        job->root = f.place[0];
-        renumber_links(&f);
+        job->root = f.target[0];
+        update_links(&f);
         permute(&f);
         zero_free_slots(&f);
     }

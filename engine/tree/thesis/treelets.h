@@ -6,10 +6,11 @@
  *
  * Source: Karrenberg 2007, section 4.1. On the bunny it reproduces table 5.5,
  * overhead = 32 * (-nodes mod N) bytes, for all nine N; a scene whose large
- * partial treelets leave no small ones to fill up with can stay above that. What the thesis leaves
- * open: the rest of a slot that was filled is free again; edges of a treelet go onto the build
- * stack from left to right; treelets that are not full take their slots last, the largest first
- * (DESIGN.md, section 5, has the figures for taking them as they come, which wastes up to a tenth).
+ * partial treelets leave no small ones to fill up with can stay above that. What the
+ * thesis leaves open: the rest of a slot that was filled is free again; edges of a
+ * treelet go onto the build stack from left to right; treelets that are not full get
+ * their slots last, the largest first (as they come would waste up to a tenth: DESIGN.md,
+ * section 5).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_THESIS_TREELETS_H

@@ -7,13 +7,14 @@
  *   depth  = the greater child's + 1, a leaf counting 0
  *   locals = the greatest local need of any treelet behind an edge: treelets
  *            follow one another on the same local stack
- *   global need of a treelet = edges + max(0, beyond - 1): one edge is taken,
+ *   global need of a treelet = edges + max(0, beyond - 1): one edge is followed,
  *            the others wait while what lies behind it is worked off
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/thesis/validate.h"
 
 #include "engine/base/fault.h"
+#include "engine/image/header_at.h"
 
 static uint32_t larger(uint32_t a, uint32_t b) {
     return a > b ? a : b;
@@ -23,10 +24,10 @@ static uint32_t treelet_need(const plt_need *root) {
     return root->edges + (root->beyond > 0 ? root->beyond - 1 : 0);
 }
 
-/* Walks the lists of a leaf link. Lists lie in the order of a left-first walk,
+/* Reads the lists of a leaf link. Lists lie in the order of a left-first traversal,
  * `seen` records in all so far: every record is in one list and read once. */
-static int survey_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, plt_info *info,
-                        plt_fault *fault) {
+static int validate_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, plt_info *info,
+                          plt_fault *fault) {
     uint32_t record = plt_link_index(link);
     if (record != *seen) {
         return plt_broken(fault, 4, record, "a list does not follow the one before it");
@@ -77,69 +78,69 @@ static void combine(plt_need *need, const plt_node *node, const plt_need child[2
 }
 
 /* An inner link stays in the block of its node, an edge leaves it. */
-static int link_is_honest(const plt_tree *tree, uint32_t node, uint32_t link) {
+static int link_kind_is_right(const plt_tree *tree, uint32_t node, uint32_t link) {
     const int same = node / tree->treelet_nodes == plt_link_index(link) / tree->treelet_nodes;
     return same == plt_link_is_inner(link);
 }
 
-/* Descends from `frames[0]` until it is complete: the post-order walk. */
-static int walk(const plt_tree *tree, plt_validate_level *frames, plt_need *root, uint32_t *seen,
-                plt_info *info, plt_fault *fault) {
+/* Post-order traversal of the subtree of levels[0].node. */
+static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *root,
+                    uint32_t *seen, plt_info *info, plt_fault *fault) {
     uint32_t level = 0;
     for (;;) {
-        plt_validate_level *f = &frames[level];
-        const plt_node *node = &tree->nodes[f->node];
-        if (f->next_child == 2) {
+        plt_validate_level *at = &levels[level];
+        const plt_node *node = &tree->nodes[at->node];
+        if (at->next_child == 2) {
             plt_need need;
-            combine(&need, node, f->need);
+            combine(&need, node, at->need);
             if (level == 0) {
                 *root = need;
                 return PLT_OK;
             }
             level--;
-            frames[level].need[frames[level].next_child++] = need;
+            levels[level].need[levels[level].next_child++] = need;
             continue;
         }
-        const uint32_t link = plt_node_link(node, (int)f->next_child);
+        const uint32_t link = plt_node_link(node, (int)at->next_child);
         if (plt_link_is_leaf(link)) {
             const plt_need leaf = {0, 0, 0, 0, 0};
-            const int status = survey_lists(tree, link, seen, info, fault);
+            const int status = validate_lists(tree, link, seen, info, fault);
             if (status != PLT_OK) {
                 return status;
             }
-            f->need[f->next_child++] = leaf;
+            at->need[at->next_child++] = leaf;
             continue;
         }
         if (plt_link_index(link) >= tree->node_slots) {
-            return plt_broken(fault, 1, f->node, "a link names a node that is not there");
+            return plt_broken(fault, 1, at->node, "a link names a node that is not there");
         }
-        if (!link_is_honest(tree, f->node, link)) {
-            return plt_broken(fault, 1, f->node, "a link is not in the treelet that it says");
+        if (!link_kind_is_right(tree, at->node, link)) {
+            return plt_broken(fault, 1, at->node, "a link is not in the treelet that it says");
         }
         if (++info->nodes > tree->node_slots) {
-            return plt_broken(fault, 2, f->node, "the nodes form no tree");
+            return plt_broken(fault, 2, at->node, "the nodes form no tree");
         }
         if (++level == PLT_DEPTH_MAX) {
             return plt_limit(fault, "the tree is deeper than PLT_DEPTH_MAX");
         }
         info->treelets += (link & PLT_LINK_OUT) != 0;
-        frames[level].node = plt_link_index(link);
-        frames[level].next_child = 0;
+        levels[level].node = plt_link_index(link);
+        levels[level].next_child = 0;
     }
 }
 
-/* The root link is a node: walks below it and fills in the stack needs. */
-static int survey_nodes(const plt_tree *tree, plt_validate_level *frames, uint32_t *seen,
-                        plt_info *info, plt_fault *fault) {
+/* The root link is a node: traverses what is below it and fills in the stack needs. */
+static int validate_nodes(const plt_tree *tree, plt_validate_level *levels, uint32_t *seen,
+                          plt_info *info, plt_fault *fault) {
     if (plt_link_index(tree->root) >= tree->node_slots) {
         return plt_broken(fault, 1, PLT_AT_ROOT_LINK,
                           "the root link names a node that is not there");
     }
     info->nodes = info->treelets = 1;
-    frames[0].node = plt_link_index(tree->root);
-    frames[0].next_child = 0;
+    levels[0].node = plt_link_index(tree->root);
+    levels[0].next_child = 0;
     plt_need root;
-    const int status = walk(tree, frames, &root, seen, info, fault);
+    const int status = traverse(tree, levels, &root, seen, info, fault);
     if (status == PLT_OK) {
         info->local_stack_entries = larger(root.local, root.locals);
         info->global_stack_entries = larger(1, treelet_need(&root));
@@ -148,7 +149,7 @@ static int survey_nodes(const plt_tree *tree, plt_validate_level *frames, uint32
     return status;
 }
 
-int plt_tree_validate(const plt_tree *tree, plt_validate_level *frames, plt_info *info,
+int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info *info,
                       plt_fault *fault) {
     info->nodes = info->leaf_lists = info->intermediate_lists = info->treelets = 0;
     info->leaf_triangles = 0;
@@ -159,10 +160,66 @@ int plt_tree_validate(const plt_tree *tree, plt_validate_level *frames, plt_info
     uint32_t seen = 0;
     info->global_stack_entries = info->depth_stack_entries = 1;
     const int status = plt_link_is_leaf(tree->root)
-                           ? survey_lists(tree, tree->root, &seen, info, fault)
-                           : survey_nodes(tree, frames, &seen, info, fault);
+                           ? validate_lists(tree, tree->root, &seen, info, fault)
+                           : validate_nodes(tree, levels, &seen, info, fault);
     if (status == PLT_OK && seen != tree->records_count) {
         return plt_broken(fault, 4, seen, "a triangle is in no list");
+    }
+    return status;
+}
+
+int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault) {
+    const plt_info *info = &header->info;
+    const plt_section *section = plt_header_section(header, PLT_SECTION_NODES);
+    for (uint32_t i = 0; i < info->node_slots; i++) {
+        for (int k = 0; k < 6; k++) {
+            const float plane = plt_get_float(&nodes[i].word[k]);
+            const int axis = k % 3;
+            const int inside = /* false for NaN */
+                plane >= info->lo[axis] && plane <= info->hi[axis];
+            if (!inside && plane != 0.0f) {
+                return plt_broken(fault, 6, section->offset + i * PLT_NODE_BYTES + 4 * (uint32_t)k,
+                                  "a plane lies outside the scene's box");
+            }
+        }
+    }
+    return PLT_OK;
+}
+
+/* Where item `item` of a section lies in the image. */
+static uint32_t offset_in(const plt_header *header, uint32_t kind, uint32_t item,
+                          uint32_t item_bytes) {
+    return plt_header_section(header, kind)->offset + item * item_bytes;
+}
+
+static int same_counts(const plt_info *a, const plt_info *b) {
+    return a->nodes == b->nodes && a->leaf_lists == b->leaf_lists &&
+           a->intermediate_lists == b->intermediate_lists && a->treelets == b->treelets &&
+           a->local_stack_entries == b->local_stack_entries &&
+           a->global_stack_entries == b->global_stack_entries &&
+           a->depth_stack_entries == b->depth_stack_entries &&
+           a->leaf_triangles >= b->leaf_triangles;
+}
+
+int plt_tree_validate_counts(const plt_header *header, const plt_tree *tree,
+                             plt_validate_level *levels, plt_fault *fault) {
+    plt_info found = header->info;
+    if (tree->root == PLT_LINK_NONE && tree->records_count > 0) {
+        return plt_broken(fault, 4, PLT_AT_ROOT, "there are triangles but no tree");
+    }
+    const int status = plt_tree_validate(tree, levels, &found, fault);
+    if (status == PLT_ERR_IMAGE && fault->offset == PLT_AT_ROOT_LINK) {
+        fault->offset = PLT_AT_ROOT;
+    } else if (status == PLT_ERR_IMAGE && fault->rule <= 2) {
+        fault->offset = offset_in(header, PLT_SECTION_NODES, fault->offset, PLT_NODE_BYTES);
+    } else if (status == PLT_ERR_IMAGE) {
+        fault->offset = offset_in(header, PLT_SECTION_TRIANGLES, fault->offset, PLT_RECORD_BYTES);
+    }
+    if (status == PLT_OK && !same_counts(&header->info, &found)) {
+        return plt_broken(fault, 8, PLT_AT_COUNTS + 4, "the header's counts are not the tree's");
+    }
+    if (status == PLT_OK && found.global_stack_entries > PLT_GLOBAL_STACK_MAX) {
+        return plt_limit(fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
     }
     return status;
 }

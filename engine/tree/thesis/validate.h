@@ -1,9 +1,10 @@
-/* validate - one walk over a whole tree: is it a tree, and what does it need?
+/* validate - is a tree of thesis nodes a tree, and what does it need?
  *
- * Serves the builder (to fill in the counts) and opening (to believe them).
- * Needs one frame a level and no recursion; bytes of a hostile image are
- * safe to survey, and a tree that passed is safe to traverse (SPEC.md, I1
- * to I4; the stacks it needs, I8).
+ * One traversal over the whole tree, for the builder (to fill in the counts) and
+ * for opening (to rely on them). It needs one level of scratch per level of the
+ * tree and no recursion. Bytes of a hostile image are safe to validate, and a tree
+ * that is valid is safe to traverse; nothing behind it checks again (SPEC.md,
+ * section 5: I1 to I4, I6; the stacks it needs, I8).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TREE_THESIS_VALIDATE_H
@@ -12,19 +13,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "engine/planelet.h"
-#include "engine/tree/record.h"
-#include "engine/tree/thesis/node.h"
-
-/* A scene as the traversal sees it. */
-typedef struct plt_tree {
-    const plt_node *nodes;
-    const plt_record *records;
-    uint32_t node_slots, records_count;
-    uint32_t treelet_nodes; /* slots a block, 1 or more */
-    uint32_t root;          /* link, or PLT_LINK_NONE */
-    plt_box box;            /* of all records; empty when there are none */
-} plt_tree;
+#include "engine/image/header.h"
+#include "engine/tree/thesis/tree.h"
 
 /* Needs of a subtree, from the bottom up. */
 typedef struct plt_need {
@@ -35,24 +25,33 @@ typedef struct plt_need {
     uint32_t depth;  /* depth-first stack, the node in hand */
 } plt_need;
 
+/* A node on the path from the root. */
 typedef struct plt_validate_level {
     uint32_t node;
     uint32_t next_child;
     plt_need need[2];
 } plt_validate_level;
 
-/* In plt_fault.offset: the root link is at fault. Else the survey gives the
- * number of a node (rules 1, 2) or a record (3, 4). */
-#define PLT_AT_ROOT_LINK 0xFFFFFFFFu
-
 #define PLT_VALIDATE_LEVELS (PLT_DEPTH_MAX + 1)
+
+/* In plt_fault.offset: the root link is at fault. Else plt_tree_validate gives the
+ * index of a node (rules 1, 2) or a record (3, 4). */
+#define PLT_AT_ROOT_LINK 0xFFFFFFFFu
 
 /* Fills the counts and stack needs of `info` (nodes, leaf_lists,
  * intermediate_lists, treelets, the longest list into leaf_triangles, the
- * three stack needs). `frames` is scratch of PLT_VALIDATE_LEVELS. Returns
+ * three stack needs). `levels` is scratch of PLT_VALIDATE_LEVELS. Returns
  * PLT_OK, PLT_ERR_LIMIT (deeper than PLT_DEPTH_MAX) or PLT_ERR_IMAGE with
- * the rule in fault. Cost: one visit a node, one read a record. */
-int plt_tree_validate(const plt_tree *tree, plt_validate_level *frames, plt_info *info,
+ * the rule in fault. Cost: one visit per node, one read per record. */
+int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info *info,
                       plt_fault *fault);
+
+/* The same for a tree that lies in an image: counts and stack needs of the header
+ * are the tree's (I8), and faults have the offset in the image. */
+int plt_tree_validate_counts(const plt_header *header, const plt_tree *tree,
+                             plt_validate_level *levels, plt_fault *fault);
+
+/* I6: planes inside the scene's box, for every slot of a node in use or not. */
+int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault);
 
 #endif

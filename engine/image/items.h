@@ -1,0 +1,28 @@
+/* items - the items of an image's sections: sizes and limits that SPEC.md gives
+ *
+ * What the header is checked against, and what tree/ lays its structures out by.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_IMAGE_ITEMS_H
+#define PLT_IMAGE_ITEMS_H
+
+#include <stdint.h>
+
+#define PLT_NODE_BYTES 32                     /* a thesis node */
+#define PLT_RECORD_BYTES 40                   /* a float record */
+#define PLT_INDEX_MAX ((1u << 27) - 1u)       /* of nodes and of triangles */
+#define PLT_LINK_NONE 0xFFFFFFFFu             /* root link of a thesis scene without triangles */
+#define PLT_BLOCK_NODES_MOST 64               /* of a compact block */
+#define PLT_BLOCKS_BYTES_MAX (8u * 0xFFFFFFu) /* of all blocks: addresses are 24 bits, times 8 */
+
+/* Bytes of a coordinate in a section of lattice corners. */
+static inline uint32_t plt_corner_width(uint32_t lattice_bits) {
+    return lattice_bits <= 16 ? 2 : 4;
+}
+
+/* Bytes of a triangle there: three corners, x y z each. */
+static inline uint32_t plt_corners_bytes(uint32_t lattice_bits) {
+    return 9 * plt_corner_width(lattice_bits);
+}
+
+#endif
