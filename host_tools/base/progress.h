@@ -19,6 +19,5 @@ typedef struct progress {
 void progress_begin(progress *p, const char *what, uint64_t total);
 void progress_show(progress *p, uint64_t done);
 void progress_end(progress *p);
-double progress_seconds(void); /* monotonic clock */
 
 #endif

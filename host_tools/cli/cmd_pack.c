@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
-#include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/note.h"
 #include "host_tools/cli/phase.h"
@@ -248,11 +248,11 @@ int run_pack(args *a) {
     }
     fail f = {""};
     packed image = {0};
-    const double began = progress_seconds();
+    const double began = clock_seconds();
     const int status = pack_files(&job, a, &image, &f);
     if (status == 0) {
         say_what_was_dropped(&job.repair, a->files == 1 ? a->file[0] : "all meshes together");
-        say_done(&job, &image, progress_seconds() - began);
+        say_done(&job, &image, clock_seconds() - began);
     } else {
         fprintf(stderr, "%s\n", f.text);
     }

@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "board/hash.h"
 #include "engine/base/bytes.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
@@ -47,17 +49,9 @@ typedef struct rendering {
     const char *out, *json;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
-    uint64_t hash;
-    double seconds; /* in the engine */
+    uint64_t hash;    /* of the RGB bytes of all frames so far */
+    double seconds;   /* in the engine */
 } rendering;
-
-/* Goes on with the 64-bit FNV-1a of the raw RGB bytes of all frames. */
-static uint64_t hash_frame(uint64_t hash, const picture *p) {
-    for (size_t i = 0; i < 3 * (size_t)p->width * p->height; i++) {
-        hash = (hash ^ p->rgb[i]) * UINT64_C(0x100000001B3);
-    }
-    return hash;
-}
 
 /* Copies the finished tile; returns the first row below it. */
 static unsigned take_tile(const plt_engine *engine, picture *p) {
@@ -71,7 +65,7 @@ static unsigned take_tile(const plt_engine *engine, picture *p) {
 }
 
 static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
-    const double began = scene_seconds();
+    const double began = clock_processor_seconds();
     if (plt_render_begin(r->s.engine, &r->frame) != PLT_OK) {
         return fail_set(f, "camera",
                         "eye and look coincide, up runs along the view, or one of them is beyond "
@@ -84,8 +78,8 @@ static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
             progress_show(bar, (uint64_t)number * r->frame.height + rows);
         }
     }
-    r->seconds += scene_seconds() - began;
-    r->hash = hash_frame(r->hash, &r->shown);
+    r->seconds += clock_processor_seconds() - began;
+    r->hash = hash_update(r->hash, r->shown.rgb, 3 * (size_t)r->shown.width * r->shown.height);
     return status == PLT_OK ? 0 : fail_set(f, "engine", "status %d; please report this", status);
 }
 
@@ -232,7 +226,7 @@ static void say_done(const rendering *r) {
 }
 
 int run_render(args *a) {
-    rendering r = {.s = SCENE_CLOSED, .hash = UINT64_C(0xCBF29CE484222325)};
+    rendering r = {.s = SCENE_CLOSED, .hash = HASH_BASIS};
     fail f = {""};
     read_flags(&r, a);
     const int status = a->wrong ? -1 : run_all(&r, a, &f);

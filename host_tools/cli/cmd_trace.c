@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
@@ -85,9 +86,9 @@ static double trace_once(tracing *t, plt_engine *engine, int any, progress *bar,
     plt_stats_reset(engine);
     for (uint32_t at = 0; at < t->count;) {
         const uint32_t left = t->count - at, now = left < RAYS_A_PIECE ? left : RAYS_A_PIECE;
-        const double began = scene_seconds();
+        const double began = clock_processor_seconds();
         plt_trace(engine, t->rays + at, t->hits + at, now, any); /* has no failures */
-        seconds += scene_seconds() - began;
+        seconds += clock_processor_seconds() - began;
         at += now;
         progress_show(bar, before + at);
     }

@@ -4,7 +4,6 @@
 #include "host_tools/cli/scene.h"
 
 #include <inttypes.h>
-#include <time.h>
 
 #include "host_tools/cli/phase.h"
 
@@ -38,12 +37,6 @@ int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
     default:
         return fail_set(f, path, "%s; see --help for the ranges", fault->message);
     }
-}
-
-double scene_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static uint8_t read_packet(args *a) {

@@ -47,9 +47,6 @@ void scene_close(scene *s);
 int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
                   size_t arena_bytes);
 
-/* Processor time, for `seconds` below. */
-double scene_seconds(void);
-
 /* The members that `trace` and `render` statistics share, without braces. */
 void scene_print_stats(output *o, const scene *s, double seconds, fail *f);
 

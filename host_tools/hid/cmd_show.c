@@ -4,8 +4,8 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/scene.h"
 #include "host_tools/cli/view.h"
@@ -72,9 +72,8 @@ static int tick(void *context) {
 }
 
 static void pause_until(session *s, double end) {
-    for (double left; !stop && (left = end - progress_seconds()) > 0.0;) {
-        const struct timespec t = {0, left < 0.004 ? (long)(1e9 * left) : 4000000};
-        nanosleep(&t, NULL);
+    for (double left; !stop && (left = end - clock_seconds()) > 0.0;) {
+        clock_sleep(left < 0.004 ? left : 0.004);
         session_tick(s);
     }
 }
@@ -82,7 +81,7 @@ static void pause_until(session *s, double end) {
 /* Whether the film is already at the frame after this one. A film that comes
  * slower than it should is not: its clock starts anew. */
 static int is_late(showing *s, double period) {
-    const double now = progress_seconds();
+    const double now = clock_seconds();
     if (now <= s->film_began + (double)(s->film_frames + 1) * period) {
         return 0;
     }
@@ -126,7 +125,7 @@ static int unless_stopped(int status, fail *f) {
 }
 
 static int show_source(showing *s, fail *f) {
-    s->film_began = progress_seconds();
+    s->film_began = clock_seconds();
     s->film_frames = 0;
     while (!enough(s)) {
         const int status = next_frame(s, f);
@@ -157,7 +156,7 @@ static int show_file(showing *s, args *a, const char *path, int is_last, fail *f
         if (status == 0 && s->source.period <= 0.0 && s->session.shown == before + 1 && !is_last &&
             !enough(s)) {
             status = session_settle(&s->session, f);
-            pause_until(&s->session, progress_seconds() + s->hold);
+            pause_until(&s->session, clock_seconds() + s->hold);
         }
     }
     frames_close(&s->source);
@@ -183,11 +182,11 @@ static int run_all(showing *s, args *a, fail *f) {
     if (session_open(&s->session, f) != 0) {
         return -1;
     }
-    const double began = progress_seconds();
+    const double began = clock_seconds();
     progress_begin(&s->bar, "showing, frame", s->limit);
     s->source = (frames){.from = {.tick = tick, .context = &s->session}};
     const int status = show_files(s, a, f) != 0 ? -1 : session_settle(&s->session, f);
-    const double seconds = progress_seconds() - began;
+    const double seconds = clock_seconds() - began;
     progress_end(&s->bar);
     if (status != 0) {
         return -1;

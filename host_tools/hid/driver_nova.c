@@ -14,8 +14,7 @@
  * Source: ggoled (JerwuQu), facts alone. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
-#include <time.h>
-
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/display.h"
 #include "platform/wire/wire_format.h"
 
@@ -32,15 +31,10 @@ enum {
     TRIES = 10
 };
 
-static void pause_ms(unsigned ms) {
-    const struct timespec t = {0, (long)ms * 1000000};
-    nanosleep(&t, NULL);
-}
-
 static int send_feature(port *p, const uint8_t *report) {
     int status = PORT_GONE;
     for (unsigned i = 0; i < TRIES && status != PORT_OK; i++) {
-        pause_ms(i * i);
+        clock_sleep(1e-3 * (i * i));
         status = port_feature(p, report, FEATURE_BYTES);
     }
     return status;

@@ -6,9 +6,8 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/display.h"
 #include "platform/wire/wire.h"
 
@@ -32,10 +31,6 @@ typedef struct planelet {
     uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } planelet;
 
-static uint32_t now_ms(void) {
-    return (uint32_t)(uint64_t)(1e3 * progress_seconds());
-}
-
 /* All that came in; PORT_OK or PORT_GONE. Waits for the first. */
 static int take_reports(display *d, unsigned wait_ms) {
     planelet *p = d->state;
@@ -45,7 +40,7 @@ static int take_reports(display *d, unsigned wait_ms) {
         if (bytes <= 0) {
             return bytes == 0 ? PORT_OK : PORT_GONE;
         }
-        wire_on_report(&p->end, report, (size_t)bytes, now_ms());
+        wire_on_report(&p->end, report, (size_t)bytes, clock_ms());
         wait_ms = 0;
     }
 }
@@ -54,7 +49,7 @@ static int take_reports(display *d, unsigned wait_ms) {
  * part is lost, and the wire sends again what was in it. */
 static int send_report(display *d, int *sent) {
     planelet *p = d->state;
-    const size_t bytes = wire_next_report(&p->end, p->report + 1, now_ms());
+    const size_t bytes = wire_next_report(&p->end, p->report + 1, clock_ms());
     *sent = bytes > 0;
     if (bytes == 0) {
         return PORT_OK;
@@ -66,7 +61,7 @@ static int send_report(display *d, int *sent) {
 /* One report out, then all that came in; waits only if none went out. */
 static int pump(display *d, unsigned wait_ms, int *sent) {
     planelet *p = d->state;
-    wire_poll(&p->end, now_ms());
+    wire_poll(&p->end, clock_ms());
     const int status = send_report(d, sent);
     return status == PORT_OK ? take_reports(d, *sent ? 0 : wait_ms) : status;
 }
@@ -76,10 +71,10 @@ static int pump(display *d, unsigned wait_ms, int *sent) {
  * the call takes longer than a whole picture may, STOPPED a second after a wish. */
 static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
-    uint32_t heard = p->end.stats.reports_in, since = now_ms();
+    uint32_t heard = p->end.stats.reports_in, since = clock_ms();
     while (!is_so(p)) {
         int sent;
-        if (now_ms() - p->begun > p->whole) {
+        if (clock_ms() - p->begun > p->whole) {
             return DISPLAY_FAILED;
         }
         if (display_is_stopped(d)) {
@@ -90,8 +85,8 @@ static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned pati
         }
         if (p->end.stats.reports_in != heard) {
             heard = p->end.stats.reports_in;
-            since = now_ms();
-        } else if (now_ms() - since > patience_ms) {
+            since = clock_ms();
+        } else if (clock_ms() - since > patience_ms) {
             return DISPLAY_GONE;
         }
     }
@@ -123,9 +118,7 @@ static int is_done(const planelet *p) {
 
 /* A number that no session had before: the clock in steps of a microsecond. */
 static uint32_t session_number(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_REALTIME, &t);
-    return (uint32_t)t.tv_sec * 1000000u + (uint32_t)t.tv_nsec / 1000u;
+    return (uint32_t)clock_day_us();
 }
 
 /* Of a device whose descriptor is not known reports are taken for 64 bytes. */
@@ -138,16 +131,16 @@ static int open_end(planelet *p, report_sizes sizes, fail *f) {
                                        .features = WIRE_SENDS,
                                        .window = WINDOW}};
     if (in > IN_BYTES || out > WIRE_REPORT_BYTES_MAX ||
-        wire_end_open(&p->end, &setup, now_ms()) != WIRE_OK) {
+        wire_end_open(&p->end, &setup, clock_ms()) != WIRE_OK) {
         return fail_set(f, NULL,
                         "reports of %u bytes out and %u in are not for the planelet driver (8 to "
                         "1024 and 8 to 64)",
                         out, in);
     }
-    p->begun = now_ms();
+    p->begun = clock_ms();
     p->whole = UINT32_MAX; /* greetings have their own patience */
     wire_frames_out_open(&p->out, &p->end);
-    wire_on_link(&p->end, 1, now_ms());
+    wire_on_link(&p->end, 1, clock_ms());
     return DISPLAY_OK;
 }
 
@@ -227,7 +220,7 @@ static int say_told(planelet *p, fail *f) {
 
 static int planelet_show(display *d, const picture *shown, fail *f) {
     planelet *p = d->state;
-    p->begun = now_ms();
+    p->begun = clock_ms();
     for (;;) {
         int status = deliver(d, is_idle, f);
         status = status == DISPLAY_OK ? ensure_up(d, f) : status;
@@ -247,7 +240,7 @@ static int planelet_show(display *d, const picture *shown, fail *f) {
 /* A session that ends meanwhile begins anew, with the whole picture. */
 static int planelet_settle(display *d, fail *f) {
     planelet *p = d->state;
-    p->begun = now_ms();
+    p->begun = clock_ms();
     for (;;) {
         int status = deliver(d, is_done, f);
         if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/display.h"
 
 const driver *const drivers[] = {&driver_planelet, &driver_streamdeck_mini, &driver_nova,
@@ -38,8 +38,8 @@ int display_is_stopped(display *d) {
     if (d->stop == NULL || !*d->stop) {
         return 0;
     }
-    d->stopped = d->stopped > 0.0 ? d->stopped : progress_seconds();
-    return progress_seconds() - d->stopped > 1.0;
+    d->stopped = d->stopped > 0.0 ? d->stopped : clock_seconds();
+    return clock_seconds() - d->stopped > 1.0;
 }
 
 int display_status(int port_status) {

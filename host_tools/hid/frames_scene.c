@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/cli/scene.h"
 #include "host_tools/cli/view.h"
 #include "host_tools/hid/frames.h"
@@ -35,7 +35,7 @@ static int live_next(frames *s, picture *p, fail *f) {
     live *l = s->state;
     plt_engine *engine = l->scene.engine;
     if (l->turn > 0.0) {
-        view_orbit(&l->start, (progress_seconds() - l->began) / l->turn, &l->frame.camera);
+        view_orbit(&l->start, (clock_seconds() - l->began) / l->turn, &l->frame.camera);
     }
     if (frames_room(p, l->frame.width, l->frame.height, f) != 0) {
         return FRAMES_FAILED;
@@ -94,6 +94,6 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     l->frame.height = (uint16_t)height;
     view_camera(a, plt_engine_info(l->scene.engine), width, height, &l->frame.camera);
     l->start = l->frame.camera;
-    l->began = progress_seconds();
+    l->began = clock_seconds();
     return a->wrong ? -1 : 0;
 }

@@ -18,7 +18,7 @@
 #include <unistd.h>
 #include <wchar.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 
 struct port {
     hid_device *device;
@@ -144,9 +144,9 @@ int port_feature(port *p, const uint8_t *report, size_t bytes) {
 /* A device that ends a report with an empty packet makes hidapi on libusb
  * return 0 at once: only the clock says that nothing came. */
 int port_input(port *p, uint8_t *report, size_t room, unsigned wait_ms) {
-    const double end = progress_seconds() + 1e-3 * wait_ms;
+    const double end = clock_seconds() + 1e-3 * wait_ms;
     for (;;) {
-        const double left = end - progress_seconds();
+        const double left = end - clock_seconds();
         const int wait = left > 0.0 ? (int)(1e3 * left) + 1 : 0;
         const int got = hid_read_timeout(p->device, report, room, wait);
         if (got != 0) {

@@ -6,16 +6,10 @@
 #include "host_tools/hid/session.h"
 
 #include <stdio.h>
-#include <time.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 
 static const double LOOK_SECONDS = 0.1;
-
-static void pause_seconds(double seconds) {
-    const struct timespec t = {(time_t)seconds, (long)(1e9 * (seconds - (time_t)seconds))};
-    nanosleep(&t, NULL);
-}
 
 static int stopped(const session *s) {
     return s->stop != NULL && *s->stop;
@@ -80,7 +74,7 @@ int session_open(session *s, fail *f) {
  * may still be giving the device its permissions. */
 static int come_back(session *s, fail *f) {
     const driver *by = s->display.by;
-    const double end = progress_seconds() + s->patience;
+    const double end = clock_seconds() + s->patience;
     session_figures(s, &s->before);
     display_close(&s->display);
     fprintf(stderr, "%04x:%04x went away; waiting for it\n", s->info.vendor, s->info.id);
@@ -90,8 +84,8 @@ static int come_back(session *s, fail *f) {
             s->reconnects++;
             return check_size(s, f);
         }
-        pause_seconds(LOOK_SECONDS);
-    } while (progress_seconds() < end && !stopped(s));
+        clock_sleep(LOOK_SECONDS);
+    } while (clock_seconds() < end && !stopped(s));
     return fail_set(f, s->info.path, "the display did not come back in %.0f seconds; plug it in",
                     s->patience);
 }
@@ -119,13 +113,13 @@ static int insist(session *s, int settle, fail *f) {
             return 0;
         }
         s->again = 1;
-        gone = gone > 0.0 ? gone : progress_seconds();
+        gone = gone > 0.0 ? gone : clock_seconds();
         if (status == DISPLAY_FAILED || come_back(s, f) != DISPLAY_OK) {
             return -1;
         }
     }
     if (gone > 0.0) {
-        const double gap = progress_seconds() - gone;
+        const double gap = clock_seconds() - gone;
         s->longest_gap = gap > s->longest_gap ? gap : s->longest_gap;
         fprintf(stderr, "back after %.2f s\n", gap);
     }

@@ -5,15 +5,15 @@
 
 #include <stdio.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
-#include "host_tools/base/progress.h"
 
 /* What it took from the first frame to the last: the first is all new, and
  * after the last the display may still be refining it. */
 void show_figures_mark(show_figures *a, const session *s) {
     port_figures p;
     session_figures(s, &p);
-    a->last_shown = progress_seconds();
+    a->last_shown = clock_seconds();
     a->last_reports = p.reports;
     if (s->shown == 1) {
         a->first_shown = a->last_shown;

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 
 enum { ROOM = 65536, TICK_MS = 4 };
 
@@ -35,13 +35,13 @@ static int wait_for(stream *s) {
     if (poll(&p, 1, 0) != 0) { /* an error shows when it is read */
         return 1;
     }
-    const double began = progress_seconds();
+    const double began = clock_seconds();
     int ready = 0, enough = 0;
     while (ready <= 0 && !enough) {
         enough = s->tick != NULL && s->tick(s->context);
         ready = poll(&p, 1, TICK_MS);
     }
-    s->waited += progress_seconds() - began;
+    s->waited += clock_seconds() - began;
     return !enough;
 }
 

@@ -16,8 +16,9 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "host_tools/base/clock.h"
 
 static void clear(stream_link *l) {
     memset(l, 0, sizeof *l);
@@ -181,7 +182,6 @@ static int stream_receive(void *context, uint8_t *report, int ms) {
         return accept_peer(l, ms);
     }
     if (l->in_gone == l->in_used) {
-        struct timespec pause = {0, 1000000};
         wait_readable(l->peer, ms);
         const ssize_t n = read(l->peer, l->in, sizeof l->in);
         if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) {
@@ -189,7 +189,7 @@ static int stream_receive(void *context, uint8_t *report, int ms) {
                 hang_up(l);
                 return -1;
             }
-            nanosleep(&pause, NULL); /* nobody has it open: poll says so at once */
+            clock_sleep(0.001); /* nobody has it open: poll says so at once */
         }
         l->in_gone = 0;
         l->in_used = n > 0 ? (size_t)n : 0;

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/progress.h"
 
 /* What the progress line is about. */
@@ -33,16 +33,10 @@ typedef struct serving {
     char what[40];
 } serving;
 
-static uint32_t now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint32_t)((uint64_t)t.tv_sec * 1000u + (uint64_t)t.tv_nsec / 1000000u);
-}
-
 static int open_end(serving *s, fail *f) {
     const serve_job *job = s->job;
     const wire_setup setup = {.role = WIRE_HOST,
-                              .caps = {.session = now_ms() ^ (uint32_t)time(NULL) << 8,
+                              .caps = {.session = (uint32_t)clock_day_us(),
                                        .width = (uint16_t)job->width,
                                        .height = (uint16_t)job->height,
                                        .format = (uint8_t)job->format,
@@ -57,7 +51,7 @@ static int open_end(serving *s, fail *f) {
     if (s->panel == NULL || picture_make(&s->shown, job->width, job->height, f) != 0) {
         return fail_set(f, "frame", "out of memory; choose a smaller --size");
     }
-    if (wire_end_open(&s->end, &setup, now_ms()) != WIRE_OK ||
+    if (wire_end_open(&s->end, &setup, clock_ms()) != WIRE_OK ||
         wire_frames_in_open(&s->in, &s->end, &panel) != WIRE_OK) {
         return fail_set(f, "--size", "%ux%u has more than %d tiles of 16x16; choose a smaller one",
                         job->width, job->height, WIRE_TILES_MAX);
@@ -65,7 +59,7 @@ static int open_end(serving *s, fail *f) {
     wire_scene_out_open(&s->scene, &s->end, job->image, job->image_bytes);
     wire_blocks_out_open(&s->blocks, &s->end, job->image, job->image_bytes);
     wire_view_out_open(&s->view, &s->end);
-    wire_on_link(&s->end, 0, now_ms());
+    wire_on_link(&s->end, 0, clock_ms());
     return 0;
 }
 
@@ -74,17 +68,16 @@ static int move(serving *s) {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
     int n = s->t->receive(s->t->context, report, 2);
     for (; n > 0; n = s->t->receive(s->t->context, report, 0)) {
-        wire_on_report(&s->end, report, (size_t)n, now_ms());
+        wire_on_report(&s->end, report, (size_t)n, clock_ms());
     }
     if (n < 0) {
         return 0;
     }
-    wire_poll(&s->end, now_ms());
-    for (size_t bytes; (bytes = wire_next_report(&s->end, report, now_ms())) > 0;) {
+    wire_poll(&s->end, clock_ms());
+    for (size_t bytes; (bytes = wire_next_report(&s->end, report, clock_ms())) > 0;) {
         int taken;
         while ((taken = s->t->send(s->t->context, report, bytes)) == 0) {
-            const struct timespec pause = {0, 500000};
-            nanosleep(&pause, NULL);
+            clock_sleep(0.0005);
         }
         if (taken < 0) {
             return 0;
@@ -137,7 +130,7 @@ static void show_progress(serving *s) {
 static void watch_link(serving *s, int is_there) {
     if (is_there != s->is_up) {
         s->is_up = is_there;
-        wire_on_link(&s->end, is_there, now_ms());
+        wire_on_link(&s->end, is_there, clock_ms());
         say(s, is_there ? "the link is there" : "the link is down, waiting");
     }
 }
@@ -183,7 +176,7 @@ static int take_frame(serving *s, fail *f) {
         wire_row_to_rgb(s->shown.rgb + 3 * (size_t)y * job->width, job->format,
                         s->panel + (size_t)y * stride, job->width);
     }
-    s->frame_ms = now_ms();
+    s->frame_ms = clock_ms();
     end_progress(s);
     const int status = job->frame(job->context, s->number, &s->shown, f);
     s->number++;
@@ -205,7 +198,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     if (status == 0) {
         s->job = job;
         s->t = t;
-        s->began_ms = s->frame_ms = now_ms();
+        s->began_ms = s->frame_ms = clock_ms();
         status = open_end(s, f);
     }
     if (status == 0) {
@@ -218,7 +211,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
         if (status == 0 && has_frame(s)) {
             status = take_frame(s, f);
         }
-        if (status == 0 && job->patience_ms > 0 && now_ms() - s->frame_ms > job->patience_ms) {
+        if (status == 0 && job->patience_ms > 0 && clock_ms() - s->frame_ms > job->patience_ms) {
             status =
                 fail_set(f, "device", "%s; is it connected, and does it render?",
                          wire_is_up(&s->end) ? "sent no frame in time" : "did not answer in time");
@@ -226,8 +219,8 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     }
     if (s != NULL) {
         end_progress(s);
-        *result =
-            (serve_result){.host = s->end.stats, .frames = s->number, .ms = now_ms() - s->began_ms};
+        *result = (serve_result){
+            .host = s->end.stats, .frames = s->number, .ms = clock_ms() - s->began_ms};
         free(s->panel);
         picture_free(&s->shown);
     }

@@ -4,40 +4,19 @@
  * differences, a good guess at what deflate will like best.
  *
  * Sources: W3C "Portable Network Graphics (PNG) Specification", second
- * edition, 2003, sections 5 (chunks), 9 (filters), 12.8 (their choice) and
- * annex D (CRC).
+ * edition, 2003, sections 5 (chunks), 9 (filters) and 12.8 (their choice).
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/base/crc32.h"
 #include "host_tools/picture/deflate.h"
 #include "host_tools/picture/formats.h"
 
 #define PIXEL 3u
 #define FILTERS 5u
 #define IDAT_MAX ((size_t)1 << 30)
-
-typedef struct crc32 {
-    uint32_t table[256], value;
-} crc32;
-
-static void crc_begin(crc32 *c) {
-    for (uint32_t n = 0; n < 256; n++) {
-        uint32_t r = n;
-        for (unsigned bit = 0; bit < 8; bit++) {
-            r = r & 1 ? r >> 1 ^ 0xEDB88320u : r >> 1;
-        }
-        c->table[n] = r;
-    }
-    c->value = 0xFFFFFFFFu;
-}
-
-static void crc_add(crc32 *c, const uint8_t *bytes, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        c->value = c->table[(c->value ^ bytes[i]) & 255] ^ c->value >> 8;
-    }
-}
 
 static void put_big(uint8_t *to, uint32_t value) {
     for (unsigned i = 0; i < 4; i++) {
@@ -47,13 +26,9 @@ static void put_big(uint8_t *to, uint32_t value) {
 
 static int chunk(output *o, const char *name, const uint8_t *data, size_t size, fail *f) {
     uint8_t head[8], tail[4];
-    crc32 crc;
     put_big(head, (uint32_t)size);
     memcpy(head + 4, name, 4);
-    crc_begin(&crc);
-    crc_add(&crc, head + 4, 4);
-    crc_add(&crc, data, size);
-    put_big(tail, ~crc.value);
+    put_big(tail, plt_crc32(plt_crc32(0, head + 4, 4), data, size));
     if (output_write(o, head, sizeof head, f) || (size && output_write(o, data, size, f))) {
         return -1;
     }

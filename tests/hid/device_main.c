@@ -27,9 +27,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/picture/picture.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/device.h"
@@ -81,8 +81,7 @@ static void on_change(void *context, model *m) {
 
 void device_output(device *d, const uint8_t *report, size_t bytes) {
     if (d->slow_us > 0) {
-        const struct timespec t = {0, (long)d->slow_us * 1000};
-        nanosleep(&t, NULL);
+        clock_sleep(1e-6 * d->slow_us);
     }
     d->model->kind->output(d->model, report, bytes);
     if (++d->reports == d->die_after) {

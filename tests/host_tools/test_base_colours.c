@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/temporary.h"
 #include "tests/test.h"
 
@@ -47,7 +47,7 @@ static int wait_for_end(pid_t child) {
         if (waitpid(child, &status, WNOHANG) == child) {
             return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         }
-        nanosleep(&(struct timespec){0, 10000000}, NULL);
+        clock_sleep(0.01);
     }
     kill(child, SIGKILL);
     waitpid(child, &status, 0);

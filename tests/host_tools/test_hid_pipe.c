@@ -4,10 +4,9 @@
 #include <signal.h>
 #include <stdio.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/commands.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/model.h"
@@ -25,7 +24,7 @@ typedef struct bench {
 
 static void on_output(void *context, const uint8_t *report, size_t bytes) {
     bench *b = context;
-    const double now = progress_seconds(), gap = b->heard > 0.0 ? now - b->heard : 0.0;
+    const double now = clock_seconds(), gap = b->heard > 0.0 ? now - b->heard : 0.0;
     b->silence = gap > b->silence ? gap : b->silence;
     b->heard = now;
     if (b->part != NULL && gap > 0.1) { /* the host waits, and asks whether we are there */
@@ -46,11 +45,6 @@ static void on_change(void *context, model *m) {
     b->last = m->rgb[0];
 }
 
-static void sleep_ms(unsigned ms) {
-    const struct timespec t = {ms / 1000, (long)(ms % 1000) * 1000000};
-    nanosleep(&t, NULL);
-}
-
 /* A film of 25 frames a second whose frames come `ms` apart, in two halves. */
 static void write_film(int to, unsigned frames, unsigned ms) {
     static uint8_t luma[WIDTH * HEIGHT];
@@ -61,7 +55,7 @@ static void write_film(int to, unsigned frames, unsigned ms) {
         fprintf(film, "FRAME\n");
         fwrite(luma, 1, sizeof luma / 2, film);
         fflush(film);
-        sleep_ms(n > 0 ? ms : 0);
+        clock_sleep(1e-3 * (n > 0 ? ms : 0));
         fwrite(luma, 1, sizeof luma / 2, film);
         fflush(film);
     }

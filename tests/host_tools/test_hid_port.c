@@ -1,8 +1,7 @@
 /* test_hid_port - what hidapi does beyond its manual, met by port.c
  *
  * SPDX-License-Identifier: MIT */
-#include <time.h>
-
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/port.h"
 #include "host_tools/hid/report_size.h"
 #include "tests/reference/fake_hidapi.h"
@@ -42,12 +41,6 @@ static const fake_device one = {.path = "/dev/fake0",
                                 .output = echo_output,
                                 .feature = echo_output,
                                 .input = echo_input};
-
-static double seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static port *open_one(port_info *info) {
     fail f = {""};
@@ -113,9 +106,9 @@ static void inputs(void) {
         CHECK(port_input(p, report, sizeof report, 500) == 64, "read %u", i);
     }
     fake_bus.empty_reads = 1;
-    const double began = seconds();
+    const double began = clock_seconds();
     CHECK(port_input(p, report, sizeof report, 30) == 0, "none came");
-    CHECK(seconds() - began > 0.029, "it waited %.3f s", seconds() - began);
+    CHECK(clock_seconds() - began > 0.029, "it waited %.3f s", clock_seconds() - began);
     test("input in pieces of a packet is handed on in pieces");
     fake_bus.empty_reads = 0;
     fake_bus.piece_bytes = 24;

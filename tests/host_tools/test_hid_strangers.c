@@ -1,7 +1,7 @@
 /* test_hid_strangers - devices at the vid:pid of a planelet display that are none we serve
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/session.h"
 #include "platform/wire/wire.h"
 #include "tests/reference/fake_hidapi.h"
@@ -25,10 +25,6 @@ static void stranger(void) {
     CHECK(strstr(f.text, "does not answer") && strstr(f.text, "--device"), "%s", f.text);
     session_close(&s);
     CHECK(fake_bus.open == 0, "it stays open");
-}
-
-static uint32_t clock_ms(void) {
-    return (uint32_t)(1e3 * progress_seconds());
 }
 
 static void end_output(void *context, const uint8_t *report, size_t bytes) {

@@ -1,9 +1,8 @@
 /* test_scenes - the built-in meshes: counts, shape, and the same bits everywhere
  *
- * Golden values: FNV-1a, 64 bits, over the vertices as little-endian IEEE
- * single precision and then the indices as little-endian 32-bit words.
- * Source: G. Fowler, L. C. Noll, K.-P. Vo, "The FNV Non-Cryptographic Hash
- * Algorithm", IETF draft, 1991.
+ * Golden values: FNV-1a, 64 bits (board/hash.h), over the vertices as
+ * little-endian IEEE single precision and then the indices as little-endian
+ * 32-bit words.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -12,6 +11,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#include "board/hash.h"
 #include "host_tools/scenes/lattice.h"
 #include "host_tools/scenes/scenes.h"
 #include "host_tools/scenes/turns.h"
@@ -49,14 +49,13 @@ static mesh made(char scene, uint64_t number) {
 }
 
 static uint64_t hash_word(uint64_t hash, uint32_t word) {
-    for (unsigned i = 0; i < 4; i++) {
-        hash = (hash ^ (word >> 8 * i & 255)) * 1099511628211u;
-    }
-    return hash;
+    const uint8_t bytes[4] = {(uint8_t)word, (uint8_t)(word >> 8), (uint8_t)(word >> 16),
+                              (uint8_t)(word >> 24)};
+    return hash_update(hash, bytes, sizeof bytes);
 }
 
 static uint64_t mesh_hash(const mesh *m) {
-    uint64_t hash = 14695981039346656037u;
+    uint64_t hash = HASH_BASIS;
     for (size_t i = 0; i < 3 * m->vertices; i++) {
         uint32_t word;
         memcpy(&word, &m->vertex[i], 4);
