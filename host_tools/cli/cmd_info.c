@@ -7,10 +7,10 @@
 
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
+#include "host_tools/app/scene.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/scene.h"
 
 static const arg_flag flags[] = {
     {"--json", NULL, "the same for programs"},

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host_tools/app/note.h"
+#include "host_tools/app/phase.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/phase.h"
 #include "host_tools/scenes/scenes.h"
 
 static const arg_flag flags[] = {

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/app/note.h"
+#include "host_tools/app/phase.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/phase.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/mesh/reduce.h"
 #include "host_tools/pack/pack.h"

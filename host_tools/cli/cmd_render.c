@@ -7,13 +7,14 @@
 
 #include "board/hash.h"
 #include "engine/base/bytes.h"
+#include "host_tools/app/frame.h"
+#include "host_tools/app/note.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/app/view.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/scene.h"
-#include "host_tools/cli/view.h"
 #include "host_tools/picture/picture.h"
 
 static const arg_flag flags[] = {
@@ -38,7 +39,7 @@ const arg_command command_render = {
     .files_least = 1,
     .files_most = 1};
 
-enum { VISITS_A_STEP = 4096, FRAMES_A_SECOND = 25 };
+enum { FRAMES_PER_SECOND = 25 };
 
 typedef struct rendering {
     scene s;
@@ -53,17 +54,6 @@ typedef struct rendering {
     double seconds;   /* in the engine */
 } rendering;
 
-/* Copies the finished tile; returns the first row below it. */
-static unsigned take_tile(const plt_engine *engine, picture *p) {
-    plt_tile t;
-    plt_render_tile(engine, &t);
-    for (unsigned y = 0; y < t.height; y++) {
-        memcpy(p->rgb + 3 * ((size_t)(t.y + y) * p->width + t.x), t.rgb + 3 * (size_t)y * t.width,
-               3 * (size_t)t.width);
-    }
-    return t.y + t.height;
-}
-
 static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
     const double began = clock_processor_seconds();
     if (plt_render_begin(r->s.engine, &r->frame) != PLT_OK) {
@@ -72,9 +62,9 @@ static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
                         "2^40; change --eye, --look, --up or --fov");
     }
     int status;
-    while ((status = plt_render_step(r->s.engine, VISITS_A_STEP)) > PLT_OK) {
+    while ((status = plt_render_step(r->s.engine, FRAME_STEP_VISITS)) > PLT_OK) {
         if (status == PLT_TILE) {
-            const unsigned rows = take_tile(r->s.engine, &r->shown);
+            const unsigned rows = frame_copy_tile(r->s.engine, &r->shown);
             progress_show(bar, (uint64_t)number * r->frame.height + rows);
         }
     }
@@ -149,7 +139,7 @@ static int open_all(rendering *r, args *a, fail *f) {
     }
     return r->picture_out == NULL ? 0
                                   : picture_begin(r->picture_out, r->format, frame->width,
-                                                  frame->height, FRAMES_A_SECOND, f);
+                                                  frame->height, FRAMES_PER_SECOND, f);
 }
 
 static int show(const picture *p, fail *f) {
@@ -201,12 +191,11 @@ static void check_outputs(const rendering *r, args *a) {
 }
 
 static void read_flags(rendering *r, args *a) {
-    static const char *const shaders[] = {"eyelight", "normal", "triangle", NULL};
     unsigned width = 512, height = 512;
     args_size(a, "--size", &width, &height);
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
-    r->frame.shader = (uint8_t)args_choice(a, "--shader", shaders, PLT_SHADE_EYELIGHT);
+    r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     r->out = args_text(a, "-o", NULL);
     r->json = args_text(a, "--json", NULL);

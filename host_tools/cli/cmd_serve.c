@@ -6,10 +6,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "host_tools/app/view.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/view.h"
 #include "host_tools/link/emulated.h"
 #include "host_tools/link/serve.h"
 
@@ -40,7 +40,7 @@ const arg_command command_serve = {
     .files_least = 1,
     .files_most = 1};
 
-enum { FRAMES_A_SECOND = 25 };
+enum { FRAMES_PER_SECOND = 25 };
 
 typedef struct serving {
     input scene;
@@ -122,7 +122,7 @@ static int open_output(serving *s, args *a, const serve_job *job, fail *f) {
     s->out = output_open(path, f);
     return s->out == NULL
                ? -1
-               : picture_begin(s->out, s->format, job->width, job->height, FRAMES_A_SECOND, f);
+               : picture_begin(s->out, s->format, job->width, job->height, FRAMES_PER_SECOND, f);
 }
 
 static void print_stats(const serve_result *r, uint32_t image_bytes) {
@@ -137,7 +137,6 @@ static void print_stats(const serve_result *r, uint32_t image_bytes) {
 }
 
 static void read_flags(serving *s, args *a, serve_job *job) {
-    static const char *const shaders[] = {"eyelight", "normal", "triangle", NULL};
     static const char *const formats[] = {"rgb565", "rgb888", "grey8", "grey4", "mono1", NULL};
     job->width = 320, job->height = 240;
     args_size(a, "--size", &job->width, &job->height);
@@ -146,7 +145,7 @@ static void read_flags(serving *s, args *a, serve_job *job) {
     job->frames = s->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
     job->verbose = args_has(a, "--verbose");
-    s->shader = (uint8_t)args_choice(a, "--shader", shaders, PLT_SHADE_EYELIGHT);
+    s->shader = view_shader(a);
     s->show = args_has(a, "--show");
     const int ways = args_has(a, "--pty") + args_has(a, "--socket") + args_has(a, "--listen") +
                      args_has(a, "--emulate");

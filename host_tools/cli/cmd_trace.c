@@ -10,13 +10,13 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+#include "host_tools/app/note.h"
+#include "host_tools/app/scene.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/scene.h"
 
 enum { RAY_BYTES = 32, HIT_BYTES = 16 };
 enum { RAYS_A_PIECE = 65536 }; /* whole packets of every size */

@@ -5,14 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host_tools/app/scene.h"
+#include "host_tools/app/view.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/base/progress.h"
-#include "host_tools/cli/scene.h"
-#include "host_tools/cli/view.h"
 #include "host_tools/hid/commands.h"
-#include "host_tools/hid/frames.h"
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "host_tools/hid/show_figures.h"
+#include "host_tools/hid/sources/frames.h"
 #include "platform/wire/wire_tile.h"
 
 static const arg_flag flags[] = {
@@ -43,8 +44,7 @@ const arg_command hid_command_show = {
     "tenth of a second is exact. Drivers other than planelet are " DISPLAY_HONESTY ".",
     flags,
     1,
-    100000,
-    "planelet-hid"};
+    100000};
 
 typedef struct showing {
     session session;
@@ -201,6 +201,7 @@ static int run_all(showing *s, args *a, fail *f) {
 
 static void read_driver(session *s, args *a) {
     const char *name = args_text(a, "--driver", "auto");
+    s->wish.drivers = drivers;
     s->wish.device = args_text(a, "--device", NULL);
     if (strcmp(name, "auto") != 0) {
         s->wish.by = driver_named(name);

@@ -3,7 +3,7 @@
 # The tests link the same objects with a fake of hidapi instead
 # (tests/reference/fake_hidapi.c). SPDX-License-Identifier: MIT
 
-HID := $(filter-out host_tools/hid/main.c,$(sort $(wildcard host_tools/hid/*.c)))
+HID := $(filter-out host_tools/hid/main.c,$(sort $(wildcard host_tools/hid/*.c host_tools/hid/*/*.c)))
 HID_TEST_OBJECTS := $(call objects,$(HID) $(sort $(wildcard tests/hid/model*.c)))
 
 # An archive: a test links what it names.
@@ -17,9 +17,9 @@ $(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm
 
 # port.c alone includes hidapi.h; here its objects are apart from the tests'.
-$(OUT)/host_tools/hid/port.o: PROBE_FLAGS := -Itests/reference/fake_hidapi
+$(OUT)/host_tools/hid/device/port.o: PROBE_FLAGS := -Itests/reference/fake_hidapi
 
-HID_SHARED := $(call objects,host_tools/hid/main.c $(filter-out host_tools/hid/port.c,$(HID))) \
+HID_SHARED := $(call objects,host_tools/hid/main.c $(filter-out host_tools/hid/device/port.c,$(HID))) \
               $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 HID_BACKENDS := hidraw libusb
 PKG_CONFIG ?= pkg-config
@@ -34,10 +34,10 @@ planelet-hid: $(OUT)/planelet-hid $(OUT)/planelet-hid-libusb
 $(OUT)/planelet-hid: $(OUT)/planelet-hid-hidraw
 	@ln -sf planelet-hid-hidraw $@
 
-$(HID_BACKENDS:%=$(OUT)/planelet-hid-%): $(OUT)/planelet-hid-%: $(OUT)/hid-%/port.o $(HID_SHARED)
+$(HID_BACKENDS:%=$(OUT)/planelet-hid-%): $(OUT)/planelet-hid-%: $(OUT)/hid-%/device/port.o $(HID_SHARED)
 	$(CC) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
 
-$(HID_BACKENDS:%=$(OUT)/hid-%/port.o): $(OUT)/hid-%/port.o: host_tools/hid/port.c $(OUT)/flags
+$(HID_BACKENDS:%=$(OUT)/hid-%/device/port.o): $(OUT)/hid-%/device/port.o: host_tools/hid/device/port.c $(OUT)/flags
 	@$(PKG_CONFIG) --exists hidapi-$* || { echo 'planelet-hid: $(HID_MISSING)' >&2; exit 1; }
 	$(call compile,$(HOST_COMMAND) $$($(PKG_CONFIG) --cflags hidapi-$*))
 
@@ -61,15 +61,15 @@ $(OUT)/hid-bench/make_pattern: $(call objects,tests/hid/make_pattern.c tests/hid
 	$(CC) -static $(LDFLAGS) -o $@ $^
 
 # What handles bytes of devices and files is built once more with sanitizers.
-HID_SANITIZED := $(filter-out host_tools/hid/port.c,$(HID)) host_tools/hid/main.c $(HID_WIRE)
+HID_SANITIZED := $(filter-out host_tools/hid/device/port.c,$(HID)) host_tools/hid/main.c $(HID_WIRE)
 HID_PLAIN := $(filter-out $(call objects,$(HID_WIRE)),$(TOOL_OBJECTS)) $(ENGINE_OBJECTS)
 
-$(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: $(OUT)/hid-sanitize/port-%.o \
+$(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: $(OUT)/hid-sanitize/device/port-%.o \
         $(HID_SANITIZED:%.c=$(OUT)/hid-sanitize/%.o) $(HID_PLAIN)
 	$(CC) $(SANITIZERS) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
 
-$(HID_BACKENDS:%=$(OUT)/hid-sanitize/port-%.o): $(OUT)/hid-sanitize/port-%.o: \
-        host_tools/hid/port.c $(OUT)/flags
+$(HID_BACKENDS:%=$(OUT)/hid-sanitize/device/port-%.o): $(OUT)/hid-sanitize/device/port-%.o: \
+        host_tools/hid/device/port.c $(OUT)/flags
 	$(call compile,$(HOST_COMMAND) $(SANITIZERS) $$($(PKG_CONFIG) --cflags hidapi-$*))
 
 $(OUT)/hid-sanitize/%.o: %.c $(OUT)/flags

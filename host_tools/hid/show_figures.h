@@ -4,7 +4,7 @@
 #ifndef HID_SHOW_FIGURES_H
 #define HID_SHOW_FIGURES_H
 
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
 
 typedef struct show_figures {
     double first_shown, last_shown; /* clock */

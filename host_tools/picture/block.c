@@ -12,9 +12,8 @@
 
 #define MATCH 0x80000000u
 #define END_OF_BLOCK 256
-#define FIXED_LITERALS 288 /* two more than can occur, but they take codes */
+#define FIXED_LITERALS HUFFMAN_SYMBOLS /* two more than can occur, but they have codes */
 #define STORED_MAX 65535u
-#define LENGTH_CODES 19
 
 typedef struct coding {
     uint8_t length[FIXED_LITERALS], distance_length[BLOCK_DISTANCES];
@@ -25,8 +24,8 @@ typedef struct coding {
 typedef struct header {
     uint16_t run[BLOCK_LITERALS + BLOCK_DISTANCES]; /* symbol | extra << 8 */
     unsigned runs, literals, distances, ordered;
-    uint8_t length[LENGTH_CODES];
-    uint16_t code[LENGTH_CODES];
+    uint8_t length[HUFFMAN_LENGTH_CODES];
+    uint16_t code[HUFFMAN_LENGTH_CODES];
     uint64_t cost; /* in bits */
 } header;
 
@@ -137,12 +136,9 @@ static unsigned run_extra(unsigned symbol) {
     return symbol < 16 ? 0 : symbol == 16 ? 2 : symbol == 17 ? 3 : 7;
 }
 
-static const uint8_t length_order[LENGTH_CODES] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
-                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};
-
 static void make_header(header *h, const coding *c) {
     uint8_t all[BLOCK_LITERALS + BLOCK_DISTANCES];
-    uint32_t count[LENGTH_CODES] = {0};
+    uint32_t count[HUFFMAN_LENGTH_CODES] = {0};
     memset(h, 0, sizeof *h);
     h->literals = used_symbols(c->length, BLOCK_LITERALS, END_OF_BLOCK + 1);
     h->distances = used_symbols(c->distance_length, BLOCK_DISTANCES, 1);
@@ -152,14 +148,14 @@ static void make_header(header *h, const coding *c) {
     for (unsigned i = 0; i < h->runs; i++) {
         count[h->run[i] & 255]++;
     }
-    huffman_lengths(count, LENGTH_CODES, 7, h->length);
-    huffman_codes(h->length, LENGTH_CODES, h->code);
-    h->ordered = LENGTH_CODES;
-    while (h->ordered > 4 && h->length[length_order[h->ordered - 1]] == 0) {
+    huffman_lengths(count, HUFFMAN_LENGTH_CODES, 7, h->length);
+    huffman_codes(h->length, HUFFMAN_LENGTH_CODES, h->code);
+    h->ordered = HUFFMAN_LENGTH_CODES;
+    while (h->ordered > 4 && h->length[huffman_length_order[h->ordered - 1]] == 0) {
         h->ordered--;
     }
     h->cost = 14 + 3 * h->ordered;
-    for (unsigned s = 0; s < LENGTH_CODES; s++) {
+    for (unsigned s = 0; s < HUFFMAN_LENGTH_CODES; s++) {
         h->cost += (uint64_t)count[s] * (h->length[s] + run_extra(s));
     }
 }
@@ -169,7 +165,7 @@ static void write_header(const header *h, bits *out) {
     bits_put(out, h->distances - 1, 5);
     bits_put(out, h->ordered - 4, 4);
     for (unsigned i = 0; i < h->ordered; i++) {
-        bits_put(out, h->length[length_order[i]], 3);
+        bits_put(out, h->length[huffman_length_order[i]], 3);
     }
     for (unsigned i = 0; i < h->runs; i++) {
         const unsigned symbol = h->run[i] & 255;

@@ -13,6 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+const uint8_t huffman_length_order[HUFFMAN_LENGTH_CODES] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
+                                                            11, 4,  12, 3, 13, 2, 14, 1, 15};
+
 typedef struct leaf {
     uint32_t count;
     uint32_t symbol;

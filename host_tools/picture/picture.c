@@ -40,6 +40,14 @@ void picture_free(picture *p) {
     memset(p, 0, sizeof *p);
 }
 
+int picture_resize(picture *p, unsigned width, unsigned height, fail *f) {
+    if (p->rgb != NULL && p->width == width && p->height == height) {
+        return 0;
+    }
+    picture_free(p);
+    return picture_make(p, width, height, f);
+}
+
 static int ends_in(const char *path, const char *ending) {
     const size_t length = strlen(path), tail = strlen(ending);
     if (length < tail) {

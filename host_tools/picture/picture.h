@@ -21,6 +21,10 @@ typedef struct picture {
 int picture_make(picture *p, unsigned width, unsigned height, fail *f);
 void picture_free(picture *p);
 
+/* Gives `p`, made before or zero, this size: pixels are kept if it has it already,
+ * else black. */
+int picture_resize(picture *p, unsigned width, unsigned height, fail *f);
+
 /* Format by the ending: .png .ppm .y4m in any case; "-" leaves `format` as
  * the caller chose it. Y4M holds any number of frames (4:4:4, full range said
  * in the header), PNG and PPM one. A file is one picture_begin, then

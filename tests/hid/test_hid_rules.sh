@@ -39,7 +39,7 @@ verdict "the rules' file comes before 73-seat-late.rules" "$(
     number=$(basename "$rules" | sed 's/-.*//')
     [ "$number" -lt 73 ] || echo "$rules")"
 text=$($MAKE -s PKG_CONFIG=false OUT="$BUILD/hid/without" \
-    "$BUILD/hid/without/hid-hidraw/port.o" 2>&1)
+    "$BUILD/hid/without/hid-hidraw/device/port.o" 2>&1)
 status=$?
 verdict "without hidapi make planelet-hid fails and says what to install" "$(
     [ $status -ne 0 ] && echo "$text" | grep -q 'install libhidapi-dev' || echo "$text")"

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "host_tools/hid/fit.h"
-#include "host_tools/hid/frames.h"
-#include "host_tools/hid/inflate.h"
+#include "host_tools/hid/sources/frames.h"
+#include "host_tools/picture/fit.h"
+#include "host_tools/picture/inflate.h"
 #include "tests/hid/pattern.h"
 #include "tests/test.h"
 
@@ -30,8 +30,8 @@ static void write_file(const char *name, const void *bytes, size_t count) {
 /* Reads the file at `path`: how many frames came, the last one in `p`. */
 static int read_frames(picture *p, fail *f) {
     static const arg_flag none[] = {{NULL, NULL, NULL}};
-    static const arg_command command = {"show", "", "", none, 0, 1, "planelet-hid"};
-    args a = {.command = &command};
+    static const arg_command command = {"show", "", "", none, 0, 1};
+    args a = {.program = "planelet-hid", .command = &command};
     frames s = {0};
     int count = 0, status = frames_open(&s, &a, path, 8, 8, f);
     while (status == 0 && (status = s.next(&s, p, f)) == FRAMES_ONE) {

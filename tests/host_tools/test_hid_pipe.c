@@ -105,7 +105,7 @@ static int run(bench *b, const char *part, unsigned frames, unsigned ms) {
     fake_bus_reset();
     fake_plug(0, &device);
     const pid_t child = start_writer(part, frames, ms);
-    if (child > 0 && args_parse(&a, &hid_command_show, 1, words) == ARGS_GO_ON) {
+    if (child > 0 && args_parse(&a, "planelet-hid", &hid_command_show, 1, words) == ARGS_GO_ON) {
         status = hid_run_show(&a);
         args_free(&a);
     }
@@ -119,7 +119,7 @@ static int run(bench *b, const char *part, unsigned frames, unsigned ms) {
 /* What `show` with these words ends with, before it looks for a display. */
 static int status_of(char **words, int count) {
     args a;
-    int status = args_parse(&a, &hid_command_show, count, words);
+    int status = args_parse(&a, "planelet-hid", &hid_command_show, count, words);
     if (status == ARGS_GO_ON) {
         fake_bus_reset();
         status = hid_run_show(&a);

@@ -6,7 +6,8 @@
  * tile, each of which must be that of one of the pictures (W3).
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/model.h"
 #include "tests/hid/pattern.h"
@@ -209,7 +210,7 @@ static void stopped(void) {
     fail f = {""};
     make_bench(&b, WIRE_RGB565, 64);
     b.lossy = 1;
-    session s = {.brightness = -1, .patience = 5.0, .stop = &stop};
+    session s = {.wish.drivers = drivers, .brightness = -1, .patience = 5.0, .stop = &stop};
     CHECK(session_open(&s, &f) == 0, "%s", f.text);
     draw_noise(&p, &f);
     fake_bus.drop_outputs = 2;
@@ -223,7 +224,7 @@ static void stopped(void) {
     free_bench(&b);
     test("... and one on a good link is confirmed before it ends");
     make_bench(&b, WIRE_RGB565, 64);
-    s = (session){.brightness = -1, .patience = 5.0, .stop = &stop};
+    s = (session){.wish.drivers = drivers, .brightness = -1, .patience = 5.0, .stop = &stop};
     CHECK(session_open(&s, &f) == 0, "%s", f.text);
     picture_make(&p, 70, 50, &f);
     pattern_fill(3, 70, 50, p.rgb);
@@ -244,7 +245,7 @@ static void unplugged(int libusb) {
         make_bench(&b, WIRE_RGB565, 64);
         b.lossy = 1;
         fake_bus.libusb = libusb;
-        session s = {.brightness = 30, .patience = 5.0};
+        session s = {.wish.drivers = drivers, .brightness = 30, .patience = 5.0};
         CHECK(session_open(&s, &f) == 0, "%s", f.text);
         picture_make(&p, 70, 50, &f);
         fake_bus.unplug_after = after;

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/base/clock.h"
-#include "host_tools/hid/port.h"
-#include "host_tools/hid/report_size.h"
+#include "host_tools/hid/device/port.h"
+#include "host_tools/hid/device/report_size.h"
 #include "tests/reference/fake_hidapi.h"
 #include "tests/test.h"
 

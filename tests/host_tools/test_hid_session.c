@@ -1,7 +1,8 @@
 /* test_hid_session - unplugged in the middle of a frame, and back again
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "tests/hid/model.h"
 #include "tests/hid/pattern.h"
 #include "tests/reference/fake_hidapi.h"
@@ -49,7 +50,8 @@ static void open_bench(bench *b, const model_kind *kind) {
                               .feature = on_feature,
                               .plugged = on_plug};
     fake_plug(0, &b->device);
-    b->session = (session){.brightness = kind == &model_apex ? -1 : 40, .patience = 3.0};
+    b->session = (session){
+        .wish.drivers = drivers, .brightness = kind == &model_apex ? -1 : 40, .patience = 3.0};
     CHECK(session_open(&b->session, &f) == 0, "%s", f.text);
     picture_make(&b->shown, b->session.panel.width, b->session.panel.height, &f);
 }
@@ -125,7 +127,7 @@ static void no_brightness(void) {
     apex.product = model_apex.id;
     apex.interface = 1;
     fake_plug(1, &apex);
-    session s = {.wish = {"1038:1618", NULL}, .brightness = 5};
+    session s = {.wish = {drivers, "1038:1618", NULL}, .brightness = 5};
     CHECK(session_open(&s, &f) == -1 && strstr(f.text, "--brightness"), "%s", f.text);
     session_close(&s);
     close_bench(&b);

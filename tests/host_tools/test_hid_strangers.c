@@ -2,7 +2,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/base/clock.h"
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire.h"
 #include "tests/reference/fake_hidapi.h"
 #include "tests/test.h"
@@ -20,7 +21,7 @@ static void stranger(void) {
         .path = "1-1:1.0", .vendor = 0x1209, .product = 0x0001, .output = swallow};
     fake_bus_reset();
     fake_plug(0, &other);
-    session s = {.brightness = -1};
+    session s = {.wish.drivers = drivers, .brightness = -1};
     CHECK(session_open(&s, &f) == -1, "opened");
     CHECK(strstr(f.text, "does not answer") && strstr(f.text, "--device"), "%s", f.text);
     session_close(&s);
@@ -58,7 +59,7 @@ static void large(void) {
     CHECK(wire_end_open(&end, &setup, clock_ms()) == WIRE_OK, "no such end");
     fake_bus_reset();
     fake_plug(0, &device);
-    session s = {.brightness = -1};
+    session s = {.wish.drivers = drivers, .brightness = -1};
     CHECK(session_open(&s, &f) == -1, "opened");
     CHECK(strstr(f.text, "800 x 480 pixels are 1500 tiles"), "%s", f.text);
     session_close(&s);

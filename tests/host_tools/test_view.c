@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "host_tools/cli/view.h"
+#include "host_tools/app/view.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
@@ -15,7 +15,7 @@ static plt_camera camera_of(const plt_info *info, unsigned width, unsigned heigh
                             char **word) {
     args a;
     plt_camera c;
-    CHECK(args_parse(&a, &command, words, word) == ARGS_GO_ON, "the words are wrong");
+    CHECK(args_parse(&a, "view", &command, words, word) == ARGS_GO_ON, "the words are wrong");
     view_camera(&a, info, width, height, &c);
     CHECK(!a.wrong, "the values are wrong");
     args_free(&a);

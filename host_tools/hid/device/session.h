@@ -1,0 +1,52 @@
+/* session - a display that comes back after it was unplugged
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HID_SESSION_H
+#define HID_SESSION_H
+
+#include <signal.h>
+
+#include "host_tools/hid/device/display.h"
+#include "host_tools/hid/device/find.h"
+#include "host_tools/picture/fit.h"
+
+typedef struct session {
+    find_wish wish;
+    enum fit_mode fit;
+    int brightness;                    /* percent; -1 leaves it as it is */
+    unsigned near, fps;                /* of what moves, as driver.near takes them */
+    double patience;                   /* seconds to wait for a display that is gone */
+    const volatile sig_atomic_t *stop; /* set from outside: wait no longer */
+
+    display display;
+    port_info info;
+    picture panel; /* what is shown, at the panel's size; owned */
+    int again;     /* the display came back and has not confirmed `panel` */
+    unsigned shown, reconnects;
+    double longest_gap;  /* seconds from an unplug to the whole picture again */
+    port_figures before; /* of the displays before the last unplug */
+} session;
+
+/* Finds and opens; `s` holds wish, fit, brightness, patience, the rest zero.
+ * A display that is not there is an error at once. */
+int session_open(session *s, fail *f);
+
+/* Shows a picture of any size. Unplugged meanwhile: says so on standard
+ * error, looks every 100 ms until it is back, and shows the whole of it. */
+int session_show(session *s, const picture *p, fail *f);
+
+/* Until the device has confirmed the picture, as far as its protocol tells, or
+ * has not a second after `stop`. */
+int session_settle(session *s, fail *f);
+
+/* Keeps the link alive between pictures: call it ten times a second at least
+ * while a picture is made or stands. */
+void session_tick(session *s);
+
+/* The device's own picture again, where it has one. */
+int session_release(session *s, fail *f);
+
+void session_figures(const session *s, port_figures *figures);
+void session_close(session *s); /* also after a failed open */
+
+#endif

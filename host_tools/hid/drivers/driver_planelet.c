@@ -1,0 +1,297 @@
+/* driver_planelet - a display that speaks Planelet's own wire (platform/WIRE.md)
+ *
+ * Keeps: `frame` is what the wire reads, and changes only when the wire has
+ * handed all of it to reports.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/base/clock.h"
+#include "host_tools/hid/drivers/drivers.h"
+#include "platform/wire/wire.h"
+
+enum {
+    WAIT_MS = 2,
+    OPEN_MS = 1500,  /* to answer the first hello */
+    STUCK_MS = 1500, /* without anything going out or in: the display is gone */
+    SLOW_MS = 5000,  /* for a picture, beside the time of its bytes at SLOW_BYTES a ms */
+    SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
+    IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
+    WINDOW = 32
+};
+
+typedef struct planelet {
+    wire_end end;
+    wire_frames_out out;
+    picture frame;
+    uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
+    uint32_t begun; /* ms: when the call that waits now began */
+    uint32_t whole; /* ms: the longest a picture may take; a lossy link may take for ever */
+    uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
+} planelet;
+
+/* All that came in; PORT_OK or PORT_GONE. Waits for the first. */
+static int take_reports(display *d, unsigned wait_ms) {
+    planelet *p = d->state;
+    uint8_t report[IN_BYTES];
+    for (;;) {
+        const int bytes = port_input(d->port, report, sizeof report, wait_ms);
+        if (bytes <= 0) {
+            return bytes == 0 ? PORT_OK : PORT_GONE;
+        }
+        wire_on_report(&p->end, report, (size_t)bytes, clock_ms());
+        wait_ms = 0;
+    }
+}
+
+/* Sends the next report, if one may go. A report that the system took in
+ * part is lost, and the wire sends again what was in it. */
+static int send_report(display *d, int *sent) {
+    planelet *p = d->state;
+    const size_t bytes = wire_next_report(&p->end, p->report + 1, clock_ms());
+    *sent = bytes > 0;
+    if (bytes == 0) {
+        return PORT_OK;
+    }
+    p->report[0] = 0;
+    return port_output(d->port, p->report, bytes + 1) == PORT_GONE ? PORT_GONE : PORT_OK;
+}
+
+/* One report out, then all that came in; waits only if none went out. */
+static int pump(display *d, unsigned wait_ms, int *sent) {
+    planelet *p = d->state;
+    wire_poll(&p->end, clock_ms());
+    const int status = send_report(d, sent);
+    return status == PORT_OK ? take_reports(d, *sent ? 0 : wait_ms) : status;
+}
+
+/* Pumps until `is_so`, and not a report longer: with nothing new to show the
+ * wire goes on to refine what is there. GONE when nothing is heard, FAILED when
+ * the call takes longer than a whole picture may, STOPPED a second after a wish. */
+static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
+    planelet *p = d->state;
+    uint32_t heard = p->end.stats.reports_in, since = clock_ms();
+    while (!is_so(p)) {
+        int sent;
+        if (clock_ms() - p->begun > p->whole) {
+            return DISPLAY_FAILED;
+        }
+        if (display_is_stopped(d)) {
+            return DISPLAY_STOPPED;
+        }
+        if (pump(d, WAIT_MS, &sent) != PORT_OK) {
+            return DISPLAY_GONE;
+        }
+        if (p->end.stats.reports_in != heard) {
+            heard = p->end.stats.reports_in;
+            since = clock_ms();
+        } else if (clock_ms() - since > patience_ms) {
+            return DISPLAY_GONE;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+/* As pump_until, for a picture: one that cannot get through says so. */
+static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
+    const int status = pump_until(d, is_so, STUCK_MS);
+    return status != DISPLAY_FAILED
+               ? status
+               : fail_set(f, NULL,
+                          "the display answers, but no picture gets through in %u seconds: too "
+                          "many reports are lost; try another cable or port",
+                          (unsigned)((const planelet *)d->state)->whole / 1000);
+}
+
+static int is_up(const planelet *p) {
+    return wire_is_up(&p->end);
+}
+
+static int is_idle(const planelet *p) {
+    return !wire_is_up(&p->end) || wire_frames_out_idle(&p->out);
+}
+
+static int is_done(const planelet *p) {
+    return !wire_is_up(&p->end) || wire_frames_out_done(&p->out);
+}
+
+/* A number that no session had before: the clock in steps of a microsecond. */
+static uint32_t session_number(void) {
+    return (uint32_t)clock_day_us();
+}
+
+/* Of a device whose descriptor is not known reports are taken for 64 bytes. */
+static int open_end(planelet *p, report_sizes sizes, fail *f) {
+    const unsigned out = sizes.out > 0 ? sizes.out : 64, in = sizes.in > 0 ? sizes.in : IN_BYTES;
+    const wire_setup setup = {.role = WIRE_HOST,
+                              .caps = {.session = session_number(),
+                                       .in_bytes = (uint16_t)in,
+                                       .out_bytes = (uint16_t)out,
+                                       .features = WIRE_SENDS,
+                                       .window = WINDOW}};
+    if (in > IN_BYTES || out > WIRE_REPORT_BYTES_MAX ||
+        wire_end_open(&p->end, &setup, clock_ms()) != WIRE_OK) {
+        return fail_set(f, NULL,
+                        "reports of %u bytes out and %u in are not for the planelet driver (8 to "
+                        "1024 and 8 to 64)",
+                        out, in);
+    }
+    p->begun = clock_ms();
+    p->whole = UINT32_MAX; /* greetings have their own patience */
+    wire_frames_out_open(&p->out, &p->end);
+    wire_on_link(&p->end, 1, clock_ms());
+    return DISPLAY_OK;
+}
+
+/* Hello, until the device has said what it is. */
+static int greet(display *d, fail *f) {
+    planelet *p = d->state;
+    const int status = pump_until(d, is_up, OPEN_MS);
+    if (status != DISPLAY_OK) {
+        fail_set(f, NULL,
+                 "the device does not answer as a planelet display; is it one? Else "
+                 "choose another with --device or --driver");
+        return status;
+    }
+    const wire_caps *peer = wire_peer(&p->end);
+    if (!(peer->features & WIRE_SHOWS)) {
+        return fail_set(f, NULL, "the device has no display; choose another with --device");
+    }
+    const unsigned tiles = (peer->width + 15u) / 16 * ((peer->height + 15u) / 16);
+    if (tiles > WIRE_TILES_MAX) {
+        return fail_set(f, NULL,
+                        "its %u x %u pixels are %u tiles, %u (WIRE_TILES_MAX) are the most; "
+                        "choose another with --device",
+                        peer->width, peer->height, tiles, (unsigned)WIRE_TILES_MAX);
+    }
+    d->width = peer->width, d->height = peer->height;
+    const uint32_t bytes = wire_row_bytes(peer->format, d->width) * d->height;
+    p->whole = SLOW_MS + bytes / SLOW_BYTES;
+    p->shown = malloc(bytes); /* without it every tile is sent whole */
+    if (p->shown != NULL) {
+        wire_frames_reference(&p->out, p->shown, bytes);
+    }
+    return picture_make(&p->frame, d->width, d->height, f);
+}
+
+static void planelet_close(display *d) {
+    planelet *p = d->state;
+    picture_free(&p->frame);
+    free(p->shown);
+    free(p);
+    d->state = NULL;
+}
+
+static int planelet_open(display *d, fail *f) {
+    planelet *p = calloc(1, sizeof *p);
+    d->state = p;
+    if (p == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    int status = open_end(p, d->reports, f);
+    if (status == DISPLAY_OK) {
+        status = greet(d, f);
+    }
+    if (status != DISPLAY_OK) {
+        planelet_close(d);
+    }
+    return status;
+}
+
+/* Waits while the session is down, as it is after a device started anew. */
+static int ensure_up(display *d, fail *f) {
+    const planelet *p = d->state;
+    const int status = deliver(d, is_up, f);
+    const wire_caps *peer = wire_peer(&p->end);
+    if (status == DISPLAY_OK && (peer->width != d->width || peer->height != d->height)) {
+        return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
+                        peer->width, peer->height);
+    }
+    return status;
+}
+
+static int say_told(planelet *p, fail *f) {
+    uint32_t detail = 0;
+    const unsigned code = wire_told(&p->end, &detail);
+    return fail_set(f, NULL, "the display reports error %u (%u); see platform/WIRE.md", code,
+                    detail);
+}
+
+static int planelet_show(display *d, const picture *shown, fail *f) {
+    planelet *p = d->state;
+    p->begun = clock_ms();
+    for (;;) {
+        int status = deliver(d, is_idle, f);
+        status = status == DISPLAY_OK ? ensure_up(d, f) : status;
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+        memcpy(p->frame.rgb, shown->rgb, 3 * (size_t)d->width * d->height);
+        if (wire_frames_show(&p->out, p->frame.rgb, 3 * d->width) == WIRE_OK) {
+            return deliver(d, is_idle, f);
+        }
+        if (p->end.peer_error != WIRE_FINE) {
+            return say_told(p, f);
+        }
+    }
+}
+
+/* A session that ends meanwhile begins anew, with the whole picture. */
+static int planelet_settle(display *d, fail *f) {
+    planelet *p = d->state;
+    p->begun = clock_ms();
+    for (;;) {
+        int status = deliver(d, is_done, f);
+        if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {
+            return status;
+        }
+        status = ensure_up(d, f);
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+        wire_frames_show(&p->out, p->frame.rgb, 3 * d->width);
+    }
+}
+
+static int planelet_tick(display *d) {
+    int sent = 1;
+    while (sent) {
+        if (pump(d, 0, &sent) != PORT_OK) {
+            return DISPLAY_GONE;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+static int planelet_brightness(display *d, unsigned percent, fail *f) {
+    planelet *p = d->state;
+    if (!(wire_peer(&p->end)->features & WIRE_BRIGHTNESS)) {
+        return fail_set(f, NULL, "this display's brightness cannot be set; leave out --brightness");
+    }
+    wire_set(&p->end, WIRE_SET_BRIGHTNESS, percent);
+    return DISPLAY_OK;
+}
+
+static void planelet_near(display *d, unsigned steps, unsigned fps) {
+    planelet *p = d->state;
+    if (steps == DISPLAY_NEAR_AUTO) {
+        wire_frames_rate(&p->out, fps);
+    } else {
+        wire_frames_near(&p->out, steps);
+    }
+}
+
+/* pid.codes gives 1209:0001 to tests; a product of one's own has its own id. */
+static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
+
+const driver driver_planelet = {.name = "planelet",
+                                .about = "Planelet's own wire, any size (platform/WIRE.md)",
+                                .ids = ids,
+                                .open = planelet_open,
+                                .show = planelet_show,
+                                .settle = planelet_settle,
+                                .tick = planelet_tick,
+                                .brightness = planelet_brightness,
+                                .near = planelet_near,
+                                .close = planelet_close};

@@ -1,0 +1,52 @@
+/* frames - where the pictures come from: files, films, a pipe, a scene
+ *
+ * What a file is, its first bytes say, not its name.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HID_FRAMES_H
+#define HID_FRAMES_H
+
+#include "host_tools/app/args.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/hid/sources/stream.h"
+#include "host_tools/picture/picture.h"
+
+typedef struct frames frames;
+
+enum frames_status { FRAMES_END = 0, FRAMES_ONE = 1, FRAMES_FAILED = -1 };
+
+/* A source of frames. `next` makes `p` anew when its size differs. */
+struct frames {
+    int (*next)(frames *s, picture *p, fail *f);
+    void (*close)(frames *s);
+    const char *path; /* not owned */
+    stream from;      /* its tick is called while a frame is waited for, or made */
+    void *state;      /* owned by the kind of source */
+    double period;    /* seconds a frame, as a film says; 0: none */
+};
+
+/* Opens a file (`s` is zero but for from.tick and its context) or, as "-", standard input: Y4M,
+ * PPM, PGM, PNG, or a packed scene, which is rendered live, `width` x `height`, as the flags say.
+ */
+int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f);
+void frames_close(frames *s); /* also after a failed open */
+
+/* The kinds; each is handed an open stream at its first byte. */
+int frames_y4m(frames *s, fail *f);
+int frames_pnm(frames *s, fail *f);
+int frames_png(frames *s, fail *f);
+int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
+
+#define FRAMES_SCENE_FLAGS                                                                         \
+    {"--shader", "eyelight|normal|triangle", "a scene's colours"}, {                               \
+        "--turn", "SECONDS", "once around a scene in so long; 0 stands still (default 12)"         \
+    }
+
+/* The stream ended where more was to come: -1, and `f` says that it could not be
+ * read, or what `otherwise` says. */
+int frames_cut(const frames *s, const char *otherwise, fail *f);
+
+/* Reads all of a file, for pictures. The bytes are the caller's to free. */
+unsigned char *frames_read_all(frames *s, size_t *bytes, fail *f);
+
+#endif
