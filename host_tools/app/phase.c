@@ -1,6 +1,6 @@
 /* phase - see phase.h
  *
- * SIGALRM ticks once a second. Keeps: the handler touches only this file's
+ * SIGALRM ticks once per second. Keeps: the handler touches only this file's
  * state, which changes only while no alarm is set, and calls only write.
  *
  * SPDX-License-Identifier: MIT */

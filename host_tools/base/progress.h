@@ -1,7 +1,7 @@
 /* progress - a line on standard error for work that takes its time
  *
  * Nothing is printed before one second has passed, nor when standard
- * error is not a terminal; then at most ten lines a second, each over the
+ * error is not a terminal; then at most ten lines per second, each over the
  * last, and the line is wiped at the end.
  *
  * SPDX-License-Identifier: MIT */

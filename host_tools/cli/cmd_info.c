@@ -21,7 +21,7 @@ static const arg_flag flags[] = {
 const arg_command command_info = {
     .name = "info",
     .synopsis = "SCENE.plt [--json]",
-    .about = "Says what a scene image holds, its bytes a triangle, and the arena it needs.",
+    .about = "Says what a scene image holds, its bytes per triangle, and the arena it needs.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -36,7 +36,7 @@ typedef struct derived {
     breakdown parts;
     int has_parts; /* compact, and opened */
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
-    double tree_each, geometry_each; /* a triangle */
+    double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
 } derived;
 
@@ -112,7 +112,7 @@ static void print_json(const plt_info *i, const derived *d) {
 
 static void print_parts_text(const plt_info *i, const derived *d) {
     for (int p = 0; p < PARTS && d->has_parts; p++) {
-        printf("  %-16s %9.0f, %.3f a triangle\n", breakdown_names[p], d->parts.bytes[p],
+        printf("  %-16s %9.0f, %.3f per triangle\n", breakdown_names[p], d->parts.bytes[p],
                d->parts.bytes[p] / (i->triangles > 0 ? i->triangles : 1));
     }
 }
@@ -143,7 +143,7 @@ static void print_text(const plt_info *i, const derived *d) {
                (double)i->hi[2]);
     }
     printf("tree               built by %s, %s splits, %" PRIu32
-           " triangles a list, treelets of %" PRIu32 "\n",
+           " triangles per list, treelets of %" PRIu32 "\n",
            build_names[i->build], split_names[i->splits], i->leaf_triangles, i->treelet_nodes);
     if (tree_is_known(i)) {
         printf("inner nodes        %" PRIu32 " in %" PRIu32 " slots, %" PRIu32 " treelets\n",
@@ -152,10 +152,10 @@ static void print_text(const plt_info *i, const derived *d) {
                " intermediate (%.1f %% of the leaves)\n",
                i->leaf_lists, i->intermediate_lists, share(i->intermediate_lists, i->leaf_lists));
         print_stacks(i);
-        printf("tree bytes         %" PRIu64 ", %.2f a triangle, %" PRIu64 " of them free slots\n",
+        printf("tree bytes         %" PRIu64 ", %.2f per triangle, %" PRIu64 " of them free slots\n",
                d->tree_bytes, d->tree_each, d->overhead_bytes);
     }
-    printf("geometry bytes     %" PRIu64 ", %.2f a triangle\n", d->geometry_bytes,
+    printf("geometry bytes     %" PRIu64 ", %.2f per triangle\n", d->geometry_bytes,
            d->geometry_each);
     if (i->nodes_format == PLT_NODES_COMPACT) {
         printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",

@@ -21,19 +21,19 @@ static const arg_flag flags[] = {
      "who builds the tree: this program, the engine when it opens the image, or nobody "
      "(default host)"},
     {"--splits", "sah|median", "binned SAH, or the thesis's spatial median (default sah)"},
-    {"--leaf", "1|2|4", "most triangles a list (default 2)"},
+    {"--leaf", "1|2|4", "most triangles per list (default 2)"},
     {"--nodes", "thesis|compact",
      "32 bytes a node, or blocks of about 7, on a lattice (default thesis)"},
-    {"--treelet", "N", "nodes a treelet, 1 to 1000000 (default 64)"},
+    {"--treelet", "N", "nodes per treelet, 1 to 1000000 (default 64)"},
     {"--fill", "bfs", "how treelets fill: breadth first"},
     {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
     {"--geometry", "float|lattice[:BITS]",
-     "float, 40 bytes a triangle, bit exact; compact also: a lattice of 12 to 21 bits an axis "
+     "float, 40 bytes per triangle, bit exact; compact also: a lattice of 12 to 21 bits per axis "
      "(default lattice:16)"},
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side"},
     {"--numbers", "keep|none",
-     "compact: keep packing-order numbers, 2 to 3 bytes a triangle, or number by place "
+     "compact: keep packing-order numbers, 2 to 3 bytes per triangle, or use the position in the image "
      "(default keep)"},
     {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe (default 0)"},

@@ -1,7 +1,7 @@
 /* cmd_trace - planelet trace: a ray file to a hit file
  *
- * Ray file: 32 bytes a ray, little-endian float32: org[3] tmin dir[3] tmax.
- * Hit file: 16 bytes a ray: t u v and the triangle's number.
+ * Ray file: 32 bytes per ray, little-endian float32: org[3] tmin dir[3] tmax.
+ * Hit file: 16 bytes per ray: t u v and the triangle's number.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>

@@ -22,7 +22,7 @@ static const arg_flag flags[] = {
     {"--fit", "contain|cover|stretch|none", "a picture of another size (default contain)"},
     {"--brightness", "0..100", "percent, where the display has it"},
     {"--near", "auto|0..15", "planelet: steps that moving colours may be off by (default auto)"},
-    {"--fps", "N", "auto: no more steps than let N frames a second through (default 12)"},
+    {"--fps", "N", "auto: no more steps than let N frames per second through (default 12)"},
     {"--frames", "N", "stop after N frames"},
     {"--hold", "SECONDS", "how long a picture stays before the next (default 1)"},
     {"--every", NULL, "every frame of a film, each until the display has confirmed it"},

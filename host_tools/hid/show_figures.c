@@ -58,7 +58,7 @@ void show_figures_print(const show_figures *a, const session *s, double seconds)
     port_figures p;
     session_figures(s, &p);
     fprintf(stderr,
-            "%u frames in %.2f s, %.2f a second; %llu left out; %llu reports, %.1f KB a second; "
+            "%u frames in %.2f s, %.2f per second; %llu left out; %llu reports, %.1f KB per second; "
             "%u reconnects\n",
             s->shown, seconds, seconds > 0.0 ? s->shown / seconds : 0.0,
             (unsigned long long)a->left_out, (unsigned long long)p.reports,

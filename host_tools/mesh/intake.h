@@ -29,7 +29,7 @@ typedef struct intake {
     uint64_t declared; /* vertices in the file; INTAKE_UNKNOWN until the end */
     size_t first_vertex, first_triangle;
     uint64_t bad_vertices, bad_triangles;
-    unsigned char *bad; /* a bit a vertex, set for bad ones */
+    unsigned char *bad; /* one bit per vertex, set for bad ones */
     size_t bad_bytes;
     int64_t furthest, furthest_written; /* greatest number not yet there */
     place furthest_at;

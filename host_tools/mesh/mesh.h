@@ -12,8 +12,8 @@
 #include "host_tools/base/fail.h"
 
 typedef struct mesh {
-    float *vertex;      /* 3 floats a vertex: x y z */
-    uint32_t *triangle; /* 3 vertex numbers a triangle */
+    float *vertex;      /* 3 floats per vertex: x y z */
+    uint32_t *triangle; /* 3 vertex indices per triangle */
     size_t vertices, triangles;
     size_t vertex_room, triangle_room; /* allocated, in vertices, triangles */
 } mesh;

@@ -1,4 +1,4 @@
-/* recipe - a scene put together from meshes, one a line
+/* recipe - a scene put together from meshes, one per line
  *
  *     FILE SIZE X Y Z [TURN_X TURN_Y]     # comment
  *

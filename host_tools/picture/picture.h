@@ -13,7 +13,7 @@
 #define PICTURE_SIDE_MAX 32768u
 
 typedef struct picture {
-    uint8_t *rgb;           /* 3 bytes a pixel, rows top down, no padding; owned */
+    uint8_t *rgb;           /* 3 bytes per pixel, rows top down, no padding; owned */
     unsigned width, height; /* 1 .. PICTURE_SIDE_MAX */
 } picture;
 

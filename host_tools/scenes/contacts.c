@@ -18,7 +18,7 @@
 
 #define RESTITUTION 0.6
 #define FRICTION 0.15
-#define SLOW 2.0 /* radii a second: gentler meetings do not bounce */
+#define SLOW 2.0 /* radii per second: gentler meetings do not bounce */
 #define BOUNCE_SWEEPS 12u
 #define PART_SWEEPS 60u
 #define PART_SLACK 0.002 /* overlap that is left alone, of a radius */

@@ -26,7 +26,7 @@
 #define PERIOD_Z 178u      /* the two together repeat after 11,570 frames */
 #define SPREAD 1.30        /* of the first places, radii */
 #define GOLDEN 1640531527u /* 2^32 times (3 - sqrt(5)) / 2, in turns */
-#define FIRST_SPEED 12.0   /* radii a second, at most, each way */
+#define FIRST_SPEED 12.0   /* radii per second, at most, along each axis */
 
 static double squared(double x) {
     return x * x;

@@ -21,7 +21,7 @@
 
 typedef struct marble {
     double x, z, vx, vz;
-    double spin[3]; /* radians a second */
+    double spin[3]; /* radians per second */
     double turn[4]; /* orientation, unit quaternion: real part first */
 } marble;
 

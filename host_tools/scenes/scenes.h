@@ -19,9 +19,9 @@
 int scene_ground(mesh *m, fail *f);
 
 /* 109 marbles of radius 1 rolling in an eight-sided tray 34 wide: 110 times
- * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames a
+ * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames per
  * second, of any length. Vertices and indices keep their places from frame
- * to frame. A frame costs a simulation from frame 0, about 1 ms a frame,
+ * to frame. A frame costs a simulation from frame 0, about 1 ms per frame,
  * unless the last call asked for an earlier frame, from which it then goes
  * on: not for two threads at once. */
 int scene_marbles(mesh *m, unsigned frame, fail *f);

@@ -14,7 +14,7 @@
 
 #define HALF 10.0
 #define OCTAVES 10u
-#define SCALE 0.13 /* coarsest ridges, a unit of length */
+#define SCALE 0.13 /* coarsest ridges per unit of length */
 
 static double clamp01(double x) {
     return x < 0.0 ? 0.0 : x > 1.0 ? 1.0 : x;
@@ -53,7 +53,7 @@ static double height(double x, double z, unsigned octaves) {
     return 2.6 * (h > low ? h - 0.5 * low : 0.5 * h * h / low);
 }
 
-/* Octaves finer than the grid would only be noise: two quads a wave. */
+/* Octaves finer than the grid would only be noise: two quads per wave. */
 static unsigned octaves_for(uint32_t columns) {
     unsigned octaves = 1;
     double waves = 2.0 * HALF * SCALE;

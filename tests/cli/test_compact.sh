@@ -58,7 +58,7 @@ verdict "info without --json says the same" "$(
     run info knot.plt
     grep -q '^lattice  *21 bits; ' out || cat out
     for part in planes owners kinds links frames headers padding positions references strips; do
-        grep -q "^  $part .* a triangle" out || echo "not a word of $part"
+        grep -q "^  $part .* per triangle" out || echo "not a word of $part"
     done)"
 run pack knot.ply -o bits.plt --nodes compact
 run info bits.plt --json

@@ -59,13 +59,13 @@ K|$leaf_triangles|$3
 N|$treelet_nodes|$4
 size of the file|$image_bytes|$(wc -c <"$2")
 tree: 32 bytes a slot|$tree_bytes|$((32 * node_slots))
-geometry: 40 bytes a triangle|$geometry_bytes|$((40 * triangles))
+geometry: 40 bytes per triangle|$geometry_bytes|$((40 * triangles))
 children of n nodes|$((leaf_lists + intermediate_lists))|$((nodes + 1))
 free slots|$slot_overhead_bytes|$((32 * (node_slots - nodes)))
 whole slots of N nodes|$((node_slots % treelet_nodes))|0
-tree a triangle|$tree_bytes_per_triangle|$(
+tree per triangle|$tree_bytes_per_triangle|$(
     awk "BEGIN { printf \"%.3f\", $tree_bytes / $triangles }")
-geometry a triangle|$geometry_bytes_per_triangle|40
+geometry per triangle|$geometry_bytes_per_triangle|40
 END
     lists=$((leaf_lists + 2 * intermediate_lists))
     [ $((lists * $3)) -ge "$triangles" ] || echo "$lists lists of $3 do not hold $triangles"

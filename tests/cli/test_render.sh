@@ -31,7 +31,7 @@ pixels() {
 # ---- formats -----------------------------------------------------------------
 
 works "a PPM" render knot.plt -o knot.ppm --size 40x30
-verdict "... has its header and 3 bytes a pixel" "$(
+verdict "... has its header and 3 bytes per pixel" "$(
     [ "$(head -n 3 knot.ppm | tr '\n' ' ')" = "P6 40 30 255 " ] || head -n 3 knot.ppm
     [ "$(wc -c <knot.ppm)" -eq $((13 + 3600)) ] || wc -c <knot.ppm)"
 run render knot.plt -o - --size 40x30
@@ -139,7 +139,7 @@ hash_of() {
 works "render --json FILE" render knot.plt -o small.ppm --size 16x12 --json stats.json
 # shellcheck disable=SC2086
 verdict "... holds every figure" "$(flat_json stats.json $fields)"
-verdict "... a ray a pixel, and the camera's floats as bits" "$(
+verdict "... one ray per pixel, and the camera's floats as bits" "$(
     [ "$(number rays <stats.json)" = 192 ] || grep rays stats.json
     [ "$(number width <stats.json) $(number height <stats.json)" = "16 12" ] || cat stats.json
     [ "$(grep -c '^  "\(eye\|look\|up\)": "0x[0-9a-f]\{8\},0x[0-9a-f]\{8\},0x[0-9a-f]\{8\}",$' \

@@ -17,7 +17,7 @@ awk 'BEGIN {
             print i / 8 - 0.5 + 1 / 32, j / 8 - 0.5 + 1 / 64, 5, 0, 0, 0, -1, 100 }' >grid
 rays down <grid
 works "trace quad" trace quad.plt down hit
-verdict "... 16 bytes a ray" "$([ "$(wc -c <hit)" -eq 4096 ] || wc -c <hit)"
+verdict "... 16 bytes per ray" "$([ "$(wc -c <hit)" -eq 4096 ] || wc -c <hit)"
 hits hit >found
 verdict "... hits by arithmetic" "$(
     paste -d ' ' grid found | awk '

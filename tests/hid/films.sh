@@ -1,6 +1,6 @@
 #!/bin/sh
 # films.sh FOLDER - marbles.ppm: marbles roll before a still camera, 25 a second;
-# small.ppm: the same, 128x64; orbit.y4m: 1.2 degrees a frame about them, as at
+# small.ppm: the same, 128x64; orbit.y4m: 1.2 degrees per frame about them, as at
 # 30 a second in ten seconds
 #
 # 320x240 else. Streams of PPM round no colour on its way. Films that are younger than

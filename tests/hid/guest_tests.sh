@@ -93,7 +93,7 @@ unplugged() {
     done
 }
 
-# A full-speed bus of 64 bytes a millisecond. What a frame takes of it hardly
+# A full-speed bus of 64 bytes per millisecond. What a frame takes of it hardly
 # depends on this machine, and says how many a second there can be. That half
 # as many come is asked of the emulated processor, which encodes, decodes and
 # is the bus: on a quiet machine all come, with other programs on two busy
@@ -110,12 +110,12 @@ paced() { # SENTENCE BACKEND AT_LEAST FILE size=WxH [key=value ...]
     reports=$(figure steady_reports_per_frame)
     speed=$(figure steady_frames_per_s)
     bus=$(echo "$reports" | awk '{ printf "%d", 1000 / ($1 > 0 ? $1 : 1) }')
-    verdict "paced full speed, $backend: $sentence: the bus has room for $least a second" "$(
+    verdict "paced full speed, $backend: $sentence: the bus has room for $least per second" "$(
         [ $status -eq 0 ] && [ "$(value wrong)" = 0 ] ||
             { echo "$status: $line"; cat "$scratch/host"; }
-        [ "$bus" -ge "$least" ] || echo "$reports reports a frame, room for $bus"
+        [ "$bus" -ge "$least" ] || echo "$reports reports per frame, room for $bus"
         echo "$speed $least" | awk '{ exit !(2 * $1 >= $2) }' || echo "only $speed came")"
-    echo "    $backend: $sentence: $reports reports a frame; $speed frames a second here"
+    echo "    $backend: $sentence: $reports reports per frame; $speed frames per second here"
 }
 
 paced_displays() {

@@ -35,7 +35,7 @@ struct model {
     unsigned report_bytes; /* of its output reports */
     unsigned in_bytes;     /* of its input reports */
     int reads;             /* of a Planelet panel: it is memory that can be read */
-    uint8_t *rgb;          /* what the panel shows, 3 bytes a pixel; owned */
+    uint8_t *rgb;          /* what the panel shows, 3 bytes per pixel; owned */
     unsigned changes;      /* times the panel was completed or changed */
     unsigned wrong;        /* breaches of the protocol ... */
     char why[120];         /* ... and the first of them */

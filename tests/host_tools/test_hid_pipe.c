@@ -45,7 +45,7 @@ static void on_change(void *context, model *m) {
     b->last = m->rgb[0];
 }
 
-/* A film of 25 frames a second whose frames come `ms` apart, in two halves. */
+/* A film of 25 frames per second whose frames come `ms` apart, in two halves. */
 static void write_film(int to, unsigned frames, unsigned ms) {
     static uint8_t luma[WIDTH * HEIGHT];
     FILE *film = fdopen(to, "wb");

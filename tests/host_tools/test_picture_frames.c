@@ -113,7 +113,7 @@ static void test_refusals(void) {
         CHECK(!p.rgb && !p.width && !p.height, "something was left");
         picture_free(&p);
     }
-    test("video at 0 frames a second is refused");
+    test("video at 0 frames per second is refused");
     fail why = {""};
     CHECK(picture_begin(NULL, PICTURE_Y4M, 2, 2, 0, &why) == -1 && why.text[0], "begun");
 }

@@ -266,8 +266,8 @@ static void test_energy(void) {
     const double bound = MARBLES_GRAVITY * 0.07;
     marbles m, still;
     test(
-        "marbles: the tray held still, energy never rises above its least by more than one "
-        "marble a radius uphill, and all but 2 % of the motion dies");
+        "marbles: the tray held still, energy never rises above its least by more than "
+        "one marble takes for a radius uphill, and all but 2 % of the motion dies");
     marbles_start(&m);
     for (unsigned k = 1; k <= 400; k++) {
         marbles_frame(&m);
@@ -291,7 +291,7 @@ static void test_energy(void) {
     for (unsigned i = 0; i < MARBLES; i++) {
         speed += hypot(still.marble[i].vx, still.marble[i].vz) / MARBLES;
     }
-    CHECK(speed < 0.02 * 12.0, "still at %g radii a second", speed);
+    CHECK(speed < 0.02 * 12.0, "still at %g radii per second", speed);
 }
 
 /* At rest, 0.2 radii apart from each other, from the left. */

@@ -62,10 +62,10 @@ struct driver {
 
     /* NULL where there is none: */
     int (*settle)(display *d, fail *f); /* until the device has confirmed the picture */
-    int (*tick)(display *d);            /* keeps a link alive; at least 10 times a second */
+    int (*tick)(display *d);            /* keeps a link alive; at least 10 times per second */
     int (*brightness)(display *d, unsigned percent, fail *f);
     /* How far off colours may be while they move: so many steps, or
-     * DISPLAY_NEAR_AUTO: as few as let `fps` frames a second through. */
+     * DISPLAY_NEAR_AUTO: as few as let `fps` frames per second through. */
     void (*near)(display *d, unsigned steps, unsigned fps);
     int (*release)(display *d, fail *f); /* the device's own picture again */
     void (*close)(display *d);           /* only after an open that went well */

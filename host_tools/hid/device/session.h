@@ -39,8 +39,8 @@ int session_show(session *s, const picture *p, fail *f);
  * has not a second after `stop`. */
 int session_settle(session *s, fail *f);
 
-/* Keeps the link alive between pictures: call it ten times a second at least
- * while a picture is made or stands. */
+/* Keeps the link alive between pictures: call it at least ten times per second
+ * while a picture is rendered or stays. */
 void session_tick(session *s);
 
 /* The device's own picture again, where it has one. */

@@ -15,7 +15,7 @@ enum {
     WAIT_MS = 2,
     OPEN_MS = 1500,  /* to answer the first hello */
     STUCK_MS = 1500, /* without anything going out or in: the display is gone */
-    SLOW_MS = 5000,  /* for a picture, beside the time of its bytes at SLOW_BYTES a ms */
+    SLOW_MS = 5000,  /* for a picture, beside the time of its bytes at SLOW_BYTES per ms */
     SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
     IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
     WINDOW = 32

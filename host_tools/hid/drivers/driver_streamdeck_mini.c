@@ -48,7 +48,7 @@ static void put_u32(uint8_t *to, uint32_t value) {
     }
 }
 
-/* BITMAPFILEHEADER and BITMAPINFOHEADER, 72 dots an inch. */
+/* BITMAPFILEHEADER and BITMAPINFOHEADER, 72 dots per inch. */
 static void bmp_head(uint8_t *to) {
     memset(to, 0, BMP_HEAD_BYTES);
     to[0] = 'B';

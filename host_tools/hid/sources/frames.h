@@ -22,7 +22,7 @@ struct frames {
     const char *path; /* not owned */
     stream from;      /* its tick is called while a frame is waited for, or made */
     void *state;      /* owned by the kind of source */
-    double period;    /* seconds a frame, as a film says; 0: none */
+    double period;    /* seconds per frame, as the film says; 0: none */
 };
 
 /* Opens a file (`s` is zero but for from.tick and its context) or, as "-", standard input: Y4M,

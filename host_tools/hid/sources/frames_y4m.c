@@ -20,7 +20,7 @@ enum { HEAD_BYTES = 512, PERIOD_MOST = 60 }; /* seconds */
 
 typedef struct film {
     unsigned width, height;
-    unsigned across, down; /* luma samples a chroma sample; 0: no chroma */
+    unsigned across, down; /* luma samples per chroma sample; 0: no chroma */
     int full;
     uint8_t *planes; /* Y, Cb, Cr of a frame; owned */
     size_t plane[3]; /* bytes of each */
