@@ -152,7 +152,8 @@ static void print_text(const plt_info *i, const derived *d) {
                " intermediate (%.1f %% of the leaves)\n",
                i->leaf_lists, i->intermediate_lists, share(i->intermediate_lists, i->leaf_lists));
         print_stacks(i);
-        printf("tree bytes         %" PRIu64 ", %.2f per triangle, %" PRIu64 " of them free slots\n",
+        printf("tree bytes         %" PRIu64 ", %.2f per triangle, %" PRIu64
+               " of them free slots\n",
                d->tree_bytes, d->tree_each, d->overhead_bytes);
     }
     printf("geometry bytes     %" PRIu64 ", %.2f per triangle\n", d->geometry_bytes,

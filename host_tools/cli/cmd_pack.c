@@ -33,7 +33,8 @@ static const arg_flag flags[] = {
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side"},
     {"--numbers", "keep|none",
-     "compact: keep packing-order numbers, 2 to 3 bytes per triangle, or use the position in the image "
+     "compact: keep packing-order numbers, 2 to 3 bytes per triangle, or use the position in the "
+     "image "
      "(default keep)"},
     {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe (default 0)"},

@@ -57,10 +57,11 @@ int show_figures_write(const show_figures *a, const session *s, const char *path
 void show_figures_print(const show_figures *a, const session *s, double seconds) {
     port_figures p;
     session_figures(s, &p);
-    fprintf(stderr,
-            "%u frames in %.2f s, %.2f per second; %llu left out; %llu reports, %.1f KB per second; "
-            "%u reconnects\n",
-            s->shown, seconds, seconds > 0.0 ? s->shown / seconds : 0.0,
-            (unsigned long long)a->left_out, (unsigned long long)p.reports,
-            seconds > 0.0 ? 1e-3 * (double)p.bytes / seconds : 0.0, s->reconnects);
+    fprintf(
+        stderr,
+        "%u frames in %.2f s, %.2f per second; %llu left out; %llu reports, %.1f KB per second; "
+        "%u reconnects\n",
+        s->shown, seconds, seconds > 0.0 ? s->shown / seconds : 0.0,
+        (unsigned long long)a->left_out, (unsigned long long)p.reports,
+        seconds > 0.0 ? 1e-3 * (double)p.bytes / seconds : 0.0, s->reconnects);
 }

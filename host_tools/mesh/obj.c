@@ -103,7 +103,7 @@ static int read_face(reader *r) {
 
 /* A comment may end in a backslash (a path): it joins no lines. */
 static int read_line(reader *r) {
-    r->in.at = (place){.line = r->text.line};
+    r->in.at = (location){.line = r->text.line};
     r->text.continued = 0;
     if (scan_line_done(&r->text) || *r->text.at == '#') {
         return 0;

@@ -103,8 +103,8 @@ int lattice_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, 
 void lattice_free(snapped *s) {
     free(s->corners);
     free(s->source);
-    free(s->turn);
+    free(s->rotation);
     s->corners = NULL;
     s->source = NULL;
-    s->turn = NULL;
+    s->rotation = NULL;
 }

@@ -5,7 +5,7 @@
 
 #include "host_tools/pack/lattice_parts.h"
 
-/* The number whose float is the last one not above `x`, or the first not below. */
+/* The coordinate whose float is the last one not above `x`, or the first not below. */
 static uint32_t round_outwards(const plt_lattice *l, int axis, float x, int up) {
     const double near = ((double)x - (double)l->origin[axis]) / (double)l->step;
     uint32_t q = (uint32_t)fmax(0.0, floor(near));
@@ -18,7 +18,7 @@ static uint32_t round_outwards(const plt_lattice *l, int axis, float x, int up) 
     return q + (uint32_t)(up && plt_lattice_float(l, axis, q) < x);
 }
 
-static void take_box(snapped *s, const mesh *m, size_t i) {
+static void add_box(snapped *s, const mesh *m, size_t i) {
     lattice_position p[3];
     for (int a = 0; a < 3; a++) {
         float lo = INFINITY, hi = -INFINITY;
@@ -38,7 +38,7 @@ int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fa
         return -1;
     }
     for (size_t i = 0; i < m->triangles; i++) {
-        take_box(s, m, i);
+        add_box(s, m, i);
     }
     return 0;
 }

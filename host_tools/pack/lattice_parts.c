@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-double lattice_place(const snapped *s, const float p[3], int axis) {
+double lattice_steps(const snapped *s, const float p[3], int axis) {
     return ((double)p[axis] - (double)s->lattice.origin[axis]) / (double)s->lattice.step;
 }
 

@@ -11,14 +11,14 @@ static lattice_position snap(const snapped *s, const float p[3]) {
     const uint32_t most = (1u << s->lattice.bits) - 1u;
     lattice_position r;
     for (int a = 0; a < 3; a++) {
-        const double q = floor(lattice_place(s, p, a) + 0.5);
+        const double q = floor(lattice_steps(s, p, a) + 0.5);
         r.q[a] = q > (double)most ? most : (uint32_t)q;
     }
     return r;
 }
 
-/* The turn (numbers.h) of corners whose least one comes first. */
-static uint8_t turn_of(const lattice_position p[3]) {
+/* The rotation (engine/tree/primitive_id.h) that puts the least corner first. */
+static uint8_t rotation_of(const lattice_position p[3]) {
     unsigned least = 0;
     for (unsigned c = 1; c < 3; c++) {
         int a = 0;
@@ -30,7 +30,7 @@ static uint8_t turn_of(const lattice_position p[3]) {
     return (uint8_t)((3 - least) % 3);
 }
 
-static void take(snapped *s, const mesh *m, const lattice_position *moved, size_t i) {
+static void add_triangle(snapped *s, const mesh *m, const lattice_position *moved, size_t i) {
     lattice_position p[3];
     for (size_t k = 0; k < 3; k++) {
         p[k] = moved[m->triangle[3 * i + k]];
@@ -42,7 +42,7 @@ static void take(snapped *s, const mesh *m, const lattice_position *moved, size_
         s->loss.t_junctions += (uint64_t)lattice_is_line(p);
         return;
     }
-    s->turn[s->count] = turn_of(p);
+    s->rotation[s->count] = rotation_of(p);
     lattice_add(s, p, 3, (uint32_t)i);
 }
 
@@ -113,15 +113,15 @@ int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fai
     if (lattice_begin(s, m, bits, 3, name, f) != 0) {
         return -1;
     }
-    s->turn = malloc(m->triangles + 1);
+    s->rotation = malloc(m->triangles + 1);
     lattice_position *moved = malloc(m->vertices * sizeof *moved + 1);
-    int status = s->turn == NULL || moved == NULL ? -1 : 0;
+    int status = s->rotation == NULL || moved == NULL ? -1 : 0;
     if (status == 0) {
         snap_all(s, m, moved);
         status = lattice_mend(s, m, moved);
     }
     for (size_t i = 0; i < m->triangles && status == 0; i++) {
-        take(s, m, moved, i);
+        add_triangle(s, m, moved, i);
     }
     if (status == 0) {
         status = measure(s, m, moved);

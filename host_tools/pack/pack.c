@@ -1,6 +1,6 @@
 /* pack - see pack.h
  *
- * The builder is the engine's own (engine/build), given memory from the heap
+ * The builder is the engine's own (engine/builder), given memory from the heap
  * instead of an arena: an image built here equals what a device builds.
  *
  * SPDX-License-Identifier: MIT */
@@ -58,8 +58,8 @@ void pack_record(plt_record *r, const mesh *m, size_t triangle) {
     for (unsigned c = 0; c < 3; c++) {
         plt_put_floats((unsigned char *)&r->word[3 * c], corner[(least + c) % 3], 3);
     }
-    const uint32_t turn = (3 - least) % 3;
-    plt_put_u32(&r->word[9], (uint32_t)triangle | turn << PLT_PRIMITIVE_ROTATION_SHIFT);
+    const uint32_t rotation = (3 - least) % 3;
+    plt_put_u32(&r->word[9], (uint32_t)triangle | rotation << PLT_PRIMITIVE_ROTATION_SHIFT);
 }
 
 static void fill_records(packing *p) {
@@ -109,9 +109,9 @@ static int build(packing *p, fail *f) {
     return 0;
 }
 
-/* Counts and stack needs, by the same survey that opening trusts. */
-static int survey(packing *p, fail *f) {
-    plt_validate_level frames[PLT_VALIDATE_LEVELS];
+/* Counts and stack needs, from the same validation as when a scene is opened. */
+static int validate(packing *p, fail *f) {
+    plt_validate_level levels[PLT_VALIDATE_LEVELS];
     plt_info *info = &p->header.info;
     const plt_tree tree = {.nodes = p->nodes,
                            .records = p->records,
@@ -121,7 +121,7 @@ static int survey(packing *p, fail *f) {
                            .root = p->header.root};
     const uint32_t k = info->leaf_triangles;
     plt_fault fault;
-    if (plt_tree_validate(&tree, frames, info, &fault) != PLT_OK) {
+    if (plt_tree_validate(&tree, levels, info, &fault) != PLT_OK) {
         return fail_set(f, p->name, "the finished tree is refused: %s; please report this",
                         fault.message);
     }
@@ -176,7 +176,7 @@ static int pack(packing *p, packed *image, fail *f) {
         info->hi[a] = box.hi[a];
     }
     const int status = info->build == PLT_BUILD_HOST ? build(p, f) : leave_unbuilt(p);
-    if (status != 0 || (info->build != PLT_BUILD_DEVICE && survey(p, f) != 0)) {
+    if (status != 0 || (info->build != PLT_BUILD_DEVICE && validate(p, f) != 0)) {
         return -1;
     }
     return assemble(p, image, f);

@@ -26,11 +26,11 @@ typedef struct packed {
     plt_info info;
 } packed;
 
-/* Triangle i of the mesh gets number i. `name` is for errors. */
+/* Triangle i of the mesh gets primitive id i. `name` is for errors. */
 int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name, fail *f);
 void pack_free(packed *image);
 
-/* Triangle `triangle` of the mesh as a float record, its number and turn set. */
+/* Triangle `triangle` of the mesh as a float record, with its primitive id and rotation. */
 void pack_record(plt_record *record, const mesh *m, size_t triangle);
 
 /* Says that no image holds so much; returns -1. */
@@ -39,11 +39,11 @@ int pack_too_large(const mesh *m, const char *name, fail *f);
 typedef struct compact_options {
     uint8_t splits, build;   /* as above, but not PLT_BUILD_NONE */
     uint8_t lattice_bits;    /* 12 .. 21 */
-    uint8_t numbers;         /* keep packing-order numbers in a section */
+    uint8_t numbers;         /* keep primitive ids in a section */
     uint8_t floats;          /* float records, bit exact; the lattice is for boxes alone */
     uint32_t leaf_triangles; /* K: 1, 2 or 4 */
-    const size_t *mesh_end;  /* first triangle behind each mesh; NULL: one mesh */
-    unsigned meshes;         /* from 1,023 on blocks carry no numbers */
+    const size_t *mesh_end;  /* first triangle after each mesh; NULL: one mesh */
+    unsigned meshes;         /* from 1,023 on blocks do not say which mesh they are of */
 } compact_options;
 
 /* The same as compact blocks on a lattice; says what the lattice cost. */

@@ -24,7 +24,7 @@ typedef struct compacting {
     snapped s;
     plt_header header;
     unsigned char *blocks; /* owned */
-    uint32_t *order;       /* image order to place in `s`; owned */
+    uint32_t *order;       /* index in `s` of each triangle in image order; owned */
     uint32_t triangles;    /* in image order */
 } compacting;
 
@@ -34,7 +34,7 @@ static int out_of_memory(const compacting *c, fail *f) {
 }
 
 /* The mesh of each triangle on the lattice; NULL when there is nothing to say. */
-static uint16_t *mesh_numbers(const compacting *c) {
+static uint16_t *mesh_indices(const compacting *c) {
     const compact_options *o = c->options;
     if (o->mesh_end == NULL || o->meshes < 2 || o->meshes > 1022) {
         return NULL;
@@ -80,11 +80,11 @@ static int build(compacting *c, fail *f) {
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .splits = info->splits};
-    uint16_t *numbers = mesh_numbers(c);
-    job.mesh = numbers;
+    uint16_t *meshes = mesh_indices(c);
+    job.mesh = meshes;
     const int status = run_job(c, &job, f);
     free(job.scratch);
-    free(numbers);
+    free(meshes);
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
     info->leaf_lists = job.units - job.pairs;
@@ -126,13 +126,13 @@ static void describe(compacting *c) {
     c->header.root = PLT_MISS;
 }
 
-static void write_numbers(const compacting *c, unsigned char *to) {
+static void write_primitive_ids(const compacting *c, unsigned char *to) {
     const uint32_t bits = c->header.info.primitive_id_bits;
     for (uint32_t i = 0; i < c->triangles; i++) {
-        const uint32_t place = c->order[i];
+        const uint32_t from = c->order[i];
         const uint64_t at = (uint64_t)i * bits;
         plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), bits,
-                     c->s.source[place] << 2 | c->s.turn[place]);
+                     c->s.source[from] << 2 | c->s.rotation[from]);
     }
 }
 
@@ -153,7 +153,7 @@ static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
     } else if (kind == PLT_SECTION_TRIANGLES) {
         write_records(c, to);
     } else if (kind == PLT_SECTION_PRIMITIVE_IDS) {
-        write_numbers(c, to);
+        write_primitive_ids(c, to);
     }
 }
 

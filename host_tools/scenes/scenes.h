@@ -2,7 +2,7 @@
  *
  * Bit for bit the same wherever float and double are IEEE 754 and computed
  * as written (FLT_EVAL_METHOD 0, no fused multiply-add): integer random
- * numbers, + - * / and square roots alone, sine and cosine from turns.h.
+ * numbers, + - * / and square roots alone, sine and cosine from cos_sin.h.
  *
  * Every scene appends to `m`, y up, triangles counter-clockwise seen from
  * outside. On failure `m` is as it was before and `f` holds the remedy.
@@ -20,7 +20,7 @@ int scene_ground(mesh *m, fail *f);
 
 /* 109 marbles of radius 1 rolling in an eight-sided tray 34 wide: 110 times
  * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames per
- * second, of any length. Vertices and indices keep their places from frame
+ * second, of any length. Vertices and indices keep their order from frame
  * to frame. A frame costs a simulation from frame 0, about 1 ms per frame,
  * unless the last call asked for an earlier frame, from which it then goes
  * on: not for two threads at once. */

@@ -63,7 +63,7 @@ static void turns(void) {
 }
 
 static void turns_freely(void) {
-    test("A turn by 30 degrees about y keeps the box's centre and its longest side");
+    test("A rotation by 30 degrees about y keeps the box's centre and its longest side");
     mesh m = must_read_text(RECIPE, "wedge.obj 4 1 2 3 0 30");
     float low[3] = {1e9f, 1e9f, 1e9f}, high[3] = {-1e9f, -1e9f, -1e9f};
     for (size_t i = 0; i < 9 && m.vertices == 4; i++) {
@@ -130,10 +130,10 @@ static void finds_paths(void) {
     mesh_free(&m);
 }
 
-#define NUMBERS "line 1: a size and a place are missing; write FILE SIZE X Y Z"
-#define ANGLES "line 1: behind FILE SIZE X Y Z only two angles may follow; correct them"
+#define NUMBERS "line 1: a size and a position are missing; write FILE SIZE X Y Z"
+#define ANGLES "line 1: only two angles may follow FILE SIZE X Y Z; correct them"
 #define SEQUENCE "line 1: a sequence has both {} and *N; write name_{}.ply*N"
-#define FRAMES "line 1: '*' wants the number of frames behind it; write 1 to 1000"
+#define FRAMES "line 1: '*' needs the number of frames after it; write 1 to 1000"
 
 static void refuses_lines(void) {
     test("A line that cannot be read is refused with its number and the remedy");
@@ -153,7 +153,7 @@ static void refuses_lines(void) {
     must_fail_text(RECIPE, "deeper/step_{}_.obj* 4 0 0 0\n", FRAMES);
     must_fail_text(RECIPE, "deeper/step_{}_.obj*12x 4 0 0 0\n", FRAMES);
     must_fail_text(RECIPE, "deeper/step_{}_.obj*12+x 4 0 0 0\n",
-                   "line 1: '+' wants the first frame behind it; write a whole number from 0");
+                   "line 1: '+' needs the first frame after it; write a whole number from 0");
 }
 
 static void refuses_files(void) {
@@ -180,7 +180,7 @@ static void refuses_files(void) {
                    "line 1: " FOLDER "bare.obj: has no extent to scale; leave it out");
     must_fail_text(RECIPE, "wedge.obj 4 1e13 0 0\n",
                    "line 1: " FOLDER
-                   "wedge.obj: its place is beyond +-2^40; "
+                   "wedge.obj: its position is beyond +-2^40; "
                    "choose smaller numbers");
     must_fail_text(RECIPE, "deeper 4 0 0 0\n",
                    "line 1: " FOLDER "deeper: is a directory; name a file in it");

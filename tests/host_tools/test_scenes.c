@@ -12,9 +12,9 @@
 #include <sys/resource.h>
 
 #include "board/hash.h"
-#include "host_tools/scenes/lattice.h"
+#include "host_tools/scenes/cos_sin.h"
+#include "host_tools/scenes/noise.h"
 #include "host_tools/scenes/scenes.h"
-#include "host_tools/scenes/turns.h"
 #include "tests/test.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -299,25 +299,25 @@ static void test_turns(void) {
     test("turns: sine and cosine agree with libm to 1e-15, quarter turns are exact");
     for (uint64_t i = 0; i <= 20000; i++) {
         const double angle = 2.0 * 3.14159265358979323846 * (double)i / 20000.0;
-        const turn t = turn_of(i, 20000);
+        const cos_sin t = cos_sin_of(i, 20000);
         CHECK(fabs(t.sine - sin(angle)) < 2e-15 && fabs(t.cosine - cos(angle)) < 2e-15,
               "%" PRIu64 ": %g %g", i, t.sine - sin(angle), t.cosine - cos(angle));
     }
     for (uint64_t i = 0; i < 8; i++) {
         static const double exact[4] = {0.0, 1.0, 0.0, -1.0};
-        const turn t = turn_of(i, 4);
+        const cos_sin t = cos_sin_of(i, 4);
         CHECK(t.sine == exact[i % 4] && t.cosine == exact[(i + 1) % 4], "quarter %" PRIu64, i);
     }
 }
 
 static void test_noise(void) {
-    double lowest = 0.0, highest = 0.0, steepest = 0.0, last = lattice_noise(-40.0, 5.3, 9);
+    double lowest = 0.0, highest = 0.0, steepest = 0.0, last = noise_gradient(-40.0, 5.3, 9);
     test("noise: 0 at whole numbers, within -1 .. 1, without a jump, both signs");
     for (int i = -400; i < 400; i++) {
-        CHECK(lattice_noise(i, i / 3, 9) == 0.0, "not 0 at %d", i);
+        CHECK(noise_gradient(i, i / 3, 9) == 0.0, "not 0 at %d", i);
     }
     for (unsigned i = 1; i < 100000; i++) {
-        const double n = lattice_noise(-40.0 + 1e-3 * i, 5.3, 9), step = fabs(n - last);
+        const double n = noise_gradient(-40.0 + 1e-3 * i, 5.3, 9), step = fabs(n - last);
         lowest = n < lowest ? n : lowest;
         highest = n > highest ? n : highest;
         steepest = step > steepest ? step : steepest;

@@ -239,7 +239,7 @@ static void test_rolling(void) {
             if (speed < 5.0) {
                 continue;
             }
-            spin_between(a->turn, b->turn, step, spin);
+            spin_between(a->orientation, b->orientation, step, spin);
             const double x = vx + spin[2], z = vz - spin[0];
             all++;
             rolling += sqrt(x * x + z * z) < 0.1 * speed;
@@ -248,7 +248,7 @@ static void test_rolling(void) {
     }
     CHECK(all > 10000, "only %lu were fast", all);
     CHECK(rolling > all / 100 * 90, "%lu of %lu roll to within 10 %%", rolling, all);
-    CHECK(agreeing > all / 1000 * 995, "%lu of %lu turn the right way", agreeing, all);
+    CHECK(agreeing > all / 1000 * 995, "%lu of %lu rotate in the right direction", agreeing, all);
 }
 
 static double energy(const marbles *m) {
@@ -304,10 +304,10 @@ static void lay_out(marbles *m) {
             fits &= x * marbles_wall[w][0] + z * marbles_wall[w][1] < MARBLES_REACH;
         }
         if (fits) {
-            m->marble[count++] = (marble){.x = x, .z = z, .turn = {1.0}};
+            m->marble[count++] = (marble){.x = x, .z = z, .orientation = {1.0}};
         }
     }
-    CHECK(count == MARBLES, "only %u found a place", count);
+    CHECK(count == MARBLES, "only %u found a position", count);
 }
 
 static void test_slope(void) {

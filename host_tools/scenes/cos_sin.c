@@ -1,11 +1,11 @@
-/* turns - sine and cosine without libm, the same on every machine
+/* cos_sin - cosine and sine without libm, the same on every machine
  *
- * The angle is brought to 0 .. 1/8 turn in integers, so that the reduction
- * is exact; Taylor polynomials in double do the rest. At pi/4 the first
+ * The angle is reduced to 0 .. 1/8 of the circle in integers, and so exactly;
+ * Taylor polynomials in double do the rest. At pi/4 the first
  * terms left out are below 2e-17 and 1e-18.
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/scenes/turns.h"
+#include "host_tools/scenes/cos_sin.h"
 
 #define QUARTER 1.57079632679489661923 /* pi / 2, radians */
 
@@ -34,20 +34,20 @@ static double cosine_near_0(double a) {
     return 1.0 - 0.5 * s + s * s * sum;
 }
 
-turn turn_of(uint64_t part, uint64_t whole) {
+cos_sin cos_sin_of(uint64_t part, uint64_t whole) {
     const uint64_t quarters = part % whole * 4, rest = quarters % whole;
-    const int folded = 2 * rest > whole; /* past the eighth: sine and cosine change places */
+    const int folded = 2 * rest > whole; /* past the eighth: sine and cosine are exchanged */
     const double a = QUARTER * (double)(folded ? whole - rest : rest) / (double)whole;
     const double s = folded ? cosine_near_0(a) : sine_near_0(a);
     const double c = folded ? sine_near_0(a) : cosine_near_0(a);
     switch (quarters / whole) {
     case 0:
-        return (turn){c, s};
+        return (cos_sin){c, s};
     case 1:
-        return (turn){-s, c};
+        return (cos_sin){-s, c};
     case 2:
-        return (turn){-c, -s};
+        return (cos_sin){-c, -s};
     default:
-        return (turn){s, -c};
+        return (cos_sin){s, -c};
     }
 }
