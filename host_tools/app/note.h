@@ -1,4 +1,4 @@
-/* note - a line that a person likes to see and a script does not
+/* note - a line for a person, not for a script
  *
  * SPDX-License-Identifier: MIT */
 #ifndef NOTE_H

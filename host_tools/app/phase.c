@@ -40,7 +40,7 @@ static void on_alarm(int number) {
     seconds = seconds + 1;
     const size_t length = line_length + put_seconds(line + line_length, (unsigned)seconds);
     const ssize_t written = write(STDERR_FILENO, line, length);
-    (void)written; /* a terminal that is gone needs no progress */
+    (void)written; /* a terminal that is gone shows no progress */
     alarm(1);
     errno = before;
 }

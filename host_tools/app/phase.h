@@ -1,9 +1,9 @@
-/* phase - a line on standard error while a call runs that reports nothing
+/* phase - a line on standard error during a call that reports no progress
  *
  * Nothing is printed in the first second, nor when standard error is not a
- * terminal; then "reading bunny.ply, 2 s" counts on, and the line is wiped
- * at the end. One phase at a time. (For work that knows how far it is:
- * base/progress.h.)
+ * terminal. After that "reading bunny.ply, 2 s" counts the seconds, and the
+ * line is erased at the end. One phase at a time. (For work that knows how far
+ * it is: base/progress.h.)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PHASE_H

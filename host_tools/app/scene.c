@@ -8,7 +8,7 @@
 #include "host_tools/app/phase.h"
 
 static const char *const packets[] = {"2", "4", "8", "16", NULL};
-static const char *const walks[] = {"depth", "two-stage", NULL};
+static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", NULL};
 static const char *const resident[] = {"resident", NULL};
 static const char *const branch[] = {"branch", NULL};
@@ -16,7 +16,7 @@ static const char *const branch[] = {"branch", NULL};
 /* Rules 1 and 2 of SPEC.md: too short for a header, or no header of ours. */
 static const char *image_remedy(const plt_fault *fault) {
     const int foreign = fault->kind == 'R' && fault->rule <= 2;
-    return foreign ? "is it one? planelet pack makes them from meshes" : "pack the scene anew";
+    return foreign ? "is it one? planelet pack makes them from meshes" : "pack the scene again";
 }
 
 int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
@@ -51,7 +51,7 @@ static uint8_t read_packet(args *a) {
 
 static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
-    s->options.order = (uint8_t)args_choice(a, "--walk", walks, PLT_ORDER_DEPTH_FIRST);
+    s->options.order = (uint8_t)args_choice(a, "--walk", orders, PLT_ORDER_DEPTH_FIRST);
     *fetched = args_choice(a, "--source", sources, 0) == 1;
     args_choice(a, "--residency", resident, 0);
     args_choice(a, "--schedule", branch, 0);

@@ -1,4 +1,4 @@
-/* scene - an opened image, as render and trace need it
+/* scene - an image opened as the flags say
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SCENE_H
@@ -22,28 +22,28 @@ typedef struct scene {
         .file = {.file = -1 }                                                                      \
     }
 
-/* The flags that say how to open: put them into a command's list. */
+/* The flags that say how to open an image, for a command's list. */
 #define SCENE_FLAGS                                                                                \
     {"--packet", "2|4|8|16", "rays along a packet's side (default 8)"},                            \
         {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
         {"--residency", "resident", "the whole scene is in memory"},                               \
-        {"--schedule", "branch", "each packet walks its branches alone"},                          \
+        {"--schedule", "branch", "each packet traverses its branches alone"},                      \
         {"--workers", "1", "threads that trace"},                                                  \
         {"--source", "map|read",                                                                   \
          "the image is mapped like flash, or fetched into the arena (default map)"},               \
     {                                                                                              \
-        "--arena", "BYTES", "hand the engine so much memory (default 1 GiB)"                       \
+        "--arena", "BYTES", "memory of the engine (default 1 GiB)"                                 \
     }
 
-/* The file as the flags say, not yet looked into; a wrong flag sets a->wrong. */
+/* Opens the file as the flags say, without reading it; a wrong flag sets a->wrong. */
 int scene_attach(scene *s, args *a, const char *path, fail *f);
-/* plt_open on what is attached: its status. */
+/* plt_open on that file: its status. */
 int scene_start(scene *s, const char *path, plt_fault *fault);
 /* Both. */
 int scene_open(scene *s, args *a, const char *path, fail *f);
 void scene_close(scene *s);
 
-/* Why the engine or the image's reader refused `path`, and what to do. -1. */
+/* Sets `f` to why the engine refused `path` and what to do. Returns -1. */
 int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
                   size_t arena_bytes);
 

@@ -1,4 +1,4 @@
-/* progress - a line on standard error for work that takes its time
+/* progress - a line on standard error for work that takes seconds
  *
  * Keeps: nothing is written unless standard error is a terminal.
  *

@@ -15,7 +15,7 @@
 static const arg_flag flags[] = {
     {"--json", NULL, "the same for programs"},
     {"--packet", "2|4|8|16", "arena for such packets (default 8)"},
-    {"--walk", "depth|two-stage", "arena for this walk (default depth)"},
+    {"--walk", "depth|two-stage", "arena for this order (default depth)"},
     {NULL, NULL, NULL}};
 
 const arg_command command_info = {
@@ -161,9 +161,9 @@ static void print_text(const plt_info *i, const derived *d) {
     if (i->nodes_format == PLT_NODES_COMPACT) {
         printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",
                (unsigned)i->lattice_bits, i->triangles, i->source_triangles);
-        printf("triangle numbers   %s\n", i->primitive_id_bits > 0
+        printf("primitive ids      %s\n", i->primitive_id_bits > 0
                                               ? "of the packed meshes, kept in a section"
-                                              : "by place: packing order is image order");
+                                              : "positions in the image");
         if (d->has_parts && d->parts.of_one_mesh > 0) {
             printf("blocks of one mesh %" PRIu32 " of %" PRIu32 "\n", d->parts.of_one_mesh,
                    i->treelets);
@@ -180,7 +180,7 @@ static void print_text(const plt_info *i, const derived *d) {
 
 /* The whole image is checked. A device's tree is counted too, unless building
  * it here needs more than there is. */
-static int look_into(scene *s, const char *path, plt_info *info, fail *f) {
+static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     plt_fault fault;
     int status = plt_image_info(&s->file.source, info, &fault);
     if (status == PLT_OK) {
@@ -201,7 +201,7 @@ int run_info(args *a) {
     fail f = {""};
     int status = scene_attach(&s, a, a->file[0], &f);
     if (status == 0) {
-        status = look_into(&s, a->file[0], &info, &f);
+        status = inspect(&s, a->file[0], &info, &f);
     }
     if (status == 0) {
         derived d = derive(&info, &s.options);

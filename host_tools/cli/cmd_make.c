@@ -15,7 +15,7 @@ static const arg_flag flags[] = {
      "the mesh to write, binary PLY; - is standard output; with --frames a '{}' in it becomes "
      "000, 001 ..."},
     {"--triangles", "N", "terrain, knot: about so many, up to 10000000 (default 100000)"},
-    {"--frame", "K", "marbles: the frame to write, 25 a second (default 0)"},
+    {"--frame", "K", "marbles: the frame to write, 25 per second (default 0)"},
     {"--frames", "N", "marbles: write N frames, from --frame on"},
     {NULL, NULL, NULL}};
 

@@ -23,7 +23,7 @@ static const arg_flag flags[] = {
     {"--splits", "sah|median", "binned SAH, or the thesis's spatial median (default sah)"},
     {"--leaf", "1|2|4", "most triangles per list (default 2)"},
     {"--nodes", "thesis|compact",
-     "32 bytes a node, or blocks of about 7, on a lattice (default thesis)"},
+     "32 bytes per node, or about 7 in compact blocks on a lattice (default thesis)"},
     {"--treelet", "N", "nodes per treelet, 1 to 1000000 (default 64)"},
     {"--fill", "bfs", "how treelets fill: breadth first"},
     {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
@@ -33,9 +33,8 @@ static const arg_flag flags[] = {
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side"},
     {"--numbers", "keep|none",
-     "compact: keep packing-order numbers, 2 to 3 bytes per triangle, or use the position in the "
-     "image "
-     "(default keep)"},
+     "compact: primitive ids are those of the packed meshes, 2 to 3 bytes per triangle, or "
+     "positions in the image (default keep)"},
     {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe (default 0)"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
@@ -105,7 +104,8 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
              (unsigned)job->compact.lattice_bits, l->largest_move, l->flat_now, l->flat_before,
              l->merged, l->t_junctions, l->mended);
     fprintf(stderr, "%s%s%s\n", line.text,
-            job->compact.build == PLT_BUILD_DEVICE ? "; triangles are numbered by place" : "",
+            job->compact.build == PLT_BUILD_DEVICE ? "; primitive ids are positions in the image"
+                                                   : "",
             l->flat_now > 0 && job->compact.lattice_bits < PLT_LATTICE_BITS_MOST
                 ? "; try --geometry lattice:21 to keep them"
                 : "");
@@ -137,7 +137,7 @@ static int write_image(const pack_job *job, output *o, const packed *image, fail
     return status;
 }
 
-/* The output is opened before the long work, so that none is in vain. */
+/* The output is opened first: a path that cannot be written fails before the long work. */
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     output *o = read_meshes(job, a, f) == 0 ? output_open(job->out, f) : NULL;
     if (o == NULL) {
@@ -204,7 +204,8 @@ static void read_format(pack_job *job, args *a) {
         }
         if (job->options.build == PLT_BUILD_DEVICE && args_has(a, "--numbers") &&
             job->compact.numbers) {
-            args_complain(a, "--numbers keep: a device numbers triangles by their place");
+            args_complain(a,
+                          "--numbers keep: on a device primitive ids are positions in the image");
         }
         if (job->options.build == PLT_BUILD_NONE || args_has(a, "--treelet")) {
             args_complain(a, "compact nodes come in blocks of 64, built by host or device");

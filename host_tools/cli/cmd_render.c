@@ -24,10 +24,10 @@ static const arg_flag flags[] = {
     {"--size", "WxH", "pixels (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",
-     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour each); "
+     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
      "default eyelight"},
-    {"--orbit", "N", "a film: N frames once around the scene, 25 a second"},
-    {"--json", "STATS", "write figures; - is standard output"},
+    {"--orbit", "N", "a film: N frames once around the scene, 25 per second"},
+    {"--json", "STATS", "write statistics; - is standard output"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
@@ -90,7 +90,7 @@ static int render_frames(rendering *r, fail *f) {
     return status;
 }
 
-/* The camera's floats as bits, for a firmware that shall see the same. */
+/* The camera's floats as bits, for a firmware to render the same picture. */
 static void print_bits(output *o, const char *name, const float *v, unsigned count, fail *f) {
     output_print(o, f, "  \"%s\": \"", name);
     for (unsigned i = 0; i < count; i++) {
@@ -124,7 +124,7 @@ static int commit_output(output **o, fail *f) {
     return status;
 }
 
-/* Both outputs are opened first, so that no long run is in vain. */
+/* Both outputs are opened first: a path that cannot be written fails before the long run. */
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     if (scene_open(&r->s, a, a->file[0], f) != 0) {

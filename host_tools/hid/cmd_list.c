@@ -7,14 +7,14 @@
 #include "host_tools/hid/device/find.h"
 #include "host_tools/hid/drivers/drivers.h"
 
-static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no driver takes"},
+static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no driver is for"},
                                  {NULL, NULL, NULL}};
 
 const arg_command hid_command_list = {
     "list",
     "[--all]",
     "Lists displays that are plugged in: path, vid:pid, serial number, driver, names. "
-    "Drivers with a * are " DISPLAY_HONESTY ".",
+    "Drivers with a * are " DISPLAY_DISCLAIMER ".",
     flags,
     0,
     0};
@@ -31,7 +31,7 @@ static void print_drivers(void) {
         printf("  %-16s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
                drivers[i]->about);
     }
-    printf("* " DISPLAY_HONESTY "\n");
+    printf("* " DISPLAY_DISCLAIMER "\n");
 }
 
 int hid_run_list(args *a) {

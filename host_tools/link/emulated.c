@@ -13,7 +13,7 @@
 #include "host_tools/base/clock.h"
 #include "platform/wire/wire_device.h"
 
-enum { VISITS = 20000, STEPS = 8 };
+enum { VISITS = 20000, STEPS = 8 }; /* node visits per step; steps between reports */
 
 /* Sends what there is; -1: the link is down. A busy link keeps the report. */
 static int send_reports(wire_device *d, const transport *t, uint8_t *report, size_t *held) {
@@ -21,9 +21,9 @@ static int send_reports(wire_device *d, const transport *t, uint8_t *report, siz
         if (*held == 0) {
             *held = wire_next_report(&d->end, report, clock_ms());
         }
-        const int taken = *held > 0 ? t->send(t->context, report, *held) : 0;
-        if (taken <= 0) {
-            return taken;
+        const int sent = *held > 0 ? t->send(t->context, report, *held) : 0;
+        if (sent <= 0) {
+            return sent;
         }
         *held = 0;
     }

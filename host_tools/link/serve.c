@@ -23,7 +23,7 @@ typedef struct serving {
     wire_blocks_out blocks;
     uint8_t *panel;
     picture shown;
-    unsigned number; /* frames taken */
+    unsigned number; /* frames received */
     uint32_t seen;   /* frames that had come whole when the view was sent */
     uint32_t began_ms, frame_ms;
     int is_up;
@@ -63,8 +63,8 @@ static int open_end(serving *s, fail *f) {
     return 0;
 }
 
-/* Reports both ways; whether the link is there. */
-static int move(serving *s) {
+/* Receives and sends all reports that can go; whether the link is there. */
+static int exchange(serving *s) {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
     int n = s->t->receive(s->t->context, report, 2);
     for (; n > 0; n = s->t->receive(s->t->context, report, 0)) {
@@ -75,11 +75,11 @@ static int move(serving *s) {
     }
     wire_poll(&s->end, clock_ms());
     for (size_t bytes; (bytes = wire_next_report(&s->end, report, clock_ms())) > 0;) {
-        int taken;
-        while ((taken = s->t->send(s->t->context, report, bytes)) == 0) {
+        int sent;
+        while ((sent = s->t->send(s->t->context, report, bytes)) == 0) {
             clock_sleep(0.0005);
         }
-        if (taken < 0) {
+        if (sent < 0) {
             return 0;
         }
     }
@@ -113,7 +113,7 @@ static void enter(serving *s, enum phase phase) {
     }
 }
 
-/* A device may take long over a scene and over a frame: what came of it. */
+/* A device may need long for a scene and for a frame: shows how far it is. */
 static void show_progress(serving *s) {
     uint32_t has = 0;
     const unsigned state = wire_scene_out_state(&s->scene, &has);
@@ -127,7 +127,7 @@ static void show_progress(serving *s) {
     }
 }
 
-static void watch_link(serving *s, int is_there) {
+static void update_link(serving *s, int is_there) {
     if (is_there != s->is_up) {
         s->is_up = is_there;
         wire_on_link(&s->end, is_there, clock_ms());
@@ -169,7 +169,7 @@ static void send_view(serving *s) {
     s->seen = wire_frames_shown(&s->in);
 }
 
-static int take_frame(serving *s, fail *f) {
+static int receive_frame(serving *s, fail *f) {
     const serve_job *job = s->job;
     const uint32_t stride = wire_row_bytes(job->format, job->width);
     for (unsigned y = 0; y < job->height; y++) {
@@ -205,11 +205,11 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
         send_view(s);
     }
     while (status == 0 && (job->frames == 0 || s->number < job->frames)) {
-        watch_link(s, move(s));
+        update_link(s, exchange(s));
         status = refusal(s, f);
         show_progress(s);
         if (status == 0 && has_frame(s)) {
-            status = take_frame(s, f);
+            status = receive_frame(s, f);
         }
         if (status == 0 && job->patience_ms > 0 && clock_ms() - s->frame_ms > job->patience_ms) {
             status =

@@ -14,14 +14,14 @@ typedef struct serve_job {
     const void *image; /* of the scene */
     uint32_t image_bytes;
     unsigned width, height, format; /* enum wire_format */
-    unsigned report_bytes;          /* both ways */
-    unsigned frames;                /* to take before the end; 0: no end */
-    uint32_t patience_ms;           /* without a frame; 0: no end */
+    unsigned report_bytes;          /* in both directions */
+    unsigned frames;                /* to receive; 0: without end */
+    uint32_t patience_ms;           /* without a frame; 0: for ever */
     /* The view of frame `number`; and what to do with it: nonzero ends. */
     void (*view)(void *context, unsigned number, wire_view *view);
     int (*frame)(void *context, unsigned number, const picture *p, fail *f);
     void *context;
-    int verbose; /* says on standard error what goes on */
+    int verbose; /* prints events on standard error */
 } serve_job;
 
 typedef struct serve_result {
@@ -30,7 +30,7 @@ typedef struct serve_result {
     uint32_t ms;
 } serve_result;
 
-/* Runs until `frames` came, 0; -1 with a reason. */
+/* Runs until `frames` have been received: 0; or -1 with a reason. */
 int serve_run(const serve_job *job, const transport *t, serve_result *result, fail *f);
 
 #endif

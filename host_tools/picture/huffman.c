@@ -1,7 +1,7 @@
 /* huffman - prefix codes of bounded length for deflate
  *
  * The result depends on the counts alone: equal counts are ordered by
- * symbol, so that two C libraries' sorts give the same file.
+ * symbol, and two C libraries' sorts give the same file.
  *
  * Sources: J. van Leeuwen, "On the construction of Huffman trees", ICALP
  * 1976 (two queues); P. Deutsch, RFC 1951, 1996, section 3.2.2 (canonical

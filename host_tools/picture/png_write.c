@@ -1,7 +1,7 @@
 /* png_write - one 8-bit RGB picture as a PNG file
  *
- * Each row takes the filter whose result has the smallest sum of absolute
- * differences, a good guess at what deflate will like best.
+ * Each row gets the filter whose result has the smallest sum of absolute
+ * differences, a good guess at what deflate compresses best.
  *
  * Source: W3C "Portable Network Graphics (PNG) Specification", second
  * edition, 2003, sections 5 (chunks), 9 (filters) and 12.8 (their choice).

@@ -121,9 +121,9 @@ static void plain_line(FILE *to, const picture *p, unsigned y) {
     fputc('\n', to);
 }
 
-/* Ctrl-C waits for the end of the picture, so that the cursor is below it (and sets
- * a terminal going that was stopped); other signals do not wait: a terminal may
- * take nothing for ever, and is then left in its colours. */
+/* Ctrl-C waits for the end of the picture: the cursor is then below it. (Ctrl-C also
+ * resumes a terminal that was stopped.) Other signals do not wait: a terminal may
+ * never accept a byte again, and then keeps its colours. */
 static int draw(FILE *to, const picture *small, int coloured) {
     sigset_t interrupt, before;
     sigemptyset(&interrupt);

@@ -12,7 +12,7 @@ echo '0 0 5 0 0 0 -1 100' | rays ray
 mkdir folder full
 echo file >file
 
-# everywhere NAME PLACE WHAT: every command's output with that name. (A device gets
+# everywhere NAME WHERE WHAT: every command's output with that name. (A device gets
 # its bytes only when all are there; until then the other output may be finished.)
 everywhere() {
     refused "make: $3" "$1" "$2" make ground -o "$1"
@@ -91,7 +91,7 @@ refused "pack a broken mesh over an old image" file "" pack file -o old
 refused "trace a broken image over old hits" file "" trace file ray old
 refused "trace in too small an arena over old hits" knot.plt "arena" \
     trace knot.plt ray old --arena 100
-refused "render figures into a missing folder" missing/x "" \
+refused "render statistics into a missing folder" missing/x "" \
     render knot.plt -o before.ppm --json missing/x
 verdict "the old outputs are as they were" "$(
     [ "$(cat old)" = old ] || echo "old changed"

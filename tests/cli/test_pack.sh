@@ -48,7 +48,7 @@ info_of() {
     eval "$(sed -n 's/^  "\([a-z_]*\)": \([-+.e0-9]*\),*$/\1=\2/p' info.json)"
 }
 
-# check_info MESH IMAGE K N: the JSON's figures against arithmetic on each other.
+# check_info MESH IMAGE K N: the JSON's values against arithmetic on each other.
 check_info() {
     info_of "$2"
     # shellcheck disable=SC2086
@@ -81,7 +81,7 @@ for leaf in 1 2 4; do
             flags="--leaf $leaf --splits $splits --treelet $treelet"
             # shellcheck disable=SC2086
             run pack small.ply -o small.plt $flags
-            verdict "pack $flags: the figures of info fit together" "$(
+            verdict "pack $flags: the values of info fit together" "$(
                 cat err
                 check_info small.ply small.plt "$leaf" "$treelet"
                 grep -q "\"splits\": \"$splits\"" info.json || echo "splits are not $splits"
@@ -120,10 +120,10 @@ verdict "info without --json says the same" "$(
     info_of default.plt
     run info default.plt
     cat err
-    for figure in $triangles $nodes $node_slots $leaf_lists $intermediate_lists $treelets \
+    for value in $triangles $nodes $node_slots $leaf_lists $intermediate_lists $treelets \
         $tree_bytes $geometry_bytes $slot_overhead_bytes $image_bytes $arena_bytes_needed \
         $arena_bytes_needed_fetched $depth_stack_entries $global_stack_entries; do
-        grep -q "[^0-9.]$figure\([^0-9]\|$\)" out || echo "not a word of $figure"
+        grep -q "[^0-9.]$value\([^0-9]\|$\)" out || echo "not a word of $value"
     done)"
 verdict "larger packets need larger arenas" "$(
     before=0
@@ -134,7 +134,7 @@ verdict "larger packets need larger arenas" "$(
         [ "$packet" -lt 8 ] || [ "$now" -gt "$before" ] || echo "packet $packet: still $now"
         before=$now
     done)"
-verdict "the two-stage walk needs another arena" "$(
+verdict "the two-stage order needs another arena" "$(
     run info default.plt --json --walk two-stage
     [ "$(number arena_bytes_needed <out)" -gt 0 ] || cat out)"
 verdict "info gives the box of the mesh" "$(

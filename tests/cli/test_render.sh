@@ -128,7 +128,7 @@ verdict "every shader gives another picture" "$(
     cmp -s normal.ppm triangle.ppm && echo "normal is triangle"
     cmp -s triangle.ppm eyelight.ppm && echo "triangle is eyelight")"
 
-# ---- figures and the hash ----------------------------------------------------
+# ---- statistics and the hash -------------------------------------------------
 
 fields='width height frames rays seconds mrays_per_s packets mixed_packets node_visits
     group_tests triangle_tests treelet_fetches bytes_fetched bytes_touched_once arena_bytes
@@ -138,7 +138,7 @@ hash_of() {
 }
 works "render --json FILE" render knot.plt -o small.ppm --size 16x12 --json stats.json
 # shellcheck disable=SC2086
-verdict "... holds every figure" "$(flat_json stats.json $fields)"
+verdict "... holds every value" "$(flat_json stats.json $fields)"
 verdict "... one ray per pixel, and the camera's floats as bits" "$(
     [ "$(number rays <stats.json)" = 192 ] || grep rays stats.json
     [ "$(number width <stats.json) $(number height <stats.json)" = "16 12" ] || cat stats.json
@@ -170,7 +170,7 @@ verdict "... and the 64-bit FNV-1a of the picture's bytes" "$(
     hash_of stats.json | diff expected -)"
 works "render --json - without a picture" render knot.plt --size 16x12 --json -
 verdict "... the same hash" "$(hash_of out | diff expected -)"
-works "a film's figures" render knot.plt --size 16x12 --orbit 3 --json -
+works "a film's statistics" render knot.plt --size 16x12 --orbit 3 --json -
 verdict "... count all frames" "$(
     [ "$(number rays <out) $(number frames <out)" = "576 3" ] || cat out
     hash_of out | cmp -s expected - && echo "the hash is that of one frame")"
@@ -217,10 +217,10 @@ works "render --show heeds COLUMNS and LINES" render knot.plt --show
 unset COLUMNS LINES
 verdict "... and stays within them" "$(
     awk 'length > 30 { print length " characters" } END { if (NR > 11) print NR " lines" }' out)"
-works "picture, drawing and figures at once" render knot.plt -o p.png --show --json - --size 32x32
+works "picture, drawing and statistics at once" render knot.plt -o p.png --show --json - --size 32x32
 verdict "... are all there" "$(
     [ -s p.png ] || echo "no picture"
-    sed -n '/^{$/,$p' out >figures
+    sed -n '/^{$/,$p' out >stats
     # shellcheck disable=SC2086
-    flat_json figures $fields)"
+    flat_json stats $fields)"
 finish

@@ -16,7 +16,7 @@ typedef struct device {
     int no_out;         /* usbip, gadget: no OUT endpoint, output reports come by SET_REPORT */
     const char *path;   /* gadget: /dev/hidgN */
     uint64_t die_after; /* output reports until it vanishes without a word; 0: never */
-    unsigned slow_us;   /* time it takes over a report */
+    unsigned slow_us;   /* time it needs for a report */
     uint64_t reports;
 } device;
 

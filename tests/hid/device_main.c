@@ -7,10 +7,10 @@
  *
  * M pictures came in their order, each pixel right, the last being number L;
  * O times the panel was none of them (keys or windows that change one by one
- * pass through such states, whole frames never may).
+ * pass through such states; whole frames must not).
  *
  * SIGUSR1 prints the line, too, and what is plugged in goes on as a new display
- * with the next of the five formats: plugging takes longer than pictures.
+ * with the next of the five formats: plugging in would take longer than pictures.
  *
  * `device descriptor DRIVER ...` writes its report descriptor instead.
  *

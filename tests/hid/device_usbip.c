@@ -82,7 +82,7 @@ static void queue_out(usbip *u, uint32_t number, uint32_t bytes) {
     u->out[u->outs++] = (usbip_out){number, bytes, u->bus_free_us};
 }
 
-/* Takes a transfer back, if it still waits. */
+/* Cancels a transfer, if it still waits. */
 static int unlink_waiting(usbip *u, uint32_t number) {
     for (unsigned i = 0; i < u->ins; i++) {
         if (u->in[i] == number) {

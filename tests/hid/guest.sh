@@ -34,7 +34,7 @@ verdict() { # SENTENCE TROUBLE
     fi
 }
 
-# A process takes this machine milliseconds: what is asked often forks none.
+# To start a process takes this machine milliseconds: what runs often starts none.
 
 # until_devices COUNT: waits until there are so many, three seconds at most.
 until_devices() {
@@ -98,7 +98,7 @@ trouble_of() {
         [ "$(value wrong)" = 0 ] && [ "$(value other)" -le "$between" ] || echo "$line"
 }
 
-figure() { # NAME: of the host's figures
+statistic() { # NAME: of the host's statistics
     sed -n "s/.*\"$1\": \"\{0,1\}\([^\",]*\).*/\1/p" "$scratch/json"
 }
 

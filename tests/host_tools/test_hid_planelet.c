@@ -106,7 +106,7 @@ static void show_pictures(bench *b, unsigned count) {
         const int status = d.by->show(&d, &p, &f);
         CHECK(status == DISPLAY_OK, "picture %u: %d %s", n, status, f.text);
         if (!b->runs_on || n + 1 == count) {
-            CHECK(d.by->settle(&d, &f) == DISPLAY_OK, "%s", f.text);
+            CHECK(d.by->confirm(&d, &f) == DISPLAY_OK, "%s", f.text);
             CHECK(model_shows_pattern(b->model, n, 1) >= 0, "picture %u, format %u, reports of %u",
                   n, b->format, b->report_bytes);
         }
@@ -193,7 +193,7 @@ static void hopeless(void) {
         fake_bus.drop_outputs = 2;
         fake_bus.short_writes = 3;
         int status = d.by->show(&d, &p, &f);
-        status = status == DISPLAY_OK ? d.by->settle(&d, &f) : status;
+        status = status == DISPLAY_OK ? d.by->confirm(&d, &f) : status;
         CHECK(status == DISPLAY_FAILED && strstr(f.text, "cable"), "%d: %s", status, f.text);
         picture_free(&p);
         display_close(&d);
@@ -216,7 +216,7 @@ static void stopped(void) {
     fake_bus.drop_outputs = 2;
     fake_bus.short_writes = 3;
     stop = 1;
-    CHECK(session_show(&s, &p, &f) == 0 && session_settle(&s, &f) == 0, "%s", f.text);
+    CHECK(session_show(&s, &p, &f) == 0 && session_confirm(&s, &f) == 0, "%s", f.text);
     CHECK(f.text[0] == '\0' && s.reconnects == 0, "%s", f.text);
     fake_bus.drop_outputs = fake_bus.short_writes = 0;
     picture_free(&p);
@@ -228,7 +228,7 @@ static void stopped(void) {
     CHECK(session_open(&s, &f) == 0, "%s", f.text);
     picture_make(&p, 70, 50, &f);
     pattern_fill(3, 70, 50, p.rgb);
-    CHECK(session_show(&s, &p, &f) == 0 && session_settle(&s, &f) == 0, "%s", f.text);
+    CHECK(session_show(&s, &p, &f) == 0 && session_confirm(&s, &f) == 0, "%s", f.text);
     CHECK(model_shows_pattern(b.model, 3, 1) >= 0, "it is not there");
     picture_free(&p);
     session_close(&s);
@@ -254,7 +254,7 @@ static void unplugged(int libusb) {
             pattern_fill(n, 70, 50, p.rgb);
             CHECK(session_show(&s, &p, &f) == 0, "after %u: %s", after, f.text);
         }
-        CHECK(session_settle(&s, &f) == 0, "after %u: %s", after, f.text);
+        CHECK(session_confirm(&s, &f) == 0, "after %u: %s", after, f.text);
         CHECK(model_shows_pattern(b.model, 3, 1) >= 0, "after %u reports", after);
         CHECK(b.model->brightness == 30, "brightness %d", b.model->brightness);
         CHECK(s.reconnects == 1 && s.longest_gap < 2.0, "%u, %.3f s", s.reconnects, s.longest_gap);

@@ -75,14 +75,15 @@ static void names(void) {
 
 static void outputs(void) {
     port_info info;
-    port_figures figures;
+    port_statistics statistics;
     const uint8_t report[65] = {0, 7, 8, 9};
     test("a report of 64 bytes without number goes as 65 and arrives as 64");
     port *p = open_one(&info);
     CHECK(port_output(p, report, 65) == PORT_OK, "written");
     CHECK(echo.bytes == 64 && echo.last[0] == 7, "%zu bytes came", echo.bytes);
-    port_figures_get(p, &figures);
-    CHECK(figures.reports == 1 && figures.bytes == 64, "%u bytes", (unsigned)figures.bytes);
+    port_statistics_get(p, &statistics);
+    CHECK(statistics.reports == 1 && statistics.bytes == 64, "%u bytes",
+          (unsigned)statistics.bytes);
     test("a write that takes less than the report says so, and the next goes");
     fake_bus.short_writes = 1;
     CHECK(port_output(p, report, 65) == PORT_CUT, "half of it was taken");

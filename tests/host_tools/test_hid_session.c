@@ -78,15 +78,15 @@ static void comes_back(const model_kind *kind, int libusb, unsigned after) {
     fake_bus.replug_ms = 250;
     /* Twice, as a display of one report a frame is missed by the next alone. */
     CHECK(show(&b, 1, &f) == 0 && show(&b, 1, &f) == 0, "%s", f.text);
-    CHECK(session_settle(&b.session, &f) == 0, "%s", f.text);
+    CHECK(session_confirm(&b.session, &f) == 0, "%s", f.text);
     CHECK(model_shows_pattern(b.model, 1, 1) == 1, "after %u reports", after);
     CHECK(b.session.reconnects == 1, "%u", b.session.reconnects);
     CHECK(b.session.longest_gap < 2.0, "%.3f s", b.session.longest_gap);
     CHECK(kind->output_bytes < 1000 || b.model->brightness == 40, "brightness %d",
           b.model->brightness);
-    port_figures figures;
-    session_figures(&b.session, &figures);
-    CHECK(figures.reports >= fake_bus.outputs + fake_bus.features - 1, "reports of both times");
+    port_statistics statistics;
+    session_statistics(&b.session, &statistics);
+    CHECK(statistics.reports >= fake_bus.outputs + fake_bus.features - 1, "reports of both times");
     close_bench(&b);
 }
 

@@ -15,8 +15,8 @@
 #include "host_tools/hid/device/report_size.h"
 #include "host_tools/picture/picture.h"
 
-/* Said wherever drivers are listed. */
-#define DISPLAY_HONESTY                                                                            \
+/* Printed wherever drivers are listed. */
+#define DISPLAY_DISCLAIMER                                                                         \
     "implemented from published protocol notes; tested byte for byte against our own emulator "    \
     "only, not on hardware"
 
@@ -44,28 +44,28 @@ typedef struct display {
 /* A device that a driver is for. */
 typedef struct driver_id {
     uint16_t vendor, id;
-    int interface; /* of several; a device that does not tell is taken too */
+    int interface; /* of several; a device whose interface is not known matches any */
 } driver_id;
 
 struct driver {
     const char *name;     /* "nexus" */
     const char *about;    /* "Corsair iCUE Nexus, 640x48" */
     const driver_id *ids; /* ended by vendor 0 */
-    int from_notes;       /* DISPLAY_HONESTY holds of it */
+    int from_notes;       /* DISPLAY_DISCLAIMER holds of it */
 
     /* `display` holds port and driver, the rest is zero. Fills it. */
     int (*open)(display *d, fail *f);
 
-    /* Shows a picture of the panel's size: returns when the last of it is
-     * on its way and the next may come. `p` is not kept. */
+    /* Shows a picture of the panel's size: returns when the last of it
+     * was handed over and the next may come. `p` is not kept. */
     int (*show)(display *d, const picture *p, fail *f);
 
     /* NULL where there is none: */
-    int (*settle)(display *d, fail *f); /* until the device has confirmed the picture */
-    int (*tick)(display *d);            /* keeps a link alive; at least 10 times per second */
+    int (*confirm)(display *d, fail *f); /* until the device has confirmed the picture */
+    int (*tick)(display *d);             /* keeps a link alive; at least 10 times per second */
     int (*brightness)(display *d, unsigned percent, fail *f);
     /* How far off colours may be while they move: so many steps, or
-     * DISPLAY_NEAR_AUTO: as few as let `fps` frames per second through. */
+     * DISPLAY_NEAR_AUTO: the fewest with which `fps` frames per second get through. */
     void (*near)(display *d, unsigned steps, unsigned fps);
     int (*release)(display *d, fail *f); /* the device's own picture again */
     void (*close)(display *d);           /* only after an open that went well */
@@ -78,12 +78,12 @@ const driver *driver_for(const driver *const *drivers, const port_info *info);
 int display_open(display *d, const driver *by, const port_info *info, fail *f);
 void display_close(display *d); /* after a failed open it does nothing */
 
-/* Whether `stop` was set a second ago: time enough for a picture on its way. */
+/* Whether `stop` was set a second ago: time enough for the rest of a picture. */
 int display_is_stopped(display *d);
 
 /* What a driver's port call means to its caller. A report that went only in
- * part leaves the device in the middle of a frame: so do the same as after
- * an unplug, which starts it anew. */
+ * part leaves the device in the middle of a frame: so the display is closed and
+ * opened again, as after an unplug. */
 int display_status(int port_status);
 
 #endif

@@ -1,7 +1,7 @@
 /* port - see port.h
  *
- * Keeps: between port_close and the next port_list hidapi is shut down, so
- * that a list is never older than the call that asked for it.
+ * Keeps: between port_close and the next port_list hidapi is shut down: a list
+ * always shows what is plugged in at the time of the call.
  *
  * Written for hidapi 0.11 and later; what it does beyond its manual (empty
  * reads, input in pieces of a packet, which backends know what) was found by
@@ -22,7 +22,7 @@
 
 struct port {
     hid_device *device;
-    port_figures figures;
+    port_statistics statistics;
 };
 
 /* A code point to UTF-8, 1 to 4 bytes; what is no code point becomes '?'. */
@@ -75,9 +75,9 @@ unsigned port_list(port_info *list, unsigned room) {
     return count;
 }
 
-/* hidapi tells no reason for a failed open (its error text may even say
- * "Success"), so that the reason is looked for: a path that is a file tells
- * by its mode, any other belongs to libusb. */
+/* hidapi gives no reason for a failed open (its error text may even say "Success"), so
+ * look for it: of a path that is a file by the file's mode; any other path is
+ * libusb's. */
 static int say_refusal(const port_info *info, fail *f) {
     const int is_file = access(info->path, F_OK) == 0;
     const int barred = is_file ? access(info->path, R_OK | W_OK) != 0 : geteuid() != 0;
@@ -120,29 +120,29 @@ void port_close(port *p) {
     }
 }
 
-static int account(port *p, int taken, size_t bytes) {
-    if (taken < 0) {
+static int count_report(port *p, int sent, size_t bytes) {
+    if (sent < 0) {
         return PORT_GONE;
     }
-    if ((size_t)taken < bytes) {
-        p->figures.cut++;
+    if ((size_t)sent < bytes) {
+        p->statistics.cut++;
         return PORT_CUT;
     }
-    p->figures.reports++;
-    p->figures.bytes += bytes - (bytes > 0 ? 1 : 0);
+    p->statistics.reports++;
+    p->statistics.bytes += bytes - (bytes > 0 ? 1 : 0);
     return PORT_OK;
 }
 
 int port_output(port *p, const uint8_t *report, size_t bytes) {
-    return account(p, hid_write(p->device, report, bytes), bytes);
+    return count_report(p, hid_write(p->device, report, bytes), bytes);
 }
 
 int port_feature(port *p, const uint8_t *report, size_t bytes) {
-    return account(p, hid_send_feature_report(p->device, report, bytes), bytes);
+    return count_report(p, hid_send_feature_report(p->device, report, bytes), bytes);
 }
 
 /* A device that ends a report with an empty packet makes hidapi on libusb
- * return 0 at once: only the clock says that nothing came. */
+ * return 0 at once: whether the time is over only the clock shows. */
 int port_input(port *p, uint8_t *report, size_t room, unsigned wait_ms) {
     const double end = clock_seconds() + 1e-3 * wait_ms;
     for (;;) {
@@ -158,6 +158,6 @@ int port_input(port *p, uint8_t *report, size_t room, unsigned wait_ms) {
     }
 }
 
-void port_figures_get(const port *p, port_figures *figures) {
-    *figures = p->figures;
+void port_statistics_get(const port *p, port_statistics *statistics) {
+    *statistics = p->statistics;
 }

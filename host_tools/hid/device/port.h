@@ -1,7 +1,7 @@
-/* port - whole reports to and from a USB display: all that is asked of hidapi
+/* port - whole reports to and from a USB display: all that is used of hidapi
  *
- * The only file that names hidapi is port.c. Quirks end there: reads that come
- * back empty before their time, and writes that take less than a report.
+ * The only file that names hidapi is port.c. It hides the quirks: reads that
+ * return empty before their time, and writes of less than a report.
  *
  * A report's first byte is its number, 0 for a device whose reports have none.
  *
@@ -26,32 +26,31 @@ typedef struct port port;
 
 enum port_status {
     PORT_OK = 0,
-    PORT_GONE = -1, /* nobody is there any more: close, then look again */
-    PORT_CUT = -2   /* the system took less than the report: it did not go */
+    PORT_GONE = -1, /* the device is gone: close, then look again */
+    PORT_CUT = -2   /* the system accepted only a part: the report did not go */
 };
 
-/* Looks again from nothing (hidapi on libusb never sees a new device else)
+/* Starts hidapi again (on libusb it never sees a new device otherwise)
  * and fills at most `room` entries; returns how many. No port is open. */
 unsigned port_list(port_info *list, unsigned room);
 
-/* Opens a device of the list. On failure `f` holds a sentence that says who
- * may not open it and what to do. */
+/* Opens a device of the list. On failure `f` says why and what to do. */
 port *port_open(const port_info *info, fail *f);
 void port_close(port *p); /* NULL is allowed */
 
-/* Hands over one output report, or one feature report. PORT_OK says that
- * the system has it; only an answer says that the device has it. */
+/* Hands over one output report, or one feature report. PORT_OK means
+ * that the system has it; only an answer shows that the device has it. */
 int port_output(port *p, const uint8_t *report, size_t bytes);
 int port_feature(port *p, const uint8_t *report, size_t bytes);
 
 /* One input report (its number first, if reports have numbers): its size, 0
- * when none came within `wait_ms`, or PORT_GONE. Empty reports are none. */
+ * when none came within `wait_ms`, or PORT_GONE. Empty reports are skipped. */
 int port_input(port *p, uint8_t *report, size_t room, unsigned wait_ms);
 
-/* Figures since port_open. */
-typedef struct port_figures {
+/* Counted since port_open. */
+typedef struct port_statistics {
     uint64_t reports, bytes, cut;
-} port_figures;
-void port_figures_get(const port *p, port_figures *figures);
+} port_statistics;
+void port_statistics_get(const port *p, port_statistics *statistics);
 
 #endif

@@ -1,7 +1,7 @@
 /* report_size - see report_size.h
  *
- * hidapi tells a report descriptor from version 0.14 on alone; Linux shows it
- * in /sys for both of its backends as long as nobody has taken the device.
+ * hidapi returns a report descriptor only from version 0.14 on; Linux shows it in
+ * /sys, for both backends of hidapi, until a program opens the device.
  *
  * Source: USB-IF, "Device Class Definition for HID", 1.11, section 6.2.2.
  *

@@ -15,8 +15,8 @@ typedef struct report_sizes {
 /* The longest reports that a report descriptor declares. Any bytes may come. */
 report_sizes report_sizes_of(const uint8_t *descriptor, size_t bytes);
 
-/* The same of a device at a path as hidapi gives it, from what Linux tells of
- * it, before it is opened. */
+/* The same of a device at a path as hidapi gives it, from /sys of Linux,
+ * before it is opened. */
 report_sizes report_sizes_at(const char *path);
 
 #endif

@@ -75,7 +75,7 @@ int session_open(session *s, fail *f) {
 static int come_back(session *s, fail *f) {
     const driver *by = s->display.by;
     const double end = clock_seconds() + s->patience;
-    session_figures(s, &s->before);
+    session_statistics(s, &s->before);
     display_close(&s->display);
     fprintf(stderr, "%04x:%04x went away; waiting for it\n", s->info.vendor, s->info.id);
     do {
@@ -90,22 +90,22 @@ static int come_back(session *s, fail *f) {
                     s->patience);
 }
 
-/* Sees to it that the device confirms `panel`, too, when `settle` is set. */
-static int put_picture(session *s, int settle, fail *f) {
+/* Shows `panel`; or, with `confirm`, waits until the device has confirmed it. */
+static int put_picture(session *s, int confirm, fail *f) {
     const driver *by = s->display.by;
-    int status = settle == 0 || s->again ? by->show(&s->display, &s->panel, f) : DISPLAY_OK;
-    if (status == DISPLAY_OK && by->settle != NULL && (settle || s->again)) {
-        status = by->settle(&s->display, f);
+    int status = !confirm || s->again ? by->show(&s->display, &s->panel, f) : DISPLAY_OK;
+    if (status == DISPLAY_OK && by->confirm != NULL && (confirm || s->again)) {
+        status = by->confirm(&s->display, f);
     }
     s->again = s->again && status != DISPLAY_OK;
     return status;
 }
 
 /* Until the picture is out; a display that came back gets all of it. */
-static int insist(session *s, int settle, fail *f) {
+static int deliver(session *s, int confirm, fail *f) {
     double gone = 0.0;
     for (;;) {
-        const int status = put_picture(s, settle, f);
+        const int status = put_picture(s, confirm, f);
         if (status == DISPLAY_OK) {
             break;
         }
@@ -128,15 +128,15 @@ static int insist(session *s, int settle, fail *f) {
 
 int session_show(session *s, const picture *p, fail *f) {
     fit_picture(p, &s->panel, s->fit);
-    if (insist(s, 0, f) != 0) {
+    if (deliver(s, 0, f) != 0) {
         return -1;
     }
     s->shown++;
     return 0;
 }
 
-int session_settle(session *s, fail *f) {
-    return s->shown == 0 ? 0 : insist(s, 1, f);
+int session_confirm(session *s, fail *f) {
+    return s->shown == 0 ? 0 : deliver(s, 1, f);
 }
 
 void session_tick(session *s) {
@@ -153,14 +153,14 @@ int session_release(session *s, fail *f) {
     return by->release(&s->display, f) == DISPLAY_FAILED ? -1 : 0;
 }
 
-void session_figures(const session *s, port_figures *figures) {
-    *figures = s->before;
+void session_statistics(const session *s, port_statistics *statistics) {
+    *statistics = s->before;
     if (s->display.port != NULL) {
-        port_figures now;
-        port_figures_get(s->display.port, &now);
-        figures->reports += now.reports;
-        figures->bytes += now.bytes;
-        figures->cut += now.cut;
+        port_statistics now;
+        port_statistics_get(s->display.port, &now);
+        statistics->reports += now.reports;
+        statistics->bytes += now.bytes;
+        statistics->cut += now.cut;
     }
 }
 

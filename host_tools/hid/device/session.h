@@ -14,7 +14,7 @@ typedef struct session {
     find_wish wish;
     enum fit_mode fit;
     int brightness;                    /* percent; -1 leaves it as it is */
-    unsigned near, fps;                /* of what moves, as driver.near takes them */
+    unsigned near, fps;                /* of what moves, arguments of driver.near */
     double patience;                   /* seconds to wait for a display that is gone */
     const volatile sig_atomic_t *stop; /* set from outside: wait no longer */
 
@@ -23,21 +23,21 @@ typedef struct session {
     picture panel; /* what is shown, at the panel's size; owned */
     int again;     /* the display came back and has not confirmed `panel` */
     unsigned shown, reconnects;
-    double longest_gap;  /* seconds from an unplug to the whole picture again */
-    port_figures before; /* of the displays before the last unplug */
+    double longest_gap;     /* seconds from an unplug to the whole picture again */
+    port_statistics before; /* of the displays before the last unplug */
 } session;
 
 /* Finds and opens; `s` holds wish, fit, brightness, patience, the rest zero.
  * A display that is not there is an error at once. */
 int session_open(session *s, fail *f);
 
-/* Shows a picture of any size. Unplugged meanwhile: says so on standard
- * error, looks every 100 ms until it is back, and shows the whole of it. */
+/* Shows a picture of any size. If the display is unplugged, says so on standard
+ * error, looks for it every 100 ms and shows the whole picture when it is back. */
 int session_show(session *s, const picture *p, fail *f);
 
-/* Until the device has confirmed the picture, as far as its protocol tells, or
- * has not a second after `stop`. */
-int session_settle(session *s, fail *f);
+/* Until the device has confirmed the picture, as far as its protocol says,
+ * or a second after `stop`. */
+int session_confirm(session *s, fail *f);
 
 /* Keeps the link alive between pictures: call it at least ten times per second
  * while a picture is rendered or stays. */
@@ -46,7 +46,7 @@ void session_tick(session *s);
 /* The device's own picture again, where it has one. */
 int session_release(session *s, fail *f);
 
-void session_figures(const session *s, port_figures *figures);
+void session_statistics(const session *s, port_statistics *statistics);
 void session_close(session *s); /* also after a failed open */
 
 #endif

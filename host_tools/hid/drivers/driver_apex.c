@@ -3,8 +3,8 @@
  * 128x40 pixels of one bit in one feature report of 642 bytes: 61, then rows
  * from top to bottom of 16 bytes, highest bit left, then 00. The 61 stands
  * where hidapi expects a report number, and the device wants it there.
- * (The third generation, 1038:1642 and on, speaks otherwise and is not
- * taken.)
+ * (The third generation, 1038:1642 and on, has another protocol; this
+ * driver is not for it.)
  *
  * Sources: steelseries-oled (edbgon), steelseries-apex-oled (jonkadelic),
  * OmniLED (llMBQll), facts alone. Not run on hardware.

@@ -5,12 +5,12 @@
  *
  *     0  02 05 40    report number, command
  *     3  last        1 in the last report: the panel then changes
- *     4  block       u16, 0 .. 120
+ *     4  part        u16, 0 .. 120
  *     6  length      u16, bytes of pixels: 1016, 960 in the last
  *     8  pixels
  *
- * Numbers lowest byte first. Brightness is feature report 3, of 32 bytes.
- * The second interface is a keyboard's and is not taken.
+ * Numbers are little-endian. Brightness is feature report 3, of 32 bytes.
+ * The second interface is a keyboard; the driver is not for it.
  *
  * Source: Nexus-Manager wiki (codingncaffeine), facts alone. Not run on
  * hardware.
@@ -24,7 +24,7 @@ enum {
     FRAME_BYTES = 4 * WIDTH * HEIGHT,
     REPORT_BYTES = 1024,
     HEAD_BYTES = 8,
-    BLOCK_BYTES = REPORT_BYTES - HEAD_BYTES,
+    PART_BYTES = REPORT_BYTES - HEAD_BYTES,
     FEATURE_BYTES = 32
 };
 
@@ -33,15 +33,15 @@ static uint8_t frame_byte(const picture *p, unsigned at) {
     return at % 4 == 3 ? 0 : rgb[2 - at % 4];
 }
 
-static int send_block(port *to, const picture *p, unsigned block) {
-    const unsigned at = block * BLOCK_BYTES, left = FRAME_BYTES - at;
-    const unsigned bytes = left < BLOCK_BYTES ? left : BLOCK_BYTES;
+static int send_part(port *to, const picture *p, unsigned part) {
+    const unsigned at = part * PART_BYTES, left = FRAME_BYTES - at;
+    const unsigned bytes = left < PART_BYTES ? left : PART_BYTES;
     uint8_t report[REPORT_BYTES] = {2,
                                     5,
                                     0x40,
-                                    left <= BLOCK_BYTES,
-                                    (uint8_t)block,
-                                    (uint8_t)(block >> 8),
+                                    left <= PART_BYTES,
+                                    (uint8_t)part,
+                                    (uint8_t)(part >> 8),
                                     (uint8_t)bytes,
                                     (uint8_t)(bytes >> 8)};
     for (unsigned i = 0; i < bytes; i++) {
@@ -53,8 +53,8 @@ static int send_block(port *to, const picture *p, unsigned block) {
 static int nexus_show(display *d, const picture *p, fail *f) {
     int status = PORT_OK;
     (void)f;
-    for (unsigned block = 0; block * BLOCK_BYTES < FRAME_BYTES && status == PORT_OK; block++) {
-        status = send_block(d->port, p, block);
+    for (unsigned part = 0; part * PART_BYTES < FRAME_BYTES && status == PORT_OK; part++) {
+        status = send_part(d->port, p, part);
     }
     return display_status(status);
 }

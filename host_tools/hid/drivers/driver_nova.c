@@ -8,8 +8,8 @@
  *     6  w columns of h / 8 bytes from left to right, lowest bit on top
  *
  * The device refuses a feature report now and then; it is then sent again,
- * up to ten times, after 1, 4, 9 ... ms. Brightness (1 .. 10) and the way
- * back to the device's own picture are output reports of 64 bytes.
+ * up to ten times, after 1, 4, 9 ... ms. Brightness (1 .. 10) and the
+ * return to the device's own picture are output reports of 64 bytes.
  *
  * Source: ggoled (JerwuQu), facts alone. Not run on hardware.
  *

@@ -1,7 +1,7 @@
 /* driver_planelet - a display that speaks Planelet's own wire (platform/WIRE.md)
  *
  * Keeps: `frame` is what the wire reads, and changes only when the wire has
- * handed all of it to reports.
+ * put all of it into reports.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -15,7 +15,7 @@ enum {
     WAIT_MS = 2,
     OPEN_MS = 1500,  /* to answer the first hello */
     STUCK_MS = 1500, /* without anything going out or in: the display is gone */
-    SLOW_MS = 5000,  /* for a picture, beside the time of its bytes at SLOW_BYTES per ms */
+    SLOW_MS = 5000,  /* for a picture, in addition to the time of its bytes at SLOW_BYTES per ms */
     SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
     IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
     WINDOW = 32
@@ -27,12 +27,12 @@ typedef struct planelet {
     picture frame;
     uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
     uint32_t begun; /* ms: when the call that waits now began */
-    uint32_t whole; /* ms: the longest a picture may take; a lossy link may take for ever */
+    uint32_t whole; /* ms: the longest a picture may take; a lossy link may never finish it */
     uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } planelet;
 
-/* All that came in; PORT_OK or PORT_GONE. Waits for the first. */
-static int take_reports(display *d, unsigned wait_ms) {
+/* Reads all reports that came, waiting for the first; PORT_OK or PORT_GONE. */
+static int read_reports(display *d, unsigned wait_ms) {
     planelet *p = d->state;
     uint8_t report[IN_BYTES];
     for (;;) {
@@ -45,8 +45,8 @@ static int take_reports(display *d, unsigned wait_ms) {
     }
 }
 
-/* Sends the next report, if one may go. A report that the system took in
- * part is lost, and the wire sends again what was in it. */
+/* Sends the next report, if one may go. One that the system accepted only in part is
+ * lost, and the wire sends its content again. */
 static int send_report(display *d, int *sent) {
     planelet *p = d->state;
     const size_t bytes = wire_next_report(&p->end, p->report + 1, clock_ms());
@@ -59,17 +59,18 @@ static int send_report(display *d, int *sent) {
 }
 
 /* One report out, then all that came in; waits only if none went out. */
-static int pump(display *d, unsigned wait_ms, int *sent) {
+static int exchange(display *d, unsigned wait_ms, int *sent) {
     planelet *p = d->state;
     wire_poll(&p->end, clock_ms());
     const int status = send_report(d, sent);
-    return status == PORT_OK ? take_reports(d, *sent ? 0 : wait_ms) : status;
+    return status == PORT_OK ? read_reports(d, *sent ? 0 : wait_ms) : status;
 }
 
-/* Pumps until `is_so`, and not a report longer: with nothing new to show the
- * wire goes on to refine what is there. GONE when nothing is heard, FAILED when
- * the call takes longer than a whole picture may, STOPPED a second after a wish. */
-static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
+/* Exchanges reports until `is_so`, and not one more: with nothing new to show the wire
+ * continues to refine what is there. GONE when nothing is heard for `patience_ms`,
+ * FAILED when the call lasts longer than a whole picture may, STOPPED a second after
+ * `stop` was set. */
+static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
     uint32_t heard = p->end.stats.reports_in, since = clock_ms();
     while (!is_so(p)) {
@@ -80,7 +81,7 @@ static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned pati
         if (display_is_stopped(d)) {
             return DISPLAY_STOPPED;
         }
-        if (pump(d, WAIT_MS, &sent) != PORT_OK) {
+        if (exchange(d, WAIT_MS, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
         if (p->end.stats.reports_in != heard) {
@@ -93,9 +94,9 @@ static int pump_until(display *d, int (*is_so)(const planelet *p), unsigned pati
     return DISPLAY_OK;
 }
 
-/* As pump_until, for a picture: one that cannot get through says so. */
+/* As exchange_until, for a picture: one that cannot get through says so. */
 static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
-    const int status = pump_until(d, is_so, STUCK_MS);
+    const int status = exchange_until(d, is_so, STUCK_MS);
     return status != DISPLAY_FAILED
                ? status
                : fail_set(f, NULL,
@@ -116,12 +117,12 @@ static int is_done(const planelet *p) {
     return !wire_is_up(&p->end) || wire_frames_out_done(&p->out);
 }
 
-/* A number that no session had before: the clock in steps of a microsecond. */
+/* A number that no session had before: the time of day in microseconds. */
 static uint32_t session_number(void) {
     return (uint32_t)clock_day_us();
 }
 
-/* Of a device whose descriptor is not known reports are taken for 64 bytes. */
+/* If a device's descriptor is not known, its reports are assumed to have 64 bytes. */
 static int open_end(planelet *p, report_sizes sizes, fail *f) {
     const unsigned out = sizes.out > 0 ? sizes.out : 64, in = sizes.in > 0 ? sizes.in : IN_BYTES;
     const wire_setup setup = {.role = WIRE_HOST,
@@ -138,16 +139,16 @@ static int open_end(planelet *p, report_sizes sizes, fail *f) {
                         out, in);
     }
     p->begun = clock_ms();
-    p->whole = UINT32_MAX; /* greetings have their own patience */
+    p->whole = UINT32_MAX; /* the greeting has a limit of its own */
     wire_frames_out_open(&p->out, &p->end);
     wire_on_link(&p->end, 1, clock_ms());
     return DISPLAY_OK;
 }
 
-/* Hello, until the device has said what it is. */
+/* Sends hello until the device has answered what it is. */
 static int greet(display *d, fail *f) {
     planelet *p = d->state;
-    const int status = pump_until(d, is_up, OPEN_MS);
+    const int status = exchange_until(d, is_up, OPEN_MS);
     if (status != DISPLAY_OK) {
         fail_set(f, NULL,
                  "the device does not answer as a planelet display; is it one? Else "
@@ -199,7 +200,7 @@ static int planelet_open(display *d, fail *f) {
     return status;
 }
 
-/* Waits while the session is down, as it is after a device started anew. */
+/* Waits while the session is down, as it is after the device was reset. */
 static int ensure_up(display *d, fail *f) {
     const planelet *p = d->state;
     const int status = deliver(d, is_up, f);
@@ -211,7 +212,7 @@ static int ensure_up(display *d, fail *f) {
     return status;
 }
 
-static int say_told(planelet *p, fail *f) {
+static int say_error(planelet *p, fail *f) {
     uint32_t detail = 0;
     const unsigned code = wire_told(&p->end, &detail);
     return fail_set(f, NULL, "the display reports error %u (%u); see platform/WIRE.md", code,
@@ -232,13 +233,13 @@ static int planelet_show(display *d, const picture *shown, fail *f) {
             return deliver(d, is_idle, f);
         }
         if (p->end.peer_error != WIRE_FINE) {
-            return say_told(p, f);
+            return say_error(p, f);
         }
     }
 }
 
-/* A session that ends meanwhile begins anew, with the whole picture. */
-static int planelet_settle(display *d, fail *f) {
+/* A session that ends meanwhile starts again, with the whole picture. */
+static int planelet_confirm(display *d, fail *f) {
     planelet *p = d->state;
     p->begun = clock_ms();
     for (;;) {
@@ -257,7 +258,7 @@ static int planelet_settle(display *d, fail *f) {
 static int planelet_tick(display *d) {
     int sent = 1;
     while (sent) {
-        if (pump(d, 0, &sent) != PORT_OK) {
+        if (exchange(d, 0, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
     }
@@ -290,7 +291,7 @@ const driver driver_planelet = {.name = "planelet",
                                 .ids = ids,
                                 .open = planelet_open,
                                 .show = planelet_show,
-                                .settle = planelet_settle,
+                                .confirm = planelet_confirm,
                                 .tick = planelet_tick,
                                 .brightness = planelet_brightness,
                                 .near = planelet_near,

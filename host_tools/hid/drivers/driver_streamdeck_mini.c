@@ -1,6 +1,6 @@
 /* driver_streamdeck_mini - Elgato Stream Deck Mini: six keys over one panel
  *
- * The keys are taken as one picture of 240x160 without gaps, key 0 top left,
+ * The keys are used as one picture of 240x160 without gaps, key 0 top left,
  * key 2 top right, key 5 bottom right. A key's image is a BMP file of 80x80
  * pixels of 24 bits, its panel lying on its side: the file's first row, read
  * in the order of its bytes, is the key's right column from top to bottom.

@@ -1,6 +1,6 @@
-/* frames - where the pictures come from: files, films, a pipe, a scene
+/* frames - a source of pictures: a file, a film, a pipe, a scene
  *
- * What a file is, its first bytes say, not its name.
+ * The first bytes of a file, not its name, decide what it is.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HID_FRAMES_H
@@ -15,19 +15,19 @@ typedef struct frames frames;
 
 enum frames_status { FRAMES_END = 0, FRAMES_ONE = 1, FRAMES_FAILED = -1 };
 
-/* A source of frames. `next` makes `p` anew when its size differs. */
+/* A source of frames. `next` fills `p`, and resizes it when it has to. */
 struct frames {
     int (*next)(frames *s, picture *p, fail *f);
     void (*close)(frames *s);
     const char *path; /* not owned */
-    stream from;      /* its tick is called while a frame is waited for, or made */
+    stream from;      /* its tick is called while a frame is awaited or rendered */
     void *state;      /* owned by the kind of source */
     double period;    /* seconds per frame, as the film says; 0: none */
 };
 
-/* Opens a file (`s` is zero but for from.tick and its context) or, as "-", standard input: Y4M,
- * PPM, PGM, PNG, or a packed scene, which is rendered live, `width` x `height`, as the flags say.
- */
+/* Opens a file or, as "-", standard input: Y4M, PPM, PGM, PNG, or a packed scene, which
+ * is rendered live, `width` x `height`, as the flags say. `s` is zero but for from.tick
+ * and its context. */
 int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f);
 void frames_close(frames *s); /* also after a failed open */
 
@@ -42,8 +42,8 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
         "--turn", "SECONDS", "once around a scene in so long; 0 stands still (default 12)"         \
     }
 
-/* The stream ended where more was to come: -1, and `f` says that it could not be
- * read, or what `otherwise` says. */
+/* The stream ended too early. Returns -1; `f` says that it could not be read or, if it
+ * could, what `otherwise` says. */
 int frames_cut(const frames *s, const char *otherwise, fail *f);
 
 /* Reads all of a file, for pictures. The bytes are the caller's to free. */

@@ -1,7 +1,7 @@
 /* frames_scene - a packed scene, rendered while it is shown
  *
- * The camera goes round by the clock, so that a slow display shows fewer
- * pictures of the same motion: the latest frame is the one that is made.
+ * The camera's position follows the clock: a slow display shows fewer pictures
+ * of the same motion, each the latest.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -17,14 +17,14 @@ typedef struct live {
     scene scene;
     plt_frame frame;
     plt_camera start;
-    double began, turn; /* seconds; turn 0 stands still */
+    double began, orbit; /* seconds; orbit 0: the camera stands still */
 } live;
 
 static int live_next(frames *s, picture *p, fail *f) {
     live *l = s->state;
     plt_engine *engine = l->scene.engine;
-    if (l->turn > 0.0) {
-        view_orbit(&l->start, (clock_seconds() - l->began) / l->turn, &l->frame.camera);
+    if (l->orbit > 0.0) {
+        view_orbit(&l->start, (clock_seconds() - l->began) / l->orbit, &l->frame.camera);
     }
     if (picture_resize(p, l->frame.width, l->frame.height, f) != 0) {
         return FRAMES_FAILED;
@@ -55,12 +55,12 @@ static void live_close(frames *s) {
 }
 
 static void read_flags(live *l, args *a) {
-    float turn = 12.0f;
+    float orbit = 12.0f;
     l->frame.shader = view_shader(a);
-    if (args_floats(a, "--turn", &turn, 1) && turn < 0.0f) {
+    if (args_floats(a, "--turn", &orbit, 1) && orbit < 0.0f) {
         args_complain(a, "--turn takes seconds, 0 or more");
     }
-    l->turn = (double)turn;
+    l->orbit = (double)orbit;
 }
 
 int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {

@@ -1,8 +1,8 @@
 /* frames_y4m - films of 8-bit YCbCr, as ffmpeg and planelet render write them
  *
  * C444, C422, C420 of any siting, and Cmono; limited range unless the header
- * says XCOLORRANGE=FULL. Chroma is taken from the sample that lies over the
- * pixel. BT.601 in units of 2^-16:
+ * says XCOLORRANGE=FULL. The chroma of a pixel is that of the sample that
+ * covers it. BT.601 in units of 2^-16:
  *
  *     R = Y + 1.402 Cr,  G = Y - 0.344136 Cb - 0.714136 Cr,  B = Y + 1.772 Cb
  *
@@ -42,7 +42,7 @@ static int sampling(film *y, const char *name) {
     return -1;
 }
 
-static int take_side(frames *s, unsigned *side, const char *word, fail *f) {
+static int read_side(frames *s, unsigned *side, const char *word, fail *f) {
     const unsigned long value = strtoul(word + 1, NULL, 10);
     if (value > PICTURE_SIDE_MAX) {
         return fail_set(f, s->path, "%s: a side of its frames is 1 to %u pixels; make it smaller",
@@ -52,7 +52,7 @@ static int take_side(frames *s, unsigned *side, const char *word, fail *f) {
     return 0;
 }
 
-static int take_rate(frames *s, const char *word, fail *f) {
+static int read_rate(frames *s, const char *word, fail *f) {
     unsigned rate = 0, over = 1;
     if (sscanf(word + 1, "%9u:%9u", &rate, &over) != 2 || rate == 0) {
         return 0; /* not known */
@@ -64,12 +64,12 @@ static int take_rate(frames *s, const char *word, fail *f) {
                           word, s->period, PERIOD_MOST);
 }
 
-static int take_word(frames *s, film *y, const char *word, fail *f) {
+static int read_word(frames *s, film *y, const char *word, fail *f) {
     if (word[0] == 'W' || word[0] == 'H') {
-        return take_side(s, word[0] == 'W' ? &y->width : &y->height, word, f);
+        return read_side(s, word[0] == 'W' ? &y->width : &y->height, word, f);
     }
     if (word[0] == 'F') {
-        return take_rate(s, word, f);
+        return read_rate(s, word, f);
     }
     if (word[0] == 'C' && sampling(y, word + 1) != 0) {
         return fail_set(f, s->path, "colour sampling %s is not known; use C444 or C420, 8 bits",
@@ -86,7 +86,7 @@ static int read_head(frames *s, film *y, fail *f) {
         return frames_cut(s, "has no Y4M header; make it with planelet render or ffmpeg", f);
     }
     for (char *word = strtok(head + 10, " "); word != NULL; word = strtok(NULL, " ")) {
-        if (take_word(s, y, word, f) != 0) {
+        if (read_word(s, y, word, f) != 0) {
             return -1;
         }
     }

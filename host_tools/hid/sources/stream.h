@@ -1,4 +1,4 @@
-/* stream - bytes of a file or a pipe; whoever waits for them does other work, too
+/* stream - bytes of a file or a pipe; a wait for them can be used for other work
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HID_STREAM_H
@@ -7,8 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What is done every few milliseconds while nothing comes. Not 0: enough, the
- * stream is at its end. */
+/* Called every few milliseconds while no bytes come. Not 0: the stream ends here. */
 typedef int stream_tick(void *context);
 
 typedef struct stream {
@@ -29,7 +28,7 @@ void stream_close(stream *s); /* also after a failed open */
 /* The next byte, or -1 at the end. */
 int stream_byte(stream *s);
 
-/* Puts back the byte taken last, once. */
+/* Puts back the byte read last, once. */
 void stream_back(stream *s);
 
 /* Bytes read: fewer than `count` only at the end. */

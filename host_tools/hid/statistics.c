@@ -1,18 +1,18 @@
-/* show_figures - see show_figures.h
+/* statistics - see statistics.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/hid/show_figures.h"
+#include "host_tools/hid/statistics.h"
 
 #include <stdio.h>
 
 #include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 
-/* What it took from the first frame to the last: the first is all new, and
- * after the last the display may still be refining it. */
-void show_figures_mark(show_figures *a, const session *s) {
-    port_figures p;
-    session_figures(s, &p);
+/* The steady rate is measured from the first frame to the last: all of the first is
+ * new, and after the last the display may still be refining it. */
+void statistics_mark(statistics *a, const session *s) {
+    port_statistics p;
+    session_statistics(s, &p);
     a->last_shown = clock_seconds();
     a->last_reports = p.reports;
     if (s->shown == 1) {
@@ -21,19 +21,19 @@ void show_figures_mark(show_figures *a, const session *s) {
     }
 }
 
-static double steady_rate(const show_figures *a, const session *s) {
+static double steady_rate(const statistics *a, const session *s) {
     const double seconds = a->last_shown - a->first_shown;
     return seconds > 0.0 ? (s->shown - 1) / seconds : 0.0;
 }
 
-static double steady_reports(const show_figures *a, const session *s) {
+static double steady_reports(const statistics *a, const session *s) {
     return (double)(a->last_reports - a->first_reports) / (s->shown > 1 ? s->shown - 1 : 1);
 }
 
-int show_figures_write(const show_figures *a, const session *s, const char *path, double seconds,
-                       fail *f) {
-    port_figures p;
-    session_figures(s, &p);
+int statistics_write(const statistics *a, const session *s, const char *path, double seconds,
+                     fail *f) {
+    port_statistics p;
+    session_statistics(s, &p);
     output *o = output_open(path, f);
     if (o != NULL &&
         output_print(o, f,
@@ -54,9 +54,9 @@ int show_figures_write(const show_figures *a, const session *s, const char *path
     return o == NULL ? -1 : output_commit(o, f);
 }
 
-void show_figures_print(const show_figures *a, const session *s, double seconds) {
-    port_figures p;
-    session_figures(s, &p);
+void statistics_print(const statistics *a, const session *s, double seconds) {
+    port_statistics p;
+    session_statistics(s, &p);
     fprintf(
         stderr,
         "%u frames in %.2f s, %.2f per second; %llu left out; %llu reports, %.1f KB per second; "

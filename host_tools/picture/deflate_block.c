@@ -1,10 +1,10 @@
-/* block - one deflate block: literals and matches in, the shortest coding out
+/* deflate_block - one deflate block: literals and matches in, the shortest coding out
  *
  * Source: P. Deutsch, RFC 1951 "DEFLATE Compressed Data Format", 1996,
  * sections 3.2.3 to 3.2.7.
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/picture/block.h"
+#include "host_tools/picture/deflate_block.h"
 
 #include <string.h>
 
@@ -16,13 +16,13 @@
 #define STORED_MAX 65535u
 
 typedef struct coding {
-    uint8_t length[FIXED_LITERALS], distance_length[BLOCK_DISTANCES];
-    uint16_t code[FIXED_LITERALS], distance_code[BLOCK_DISTANCES];
+    uint8_t length[FIXED_LITERALS], distance_length[DEFLATE_DISTANCES];
+    uint16_t code[FIXED_LITERALS], distance_code[DEFLATE_DISTANCES];
 } coding;
 
 /* How the code lengths themselves are sent. */
 typedef struct header {
-    uint16_t run[BLOCK_LITERALS + BLOCK_DISTANCES]; /* symbol | extra << 8 */
+    uint16_t run[DEFLATE_LITERALS + DEFLATE_DISTANCES]; /* symbol | extra << 8 */
     unsigned runs, literals, distances, ordered;
     uint8_t length[HUFFMAN_LENGTH_CODES];
     uint16_t code[HUFFMAN_LENGTH_CODES];
@@ -47,19 +47,19 @@ static unsigned length_class(unsigned length_less_3, unsigned *extra) {
     return class_of(length_less_3, 2, extra);
 }
 
-void block_clear(block *b) {
+void deflate_block_clear(deflate_block *b) {
     b->tokens = 0;
     memset(b->literals, 0, sizeof b->literals);
     memset(b->distances, 0, sizeof b->distances);
     b->literals[END_OF_BLOCK] = 1;
 }
 
-void block_literal(block *b, uint8_t byte) {
+void deflate_block_literal(deflate_block *b, uint8_t byte) {
     b->token[b->tokens++] = byte;
     b->literals[byte]++;
 }
 
-void block_match(block *b, unsigned length, unsigned distance) {
+void deflate_block_match(deflate_block *b, unsigned length, unsigned distance) {
     unsigned extra;
     b->token[b->tokens++] = MATCH | (length - 3) << 16 | (distance - 1);
     b->literals[END_OF_BLOCK + 1 + length_class(length - 3, &extra)]++;
@@ -72,30 +72,30 @@ static void fixed_coding(coding *c) {
     }
     memset(c->distance_length, 5, sizeof c->distance_length);
     huffman_codes(c->length, FIXED_LITERALS, c->code);
-    huffman_codes(c->distance_length, BLOCK_DISTANCES, c->distance_code);
+    huffman_codes(c->distance_length, DEFLATE_DISTANCES, c->distance_code);
 }
 
-static void own_coding(const block *b, coding *c) {
-    uint32_t distances[BLOCK_DISTANCES];
+static void own_coding(const deflate_block *b, coding *c) {
+    uint32_t distances[DEFLATE_DISTANCES];
     memcpy(distances, b->distances, sizeof distances);
     /* Two distance codes at least: old readers refuse an incomplete code. */
     distances[0] += distances[0] == 0;
     distances[1] += distances[1] == 0;
-    huffman_lengths(b->literals, BLOCK_LITERALS, HUFFMAN_LIMIT, c->length);
-    huffman_lengths(distances, BLOCK_DISTANCES, HUFFMAN_LIMIT, c->distance_length);
-    huffman_codes(c->length, BLOCK_LITERALS, c->code);
-    huffman_codes(c->distance_length, BLOCK_DISTANCES, c->distance_code);
+    huffman_lengths(b->literals, DEFLATE_LITERALS, HUFFMAN_LIMIT, c->length);
+    huffman_lengths(distances, DEFLATE_DISTANCES, HUFFMAN_LIMIT, c->distance_length);
+    huffman_codes(c->length, DEFLATE_LITERALS, c->code);
+    huffman_codes(c->distance_length, DEFLATE_DISTANCES, c->distance_code);
 }
 
 /* Bits of all tokens and the end of block under `c`, without any header. */
-static uint64_t body_cost(const block *b, const coding *c) {
+static uint64_t body_cost(const deflate_block *b, const coding *c) {
     uint64_t cost = 0;
-    for (unsigned s = 0; s < BLOCK_LITERALS; s++) {
+    for (unsigned s = 0; s < DEFLATE_LITERALS; s++) {
         const unsigned k = s > END_OF_BLOCK ? s - END_OF_BLOCK - 1 : 0;
         const unsigned extra = k < 8 || k == 28 ? 0 : k / 4 - 1;
         cost += (uint64_t)b->literals[s] * (c->length[s] + extra);
     }
-    for (unsigned s = 0; s < BLOCK_DISTANCES; s++) {
+    for (unsigned s = 0; s < DEFLATE_DISTANCES; s++) {
         const unsigned extra = s < 4 ? 0 : s / 2 - 1;
         cost += (uint64_t)b->distances[s] * (c->distance_length[s] + extra);
     }
@@ -137,11 +137,11 @@ static unsigned run_extra(unsigned symbol) {
 }
 
 static void make_header(header *h, const coding *c) {
-    uint8_t all[BLOCK_LITERALS + BLOCK_DISTANCES];
+    uint8_t all[DEFLATE_LITERALS + DEFLATE_DISTANCES];
     uint32_t count[HUFFMAN_LENGTH_CODES] = {0};
     memset(h, 0, sizeof *h);
-    h->literals = used_symbols(c->length, BLOCK_LITERALS, END_OF_BLOCK + 1);
-    h->distances = used_symbols(c->distance_length, BLOCK_DISTANCES, 1);
+    h->literals = used_symbols(c->length, DEFLATE_LITERALS, END_OF_BLOCK + 1);
+    h->distances = used_symbols(c->distance_length, DEFLATE_DISTANCES, 1);
     memcpy(all, c->length, h->literals);
     memcpy(all + h->literals, c->distance_length, h->distances);
     find_runs(h, all, h->literals + h->distances);
@@ -185,7 +185,7 @@ static void write_match(uint32_t token, const coding *c, bits *out) {
     bits_put(out, distance & ((1u << extra) - 1), extra);
 }
 
-static void write_body(const block *b, const coding *c, bits *out) {
+static void write_body(const deflate_block *b, const coding *c, bits *out) {
     for (unsigned i = 0; i < b->tokens; i++) {
         const uint32_t token = b->token[i];
         if (token & MATCH) {
@@ -209,7 +209,7 @@ static void write_stored(const uint8_t *raw, size_t size, int last, bits *out) {
     } while (size);
 }
 
-void block_write(block *b, const uint8_t *raw, size_t size, int last, bits *out) {
+void deflate_block_write(deflate_block *b, const uint8_t *raw, size_t size, int last, bits *out) {
     coding fixed, own;
     header h;
     fixed_coding(&fixed);
@@ -227,5 +227,5 @@ void block_write(block *b, const uint8_t *raw, size_t size, int last, bits *out)
         write_header(&h, out);
         write_body(b, &own, out);
     }
-    block_clear(b);
+    deflate_block_clear(b);
 }
