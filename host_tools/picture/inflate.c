@@ -133,7 +133,10 @@ static void read_stored(unpacking *s) {
         s->wrong = 1;
     }
     for (unsigned i = 0; i < bytes && !s->wrong; i++) {
-        put_byte(s, (uint8_t)read_bits(s, 8));
+        const uint8_t byte = (uint8_t)read_bits(s, 8);
+        if (!s->wrong) {
+            put_byte(s, byte);
+        }
     }
 }
 

@@ -121,6 +121,12 @@ same() {
     verdict "$3" "$(cmp "$1" "$2" 2>&1)"
 }
 
+# differ FILE FILE: trouble, unless both are there and are not the same.
+differ() {
+    cmp -s "$1" "$2"
+    [ $? -eq 1 ] || echo "$1 and $2: equal, or not there"
+}
+
 # equal: trouble, unless the numbers in all lines "WHAT|NUMBER|NUMBER" on
 # standard input are equal to 6 digits.
 equal() {

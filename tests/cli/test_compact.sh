@@ -243,6 +243,7 @@ for build in host device; do
                 [ "$(hits hit | awk '{ print $4 }')" = "${count#*:}" ] || hits hit)"
         done
     done
+    rm -f once.plt twice.plt
     run pack knot.ply -o once.plt --build $build --nodes compact
     run pack knot.ply -o twice.plt --build $build --nodes compact
     same once.plt twice.plt "packing with --build $build twice gives the same bytes"

@@ -42,6 +42,9 @@ for flags in "--build host" "--build device" "--build none" "--nodes compact"; d
     # shellcheck disable=SC2086
     run pack knot.ply -o knot.plt $flags
     flips_of ${#flags} >flips
+    verdict "there are 100 bits of it to flip" "$(
+        [ "$status" -eq 0 ] || cat err
+        [ "$(wc -l <flips)" -eq 100 ] || wc -l <flips)"
     verdict "pack $flags: info, render and trace refuse 100 images with a flipped bit" "$(
         while read -r byte octal; do
             cp knot.plt bad.plt

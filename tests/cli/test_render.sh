@@ -59,7 +59,7 @@ verdict "... its first frame is the picture, the others differ" "$(
         i=$((i + 1))
     done | sort | uniq -d)"
 works "the default is 512 x 512" render quad.plt -o default.ppm
-verdict "... says its header" "$(sed -n 2p default.ppm | grep -v '^512 512$')"
+verdict "... says its header" "$([ "$(sed -n 2p default.ppm)" = "512 512" ] || head -n 3 default.ppm)"
 works "an ending may be in capitals" render quad.plt -o QUAD.PNG --size 8x8
 works "one pixel" render quad.plt -o pixel.ppm --size 1x1
 works "a line of pixels" render quad.plt -o line.ppm --size 300x1
@@ -74,7 +74,8 @@ verdict "... 90 degrees see the square in 4 x 4 of 8 x 8 pixels, the right ones"
     pixels camera.ppm | awk '
         { colour = $3 " " $4 " " $5 }
         $1 == 0 { sky = colour }
-        (colour != sky) != ($1 >= 2 && $1 <= 5 && $2 >= 2 && $2 <= 5) { print "pixel " $0 }')"
+        (colour != sky) != ($1 >= 2 && $1 <= 5 && $2 >= 2 && $2 <= 5) { print "pixel " $0 }
+        END { if (NR != 64) print NR " pixels" }')"
 verdict "... y is up and x to the right: number 1 above the diagonal, 0 below" "$(
     pixels camera.ppm | awk '
         $1 >= 2 && $1 <= 5 && $2 >= 2 && $2 <= 5 {
@@ -89,7 +90,8 @@ works "up may be another" render quad.plt -o turned.ppm --size 8x8 --shader tria
 verdict "... and then the picture stands on its head" "$(
     pixels turned.ppm | awk '$1 >= 2 && $1 <= 5 && $2 >= 2 && $2 <= 5 {
         print 7 - $1, 7 - $2, $3, $4, $5 }' | sort >turned
-    pixels camera.ppm | awk '$1 >= 2 && $1 <= 5 && $2 >= 2 && $2 <= 5' | sort | diff - turned)"
+    pixels camera.ppm | awk '$1 >= 2 && $1 <= 5 && $2 >= 2 && $2 <= 5' | sort | diff - turned
+    [ "$(wc -l <turned)" -eq 16 ] || wc -l <turned)"
 verdict "the default camera sees all of the scene, with sky on every side" "$(
     for up in 0,1,0 0,0,1 1,0,0 0,-1,0 1,2,3; do
         for size in 64x64 96x32 32x96; do
@@ -124,9 +126,9 @@ verdict "every shader gives another picture" "$(
     done
     run render knot.plt -o default.ppm --size 32x32
     cmp default.ppm eyelight.ppm
-    cmp -s eyelight.ppm normal.ppm && echo "eyelight is normal"
-    cmp -s normal.ppm triangle.ppm && echo "normal is triangle"
-    cmp -s triangle.ppm eyelight.ppm && echo "triangle is eyelight")"
+    differ eyelight.ppm normal.ppm
+    differ normal.ppm triangle.ppm
+    differ triangle.ppm eyelight.ppm)"
 
 # ---- statistics and the hash -------------------------------------------------
 

@@ -51,7 +51,7 @@ nan 0.25 5 0 0 0 -1 100
 0.5 0.25 5 9 0 0 -1 1
 END
 run trace quad.plt odd hit
-verdict "intervals hold their ends; odd rays hit nothing; a tie is the lower number's" "$(
+verdict "intervals hold their ends; odd rays hit nothing; a tie is the lower primitive id's" "$(
     cat err
     hits hit | awk '{ print $1 + 0, $4 }' >found
     printf '5 0\n0 %s\n5 0\n0 %s\n2.5 0\n0 %s\n5 0\n0 %s\n0 %s\n0 %s\n' 4294967295 4294967295 \
@@ -83,15 +83,17 @@ verdict "--any says whether there is a nearest hit" "$(
     hits nearest >found
     hits any | paste -d ' ' found - | awk '$8 != ($4 != 4294967295) { print "ray " NR ": " $0 }')"
 
-# every_way IMAGE [WALK]: trouble, unless all flags give the hits in `nearest` and `any`.
-every_way() {
+# every_flag IMAGE [ORDER]: trouble, unless all flags give the hits in `nearest` and `any`.
+every_flag() {
     for packet in 2 4 8 16; do
         for order in ${2:-depth two-stage}; do
             for source in map read; do
                 flags="--packet $packet --walk $order --source $source"
+                rm -f hit
                 # shellcheck disable=SC2086
                 run trace "$1" mixed hit $flags
                 cmp hit nearest || cat err
+                rm hit
                 # shellcheck disable=SC2086
                 run trace "$1" mixed hit --any $flags
                 cmp hit any || cat err
@@ -100,7 +102,7 @@ every_way() {
     done 2>&1
 }
 verdict "the image without tree: every packet, order and source gives the same hits" \
-    "$(every_way none.plt)"
+    "$(every_flag none.plt)"
 for build in host device; do
     for leaf in 1 2 4; do
         for more in "--splits sah" "--splits median --treelet 5"; do
@@ -109,7 +111,7 @@ for build in host device; do
             run pack knot.ply -o knot.plt $flags
             verdict "pack $flags: every packet, order and source gives the same hits" "$(
                 cat err
-                every_way knot.plt)"
+                every_flag knot.plt)"
         done
     done
 done
@@ -126,7 +128,7 @@ for leaf in 1 2 4; do
     run pack knot.ply -o knot.plt $flags
     verdict "pack $flags: every packet and source gives the same hits" "$(
         [ "$status" -eq 0 ] || cat err
-        every_way knot.plt depth)"
+        every_flag knot.plt depth)"
     # shellcheck disable=SC2086
     run pack knot.ply -o knot.plt $flags --build device
     run trace knot.plt mixed hit
@@ -157,7 +159,7 @@ verdict "... that fit together" "$(
 rays|$rays|1000
 packets of 64|$packets|16
 the arena|$arena_bytes|1073741824
-rays a microsecond|$mrays_per_s|$(awk "BEGIN { printf \"%.3f\", $rays / $seconds * 1e-6 }")
+rays per microsecond|$mrays_per_s|$(awk "BEGIN { printf \"%.3f\", $rays / $seconds * 1e-6 }")
 END
     [ "$triangle_tests" -gt 500 ] || echo "$triangle_tests triangle tests"
     [ "$node_visits" -gt 0 ] && [ "$group_tests" -ge "$node_visits" ] ||
@@ -175,7 +177,7 @@ verdict "the two-stage order visits more nodes or as many" "$(
     run trace knot.plt mixed hit --json - --walk two-stage
     [ "$(number node_visits <out)" -ge "$(number node_visits <stats)" ] || cat out)"
 dd if=/dev/zero of=many.rays bs=32 count=70000 2>/dev/null
-works "many rays go in pieces" trace knot.plt many.rays hit --json -
+works "many rays go in batches" trace knot.plt many.rays hit --json -
 verdict "... and are counted once" "$(
     [ "$(number rays <out)" = 70000 ] || cat out
     [ "$(wc -c <hit)" -eq 1120000 ] || wc -c <hit)"
@@ -211,6 +213,7 @@ refused "a device's image says what it needs of a far too small arena" device.pl
 
 for build in host device; do
     run pack knot.ply -o knot.plt --build $build
+    rm -f once twice
     run trace knot.plt mixed once
     run trace knot.plt mixed twice
     same once twice "tracing --build $build twice gives the same bytes"

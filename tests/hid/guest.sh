@@ -25,7 +25,9 @@ for word in $(cat /proc/cmdline); do
     case $word in HID_GROUPS=*) HID_GROUPS=$(echo "${word#*=}" | tr , " ") ;; esac
 done
 
+verdicts=0
 verdict() { # SENTENCE TROUBLE
+    verdicts=$((verdicts + 1))
     if [ -z "$2" ]; then
         echo "pass $1"
     else
@@ -109,8 +111,9 @@ done
 chmod 644 "$scratch/one"
 for group in ${HID_GROUPS:-lists real_displays own_displays cross gadgets strangers permissions \
     unplugged paced_displays}; do
-    began=$(uptime_seconds)
+    began=$(uptime_seconds) before=$verdicts
     $group
+    [ $verdicts -gt $before ] || echo "FAIL the group $group shows anything"
     echo "    $group: $(echo "$(uptime_seconds) $began" | awk '{ print $1 - $2 }') s"
 done
 echo "DONE in $(cut -d ' ' -f 1 /proc/uptime) s of the guest's clock"

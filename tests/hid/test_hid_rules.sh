@@ -18,9 +18,11 @@ if needs pkg-config && pkg-config --exists hidapi-hidraw hidapi-libusb; then
         "$program" show --help | tr -s ' \n' '  ' | grep -q "$notes only, not on hardware" ||
             "$program" show --help)"
     for backend in hidraw libusb; do
+        libraries=$(readelf -d "$out/planelet-hid-$backend" |
+            sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
         verdict "planelet-hid-$backend links hidapi-$backend and libc alone" "$(
-            readelf -d "$out/planelet-hid-$backend" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' |
-                grep -vE "^(libhidapi-$backend|libc|libm)\.so")"
+            echo "$libraries" | grep -q "^libhidapi-$backend" || echo "not hidapi: $libraries"
+            echo "$libraries" | grep -vE "^(libhidapi-$backend|libc|libm)\.so")"
     done
     text=$("$program" show picture.ppm --device ffff:ffff 2>&1)
     status=$?
