@@ -49,7 +49,7 @@ struct model {
 extern const model_kind model_planelet, model_mini, model_nova, model_apex, model_nexus;
 const model_kind *model_kind_named(const char *name); /* NULL: there is none */
 
-/* The shape is for Planelet panels; 0 takes 64x48, RGB565, a panel that cannot
+/* The shape is for Planelet panels; 0 means 64x48, RGB565, a panel that cannot
  * be read, reports of 64 bytes in both directions. NULL when memory is out. */
 typedef struct model_shape {
     unsigned width, height, format, report_bytes;

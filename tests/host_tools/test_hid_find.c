@@ -59,7 +59,7 @@ static void interfaces(void) {
     fail f = {""};
     fake_device keyboard = one, panel = one;
     const find_wish wish = {drivers, "1038:1618", NULL};
-    test("of a device with several interfaces the driver's own is taken");
+    test("of a device with several interfaces the driver's own is chosen");
     keyboard.vendor = panel.vendor = 0x1038;
     keyboard.product = panel.product = 0x1618;
     keyboard.path = "/dev/fake0";

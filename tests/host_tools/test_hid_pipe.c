@@ -1,4 +1,4 @@
-/* test_hid_pipe - planelet-hid show -, fed by a program that takes its time
+/* test_hid_pipe - planelet-hid show -, fed by a slow program
  *
  * SPDX-License-Identifier: MIT */
 #include <signal.h>

@@ -131,7 +131,7 @@ static void formats(void) {
     }
 }
 
-/* What goes wrong on the way: every so-manieth report; 0: none. */
+/* What goes wrong between host and display: one report in so many; 0: none. */
 typedef struct quirk {
     unsigned drop, cut, empty, slow_us;
     int runs_on;
@@ -158,13 +158,13 @@ static void quirks(void) {
     meet("a slow bus: every picture arrives", (quirk){.slow_us = 500});
     meet("one report in seven never arrives: every pixel of every picture does",
          (quirk){.drop = 7});
-    meet("one write in nine takes half a report: every pixel of every picture arrives",
+    meet("one write in nine accepts half a report: every pixel of every picture arrives",
          (quirk){.cut = 9});
     meet("all of it together: every pixel of every picture",
          (quirk){.drop = 11, .cut = 13, .empty = 3, .slow_us = 100});
     meet("one report in seven is lost, pictures run on: the last is whole",
          (quirk){.drop = 7, .runs_on = 1});
-    meet("one write in five takes half a report, pictures run on: the last is whole",
+    meet("one write in five accepts half a report, pictures run on: the last is whole",
          (quirk){.cut = 5, .runs_on = 1});
     meet("all of it together, pictures run on: the last is whole",
          (quirk){.drop = 11, .cut = 13, .empty = 3, .slow_us = 100, .runs_on = 1});
@@ -179,7 +179,7 @@ static void draw_noise(picture *p, fail *f) {
     }
 }
 
-/* A raw tile takes nine reports of 64 bytes in a row, so none gets through. */
+/* A raw tile needs nine reports of 64 bytes in a row, so none gets through. */
 static void hopeless(void) {
     test("two reports of three lost: an error names the cable, nothing waits for ever");
     bench b;

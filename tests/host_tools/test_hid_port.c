@@ -84,9 +84,9 @@ static void outputs(void) {
     port_statistics_get(p, &statistics);
     CHECK(statistics.reports == 1 && statistics.bytes == 64, "%u bytes",
           (unsigned)statistics.bytes);
-    test("a write that takes less than the report says so, and the next goes");
+    test("a write of less than the report says so, and the next goes");
     fake_bus.short_writes = 1;
-    CHECK(port_output(p, report, 65) == PORT_CUT, "half of it was taken");
+    CHECK(port_output(p, report, 65) == PORT_CUT, "half of it was accepted");
     fake_bus.short_writes = 0;
     CHECK(port_output(p, report, 65) == PORT_OK, "the next");
     test("a report that the system drops looks like one that arrived");

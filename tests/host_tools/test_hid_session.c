@@ -81,7 +81,7 @@ static void comes_back(const model_kind *kind, int libusb, unsigned after) {
     CHECK(show(&b, 0, &f) == 0, "%s", f.text);
     fake_bus.unplug_after = after;
     fake_bus.replug_ms = 250;
-    /* Twice, as a display of one report a frame is missed by the next alone. */
+    /* Twice: that a display of one report per frame is gone only the next frame notices. */
     CHECK(show(&b, 1, &f) == 0 && show(&b, 1, &f) == 0, "%s", f.text);
     CHECK(session_confirm(&b.session, &f) == 0, "%s", f.text);
     CHECK(model_shows_pattern(b.model, 1, 1) == 1, "after %u reports", after);
@@ -109,7 +109,7 @@ static void never_back(void) {
 static void other_device(void) {
     bench b;
     fail f = {""};
-    test("another display of the same kind is not taken for the one that went");
+    test("another display of the same kind is not mistaken for the one that went");
     open_bench(&b, &model_nova);
     fake_device other = b.device;
     other.serial = L"SN2";

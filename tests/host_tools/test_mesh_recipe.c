@@ -43,16 +43,16 @@ static void expect_first(const char *line, const float expected[9]) {
     mesh_free(&m);
 }
 
-static void places(void) {
-    test("The longest side gets the size, the centre of the base its place");
+static void positions(void) {
+    test("The longest side gets the size, the centre of the base its position");
     expect_first("wedge.obj 4 0 0 0", (const float[]){-1, 0, -2, 1, 0, 2, -1, 1, 2});
     expect_first("wedge.obj 8 10 20 30\n", (const float[]){8, 20, 26, 12, 20, 34, 8, 22, 34});
     expect_first("  wedge.obj\t4.0  -1e0 .5 +2 # here",
                  (const float[]){-2, 0.5f, 0, 0, 0.5f, 4, -2, 1.5f, 4});
 }
 
-static void turns(void) {
-    test("Quarter turns are exact, first about x, then about y");
+static void quarters(void) {
+    test("Quarters of the circle are exact, first about x, then about y");
     expect_first("wedge.obj 4 0 0 0 0 0", (const float[]){-1, 0, -2, 1, 0, 2, -1, 1, 2});
     expect_first("wedge.obj 4 0 0 0 90 0", (const float[]){-1, 4, -0.5f, 1, 0, -0.5f, -1, 0, 0.5f});
     expect_first("wedge.obj 4 0 0 0 -270 360",
@@ -62,7 +62,7 @@ static void turns(void) {
     expect_first("wedge.obj 4 0 0 0 90 90", (const float[]){-0.5f, 4, 1, -0.5f, 0, -1, 0.5f, 0, 1});
 }
 
-static void turns_freely(void) {
+static void rotates_freely(void) {
     test("A rotation by 30 degrees about y keeps the box's centre and its longest side");
     mesh m = must_read_text(RECIPE, "wedge.obj 4 1 2 3 0 30");
     float low[3] = {1e9f, 1e9f, 1e9f}, high[3] = {-1e9f, -1e9f, -1e9f};
@@ -74,7 +74,7 @@ static void turns_freely(void) {
     CHECK(fabsf(high[2] + low[2] - 6) < 1e-6f, "centre z %g", (double)(high[2] + low[2]) / 2);
     CHECK(fabsf(high[0] + low[0] - 2) < 1e-6f, "centre x %g", (double)(high[0] + low[0]) / 2);
     CHECK(low[1] == 2, "base %g", (double)low[1]);
-    /* The way from (1, 10, -2) to (3, 10, 2), turned, spans the width. */
+    /* The diagonal from (1, 10, -2) to (3, 10, 2), rotated, spans the width. */
     const double c = sqrt(0.75), s = 0.5, width = 2 * c + 4 * s;
     const double x = 4, z = (4 * c - 2 * s) * 4 / width;
     CHECK(m.vertices == 4 && fabs((double)(m.vertex[3] - m.vertex[0]) - x) < 1e-6, "x");
@@ -203,9 +203,9 @@ static void leaves_all(void) {
 
 int main(void) {
     make_files();
-    places();
-    turns();
-    turns_freely();
+    positions();
+    quarters();
+    rotates_freely();
     adds_lines();
     chooses_frames();
     finds_paths();

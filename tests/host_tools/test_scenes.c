@@ -170,7 +170,9 @@ static void check_closed(char scene, uint64_t number, long euler, double least, 
 }
 
 static void test_manifolds(void) {
-    test("knot: closed, every edge has two triangles, one each way; one handle; outside is out");
+    test(
+        "knot: closed, every edge has two triangles, one in each direction; one handle; outside is "
+        "out");
     check_closed('k', 24, 0, -99, 99); /* too coarse to have an inside */
     check_closed('k', 1000, 0, 15, 25);
     check_closed('k', 123456, 0, 23, 25);
@@ -259,7 +261,7 @@ static void test_refusals(void) {
         CHECK(m.vertices == 0 && m.triangles == 0, "something was left");
         mesh_free(&m);
     }
-    test("scenes: a second scene is appended, with its own vertex numbers");
+    test("scenes: a second scene is appended, with its own vertex indices");
     mesh m = made('g', 0);
     fail f = {""};
     CHECK(make(&m, 'k', 24, &f) == 0 && make(&m, 'm', 0, &f) == 0, "%s", f.text);
@@ -290,7 +292,7 @@ static void test_memory(void) {
         less.rlim_cur = 100u << 20;
         CHECK(setrlimit(RLIMIT_AS, &less) == 0, "no limit");
         CHECK(make(&m, i ? 'k' : 't', 10000000, &f) == -1, "240 MB fitted into 100");
-        CHECK(setrlimit(RLIMIT_AS, &before) == 0, "no way back");
+        CHECK(setrlimit(RLIMIT_AS, &before) == 0, "the limit stays");
         CHECK(f.text[0] && !strchr(f.text, '\n'), "\"%s\"", f.text);
         CHECK(m.vertices == 8 && m.triangles == 12, "%zu %zu", m.vertices, m.triangles);
         mesh_free(&m);

@@ -1,4 +1,4 @@
-/* test_view - where the camera of planelet render stands
+/* test_view - where the camera of planelet render is
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -131,14 +131,16 @@ static void check_flags(void) {
 static void check_orbit(void) {
     const plt_camera from = {.eye = {3, 4, 5}, .look = {1, 1, 1}, .up = {0, 2, 0}};
     for (int i = 0; i <= 16; i++) {
-        const double turn = i / 16.0, angle = 6.283185307179586 * turn;
+        const double circles = i / 16.0, angle = 6.283185307179586 * circles;
         plt_camera to;
-        view_orbit(&from, turn, &to);
+        view_orbit(&from, circles, &to);
         const double x = 2 * cos(angle) + 4 * sin(angle), z = 4 * cos(angle) - 2 * sin(angle);
         CHECK(fabs((double)to.eye[0] - (1 + x)) < 1e-5 && fabs((double)to.eye[1] - 4) < 1e-5 &&
                   fabs((double)to.eye[2] - (1 + z)) < 1e-5,
-              "turn %g: %g %g %g", turn, (double)to.eye[0], (double)to.eye[1], (double)to.eye[2]);
-        CHECK(memcmp(to.look, from.look, sizeof to.look) == 0, "turn %g: looks elsewhere", turn);
+              "%g circles: %g %g %g", circles, (double)to.eye[0], (double)to.eye[1],
+              (double)to.eye[2]);
+        CHECK(memcmp(to.look, from.look, sizeof to.look) == 0, "%g circles: looks elsewhere",
+              circles);
     }
 }
 
@@ -149,7 +151,7 @@ int main(void) {
     check_empty();
     test("every flag moves its part of the camera and no other");
     check_flags();
-    test("an orbit turns the eye about the axis through look along up");
+    test("an orbit rotates the eye about the axis through look along up");
     check_orbit();
     return test_done();
 }
