@@ -12,7 +12,7 @@
 
 typedef struct arg_flag {
     const char *name;  /* "--leaf" or "-o" */
-    const char *value; /* what stands for the value in the help; NULL: a switch */
+    const char *value; /* placeholder of the value in the help; NULL: a switch */
     const char *help;
 } arg_flag;
 
@@ -45,7 +45,7 @@ void args_help(const char *program, const arg_command *command);
 int args_has(const args *a, const char *flag);
 const char *args_text(const args *a, const char *flag, const char *otherwise);
 
-/* What is out of range each refuses, as args_complain does. */
+/* Each refuses a value that is out of range through args_complain. */
 uint64_t args_number(args *a, const char *flag, uint64_t otherwise, uint64_t least, uint64_t most);
 unsigned args_choice(args *a, const char *flag, const char *const *words, unsigned otherwise);
 int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */

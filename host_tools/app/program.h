@@ -1,4 +1,4 @@
-/* program - the first words of a command line: COMMAND, help, --version
+/* program - reads the first word of a command line: a command, help or --version
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PROGRAM_H
@@ -11,7 +11,7 @@ enum { PROGRAM_DONE = 0, PROGRAM_FAILED = 1, PROGRAM_WRONG_USAGE = 2 };
 
 typedef struct program_command {
     const arg_command *command;
-    int (*run)(args *a); /* a status; what failed it has said in one line */
+    int (*run)(args *a); /* a status; prints one line about what failed */
 } program_command;
 
 typedef struct program {

@@ -11,10 +11,6 @@ static uint64_t read_ns(clockid_t id) {
     return (uint64_t)t.tv_sec * 1000000000u + (uint64_t)t.tv_nsec;
 }
 
-uint64_t clock_us(void) {
-    return read_ns(CLOCK_MONOTONIC) / 1000;
-}
-
 uint32_t clock_ms(void) {
     return (uint32_t)(read_ns(CLOCK_MONOTONIC) / 1000000);
 }

@@ -6,9 +6,8 @@
 #include <stdint.h>
 
 /* Monotonic: never set back, counts from a moment of the system's choice. */
-uint64_t clock_us(void);
-uint32_t clock_ms(void); /* wraps after 49.7 days, as the wire's clock does */
 double clock_seconds(void);
+uint32_t clock_ms(void); /* wraps after 49.7 days, as the wire's clock does */
 
 /* Sleeps so long, or less when a signal is caught meanwhile. */
 void clock_sleep(double seconds);

@@ -17,7 +17,7 @@ typedef struct serve_job {
     unsigned report_bytes;          /* in both directions */
     unsigned frames;                /* to receive; 0: without end */
     uint32_t patience_ms;           /* without a frame; 0: for ever */
-    /* The view of frame `number`; and what to do with it: nonzero ends. */
+    /* Fill the view of frame `number`; receive that frame (nonzero ends the run). */
     void (*view)(void *context, unsigned number, wire_view *view);
     int (*frame)(void *context, unsigned number, const picture *p, fail *f);
     void *context;
@@ -25,7 +25,7 @@ typedef struct serve_job {
 } serve_job;
 
 typedef struct serve_result {
-    wire_stats host, device;
+    wire_stats host;
     unsigned frames;
     uint32_t ms;
 } serve_result;

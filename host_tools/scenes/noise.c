@@ -6,7 +6,9 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/scenes/noise.h"
 
-uint32_t noise_hash(uint32_t x, uint32_t z, uint32_t seed) {
+/* Flipping any bit of the arguments flips each bit of the result with a
+ * probability of about one half. */
+static uint32_t hash_of(uint32_t x, uint32_t z, uint32_t seed) {
     uint32_t h = x * 0x9E3779B1u ^ (z * 0x85EBCA77u + seed * 0xC2B2AE3Du);
     h = (h ^ h >> 16) * 0x85EBCA6Bu;
     h = (h ^ h >> 13) * 0xC2B2AE35u;
@@ -14,12 +16,12 @@ uint32_t noise_hash(uint32_t x, uint32_t z, uint32_t seed) {
 }
 
 double noise_unit(uint32_t x, uint32_t z, uint32_t seed) {
-    return noise_hash(x, z, seed) * (1.0 / 4294967296.0);
+    return hash_of(x, z, seed) * (1.0 / 4294967296.0);
 }
 
 /* The gradient of the grid point x z, each part -1 .. 1, times the distance from it. */
 static double ramp(uint32_t x, uint32_t z, uint32_t seed, double dx, double dz) {
-    const uint32_t h = noise_hash(x, z, seed);
+    const uint32_t h = hash_of(x, z, seed);
     const double slope_x = (double)(h & 65535) * (2.0 / 65535.0) - 1.0;
     const double slope_z = (double)(h >> 16) * (2.0 / 65535.0) - 1.0;
     return slope_x * dx + slope_z * dz;

@@ -5,10 +5,8 @@
 #define NOISE_H
 #include <stdint.h>
 
-/* Flipping any bit of the arguments flips each bit of the result with a
- * probability of about one half. */
-uint32_t noise_hash(uint32_t x, uint32_t z, uint32_t seed);
-double noise_unit(uint32_t x, uint32_t z, uint32_t seed); /* 0 .. 1, 1 excluded */
+/* 0 .. 1, 1 excluded. */
+double noise_unit(uint32_t x, uint32_t z, uint32_t seed);
 
 /* Gradient noise: -1 .. 1, 0 at whole numbers, second derivative continuous;
  * |x|, |z| < 2^31. */

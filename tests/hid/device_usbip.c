@@ -24,7 +24,7 @@
 enum { TICK_US = 2000, SUBMIT = 1, UNLINK = 2, RET_SUBMIT = 3, RET_UNLINK = 4 };
 
 static int64_t now_us(void) {
-    return (int64_t)clock_us();
+    return (int64_t)(1e6 * clock_seconds());
 }
 
 static void move_all(usbip *u, void *bytes, size_t count, int out) {

@@ -1,8 +1,9 @@
 /* test_pack_mend - slivers that would become lines on the lattice are mended
  *
- * A tetrahedron 4,094 long: at 12 bits the lattice's step is 1 and its origin 0, so
- * that coordinates in the mesh are those on the lattice. Edges get a corner beside them and a
- * sliver that closes the gap; rounding makes a line of it, and the corner lies on the edge.
+ * A tetrahedron 4,094 long: at 12 bits the lattice's step is 1 and its origin 0, and
+ * coordinates in the mesh are those on the lattice. An edge gets a corner beside it
+ * and a sliver that closes the gap; rounding makes a line of the sliver, and the
+ * corner lies on the edge.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>

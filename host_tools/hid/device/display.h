@@ -51,7 +51,7 @@ struct driver {
     const char *name;     /* "nexus" */
     const char *about;    /* "Corsair iCUE Nexus, 640x48" */
     const driver_id *ids; /* ended by vendor 0 */
-    int from_notes;       /* DISPLAY_DISCLAIMER holds of it */
+    int from_notes;       /* DISPLAY_DISCLAIMER is true of it */
 
     /* `display` holds port and driver, the rest is zero. Fills it. */
     int (*open)(display *d, fail *f);
@@ -81,9 +81,9 @@ void display_close(display *d); /* after a failed open it does nothing */
 /* Whether `stop` was set a second ago: time enough for the rest of a picture. */
 int display_is_stopped(display *d);
 
-/* What a driver's port call means to its caller. A report that went only in
- * part leaves the device in the middle of a frame: so the display is closed and
- * opened again, as after an unplug. */
+/* The display_status for a port_status. A report that was cut leaves the device in
+ * the middle of a frame; like an unplug it is DISPLAY_GONE, and the display is closed
+ * and opened again. */
 int display_status(int port_status);
 
 #endif

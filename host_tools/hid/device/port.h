@@ -30,8 +30,9 @@ enum port_status {
     PORT_CUT = -2   /* the system accepted only a part: the report did not go */
 };
 
-/* Starts hidapi again (on libusb it never sees a new device otherwise)
- * and fills at most `room` entries; returns how many. No port is open. */
+/* Lists what is plugged in now: fills at most `room` entries and returns how many.
+ * hidapi is started again for it (otherwise it never sees a new device on libusb);
+ * no port may be open. */
 unsigned port_list(port_info *list, unsigned room);
 
 /* Opens a device of the list. On failure `f` says why and what to do. */

@@ -35,8 +35,8 @@ int session_open(session *s, fail *f);
  * error, looks for it every 100 ms and shows the whole picture when it is back. */
 int session_show(session *s, const picture *p, fail *f);
 
-/* Until the device has confirmed the picture, as far as its protocol says,
- * or a second after `stop`. */
+/* Waits until the device has confirmed the picture, if its protocol can, or until a
+ * second after `stop`. */
 int session_confirm(session *s, fail *f);
 
 /* Keeps the link alive between pictures: call it at least ten times per second

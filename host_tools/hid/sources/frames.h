@@ -39,7 +39,7 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
 
 #define FRAMES_SCENE_FLAGS                                                                         \
     {"--shader", "eyelight|normal|triangle", "a scene's colours"}, {                               \
-        "--turn", "SECONDS", "once around a scene in so long; 0 stands still (default 12)"         \
+        "--turn", "SECONDS", "time of an orbit around a scene; 0: no motion (default 12)"          \
     }
 
 /* The stream ended too early. Returns -1; `f` says that it could not be read or, if it
