@@ -1,7 +1,7 @@
 /* view - see view.h
  *
- * Double precision, rounded once: the engine gets the same floats wherever
- * the last bit of a tangent does not decide.
+ * Computed in double and rounded once: machines whose tangents differ in the last
+ * bit still give the engine the same floats, but for rare ties.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/app/view.h"

@@ -117,7 +117,7 @@ static void print_parts_text(const plt_info *i, const derived *d) {
     }
 }
 
-/* A device's tree is not there until it is built. */
+/* With --build device there is no tree before it is built. */
 static int tree_is_known(const plt_info *i) {
     return i->build != PLT_BUILD_DEVICE || i->leaf_lists + i->intermediate_lists > 0;
 }
@@ -178,8 +178,8 @@ static void print_text(const plt_info *i, const derived *d) {
     }
 }
 
-/* The whole image is checked. A device's tree is counted too, unless building
- * it here needs more than there is. */
+/* Checks the whole image. The tree of --build device is built here to count it, unless
+ * the arena is too small. */
 static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     plt_fault fault;
     int status = plt_image_info(&s->file.source, info, &fault);

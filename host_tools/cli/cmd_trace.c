@@ -48,7 +48,7 @@ typedef struct tracing {
     double seconds; /* of the best run */
 } tracing;
 
-/* Rays are floats of this machine from here on. */
+/* Decodes the little-endian rays into floats of this machine. */
 static int decode_rays(tracing *t, const input *in, const char *name, fail *f) {
     if (in->size % RAY_BYTES != 0) {
         return fail_set(f, name,

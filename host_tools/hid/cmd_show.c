@@ -147,7 +147,7 @@ static int show_source(showing *s, fail *f) {
     return FRAMES_END;
 }
 
-/* A picture is a source of one frame without a time of its own. */
+/* A picture is a source of one frame without a period. */
 static int show_file(showing *s, args *a, const char *path, int is_last, fail *f) {
     const unsigned width = s->session.panel.width, height = s->session.panel.height;
     int status = unless_stopped(frames_open(&s->source, a, path, width, height, f), f);
@@ -221,7 +221,7 @@ static double read_seconds(args *a, const char *flag, float otherwise) {
     return (double)value;
 }
 
-/* Frames that each wait until they are confirmed do not move. */
+/* With --every each frame is confirmed before the next, and so exact. */
 static void read_near(session *s, args *a, int every) {
     const int is_auto = strcmp(args_text(a, "--near", "auto"), "auto") == 0;
     s->fps = (unsigned)args_number(a, "--fps", 12, 1, 100);

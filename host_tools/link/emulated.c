@@ -15,7 +15,8 @@
 
 enum { VISITS = 20000, STEPS = 8 }; /* node visits per step; steps between reports */
 
-/* Sends what there is; -1: the link is down. A busy link keeps the report. */
+/* Sends all reports that are due; -1: the link is down. With a busy link the report stays
+ * in `held`. */
 static int send_reports(wire_device *d, const transport *t, uint8_t *report, size_t *held) {
     for (;;) {
         if (*held == 0) {

@@ -185,7 +185,7 @@ static int stream_receive(void *context, uint8_t *report, int ms) {
                 hang_up(l);
                 return -1;
             }
-            clock_sleep(0.001); /* nobody has it open: poll says so at once */
+            clock_sleep(0.001); /* no program has it open: poll returns at once */
         }
         l->in_read = 0;
         l->in_used = n > 0 ? (size_t)n : 0;

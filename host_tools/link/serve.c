@@ -24,12 +24,12 @@ typedef struct serving {
     uint8_t *panel;
     picture shown;
     unsigned number; /* frames received */
-    uint32_t seen;   /* frames that had come whole when the view was sent */
+    uint32_t seen;   /* whole frames received when the view was sent */
     uint32_t began_ms, frame_ms;
     int is_up;
     progress bar;
     enum phase phase;
-    uint32_t tiles; /* that had come when the frame began */
+    uint32_t tiles; /* received when the frame began */
     char what[40];
 } serving;
 
@@ -135,7 +135,7 @@ static void update_link(serving *s, int is_there) {
     }
 }
 
-/* The sentence for what the device said, or what the scene's fate was. */
+/* Fails with a sentence for the device's error, or when the scene does not fit; else 0. */
 static int refusal(serving *s, fail *f) {
     uint32_t detail, has;
     const unsigned state = wire_scene_out_state(&s->scene, &has);

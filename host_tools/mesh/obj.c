@@ -1,8 +1,8 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
  * `v` and `f` are read, all other keywords passed over. A face may use a
- * vertex that only comes later. A number counts from 1, a negative one
- * back from the last vertex so far.
+ * vertex that only comes later. Vertices are counted from 1; a negative
+ * number counts back from the last vertex so far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.

@@ -124,7 +124,7 @@ static int read_one(ply_reader *r, const ply_element *e, const role *what) {
     }
 }
 
-/* Elements without properties take no bytes and say nothing. */
+/* Elements without properties have no bytes and no meaning. */
 static int read_element(ply_reader *r, const ply_element *e, const input *in) {
     static const char *const NAMES[] = {"element", "vertex", "face", "strip"};
     role what;
@@ -162,7 +162,7 @@ static int check_end(ply_reader *r) {
                        (size_t)(r->data.end - r->data.at));
 }
 
-/* Room for what the header announces: its counts fit the bytes there. */
+/* Room for what the header announces; its counts were checked against the file size. */
 static int make_room(ply_reader *r) {
     uint64_t faces = 0;
     r->in.declared = 0;

@@ -116,7 +116,7 @@ static int read_binary(reader *r, const input *in) {
     return 0;
 }
 
-/* Over line ends; the next word has length 0 at the end of the text. */
+/* Moves over line ends to the next word; its length is 0 at the end of the text. */
 static void find_word(reader *r) {
     while (scan_line_done(&r->text) && scan_next_line(&r->text)) {
     }

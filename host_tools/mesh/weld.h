@@ -1,6 +1,6 @@
 /* weld - finds the vertex that has the same bits
  *
- * Only equal bits weld: 0 and -0 stay apart, and so does all that is
+ * Only equal bits weld: 0 and -0 stay apart, and so do positions that are
  * merely close. Expected cost: one probe or two.
  *
  * SPDX-License-Identifier: MIT */

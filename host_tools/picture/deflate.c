@@ -1,8 +1,8 @@
 /* deflate - lossless compression as PNG wants it
  *
  * Lazy matching over hash chains: a match is held back one byte to see
- * whether a longer one starts there. A chain is left after CHAIN_MAX steps
- * or at a match that cannot be bettered, so that time is linear.
+ * whether a longer one starts there. A search ends after CHAIN_MAX steps
+ * or at the longest possible match: time is linear.
  *
  * Invariant: head and prev hold position + 1 of earlier positions only,
  * 0 for none; prev is a ring of the last WINDOW positions.

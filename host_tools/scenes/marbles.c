@@ -1,4 +1,4 @@
-/* marbles - the mechanics behind scene_marbles
+/* marbles - the mechanics of scene_marbles
  *
  * A step: gravity; friction of the floor, which changes sliding into rolling;
  * rolling resistance; bounces; motion; removal of overlaps. A marble that rolls

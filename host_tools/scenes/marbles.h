@@ -1,4 +1,4 @@
-/* marbles - the mechanics behind scene_marbles
+/* marbles - the mechanics of scene_marbles
  *
  * In the tray's own axes: floor in the plane y = 0, marbles of radius 1 and
  * mass 1 whose centres stay at y = 1, lengths in radii (2 cm), seconds. The

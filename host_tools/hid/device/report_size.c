@@ -30,7 +30,7 @@ static uint32_t item_value(const uint8_t *at, unsigned bytes) {
     return value;
 }
 
-/* Sums of more than any report's bits are held at that. */
+/* A sum stops at 64 KiB, more than any report has. */
 static uint32_t add_bits(uint32_t sum, uint32_t size, uint32_t count) {
     const uint64_t bits = sum + (uint64_t)size * count;
     return bits > 8 * 65536 ? 8 * 65536 : (uint32_t)bits;

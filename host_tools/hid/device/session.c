@@ -26,7 +26,7 @@ static int set_brightness(session *s, fail *f) {
     return by->brightness(&s->display, (unsigned)s->brightness, f);
 }
 
-/* Another firmware may have come back. */
+/* The device may have come back with another firmware. */
 static int check_size(session *s, fail *f) {
     const display *d = &s->display;
     if (d->width == s->panel.width && d->height == s->panel.height) {
@@ -69,9 +69,8 @@ int session_open(session *s, fail *f) {
     return picture_make(&s->panel, s->display.width, s->display.height, f);
 }
 
-/* Until the device is there and open, or patience ends. Why an open failed
- * is of interest only when time is over: right after a plug-in the system
- * may still be giving the device its permissions. */
+/* Waits until the device is there and opens, or `patience` ends. Failed opens are not
+ * reported: right after a plug-in the system may still be setting permissions. */
 static int come_back(session *s, fail *f) {
     const driver *by = s->display.by;
     const double end = clock_seconds() + s->patience;

@@ -7,7 +7,7 @@
  * driver is not for it.)
  *
  * Sources: steelseries-oled (edbgon), steelseries-apex-oled (jonkadelic),
- * OmniLED (llMBQll), facts alone. Not run on hardware.
+ * OmniLED (llMBQll), facts only. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/hid/drivers/drivers.h"

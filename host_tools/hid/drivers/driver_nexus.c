@@ -12,7 +12,7 @@
  * Numbers are little-endian. Brightness is feature report 3, of 32 bytes.
  * The second interface is a keyboard; the driver is not for it.
  *
- * Source: Nexus-Manager wiki (codingncaffeine), facts alone. Not run on
+ * Source: Nexus-Manager wiki (codingncaffeine), facts only. Not run on
  * hardware.
  *
  * SPDX-License-Identifier: MIT */

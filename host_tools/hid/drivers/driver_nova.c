@@ -11,7 +11,7 @@
  * up to ten times, after 1, 4, 9 ... ms. Brightness (1 .. 10) and the
  * return to the device's own picture are output reports of 64 bytes.
  *
- * Source: ggoled (JerwuQu), facts alone. Not run on hardware.
+ * Source: ggoled (JerwuQu), facts only. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/base/clock.h"

@@ -13,7 +13,7 @@
 
 enum {
     WAIT_MS = 2,
-    OPEN_MS = 1500,  /* to answer the first hello */
+    OPEN_MS = 1500,  /* for the device to answer the first hello */
     STUCK_MS = 1500, /* without anything going out or in: the display is gone */
     SLOW_MS = 5000,  /* for a picture, in addition to the time of its bytes at SLOW_BYTES per ms */
     SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
@@ -58,7 +58,7 @@ static int send_report(display *d, int *sent) {
     return port_output(d->port, p->report, bytes + 1) == PORT_GONE ? PORT_GONE : PORT_OK;
 }
 
-/* One report out, then all that came in; waits only if none went out. */
+/* Sends one report, then reads all that came; waits only if none was sent. */
 static int exchange(display *d, unsigned wait_ms, int *sent) {
     planelet *p = d->state;
     wire_poll(&p->end, clock_ms());
@@ -94,7 +94,7 @@ static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned 
     return DISPLAY_OK;
 }
 
-/* As exchange_until, for a picture: one that cannot get through says so. */
+/* As exchange_until, for a picture; an error when it does not get through. */
 static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
     const int status = exchange_until(d, is_so, STUCK_MS);
     return status != DISPLAY_FAILED
@@ -283,7 +283,7 @@ static void planelet_near(display *d, unsigned steps, unsigned fps) {
     }
 }
 
-/* pid.codes gives 1209:0001 to tests; a product of one's own has its own id. */
+/* pid.codes reserves 1209:0001 for tests; a product needs an id of its own. */
 static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
 
 const driver driver_planelet = {.name = "planelet",

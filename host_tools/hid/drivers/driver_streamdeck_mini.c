@@ -16,7 +16,7 @@
  * changed since the last picture are sent.
  *
  * Sources: Elgato, "Stream Deck Mini Protocol", docs.elgato.com, read 2026;
- * python-elgato-streamdeck (D. Camera), facts alone. Not run on hardware.
+ * python-elgato-streamdeck (D. Camera), facts only. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>

@@ -22,14 +22,14 @@ int stream_open(stream *s, const char *path) {
 }
 
 void stream_close(stream *s) {
-    if (s->fd >= 0 && s->fd != STDIN_FILENO) { /* zero, when it was never opened */
+    if (s->fd >= 0 && s->fd != STDIN_FILENO) { /* fd is 0 when it was never opened */
         close(s->fd);
     }
     free(s->bytes);
     *s = (stream){.fd = -1, .tick = s->tick, .context = s->context};
 }
 
-/* Until there are bytes or the end; 0: give up. */
+/* Waits for bytes or the end of the stream; 0: the tick wants no more. */
 static int wait_for(stream *s) {
     struct pollfd p = {.fd = s->fd, .events = POLLIN};
     if (poll(&p, 1, 0) != 0) { /* an error shows when it is read */
