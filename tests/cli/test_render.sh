@@ -59,7 +59,8 @@ verdict "... its first frame is the picture, the others differ" "$(
         i=$((i + 1))
     done | sort | uniq -d)"
 works "the default is 512 x 512" render quad.plt -o default.ppm
-verdict "... says its header" "$([ "$(sed -n 2p default.ppm)" = "512 512" ] || head -n 3 default.ppm)"
+verdict "... says its header" "$(
+    [ "$(sed -n 2p default.ppm)" = "512 512" ] || head -n 3 default.ppm)"
 works "an ending may be in capitals" render quad.plt -o QUAD.PNG --size 8x8
 works "one pixel" render quad.plt -o pixel.ppm --size 1x1
 works "a line of pixels" render quad.plt -o line.ppm --size 300x1
@@ -219,7 +220,8 @@ works "render --show heeds COLUMNS and LINES" render knot.plt --show
 unset COLUMNS LINES
 verdict "... and stays within them" "$(
     awk 'length > 30 { print length " characters" } END { if (NR > 11) print NR " lines" }' out)"
-works "picture, drawing and statistics at once" render knot.plt -o p.png --show --json - --size 32x32
+works "picture, drawing and statistics at once" \
+    render knot.plt -o p.png --show --json - --size 32x32
 verdict "... are all there" "$(
     [ -s p.png ] || echo "no picture"
     sed -n '/^{$/,$p' out >stats
