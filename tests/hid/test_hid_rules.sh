@@ -4,9 +4,10 @@
 . tests/check/report.sh
 out=${OUT:-$BUILD/host}
 rules=host_tools/hid/70-planelet.rules
+mkdir -p "$BUILD/hid"
 notes="implemented from published protocol notes; tested byte for byte against our own emulator"
 
-if needs pkg-config && pkg-config --exists hidapi-hidraw hidapi-libusb; then
+if needs pkg-config readelf && pkg-config --exists hidapi-hidraw hidapi-libusb; then
     trouble=$($MAKE -s planelet-hid 2>&1 >/dev/null)
     verdict "planelet-hid builds with both backends" "$trouble"
     program=$out/planelet-hid
@@ -17,6 +18,9 @@ if needs pkg-config && pkg-config --exists hidapi-hidraw hidapi-libusb; then
     verdict "the help of show says so too" "$(
         "$program" show --help | tr -s ' \n' '  ' | grep -q "$notes only, not on hardware" ||
             "$program" show --help)"
+    verdict "help show is show --help, as with planelet" "$(
+        "$program" show --help >"$BUILD/hid/help" && [ -s "$BUILD/hid/help" ] || echo "no help"
+        "$program" help show | diff "$BUILD/hid/help" -)"
     for backend in hidraw libusb; do
         libraries=$(readelf -d "$out/planelet-hid-$backend" |
             sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')

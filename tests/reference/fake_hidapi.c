@@ -170,8 +170,8 @@ static const fake_device *behind(const hid_device *h) {
     return h->plug == inside.plugs[h->socket] ? fake_bus.device[h->socket] : NULL;
 }
 
-/* About every n-th, the same in every run; not just every n-th, or a protocol
- * that sends n reports a round would lose the same one for ever. */
+/* About every n-th, the same in every run. Not exactly every n-th: a protocol that
+ * sends n reports per round would always lose the same one. */
 static int one_in(unsigned n, uint64_t count) {
     const uint64_t mixed = (count + 1) * UINT64_C(0x9E3779B97F4A7C15);
     return n > 0 && (mixed >> 40) % n == 0;

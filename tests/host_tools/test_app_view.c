@@ -1,4 +1,4 @@
-/* test_view - where the camera of planelet render is
+/* test_app_view - where the camera of planelet render is
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
