@@ -12,7 +12,10 @@ LANES ?= $(if $(X86),sse,scalar)
 OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
 
 PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
-TOOLS := $(filter-out host_tools/cli/main.c host_tools/hid/%,$(sort $(wildcard host_tools/*/*.c)))
+# What both programs of host_tools and the tests share; cli/ is planelet's own part,
+# hid/ planelet-hid's (hid.mk).
+TOOLS := $(filter-out host_tools/cli/% host_tools/hid/%,$(sort $(wildcard host_tools/*/*.c)))
+CLI := $(sort $(wildcard host_tools/cli/*.c))
 HOST := $(sort $(wildcard board/host/*.c))
 # The portable firmware runs on the host too, on the fake board.
 FAKE := $(sort $(wildcard board/*.c board/fake/*.c))
@@ -37,7 +40,7 @@ $(OUT)/libplanelet.a: $(ENGINE_OBJECTS)
 	@echo "$(AR) $@"
 	@$(AR) rcs $@ $^
 
-$(OUT)/planelet: $(OUT)/host_tools/cli/main.o $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+$(OUT)/planelet: $(call objects,$(CLI)) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm
 

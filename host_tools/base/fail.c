@@ -10,8 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A path longer than this shows its end only: it must not push the remedy
- * out of the text. */
+/* Of a longer path only the end is shown: the remedy must still fit. */
 enum { PATH_SHOWN = 200 };
 
 static size_t put_path(char *text, size_t room, const char *file) {

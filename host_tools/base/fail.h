@@ -1,10 +1,10 @@
 /* fail - one sentence that says what went wrong, where, and what to do
  *
  * Every fallible host function takes a `fail *` last, and returns 0 or
- * -1 (NULL for pointers). The first failure wins: `fail_set` keeps what
- * is already there, so that clean-up code cannot hide the cause.
+ * -1 (NULL for pointers). The first failure wins: `fail_set` keeps a text
+ * that is already there, and clean-up code cannot hide the cause.
  *
- * The sentence has the form "FILE: PLACE: WHAT; REMEDY", on one line.
+ * The sentence has the form "FILE: LOCATION: WHAT; REMEDY", on one line.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef FAIL_H

@@ -9,7 +9,7 @@
 
 typedef struct input {
     const char *path;     /* not owned */
-    unsigned char *bytes; /* owned; one zero byte stands behind the last */
+    unsigned char *bytes; /* owned; one zero byte follows the last */
     size_t size;
 } input;
 

@@ -4,7 +4,7 @@
  * it, checks every error the system can report (a full disk often shows
  * only at close), and renames it over the target. `output_abandon`, a
  * normal exit without commit, SIGINT, SIGTERM and SIGHUP remove it. The
- * path "-" is standard output, which cannot be taken back.
+ * path "-" is standard output, which cannot be undone.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef OUTPUT_H

@@ -1,4 +1,4 @@
-/* progress - a line on standard error for work that takes its time
+/* progress - a line on standard error for work that takes seconds
  *
  * Keeps: nothing is written unless standard error is a terminal.
  *
@@ -6,20 +6,15 @@
 #include "host_tools/base/progress.h"
 
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "host_tools/base/clock.h"
 
 static const double FIRST_SECONDS = 1.0;
 static const double STEP_SECONDS = 0.1;
 
-double progress_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
 void progress_begin(progress *p, const char *what, uint64_t total) {
-    const double now = progress_seconds();
+    const double now = clock_seconds();
     *p = (progress){.what = what, .total = total, .began = now, .on = isatty(STDERR_FILENO)};
 }
 
@@ -27,7 +22,7 @@ void progress_show(progress *p, uint64_t done) {
     if (!p->on) {
         return;
     }
-    const double now = progress_seconds();
+    const double now = clock_seconds();
     if (now - p->began < FIRST_SECONDS || now - p->shown < STEP_SECONDS) {
         return;
     }

@@ -1,8 +1,8 @@
-/* progress - a line on standard error for work that takes its time
+/* progress - a line on standard error for work that takes seconds
  *
- * Nothing is printed before one second has passed, nor when standard
- * error is not a terminal; then at most ten lines a second, each over the
- * last, and the line is wiped at the end.
+ * Nothing is printed before one second has passed, nor when standard error is
+ * not a terminal. After that the line is rewritten at most ten times per
+ * second, and erased at the end.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PROGRESS_H
@@ -19,6 +19,5 @@ typedef struct progress {
 void progress_begin(progress *p, const char *what, uint64_t total);
 void progress_show(progress *p, uint64_t done);
 void progress_end(progress *p);
-double progress_seconds(void); /* monotonic clock */
 
 #endif

@@ -52,26 +52,26 @@ static void remove_all(void) {
     }
 }
 
-/* Both change only while the signals are blocked. Once set they stay: also an end
- * of the colours that was flushed may be thrown away on its way. */
+/* Both change only while the signals are blocked. Once set they stay: the terminal may
+ * discard even a reset of the colours that was already written. */
 static int coloured = -1; /* the terminal's file; -1: none */
 static pid_t colours_owner;
 
-/* Async-signal-safe. A terminal that takes nothing (Ctrl-S, or nobody reads it)
- * keeps its colours: waiting for it here, no signal could end the program. */
-static void end_colours(void) {
-    static const char end[] = "\x1b[0m";
+/* Async-signal-safe. A terminal that accepts no bytes (Ctrl-S, or nobody reads it)
+ * keeps its colours: if this waited for it, no signal could end the program. */
+static void reset_colours(void) {
+    static const char reset[] = "\x1b[0m";
     struct pollfd terminal = {.fd = coloured, .events = POLLOUT};
     if (coloured < 0 || colours_owner != getpid() || poll(&terminal, 1, 0) != 1 ||
-        write(coloured, end, sizeof end - 1) < 0) {
-        return; /* there is nobody left to tell */
+        write(coloured, reset, sizeof reset - 1) < 0) {
+        return; /* nothing more can be done */
     }
 }
 
 /* SA_RESETHAND restored the default action, which follows the return. */
 static void on_end_signal(int number) {
     remove_all();
-    end_colours();
+    reset_colours();
     raise(number);
 }
 
@@ -143,7 +143,7 @@ static void forget(temporary *t) {
     t->path = NULL;
 }
 
-static int end(temporary *t, const char *target) {
+static int finish(temporary *t, const char *target) {
     if (!t->path) {
         return 0;
     }
@@ -158,11 +158,11 @@ static int end(temporary *t, const char *target) {
 }
 
 int temporary_keep(temporary *t, const char *target) {
-    return end(t, target);
+    return finish(t, target);
 }
 
 void temporary_remove(temporary *t) {
-    end(t, NULL);
+    finish(t, NULL);
 }
 
 void temporary_colours(int file) {

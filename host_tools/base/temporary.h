@@ -1,10 +1,10 @@
-/* temporary - what never outlives the program: files beside their target, colours
+/* temporary - what must not outlive the program: files beside their target, colours
  *
  * A normal exit, SIGINT, SIGTERM, SIGHUP and SIGPIPE remove every
  * temporary file that was neither kept nor removed. A forked child
- * removes none of its parent's. The signals also end the colours that a
- * terminal is in, if it takes anything at all: Ctrl-C throws away what was on the
- * way there, maybe their end, so that ending them in time is not enough.
+ * removes none of its parent's. The signals also reset the colours of a
+ * terminal, if it accepts bytes at all: Ctrl-C discards what was written and not
+ * yet shown, which may be the reset at the end of a line.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef TEMPORARY_H

@@ -19,7 +19,7 @@ static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
     to->bytes[PART_OWNERS] += owners;
     to->bytes[PART_KINDS] += masks;
     to->bytes[PART_LINKS] += 4.0 * b->edges;
-    to->bytes[PART_FRAMES] += plt_block_bounds_bytes(bits);
+    to->bytes[PART_BOUNDS] += plt_block_bounds_bytes(bits);
     to->bytes[PART_HEADERS] += PLT_BLOCK_HEADER_BYTES;
     const uint32_t size = plt_block_bytes(b);
     to->bytes[PART_PADDING] += (double)(size - b->geometry_bytes) -
@@ -28,7 +28,7 @@ static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
 
 static void count_geometry(const plt_block_tree *tree, const plt_block *b, breakdown *to) {
     plt_geometry g;
-    plt_lattice_box frame;
+    plt_lattice_box bounds;
     plt_geometry_open_counts(&g, b, tree->leaf_triangles);
     to->of_one_mesh += g.mesh != 0;
     if (tree->records != NULL) {
@@ -37,8 +37,8 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
         to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - g.starts / 8.0;
         return;
     }
-    plt_block_bounds(b, tree->lattice.bits, &frame);
-    plt_geometry_open(&g, b, &frame, tree->leaf_triangles);
+    plt_block_bounds(b, tree->lattice.bits, &bounds);
+    plt_geometry_open(&g, b, &bounds, tree->leaf_triangles);
     const double end = g.positions + (double)g.vertices * g.vertex_bits;
     to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
     to->bytes[PART_COUNTS] += (g.starts - g.counts) / 8.0;
@@ -63,5 +63,5 @@ void breakdown_count(const plt_engine *engine, breakdown *b) {
     }
     b->bytes[PART_POSITIONS] +=
         tree->records != NULL ? (double)info->triangles * PLT_RECORD_BYTES : 0.0;
-    b->bytes[PART_NUMBERS] = (double)info->triangles * info->primitive_id_bits / 8.0;
+    b->bytes[PART_PRIMITIVE_IDS] = (double)info->triangles * info->primitive_id_bits / 8.0;
 }

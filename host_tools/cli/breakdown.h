@@ -10,16 +10,16 @@ enum breakdown_part {
     PART_OWNERS,
     PART_KINDS,
     PART_LINKS,
-    PART_FRAMES,
-    PART_HEADERS, /* of nodes parts */
+    PART_BOUNDS,
+    PART_HEADERS, /* of the node parts */
     PART_PADDING, /* of whole blocks */
     PART_GEOMETRY_HEADERS,
     PART_COUNTS,
-    PART_STRIPS, /* start, turn and new-vertex bits */
+    PART_STRIPS, /* start, swap and new-vertex bits */
     PART_REFERENCES,
     PART_POSITIONS,
     PART_GEOMETRY_PADDING,
-    PART_NUMBERS,
+    PART_PRIMITIVE_IDS,
     PARTS
 };
 
@@ -28,6 +28,7 @@ typedef struct breakdown {
     uint32_t of_one_mesh; /* blocks that say which mesh all their triangles are of */
 } breakdown;
 
+/* Keys of planelet info --json: they keep their first names. */
 extern const char *const breakdown_names[PARTS];
 
 /* Of an opened engine whose scene is compact; the parts' sum is the sections'

@@ -7,21 +7,21 @@
 
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
+#include "host_tools/app/scene.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/scene.h"
 
 static const arg_flag flags[] = {
     {"--json", NULL, "the same for programs"},
     {"--packet", "2|4|8|16", "arena for such packets (default 8)"},
-    {"--walk", "depth|two-stage", "arena for this walk (default depth)"},
+    {"--walk", "depth|two-stage", "arena for this order (default depth)"},
     {NULL, NULL, NULL}};
 
 const arg_command command_info = {
     .name = "info",
     .synopsis = "SCENE.plt [--json]",
-    .about = "Says what a scene image holds, its bytes a triangle, and the arena it needs.",
+    .about = "Says what a scene image holds, its bytes per triangle, and the arena it needs.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -36,7 +36,7 @@ typedef struct derived {
     breakdown parts;
     int has_parts; /* compact, and opened */
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
-    double tree_each, geometry_each; /* a triangle */
+    double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
 } derived;
 
@@ -112,12 +112,12 @@ static void print_json(const plt_info *i, const derived *d) {
 
 static void print_parts_text(const plt_info *i, const derived *d) {
     for (int p = 0; p < PARTS && d->has_parts; p++) {
-        printf("  %-16s %9.0f, %.3f a triangle\n", breakdown_names[p], d->parts.bytes[p],
+        printf("  %-16s %9.0f, %.3f per triangle\n", breakdown_names[p], d->parts.bytes[p],
                d->parts.bytes[p] / (i->triangles > 0 ? i->triangles : 1));
     }
 }
 
-/* A device's tree is not there until it is built. */
+/* With --build device there is no tree before it is built. */
 static int tree_is_known(const plt_info *i) {
     return i->build != PLT_BUILD_DEVICE || i->leaf_lists + i->intermediate_lists > 0;
 }
@@ -143,7 +143,7 @@ static void print_text(const plt_info *i, const derived *d) {
                (double)i->hi[2]);
     }
     printf("tree               built by %s, %s splits, %" PRIu32
-           " triangles a list, treelets of %" PRIu32 "\n",
+           " triangles per list, treelets of %" PRIu32 "\n",
            build_names[i->build], split_names[i->splits], i->leaf_triangles, i->treelet_nodes);
     if (tree_is_known(i)) {
         printf("inner nodes        %" PRIu32 " in %" PRIu32 " slots, %" PRIu32 " treelets\n",
@@ -152,17 +152,18 @@ static void print_text(const plt_info *i, const derived *d) {
                " intermediate (%.1f %% of the leaves)\n",
                i->leaf_lists, i->intermediate_lists, share(i->intermediate_lists, i->leaf_lists));
         print_stacks(i);
-        printf("tree bytes         %" PRIu64 ", %.2f a triangle, %" PRIu64 " of them free slots\n",
+        printf("tree bytes         %" PRIu64 ", %.2f per triangle, %" PRIu64
+               " of them free slots\n",
                d->tree_bytes, d->tree_each, d->overhead_bytes);
     }
-    printf("geometry bytes     %" PRIu64 ", %.2f a triangle\n", d->geometry_bytes,
+    printf("geometry bytes     %" PRIu64 ", %.2f per triangle\n", d->geometry_bytes,
            d->geometry_each);
     if (i->nodes_format == PLT_NODES_COMPACT) {
         printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",
                (unsigned)i->lattice_bits, i->triangles, i->source_triangles);
-        printf("triangle numbers   %s\n", i->primitive_id_bits > 0
+        printf("primitive ids      %s\n", i->primitive_id_bits > 0
                                               ? "of the packed meshes, kept in a section"
-                                              : "by place: packing order is image order");
+                                              : "positions in the image");
         if (d->has_parts && d->parts.of_one_mesh > 0) {
             printf("blocks of one mesh %" PRIu32 " of %" PRIu32 "\n", d->parts.of_one_mesh,
                    i->treelets);
@@ -177,9 +178,9 @@ static void print_text(const plt_info *i, const derived *d) {
     }
 }
 
-/* The whole image is checked. A device's tree is counted too, unless building
- * it here needs more than there is. */
-static int look_into(scene *s, const char *path, plt_info *info, fail *f) {
+/* Checks the whole image. The tree of --build device is built here to count it, unless
+ * the arena is too small. */
+static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     plt_fault fault;
     int status = plt_image_info(&s->file.source, info, &fault);
     if (status == PLT_OK) {
@@ -200,7 +201,7 @@ int run_info(args *a) {
     fail f = {""};
     int status = scene_attach(&s, a, a->file[0], &f);
     if (status == 0) {
-        status = look_into(&s, a->file[0], &info, &f);
+        status = inspect(&s, a->file[0], &info, &f);
     }
     if (status == 0) {
         derived d = derive(&info, &s.options);

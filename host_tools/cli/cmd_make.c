@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host_tools/app/note.h"
+#include "host_tools/app/phase.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/phase.h"
 #include "host_tools/scenes/scenes.h"
 
 static const arg_flag flags[] = {
@@ -15,7 +15,7 @@ static const arg_flag flags[] = {
      "the mesh to write, binary PLY; - is standard output; with --frames a '{}' in it becomes "
      "000, 001 ..."},
     {"--triangles", "N", "terrain, knot: about so many, up to 10000000 (default 100000)"},
-    {"--frame", "K", "marbles: the frame to write, 25 a second (default 0)"},
+    {"--frame", "K", "marbles: the frame to write, 25 per second (default 0)"},
     {"--frames", "N", "marbles: write N frames, from --frame on"},
     {NULL, NULL, NULL}};
 

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/app/note.h"
+#include "host_tools/app/phase.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
-#include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/phase.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/mesh/reduce.h"
 #include "host_tools/pack/pack.h"
@@ -21,20 +21,20 @@ static const arg_flag flags[] = {
      "who builds the tree: this program, the engine when it opens the image, or nobody "
      "(default host)"},
     {"--splits", "sah|median", "binned SAH, or the thesis's spatial median (default sah)"},
-    {"--leaf", "1|2|4", "most triangles a list (default 2)"},
+    {"--leaf", "1|2|4", "most triangles per list (default 2)"},
     {"--nodes", "thesis|compact",
-     "32 bytes a node, or blocks of about 7, on a lattice (default thesis)"},
-    {"--treelet", "N", "nodes a treelet, 1 to 1000000 (default 64)"},
+     "32 bytes per node, or about 7 in compact blocks on a lattice (default thesis)"},
+    {"--treelet", "N", "nodes per treelet, 1 to 1000000 (default 64)"},
     {"--fill", "bfs", "how treelets fill: breadth first"},
     {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
     {"--geometry", "float|lattice[:BITS]",
-     "float, 40 bytes a triangle, bit exact; compact also: a lattice of 12 to 21 bits an axis "
+     "float, 40 bytes per triangle, bit exact; compact also: a lattice of 12 to 21 bits per axis "
      "(default lattice:16)"},
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side"},
     {"--numbers", "keep|none",
-     "compact: keep packing-order numbers, 2 to 3 bytes a triangle, or number by place "
-     "(default keep)"},
+     "compact: primitive ids are those of the packed meshes, 2 to 3 bytes per triangle, or "
+     "positions in the image (default keep)"},
     {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe (default 0)"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
@@ -104,7 +104,8 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
              (unsigned)job->compact.lattice_bits, l->largest_move, l->flat_now, l->flat_before,
              l->merged, l->t_junctions, l->mended);
     fprintf(stderr, "%s%s%s\n", line.text,
-            job->compact.build == PLT_BUILD_DEVICE ? "; triangles are numbered by place" : "",
+            job->compact.build == PLT_BUILD_DEVICE ? "; primitive ids are positions in the image"
+                                                   : "",
             l->flat_now > 0 && job->compact.lattice_bits < PLT_LATTICE_BITS_MOST
                 ? "; try --geometry lattice:21 to keep them"
                 : "");
@@ -136,7 +137,7 @@ static int write_image(const pack_job *job, output *o, const packed *image, fail
     return status;
 }
 
-/* The output is opened before the long work, so that none is in vain. */
+/* The output is opened first: a path that cannot be written fails before the long work. */
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     output *o = read_meshes(job, a, f) == 0 ? output_open(job->out, f) : NULL;
     if (o == NULL) {
@@ -203,7 +204,8 @@ static void read_format(pack_job *job, args *a) {
         }
         if (job->options.build == PLT_BUILD_DEVICE && args_has(a, "--numbers") &&
             job->compact.numbers) {
-            args_complain(a, "--numbers keep: a device numbers triangles by their place");
+            args_complain(a,
+                          "--numbers keep: on a device primitive ids are positions in the image");
         }
         if (job->options.build == PLT_BUILD_NONE || args_has(a, "--treelet")) {
             args_complain(a, "compact nodes come in blocks of 64, built by host or device");
@@ -248,11 +250,11 @@ int run_pack(args *a) {
     }
     fail f = {""};
     packed image = {0};
-    const double began = progress_seconds();
+    const double began = clock_seconds();
     const int status = pack_files(&job, a, &image, &f);
     if (status == 0) {
         say_what_was_dropped(&job.repair, a->files == 1 ? a->file[0] : "all meshes together");
-        say_done(&job, &image, progress_seconds() - began);
+        say_done(&job, &image, clock_seconds() - began);
     } else {
         fprintf(stderr, "%s\n", f.text);
     }

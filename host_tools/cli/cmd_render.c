@@ -5,13 +5,16 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "board/hash.h"
 #include "engine/base/bytes.h"
+#include "host_tools/app/frame.h"
+#include "host_tools/app/note.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/app/view.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/scene.h"
-#include "host_tools/cli/view.h"
 #include "host_tools/picture/picture.h"
 
 static const arg_flag flags[] = {
@@ -21,10 +24,10 @@ static const arg_flag flags[] = {
     {"--size", "WxH", "pixels (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",
-     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour each); "
+     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
      "default eyelight"},
-    {"--orbit", "N", "a film: N frames once around the scene, 25 a second"},
-    {"--json", "STATS", "write figures; - is standard output"},
+    {"--orbit", "N", "a film: N frames once around the scene, 25 per second"},
+    {"--json", "STATS", "write statistics; - is standard output"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
@@ -36,7 +39,7 @@ const arg_command command_render = {
     .files_least = 1,
     .files_most = 1};
 
-enum { VISITS_A_STEP = 4096, FRAMES_A_SECOND = 25 };
+enum { FRAMES_PER_SECOND = 25 };
 
 typedef struct rendering {
     scene s;
@@ -47,45 +50,26 @@ typedef struct rendering {
     const char *out, *json;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
-    uint64_t hash;
-    double seconds; /* in the engine */
+    uint64_t hash;    /* of the RGB bytes of all frames so far */
+    double seconds;   /* in the engine */
 } rendering;
 
-/* Goes on with the 64-bit FNV-1a of the raw RGB bytes of all frames. */
-static uint64_t hash_frame(uint64_t hash, const picture *p) {
-    for (size_t i = 0; i < 3 * (size_t)p->width * p->height; i++) {
-        hash = (hash ^ p->rgb[i]) * UINT64_C(0x100000001B3);
-    }
-    return hash;
-}
-
-/* Copies the finished tile; returns the first row below it. */
-static unsigned take_tile(const plt_engine *engine, picture *p) {
-    plt_tile t;
-    plt_render_tile(engine, &t);
-    for (unsigned y = 0; y < t.height; y++) {
-        memcpy(p->rgb + 3 * ((size_t)(t.y + y) * p->width + t.x), t.rgb + 3 * (size_t)y * t.width,
-               3 * (size_t)t.width);
-    }
-    return t.y + t.height;
-}
-
 static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
-    const double began = scene_seconds();
+    const double began = clock_processor_seconds();
     if (plt_render_begin(r->s.engine, &r->frame) != PLT_OK) {
         return fail_set(f, "camera",
                         "eye and look coincide, up runs along the view, or one of them is beyond "
                         "2^40; change --eye, --look, --up or --fov");
     }
     int status;
-    while ((status = plt_render_step(r->s.engine, VISITS_A_STEP)) > PLT_OK) {
+    while ((status = plt_render_step(r->s.engine, FRAME_STEP_VISITS)) > PLT_OK) {
         if (status == PLT_TILE) {
-            const unsigned rows = take_tile(r->s.engine, &r->shown);
+            const unsigned rows = frame_copy_tile(r->s.engine, &r->shown);
             progress_show(bar, (uint64_t)number * r->frame.height + rows);
         }
     }
-    r->seconds += scene_seconds() - began;
-    r->hash = hash_frame(r->hash, &r->shown);
+    r->seconds += clock_processor_seconds() - began;
+    r->hash = hash_update(r->hash, r->shown.rgb, 3 * (size_t)r->shown.width * r->shown.height);
     return status == PLT_OK ? 0 : fail_set(f, "engine", "status %d; please report this", status);
 }
 
@@ -106,7 +90,7 @@ static int render_frames(rendering *r, fail *f) {
     return status;
 }
 
-/* The camera's floats as bits, for a firmware that shall see the same. */
+/* The camera's floats as bits, for a firmware to render the same picture. */
 static void print_bits(output *o, const char *name, const float *v, unsigned count, fail *f) {
     output_print(o, f, "  \"%s\": \"", name);
     for (unsigned i = 0; i < count; i++) {
@@ -140,7 +124,7 @@ static int commit_output(output **o, fail *f) {
     return status;
 }
 
-/* Both outputs are opened first, so that no long run is in vain. */
+/* Both outputs are opened first: a path that cannot be written fails before the long run. */
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     if (scene_open(&r->s, a, a->file[0], f) != 0) {
@@ -155,7 +139,7 @@ static int open_all(rendering *r, args *a, fail *f) {
     }
     return r->picture_out == NULL ? 0
                                   : picture_begin(r->picture_out, r->format, frame->width,
-                                                  frame->height, FRAMES_A_SECOND, f);
+                                                  frame->height, FRAMES_PER_SECOND, f);
 }
 
 static int show(const picture *p, fail *f) {
@@ -207,12 +191,11 @@ static void check_outputs(const rendering *r, args *a) {
 }
 
 static void read_flags(rendering *r, args *a) {
-    static const char *const shaders[] = {"eyelight", "normal", "triangle", NULL};
     unsigned width = 512, height = 512;
     args_size(a, "--size", &width, &height);
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
-    r->frame.shader = (uint8_t)args_choice(a, "--shader", shaders, PLT_SHADE_EYELIGHT);
+    r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     r->out = args_text(a, "-o", NULL);
     r->json = args_text(a, "--json", NULL);
@@ -232,7 +215,7 @@ static void say_done(const rendering *r) {
 }
 
 int run_render(args *a) {
-    rendering r = {.s = SCENE_CLOSED, .hash = UINT64_C(0xCBF29CE484222325)};
+    rendering r = {.s = SCENE_CLOSED, .hash = HASH_BASIS};
     fail f = {""};
     read_flags(&r, a);
     const int status = a->wrong ? -1 : run_all(&r, a, &f);

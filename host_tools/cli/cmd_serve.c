@@ -6,10 +6,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "host_tools/app/view.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/view.h"
 #include "host_tools/link/emulated.h"
 #include "host_tools/link/serve.h"
 
@@ -17,7 +17,7 @@ static const arg_flag flags[] = {
     {"--pty", NULL, "the device opens a pseudo terminal, whose name is printed"},
     {"--socket", "PATH", "the device connects to a socket of this name"},
     {"--listen", "PORT", "the device connects to this port of 127.0.0.1"},
-    {"--emulate", "BYTES", "the device is a process of this computer with so much memory"},
+    {"--emulate", "BYTES", "the device is a process of this computer with this much memory"},
     {"-o", "OUT", "a picture (.png .ppm) or a film (.y4m) of the frames that come"},
     {"--show", NULL, "draw them in the terminal"},
     {"--size", "WxH", "pixels (default 320x240)"},
@@ -34,13 +34,13 @@ const arg_command command_serve = {
     .name = "serve",
     .synopsis = "SCENE.plt --pty|--socket PATH|--listen PORT|--emulate BYTES [-o OUT] [--show]",
     .about =
-        "Gives a scene to a device over a link and takes the frames it renders; the protocol\n"
-        "is platform/WIRE.md, reports are parted by COBS.",
+        "Gives a scene to a device over a link and receives the frames it renders; the "
+        "protocol is platform/WIRE.md, reports are separated by COBS.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
 
-enum { FRAMES_A_SECOND = 25 };
+enum { FRAMES_PER_SECOND = 25 };
 
 typedef struct serving {
     input scene;
@@ -66,11 +66,11 @@ static void view_of(void *context, unsigned number, wire_view *v) {
     v->shader = s->shader;
 }
 
-static int take_frame(void *context, unsigned number, const picture *p, fail *f) {
+static int receive_frame(void *context, unsigned number, const picture *p, fail *f) {
     serving *s = context;
     if (s->show) {
         unsigned columns, rows;
-        if (s->frames > 1 && isatty(STDOUT_FILENO)) { /* a film stays in its place */
+        if (s->frames > 1 && isatty(STDOUT_FILENO)) { /* each frame of a film over the last */
             fputs(number == 0 ? "\x1b[2J\x1b[H" : "\x1b[H", stdout);
         }
         picture_terminal_size(stdout, &columns, &rows);
@@ -122,7 +122,7 @@ static int open_output(serving *s, args *a, const serve_job *job, fail *f) {
     s->out = output_open(path, f);
     return s->out == NULL
                ? -1
-               : picture_begin(s->out, s->format, job->width, job->height, FRAMES_A_SECOND, f);
+               : picture_begin(s->out, s->format, job->width, job->height, FRAMES_PER_SECOND, f);
 }
 
 static void print_stats(const serve_result *r, uint32_t image_bytes) {
@@ -137,7 +137,6 @@ static void print_stats(const serve_result *r, uint32_t image_bytes) {
 }
 
 static void read_flags(serving *s, args *a, serve_job *job) {
-    static const char *const shaders[] = {"eyelight", "normal", "triangle", NULL};
     static const char *const formats[] = {"rgb565", "rgb888", "grey8", "grey4", "mono1", NULL};
     job->width = 320, job->height = 240;
     args_size(a, "--size", &job->width, &job->height);
@@ -146,11 +145,11 @@ static void read_flags(serving *s, args *a, serve_job *job) {
     job->frames = s->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
     job->verbose = args_has(a, "--verbose");
-    s->shader = (uint8_t)args_choice(a, "--shader", shaders, PLT_SHADE_EYELIGHT);
+    s->shader = view_shader(a);
     s->show = args_has(a, "--show");
-    const int ways = args_has(a, "--pty") + args_has(a, "--socket") + args_has(a, "--listen") +
-                     args_has(a, "--emulate");
-    if (ways != 1) {
+    const int links = args_has(a, "--pty") + args_has(a, "--socket") + args_has(a, "--listen") +
+                      args_has(a, "--emulate");
+    if (links != 1) {
         args_complain(a, "one of --pty, --socket, --listen and --emulate says where the device is");
     } else if (!args_has(a, "-o") && !s->show && !job->verbose) {
         args_complain(a, "-o OUT says where the frames go, --show draws them here");
@@ -180,7 +179,7 @@ static int serve(serving *s, args *a, serve_job *job, uint64_t memory, fail *f) 
 
 int run_serve(args *a) {
     serving s = {.link = {.listener = -1, .peer = -1}};
-    serve_job job = {.view = view_of, .frame = take_frame, .context = &s};
+    serve_job job = {.view = view_of, .frame = receive_frame, .context = &s};
     fail f = {""};
     read_flags(&s, a, &job);
     const uint64_t memory = args_number(a, "--emulate", 0, 1024, (uint64_t)1 << 30);

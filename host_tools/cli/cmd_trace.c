@@ -1,7 +1,7 @@
 /* cmd_trace - planelet trace: a ray file to a hit file
  *
- * Ray file: 32 bytes a ray, little-endian float32: org[3] tmin dir[3] tmax.
- * Hit file: 16 bytes a ray: t u v and the triangle's number.
+ * Ray file: 32 bytes per ray, little-endian float32: org[3] tmin dir[3] tmax.
+ * Hit file: 16 bytes per ray: t u v and the primitive id.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -10,20 +10,21 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+#include "host_tools/app/note.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/cli/note.h"
-#include "host_tools/cli/scene.h"
 
 enum { RAY_BYTES = 32, HIT_BYTES = 16 };
-enum { RAYS_A_PIECE = 65536 }; /* whole packets of every size */
+enum { RAYS_PER_BATCH = 65536 }; /* a whole number of packets of every size */
 
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
     {"--repeat", "N", "trace N times, report the best time (default 1)"},
-    {"--json", "STATS", "write figures; - is standard output"},
+    {"--json", "STATS", "write statistics; - is standard output"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
@@ -32,7 +33,7 @@ const arg_command command_trace = {
     .synopsis = "SCENE.plt RAYS HITS",
     .about =
         "Traces a file of rays (org[3] tmin dir[3] tmax, 8 little-endian floats each) and writes a "
-        "hit for each: floats t u v and the triangle's number; 4294967295 is a miss. The number is "
+        "hit for each: floats t u v and the primitive id; 4294967295 is a miss. The id is "
         "1 or 0 with --any. RAYS and HITS may be -.",
     .flags = flags,
     .files_least = 3,
@@ -47,21 +48,21 @@ typedef struct tracing {
     double seconds; /* of the best run */
 } tracing;
 
-/* Rays are floats of this machine from here on. */
-static int take_rays(tracing *t, const input *in, const char *name, fail *f) {
+/* Decodes the little-endian rays into floats of this machine. */
+static int decode_rays(tracing *t, const input *in, const char *name, fail *f) {
     if (in->size % RAY_BYTES != 0) {
         return fail_set(f, name,
-                        "byte %zu: the last ray is cut short (a ray has 32 bytes); write it anew",
+                        "byte %zu: the last ray is cut short (a ray has 32 bytes); write it again",
                         in->size - in->size % RAY_BYTES);
     }
     if (in->size / RAY_BYTES > UINT32_MAX) {
-        return fail_set(f, name, "more than 2^32 - 1 rays; part the file");
+        return fail_set(f, name, "more than 2^32 - 1 rays; split the file");
     }
     t->count = (uint32_t)(in->size / RAY_BYTES);
     t->rays = malloc(in->size);
     t->hits = malloc((size_t)t->count * sizeof *t->hits);
     if (t->rays == NULL || t->hits == NULL) {
-        return fail_set(f, name, "out of memory for %" PRIu32 " rays; part the file", t->count);
+        return fail_set(f, name, "out of memory for %" PRIu32 " rays; split the file", t->count);
     }
     for (uint32_t i = 0; i < t->count; i++) {
         plt_get_floats(t->rays[i].org, in->bytes + RAY_BYTES * (size_t)i, 8);
@@ -74,20 +75,20 @@ static int read_rays(tracing *t, const char *path, fail *f) {
     if (input_read(&in, path, f) != 0) {
         return -1;
     }
-    const int status = take_rays(t, &in, strcmp(path, "-") == 0 ? "standard input" : path, f);
+    const int status = decode_rays(t, &in, strcmp(path, "-") == 0 ? "standard input" : path, f);
     input_free(&in);
     return status;
 }
 
-/* All rays once, in pieces of whole packets; returns the seconds of tracing. */
+/* All rays once, in batches of whole packets; returns the seconds of tracing. */
 static double trace_once(tracing *t, plt_engine *engine, int any, progress *bar, uint64_t before) {
     double seconds = 0.0;
     plt_stats_reset(engine);
     for (uint32_t at = 0; at < t->count;) {
-        const uint32_t left = t->count - at, now = left < RAYS_A_PIECE ? left : RAYS_A_PIECE;
-        const double began = scene_seconds();
+        const uint32_t left = t->count - at, now = left < RAYS_PER_BATCH ? left : RAYS_PER_BATCH;
+        const double began = clock_processor_seconds();
         plt_trace(engine, t->rays + at, t->hits + at, now, any); /* has no failures */
-        seconds += scene_seconds() - began;
+        seconds += clock_processor_seconds() - began;
         at += now;
         progress_show(bar, before + at);
     }
@@ -123,7 +124,7 @@ static int write_stats(const tracing *t, output *o, fail *f) {
     return output_print(o, f, "\n}\n");
 }
 
-/* Both outputs are opened first, so that no long run is in vain. */
+/* Both outputs are opened first: a path that cannot be written fails before the long run. */
 static int open_all(tracing *t, args *a, const char *json, fail *f) {
     if (scene_open(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0) {
         return -1;

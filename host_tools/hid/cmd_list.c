@@ -4,21 +4,20 @@
 #include <stdio.h>
 
 #include "host_tools/hid/commands.h"
-#include "host_tools/hid/display.h"
-#include "host_tools/hid/find.h"
+#include "host_tools/hid/device/find.h"
+#include "host_tools/hid/drivers/drivers.h"
 
-static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no driver takes"},
+static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no driver is for"},
                                  {NULL, NULL, NULL}};
 
 const arg_command hid_command_list = {
     "list",
     "[--all]",
     "Lists displays that are plugged in: path, vid:pid, serial number, driver, names. "
-    "Drivers with a * are " DISPLAY_HONESTY ".",
+    "Drivers with a * are " DISPLAY_DISCLAIMER ".",
     flags,
     0,
-    0,
-    "planelet-hid"};
+    0};
 
 static void print_device(const port_info *p, const driver *by) {
     printf("%-16s %04x:%04x  %-12s %-16s %s%s%s\n", p->path, p->vendor, p->id,
@@ -32,7 +31,7 @@ static void print_drivers(void) {
         printf("  %-16s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
                drivers[i]->about);
     }
-    printf("* " DISPLAY_HONESTY "\n");
+    printf("* " DISPLAY_DISCLAIMER "\n");
 }
 
 int hid_run_list(args *a) {
@@ -40,7 +39,7 @@ int hid_run_list(args *a) {
     const unsigned count = port_list(list, FIND_ROOM);
     unsigned shown = 0;
     for (unsigned i = 0; i < count; i++) {
-        const driver *by = driver_for(&list[i]);
+        const driver *by = driver_for(drivers, &list[i]);
         if (by != NULL || args_has(a, "--all")) {
             print_device(&list[i], by);
             shown++;

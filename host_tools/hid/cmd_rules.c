@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "host_tools/hid/commands.h"
-#include "host_tools/hid/display.h"
+#include "host_tools/hid/drivers/drivers.h"
 
 static const arg_flag flags[] = {{NULL, NULL, NULL}};
 
@@ -19,8 +19,7 @@ const arg_command hid_command_rules = {
     "plug the display in again.",
     flags,
     0,
-    0,
-    "planelet-hid"};
+    0};
 
 static void print_driver(const driver *by) {
     printf("\n# %s\n", by->about);

@@ -4,15 +4,16 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "host_tools/app/scene.h"
+#include "host_tools/app/view.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/progress.h"
-#include "host_tools/cli/scene.h"
-#include "host_tools/cli/view.h"
 #include "host_tools/hid/commands.h"
-#include "host_tools/hid/frames.h"
-#include "host_tools/hid/session.h"
-#include "host_tools/hid/show_figures.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/statistics.h"
 #include "platform/wire/wire_tile.h"
 
 static const arg_flag flags[] = {
@@ -21,14 +22,15 @@ static const arg_flag flags[] = {
     {"--fit", "contain|cover|stretch|none", "a picture of another size (default contain)"},
     {"--brightness", "0..100", "percent, where the display has it"},
     {"--near", "auto|0..15", "planelet: steps that moving colours may be off by (default auto)"},
-    {"--fps", "N", "auto: no more steps than let N frames a second through (default 12)"},
+    {"--fps", "N",
+     "auto: the fewest steps with which N frames per second get through (default 12)"},
     {"--frames", "N", "stop after N frames"},
     {"--hold", "SECONDS", "how long a picture stays before the next (default 1)"},
     {"--every", NULL, "every frame of a film, each until the display has confirmed it"},
     {"--repeat", NULL, "from the first file again, until stopped"},
     {"--wait", "SECONDS", "for a display that was unplugged to come back (default 60)"},
     {"--release", NULL, "at the end hand the display back to its own picture"},
-    {"--json", "STATS", "write figures; - is standard output"},
+    {"--json", "STATS", "write statistics; - is standard output"},
     FRAMES_SCENE_FLAGS,
     VIEW_FLAGS,
     SCENE_FLAGS,
@@ -40,18 +42,17 @@ const arg_command hid_command_show = {
     "Shows pictures (PNG, PPM, PGM), films (Y4M; - is standard input) and packed scenes, rendered "
     "live. A film keeps its time: frames that come too late are left out. Where the link is too "
     "slow, planelet lets moving colours be a little off; what stands still for a "
-    "tenth of a second is exact. Drivers other than planelet are " DISPLAY_HONESTY ".",
+    "tenth of a second is exact. Drivers other than planelet are " DISPLAY_DISCLAIMER ".",
     flags,
     1,
-    100000,
-    "planelet-hid"};
+    100000};
 
 typedef struct showing {
     session session;
     frames source;
     picture frame, ahead;
     progress bar;
-    show_figures figures;
+    statistics statistics;
     double film_began; /* clock */
     double hold;
     uint64_t film_frames; /* of the film that is shown, left out ones too */
@@ -72,17 +73,16 @@ static int tick(void *context) {
 }
 
 static void pause_until(session *s, double end) {
-    for (double left; !stop && (left = end - progress_seconds()) > 0.0;) {
-        const struct timespec t = {0, left < 0.004 ? (long)(1e9 * left) : 4000000};
-        nanosleep(&t, NULL);
+    for (double left; !stop && (left = end - clock_seconds()) > 0.0;) {
+        clock_sleep(left < 0.004 ? left : 0.004);
         session_tick(s);
     }
 }
 
-/* Whether the film is already at the frame after this one. A film that comes
- * slower than it should is not: its clock starts anew. */
+/* Whether the film is already at the frame after this one. A film that arrives too
+ * slowly is never late: its clock is set back. */
 static int is_late(showing *s, double period) {
-    const double now = progress_seconds();
+    const double now = clock_seconds();
     if (now <= s->film_began + (double)(s->film_frames + 1) * period) {
         return 0;
     }
@@ -108,16 +108,16 @@ static int next_frame(showing *s, fail *f) {
         s->frame = s->ahead;
         s->ahead = late;
         s->film_frames++;
-        s->figures.left_out++;
+        s->statistics.left_out++;
     }
     return status;
 }
 
-static int enough(const showing *s) {
+static int is_done(const showing *s) {
     return stop || (s->limit > 0 && s->session.shown >= s->limit);
 }
 
-/* What a signal cut short has not failed. */
+/* What a signal has interrupted is no failure. */
 static int unless_stopped(int status, fail *f) {
     if (stop) {
         *f = (fail){""};
@@ -126,9 +126,9 @@ static int unless_stopped(int status, fail *f) {
 }
 
 static int show_source(showing *s, fail *f) {
-    s->film_began = progress_seconds();
+    s->film_began = clock_seconds();
     s->film_frames = 0;
-    while (!enough(s)) {
+    while (!is_done(s)) {
         const int status = next_frame(s, f);
         if (status != FRAMES_ONE || stop) {
             return unless_stopped(status, f);
@@ -137,17 +137,17 @@ static int show_source(showing *s, fail *f) {
             pause_until(&s->session, s->film_began + (double)s->film_frames * s->source.period);
         }
         if (session_show(&s->session, &s->frame, f) != 0 ||
-            (s->every && session_settle(&s->session, f) != 0)) {
+            (s->every && session_confirm(&s->session, f) != 0)) {
             return FRAMES_FAILED;
         }
-        show_figures_mark(&s->figures, &s->session);
+        statistics_mark(&s->statistics, &s->session);
         s->film_frames++;
         progress_show(&s->bar, s->session.shown);
     }
     return FRAMES_END;
 }
 
-/* A picture is a source of one frame without a time of its own. */
+/* A picture is a source of one frame without a period. */
 static int show_file(showing *s, args *a, const char *path, int is_last, fail *f) {
     const unsigned width = s->session.panel.width, height = s->session.panel.height;
     int status = unless_stopped(frames_open(&s->source, a, path, width, height, f), f);
@@ -155,9 +155,9 @@ static int show_file(showing *s, args *a, const char *path, int is_last, fail *f
         const unsigned before = s->session.shown;
         status = show_source(s, f);
         if (status == 0 && s->source.period <= 0.0 && s->session.shown == before + 1 && !is_last &&
-            !enough(s)) {
-            status = session_settle(&s->session, f);
-            pause_until(&s->session, progress_seconds() + s->hold);
+            !is_done(s)) {
+            status = session_confirm(&s->session, f);
+            pause_until(&s->session, clock_seconds() + s->hold);
         }
     }
     frames_close(&s->source);
@@ -167,7 +167,7 @@ static int show_file(showing *s, args *a, const char *path, int is_last, fail *f
 static int show_files(showing *s, args *a, fail *f) {
     do {
         const unsigned before = s->session.shown;
-        for (int i = 0; i < a->files && !enough(s); i++) {
+        for (int i = 0; i < a->files && !is_done(s); i++) {
             if (show_file(s, a, a->file[i], i + 1 == a->files && !s->repeat, f) != 0) {
                 return -1;
             }
@@ -175,7 +175,7 @@ static int show_files(showing *s, args *a, fail *f) {
         if (s->session.shown == before) {
             break;
         }
-    } while (s->repeat && !enough(s));
+    } while (s->repeat && !is_done(s));
     return 0;
 }
 
@@ -183,25 +183,26 @@ static int run_all(showing *s, args *a, fail *f) {
     if (session_open(&s->session, f) != 0) {
         return -1;
     }
-    const double began = progress_seconds();
+    const double began = clock_seconds();
     progress_begin(&s->bar, "showing, frame", s->limit);
     s->source = (frames){.from = {.tick = tick, .context = &s->session}};
-    const int status = show_files(s, a, f) != 0 ? -1 : session_settle(&s->session, f);
-    const double seconds = progress_seconds() - began;
+    const int status = show_files(s, a, f) != 0 ? -1 : session_confirm(&s->session, f);
+    const double seconds = clock_seconds() - began;
     progress_end(&s->bar);
     if (status != 0) {
         return -1;
     }
-    show_figures_print(&s->figures, &s->session, seconds);
+    statistics_print(&s->statistics, &s->session, seconds);
     if (args_has(a, "--release") && session_release(&s->session, f) != 0) {
         return -1;
     }
     const char *json = args_text(a, "--json", NULL);
-    return json == NULL ? 0 : show_figures_write(&s->figures, &s->session, json, seconds, f);
+    return json == NULL ? 0 : statistics_write(&s->statistics, &s->session, json, seconds, f);
 }
 
 static void read_driver(session *s, args *a) {
     const char *name = args_text(a, "--driver", "auto");
+    s->wish.drivers = drivers;
     s->wish.device = args_text(a, "--device", NULL);
     if (strcmp(name, "auto") != 0) {
         s->wish.by = driver_named(name);
@@ -220,7 +221,7 @@ static double read_seconds(args *a, const char *flag, float otherwise) {
     return (double)value;
 }
 
-/* Frames that each wait until they are confirmed do not move. */
+/* With --every each frame is confirmed before the next, and so exact. */
 static void read_near(session *s, args *a, int every) {
     const int is_auto = strcmp(args_text(a, "--near", "auto"), "auto") == 0;
     s->fps = (unsigned)args_number(a, "--fps", 12, 1, 100);

@@ -1,25 +1,28 @@
-# hid - planelet-hid, the only program that links hidapi, once a backend
+# hid - planelet-hid, the only program that links hidapi, once per backend
 #
 # The tests link the same objects with a fake of hidapi instead
 # (tests/reference/fake_hidapi.c). SPDX-License-Identifier: MIT
 
-HID := $(filter-out host_tools/hid/main.c,$(sort $(wildcard host_tools/hid/*.c)))
+HID_MAIN := host_tools/hid/main.c
+HID_PORT := host_tools/hid/device/port.c
+HID := $(filter-out $(HID_MAIN),$(sort $(wildcard host_tools/hid/*.c host_tools/hid/*/*.c)))
 HID_TEST_OBJECTS := $(call objects,$(HID) $(sort $(wildcard tests/hid/model*.c)))
 
-# An archive: a test links what it names.
+# An archive: a test links only what it uses.
 $(OUT)/libhid.a: $(HID_TEST_OBJECTS)
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
-$(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/libhid.a $(TEST_OBJECTS) \
-                         $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+$(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/libhid.a \
+        $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm
 
-# port.c alone includes hidapi.h; here its objects are apart from the tests'.
-$(OUT)/host_tools/hid/port.o: PROBE_FLAGS := -Itests/reference/fake_hidapi
+# Only port.c includes hidapi.h. For the tests it is compiled with the fake one, for
+# each program apart from that.
+$(HID_PORT:%.c=$(OUT)/%.o): PROBE_FLAGS := -Itests/reference/fake_hidapi
 
-HID_SHARED := $(call objects,host_tools/hid/main.c $(filter-out host_tools/hid/port.c,$(HID))) \
+HID_SHARED := $(call objects,$(HID_MAIN) $(filter-out $(HID_PORT),$(HID))) \
               $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 HID_BACKENDS := hidraw libusb
 PKG_CONFIG ?= pkg-config
@@ -34,10 +37,11 @@ planelet-hid: $(OUT)/planelet-hid $(OUT)/planelet-hid-libusb
 $(OUT)/planelet-hid: $(OUT)/planelet-hid-hidraw
 	@ln -sf planelet-hid-hidraw $@
 
-$(HID_BACKENDS:%=$(OUT)/planelet-hid-%): $(OUT)/planelet-hid-%: $(OUT)/hid-%/port.o $(HID_SHARED)
+$(HID_BACKENDS:%=$(OUT)/planelet-hid-%): $(OUT)/planelet-hid-%: $(OUT)/hid-%/device/port.o \
+        $(HID_SHARED)
 	$(CC) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
 
-$(HID_BACKENDS:%=$(OUT)/hid-%/port.o): $(OUT)/hid-%/port.o: host_tools/hid/port.c $(OUT)/flags
+$(HID_BACKENDS:%=$(OUT)/hid-%/device/port.o): $(OUT)/hid-%/device/port.o: $(HID_PORT) $(OUT)/flags
 	@$(PKG_CONFIG) --exists hidapi-$* || { echo 'planelet-hid: $(HID_MISSING)' >&2; exit 1; }
 	$(call compile,$(HOST_COMMAND) $$($(PKG_CONFIG) --cflags hidapi-$*))
 
@@ -61,15 +65,16 @@ $(OUT)/hid-bench/make_pattern: $(call objects,tests/hid/make_pattern.c tests/hid
 	$(CC) -static $(LDFLAGS) -o $@ $^
 
 # What handles bytes of devices and files is built once more with sanitizers.
-HID_SANITIZED := $(filter-out host_tools/hid/port.c,$(HID)) host_tools/hid/main.c $(HID_WIRE)
+HID_SANITIZED := $(filter-out $(HID_PORT),$(HID)) $(HID_MAIN) $(HID_WIRE)
 HID_PLAIN := $(filter-out $(call objects,$(HID_WIRE)),$(TOOL_OBJECTS)) $(ENGINE_OBJECTS)
 
-$(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: $(OUT)/hid-sanitize/port-%.o \
-        $(HID_SANITIZED:%.c=$(OUT)/hid-sanitize/%.o) $(HID_PLAIN)
+$(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: \
+        $(OUT)/hid-sanitize/device/port-%.o $(HID_SANITIZED:%.c=$(OUT)/hid-sanitize/%.o) \
+        $(HID_PLAIN)
 	$(CC) $(SANITIZERS) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
 
-$(HID_BACKENDS:%=$(OUT)/hid-sanitize/port-%.o): $(OUT)/hid-sanitize/port-%.o: \
-        host_tools/hid/port.c $(OUT)/flags
+$(HID_BACKENDS:%=$(OUT)/hid-sanitize/device/port-%.o): $(OUT)/hid-sanitize/device/port-%.o: \
+        $(HID_PORT) $(OUT)/flags
 	$(call compile,$(HOST_COMMAND) $(SANITIZERS) $$($(PKG_CONFIG) --cflags hidapi-$*))
 
 $(OUT)/hid-sanitize/%.o: %.c $(OUT)/flags
@@ -77,7 +82,7 @@ $(OUT)/hid-sanitize/%.o: %.c $(OUT)/flags
 
 # ---- the display in a terminal --------------------------------------------------
 
-$(OUT)/hid-emulated/main.o: host_tools/hid/main.c $(OUT)/flags
+$(OUT)/hid-emulated/main.o: $(HID_MAIN) $(OUT)/flags
 	$(call compile,$(HOST_COMMAND) -Wno-missing-prototypes -Dmain=planelet_hid_main)
 
 $(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \

@@ -8,28 +8,23 @@
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/types.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "host_tools/base/clock.h"
 #include "platform/wire/wire_device.h"
 
-enum { VISITS = 20000, STEPS = 8 };
+enum { VISITS = 20000, STEPS = 8 }; /* node visits per step; steps between reports */
 
-static uint32_t now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint32_t)((uint64_t)t.tv_sec * 1000u + (uint64_t)t.tv_nsec / 1000000u);
-}
-
-/* Sends what there is; -1: the link is down. A busy link keeps the report. */
+/* Sends all reports that are due; -1: the link is down. With a busy link the report stays
+ * in `held`. */
 static int send_reports(wire_device *d, const transport *t, uint8_t *report, size_t *held) {
     for (;;) {
         if (*held == 0) {
-            *held = wire_next_report(&d->peer, report, now_ms());
+            *held = wire_next_report(&d->peer, report, clock_ms());
         }
-        const int taken = *held > 0 ? t->send(t->context, report, *held) : 0;
-        if (taken <= 0) {
-            return taken;
+        const int sent = *held > 0 ? t->send(t->context, report, *held) : 0;
+        if (sent <= 0) {
+            return sent;
         }
         *held = 0;
     }
@@ -38,7 +33,7 @@ static int send_reports(wire_device *d, const transport *t, uint8_t *report, siz
 int emulated_device(const transport *t, unsigned report_bytes, size_t memory_bytes) {
     static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0, 0};
     const wire_setup setup = {.role = WIRE_DEVICE,
-                              .caps = {.session = now_ms(),
+                              .caps = {.session = clock_ms(),
                                        .in_bytes = (uint16_t)report_bytes,
                                        .out_bytes = (uint16_t)report_bytes,
                                        .credits = 16}};
@@ -46,10 +41,11 @@ int emulated_device(const transport *t, unsigned report_bytes, size_t memory_byt
     size_t held = 0;
     wire_device *d = malloc(sizeof *d);
     void *memory = aligned_alloc(PLT_ALIGN, (memory_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
-    int n = d == NULL || memory == NULL ||
-                    wire_device_open(d, &setup, &options, memory, memory_bytes, now_ms()) != WIRE_OK
-                ? -1
-                : 0;
+    int n =
+        d == NULL || memory == NULL ||
+                wire_device_open(d, &setup, &options, memory, memory_bytes, clock_ms()) != WIRE_OK
+            ? -1
+            : 0;
     const int status = n;
     while (n >= 0) {
         int works = 0;
@@ -57,9 +53,9 @@ int emulated_device(const transport *t, unsigned report_bytes, size_t memory_byt
             works |= wire_device_run(d, VISITS);
         }
         while ((n = t->receive(t->context, in, works ? 0 : 2)) > 0) {
-            wire_on_report(&d->peer, in, (size_t)n, now_ms());
+            wire_on_report(&d->peer, in, (size_t)n, clock_ms());
         }
-        wire_poll(&d->peer, now_ms());
+        wire_poll(&d->peer, clock_ms());
         if (n == 0) {
             n = send_reports(d, t, out, &held);
         }

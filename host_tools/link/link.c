@@ -16,8 +16,9 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "host_tools/base/clock.h"
 
 static void clear(stream_link *l) {
     memset(l, 0, sizeof *l);
@@ -32,7 +33,7 @@ static void set_nonblocking(int file) {
 
 static void restart_stream(stream_link *l) {
     memset(&l->reader, 0, sizeof l->reader);
-    l->out_used = l->in_used = l->in_gone = 0;
+    l->out_used = l->in_used = l->in_read = 0;
 }
 
 /* ---- opening ------------------------------------------------------------------------ */
@@ -117,10 +118,6 @@ void link_close(stream_link *l) {
     l->made[0] = '\0';
 }
 
-int link_is_connected(const stream_link *l) {
-    return l->peer >= 0;
-}
-
 /* ---- moving --------------------------------------------------------------------------- */
 
 static void hang_up(stream_link *l) {
@@ -180,8 +177,7 @@ static int stream_receive(void *context, uint8_t *report, int ms) {
     if (l->peer < 0) {
         return accept_peer(l, ms);
     }
-    if (l->in_gone == l->in_used) {
-        struct timespec pause = {0, 1000000};
+    if (l->in_read == l->in_used) {
         wait_readable(l->peer, ms);
         const ssize_t n = read(l->peer, l->in, sizeof l->in);
         if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) {
@@ -189,13 +185,13 @@ static int stream_receive(void *context, uint8_t *report, int ms) {
                 hang_up(l);
                 return -1;
             }
-            nanosleep(&pause, NULL); /* nobody has it open: poll says so at once */
+            clock_sleep(0.001); /* no program has it open: poll returns at once */
         }
-        l->in_gone = 0;
+        l->in_read = 0;
         l->in_used = n > 0 ? (size_t)n : 0;
     }
-    while (l->in_gone < l->in_used) {
-        const size_t count = wire_bytes_read(&l->reader, l->in[l->in_gone++]);
+    while (l->in_read < l->in_used) {
+        const size_t count = wire_bytes_read(&l->reader, l->in[l->in_read++]);
         if (count > 0) {
             memcpy(report, l->reader.report, count);
             return (int)count;

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/progress.h"
 
 /* What the progress line is about. */
@@ -23,26 +23,20 @@ typedef struct serving {
     wire_blocks_out blocks;
     uint8_t *panel;
     picture shown;
-    unsigned number; /* frames taken */
-    uint32_t seen;   /* frames that had come whole when the view was sent */
+    unsigned number; /* frames received */
+    uint32_t seen;   /* whole frames received when the view was sent */
     uint32_t began_ms, frame_ms;
     int is_up;
     progress bar;
     enum phase phase;
-    uint32_t tiles; /* that had come when the frame began */
+    uint32_t tiles; /* received when the frame began */
     char what[40];
 } serving;
-
-static uint32_t now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint32_t)((uint64_t)t.tv_sec * 1000u + (uint64_t)t.tv_nsec / 1000000u);
-}
 
 static int open_end(serving *s, fail *f) {
     const serve_job *job = s->job;
     const wire_setup setup = {.role = WIRE_HOST,
-                              .caps = {.session = now_ms() ^ (uint32_t)time(NULL) << 8,
+                              .caps = {.session = (uint32_t)clock_day_us(),
                                        .width = (uint16_t)job->width,
                                        .height = (uint16_t)job->height,
                                        .format = (uint8_t)job->format,
@@ -57,7 +51,7 @@ static int open_end(serving *s, fail *f) {
     if (s->panel == NULL || picture_make(&s->shown, job->width, job->height, f) != 0) {
         return fail_set(f, "frame", "out of memory; choose a smaller --size");
     }
-    if (wire_peer_open(&s->peer, &setup, now_ms()) != WIRE_OK ||
+    if (wire_peer_open(&s->peer, &setup, clock_ms()) != WIRE_OK ||
         wire_frames_in_open(&s->in, &s->peer, &panel) != WIRE_OK) {
         return fail_set(f, "--size", "%ux%u has more than %d tiles of 16x16; choose a smaller one",
                         job->width, job->height, WIRE_TILES_MAX);
@@ -65,28 +59,27 @@ static int open_end(serving *s, fail *f) {
     wire_scene_out_open(&s->scene, &s->peer, job->image, job->image_bytes);
     wire_blocks_out_open(&s->blocks, &s->peer, job->image, job->image_bytes);
     wire_view_out_open(&s->view, &s->peer);
-    wire_on_link(&s->peer, 0, now_ms());
+    wire_on_link(&s->peer, 0, clock_ms());
     return 0;
 }
 
-/* Reports both ways; whether the link is there. */
-static int move(serving *s) {
+/* Receives and sends all reports that can go; whether the link is there. */
+static int exchange(serving *s) {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
     int n = s->t->receive(s->t->context, report, 2);
     for (; n > 0; n = s->t->receive(s->t->context, report, 0)) {
-        wire_on_report(&s->peer, report, (size_t)n, now_ms());
+        wire_on_report(&s->peer, report, (size_t)n, clock_ms());
     }
     if (n < 0) {
         return 0;
     }
-    wire_poll(&s->peer, now_ms());
-    for (size_t bytes; (bytes = wire_next_report(&s->peer, report, now_ms())) > 0;) {
-        int taken;
-        while ((taken = s->t->send(s->t->context, report, bytes)) == 0) {
-            const struct timespec pause = {0, 500000};
-            nanosleep(&pause, NULL);
+    wire_poll(&s->peer, clock_ms());
+    for (size_t bytes; (bytes = wire_next_report(&s->peer, report, clock_ms())) > 0;) {
+        int sent;
+        while ((sent = s->t->send(s->t->context, report, bytes)) == 0) {
+            clock_sleep(0.0005);
         }
-        if (taken < 0) {
+        if (sent < 0) {
             return 0;
         }
     }
@@ -120,7 +113,7 @@ static void enter(serving *s, enum phase phase) {
     }
 }
 
-/* A device may take long over a scene and over a frame: what came of it. */
+/* A device may need long for a scene and for a frame: shows how far it is. */
 static void show_progress(serving *s) {
     uint32_t has = 0;
     const unsigned state = wire_scene_out_state(&s->scene, &has);
@@ -134,15 +127,15 @@ static void show_progress(serving *s) {
     }
 }
 
-static void watch_link(serving *s, int is_there) {
+static void update_link(serving *s, int is_there) {
     if (is_there != s->is_up) {
         s->is_up = is_there;
-        wire_on_link(&s->peer, is_there, now_ms());
+        wire_on_link(&s->peer, is_there, clock_ms());
         say(s, is_there ? "the link is there" : "the link is down, waiting");
     }
 }
 
-/* The sentence for what the device said, or what the scene's fate was. */
+/* Fails with a sentence for the device's error, or when the scene does not fit; else 0. */
 static int refusal(serving *s, fail *f) {
     uint32_t detail, has;
     const unsigned state = wire_scene_out_state(&s->scene, &has);
@@ -176,14 +169,14 @@ static void send_view(serving *s) {
     s->seen = wire_frames_shown(&s->in);
 }
 
-static int take_frame(serving *s, fail *f) {
+static int receive_frame(serving *s, fail *f) {
     const serve_job *job = s->job;
     const uint32_t stride = wire_row_bytes(job->format, job->width);
     for (unsigned y = 0; y < job->height; y++) {
         wire_row_to_rgb(s->shown.rgb + 3 * (size_t)y * job->width, job->format,
                         s->panel + (size_t)y * stride, job->width);
     }
-    s->frame_ms = now_ms();
+    s->frame_ms = clock_ms();
     end_progress(s);
     const int status = job->frame(job->context, s->number, &s->shown, f);
     s->number++;
@@ -205,20 +198,20 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     if (status == 0) {
         s->job = job;
         s->t = t;
-        s->began_ms = s->frame_ms = now_ms();
+        s->began_ms = s->frame_ms = clock_ms();
         status = open_end(s, f);
     }
     if (status == 0) {
         send_view(s);
     }
     while (status == 0 && (job->frames == 0 || s->number < job->frames)) {
-        watch_link(s, move(s));
+        update_link(s, exchange(s));
         status = refusal(s, f);
         show_progress(s);
         if (status == 0 && has_frame(s)) {
-            status = take_frame(s, f);
+            status = receive_frame(s, f);
         }
-        if (status == 0 && job->patience_ms > 0 && now_ms() - s->frame_ms > job->patience_ms) {
+        if (status == 0 && job->patience_ms > 0 && clock_ms() - s->frame_ms > job->patience_ms) {
             status =
                 fail_set(f, "device", "%s; is it connected, and does it render?",
                          wire_is_up(&s->peer) ? "sent no frame in time" : "did not answer in time");
@@ -227,7 +220,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     if (s != NULL) {
         end_progress(s);
         *result = (serve_result){
-            .host = s->peer.stats, .frames = s->number, .ms = now_ms() - s->began_ms};
+            .host = s->peer.stats, .frames = s->number, .ms = clock_ms() - s->began_ms};
         free(s->panel);
         picture_free(&s->shown);
     }

@@ -14,23 +14,23 @@ typedef struct serve_job {
     const void *image; /* of the scene */
     uint32_t image_bytes;
     unsigned width, height, format; /* enum wire_format */
-    unsigned report_bytes;          /* both ways */
-    unsigned frames;                /* to take before the end; 0: no end */
-    uint32_t patience_ms;           /* without a frame; 0: no end */
-    /* The view of frame `number`; and what to do with it: nonzero ends. */
+    unsigned report_bytes;          /* in both directions */
+    unsigned frames;                /* to receive; 0: without end */
+    uint32_t patience_ms;           /* without a frame; 0: for ever */
+    /* Fill the view of frame `number`; receive that frame (nonzero ends the run). */
     void (*view)(void *context, unsigned number, wire_view *view);
     int (*frame)(void *context, unsigned number, const picture *p, fail *f);
     void *context;
-    int verbose; /* says on standard error what goes on */
+    int verbose; /* prints events on standard error */
 } serve_job;
 
 typedef struct serve_result {
-    wire_stats host, device;
+    wire_stats host;
     unsigned frames;
     uint32_t ms;
 } serve_result;
 
-/* Runs until `frames` came, 0; -1 with a reason. */
+/* Runs until `frames` have been received: 0; or -1 with a reason. */
 int serve_run(const serve_job *job, const transport *t, serve_result *result, fail *f);
 
 #endif

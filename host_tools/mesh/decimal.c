@@ -30,7 +30,7 @@ static const int64_t EXPONENT_MAX = 1000000000000000; /* clamps the sum below in
 
 typedef struct number {
     const unsigned char *digits; /* the first that is not 0, else `end` */
-    const unsigned char *end;    /* behind the last digit or point */
+    const unsigned char *end;    /* after the last digit or point */
     uint64_t leading;            /* the first QUICK_DIGITS of them */
     int64_t power;               /* of ten, for `leading` as an integer */
     int dropped;                 /* digits that are not in `leading` exist */

@@ -5,7 +5,7 @@
 #define DECIMAL_H
 #include <stdint.h>
 
-/* Both read the number that begins at `at` and return the byte behind it,
+/* Both read the number that begins at `at` and return the byte after it,
  * or NULL when there is none before `end`.
  *
  * The float is the nearest one, ties to even; too large gives infinity.

@@ -29,7 +29,7 @@ intake intake_begin(mesh *m, const char *path, mesh_repair *repair, fail *f) {
     };
 }
 
-static int fail_at(intake *in, const place *at, const char *text) {
+static int fail_at(intake *in, const location *at, const char *text) {
     const unsigned long long number = at->number;
     if (at->line && at->what) {
         return fail_set(in->f, in->path, "line %zu, %s %llu: %s", at->line, at->what, number, text);
@@ -109,7 +109,7 @@ int intake_vertex(intake *in, float x, float y, float z) {
     return mesh_add_vertex(m, x, y, z, in->f);
 }
 
-static int fail_missing(intake *in, const place *at, int64_t written, uint64_t count) {
+static int fail_missing(intake *in, const location *at, int64_t written, uint64_t count) {
     char text[160];
     snprintf(text, sizeof text,
              "uses vertex %lld, which is not among the %llu vertices; "
@@ -143,9 +143,9 @@ static int add_corner(intake *in, chain *c, uint32_t vertex) {
     } else if (c->corners >= 3 && !c->is_strip) {
         result = add_triangle(in, c->first, c->last, vertex);
     } else if (c->corners >= 3) {
-        const int turned = c->corners % 2 == 0;
-        result = turned ? add_triangle(in, c->last, c->before, vertex)
-                        : add_triangle(in, c->before, c->last, vertex);
+        const int is_flipped = c->corners % 2 == 0;
+        result = is_flipped ? add_triangle(in, c->last, c->before, vertex)
+                            : add_triangle(in, c->before, c->last, vertex);
     }
     c->before = c->last;
     c->last = vertex;
@@ -190,8 +190,8 @@ static int can_be_kept(const intake *in, const uint32_t *corner, size_t count) {
     return 1;
 }
 
-/* From the file's vertex numbers to the mesh's; drops what has none. */
-static void settle_triangles(intake *in) {
+/* From the file's vertex indices to the mesh's; drops triangles without one. */
+static void resolve_triangles(intake *in) {
     mesh *m = in->m;
     const size_t count = m->vertices - in->first_vertex;
     const uint32_t base = (uint32_t)in->first_vertex;
@@ -218,7 +218,7 @@ int intake_finish(intake *in) {
         intake_undo(in);
         return -1;
     }
-    settle_triangles(in);
+    resolve_triangles(in);
     in->repair->bad_vertices += in->bad_vertices;
     in->repair->bad_triangles += in->bad_triangles;
     free(in->bad);

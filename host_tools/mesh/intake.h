@@ -1,9 +1,9 @@
 /* intake - where every reader's vertices and faces are checked, once
  *
- * A reader keeps `at` on the element it reads, hands in vertices and
- * corners as the file has them, and calls `intake_finish`, or
- * `intake_undo`, after which the mesh is as it was. Until then triangles
- * hold the file's own vertex numbers.
+ * A reader sets `at` to the element it reads, hands in vertices and corners as
+ * the file has them, and ends with `intake_finish` or with `intake_undo`, after
+ * which the mesh is as it was. Until then triangles
+ * hold the file's own vertex indices.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef INTAKE_H
@@ -13,26 +13,26 @@
 #define INTAKE_UNKNOWN UINT64_MAX
 #define INTAKE_MISSING INT64_MIN
 
-typedef struct place {
+typedef struct location {
     size_t line;      /* 0: a binary file, `byte` counts */
     size_t byte;      /* offset of the element */
     const char *what; /* "vertex", "face"; NULL: the line says enough */
     uint64_t number;  /* of the element, from 0 */
-} place;
+} location;
 
 typedef struct intake {
     mesh *m;
     const char *path;
     mesh_repair *repair;
     fail *f;
-    place at;
+    location at;
     uint64_t declared; /* vertices in the file; INTAKE_UNKNOWN until the end */
     size_t first_vertex, first_triangle;
     uint64_t bad_vertices, bad_triangles;
-    unsigned char *bad; /* a bit a vertex, set for bad ones */
+    unsigned char *bad; /* one bit per vertex, set for bad ones */
     size_t bad_bytes;
-    int64_t furthest, furthest_written; /* greatest number not yet there */
-    place furthest_at;
+    int64_t furthest, furthest_written; /* greatest index not yet there */
+    location furthest_at;
 } intake;
 
 /* A polygon (a fan of triangles) or a triangle strip being read. */
@@ -53,7 +53,7 @@ int intake_polygon_end(intake *in, const chain *c);
 int intake_finish(intake *in);
 void intake_undo(intake *in);
 
-/* "FILE: PLACE: " and the formatted rest; returns -1. */
+/* "FILE: LOCATION: " and the formatted rest; returns -1. */
 int intake_fail(intake *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

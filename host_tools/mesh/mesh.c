@@ -1,7 +1,7 @@
 /* mesh - triangles with shared vertices: memory
  *
  * Keeps: vertices <= vertex_room and triangles <= triangle_room; fewer than
- * 2^32 - 1 vertices, so that UINT32_MAX is never a vertex number.
+ * 2^32 - 1 vertices: UINT32_MAX is never a vertex index.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/mesh.h"
@@ -11,8 +11,8 @@
 static const size_t VERTICES_MAX = UINT32_MAX - 1;
 static const size_t TRIANGLES_MAX = UINT32_MAX - 1;
 
-/* Room for `needed` items of `item_bytes`: half as much again as before,
- * so that adding one by one stays linear. */
+/* Room for `needed` items of `item_bytes`: half as much again as before.
+ * Adding one by one then takes linear time. */
 static void *grow(void *items, size_t *room, size_t needed, size_t item_bytes) {
     const size_t half_more = *room + *room / 2 + 16;
     const size_t more = needed > half_more ? needed : half_more;

@@ -12,13 +12,13 @@
 #include "host_tools/base/fail.h"
 
 typedef struct mesh {
-    float *vertex;      /* 3 floats a vertex: x y z */
-    uint32_t *triangle; /* 3 vertex numbers a triangle */
+    float *vertex;      /* 3 floats per vertex: x y z */
+    uint32_t *triangle; /* 3 vertex indices per triangle */
     size_t vertices, triangles;
     size_t vertex_room, triangle_room; /* allocated, in vertices, triangles */
 } mesh;
 
-/* What `--repair` had to drop; all zero when nothing was wrong. */
+/* What `--repair` dropped; all zero when nothing was wrong. */
 typedef struct mesh_repair {
     int wanted;             /* 0: refuse what cannot be traced */
     uint64_t bad_vertices;  /* NaN, infinite or too large: replaced by 0 */
@@ -26,16 +26,16 @@ typedef struct mesh_repair {
 } mesh_repair;
 
 /* Appends what `path` holds (PLY, OBJ or STL by content, then by name; a
- * `.txt` is a recipe) to `m`. `frame` chooses the frame of recipe
- * sequences (`name_{}.ply*N`). The path "-" is standard input, by content
+ * `.txt` is a recipe) to `m`. `frame` is the frame to read of a
+ * recipe's sequences (`name_{}.ply*N`). The path "-" is standard input, by content
  * only. Triangles stand in the order of the file; degenerate ones are
  * kept. On failure `m` is as it was before. */
 int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair, fail *f);
 
-/* Building blocks for readers and generators: -1 when memory is out. */
+/* For readers and generators: -1 when memory is out. */
 int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f);
 int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f);
-/* Makes room for that many more, so that adding them cannot fail. */
+/* Makes room for that many more: adding them then cannot fail. */
 int mesh_reserve(mesh *m, size_t vertices, size_t triangles, fail *f);
 void mesh_free(mesh *m);
 

@@ -1,8 +1,8 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
  * `v` and `f` are read, all other keywords passed over. A face may use a
- * vertex that only comes later. A number counts from 1, a negative one
- * back from the last vertex so far.
+ * vertex that only comes later. Vertices are counted from 1; a negative
+ * number counts back from the last vertex so far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.
@@ -103,7 +103,7 @@ static int read_face(reader *r) {
 
 /* A comment may end in a backslash (a path): it joins no lines. */
 static int read_line(reader *r) {
-    r->in.at = (place){.line = r->text.line};
+    r->in.at = (location){.line = r->text.line};
     r->text.continued = 0;
     if (scan_line_done(&r->text) || *r->text.at == '#') {
         return 0;

@@ -3,8 +3,8 @@
  * Elements and properties may stand in any order; what is not x, y, z or
  * a vertex list of `face` or `tristrips` is passed over.
  *
- * Keeps: each loop over a count from the file takes at least one byte a
- * turn or fails.
+ * Keeps: each pass of a loop over a count from the file consumes at least one
+ * byte or fails.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -124,7 +124,7 @@ static int read_one(ply_reader *r, const ply_element *e, const role *what) {
     }
 }
 
-/* Elements without properties take no bytes and say nothing. */
+/* Elements without properties have no bytes and no meaning. */
 static int read_element(ply_reader *r, const ply_element *e, const input *in) {
     static const char *const NAMES[] = {"element", "vertex", "face", "strip"};
     role what;
@@ -134,7 +134,7 @@ static int read_element(ply_reader *r, const ply_element *e, const input *in) {
     if (find_role(&what, e, in, r->in.f) != 0) {
         return -1;
     }
-    r->in.at = (place){.what = NAMES[what.kind]};
+    r->in.at = (location){.what = NAMES[what.kind]};
     for (uint64_t i = 0; i < e->count; i++) {
         r->in.at.number = i;
         r->in.at.byte = (size_t)(r->data.at - r->bytes);
@@ -147,7 +147,7 @@ static int read_element(ply_reader *r, const ply_element *e, const input *in) {
 }
 
 static int check_end(ply_reader *r) {
-    r->in.at = (place){.byte = (size_t)(r->data.at - r->bytes)};
+    r->in.at = (location){.byte = (size_t)(r->data.at - r->bytes)};
     if (r->header->format == PLY_ASCII) {
         while (scan_line_done(&r->data) && scan_next_line(&r->data)) {
         }
@@ -162,7 +162,7 @@ static int check_end(ply_reader *r) {
                        (size_t)(r->data.end - r->data.at));
 }
 
-/* Room for what the header announces: its counts fit the bytes there. */
+/* Room for what the header announces; its counts were checked against the file size. */
 static int make_room(ply_reader *r) {
     uint64_t faces = 0;
     r->in.declared = 0;

@@ -156,7 +156,7 @@ static int read_line(ply_header *h, scan *s, const input *in, fail *f) {
  * no line end. */
 static int find_data(ply_header *h, scan *s, const input *in, fail *f) {
     if (!scan_line_done(s)) {
-        return fail_set(f, in->path, "line %zu: words behind end_header; remove them", s->line);
+        return fail_set(f, in->path, "line %zu: words after end_header; remove them", s->line);
     }
     const int bare_cr = in->bytes[3] == '\r' && in->bytes[4] != '\n';
     if (bare_cr && s->at < s->end) {
@@ -169,7 +169,7 @@ static int find_data(ply_header *h, scan *s, const input *in, fail *f) {
     return 0;
 }
 
-/* Least bytes an element takes: in ASCII a digit and a separator a value. */
+/* Fewest bytes of an element: in ASCII a digit and a separator per value. */
 static size_t least_bytes(const ply_header *h, const ply_element *e) {
     size_t bytes = 0;
     for (size_t i = 0; i < e->properties; i++) {

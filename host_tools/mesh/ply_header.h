@@ -47,13 +47,13 @@ typedef struct ply_header {
     size_t elements;
     ply_property property[PLY_PROPERTIES_MAX];
     size_t properties;
-    scan data; /* begins behind the header */
+    scan data; /* begins after the header */
 } ply_header;
 
 size_t ply_type_bytes(ply_type type);
 
 /* `h` keeps pointing into `in->bytes`. Refuses counts for which the bytes
- * behind the header are too few. */
+ * after the header are too few. */
 int ply_header_read(ply_header *h, const input *in, fail *f);
 
 #endif

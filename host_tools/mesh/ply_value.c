@@ -1,7 +1,7 @@
 /* ply_value - single values of a PLY file, of any type and format
  *
- * Keeps: `data.at` never passes `data.end`; every call that returns 0 took
- * at least one byte.
+ * Keeps: `data.at` never passes `data.end`; every call that returns 0
+ * consumed at least one byte.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/ply_value.h"

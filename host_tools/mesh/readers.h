@@ -1,4 +1,4 @@
-/* readers - one reader a mesh file format, all with the same contract
+/* readers - one reader per mesh file format, all with the same contract
  *
  * Each appends what `in` holds to `m`, or returns -1 with `m` as it was.
  * `in->path` is what failures name.

@@ -1,6 +1,6 @@
-/* recipe - a scene put together from meshes, one a line
+/* recipe - a scene put together from meshes, one per line
  *
- *     FILE SIZE X Y Z [TURN_X TURN_Y]     # comment
+ *     FILE SIZE X Y Z [ANGLE_X ANGLE_Y]     # comment
  *
  * FILE is relative to the recipe, without blanks; "name_{}.ply*N+START"
  * stands for the frames name_000.ply to name_(N-1).ply, of which frame
@@ -53,11 +53,11 @@ static int read_frames(reader *r, word tail, source *s) {
     s->start = 0;
     if (word_integer(part(tail, 0, plus), &s->frames) != 0 || s->frames < 1 ||
         s->frames > FRAMES_MAX) {
-        return fail_line(r, "'*' wants the number of frames behind it; write 1 to 1000");
+        return fail_line(r, "'*' needs the number of frames after it; write 1 to 1000");
     }
     if (plus < tail.length &&
         (word_integer(part(tail, plus + 1, tail.length), &s->start) != 0 || s->start < 0)) {
-        return fail_line(r, "'+' wants the first frame behind it; write a whole number from 0");
+        return fail_line(r, "'+' needs the first frame after it; write a whole number from 0");
     }
     return 0;
 }
@@ -79,7 +79,7 @@ static int read_source(reader *r, word whole, source *s) {
     return has_hole ? read_frames(r, part(whole, star + 1, whole.length), s) : 0;
 }
 
-/* The path of the file: malloced, NULL when memory is out. */
+/* The path of the file: from malloc, NULL when memory is out. */
 static char *path_of(const reader *r, const source *s) {
     const size_t directory = s->name.text[0] == '/' ? 0 : r->directory_length;
     const size_t room = directory + s->name.length + FRAME_DIGITS_BYTES;
@@ -111,14 +111,14 @@ static int read_placement(reader *r, placement *p) {
     *p = (placement){0};
     if (read_number(r, &p->size) != 0 || read_number(r, &p->base[0]) != 0 ||
         read_number(r, &p->base[1]) != 0 || read_number(r, &p->base[2]) != 0) {
-        return fail_line(r, "a size and a place are missing; write FILE SIZE X Y Z");
+        return fail_line(r, "a size and a position are missing; write FILE SIZE X Y Z");
     }
     if (!(p->size > 0)) {
         return fail_line(r, "the size is not above 0; correct it");
     }
-    if (line_has_more(r) &&
-        (read_number(r, &p->turn_x) != 0 || read_number(r, &p->turn_y) != 0 || line_has_more(r))) {
-        return fail_line(r, "behind FILE SIZE X Y Z only two angles may follow; correct them");
+    if (line_has_more(r) && (read_number(r, &p->angle_x) != 0 || read_number(r, &p->angle_y) != 0 ||
+                             line_has_more(r))) {
+        return fail_line(r, "only two angles may follow FILE SIZE X Y Z; correct them");
     }
     return 0;
 }

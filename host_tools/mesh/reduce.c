@@ -46,8 +46,8 @@ static uint32_t cluster_of(clustering *c, uint64_t key) {
     return c->hash[at];
 }
 
-/* Gives every vertex its cluster in a grid of `cells` along the longest side. The far
- * end of a whole number belongs to the last one. */
+/* Gives every vertex its cluster in a grid of `cells` along the longest side. A vertex
+ * on the far border belongs to the last cell. */
 static void assign(clustering *c, double cells) {
     const double scale = c->longest > 0.0 ? cells / c->longest : 0.0;
     const double last = ceil(cells) - 1.0;
@@ -77,8 +77,8 @@ static size_t count_left(const clustering *c) {
     return left;
 }
 
-/* The finest grid that leaves at most `most`; one cell always does. Cells need not
- * be whole: there are few whole numbers for few triangles. */
+/* The finest grid that leaves at most `most`; one cell always does. Their
+ * number along a side need not be whole: few triangles leave few whole numbers. */
 static double finest_grid(clustering *c, size_t most) {
     double good = 1.0, bad = 1048576.0;
     for (int i = 0; i < 40 && bad > good * (1.0 + 1e-6); i++) {

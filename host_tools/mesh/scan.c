@@ -83,7 +83,7 @@ word scan_word(scan *s) {
     return (word){(const char *)first, (size_t)(s->at - first)};
 }
 
-static int take(scan *s, const unsigned char *after) {
+static int advance(scan *s, const unsigned char *after) {
     if (!after || !ends_word(s, after)) {
         return -1;
     }
@@ -93,12 +93,12 @@ static int take(scan *s, const unsigned char *after) {
 
 int scan_float(scan *s, float *value) {
     skip_blanks(s);
-    return take(s, decimal_float(s->at, s->end, value));
+    return advance(s, decimal_float(s->at, s->end, value));
 }
 
 int scan_integer(scan *s, int64_t *value) {
     skip_blanks(s);
-    return take(s, decimal_integer(s->at, s->end, value));
+    return advance(s, decimal_integer(s->at, s->end, value));
 }
 
 int word_is(word w, const char *text) {

@@ -1,6 +1,6 @@
 /* scan - lines and words of a text that is not trusted
  *
- * Keeps: nothing is read at or behind `end`. A line ends in LF, CRLF or CR.
+ * Keeps: nothing is read at `end` or after it. A line ends in LF, CRLF or CR.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SCAN_H
@@ -15,7 +15,7 @@ typedef struct scan {
 } scan;
 
 typedef struct word {
-    const char *text; /* in the scanned bytes, without a zero byte behind */
+    const char *text; /* in the scanned bytes, without a zero byte after it */
     size_t length;    /* 0: the line has no more words */
 } word;
 

@@ -108,7 +108,7 @@ static int read_binary(reader *r, const input *in) {
     const uint64_t triangles = read32(in->bytes + HEADER_BYTES - 4);
     for (uint64_t i = 0; i < triangles; i++) {
         const size_t byte = HEADER_BYTES + (size_t)i * TRIANGLE_BYTES;
-        r->in.at = (place){.what = "triangle", .number = i, .byte = byte};
+        r->in.at = (location){.what = "triangle", .number = i, .byte = byte};
         if (read_binary_triangle(r, in->bytes + byte) != 0) {
             return -1;
         }
@@ -116,7 +116,7 @@ static int read_binary(reader *r, const input *in) {
     return 0;
 }
 
-/* Over line ends; the next word has length 0 at the end of the text. */
+/* Moves over line ends to the next word; its length is 0 at the end of the text. */
 static void find_word(reader *r) {
     while (scan_line_done(&r->text) && scan_next_line(&r->text)) {
     }
@@ -150,8 +150,8 @@ static int read_position(reader *r, float position[3]) {
     return 0;
 }
 
-/* Normals follow from the corners: their words are not even numbers in
- * some files. */
+/* Normals follow from the corners. Some files do not even have numbers
+ * there. */
 static int read_facet_begin(reader *r) {
     if (expect(r, "normal") != 0) {
         return -1;

@@ -10,8 +10,7 @@
 
 enum { FIRST_SLOTS = 1024 };
 
-/* Multiply and fold, each word over the whole state: the upper bits of a
- * product depend on all bits of both factors. */
+/* Multiplies and folds: the upper bits of a product depend on all bits of both factors. */
 static size_t hash(const float position[3]) {
     uint32_t bits[3];
     memcpy(bits, position, sizeof bits);

@@ -1,6 +1,6 @@
 /* weld - finds the vertex that has the same bits
  *
- * Only equal bits weld: 0 and -0 stay apart, and so does all that is
+ * Only equal bits weld: 0 and -0 stay apart, and so do positions that are
  * merely close. Expected cost: one probe or two.
  *
  * SPDX-License-Identifier: MIT */
@@ -10,12 +10,12 @@
 
 typedef struct weld {
     const mesh *m;
-    uint32_t *slot; /* vertex number + 1 in `m`; 0: free */
+    uint32_t *slot; /* vertex index + 1 in `m`; 0: free */
     size_t slots;   /* 0 or a power of 2, at least twice `used` */
     size_t used;
 } weld;
 
-/* The slot of the vertex with these bits: it holds that vertex's number + 1,
+/* The slot of the vertex with these bits: it holds that vertex's index + 1,
  * or 0, and then the caller stores one and counts it in `used`. NULL when
  * memory is out. The slot stays until the next call. */
 uint32_t *weld_find(weld *w, const float position[3]);

@@ -1,4 +1,4 @@
-/* lattice - a mesh moved onto the scene's lattice, its quantisation grid
+/* lattice - a mesh moved onto the lattice, the scene's quantisation grid
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HOST_LATTICE_H
@@ -12,9 +12,9 @@
 /* What moving cost; printed by pack. */
 typedef struct lattice_loss {
     double largest_move;  /* of a vertex, as a fraction of the longest side */
-    uint64_t flat_before; /* triangles without area in the mesh */
-    uint64_t flat_now;    /* and those that lost it on the lattice */
-    uint64_t merged;      /* positions that were different and are no longer */
+    uint64_t flat_before; /* triangles that had no area in the mesh */
+    uint64_t flat_now;    /* and those that lost theirs on the lattice */
+    uint64_t merged;      /* positions that differed and no longer do */
     uint64_t mended;      /* corners moved to give slivers an area again */
     uint64_t t_junctions; /* dropped slivers whose middle corner lies on an edge */
 } lattice_loss;
@@ -23,10 +23,10 @@ typedef struct snapped {
     plt_lattice lattice;
     plt_box mesh_box;       /* of the mesh's triangles, where it was */
     plt_lattice_box box;    /* of the triangles that are left */
-    unsigned char *corners; /* 9 numbers each, `width` bytes; owned */
+    unsigned char *corners; /* 9 coordinates each, of `width` bytes; owned */
     uint32_t width;
     uint32_t *source;  /* primitive id of each; owned */
-    uint8_t *rotation; /* of each, canonical.h; owned */
+    uint8_t *rotation; /* engine/tree/primitive_id.h; owned */
     uint32_t count;
     lattice_loss loss;
 } snapped;
@@ -35,8 +35,8 @@ typedef struct snapped {
  * side) of where it was; 0 when 21 are not enough. */
 uint32_t lattice_bits_for(double tolerance);
 
-/* Leaves the mesh where it is: `corners` become the triangles' boxes (6 numbers
- * each), rounded outwards, of all triangles. */
+/* Leaves the mesh where it is: `corners` become the triangles' boxes (6
+ * coordinates each), rounded outwards, of all triangles. */
 int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f);
 
 /* Moves the mesh. Triangles without area on the lattice are left out. Refuses a

@@ -5,7 +5,7 @@
 
 #include "host_tools/pack/lattice_parts.h"
 
-/* The number whose float is the last one not above `x`, or the first not below. */
+/* The coordinate whose float is the last one not above `x`, or the first not below. */
 static uint32_t round_outwards(const plt_lattice *l, int axis, float x, int up) {
     const double near = ((double)x - (double)l->origin[axis]) / (double)l->step;
     uint32_t q = (uint32_t)fmax(0.0, floor(near));

@@ -1,11 +1,11 @@
 /* lattice_mend - slivers that the lattice has made lines of get an area again
  *
  * A sliver whose corners fall on one line is dropped, and leaves its middle corner
- * on the long edge of its neighbour: a T-junction, through which a ray may slip. One
- * of its corners moves to another number near its position instead, no farther from
- * it than any corner may be; all vertices at that position go with it, and what was
- * closed stays closed. Triangles in sight keep their area, and each move leaves
- * fewer lines than there were. Slivers that were lines in the mesh stay so.
+ * on the long edge of its neighbour: a T-junction, through which a ray may slip.
+ * Instead one of its corners moves to another of the eight grid points around it,
+ * no farther away than any corner may move. All vertices of that position go with
+ * it, so closed surfaces stay closed. Neighbouring triangles keep their area, and
+ * each move leaves fewer lines than before. What was a line in the mesh stays one.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -20,13 +20,13 @@ typedef struct mending {
     const snapped *s;
     const mesh *m;
     lattice_position *moved;
-    uint32_t *same;  /* of each vertex: the first one that has its position */
-    uint32_t *begin; /* triangles around each of these: around[begin[p]] .. [begin[p + 1]] */
+    uint32_t *first; /* of each vertex: the first vertex with the same position */
+    uint32_t *begin; /* triangles of each first vertex v: around[begin[v] .. begin[v + 1] - 1] */
     uint32_t *around;
     uint64_t mended;
 } mending;
 
-/* ---- who lies where --------------------------------------------------------------- */
+/* ---- vertices by position --------------------------------------------------------------- */
 
 typedef struct vertex_at {
     float p[3];
@@ -39,7 +39,7 @@ static int compare_positions(const void *a, const void *b) {
     return order != 0 ? order : (x->vertex > y->vertex) - (x->vertex < y->vertex);
 }
 
-static int find_positions(mending *d) {
+static int find_first(mending *d) {
     vertex_at *v = malloc(d->m->vertices * sizeof *v + 1);
     if (v == NULL) {
         return -1;
@@ -56,7 +56,7 @@ static int find_positions(mending *d) {
     qsort(v, used, sizeof *v, compare_positions);
     for (size_t i = 0; i < used; i++) {
         const int same = i > 0 && memcmp(v[i].p, v[i - 1].p, sizeof v[i].p) == 0;
-        d->same[v[i].vertex] = same ? d->same[v[i - 1].vertex] : v[i].vertex;
+        d->first[v[i].vertex] = same ? d->first[v[i - 1].vertex] : v[i].vertex;
     }
     free(v);
     return 0;
@@ -65,13 +65,13 @@ static int find_positions(mending *d) {
 static void find_triangles(mending *d) {
     memset(d->begin, 0, (d->m->vertices + 1) * sizeof *d->begin);
     for (size_t i = 0; i < 3 * d->m->triangles; i++) {
-        d->begin[d->same[d->m->triangle[i]] + 1]++;
+        d->begin[d->first[d->m->triangle[i]] + 1]++;
     }
     for (size_t i = 0; i < d->m->vertices; i++) {
         d->begin[i + 1] += d->begin[i];
     }
     for (size_t i = 3 * d->m->triangles; i-- > 0;) { /* begin[p + 1] counts down to its own start */
-        d->around[--d->begin[d->same[d->m->triangle[i]] + 1]] = (uint32_t)(i / 3);
+        d->around[--d->begin[d->first[d->m->triangle[i]] + 1]] = (uint32_t)(i / 3);
     }
     memmove(d->begin, d->begin + 1, d->m->vertices * sizeof *d->begin);
     d->begin[d->m->vertices] = (uint32_t)(3 * d->m->triangles);
@@ -79,11 +79,11 @@ static void find_triangles(mending *d) {
 
 /* ---- moving -------------------------------------------------------------------------- */
 
-/* What becomes of a triangle when vertex `moving` and those with it are at `to`. */
+/* What becomes of a triangle when the vertices of `moving` go to `to`. */
 static int state(const mending *d, size_t triangle, uint32_t moving, const lattice_position *to) {
     lattice_position p[3];
     for (size_t k = 0; k < 3; k++) {
-        const uint32_t at = d->same[d->m->triangle[3 * triangle + k]];
+        const uint32_t at = d->first[d->m->triangle[3 * triangle + k]];
         p[k] = at == moving ? *to : d->moved[at];
     }
     if (lattice_has_area(p)) {
@@ -105,7 +105,8 @@ static int is_better(const mending *d, uint32_t moving, const lattice_position *
     return fewer > 0;
 }
 
-/* The nearest of the eight numbers around a vertex that is better than the one it has. */
+/* Moves a first vertex, and with it all of its position, to the nearest of the eight
+ * grid points around it that is better than where it is. */
 static int move(mending *d, uint32_t vertex) {
     const uint32_t most = (1u << d->s->lattice.bits) - 1u;
     lattice_position best = {{0, 0, 0}};
@@ -136,13 +137,13 @@ static int move(mending *d, uint32_t vertex) {
 
 static void mend_all(mending *d) {
     for (size_t i = 0; i < d->m->triangles; i++) {
-        const uint32_t first = d->same[d->m->triangle[3 * i]];
-        for (size_t k = 0; k < 3 && state(d, i, first, &d->moved[first]) == LINE; k++) {
-            d->mended += (uint64_t)move(d, d->same[d->m->triangle[3 * i + k]]);
+        const uint32_t corner = d->first[d->m->triangle[3 * i]];
+        for (size_t k = 0; k < 3 && state(d, i, corner, &d->moved[corner]) == LINE; k++) {
+            d->mended += (uint64_t)move(d, d->first[d->m->triangle[3 * i + k]]);
         }
     }
     for (size_t i = 0; i < 3 * d->m->triangles; i++) {
-        d->moved[d->m->triangle[i]] = d->moved[d->same[d->m->triangle[i]]];
+        d->moved[d->m->triangle[i]] = d->moved[d->first[d->m->triangle[i]]];
     }
 }
 
@@ -161,16 +162,16 @@ int lattice_mend(snapped *s, const mesh *m, lattice_position *moved) {
     if (!any_line(m, moved)) {
         return 0;
     }
-    d.same = malloc(m->vertices * sizeof *d.same + 1);
+    d.first = malloc(m->vertices * sizeof *d.first + 1);
     d.begin = malloc((m->vertices + 1) * sizeof *d.begin);
     d.around = malloc(3 * m->triangles * sizeof *d.around + 1);
-    int status = d.same == NULL || d.begin == NULL || d.around == NULL ? -1 : find_positions(&d);
+    int status = d.first == NULL || d.begin == NULL || d.around == NULL ? -1 : find_first(&d);
     if (status == 0) {
         find_triangles(&d);
         mend_all(&d);
         s->loss.mended = d.mended;
     }
-    free(d.same);
+    free(d.first);
     free(d.begin);
     free(d.around);
     return status;

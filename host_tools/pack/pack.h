@@ -26,11 +26,11 @@ typedef struct packed {
     plt_info info;
 } packed;
 
-/* Triangle i of the mesh gets the primitive id i. `name` is for errors. */
+/* Triangle i of the mesh gets primitive id i. `name` is for errors. */
 int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name, fail *f);
 void pack_free(packed *image);
 
-/* Triangle `triangle` of the mesh as a float record, its id and rotation set. */
+/* Triangle `triangle` of the mesh as a float record, with its primitive id and rotation. */
 void pack_record(plt_record *record, const mesh *m, size_t triangle);
 
 /* Says that no image holds so much; returns -1. */
@@ -42,8 +42,8 @@ typedef struct compact_options {
     uint8_t numbers;         /* keep primitive ids in a section */
     uint8_t floats;          /* float records, bit exact; the lattice is for boxes alone */
     uint32_t leaf_triangles; /* K: 1, 2 or 4 */
-    const size_t *mesh_end;  /* first triangle behind each mesh; NULL: one mesh */
-    unsigned meshes;         /* from 1,023 on blocks do not say which */
+    const size_t *mesh_end;  /* first triangle after each mesh; NULL: one mesh */
+    unsigned meshes;         /* from 1,023 on blocks do not say which mesh they are of */
 } compact_options;
 
 /* The same as compact blocks on a lattice; says what the lattice cost. */

@@ -24,7 +24,7 @@ typedef struct compacting {
     snapped s;
     plt_header header;
     unsigned char *blocks; /* owned */
-    uint32_t *order;       /* index in `s` of each triangle of the image; owned */
+    uint32_t *order;       /* index in `s` of each triangle in image order; owned */
     uint32_t triangles;    /* in image order */
 } compacting;
 
@@ -80,11 +80,11 @@ static int build(compacting *c, fail *f) {
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .splits = info->splits};
-    uint16_t *mesh_of = mesh_indices(c);
-    job.mesh = mesh_of;
+    uint16_t *meshes = mesh_indices(c);
+    job.mesh = meshes;
     const int status = run_job(c, &job, f);
     free(job.scratch);
-    free(mesh_of);
+    free(meshes);
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
     info->leaf_lists = job.leaves - job.pairs;
@@ -126,13 +126,13 @@ static void describe(compacting *c) {
     c->header.root = PLT_MISS;
 }
 
-static void write_ids(const compacting *c, unsigned char *to) {
+static void write_primitive_ids(const compacting *c, unsigned char *to) {
     const uint32_t bits = c->header.info.primitive_id_bits;
     for (uint32_t i = 0; i < c->triangles; i++) {
-        const uint32_t index = c->order[i];
+        const uint32_t from = c->order[i];
         const uint64_t at = (uint64_t)i * bits;
         plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), bits,
-                     c->s.source[index] << 2 | c->s.rotation[index]);
+                     c->s.source[from] << 2 | c->s.rotation[from]);
     }
 }
 
@@ -153,7 +153,7 @@ static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
     } else if (kind == PLT_SECTION_TRIANGLES) {
         write_records(c, to);
     } else if (kind == PLT_SECTION_PRIMITIVE_IDS) {
-        write_ids(c, to);
+        write_primitive_ids(c, to);
     }
 }
 

@@ -1,6 +1,6 @@
 /* bits - a growing string of bits, least significant first
  *
- * The room doubles, so that appending costs amortised constant time.
+ * The room doubles: appending costs amortised constant time.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/picture/bits.h"

@@ -1,8 +1,8 @@
 /* deflate - lossless compression as PNG wants it
  *
  * Lazy matching over hash chains: a match is held back one byte to see
- * whether a longer one starts there. A chain is left after CHAIN_MAX steps
- * or at a match that cannot be bettered, so that time is linear.
+ * whether a longer one starts there. A search ends after CHAIN_MAX steps
+ * or at the longest possible match: time is linear.
  *
  * Invariant: head and prev hold position + 1 of earlier positions only,
  * 0 for none; prev is a ring of the last WINDOW positions.
@@ -15,9 +15,9 @@
 
 #include <stdlib.h>
 
-#include "host_tools/picture/block.h"
+#include "host_tools/picture/deflate_block.h"
 
-#define WINDOW 32768u
+#define WINDOW 32768u /* RFC 1951, 2: how far back a match may lie */
 #define HASH_BITS 15
 #define SHORTEST 3u
 #define LONGEST 258u
@@ -28,7 +28,7 @@ typedef struct matcher {
     uint32_t head[1u << HASH_BITS], prev[WINDOW];
     const uint8_t *data;
     size_t size;
-    block tokens;
+    deflate_block tokens;
 } matcher;
 
 typedef struct match {
@@ -93,13 +93,13 @@ static unsigned emit(matcher *m, size_t at, match *held) {
         *held = find(m, at + 1, now.length);
     }
     if (now.length == 0 || held->length > now.length) {
-        block_literal(&m->tokens, m->data[at]);
+        deflate_block_literal(&m->tokens, m->data[at]);
         return 1;
     }
     for (unsigned i = 1; i < now.length; i++) {
         insert(m, at + i);
     }
-    block_match(&m->tokens, now.length, now.distance);
+    deflate_block_match(&m->tokens, now.length, now.distance);
     const size_t end = at + now.length;
     *held = end < m->size ? find(m, end, 0) : (match){0, 0};
     return now.length;
@@ -108,15 +108,15 @@ static unsigned emit(matcher *m, size_t at, match *held) {
 static void pack(matcher *m, bits *out) {
     match held = {0, 0};
     size_t at = 0, begin = 0;
-    block_clear(&m->tokens);
+    deflate_block_clear(&m->tokens);
     while (at < m->size) {
         at += emit(m, at, &held);
-        if (m->tokens.tokens == BLOCK_TOKENS && at < m->size) {
-            block_write(&m->tokens, m->data + begin, at - begin, 0, out);
+        if (m->tokens.tokens == DEFLATE_TOKENS && at < m->size) {
+            deflate_block_write(&m->tokens, m->data + begin, at - begin, 0, out);
             begin = at;
         }
     }
-    block_write(&m->tokens, m->data + begin, m->size - begin, 1, out);
+    deflate_block_write(&m->tokens, m->data + begin, m->size - begin, 1, out);
 }
 
 static uint32_t adler32(const uint8_t *data, size_t size) {

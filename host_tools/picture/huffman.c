@@ -1,7 +1,7 @@
 /* huffman - prefix codes of bounded length for deflate
  *
  * The result depends on the counts alone: equal counts are ordered by
- * symbol, so that two C libraries' sorts give the same file.
+ * symbol, and two C libraries' sorts give the same file.
  *
  * Sources: J. van Leeuwen, "On the construction of Huffman trees", ICALP
  * 1976 (two queues); P. Deutsch, RFC 1951, 1996, section 3.2.2 (canonical
@@ -12,6 +12,9 @@
 
 #include <stdlib.h>
 #include <string.h>
+
+const uint8_t huffman_length_order[HUFFMAN_LENGTH_CODES] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
+                                                            11, 4,  12, 3, 13, 2, 14, 1, 15};
 
 typedef struct leaf {
     uint32_t count;

@@ -1,8 +1,8 @@
 /* picture - 8-bit RGB frames to files and to the terminal
  *
  * Invariant of every picture that picture_make returned: 1 to
- * PICTURE_SIDE_MAX pixels a side, so that 3 bytes a pixel and a filter byte
- * a row stay below 2^32.
+ * PICTURE_SIDE_MAX pixels on each side. 3 bytes per pixel and a filter byte
+ * per row stay below 2^32.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/picture/picture.h"
@@ -38,6 +38,14 @@ int picture_make(picture *p, unsigned width, unsigned height, fail *f) {
 void picture_free(picture *p) {
     free(p->rgb);
     memset(p, 0, sizeof *p);
+}
+
+int picture_resize(picture *p, unsigned width, unsigned height, fail *f) {
+    if (p->rgb != NULL && p->width == width && p->height == height) {
+        return 0;
+    }
+    picture_free(p);
+    return picture_make(p, width, height, f);
 }
 
 static int ends_in(const char *path, const char *ending) {
@@ -79,7 +87,7 @@ int picture_begin(output *o, picture_format format, unsigned width, unsigned hei
         return 0;
     }
     if (frames_per_second == 0) {
-        return fail_set(f, NULL, "video at 0 frames a second; choose 1 or more");
+        return fail_set(f, NULL, "video at 0 frames per second; choose 1 or more");
     }
     return y4m_begin(o, width, height, frames_per_second, f);
 }

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "host_tools/base/temporary.h"
+#include "host_tools/picture/fit.h"
 #include "host_tools/picture/picture.h"
 
 #define CELLS_MAX 10000
@@ -55,7 +56,8 @@ static unsigned in_proportion(unsigned side, unsigned to, unsigned from) {
 }
 
 /* The largest size of p's aspect within `columns` x `lines` and p's own. */
-static void fit(const picture *p, unsigned columns, unsigned lines, unsigned *w, unsigned *h) {
+static void choose_size(const picture *p, unsigned columns, unsigned lines, unsigned *w,
+                        unsigned *h) {
     *w = p->width;
     *h = p->height;
     if (p->width <= columns && p->height <= lines) {
@@ -70,47 +72,14 @@ static void fit(const picture *p, unsigned columns, unsigned lines, unsigned *w,
     }
 }
 
-/* Overlap of [i, i + 1) / many and [k, k + 1) / few, in units of
- * 1 / (many * few): the weight of source pixel i in target pixel k. */
-static uint64_t overlap(unsigned i, unsigned many, unsigned k, unsigned few) {
-    const uint64_t begin = (uint64_t)i * few, end = begin + few;
-    const uint64_t from = (uint64_t)k * many, to = from + many;
-    return (end < to ? end : to) - (begin > from ? begin : from);
-}
-
-/* Exact in integers: the weights of a pixel add up to width * height. */
-static void average(const picture *p, unsigned x, unsigned y, unsigned w, unsigned h,
-                    uint8_t *rgb) {
-    const uint64_t whole = (uint64_t)p->width * p->height;
-    uint64_t sum[3] = {whole / 2, whole / 2, whole / 2};
-    for (unsigned j = (unsigned)((uint64_t)y * p->height / h);
-         (uint64_t)j * h < (uint64_t)(y + 1) * p->height; j++) {
-        for (unsigned i = (unsigned)((uint64_t)x * p->width / w);
-             (uint64_t)i * w < (uint64_t)(x + 1) * p->width; i++) {
-            const uint64_t weight = overlap(i, p->width, x, w) * overlap(j, p->height, y, h);
-            const uint8_t *pixel = p->rgb + 3 * ((size_t)j * p->width + i);
-            for (unsigned c = 0; c < 3; c++) {
-                sum[c] += weight * pixel[c];
-            }
-        }
-    }
-    for (unsigned c = 0; c < 3; c++) {
-        rgb[c] = (uint8_t)(sum[c] / whole);
-    }
-}
-
 static int scale(picture *small, const picture *p, unsigned columns, unsigned lines) {
     unsigned w, h;
     fail f = {""};
-    fit(p, columns, lines, &w, &h);
+    choose_size(p, columns, lines, &w, &h);
     if (picture_make(small, w, h, &f)) {
         return -1;
     }
-    for (unsigned y = 0; y < h; y++) {
-        for (unsigned x = 0; x < w; x++) {
-            average(p, x, y, w, h, small->rgb + 3 * ((size_t)y * w + x));
-        }
-    }
+    fit_picture(p, small, FIT_STRETCH);
     return 0;
 }
 
@@ -152,9 +121,9 @@ static void plain_line(FILE *to, const picture *p, unsigned y) {
     fputc('\n', to);
 }
 
-/* Ctrl-C waits for the end of the picture, so that the cursor is below it (and sets
- * a terminal going that was stopped); other signals do not wait: a terminal may
- * take nothing for ever, and is then left in its colours. */
+/* Ctrl-C waits for the end of the picture: the cursor is then below it. (Ctrl-C also
+ * resumes a terminal that was stopped.) Other signals do not wait: a terminal may
+ * never accept a byte again, and then keeps its colours. */
 static int draw(FILE *to, const picture *small, int coloured) {
     sigset_t interrupt, before;
     sigemptyset(&interrupt);

@@ -1,13 +1,13 @@
 /* y4m - uncompressed video that every encoder reads from a pipe
  *
- * Planes Y, Cb, Cr of full size (4:4:4), so that odd sizes need no rule.
+ * Planes Y, Cb, Cr of full size (4:4:4): odd sizes need no rule.
  * Full range BT.601 as in JFIF, in units of 2^-16, rounded to nearest:
  *
  *     Y  =       0.299    R + 0.587    G + 0.114    B
  *     Cb = 128 - 0.168736 R - 0.331264 G + 0.5      B
  *     Cr = 128 + 0.5      R - 0.418688 G - 0.081312 B
  *
- * Each row of integers adds up to exactly 1 or 0, so that grey stays grey.
+ * Each row of integers adds up to exactly 1 or 0: grey stays grey.
  *
  * Sources: ITU-R BT.601-7, 2011; E. Hamilton, "JPEG File Interchange
  * Format", 1992; yuv4mpeg(5), MJPEG tools.

@@ -1,11 +1,10 @@
 /* contacts - marbles against each other and against the walls
  *
- * Sequential impulses: each contact in turn gets the impulse that stops (or
- * returns) its approach, again and again. Friction acts against the sliding
- * of the surfaces, sideways and, because the marbles turn, up and down; the
- * floor carries the vertical part. Every single impulse takes energy or
- * leaves it alone: the normal one because restitution is below 1, friction
- * because it is at most what stops the sliding.
+ * Sequential impulses: one contact after the other gets the impulse that stops
+ * (or reverses) its approach, again and again. Friction acts against the sliding
+ * of the surfaces, sideways and, because the marbles rotate, up and down; the
+ * floor carries the vertical part. No impulse adds energy: the normal one because
+ * restitution is below 1, friction because it is at most what stops the sliding.
  *
  * Source: B. Mirtich, J. Canny, "Impulse-based Simulation of Rigid Bodies",
  * Symposium on Interactive 3D Graphics, 1995.
@@ -18,13 +17,13 @@
 
 #define RESTITUTION 0.6
 #define FRICTION 0.15
-#define SLOW 2.0 /* radii a second: gentler meetings do not bounce */
+#define SLOW 2.0 /* radii per second: gentler meetings do not bounce */
 #define BOUNCE_SWEEPS 12u
 #define PART_SWEEPS 60u
 #define PART_SLACK 0.002 /* overlap that is left alone, of a radius */
 
 /* 1 / (moment of inertia) of a solid ball of mass and radius 1. */
-#define TURNING 2.5
+#define INERTIA_INVERSE 2.5
 
 const double marbles_wall[MARBLES_WALLS][2] = {
     {1.0, 0.0},  {0.70710678118654752, 0.70710678118654752},
@@ -80,17 +79,18 @@ void contacts_find(contacts *c, const marbles *m) {
  * opposite on the first: both spins change alike. */
 static void push(marble *a, marble *b, const contact *c, double normal, double side, double up) {
     const double x = normal * c->x - side * c->z, z = normal * c->z + side * c->x;
-    const double turn[3] = {TURNING * up * c->z, TURNING * side, -TURNING * up * c->x};
+    const double spin[3] = {INERTIA_INVERSE * up * c->z, INERTIA_INVERSE * side,
+                            -INERTIA_INVERSE * up * c->x};
     a->vx -= x;
     a->vz -= z;
     for (unsigned i = 0; i < 3; i++) {
-        a->spin[i] += turn[i];
+        a->spin[i] += spin[i];
     }
     if (b) {
         b->vx += x;
         b->vz += z;
         for (unsigned i = 0; i < 3; i++) {
-            b->spin[i] += turn[i];
+            b->spin[i] += spin[i];
         }
     }
 }
@@ -117,8 +117,8 @@ static void rub(marble *a, marble *b, const contact *c, double normal) {
     const double bodies = b ? 2.0 : 1.0;
     double side, up;
     sliding(a, b, c, &side, &up);
-    side /= -bodies * (1.0 + TURNING);
-    up /= -bodies * TURNING;
+    side /= -bodies * (1.0 + INERTIA_INVERSE);
+    up /= -bodies * INERTIA_INVERSE;
     const double needed = sqrt(side * side + up * up), limit = FRICTION * normal;
     const double share = needed > limit ? limit / needed : 1.0;
     push(a, b, c, 0.0, share * side, share * up);

@@ -5,7 +5,7 @@
 #define CONTACTS_H
 #include "host_tools/scenes/marbles.h"
 
-/* Six neighbours a marble at most, each pair once, and two walls; those
+/* At most six neighbours per marble, each pair once, and two walls; those
  * within CONTACT_NEAR may be a few more. */
 #define CONTACTS_MAX (8u * MARBLES)
 #define CONTACT_NEAR 0.3 /* gap in radii; nothing closes faster in a step */

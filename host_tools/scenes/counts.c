@@ -1,4 +1,4 @@
-/* counts - whole numbers that scenes of any size share
+/* counts - the arithmetic of scenes that come in any size
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/scenes/counts.h"

@@ -1,4 +1,4 @@
-/* counts - whole numbers that scenes of any size share
+/* counts - the arithmetic of scenes that come in any size
  *
  * SPDX-License-Identifier: MIT */
 #ifndef COUNTS_H
@@ -6,7 +6,7 @@
 #include "host_tools/scenes/scenes.h"
 
 /* Refuses a count outside least .. SCENE_TRIANGLES_MAX, and one for which
- * `m` has no vertex numbers left. */
+ * `m` has no vertex indices left. */
 int count_check(const mesh *m, const char *scene, uint64_t triangles, unsigned least, fail *f);
 uint32_t count_root(uint64_t square); /* floor(sqrt(square)), square < 2^62 */
 

@@ -1,8 +1,9 @@
 /* knot - a closed tube along the trefoil, the (2, 3) torus knot
  *
- * Ring i stands on the knot at i / rings of its length in the parameter, in
- * the plane of the torus's normal and its cross product with the tangent:
- * a frame that comes back to itself, so that the last ring meets the first.
+ * Ring i has its centre on the knot at the parameter i / rings and lies in the
+ * plane of the torus's normal and of that normal's cross product with the
+ * tangent. These axes return to themselves once around, and the last ring meets
+ * the first.
  * Invariant: every edge has exactly two triangles, one in each direction.
  *
  * Source: C. C. Adams, "The Knot Book", 1994, section 5.1 (torus knots).
@@ -10,46 +11,46 @@
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "host_tools/scenes/cos_sin.h"
 #include "host_tools/scenes/counts.h"
-#include "host_tools/scenes/turns.h"
 
-#define LONG_WAY 2u  /* times around the axis */
-#define SHORT_WAY 3u /* times around the torus's own circle */
+#define AROUND_AXIS 2u /* times */
+#define AROUND_TUBE 3u /* of the torus; times */
 #define MAJOR 2.0
 #define MINOR 0.9
 #define TUBE 0.5
-#define ASPECT 10u /* length of the knot over the tube's circumference */
+#define ASPECT 10u /* length of the knot / circumference of its own tube */
 
-typedef struct frame {
-    double at[3], normal[3], side[3];
-} frame;
+typedef struct ring_axes {
+    double centre[3], normal[3], side[3];
+} ring_axes;
 
-static frame frame_of(uint32_t ring, uint32_t rings) {
-    const turn u = turn_of((uint64_t)LONG_WAY * ring, rings);
-    const turn v = turn_of((uint64_t)SHORT_WAY * ring, rings);
+static ring_axes axes_of(uint32_t ring, uint32_t rings) {
+    const cos_sin u = cos_sin_of((uint64_t)AROUND_AXIS * ring, rings);
+    const cos_sin v = cos_sin_of((uint64_t)AROUND_TUBE * ring, rings);
     const double reach = MAJOR + MINOR * v.cosine;
-    const double along = LONG_WAY * reach, across = SHORT_WAY * MINOR;
+    const double along = AROUND_AXIS * reach, across = AROUND_TUBE * MINOR;
     const double speed = sqrt(along * along + across * across);
     const double a = along / speed, b = across / speed;
     /* tangent = a east + b north; side = normal x tangent = b east - a north */
     const double east[3] = {-u.sine, 0.0, u.cosine};
     const double north[3] = {-v.sine * u.cosine, v.cosine, -v.sine * u.sine};
-    frame f = {{reach * u.cosine, MINOR * v.sine, reach * u.sine},
-               {v.cosine * u.cosine, v.sine, v.cosine * u.sine},
-               {0.0, 0.0, 0.0}};
+    ring_axes k = {{reach * u.cosine, MINOR * v.sine, reach * u.sine},
+                   {v.cosine * u.cosine, v.sine, v.cosine * u.sine},
+                   {0.0, 0.0, 0.0}};
     for (unsigned c = 0; c < 3; c++) {
-        f.side[c] = b * east[c] - a * north[c];
+        k.side[c] = b * east[c] - a * north[c];
     }
-    return f;
+    return k;
 }
 
 static int add_ring(mesh *m, uint32_t ring, uint32_t rings, uint32_t sides, fail *f) {
-    const frame k = frame_of(ring, rings);
+    const ring_axes k = axes_of(ring, rings);
     for (uint32_t j = 0; j < sides; j++) {
-        const turn w = turn_of(j, sides);
+        const cos_sin w = cos_sin_of(j, sides);
         float p[3];
         for (unsigned c = 0; c < 3; c++) {
-            p[c] = (float)(k.at[c] + TUBE * (w.cosine * k.normal[c] + w.sine * k.side[c]));
+            p[c] = (float)(k.centre[c] + TUBE * (w.cosine * k.normal[c] + w.sine * k.side[c]));
         }
         if (mesh_add_vertex(m, p[0], p[1], p[2], f)) {
             return -1;

@@ -1,8 +1,8 @@
-/* marbles - the mechanics behind scene_marbles
+/* marbles - the mechanics of scene_marbles
  *
- * In the tray's own frame: floor in the plane y = 0, marbles of radius 1 and
+ * In the tray's own axes: floor in the plane y = 0, marbles of radius 1 and
  * mass 1 whose centres stay at y = 1, lengths in radii (2 cm), seconds. The
- * tray's slow lean turns gravity; its own acceleration is left out.
+ * tray's slow lean rotates gravity; its own acceleration is left out.
  *
  * Invariants after every step: each centre is within MARBLES_REACH +
  * MARBLES_OVERLAP of the axis along all eight wall normals; no two centres
@@ -16,13 +16,13 @@
 #define MARBLES_WALLS 8u
 #define MARBLES_REACH 14.0   /* walls stand one radius further out */
 #define MARBLES_OVERLAP 0.01 /* of a radius */
-#define MARBLES_STEPS 20u    /* a frame of 1/25 s */
+#define MARBLES_STEPS 20u    /* per frame, 1/25 s */
 #define MARBLES_GRAVITY 490.0
 
 typedef struct marble {
     double x, z, vx, vz;
-    double spin[3]; /* radians a second */
-    double turn[4]; /* orientation, unit quaternion: real part first */
+    double spin[3];        /* radians per second */
+    double orientation[4]; /* unit quaternion, real part first */
 } marble;
 
 typedef struct marbles {

@@ -2,7 +2,7 @@
  *
  * Bit for bit the same wherever float and double are IEEE 754 and computed
  * as written (FLT_EVAL_METHOD 0, no fused multiply-add): integer random
- * numbers, + - * / and square roots alone, sine and cosine from turns.h.
+ * numbers, + - * / and square roots alone, sine and cosine from cos_sin.h.
  *
  * Every scene appends to `m`, y up, triangles counter-clockwise seen from
  * outside. On failure `m` is as it was before and `f` holds the remedy.
@@ -19,11 +19,11 @@
 int scene_ground(mesh *m, fail *f);
 
 /* 109 marbles of radius 1 rolling in an eight-sided tray 34 wide: 110 times
- * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames a
- * second, of any length. Vertices and indices keep their places from frame
- * to frame. A frame costs a simulation from frame 0, about 1 ms a frame,
- * unless the last call asked for an earlier frame, from which it then goes
- * on: not for two threads at once. */
+ * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames per
+ * second, of any length. Vertices and indices keep their order from frame
+ * to frame. A call simulates from frame 0 on, about 1 ms per frame, or
+ * from the frame of the last call if that was earlier. It keeps that state: not
+ * for two threads at once. */
 int scene_marbles(mesh *m, unsigned frame, fail *f);
 
 /* A height field of mountains and valleys over 20 x 20 of about `triangles`
@@ -32,10 +32,10 @@ int scene_marbles(mesh *m, unsigned frame, fail *f);
  * than asked for, and fewer by less than 2 c. */
 int scene_terrain(mesh *m, uint64_t triangles, fail *f);
 
-/* A closed trefoil tube of about `triangles` (24 .. SCENE_TRIANGLES_MAX): a
- * sides, the square root of triangles / 20 rounded down but 3 at least, times
- * b = floor(triangles / 2 / a) rings, 2 a b triangles: never more than asked
- * for, and fewer by less than 2 a. */
+/* A closed trefoil tube of about `triangles` (24 .. SCENE_TRIANGLES_MAX)
+ * triangles. With a = max(3, floor(sqrt(triangles / 20))) sides and
+ * b = floor(triangles / 2 / a) rings they are 2 a b: never more than asked for,
+ * and fewer by less than 2 a. */
 int scene_knot(mesh *m, uint64_t triangles, fail *f);
 
 #endif

@@ -10,40 +10,40 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/scenes/counts.h"
-#include "host_tools/scenes/lattice.h"
+#include "host_tools/scenes/noise.h"
 
 #define HALF 10.0
 #define OCTAVES 10u
-#define SCALE 0.13 /* coarsest ridges, a unit of length */
+#define SCALE 0.13 /* coarsest ridges per unit of length */
 
 static double clamp01(double x) {
     return x < 0.0 ? 0.0 : x > 1.0 ? 1.0 : x;
 }
 
-/* About 0 .. 1.5. Each octave is turned by the angle of the 3-4-5
- * triangle, so that the lattices' directions do not add up. */
+/* About 0 .. 1.5. Each octave is rotated by the angle of the 3-4-5 triangle:
+ * the axes of the octaves' grids do not coincide. */
 static double ridges(double x, double z, unsigned octaves) {
     double sum = 0.0, share = 0.6, weight = 1.0;
     for (unsigned i = 0; i < octaves; i++) {
-        const double n = lattice_noise(x, z, 100 + i);
+        const double n = noise_gradient(x, z, 100 + i);
         const double fold = 1.0 - 1.6 * (n < 0.0 ? -n : n);
         const double ridge = (fold < 0.0 ? 0.0 : fold * fold) * weight;
         sum += share * ridge;
         weight = clamp01(1.8 * ridge);
         share *= 0.5;
-        const double turned = 2.03 * (0.8 * x - 0.6 * z);
+        const double rotated = 2.03 * (0.8 * x - 0.6 * z);
         z = 2.03 * (0.6 * x + 0.8 * z);
-        x = turned;
+        x = rotated;
     }
     return sum;
 }
 
 static double height(double x, double z, unsigned octaves) {
     const double u = SCALE * x, v = SCALE * z;
-    const double bent_u = u + 0.35 * lattice_noise(1.3 * u + 7.1, 1.3 * v + 2.9, 1);
-    const double bent_v = v + 0.35 * lattice_noise(1.3 * u + 3.7, 1.3 * v + 9.2, 2);
-    const double upland = clamp01(0.5 + 0.9 * lattice_noise(0.9 * bent_u, 0.9 * bent_v, 3));
-    const double river = lattice_noise(0.6 * bent_u + 0.2, 0.6 * bent_v + 0.6, 4);
+    const double bent_u = u + 0.35 * noise_gradient(1.3 * u + 7.1, 1.3 * v + 2.9, 1);
+    const double bent_v = v + 0.35 * noise_gradient(1.3 * u + 3.7, 1.3 * v + 9.2, 2);
+    const double upland = clamp01(0.5 + 0.9 * noise_gradient(0.9 * bent_u, 0.9 * bent_v, 3));
+    const double river = noise_gradient(0.6 * bent_u + 0.2, 0.6 * bent_v + 0.6, 4);
     const double bank = clamp01(0.05 + 5.0 * (river < 0.0 ? -river : river));
     const double valley = bank * bank * (3.0 - 2.0 * bank); /* 0 along the river */
     const double h =
@@ -53,7 +53,7 @@ static double height(double x, double z, unsigned octaves) {
     return 2.6 * (h > low ? h - 0.5 * low : 0.5 * h * h / low);
 }
 
-/* Octaves finer than the grid would only be noise: two quads a wave. */
+/* Octaves finer than the grid would only be noise: two quads per wave. */
 static unsigned octaves_for(uint32_t columns) {
     unsigned octaves = 1;
     double waves = 2.0 * HALF * SCALE;

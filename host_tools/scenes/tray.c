@@ -26,7 +26,7 @@ typedef struct ball {
 typedef double rotation[3][3];
 
 /* Height and distance from the axis of each octagon's sides, from below the
- * tray over its rim to the floor. */
+ * tray over its edge to the floor. */
 static const double rings[RINGS][2] = {
     {-1.0, 16.0}, {1.2, 16.9}, {1.7, 16.5}, {1.7, MARBLES_REACH + 1.0}, {0.0, MARBLES_REACH + 1.0}};
 
@@ -67,7 +67,7 @@ static void ball_make(ball *b) {
     for (unsigned i = 0; i < 12; i++) {
         const double one = i & 1 ? 1.0 : -1.0, long_side = i & 2 ? -golden : golden;
         const double c[3] = {one, long_side, 0.0};
-        const unsigned k = 3 - i / 4; /* three golden rectangles, axes changed in turn */
+        const unsigned k = 3 - i / 4; /* three golden rectangles, axes changed cyclically */
         ball_vertex(b, c[k % 3], c[(k + 1) % 3], c[(k + 2) % 3]);
     }
     for (unsigned i = 0; i < 20; i++) {
@@ -90,7 +90,7 @@ static void lean_rotation(const marbles *m, rotation r) {
     memcpy(r, made, sizeof made);
 }
 
-static void turn_rotation(const double *q, rotation r) {
+static void orientation_rotation(const double *q, rotation r) {
     const double w = q[0], x = q[1], y = q[2], z = q[3];
     const rotation made = {
         {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)},
@@ -99,7 +99,7 @@ static void turn_rotation(const double *q, rotation r) {
     memcpy(r, made, sizeof made);
 }
 
-static void turned(const rotation r, const double *p, double *out) {
+static void rotated(const rotation r, const double *p, double *out) {
     for (unsigned i = 0; i < 3; i++) {
         out[i] = r[i][0] * p[0] + r[i][1] * p[1] + r[i][2] * p[2];
     }
@@ -108,15 +108,15 @@ static void turned(const rotation r, const double *p, double *out) {
 static int add_vertex(mesh *out, const rotation lean, double x, double y, double z, fail *f) {
     const double local[3] = {x, y, z};
     double p[3];
-    turned(lean, local, p);
+    rotated(lean, local, p);
     return mesh_add_vertex(out, (float)p[0], (float)p[1], (float)p[2], f);
 }
 
 static int add_tray_vertices(mesh *out, const rotation lean, fail *f) {
-    const double slope = sqrt(2.0) - 1.0; /* tangent of 1/16 turn */
+    const double slope = sqrt(2.0) - 1.0; /* tangent of 1/16 of a circle */
     for (unsigned i = 0; i < RINGS; i++) {
         for (unsigned c = 0; c < CORNERS; c++) {
-            /* Corners 0 .. 7 by quarter turns of the first two. */
+            /* Corners 2 .. 7 are the first two, rotated by quarters of the circle. */
             double x = rings[i][1] * (c & 1 ? slope : 1.0);
             double z = rings[i][1] * (c & 1 ? 1.0 : slope);
             for (unsigned quarter = 0; quarter < c / 2; quarter++) {
@@ -156,10 +156,10 @@ static int add_ball(mesh *out, const ball *b, const marble *a, const rotation le
     const uint32_t first = (uint32_t)out->vertices;
     rotation own;
     int wrong = 0;
-    turn_rotation(a->turn, own);
+    orientation_rotation(a->orientation, own);
     for (unsigned i = 0; i < BALL_VERTICES && !wrong; i++) {
         double p[3];
-        turned(own, b->vertex[i], p);
+        rotated(own, b->vertex[i], p);
         wrong = add_vertex(out, lean, a->x + p[0], 1.0 + p[1], a->z + p[2], f);
     }
     for (unsigned i = 0; i < BALL_TRIANGLES && !wrong; i++) {

@@ -5,8 +5,8 @@
 # `err`, variable `status`. The others are verdicts on one run:
 #   works SENTENCE ARGUMENT...                status 0, nothing on standard error
 #   misused SENTENCE WORD ARGUMENT...         status 2, one line there, names WORD
-#   refused SENTENCE NAME PLACE ARGUMENT...   status 1, one line "NAME: ...; REMEDY"
-#                                             in which the pattern PLACE occurs
+#   refused SENTENCE NAME WHERE ARGUMENT...   status 1, one line "NAME: ...; REMEDY"
+#                                             in which the pattern WHERE occurs
 # SPDX-License-Identifier: MIT
 LC_ALL=C
 export LC_ALL
@@ -71,21 +71,21 @@ misused() {
 $(cat err)}"
 }
 
-# refusal NAME PLACE: trouble, unless the last run was refused in that way.
+# refusal NAME WHERE: trouble, unless the last run was refused so.
 refusal() {
     [ "$status" -eq 1 ] || echo "status $status"
     one_line
     [ "$(cut -c "1-$((${#1} + 2))" err)" = "$1: " ] || echo "the line does not begin with '$1: '"
-    grep -q -- "$2" err || echo "no place: '$2'"
+    grep -q -- "$2" err || echo "not there: '$2'"
     grep -q '; ..*\|? *$' err || echo "no remedy"
 }
 
 refused() {
-    sentence=$1 name=$2 place=$3
+    sentence=$1 name=$2 where=$3
     shift 3
     run "$@"
     trouble=$(
-        refusal "$name" "$place"
+        refusal "$name" "$where"
         [ ! -s out ] || echo "something on standard output")
     verdict "$sentence" "${trouble:+$trouble
 $(cat err)}"
@@ -103,7 +103,7 @@ flat_json() {
     shift
     awk '
         NR == 1 { if ($0 != "{") print "begins with " $0; next }
-        ended { print "goes on behind the end: " $0 }
+        ended { print "goes on after the end: " $0 }
         $0 == "}" { ended = 1; if (comma) print "a comma before the end"; next }
         NR > 2 && !comma { print "no comma before line " NR }
         !/^  "[a-z_]+": (-?[0-9]+(\.[0-9]+)?(e[-+][0-9]+)?|"[^"\\]*"|null|\[[-+.e0-9, ]+\]),?$/ {
@@ -121,6 +121,12 @@ same() {
     verdict "$3" "$(cmp "$1" "$2" 2>&1)"
 }
 
+# differ FILE FILE: trouble, unless both are there and are not the same.
+differ() {
+    cmp -s "$1" "$2"
+    [ $? -eq 1 ] || echo "$1 and $2: equal, or not there"
+}
+
 # equal: trouble, unless the numbers in all lines "WHAT|NUMBER|NUMBER" on
 # standard input are equal to 6 digits.
 equal() {
@@ -131,7 +137,7 @@ equal() {
         }'
 }
 
-# bytes FILE: octal escapes, or whatever printf takes, into FILE.
+# bytes FILE: octal escapes, or whatever printf accepts, into FILE.
 bytes() {
     # shellcheck disable=SC2059
     printf "$2" >"$1"

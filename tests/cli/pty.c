@@ -107,7 +107,7 @@ static void copy(int master, pid_t child, int *status, long until_ctrl_c) {
     fflush(stdout);
 }
 
-/* What the command leaves behind becomes a child of this process: the ended are
+/* What the command leaves becomes a child of this process: the ended are
  * still in its group until somebody has waited for them. */
 static void inherit(void) {
 #ifdef __linux__

@@ -12,7 +12,7 @@ echo '0 0 5 0 0 0 -1 100' | rays ray
 mkdir folder full
 echo file >file
 
-# everywhere NAME PLACE WHAT: every command's output with that name. (A device gets
+# everywhere NAME WHERE WHAT: every command's output with that name. (A device gets
 # its bytes only when all are there; until then the other output may be finished.)
 everywhere() {
     refused "make: $3" "$1" "$2" make ground -o "$1"
@@ -35,35 +35,34 @@ for ending in png ppm y4m; do
 done
 everywhere folder "is a directory" "a folder"
 everywhere file/x "Not a directory" "a file as a folder"
-if [ -d /proc ]; then
-    everywhere /proc/x "/proc/x" "a folder in which nothing can be created"
-fi
+everywhere /proc/x "/proc/x" "a folder in which nothing can be created"
 mkdir locked
 chmod 555 locked
-[ -w locked ] || everywhere locked/x "ermission denied" "a folder without permission"
 echo old >protected.plt
 chmod 444 protected.plt
-if ! [ -w protected.plt ]; then
+if [ -w protected.plt ]; then
+    echo "    not tried as root: folders and files without permission (test_base_output does)"
+else
+    everywhere locked/x "ermission denied" "a folder without permission"
     refused "pack: a write-protected file" protected.plt "write-protected" \
         pack quad.ply -o protected.plt
 fi
 
 # ---- a full disk -----------------------------------------------------------------
 
-if [ -c /dev/full ]; then
-    for name in full/x full/x.png full/x.ppm full/x.y4m; do
-        ln -s /dev/full "$name"
-    done
-    everywhere full/x "No space left" "a full disk"
-    for command in --help --version "info knot.plt" "info knot.plt --json" "render --help" \
-        "render knot.plt --show" "make ground -o -" "pack quad.ply -o -" "trace knot.plt ray -" \
-        "render knot.plt -o -" "render knot.plt -o - --orbit 2" "render knot.plt --json -"; do
-        # shellcheck disable=SC2086
-        "$PLANELET" $command >/dev/full 2>err
-        status=$?
-        verdict "$command >/dev/full" "$(refusal "standard output" "")"
-    done
-fi
+verdict "there is a /dev/full" "$([ -c /dev/full ] || echo "no such device")"
+for name in full/x full/x.png full/x.ppm full/x.y4m; do
+    ln -s /dev/full "$name"
+done
+everywhere full/x "No space left" "a full disk"
+for command in --help --version "info knot.plt" "info knot.plt --json" "render --help" \
+    "render knot.plt --show" "make ground -o -" "pack quad.ply -o -" "trace knot.plt ray -" \
+    "render knot.plt -o -" "render knot.plt -o - --orbit 2" "render knot.plt --json -"; do
+    # shellcheck disable=SC2086
+    "$PLANELET" $command >/dev/full 2>err
+    status=$?
+    verdict "$command >/dev/full" "$(refusal "standard output" "")"
+done
 # A file of at most 512 bytes stands in for a disk that fills up.
 run render knot.plt --size 64x64 -o old.ppm
 cp old.ppm before.ppm
@@ -91,7 +90,7 @@ refused "pack a broken mesh over an old image" file "" pack file -o old
 refused "trace a broken image over old hits" file "" trace file ray old
 refused "trace in too small an arena over old hits" knot.plt "arena" \
     trace knot.plt ray old --arena 100
-refused "render figures into a missing folder" missing/x "" \
+refused "render statistics into a missing folder" missing/x "" \
     render knot.plt -o before.ppm --json missing/x
 verdict "the old outputs are as they were" "$(
     [ "$(cat old)" = old ] || echo "old changed"
@@ -105,7 +104,7 @@ verdict "... keeps the link and the mode, and replaces the file" "$(
     [ -h link ] || echo "no link any more"
     run info target
     cat err
-    ls -l target | grep -v '^-rw-r-----')"
+    ls -l target | grep -q '^-rw-r-----' || ls -l target)"
 works "pack over its own input" pack quad.ply -o quad.ply
 works "... gives an image" info quad.ply
 quad quad.ply

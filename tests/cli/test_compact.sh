@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_compact.sh - compact nodes on the command line: flags, losses, figures, errors
+# test_compact.sh - compact nodes on the command line: flags, losses, statistics, errors
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
@@ -25,7 +25,7 @@ word() { # NAME: of the JSON on standard input
     sed -n "s/^  \"$1\": \"\(.*\)\",*\$/\1/p"
 }
 
-# ---- formats and figures ---------------------------------------------------------
+# ---- formats and statistics ------------------------------------------------------
 
 for bits in 12 14 16 17 21; do
     for leaf in 1 2 4; do
@@ -58,7 +58,7 @@ verdict "info without --json says the same" "$(
     run info knot.plt
     grep -q '^lattice  *21 bits; ' out || cat out
     for part in planes owners kinds links frames headers padding positions references strips; do
-        grep -q "^  $part .* a triangle" out || echo "not a word of $part"
+        grep -q "^  $part .* per triangle" out || echo "not a word of $part"
     done)"
 run pack knot.ply -o bits.plt --nodes compact
 run info bits.plt --json
@@ -68,7 +68,7 @@ verdict "a lattice has 16 bits unless said otherwise" "$(
 for pair in 3e-4:12 1e-4:14 1e-5:17 1e-6:20 5.3e-7:21; do
     packs "pack --tolerance ${pair%:*}" knot.ply -o knot.plt --nodes compact \
         --tolerance "${pair%:*}"
-    verdict "... takes the bits for it, and says a move within it" "$(
+    verdict "... chooses the bits for it, and reports moves within it" "$(
         moved=$(sed 's/.*moved by up to \([-+0-9.e]*\) of.*/\1/' err)
         awk "BEGIN { exit !($moved <= ${pair%:*}) }" || echo "moved by $moved"
         run info knot.plt --json
@@ -124,7 +124,7 @@ verdict "... is mended: its corner moves to the next number" "$(
 sliver 0.000001 >sliver.ply
 packs "a sliver that is too thin to be mended" sliver.ply -o sliver.plt --nodes compact \
     --geometry lattice:14
-verdict "... is lost, told as a T-junction, and a finer lattice is proposed" "$(
+verdict "... is lost, reported as a T-junction, and a finer lattice is proposed" "$(
     grep -q ' 1 triangles lost their area (0 had none)' err &&
         grep -q ' 1 T-junctions' err && grep -q 'try --geometry lattice:21' err || cat err
     run info sliver.plt --json
@@ -185,10 +185,10 @@ for leaf in 1 2 4; do
     verdict "$flags: one picture, whoever builds and from wherever it is read" "$(
         wanted=$(frame_hash host.plt)
         [ -n "$wanted" ] || cat err
-        for way in "host.plt --packet 2" "host.plt --packet 16" "host.plt --source read" \
+        for run in "host.plt --packet 2" "host.plt --packet 16" "host.plt --source read" \
             "device.plt" "device.plt --source read" "device.plt --packet 4"; do
             # shellcheck disable=SC2086
-            [ "$(frame_hash $way)" = "$wanted" ] || echo "another with $way: $(cat err)"
+            [ "$(frame_hash $run)" = "$wanted" ] || echo "another with $run: $(cat err)"
         done)"
     verdict "... shaded by normals, too" "$(
         wanted=$(frame_hash host.plt --shader normal)
@@ -198,24 +198,24 @@ done
 # A square on a lattice: whole corners stay what they are, so do its hits.
 run pack quad.ply -o thesis.plt
 run pack quad.ply -o quad.plt --nodes compact --geometry lattice:12
-run pack quad.ply -o place.plt --nodes compact --geometry lattice:12 --numbers none
+run pack quad.ply -o position.plt --nodes compact --geometry lattice:12 --numbers none
 printf '0.75 0.25 5 0 0 0 -1 100\n0.2 0.7 5 0 0 0 -1 100\n4 4 5 0 0 0 -1 100\n' | rays ray
-for name in thesis quad place; do
+for name in thesis quad position; do
     run trace $name.plt ray $name.hit
     hits $name.hit >$name.txt
 done
-verdict "hits of a square on a lattice: distance and number" "$(
+verdict "hits of a square on a lattice: distance and primitive id" "$(
     awk '{ print ($4 < 4294967295) ? $1 " " $4 : "miss" }' quad.txt >found
     printf '5 0\n5 1\nmiss\n' | diff - found)"
-verdict "... by place, the same distances" "$(
+verdict "... with positions as primitive ids, the same distances" "$(
     awk '{ print $1 }' quad.txt >wanted
-    awk '{ print $1 }' place.txt | diff wanted -)"
+    awk '{ print $1 }' position.txt | diff wanted -)"
 
 run pack knot.ply -o knot.plt --nodes compact
 for command in "render knot.plt -o x.png" "trace knot.plt ray hit"; do
     # shellcheck disable=SC2086
     run $command --walk two-stage
-    verdict "${command%% *} refuses a two-stage walk of compact blocks in one line" "$(
+    verdict "${command%% *} refuses the two-stage order for compact blocks in one line" "$(
         [ "$status" -eq 1 ] || echo "status $status"
         one_line
         grep -q '^knot.plt: compact blocks are walked depth first' err || cat err
@@ -243,6 +243,7 @@ for build in host device; do
                 [ "$(hits hit | awk '{ print $4 }')" = "${count#*:}" ] || hits hit)"
         done
     done
+    rm -f once.plt twice.plt
     run pack knot.ply -o once.plt --build $build --nodes compact
     run pack knot.ply -o twice.plt --build $build --nodes compact
     same once.plt twice.plt "packing with --build $build twice gives the same bytes"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # test_flips.sh - images with one flipped bit: refused by every command, on one line
 #
-# Places and bits are random but the same in every run, headers more often.
+# Positions and bits are random but the same in every run, headers more often.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
@@ -9,8 +9,8 @@ begin flips
 run make knot --triangles 300 -o knot.ply
 echo '0 0 5 0 0 0 -1 100' | rays ray
 
-# places SEED: 100 lines "BYTE OCTAL": a byte's number, and its value with one bit flipped.
-places() {
+# flips_of SEED: 100 lines "BYTE OCTAL": the index of a byte, and its value with one bit flipped.
+flips_of() {
     od -An -v -t u1 knot.plt | awk -v seed="$1" '
         { for (i = 1; i <= NF; i++) value[size++] = $i }
         END {
@@ -41,7 +41,10 @@ is_refused() {
 for flags in "--build host" "--build device" "--build none" "--nodes compact"; do
     # shellcheck disable=SC2086
     run pack knot.ply -o knot.plt $flags
-    places ${#flags} >flips
+    flips_of ${#flags} >flips
+    verdict "there are 100 bits of it to flip" "$(
+        [ "$status" -eq 0 ] || cat err
+        [ "$(wc -l <flips)" -eq 100 ] || wc -l <flips)"
     verdict "pack $flags: info, render and trace refuse 100 images with a flipped bit" "$(
         while read -r byte octal; do
             cp knot.plt bad.plt

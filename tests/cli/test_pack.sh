@@ -28,11 +28,11 @@ verdict "... makes about so many" "$(
     count=$(triangles small.ply)
     [ "$count" -gt 1600 ] && [ "$count" -le 2400 ] || echo "$count")"
 works "make marbles --frames 3 --frame 8" make marbles --frames 3 --frame 8 -o 'roll_{}.ply'
-verdict "... writes frames 8 to 10" "$(ls roll_*.ply | tr '\n' ' ' |
-    grep -v '^roll_008.ply roll_009.ply roll_010.ply $')"
+verdict "... writes frames 8 to 10" "$(
+    [ "$(ls roll_*.ply | tr '\n' ' ')" = "roll_008.ply roll_009.ply roll_010.ply " ] || ls)"
 works "make marbles --frame 9" make marbles --frame 9 -o nine.ply
 same nine.ply roll_009.ply "... is that frame"
-verdict "marbles roll" "$(cmp -s roll_008.ply roll_009.ply && echo "two frames are equal")"
+verdict "marbles roll" "$(differ roll_008.ply roll_009.ply)"
 
 # ---- pack and info ---------------------------------------------------------
 
@@ -48,7 +48,7 @@ info_of() {
     eval "$(sed -n 's/^  "\([a-z_]*\)": \([-+.e0-9]*\),*$/\1=\2/p' info.json)"
 }
 
-# check_info MESH IMAGE K N: the JSON's figures against arithmetic on each other.
+# check_info MESH IMAGE K N: the JSON's values against arithmetic on each other.
 check_info() {
     info_of "$2"
     # shellcheck disable=SC2086
@@ -59,13 +59,13 @@ K|$leaf_triangles|$3
 N|$treelet_nodes|$4
 size of the file|$image_bytes|$(wc -c <"$2")
 tree: 32 bytes a slot|$tree_bytes|$((32 * node_slots))
-geometry: 40 bytes a triangle|$geometry_bytes|$((40 * triangles))
+geometry: 40 bytes per triangle|$geometry_bytes|$((40 * triangles))
 children of n nodes|$((leaf_lists + intermediate_lists))|$((nodes + 1))
 free slots|$slot_overhead_bytes|$((32 * (node_slots - nodes)))
 whole slots of N nodes|$((node_slots % treelet_nodes))|0
-tree a triangle|$tree_bytes_per_triangle|$(
+tree per triangle|$tree_bytes_per_triangle|$(
     awk "BEGIN { printf \"%.3f\", $tree_bytes / $triangles }")
-geometry a triangle|$geometry_bytes_per_triangle|40
+geometry per triangle|$geometry_bytes_per_triangle|40
 END
     lists=$((leaf_lists + 2 * intermediate_lists))
     [ $((lists * $3)) -ge "$triangles" ] || echo "$lists lists of $3 do not hold $triangles"
@@ -81,7 +81,7 @@ for leaf in 1 2 4; do
             flags="--leaf $leaf --splits $splits --treelet $treelet"
             # shellcheck disable=SC2086
             run pack small.ply -o small.plt $flags
-            verdict "pack $flags: the figures of info fit together" "$(
+            verdict "pack $flags: the values of info fit together" "$(
                 cat err
                 check_info small.ply small.plt "$leaf" "$treelet"
                 grep -q "\"splits\": \"$splits\"" info.json || echo "splits are not $splits"
@@ -120,10 +120,10 @@ verdict "info without --json says the same" "$(
     info_of default.plt
     run info default.plt
     cat err
-    for figure in $triangles $nodes $node_slots $leaf_lists $intermediate_lists $treelets \
+    for value in $triangles $nodes $node_slots $leaf_lists $intermediate_lists $treelets \
         $tree_bytes $geometry_bytes $slot_overhead_bytes $image_bytes $arena_bytes_needed \
         $arena_bytes_needed_fetched $depth_stack_entries $global_stack_entries; do
-        grep -q "[^0-9.]$figure\([^0-9]\|$\)" out || echo "not a word of $figure"
+        grep -q "[^0-9.]$value\([^0-9]\|$\)" out || echo "not a word of $value"
     done)"
 verdict "larger packets need larger arenas" "$(
     before=0
@@ -134,7 +134,7 @@ verdict "larger packets need larger arenas" "$(
         [ "$packet" -lt 8 ] || [ "$now" -gt "$before" ] || echo "packet $packet: still $now"
         before=$now
     done)"
-verdict "the two-stage walk needs another arena" "$(
+verdict "the two-stage order needs another arena" "$(
     run info default.plt --json --walk two-stage
     [ "$(number arena_bytes_needed <out)" -gt 0 ] || cat out)"
 verdict "info gives the box of the mesh" "$(
@@ -161,8 +161,8 @@ echo 'roll_000.ply 1 0 0 0' >standing.txt
 run pack standing.txt -o standing.plt
 same frame0.plt standing.plt "... frame 0 is the first file of the sequence"
 verdict "... and the frames differ" "$(
-    cmp -s frame0.plt frame1.plt && echo "0 and 1 are equal"
-    cmp -s frame1.plt frame2.plt && echo "1 and 2 are equal")"
+    differ frame0.plt frame1.plt
+    differ frame1.plt frame2.plt)"
 sed 's/^1 1 0$/1 nan 0/' quad.ply >nan.ply
 run pack nan.ply small.ply -o repaired.plt --repair
 verdict "pack --repair says on one line what it dropped" "$(
@@ -204,6 +204,7 @@ done
 # ---- determinism -------------------------------------------------------------
 
 for build in host device none; do
+    rm -f once.plt twice.plt
     run pack terrain.ply -o once.plt --build "$build"
     run pack terrain.ply -o twice.plt --build "$build"
     same once.plt twice.plt "packing with --build $build twice gives the same bytes"

@@ -111,7 +111,7 @@ verdict "a terminal that is killed takes with it what runs there" "$(
     for i in 1 2 3 4 5 6 7 8 9 10; do kill -0 "-$(cat group)" 2>/dev/null && sleep 0.2; done
     kill -0 "-$(cat group)" 2>/dev/null && echo "its group is still there")"
 
-# ---- progress of what takes more than a second -----------------------------------
+# ---- progress of work of more than a second --------------------------------------
 
 mkfifo slow.ply
 { sleep 2; cat quad.ply; } >slow.ply &
@@ -136,7 +136,7 @@ verdict "a long render shows per cent, then wipes them" "$(progressed "rendering
 run make knot --triangles 40000 -o slow.mesh.ply
 run pack slow.mesh.ply -o slow.plt --build none
 seen err serve slow.plt --emulate 40000000 -o slow.ppm --size 352x352
-verdict "serve shows per cent of each frame that takes long, then wipes them" "$(
+verdict "serve shows per cent of each frame that needs long, then erases them" "$(
     [ "$status" -eq 0 ] || echo "status $status"
     tr '\r\033' '\n~' <seen >lines
     grep -q '^~\[Kserve: rendering, frame [0-9]*: [0-9]* %' lines || cat lines

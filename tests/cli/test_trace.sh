@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_trace.sh - planelet trace: hits by arithmetic, the same hits every way, figures
+# test_trace.sh - planelet trace: hits by arithmetic, the same hits with all flags, statistics
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
@@ -17,7 +17,7 @@ awk 'BEGIN {
             print i / 8 - 0.5 + 1 / 32, j / 8 - 0.5 + 1 / 64, 5, 0, 0, 0, -1, 100 }' >grid
 rays down <grid
 works "trace quad" trace quad.plt down hit
-verdict "... 16 bytes a ray" "$([ "$(wc -c <hit)" -eq 4096 ] || wc -c <hit)"
+verdict "... 16 bytes per ray" "$([ "$(wc -c <hit)" -eq 4096 ] || wc -c <hit)"
 hits hit >found
 verdict "... hits by arithmetic" "$(
     paste -d ' ' grid found | awk '
@@ -35,7 +35,7 @@ verdict "... hits by arithmetic" "$(
             print "ray " NR ": expected " t, u, v, number
         }')"
 works "trace --any" trace quad.plt down any --any
-verdict "... tells 1 or 0 and nothing else" "$(
+verdict "... writes 1 or 0 and nothing else" "$(
     hits any | paste -d ' ' found - | awk '
         $8 != ($4 != 4294967295) || $5 != 0 || $6 != 0 || $7 != 0 { print "ray " NR ": " $0 }')"
 rays odd <<'END'
@@ -51,7 +51,7 @@ nan 0.25 5 0 0 0 -1 100
 0.5 0.25 5 9 0 0 -1 1
 END
 run trace quad.plt odd hit
-verdict "intervals hold their ends; odd rays hit nothing; a tie is the lower number's" "$(
+verdict "intervals hold their ends; odd rays hit nothing; a tie is the lower primitive id's" "$(
     cat err
     hits hit | awk '{ print $1 + 0, $4 }' >found
     printf '5 0\n0 %s\n5 0\n0 %s\n2.5 0\n0 %s\n5 0\n0 %s\n0 %s\n0 %s\n' 4294967295 4294967295 \
@@ -60,7 +60,7 @@ verdict "intervals hold their ends; odd rays hit nothing; a tie is the lower num
 run trace quad.plt down hit
 same piped hit "trace reads rays from standard input and writes hits to standard output"
 
-# ---- the same hits every way -------------------------------------------------
+# ---- the same hits with all flags --------------------------------------------
 
 run make knot --triangles 2000 -o knot.ply
 awk 'BEGIN {
@@ -79,19 +79,21 @@ run trace none.plt mixed any --any
 verdict "a knot is hit by some rays and missed by others" "$(
     hits nearest | awk '$4 == 4294967295 { misses++ }
         END { if (misses < 100 || misses > 900) print misses " misses of " NR }')"
-verdict "--any tells whether there is a nearest hit" "$(
+verdict "--any says whether there is a nearest hit" "$(
     hits nearest >found
     hits any | paste -d ' ' found - | awk '$8 != ($4 != 4294967295) { print "ray " NR ": " $0 }')"
 
-# every_way IMAGE [WALK]: trouble, unless all flags give the hits in `nearest` and `any`.
-every_way() {
+# every_flag IMAGE [ORDER]: trouble, unless all flags give the hits in `nearest` and `any`.
+every_flag() {
     for packet in 2 4 8 16; do
-        for walk in ${2:-depth two-stage}; do
+        for order in ${2:-depth two-stage}; do
             for source in map read; do
-                flags="--packet $packet --walk $walk --source $source"
+                flags="--packet $packet --walk $order --source $source"
+                rm -f hit
                 # shellcheck disable=SC2086
                 run trace "$1" mixed hit $flags
                 cmp hit nearest || cat err
+                rm hit
                 # shellcheck disable=SC2086
                 run trace "$1" mixed hit --any $flags
                 cmp hit any || cat err
@@ -99,23 +101,23 @@ every_way() {
         done
     done 2>&1
 }
-verdict "the image without tree: every packet, walk and source gives the same hits" \
-    "$(every_way none.plt)"
+verdict "the image without tree: every packet, order and source gives the same hits" \
+    "$(every_flag none.plt)"
 for build in host device; do
     for leaf in 1 2 4; do
         for more in "--splits sah" "--splits median --treelet 5"; do
             flags="--build $build --leaf $leaf $more"
             # shellcheck disable=SC2086
             run pack knot.ply -o knot.plt $flags
-            verdict "pack $flags: every packet, walk and source gives the same hits" "$(
+            verdict "pack $flags: every packet, order and source gives the same hits" "$(
                 cat err
-                every_way knot.plt)"
+                every_flag knot.plt)"
         done
     done
 done
 
-# Compact nodes move vertices onto a lattice: other hits, but the same ones every
-# way. A device numbers triangles by their place: its distances are compared.
+# Compact nodes move vertices onto a lattice: other hits, but the same ones with
+# all flags. Primitive ids of a device are positions: only its distances are compared.
 run pack knot.ply -o compact.plt --nodes compact --geometry lattice:14
 run trace compact.plt mixed nearest
 run trace compact.plt mixed any --any
@@ -126,7 +128,7 @@ for leaf in 1 2 4; do
     run pack knot.ply -o knot.plt $flags
     verdict "pack $flags: every packet and source gives the same hits" "$(
         [ "$status" -eq 0 ] || cat err
-        every_way knot.plt depth)"
+        every_flag knot.plt depth)"
     # shellcheck disable=SC2086
     run pack knot.ply -o knot.plt $flags --build device
     run trace knot.plt mixed hit
@@ -135,7 +137,7 @@ for leaf in 1 2 4; do
         hits hit | awk '{ print $1 }' | diff - distances)"
 done
 
-# ---- figures -----------------------------------------------------------------
+# ---- statistics --------------------------------------------------------------
 
 fields='rays seconds mrays_per_s packets mixed_packets node_visits group_tests triangle_tests
     treelet_fetches bytes_fetched bytes_touched_once arena_bytes arena_peak_bytes'
@@ -144,9 +146,9 @@ run trace knot.plt mixed nearest
 works "trace --json -" trace knot.plt mixed hit --json -
 cp out stats
 # shellcheck disable=SC2086
-verdict "... holds every figure" "$(flat_json stats $fields)"
+verdict "... holds every value" "$(flat_json stats $fields)"
 works "trace --json FILE" trace knot.plt mixed hit --json stats.json --repeat 3
-verdict "... the same figures, whatever --repeat" "$(
+verdict "... the same statistics, whatever --repeat" "$(
     grep -v 'seconds\|mrays' stats >expected
     grep -v 'seconds\|mrays' stats.json | diff expected -)"
 verdict "... that fit together" "$(
@@ -157,7 +159,7 @@ verdict "... that fit together" "$(
 rays|$rays|1000
 packets of 64|$packets|16
 the arena|$arena_bytes|1073741824
-rays a microsecond|$mrays_per_s|$(awk "BEGIN { printf \"%.3f\", $rays / $seconds * 1e-6 }")
+rays per microsecond|$mrays_per_s|$(awk "BEGIN { printf \"%.3f\", $rays / $seconds * 1e-6 }")
 END
     [ "$triangle_tests" -gt 500 ] || echo "$triangle_tests triangle tests"
     [ "$node_visits" -gt 0 ] && [ "$group_tests" -ge "$node_visits" ] ||
@@ -171,11 +173,11 @@ verdict "a packet size counts packets of that size" "$(
         run trace knot.plt mixed hit --json - --packet "${packet%:*}"
         [ "$(number packets <out)" = "${packet#*:}" ] || grep '"packets' out
     done)"
-verdict "the two-stage walk visits more nodes or as many" "$(
+verdict "the two-stage order visits more nodes or as many" "$(
     run trace knot.plt mixed hit --json - --walk two-stage
     [ "$(number node_visits <out)" -ge "$(number node_visits <stats)" ] || cat out)"
 dd if=/dev/zero of=many.rays bs=32 count=70000 2>/dev/null
-works "many rays go in pieces" trace knot.plt many.rays hit --json -
+works "many rays go in batches" trace knot.plt many.rays hit --json -
 verdict "... and are counted once" "$(
     [ "$(number rays <out)" = 70000 ] || cat out
     [ "$(wc -c <hit)" -eq 1120000 ] || wc -c <hit)"
@@ -183,10 +185,10 @@ verdict "... and are counted once" "$(
 # ---- the arena ---------------------------------------------------------------
 
 for packet in 2 4 8 16; do
-    for walk in depth two-stage; do
+    for order in depth two-stage; do
         for source in map read; do
             [ $source = map ] && name=arena_bytes_needed || name=arena_bytes_needed_fetched
-            flags="--packet $packet --walk $walk"
+            flags="--packet $packet --walk $order"
             # shellcheck disable=SC2086
             run info knot.plt --json $flags
             need=$(number $name <out)
@@ -211,6 +213,7 @@ refused "a device's image says what it needs of a far too small arena" device.pl
 
 for build in host device; do
     run pack knot.ply -o knot.plt --build $build
+    rm -f once twice
     run trace knot.plt mixed once
     run trace knot.plt mixed twice
     same once twice "tracing --build $build twice gives the same bytes"

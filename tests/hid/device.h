@@ -12,11 +12,11 @@ typedef struct device {
     const char *serial;
     unsigned port;      /* usbip: of the virtual hub */
     int high_speed;     /* usbip; else full speed */
-    int paced;          /* usbip at full speed: a packet of 64 bytes a millisecond */
+    int paced;          /* usbip at full speed: a packet of 64 bytes per millisecond */
     int no_out;         /* usbip, gadget: no OUT endpoint, output reports come by SET_REPORT */
     const char *path;   /* gadget: /dev/hidgN */
     uint64_t die_after; /* output reports until it vanishes without a word; 0: never */
-    unsigned slow_us;   /* time it takes over a report */
+    unsigned slow_us;   /* time it needs for a report */
     uint64_t reports;
 } device;
 

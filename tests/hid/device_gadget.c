@@ -27,7 +27,7 @@ static void send_inputs(int fd, device *d) {
     }
 }
 
-static void take_report(device *d, const uint8_t *report, size_t bytes) {
+static void handle_report(device *d, const uint8_t *report, size_t bytes) {
     const model_kind *k = d->model->kind;
     if (k->feature != NULL && d->no_out && bytes == 1u + k->feature_bytes) {
         device_feature(d, report, bytes);
@@ -48,7 +48,7 @@ int device_gadget(device *d) {
         if (poll(&p, 1, TICK_MS) > 0) {
             const ssize_t bytes = read(fd, report, sizeof report);
             if (bytes > 0) {
-                take_report(d, report, (size_t)bytes);
+                handle_report(d, report, (size_t)bytes);
             } else if (bytes < 0 && errno != EINTR && errno != EAGAIN) {
                 poll(NULL, 0, TICK_MS); /* unbound, or the host resets it */
             }

@@ -7,10 +7,10 @@
  *
  * M pictures came in their order, each pixel right, the last being number L;
  * O times the panel was none of them (keys or windows that change one by one
- * pass through such states, whole frames never may).
+ * pass through such states; whole frames must not).
  *
  * SIGUSR1 prints the line, too, and what is plugged in goes on as a new display
- * with the next of the five formats: plugging takes longer than pictures.
+ * with the next of the five formats: plugging in would take longer than pictures.
  *
  * `device descriptor DRIVER ...` writes its report descriptor instead.
  *
@@ -27,9 +27,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/picture/picture.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/device.h"
@@ -81,8 +81,7 @@ static void on_change(void *context, model *m) {
 
 void device_output(device *d, const uint8_t *report, size_t bytes) {
     if (d->slow_us > 0) {
-        const struct timespec t = {0, (long)d->slow_us * 1000};
-        nanosleep(&t, NULL);
+        clock_sleep(1e-6 * d->slow_us);
     }
     d->model->kind->output(d->model, report, bytes);
     if (++d->reports == d->die_after) {

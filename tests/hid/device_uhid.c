@@ -1,7 +1,7 @@
 /* device_uhid - a display made of /dev/uhid: no USB below, and it loses reports
  *
- * Its queue holds 32 output reports; what comes while it is full is dropped
- * after the writer was told that all went well.
+ * Its queue holds 32 output reports; what comes while it is full is dropped,
+ * and the writer gets no error.
  *
  * Source: Linux, Documentation/hid/uhid.rst. SPDX-License-Identifier: MIT */
 #include <errno.h>
@@ -33,7 +33,7 @@ static int create(int fd, const device *d) {
     return put_event(fd, &e);
 }
 
-static void take_event(int fd, device *d, const struct uhid_event *e) {
+static void handle_event(int fd, device *d, const struct uhid_event *e) {
     if (e->type == UHID_OUTPUT) {
         const size_t skip = d->model->kind->output_number == 0 ? 1 : 0;
         device_output(d, e->u.output.data + skip, e->u.output.size - skip);
@@ -69,7 +69,7 @@ int device_uhid(device *d) {
         struct pollfd p = {fd, POLLIN, 0};
         struct uhid_event e;
         if (poll(&p, 1, TICK_MS) > 0 && read(fd, &e, sizeof e) > 0) {
-            take_event(fd, d, &e);
+            handle_event(fd, d, &e);
         }
         send_inputs(fd, d);
     }

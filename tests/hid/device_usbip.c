@@ -9,6 +9,7 @@
  * Sources: Linux, Documentation/usb/usbip_protocol.rst; USB 2.0, chapter 9;
  * HID 1.11, chapters 6 and 7. SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* ppoll: waits of less than a millisecond */
+#include "host_tools/base/clock.h"
 #include "tests/hid/usbip.h"
 
 #include <arpa/inet.h>
@@ -18,15 +19,12 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/socket.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { TICK_US = 2000, SUBMIT = 1, UNLINK = 2, RET_SUBMIT = 3, RET_UNLINK = 4 };
 
 static int64_t now_us(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (int64_t)t.tv_sec * 1000000 + t.tv_nsec / 1000;
+    return (int64_t)(1e6 * clock_seconds());
 }
 
 static void move_all(usbip *u, void *bytes, size_t count, int out) {
@@ -84,7 +82,7 @@ static void queue_out(usbip *u, uint32_t number, uint32_t bytes) {
     u->out[u->outs++] = (usbip_out){number, bytes, u->bus_free_us};
 }
 
-/* Takes a transfer back, if it still waits. */
+/* Cancels a transfer, if it still waits. */
 static int unlink_waiting(usbip *u, uint32_t number) {
     for (unsigned i = 0; i < u->ins; i++) {
         if (u->in[i] == number) {

@@ -1,7 +1,7 @@
 /* emulated_main - planelet-hid with a display that is drawn in the terminal
  *
  * planelet-hid as it is, linked with the fake of hidapi; on the fake bus is a
- * Planelet panel of 160x120 that takes a report of 64 bytes a millisecond,
+ * Planelet panel of 160x120 that accepts a report of 64 bytes per millisecond,
  * as a full-speed device would. SPDX-License-Identifier: MIT */
 #include <stdio.h>
 #include <unistd.h>

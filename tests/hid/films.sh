@@ -1,10 +1,10 @@
 #!/bin/sh
-# films.sh FOLDER - marbles.ppm: marbles roll before a still camera, 25 a second;
-# small.ppm: the same, 128x64; orbit.y4m: 1.2 degrees a frame about them, as at
-# 30 a second in ten seconds
+# films.sh FOLDER - marbles.ppm: marbles roll before a still camera, 25 per second;
+# small.ppm: the same, 128x64; orbit.y4m: 1.2 degrees per frame about them, as at
+# 30 per second in ten seconds
 #
-# 320x240 else. Streams of PPM round no colour on its way. Films that are younger than
-# what makes them are kept.
+# 320x240 else. Streams of PPM keep every colour exact. Films that are newer than the
+# program that makes them are kept.
 # SPDX-License-Identifier: MIT
 set -e
 planelet=${OUT:-${BUILD:-build}/host}/planelet

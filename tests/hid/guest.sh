@@ -25,7 +25,9 @@ for word in $(cat /proc/cmdline); do
     case $word in HID_GROUPS=*) HID_GROUPS=$(echo "${word#*=}" | tr , " ") ;; esac
 done
 
+verdicts=0
 verdict() { # SENTENCE TROUBLE
+    verdicts=$((verdicts + 1))
     if [ -z "$2" ]; then
         echo "pass $1"
     else
@@ -34,7 +36,7 @@ verdict() { # SENTENCE TROUBLE
     fi
 }
 
-# A process takes this machine milliseconds: what is asked often forks none.
+# To start a process takes this machine milliseconds: what runs often starts none.
 
 # until_devices COUNT: waits until there are so many, three seconds at most.
 until_devices() {
@@ -98,7 +100,7 @@ trouble_of() {
         [ "$(value wrong)" = 0 ] && [ "$(value other)" -le "$between" ] || echo "$line"
 }
 
-figure() { # NAME: of the host's figures
+statistic() { # NAME: of the host's statistics
     sed -n "s/.*\"$1\": \"\{0,1\}\([^\",]*\).*/\1/p" "$scratch/json"
 }
 
@@ -109,8 +111,9 @@ done
 chmod 644 "$scratch/one"
 for group in ${HID_GROUPS:-lists real_displays own_displays cross gadgets strangers permissions \
     unplugged paced_displays}; do
-    began=$(uptime_seconds)
+    began=$(uptime_seconds) before=$verdicts
     $group
+    [ $verdicts -gt $before ] || echo "FAIL the group $group shows anything"
     echo "    $group: $(echo "$(uptime_seconds) $began" | awk '{ print $1 - $2 }') s"
 done
 echo "DONE in $(cut -d ' ' -f 1 /proc/uptime) s of the guest's clock"

@@ -2,7 +2,7 @@
 #
 # Five pixel formats x eight sizes of reports x both backends x three ways to be
 # plugged in; libusb sees no uhid. A display is plugged in once for a size and
-# shows the formats in turn. Every frame is confirmed before the next is sent
+# shows one format after the other. Every frame is confirmed before the next is sent
 # (--every) and every pixel of it was compared when it was. Panels are 53x37: tiles
 # are cut at both edges, and the last byte of a row is not full.
 # SPDX-License-Identifier: MIT

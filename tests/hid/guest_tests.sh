@@ -3,7 +3,7 @@
 # A display compares its whole panel, in every pixel, with each picture that came
 # (device_main.c). What is not compared so: the states between the keys of a
 # Stream Deck and the halves of a Nova, which are no pictures; the picture a display
-# was killed in; and films on a paced bus (blind=1), where comparing would take the
+# was killed in; and films on a paced bus (blind=1), where comparing would need the
 # time that is measured, and whose pictures are compared elsewhere.
 # SPDX-License-Identifier: MIT
 
@@ -18,7 +18,7 @@ display() {
         "$(trouble_of "$name" "$pictures")"
 }
 
-# Reports of real displays, on every way they can come.
+# Reports of real displays, over every transport.
 real_displays() {
     for backend in hidraw-sanitize libusb-sanitize; do
         display nexus 640x48 usbip $backend 3 speed=high
@@ -33,7 +33,7 @@ real_displays() {
     display apex 128x40 uhid hidraw 5
 }
 
-# Our own wire in other ways than the cross of guest_cross.sh. 96x70: a tile is cut.
+# Our own wire beyond the combinations of guest_cross.sh. 96x70: a tile is cut.
 own() { # BACKEND TRANSPORT COUNT [key=value ...]
     library=$1 transport=$2 pictures=$3
     shift 3
@@ -71,11 +71,11 @@ unplug() { # BACKEND
     trouble=$(
         [ $status -eq 0 ] && [ "$(value last)" = 5 ] && [ "$(value other)" = 0 ] ||
             { echo "host $status, $line"; cat "$scratch/host"; }
-        [ "$(figure reconnects)" = 1 ] || echo "$(figure reconnects) reconnects")
+        [ "$(statistic reconnects)" = 1 ] || echo "$(statistic reconnects) reconnects")
 }
 
 back_in_time() {
-    echo "$(figure longest_gap_s) $away" | awk '{ exit !($1 > 0 && $1 - $2 < 2) }'
+    echo "$(statistic longest_gap_s) $away" | awk '{ exit !($1 > 0 && $1 - $2 < 2) }'
 }
 
 # What else the machine under the emulator does can only add to the time, so the
@@ -84,7 +84,7 @@ unplugged() {
     for backend in hidraw libusb; do
         for attempt in 1 2 3; do
             unplug $backend
-            echo "    $backend: whole after $(figure longest_gap_s) s, $away s of them unplugged"
+            echo "    $backend: whole after $(statistic longest_gap_s) s, $away s of them unplugged"
             { [ -n "$trouble" ] || back_in_time; } && break
         done
         [ -n "$trouble" ] || back_in_time || trouble="late $attempt times"
@@ -93,9 +93,9 @@ unplugged() {
     done
 }
 
-# A full-speed bus of 64 bytes a millisecond. What a frame takes of it hardly
-# depends on this machine, and says how many a second there can be. That half
-# as many come is asked of the emulated processor, which encodes, decodes and
+# A full-speed bus of 64 bytes per millisecond. The share of it that a frame needs
+# hardly depends on this machine, and gives the frames per second that fit. Half
+# of these are demanded of the emulated processor, which encodes, decodes and
 # is the bus: on a quiet machine all come, with other programs on two busy
 # processors 0.7 of them came at worst. Of the speeds here this is the only one
 # that says something of hardware.
@@ -107,15 +107,15 @@ paced() { # SENTENCE BACKEND AT_LEAST FILE size=WxH [key=value ...]
         >"$scratch/host" 2>&1
     status=$?
     stop
-    reports=$(figure steady_reports_per_frame)
-    speed=$(figure steady_frames_per_s)
+    reports=$(statistic steady_reports_per_frame)
+    speed=$(statistic steady_frames_per_s)
     bus=$(echo "$reports" | awk '{ printf "%d", 1000 / ($1 > 0 ? $1 : 1) }')
-    verdict "paced full speed, $backend: $sentence: the bus has room for $least a second" "$(
+    verdict "paced full speed, $backend: $sentence: the bus has room for $least per second" "$(
         [ $status -eq 0 ] && [ "$(value wrong)" = 0 ] ||
             { echo "$status: $line"; cat "$scratch/host"; }
-        [ "$bus" -ge "$least" ] || echo "$reports reports a frame, room for $bus"
+        [ "$bus" -ge "$least" ] || echo "$reports reports per frame, room for $bus"
         echo "$speed $least" | awk '{ exit !(2 * $1 >= $2) }' || echo "only $speed came")"
-    echo "    $backend: $sentence: $reports reports a frame; $speed frames a second here"
+    echo "    $backend: $sentence: $reports reports per frame; $speed frames per second here"
 }
 
 paced_displays() {

@@ -35,7 +35,7 @@ struct model {
     unsigned report_bytes; /* of its output reports */
     unsigned in_bytes;     /* of its input reports */
     int reads;             /* of a Planelet panel: it is memory that can be read */
-    uint8_t *rgb;          /* what the panel shows, 3 bytes a pixel; owned */
+    uint8_t *rgb;          /* what the panel shows, 3 bytes per pixel; owned */
     unsigned changes;      /* times the panel was completed or changed */
     unsigned wrong;        /* breaches of the protocol ... */
     char why[120];         /* ... and the first of them */
@@ -49,8 +49,8 @@ struct model {
 extern const model_kind model_planelet, model_mini, model_nova, model_apex, model_nexus;
 const model_kind *model_kind_named(const char *name); /* NULL: there is none */
 
-/* The shape is for Planelet panels; 0 takes 64x48, RGB565, a panel that cannot
- * be read, reports of 64 bytes both ways. NULL when memory is out. */
+/* The shape is for Planelet panels; 0 means 64x48, RGB565, a panel that cannot
+ * be read, reports of 64 bytes in both directions. NULL when memory is out. */
 typedef struct model_shape {
     unsigned width, height, format, report_bytes;
     int reads;
@@ -70,7 +70,7 @@ size_t model_descriptor(const model *m, uint8_t *to);
  * on the panel in every pixel, or -1. */
 int model_shows_pattern(const model *m, unsigned from, unsigned count);
 
-/* Of a Planelet panel on a lossy way: whether each row of each tile of 16 x 16
+/* Of a Planelet panel over a lossy link: whether each row of each tile of 16 x 16
  * pixels is that of one of these pictures, or dark as at the start. A row may
  * be late, as tiles go to the panel row by row; it must not be wrong. */
 int model_rows_are_whole(const model *m, unsigned from, unsigned count);

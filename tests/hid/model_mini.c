@@ -1,4 +1,4 @@
-/* model_mini - an Elgato Stream Deck Mini: a BMP file a key, shown on its side
+/* model_mini - an Elgato Stream Deck Mini: one BMP file per key, shown on its side
  *
  * The file is read as BMP says, bottom row first; what the key then shows is
  * that picture mirrored about its diagonal.

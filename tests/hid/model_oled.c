@@ -9,7 +9,7 @@ static void light(model *m, unsigned x, unsigned y, unsigned lit) {
     memset(m->rgb + 3 * (y * m->width + x), lit ? 255 : 0, 3);
 }
 
-static void tell(model *m) {
+static void report_change(model *m) {
     m->changes++;
     if (m->changed != NULL) {
         m->changed(m->context, m);
@@ -31,7 +31,7 @@ static void nova_feature(model *m, const uint8_t *r, size_t bytes) {
         const unsigned column = i / h, row = i % h;
         light(m, x + column, y + row, r[6 + column * rows + row / 8] >> row % 8 & 1);
     }
-    tell(m);
+    report_change(m);
 }
 
 static void nova_output(model *m, const uint8_t *r, size_t bytes) {
@@ -67,7 +67,7 @@ static void apex_feature(model *m, const uint8_t *r, size_t bytes) {
     for (unsigned i = 0; i < 128 * 40; i++) {
         light(m, i % 128, i / 128, r[1 + i / 8] >> (7 - i % 8) & 1);
     }
-    tell(m);
+    report_change(m);
 }
 
 static void apex_output(model *m, const uint8_t *r, size_t bytes) {

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "host_tools/base/clock.h"
 #include "platform/wire/wire.h"
 #include "tests/hid/model.h"
 
@@ -16,12 +16,6 @@ typedef struct own {
     uint32_t shown;
     uint8_t pixels[]; /* of a panel that can be read, in its format */
 } own;
-
-static uint32_t now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint32_t)t.tv_sec * 1000u + (uint32_t)t.tv_nsec / 1000000u;
-}
 
 static void take_row(void *context, unsigned x, unsigned y, unsigned width, const uint8_t *pixels) {
     model *m = context;
@@ -47,7 +41,7 @@ static int own_open(model *m) {
     }
     const wire_setup setup = {
         .role = WIRE_DEVICE,
-        .caps = {.session = now_ms() * 2654435761u,
+        .caps = {.session = clock_ms() * 2654435761u,
                  .width = (uint16_t)m->width,
                  .height = (uint16_t)m->height,
                  .formats = (uint16_t)(1u << m->format),
@@ -60,7 +54,7 @@ static int own_open(model *m) {
                               .stride = stride,
                               .row = m->reads ? NULL : take_row,
                               .context = m};
-    return wire_peer_open(&o->peer, &setup, now_ms()) != WIRE_OK ||
+    return wire_peer_open(&o->peer, &setup, clock_ms()) != WIRE_OK ||
                    wire_frames_in_open(&o->in, &o->peer, &panel) != WIRE_OK
                ? -1
                : 0;
@@ -69,7 +63,7 @@ static int own_open(model *m) {
 static void own_output(model *m, const uint8_t *report, size_t bytes) {
     own *o = m->state;
     unsigned percent = 0;
-    wire_on_report(&o->peer, report, bytes, now_ms());
+    wire_on_report(&o->peer, report, bytes, clock_ms());
     if (wire_setting_read(&o->peer, &percent) == WIRE_SET_BRIGHTNESS) {
         m->brightness = (int)percent;
     }
@@ -87,8 +81,8 @@ static void own_output(model *m, const uint8_t *report, size_t bytes) {
 
 static size_t own_input(model *m, uint8_t *report, size_t room) {
     own *o = m->state;
-    wire_poll(&o->peer, now_ms());
-    return room < m->in_bytes ? 0 : wire_next_report(&o->peer, report, now_ms());
+    wire_poll(&o->peer, clock_ms());
+    return room < m->in_bytes ? 0 : wire_next_report(&o->peer, report, clock_ms());
 }
 
 const model_kind model_planelet = {.name = "planelet",

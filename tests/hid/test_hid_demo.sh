@@ -50,17 +50,17 @@ kept() {
 }
 
 demo both 3
-verdict "it ends well after its frames, each drawn in the place of the last" "$(
+verdict "it ends well after its frames, each drawn over the last" "$(
     [ "$status" -eq 0 ] || { echo "status $status"; cat "$work/err"; }
     ended
     [ "$(grep -c '^\[2J' "$work/codes")" -eq 1 ] || echo "the screen is not cleared once"
     [ "$(grep -c '^\[H' "$work/codes")" -ge 3 ] || echo "too few pictures")"
 for bytes in 2000 30000 100000; do
     demo $bytes 1000
-    verdict "Ctrl-C after $bytes bytes, in a picture: figures, no colour, nobody left behind" "$(
+    verdict "Ctrl-C after $bytes bytes, in a picture: statistics, no colour, nobody left behind" "$(
         [ "$status" -eq 0 ] || echo "status $status"
-        grep -q 'frames in .* a second' "$work/seen" || echo "no figures"
-        # Behind the end of the last line is what ends colours, sent by hid-emulated.
+        grep -q 'frames in .* per second' "$work/seen" || echo "no statistics"
+        # After the last line comes the reset of the colours, sent by hid-emulated.
         [ "$(tail -c 6 "$work/seen" | od -An -tx1 | tr -d ' ')" = 0d0a1b5b306d ] ||
             { echo "the last line has no end"; tail -c 20 "$work/seen" | od -c; }
         ended

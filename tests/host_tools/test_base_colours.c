@@ -1,4 +1,4 @@
-/* test_base_colours - signals end a terminal's colours, and the program in any case
+/* test_base_colours - signals reset a terminal's colours, and end the program in any case
  *
  * SPDX-License-Identifier: MIT */
 #define _XOPEN_SOURCE 700
@@ -9,13 +9,13 @@
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "host_tools/base/clock.h"
 #include "host_tools/base/temporary.h"
 #include "tests/test.h"
 
-enum terminal_state { TAKES, IS_STOPPED, IS_FULL };
+enum terminal_state { ACCEPTS, IS_STOPPED, IS_FULL };
 
 static void fill(int terminal) {
     static const char blanks[512];
@@ -47,7 +47,7 @@ static int wait_for_end(pid_t child) {
         if (waitpid(child, &status, WNOHANG) == child) {
             return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         }
-        nanosleep(&(struct timespec){0, 10000000}, NULL);
+        clock_sleep(0.01);
     }
     kill(child, SIGKILL);
     waitpid(child, &status, 0);
@@ -85,9 +85,9 @@ int main(void) {
     for (unsigned i = 0; i < 3; i++) {
         signal(numbers[i], SIG_DFL); /* nohup, a shell's background */
     }
-    test("a signal ends the colours of a terminal, then the program");
+    test("a signal resets the colours of a terminal, then ends the program");
     for (unsigned i = 0; i < 3; i++) {
-        const ssize_t bytes = end_by(numbers[i], TAKES, came, sizeof came, &ended);
+        const ssize_t bytes = end_by(numbers[i], ACCEPTS, came, sizeof came, &ended);
         CHECK(ended == numbers[i], "signal %d: ended by %d", numbers[i], ended);
         CHECK(bytes == 4 && memcmp(came, "\x1b[0m", 4) == 0, "signal %d: %zd bytes", numbers[i],
               bytes);

@@ -236,7 +236,7 @@ static void must_refuse(const char *path, const char *expected) {
     output_abandon(o);
 }
 
-static void refuses_places(void) {
+static void refuses_names(void) {
     test("Directories, missing ones and bad names are refused with a remedy");
     clean();
     must_refuse("", "the output has no name; give one, or - for standard output");
@@ -409,7 +409,7 @@ int main(void) {
     removed_at_end();
     respects_nohup();
     child_removes_nothing();
-    refuses_places();
+    refuses_names();
     refuses_rights();
     full_disk();
     size_limit();

@@ -6,8 +6,9 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "host_tools/hid/display.h"
-#include "host_tools/hid/find.h"
+#include "host_tools/hid/device/display.h"
+#include "host_tools/hid/device/find.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "tests/hid/model.h"
 #include "tests/hid/pattern.h"
 #include "tests/reference/fake_hidapi.h"
@@ -51,7 +52,7 @@ typedef struct bench {
 static void open_bench(bench *b, const model_kind *kind) {
     fail f = {""};
     port_info info;
-    const find_wish wish = {NULL, NULL};
+    const find_wish wish = {.drivers = drivers};
     memset(b, 0, sizeof *b);
     memset(&record, 0, sizeof record);
     fake_bus_reset();

@@ -1,7 +1,8 @@
 /* test_hid_find - which display is meant, among several devices
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/hid/find.h"
+#include "host_tools/hid/device/find.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "tests/reference/fake_hidapi.h"
 #include "tests/test.h"
 
@@ -43,7 +44,7 @@ static void finding(void) {
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fail f = {""};
         port_info info;
-        const find_wish wish = {cases[i].device,
+        const find_wish wish = {drivers, cases[i].device,
                                 cases[i].driver == NULL ? NULL : driver_named(cases[i].driver)};
         const driver *by = find_display(&wish, &info, &f);
         const char *name = by == NULL ? NULL : by->name;
@@ -57,8 +58,8 @@ static void interfaces(void) {
     port_info info;
     fail f = {""};
     fake_device keyboard = one, panel = one;
-    const find_wish wish = {"1038:1618", NULL};
-    test("of a device with several interfaces the driver's own is taken");
+    const find_wish wish = {drivers, "1038:1618", NULL};
+    test("of a device with several interfaces the driver's own is chosen");
     keyboard.vendor = panel.vendor = 0x1038;
     keyboard.product = panel.product = 0x1618;
     keyboard.path = "/dev/fake0";

@@ -1,13 +1,12 @@
-/* test_hid_pipe - planelet-hid show -, fed by a program that takes its time
+/* test_hid_pipe - planelet-hid show -, fed by a slow program
  *
  * SPDX-License-Identifier: MIT */
 #include <signal.h>
 #include <stdio.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "host_tools/base/progress.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/commands.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/model.h"
@@ -25,7 +24,7 @@ typedef struct bench {
 
 static void on_output(void *context, const uint8_t *report, size_t bytes) {
     bench *b = context;
-    const double now = progress_seconds(), gap = b->heard > 0.0 ? now - b->heard : 0.0;
+    const double now = clock_seconds(), gap = b->heard > 0.0 ? now - b->heard : 0.0;
     b->silence = gap > b->silence ? gap : b->silence;
     b->heard = now;
     if (b->part != NULL && gap > 0.1) { /* the host waits, and asks whether we are there */
@@ -46,12 +45,7 @@ static void on_change(void *context, model *m) {
     b->last = m->rgb[0];
 }
 
-static void sleep_ms(unsigned ms) {
-    const struct timespec t = {ms / 1000, (long)(ms % 1000) * 1000000};
-    nanosleep(&t, NULL);
-}
-
-/* A film of 25 frames a second whose frames come `ms` apart, in two halves. */
+/* A film of 25 frames per second whose frames come `ms` apart, in two halves. */
 static void write_film(int to, unsigned frames, unsigned ms) {
     static uint8_t luma[WIDTH * HEIGHT];
     FILE *film = fdopen(to, "wb");
@@ -61,7 +55,7 @@ static void write_film(int to, unsigned frames, unsigned ms) {
         fprintf(film, "FRAME\n");
         fwrite(luma, 1, sizeof luma / 2, film);
         fflush(film);
-        sleep_ms(n > 0 ? ms : 0);
+        clock_sleep(1e-3 * (n > 0 ? ms : 0));
         fwrite(luma, 1, sizeof luma / 2, film);
         fflush(film);
     }
@@ -111,7 +105,7 @@ static int run(bench *b, const char *part, unsigned frames, unsigned ms) {
     fake_bus_reset();
     fake_plug(0, &device);
     const pid_t child = start_writer(part, frames, ms);
-    if (child > 0 && args_parse(&a, &hid_command_show, 1, words) == ARGS_GO_ON) {
+    if (child > 0 && args_parse(&a, "planelet-hid", &hid_command_show, 1, words) == ARGS_GO_ON) {
         status = hid_run_show(&a);
         args_free(&a);
     }
@@ -125,7 +119,7 @@ static int run(bench *b, const char *part, unsigned frames, unsigned ms) {
 /* What `show` with these words ends with, before it looks for a display. */
 static int status_of(char **words, int count) {
     args a;
-    int status = args_parse(&a, &hid_command_show, count, words);
+    int status = args_parse(&a, "planelet-hid", &hid_command_show, count, words);
     if (status == ARGS_GO_ON) {
         fake_bus_reset();
         status = hid_run_show(&a);

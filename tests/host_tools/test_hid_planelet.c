@@ -6,7 +6,8 @@
  * tile, each of which must be that of one of the pictures (W3).
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/model.h"
 #include "tests/hid/pattern.h"
@@ -105,7 +106,7 @@ static void show_pictures(bench *b, unsigned count) {
         const int status = d.by->show(&d, &p, &f);
         CHECK(status == DISPLAY_OK, "picture %u: %d %s", n, status, f.text);
         if (!b->runs_on || n + 1 == count) {
-            CHECK(d.by->settle(&d, &f) == DISPLAY_OK, "%s", f.text);
+            CHECK(d.by->confirm(&d, &f) == DISPLAY_OK, "%s", f.text);
             CHECK(model_shows_pattern(b->model, n, 1) >= 0, "picture %u, format %u, reports of %u",
                   n, b->format, b->report_bytes);
         }
@@ -130,7 +131,7 @@ static void formats(void) {
     }
 }
 
-/* What goes wrong on the way: every so-manieth report; 0: none. */
+/* What goes wrong between host and display: one report in so many; 0: none. */
 typedef struct quirk {
     unsigned drop, cut, empty, slow_us;
     int runs_on;
@@ -157,13 +158,13 @@ static void quirks(void) {
     meet("a slow bus: every picture arrives", (quirk){.slow_us = 500});
     meet("one report in seven never arrives: every pixel of every picture does",
          (quirk){.drop = 7});
-    meet("one write in nine takes half a report: every pixel of every picture arrives",
+    meet("one write in nine accepts half a report: every pixel of every picture arrives",
          (quirk){.cut = 9});
     meet("all of it together: every pixel of every picture",
          (quirk){.drop = 11, .cut = 13, .empty = 3, .slow_us = 100});
     meet("one report in seven is lost, pictures run on: the last is whole",
          (quirk){.drop = 7, .runs_on = 1});
-    meet("one write in five takes half a report, pictures run on: the last is whole",
+    meet("one write in five accepts half a report, pictures run on: the last is whole",
          (quirk){.cut = 5, .runs_on = 1});
     meet("all of it together, pictures run on: the last is whole",
          (quirk){.drop = 11, .cut = 13, .empty = 3, .slow_us = 100, .runs_on = 1});
@@ -178,7 +179,7 @@ static void draw_noise(picture *p, fail *f) {
     }
 }
 
-/* A raw tile takes nine reports of 64 bytes in a row, so none gets through. */
+/* A raw tile needs nine reports of 64 bytes in a row, so none gets through. */
 static void hopeless(void) {
     test("two reports of three lost: an error names the cable, nothing waits for ever");
     bench b;
@@ -192,7 +193,7 @@ static void hopeless(void) {
         fake_bus.drop_outputs = 2;
         fake_bus.short_writes = 3;
         int status = d.by->show(&d, &p, &f);
-        status = status == DISPLAY_OK ? d.by->settle(&d, &f) : status;
+        status = status == DISPLAY_OK ? d.by->confirm(&d, &f) : status;
         CHECK(status == DISPLAY_FAILED && strstr(f.text, "cable"), "%d: %s", status, f.text);
         picture_free(&p);
         display_close(&d);
@@ -209,13 +210,13 @@ static void stopped(void) {
     fail f = {""};
     make_bench(&b, WIRE_RGB565, 64);
     b.lossy = 1;
-    session s = {.brightness = -1, .patience = 5.0, .stop = &stop};
+    session s = {.wish.drivers = drivers, .brightness = -1, .patience = 5.0, .stop = &stop};
     CHECK(session_open(&s, &f) == 0, "%s", f.text);
     draw_noise(&p, &f);
     fake_bus.drop_outputs = 2;
     fake_bus.short_writes = 3;
     stop = 1;
-    CHECK(session_show(&s, &p, &f) == 0 && session_settle(&s, &f) == 0, "%s", f.text);
+    CHECK(session_show(&s, &p, &f) == 0 && session_confirm(&s, &f) == 0, "%s", f.text);
     CHECK(f.text[0] == '\0' && s.reconnects == 0, "%s", f.text);
     fake_bus.drop_outputs = fake_bus.short_writes = 0;
     picture_free(&p);
@@ -223,11 +224,11 @@ static void stopped(void) {
     free_bench(&b);
     test("... and one on a good link is confirmed before it ends");
     make_bench(&b, WIRE_RGB565, 64);
-    s = (session){.brightness = -1, .patience = 5.0, .stop = &stop};
+    s = (session){.wish.drivers = drivers, .brightness = -1, .patience = 5.0, .stop = &stop};
     CHECK(session_open(&s, &f) == 0, "%s", f.text);
     picture_make(&p, 70, 50, &f);
     pattern_fill(3, 70, 50, p.rgb);
-    CHECK(session_show(&s, &p, &f) == 0 && session_settle(&s, &f) == 0, "%s", f.text);
+    CHECK(session_show(&s, &p, &f) == 0 && session_confirm(&s, &f) == 0, "%s", f.text);
     CHECK(model_shows_pattern(b.model, 3, 1) >= 0, "it is not there");
     picture_free(&p);
     session_close(&s);
@@ -244,7 +245,7 @@ static void unplugged(int libusb) {
         make_bench(&b, WIRE_RGB565, 64);
         b.lossy = 1;
         fake_bus.libusb = libusb;
-        session s = {.brightness = 30, .patience = 5.0};
+        session s = {.wish.drivers = drivers, .brightness = 30, .patience = 5.0};
         CHECK(session_open(&s, &f) == 0, "%s", f.text);
         picture_make(&p, 70, 50, &f);
         fake_bus.unplug_after = after;
@@ -253,7 +254,7 @@ static void unplugged(int libusb) {
             pattern_fill(n, 70, 50, p.rgb);
             CHECK(session_show(&s, &p, &f) == 0, "after %u: %s", after, f.text);
         }
-        CHECK(session_settle(&s, &f) == 0, "after %u: %s", after, f.text);
+        CHECK(session_confirm(&s, &f) == 0, "after %u: %s", after, f.text);
         CHECK(model_shows_pattern(b.model, 3, 1) >= 0, "after %u reports", after);
         CHECK(b.model->brightness == 30, "brightness %d", b.model->brightness);
         CHECK(s.reconnects == 1 && s.longest_gap < 2.0, "%u, %.3f s", s.reconnects, s.longest_gap);

@@ -1,7 +1,8 @@
 /* test_hid_session - unplugged in the middle of a frame, and back again
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/hid/session.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "tests/hid/model.h"
 #include "tests/hid/pattern.h"
 #include "tests/reference/fake_hidapi.h"
@@ -49,7 +50,8 @@ static void open_bench(bench *b, const model_kind *kind) {
                               .feature = on_feature,
                               .plugged = on_plug};
     fake_plug(0, &b->device);
-    b->session = (session){.brightness = kind == &model_apex ? -1 : 40, .patience = 3.0};
+    b->session = (session){
+        .wish.drivers = drivers, .brightness = kind == &model_apex ? -1 : 40, .patience = 3.0};
     CHECK(session_open(&b->session, &f) == 0, "%s", f.text);
     picture_make(&b->shown, b->session.panel.width, b->session.panel.height, &f);
 }
@@ -66,6 +68,11 @@ static int show(bench *b, unsigned number, fail *f) {
     return session_show(&b->session, &b->shown, f);
 }
 
+/* What 40 % arrives as: the Nova has steps of ten, the Apex no brightness. */
+static int brightness_of(const model_kind *kind) {
+    return kind == &model_apex ? -1 : kind == &model_nova ? 4 : 40;
+}
+
 static void comes_back(const model_kind *kind, int libusb, unsigned after) {
     bench b;
     fail f = {""};
@@ -74,17 +81,16 @@ static void comes_back(const model_kind *kind, int libusb, unsigned after) {
     CHECK(show(&b, 0, &f) == 0, "%s", f.text);
     fake_bus.unplug_after = after;
     fake_bus.replug_ms = 250;
-    /* Twice, as a display of one report a frame is missed by the next alone. */
+    /* Twice: that a display of one report per frame is gone only the next frame notices. */
     CHECK(show(&b, 1, &f) == 0 && show(&b, 1, &f) == 0, "%s", f.text);
-    CHECK(session_settle(&b.session, &f) == 0, "%s", f.text);
+    CHECK(session_confirm(&b.session, &f) == 0, "%s", f.text);
     CHECK(model_shows_pattern(b.model, 1, 1) == 1, "after %u reports", after);
     CHECK(b.session.reconnects == 1, "%u", b.session.reconnects);
     CHECK(b.session.longest_gap < 2.0, "%.3f s", b.session.longest_gap);
-    CHECK(kind->output_bytes < 1000 || b.model->brightness == 40, "brightness %d",
-          b.model->brightness);
-    port_figures figures;
-    session_figures(&b.session, &figures);
-    CHECK(figures.reports >= fake_bus.outputs + fake_bus.features - 1, "reports of both times");
+    CHECK(b.model->brightness == brightness_of(kind), "brightness %d", b.model->brightness);
+    port_statistics statistics;
+    session_statistics(&b.session, &statistics);
+    CHECK(statistics.reports >= fake_bus.outputs + fake_bus.features - 1, "reports of both times");
     close_bench(&b);
 }
 
@@ -103,7 +109,7 @@ static void never_back(void) {
 static void other_device(void) {
     bench b;
     fail f = {""};
-    test("another display of the same kind is not taken for the one that went");
+    test("another display of the same kind is not mistaken for the one that went");
     open_bench(&b, &model_nova);
     fake_device other = b.device;
     other.serial = L"SN2";
@@ -125,7 +131,7 @@ static void no_brightness(void) {
     apex.product = model_apex.id;
     apex.interface = 1;
     fake_plug(1, &apex);
-    session s = {.wish = {"1038:1618", NULL}, .brightness = 5};
+    session s = {.wish = {drivers, "1038:1618", NULL}, .brightness = 5};
     CHECK(session_open(&s, &f) == -1 && strstr(f.text, "--brightness"), "%s", f.text);
     session_close(&s);
     close_bench(&b);

@@ -1,8 +1,9 @@
 /* test_hid_strangers - devices at the vid:pid of a planelet display that are none we serve
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/base/progress.h"
-#include "host_tools/hid/session.h"
+#include "host_tools/base/clock.h"
+#include "host_tools/hid/device/session.h"
+#include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire.h"
 #include "tests/reference/fake_hidapi.h"
 #include "tests/test.h"
@@ -20,15 +21,11 @@ static void stranger(void) {
         .path = "1-1:1.0", .vendor = 0x1209, .product = 0x0001, .output = swallow};
     fake_bus_reset();
     fake_plug(0, &other);
-    session s = {.brightness = -1};
+    session s = {.wish.drivers = drivers, .brightness = -1};
     CHECK(session_open(&s, &f) == -1, "opened");
     CHECK(strstr(f.text, "does not answer") && strstr(f.text, "--device"), "%s", f.text);
     session_close(&s);
     CHECK(fake_bus.open == 0, "it stays open");
-}
-
-static uint32_t clock_ms(void) {
-    return (uint32_t)(1e3 * progress_seconds());
 }
 
 static void end_output(void *context, const uint8_t *report, size_t bytes) {
@@ -62,7 +59,7 @@ static void large(void) {
     CHECK(wire_peer_open(&peer, &setup, clock_ms()) == WIRE_OK, "no such end");
     fake_bus_reset();
     fake_plug(0, &device);
-    session s = {.brightness = -1};
+    session s = {.wish.drivers = drivers, .brightness = -1};
     CHECK(session_open(&s, &f) == -1, "opened");
     CHECK(strstr(f.text, "800 x 480 pixels are 1500 tiles"), "%s", f.text);
     session_close(&s);

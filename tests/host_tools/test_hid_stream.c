@@ -10,7 +10,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "host_tools/hid/frames.h"
+#include "host_tools/hid/sources/frames.h"
 #include "tests/test.h"
 
 static int break_after(const char *bytes) {
@@ -30,8 +30,8 @@ static int break_after(const char *bytes) {
 /* Frames that came; the last status in `status`. */
 static int read_frames(int *status, fail *f) {
     static const arg_flag none[] = {{NULL, NULL, NULL}};
-    static const arg_command command = {"show", "", "", none, 0, 1, "planelet-hid"};
-    args a = {.command = &command};
+    static const arg_command command = {"show", "", "", none, 0, 1};
+    args a = {.program = "planelet-hid", .command = &command};
     frames s = {0};
     picture p = {0};
     int count = 0;

@@ -44,14 +44,17 @@ static void same_as_strtof(const char *text) {
 
 static void any_float(void) {
     test("Any float printed with 6 to 20 digits reads as the nearest float");
+    int finite = 0;
     for (int i = 0; i < 200000; i++) {
         const float x = float_of((uint32_t)random64());
         if (isfinite(x)) {
+            finite++;
             char text[64];
             snprintf(text, sizeof text, i % 2 ? "%.*e" : "%.*g", 6 + i % 15, (double)x);
             same_as_strtof(text);
         }
     }
+    CHECK(finite > 190000, "only %d are finite", finite);
 }
 
 static void usual_floats(void) {
@@ -66,12 +69,14 @@ static void usual_floats(void) {
 
 static void middles(void) {
     test("The middle between two floats goes to the even one, its neighbours to theirs");
+    int tried = 0;
     for (int i = 0; i < 20000; i++) {
         const uint32_t bits = (uint32_t)random64() & 0x7fffffff;
         const float low = float_of(bits), high = float_of(bits + 1);
         if (!isfinite(high)) {
             continue;
         }
+        tried++;
         char text[400];
         const double middle = ((double)low + (double)high) / 2;
         const int length = snprintf(text, sizeof text, "%.160f", middle);
@@ -82,6 +87,7 @@ static void middles(void) {
         snprintf(text, sizeof text, "%.17g", nextafter(middle, 0));
         CHECK(bits_of(parse(text)) == bits, "below %s", text);
     }
+    CHECK(tried > 19000, "only %d were tried", tried);
 }
 
 static void ends(void) {
@@ -122,7 +128,7 @@ static void ends(void) {
 }
 
 static void long_numbers(void) {
-    test("A million digits are read, before or behind the point");
+    test("A million digits are read, before or after the point");
     enum { DIGITS = 1000000 };
     char *text = malloc(DIGITS + 40);
     memset(text, '0', DIGITS);

@@ -60,7 +60,7 @@ static void reads_lines(void) {
 }
 
 static void joins_lines(void) {
-    test("A backslash joins lines, but not behind a comment or an ignored line");
+    test("A backslash joins lines, but not after a comment or an ignored line");
     mesh m = must_read_text(FILE_NAME,
                             "# C:\\path\\\nv 0 0 0\nv 1\\\n 0 0\r\nv 0 1\\\r\n\\\r\n0\n"
                             "mtllib C:\\here\\\nf 1 \\\n 2 3\\\n 1\n");

@@ -62,7 +62,7 @@ static void reads_binary(void) {
 }
 
 static void keeps_line_feed_data(void) {
-    test("Data that begins with a line feed byte behind a CR header is data");
+    test("Data that begins with a line feed byte after a CR header is data");
     blob b = {.size = 0};
     put_text(&b,
              "ply\rformat binary_little_endian 1.0\relement vertex 1\r"
@@ -93,7 +93,7 @@ static void skips_the_rest(void) {
 }
 
 static void skips_binary_lists(void) {
-    test("Binary lists before, between and behind the positions are passed over");
+    test("Binary lists before, between and after the positions are passed over");
     for (int big = 0; big < 2; big++) {
         blob b = {.size = 0};
         put_text(&b, "ply\nformat ");
@@ -182,7 +182,7 @@ static void reads_float_indices(void) {
 }
 
 static void reads_strips(void) {
-    test("Triangle strips alternate their winding and start anew behind -1");
+    test("Triangle strips alternate their winding and start again after -1");
     mesh m = must_read_text(FILE_NAME, "ply\nformat ascii 1.0\nelement vertex 6\n" XYZ
                                        "element tristrips 1\n"
                                        "property list int int vertex_indices\nend_header\n"

@@ -43,16 +43,16 @@ static void expect_first(const char *line, const float expected[9]) {
     mesh_free(&m);
 }
 
-static void places(void) {
-    test("The longest side gets the size, the centre of the base its place");
+static void positions(void) {
+    test("The longest side gets the size, the centre of the base its position");
     expect_first("wedge.obj 4 0 0 0", (const float[]){-1, 0, -2, 1, 0, 2, -1, 1, 2});
     expect_first("wedge.obj 8 10 20 30\n", (const float[]){8, 20, 26, 12, 20, 34, 8, 22, 34});
     expect_first("  wedge.obj\t4.0  -1e0 .5 +2 # here",
                  (const float[]){-2, 0.5f, 0, 0, 0.5f, 4, -2, 1.5f, 4});
 }
 
-static void turns(void) {
-    test("Quarter turns are exact, first about x, then about y");
+static void quarters(void) {
+    test("Quarters of the circle are exact, first about x, then about y");
     expect_first("wedge.obj 4 0 0 0 0 0", (const float[]){-1, 0, -2, 1, 0, 2, -1, 1, 2});
     expect_first("wedge.obj 4 0 0 0 90 0", (const float[]){-1, 4, -0.5f, 1, 0, -0.5f, -1, 0, 0.5f});
     expect_first("wedge.obj 4 0 0 0 -270 360",
@@ -62,8 +62,8 @@ static void turns(void) {
     expect_first("wedge.obj 4 0 0 0 90 90", (const float[]){-0.5f, 4, 1, -0.5f, 0, -1, 0.5f, 0, 1});
 }
 
-static void turns_freely(void) {
-    test("A turn by 30 degrees about y keeps the box's centre and its longest side");
+static void rotates_freely(void) {
+    test("A rotation by 30 degrees about y keeps the box's centre and its longest side");
     mesh m = must_read_text(RECIPE, "wedge.obj 4 1 2 3 0 30");
     float low[3] = {1e9f, 1e9f, 1e9f}, high[3] = {-1e9f, -1e9f, -1e9f};
     for (size_t i = 0; i < 9 && m.vertices == 4; i++) {
@@ -74,7 +74,7 @@ static void turns_freely(void) {
     CHECK(fabsf(high[2] + low[2] - 6) < 1e-6f, "centre z %g", (double)(high[2] + low[2]) / 2);
     CHECK(fabsf(high[0] + low[0] - 2) < 1e-6f, "centre x %g", (double)(high[0] + low[0]) / 2);
     CHECK(low[1] == 2, "base %g", (double)low[1]);
-    /* The way from (1, 10, -2) to (3, 10, 2), turned, spans the width. */
+    /* The diagonal from (1, 10, -2) to (3, 10, 2), rotated, spans the width. */
     const double c = sqrt(0.75), s = 0.5, width = 2 * c + 4 * s;
     const double x = 4, z = (4 * c - 2 * s) * 4 / width;
     CHECK(m.vertices == 4 && fabs((double)(m.vertex[3] - m.vertex[0]) - x) < 1e-6, "x");
@@ -130,10 +130,10 @@ static void finds_paths(void) {
     mesh_free(&m);
 }
 
-#define NUMBERS "line 1: a size and a place are missing; write FILE SIZE X Y Z"
-#define ANGLES "line 1: behind FILE SIZE X Y Z only two angles may follow; correct them"
+#define NUMBERS "line 1: a size and a position are missing; write FILE SIZE X Y Z"
+#define ANGLES "line 1: only two angles may follow FILE SIZE X Y Z; correct them"
 #define SEQUENCE "line 1: a sequence has both {} and *N; write name_{}.ply*N"
-#define FRAMES "line 1: '*' wants the number of frames behind it; write 1 to 1000"
+#define FRAMES "line 1: '*' needs the number of frames after it; write 1 to 1000"
 
 static void refuses_lines(void) {
     test("A line that cannot be read is refused with its number and the remedy");
@@ -153,7 +153,7 @@ static void refuses_lines(void) {
     must_fail_text(RECIPE, "deeper/step_{}_.obj* 4 0 0 0\n", FRAMES);
     must_fail_text(RECIPE, "deeper/step_{}_.obj*12x 4 0 0 0\n", FRAMES);
     must_fail_text(RECIPE, "deeper/step_{}_.obj*12+x 4 0 0 0\n",
-                   "line 1: '+' wants the first frame behind it; write a whole number from 0");
+                   "line 1: '+' needs the first frame after it; write a whole number from 0");
 }
 
 static void refuses_files(void) {
@@ -180,7 +180,7 @@ static void refuses_files(void) {
                    "line 1: " FOLDER "bare.obj: has no extent to scale; leave it out");
     must_fail_text(RECIPE, "wedge.obj 4 1e13 0 0\n",
                    "line 1: " FOLDER
-                   "wedge.obj: its place is beyond +-2^40; "
+                   "wedge.obj: its position is beyond +-2^40; "
                    "choose smaller numbers");
     must_fail_text(RECIPE, "deeper 4 0 0 0\n",
                    "line 1: " FOLDER "deeper: is a directory; name a file in it");
@@ -203,9 +203,9 @@ static void leaves_all(void) {
 
 int main(void) {
     make_files();
-    places();
-    turns();
-    turns_freely();
+    positions();
+    quarters();
+    rotates_freely();
     adds_lines();
     chooses_frames();
     finds_paths();

@@ -44,14 +44,14 @@ static int compare_keys(const void *a, const void *b) {
 static size_t open_edges(const mesh *m) {
     size_t open = 0, count = 3 * m->triangles;
     uint32_t(*edge[2])[2];
-    for (int way = 0; way < 2; way++) {
-        edge[way] = malloc(count * sizeof *edge[way] + 1);
+    for (int reversed = 0; reversed < 2; reversed++) {
+        edge[reversed] = malloc(count * sizeof *edge[reversed] + 1);
         for (size_t e = 0; e < count; e++) {
             const uint32_t from = m->triangle[e], to = m->triangle[e - e % 3 + (e + 1) % 3];
-            edge[way][e][0] = way ? to : from;
-            edge[way][e][1] = way ? from : to;
+            edge[reversed][e][0] = reversed ? to : from;
+            edge[reversed][e][1] = reversed ? from : to;
         }
-        qsort(edge[way], count, sizeof *edge[way], compare_keys);
+        qsort(edge[reversed], count, sizeof *edge[reversed], compare_keys);
     }
     for (size_t e = 0; e < count; e++) {
         open += memcmp(edge[0][e], edge[1][e], sizeof *edge[0]) != 0;

@@ -32,31 +32,32 @@ static void make_mesh(mesh *m, uint32_t triangles) {
     }
 }
 
-/* The record's corners, from the one that its turn names on, are the mesh's. */
-static int same_corners(const plt_record *r, const mesh *m, uint32_t number) {
-    const uint32_t turn = plt_get_u32(&r->word[9]) / 0x20000000u % 4; /* SPEC.md, 4.4 */
+/* The record's corners, from the one that its rotation names on, are the mesh's. */
+static int same_corners(const plt_record *r, const mesh *m, uint32_t id) {
+    const uint32_t rotation = plt_get_u32(&r->word[9]) / 0x20000000u % 4; /* SPEC.md, 4.4 */
     for (size_t corner = 0; corner < 3; corner++) {
-        const float *vertex = m->vertex + 3 * (size_t)m->triangle[3 * (size_t)number + corner];
-        if (memcmp(&r->word[3 * ((turn + corner) % 3)], vertex, 3 * sizeof *vertex) != 0) {
+        const float *vertex = m->vertex + 3 * (size_t)m->triangle[3 * (size_t)id + corner];
+        if (memcmp(&r->word[3 * ((rotation + corner) % 3)], vertex, 3 * sizeof *vertex) != 0) {
             return 0;
         }
     }
-    return turn < 3;
+    return rotation < 3;
 }
 
-/* Each number once, each corner bit for bit (on a little-endian host). */
+/* Each primitive id once, each corner bit for bit (on a little-endian host). */
 static void check_records(const packed *image, const mesh *m) {
     const plt_info *info = &image->info;
     const plt_record *records =
         (const plt_record *)(const void *)(image->bytes + PLT_HEADER_BYTES +
                                            plt_section_bytes(info->node_slots, PLT_NODE_BYTES));
     unsigned char *seen = calloc(m->triangles + 1, 1);
+    CHECK(seen != NULL, "out of memory");
     for (uint32_t i = 0; i < info->triangles && seen != NULL; i++) {
-        const uint32_t number = plt_get_u32(&records[i].word[9]) % 0x8000000u; /* SPEC.md, 4.4 */
-        CHECK(number < m->triangles && !seen[number], "record %u: number %u", i, number);
-        if (number < m->triangles) {
-            seen[number] = 1;
-            CHECK(same_corners(&records[i], m, number), "record %u: triangle %u", i, number);
+        const uint32_t id = plt_get_u32(&records[i].word[9]) % 0x8000000u; /* SPEC.md, 4.4 */
+        CHECK(id < m->triangles && !seen[id], "record %u: primitive id %u", i, id);
+        if (id < m->triangles) {
+            seen[id] = 1;
+            CHECK(same_corners(&records[i], m, id), "record %u: triangle %u", i, id);
         }
     }
     free(seen);
@@ -76,14 +77,14 @@ static void check_image(const packed *image, const mesh *m, const pack_options *
     check_records(image, m);
 }
 
-static void check_ways(uint32_t triangles) {
+static void check_options(uint32_t triangles) {
     mesh m = {0};
     make_mesh(&m, triangles);
-    for (unsigned way = 0; way < 18; way++) {
-        const pack_options options = {.splits = way & 1,
-                                      .build = (uint8_t)(way / 2 % 3),
-                                      .leaf_triangles = 1u << way / 6,
-                                      .treelet_nodes = 1 + 5 * way};
+    for (unsigned i = 0; i < 18; i++) {
+        const pack_options options = {.splits = i & 1,
+                                      .build = (uint8_t)(i / 2 % 3),
+                                      .leaf_triangles = 1u << i / 6,
+                                      .treelet_nodes = 1 + 5 * i};
         packed image, again;
         fail f = {""};
         CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
@@ -91,7 +92,7 @@ static void check_ways(uint32_t triangles) {
         if (image.bytes != NULL && again.bytes != NULL) {
             check_image(&image, &m, &options);
             CHECK(image.size == again.size && !memcmp(image.bytes, again.bytes, image.size),
-                  "way %u differs the second time", way);
+                  "options %u differ the second time", i);
         }
         pack_free(&image);
         pack_free(&again);
@@ -117,7 +118,7 @@ static void check_too_many(void) {
     }
 }
 
-/* A vertex far away that no triangle uses: it has no place on the lattice. */
+/* A vertex far away that no triangle uses: it is not on the lattice. */
 static void check_unused(void) {
     static const float corner[5][3] = {
         {-1.0e6f, -1.0e6f, 1.0e6f}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -142,11 +143,11 @@ int main(void) {
     test("an image holds every triangle once, bit for bit, and the options");
     const uint32_t counts[] = {0, 1, 2, 3, 5, 17, 100};
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
-        check_ways(rig_triangles(counts[i], 1));
+        check_options(rig_triangles(counts[i], 1));
     }
     test("a mesh of 2^27 triangles is refused before anything is read or allocated");
     check_too_many();
-    test("a vertex that no triangle uses has no part in what the lattice cost");
+    test("a vertex that no triangle uses does not count in what the lattice cost");
     check_unused();
     return test_done();
 }

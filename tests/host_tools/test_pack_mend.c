@@ -1,8 +1,9 @@
 /* test_pack_mend - slivers that would become lines on the lattice are mended
  *
- * A tetrahedron 4,094 long: at 12 bits the lattice's step is 1 and its origin 0, so
- * that coordinates are numbers. Edges get a corner beside them and a sliver that
- * closes the gap; rounding makes a line of it, and the corner lies on the edge.
+ * A tetrahedron 4,094 long: at 12 bits the lattice's step is 1 and its origin 0, and
+ * coordinates in the mesh are those on the lattice. An edge gets a corner beside it
+ * and a sliver that closes the gap; rounding makes a line of the sliver, and the
+ * corner lies on the edge.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -63,7 +64,7 @@ static const unsigned char *at(const snapped *s, uint32_t i, uint32_t c) {
     return s->corners + ((size_t)i * 9 + 3 * c) * s->width;
 }
 
-/* Edges that are not there as often the other way round. */
+/* Edges that are not there as often in the other direction. */
 static uint32_t open_edges(const snapped *s) {
     uint32_t open = 0;
     for (uint32_t e = 0; e < 3 * s->count; e++) {
@@ -135,7 +136,7 @@ static void random_slivers(void) {
 }
 
 int main(void) {
-    test("a corner on its neighbour's edge moves to another number around its place");
+    test("a corner on its neighbour's edge moves to another grid point around it");
     expect(0, (const float[3]){2000, 0.3f, 0.1f}, 1, 0, 6);
     expect(0, (const float[3]){2000, 0.1f, 0.45f}, 1, 0, 6);
     test("none goes farther than half a diagonal: then the T-junction is reported");
@@ -145,11 +146,11 @@ int main(void) {
     expect(0, (const float[3]){2000, 0, 0}, 0, 1, 5);
     expect(3, (const float[3]){500.25f, 750.375f, 0}, 0, 1, 5);
     expect(3, (const float[3]){500.25f, 750.376f, 0}, 1, 0, 6);
-    test("... and no triangle that has an area loses it: the next number is taken");
-    corner[2][0] = 4000; /* on a line with corner 0 and the first number beside the edge */
+    test("... and no triangle that has an area loses it: the next grid point is chosen");
+    corner[2][0] = 4000; /* on a line with corner 0 and the first grid point beside the edge */
     corner[2][1] = 2;
     expect(0, (const float[3]){2000, 0.3f, 0.3f}, 1, 0, 6);
-    corner[2][0] = 2000; /* it is that number */
+    corner[2][0] = 2000; /* it is that point */
     corner[2][1] = 1;
     expect(0, (const float[3]){2000, 0.3f, 0.3f}, 1, 0, 6);
     corner[2][1] = 3000;

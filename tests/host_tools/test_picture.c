@@ -14,7 +14,7 @@
 #include "host_tools/picture/picture.h"
 #include "tests/test.h"
 
-#define PLACE "build/test-tmp"
+#define FOLDER "build/test-tmp"
 
 typedef struct stream {
     const uint8_t *in;
@@ -29,7 +29,7 @@ typedef struct decoder {
     unsigned count[16], symbol[288];
 } decoder;
 
-static unsigned take(stream *s, unsigned count) {
+static unsigned read_bits(stream *s, unsigned count) {
     unsigned value = 0;
     for (unsigned i = 0; i < count; i++, s->at++) {
         if (s->at >= 8 * s->size) {
@@ -57,7 +57,7 @@ static void make_decoder(decoder *d, const uint8_t *length, unsigned symbols) {
 static unsigned decode(stream *s, const decoder *d) {
     unsigned code = 0, first = 0, index = 0;
     for (unsigned l = 1; l < 16; l++) {
-        code |= take(s, 1);
+        code |= read_bits(s, 1);
         if (code - first < d->count[l]) {
             return d->symbol[index + code - first];
         }
@@ -79,10 +79,10 @@ static void put(stream *s, uint8_t byte) {
 
 static void stored(stream *s) {
     s->at = (s->at + 7) / 8 * 8;
-    const unsigned length = take(s, 16), check = take(s, 16);
+    const unsigned length = read_bits(s, 16), check = read_bits(s, 16);
     s->wrong |= length != (check ^ 65535u);
     for (unsigned i = 0; i < length && !s->wrong; i++) {
-        put(s, (uint8_t)take(s, 8));
+        put(s, (uint8_t)read_bits(s, 8));
     }
 }
 
@@ -99,13 +99,13 @@ static void copy(stream *s, unsigned symbol, const decoder *distances) {
         s->wrong = 1;
         return;
     }
-    const unsigned k = symbol - 257, length = length_base[k] + take(s, length_bits[k]);
+    const unsigned k = symbol - 257, length = length_base[k] + read_bits(s, length_bits[k]);
     const unsigned d = decode(s, distances);
     if (s->wrong || d > 29) {
         s->wrong = 1;
         return;
     }
-    const unsigned distance = distance_base[d] + take(s, d < 2 ? 0 : d / 2 - 1);
+    const unsigned distance = distance_base[d] + read_bits(s, d < 2 ? 0 : d / 2 - 1);
     if (distance > s->made) {
         s->wrong = 1;
         return;
@@ -146,18 +146,18 @@ static void dynamic(stream *s) {
                                        11, 4,  12, 3, 13, 2, 14, 1, 15};
     uint8_t length[320] = {0};
     decoder lengths, literals, distances;
-    const unsigned l = take(s, 5) + 257, d = take(s, 5) + 1, c = take(s, 4) + 4;
+    const unsigned l = read_bits(s, 5) + 257, d = read_bits(s, 5) + 1, c = read_bits(s, 4) + 4;
     for (unsigned i = 0; i < c; i++) {
-        length[order[i]] = (uint8_t)take(s, 3);
+        length[order[i]] = (uint8_t)read_bits(s, 3);
     }
     make_decoder(&lengths, length, 19);
     for (unsigned n = 0; n < l + d && !s->wrong;) {
         const unsigned symbol = decode(s, &lengths);
         const uint8_t value = symbol < 16 ? (uint8_t)symbol : symbol == 16 && n ? length[n - 1] : 0;
         unsigned times = symbol < 16    ? 1
-                         : symbol == 16 ? 3 + take(s, 2)
-                         : symbol == 17 ? 3 + take(s, 3)
-                                        : 11 + take(s, 7);
+                         : symbol == 16 ? 3 + read_bits(s, 2)
+                         : symbol == 17 ? 3 + read_bits(s, 3)
+                                        : 11 + read_bits(s, 7);
         s->wrong |= n + times > l + d;
         for (; times && !s->wrong; times--) {
             length[n++] = value;
@@ -171,11 +171,11 @@ static void dynamic(stream *s) {
 /* A whole zlib stream; wrong unless every byte of it is accounted for. */
 static void inflate(stream *s) {
     unsigned last = 0;
-    const unsigned head = take(s, 8) << 8 | take(s, 8);
+    const unsigned head = read_bits(s, 8) << 8 | read_bits(s, 8);
     s->wrong |= head % 31 != 0 || (head >> 8 & 15) != 8;
     while (!last && !s->wrong) {
-        last = take(s, 1);
-        const unsigned kind = take(s, 2);
+        last = read_bits(s, 1);
+        const unsigned kind = read_bits(s, 2);
         s->wrong |= kind == 3;
         s->kinds[kind % 3]++;
         kind == 0 ? stored(s) : kind == 1 ? fixed(s) : dynamic(s);
@@ -187,7 +187,7 @@ static void inflate(stream *s) {
     }
     s->at = (s->at + 7) / 8 * 8;
     for (unsigned i = 0; i < 4; i++) {
-        check = check << 8 | take(s, 8);
+        check = check << 8 | read_bits(s, 8);
     }
     s->wrong |= check != (b << 16 | a) || s->at != 8 * s->size;
 }
@@ -272,7 +272,7 @@ static size_t there_and_back(const picture *p, const char *name) {
     fail f = {""};
     size_t size;
     unsigned width = 0, height = 0;
-    snprintf(path, sizeof path, PLACE "/%s.png", name);
+    snprintf(path, sizeof path, FOLDER "/%s.png", name);
     output *o = output_open(path, &f);
     CHECK(o && !picture_begin(o, PICTURE_PNG, p->width, p->height, 0, &f) &&
               !picture_frame(o, PICTURE_PNG, p, &f) && !output_commit(o, &f),
@@ -334,13 +334,13 @@ static size_t pattern_size(enum pattern kind, unsigned width, unsigned height, c
 
 static void test_pictures(void) {
     size_t size;
-    test("PNG: a flat frame comes back and takes less than 1/250 of its pixels");
+    test("PNG: a flat frame comes back and needs less than 1/250 of its pixels");
     size = pattern_size(FLAT, 320, 240, "flat");
     CHECK(size < 320 * 240 * 3 / 250, "%zu bytes", size);
-    test("PNG: a gradient comes back and takes less than 1/20 of its pixels");
+    test("PNG: a gradient comes back and needs less than 1/20 of its pixels");
     size = pattern_size(GRADIENT, 320, 240, "gradient");
     CHECK(size < 320 * 240 * 3 / 20, "%zu bytes", size);
-    test("PNG: a shaded ball comes back and takes less than 1/8 of its pixels");
+    test("PNG: a shaded ball comes back and needs less than 1/8 of its pixels");
     size = pattern_size(DISC, 320, 240, "disc");
     CHECK(size < 320 * 240 * 3 / 8, "%zu bytes", size);
     test("PNG: noise comes back and grows by less than 1 % and 100 bytes");
@@ -418,7 +418,7 @@ static void test_huffman(void) {
 
 int main(void) {
     mkdir("build", 0777);
-    mkdir(PLACE, 0777);
+    mkdir(FOLDER, 0777);
     test_pictures();
     test_deflate();
     test_huffman();

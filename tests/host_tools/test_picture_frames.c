@@ -8,7 +8,7 @@
 #include "host_tools/picture/picture.h"
 #include "tests/test.h"
 
-#define PLACE "build/test-tmp"
+#define FOLDER "build/test-tmp"
 
 /* Six pixels, 3 x 2: red green blue / black grey white. */
 static uint8_t six[18] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 119, 119, 119, 255, 255, 255};
@@ -43,8 +43,8 @@ static void test_bytes(void) {
     test("PPM: a picture of 3 x 2 pixels is exactly these 29 bytes");
     memcpy(ppm, "P6\n3 2\n255\n", 11);
     memcpy(ppm + 11, six, 18);
-    write_frames(PLACE "/six.ppm", &p, 1);
-    expect(PLACE "/six.ppm", ppm, sizeof ppm);
+    write_frames(FOLDER "/six.ppm", &p, 1);
+    expect(FOLDER "/six.ppm", ppm, sizeof ppm);
 
     test("Y4M: two frames of 3 x 2 pixels are exactly these bytes, full range BT.601");
     static const uint8_t frame[] =
@@ -57,8 +57,8 @@ static void test_bytes(void) {
     memcpy(y4m, head, sizeof head - 1);
     memcpy(y4m + sizeof head - 1, frame, sizeof frame - 1);
     memcpy(y4m + sizeof head - 1 + sizeof frame - 1, frame, sizeof frame - 1);
-    write_frames(PLACE "/six.y4m", &p, 2);
-    expect(PLACE "/six.y4m", y4m, sizeof y4m);
+    write_frames(FOLDER "/six.y4m", &p, 2);
+    expect(FOLDER "/six.y4m", y4m, sizeof y4m);
 }
 
 /* Reads the planes back by the textbook formula in floating point. */
@@ -70,8 +70,8 @@ static void test_y4m_inverse(void) {
     for (unsigned i = 0; i < 97 * 61 * 3; i++) {
         p.rgb[i] = (uint8_t)(i * 2654435761u >> 24);
     }
-    write_frames(PLACE "/colours.y4m", &p, 1);
-    FILE *file = fopen(PLACE "/colours.y4m", "rb");
+    write_frames(FOLDER "/colours.y4m", &p, 1);
+    FILE *file = fopen(FOLDER "/colours.y4m", "rb");
     uint8_t plane[3][97 * 61];
     char line[100];
     CHECK(file && fgets(line, sizeof line, file) && fgets(line, sizeof line, file) &&
@@ -101,11 +101,11 @@ static void test_refusals(void) {
     CHECK(!picture_format_of("x.Y4M", &format, &f) && format == PICTURE_Y4M, "%s", f.text);
 
     test("format: another ending is refused in one line that names the three");
-    CHECK(picture_format_of("picture.jpeg", &format, &f) == -1, "taken");
+    CHECK(picture_format_of("picture.jpeg", &format, &f) == -1, "accepted");
     CHECK(strstr(f.text, ".png") && strstr(f.text, ".ppm") && strstr(f.text, ".y4m"), "%s", f.text);
-    CHECK(picture_format_of("png", &format, &f) == -1, "taken");
+    CHECK(picture_format_of("png", &format, &f) == -1, "accepted");
 
-    test("picture: sides of 0 and above the maximum are refused, all zero is left behind");
+    test("picture: sides of 0 and above the maximum are refused, and nothing is left");
     static const unsigned bad[][2] = {{0, 1}, {1, 0}, {PICTURE_SIDE_MAX + 1, 1}, {1, 4294967295u}};
     for (unsigned i = 0; i < 4; i++) {
         fail why = {""};
@@ -113,7 +113,7 @@ static void test_refusals(void) {
         CHECK(!p.rgb && !p.width && !p.height, "something was left");
         picture_free(&p);
     }
-    test("video at 0 frames a second is refused");
+    test("video at 0 frames per second is refused");
     fail why = {""};
     CHECK(picture_begin(NULL, PICTURE_Y4M, 2, 2, 0, &why) == -1 && why.text[0], "begun");
 }
@@ -147,7 +147,7 @@ static void test_full_disk(void) {
 
 int main(void) {
     mkdir("build", 0777);
-    mkdir(PLACE, 0777);
+    mkdir(FOLDER, 0777);
     test_bytes();
     test_y4m_inverse();
     test_refusals();

@@ -1,9 +1,8 @@
 /* test_scenes - the built-in meshes: counts, shape, and the same bits everywhere
  *
- * Golden values: FNV-1a, 64 bits, over the vertices as little-endian IEEE
- * single precision and then the indices as little-endian 32-bit words.
- * Source: G. Fowler, L. C. Noll, K.-P. Vo, "The FNV Non-Cryptographic Hash
- * Algorithm", IETF draft, 1991.
+ * Golden values: FNV-1a, 64 bits (board/hash.h), over the vertices as
+ * little-endian IEEE single precision and then the indices as little-endian
+ * 32-bit words.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -12,9 +11,10 @@
 #include <string.h>
 #include <sys/resource.h>
 
-#include "host_tools/scenes/lattice.h"
+#include "board/hash.h"
+#include "host_tools/scenes/cos_sin.h"
+#include "host_tools/scenes/noise.h"
 #include "host_tools/scenes/scenes.h"
-#include "host_tools/scenes/turns.h"
 #include "tests/test.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -49,14 +49,13 @@ static mesh made(char scene, uint64_t number) {
 }
 
 static uint64_t hash_word(uint64_t hash, uint32_t word) {
-    for (unsigned i = 0; i < 4; i++) {
-        hash = (hash ^ (word >> 8 * i & 255)) * 1099511628211u;
-    }
-    return hash;
+    const uint8_t bytes[4] = {(uint8_t)word, (uint8_t)(word >> 8), (uint8_t)(word >> 16),
+                              (uint8_t)(word >> 24)};
+    return hash_update(hash, bytes, sizeof bytes);
 }
 
 static uint64_t mesh_hash(const mesh *m) {
-    uint64_t hash = 14695981039346656037u;
+    uint64_t hash = HASH_BASIS;
     for (size_t i = 0; i < 3 * m->vertices; i++) {
         uint32_t word;
         memcpy(&word, &m->vertex[i], 4);
@@ -171,7 +170,9 @@ static void check_closed(char scene, uint64_t number, long euler, double least, 
 }
 
 static void test_manifolds(void) {
-    test("knot: closed, every edge has two triangles, one each way; one handle; outside is out");
+    test(
+        "knot: closed, every edge has two triangles, one in each direction; one handle; outside is "
+        "out");
     check_closed('k', 24, 0, -99, 99); /* too coarse to have an inside */
     check_closed('k', 1000, 0, 15, 25);
     check_closed('k', 123456, 0, 23, 25);
@@ -260,7 +261,7 @@ static void test_refusals(void) {
         CHECK(m.vertices == 0 && m.triangles == 0, "something was left");
         mesh_free(&m);
     }
-    test("scenes: a second scene is appended, with its own vertex numbers");
+    test("scenes: a second scene is appended, with its own vertex indices");
     mesh m = made('g', 0);
     fail f = {""};
     CHECK(make(&m, 'k', 24, &f) == 0 && make(&m, 'm', 0, &f) == 0, "%s", f.text);
@@ -278,10 +279,12 @@ static void test_refusals(void) {
 
 static void test_memory(void) {
     struct rlimit before, less;
-    if (SANITIZED || getrlimit(RLIMIT_AS, &before)) {
+    if (SANITIZED) {
+        printf("    out of memory is not tried: the sanitizer needs all address space\n");
         return;
     }
     test("scenes: out of memory is one line, and the mesh is as it was before");
+    CHECK(getrlimit(RLIMIT_AS, &before) == 0, "no limit");
     for (unsigned i = 0; i < 2; i++) {
         mesh m = made('g', 0);
         fail f = {""};
@@ -289,36 +292,36 @@ static void test_memory(void) {
         less.rlim_cur = 100u << 20;
         CHECK(setrlimit(RLIMIT_AS, &less) == 0, "no limit");
         CHECK(make(&m, i ? 'k' : 't', 10000000, &f) == -1, "240 MB fitted into 100");
-        CHECK(setrlimit(RLIMIT_AS, &before) == 0, "no way back");
+        CHECK(setrlimit(RLIMIT_AS, &before) == 0, "the limit stays");
         CHECK(f.text[0] && !strchr(f.text, '\n'), "\"%s\"", f.text);
         CHECK(m.vertices == 8 && m.triangles == 12, "%zu %zu", m.vertices, m.triangles);
         mesh_free(&m);
     }
 }
 
-static void test_turns(void) {
-    test("turns: sine and cosine agree with libm to 1e-15, quarter turns are exact");
+static void test_cos_sin(void) {
+    test("cos_sin: sine and cosine agree with libm to 1e-15, quarters of the circle are exact");
     for (uint64_t i = 0; i <= 20000; i++) {
         const double angle = 2.0 * 3.14159265358979323846 * (double)i / 20000.0;
-        const turn t = turn_of(i, 20000);
+        const cos_sin t = cos_sin_of(i, 20000);
         CHECK(fabs(t.sine - sin(angle)) < 2e-15 && fabs(t.cosine - cos(angle)) < 2e-15,
               "%" PRIu64 ": %g %g", i, t.sine - sin(angle), t.cosine - cos(angle));
     }
     for (uint64_t i = 0; i < 8; i++) {
         static const double exact[4] = {0.0, 1.0, 0.0, -1.0};
-        const turn t = turn_of(i, 4);
+        const cos_sin t = cos_sin_of(i, 4);
         CHECK(t.sine == exact[i % 4] && t.cosine == exact[(i + 1) % 4], "quarter %" PRIu64, i);
     }
 }
 
 static void test_noise(void) {
-    double lowest = 0.0, highest = 0.0, steepest = 0.0, last = lattice_noise(-40.0, 5.3, 9);
+    double lowest = 0.0, highest = 0.0, steepest = 0.0, last = noise_gradient(-40.0, 5.3, 9);
     test("noise: 0 at whole numbers, within -1 .. 1, without a jump, both signs");
     for (int i = -400; i < 400; i++) {
-        CHECK(lattice_noise(i, i / 3, 9) == 0.0, "not 0 at %d", i);
+        CHECK(noise_gradient(i, i / 3, 9) == 0.0, "not 0 at %d", i);
     }
     for (unsigned i = 1; i < 100000; i++) {
-        const double n = lattice_noise(-40.0 + 1e-3 * i, 5.3, 9), step = fabs(n - last);
+        const double n = noise_gradient(-40.0 + 1e-3 * i, 5.3, 9), step = fabs(n - last);
         lowest = n < lowest ? n : lowest;
         highest = n > highest ? n : highest;
         steepest = step > steepest ? step : steepest;
@@ -349,7 +352,7 @@ int main(void) {
     test_degenerate();
     test_refusals();
     test_memory();
-    test_turns();
+    test_cos_sin();
     test_noise();
     return test_done();
 }

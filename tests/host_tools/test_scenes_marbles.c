@@ -107,7 +107,7 @@ static void check_frame(const mesh *m, double *deepest, double *outermost, doubl
     }
 }
 
-static void test_places(void) {
+static void test_positions(void) {
     mesh m = {0}, first = {0};
     double deepest = -1.0, outermost = -1.0, lift = 0.0;
     test("marbles: over 600 frames none leaves the tray, none is 1 % of a radius in another");
@@ -154,10 +154,10 @@ static void test_motion(void) {
             centre(&before, i, a);
             centre(&after, i, b);
             minus(b, a, b);
-            const double way = sqrt(dot(b, b));
-            path[i] += way;
-            second += way / MARBLES;
-            fastest = fmax(fastest, way);
+            const double length = sqrt(dot(b, b));
+            path[i] += length;
+            second += length / MARBLES;
+            fastest = fmax(fastest, length);
         }
         const mesh swap = before;
         before = after;
@@ -175,7 +175,7 @@ static void test_motion(void) {
     mesh_free(&after);
 }
 
-/* The highest point of a rolling ball goes the way the ball goes, and
+/* The highest point of a rolling ball goes in the direction of the ball, and
  * faster. */
 static void test_tops(void) {
     mesh before = {0}, after = {0};
@@ -185,12 +185,12 @@ static void test_tops(void) {
         frame_mesh(&before, k);
         frame_mesh(&after, k + 1);
         for (unsigned i = 0; i < MARBLES; i++) {
-            double a[3], b[3], way[3], p[3], q[3], top = 0.0;
+            double a[3], b[3], moved[3], p[3], q[3], top = 0.0;
             unsigned highest = 0;
             centre(&before, i, a);
             centre(&after, i, b);
-            minus(b, a, way);
-            const double distance = sqrt(dot(way, way));
+            minus(b, a, moved);
+            const double distance = sqrt(dot(moved, moved));
             if (distance < 0.1 || distance > 0.5) {
                 continue;
             }
@@ -203,7 +203,7 @@ static void test_tops(void) {
             point(&after, VERTICES * (i + 1) + highest, q);
             minus(q, p, q);
             all++;
-            forward += dot(q, way) > 1.3 * distance * distance;
+            forward += dot(q, moved) > 1.3 * distance * distance;
         }
     }
     CHECK(all > 10000, "only %lu were looked at", all);
@@ -212,7 +212,7 @@ static void test_tops(void) {
     mesh_free(&after);
 }
 
-/* The spin, in radians a second, that a step turned the ball by. */
+/* The spin, in radians per second, that a step gave the ball. */
 static void spin_between(const double *p, const double *q, double step, double *spin) {
     for (unsigned i = 0; i < 3; i++) { /* vector part of 2 q p^-1 */
         const unsigned j = (i + 1) % 3, k = (i + 2) % 3;
@@ -225,7 +225,7 @@ static void test_rolling(void) {
     marbles m, next;
     const double step = 0.04 / MARBLES_STEPS;
     unsigned long rolling = 0, agreeing = 0, all = 0;
-    test("marbles: the turning of nearly every fast one is the rolling of its own way");
+    test("marbles: nearly every fast one spins as its own motion makes it roll");
     marbles_start(&m);
     for (unsigned k = 0; k < FRAMES; k++) {
         marbles_frame(&m);
@@ -239,7 +239,7 @@ static void test_rolling(void) {
             if (speed < 5.0) {
                 continue;
             }
-            spin_between(a->turn, b->turn, step, spin);
+            spin_between(a->orientation, b->orientation, step, spin);
             const double x = vx + spin[2], z = vz - spin[0];
             all++;
             rolling += sqrt(x * x + z * z) < 0.1 * speed;
@@ -248,7 +248,7 @@ static void test_rolling(void) {
     }
     CHECK(all > 10000, "only %lu were fast", all);
     CHECK(rolling > all / 100 * 90, "%lu of %lu roll to within 10 %%", rolling, all);
-    CHECK(agreeing > all / 1000 * 995, "%lu of %lu turn the right way", agreeing, all);
+    CHECK(agreeing > all / 1000 * 995, "%lu of %lu rotate in the right direction", agreeing, all);
 }
 
 static double energy(const marbles *m) {
@@ -266,8 +266,8 @@ static void test_energy(void) {
     const double bound = MARBLES_GRAVITY * 0.07;
     marbles m, still;
     test(
-        "marbles: the tray held still, energy never rises above its least by more than one "
-        "marble a radius uphill, and all but 2 % of the motion dies");
+        "marbles: the tray held still, energy never rises above its least by more than "
+        "one marble takes for a radius uphill, and all but 2 % of the motion dies");
     marbles_start(&m);
     for (unsigned k = 1; k <= 400; k++) {
         marbles_frame(&m);
@@ -291,7 +291,7 @@ static void test_energy(void) {
     for (unsigned i = 0; i < MARBLES; i++) {
         speed += hypot(still.marble[i].vx, still.marble[i].vz) / MARBLES;
     }
-    CHECK(speed < 0.02 * 12.0, "still at %g radii a second", speed);
+    CHECK(speed < 0.02 * 12.0, "still at %g radii per second", speed);
 }
 
 /* At rest, 0.2 radii apart from each other, from the left. */
@@ -304,10 +304,10 @@ static void lay_out(marbles *m) {
             fits &= x * marbles_wall[w][0] + z * marbles_wall[w][1] < MARBLES_REACH;
         }
         if (fits) {
-            m->marble[count++] = (marble){.x = x, .z = z, .turn = {1.0}};
+            m->marble[count++] = (marble){.x = x, .z = z, .orientation = {1.0}};
         }
     }
-    CHECK(count == MARBLES, "only %u found a place", count);
+    CHECK(count == MARBLES, "only %u found a position", count);
 }
 
 static void test_slope(void) {
@@ -325,7 +325,7 @@ static void test_slope(void) {
 }
 
 int main(void) {
-    test_places();
+    test_positions();
     test_any_frame();
     test_motion();
     test_tops();

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 
 #include "board/host/host.h"
-#include "host_tools/cli/view.h"
+#include "host_tools/app/view.h"
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/rig.h"

@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "host_tools/base/clock.h"
 #include "tests/reference/fake_hidapi/hidapi.h"
 
 struct fake_bus fake_bus;
@@ -26,14 +26,7 @@ static struct {
 } inside;
 
 static uint64_t now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint64_t)t.tv_sec * 1000 + (uint64_t)t.tv_nsec / 1000000;
-}
-
-static void sleep_us(unsigned us) {
-    const struct timespec t = {us / 1000000, (long)(us % 1000000) * 1000};
-    nanosleep(&t, NULL);
+    return (uint64_t)(1e3 * clock_seconds());
 }
 
 void fake_bus_reset(void) {
@@ -177,8 +170,8 @@ static const fake_device *behind(const hid_device *h) {
     return h->plug == inside.plugs[h->socket] ? fake_bus.device[h->socket] : NULL;
 }
 
-/* About every n-th, the same in every run; not just every n-th, or a protocol
- * that sends n reports a round would lose the same one for ever. */
+/* About every n-th, the same in every run. Not exactly every n-th: a protocol that
+ * sends n reports per round would always lose the same one. */
 static int one_in(unsigned n, uint64_t count) {
     const uint64_t mixed = (count + 1) * UINT64_C(0x9E3779B97F4A7C15);
     return n > 0 && (mixed >> 40) % n == 0;
@@ -191,7 +184,7 @@ int hid_write(hid_device *h, const unsigned char *data, size_t length) {
         return -1;
     }
     const uint64_t number = fake_bus.outputs++;
-    sleep_us(fake_bus.slow_us);
+    clock_sleep(1e-6 * fake_bus.slow_us);
     fake_bus.wrong += d->numbered ? data[0] == 0 : data[0] != 0;
     if (one_in(fake_bus.short_writes, number)) {
         return (int)length / 2;
@@ -251,7 +244,7 @@ int hid_read_timeout(hid_device *h, unsigned char *data, size_t length, int mill
         if (now_ms() >= end) {
             return 0;
         }
-        sleep_us(200);
+        clock_sleep(1e-6 * 200);
     }
 }
 

@@ -9,7 +9,7 @@
 typedef struct frame_result {
     int status;     /* of plt_render_begin, else PLT_OK */
     uint8_t *rgb;   /* width * height pixels, rows top down; free() it */
-    uint64_t hash;  /* FNV-1a, 64 bits, of these bytes */
+    uint64_t hash;  /* board/hash.h, of these bytes; 0 after a failure */
     uint32_t wrong; /* pixels that were not painted exactly once */
     uint32_t tiles;
     uint64_t steps, most_visits; /* node visits of the longest step */

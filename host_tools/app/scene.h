@@ -1,0 +1,53 @@
+/* scene - an image opened as the flags say
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef SCENE_H
+#define SCENE_H
+
+#include "board/host/host.h"
+#include "engine/planelet.h"
+#include "host_tools/app/args.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/base/output.h"
+
+typedef struct scene {
+    host_scene file;
+    plt_options options;
+    plt_engine *engine; /* NULL: not opened */
+    size_t arena_bytes;
+} scene;
+
+#define SCENE_CLOSED                                                                               \
+    {                                                                                              \
+        .file = {.file = -1 }                                                                      \
+    }
+
+/* The flags that say how to open an image, for a command's list. */
+#define SCENE_FLAGS                                                                                \
+    {"--packet", "2|4|8|16", "rays along a packet's side (default 8)"},                            \
+        {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
+        {"--residency", "resident", "the whole scene is in memory"},                               \
+        {"--schedule", "branch", "each packet traverses its branches alone"},                      \
+        {"--workers", "1", "threads that trace"},                                                  \
+        {"--source", "map|read",                                                                   \
+         "the image is mapped like flash, or fetched into the arena (default map)"},               \
+    {                                                                                              \
+        "--arena", "BYTES", "memory of the engine (default 1 GiB)"                                 \
+    }
+
+/* Opens the file as the flags say, without reading it; a wrong flag sets a->wrong. */
+int scene_attach(scene *s, args *a, const char *path, fail *f);
+/* plt_open on that file: its status. */
+int scene_start(scene *s, const char *path, plt_fault *fault);
+/* Both. */
+int scene_open(scene *s, args *a, const char *path, fail *f);
+void scene_close(scene *s);
+
+/* Sets `f` to why the engine refused `path` and what to do. Returns -1. */
+int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
+                  size_t arena_bytes);
+
+/* The members that `trace` and `render` statistics share, without braces. */
+void scene_print_stats(output *o, const scene *s, double seconds, fail *f);
+
+#endif

@@ -1,0 +1,145 @@
+/* view - see view.h
+ *
+ * Computed in double and rounded once: machines whose tangents differ in the last
+ * bit still give the engine the same floats, but for rare ties.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/app/view.h"
+
+#include <math.h>
+
+#define DEGREE 0.017453292519943295
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double to[3]) {
+    to[0] = a[1] * b[2] - a[2] * b[1];
+    to[1] = a[2] * b[0] - a[0] * b[2];
+    to[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static int normalise(double v[3]) {
+    const double length = sqrt(dot(v, v));
+    for (int i = 0; i < 3 && length > 0.0; i++) {
+        v[i] /= length;
+    }
+    return length > 0.0;
+}
+
+/* Axes of the default view; unit length, at right angles. */
+typedef struct axes {
+    double right[3], up[3], front[3];
+} axes;
+
+static void make_axes(axes *s, const float up[3]) {
+    const double forward[2][3] = {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
+    for (int i = 0; i < 3; i++) {
+        s->up[i] = (double)up[i];
+    }
+    if (!normalise(s->up)) {
+        s->up[1] = 1.0; /* the engine refuses this camera later */
+    }
+    cross(s->up, forward[fabs(s->up[2]) > fabs(s->up[1])], s->right);
+    normalise(s->right);
+    cross(s->right, s->up, s->front);
+}
+
+/* How large a box of these edges is along `axis`. */
+static double extent(const double edge[3], const double axis[3]) {
+    return edge[0] * fabs(axis[0]) + edge[1] * fabs(axis[1]) + edge[2] * fabs(axis[2]);
+}
+
+/* From the scene to the eye: 18 degrees up for what is as high as wide, 37
+ * for what is flat. */
+static void choose_back(const axes *s, const double edge[3], double back[3]) {
+    const double wide = fmax(extent(edge, s->right), extent(edge, s->front));
+    const double high = fmin(extent(edge, s->up), wide);
+    const double rise = wide > 0.0 ? 0.83 - 0.48 * high / wide : 0.35;
+    for (int i = 0; i < 3; i++) {
+        back[i] = 0.45 * s->right[i] + rise * s->up[i] + s->front[i];
+    }
+    normalise(back);
+}
+
+/* How far back along `back` the eye must stand to see all corners. */
+static double distance_to_see(const double lo[3], const double hi[3], const double middle[3],
+                              const double back[3], const double up[3], double tan_x,
+                              double tan_y) {
+    double right[3], above[3], need = 0.0;
+    cross(up, back, right);
+    normalise(right);
+    cross(back, right, above);
+    for (int k = 0; k < 8; k++) {
+        double q[3];
+        for (int i = 0; i < 3; i++) {
+            q[i] = (k >> i & 1 ? hi[i] : lo[i]) - middle[i];
+        }
+        const double near = dot(q, back);
+        need = fmax(need, near + fabs(dot(q, right)) / tan_x);
+        need = fmax(need, near + fabs(dot(q, above)) / tan_y);
+    }
+    return need > 0.0 ? 1.03 * need : 1.0;
+}
+
+static void fit(const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
+    double lo[3] = {0, 0, 0}, hi[3] = {0, 0, 0}, edge[3], middle[3], back[3];
+    axes s;
+    for (int i = 0; i < 3; i++) {
+        if (info->triangles > 0) {
+            lo[i] = (double)info->lo[i];
+            hi[i] = (double)info->hi[i];
+        }
+        edge[i] = hi[i] - lo[i];
+        middle[i] = (double)c->look[i];
+    }
+    make_axes(&s, c->up);
+    choose_back(&s, edge, back);
+    const double tan_y = (double)c->tan_half_fov;
+    const double d = distance_to_see(lo, hi, middle, back, s.up, tan_y * width / height, tan_y);
+    for (int i = 0; i < 3; i++) {
+        c->eye[i] = (float)(middle[i] + d * back[i]);
+    }
+}
+
+void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
+    float fov = 45.0f;
+    c->up[0] = c->up[2] = 0.0f;
+    c->up[1] = 1.0f;
+    for (int i = 0; i < 3; i++) {
+        c->look[i] = info->triangles > 0 ? 0.5f * info->lo[i] + 0.5f * info->hi[i] : 0.0f;
+    }
+    args_floats(a, "--up", c->up, 3);
+    args_floats(a, "--look", c->look, 3);
+    if (args_floats(a, "--fov", &fov, 1) && !(fov > 0.0f && fov < 180.0f)) {
+        args_complain(a, "--fov takes degrees between 0 and 180");
+        fov = 45.0f;
+    }
+    c->tan_half_fov = (float)tan(0.5 * (double)fov * DEGREE);
+    if (!args_floats(a, "--eye", c->eye, 3)) {
+        fit(info, width, height, c);
+    }
+}
+
+void view_orbit(const plt_camera *from, double circles, plt_camera *to) {
+    double axis[3], arm[3], side[3];
+    for (int i = 0; i < 3; i++) {
+        axis[i] = (double)from->up[i];
+        arm[i] = (double)from->eye[i] - (double)from->look[i];
+    }
+    normalise(axis);
+    cross(axis, arm, side);
+    const double c = cos(360.0 * DEGREE * circles), s = sin(360.0 * DEGREE * circles);
+    const double along = dot(axis, arm);
+    *to = *from;
+    for (int i = 0; i < 3; i++) { /* Rodrigues */
+        to->eye[i] =
+            (float)((double)from->look[i] + arm[i] * c + side[i] * s + axis[i] * along * (1.0 - c));
+    }
+}
+
+uint8_t view_shader(args *a) {
+    static const char *const names[] = {"eyelight", "normal", "triangle", NULL};
+    return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
+}

@@ -1,0 +1,169 @@
+/* session - see session.h
+ *
+ * Keeps: `panel` is the picture that a display that comes back gets first.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/hid/device/session.h"
+
+#include <stdio.h>
+
+#include "host_tools/base/clock.h"
+
+static const double LOOK_SECONDS = 0.1;
+
+static int stopped(const session *s) {
+    return s->stop != NULL && *s->stop;
+}
+
+static int set_brightness(session *s, fail *f) {
+    const driver *by = s->display.by;
+    if (s->brightness < 0) {
+        return DISPLAY_OK;
+    }
+    if (by->brightness == NULL) {
+        return fail_set(f, by->name, "its brightness cannot be set; leave out --brightness");
+    }
+    return by->brightness(&s->display, (unsigned)s->brightness, f);
+}
+
+/* The device may have come back with another firmware. */
+static int check_size(session *s, fail *f) {
+    const display *d = &s->display;
+    if (d->width == s->panel.width && d->height == s->panel.height) {
+        return DISPLAY_OK;
+    }
+    fail_set(f, s->info.path,
+             "the display came back with %u x %u pixels instead of %u x %u; "
+             "start again",
+             d->width, d->height, s->panel.width, s->panel.height);
+    return DISPLAY_FAILED;
+}
+
+static int open_display(session *s, const driver *by, fail *f) {
+    int status = display_open(&s->display, by, &s->info, f);
+    s->display.stop = s->stop;
+    if (status == DISPLAY_OK && by->near != NULL) {
+        by->near(&s->display, s->near, s->fps);
+    }
+    if (status == DISPLAY_OK) {
+        status = set_brightness(s, f);
+        if (status != DISPLAY_OK) {
+            display_close(&s->display);
+        }
+    }
+    return status;
+}
+
+int session_open(session *s, fail *f) {
+    const driver *by = find_display(&s->wish, &s->info, f);
+    if (by == NULL) {
+        return -1;
+    }
+    const int status = open_display(s, by, f);
+    if (status == DISPLAY_GONE) {
+        fail_set(f, s->info.path, "the display went away or does not answer; plug it in again");
+    }
+    if (status != DISPLAY_OK) {
+        return -1;
+    }
+    return picture_make(&s->panel, s->display.width, s->display.height, f);
+}
+
+/* Waits until the device is there and opens, or `patience` ends. Failed opens are not
+ * reported: right after a plug-in the system may still be setting permissions. */
+static int come_back(session *s, fail *f) {
+    const driver *by = s->display.by;
+    const double end = clock_seconds() + s->patience;
+    session_statistics(s, &s->before);
+    display_close(&s->display);
+    fprintf(stderr, "%04x:%04x went away; waiting for it\n", s->info.vendor, s->info.id);
+    do {
+        fail why = {""};
+        if (find_again(&s->info) && open_display(s, by, &why) == DISPLAY_OK) {
+            s->reconnects++;
+            return check_size(s, f);
+        }
+        clock_sleep(LOOK_SECONDS);
+    } while (clock_seconds() < end && !stopped(s));
+    return fail_set(f, s->info.path, "the display did not come back in %.0f seconds; plug it in",
+                    s->patience);
+}
+
+/* Shows `panel`; or, with `confirm`, waits until the device has confirmed it. */
+static int put_picture(session *s, int confirm, fail *f) {
+    const driver *by = s->display.by;
+    int status = !confirm || s->again ? by->show(&s->display, &s->panel, f) : DISPLAY_OK;
+    if (status == DISPLAY_OK && by->confirm != NULL && (confirm || s->again)) {
+        status = by->confirm(&s->display, f);
+    }
+    s->again = s->again && status != DISPLAY_OK;
+    return status;
+}
+
+/* Until the picture is out; a display that came back gets all of it. */
+static int deliver(session *s, int confirm, fail *f) {
+    double gone = 0.0;
+    for (;;) {
+        const int status = put_picture(s, confirm, f);
+        if (status == DISPLAY_OK) {
+            break;
+        }
+        if (status == DISPLAY_STOPPED) {
+            return 0;
+        }
+        s->again = 1;
+        gone = gone > 0.0 ? gone : clock_seconds();
+        if (status == DISPLAY_FAILED || come_back(s, f) != DISPLAY_OK) {
+            return -1;
+        }
+    }
+    if (gone > 0.0) {
+        const double gap = clock_seconds() - gone;
+        s->longest_gap = gap > s->longest_gap ? gap : s->longest_gap;
+        fprintf(stderr, "back after %.2f s\n", gap);
+    }
+    return 0;
+}
+
+int session_show(session *s, const picture *p, fail *f) {
+    fit_picture(p, &s->panel, s->fit);
+    if (deliver(s, 0, f) != 0) {
+        return -1;
+    }
+    s->shown++;
+    return 0;
+}
+
+int session_confirm(session *s, fail *f) {
+    return s->shown == 0 ? 0 : deliver(s, 1, f);
+}
+
+void session_tick(session *s) {
+    if (s->display.port != NULL && s->display.by->tick != NULL) {
+        s->display.by->tick(&s->display);
+    }
+}
+
+int session_release(session *s, fail *f) {
+    const driver *by = s->display.by;
+    if (by->release == NULL) {
+        return fail_set(f, by->name, "it has no picture of its own; leave out --release");
+    }
+    return by->release(&s->display, f) == DISPLAY_FAILED ? -1 : 0;
+}
+
+void session_statistics(const session *s, port_statistics *statistics) {
+    *statistics = s->before;
+    if (s->display.port != NULL) {
+        port_statistics now;
+        port_statistics_get(s->display.port, &now);
+        statistics->reports += now.reports;
+        statistics->bytes += now.bytes;
+        statistics->cut += now.cut;
+    }
+}
+
+void session_close(session *s) {
+    display_close(&s->display);
+    picture_free(&s->panel);
+}

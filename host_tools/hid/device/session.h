@@ -1,0 +1,52 @@
+/* session - a display that comes back after it was unplugged
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HID_SESSION_H
+#define HID_SESSION_H
+
+#include <signal.h>
+
+#include "host_tools/hid/device/display.h"
+#include "host_tools/hid/device/find.h"
+#include "host_tools/picture/fit.h"
+
+typedef struct session {
+    find_wish wish;
+    enum fit_mode fit;
+    int brightness;                    /* percent; -1 leaves it as it is */
+    unsigned near, fps;                /* of what moves, arguments of driver.near */
+    double patience;                   /* seconds to wait for a display that is gone */
+    const volatile sig_atomic_t *stop; /* set from outside: wait no longer */
+
+    display display;
+    port_info info;
+    picture panel; /* what is shown, at the panel's size; owned */
+    int again;     /* the display came back and has not confirmed `panel` */
+    unsigned shown, reconnects;
+    double longest_gap;     /* seconds from an unplug to the whole picture again */
+    port_statistics before; /* of the displays before the last unplug */
+} session;
+
+/* Finds and opens; `s` holds wish, fit, brightness, patience, the rest zero.
+ * A display that is not there is an error at once. */
+int session_open(session *s, fail *f);
+
+/* Shows a picture of any size. If the display is unplugged, says so on standard
+ * error, looks for it every 100 ms and shows the whole picture when it is back. */
+int session_show(session *s, const picture *p, fail *f);
+
+/* Waits until the device has confirmed the picture, if its protocol can, or until a
+ * second after `stop`. */
+int session_confirm(session *s, fail *f);
+
+/* Keeps the link alive between pictures: call it at least ten times per second
+ * while a picture is rendered or stays. */
+void session_tick(session *s);
+
+/* The device's own picture again, where it has one. */
+int session_release(session *s, fail *f);
+
+void session_statistics(const session *s, port_statistics *statistics);
+void session_close(session *s); /* also after a failed open */
+
+#endif

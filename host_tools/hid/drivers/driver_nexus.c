@@ -1,0 +1,83 @@
+/* driver_nexus - Corsair iCUE Nexus: a strip of 640x48 above a keyboard
+ *
+ * Raw pixels of four bytes, blue green red and one not used, rows top down,
+ * in 121 output reports of 1024 bytes:
+ *
+ *     0  02 05 40    report number, command
+ *     3  last        1 in the last report: the panel then changes
+ *     4  part        u16, 0 .. 120
+ *     6  length      u16, bytes of pixels: 1016, 960 in the last
+ *     8  pixels
+ *
+ * Numbers are little-endian. Brightness is feature report 3, of 32 bytes.
+ * The second interface is a keyboard; the driver is not for it.
+ *
+ * Source: Nexus-Manager wiki (codingncaffeine), facts only. Not run on
+ * hardware.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/hid/drivers/drivers.h"
+
+enum {
+    WIDTH = 640,
+    HEIGHT = 48,
+    FRAME_BYTES = 4 * WIDTH * HEIGHT,
+    REPORT_BYTES = 1024,
+    HEAD_BYTES = 8,
+    PART_BYTES = REPORT_BYTES - HEAD_BYTES,
+    FEATURE_BYTES = 32
+};
+
+static uint8_t frame_byte(const picture *p, unsigned at) {
+    const uint8_t *rgb = p->rgb + 3 * (size_t)(at / 4);
+    return at % 4 == 3 ? 0 : rgb[2 - at % 4];
+}
+
+static int send_part(port *to, const picture *p, unsigned part) {
+    const unsigned at = part * PART_BYTES, left = FRAME_BYTES - at;
+    const unsigned bytes = left < PART_BYTES ? left : PART_BYTES;
+    uint8_t report[REPORT_BYTES] = {2,
+                                    5,
+                                    0x40,
+                                    left <= PART_BYTES,
+                                    (uint8_t)part,
+                                    (uint8_t)(part >> 8),
+                                    (uint8_t)bytes,
+                                    (uint8_t)(bytes >> 8)};
+    for (unsigned i = 0; i < bytes; i++) {
+        report[HEAD_BYTES + i] = frame_byte(p, at + i);
+    }
+    return port_output(to, report, sizeof report);
+}
+
+static int nexus_show(display *d, const picture *p, fail *f) {
+    int status = PORT_OK;
+    (void)f;
+    for (unsigned part = 0; part * PART_BYTES < FRAME_BYTES && status == PORT_OK; part++) {
+        status = send_part(d->port, p, part);
+    }
+    return display_status(status);
+}
+
+static int nexus_brightness(display *d, unsigned percent, fail *f) {
+    const uint8_t report[FEATURE_BYTES] = {3, 1, (uint8_t)percent};
+    (void)f;
+    return display_status(port_feature(d->port, report, sizeof report));
+}
+
+static int nexus_open(display *d, fail *f) {
+    (void)f;
+    d->width = WIDTH;
+    d->height = HEIGHT;
+    return DISPLAY_OK;
+}
+
+static const driver_id ids[] = {{0x1B1C, 0x1B8E, 0}, {0, 0, 0}};
+
+const driver driver_nexus = {.name = "nexus",
+                             .about = "Corsair iCUE Nexus, 640x48",
+                             .ids = ids,
+                             .from_notes = 1,
+                             .open = nexus_open,
+                             .show = nexus_show,
+                             .brightness = nexus_brightness};

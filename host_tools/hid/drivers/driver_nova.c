@@ -1,0 +1,98 @@
+/* driver_nova - SteelSeries Arctis Nova Pro: the OLED of the base station
+ *
+ * 128x64 pixels of one bit, sent as two windows of 64x64, each one feature
+ * report of 1024 bytes:
+ *
+ *     0  06 93       report number, command
+ *     2  x y w h     the window
+ *     6  w columns of h / 8 bytes from left to right, lowest bit on top
+ *
+ * The device refuses a feature report now and then; it is then sent again,
+ * up to ten times, after 1, 4, 9 ... ms. Brightness (1 .. 10) and the
+ * return to the device's own picture are output reports of 64 bytes.
+ *
+ * Source: ggoled (JerwuQu), facts only. Not run on hardware.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/base/clock.h"
+#include "host_tools/hid/drivers/drivers.h"
+#include "platform/wire/wire_format.h"
+
+enum {
+    WIDTH = 128,
+    HEIGHT = 64,
+    WINDOW = 64,
+    FEATURE_BYTES = 1024,
+    OUTPUT_BYTES = 64,
+    NUMBER = 0x06,
+    DRAW = 0x93,
+    BRIGHTNESS = 0x85,
+    RETURN = 0x95,
+    TRIES = 10
+};
+
+static int send_feature(port *p, const uint8_t *report) {
+    int status = PORT_GONE;
+    for (unsigned i = 0; i < TRIES && status != PORT_OK; i++) {
+        clock_sleep(1e-3 * (i * i));
+        status = port_feature(p, report, FEATURE_BYTES);
+    }
+    return status;
+}
+
+static int send_window(port *to, const picture *p, unsigned left) {
+    uint8_t report[FEATURE_BYTES] = {NUMBER, DRAW, (uint8_t)left, 0, WINDOW, HEIGHT};
+    for (unsigned y = 0; y < HEIGHT; y++) {
+        uint8_t row[WINDOW / 8];
+        wire_row_from_rgb(row, WIRE_MONO1, p->rgb + 3 * (y * WIDTH + left), WINDOW, left, y);
+        for (unsigned x = 0; x < WINDOW; x++) {
+            const unsigned lit = row[x / 8] >> (7 - x % 8) & 1;
+            report[6 + x * (HEIGHT / 8) + y / 8] |= (uint8_t)(lit << y % 8);
+        }
+    }
+    return send_feature(to, report);
+}
+
+static int nova_show(display *d, const picture *p, fail *f) {
+    int status = PORT_OK;
+    (void)f;
+    for (unsigned left = 0; left < WIDTH && status == PORT_OK; left += WINDOW) {
+        status = send_window(d->port, p, left);
+    }
+    return display_status(status);
+}
+
+static int send_output(display *d, uint8_t command, uint8_t value) {
+    const uint8_t report[OUTPUT_BYTES] = {NUMBER, command, value};
+    return display_status(port_output(d->port, report, sizeof report));
+}
+
+static int nova_brightness(display *d, unsigned percent, fail *f) {
+    const unsigned level = (percent + 5) / 10;
+    (void)f;
+    return send_output(d, BRIGHTNESS, (uint8_t)(level < 1 ? 1 : level));
+}
+
+static int nova_release(display *d, fail *f) {
+    (void)f;
+    return send_output(d, RETURN, 0);
+}
+
+static int nova_open(display *d, fail *f) {
+    (void)f;
+    d->width = WIDTH;
+    d->height = HEIGHT;
+    return DISPLAY_OK;
+}
+
+static const driver_id ids[] = {{0x1038, 0x12CB, 4}, {0x1038, 0x12CD, 4}, {0x1038, 0x12E0, 4},
+                                {0x1038, 0x12E5, 4}, {0x1038, 0x225D, 4}, {0, 0, 0}};
+
+const driver driver_nova = {.name = "nova",
+                            .about = "SteelSeries Arctis Nova Pro base station, 128x64, 1 bit",
+                            .ids = ids,
+                            .from_notes = 1,
+                            .open = nova_open,
+                            .show = nova_show,
+                            .brightness = nova_brightness,
+                            .release = nova_release};

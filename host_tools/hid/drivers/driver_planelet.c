@@ -1,0 +1,298 @@
+/* driver_planelet - a display that speaks Planelet's own wire (platform/WIRE.md)
+ *
+ * Keeps: `frame` is what the wire reads, and changes only when the wire has
+ * put all of it into reports.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/base/clock.h"
+#include "host_tools/hid/drivers/drivers.h"
+#include "platform/wire/wire.h"
+
+enum {
+    WAIT_MS = 2,
+    OPEN_MS = 1500,  /* for the device to answer the first hello */
+    STUCK_MS = 1500, /* without anything going out or in: the display is gone */
+    SLOW_MS = 5000,  /* for a picture, in addition to the time of its bytes at SLOW_BYTES per ms */
+    SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
+    IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
+    WINDOW = 32
+};
+
+typedef struct planelet {
+    wire_peer peer;
+    wire_frames_out out;
+    picture frame;
+    uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
+    uint32_t begun; /* ms: when the call that waits now began */
+    uint32_t whole; /* ms: the longest a picture may take; a lossy link may never finish it */
+    uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
+} planelet;
+
+/* Reads all reports that came, waiting for the first; PORT_OK or PORT_GONE. */
+static int read_reports(display *d, unsigned wait_ms) {
+    planelet *p = d->state;
+    uint8_t report[IN_BYTES];
+    for (;;) {
+        const int bytes = port_input(d->port, report, sizeof report, wait_ms);
+        if (bytes <= 0) {
+            return bytes == 0 ? PORT_OK : PORT_GONE;
+        }
+        wire_on_report(&p->peer, report, (size_t)bytes, clock_ms());
+        wait_ms = 0;
+    }
+}
+
+/* Sends the next report, if one may go. One that the system accepted only in part is
+ * lost, and the wire sends its content again. */
+static int send_report(display *d, int *sent) {
+    planelet *p = d->state;
+    const size_t bytes = wire_next_report(&p->peer, p->report + 1, clock_ms());
+    *sent = bytes > 0;
+    if (bytes == 0) {
+        return PORT_OK;
+    }
+    p->report[0] = 0;
+    return port_output(d->port, p->report, bytes + 1) == PORT_GONE ? PORT_GONE : PORT_OK;
+}
+
+/* Sends one report, then reads all that came; waits only if none was sent. */
+static int exchange(display *d, unsigned wait_ms, int *sent) {
+    planelet *p = d->state;
+    wire_poll(&p->peer, clock_ms());
+    const int status = send_report(d, sent);
+    return status == PORT_OK ? read_reports(d, *sent ? 0 : wait_ms) : status;
+}
+
+/* Exchanges reports until `is_so`, and not one more: with nothing new to show the wire
+ * continues to refine what is there. GONE when nothing is heard for `patience_ms`,
+ * FAILED when the call lasts longer than a whole picture may, STOPPED a second after
+ * `stop` was set. */
+static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
+    planelet *p = d->state;
+    uint32_t heard = p->peer.stats.reports_in, since = clock_ms();
+    while (!is_so(p)) {
+        int sent;
+        if (clock_ms() - p->begun > p->whole) {
+            return DISPLAY_FAILED;
+        }
+        if (display_is_stopped(d)) {
+            return DISPLAY_STOPPED;
+        }
+        if (exchange(d, WAIT_MS, &sent) != PORT_OK) {
+            return DISPLAY_GONE;
+        }
+        if (p->peer.stats.reports_in != heard) {
+            heard = p->peer.stats.reports_in;
+            since = clock_ms();
+        } else if (clock_ms() - since > patience_ms) {
+            return DISPLAY_GONE;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+/* As exchange_until, for a picture; an error when it does not get through. */
+static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
+    const int status = exchange_until(d, is_so, STUCK_MS);
+    return status != DISPLAY_FAILED
+               ? status
+               : fail_set(f, NULL,
+                          "the display answers, but no picture gets through in %u seconds: too "
+                          "many reports are lost; try another cable or port",
+                          (unsigned)((const planelet *)d->state)->whole / 1000);
+}
+
+static int is_up(const planelet *p) {
+    return wire_is_up(&p->peer);
+}
+
+static int is_idle(const planelet *p) {
+    return !wire_is_up(&p->peer) || wire_frames_out_idle(&p->out);
+}
+
+static int is_done(const planelet *p) {
+    return !wire_is_up(&p->peer) || wire_frames_out_done(&p->out);
+}
+
+/* A number that no session had before: the time of day in microseconds. */
+static uint32_t session_number(void) {
+    return (uint32_t)clock_day_us();
+}
+
+/* If a device's descriptor is not known, its reports are assumed to have 64 bytes. */
+static int open_end(planelet *p, report_sizes sizes, fail *f) {
+    const unsigned out = sizes.out > 0 ? sizes.out : 64, in = sizes.in > 0 ? sizes.in : IN_BYTES;
+    const wire_setup setup = {.role = WIRE_HOST,
+                              .caps = {.session = session_number(),
+                                       .in_bytes = (uint16_t)in,
+                                       .out_bytes = (uint16_t)out,
+                                       .features = WIRE_SENDS,
+                                       .credits = WINDOW}};
+    if (in > IN_BYTES || out > WIRE_REPORT_BYTES_MAX ||
+        wire_peer_open(&p->peer, &setup, clock_ms()) != WIRE_OK) {
+        return fail_set(f, NULL,
+                        "reports of %u bytes out and %u in are not for the planelet driver (8 to "
+                        "1024 and 8 to 64)",
+                        out, in);
+    }
+    p->begun = clock_ms();
+    p->whole = UINT32_MAX; /* the greeting has a limit of its own */
+    wire_frames_out_open(&p->out, &p->peer);
+    wire_on_link(&p->peer, 1, clock_ms());
+    return DISPLAY_OK;
+}
+
+/* Sends hello until the device has answered what it is. */
+static int greet(display *d, fail *f) {
+    planelet *p = d->state;
+    const int status = exchange_until(d, is_up, OPEN_MS);
+    if (status != DISPLAY_OK) {
+        fail_set(f, NULL,
+                 "the device does not answer as a planelet display; is it one? Else "
+                 "choose another with --device or --driver");
+        return status;
+    }
+    const wire_caps *peer = wire_other(&p->peer);
+    if (!(peer->features & WIRE_SHOWS)) {
+        return fail_set(f, NULL, "the device has no display; choose another with --device");
+    }
+    const unsigned tiles = (peer->width + 15u) / 16 * ((peer->height + 15u) / 16);
+    if (tiles > WIRE_TILES_MAX) {
+        return fail_set(f, NULL,
+                        "its %u x %u pixels are %u tiles, %u (WIRE_TILES_MAX) are the most; "
+                        "choose another with --device",
+                        peer->width, peer->height, tiles, (unsigned)WIRE_TILES_MAX);
+    }
+    d->width = peer->width, d->height = peer->height;
+    const uint32_t bytes = wire_row_bytes(peer->format, d->width) * d->height;
+    p->whole = SLOW_MS + bytes / SLOW_BYTES;
+    p->shown = malloc(bytes); /* without it every tile is sent whole */
+    if (p->shown != NULL) {
+        wire_frames_reference(&p->out, p->shown, bytes);
+    }
+    return picture_make(&p->frame, d->width, d->height, f);
+}
+
+static void planelet_close(display *d) {
+    planelet *p = d->state;
+    picture_free(&p->frame);
+    free(p->shown);
+    free(p);
+    d->state = NULL;
+}
+
+static int planelet_open(display *d, fail *f) {
+    planelet *p = calloc(1, sizeof *p);
+    d->state = p;
+    if (p == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    int status = open_end(p, d->reports, f);
+    if (status == DISPLAY_OK) {
+        status = greet(d, f);
+    }
+    if (status != DISPLAY_OK) {
+        planelet_close(d);
+    }
+    return status;
+}
+
+/* Waits while the session is down, as it is after the device was reset. */
+static int ensure_up(display *d, fail *f) {
+    const planelet *p = d->state;
+    const int status = deliver(d, is_up, f);
+    const wire_caps *peer = wire_other(&p->peer);
+    if (status == DISPLAY_OK && (peer->width != d->width || peer->height != d->height)) {
+        return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
+                        peer->width, peer->height);
+    }
+    return status;
+}
+
+static int say_error(planelet *p, fail *f) {
+    uint32_t detail = 0;
+    const unsigned code = wire_error_read(&p->peer, &detail);
+    return fail_set(f, NULL, "the display reports error %u (%u); see platform/WIRE.md", code,
+                    detail);
+}
+
+static int planelet_show(display *d, const picture *shown, fail *f) {
+    planelet *p = d->state;
+    p->begun = clock_ms();
+    for (;;) {
+        int status = deliver(d, is_idle, f);
+        status = status == DISPLAY_OK ? ensure_up(d, f) : status;
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+        memcpy(p->frame.rgb, shown->rgb, 3 * (size_t)d->width * d->height);
+        if (wire_frames_show(&p->out, p->frame.rgb, 3 * d->width) == WIRE_OK) {
+            return deliver(d, is_idle, f);
+        }
+        if (p->peer.other_error != WIRE_FINE) {
+            return say_error(p, f);
+        }
+    }
+}
+
+/* A session that ends meanwhile starts again, with the whole picture. */
+static int planelet_confirm(display *d, fail *f) {
+    planelet *p = d->state;
+    p->begun = clock_ms();
+    for (;;) {
+        int status = deliver(d, is_done, f);
+        if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {
+            return status;
+        }
+        status = ensure_up(d, f);
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+        wire_frames_show(&p->out, p->frame.rgb, 3 * d->width);
+    }
+}
+
+static int planelet_tick(display *d) {
+    int sent = 1;
+    while (sent) {
+        if (exchange(d, 0, &sent) != PORT_OK) {
+            return DISPLAY_GONE;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+static int planelet_brightness(display *d, unsigned percent, fail *f) {
+    planelet *p = d->state;
+    if (!(wire_other(&p->peer)->features & WIRE_BRIGHTNESS)) {
+        return fail_set(f, NULL, "this display's brightness cannot be set; leave out --brightness");
+    }
+    wire_setting_send(&p->peer, WIRE_SET_BRIGHTNESS, percent);
+    return DISPLAY_OK;
+}
+
+static void planelet_near(display *d, unsigned steps, unsigned fps) {
+    planelet *p = d->state;
+    if (steps == DISPLAY_NEAR_AUTO) {
+        wire_frames_rate(&p->out, fps);
+    } else {
+        wire_frames_near(&p->out, steps);
+    }
+}
+
+/* pid.codes reserves 1209:0001 for tests; a product needs an id of its own. */
+static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
+
+const driver driver_planelet = {.name = "planelet",
+                                .about = "Planelet's own wire, any size (platform/WIRE.md)",
+                                .ids = ids,
+                                .open = planelet_open,
+                                .show = planelet_show,
+                                .confirm = planelet_confirm,
+                                .tick = planelet_tick,
+                                .brightness = planelet_brightness,
+                                .near = planelet_near,
+                                .close = planelet_close};

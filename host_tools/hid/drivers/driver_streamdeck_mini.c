@@ -1,0 +1,152 @@
+/* driver_streamdeck_mini - Elgato Stream Deck Mini: six keys over one panel
+ *
+ * The keys are used as one picture of 240x160 without gaps, key 0 top left,
+ * key 2 top right, key 5 bottom right. A key's image is a BMP file of 80x80
+ * pixels of 24 bits, its panel lying on its side: the file's first row, read
+ * in the order of its bytes, is the key's right column from top to bottom.
+ * It goes in output reports of 1024 bytes:
+ *
+ *     0  02 01     report number, command
+ *     2  page      0, 1, ...
+ *     4  last      1 in the last report of a key, which then changes
+ *     5  key + 1
+ *     16 1008 bytes of the file, zeros after its end
+ *
+ * Brightness and reset are feature reports of 17 bytes. Only keys that
+ * changed since the last picture are sent.
+ *
+ * Sources: Elgato, "Stream Deck Mini Protocol", docs.elgato.com, read 2026;
+ * python-elgato-streamdeck (D. Camera), facts only. Not run on hardware.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/hid/drivers/drivers.h"
+
+enum {
+    KEY_SIDE = 80,
+    COLUMNS = 3,
+    KEYS = 6,
+    REPORT_BYTES = 1024,
+    HEAD_BYTES = 16,
+    PAGE_BYTES = REPORT_BYTES - HEAD_BYTES,
+    BMP_HEAD_BYTES = 54,
+    BMP_BYTES = BMP_HEAD_BYTES + 3 * KEY_SIDE * KEY_SIDE,
+    FEATURE_BYTES = 17
+};
+
+typedef struct mini {
+    uint8_t shown[KEYS][BMP_BYTES];
+    uint8_t next[BMP_BYTES];
+    int known[KEYS]; /* shown[k] is on the key */
+} mini;
+
+static void put_u32(uint8_t *to, uint32_t value) {
+    for (unsigned i = 0; i < 4; i++) {
+        to[i] = (uint8_t)(value >> 8 * i);
+    }
+}
+
+/* BITMAPFILEHEADER and BITMAPINFOHEADER, 72 dots per inch. */
+static void bmp_head(uint8_t *to) {
+    memset(to, 0, BMP_HEAD_BYTES);
+    to[0] = 'B';
+    to[1] = 'M';
+    put_u32(to + 2, BMP_BYTES);
+    put_u32(to + 10, BMP_HEAD_BYTES);
+    put_u32(to + 14, BMP_HEAD_BYTES - 14);
+    put_u32(to + 18, KEY_SIDE);
+    put_u32(to + 22, KEY_SIDE);
+    to[26] = 1;
+    to[28] = 24;
+    put_u32(to + 34, BMP_BYTES - BMP_HEAD_BYTES);
+    put_u32(to + 38, 2835);
+    put_u32(to + 42, 2835);
+}
+
+static void key_image(const picture *p, unsigned key, uint8_t *to) {
+    const unsigned left = key % COLUMNS * KEY_SIDE, top = key / COLUMNS * KEY_SIDE;
+    bmp_head(to);
+    to += BMP_HEAD_BYTES;
+    for (unsigned row = 0; row < KEY_SIDE; row++) {
+        for (unsigned column = 0; column < KEY_SIDE; column++, to += 3) {
+            const unsigned x = left + KEY_SIDE - 1 - row, y = top + column;
+            const uint8_t *rgb = p->rgb + 3 * ((size_t)y * p->width + x);
+            to[0] = rgb[2];
+            to[1] = rgb[1];
+            to[2] = rgb[0];
+        }
+    }
+}
+
+static int send_key(port *to, unsigned key, const uint8_t *image) {
+    for (unsigned page = 0, at = 0; at < BMP_BYTES; page++, at += PAGE_BYTES) {
+        const unsigned left = BMP_BYTES - at;
+        uint8_t report[REPORT_BYTES] = {
+            2, 1, (uint8_t)page, 0, left <= PAGE_BYTES, (uint8_t)(key + 1)};
+        memcpy(report + HEAD_BYTES, image + at, left < PAGE_BYTES ? left : PAGE_BYTES);
+        const int status = port_output(to, report, sizeof report);
+        if (status != PORT_OK) {
+            return status;
+        }
+    }
+    return PORT_OK;
+}
+
+static int mini_show(display *d, const picture *p, fail *f) {
+    mini *m = d->state;
+    (void)f;
+    for (unsigned key = 0; key < KEYS; key++) {
+        key_image(p, key, m->next);
+        if (m->known[key] && memcmp(m->shown[key], m->next, BMP_BYTES) == 0) {
+            continue;
+        }
+        m->known[key] = 0;
+        const int status = send_key(d->port, key, m->next);
+        if (status != PORT_OK) {
+            return display_status(status);
+        }
+        memcpy(m->shown[key], m->next, BMP_BYTES);
+        m->known[key] = 1;
+    }
+    return DISPLAY_OK;
+}
+
+static int mini_brightness(display *d, unsigned percent, fail *f) {
+    const uint8_t report[FEATURE_BYTES] = {0x05, 0x55, 0xAA, 0xD1, 0x01, (uint8_t)percent};
+    (void)f;
+    return display_status(port_feature(d->port, report, sizeof report));
+}
+
+static int mini_release(display *d, fail *f) {
+    const uint8_t report[FEATURE_BYTES] = {0x0B, 0x63};
+    (void)f;
+    return display_status(port_feature(d->port, report, sizeof report));
+}
+
+static int mini_open(display *d, fail *f) {
+    d->width = COLUMNS * KEY_SIDE;
+    d->height = KEYS / COLUMNS * KEY_SIDE;
+    d->state = calloc(1, sizeof(mini));
+    return d->state == NULL ? fail_set(f, NULL, "out of memory; close other programs") : 0;
+}
+
+static void mini_close(display *d) {
+    free(d->state);
+    d->state = NULL;
+}
+
+static const driver_id ids[] = {
+    {0x0FD9, 0x0063, 0}, {0x0FD9, 0x0090, 0}, {0x0FD9, 0x00B3, 0}, {0x0FD9, 0x00B8, 0}, {0, 0, 0}};
+
+const driver driver_streamdeck_mini = {
+    .name = "streamdeck-mini",
+    .about = "Elgato Stream Deck Mini and 6-key module, six keys as 240x160",
+    .ids = ids,
+    .from_notes = 1,
+    .open = mini_open,
+    .show = mini_show,
+    .brightness = mini_brightness,
+    .release = mini_release,
+    .close = mini_close};

@@ -1,0 +1,18 @@
+/* drivers - see drivers.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/hid/drivers/drivers.h"
+
+#include <string.h>
+
+const driver *const drivers[] = {&driver_planelet, &driver_streamdeck_mini, &driver_nova,
+                                 &driver_apex,     &driver_nexus,           NULL};
+
+const driver *driver_named(const char *name) {
+    for (unsigned i = 0; drivers[i] != NULL; i++) {
+        if (strcmp(drivers[i]->name, name) == 0) {
+            return drivers[i];
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,15 @@
+/* drivers - the list of all drivers
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HID_DRIVERS_H
+#define HID_DRIVERS_H
+
+#include "host_tools/hid/device/display.h"
+
+/* All drivers, ended by NULL; the best tested first. */
+extern const driver *const drivers[];
+extern const driver driver_planelet, driver_streamdeck_mini, driver_nova, driver_apex, driver_nexus;
+
+const driver *driver_named(const char *name); /* NULL: there is none */
+
+#endif

@@ -1,0 +1,87 @@
+/* frames_scene - a packed scene, rendered while it is shown
+ *
+ * The camera's position follows the clock: a slow display shows fewer pictures
+ * of the same motion, each the latest.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "host_tools/app/frame.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/app/view.h"
+#include "host_tools/base/clock.h"
+#include "host_tools/hid/sources/frames.h"
+
+typedef struct live {
+    scene scene;
+    plt_frame frame;
+    plt_camera start;
+    double began, orbit; /* seconds; orbit 0: the camera stands still */
+} live;
+
+static int live_next(frames *s, picture *p, fail *f) {
+    live *l = s->state;
+    plt_engine *engine = l->scene.engine;
+    if (l->orbit > 0.0) {
+        view_orbit(&l->start, (clock_seconds() - l->began) / l->orbit, &l->frame.camera);
+    }
+    if (picture_resize(p, l->frame.width, l->frame.height, f) != 0) {
+        return FRAMES_FAILED;
+    }
+    if (plt_render_begin(engine, &l->frame) != PLT_OK) {
+        return fail_set(f, s->path,
+                        "eye and look coincide, or up runs along the view; change "
+                        "--eye, --look or --up");
+    }
+    for (int status = PLT_MORE; status != PLT_OK;) {
+        status = plt_render_step(engine, FRAME_STEP_VISITS);
+        if (status == PLT_TILE) {
+            frame_copy_tile(engine, p);
+        }
+        if (s->from.tick != NULL && s->from.tick(s->from.context)) {
+            return FRAMES_END;
+        }
+    }
+    return FRAMES_ONE;
+}
+
+static void live_close(frames *s) {
+    live *l = s->state;
+    if (l != NULL) {
+        scene_close(&l->scene);
+        free(l);
+    }
+}
+
+static void read_flags(live *l, args *a) {
+    float orbit = 12.0f;
+    l->frame.shader = view_shader(a);
+    if (args_floats(a, "--turn", &orbit, 1) && orbit < 0.0f) {
+        args_complain(a, "--turn takes seconds, 0 or more");
+    }
+    l->orbit = (double)orbit;
+}
+
+int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
+    live *l = calloc(1, sizeof *l);
+    s->next = live_next;
+    s->close = live_close;
+    s->state = l;
+    if (l == NULL || s->from.fd == STDIN_FILENO) {
+        return fail_set(f, s->path,
+                        l == NULL ? "out of memory; close other programs"
+                                  : "a scene is a file; name it");
+    }
+    l->scene.file.file = -1;
+    read_flags(l, a);
+    if (scene_open(&l->scene, a, s->path, f) != 0) {
+        return -1;
+    }
+    l->frame.width = (uint16_t)width;
+    l->frame.height = (uint16_t)height;
+    view_camera(a, plt_engine_info(l->scene.engine), width, height, &l->frame.camera);
+    l->start = l->frame.camera;
+    l->began = clock_seconds();
+    return a->wrong ? -1 : 0;
+}

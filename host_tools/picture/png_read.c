@@ -1,0 +1,150 @@
+/* png_read - a PNG picture of 8 bits per channel, not interlaced
+ *
+ * Grey, colour and palette, with or without alpha, which is laid on black.
+ * Checksums are ignored: a damaged picture shows where it is damaged. The file
+ * is untrusted; every length is checked before it is used.
+ *
+ * Source: W3C, "Portable Network Graphics (PNG) Specification (Third
+ * Edition)", 2025.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/picture/inflate.h"
+#include "host_tools/picture/png.h"
+
+enum { PALETTE = 3 }; /* a colour type */
+
+typedef struct png {
+    const char *name; /* for errors */
+    const uint8_t *file;
+    size_t bytes;
+    uint32_t width, height;
+    unsigned channels, colour; /* samples per pixel; PNG's colour type */
+    uint8_t palette[3 * 256];
+    uint8_t *packed; /* all IDAT chunks together */
+    size_t packed_bytes;
+    uint8_t *rows; /* of each row a filter byte and the samples */
+} png;
+
+static uint32_t u32(const uint8_t *p) {
+    return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | p[3];
+}
+
+static int read_head(png *p, const uint8_t *data, uint32_t bytes, fail *f) {
+    static const unsigned channels[] = {1, 0, 3, 1, 2, 0, 4};
+    if (bytes != 13 || data[8] != 8 || data[9] > 6 || channels[data[9]] == 0 || data[12] != 0) {
+        return fail_set(f, p->name, "only PNG of 8 bits, not interlaced, is read; convert it");
+    }
+    p->width = u32(data);
+    p->height = u32(data + 4);
+    p->colour = data[9];
+    p->channels = channels[data[9]];
+    if (p->width - 1 >= PICTURE_SIDE_MAX || p->height - 1 >= PICTURE_SIDE_MAX) {
+        return fail_set(f, p->name, "%u x %u pixels are too many; make it smaller", p->width,
+                        p->height);
+    }
+    return 0;
+}
+
+static int read_chunk(png *p, const uint8_t *kind, uint32_t bytes, fail *f) {
+    const uint8_t *data = kind + 4;
+    if (memcmp(kind, "IHDR", 4) == 0) {
+        return read_head(p, data, bytes, f);
+    }
+    if (memcmp(kind, "PLTE", 4) == 0) {
+        memcpy(p->palette, data, bytes < sizeof p->palette ? bytes : sizeof p->palette);
+    } else if (memcmp(kind, "IDAT", 4) == 0) {
+        memcpy(p->packed + p->packed_bytes, data, bytes);
+        p->packed_bytes += bytes;
+    }
+    return 0;
+}
+
+static int read_chunks(png *p, fail *f) {
+    size_t at = PNG_SIGNATURE_BYTES;
+    while (p->bytes - at >= 12) {
+        const uint32_t bytes = u32(p->file + at);
+        if (bytes > p->bytes - at - 12) {
+            break;
+        }
+        if (read_chunk(p, p->file + at + 4, bytes, f) != 0) {
+            return -1;
+        }
+        at += 12 + (size_t)bytes;
+    }
+    if (p->width == 0 || p->packed_bytes < 6) {
+        return fail_set(f, p->name, "holds no picture; write it again");
+    }
+    return 0;
+}
+
+/* Section 9: each sample from its left, upper and upper left neighbours. */
+static int unfilter(png *p) {
+    const size_t row = (size_t)p->width * p->channels;
+    for (uint32_t y = 0; y < p->height; y++) {
+        uint8_t *at = p->rows + y * (row + 1) + 1;
+        const uint8_t *up = y > 0 ? at - row - 1 : NULL;
+        for (size_t i = 0; i < row; i++) {
+            const unsigned left = i >= p->channels ? at[i - p->channels] : 0;
+            const unsigned above = up ? up[i] : 0;
+            const unsigned corner = up && i >= p->channels ? up[i - p->channels] : 0;
+            const unsigned guesses[PNG_FILTERS] = {0, left, above, (left + above) / 2,
+                                                   png_paeth((int)left, (int)above, (int)corner)};
+            if (at[-1] >= PNG_FILTERS) {
+                return -1;
+            }
+            at[i] = (uint8_t)(at[i] + guesses[at[-1]]);
+        }
+    }
+    return 0;
+}
+
+static void to_rgb(const png *p, const uint8_t *sample, uint8_t *rgb) {
+    const unsigned alpha = p->colour == 4 ? sample[1] : p->colour == 6 ? sample[3] : 255;
+    for (unsigned c = 0; c < 3; c++) {
+        unsigned v = sample[p->channels >= 3 ? c : 0];
+        if (p->colour == PALETTE) {
+            v = p->palette[3 * sample[0] + c];
+        }
+        rgb[c] = (uint8_t)((v * alpha + 127) / 255);
+    }
+}
+
+static int decode(png *p, picture *to, fail *f) {
+    const size_t row = (size_t)p->width * p->channels + 1, all = row * p->height;
+    p->rows = malloc(all);
+    if (p->rows == NULL) {
+        return fail_set(f, p->name, "too large for memory; make it smaller");
+    }
+    /* Two bytes of zlib's head stand before the packed data. */
+    if (inflate_bytes(p->packed + 2, p->packed_bytes - 2, p->rows, all) != all ||
+        unfilter(p) != 0) {
+        return fail_set(f, p->name, "is damaged or ends too early; write it again");
+    }
+    if (picture_resize(to, p->width, p->height, f) != 0) {
+        return -1;
+    }
+    for (uint32_t y = 0; y < p->height; y++) {
+        for (uint32_t x = 0; x < p->width; x++) {
+            to_rgb(p, p->rows + y * row + 1 + (size_t)x * p->channels,
+                   to->rgb + 3 * ((size_t)y * p->width + x));
+        }
+    }
+    return 0;
+}
+
+int png_read(picture *to, const uint8_t *file, size_t bytes, const char *name, fail *f) {
+    png p = {.name = name, .file = file, .bytes = bytes};
+    if (bytes < 33 || memcmp(file, png_signature, sizeof png_signature) != 0) {
+        return fail_set(f, name, "is no PNG picture; convert it to one");
+    }
+    p.packed = malloc(bytes);
+    const int status = p.packed == NULL ? fail_set(f, name, "too large for memory; make it smaller")
+                       : read_chunks(&p, f) != 0 ? -1
+                                                 : decode(&p, to, f);
+    free(p.rows);
+    free(p.packed);
+    return status;
+}
