@@ -141,23 +141,17 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     } else { /* a scene of one triangle has it twice */
         exact[0] = exact[1] = p.tight;
     }
-    plt_block_range range[2] = {
-        {p.first, p.count > 1 ? middle - p.first : 1, exact[0], exact[0], 0, 0, 0},
-        {middle, p.first + p.count - middle, exact[1], exact[1], 0, 0, 0}};
-    if (exact[0].lo[0] > exact[1].lo[0]) { /* the right child owns xmin */
-        const plt_block_range t = range[0];
-        range[0] = range[1];
-        range[1] = t;
-    }
-    const plt_lattice_box ordered[2] = {range[0].tight, range[1].tight};
-    encode_planes(node, &p.box, ordered);
+    const uint32_t first[2] = {p.first, middle};
+    const uint32_t count[2] = {p.count > 1 ? middle - p.first : 1, p.first + p.count - middle};
+    const uint32_t left = exact[0].lo[0] > exact[1].lo[0]; /* the right child owns xmin */
+    const plt_lattice_box tight[2] = {exact[left], exact[left ^ 1]};
+    encode_planes(node, &p.box, tight);
     plt_block_apply(&p.box, node->plane, node->owners, decoded);
-    for (int c = 0; c < 2; c++) {
-        range[c].box = decoded[c];
-        range[c].depth = (uint16_t)(p.depth + 1);
-        range[c].parent = (uint8_t)index;
-        range[c].child = (uint8_t)c;
-        set_child(s, &range[c], index, c);
+    for (uint32_t c = 0; c < 2; c++) {
+        const plt_block_range range = {first[left ^ c], count[left ^ c],         decoded[c],
+                                       tight[c],        (uint16_t)(p.depth + 1), (uint8_t)index,
+                                       (uint8_t)c};
+        set_child(s, &range, index, (int)c);
     }
 }
 

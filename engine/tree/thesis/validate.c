@@ -168,9 +168,13 @@ int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info
     return status;
 }
 
+static uint32_t plane_offset(const plt_header *header, uint32_t node, uint32_t plane) {
+    return plt_header_section(header, PLT_SECTION_NODES)->offset + node * PLT_NODE_BYTES +
+           4 * plane;
+}
+
 int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault) {
     const plt_info *info = &header->info;
-    const plt_section *section = plt_header_section(header, PLT_SECTION_NODES);
     for (uint32_t i = 0; i < info->node_slots; i++) {
         for (int k = 0; k < 6; k++) {
             const float plane = plt_get_float(&nodes[i].word[k]);
@@ -178,7 +182,7 @@ int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fau
             const int inside = /* false for NaN */
                 plane >= info->lo[axis] && plane <= info->hi[axis];
             if (!inside && plane != 0.0f) {
-                return plt_broken(fault, 6, section->offset + i * PLT_NODE_BYTES + 4 * (uint32_t)k,
+                return plt_broken(fault, 6, plane_offset(header, i, (uint32_t)k),
                                   "a plane lies outside the scene's box");
             }
         }
@@ -186,10 +190,15 @@ int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fau
     return PLT_OK;
 }
 
-/* Where item `item` of a section lies in the image. */
-static uint32_t offset_in(const plt_header *header, uint32_t kind, uint32_t item,
-                          uint32_t item_bytes) {
-    return plt_header_section(header, kind)->offset + item * item_bytes;
+/* Where in the image that is which plt_tree_validate found fault with. */
+static uint32_t fault_offset(const plt_header *header, const plt_fault *fault) {
+    if (fault->offset == PLT_AT_ROOT_LINK) {
+        return PLT_AT_ROOT;
+    }
+    const int in_node = fault->rule <= 2;
+    const uint32_t kind = in_node ? PLT_SECTION_NODES : PLT_SECTION_TRIANGLES;
+    return plt_header_section(header, kind)->offset +
+           fault->offset * (in_node ? PLT_NODE_BYTES : PLT_RECORD_BYTES);
 }
 
 static int same_counts(const plt_info *a, const plt_info *b) {
@@ -208,12 +217,8 @@ int plt_tree_validate_counts(const plt_header *header, const plt_tree *tree,
         return plt_broken(fault, 4, PLT_AT_ROOT, "there are triangles but no tree");
     }
     const int status = plt_tree_validate(tree, levels, &found, fault);
-    if (status == PLT_ERR_IMAGE && fault->offset == PLT_AT_ROOT_LINK) {
-        fault->offset = PLT_AT_ROOT;
-    } else if (status == PLT_ERR_IMAGE && fault->rule <= 2) {
-        fault->offset = offset_in(header, PLT_SECTION_NODES, fault->offset, PLT_NODE_BYTES);
-    } else if (status == PLT_ERR_IMAGE) {
-        fault->offset = offset_in(header, PLT_SECTION_TRIANGLES, fault->offset, PLT_RECORD_BYTES);
+    if (status == PLT_ERR_IMAGE) {
+        fault->offset = fault_offset(header, fault);
     }
     if (status == PLT_OK && !same_counts(&header->info, &found)) {
         return plt_broken(fault, 8, PLT_AT_COUNTS + 4, "the header's counts are not the tree's");
