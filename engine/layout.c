@@ -59,11 +59,14 @@ static uint64_t validation_bytes(const subject *s) {
 }
 
 static uint64_t builder_bytes(const subject *s) {
-#if PLT_WITH_BUILDER
-    if (s->builds) {
-        return s->format == PLT_FORMAT_THESIS
-                   ? plt_build_scratch_bytes(s->tree->nodes, s->info->treelet_nodes)
-                   : plt_compact_build_bytes(s->info->triangles);
+#if PLT_WITH_BUILDER && PLT_WITH_THESIS
+    if (s->builds && s->format == PLT_FORMAT_THESIS) {
+        return plt_build_scratch_bytes(s->tree->nodes, s->info->treelet_nodes);
+    }
+#endif
+#if PLT_WITH_BUILDER && PLT_WITH_COMPACT
+    if (s->builds && s->format == PLT_FORMAT_COMPACT) {
+        return plt_compact_build_bytes(s->info->triangles);
     }
 #endif
     (void)s;

@@ -1,7 +1,7 @@
 /* planelet_config - every knob of the engine: unit, range, default, cost
  *
  * Set a knob with -DPLT_NAME=value; a value out of range does not compile.
- * The cost is what one more unit takes of the arena, unless said otherwise.
+ * The cost is what one more takes of the arena, unless said otherwise.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLANELET_CONFIG_H

@@ -34,8 +34,10 @@ typedef struct plt_build_job {
     plt_box box;
 } plt_build_job;
 
-/* Most inner nodes that `count` triangles can take. */
-uint32_t plt_build_nodes_bound(uint32_t count);
+/* Most inner nodes that `count` triangles can take: n - 1 less one intermediate node. */
+static inline uint32_t plt_build_nodes_bound(uint32_t count) {
+    return count < 3 ? 0 : count - 2;
+}
 
 /* Most node slots of `nodes` nodes in treelets of `treelet_nodes`. */
 uint32_t plt_build_slots_bound(uint32_t nodes, uint32_t treelet_nodes);
