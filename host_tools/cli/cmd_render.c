@@ -15,7 +15,8 @@
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/picture_file.h"
+#include "host_tools/picture/terminal.h"
 
 static const arg_flag flags[] = {
     {"-o", "OUT",

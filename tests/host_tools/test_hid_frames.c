@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "host_tools/hid/sources/frames.h"
+#include "host_tools/picture/picture_file.h"
 #include "tests/hid/pattern.h"
 #include "tests/test.h"
 

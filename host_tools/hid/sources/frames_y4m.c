@@ -11,6 +11,7 @@
  * Sources: yuv4mpeg(5), MJPEG tools; ITU-R BT.601-7, 2011.
  *
  * SPDX-License-Identifier: MIT */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
