@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_kinds.h"
 
 enum { HEAD_BYTES = 512, PERIOD_MOST = 60 }; /* seconds */
 
