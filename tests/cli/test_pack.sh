@@ -58,7 +58,7 @@ triangles of the mesh|$triangles|$(triangles "$1")
 K|$leaf_triangles|$3
 N|$treelet_nodes|$4
 size of the file|$image_bytes|$(wc -c <"$2")
-tree: 32 bytes a slot|$tree_bytes|$((32 * node_slots))
+tree: 32 bytes per slot|$tree_bytes|$((32 * node_slots))
 geometry: 40 bytes per triangle|$geometry_bytes|$((40 * triangles))
 children of n nodes|$((leaf_lists + intermediate_lists))|$((nodes + 1))
 free slots|$slot_overhead_bytes|$((32 * (node_slots - nodes)))
