@@ -69,7 +69,7 @@ $(OUT)/libcount.so: board/tools/count.c
 $(OUT)/flags: FORCE
 	$(call remember,$(COMMAND))
 
-##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: its frames, as a host receives them
+##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: frames, as a host gets them
 ifeq ($(PROGRAM),wired)
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all

@@ -12,8 +12,8 @@
 
 typedef struct scene {
     host_scene file;
-    plt_options options;
-    plt_engine *engine; /* NULL: not opened */
+    plt_options options; /* by the flags; count_touched by the command, before scene_attach */
+    plt_engine *engine;  /* NULL: not opened */
     size_t arena_bytes;
 } scene;
 

@@ -9,6 +9,7 @@
 #include "engine/tree/thesis/node.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/base/fail.h"
+#include "host_tools/cli/arena_parts.h"
 #include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
 
@@ -21,7 +22,9 @@ static const arg_flag flags[] = {
 const arg_command command_info = {
     .name = "info",
     .synopsis = "SCENE.plt [--json]",
-    .about = "Says what a scene image holds, its bytes per triangle, and the arena it needs.",
+    .about =
+        "Says what a scene image holds, its bytes per triangle, and the arena it needs, part "
+        "by part.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -73,7 +76,7 @@ static void print_parts_json(const plt_info *i, const derived *d) {
     printf("\n  }");
 }
 
-static void print_json(const plt_info *i, const derived *d) {
+static void print_json(const plt_info *i, const plt_options *o, const derived *d) {
     printf("{\n  \"triangles\": %" PRIu32 ",\n  \"nodes\": %" PRIu32 ",\n  \"node_slots\": %" PRIu32
            ",\n  \"leaf_lists\": %" PRIu32 ",\n  \"intermediate_lists\": %" PRIu32
            ",\n  \"treelets\": %" PRIu32 ",\n  \"treelet_nodes\": %" PRIu32
@@ -96,9 +99,11 @@ static void print_json(const plt_info *i, const derived *d) {
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
            ",\n  \"depth_stack_entries\": %" PRIu32
            ",\n  \"arena_bytes_needed\": %zu,\n"
-           "  \"arena_bytes_needed_fetched\": %zu,\n",
+           "  \"arena_bytes_needed_fetched\": %zu,\n  \"arena_parts\": ",
            i->local_stack_entries, i->global_stack_entries, i->depth_stack_entries, d->arena_mapped,
            d->arena_fetched);
+    arena_parts_print_json(i, 1, o);
+    printf(",\n");
     if (i->triangles > 0) {
         printf("  \"lo\": [%.9g, %.9g, %.9g],\n  \"hi\": [%.9g, %.9g, %.9g]", (double)i->lo[0],
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
@@ -135,7 +140,7 @@ static void print_stacks(const plt_info *i) {
     putchar('\n');
 }
 
-static void print_text(const plt_info *i, const derived *d) {
+static void print_text(const plt_info *i, const plt_options *o, const derived *d) {
     printf("triangles          %" PRIu32 "\n", i->triangles);
     if (i->triangles > 0) {
         printf("box                (%g, %g, %g) to (%g, %g, %g)\n", (double)i->lo[0],
@@ -173,8 +178,9 @@ static void print_text(const plt_info *i, const derived *d) {
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);
     printf("arena needed       %zu bytes%s\n", d->arena_mapped,
            i->build == PLT_BUILD_DEVICE ? " for the worst tree" : " when the image is mapped");
+    arena_parts_print(i, 1, o);
     if (i->build != PLT_BUILD_DEVICE) {
-        printf("                   %zu bytes when it is fetched\n", d->arena_fetched);
+        printf("arena if fetched   %zu bytes\n", d->arena_fetched);
     }
 }
 
@@ -209,7 +215,8 @@ int run_info(args *a) {
         if (d.has_parts) {
             breakdown_count(s.engine, &d.parts);
         }
-        args_has(a, "--json") ? print_json(&info, &d) : print_text(&info, &d);
+        args_has(a, "--json") ? print_json(&info, &s.options, &d)
+                              : print_text(&info, &s.options, &d);
     }
     scene_close(&s);
     if (a->wrong) {

@@ -13,6 +13,7 @@
 #include "host_tools/cli/commands.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/mesh/reduce.h"
+#include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
 
 static const arg_flag flags[] = {

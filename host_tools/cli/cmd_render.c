@@ -15,7 +15,8 @@
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/picture_file.h"
+#include "host_tools/picture/terminal.h"
 
 static const arg_flag flags[] = {
     {"-o", "OUT",
@@ -27,7 +28,8 @@ static const arg_flag flags[] = {
      "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
      "default eyelight"},
     {"--orbit", "N", "a film: N frames once around the scene, 25 per second"},
-    {"--json", "STATS", "write statistics; - is standard output"},
+    {"--json", "STATS",
+     "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
@@ -199,6 +201,7 @@ static void read_flags(rendering *r, args *a) {
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     r->out = args_text(a, "-o", NULL);
     r->json = args_text(a, "--json", NULL);
+    r->s.options.count_touched = r->json != NULL;
     if (!a->wrong) {
         choose_format(r, a);
     }

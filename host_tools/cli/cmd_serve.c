@@ -12,6 +12,8 @@
 #include "host_tools/cli/commands.h"
 #include "host_tools/link/emulated.h"
 #include "host_tools/link/serve.h"
+#include "host_tools/picture/picture_file.h"
+#include "host_tools/picture/terminal.h"
 
 static const arg_flag flags[] = {
     {"--pty", NULL, "the device opens a pseudo terminal, whose name is printed"},

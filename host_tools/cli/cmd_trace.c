@@ -24,7 +24,8 @@ enum { RAYS_PER_BATCH = 65536 }; /* a whole number of packets of every size */
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
     {"--repeat", "N", "trace N times, report the best time (default 1)"},
-    {"--json", "STATS", "write statistics; - is standard output"},
+    {"--json", "STATS",
+     "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
@@ -167,6 +168,7 @@ int run_trace(args *a) {
         args_complain(a, "HITS and --json need two different files");
     }
     tracing t = {.s = SCENE_CLOSED};
+    t.s.options.count_touched = json != NULL;
     fail f = {""};
     int status = a->wrong ? -1 : open_all(&t, a, json, &f);
     if (status == 0) {

@@ -12,7 +12,8 @@
 #include "host_tools/hid/commands.h"
 #include "host_tools/hid/device/session.h"
 #include "host_tools/hid/drivers/drivers.h"
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_kinds.h"
+#include "host_tools/hid/sources/frames_open.h"
 #include "host_tools/hid/statistics.h"
 #include "platform/wire/wire_tile.h"
 

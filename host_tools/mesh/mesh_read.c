@@ -1,65 +1,16 @@
-/* mesh_read - finds the reader for a file, by content, then by name
+/* mesh_read - a mesh, or a recipe of meshes, from a file
  *
  * SPDX-License-Identifier: MIT */
-#include <string.h>
-#include <strings.h>
-
-#include "host_tools/mesh/readers.h"
-
-static int has_ending(const char *path, const char *ending) {
-    const size_t length = strlen(path), tail = strlen(ending);
-    return length >= tail && strcasecmp(path + length - tail, ending) == 0;
-}
-
-static int is_recipe(const input *in) {
-    return has_ending(in->path, ".txt") && !ply_is(in) && !stl_is(in);
-}
-
-static int read_single(mesh *m, const input *in, mesh_repair *repair, fail *f) {
-    if (ply_is(in)) {
-        return ply_read(m, in, repair, f);
-    }
-    if (stl_is(in) || has_ending(in->path, ".stl")) {
-        return stl_read(m, in, repair, f);
-    }
-    if (has_ending(in->path, ".ply")) {
-        return ply_read(m, in, repair, f);
-    }
-    if (has_ending(in->path, ".obj") || obj_is(in)) {
-        return obj_read(m, in, repair, f);
-    }
-    return fail_set(f, in->path, "is neither PLY nor OBJ nor STL, and no .txt recipe; convert it");
-}
-
-static int open_path(input *in, const char *path, fail *f) {
-    if (input_read(in, path, f) != 0) {
-        return -1;
-    }
-    if (strcmp(path, "-") == 0) {
-        in->path = "standard input";
-    }
-    return 0;
-}
+#include "host_tools/mesh/mesh_single.h"
+#include "host_tools/mesh/recipe.h"
 
 int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair, fail *f) {
     input in;
-    if (open_path(&in, path, f) != 0) {
+    if (mesh_open(&in, path, f) != 0) {
         return -1;
     }
-    const int result =
-        is_recipe(&in) ? recipe_read(m, &in, frame, repair, f) : read_single(m, &in, repair, f);
-    input_free(&in);
-    return result;
-}
-
-int mesh_read_single(mesh *m, const char *path, mesh_repair *repair, fail *f) {
-    input in;
-    if (open_path(&in, path, f) != 0) {
-        return -1;
-    }
-    const int result = is_recipe(&in)
-                           ? fail_set(f, path, "is a recipe inside a recipe; write its lines there")
-                           : read_single(m, &in, repair, f);
+    const int result = mesh_is_recipe(&in) ? recipe_read(m, &in, frame, repair, f)
+                                           : mesh_read_bytes(m, &in, repair, f);
     input_free(&in);
     return result;
 }

@@ -18,10 +18,4 @@ int obj_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
 int stl_is(const input *in);
 int stl_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
 
-/* Reads the meshes of a recipe through `mesh_read_single`. */
-int recipe_read(mesh *m, const input *in, unsigned frame, mesh_repair *repair, fail *f);
-
-/* As `mesh_read`, but refuses recipes. */
-int mesh_read_single(mesh *m, const char *path, mesh_repair *repair, fail *f);
-
 #endif

@@ -7,13 +7,15 @@
  * (frame + START) modulo N is read. `placement.h` says what the numbers do.
  *
  * SPDX-License-Identifier: MIT */
+#include "host_tools/mesh/recipe.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/mesh/mesh_single.h"
 #include "host_tools/mesh/placement.h"
-#include "host_tools/mesh/readers.h"
 #include "host_tools/mesh/scan.h"
 
 enum { FRAMES_MAX = 1000, FRAME_DIGITS_BYTES = 16 };

@@ -1,9 +1,9 @@
-/* lattice_boxes - boxes on the lattice around triangles that stay where they are
+/* lattice_boxes - see lattice_boxes.h
  *
  * SPDX-License-Identifier: MIT */
-#include <math.h>
+#include "host_tools/pack/lattice_boxes.h"
 
-#include "host_tools/pack/lattice_parts.h"
+#include <math.h>
 
 /* The coordinate whose float is the last one not above `x`, or the first not below. */
 static uint32_t round_outwards(const plt_lattice *l, int axis, float x, int up) {
@@ -30,11 +30,11 @@ static void add_box(snapped *s, const mesh *m, size_t i) {
         p[0].q[a] = round_outwards(&s->lattice, a, lo, 0);
         p[1].q[a] = round_outwards(&s->lattice, a, hi, 1);
     }
-    lattice_add(s, p, 2, (uint32_t)i);
+    snapped_add(s, p, 2, (uint32_t)i);
 }
 
 int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
-    if (lattice_begin(s, m, bits, 2, name, f) != 0) {
+    if (snapped_begin(s, m, bits, 2, name, f) != 0) {
         return -1;
     }
     for (size_t i = 0; i < m->triangles; i++) {

@@ -8,11 +8,13 @@
  * each move leaves fewer lines than before. What was a line in the mesh stays one.
  *
  * SPDX-License-Identifier: MIT */
+#include "host_tools/pack/lattice_mend.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "host_tools/pack/lattice_parts.h"
+#include "host_tools/pack/lattice_area.h"
 
 enum { AREA, LINE, POINT }; /* POINT: also of two, or a line in the mesh */
 

@@ -1,12 +1,15 @@
-/* lattice_snap - a mesh moved onto the lattice, and what that cost
+/* lattice_snap - see lattice_snap.h; and what the move cost
  *
  * SPDX-License-Identifier: MIT */
+#include "host_tools/pack/lattice_snap.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "engine/tree/canonical.h"
-#include "host_tools/pack/lattice_parts.h"
+#include "host_tools/pack/lattice_area.h"
+#include "host_tools/pack/lattice_mend.h"
 
 static lattice_position snap(const snapped *s, const float p[3]) {
     const uint32_t most = (1u << s->lattice.bits) - 1u;
@@ -38,7 +41,7 @@ static void add_if_area(snapped *s, const mesh *m, const lattice_position *moved
         return;
     }
     s->rotation[s->count] = rotation_of(p);
-    lattice_add(s, p, 3, (uint32_t)i);
+    snapped_add(s, p, 3, (uint32_t)i);
 }
 
 /* Counts positions, before or after: sorts keys and steps over equals. */
@@ -105,7 +108,7 @@ static void snap_all(const snapped *s, const mesh *m, lattice_position *moved) {
 }
 
 int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
-    if (lattice_begin(s, m, bits, 3, name, f) != 0) {
+    if (snapped_begin(s, m, bits, 3, name, f) != 0) {
         return -1;
     }
     s->rotation = malloc(m->triangles + 1);

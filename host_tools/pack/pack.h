@@ -10,7 +10,7 @@
 #include "host_tools/base/fail.h"
 #include "host_tools/base/output.h"
 #include "host_tools/mesh/mesh.h"
-#include "host_tools/pack/lattice.h"
+#include "host_tools/pack/snapped.h"
 
 typedef struct pack_options {
     uint8_t splits;          /* enum plt_splits */

@@ -14,7 +14,8 @@
 #include "engine/planelet_crc32.h"
 #include "engine/tree/compact/block.h"
 #include "engine/tree/primitive_id.h"
-#include "host_tools/pack/lattice.h"
+#include "host_tools/pack/lattice_boxes.h"
+#include "host_tools/pack/lattice_snap.h"
 #include "host_tools/pack/pack.h"
 
 typedef struct compacting {
@@ -208,7 +209,7 @@ int pack_compact(packed *image, const mesh *m, const compact_options *options, c
         status = assemble(&c, image, f);
     }
     *loss = c.s.loss;
-    lattice_free(&c.s);
+    snapped_free(&c.s);
     free(c.blocks);
     free(c.order);
     return status;

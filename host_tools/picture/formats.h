@@ -1,10 +1,11 @@
-/* formats - what picture.c knows of each file format's writer
+/* formats - what picture_file.c knows of each file format's writer
  *
  * All return -1 with `f` set; `o` stays open and is the caller's to abandon.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef FORMATS_H
 #define FORMATS_H
+#include "host_tools/base/output.h"
 #include "host_tools/picture/picture.h"
 
 int png_frame(output *o, const picture *p, fail *f);

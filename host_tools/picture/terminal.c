@@ -1,4 +1,4 @@
-/* terminal - a picture in character cells
+/* terminal - see terminal.h
  *
  * A cell shows two pixels, one above the other: U+2580 (upper half block)
  * in the colour of the upper on the colour of the lower. A colour is sent
@@ -8,6 +8,8 @@
  * https://no-color.org, 2017.
  *
  * SPDX-License-Identifier: MIT */
+#include "host_tools/picture/terminal.h"
+
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -17,7 +19,6 @@
 
 #include "host_tools/base/temporary.h"
 #include "host_tools/picture/fit.h"
-#include "host_tools/picture/picture.h"
 
 #define CELLS_MAX 10000
 

@@ -52,7 +52,7 @@ enum wire_type {
 enum wire_state { WIRE_IS_DOWN, WIRE_IS_ASKING, WIRE_IS_UP };
 
 /* Of the message that ends a frame: body, and body with its head. */
-enum { WIRE_END_BODY = 9, WIRE_END_BYTES = 11 };
+enum { WIRE_FRAME_END_BODY = 9, WIRE_FRAME_END_BYTES = 11 };
 
 /* Numbers of frames go round: 0 .. 5. */
 enum { WIRE_NUMBERS = 6 };

@@ -101,7 +101,7 @@ static int is_again(const wire_frames_in *in, unsigned number) {
 void wire_frames_in_end(wire_frames_in *in, const uint8_t *body) {
     const unsigned number = body[0];
     if (number >= WIRE_NUMBERS) {
-        return; /* no sender numbers a frame so: nobody waits for an answer */
+        return; /* no sender uses that number: nobody waits for an answer */
     }
     if (!is_again(in, number)) {
         enter_frame(in, number);

@@ -136,17 +136,17 @@ void wire_frames_out_left(wire_frames_out *out, uint32_t number) {
 }
 
 int wire_put_end(wire_frames_out *out, unsigned number) {
-    if (wire_queue_room(&out->queue) < WIRE_END_BYTES) {
+    if (wire_queue_room(&out->queue) < WIRE_FRAME_END_BYTES) {
         return 0;
     }
     uint8_t *to = out->queue.bytes + out->queue.used;
-    to += wire_head_put(to, WIRE_FRAME_END, WIRE_END_BODY);
+    to += wire_head_put(to, WIRE_FRAME_END, WIRE_FRAME_END_BODY);
     to[0] = (uint8_t)number;
     to[1] = out->is_whole;
     wire_put16(to + 2, out->sent);
     wire_put32(to + 4, out->crc);
     to[8] = out->mark;
-    out->queue.used = (uint16_t)(out->queue.used + WIRE_END_BYTES);
+    out->queue.used = (uint16_t)(out->queue.used + WIRE_FRAME_END_BYTES);
     return 1;
 }
 

@@ -14,7 +14,7 @@ enum stage { IN_TYPE, IN_LOW, IN_LENGTH, IN_LENGTH2, IN_HEAD, IN_BODY };
 /* ---- data messages, as their bytes come ----------------------------------------------- */
 
 static uint32_t head_bytes(unsigned type) {
-    return type == WIRE_FRAME_END    ? WIRE_END_BODY
+    return type == WIRE_FRAME_END    ? WIRE_FRAME_END_BODY
            : type == WIRE_SCENE_DATA ? 4
            : type == WIRE_BLOCK_DATA ? 5
                                      : 0;

@@ -58,7 +58,7 @@ static int append(wire_frames_out *out, const wire_piece *p, const uint8_t *old,
     uint8_t *to = out->queue.bytes + out->queue.used;
     const uint32_t raw = p->row_bytes * p->shape.height;
     unsigned coder;
-    if (room < raw + 4 + WIRE_END_BYTES) {
+    if (room < raw + 4 + WIRE_FRAME_END_BYTES) {
         return 0;
     }
     const uint32_t bytes = wire_tile_encode(p->shape, out->pixels, old, near, to + 4, raw, &coder);

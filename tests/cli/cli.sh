@@ -97,15 +97,29 @@ number() {
 }
 
 # flat_json FILE NAME...: trouble, unless FILE is one flat JSON object, a member
-# a line, no name twice, and each NAME is there with a number.
+# per line, no name twice, and each NAME is there with a number. A member may also be a
+# list of flat objects, one per line.
 flat_json() {
     file=$1
     shift
-    awk '
+    awk -v pair='"[a-z_]+": (-?[0-9]+|"[^"]*")' '
         NR == 1 { if ($0 != "{") print "begins with " $0; next }
         ended { print "goes on after the end: " $0 }
+        list && /^  \],?$/ {
+            if (comma && NR > list + 1) print "a comma before the end of a list"
+            list = 0
+            comma = /,$/
+            next
+        }
+        list {
+            if (!comma) print "no comma before line " NR
+            if ($0 !~ "^    \\{" pair "(, " pair ")*\\},?$") print "no flat object: " $0
+            comma = /,$/
+            next
+        }
         $0 == "}" { ended = 1; if (comma) print "a comma before the end"; next }
         NR > 2 && !comma { print "no comma before line " NR }
+        /^  "[a-z_]+": \[$/ { list = NR; comma = 1; if (seen[$1]++) print "twice: " $1; next }
         !/^  "[a-z_]+": (-?[0-9]+(\.[0-9]+)?(e[-+][0-9]+)?|"[^"\\]*"|null|\[[-+.e0-9, ]+\]),?$/ {
             print "no member: " $0
         }
@@ -114,6 +128,14 @@ flat_json() {
     for name in "$@"; do
         [ -n "$(number "$name" <"$file")" ] || echo "no number '$name'"
     done
+}
+
+# touched_bytes: what counting touched treelets of thesis nodes adds to an arena: a bit for
+# each, in whole words and 16 bytes. The JSON of info is on standard input.
+touched_bytes() {
+    cat >touched.json
+    words=$(($(number node_slots <touched.json) / $(number treelet_nodes <touched.json) / 32 + 1))
+    echo $(((4 * words + 15) / 16 * 16))
 }
 
 # same FILE FILE SENTENCE

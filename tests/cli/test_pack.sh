@@ -58,7 +58,7 @@ triangles of the mesh|$triangles|$(triangles "$1")
 K|$leaf_triangles|$3
 N|$treelet_nodes|$4
 size of the file|$image_bytes|$(wc -c <"$2")
-tree: 32 bytes a slot|$tree_bytes|$((32 * node_slots))
+tree: 32 bytes per slot|$tree_bytes|$((32 * node_slots))
 geometry: 40 bytes per triangle|$geometry_bytes|$((40 * triangles))
 children of n nodes|$((leaf_lists + intermediate_lists))|$((nodes + 1))
 free slots|$slot_overhead_bytes|$((32 * (node_slots - nodes)))
@@ -125,6 +125,60 @@ verdict "info without --json says the same" "$(
         $arena_bytes_needed_fetched $depth_stack_entries $global_stack_entries; do
         grep -q "[^0-9.]$value\([^0-9]\|$\)" out || echo "not a word of $value"
     done)"
+
+# ---- the parts of the arena --------------------------------------------------
+
+# parts: "LIFETIME BYTES NAME" of every part in the JSON of info, file `info.json`.
+parts() {
+    sed -n 's/^    {"name": "\(.*\)", "bytes": \([0-9]*\), "lifetime": "\(.*\)"},*$/\3 \2 \1/p' \
+        info.json
+}
+
+# check_parts IMAGE LEAST "LIFETIME..." [FLAG...]: trouble, unless there are so many parts of
+# these lifetimes, which make up the need as planelet.h says, and the text has all of them.
+check_parts() {
+    image=$1 least=$2 lifetimes=$3
+    shift 3
+    run info "$image" --json "$@"
+    cat err
+    cp out info.json
+    parts >parts
+    [ "$(wc -l <parts)" -ge "$least" ] || cat parts
+    [ "$(cut -d ' ' -f 1 parts | sort -u | tr '\n' ' ')" = "$lifetimes " ] || cat parts
+    awk -v need="$(number arena_bytes_needed <info.json)" '
+        $2 == 0 { print "of 0 bytes: " $0 }
+        { sum[$1] += $2; name = $0; sub(/^[a-z]* [0-9]* /, "", name) }
+        seen[name]++ { print "twice: " name }
+        END {
+            most = sum["runs"] + 0
+            if (sum["builds"] > most) most = sum["builds"]
+            if (sum["validates"] > most) most = sum["validates"]
+            if (sum["stays"] + most != need) print sum["stays"] + most " is not " need
+        }' parts
+    run info "$image" "$@"
+    sed -n '/^arena needed/,/^arena if/p' out | grep '^  ' >lines
+    [ "$(wc -l <lines)" -eq "$(wc -l <parts)" ] || cat lines
+    [ "$(grep -c 'given back$' lines)" -eq "$(grep -c '^[vb]' parts)" ] || cat lines
+    while read -r lifetime bytes name; do
+        grep -q "^  $name  *$bytes bytes" lines || echo "the text has no $name of $bytes bytes"
+    done <parts
+}
+
+run pack small.ply -o compact.plt --nodes compact --geometry lattice:14
+run pack small.ply -o compact_device.plt --nodes compact --geometry lattice:14 --build device
+run pack small.ply -o roomy_device.plt --build device --leaf 1 --treelet 10000
+for packet in 2 16; do
+    flags="--packet $packet"
+    # shellcheck disable=SC2086
+    verdict "info $flags: the parts of an arena add up to what is needed" "$(
+        check_parts default.plt 5 'runs stays validates' $flags
+        check_parts default.plt 6 'runs stays validates' $flags --walk two-stage
+        check_parts none.plt 5 'runs stays validates' $flags
+        check_parts compact.plt 6 'runs stays validates' $flags
+        check_parts device.plt 8 'builds runs stays validates' $flags
+        check_parts roomy_device.plt 8 'builds runs stays validates' $flags
+        check_parts compact_device.plt 8 'builds runs stays validates' $flags)"
+done
 verdict "larger packets need larger arenas" "$(
     before=0
     for packet in 2 4 8 16; do

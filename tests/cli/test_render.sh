@@ -194,10 +194,19 @@ for build in host device none; do
 done
 run info knot.plt --json
 need=$(number arena_bytes_needed <out)
-works "render in the arena that info says" render knot.plt --size 16x12 --json - --arena "$need"
-verdict "... the same frame, and the arena is used up" "$(
+counting=$((need + $(touched_bytes <out)))
+works "render in the arena that info says" render knot.plt -o fits.ppm --size 16x12 \
+    --arena "$need"
+same fits.ppm small.ppm "... the same picture"
+refused "statistics need a bit per treelet more" knot.plt "needs an arena of $counting bytes" \
+    render knot.plt --size 16x12 --json - --arena "$((counting - 1))"
+works "render --json in the arena for that" render knot.plt --size 16x12 --json - \
+    --arena "$counting"
+verdict "... the same frame, touched treelets are counted, and the arena is used up" "$(
     hash_of out | diff expected -
-    [ "$(number arena_bytes <out) $(number arena_peak_bytes <out)" = "$need $need" ] || cat out)"
+    [ "$(number bytes_touched_once <out)" -gt 0 ] || echo "nothing touched"
+    [ "$(number arena_bytes <out) $(number arena_peak_bytes <out)" = "$counting $counting" ] ||
+        cat out)"
 refused "render with a byte less says the bytes" knot.plt "needs an arena of $need bytes" \
     render knot.plt -o x.png --arena $((need - 1))
 for name in twice.png twice.ppm twice.y4m; do

@@ -167,7 +167,10 @@ END
     [ "$bytes_fetched" -ge "$bytes_touched_once" ] || echo "more touched than fetched"
     [ "$treelet_fetches" -gt 0 ] || echo "no treelet"
     run info knot.plt --json
-    [ "$arena_peak_bytes" = "$(number arena_bytes_needed <out)" ] || echo "the peak is another")"
+    [ "$bytes_touched_once" -gt 0 ] || echo "nothing touched"
+    [ "$bytes_touched_once" -le "$(number tree_bytes <out)" ] || echo "more than the tree"
+    need=$(number arena_bytes_needed <out)
+    [ "$arena_peak_bytes" = "$((need + $(touched_bytes <out)))" ] || echo "the peak is another")"
 verdict "a packet size counts packets of that size" "$(
     for packet in 2:250 4:63 8:16 16:4; do
         run trace knot.plt mixed hit --json - --packet "${packet%:*}"

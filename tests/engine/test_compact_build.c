@@ -7,6 +7,7 @@
 #include "engine/builder/blocks.h"
 #include "engine/engine.h"
 #include "engine/scene/worst_tree.h"
+#include "host_tools/pack/lattice_snap.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/compact_check.h"
 #include "tests/reference/compact_rig.h"
@@ -84,7 +85,7 @@ static void build_and_look(const mesh *m, const char *scene, compact_config conf
         }
         rig_close(&r);
     }
-    lattice_free(&s);
+    snapped_free(&s);
 }
 
 static void every_scene(void) {

@@ -170,7 +170,7 @@ static void with_floats(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     mesh_free(&s.m);
 }
 
-/* Host and device alike report a triangle by its image index. */
+/* Host and device alike name triangles by their image index. */
 static void by_image_index(int number, uint32_t k, uint8_t bits, uint8_t splits) {
     static expected e;
     subject s = make(number, k);

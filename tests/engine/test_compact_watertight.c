@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "host_tools/pack/lattice_snap.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/rays.h"
@@ -70,7 +71,7 @@ static void stays_closed(const closed *c, uint8_t bits) {
     CHECK(lattice_snap(&s, &c->m, bits, c->name, &f) == 0, "%s", f.text);
     CHECK(s.count == c->m.triangles && s.loss.merged == 0 && s.loss.t_junctions == 0,
           "%s at %u bits: %u triangles of %zu", c->name, bits, s.count, c->m.triangles);
-    lattice_free(&s);
+    snapped_free(&s);
 }
 
 static void shoot(const rig *r, const char *name, const plt_ray *rays, uint32_t count) {

@@ -30,7 +30,7 @@
 #include <unistd.h>
 
 #include "host_tools/base/clock.h"
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/terminal.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/device.h"
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/terminal.h"
 #include "tests/hid/model.h"
 #include "tests/reference/fake_hidapi.h"
 

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_open.h"
+#include "host_tools/picture/picture_file.h"
 #include "tests/hid/pattern.h"
 #include "tests/test.h"
 

@@ -10,7 +10,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_open.h"
 #include "tests/test.h"
 
 static int break_after(const char *bytes) {

@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/readers.h"
+#include "host_tools/mesh/recipe.h"
 #include "tests/hostile/mesh_files.h"
 
 typedef int (*reader_call)(mesh *, const input *, mesh_repair *, fail *);

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "host_tools/pack/lattice.h"
+#include "host_tools/pack/lattice_snap.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
@@ -102,7 +102,7 @@ static void expect(unsigned gap, const float beside[3], uint64_t mended, uint64_
               (double)beside[0], (double)beside[1], (double)beside[2],
               (unsigned long long)s.loss.mended, (unsigned long long)s.loss.t_junctions, s.count);
         CHECK((open_edges(&s) == 0) == (lines == 0), "%u open edges", open_edges(&s));
-        lattice_free(&s);
+        snapped_free(&s);
     }
     mesh_free(&shared);
     mesh_free(&soup);
@@ -128,7 +128,7 @@ static void random_slivers(void) {
         left += s.loss.t_junctions > 0;
         CHECK((open_edges(&s) == 0) == (s.loss.t_junctions == 0), "round %d: %u open edges", round,
               open_edges(&s));
-        lattice_free(&s);
+        snapped_free(&s);
         mesh_free(&m);
     }
     printf("    %u of %d mended, %u left\n", mended, (int)ROUNDS, left);

@@ -11,7 +11,7 @@
 
 #include "host_tools/picture/deflate.h"
 #include "host_tools/picture/huffman.h"
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/picture_file.h"
 #include "tests/test.h"
 
 #define FOLDER "build/test-tmp"

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/picture_file.h"
 #include "tests/test.h"
 
 #define FOLDER "build/test-tmp"

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "host_tools/picture/picture.h"
+#include "host_tools/picture/terminal.h"
 #include "tests/test.h"
 
 #define UP "\xE2\x96\x80"

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/scenes/contacts.h"
 #include "host_tools/scenes/marbles.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/test.h"

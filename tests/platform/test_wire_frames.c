@@ -155,7 +155,7 @@ static void test_numbers(void) {
     show_and_compare(0, 1000);
     const wire_frames_in before = rig.in;
     const uint8_t black[2] = {0, 0};
-    uint8_t end[WIRE_END_BODY] = {0};
+    uint8_t end[WIRE_FRAME_END_BODY] = {0};
     for (unsigned number = 6; number < 8; number++) {
         wire_frames_in_tile(&rig.in, 0x80 | WIRE_SOLID << 5 | number << 2, 0, sizeof black);
         wire_frames_in_bytes(&rig.in, black, sizeof black);

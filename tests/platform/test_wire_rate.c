@@ -96,7 +96,7 @@ static void test_rate_steps(void) {
     CHECK(near_after(4, 100, 8) == 4 && near_after(4, 100, 7) == 3, "three quarters");
     CHECK(near_after(3, 1000, 1) == 3 && near_after(3, 1000, 0) == 2, "three quarters of 1 ms");
     test("goals beyond the resolution of a clock of milliseconds are 1 ms, not none");
-    CHECK(near_after(0, 5000, 2) == 1 && near_after(0, 5000, 1) == 0, "5000 a second");
+    CHECK(near_after(0, 5000, 2) == 1 && near_after(0, 5000, 1) == 0, "5000 per second");
     CHECK(near_after(0, 0, 100) == 0, "no goal");
 }
 

@@ -87,7 +87,7 @@ static plt_lattice_box child_box(const open_block *o, uint32_t node, const plt_l
     return to;
 }
 
-/* Records a leaf's triangles; returns their exact box. */
+/* Writes down the triangles of a leaf; returns their exact box. */
 static plt_lattice_box check_leaf(checking *c, open_block *o, int pair,
                                   const plt_lattice_box *box) {
     uint32_t corner[PLT_LEAF_TRIANGLES_MOST][3][3];

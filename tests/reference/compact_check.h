@@ -9,7 +9,7 @@
 #define REFERENCE_COMPACT_CHECK_H
 
 #include "engine/tree/compact/validate.h"
-#include "host_tools/pack/lattice.h"
+#include "host_tools/pack/snapped.h"
 
 typedef struct compact_facts {
     uint32_t blocks, nodes, leaves, pairs, triangles, depth;

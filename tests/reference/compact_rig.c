@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "engine/engine.h"
+#include "host_tools/pack/lattice_snap.h"
 
 enum { SECTION_AT = 104, NUMBER_BITS_AT = 216 };
 
@@ -125,7 +126,7 @@ mesh compact_mesh(const mesh *m, uint8_t bits) {
         left += (uint32_t)there;
         add(&to, (const float(*)[3])corner);
     }
-    lattice_free(&s);
+    snapped_free(&s);
     return to;
 }
 

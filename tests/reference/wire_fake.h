@@ -1,7 +1,7 @@
 /* wire_fake - two peers and a cable between them that misbehaves on order
  *
- * A cable carries reports both ways, each with its own delay, one report a
- * step and direction at most when `paced`. Faults come with the chances of
+ * A cable carries reports both ways, each with its own delay; when
+ * `paced`, at most one report per step and direction. Faults come with the chances of
  * `faults`, in 1/65536 per report, from a seed, so that a run that fails once
  * fails always. The clock is the cable's own.
  *

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_kinds.h"
 #include "host_tools/picture/png.h"
 
 static int png_next(frames *s, picture *p, fail *f) {

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_kinds.h"
 
 /* A number after blanks and comments; 0 when there is none. */
 static unsigned number(stream *from) {

@@ -11,7 +11,7 @@
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/clock.h"
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_kinds.h"
 
 typedef struct live {
     scene scene;

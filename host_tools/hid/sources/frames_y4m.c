@@ -11,10 +11,11 @@
  * Sources: yuv4mpeg(5), MJPEG tools; ITU-R BT.601-7, 2011.
  *
  * SPDX-License-Identifier: MIT */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "host_tools/hid/sources/frames.h"
+#include "host_tools/hid/sources/frames_kinds.h"
 
 enum { HEAD_BYTES = 512, PERIOD_MOST = 60 }; /* seconds */
 

@@ -1,13 +1,9 @@
-/* lattice_parts - see lattice_parts.h
+/* lattice_area - see lattice_area.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/pack/lattice_parts.h"
+#include "host_tools/pack/lattice_area.h"
 
 #include <string.h>
-
-double lattice_steps(const snapped *s, const float p[3], int axis) {
-    return ((double)p[axis] - (double)s->lattice.origin[axis]) / (double)s->lattice.step;
-}
 
 static void cross(const lattice_position p[3], int64_t c[3]) {
     int64_t e[3], g[3];

@@ -1,0 +1,21 @@
+/* frames_kinds - the kinds of sources: films, pictures, a scene
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HID_FRAMES_KINDS_H
+#define HID_FRAMES_KINDS_H
+
+#include "host_tools/app/args.h"
+#include "host_tools/hid/sources/frames.h"
+
+/* Each is handed an open stream at its first byte, a scene behind its "PL". */
+int frames_y4m(frames *s, fail *f);
+int frames_pnm(frames *s, fail *f);
+int frames_png(frames *s, fail *f);
+int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
+
+#define FRAMES_SCENE_FLAGS                                                                         \
+    {"--shader", "eyelight|normal|triangle", "a scene's colours"}, {                               \
+        "--turn", "SECONDS", "time of an orbit around a scene; 0: no motion (default 12)"          \
+    }
+
+#endif

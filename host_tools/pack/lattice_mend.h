@@ -1,0 +1,16 @@
+/* lattice_mend - slivers that the lattice has made lines of get an area again
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HOST_LATTICE_MEND_H
+#define HOST_LATTICE_MEND_H
+#include "host_tools/pack/snapped.h"
+
+/* Where a vertex goes; q[0] of one that no triangle uses, which is not counted and moves
+ * nowhere. */
+#define LATTICE_UNUSED UINT32_MAX
+
+/* Moves corners of triangles that have become lines: `moved` holds where each vertex of the
+ * mesh has gone. 0, or -1 when memory is out. */
+int lattice_mend(snapped *s, const mesh *m, lattice_position *moved);
+
+#endif

@@ -1,0 +1,12 @@
+/* lattice_snap - a mesh moved onto the lattice
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HOST_LATTICE_SNAP_H
+#define HOST_LATTICE_SNAP_H
+#include "host_tools/pack/snapped.h"
+
+/* Moves the mesh. Triangles without area on the lattice are left out. Refuses a
+ * lattice finer than the floats around it. */
+int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f);
+
+#endif

@@ -1,0 +1,54 @@
+/* snapped - triangles, or their boxes, on the lattice: what the packer writes
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef HOST_SNAPPED_H
+#define HOST_SNAPPED_H
+#include <stdint.h>
+
+#include "engine/base/box.h"
+#include "engine/base/lattice.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/mesh/mesh.h"
+
+/* What moving cost; printed by pack. */
+typedef struct lattice_loss {
+    double largest_move;  /* of a vertex, as a fraction of the longest side */
+    uint64_t flat_before; /* triangles that had no area in the mesh */
+    uint64_t flat_now;    /* and those that lost theirs on the lattice */
+    uint64_t merged;      /* positions that differed and no longer do */
+    uint64_t mended;      /* corners moved to give slivers an area again */
+    uint64_t t_junctions; /* dropped slivers whose middle corner lies on an edge */
+} lattice_loss;
+
+typedef struct snapped {
+    plt_lattice lattice;
+    plt_box mesh_box;       /* of the mesh's triangles, where it was */
+    plt_lattice_box box;    /* of the triangles that are left */
+    unsigned char *corners; /* 9 coordinates each, of boxes 6, of `width` bytes; owned */
+    uint32_t width;
+    uint32_t *source;  /* primitive id of each; owned */
+    uint8_t *rotation; /* engine/tree/primitive_id.h; owned; NULL for boxes */
+    uint32_t count;
+    lattice_loss loss;
+} snapped;
+
+typedef struct lattice_position {
+    uint32_t q[3];
+} lattice_position;
+
+/* A coordinate of the mesh in steps from the origin, not rounded. */
+static inline double lattice_steps(const snapped *s, const float p[3], int axis) {
+    return ((double)p[axis] - (double)s->lattice.origin[axis]) / (double)s->lattice.step;
+}
+
+/* Empty, with the lattice of `bits` for the mesh, and room for `positions` per triangle.
+ * What it allocates snapped_free frees, also after a failure. */
+int snapped_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, const char *name,
+                  fail *f);
+
+/* One more triangle, of so many positions, made of the mesh's triangle `source`. */
+void snapped_add(snapped *s, const lattice_position *p, uint32_t positions, uint32_t source);
+
+void snapped_free(snapped *s);
+
+#endif

@@ -1,0 +1,23 @@
+/* terminal - a picture in character cells
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef TERMINAL_H
+#define TERMINAL_H
+#include <stdio.h>
+
+#include "host_tools/picture/picture.h"
+
+/* Draws `p` into at most `columns` x `rows` character cells, keeping its
+ * aspect (a cell is twice as tall as wide), made smaller by area averaging,
+ * never larger: 24-bit half blocks, or plain characters for light text on
+ * dark ground where there is no colour (PICTURE_AUTO with NO_COLOR set,
+ * TERM unset or "dumb", or `to` not a terminal). Every line ends in a line
+ * feed with all attributes reset; SIGINT waits for the last. 0 columns or rows:
+ * picture_terminal_size. Returns 0, or -1 when writing failed (errno says why) or memory is out. */
+typedef enum picture_ink { PICTURE_AUTO, PICTURE_COLOUR, PICTURE_PLAIN } picture_ink;
+int picture_show(FILE *to, const picture *p, picture_ink ink, unsigned columns, unsigned rows);
+
+/* From the terminal, else COLUMNS and LINES, else 80 x 24; 1 .. 10000 each. */
+void picture_terminal_size(FILE *to, unsigned *columns, unsigned *rows);
+
+#endif
