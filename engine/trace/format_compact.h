@@ -237,7 +237,8 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_entr
         plt_traffic_count(&t->stats, t->touched, plt_block_address(o->link) / 8 + 1,
                           o->block.geometry_bytes);
     }
-    plt_leaf_run run = {.longest = longest_side(&tree->lattice, e)};
+    plt_leaf_run run;
+    run.longest = longest_side(&tree->lattice, e);
     run.first = plt_leaf_find(&o->geometry, index_of(e), pairs_before(e), is_pair(e), &run.count);
     t->stats.triangle_tests += (uint64_t)run.count * plt_mask_count(e->groups);
     plt_leaf_groups(tree, &o->geometry, &run, p, e->groups);

@@ -12,7 +12,10 @@
  * longest side of its box. */
 static inline void plt_record_groups(plt_packet *p, const plt_record *record, float longest,
                                      plt_mask groups) {
-    plt_triangle t = {.longest = longest, .word = plt_get_u32(&record->word[9]), .ids = NULL};
+    plt_triangle t;
+    t.longest = longest;
+    t.word = plt_get_u32(&record->word[9]);
+    t.ids = NULL;
     plt_record_corners(record, t.corner);
     plt_triangle_groups(p, &t, p->any ? groups & p->active : groups);
 }

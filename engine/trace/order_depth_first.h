@@ -12,6 +12,7 @@
 #ifndef PLT_TRACE_ORDER_DEPTH_FIRST_H
 #define PLT_TRACE_ORDER_DEPTH_FIRST_H
 
+#include "engine/lanes/unroll.h"
 #include "engine/trace/boxes.h"
 
 /* Visits the node that `at` leads to, and goes on to the nearer child that is met; the

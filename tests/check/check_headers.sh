@@ -9,7 +9,12 @@ alone() {
     language=$1 standard=$2 compiler=$3 define=$4
     shift 4
     for header in "$@"; do
-        printf '#include "%s"\n' "$header" |
+        # An order is written against a format (trace/format.h), which comes first.
+        case $header in
+        engine/trace/order_*) first=engine/trace/format_thesis.h ;;
+        *) first=$header ;;
+        esac
+        printf '#include "%s"\n' "$first" "$header" |
             "$compiler" -x "$language" -std="$standard" -Wall -Wextra -Werror -fsyntax-only -I. \
                 -DPLT_BOARD_ARENA_BYTES=65536u $define - 2>&1 | grep -E 'error|warning' | head -n 2
     done
