@@ -179,8 +179,9 @@ static void compare_stats(const worker *w, const single *one, const char *name) 
     if (w->options.count_touched != one->options.count_touched) {
         due.bytes_touched_once = w->stats.bytes_touched_once;
     }
-    CHECK(w->options.count_touched || w->stats.bytes_touched_once == 0,
-          "%s, worker %u counts touched blocks", name, w->number);
+    const int counts = w->options.count_touched && w->stats.bytes_fetched > 0;
+    CHECK((w->stats.bytes_touched_once > 0) == counts, "%s, worker %u: %u bytes touched once", name,
+          w->number, (unsigned)w->stats.bytes_touched_once);
     CHECK(w->options.order != one->options.order || memcmp(&w->stats, &due, sizeof due) == 0,
           "%s, worker %u has other statistics", name, w->number);
 }
