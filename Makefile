@@ -22,7 +22,7 @@ FREESTANDING := -ffreestanding -fbuiltin
 lanes_sse := -DPLT_LANES='"platform/lanes_sse.h"'
 lanes_scalar :=
 
-ENGINE := $(sort $(wildcard engine/*.c engine/*/*.c engine/*/*/*.c))
+include engine/engine.mk
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
         against sanitize tiny scalar fuzz run profile clean help FORCE
@@ -83,7 +83,9 @@ setup:
 
 ##measure sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
 sizes: all
-	@$(MAKE) --no-print-directory BOARD=mps2_an386 >/dev/null
+	@for parts in '' render thesis compact 'render thesis' 'render compact'; do \
+	    $(MAKE) --no-print-directory BOARD=mps2_an386 PARTS="$$parts" >/dev/null || exit 1; \
+	done
 	@BUILD='$(BUILD)' CC='$(CC)' sh tests/measure/sizes.sh
 
 # ---- other builds of the same tests --------------------------------------

@@ -13,7 +13,7 @@ endif
 include board/$(BOARD)/board.mk
 
 PROGRAM ?=
-OUT := $(BUILD)/$(BOARD)$(addprefix -,$(PROGRAM))
+OUT := $(BUILD)/$(BOARD)$(addprefix -,$(PROGRAM))$(PARTS_NAME)
 HOST_CC ?= cc
 # An environment that has CC would hand this one on: the host's make gets its own.
 override CC := $(CROSS)gcc
@@ -35,9 +35,9 @@ FIRMWARE_OBJECTS := $(call objects,$(ENGINE) $(FIRMWARE))
 COMMAND = $(CC) $(STRICT) $(CPU) -O2 -g $(FREESTANDING) $(lanes_$(LANES)) \
           -ffunction-sections -fdata-sections -fcallgraph-info=su,da \
           -fno-tree-loop-distribute-patterns \
-          -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(FIRMWARE_FLAGS)
+          -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(PARTS_FLAGS) $(FIRMWARE_FLAGS)
 
-##build make BOARD=name [PROGRAM=wired]: cross-compiles build/name/firmware.elf
+##build make BOARD=name [PROGRAM=wired] [PARTS='render thesis compact']: build/name/firmware.elf
 firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
 
 $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
@@ -82,13 +82,13 @@ else
 ##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: with counts
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
-	@BUILD='$(BUILD)' sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \
+	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
 ##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function
 profile: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
-	@BUILD='$(BUILD)' PROFILE='$(OUT)/profile.txt' sh board/tools/run_like_host.sh $(BOARD) \
+	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' PROFILE='$(OUT)/profile.txt' sh board/tools/run_like_host.sh $(BOARD) \
 	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)
 	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f board/tools/profile.awk - $(OUT)/profile.txt | \
 	    sort -rn | head -n 25

@@ -59,11 +59,14 @@ static uint64_t validation_bytes(const subject *s) {
 }
 
 static uint64_t builder_bytes(const subject *s) {
-#if PLT_WITH_BUILDER
-    if (s->builds) {
-        return s->format == PLT_FORMAT_THESIS
-                   ? plt_build_scratch_bytes(s->tree->nodes, s->info->treelet_nodes)
-                   : plt_compact_build_bytes(s->info->triangles);
+#if PLT_WITH_BUILDER && PLT_WITH_THESIS
+    if (s->builds && s->format == PLT_FORMAT_THESIS) {
+        return plt_build_scratch_bytes(s->tree->nodes, s->info->treelet_nodes);
+    }
+#endif
+#if PLT_WITH_BUILDER && PLT_WITH_COMPACT
+    if (s->builds && s->format == PLT_FORMAT_COMPACT) {
+        return plt_compact_build_bytes(s->info->triangles);
     }
 #endif
     (void)s;
@@ -115,7 +118,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_LOCAL_STACK:
         return local_stack_bytes(s);
     case PLT_PART_BLOCK_CACHE:
-        return s->format == PLT_FORMAT_COMPACT ? PLT_OPEN_BLOCKS * sizeof(plt_opened_block) : 0;
+        return s->format == PLT_FORMAT_COMPACT ? PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block) : 0;
     default:
         return 0;
     }

@@ -28,8 +28,9 @@
 extern "C" {
 #endif
 
-/* 2.0: enum plt_walk is enum plt_order and plt_options.walk is .order; number_bytes and
- * number_bits of plt_info are primitive_id_bytes and primitive_id_bits; touched blocks
+/* 2.0: the order of traversal is enum plt_order and plt_options.order; plt_info has
+ * primitive_id_bytes and primitive_id_bits; the knob for opened blocks is
+ * PLT_BLOCK_CACHE_SLOTS; touched blocks
  * are counted only if plt_options.count_touched asks for it; plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
@@ -90,8 +91,9 @@ enum plt_nodes {
 };
 
 enum plt_geometry_format {
-    PLT_GEOMETRY_FLOAT = 0,  /* 40 bytes a triangle, bit exact */
-    PLT_GEOMETRY_LATTICE = 1 /* strips of vertices on the scene's lattice */
+    PLT_GEOMETRY_FLOAT = 0,  /* 40 bytes per triangle, bit exact */
+    PLT_GEOMETRY_LATTICE = 1 /* strips of vertices on the lattice, the scene's
+                              * quantisation grid */
 };
 
 /* How an engine shall run; all zero but `packet_side` is a good choice. */
@@ -104,27 +106,27 @@ typedef struct plt_options {
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
 typedef struct plt_info {
-    uint32_t triangles;          /* records, in packing order numbers 0 .. n-1 */
+    uint32_t triangles;          /* records, in packing order ids 0 .. n-1 */
     uint32_t nodes;              /* inner nodes in use */
     uint32_t node_slots;         /* inner nodes allocated, holes included */
     uint32_t leaf_lists;         /* children that are one list of triangles */
     uint32_t intermediate_lists; /* children that are two adjacent lists */
     uint32_t treelets;
-    uint32_t treelet_nodes;        /* N, most nodes a treelet */
-    uint32_t leaf_triangles;       /* K, most triangles a list */
-    uint32_t local_stack_entries;  /* exact need of the two-stage walk ... */
+    uint32_t treelet_nodes;        /* N, most nodes per treelet */
+    uint32_t leaf_triangles;       /* K, most triangles per list */
+    uint32_t local_stack_entries;  /* exact need of the two-stage order ... */
     uint32_t global_stack_entries; /* ... and of its global stack */
-    uint32_t depth_stack_entries;  /* exact need of the depth-first walk */
+    uint32_t depth_stack_entries;  /* exact need of the depth-first order */
     uint32_t image_bytes;
     uint32_t node_bytes;         /* all nodes; of compact blocks the nodes parts */
     uint32_t triangle_bytes;     /* all triangles; of compact blocks the geometry parts */
-    uint32_t primitive_id_bytes; /* packing-order numbers kept apart; 0: there are none */
+    uint32_t primitive_id_bytes; /* primitive ids, kept apart; 0: there are none */
     uint32_t source_triangles;   /* in packing order, with those that lost their area */
     float lo[3], hi[3];          /* box of all triangles; lo > hi when there are none */
     uint8_t splits, build;
     uint8_t nodes_format, geometry_format; /* enum plt_nodes, plt_geometry_format */
     uint8_t lattice_bits;                  /* 12 .. 21; 0 without a lattice */
-    uint8_t primitive_id_bits;             /* an entry of the numbers, 0 without */
+    uint8_t primitive_id_bits;             /* bits per primitive id, 0 without */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
@@ -206,9 +208,9 @@ typedef struct plt_ray {
 
 #define PLT_MISS 0xFFFFFFFFu
 
-/* The hit point is (1-u-v)*p0 + u*p1 + v*p2; `triangle` is the number in
- * packing order or PLT_MISS (then t = u = v = 0). Of equal t the lowest
- * number wins. For any-hit: `triangle` 1 or 0, the rest 0. 16 bytes. */
+/* The hit point is (1-u-v)*p0 + u*p1 + v*p2; `triangle` is the primitive id, the
+ * number in packing order, or PLT_MISS (then t = u = v = 0). Of equal t the lowest id
+ * wins. For any-hit: `triangle` 1 or 0, the rest 0. 16 bytes. */
 typedef struct plt_hit {
     float t, u, v;
     uint32_t triangle;
@@ -233,7 +235,7 @@ typedef struct plt_camera {
 enum plt_shader {
     PLT_SHADE_EYELIGHT = 0, /* grey by the angle to the ray (thesis, 5.1) */
     PLT_SHADE_NORMAL = 1,   /* colour by the direction of the surface */
-    PLT_SHADE_TRIANGLE = 2  /* a flat colour a triangle */
+    PLT_SHADE_TRIANGLE = 2  /* a flat colour per triangle */
 };
 
 typedef struct plt_frame {
@@ -261,11 +263,11 @@ int plt_render_begin(plt_engine *engine, const plt_frame *frame);
 int plt_render_step(plt_engine *engine, uint32_t visits);
 void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 
-/* ---- figures --------------------------------------------------------- */
+/* ---- statistics ------------------------------------------------------ */
 
 typedef struct plt_stats {
     uint64_t rays;
-    uint64_t node_visits;    /* nodes decoded, once a packet */
+    uint64_t node_visits;    /* nodes decoded, once per packet */
     uint64_t group_tests;    /* four rays against one box */
     uint64_t triangle_tests; /* four rays against one triangle, also where one look at the
                                 packet told that all of it passes by */

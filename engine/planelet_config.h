@@ -1,7 +1,7 @@
 /* planelet_config - every knob of the engine: unit, range, default, cost
  *
  * Set a knob with -DPLT_NAME=value; a value out of range does not compile.
- * The cost is what one more unit takes of the arena, unless said otherwise.
+ * The cost is what one more takes of the arena, unless said otherwise.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLANELET_CONFIG_H
@@ -28,7 +28,7 @@
 #endif
 
 /* Tile buffer, pixels along one side: 2, 4, 8, 16 or 32, and at least the
- * packet side. Cost: 3 bytes a pixel (16: 768 bytes). */
+ * packet side. Cost: 3 bytes per pixel (16: 768 bytes). */
 #ifndef PLT_TILE_SIDE
 #define PLT_TILE_SIDE 16
 #endif
@@ -40,27 +40,26 @@
 #define PLT_DEPTH_MAX 64
 #endif
 
-/* Most entries of the global stack of the two-stage walk: 16 .. 1048576.
- * Opening refuses a scene that needs more, whichever walk is asked for, so
- * that one check serves both. Cost: as above. */
+/* Most entries of the global stack of the two-stage order: 16 .. 1048576.
+ * Opening refuses a scene that needs more, whichever order is asked for: one
+ * check serves both. Cost: as above. */
 #ifndef PLT_GLOBAL_STACK_MAX
 #define PLT_GLOBAL_STACK_MAX 65536
 #endif
 
-/* Bins an axis of the SAH builder: 4 .. 64. Cost: 112 bytes of build scratch, 143 for compact
+/* Bins per axis of the SAH builder: 4 .. 64. Cost: 112 bytes of build scratch, 143 for compact
  * blocks. */
 #ifndef PLT_SAH_BINS
 #define PLT_SAH_BINS 32
 #endif
 
-/* Compact blocks that stay open for the next visit: 1 .. 64; 8, or 16 where
- * addresses have 64 bits. Cost: 324 bytes each (352), of scenes with compact
- * nodes only. */
-#ifndef PLT_OPEN_BLOCKS
+/* Compact blocks that stay opened for the next visit (memory/block_cache.h): 1 .. 64; 8, or 16
+ * where addresses have 64 bits. Cost: 324 bytes each (352), of scenes with compact nodes only. */
+#ifndef PLT_BLOCK_CACHE_SLOTS
 #if UINTPTR_MAX > 0xFFFFFFFFu
-#define PLT_OPEN_BLOCKS 16
+#define PLT_BLOCK_CACHE_SLOTS 16
 #else
-#define PLT_OPEN_BLOCKS 8
+#define PLT_BLOCK_CACHE_SLOTS 8
 #endif
 #endif
 
@@ -96,8 +95,8 @@
 #if PLT_SAH_BINS < 4 || PLT_SAH_BINS > 64
 #error "PLT_SAH_BINS is 4 .. 64"
 #endif
-#if PLT_OPEN_BLOCKS < 1 || PLT_OPEN_BLOCKS > 64
-#error "PLT_OPEN_BLOCKS is 1 .. 64"
+#if PLT_BLOCK_CACHE_SLOTS < 1 || PLT_BLOCK_CACHE_SLOTS > 64
+#error "PLT_BLOCK_CACHE_SLOTS is 1 .. 64"
 #endif
 #if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
 #error "PLT_TRANSFER_BYTES is 64 .. 1048576"

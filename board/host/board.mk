@@ -1,6 +1,10 @@
 # host - the program build/host/planelet and the test programs
 # SPDX-License-Identifier: MIT
 
+ifneq ($(PARTS),)
+$(error PARTS is for firmware, as the tools need the whole engine: make BOARD=name PARTS=...)
+endif
+
 CC ?= cc
 OPTIMISE ?= -O3 -g
 HOST_FLAGS := -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64

@@ -5,9 +5,10 @@
 # Prints what the firmware prints, then "instructions total=N open=N render=N
 # stored_stack=N", "instructions_per_ray N" and "stack painted=N stored=N worst=N".
 # PROFILE=PATH writes a count for every instruction there.
+# FIRMWARE is the folder that it was built in (build/mps2_an386).
 # The exit status is the firmware's; 124 after QEMU_SECONDS (default 600).
 # SPDX-License-Identifier: MIT
-out=${BUILD:-build}/mps2_an386
+out=${FIRMWARE:-${BUILD:-build}/mps2_an386}
 elf=$out/firmware.elf
 scene=$1
 shift

@@ -10,7 +10,7 @@ if [ -z "$scene" ]; then
     echo "run: which scene? make BOARD=$board run SCENE=x.plt [SIZE=320x240]" >&2
     exit 2
 fi
-out=${BUILD:-build}/$board
+out=${FIRMWARE:-${BUILD:-build}/$board}
 # With a camera or shader of its own there is no host frame to compare.
 view=$(sh board/tools/host_view.sh "$scene" "$size" "$out/host.ppm") || exit 1
 case " $*" in

@@ -4,7 +4,7 @@
 #ifndef PLT_BUILDER_BLOCKS_STATE_H
 #define PLT_BUILDER_BLOCKS_STATE_H
 
-#include "engine/builder/blocks.h"
+#include "engine/builder/blocks_job.h"
 #include "engine/builder/split.h"
 #include "engine/tree/compact/leaf.h"
 
@@ -102,41 +102,6 @@ static inline void plt_permute(plt_blocks_state *s, uint32_t i, uint32_t triangl
     } else {
         memcpy(s->permutation + 4 * (size_t)i, &triangle, 4);
     }
-}
-
-static inline void plt_lattice_corners(const plt_lattice_triangles *t, uint32_t triangle,
-                                       uint32_t corner[3][3]) {
-    const unsigned char *at = plt_lattice_triangle(t, triangle);
-    for (uint32_t k = 0; k < 9; k++) {
-        corner[k / 3][k % 3] = plt_lattice_number(t, at, k);
-    }
-}
-
-static inline plt_lattice_box plt_lattice_box_empty(void) {
-    const plt_lattice_box b = {{0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu}, {0, 0, 0}};
-    return b;
-}
-
-static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box *c) {
-    for (int a = 0; a < 3; a++) {
-        b->lo[a] = c->lo[a] < b->lo[a] ? c->lo[a] : b->lo[a];
-        b->hi[a] = c->hi[a] > b->hi[a] ? c->hi[a] : b->hi[a];
-    }
-}
-
-static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
-                                                       uint32_t triangle) {
-    const unsigned char *at = plt_lattice_triangle(t, triangle);
-    const uint32_t step = 3 * t->width, last = t->boxes ? 3 : 6; /* of nine numbers, or six */
-    plt_lattice_box b;
-    for (uint32_t a = 0; a < 3; a++) {
-        const uint32_t x = plt_lattice_number(t, at, a), z = plt_lattice_number(t, at, last + a);
-        const uint32_t y = plt_lattice_number(t, at + step, a);
-        const uint32_t lo = x < y ? x : y, hi = x < y ? y : x;
-        b.lo[a] = z < lo ? z : lo;
-        b.hi[a] = z > hi ? z : hi;
-    }
-    return b;
 }
 
 /* plt_split_records, for a range of the permutation. (split_lattice.c) */

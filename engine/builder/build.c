@@ -31,10 +31,6 @@ typedef struct splitting {
     uint32_t waiting;
 } splitting;
 
-uint32_t plt_build_nodes_bound(uint32_t count) {
-    return count < 3 ? 0 : count - 2; /* n - 1 nodes less at least one intermediate */
-}
-
 uint32_t plt_build_slots_bound(uint32_t nodes, uint32_t treelet_nodes) {
     return plt_treelet_slots_bound(nodes, treelet_nodes);
 }

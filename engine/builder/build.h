@@ -4,9 +4,9 @@
  * from the splits, no other hierarchy is ever kept. The same code runs in the
  * host's packer and, over an arena, on the device.
  *
- * Memory beside records and nodes: PLT_BUILD_SCRATCH_BYTES while splitting;
- * then, to put the nodes into treelets, 4 bytes per node and 4 per slot of a
- * treelet (plt_treelet_scratch_bytes).
+ * Memory beside records and nodes: bins and a stack of ranges while splitting; then, to
+ * put the nodes into treelets, 4 bytes per node and 4 per slot of a treelet. The greater
+ * of both is plt_build_scratch_bytes.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BUILDER_BUILD_H
@@ -34,8 +34,10 @@ typedef struct plt_build_job {
     plt_box box;
 } plt_build_job;
 
-/* Most inner nodes that `count` triangles can take. */
-uint32_t plt_build_nodes_bound(uint32_t count);
+/* Most inner nodes that `count` triangles can take: n - 1 less one intermediate node. */
+static inline uint32_t plt_build_nodes_bound(uint32_t count) {
+    return count < 3 ? 0 : count - 2;
+}
 
 /* Most node slots of `nodes` nodes in treelets of `treelet_nodes`. */
 uint32_t plt_build_slots_bound(uint32_t nodes, uint32_t treelet_nodes);

@@ -1,4 +1,4 @@
-/* header_sections - which sections an image has, and how large they are
+/* header_sections - the sections of an image, and how large they are
  *
  * SPDX-License-Identifier: MIT */
 #include <stddef.h>

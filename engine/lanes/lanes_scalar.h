@@ -26,7 +26,7 @@ typedef struct m4 {
 } m4;
 
 /* One lane after another: `i` counts them. Unrolled (unroll.h), since as a loop
- * the lanes went through memory: 6,365 instructions a ray on the Cortex-M4F at
+ * the lanes went through memory: 6,365 instructions per ray on the Cortex-M4F at
  * -O2, unrolled 2,822. */
 #define PLT_EACH_LANE(type, expression)                                                            \
     type r;                                                                                        \

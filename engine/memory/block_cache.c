@@ -4,7 +4,7 @@
 #include "engine/memory/block_cache.h"
 
 void plt_block_cache_clear(plt_opened_block *cache) {
-    for (unsigned i = 0; i < PLT_OPEN_BLOCKS; i++) {
+    for (unsigned i = 0; i < PLT_BLOCK_CACHE_SLOTS; i++) {
         cache[i].link = PLT_MISS;
     }
 }

@@ -2,7 +2,7 @@
  *
  * To open a block is to find its parts and count its masks. A traversal comes back to
  * the same few blocks, and so does the next packet. The cache is direct-mapped: a
- * block has one slot among PLT_OPEN_BLOCKS, by its address, and whatever was in that
+ * block has one slot among PLT_BLOCK_CACHE_SLOTS, by its address, and whatever was in that
  * slot has to be opened again when it is needed again. One cache per traversal.
  *
  * SPDX-License-Identifier: MIT */
@@ -20,7 +20,7 @@ typedef struct plt_opened_block {
     plt_geometry geometry; /* if open */
 } plt_opened_block;
 
-/* Empties all PLT_OPEN_BLOCKS slots. */
+/* Empties all PLT_BLOCK_CACHE_SLOTS slots. */
 void plt_block_cache_clear(plt_opened_block *cache);
 
 /* Opens the block behind `link` in `slot`. */
@@ -34,7 +34,7 @@ static inline plt_opened_block *plt_block_cache_find(plt_opened_block *cache,
                                                      const plt_block_tree *tree, uint32_t link) {
     /* Multiplied by the golden ratio, so that neighbouring blocks do not collide. */
     const uint32_t spread = plt_block_address(link) / 8 * 0x9E3779B1u >> 16;
-    plt_opened_block *slot = &cache[spread % PLT_OPEN_BLOCKS];
+    plt_opened_block *slot = &cache[spread % PLT_BLOCK_CACHE_SLOTS];
     if (slot->link != link) {
         plt_opened_block_set(slot, tree, link);
     }

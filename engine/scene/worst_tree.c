@@ -16,7 +16,9 @@ plt_info plt_worst_tree(const plt_info *info) {
         return worst;
     }
     worst.nodes = plt_build_nodes_bound(info->triangles);
+#if PLT_WITH_THESIS
     worst.node_slots = plt_build_slots_bound(worst.nodes, info->treelet_nodes);
+#endif
     worst.depth_stack_entries = PLT_DEPTH_MAX;
     worst.local_stack_entries = PLT_DEPTH_MAX;
     worst.global_stack_entries =

@@ -20,7 +20,7 @@
  *   int format_enter(t, p, e)          e is an edge that was just met: the treelet behind
  *                                      it becomes the one in hand, e its root
  *   void format_decode(t, e, c)        the children of the node that e leads to
- *   const plt_box *format_boxes(c)     their two boxes, in the scene's units
+ *   const plt_box *format_boxes(c)     their two boxes, in scene units
  *   void format_child(c, i, g, e)      e becomes child i, for groups g
  *   int format_leaf(t, p, e)           tests its triangles
  *
@@ -31,7 +31,7 @@
  *
  * Two-stage order needs `float distance` in format_entry, for the order of edges, and
  *
- *   plt_box *format_box(e)             its box, in the scene's units
+ *   plt_box *format_box(e)             its box, in scene units
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_FORMAT_H

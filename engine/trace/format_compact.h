@@ -40,7 +40,7 @@ static inline int is_pair(const format_entry *e) {
     return (int)(e->what >> 24);
 }
 
-/* Boxes in the scene's units, written four lanes at once: the fourth of a store is
+/* Boxes in scene units, written four lanes at once: the fourth of a store is
  * overwritten by the next. */
 typedef union scene_boxes {
     plt_box box[2];

@@ -15,8 +15,8 @@
 #include "engine/trace/boxes.h"
 
 /* Visits the node that `at` leads to, and goes on to the nearer child that is met; the
- * other one, if it is met, too, waits. 0: none is. Not inline: both children's boxes
- * would lie on the stack below every leaf. */
+ * other one, if it is met, too, waits. 0: none is. Outlined, or both children's
+ * boxes would lie on the stack below every leaf. */
 PLT_OUTLINED static int visit_node(plt_traversal *t, const plt_packet *p, format_entry *at) {
     format_children c;
     plt_mask hit[2];

@@ -25,7 +25,7 @@ typedef struct plt_rays {
     float least_slack[4];  /* of edge functions (triangle.c): 320 u^2 reach^2 */
     float u[4], v[4];      /* of the nearest hit, whose t is tmax of the slabs */
     uint32_t id[4];        /* its primitive id, PLT_MISS: none */
-    float normal[3][4];    /* its normal, not of unit length */
+    float normal[3][4];    /* its normal, not normalised */
     uint8_t axis_lanes[3]; /* per axis, the lanes whose largest component it is */
     uint8_t valid;         /* lanes that hold a ray */
     uint8_t pad[12];       /* to a multiple of 16 */

@@ -22,7 +22,7 @@ typedef struct plt_traversal {
     uint32_t waiting;         /* entries on it; 0: the packet is done */
     void *local;              /* two-stage only */
     uint32_t treelet;         /* thesis nodes: the treelet block in hand, PLT_MISS: none */
-    plt_opened_block *cache;  /* compact blocks: PLT_OPEN_BLOCKS slots */
+    plt_opened_block *cache;  /* compact blocks: PLT_BLOCK_CACHE_SLOTS slots */
     plt_opened_block *opened; /* the one in hand, NULL: none */
     uint8_t geometry_counted; /* its geometry part is in the statistics */
     uint32_t *touched;        /* a bit per block that was counted once; NULL: not asked for */
@@ -32,7 +32,7 @@ typedef struct plt_traversal {
 /* Memory that a traversal needs beside its structure, cut by the caller. */
 typedef struct plt_traversal_memory {
     void *stack, *local;     /* plt_entry_bytes each entry; local: two-stage only */
-    plt_opened_block *cache; /* PLT_OPEN_BLOCKS of them; compact blocks only */
+    plt_opened_block *cache; /* PLT_BLOCK_CACHE_SLOTS of them; compact blocks only */
     uint32_t *touched;       /* plt_touched_words; or NULL */
 } plt_traversal_memory;
 

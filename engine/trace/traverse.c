@@ -13,9 +13,11 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, enum plt_order
                                  .cache = m->cache,
                                  .touched = m->touched};
     *t = clear;
+#if PLT_WITH_COMPACT
     if (scene->format == PLT_FORMAT_COMPACT) {
         plt_block_cache_clear(t->cache);
     }
+#endif
 }
 
 uint32_t plt_touched_words(const plt_info *info) {

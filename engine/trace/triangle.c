@@ -7,8 +7,8 @@
  *                                        for the last difference
  *   an edge function           4 * 6 u R * X + 72 u^2 R^2 + 4 u X^2, and as
  *                              X <= 2 R, at most 32 u R X + 128 u^2 R^2
- * A ray that meets the triangle has X <= 2 L + 6 u R, L being the longest side
- * of the triangle's box, so its edge functions are no further on the wrong
+ * Rays that meet the triangle have X <= 2 L + 6 u R, L being the longest side
+ * of the triangle's box, so their edge functions are no further on the wrong
  * side than 64 u R L + 264 u^2 R^2; what exact.h counts as on the edge adds at
  * most 384 u^2 R L. All beyond 72 u R L + 320 u^2 R^2 needs no second look.
  *

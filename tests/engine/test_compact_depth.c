@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
+#include "engine/builder/blocks.h"
 #include "engine/builder/blocks_state.h"
 #include "tests/test.h"
 

@@ -83,7 +83,7 @@ static plt_traversal_memory memory_of(const plt_scene *scene, const plt_options 
         .stack = malloc((need > 0 ? need : 1) * entry),
         .local = two ? malloc(scene->info.local_stack_entries * entry + 1) : NULL,
         .cache = scene->format == PLT_FORMAT_COMPACT
-                     ? malloc(PLT_OPEN_BLOCKS * sizeof(plt_opened_block))
+                     ? malloc(PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block))
                      : NULL,
         .touched = options->count_touched ? calloc(plt_touched_words(&scene->info), 4) : NULL};
     return memory;

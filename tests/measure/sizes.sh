@@ -66,6 +66,15 @@ structures() {
     rm -f "$source" "$object"
 }
 
+# size_of TYPE: bytes of a type of trace/packet.h, on the Cortex-M4F.
+size_of() {
+    object=$(mktemp)
+    printf '#include "engine/trace/packet.h"\nextern char size[]; char size[sizeof(%s)];\n' "$1" |
+        arm-none-eabi-gcc -x c -std=c11 -I. -c -fno-common -o "$object" - &&
+        arm-none-eabi-nm -S "$object" | awk '$4 == "size" { print "0x" $2 }'
+    rm -f "$object"
+}
+
 table "engine, x86-64 or what this host is, -O3, SSE where there is" "$BUILD/host" size
 if [ ! -e "$arm/firmware.elf" ]; then
     echo "sizes: no firmware of mps2_an386; run: make setup" >&2
@@ -88,6 +97,9 @@ lines=$(stack_of "$arm" "engine platform/cortex_m" -v root="$(public)" -v outwar
 printf '%s\n' "$lines" | awk '
     /^error/ { print }
     /^(worst|root)/ { printf "%8d %s\n", $2, $3 }' | sort -rn
+echo
+echo "packets, bytes per ray: slabs $(($(size_of plt_slabs) / 4)), rays and hits $(($(
+    size_of plt_rays) / 4))"
 echo
 echo "public structures, bytes: here, Cortex-M4F"
 structures arm-none-eabi-gcc arm-none-eabi-nm >"$arm/structures.txt"

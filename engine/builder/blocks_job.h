@@ -1,0 +1,28 @@
+/* blocks_job - what is to be built as compact blocks, and what came of it
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_BUILDER_BLOCKS_JOB_H
+#define PLT_BUILDER_BLOCKS_JOB_H
+
+#include "engine/builder/lattice_triangles.h"
+
+typedef struct plt_blocks_job {
+    plt_lattice_triangles triangles; /* a single one is written twice */
+    uint32_t bits;                   /* of the lattice */
+    uint32_t leaf_triangles;         /* K: 1, 2 or 4 */
+    uint8_t splits;                  /* enum plt_splits */
+    const uint16_t *mesh;            /* index of each triangle's mesh, 0 .. 1022; or NULL */
+    unsigned char *memory;           /* aligned to 8 */
+    size_t bytes;                    /* of memory */
+    void *scratch;                   /* plt_blocks_scratch_bytes, aligned to 8 */
+    /* results */
+    uint32_t used;                                  /* bytes of blocks so far */
+    uint32_t node_bytes;                            /* of them nodes parts */
+    uint32_t blocks, nodes, leaves, pairs, written; /* written: triangles */
+    uint32_t root;                                  /* link */
+    uint32_t depth;                                 /* nodes on the longest path */
+    plt_lattice_box box;
+    size_t peak; /* most bytes of memory in use at a time */
+} plt_blocks_job;
+
+#endif

@@ -1,0 +1,41 @@
+# engine - its files, and which of them make a part of it
+#
+# PARTS is empty (all of it) or a list of words:
+#   render   no builder: images whose tree is finished
+#   thesis   thesis nodes and lists, no compact blocks
+#   compact  compact blocks alone
+# Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
+# SPDX-License-Identifier: MIT
+
+PARTS ?=
+ENGINE_ALL := $(sort $(wildcard engine/*.c engine/*/*.c engine/*/*/*.c))
+
+builder_files := $(wildcard engine/builder/*.c engine/scene/build_*.c engine/scene/worst_tree.c \
+    engine/tree/thesis/treelets.c engine/image/record_cache.c)
+compact_files := $(wildcard engine/tree/compact/*.c engine/memory/block_cache.c \
+    engine/image/record_cache.c engine/scene/*_compact.c engine/trace/*_compact.c \
+    engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
+    engine/builder/split_lattice.c)
+thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine/scene/*_list.c \
+    engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
+    engine/builder/split_records.c)
+
+left_out_render := $(builder_files)
+left_out_thesis := $(compact_files)
+left_out_compact := $(thesis_files)
+flags_render := -DPLT_WITH_BUILDER=0
+flags_thesis := -DPLT_WITH_COMPACT=0
+flags_compact := -DPLT_WITH_THESIS=0
+
+ifneq ($(filter-out render thesis compact,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact; it has $(PARTS))
+endif
+ifeq ($(filter-out render,$(sort $(PARTS))),compact thesis)
+$(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
+endif
+ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))),$(ENGINE_ALL))
+PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part)))
+# In the names of folders: -render, -render-thesis.
+empty :=
+space := $(empty) $(empty)
+PARTS_NAME := $(addprefix -,$(subst $(space),-,$(strip $(sort $(PARTS)))))

@@ -1,0 +1,91 @@
+#!/bin/sh
+# test_parts.sh - firmware with parts of the engine left out (engine/engine.mk)
+#
+# A render-only engine of one format gives the whole engine's frame in less code, and
+# refuses, in a sentence, what needs a part that it does not have.
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+planelet=$BUILD/host/planelet
+out=$BUILD/mps2_an386/tests
+mkdir -p "$out"
+needs arm-none-eabi-gcc qemu-system-arm && make_board mps2_an386 || { finish; exit; }
+
+# scene NAME [pack option ...]
+scene() {
+    name=$1
+    shift
+    "$planelet" pack "$out/parts.ply" "$@" -o "$out/$name.plt" >/dev/null 2>&1 ||
+        verdict "the scene $name is packed" "planelet failed"
+}
+
+value() { # NAME: of the first NAME=value in the text
+    echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | head -n 1
+}
+
+firmware() { # FOLDER SCENE [parameter ...]: sets text and status
+    folder=$1
+    shift
+    text=$(FIRMWARE=$folder sh board/mps2_an386/run.sh "$@" 2>&1)
+    status=$?
+}
+
+renders() { # FOLDER NAME
+    view=$(sh board/tools/host_view.sh "$out/$2.plt" 80x60 "$out/host.ppm")
+    # shellcheck disable=SC2086
+    firmware "$1" "$out/$2.plt" size=80x60 ${view#* }
+    verdict "${1##*/}, $2: the frame of the whole engine" "$(
+        [ "$status" -eq 0 ] || echo "status $status: $text"
+        [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+            echo "$(value frame_hash) on the device, ${view%% *} on the host")"
+}
+
+refuses() { # FOLDER NAME WORD
+    firmware "$1" "$out/$2.plt" size=80x60
+    verdict "${1##*/}, $2: refused, and $3 is named" "$(
+        [ "$status" -eq 1 ] || echo "status $status: $text"
+        echo "$text" | grep -q "^error: .*$3" || echo "printed '$text'")"
+}
+
+code() { # FOLDER: bytes of code and constants of the engine
+    find "$1/engine" -name '*.o' | xargs arm-none-eabi-size | awk 'NR > 1 { s += $1 } END { print s }'
+}
+
+# part "WORDS" FOLDER MOST: built, and not larger than it may be.
+part() {
+    rm -rf "$2/engine"
+    make_board mps2_an386 PARTS="$1" || return 1
+    bytes=$(code "$2")
+    verdict "PARTS='$1': $bytes bytes of engine, at most $3" "$(
+        [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le "$3" ] || echo "$bytes bytes")"
+}
+
+"$planelet" make knot --triangles 2000 -o "$out/parts.ply" >/dev/null
+scene thesis
+scene list --build none
+scene compact --nodes compact --geometry lattice:14
+scene device --build device
+scene compact_device --nodes compact --geometry lattice:14 --build device
+
+thesis=$BUILD/mps2_an386-render-thesis compact=$BUILD/mps2_an386-compact-render
+if part "render thesis" "$thesis" 40960; then
+    renders "$thesis" thesis
+    renders "$thesis" list
+    refuses "$thesis" compact PLT_WITH_COMPACT
+    refuses "$thesis" device PLT_WITH_BUILDER
+fi
+if part "render compact" "$compact" 47104; then
+    renders "$compact" compact
+    refuses "$compact" thesis PLT_WITH_THESIS
+    refuses "$compact" list PLT_WITH_THESIS
+    refuses "$compact" compact_device PLT_WITH_BUILDER
+fi
+if part thesis "$BUILD/mps2_an386-thesis" 46080; then
+    renders "$BUILD/mps2_an386-thesis" device
+fi
+if part compact "$BUILD/mps2_an386-compact" 58368; then
+    renders "$BUILD/mps2_an386-compact" compact_device
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS=rendr 2>&1)
+verdict "a part that is not there is refused, and those that are named" "$(
+    echo "$trouble" | grep -q 'PARTS is a list of render, thesis and compact' || echo "$trouble")"
+finish
