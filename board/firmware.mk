@@ -88,7 +88,8 @@ run: firmware
 ##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function
 profile: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
-	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' PROFILE='$(OUT)/profile.txt' sh board/tools/run_like_host.sh $(BOARD) \
+	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' PROFILE='$(OUT)/profile.txt' \
+	    sh board/tools/run_like_host.sh $(BOARD) \
 	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)
 	@$(CROSS)nm -n $(OUT)/firmware.elf | awk -f board/tools/profile.awk - $(OUT)/profile.txt | \
 	    sort -rn | head -n 25

@@ -118,7 +118,8 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_LOCAL_STACK:
         return local_stack_bytes(s);
     case PLT_PART_BLOCK_CACHE:
-        return s->format == PLT_FORMAT_COMPACT ? PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block) : 0;
+        return s->format == PLT_FORMAT_COMPACT ? PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block)
+                                               : 0;
     default:
         return 0;
     }

@@ -266,7 +266,7 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 /* ---- statistics ------------------------------------------------------ */
 
 typedef struct plt_stats {
-    uint64_t rays;
+    uint64_t rays;           /* of packets that were begun */
     uint64_t node_visits;    /* nodes decoded, once per packet */
     uint64_t group_tests;    /* four rays against one box */
     uint64_t triangle_tests; /* four rays against one triangle, also where one look at the

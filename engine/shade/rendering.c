@@ -40,9 +40,9 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
     const plt_pixels pixels = {r->side, r->x + r->px, r->y + r->py, r->frame.width,
                                r->frame.height};
     plt_view_packet(&r->view, &t->scene->box, p, &pixels);
-    plt_traversal_begin(t, p);
-    t->stats.rays += (uint64_t)least(r->side, r->frame.width - pixels.x) *
-                     least(r->side, r->frame.height - pixels.y);
+    plt_traversal_begin(t, p,
+                        least(r->side, r->frame.width - pixels.x) *
+                            least(r->side, r->frame.height - pixels.y));
     r->tracing = 1;
 }
 

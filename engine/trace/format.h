@@ -12,7 +12,8 @@
  *
  *   int format_root(t, p, e)           the scene's root; 0: there is nothing to hit
  *   int format_is_leaf(e)              it leads to triangles
- *   int format_is_edge(e)              it leads to a node of another treelet
+ *   int format_is_edge(e)              it leads to a node of another treelet; asked only of
+ *                                      what is no leaf
  *   int format_resume(t, p, e)         e comes back from a stack: groups that no longer
  *                                      meet its box are dropped, since hits were found
  *                                      meanwhile; if any are left, its treelet is the

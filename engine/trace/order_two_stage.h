@@ -56,7 +56,7 @@ static int visit_local(plt_traversal *t, const plt_packet *p, format_entry *at, 
             continue;
         }
         format_child(&c, near ^ k, hit[near ^ k], &e);
-        if (format_is_edge(&e)) { /* or a leaf */
+        if (format_is_leaf(&e) || format_is_edge(&e)) {
             push_edge(t, p, &e);
         } else if (!goes_on) {
             *at = e;

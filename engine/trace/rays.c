@@ -70,13 +70,12 @@ int plt_trace_packet(plt_traversal *t, plt_packet *p, const plt_ray *rays, plt_h
         load_group(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
-    plt_traversal_begin(t, p);
+    plt_traversal_begin(t, p, count);
     while (status == PLT_MORE) {
         status = plt_traverse(t, p, 0xFFFFFFFFu);
     }
     if (status == PLT_OK) {
         store_hits(p, hits, count);
-        t->stats.rays += count;
     }
     return status;
 }

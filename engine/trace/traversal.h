@@ -45,8 +45,8 @@ uint32_t plt_touched_words(const plt_info *info);
 void plt_traversal_init(plt_traversal *t, const plt_scene *scene, enum plt_order order,
                         const plt_traversal_memory *memory);
 
-/* Starts a packet that is set up. */
-void plt_traversal_begin(plt_traversal *t, const plt_packet *packet);
+/* Starts a packet that is set up, and counts it and its `rays`. */
+void plt_traversal_begin(plt_traversal *t, const plt_packet *packet, uint32_t rays);
 
 /* Works off stack entries until about `visits` nodes were visited or the packet is
  * done. PLT_OK: it is done; PLT_MORE; or what a fetch failed with: then nothing

@@ -64,8 +64,9 @@ static void begin(plt_traversal *t, const plt_packet *p) {
     }
 }
 
-void plt_traversal_begin(plt_traversal *t, const plt_packet *p) {
+void plt_traversal_begin(plt_traversal *t, const plt_packet *p, uint32_t rays) {
     begin(t, p);
+    t->stats.rays += rays;
     t->stats.packets++;
     t->stats.mixed_packets += p->slabs.coherence == PLT_MIXED;
 }

@@ -41,7 +41,8 @@ engine/.* : believed?|believes|gathers?|gathered|settled?|settles : what happens
 engine/.* : units? : leaf : a unit of up to eight triangles
 "
 # Where the field itself says so.
-allowed='units? in the last place|unit roundoff|unit vectors?|floating-point unit|unit cube|unit length|units are the scene|scene units|unit, range'
+allowed='units? in the last place|unit roundoff|unit vectors?|floating-point unit|unit cube'
+allowed="$allowed|unit length|units are the scene|scene units|unit, range|a unit of"
 
 # words FILE...: "file:line: what: write ..." of every row that is found.
 words() {

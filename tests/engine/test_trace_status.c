@@ -189,7 +189,7 @@ static int traverse_packet(subject *s, uint32_t number, int any, uint32_t visits
         load_group(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
-    failing_traversal_begin(t, p);
+    failing_traversal_begin(t, p, count);
     while (status == PLT_MORE) {
         status = failing_traverse(t, p, visits);
     }

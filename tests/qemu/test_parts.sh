@@ -47,7 +47,8 @@ refuses() { # FOLDER NAME WORD
 }
 
 code() { # FOLDER: bytes of code and constants of the engine
-    find "$1/engine" -name '*.o' | xargs arm-none-eabi-size | awk 'NR > 1 { s += $1 } END { print s }'
+    find "$1/engine" -name '*.o' | xargs arm-none-eabi-size |
+        awk 'NR > 1 { s += $1 } END { print s }'
 }
 
 # part "WORDS" FOLDER MOST: built, and not larger than it may be.

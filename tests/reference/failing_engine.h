@@ -18,9 +18,10 @@
 
 /* ---- what a traverse_NAME.c and traverse.c give --------------------------------------- */
 
-static void failing_traversal_begin(plt_traversal *t, const plt_packet *p) {
+static void failing_traversal_begin(plt_traversal *t, const plt_packet *p, uint32_t rays) {
     t->waiting = format_root(t, p, t->stack) && p->active != 0;
     t->stats.packets++;
+    t->stats.rays += rays;
     t->stats.mixed_packets += p->slabs.coherence == PLT_MIXED;
 }
 

@@ -70,7 +70,7 @@ static inline int format_is_leaf(const format_entry *e) {
 }
 
 static inline int format_is_edge(const format_entry *e) {
-    return !plt_link_is_inner(e->link);
+    return !plt_link_is_leaf(e->link) && !plt_link_is_inner(e->link); /* not of leaves */
 }
 
 static inline const plt_box *format_box(const format_entry *e) {
