@@ -42,7 +42,7 @@ engine/.* : units? : leaf : a unit of up to eight triangles
 "
 # Where the field itself says so.
 allowed='units? in the last place|unit roundoff|unit vectors?|floating-point unit|unit cube'
-allowed="$allowed|unit length|units are the scene|scene units|unit, range|a unit of"
+allowed="$allowed|unit length|units are the scene|scene units|unit, range"
 
 # words FILE...: "file:line: what: write ..." of every row that is found.
 words() {
