@@ -100,7 +100,6 @@ static void print_stats(const plt_engine *engine) {
     line_text(&l, "streamed");
     line_item(&l, "treelet_fetches", stats.treelet_fetches);
     line_item(&l, "bytes_fetched", stats.bytes_fetched);
-    line_item(&l, "bytes_touched_once", stats.bytes_touched_once);
     line_print(&l);
 }
 
