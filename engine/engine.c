@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/engine.h"
 
-#include <string.h>
-
 #include "engine/trace/rays.h"
 
 const plt_info *plt_engine_info(const plt_engine *e) {
@@ -42,10 +40,7 @@ void plt_stats_get(const plt_engine *e, plt_stats *stats) {
 }
 
 void plt_stats_reset(plt_engine *e) {
-    memset(&e->traversal.stats, 0, sizeof e->traversal.stats);
-    if (e->traversal.touched != NULL) {
-        memset(e->traversal.touched, 0, 4 * (size_t)e->touched_words);
-    }
+    plt_traversal_reset_stats(&e->traversal);
 }
 
 size_t plt_arena_used(const plt_engine *e) {

@@ -20,9 +20,8 @@ struct plt_engine {
     plt_packet packet;
     plt_traversal traversal;
     plt_rendering rendering;
-    plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
-    uint32_t touched_words;   /* of traversal.touched */
-    int8_t failed;            /* what a step of opening failed with; PLT_OK: none has */
+    struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
+    int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */
 };
 
 #endif

@@ -83,12 +83,14 @@ static uint64_t record_cache_bytes(const subject *s) {
 static uint64_t stack_bytes(const subject *s) {
     const uint32_t need = s->options->order == PLT_ORDER_TWO_STAGE ? s->tree->global_stack_entries
                                                                    : s->tree->depth_stack_entries;
-    return (uint64_t)(need > 0 ? need : 1) * plt_entry_bytes(s->format);
+    return (uint64_t)(need > 0 ? need : 1) *
+           plt_entry_bytes(s->format, (enum plt_order)s->options->order);
 }
 
 static uint64_t local_stack_bytes(const subject *s) {
     return s->options->order == PLT_ORDER_TWO_STAGE
-               ? (uint64_t)s->tree->local_stack_entries * plt_entry_bytes(s->format)
+               ? (uint64_t)s->tree->local_stack_entries *
+                     plt_entry_bytes(s->format, (enum plt_order)s->options->order)
                : 0;
 }
 
@@ -161,17 +163,12 @@ int plt_layout_options_valid(const plt_options *o) {
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
-    return info->nodes_format == PLT_NODES_THESIS || o->order == PLT_ORDER_DEPTH_FIRST;
-}
-
-static int is_built_in(const plt_info *info) {
-    return plt_entry_bytes(plt_format_of(info)) > 0 &&
-           (PLT_WITH_BUILDER || info->build != PLT_BUILD_DEVICE);
+    return plt_entry_bytes(plt_format_of(info), (enum plt_order)o->order) > 0;
 }
 
 static int valid(const plt_info *info, const plt_options *o) {
-    return plt_layout_options_valid(o) && plt_layout_order_valid(info, o) &&
-           info->treelet_nodes > 0 && is_built_in(info);
+    return plt_layout_options_valid(o) && plt_scene_left_out(info) == NULL &&
+           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

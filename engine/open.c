@@ -37,7 +37,16 @@ int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault) {
     return status;
 }
 
-/* Parts that depend on neither the image nor its building come last, where scratch was. */
+static plt_opening opening_of(plt_engine *e, const plt_layout *layout, plt_fault *fault) {
+    const plt_opening o = {.scene = &e->scene,
+                           .source = &e->source,
+                           .arena = &e->arena,
+                           .layout = layout,
+                           .fault = fault};
+    return o;
+}
+
+/* What is needed only once the scene is open is cut last, where scratch was. */
 static int cut_running(const plt_opening *o, void *to[PLT_PARTS_COUNT]) {
     for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
         to[i] = NULL;
@@ -57,26 +66,18 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
     plt_layout layout;
     void *part[PLT_PARTS_COUNT];
     const plt_info *info = &e->scene.info;
-    const plt_opening o = {&e->scene, &e->source, &e->arena, &layout, fault};
+    const plt_opening o = opening_of(e, &layout, fault);
     if (info->global_stack_entries > PLT_GLOBAL_STACK_MAX) {
         return plt_limit(fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
     }
     plt_layout_set(&layout, info, info, e->source.mapped != NULL, &e->options);
     const int status = cut_running(&o, part);
-    if (status != PLT_OK) {
-        return status;
+    if (status == PLT_OK) {
+        plt_traversal_init(&e->traversal, &e->scene, &e->options, part);
+        plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
+        plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], e->options.packet_side);
     }
-    const plt_traversal_memory memory = {
-        .stack = part[PLT_PART_STACK],
-        .local = part[PLT_PART_LOCAL_STACK],
-        .cache = part[PLT_PART_BLOCK_CACHE],
-        .touched = e->options.count_touched ? part[PLT_PART_TOUCHED] : NULL};
-    e->touched_words = plt_touched_words(info);
-    plt_traversal_init(&e->traversal, &e->scene, (enum plt_order)e->options.order, &memory);
-    plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
-    plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], e->options.packet_side);
-    plt_stats_reset(e);
-    return PLT_OK;
+    return status;
 }
 
 /* An arena that is too small: how many bytes would do. */
@@ -90,9 +91,21 @@ static int with_need(const plt_engine *e, int status, plt_fault *fault) {
 static int open_scene(plt_engine *e, const plt_header *header, plt_fault *fault) {
     plt_layout layout;
     plt_layout_of_image(&layout, &header->info, e->source.mapped != NULL, &e->options);
-    const plt_opening o = {&e->scene, &e->source, &e->arena, &layout, fault};
-    plt_scene_describe(&e->scene, header);
+    const plt_opening o = opening_of(e, &layout, fault);
     return plt_scene_open(&o, header, &e->build);
+}
+
+/* What no arena helps against. */
+static int refuse(const plt_info *info, const plt_options *options, plt_fault *fault) {
+    const char *left_out = plt_scene_left_out(info);
+    if (left_out != NULL) {
+        return plt_limit(fault, left_out);
+    }
+    if (!plt_layout_order_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "compact blocks are traversed depth first");
+    }
+    return PLT_OK;
 }
 
 int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
@@ -109,9 +122,9 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     if (status != PLT_OK) {
         return status;
     }
-    if (!plt_layout_order_valid(&header.info, options)) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "compact blocks are traversed depth first");
+    status = refuse(&header.info, options, fault);
+    if (status != PLT_OK) {
+        return status;
     }
     plt_arena a = {arena, arena_bytes, 0, 0};
     plt_engine *e = plt_arena_cut(&a, sizeof *e);
@@ -138,13 +151,14 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     plt_layout layout;
     *fault = no_fault;
     if (e->failed != PLT_OK) {
-        return plt_fault_set(fault, e->failed, 0, "the opening has failed before");
+        return with_need(e, plt_fault_set(fault, e->failed, 0, "the opening has failed before"),
+                         fault);
     }
     if (e->build == NULL) {
         return PLT_OK;
     }
     plt_layout_of_image(&layout, &e->scene.info, e->source.mapped != NULL, &e->options);
-    const plt_opening o = {&e->scene, &e->source, &e->arena, &layout, fault};
+    const plt_opening o = opening_of(e, &layout, fault);
     int status = plt_scene_build_step(&o, e->build, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
         status = start_worker(e, fault);

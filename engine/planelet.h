@@ -71,7 +71,7 @@ typedef struct plt_source {
 
 enum plt_order {
     PLT_ORDER_DEPTH_FIRST = 0, /* resident scenes: one stack, near child first */
-    PLT_ORDER_TWO_STAGE = 1    /* thesis nodes only: local and global stack (section 4.2) */
+    PLT_ORDER_TWO_STAGE = 1    /* not of compact blocks: local and global stack (section 4.2) */
 };
 
 enum plt_splits {

@@ -4,9 +4,27 @@
 #include "engine/scene/open.h"
 
 #include "engine/base/fault.h"
+#include "engine/scene/build_compact.h"
 #include "engine/scene/open_formats.h"
 
-void plt_scene_describe(plt_scene *scene, const plt_header *header) {
+#define NEEDS "this build of the engine does not have what the image needs: "
+
+const char *plt_scene_left_out(const plt_info *info) {
+    if (!PLT_WITH_BUILDER && info->build == PLT_BUILD_DEVICE) {
+        return NEEDS "the builder (PLT_WITH_BUILDER)";
+    }
+    switch (plt_format_of(info)) {
+#define LEFT_OUT(NAME, name, with, text)                                                           \
+    case PLT_FORMAT_##NAME:                                                                        \
+        return with ? NULL : NEEDS text;
+        PLT_FORMATS(LEFT_OUT)
+#undef LEFT_OUT
+    default:
+        return NULL;
+    }
+}
+
+static void describe(plt_scene *scene, const plt_header *header) {
     scene->info = header->info;
     scene->format = (uint8_t)plt_format_of(&header->info);
     scene->box = plt_box_empty();
@@ -16,42 +34,27 @@ void plt_scene_describe(plt_scene *scene, const plt_header *header) {
     }
 }
 
-static int left_out(const plt_opening *o, const char *message) {
-    return plt_limit(o->fault, message);
-}
-
-/* The one place that chooses how a format is opened. */
-int plt_scene_open(const plt_opening *o, const plt_header *header, plt_compact_build **build) {
+int plt_scene_open(const plt_opening *o, const plt_header *header,
+                   struct plt_compact_build **build) {
     *build = NULL;
-    if (!PLT_WITH_BUILDER && header->info.build == PLT_BUILD_DEVICE) {
-        return left_out(o, "this build of the engine has no builder (PLT_WITH_BUILDER)");
-    }
+    describe(o->scene, header);
     switch (o->scene->format) {
-#if PLT_WITH_COMPACT
-    case PLT_FORMAT_COMPACT:
-        return plt_open_compact(o, header, build);
-#else
-    case PLT_FORMAT_COMPACT:
-        return left_out(o, "this build of the engine has no compact blocks (PLT_WITH_COMPACT)");
-#endif
-#if PLT_WITH_THESIS
-    case PLT_FORMAT_LIST:
-        return plt_open_list(o, header);
-    default:
-        return plt_open_thesis(o, header);
-#else
-    default:
-        return left_out(o, "this build of the engine has no thesis nodes (PLT_WITH_THESIS)");
-#endif
+#define OPEN(NAME, name, with, text)                                                               \
+    PLT_IF(with, case PLT_FORMAT_##NAME : return plt_open_##name(o, header, build);)
+        PLT_FORMATS(OPEN)
+#undef OPEN
+    default: /* plt_scene_left_out has said no */
+        return PLT_ERR_LIMIT;
     }
 }
 
-int plt_scene_build_step(const plt_opening *o, plt_compact_build *build, uint32_t steps) {
+int plt_scene_build_step(const plt_opening *o, struct plt_compact_build *build, uint32_t steps) {
 #if PLT_WITH_COMPACT && PLT_WITH_BUILDER
     return plt_build_compact_step(o, build, steps);
 #else
+    (void)o;
     (void)build;
     (void)steps;
-    return left_out(o, "this build of the engine has no builder (PLT_WITH_BUILDER)");
+    return PLT_OK; /* never: nothing returned PLT_MORE */
 #endif
 }

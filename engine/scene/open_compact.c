@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
+#include "engine/scene/build_compact.h"
 #include "engine/scene/open_formats.h"
 #include "engine/scene/validate_compact.h"
 #include "engine/tree/validate_records.h"
@@ -76,7 +77,8 @@ static int read_tree(const plt_opening *o, const plt_header *header) {
     return status == PLT_OK && ids != NULL ? validate_ids(o, ids) : status;
 }
 
-int plt_open_compact(const plt_opening *o, const plt_header *header, plt_compact_build **build) {
+int plt_open_compact(const plt_opening *o, const plt_header *header,
+                     struct plt_compact_build **build) {
     describe(o, header);
 #if PLT_WITH_BUILDER
     if (header->info.build == PLT_BUILD_DEVICE) {

@@ -4,13 +4,16 @@
 #ifndef PLT_SCENE_OPEN_FORMATS_H
 #define PLT_SCENE_OPEN_FORMATS_H
 
-#include "engine/scene/build_compact.h"
+#include "engine/image/header.h"
 #include "engine/scene/opening.h"
 
-int plt_open_thesis(const plt_opening *o, const plt_header *header);
-int plt_open_list(const plt_opening *o, const plt_header *header);
+struct plt_compact_build;
 
-/* PLT_MORE: see plt_scene_open. */
-int plt_open_compact(const plt_opening *o, const plt_header *header, plt_compact_build **build);
+/* plt_open_thesis, plt_open_compact ...: as plt_scene_open, of one format. */
+#define PLT_OPEN_DECLARED(NAME, name, with, text)                                                  \
+    int plt_open_##name(const plt_opening *o, const plt_header *header,                            \
+                        struct plt_compact_build **build);
+PLT_FORMATS(PLT_OPEN_DECLARED)
+#undef PLT_OPEN_DECLARED
 
 #endif

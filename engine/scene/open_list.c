@@ -7,7 +7,9 @@
 #include "engine/tree/thesis/validate.h"
 #include "engine/tree/validate_records.h"
 
-int plt_open_list(const plt_opening *o, const plt_header *header) {
+int plt_open_list(const plt_opening *o, const plt_header *header,
+                  struct plt_compact_build **build) {
+    (void)build;
     const void *nodes = NULL, *bytes = NULL; /* of nodes there are none, with a checksum */
     int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_NODES), &nodes);
     if (status == PLT_OK) {

@@ -45,7 +45,9 @@ static int read_tree(const plt_opening *o, const plt_header *header) {
     return status == PLT_OK ? validate(o, header) : status;
 }
 
-int plt_open_thesis(const plt_opening *o, const plt_header *header) {
+int plt_open_thesis(const plt_opening *o, const plt_header *header,
+                    struct plt_compact_build **build) {
+    (void)build;
     describe(o, header);
 #if PLT_WITH_BUILDER
     if (header->info.build == PLT_BUILD_DEVICE) {

@@ -6,49 +6,61 @@
 #ifndef PLT_TRACE_FORMAT_LIST_H
 #define PLT_TRACE_FORMAT_LIST_H
 
-#include "engine/trace/boxes.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_records.h"
 
-typedef struct format_entry {
-    plt_mask groups;
-} format_entry;
+enum { FORMAT_TIGHTENS = 0 };
 
-/* A list has none. */
+typedef struct format_place {
+    uint32_t first; /* record */
+} format_place;
+
+/* A list has none; the operations on nodes are never called. */
 typedef struct format_children {
     plt_box box[2];
 } format_children;
 
-static inline int format_root(const plt_traversal *t, const plt_packet *p, format_entry *e) {
-    e->groups = p->active;
+typedef struct format_room {
+    char none;
+} format_room;
+
+static inline int format_root(const plt_traversal *t, format_place *place) {
+    place->first = 0;
     return t->scene->list.count > 0;
 }
 
-static inline int format_is_leaf(const format_entry *e) {
-    (void)e;
+static inline int format_is_leaf(const format_place *place) {
+    (void)place;
     return 1;
 }
 
-static inline int format_is_edge(const format_entry *e) {
-    (void)e;
+static inline int format_is_edge(const format_place *place) {
+    (void)place;
     return 0;
 }
 
-static inline int format_resume(const plt_traversal *t, const plt_packet *p, format_entry *e) {
-    e->groups = plt_box_groups(&p->slabs, &t->scene->box, e->groups);
-    return PLT_OK;
+static inline const plt_box *format_box(const plt_traversal *t, const format_place *place,
+                                        format_room *room) {
+    (void)place;
+    (void)room;
+    return &t->scene->box;
 }
 
-static inline int format_enter(const plt_traversal *t, const plt_packet *p, const format_entry *e) {
+static inline int format_enter(const plt_traversal *t, const format_place *place) {
     (void)t;
-    (void)p;
-    (void)e;
+    (void)place;
     return PLT_OK;
 }
 
-static inline void format_decode(const plt_traversal *t, const format_entry *e,
+static inline int format_return(const plt_traversal *t, const format_place *place) {
+    (void)t;
+    (void)place;
+    return PLT_OK;
+}
+
+static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
-    (void)e;
+    (void)place;
     c->box[0] = c->box[1] = t->scene->box;
 }
 
@@ -56,20 +68,20 @@ static inline const plt_box *format_boxes(const format_children *c) {
     return c->box;
 }
 
-static inline void format_child(const format_children *c, unsigned child, plt_mask groups,
-                                format_entry *e) {
+static inline void format_child(const format_children *c, unsigned child, format_place *place) {
     (void)c;
     (void)child;
-    e->groups = groups;
+    (void)place;
 }
 
-static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_entry *e) {
+static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
+                              plt_mask groups) {
     const plt_list *list = &t->scene->list;
     const float longest = plt_box_longest_side(&t->scene->box);
-    for (uint32_t i = 0; i < list->count; i++) {
-        plt_record_groups(p, &list->records[i], longest, e->groups);
+    for (uint32_t i = place->first; i < list->count; i++) {
+        plt_record_groups(p, &list->records[i], longest, groups);
     }
-    t->stats.triangle_tests += (uint64_t)list->count * plt_mask_count(e->groups);
+    t->stats.triangle_tests += (uint64_t)list->count * plt_mask_count(groups);
     return PLT_OK;
 }
 

@@ -7,58 +7,62 @@
 #define PLT_TRACE_FORMAT_THESIS_H
 
 #include "engine/memory/traffic.h"
-#include "engine/trace/boxes.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_records.h"
 
-typedef struct format_entry {
+enum { FORMAT_TIGHTENS = 0 };
+
+typedef struct format_place {
     plt_box box;
     uint32_t link;
-    float distance; /* two-stage only */
-    plt_mask groups;
-} format_entry;
+} format_place;
 
 typedef struct format_children {
     const plt_node *node;
     plt_box box[2];
 } format_children;
 
-static inline int format_root(plt_traversal *t, const plt_packet *p, format_entry *e) {
+typedef struct format_room {
+    char none; /* a place has its box in it */
+} format_room;
+
+static inline int format_root(plt_traversal *t, format_place *place) {
     const plt_tree *tree = &t->scene->thesis;
-    const format_entry root = {t->scene->box, tree->root, 0.0f, p->active};
-    *e = root;
-    t->treelet = PLT_MISS;
+    place->box = t->scene->box;
+    place->link = tree->root;
+    t->thesis.block = PLT_MISS;
     return tree->root != PLT_LINK_NONE;
 }
 
-static inline int format_is_leaf(const format_entry *e) {
-    return plt_link_is_leaf(e->link);
+static inline int format_is_leaf(const format_place *place) {
+    return plt_link_is_leaf(place->link);
 }
 
-static inline int format_is_edge(const format_entry *e) {
-    return !plt_link_is_inner(e->link);
+static inline int format_is_edge(const format_place *place) {
+    return !plt_link_is_inner(place->link);
 }
 
-static inline const plt_box *format_box(const format_entry *e) {
-    return &e->box;
+static inline const plt_box *format_box(const plt_traversal *t, const format_place *place,
+                                        format_room *room) {
+    (void)t;
+    (void)room;
+    return &place->box;
 }
 
-/* Counts the treelet block of the entry's node if it is not the one in hand. */
-static inline int format_enter(plt_traversal *t, const plt_packet *p, const format_entry *e) {
-    const uint32_t nodes = t->scene->thesis.treelet_nodes;
-    const uint32_t treelet = plt_link_index(e->link) / nodes;
-    (void)p;
-    if (treelet != t->treelet) {
-        t->treelet = treelet;
+/* Counts the block of the place's node if it is not the current one. */
+static inline int format_enter(plt_traversal *t, const format_place *place) {
+    const uint32_t slots = t->scene->thesis.treelet_nodes;
+    const uint32_t block = plt_link_index(place->link) / slots;
+    if (block != t->thesis.block) {
+        t->thesis.block = block;
         t->stats.treelet_fetches++;
-        plt_traffic_count(&t->stats, t->touched, treelet, nodes * PLT_NODE_BYTES);
+        plt_traffic_count(&t->stats, t->touched, block, slots * PLT_NODE_BYTES);
     }
     return PLT_OK;
 }
 
-static inline int format_resume(plt_traversal *t, const plt_packet *p, format_entry *e) {
-    e->groups = plt_box_groups(&p->slabs, &e->box, e->groups);
-    return e->groups == 0 || format_is_leaf(e) ? PLT_OK : format_enter(t, p, e);
+static inline int format_return(plt_traversal *t, const format_place *place) {
+    return format_is_leaf(place) ? PLT_OK : format_enter(t, place);
 }
 
 /* Both children are asked for before it is known which are hit: a cache line too many
@@ -71,33 +75,32 @@ static inline void prefetch_child(const plt_tree *tree, uint32_t link) {
     }
 }
 
-static inline void format_decode(const plt_traversal *t, const format_entry *e,
+static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
     const plt_tree *tree = &t->scene->thesis;
-    c->node = &tree->nodes[plt_link_index(e->link)];
+    c->node = &tree->nodes[plt_link_index(place->link)];
     prefetch_child(tree, plt_node_link(c->node, 0));
     prefetch_child(tree, plt_node_link(c->node, 1));
-    plt_node_decode(c->node, &e->box, c->box);
+    plt_node_decode(c->node, &place->box, c->box);
 }
 
 static inline const plt_box *format_boxes(const format_children *c) {
     return c->box;
 }
 
-static inline void format_child(const format_children *c, unsigned child, plt_mask groups,
-                                format_entry *e) {
-    e->box = c->box[child];
-    e->link = plt_node_link(c->node, (int)child);
-    e->groups = groups;
+static inline void format_child(const format_children *c, unsigned child, format_place *place) {
+    place->box = c->box[child];
+    place->link = plt_node_link(c->node, (int)child);
 }
 
-static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_entry *e) {
-    const plt_record *record = &t->scene->thesis.records[plt_link_index(e->link)];
-    const uint32_t concerned = plt_mask_count(e->groups);
-    const float longest = plt_box_longest_side(&e->box);
-    for (uint32_t lists = plt_link_lists(e->link); lists > 0; record++) {
-        plt_record_groups(p, record, longest, e->groups);
-        t->stats.triangle_tests += concerned;
+static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
+                              plt_mask groups) {
+    const plt_record *record = &t->scene->thesis.records[plt_link_index(place->link)];
+    const uint32_t tested = plt_mask_count(groups);
+    const float longest = plt_box_longest_side(&place->box);
+    for (uint32_t lists = plt_link_lists(place->link); lists > 0; record++) {
+        plt_record_groups(p, record, longest, groups);
+        t->stats.triangle_tests += tested;
         lists -= (uint32_t)plt_record_is_last(record);
     }
     return PLT_OK;

@@ -15,13 +15,25 @@
 #include "engine/lanes/unroll.h"
 #include "engine/trace/boxes.h"
 
+typedef struct depth_first_entry {
+    format_place place;
+    plt_mask groups;
+} depth_first_entry;
+
+/* Groups of the entry that meet its box. */
+PLT_OUTLINED static plt_mask meet(const plt_traversal *t, const plt_packet *p,
+                                  const depth_first_entry *e) {
+    format_room room;
+    return plt_box_groups(&p->slabs, format_box(t, &e->place, &room), e->groups);
+}
+
 /* Visits the node that `at` leads to, and goes on to the nearer child that is met; the
- * other one, if it is met, too, waits. 0: none is. Outlined, or both children's
- * boxes would lie on the stack below every leaf. */
-PLT_OUTLINED static int visit_node(plt_traversal *t, const plt_packet *p, format_entry *at) {
+ * other one, if it is met, too, waits. 0: none is. Outlined, or both children's boxes
+ * would lie on the stack below every leaf. */
+PLT_OUTLINED static int visit_node(plt_traversal *t, const plt_packet *p, depth_first_entry *at) {
     format_children c;
     plt_mask hit[2];
-    format_decode(t, at, &c);
+    format_decode(t, &at->place, &c);
     const plt_box *box = format_boxes(&c);
     t->stats.group_tests += 2 * plt_box_pair(&p->slabs, box, at->groups, hit);
     t->stats.node_visits++;
@@ -29,51 +41,69 @@ PLT_OUTLINED static int visit_node(plt_traversal *t, const plt_packet *p, format
     if (hit[near] == 0) {
         near ^= 1;
     } else if (hit[near ^ 1] != 0) {
-        format_child(&c, near ^ 1, hit[near ^ 1], (format_entry *)t->stack + t->waiting++);
+        depth_first_entry *far = (depth_first_entry *)t->stack + t->waiting++;
+        format_child(&c, near ^ 1, &far->place);
+        far->groups = hit[near ^ 1];
     }
     if (hit[near] == 0) {
         return 0;
     }
-    format_child(&c, near, hit[near], at);
+    format_child(&c, near, &at->place);
+    at->groups = hit[near];
     return 1;
 }
 
-/* From an entry down to a leaf, or to nothing. `visits` counts nodes. */
-static int descend(plt_traversal *t, plt_packet *p, format_entry *at, uint32_t *visits) {
-    while (!format_is_leaf(at)) {
+/* The box that leads over an edge has just been tested. Testing tighter bounds behind it
+ * pays only when a single group is left. */
+static inline int cross_edge(plt_traversal *t, const plt_packet *p, depth_first_entry *at) {
+    const int status = format_enter(t, &at->place);
+    if (FORMAT_TIGHTENS && status == PLT_OK && (at->groups & (at->groups - 1)) == 0) {
+        at->groups = meet(t, p, at);
+    }
+    return status;
+}
+
+/* From an entry down to a leaf, or to nothing. Adds the nodes visited to `visits`. */
+static int descend(plt_traversal *t, plt_packet *p, depth_first_entry *at, uint32_t *visits) {
+    while (!format_is_leaf(&at->place)) {
         ++*visits;
         if (!visit_node(t, p, at)) {
             return PLT_OK;
         }
-        if (!format_is_leaf(at) && format_is_edge(at)) {
-            const int status = format_enter(t, p, at);
+        if (!format_is_leaf(&at->place) && format_is_edge(&at->place)) {
+            const int status = cross_edge(t, p, at);
             if (status != PLT_OK || at->groups == 0) {
                 return status;
             }
         }
     }
-    return format_leaf(t, p, at);
+    return format_leaf(t, p, &at->place, at->groups);
 }
 
-static int traverse_depth_first(plt_traversal *t, plt_packet *p, uint32_t visits) {
-    while (t->waiting > 0 && visits > 0) {
-        format_entry at = ((format_entry *)t->stack)[--t->waiting];
-        uint32_t used = 1;
-        at.groups &= p->active;
-        int status = format_resume(t, p, &at);
-        if (status == PLT_OK && at.groups != 0) {
-            status = descend(t, p, &at, &used);
-        }
-        if (status != PLT_OK) {
-            t->waiting = 0;
-            return status;
-        }
-        visits -= used < visits ? used : visits;
-        if (p->active == 0) {
-            t->waiting = 0;
-        }
+/* An entry that has waited: hits found meanwhile may hide its box. Where the bounds behind
+ * an edge are tighter they are tested instead. */
+static inline int resume(plt_traversal *t, const plt_packet *p, depth_first_entry *at) {
+    int status = PLT_OK;
+    const int crosses =
+        FORMAT_TIGHTENS && !format_is_leaf(&at->place) && format_is_edge(&at->place);
+    if (crosses && at->groups != 0) {
+        status = format_enter(t, &at->place);
     }
-    return t->waiting > 0 ? PLT_MORE : PLT_OK;
+    at->groups = meet(t, p, at);
+    return status != PLT_OK || at->groups == 0 || crosses ? status : format_return(t, &at->place);
+}
+
+static int pop_depth_first(plt_traversal *t, plt_packet *p, uint32_t *visits) {
+    depth_first_entry at = ((depth_first_entry *)t->stack)[--t->waiting];
+    at.groups &= p->active;
+    const int status = resume(t, p, &at);
+    return status != PLT_OK || at.groups == 0 ? status : descend(t, p, &at, visits);
+}
+
+static int push_root_depth_first(plt_traversal *t, const plt_packet *p) {
+    depth_first_entry *root = t->stack;
+    root->groups = p->active;
+    return format_root(t, &root->place);
 }
 
 #endif

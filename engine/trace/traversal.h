@@ -1,4 +1,4 @@
-/* traversal - one worker's way through a scene: stacks, opened blocks, counters
+/* traversal - one worker's way through a scene: stacks, current treelet, counters
  *
  * A scene is constant and shared; everything that changes while packets are traced is
  * here. Any number of traversals may read one scene at the same time, each with a
@@ -12,38 +12,48 @@
 #define PLT_TRACE_TRAVERSAL_H
 
 #include "engine/memory/block_cache.h"
+#include "engine/scene/layout.h"
 #include "engine/scene/scene.h"
 #include "engine/trace/packet.h"
 
+/* Thesis nodes: aligned blocks of N slots, which may hold several small treelets. */
+typedef struct plt_thesis_cursor {
+    uint32_t block; /* the current one, PLT_MISS: none */
+} plt_thesis_cursor;
+
+typedef struct plt_compact_cursor {
+    plt_opened_block *cache;   /* PLT_BLOCK_CACHE_SLOTS slots */
+    plt_opened_block *current; /* NULL: none */
+    uint8_t geometry_counted;  /* its geometry part is in the statistics */
+} plt_compact_cursor;
+
 typedef struct plt_traversal {
     const plt_scene *scene;
-    uint8_t order;            /* enum plt_order */
-    void *stack;              /* entries of the scene's format: depth first, or the global stack */
-    uint32_t waiting;         /* entries on it; 0: the packet is done */
-    void *local;              /* two-stage only */
-    uint32_t treelet;         /* thesis nodes: the treelet block in hand, PLT_MISS: none */
-    plt_opened_block *cache;  /* compact blocks: PLT_BLOCK_CACHE_SLOTS slots */
-    plt_opened_block *opened; /* the one in hand, NULL: none */
-    uint8_t geometry_counted; /* its geometry part is in the statistics */
-    uint32_t *touched;        /* a bit per block that was counted once; NULL: not asked for */
+    uint8_t order;    /* enum plt_order */
+    void *stack;      /* entries: depth first, or the global stack */
+    uint32_t waiting; /* entries on it; 0: the packet is done */
+    void *local;      /* two-stage only */
+    union {           /* by the scene's format */
+        plt_thesis_cursor thesis;
+        plt_compact_cursor compact;
+    };
+    uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
+    uint32_t touched_words;
     plt_stats stats;
 } plt_traversal;
 
-/* Memory that a traversal needs beside its structure, cut by the caller. */
-typedef struct plt_traversal_memory {
-    void *stack, *local;     /* plt_entry_bytes each entry; local: two-stage only */
-    plt_opened_block *cache; /* PLT_BLOCK_CACHE_SLOTS of them; compact blocks only */
-    uint32_t *touched;       /* plt_touched_words; or NULL */
-} plt_traversal_memory;
-
-/* Bytes of a stack entry of a format, both stacks. */
-size_t plt_entry_bytes(enum plt_format format);
+/* Bytes of a stack entry; 0: this build does not have the format. */
+size_t plt_entry_bytes(enum plt_format format, enum plt_order order);
 
 /* Words of a bit per block that can be fetched. */
 uint32_t plt_touched_words(const plt_info *info);
 
-void plt_traversal_init(plt_traversal *t, const plt_scene *scene, enum plt_order order,
-                        const plt_traversal_memory *memory);
+/* Lays a traversal over the parts of an arena (scene/layout.h), by enum plt_part; those
+ * of 0 bytes may be anything. */
+void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_options *options,
+                        void *const part[PLT_PARTS_COUNT]);
+
+void plt_traversal_reset_stats(plt_traversal *t);
 
 /* Starts a packet that is set up, and counts it and its `rays`. */
 void plt_traversal_begin(plt_traversal *t, const plt_packet *packet, uint32_t rays);

@@ -6,17 +6,13 @@
 
 #include "engine/trace/traversal.h"
 
-/* As plt_entry_bytes, plt_traversal_begin and plt_traverse, of one format. */
-size_t plt_thesis_entry_bytes(void);
-void plt_thesis_begin(plt_traversal *t, const plt_packet *p);
-int plt_thesis_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
-
-size_t plt_compact_entry_bytes(void);
-void plt_compact_begin(plt_traversal *t, const plt_packet *p);
-int plt_compact_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
-
-size_t plt_list_entry_bytes(void);
-void plt_list_begin(plt_traversal *t, const plt_packet *p);
-int plt_list_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
+/* plt_thesis_entry_bytes, plt_thesis_begin, plt_thesis_traverse ...: as plt_entry_bytes,
+ * plt_traversal_begin and plt_traverse, of one format. */
+#define PLT_TRAVERSE_DECLARED(NAME, name, with, text)                                              \
+    size_t plt_##name##_entry_bytes(enum plt_order order);                                         \
+    void plt_##name##_begin(plt_traversal *t, const plt_packet *p);                                \
+    int plt_##name##_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
+PLT_FORMATS(PLT_TRAVERSE_DECLARED)
+#undef PLT_TRAVERSE_DECLARED
 
 #endif

@@ -3,16 +3,9 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/format_list.h"
 #include "engine/trace/order_depth_first.h"
-#include "engine/trace/traverse_formats.h"
 
-size_t plt_list_entry_bytes(void) {
-    return sizeof(format_entry);
-}
-
-void plt_list_begin(plt_traversal *t, const plt_packet *p) {
-    t->waiting = format_root(t, p, t->stack) && p->active != 0;
-}
-
-int plt_list_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
-    return traverse_depth_first(t, p, visits);
-}
+#define FORMAT_NAME list
+#define FORMAT_ORDER(order)                                                                        \
+    ((void)(order), PLT_ORDER_DEPTH_FIRST) /* one leaf: all orders are the same */
+#define FORMAT_ORDERS(ROW) ROW(DEPTH_FIRST, depth_first)
+#include "engine/trace/traverse_format.h"

@@ -11,6 +11,7 @@
 #include "engine/builder/blocks.h"
 #include "engine/engine.h"
 #include "engine/layout.h"
+#include "engine/scene/build_compact.h"
 #include "tests/reference/compact_check.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"

@@ -284,7 +284,7 @@ static void any_planes(void) {
         unsigned char bytes[32] = {0};
         plt_block b = {.owners = bytes, .planes = bytes + 1};
         plt_lattice_box box, child[2];
-        format_entry at;
+        format_place at;
         memset(&at, 0, sizeof at); /* node 0 */
         float lo[2][4], hi[2][4];
         f4 los[2], his[2];

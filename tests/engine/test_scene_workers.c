@@ -44,7 +44,7 @@ static int open_lone(lone_scene *s, const packed *image, const plt_options *opti
     plt_header header;
     plt_layout layout;
     plt_fault fault = {0, 0, 0, 0, "no fault"};
-    plt_compact_build *build = NULL;
+    struct plt_compact_build *build = NULL;
     memset(s, 0, sizeof *s);
     const plt_source source = source_of(image, &s->stream, mapped);
     int status = plt_header_read(&header, image->bytes, image->size, &fault);
@@ -53,7 +53,6 @@ static int open_lone(lone_scene *s, const packed *image, const plt_options *opti
         plt_arena arena = {malloc(bytes), bytes, 0, 0};
         const plt_opening o = {&s->scene, &source, &arena, &layout, &fault};
         plt_layout_of_image(&layout, &header.info, mapped, options);
-        plt_scene_describe(&s->scene, &header);
         status = plt_scene_open(&o, &header, &build);
         s->memory = arena.base;
         s->used = arena.used;
@@ -75,18 +74,24 @@ typedef struct worker {
 } worker;
 
 /* Exactly what the traversal may use: sanitizers see one entry too many. */
-static plt_traversal_memory memory_of(const plt_scene *scene, const plt_options *options) {
-    const size_t entry = plt_entry_bytes((enum plt_format)scene->format);
+static void make_parts(const plt_scene *scene, const plt_options *options,
+                       void *part[PLT_PARTS_COUNT]) {
+    const size_t entry =
+        plt_entry_bytes((enum plt_format)scene->format, (enum plt_order)options->order);
     const int two = options->order == PLT_ORDER_TWO_STAGE;
     const uint32_t need = two ? scene->info.global_stack_entries : scene->info.depth_stack_entries;
-    const plt_traversal_memory memory = {
-        .stack = malloc((need > 0 ? need : 1) * entry),
-        .local = two ? malloc(scene->info.local_stack_entries * entry + 1) : NULL,
-        .cache = scene->format == PLT_FORMAT_COMPACT
-                     ? malloc(PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block))
-                     : NULL,
-        .touched = options->count_touched ? calloc(plt_touched_words(&scene->info), 4) : NULL};
-    return memory;
+    memset(part, 0, PLT_PARTS_COUNT * sizeof *part);
+    part[PLT_PART_STACK] = malloc((need > 0 ? need : 1) * entry);
+    if (two) {
+        part[PLT_PART_LOCAL_STACK] = malloc(scene->info.local_stack_entries * entry + 1);
+    }
+    if (scene->format == PLT_FORMAT_COMPACT) {
+        part[PLT_PART_BLOCK_CACHE] = malloc(PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block));
+    }
+    if (options->count_touched) {
+        part[PLT_PART_TOUCHED] = malloc(4 * (size_t)plt_touched_words(&scene->info));
+    }
+    part[PLT_PART_PACKET] = malloc(plt_packet_bytes(options->packet_side));
 }
 
 static void trace_slice(worker *w, plt_traversal *t, plt_packet *p, unsigned slice) {
@@ -103,20 +108,18 @@ static void *work(void *context) {
     worker *w = context;
     plt_traversal t;
     plt_packet p;
-    const plt_traversal_memory memory = memory_of(w->scene, &w->options);
-    void *packet_memory = malloc(plt_packet_bytes(w->options.packet_side));
+    void *part[PLT_PARTS_COUNT];
+    make_parts(w->scene, &w->options, part);
     pthread_barrier_wait(w->start);
-    plt_packet_init(&p, packet_memory, w->options.packet_side);
-    plt_traversal_init(&t, w->scene, (enum plt_order)w->options.order, &memory);
+    plt_packet_init(&p, part[PLT_PART_PACKET], w->options.packet_side);
+    plt_traversal_init(&t, w->scene, &w->options, part);
     for (unsigned round = 0; round < WORKERS; round++) {
         trace_slice(w, &t, &p, (w->number + round) % WORKERS);
     }
     w->stats = t.stats;
-    free(packet_memory);
-    free(memory.stack);
-    free(memory.local);
-    free(memory.cache);
-    free(memory.touched);
+    for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
+        free(part[i]);
+    }
     return NULL;
 }
 

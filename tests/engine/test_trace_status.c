@@ -39,8 +39,8 @@ typedef struct subject {
     uint32_t count, most;      /* rays; rays of a packet */
 } subject;
 
-static stack stack_of(uint32_t entries) {
-    const size_t bytes = entries * sizeof(format_entry);
+static stack stack_of(uint32_t entries, uint8_t order) {
+    const size_t bytes = entries * plt_failing_entry_bytes((enum plt_order)order);
     const stack s = {malloc(bytes + GUARD), bytes};
     memset(s.memory, PATTERN, bytes + GUARD);
     return s;
@@ -73,14 +73,14 @@ static void set_engine(subject *s, const plt_options *options) {
     const plt_info *info = plt_engine_info(s->r.engine);
     const int two = options->order == PLT_ORDER_TWO_STAGE;
     const uint32_t entries = two ? info->global_stack_entries : info->depth_stack_entries;
-    s->stack = stack_of(entries > 0 ? entries : 1);
-    s->local = stack_of(two ? info->local_stack_entries : 0);
+    s->stack = stack_of(entries > 0 ? entries : 1, options->order);
+    s->local = stack_of(two ? info->local_stack_entries : 0, options->order);
     s->packet = malloc(plt_packet_bytes(options->packet_side));
-    const plt_traversal_memory memory = {.stack = s->stack.memory, .local = s->local.memory};
+    void *const part[PLT_PARTS_COUNT] = {
+        [PLT_PART_STACK] = s->stack.memory, [PLT_PART_LOCAL_STACK] = s->local.memory};
     s->engine.options = *options;
     plt_packet_init(&s->engine.packet, s->packet, options->packet_side);
-    plt_traversal_init(&s->engine.traversal, &s->scene.scene, (enum plt_order)options->order,
-                       &memory);
+    plt_traversal_init(&s->engine.traversal, &s->scene.scene, options, part);
     failing_rendering_init(&s->engine.rendering, s->tile, options->packet_side);
 }
 
@@ -161,7 +161,7 @@ static void same_as_thesis(subject *s) {
         plt_trace(s->r.engine, s->rays, again, s->count, any);
         trace_right(s, any);
         CHECK(is_guarded(&s->stack) && is_guarded(&s->local), "a stack was overrun");
-        CHECK(s->plan.calls[FAILING_RESUME] > 0 && s->plan.calls[FAILING_LEAF] > 0, "no calls");
+        CHECK(s->plan.calls[FAILING_RETURN] > 0 && s->plan.calls[FAILING_LEAF] > 0, "no calls");
     }
     plt_stats_get(s->r.engine, &due);
     failing_stats_get(&s->engine, &found);

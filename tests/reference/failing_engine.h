@@ -18,16 +18,23 @@
 
 /* ---- what a traverse_NAME.c and traverse.c give --------------------------------------- */
 
+size_t plt_failing_entry_bytes(enum plt_order order);
+void plt_failing_begin(plt_traversal *t, const plt_packet *p);
+int plt_failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
+
+#define FORMAT_NAME failing
+#define FORMAT_ORDERS(ROW) ROW(DEPTH_FIRST, depth_first) ROW(TWO_STAGE, two_stage)
+#include "engine/trace/traverse_format.h"
+
 static void failing_traversal_begin(plt_traversal *t, const plt_packet *p, uint32_t rays) {
-    t->waiting = format_root(t, p, t->stack) && p->active != 0;
     t->stats.packets++;
     t->stats.rays += rays;
     t->stats.mixed_packets += p->slabs.coherence == PLT_MIXED;
+    plt_failing_begin(t, p);
 }
 
 static int failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
-    return t->order == PLT_ORDER_TWO_STAGE ? traverse_two_stage(t, p, visits)
-                                           : traverse_depth_first(t, p, visits);
+    return plt_failing_traverse(t, p, visits);
 }
 
 /* ---- the same calls under other names --------------------------------------------------- */

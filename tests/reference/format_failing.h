@@ -4,17 +4,16 @@
  * records. It is made of a scene of thesis nodes, with the same treelets. It is all that
  * a new format has to be: the operations of format.h, with a scene around plt_scene.
  *
- * enter, resume and leaf are calls that may fail; the plan says which of them does.
+ * enter, return and leaf are calls that may fail; the plan says which of them does.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_FORMAT_FAILING_H
 #define REFERENCE_FORMAT_FAILING_H
 
-#include "engine/trace/boxes.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_records.h"
 
-enum failing_call { FAILING_ENTER, FAILING_RESUME, FAILING_LEAF, FAILING_CALLS };
+enum failing_call { FAILING_ENTER, FAILING_RETURN, FAILING_LEAF, FAILING_CALLS };
 
 /* What happens, and what has happened. */
 typedef struct failing_plan {
@@ -47,69 +46,73 @@ static inline int failing_status(const plt_traversal *t, enum failing_call call)
 
 /* ---- the operations of format.h ---------------------------------------------------- */
 
-typedef struct format_entry {
+enum { FORMAT_TIGHTENS = 0 };
+
+typedef struct format_place {
     plt_box box;
     uint32_t link;
-    float distance;
-    plt_mask groups;
-} format_entry;
+} format_place;
 
 typedef struct format_children {
     const failing_node *node;
 } format_children;
 
-static inline int format_root(plt_traversal *t, const plt_packet *p, format_entry *e) {
-    const plt_tree *tree = &t->scene->thesis;
-    const format_entry root = {t->scene->box, tree->root, 0.0f, p->active};
-    *e = root;
-    return tree->root != PLT_LINK_NONE;
+typedef struct format_room {
+    char none;
+} format_room;
+
+static inline int format_root(const plt_traversal *t, format_place *place) {
+    place->box = t->scene->box;
+    place->link = t->scene->thesis.root;
+    return place->link != PLT_LINK_NONE;
 }
 
-static inline int format_is_leaf(const format_entry *e) {
-    return plt_link_is_leaf(e->link);
+static inline int format_is_leaf(const format_place *place) {
+    return plt_link_is_leaf(place->link);
 }
 
-static inline int format_is_edge(const format_entry *e) {
-    return !plt_link_is_leaf(e->link) && !plt_link_is_inner(e->link); /* not of leaves */
+static inline int format_is_edge(const format_place *place) {
+    return !plt_link_is_leaf(place->link) && !plt_link_is_inner(place->link); /* not of leaves */
 }
 
-static inline const plt_box *format_box(const format_entry *e) {
-    return &e->box;
+static inline const plt_box *format_box(const plt_traversal *t, const format_place *place,
+                                        format_room *room) {
+    (void)t;
+    (void)room;
+    return &place->box;
 }
 
-static inline int format_enter(plt_traversal *t, const plt_packet *p, const format_entry *e) {
-    (void)p;
-    (void)e;
+static inline int format_enter(const plt_traversal *t, const format_place *place) {
+    (void)place;
     return failing_status(t, FAILING_ENTER);
 }
 
-static inline int format_resume(plt_traversal *t, const plt_packet *p, format_entry *e) {
-    e->groups = plt_box_groups(&p->slabs, &e->box, e->groups);
-    return failing_status(t, FAILING_RESUME);
+static inline int format_return(const plt_traversal *t, const format_place *place) {
+    (void)place;
+    return failing_status(t, FAILING_RETURN);
 }
 
-static inline void format_decode(const plt_traversal *t, const format_entry *e,
+static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
-    c->node = &failing_scene_of(t)->nodes[plt_link_index(e->link)];
+    c->node = &failing_scene_of(t)->nodes[plt_link_index(place->link)];
 }
 
 static inline const plt_box *format_boxes(const format_children *c) {
     return c->node->box;
 }
 
-static inline void format_child(const format_children *c, unsigned child, plt_mask groups,
-                                format_entry *e) {
-    e->box = c->node->box[child];
-    e->link = c->node->link[child];
-    e->groups = groups;
+static inline void format_child(const format_children *c, unsigned child, format_place *place) {
+    place->box = c->node->box[child];
+    place->link = c->node->link[child];
 }
 
-static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_entry *e) {
-    const plt_record *record = &t->scene->thesis.records[plt_link_index(e->link)];
+static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
+                              plt_mask groups) {
+    const plt_record *record = &t->scene->thesis.records[plt_link_index(place->link)];
     const int status = failing_status(t, FAILING_LEAF);
-    for (uint32_t lists = plt_link_lists(e->link); status == PLT_OK && lists > 0; record++) {
-        plt_record_groups(p, record, plt_box_longest_side(&e->box), e->groups);
-        t->stats.triangle_tests += plt_mask_count(e->groups);
+    for (uint32_t lists = plt_link_lists(place->link); status == PLT_OK && lists > 0; record++) {
+        plt_record_groups(p, record, plt_box_longest_side(&place->box), groups);
+        t->stats.triangle_tests += plt_mask_count(groups);
         lists -= (uint32_t)plt_record_is_last(record);
     }
     return status;

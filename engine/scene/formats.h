@@ -1,0 +1,38 @@
+/* formats - the one list of what a scene can be
+ *
+ * A format is a row here, a member of plt_scene (scene.h), and files of its own:
+ * scene/open_NAME.c opens it, trace/format_NAME.h and trace/traverse_NAME.c traverse it.
+ * Everything that chooses between formats is made from this list.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_SCENE_FORMATS_H
+#define PLT_SCENE_FORMATS_H
+
+#include "engine/planelet.h"
+
+/* ROW(NAME, name, knob that builds it in, what it is) */
+#define PLT_FORMATS(ROW)                                                                           \
+    ROW(THESIS, thesis, PLT_WITH_THESIS, "thesis nodes (PLT_WITH_THESIS)")                         \
+    ROW(COMPACT, compact, PLT_WITH_COMPACT, "compact blocks (PLT_WITH_COMPACT)")                   \
+    ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")
+
+enum plt_format {
+#define PLT_FORMAT_NAMED(NAME, name, with, text) PLT_FORMAT_##NAME,
+    PLT_FORMATS(PLT_FORMAT_NAMED)
+#undef PLT_FORMAT_NAMED
+};
+
+/* PLT_IF(knob, text): the text if the knob is 1, nothing if it is 0. */
+#define PLT_IF_1(...) __VA_ARGS__
+#define PLT_IF_0(...)
+#define PLT_IF_JOINED(with, ...) PLT_IF_##with(__VA_ARGS__)
+#define PLT_IF(with, ...) PLT_IF_JOINED(with, __VA_ARGS__)
+
+static inline enum plt_format plt_format_of(const plt_info *info) {
+    if (info->build == PLT_BUILD_NONE) {
+        return PLT_FORMAT_LIST;
+    }
+    return info->nodes_format == PLT_NODES_COMPACT ? PLT_FORMAT_COMPACT : PLT_FORMAT_THESIS;
+}
+
+#endif

@@ -1,0 +1,41 @@
+/* traversal - see traversal.h; plt_traverse is in traverse.c
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/traversal.h"
+
+#include <string.h>
+
+/* Blocks of thesis nodes have a number; compact blocks lie at multiples of 8. */
+uint32_t plt_touched_words(const plt_info *info) {
+    if (plt_format_of(info) == PLT_FORMAT_COMPACT) {
+        return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
+    }
+    return info->node_slots / info->treelet_nodes / 32 + 1;
+}
+
+void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_options *options,
+                        void *const part[PLT_PARTS_COUNT]) {
+    memset(t, 0, sizeof *t);
+    t->scene = scene;
+    t->order = options->order;
+    t->stack = part[PLT_PART_STACK];
+    t->local = part[PLT_PART_LOCAL_STACK];
+    if (options->count_touched) {
+        t->touched = part[PLT_PART_TOUCHED];
+        t->touched_words = plt_touched_words(&scene->info);
+    }
+#if PLT_WITH_COMPACT
+    if (scene->format == PLT_FORMAT_COMPACT) {
+        t->compact.cache = part[PLT_PART_BLOCK_CACHE];
+        plt_block_cache_clear(t->compact.cache);
+    }
+#endif
+    plt_traversal_reset_stats(t);
+}
+
+void plt_traversal_reset_stats(plt_traversal *t) {
+    memset(&t->stats, 0, sizeof t->stats);
+    if (t->touched != NULL) {
+        memset(t->touched, 0, 4 * (size_t)t->touched_words);
+    }
+}

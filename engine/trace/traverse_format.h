@@ -1,0 +1,80 @@
+/* traverse_format - a format's traversal in every order that is wanted for it
+ *
+ * Included once by each traverse_NAME.c, behind its format and the orders, with
+ *   FORMAT_NAME              as in scene/formats.h
+ *   FORMAT_ORDERS(ROW)       ROW(ORDER, order) for each order
+ *   FORMAT_ORDER(order)      optional: the order that stands for the one asked for
+ * It gives plt_NAME_entry_bytes, plt_NAME_begin and plt_NAME_traverse. An order gives
+ *   order_entry                            what lies on its stacks
+ *   int push_root_order(t, p)              0: there is nothing to hit
+ *   int pop_order(t, p, &visits)           works one entry off; adds nodes visited
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/traverse_formats.h"
+
+#ifndef FORMAT_ORDER
+#define FORMAT_ORDER(order) (order)
+#endif
+
+#define PLT_JOINED_AGAIN(name, what) plt_##name##_##what
+#define PLT_JOINED(name, what) PLT_JOINED_AGAIN(name, what)
+
+size_t PLT_JOINED(FORMAT_NAME, entry_bytes)(enum plt_order order) {
+    switch (FORMAT_ORDER(order)) {
+#define ENTRY_BYTES(ORDER, order)                                                                  \
+    case PLT_ORDER_##ORDER:                                                                        \
+        return sizeof(order##_entry);
+        FORMAT_ORDERS(ENTRY_BYTES)
+#undef ENTRY_BYTES
+    default:
+        return 0;
+    }
+}
+
+void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, const plt_packet *p) {
+    int there = 0;
+    switch (FORMAT_ORDER(t->order)) {
+#define PUSH_ROOT(ORDER, order)                                                                    \
+    case PLT_ORDER_##ORDER:                                                                        \
+        there = push_root_##order(t, p);                                                           \
+        break;
+        FORMAT_ORDERS(PUSH_ROOT)
+#undef PUSH_ROOT
+    default:
+        break;
+    }
+    t->waiting = there && p->active != 0;
+}
+
+/* Pops until the visits are used up, nothing waits, every ray of an any-hit packet has
+ * hit, or a fetch fails. */
+#define TRAVERSE(ORDER, order)                                                                     \
+    static int traverse_##order(plt_traversal *t, plt_packet *p, uint32_t visits) {                \
+        while (t->waiting > 0 && visits > 0) {                                                     \
+            uint32_t used = 1;                                                                     \
+            const int status = pop_##order(t, p, &used);                                           \
+            if (status != PLT_OK) {                                                                \
+                t->waiting = 0;                                                                    \
+                return status;                                                                     \
+            }                                                                                      \
+            visits -= used < visits ? used : visits;                                               \
+            if (p->active == 0) {                                                                  \
+                t->waiting = 0;                                                                    \
+            }                                                                                      \
+        }                                                                                          \
+        return t->waiting > 0 ? PLT_MORE : PLT_OK;                                                 \
+    }
+FORMAT_ORDERS(TRAVERSE)
+#undef TRAVERSE
+
+int PLT_JOINED(FORMAT_NAME, traverse)(plt_traversal *t, plt_packet *p, uint32_t visits) {
+    switch (FORMAT_ORDER(t->order)) {
+#define CHOOSE(ORDER, order)                                                                       \
+    case PLT_ORDER_##ORDER:                                                                        \
+        return traverse_##order(t, p, visits);
+        FORMAT_ORDERS(CHOOSE)
+#undef CHOOSE
+    default:
+        return PLT_OK;
+    }
+}
