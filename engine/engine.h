@@ -1,7 +1,7 @@
 /* engine - what lies at the front of the arena
  *
  * A scene, and one worker's traversal, packet and frame over it. The parts of the
- * arena behind it: scene/layout.h.
+ * arena behind it: scene/parts.h.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_ENGINE_H

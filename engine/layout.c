@@ -1,4 +1,4 @@
-/* layout - see layout.h; the rows are in scene/layout.h
+/* layout - see layout.h; the rows are in scene/parts.h
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/layout.h"
@@ -16,7 +16,7 @@
 
 /* What the sizes of parts depend on. */
 typedef struct subject {
-    const plt_info *info, *tree;
+    const plt_info *info, *sized_for;
     const plt_options *options;
     int mapped, builds; /* builds: the tree is built here */
     enum plt_format format;
@@ -48,12 +48,16 @@ static uint64_t tree_bytes(const subject *s) {
     if (!s->builds) {
         return 0;
     }
-    return s->format == PLT_FORMAT_THESIS
-               ? (uint64_t)s->tree->node_slots * PLT_NODE_BYTES
-               : (uint64_t)s->tree->node_bytes + s->tree->triangle_bytes + PLT_BITS_BEHIND;
+    return s->format == PLT_FORMAT_THESIS ? (uint64_t)s->sized_for->node_slots * PLT_NODE_BYTES
+                                          : (uint64_t)s->sized_for->node_bytes +
+                                                s->sized_for->triangle_bytes + PLT_BITS_BEHIND;
 }
 
+/* Blocks built from mapped corners are not validated again. */
 static uint64_t validation_bytes(const subject *s) {
+    if (s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) {
+        return 0;
+    }
     return s->format == PLT_FORMAT_COMPACT ? PLT_DEPTH_MAX * sizeof(plt_blocks_validate_level)
                                            : PLT_VALIDATE_LEVELS * sizeof(plt_validate_level);
 }
@@ -61,7 +65,7 @@ static uint64_t validation_bytes(const subject *s) {
 static uint64_t builder_bytes(const subject *s) {
 #if PLT_WITH_BUILDER && PLT_WITH_THESIS
     if (s->builds && s->format == PLT_FORMAT_THESIS) {
-        return plt_build_scratch_bytes(s->tree->nodes, s->info->treelet_nodes);
+        return plt_build_scratch_bytes(s->sized_for->nodes, s->info->treelet_nodes);
     }
 #endif
 #if PLT_WITH_BUILDER && PLT_WITH_COMPACT
@@ -81,20 +85,21 @@ static uint64_t record_cache_bytes(const subject *s) {
 }
 
 static uint64_t stack_bytes(const subject *s) {
-    const uint32_t need = s->options->order == PLT_ORDER_TWO_STAGE ? s->tree->global_stack_entries
-                                                                   : s->tree->depth_stack_entries;
+    const uint32_t need = s->options->order == PLT_ORDER_TWO_STAGE
+                              ? s->sized_for->global_stack_entries
+                              : s->sized_for->depth_stack_entries;
     return (uint64_t)(need > 0 ? need : 1) *
            plt_entry_bytes(s->format, (enum plt_order)s->options->order);
 }
 
 static uint64_t local_stack_bytes(const subject *s) {
     return s->options->order == PLT_ORDER_TWO_STAGE
-               ? (uint64_t)s->tree->local_stack_entries *
+               ? (uint64_t)s->sized_for->local_stack_entries *
                      plt_entry_bytes(s->format, (enum plt_order)s->options->order)
                : 0;
 }
 
-/* One line per row of the table in scene/layout.h. */
+/* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
     case PLT_PART_ENGINE:
@@ -110,7 +115,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_RECORD_CACHE:
         return record_cache_bytes(s);
     case PLT_PART_TOUCHED:
-        return s->options->count_touched ? 4ull * plt_touched_words(s->tree) : 0;
+        return s->options->count_touched ? 4ull * plt_touched_words(s->sized_for) : 0;
     case PLT_PART_PACKET:
         return plt_packet_bytes(s->options->packet_side);
     case PLT_PART_TILE_BUFFER:
@@ -127,10 +132,10 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     }
 }
 
-void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *tree, int mapped,
+void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *sized_for, int mapped,
                     const plt_options *options) {
     const subject s = {
-        info, tree, options, mapped, info->build == PLT_BUILD_DEVICE, plt_format_of(info)};
+        info, sized_for, options, mapped, info->build == PLT_BUILD_DEVICE, plt_format_of(info)};
     for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
         layout->bytes[i] = rounded(part_bytes((enum plt_part)i, &s));
     }

@@ -4,15 +4,16 @@
 #ifndef PLT_LAYOUT_H
 #define PLT_LAYOUT_H
 
-#include "engine/scene/layout.h"
+#include "engine/scene/parts.h"
 
 /* The options are in range, and this build can open such an image with them. */
 int plt_layout_options_valid(const plt_options *options);
 int plt_layout_order_valid(const plt_info *info, const plt_options *options);
 
-/* Fills in every part. `tree`: info of the tree that will be traversed: the image's, the
- * worst that may be built (plt_worst_tree), or the one that was built. */
-void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *tree, int mapped,
+/* Fills in every part. `info`: what the image says; `sized_for`: counts of the tree that
+ * will be traversed: the image's, the worst that may be built (plt_worst_tree), or those of
+ * the one that was built. */
+void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *sized_for, int mapped,
                     const plt_options *options);
 
 /* The same for an image that is not open yet. */

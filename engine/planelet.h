@@ -109,8 +109,8 @@ typedef struct plt_info {
     uint32_t triangles;          /* records, in packing order ids 0 .. n-1 */
     uint32_t nodes;              /* inner nodes in use */
     uint32_t node_slots;         /* inner nodes allocated, holes included */
-    uint32_t leaf_lists;         /* children that are one list of triangles */
-    uint32_t intermediate_lists; /* children that are two adjacent lists */
+    uint32_t leaf_lists;         /* leaves of one list of triangles */
+    uint32_t intermediate_lists; /* leaves of two adjacent lists */
     uint32_t treelets;
     uint32_t treelet_nodes;        /* N, most nodes per treelet */
     uint32_t leaf_triangles;       /* K, most triangles per list */
@@ -221,7 +221,7 @@ typedef struct plt_hit {
  * only whether anything is hit. A hit depends on ray, triangle and the scene's
  * box alone: packet size, tree and order never change it. Ends a frame that was
  * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed; hits before those of
- * the packet in hand are right, that packet's and later ones are as they were. Cost:
+ * the current packet are right, that packet's and later ones are as they were. Cost:
  * see DESIGN.md, section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
 
@@ -269,8 +269,8 @@ typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun */
     uint64_t node_visits;    /* nodes decoded, once per packet */
     uint64_t group_tests;    /* four rays against one box */
-    uint64_t triangle_tests; /* four rays against one triangle, also where one look at the
-                                packet told that all of it passes by */
+    uint64_t triangle_tests; /* four rays against one triangle, those included that
+                                frustum culling rejected */
     uint64_t treelet_fetches;
     uint64_t bytes_fetched;      /* of those treelets, had each been copied */
     uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */

@@ -15,7 +15,7 @@
  *         lane: of a NaN and anything, or of two zeros, the SECOND operand
  *         comes back. Comparisons with a NaN are false. NaN payloads of
  *         arithmetic results are not specified; bit operations, loads,
- *         stores and select keep every bit.
+ *         stores and select keep every bit. Loads and stores may alias any type.
  *
  * load / store      f4_load(const float[4]) f4_store(float[4], f4)  any
  *                   u4_load u4_store                     4-byte alignment

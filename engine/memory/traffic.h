@@ -1,4 +1,4 @@
-/* traffic - what a traversal would have fetched, had the scene to be streamed
+/* traffic - what a traversal would fetch if the scene were streamed
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_MEMORY_TRAFFIC_H
@@ -6,8 +6,8 @@
 
 #include "engine/planelet.h"
 
-/* `bytes` are entered that were not at hand. `slot`: where they lie, a bit of
- * `touched`, which tells the first time from later ones; NULL: nobody asks. */
+/* `bytes` are entered that were not at hand. `slot`: their bit in
+ * `touched`, which is set the first time; NULL: not asked for. */
 static inline void plt_traffic_count(plt_stats *stats, uint32_t *touched, uint32_t slot,
                                      uint32_t bytes) {
     stats->bytes_fetched += bytes;

@@ -6,7 +6,7 @@
 
 #include "engine/base/arena.h"
 #include "engine/image/header.h"
-#include "engine/scene/layout.h"
+#include "engine/scene/parts.h"
 #include "engine/scene/scene.h"
 
 typedef struct plt_opening {

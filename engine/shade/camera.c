@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/camera.h"
 
+#define UNLIMITED 3.0e38f /* tmax */
+
 static void cross(const float a[3], const float b[3], float to[3]) {
     to[0] = a[1] * b[2] - a[2] * b[1];
     to[1] = a[2] * b[0] - a[0] * b[2];
@@ -84,7 +86,7 @@ static void set_group(const plt_view *v, const plt_box *scene, plt_packet *p, un
         dir[a] = f4_load(d);
     }
     /* Lanes outside the frame get an empty interval. */
-    const f4 tmax = f4_select(m4_bits(lanes), f4_all(PLT_BOX_FAR), f4_all(-1.0f));
+    const f4 tmax = f4_select(m4_bits(lanes), f4_all(UNLIMITED), f4_all(-1.0f));
     plt_packet_set_group(p, index, scene, org, dir, f4_zero(), tmax, 4);
 }
 

@@ -15,10 +15,10 @@
 typedef struct plt_rendering {
     plt_frame frame;
     plt_view view;
-    uint8_t *tile;   /* PLT_TILE_BUFFER_BYTES, rows as wide as the tile in hand */
+    uint8_t *tile;   /* PLT_TILE_BUFFER_BYTES, rows as wide as the current tile */
     uint32_t side;   /* of a packet */
-    uint32_t x, y;   /* tile in hand, pixels */
-    uint32_t px, py; /* packet in hand, pixels within the tile */
+    uint32_t x, y;   /* current tile, pixels */
+    uint32_t px, py; /* current packet, pixels within the tile */
     uint8_t tracing; /* the packet is set up and its traversal is not over */
     uint8_t done;    /* nothing left, or no frame begun */
 } plt_rendering;

@@ -47,7 +47,7 @@ static void flat_colour(uint32_t id, float facing, uint8_t rgb[3]) {
     }
 }
 
-void plt_surface_colour(const plt_frame *frame, const plt_rays *g, unsigned lane, uint32_t y,
+void plt_surface_colour(const plt_frame *frame, const plt_group_rays *g, unsigned lane, uint32_t y,
                         uint8_t rgb[3]) {
     static const float clay[3] = {1.0f, 0.93f, 0.84f};
     if (!(g->valid >> lane & 1u) || g->id[lane] == PLT_MISS) {

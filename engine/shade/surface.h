@@ -7,7 +7,7 @@
 #include "engine/trace/packet.h"
 
 /* Colour of ray `lane` of the group, in a frame's row `y` of pixels. */
-void plt_surface_colour(const plt_frame *frame, const plt_rays *rays, unsigned lane, uint32_t y,
-                        uint8_t rgb[3]);
+void plt_surface_colour(const plt_frame *frame, const plt_group_rays *rays, unsigned lane,
+                        uint32_t y, uint8_t rgb[3]);
 
 #endif

@@ -7,10 +7,10 @@
 
 /* One box as each kind of coherence wants it, in all four lanes. */
 typedef struct planes {
-    f4 near[3], far[3]; /* ONE_ORIGIN: less the origin; MIXED: lo and hi */
+    f4 near[3], far[3]; /* ONE_ORIGIN: minus the common origin; MIXED: lo and hi */
 } planes;
 
-static inline void set_planes(planes *b, const plt_slab_set *set, const plt_box *box,
+static inline void set_planes(planes *b, const plt_slab_array *set, const plt_box *box,
                               enum plt_coherence kind) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const int swap = kind != PLT_MIXED && set->negative[a];
@@ -21,8 +21,8 @@ static inline void set_planes(planes *b, const plt_slab_set *set, const plt_box 
     }
 }
 
-static inline void distances(const planes *b, const plt_slabs *g, int a, enum plt_coherence kind,
-                             f4 *near, f4 *far) {
+static inline void distances(const planes *b, const plt_group_slabs *g, int a,
+                             enum plt_coherence kind, f4 *near, f4 *far) {
     const f4 rdir = f4_load(g->rdir[a]);
     f4 n = b->near[a], f = b->far[a];
     if (kind == PLT_MIXED) {
@@ -38,7 +38,8 @@ static inline void distances(const planes *b, const plt_slabs *g, int a, enum pl
     *far = f4_mul(f, rdir);
 }
 
-static inline m4 meets(const planes *b, const plt_slabs *g, enum plt_coherence kind, f4 *entry) {
+static inline m4 meets(const planes *b, const plt_group_slabs *g, enum plt_coherence kind,
+                       f4 *entry) {
     f4 n[3], f[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         distances(b, g, a, kind, &n[a], &f[a]);
@@ -48,7 +49,7 @@ static inline m4 meets(const planes *b, const plt_slabs *g, enum plt_coherence k
     return f4_le(*entry, leave);
 }
 
-static inline plt_mask test_box(const plt_slab_set *set, const plt_box *box, plt_mask groups,
+static inline plt_mask test_box(const plt_slab_array *set, const plt_box *box, plt_mask groups,
                                 enum plt_coherence kind) {
     planes b;
     plt_mask hit = 0;
@@ -61,7 +62,7 @@ static inline plt_mask test_box(const plt_slab_set *set, const plt_box *box, plt
     return hit;
 }
 
-static inline uint32_t test_pair(const plt_slab_set *set, const plt_box child[2], plt_mask groups,
+static inline uint32_t test_pair(const plt_slab_array *set, const plt_box child[2], plt_mask groups,
                                  plt_mask hit[2], enum plt_coherence kind) {
     planes b[2];
     plt_mask left = 0, right = 0;
@@ -79,7 +80,7 @@ static inline uint32_t test_pair(const plt_slab_set *set, const plt_box child[2]
     return tested;
 }
 
-plt_mask plt_box_groups(const plt_slab_set *set, const plt_box *box, plt_mask groups) {
+plt_mask plt_box_groups(const plt_slab_array *set, const plt_box *box, plt_mask groups) {
     switch (set->coherence) {
     case PLT_ONE_ORIGIN:
         return test_box(set, box, groups, PLT_ONE_ORIGIN);
@@ -90,7 +91,7 @@ plt_mask plt_box_groups(const plt_slab_set *set, const plt_box *box, plt_mask gr
     }
 }
 
-uint32_t plt_box_pair(const plt_slab_set *set, const plt_box child[2], plt_mask groups,
+uint32_t plt_box_pair(const plt_slab_array *set, const plt_box child[2], plt_mask groups,
                       plt_mask hit[2]) {
     switch (set->coherence) {
     case PLT_ONE_ORIGIN:
@@ -102,10 +103,10 @@ uint32_t plt_box_pair(const plt_slab_set *set, const plt_box child[2], plt_mask 
     }
 }
 
-float plt_box_entry(const plt_slab_set *set, const plt_box *box, plt_mask groups) {
+float plt_box_entry(const plt_slab_array *set, const plt_box *box, plt_mask groups) {
     planes b;
     f4 entry;
     set_planes(&b, set, box, PLT_MIXED); /* right for any packet; calls are rare */
     const m4 hit = meets(&b, &set->group[plt_mask_first(groups)], PLT_MIXED, &entry);
-    return f4_min_lane(f4_select(hit, entry, f4_all(PLT_BOX_FAR)));
+    return f4_min_lane(f4_select(hit, entry, f4_all(PLT_NOT_ENTERED)));
 }

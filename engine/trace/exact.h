@@ -1,9 +1,9 @@
 /* exact - on which side of a directed edge does a ray pass?
  *
- * Cases of the ray/triangle test that single precision cannot decide. Arithmetic is in pairs of
- * floats (about 46 bits), error-free where it matters; what is smaller than
- * its error bound counts as 0, "on the edge". So a side is never wrong, and a
- * ray that meets a triangle is never turned away.
+ * For the cases of the ray/triangle test that single precision cannot decide. Arithmetic
+ * is in pairs of floats (about 46 bits), error-free where it matters; what is smaller than
+ * its error bound counts as 0, "on the edge". So a side is never wrong, and a ray that
+ * meets a triangle is never turned away.
  *
  * Sources: Dekker, "A floating-point technique for extending the available
  * precision", 1971; Knuth, TAOCP volume 2, section 4.2.2 (exact sums).

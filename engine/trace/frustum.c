@@ -8,13 +8,13 @@
 int plt_frustum_set(plt_frustum *f, const plt_packet *p, plt_mask groups) {
     static const float to_x[2][4] = {{1, -1, 0, 0}, {-1, 1, 0, 0}};
     static const float to_y[2][4] = {{0, 0, 1, -1}, {0, 0, -1, 1}};
-    if (p->slabs.coherence != PLT_ONE_ORIGIN || p->axis == 3 || groups == 0) {
+    if (p->slabs.coherence != PLT_ONE_ORIGIN || p->axis == PLT_AXES_DIFFER || groups == 0) {
         return 0;
     }
     const f4 most = f4_all(2.0f); /* no slope is above 1 */
     f4 x = most, minus_x = most, y = most, minus_y = most;
     for (plt_mask m = groups; m != 0; m &= m - 1) {
-        const plt_rays *g = &p->rays[plt_mask_first(m)];
+        const plt_group_rays *g = &p->rays[plt_mask_first(m)];
         const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
         x = f4_min(x, slope_x);
         minus_x = f4_min(minus_x, f4_neg(slope_x));

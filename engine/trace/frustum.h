@@ -1,4 +1,4 @@
-/* frustum - what lies beside all rays of some groups of a packet
+/* frustum - culls triangles that lie outside the hull of some groups' rays
  *
  * Rays from one origin along one axis are points in the plane of their slopes
  * (packet.h); those of some groups lie in a rectangle, whose four edges and the origin

@@ -35,7 +35,7 @@ static m4 valid_lanes(const f4 org[3], const f4 dir[3], f4 tmin, f4 tmax) {
     return m4_and(m4_and(within(org, PLT_COORD_MAX), within(dir, LARGEST)), m4_and(length, range));
 }
 
-static void set_reciprocals(plt_slabs *s, const f4 dir[3]) {
+static void set_reciprocals(plt_group_slabs *s, const f4 dir[3]) {
     const f4 tiny = f4_mul(largest_of(dir), f4_all(SMALLEST));
     for (int a = 0; a < 3; a++) {
         const f4 signed_tiny = f4_select(f4_lt(dir[a], f4_zero()), f4_neg(tiny), tiny);
@@ -44,8 +44,8 @@ static void set_reciprocals(plt_slabs *s, const f4 dir[3]) {
     }
 }
 
-static void set_origins(plt_slabs *s, plt_rays *g, const plt_box *scene, const f4 org[3],
-                        const f4 dir[3]) {
+static void set_origins(plt_group_slabs *s, plt_group_rays *g, const plt_box *scene,
+                        const f4 org[3], const f4 dir[3]) {
     f4 reach = f4_zero();
     for (int a = 0; a < 3; a++) {
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
@@ -66,7 +66,7 @@ static void set_origins(plt_slabs *s, plt_rays *g, const plt_box *scene, const f
 
 /* The axis of the largest component (the first of equals) and the shear that
  * makes the ray run along it: Woop et al. 2013, section 3.1. */
-static void set_shear(plt_rays *g, const f4 dir[3], unsigned valid) {
+static void set_shear(plt_group_rays *g, const f4 dir[3], unsigned valid) {
     const f4 x = f4_abs(dir[0]), y = f4_abs(dir[1]), z = f4_abs(dir[2]);
     const m4 is_x = m4_and(f4_le(y, x), f4_le(z, x));
     const m4 is_y = m4_andnot(f4_le(z, y), is_x);
@@ -82,13 +82,13 @@ static void set_shear(plt_rays *g, const f4 dir[3], unsigned valid) {
 
 void plt_packet_init(plt_packet *packet, void *memory, unsigned side) {
     packet->slabs.group = memory;
-    packet->rays = (plt_rays *)(void *)(packet->slabs.group + side * side / 4);
+    packet->rays = (plt_group_rays *)(void *)(packet->slabs.group + side * side / 4);
 }
 
 void plt_packet_set_group(plt_packet *packet, unsigned index, const plt_box *scene, const f4 org[3],
                           const f4 dir[3], f4 tmin, f4 tmax, unsigned count) {
-    plt_slabs *s = &packet->slabs.group[index];
-    plt_rays *g = &packet->rays[index];
+    plt_group_slabs *s = &packet->slabs.group[index];
+    plt_group_rays *g = &packet->rays[index];
     const m4 ok = m4_and(valid_lanes(org, dir, tmin, tmax), m4_bits((1u << count) - 1u));
     g->valid = (uint8_t)m4_mask(ok);
     if (g->valid == 0) {
@@ -128,8 +128,8 @@ static unsigned lanes_negative(const float row[4]) {
 
 /* Origin and signs of one ray, which all others are compared with. */
 static void copy_ray(plt_packet *p, unsigned group, unsigned lane) {
-    const plt_slabs *s = &p->slabs.group[group];
-    const plt_rays *g = &p->rays[group];
+    const plt_group_slabs *s = &p->slabs.group[group];
+    const plt_group_rays *g = &p->rays[group];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         p->org[a] = g->org[a][lane];
         p->slabs.near_org[a] = s->near_org[a][lane];
@@ -148,8 +148,8 @@ typedef struct common {
 } common;
 
 static void compare_group(plt_packet *p, unsigned group, common *c) {
-    const plt_slabs *s = &p->slabs.group[group];
-    const plt_rays *g = &p->rays[group];
+    const plt_group_slabs *s = &p->slabs.group[group];
+    const plt_group_rays *g = &p->rays[group];
     const unsigned valid = g->valid;
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const unsigned negative = p->slabs.negative[a] ? valid : 0u;
@@ -166,7 +166,7 @@ static void compare_group(plt_packet *p, unsigned group, common *c) {
 
 void plt_packet_finish(plt_packet *p) {
     p->slabs.coherence = PLT_ONE_ORIGIN;
-    p->axis = 3;
+    p->axis = PLT_AXES_DIFFER;
     if (p->active == 0) {
         return;
     }

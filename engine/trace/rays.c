@@ -30,10 +30,10 @@ static void load_group(plt_packet *p, const plt_box *scene, unsigned index, cons
     plt_packet_set_group(p, index, scene, o, d, o[3], d[3], count);
 }
 
-/* Four hits: rows of t, u, v and id, as they lie in a hit file. Lanes that hold no ray
- * hold anything, and nothing of that is kept. */
+/* Four hits: rows of t, u, v and id, as they lie in a hit file. Lanes without a
+ * ray may hold garbage; it is masked out. */
 static void store_group(const plt_packet *p, unsigned index, plt_hit hits[4]) {
-    const plt_rays *g = &p->rays[index];
+    const plt_group_rays *g = &p->rays[index];
     const u4 miss = u4_all(PLT_MISS), id = u4_load(g->id);
     const m4 found = m4_andnot(m4_bits(g->valid), u4_eq(id, miss));
     const m4 wanted = p->any ? m4_bits(0) : found;

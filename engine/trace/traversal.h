@@ -12,7 +12,7 @@
 #define PLT_TRACE_TRAVERSAL_H
 
 #include "engine/memory/block_cache.h"
-#include "engine/scene/layout.h"
+#include "engine/scene/parts.h"
 #include "engine/scene/scene.h"
 #include "engine/trace/packet.h"
 
@@ -48,7 +48,7 @@ size_t plt_entry_bytes(enum plt_format format, enum plt_order order);
 /* Words of a bit per block that can be fetched. */
 uint32_t plt_touched_words(const plt_info *info);
 
-/* Lays a traversal over the parts of an arena (scene/layout.h), by enum plt_part; those
+/* Lays a traversal over the parts of an arena (scene/parts.h), by enum plt_part; those
  * of 0 bytes may be anything. */
 void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_options *options,
                         void *const part[PLT_PARTS_COUNT]);

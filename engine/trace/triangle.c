@@ -20,18 +20,18 @@
 #define U 5.9604644775390625e-8f     /* 2^-24 */
 #define MISS_MARGIN 3.0517578125e-5f /* 2^-15; frustum.c relies on it */
 
+/* Of axes, and of corners. */
 static const uint8_t axis_after[3] = {1, 2, 0};
 
-/* What the rays of a packet share: their origin and the axis they are sheared to, or
- * nothing that is made use of. (One origin without one axis is rare, and was not worth
- * its code: DESIGN.md, section 7.) */
-enum sharing { APART, ONE_AXIS };
+/* What is computed once per packet: corner - origin, for one origin and one axis of the
+ * shear; or nothing. (One origin alone is rare, and was not worth its code.) */
+enum sharing { PER_GROUP, PER_PACKET };
 
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
     const plt_triangle *triangle;
-    f4 from_org[3][3]; /* ONE_AXIS: corner - origin, in all lanes, that axis last */
-    f4 slack;          /* 72 u R L + 320 u^2 R^2; APART: 72 u L */
+    f4 from_org[3][3]; /* PER_PACKET: corner - origin, in all lanes, that axis last */
+    f4 slack;          /* 72 u R L + 320 u^2 R^2; PER_GROUP: 72 u L */
 } prepared;
 
 /* The edge functions of four rays; each is twice a signed area. */
@@ -52,7 +52,7 @@ static void normal_of(const float c[3][3], float normal[3]) {
 static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
     const plt_triangle *triangle = t->triangle;
     t->slack = f4_all(72.0f * U * triangle->longest);
-    if (sharing == APART) {
+    if (sharing == PER_GROUP) {
         return;
     }
     t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->least_slack));
@@ -65,9 +65,9 @@ static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharin
     }
 }
 
-static inline f4 from_origin(const prepared *t, const plt_rays *g, int corner, int axis,
+static inline f4 from_origin(const prepared *t, const plt_group_rays *g, int corner, int axis,
                              enum sharing sharing) {
-    return sharing == APART
+    return sharing == PER_GROUP
                ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
                : t->from_org[corner][axis];
 }
@@ -81,8 +81,9 @@ static inline f4 larger3(f4 a, f4 b, f4 c) {
 }
 
 /* The edge functions as seen along axis z. */
-static inline edges edges_of(const prepared *t, const plt_rays *g, int z, enum sharing sharing) {
-    z = sharing == ONE_AXIS ? 2 : z;
+static inline edges edges_of(const prepared *t, const plt_group_rays *g, int z,
+                             enum sharing sharing) {
+    z = sharing == PER_PACKET ? 2 : z;
     const int ax = axis_after[z], ay = axis_after[ax];
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     edges e;
@@ -100,10 +101,10 @@ static inline edges edges_of(const prepared *t, const plt_rays *g, int z, enum s
 }
 
 /* Lanes that the triangle covers, or may cover. */
-static inline unsigned may_cover(const prepared *t, const plt_rays *g, const edges *e,
+static inline unsigned may_cover(const prepared *t, const plt_group_rays *g, const edges *e,
                                  enum sharing sharing) {
     f4 slack = t->slack;
-    if (sharing == APART) {
+    if (sharing == PER_GROUP) {
         slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->least_slack));
     }
     return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
@@ -111,7 +112,7 @@ static inline unsigned may_cover(const prepared *t, const plt_rays *g, const edg
 
 /* The side of one edge for a ray whose edge function is too close to 0 to say:
  * weight[c] belongs to the edge from corner c + 2 to corner c + 1, seen along z. */
-static int close_side(const prepared *t, const plt_rays *g, int z, unsigned lane, int c) {
+static int exact_side(const prepared *t, const plt_group_rays *g, int z, unsigned lane, int c) {
     const float org[3] = {g->org[0][lane], g->org[1][lane], g->org[2][lane]};
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     const float(*corner)[3] = t->triangle->corner;
@@ -122,7 +123,7 @@ static int close_side(const prepared *t, const plt_rays *g, int z, unsigned lane
 
 /* Does the ray meet the triangle? Never wrong: an edge function larger than its error
  * bound is relied on, the others are computed anew. */
-static int meets_exactly(const prepared *t, const plt_rays *g, const edges *e, int z,
+static int meets_exactly(const prepared *t, const plt_group_rays *g, const edges *e, int z,
                          const float error[4], unsigned lane) {
     int positive = 0, negative = 0;
     for (int c = 0; c < 3; c++) {
@@ -130,7 +131,7 @@ static int meets_exactly(const prepared *t, const plt_rays *g, const edges *e, i
         f4_store(weight, e->weight[c]);
         int side = weight[lane] > 0.0f ? 1 : -1;
         if (weight[lane] <= error[lane] && weight[lane] >= -error[lane]) {
-            side = close_side(t, g, z, lane, c);
+            side = exact_side(t, g, z, lane, c);
         }
         positive |= side > 0;
         negative |= side < 0;
@@ -150,7 +151,8 @@ static m4 clearly_missed(const edges *e, f4 reach) {
 }
 
 /* Of the lanes that may be covered those that are. */
-static m4 covered(const prepared *t, const plt_rays *g, const edges *e, int z, m4 candidates) {
+static m4 covered(const prepared *t, const plt_group_rays *g, const edges *e, int z,
+                  m4 candidates) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
@@ -158,12 +160,12 @@ static m4 covered(const prepared *t, const plt_rays *g, const edges *e, int z, m
         reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
     const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
     unsigned lanes = m4_mask(m4_and(candidates, sure));
-    const unsigned close =
+    const unsigned undecided =
         m4_mask(m4_andnot(m4_andnot(candidates, sure), clearly_missed(e, reach)));
     float errors[4];
     f4_store(errors, error);
-    for (unsigned lane = 0; close >> lane != 0; lane++) {
-        if (close >> lane & 1u) {
+    for (unsigned lane = 0; undecided >> lane != 0; lane++) {
+        if (undecided >> lane & 1u) {
             lanes |= (unsigned)meets_exactly(t, g, e, z, errors, lane) << lane;
         }
     }
@@ -171,7 +173,7 @@ static m4 covered(const prepared *t, const plt_rays *g, const edges *e, int z, m
 }
 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
-static m4 own_box(const prepared *t, const plt_slabs *s, f4 *enter, f4 *leave) {
+static m4 own_box(const prepared *t, const plt_group_slabs *s, f4 *enter, f4 *leave) {
     f4 n[3], f[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p = f4_all(t->triangle->corner[0][a]), q = f4_all(t->triangle->corner[1][a]),
@@ -190,7 +192,7 @@ static m4 own_box(const prepared *t, const plt_slabs *s, f4 *enter, f4 *leave) {
 /* t = n . (p0 - org) / n . dir, with dir as its component along z times the
  * slopes: no factor is above 1, so no direction that is allowed overflows. A
  * NaN (0 / 0) becomes `enter` by the rule of max. */
-static f4 plane_distance(const prepared *t, const float normal[3], const plt_rays *g, int z,
+static f4 plane_distance(const prepared *t, const float normal[3], const plt_group_rays *g, int z,
                          f4 enter, f4 leave) {
     const int ax = axis_after[z], ay = axis_after[ax];
     f4 numerator = f4_zero();
@@ -205,17 +207,16 @@ static f4 plane_distance(const prepared *t, const float normal[3], const plt_ray
     return f4_min(f4_max(distance, enter), leave);
 }
 
-static m4 nearer(const plt_slabs *s, const plt_rays *g, f4 t, u4 id) {
+static m4 nearer(const plt_group_slabs *s, const plt_group_rays *g, f4 t, u4 id) {
     const f4 tmax = f4_load(s->tmax);
     const m4 tie = m4_and(f4_eq(t, tmax), u4_lt(id, u4_load(g->id)));
     return m4_and(f4_le(f4_load(s->tmin), t), m4_or(f4_lt(t, tmax), tie));
 }
 
 /* u and v count from the corner that came first in the packed mesh. */
-static void store_weights(plt_rays *g, m4 hit, const edges *e, uint32_t rotation) {
-    static const uint8_t next[3] = {1, 2, 0};
+static void store_weights(plt_group_rays *g, m4 hit, const edges *e, uint32_t rotation) {
     const f4 sum = f4_add(f4_add(e->weight[0], e->weight[1]), e->weight[2]);
-    const unsigned first = next[rotation], second = next[first];
+    const unsigned first = axis_after[rotation], second = axis_after[first];
     const f4 u = f4_min(f4_max(f4_div(e->weight[first], sum), f4_zero()), f4_all(1.0f));
     const f4 v = f4_min(f4_max(f4_div(e->weight[second], sum), f4_zero()), f4_all(1.0f));
     f4_store(g->u, f4_select(hit, u, f4_load(g->u)));
@@ -225,11 +226,11 @@ static void store_weights(plt_rays *g, m4 hit, const edges *e, uint32_t rotation
 /* The rays of `lanes` are those that can meet the triangle; which is a hit? */
 static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, const edges *e, int z,
                             unsigned lanes) {
-    plt_slabs *s = &p->slabs.group[index];
-    plt_rays *g = &p->rays[index];
+    plt_group_slabs *s = &p->slabs.group[index];
+    plt_group_rays *g = &p->rays[index];
     f4 enter, leave;
     float normal[3];
-    normal_of((const float(*)[3])t->triangle->corner, normal);
+    normal_of(t->triangle->corner, normal);
     const m4 in_box = own_box(t, s, &enter, &leave);
     const f4 distance = plane_distance(t, normal, g, z, enter, leave);
     const uint32_t word = plt_primitive_word_find(t->triangle->ids, t->triangle->word);
@@ -250,7 +251,7 @@ static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, co
 
 static inline unsigned test_axis(const prepared *t, plt_packet *p, unsigned index, int z,
                                  enum sharing sharing) {
-    const plt_rays *g = &p->rays[index];
+    const plt_group_rays *g = &p->rays[index];
     const edges e = edges_of(t, g, z, sharing);
     const unsigned may = may_cover(t, g, &e, sharing) & g->axis_lanes[z];
     if (may == 0) {
@@ -262,7 +263,7 @@ static inline unsigned test_axis(const prepared *t, plt_packet *p, unsigned inde
 
 /* Any hit: a group whose rays have all hit something leaves the packet. */
 static inline void retire_group(plt_packet *p, unsigned index) {
-    const plt_slabs *s = &p->slabs.group[index];
+    const plt_group_slabs *s = &p->slabs.group[index];
     const unsigned seeking = m4_mask(f4_le(f4_load(s->tmin), f4_load(s->tmax)));
     p->active &= ~plt_mask_of(index, seeking == 0);
 }
@@ -270,7 +271,7 @@ static inline void retire_group(plt_packet *p, unsigned index) {
 static inline void test_group(const prepared *t, plt_packet *p, unsigned index,
                               enum sharing sharing) {
     unsigned hits = 0;
-    if (sharing == ONE_AXIS || (sharing == APART && p->axis < 3)) {
+    if (sharing == PER_PACKET || p->axis != PLT_AXES_DIFFER) {
         hits = test_axis(t, p, index, p->axis, sharing);
     } else {
         for (int z = 0; z < 3; z++) {
@@ -292,9 +293,9 @@ static inline void test_groups(prepared *t, plt_packet *p, plt_mask groups, enum
 void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask groups) {
     prepared t;
     t.triangle = triangle;
-    if (p->slabs.coherence == PLT_ONE_ORIGIN && p->axis < 3) {
-        test_groups(&t, p, groups, ONE_AXIS);
+    if (p->slabs.coherence == PLT_ONE_ORIGIN && p->axis != PLT_AXES_DIFFER) {
+        test_groups(&t, p, groups, PER_PACKET);
     } else {
-        test_groups(&t, p, groups, APART);
+        test_groups(&t, p, groups, PER_GROUP);
     }
 }

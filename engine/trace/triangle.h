@@ -1,13 +1,12 @@
 /* triangle - a packet's groups against a triangle, watertight
  *
- * A ray that meets a triangle, edges and corners included, is never turned
- * away: three edge functions in single precision decide where their error
- * bounds allow; cases within the error bound go to exact.h, which is never wrong. So no ray
- * slips through an edge or a corner of a closed mesh. t comes from the
- * triangle's plane and is held within the triangle's own box, which a ray
- * must meet: hence a hit lies in every box around its triangle, and no tree,
- * packet or order of visits can change it. Of equal t the lower primitive id
- * wins. A triangle without area has no inside and is never hit.
+ * A ray that meets a triangle, edges and corners included, is never turned away: three
+ * edge functions in single precision decide where their error bounds allow; cases within
+ * the error bound go to exact.h, which is never wrong. So no ray slips through an edge or
+ * a corner of a closed mesh. t comes from the triangle's plane and is held within the
+ * triangle's own box, which a ray must meet: hence a hit lies in every box around its
+ * triangle, and no tree, packet or order of visits can change it. Of equal t the lower
+ * primitive id wins. A triangle without area has no inside and is never hit.
  *
  * Sources: Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013
  * (the shear and the edge functions). Error bounds, pairs of floats instead of
@@ -24,7 +23,7 @@
 typedef struct plt_triangle {
     float corner[3][3];
     float longest;                /* at least the longest side of its box */
-    uint32_t word;                /* of primitive_id.h, or the index of that word in `ids` */
+    uint32_t word;                /* of primitive_id.h if `ids` is NULL, else its index there */
     const plt_primitive_ids *ids; /* or NULL */
 } plt_triangle;
 

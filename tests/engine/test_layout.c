@@ -151,7 +151,10 @@ static void adds_up(const combination *c) {
           (unsigned long long)need_of(&s));
     CHECK(s.parts == PLT_PARTS_COUNT, "%s: %u parts", name_of(c), s.parts);
     CHECK((s.of[PLT_LIFETIME_BUILDS] > 0) == c->builds, "%s: a builder", name_of(c));
-    CHECK(s.of[PLT_LIFETIME_VALIDATES] > 0 && s.of[PLT_LIFETIME_RUNS] > 0, "%s", name_of(c));
+    /* Blocks that are built of mapped corners are right by construction. */
+    const int trusted = c->builds && c->mapped && c->info->nodes_format == PLT_NODES_COMPACT;
+    CHECK((s.of[PLT_LIFETIME_VALIDATES] == 0) == trusted, "%s: validation", name_of(c));
+    CHECK(s.of[PLT_LIFETIME_RUNS] > 0, "%s", name_of(c));
     CHECK((s.touched > 0) == c->options.count_touched, "%s: %u bytes", name_of(c),
           (unsigned)s.touched);
     for (unsigned i = PLT_LIFETIME_VALIDATES; i < PLT_LIFETIMES; i++) {

@@ -18,8 +18,8 @@
 enum { SIDE = 4, GROUPS = SIDE * SIDE / 4 };
 
 typedef struct bundle {
-    plt_slabs slabs[GROUPS];
-    plt_rays rays[GROUPS];
+    plt_group_slabs slabs[GROUPS];
+    plt_group_rays rays[GROUPS];
     plt_packet packet;
     float org[3];
 } bundle;
@@ -68,7 +68,7 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
 
 /* On a ray of the bundle, at distance t, or `off` beside it. */
 static void point(const bundle *b, random_state *r, float t, float off, float to[3]) {
-    const plt_rays *g = &b->rays[random_below(r, GROUPS)];
+    const plt_group_rays *g = &b->rays[random_below(r, GROUPS)];
     const unsigned lane = random_below(r, 4);
     for (int a = 0; a < 3; a++) {
         to[a] = b->org[a] + t * g->dir[a][lane] + random_float(r, -off, off);

@@ -1,4 +1,4 @@
-/* layout - the parts of an arena, one row each
+/* parts - the parts of an arena, one row each
  *
  * The rows below are the only list of what lies in an arena: plt_arena_need adds
  * them up, opening cuts them, `planelet info` prints them and DESIGN.md, section 3,
@@ -9,8 +9,8 @@
  * hold the parts that stay and the greatest of the three groups behind them.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_SCENE_LAYOUT_H
-#define PLT_SCENE_LAYOUT_H
+#ifndef PLT_SCENE_PARTS_H
+#define PLT_SCENE_PARTS_H
 
 #include <stdint.h>
 
