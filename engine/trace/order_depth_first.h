@@ -101,7 +101,7 @@ static int pop_depth_first(plt_traversal *t, plt_packet *p, uint32_t *visits) {
 }
 
 static int push_root_depth_first(plt_traversal *t, const plt_packet *p) {
-    depth_first_entry *root = t->stack;
+    depth_first_entry *root = (depth_first_entry *)t->stack;
     root->groups = p->active;
     return format_root(t, &root->place);
 }

@@ -114,7 +114,7 @@ static int pop_two_stage(plt_traversal *t, plt_packet *p, uint32_t *visits) {
 }
 
 static int push_root_two_stage(plt_traversal *t, const plt_packet *p) {
-    two_stage_entry *root = t->stack;
+    two_stage_entry *root = (two_stage_entry *)t->stack;
     root->groups = p->active;
     root->distance = 0.0f;
     return format_root(t, &root->place);

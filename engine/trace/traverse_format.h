@@ -10,6 +10,8 @@
  *   int pop_order(t, p, &visits)           works one entry off; adds nodes visited
  *
  * SPDX-License-Identifier: MIT */
+#ifdef FORMAT_NAME /* else there is nothing to make */
+
 #include "engine/trace/traverse_formats.h"
 
 #ifndef FORMAT_ORDER
@@ -78,3 +80,5 @@ int PLT_JOINED(FORMAT_NAME, traverse)(plt_traversal *t, plt_packet *p, uint32_t 
         return PLT_OK;
     }
 }
+
+#endif
