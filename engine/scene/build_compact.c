@@ -66,7 +66,12 @@ static int open_corners(const plt_opening *o, plt_compact_build *b, const plt_se
     } else {
         status = open_cache(o, t, s);
     }
-    return status == PLT_OK ? validate_corners(o, b) : status;
+    if (status != PLT_OK) {
+        return status;
+    }
+    /* Corners that a source failed to deliver are zeros: its failure comes first. */
+    const int valid = validate_corners(o, b), source = cache_status(o, t->cache);
+    return source == PLT_OK ? valid : source;
 }
 
 /* Blocks grow over the free arena; state, scratch and cache take its end. */
@@ -98,29 +103,48 @@ static plt_compact_build *cut_for_build(const plt_opening *o) {
     return b;
 }
 
-int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
-                            plt_compact_build **build) {
-    const plt_info *info = &o->scene->info;
-    const plt_section *corners = plt_header_section(header, PLT_SECTION_CORNERS);
-    plt_compact_build *b = cut_for_build(o);
-    if (b == NULL) {
+/* A status of the builder, with a fault if it is an error. */
+static int blocks_status(const plt_opening *o, int status) {
+    switch (status) {
+    case PLT_ERR_ARENA:
         return plt_opening_short(o);
+    case PLT_ERR_LIMIT:
+        return plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
+    default: /* PLT_OK, PLT_MORE */
+        return status;
     }
+}
+
+static void describe(const plt_opening *o, const plt_section *corners, plt_compact_build *b) {
+    const plt_info *info = &o->scene->info;
     b->corners_offset = corners->offset;
     b->job.triangles.count = info->triangles;
     b->job.triangles.width = plt_corner_width(info->lattice_bits);
     b->job.bits = info->lattice_bits;
     b->job.leaf_triangles = info->leaf_triangles;
     b->job.splits = info->splits;
+}
+
+int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
+                            plt_compact_build **build) {
+    const plt_section *corners = plt_header_section(header, PLT_SECTION_CORNERS);
+    plt_compact_build *b = cut_for_build(o);
+    if (b == NULL) {
+        return plt_opening_short(o);
+    }
+    describe(o, corners, b);
     int status = open_corners(o, b, corners);
-    if (status == PLT_OK && plt_blocks_begin(&b->job) != PLT_OK) {
-        status = plt_opening_short(o);
+    if (status == PLT_OK) {
+        status = blocks_status(o, plt_blocks_begin(&b->job));
     }
     if (status == PLT_OK) {
         status = cache_status(o, b->job.triangles.cache);
     }
+    if (status != PLT_OK) {
+        return status;
+    }
     *build = b;
-    return status == PLT_OK ? PLT_MORE : status;
+    return PLT_MORE;
 }
 
 static void set_tree(plt_scene *scene, const plt_blocks_job *job) {
@@ -167,24 +191,17 @@ static int finish(const plt_opening *o, const plt_compact_build *b) {
     return is_cached ? validate_built(o, corners_offset) : PLT_OK;
 }
 
+/* One step. What the builder makes of a source that has failed counts for nothing. */
+static int step(const plt_opening *o, plt_compact_build *b) {
+    const int status = plt_blocks_step(&b->job);
+    const int source = cache_status(o, b->job.triangles.cache);
+    return source == PLT_OK ? blocks_status(o, status) : source;
+}
+
 int plt_build_compact_step(const plt_opening *o, plt_compact_build *b, uint32_t steps) {
     int status = PLT_MORE;
-    while (status == PLT_MORE && steps > 0) {
-        status = plt_blocks_step(&b->job);
-        steps--;
+    for (; status == PLT_MORE && steps > 0; steps--) {
+        status = step(o, b);
     }
-    const int source = cache_status(o, b->job.triangles.cache);
-    if (source != PLT_OK) {
-        return source;
-    }
-    switch (status) {
-    case PLT_OK:
-        return finish(o, b);
-    case PLT_MORE:
-        return PLT_MORE;
-    case PLT_ERR_ARENA:
-        return plt_opening_short(o);
-    default:
-        return plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
-    }
+    return status == PLT_OK ? finish(o, b) : status;
 }
