@@ -46,6 +46,7 @@ int plt_blocks_begin(plt_blocks_job *job) {
     s->index_bytes = n <= 65536 ? 2 : 4;
     job->used = job->node_bytes = job->blocks = job->nodes = job->leaves = job->pairs = 0;
     job->written = job->depth = 0;
+    job->limit = PLT_BLOCKS_LIMIT_NONE;
     job->root = PLT_MISS;
     job->box = plt_lattice_box_empty();
     job->peak = (size_t)n * s->index_bytes;
@@ -171,7 +172,7 @@ static void push_edges(plt_blocks_state *s, uint32_t block_address, const uint32
 static int finish_block(plt_blocks_state *s) {
     if (!plt_blocks_collect_geometry(s)) {
         if (s->nodes_most <= 1) {
-            return PLT_ERR_LIMIT;
+            return plt_blocks_limited(s, PLT_BLOCKS_LIMIT_BLOCK);
         }
         begin_block(s, s->nodes > 1 ? s->nodes / 2 : 1);
         return PLT_MORE;
@@ -221,8 +222,22 @@ int plt_blocks_step(plt_blocks_job *job) {
         return finish_block(s);
     }
     if (s->pending[chosen].depth >= PLT_DEPTH_MAX) {
-        return PLT_ERR_LIMIT;
+        return plt_blocks_limited(s, PLT_BLOCKS_LIMIT_DEPTH);
     }
     split_pending(s, (uint32_t)chosen);
     return PLT_MORE;
+}
+
+/* A switch: a table of pointers would be data that start-up has to fill in. */
+const char *plt_blocks_limit_message(const plt_blocks_job *job) {
+    switch (job->limit) {
+    case PLT_BLOCKS_LIMIT_DEPTH:
+        return "the scene needs more than PLT_DEPTH_MAX levels";
+    case PLT_BLOCKS_LIMIT_BLOCK:
+        return "a node's triangles do not fit a block";
+    case PLT_BLOCKS_LIMIT_BYTES:
+        return "the scene needs more than PLT_BLOCKS_BYTES_MAX of blocks";
+    default:
+        return "no limit was met";
+    }
 }

@@ -20,10 +20,14 @@
 size_t plt_blocks_scratch_bytes(uint32_t count);
 
 /* Begins; then each step does a split or writes a block. PLT_OK: begun, or
- * done; PLT_MORE; PLT_ERR_ARENA (memory), PLT_ERR_LIMIT (depth, or a block that
- * cannot be made small enough). */
+ * done; PLT_MORE; PLT_ERR_ARENA (memory too small); PLT_ERR_LIMIT, from a step
+ * only, and job->limit says which: depth, a block that cannot be made small enough,
+ * or bytes of all blocks. */
 int plt_blocks_begin(plt_blocks_job *job);
 int plt_blocks_step(plt_blocks_job *job);
+
+/* What job->limit means, as a sentence. */
+const char *plt_blocks_limit_message(const plt_blocks_job *job);
 
 /* The image order of the triangles, for a host that wants it: if not NULL,
  * order[i] becomes the index, in the job, of triangle i of the image. */

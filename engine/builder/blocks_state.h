@@ -104,6 +104,12 @@ static inline void plt_permute(plt_blocks_state *s, uint32_t i, uint32_t triangl
     }
 }
 
+/* PLT_ERR_LIMIT, and why. */
+static inline int plt_blocks_limited(plt_blocks_state *s, enum plt_blocks_limit limit) {
+    s->job->limit = (uint8_t)limit;
+    return PLT_ERR_LIMIT;
+}
+
 /* plt_split_records, for a range of the permutation. (split_lattice.c) */
 uint32_t plt_split_lattice(plt_blocks_state *items, const plt_split_range *range,
                            const plt_lattice_box *box, plt_lattice_box child[2]);

@@ -142,7 +142,7 @@ int plt_blocks_write(plt_blocks_state *s) {
         return PLT_ERR_ARENA;
     }
     if (job->used + size > PLT_BLOCKS_BYTES_MAX) {
-        return PLT_ERR_LIMIT;
+        return plt_blocks_limited(s, PLT_BLOCKS_LIMIT_BYTES);
     }
     unsigned char *bytes = job->memory + job->used;
     memset(bytes, 0, size);

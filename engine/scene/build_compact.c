@@ -104,12 +104,12 @@ static plt_compact_build *cut_for_build(const plt_opening *o) {
 }
 
 /* A status of the builder, with a fault if it is an error. */
-static int blocks_status(const plt_opening *o, int status) {
+static int blocks_status(const plt_opening *o, const plt_blocks_job *job, int status) {
     switch (status) {
     case PLT_ERR_ARENA:
         return plt_opening_short(o);
     case PLT_ERR_LIMIT:
-        return plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
+        return plt_limit(o->fault, plt_blocks_limit_message(job));
     default: /* PLT_OK, PLT_MORE */
         return status;
     }
@@ -135,7 +135,7 @@ int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
     describe(o, corners, b);
     int status = open_corners(o, b, corners);
     if (status == PLT_OK) {
-        status = blocks_status(o, plt_blocks_begin(&b->job));
+        status = blocks_status(o, &b->job, plt_blocks_begin(&b->job));
     }
     if (status == PLT_OK) {
         status = cache_status(o, b->job.triangles.cache);
@@ -195,7 +195,7 @@ static int finish(const plt_opening *o, const plt_compact_build *b) {
 static int step(const plt_opening *o, plt_compact_build *b) {
     const int status = plt_blocks_step(&b->job);
     const int source = cache_status(o, b->job.triangles.cache);
-    return source == PLT_OK ? blocks_status(o, status) : source;
+    return source == PLT_OK ? blocks_status(o, &b->job, status) : source;
 }
 
 int plt_build_compact_step(const plt_opening *o, plt_compact_build *b, uint32_t steps) {
