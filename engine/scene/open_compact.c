@@ -57,7 +57,7 @@ static int read_sections(const plt_opening *o, const plt_header *header) {
         status =
             plt_opening_section(o, plt_header_section(header, PLT_SECTION_TRIANGLES), &records);
     }
-    if (status == PLT_OK && records != NULL) {
+    if (status == PLT_OK && t->leaf_kind == PLT_LEAF_RECORDS) {
         status = plt_records_validate(header, records, o->fault);
     }
     t->bytes = blocks;

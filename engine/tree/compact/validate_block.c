@@ -96,7 +96,7 @@ static int counts_rule(const plt_block *b, uint32_t k) {
 }
 
 static int geometry_rule(const plt_block *b, const plt_lattice_box *bounds, uint32_t k,
-                         int floats) {
+                         int leaf_kind) {
     plt_geometry g;
     if (b->leaves == 0) {
         return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
@@ -104,7 +104,7 @@ static int geometry_rule(const plt_block *b, const plt_lattice_box *bounds, uint
     if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
         return PLT_BLOCK_RULE_GEOMETRY;
     }
-    if (floats) {
+    if (leaf_kind == PLT_LEAF_RECORDS) {
         return counts_rule(b, k);
     }
     plt_geometry_open(&g, b, bounds, k);
@@ -139,9 +139,8 @@ int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_blo
     if (!bounds_are_inside(&bounds, &tree->box)) {
         return PLT_BLOCK_RULE_BOUNDS;
     }
-    return checks_are_right(&b)
-               ? geometry_rule(&b, &bounds, tree->leaf_triangles, tree->records != NULL)
-               : PLT_BLOCK_RULE_CHECK;
+    return checks_are_right(&b) ? geometry_rule(&b, &bounds, tree->leaf_triangles, tree->leaf_kind)
+                                : PLT_BLOCK_RULE_CHECK;
 }
 
 /* A switch: a table of pointers would be data that start-up has to fill in. */
