@@ -47,7 +47,7 @@ int plt_blocks_begin(plt_blocks_job *job) {
     job->used = job->node_bytes = job->blocks = job->nodes = job->leaves = job->pairs = 0;
     job->written = job->depth = 0;
     job->limit = PLT_BLOCKS_LIMIT_NONE;
-    job->root = PLT_MISS;
+    job->root = PLT_LINK_NONE;
     job->box = plt_lattice_box_empty();
     job->peak = (size_t)n * s->index_bytes;
     if (job->peak > job->bytes) {
@@ -61,7 +61,7 @@ int plt_blocks_begin(plt_blocks_job *job) {
     }
     if (n > 0) {
         const plt_block_range all = {0, n, job->box, job->box, 0, 0, 0};
-        push_edge(s, &all, PLT_MISS);
+        push_edge(s, &all, PLT_LINK_NONE);
     }
     return PLT_OK;
 }

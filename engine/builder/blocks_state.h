@@ -24,7 +24,7 @@ typedef struct plt_block_range {
 typedef struct plt_block_edge_waiting {
     uint32_t first, count;
     plt_lattice_box bounds;
-    uint32_t link_at; /* byte of memory where its link goes; PLT_MISS: the root's */
+    uint32_t link_at; /* byte of memory where its link goes; PLT_LINK_NONE: the root's */
     uint32_t depth;
 } plt_block_edge_waiting;
 

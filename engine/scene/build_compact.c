@@ -47,7 +47,8 @@ static int open_cache(const plt_opening *o, plt_lattice_triangles *t, const plt_
     if (memory == NULL) {
         return plt_opening_short(o);
     }
-    t->cache = plt_record_cache_init(memory, o->source, s->offset, 9 * t->width, t->count);
+    t->cache = plt_record_cache_init(memory, o->source, s->offset,
+                                     plt_corners_bytes(o->scene->info.lattice_bits), t->count);
     const uint32_t crc = plt_record_cache_crc(t->cache, s->bytes);
     const int status = cache_status(o, t->cache);
     return status != PLT_OK || crc == s->crc
