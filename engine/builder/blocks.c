@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks.h"
 
+#include <string.h>
+
 #include "engine/builder/blocks_state.h"
 
 /* Edges that may wait: a full block's for each level of blocks that so many triangles

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks_state.h"
 
+#include <string.h>
+
 #define NONE 0xFFFFu
 
 /* Nodes breadth first: the root, then in order of parent and child. */

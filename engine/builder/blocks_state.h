@@ -4,6 +4,8 @@
 #ifndef PLT_BUILDER_BLOCKS_STATE_H
 #define PLT_BUILDER_BLOCKS_STATE_H
 
+#include <string.h>
+
 #include "engine/builder/blocks_job.h"
 #include "engine/builder/split.h"
 #include "engine/tree/compact/leaf.h"

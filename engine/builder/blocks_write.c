@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks_state.h"
 
+#include <string.h>
+
 static uint32_t count_edges(const plt_blocks_state *s) {
     uint32_t edges = 0;
     for (uint32_t i = 0; i < s->nodes; i++) {

@@ -7,6 +7,7 @@
 #include "engine/scene/build_compact.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/record_cache.h"
 #include "engine/scene/validate_compact.h"
 
@@ -32,7 +33,8 @@ static int validate_corners(const plt_opening *o, const plt_compact_build *b) {
         for (uint32_t k = 0; k < 9; k++) {
             const uint32_t q = plt_lattice_number(t, at, k);
             if (q < box->lo[k % 3] || q > box->hi[k % 3]) {
-                return plt_broken(o->fault, 20, b->corners_offset + (9 * i + k) * t->width,
+                return plt_broken(o->fault, PLT_I20_CORNERS,
+                                  b->corners_offset + (9 * i + k) * t->width,
                                   "a corner lies outside the scene's box");
             }
         }
@@ -51,9 +53,9 @@ static int open_cache(const plt_opening *o, plt_lattice_triangles *t, const plt_
                                      plt_corners_bytes(o->scene->info.lattice_bits), t->count);
     const uint32_t crc = plt_record_cache_crc(t->cache, s->bytes);
     const int status = cache_status(o, t->cache);
-    return status != PLT_OK || crc == s->crc
-               ? status
-               : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
+    return status != PLT_OK || crc == s->crc ? status
+                                             : plt_refused(o->fault, PLT_R13_SECTION_CRC, s->offset,
+                                                           "a section is damaged (checksum)");
 }
 
 /* The corners where they lie: mapped, or behind a cache. */

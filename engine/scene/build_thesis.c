@@ -5,7 +5,6 @@
 
 #include "engine/base/fault.h"
 #include "engine/builder/build.h"
-#include "engine/scene/worst_tree.h"
 #include "engine/tree/thesis/validate.h"
 #include "engine/tree/validate_records.h"
 

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
+#include "engine/image/header_at.h"
 #include "engine/scene/open_formats.h"
 #include "engine/scene/validate_compact.h"
 #include "engine/tree/validate_records.h"
@@ -25,7 +27,7 @@ static int validate_ids(const plt_opening *o, const plt_section *section) {
         const uint32_t word = plt_primitive_word_find(n, i);
         if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
             const uint32_t at = (uint32_t)((uint64_t)i * n->bits >> 3);
-            return plt_broken(o->fault, 19, section->offset + at,
+            return plt_broken(o->fault, PLT_I19_IDS, section->offset + at,
                               "a triangle's number is too large");
         }
     }
@@ -39,7 +41,8 @@ static int validate_blocks(const plt_opening *o, const plt_section *blocks) {
         o->fault->offset += blocks->offset;
     }
     if (status == PLT_OK && !plt_compact_counts_agree(&o->scene->info, &found)) {
-        status = plt_broken(o->fault, 18, 24, "the header's counts are not the blocks'");
+        status = plt_broken(o->fault, PLT_I18_COUNTS, PLT_AT_COUNTS,
+                            "the header's counts are not the blocks'");
     }
     return status;
 }

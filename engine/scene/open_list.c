@@ -23,8 +23,7 @@ int plt_open_list(const plt_opening *o, const plt_header *header) {
     const plt_tree tree = {.records = records,
                            .records_count = header->info.triangles,
                            .treelet_nodes = header->info.treelet_nodes,
-                           .root = header->root,
-                           .box = o->scene->box};
+                           .root = header->root};
     const size_t mark = o->arena->used;
     plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
     if (levels == NULL) {

@@ -12,7 +12,6 @@ static void describe(const plt_opening *o, const plt_header *header) {
     tree->records_count = header->info.triangles;
     tree->treelet_nodes = header->info.treelet_nodes;
     tree->root = header->root;
-    tree->box = o->scene->box;
 }
 
 static int validate(const plt_opening *o, const plt_header *header) {

@@ -4,6 +4,7 @@
 #include "engine/scene/opening.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/fetch.h"
 #include "engine/planelet_crc32.h"
 
@@ -19,7 +20,8 @@ void *plt_opening_cut(const plt_opening *o, enum plt_part part) {
 static int check_sum(const plt_opening *o, const plt_section *s, const void *bytes) {
     return plt_crc32(0, bytes, s->bytes) == s->crc
                ? PLT_OK
-               : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
+               : plt_refused(o->fault, PLT_R13_SECTION_CRC, s->offset,
+                             "a section is damaged (checksum)");
 }
 
 int plt_opening_copy(const plt_opening *o, const plt_section *s, void **bytes) {

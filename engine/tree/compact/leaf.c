@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/compact/leaf.h"
 
+#include <string.h>
+
 #include "engine/lanes/lanes.h"
 
 void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {

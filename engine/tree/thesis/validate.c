@@ -14,6 +14,7 @@
 #include "engine/tree/thesis/validate.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/header_at.h"
 
 static uint32_t larger(uint32_t a, uint32_t b) {
@@ -30,13 +31,14 @@ static int validate_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, p
                           plt_fault *fault) {
     uint32_t record = plt_link_index(link);
     if (record != *seen) {
-        return plt_broken(fault, 4, record, "a list does not follow the one before it");
+        return plt_broken(fault, PLT_I4_LIST_ORDER, record,
+                          "a list does not follow the one before it");
     }
     for (uint32_t lists = plt_link_lists(link); lists > 0; lists--) {
         uint32_t length = 0;
         do {
             if (record >= tree->records_count) {
-                return plt_broken(fault, 3, record - 1,
+                return plt_broken(fault, PLT_I3_LIST_ENDS, record - 1,
                                   "a list of triangles runs past the last one");
             }
             length++;
@@ -112,13 +114,15 @@ static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *
             continue;
         }
         if (plt_link_index(link) >= tree->node_slots) {
-            return plt_broken(fault, 1, at->node, "a link names a node that is not there");
+            return plt_broken(fault, PLT_I1_LINKS, at->node,
+                              "a link names a node that is not there");
         }
         if (!link_kind_is_right(tree, at->node, link)) {
-            return plt_broken(fault, 1, at->node, "a link is not in the treelet that it says");
+            return plt_broken(fault, PLT_I1_LINKS, at->node,
+                              "a link is not in the treelet that it says");
         }
         if (++info->nodes > tree->node_slots) {
-            return plt_broken(fault, 2, at->node, "the nodes form no tree");
+            return plt_broken(fault, PLT_I2_TREE, at->node, "the nodes form no tree");
         }
         if (++level == PLT_DEPTH_MAX) {
             return plt_limit(fault, "the tree is deeper than PLT_DEPTH_MAX");
@@ -133,7 +137,7 @@ static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *
 static int validate_nodes(const plt_tree *tree, plt_validate_level *levels, uint32_t *seen,
                           plt_info *info, plt_fault *fault) {
     if (plt_link_index(tree->root) >= tree->node_slots) {
-        return plt_broken(fault, 1, PLT_AT_ROOT_LINK,
+        return plt_broken(fault, PLT_I1_LINKS, PLT_AT_ROOT_LINK,
                           "the root link names a node that is not there");
     }
     info->nodes = info->treelets = 1;
@@ -163,7 +167,7 @@ int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info
                            ? validate_lists(tree, tree->root, &seen, info, fault)
                            : validate_nodes(tree, levels, &seen, info, fault);
     if (status == PLT_OK && seen != tree->records_count) {
-        return plt_broken(fault, 4, seen, "a triangle is in no list");
+        return plt_broken(fault, PLT_I4_LIST_ORDER, seen, "a triangle is in no list");
     }
     return status;
 }
@@ -182,7 +186,7 @@ int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fau
             const int inside = /* false for NaN */
                 plane >= info->lo[axis] && plane <= info->hi[axis];
             if (!inside && plane != 0.0f) {
-                return plt_broken(fault, 6, plane_offset(header, i, (uint32_t)k),
+                return plt_broken(fault, PLT_I6_PLANES, plane_offset(header, i, (uint32_t)k),
                                   "a plane lies outside the scene's box");
             }
         }
@@ -195,7 +199,7 @@ static uint32_t fault_offset(const plt_header *header, const plt_fault *fault) {
     if (fault->offset == PLT_AT_ROOT_LINK) {
         return PLT_AT_ROOT;
     }
-    const int in_node = fault->rule <= 2;
+    const int in_node = fault->rule <= PLT_I2_TREE;
     const uint32_t kind = in_node ? PLT_SECTION_NODES : PLT_SECTION_TRIANGLES;
     return plt_header_section(header, kind)->offset +
            fault->offset * (in_node ? PLT_NODE_BYTES : PLT_RECORD_BYTES);
@@ -214,14 +218,15 @@ int plt_tree_validate_counts(const plt_header *header, const plt_tree *tree,
                              plt_validate_level *levels, plt_fault *fault) {
     plt_info found = header->info;
     if (tree->root == PLT_LINK_NONE && tree->records_count > 0) {
-        return plt_broken(fault, 4, PLT_AT_ROOT, "there are triangles but no tree");
+        return plt_broken(fault, PLT_I4_LIST_ORDER, PLT_AT_ROOT, "there are triangles but no tree");
     }
     const int status = plt_tree_validate(tree, levels, &found, fault);
     if (status == PLT_ERR_IMAGE) {
         fault->offset = fault_offset(header, fault);
     }
     if (status == PLT_OK && !same_counts(&header->info, &found)) {
-        return plt_broken(fault, 8, PLT_AT_COUNTS + 4, "the header's counts are not the tree's");
+        return plt_broken(fault, PLT_I8_COUNTS, PLT_AT_COUNTS + 4,
+                          "the header's counts are not the tree's");
     }
     if (status == PLT_OK && found.global_stack_entries > PLT_GLOBAL_STACK_MAX) {
         return plt_limit(fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
