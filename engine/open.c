@@ -46,7 +46,7 @@ static int cut_running(const plt_opening *o, void *to[PLT_PARTS_COUNT]) {
         }
         to[i] = plt_opening_cut(o, (enum plt_part)i);
         if (to[i] == NULL) {
-            return plt_opening_short(o);
+            return plt_opening_arena_error(o);
         }
     }
     return PLT_OK;

@@ -47,7 +47,7 @@ static int validate_corners(const plt_opening *o, const plt_compact_build *b) {
 static int open_cache(const plt_opening *o, plt_lattice_triangles *t, const plt_section *s) {
     void *memory = plt_opening_cut(o, PLT_PART_RECORD_CACHE);
     if (memory == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     t->cache = plt_record_cache_init(memory, o->source, s->offset,
                                      plt_corners_bytes(o->scene->info.lattice_bits), t->count);
@@ -110,7 +110,7 @@ static plt_compact_build *cut_for_build(const plt_opening *o) {
 static int blocks_status(const plt_opening *o, const plt_blocks_job *job, int status) {
     switch (status) {
     case PLT_ERR_ARENA:
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     case PLT_ERR_LIMIT:
         return plt_limit(o->fault, plt_blocks_limit_message(job));
     default: /* PLT_OK, PLT_MORE */
@@ -133,7 +133,7 @@ int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
     const plt_section *corners = plt_header_section(header, PLT_SECTION_CORNERS);
     plt_compact_build *b = cut_for_build(o);
     if (b == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     describe(o, corners, b);
     int status = open_corners(o, b, corners);

@@ -29,14 +29,14 @@ static int cut_for_build(const plt_opening *o, plt_build_job *job) {
         scratch = fair_scratch(info, free_bytes);
     }
     if (scratch > free_bytes) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     const uint64_t left = free_bytes - scratch;
     job->room = (uint32_t)((left < most ? left : most) / PLT_NODE_BYTES);
     job->scratch_bytes = (size_t)scratch;
     job->nodes = plt_arena_cut(o->arena, (size_t)job->room * PLT_NODE_BYTES);
     job->scratch = plt_arena_cut(o->arena, job->scratch_bytes);
-    return job->nodes != NULL && job->scratch != NULL ? PLT_OK : plt_opening_short(o);
+    return job->nodes != NULL && job->scratch != NULL ? PLT_OK : plt_opening_arena_error(o);
 }
 
 static int run_build(const plt_opening *o, plt_build_job *job) {
@@ -44,7 +44,7 @@ static int run_build(const plt_opening *o, plt_build_job *job) {
     if (status == PLT_OK) {
         status = plt_build(job);
         if (status == PLT_ERR_ARENA) {
-            return plt_opening_short(o);
+            return plt_opening_arena_error(o);
         }
     }
     return status == PLT_ERR_LIMIT
@@ -69,7 +69,7 @@ static int count(const plt_opening *o) {
     const size_t mark = o->arena->used;
     plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
     if (levels == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     const int status = plt_tree_validate(&o->scene->thesis, levels, info, o->fault);
     info->leaf_triangles = k;

@@ -27,7 +27,7 @@ int plt_open_list(const plt_opening *o, const plt_header *header) {
     const size_t mark = o->arena->used;
     plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
     if (levels == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     status = plt_tree_validate_counts(header, &tree, levels, o->fault);
     plt_arena_release(o->arena, mark);

@@ -19,7 +19,7 @@ static int validate(const plt_opening *o, const plt_header *header) {
     const size_t mark = o->arena->used;
     plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
     if (levels == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     int status = plt_planes_validate(header, tree->nodes, o->fault);
     if (status == PLT_OK) {

@@ -8,7 +8,7 @@
 #include "engine/image/fetch.h"
 #include "engine/planelet_crc32.h"
 
-int plt_opening_short(const plt_opening *o) {
+int plt_opening_arena_error(const plt_opening *o) {
     return plt_arena_short(o->fault, 0);
 }
 
@@ -27,7 +27,7 @@ static int check_sum(const plt_opening *o, const plt_section *s, const void *byt
 int plt_opening_copy(const plt_opening *o, const plt_section *s, void **bytes) {
     *bytes = plt_arena_cut(o->arena, s->bytes);
     if (*bytes == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     const int status = plt_fetch(o->source, s->offset, *bytes, s->bytes, o->fault);
     return status == PLT_OK ? check_sum(o, s, *bytes) : status;

@@ -19,7 +19,7 @@ int plt_compact_validate(const plt_opening *o, plt_info *found) {
     *found = o->scene->info;
     plt_blocks_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
     if (levels == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     const int status = plt_blocks_validate(&o->scene->compact, levels, found, o->fault);
     plt_arena_release(o->arena, mark);
