@@ -9,6 +9,7 @@
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/image/record_cache.h"
+#include "engine/scene/counts.h"
 #include "engine/scene/validate_compact.h"
 
 size_t plt_compact_build_bytes(uint32_t triangles) {
@@ -165,24 +166,23 @@ static void set_tree(plt_scene *scene, const plt_blocks_job *job) {
     info->depth_stack_entries = job->depth;
 }
 
-/* What was read of a source more than once need not have been the same: what became
- * of it is validated like an image. */
+/* A source may return other bytes on a second read, so the finished blocks are validated
+ * as if they came from an image. */
 static int validate_built(const plt_opening *o, uint32_t corners_offset) {
-    plt_info expected = o->scene->info, found;
-    const int status = plt_compact_validate(o, &found);
+    plt_info expected = o->scene->info, counted;
+    const int status = plt_compact_validate(o, &counted);
     if (expected.triangles == 1) {
         expected.triangles = 2; /* it is there twice */
     }
-    if (status == PLT_ERR_ARENA ||
-        (status == PLT_OK && plt_compact_counts_agree(&expected, &found))) {
+    if (status == PLT_ERR_ARENA || (status == PLT_OK && plt_counts_agree(&expected, &counted))) {
         return status;
     }
     return plt_fault_set(o->fault, PLT_ERR_SOURCE, corners_offset,
                          "the source gave other bytes when it was read again");
 }
 
-/* Room that was offered and not needed counts for no peak. The state is read before
- * what follows the blocks is cut where it lies. */
+/* arena.peak counts what the build used, not the free room it was given. The state is
+ * read before what follows the blocks is cut where it lies. */
 static int finish(const plt_opening *o, const plt_compact_build *b) {
     const size_t needed = b->mark + b->job.peak + b->scratch_bytes;
     const uint32_t corners_offset = b->corners_offset;

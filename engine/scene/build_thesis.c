@@ -5,7 +5,7 @@
 
 #include "engine/base/fault.h"
 #include "engine/builder/build.h"
-#include "engine/tree/thesis/validate.h"
+#include "engine/scene/validate_thesis.h"
 #include "engine/tree/validate_records.h"
 
 /* Scratch that goes with as many nodes as fit beside it: 4 bytes per node and 16 per
@@ -62,23 +62,19 @@ static void set_tree(const plt_opening *o, const plt_build_job *job) {
     info->node_bytes = job->node_slots * PLT_NODE_BYTES;
 }
 
-/* Counts and stack needs of the new tree, as of one that was read. */
+/* Counts and stack needs of the new tree, as of one that was read; K stays as it is. */
 static int count(const plt_opening *o) {
-    plt_info *info = &o->scene->info;
-    const uint32_t k = info->leaf_triangles;
-    const size_t mark = o->arena->used;
-    plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
-    if (levels == NULL) {
-        return plt_opening_arena_error(o);
+    plt_info *info = &o->scene->info, counted;
+    const int status = plt_thesis_validate(o, &o->scene->thesis, &counted);
+    if (status == PLT_OK) {
+        counted.leaf_triangles = info->leaf_triangles;
+        *info = counted;
     }
-    const int status = plt_tree_validate(&o->scene->thesis, levels, info, o->fault);
-    info->leaf_triangles = k;
-    plt_arena_release(o->arena, mark);
     return status;
 }
 
 int plt_build_thesis(const plt_opening *o, const plt_header *header) {
-    const void *nodes = NULL; /* there are none, with a checksum */
+    const void *nodes = NULL; /* an empty section; only its checksum is checked */
     void *records = NULL;
     int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_NODES), &nodes);
     if (status == PLT_OK) {

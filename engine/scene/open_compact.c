@@ -4,6 +4,7 @@
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/image/header_at.h"
+#include "engine/scene/counts.h"
 #include "engine/scene/open_formats.h"
 #include "engine/scene/validate_compact.h"
 #include "engine/tree/validate_records.h"
@@ -35,12 +36,12 @@ static int validate_ids(const plt_opening *o, const plt_section *section) {
 }
 
 static int validate_blocks(const plt_opening *o, const plt_section *blocks) {
-    plt_info found;
-    int status = plt_compact_validate(o, &found);
+    plt_info counted;
+    int status = plt_compact_validate(o, &counted);
     if (status == PLT_ERR_IMAGE) {
         o->fault->offset += blocks->offset;
     }
-    if (status == PLT_OK && !plt_compact_counts_agree(&o->scene->info, &found)) {
+    if (status == PLT_OK && !plt_counts_agree(&o->scene->info, &counted)) {
         status = plt_broken(o->fault, PLT_I18_COUNTS, PLT_AT_COUNTS,
                             "the header's counts are not the blocks'");
     }
