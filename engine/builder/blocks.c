@@ -34,7 +34,7 @@ static uint32_t nodes_expected(const plt_blocks_job *job, uint32_t count) {
 }
 
 static void push_edge(plt_blocks_state *s, const plt_block_range *r, uint32_t link_at) {
-    const plt_block_edge_waiting edge = {r->first, r->count, r->tight, link_at, r->depth};
+    const plt_block_edge_waiting edge = {r->first, r->count, r->exact, link_at, r->depth};
     s->edge[s->waiting++] = edge;
 }
 
@@ -129,7 +129,7 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     const plt_block_range p = s->pending[chosen];
     const uint32_t index = s->nodes++;
     plt_block_node *node = &s->node[index];
-    plt_lattice_box exact[2], decoded[2];
+    plt_lattice_box half[2], decoded[2];
     s->pending[chosen] = s->pending[--s->pendings];
     node->level = (uint8_t)(p.depth - s->at.depth);
     if (index > 0) {
@@ -140,19 +140,19 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     if (p.count > 1) {
         const plt_split_range range = {p.first, p.first + p.count, p.depth, s->job->leaf_triangles,
                                        s->job->splits};
-        middle = plt_split_lattice(s, &range, &p.tight, exact);
+        middle = plt_split_lattice(s, &range, &p.exact, half);
     } else { /* a scene of one triangle has it twice */
-        exact[0] = exact[1] = p.tight;
+        half[0] = half[1] = p.exact;
     }
     const uint32_t first[2] = {p.first, middle};
     const uint32_t count[2] = {p.count > 1 ? middle - p.first : 1, p.first + p.count - middle};
-    const uint32_t left = exact[0].lo[0] > exact[1].lo[0]; /* the right child owns xmin */
-    const plt_lattice_box tight[2] = {exact[left], exact[left ^ 1]};
-    encode_planes(node, &p.box, tight);
-    plt_block_apply(&p.box, node->plane, node->owners, decoded);
+    const uint32_t left = half[0].lo[0] > half[1].lo[0]; /* the right child owns xmin */
+    const plt_lattice_box exact[2] = {half[left], half[left ^ 1]};
+    encode_planes(node, &p.decoded, exact);
+    plt_block_apply(&p.decoded, node->plane, node->owners, decoded);
     for (uint32_t c = 0; c < 2; c++) {
         const plt_block_range range = {first[left ^ c], count[left ^ c],         decoded[c],
-                                       tight[c],        (uint16_t)(p.depth + 1), (uint8_t)index,
+                                       exact[c],        (uint16_t)(p.depth + 1), (uint8_t)index,
                                        (uint8_t)c};
         set_child(s, &range, index, (int)c);
     }

@@ -3,7 +3,10 @@
  * Triangles stay where they are (mapped flash, memory, or a source). What is
  * permuted is a list of their indices, 2 bytes each (4 above 65,536 triangles).
  * It lies at the far end of the memory, and the blocks that grow from the front
- * overwrite it. Peak: the finished blocks and the permutation of at most one block.
+ * overwrite it. That is safe because ranges are consumed in order: all indices in front
+ * of the range of the block in hand are in finished blocks and not read again, and a
+ * block that would reach further is PLT_ERR_ARENA. Peak: the finished blocks and the
+ * permutation of at most one block.
  *
  * A block fills by "largest subtree first, stop at subtrees that fit a block of
  * their own"; what is left becomes edges. Every block is complete when it is

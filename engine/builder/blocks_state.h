@@ -13,11 +13,13 @@
 #define PLT_BLOCK_VERTICES_MOST 640
 #define PLT_BLOCK_HASH 1024
 
-/* A range of the permutation, its exact box (`tight`), and the box that the traversal
- * will have decoded for it. */
+/* A range of the permutation. `decoded` is the box that a traversal will have for it, from
+ * planes in whole steps, which are rounded outwards; planes of its children count from
+ * there. `exact` is the smallest box around its triangles, which splits and bounds of
+ * blocks go by. */
 typedef struct plt_block_range {
     uint32_t first, count;
-    plt_lattice_box box, tight;
+    plt_lattice_box decoded, exact;
     uint16_t depth;
     uint8_t parent, child; /* node of this block that leads here */
 } plt_block_range;

@@ -12,8 +12,8 @@ static int is_number_between(float x, float least, float most) {
     return x >= least && x <= most;
 }
 
-/* The lattice's box is the scene's, or around it where triangles lie between its
- * numbers. False for NaN. */
+/* The lattice (the scene's quantisation grid) has the scene's box, or one around it where
+ * triangles lie between its points. False for NaN. */
 static int boxes_agree(const plt_header *h) {
     const plt_info *info = &h->info;
     plt_box box;
@@ -28,26 +28,37 @@ static int boxes_agree(const plt_header *h) {
     return 1;
 }
 
-/* R14: a lattice (the scene's quantisation grid) whose numbers become exact floats. */
-static int check_lattice(const plt_header *h, plt_fault *fault) {
+/* Coordinates become exact floats, and the lattice's box holds what it must. */
+static int lattice_in_range(const plt_header *h) {
     const plt_lattice *l = &h->lattice;
-    const plt_info *info = &h->info;
     int good = l->bits >= PLT_LATTICE_BITS_LEAST && l->bits <= PLT_LATTICE_BITS_MOST &&
-               is_number_between(l->step, 1.0e-30f, PLT_COORD_MAX) && info->leaf_triangles <= 4 &&
-               info->leaf_triangles != 3 && info->treelet_nodes == PLT_BLOCK_NODES_MOST &&
-               info->build != PLT_BUILD_NONE;
+               is_number_between(l->step, 1.0e-30f, PLT_COORD_MAX);
     for (int a = 0; a < 3; a++) {
         good &= is_number_between(l->origin[a], -PLT_COORD_MAX, PLT_COORD_MAX);
-        good &= info->triangles == 0 ||
+        good &= h->info.triangles == 0 ||
                 (h->lattice_box.lo[a] <= h->lattice_box.hi[a] && l->bits <= PLT_LATTICE_BITS_MOST &&
                  h->lattice_box.hi[a] < 1u << l->bits);
     }
-    /* An entry of the primitive ids holds an id and two bits of rotation. */
-    good &= info->primitive_id_bits == 0 ||
-            (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
-             info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
-    if (!good || info->node_bytes > PLT_BLOCKS_BYTES_MAX ||
-        info->triangle_bytes > PLT_BLOCKS_BYTES_MAX) {
+    return good;
+}
+
+/* An entry of the primitive ids holds an id and two bits of rotation. */
+static int id_bits_in_range(const plt_info *info) {
+    return info->primitive_id_bits == 0 ||
+           (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
+            info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
+}
+
+/* What a compact image may hold beside the lattice. */
+static int blocks_in_range(const plt_info *info) {
+    return info->leaf_triangles <= 4 && info->leaf_triangles != 3 &&
+           info->treelet_nodes == PLT_BLOCK_NODES_MOST && info->build != PLT_BUILD_NONE &&
+           info->node_bytes <= PLT_BLOCKS_BYTES_MAX && info->triangle_bytes <= PLT_BLOCKS_BYTES_MAX;
+}
+
+/* R14, of compact images only. */
+static int check_lattice(const plt_header *h, plt_fault *fault) {
+    if (!lattice_in_range(h) || !blocks_in_range(&h->info) || !id_bits_in_range(&h->info)) {
         return plt_refused(fault, PLT_R14_LATTICE, PLT_AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");
     }

@@ -32,7 +32,7 @@ static int validate_corners(const plt_opening *o, const plt_compact_build *b) {
     for (uint32_t i = 0; i < t->count; i++) {
         const unsigned char *at = plt_lattice_triangle(t, i);
         for (uint32_t k = 0; k < 9; k++) {
-            const uint32_t q = plt_lattice_number(t, at, k);
+            const uint32_t q = plt_lattice_coordinate(t, at, k);
             if (q < box->lo[k % 3] || q > box->hi[k % 3]) {
                 return plt_broken(o->fault, PLT_I20_CORNERS,
                                   b->corners_offset + (9 * i + k) * t->width,

@@ -8,9 +8,10 @@
 #include "engine/scene/validate_thesis.h"
 #include "engine/tree/validate_records.h"
 
-/* Scratch that goes with as many nodes as fit beside it: 4 bytes per node and 16 per
- * treelet, and what does not depend on their number. */
-static size_t fair_scratch(const plt_info *info, size_t free_bytes) {
+/* Scratch when the free bytes have to be shared between nodes and it: a fixed part comes
+ * off first, and what is left is split so that every node has its PLT_NODE_BYTES and the
+ * scratch that goes with it, 4 bytes and its share of 16 per treelet, rounded up. */
+static size_t shared_scratch(const plt_info *info, size_t free_bytes) {
     const size_t fixed = plt_build_scratch_bytes(0, info->treelet_nodes);
     const size_t each = 4 + (16 + info->treelet_nodes - 1) / info->treelet_nodes;
     if (fixed > free_bytes) {
@@ -26,7 +27,7 @@ static int cut_for_build(const plt_opening *o, plt_build_job *job) {
     const size_t free_bytes = o->arena->bytes - o->arena->used;
     uint64_t scratch = o->layout->bytes[PLT_PART_BUILDER];
     if (most + scratch > free_bytes) { /* less than the bound: mostly still enough */
-        scratch = fair_scratch(info, free_bytes);
+        scratch = shared_scratch(info, free_bytes);
     }
     if (scratch > free_bytes) {
         return plt_opening_arena_error(o);

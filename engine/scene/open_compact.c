@@ -29,7 +29,7 @@ static int validate_ids(const plt_opening *o, const plt_section *section) {
         if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
             const uint32_t at = (uint32_t)((uint64_t)i * n->bits >> 3);
             return plt_broken(o->fault, PLT_I19_IDS, section->offset + at,
-                              "a triangle's number is too large");
+                              "a primitive id or rotation is out of range");
         }
     }
     return PLT_OK;
@@ -52,10 +52,10 @@ static int validate_blocks(const plt_opening *o, const plt_section *blocks) {
 static int read_sections(const plt_opening *o, const plt_header *header) {
     plt_block_tree *t = &o->scene->compact;
     const plt_section *ids = plt_header_section(header, PLT_SECTION_PRIMITIVE_IDS);
-    const void *blocks = NULL, *numbers = NULL, *records = NULL;
+    const void *blocks = NULL, *id_bytes = NULL, *records = NULL;
     int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_BLOCKS), &blocks);
     if (status == PLT_OK && ids != NULL) {
-        status = plt_opening_section(o, ids, &numbers);
+        status = plt_opening_section(o, ids, &id_bytes);
     }
     if (status == PLT_OK && t->leaf_kind == PLT_LEAF_RECORDS) {
         status =
@@ -65,7 +65,7 @@ static int read_sections(const plt_opening *o, const plt_header *header) {
         status = plt_records_validate(header, records, o->fault);
     }
     t->bytes = blocks;
-    t->ids.bytes = numbers;
+    t->ids.bytes = id_bytes;
     t->records = records;
     t->used = header->info.node_bytes + header->info.triangle_bytes;
     return status;

@@ -59,7 +59,7 @@ uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int
 /* Lattice position of a vertex of the part. */
 void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]);
 
-/* A vertex, in lattice numbers; the traversal makes them the scene's floats in the same
+/* A vertex, in lattice coordinates; the traversal makes them the scene's floats in the same
  * memory, to keep its stack small. The fourth means nothing. */
 typedef union plt_vertex {
     uint32_t number[4];
