@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/engine.h"
 #include "engine/image/fetch.h"
 #include "engine/layout.h"
@@ -18,7 +19,8 @@ static int valid_source(const plt_source *s) {
 static int read_header(const plt_source *source, plt_header *header, plt_fault *fault) {
     unsigned char bytes[PLT_HEADER_BYTES];
     if (source->bytes < PLT_HEADER_BYTES) {
-        return plt_refused(fault, 1, source->bytes, "the image is shorter than its header");
+        return plt_refused(fault, PLT_R1_SHORT, source->bytes,
+                           "the image is shorter than its header");
     }
     const int status = plt_fetch(source, 0, bytes, PLT_HEADER_BYTES, fault);
     return status == PLT_OK ? plt_header_read(header, bytes, source->bytes, fault) : status;
@@ -55,7 +57,7 @@ static int cut_running(const plt_opening *o, void *to[PLT_PARTS_COUNT]) {
         }
         to[i] = plt_opening_cut(o, (enum plt_part)i);
         if (to[i] == NULL) {
-            return plt_opening_short(o);
+            return plt_opening_arena_error(o);
         }
     }
     return PLT_OK;
@@ -67,9 +69,6 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
     void *part[PLT_PARTS_COUNT];
     const plt_info *info = &e->scene.info;
     const plt_opening o = opening_of(e, &layout, fault);
-    if (info->global_stack_entries > PLT_GLOBAL_STACK_MAX) {
-        return plt_limit(fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
-    }
     plt_layout_set(&layout, info, info, e->source.mapped != NULL, &e->options);
     const int status = cut_running(&o, part);
     if (status == PLT_OK) {

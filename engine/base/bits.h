@@ -7,7 +7,6 @@
 #define PLT_BASE_BITS_H
 
 #include <stdint.h>
-#include <string.h>
 
 #include "engine/base/bytes.h"
 

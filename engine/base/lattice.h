@@ -1,6 +1,6 @@
-/* lattice - the scene's quantisation grid: whole numbers for boxes and vertices
+/* lattice - the scene's quantisation grid: whole coordinates of boxes and vertices
  *
- * Number q on an axis is the float origin + step * q. q has at most `bits` bits
+ * Coordinate q on an axis is the float origin + step * q. q has at most `bits` bits
  * and step at most 24 - bits bits of mantissa: the product is exact and the sum rounds
  * once. That is the same with or without fused arithmetic, and monotone: an integer box
  * around integer vertices is a float box around their floats.
@@ -43,7 +43,7 @@ static inline void plt_lattice_to_box(const plt_lattice *l, const plt_lattice_bo
     }
 }
 
-/* The numbers as floats, which hold them exactly; the fourth is 0. */
+/* The coordinates as floats, which hold them exactly; the fourth is 0. */
 static inline void plt_lattice_spread(const plt_lattice_box *from, float lo[4], float hi[4]) {
     for (int a = 0; a < 3; a++) {
         lo[a] = (float)(int32_t)from->lo[a];

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks.h"
 
+#include <string.h>
+
 #include "engine/builder/blocks_state.h"
 
 /* Edges that may wait: a full block's for each level of blocks that so many triangles
@@ -32,7 +34,7 @@ static uint32_t nodes_expected(const plt_blocks_job *job, uint32_t count) {
 }
 
 static void push_edge(plt_blocks_state *s, const plt_block_range *r, uint32_t link_at) {
-    const plt_block_edge_waiting edge = {r->first, r->count, r->tight, link_at, r->depth};
+    const plt_block_edge_waiting edge = {r->first, r->count, r->exact, link_at, r->depth};
     s->edge[s->waiting++] = edge;
 }
 
@@ -46,7 +48,8 @@ int plt_blocks_begin(plt_blocks_job *job) {
     s->index_bytes = n <= 65536 ? 2 : 4;
     job->used = job->node_bytes = job->blocks = job->nodes = job->leaves = job->pairs = 0;
     job->written = job->depth = 0;
-    job->root = PLT_MISS;
+    job->limit = PLT_BLOCKS_LIMIT_NONE;
+    job->root = PLT_LINK_NONE;
     job->box = plt_lattice_box_empty();
     job->peak = (size_t)n * s->index_bytes;
     if (job->peak > job->bytes) {
@@ -60,7 +63,7 @@ int plt_blocks_begin(plt_blocks_job *job) {
     }
     if (n > 0) {
         const plt_block_range all = {0, n, job->box, job->box, 0, 0, 0};
-        push_edge(s, &all, PLT_MISS);
+        push_edge(s, &all, PLT_LINK_NONE);
     }
     return PLT_OK;
 }
@@ -126,7 +129,7 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     const plt_block_range p = s->pending[chosen];
     const uint32_t index = s->nodes++;
     plt_block_node *node = &s->node[index];
-    plt_lattice_box exact[2], decoded[2];
+    plt_lattice_box half[2], decoded[2];
     s->pending[chosen] = s->pending[--s->pendings];
     node->level = (uint8_t)(p.depth - s->at.depth);
     if (index > 0) {
@@ -137,19 +140,19 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     if (p.count > 1) {
         const plt_split_range range = {p.first, p.first + p.count, p.depth, s->job->leaf_triangles,
                                        s->job->splits};
-        middle = plt_split_lattice(s, &range, &p.tight, exact);
+        middle = plt_split_lattice(s, &range, &p.exact, half);
     } else { /* a scene of one triangle has it twice */
-        exact[0] = exact[1] = p.tight;
+        half[0] = half[1] = p.exact;
     }
     const uint32_t first[2] = {p.first, middle};
     const uint32_t count[2] = {p.count > 1 ? middle - p.first : 1, p.first + p.count - middle};
-    const uint32_t left = exact[0].lo[0] > exact[1].lo[0]; /* the right child owns xmin */
-    const plt_lattice_box tight[2] = {exact[left], exact[left ^ 1]};
-    encode_planes(node, &p.box, tight);
-    plt_block_apply(&p.box, node->plane, node->owners, decoded);
+    const uint32_t left = half[0].lo[0] > half[1].lo[0]; /* the right child owns xmin */
+    const plt_lattice_box exact[2] = {half[left], half[left ^ 1]};
+    encode_planes(node, &p.decoded, exact);
+    plt_block_apply(&p.decoded, node->plane, node->owners, decoded);
     for (uint32_t c = 0; c < 2; c++) {
         const plt_block_range range = {first[left ^ c], count[left ^ c],         decoded[c],
-                                       tight[c],        (uint16_t)(p.depth + 1), (uint8_t)index,
+                                       exact[c],        (uint16_t)(p.depth + 1), (uint8_t)index,
                                        (uint8_t)c};
         set_child(s, &range, index, (int)c);
     }
@@ -171,7 +174,7 @@ static void push_edges(plt_blocks_state *s, uint32_t block_address, const uint32
 static int finish_block(plt_blocks_state *s) {
     if (!plt_blocks_collect_geometry(s)) {
         if (s->nodes_most <= 1) {
-            return PLT_ERR_LIMIT;
+            return plt_blocks_limited(s, PLT_BLOCKS_LIMIT_BLOCK);
         }
         begin_block(s, s->nodes > 1 ? s->nodes / 2 : 1);
         return PLT_MORE;
@@ -221,8 +224,22 @@ int plt_blocks_step(plt_blocks_job *job) {
         return finish_block(s);
     }
     if (s->pending[chosen].depth >= PLT_DEPTH_MAX) {
-        return PLT_ERR_LIMIT;
+        return plt_blocks_limited(s, PLT_BLOCKS_LIMIT_DEPTH);
     }
     split_pending(s, (uint32_t)chosen);
     return PLT_MORE;
+}
+
+/* A switch: a table of pointers would be data that start-up has to fill in. */
+const char *plt_blocks_limit_message(const plt_blocks_job *job) {
+    switch (job->limit) {
+    case PLT_BLOCKS_LIMIT_DEPTH:
+        return "the scene needs more than PLT_DEPTH_MAX levels";
+    case PLT_BLOCKS_LIMIT_BLOCK:
+        return "a node's triangles do not fit a block";
+    case PLT_BLOCKS_LIMIT_BYTES:
+        return "the scene needs more than PLT_BLOCKS_BYTES_MAX of blocks";
+    default:
+        return "no limit was met";
+    }
 }

@@ -3,7 +3,10 @@
  * Triangles stay where they are (mapped flash, memory, or a source). What is
  * permuted is a list of their indices, 2 bytes each (4 above 65,536 triangles).
  * It lies at the far end of the memory, and the blocks that grow from the front
- * overwrite it. Peak: the finished blocks and the permutation of at most one block.
+ * overwrite it. That is safe because ranges are consumed in order: all indices in front
+ * of the range of the block in hand are in finished blocks and not read again, and a
+ * block that would reach further is PLT_ERR_ARENA. Peak: the finished blocks and the
+ * permutation of at most one block.
  *
  * A block fills by "largest subtree first, stop at subtrees that fit a block of
  * their own"; what is left becomes edges. Every block is complete when it is
@@ -20,10 +23,14 @@
 size_t plt_blocks_scratch_bytes(uint32_t count);
 
 /* Begins; then each step does a split or writes a block. PLT_OK: begun, or
- * done; PLT_MORE; PLT_ERR_ARENA (memory), PLT_ERR_LIMIT (depth, or a block that
- * cannot be made small enough). */
+ * done; PLT_MORE; PLT_ERR_ARENA (memory too small); PLT_ERR_LIMIT, from a step
+ * only, and job->limit says which: depth, a block that cannot be made small enough,
+ * or bytes of all blocks. */
 int plt_blocks_begin(plt_blocks_job *job);
 int plt_blocks_step(plt_blocks_job *job);
+
+/* What job->limit means, as a sentence. */
+const char *plt_blocks_limit_message(const plt_blocks_job *job);
 
 /* The image order of the triangles, for a host that wants it: if not NULL,
  * order[i] becomes the index, in the job, of triangle i of the image. */

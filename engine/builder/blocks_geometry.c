@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks_state.h"
 
+#include <string.h>
+
 #define NONE 0xFFFFu
 
 /* Nodes breadth first: the root, then in order of parent and child. */
@@ -94,14 +96,13 @@ static uint32_t geometry_bits(const plt_blocks_state *s) {
     for (int a = 0; a < 3; a++) {
         vertex_bits += plt_bits_for(s->at.bounds.hi[a] - s->at.bounds.lo[a]);
     }
-    const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
+    const uint32_t ref_bits = plt_geometry_ref_bits(s->vertices);
     return 2 * s->triangles + s->references + (s->references - s->vertices) * ref_bits +
            s->vertices * vertex_bits;
 }
 
 uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s) {
-    const uint32_t k = s->job->leaf_triangles;
-    const uint32_t counts = (k == 4 ? 2 : (uint32_t)(k == 2)) * s->leaves;
+    const uint32_t counts = plt_geometry_count_strings(s->job->leaf_triangles) * s->leaves;
     return s->job->triangles.boxes ? counts : counts + geometry_bits(s);
 }
 

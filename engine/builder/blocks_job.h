@@ -6,6 +6,14 @@
 
 #include "engine/builder/lattice_triangles.h"
 
+/* Why a build ends with PLT_ERR_LIMIT. */
+enum plt_blocks_limit {
+    PLT_BLOCKS_LIMIT_NONE,
+    PLT_BLOCKS_LIMIT_DEPTH, /* more than PLT_DEPTH_MAX levels of nodes */
+    PLT_BLOCKS_LIMIT_BLOCK, /* the geometry of one node is more than a block may hold */
+    PLT_BLOCKS_LIMIT_BYTES  /* more than PLT_BLOCKS_BYTES_MAX of blocks */
+};
+
 typedef struct plt_blocks_job {
     plt_lattice_triangles triangles; /* a single one is written twice */
     uint32_t bits;                   /* of the lattice */
@@ -21,6 +29,7 @@ typedef struct plt_blocks_job {
     uint32_t blocks, nodes, leaves, pairs, written; /* written: triangles */
     uint32_t root;                                  /* link */
     uint32_t depth;                                 /* nodes on the longest path */
+    uint8_t limit;                                  /* enum plt_blocks_limit */
     plt_lattice_box box;
     size_t peak; /* most bytes of memory in use at a time */
 } plt_blocks_job;

@@ -4,6 +4,8 @@
 #ifndef PLT_BUILDER_BLOCKS_STATE_H
 #define PLT_BUILDER_BLOCKS_STATE_H
 
+#include <string.h>
+
 #include "engine/builder/blocks_job.h"
 #include "engine/builder/split.h"
 #include "engine/tree/compact/leaf.h"
@@ -11,11 +13,13 @@
 #define PLT_BLOCK_VERTICES_MOST 640
 #define PLT_BLOCK_HASH 1024
 
-/* A range of the permutation, its exact box (`tight`), and the box that the traversal
- * will have decoded for it. */
+/* A range of the permutation. `decoded` is the box that a traversal will have for it, from
+ * planes in whole steps, which are rounded outwards; planes of its children count from
+ * there. `exact` is the smallest box around its triangles, which splits and bounds of
+ * blocks go by. */
 typedef struct plt_block_range {
     uint32_t first, count;
-    plt_lattice_box box, tight;
+    plt_lattice_box decoded, exact;
     uint16_t depth;
     uint8_t parent, child; /* node of this block that leads here */
 } plt_block_range;
@@ -24,7 +28,7 @@ typedef struct plt_block_range {
 typedef struct plt_block_edge_waiting {
     uint32_t first, count;
     plt_lattice_box bounds;
-    uint32_t link_at; /* byte of memory where its link goes; PLT_MISS: the root's */
+    uint32_t link_at; /* byte of memory where its link goes; PLT_LINK_NONE: the root's */
     uint32_t depth;
 } plt_block_edge_waiting;
 
@@ -102,6 +106,12 @@ static inline void plt_permute(plt_blocks_state *s, uint32_t i, uint32_t triangl
     } else {
         memcpy(s->permutation + 4 * (size_t)i, &triangle, 4);
     }
+}
+
+/* PLT_ERR_LIMIT, and why. */
+static inline int plt_blocks_limited(plt_blocks_state *s, enum plt_blocks_limit limit) {
+    s->job->limit = (uint8_t)limit;
+    return PLT_ERR_LIMIT;
 }
 
 /* plt_split_records, for a range of the permutation. (split_lattice.c) */

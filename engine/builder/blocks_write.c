@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/builder/blocks_state.h"
 
+#include <string.h>
+
 static uint32_t count_edges(const plt_blocks_state *s) {
     uint32_t edges = 0;
     for (uint32_t i = 0; i < s->nodes; i++) {
@@ -58,7 +60,7 @@ static void write_nodes(const plt_blocks_state *s, unsigned char *bytes) {
 
 /* Strings of the geometry part; returns the bits written. */
 static uint32_t write_counts(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
-    const uint32_t k = s->job->leaf_triangles, strings = k == 4 ? 2 : k == 2;
+    const uint32_t k = s->job->leaf_triangles, strings = plt_geometry_count_strings(k);
     for (uint32_t u = 0; u < s->leaves; u++) {
         const uint32_t count = s->leaf_count[u], rest = count - 1 - (count > k ? k : 0);
         for (uint32_t i = 0; i < strings; i++) {
@@ -69,7 +71,7 @@ static uint32_t write_counts(const plt_blocks_state *s, unsigned char *bytes, ui
 }
 
 static uint32_t write_strips(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
-    const uint32_t ref_bits = s->vertices > 1 ? plt_bits_for(s->vertices - 1) : 0;
+    const uint32_t ref_bits = plt_geometry_ref_bits(s->vertices);
     for (uint32_t i = 0; i < s->triangles; i++) {
         plt_bits_put(bytes, at + i, 1, s->flags[i]);
         plt_bits_put(bytes, at + s->triangles + i, 1, s->flags[i] >> 1);
@@ -121,7 +123,7 @@ static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint
 }
 
 static void set_link(plt_blocks_state *s, uint32_t link) {
-    if (s->at.link_at == PLT_MISS) {
+    if (s->at.link_at == PLT_LINK_NONE) {
         s->job->root = link;
     } else {
         plt_put_u32(s->job->memory + s->at.link_at, link);
@@ -142,7 +144,7 @@ int plt_blocks_write(plt_blocks_state *s) {
         return PLT_ERR_ARENA;
     }
     if (job->used + size > PLT_BLOCKS_BYTES_MAX) {
-        return PLT_ERR_LIMIT;
+        return plt_blocks_limited(s, PLT_BLOCKS_LIMIT_BYTES);
     }
     unsigned char *bytes = job->memory + job->used;
     memset(bytes, 0, size);

@@ -11,18 +11,18 @@
 #include "engine/base/lattice.h"
 #include "engine/image/record_cache.h"
 
-/* Corners of triangles on the lattice, the scene's quantisation grid: 9 whole numbers
+/* Corners of triangles on the lattice, the scene's quantisation grid: 9 coordinates
  * each, of plt_corner_width bytes, little-endian. Or, where the geometry stays in float
  * records, their boxes, rounded outwards: low x y z, high x y z. */
 typedef struct plt_lattice_triangles {
     const unsigned char *bytes;
     uint32_t count;
     uint32_t width;          /* 2 or 4 */
-    uint32_t boxes;          /* 1: boxes of 6 numbers; 0: corners */
+    uint32_t boxes;          /* 1: boxes of 6 coordinates; 0: corners */
     plt_record_cache *cache; /* reads them, if not NULL; then `bytes` are not read */
 } plt_lattice_triangles;
 
-/* The numbers of a triangle; valid until the next call. */
+/* The coordinates of a triangle; valid until the next call. */
 static inline const unsigned char *plt_lattice_triangle(const plt_lattice_triangles *t,
                                                         uint32_t triangle) {
     const size_t each = t->boxes ? 6 : 9;
@@ -30,8 +30,8 @@ static inline const unsigned char *plt_lattice_triangle(const plt_lattice_triang
                             : t->bytes + each * triangle * t->width;
 }
 
-static inline uint32_t plt_lattice_number(const plt_lattice_triangles *t,
-                                          const unsigned char *triangle, uint32_t k) {
+static inline uint32_t plt_lattice_coordinate(const plt_lattice_triangles *t,
+                                              const unsigned char *triangle, uint32_t k) {
     const unsigned char *at = triangle + k * t->width;
     return t->width == 2 ? (uint32_t)(at[0] | at[1] << 8) : plt_get_u32(at);
 }
@@ -40,7 +40,7 @@ static inline void plt_lattice_corners(const plt_lattice_triangles *t, uint32_t 
                                        uint32_t corner[3][3]) {
     const unsigned char *at = plt_lattice_triangle(t, triangle);
     for (uint32_t k = 0; k < 9; k++) {
-        corner[k / 3][k % 3] = plt_lattice_number(t, at, k);
+        corner[k / 3][k % 3] = plt_lattice_coordinate(t, at, k);
     }
 }
 
@@ -59,11 +59,12 @@ static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box
 static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
                                                        uint32_t triangle) {
     const unsigned char *at = plt_lattice_triangle(t, triangle);
-    const uint32_t step = 3 * t->width, last = t->boxes ? 3 : 6; /* of nine numbers, or six */
+    const uint32_t step = 3 * t->width, last = t->boxes ? 3 : 6; /* of nine coordinates, or six */
     plt_lattice_box b;
     for (uint32_t a = 0; a < 3; a++) {
-        const uint32_t x = plt_lattice_number(t, at, a), z = plt_lattice_number(t, at, last + a);
-        const uint32_t y = plt_lattice_number(t, at + step, a);
+        const uint32_t x = plt_lattice_coordinate(t, at, a),
+                       z = plt_lattice_coordinate(t, at, last + a);
+        const uint32_t y = plt_lattice_coordinate(t, at + step, a);
         const uint32_t lo = x < y ? x : y, hi = x < y ? y : x;
         b.lo[a] = z < lo ? z : lo;
         b.hi[a] = z > hi ? z : hi;

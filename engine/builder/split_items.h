@@ -5,7 +5,8 @@
  * pointer. Without an instance the header is empty.
  *
  *   items_split                        the name of its splitter, see the end of this file
- *   item_list, item_box, item_number   what is split, lo[3] and hi[3], a coordinate
+ *   item_list, item_box,               what is split, lo[3] and hi[3],
+ *   item_coordinate                    a coordinate of these
  *   item_bin, item_bins, items_bins()  scratch: a bin's box and count; bin[3][],
  *                                      right_box[], right_count[]
  *   item_box_empty(), item_box_add()   the union of boxes
@@ -72,16 +73,16 @@ static int split_longest_axis(const item_box *b) {
 /* Where an item's centre decides over its side: its bin, or the coordinate. */
 typedef struct split_plane {
     int axis;
-    const item_axis *bins; /* NULL: no bins */
-    uint32_t bin;          /* first of the right side */
-    item_number middle2;   /* twice the coordinate, which belongs to the right side */
+    const item_axis *bins;   /* NULL: no bins */
+    uint32_t bin;            /* first of the right side */
+    item_coordinate middle2; /* twice the coordinate, which belongs to the right side */
 } split_plane;
 
 /* Returns the first item of the right side. */
 static uint32_t split_partition(item_list *items, uint32_t begin, uint32_t end,
                                 const split_plane *plane) {
     while (begin < end) {
-        const item_number centre2 = item_centre2_at(items, begin, plane->axis);
+        const item_coordinate centre2 = item_centre2_at(items, begin, plane->axis);
         if (plane->bins != NULL ? item_bin_of(plane->bins, centre2) < plane->bin
                                 : centre2 < plane->middle2) {
             begin++;
@@ -99,7 +100,7 @@ static void split_lay_out_bins(const item_list *items, uint32_t begin, uint32_t 
     item_box centres2 = item_box_empty();
     for (uint32_t i = begin; i < end; i++) {
         const item_box b = item_box_at(items, i);
-        const item_number x = b.lo[0] + b.hi[0], y = b.lo[1] + b.hi[1], z = b.lo[2] + b.hi[2];
+        const item_coordinate x = b.lo[0] + b.hi[0], y = b.lo[1] + b.hi[1], z = b.lo[2] + b.hi[2];
         const item_box point = {{x, y, z}, {x, y, z}};
         item_box_add(&centres2, &point);
     }
@@ -185,7 +186,7 @@ static void split_rank_few(item_bins *bins, int axis, uint32_t count) {
     const item_box *box = bins->few_box;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t k = i;
-        const item_number c = box[i].lo[axis] + box[i].hi[axis];
+        const item_coordinate c = box[i].lo[axis] + box[i].hi[axis];
         for (; k > 0 && box[rank[k - 1]].lo[axis] + box[rank[k - 1]].hi[axis] > c; k--) {
             rank[k] = rank[k - 1];
         }
@@ -233,10 +234,10 @@ static uint32_t split_median(item_list *items, uint32_t begin, uint32_t end, con
  * begin, after everything below it; `*above` is where those greater begin. */
 static uint32_t split_three(item_list *items, uint32_t begin, uint32_t end, int axis,
                             uint32_t *above) {
-    const item_number pivot = item_centre2_at(items, begin + (end - begin) / 2, axis);
+    const item_coordinate pivot = item_centre2_at(items, begin + (end - begin) / 2, axis);
     uint32_t below = begin, at = begin;
     while (at < end) {
-        const item_number centre2 = item_centre2_at(items, at, axis);
+        const item_coordinate centre2 = item_centre2_at(items, at, axis);
         if (centre2 < pivot) {
             items_swap(items, at++, below++);
         } else if (centre2 > pivot) {

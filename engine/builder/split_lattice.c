@@ -19,7 +19,7 @@ typedef plt_blocks_state item_list;
 typedef plt_lattice_bin item_bin;
 typedef plt_lattice_bins item_bins;
 typedef plt_lattice_box item_box;
-typedef uint32_t item_number;
+typedef uint32_t item_coordinate;
 
 /* bin = (centre2 - lo) * PLT_SAH_BINS / span; span: the extent + 1. */
 typedef struct item_axis {

@@ -13,7 +13,7 @@ typedef plt_record_items item_list;
 typedef plt_record_bin item_bin;
 typedef plt_record_bins item_bins;
 typedef plt_box item_box;
-typedef float item_number;
+typedef float item_coordinate;
 
 /* bin = (centre2 - lo) * scale. */
 typedef struct item_axis {

@@ -3,8 +3,11 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/image/header.h"
 
+#include <string.h>
+
 #include "engine/base/bytes.h"
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/header_at.h"
 #include "engine/planelet_crc32.h"
 
@@ -34,20 +37,22 @@ static uint32_t header_crc(const unsigned char *bytes) {
 /* R2 to R6: is it one of our headers at all, whole and of this version? */
 static int check_identity(const unsigned char *bytes, uint32_t image_bytes, plt_fault *fault) {
     if (memcmp(bytes, magic, sizeof magic) != 0) {
-        return plt_refused(fault, 2, 0, "this is no Planelet scene image");
+        return plt_refused(fault, PLT_R2_MAGIC, 0, "this is no Planelet scene image");
     }
     if (bytes[PLT_AT_VERSION] != PLT_IMAGE_MAJOR || bytes[PLT_AT_VERSION + 1] != 0) {
-        return plt_refused(fault, 3, PLT_AT_VERSION,
+        return plt_refused(fault, PLT_R3_VERSION, PLT_AT_VERSION,
                            "the image is of another version; pack it anew");
     }
     if (plt_get_u32(bytes + PLT_AT_HEADER_BYTES) != PLT_HEADER_BYTES) {
-        return plt_refused(fault, 4, PLT_AT_HEADER_BYTES, "the header size is not 256");
+        return plt_refused(fault, PLT_R4_HEADER_BYTES, PLT_AT_HEADER_BYTES,
+                           "the header size is not 256");
     }
     if (header_crc(bytes) != plt_get_u32(bytes + PLT_AT_HEADER_CRC)) {
-        return plt_refused(fault, 5, PLT_AT_HEADER_CRC, "the header is damaged (checksum)");
+        return plt_refused(fault, PLT_R5_HEADER_CRC, PLT_AT_HEADER_CRC,
+                           "the header is damaged (checksum)");
     }
     if (plt_get_u32(bytes + PLT_AT_IMAGE_BYTES) != image_bytes) {
-        return plt_refused(fault, 6, PLT_AT_IMAGE_BYTES,
+        return plt_refused(fault, PLT_R6_IMAGE_BYTES, PLT_AT_IMAGE_BYTES,
                            "the image is shorter or longer than its header says");
     }
     return PLT_OK;

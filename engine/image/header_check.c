@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/base/bytes.h"
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/header.h"
 #include "engine/image/header_at.h"
 #include "engine/image/items.h"
@@ -11,8 +12,8 @@ static int is_number_between(float x, float least, float most) {
     return x >= least && x <= most;
 }
 
-/* The lattice's box is the scene's, or around it where triangles lie between its
- * numbers. False for NaN. */
+/* The lattice (the scene's quantisation grid) has the scene's box, or one around it where
+ * triangles lie between its points. False for NaN. */
 static int boxes_agree(const plt_header *h) {
     const plt_info *info = &h->info;
     plt_box box;
@@ -27,31 +28,42 @@ static int boxes_agree(const plt_header *h) {
     return 1;
 }
 
-/* R14: a lattice (the scene's quantisation grid) whose numbers become exact floats. */
-static int check_lattice(const plt_header *h, plt_fault *fault) {
+/* Coordinates become exact floats, and the lattice's box holds what it must. */
+static int lattice_in_range(const plt_header *h) {
     const plt_lattice *l = &h->lattice;
-    const plt_info *info = &h->info;
     int good = l->bits >= PLT_LATTICE_BITS_LEAST && l->bits <= PLT_LATTICE_BITS_MOST &&
-               is_number_between(l->step, 1.0e-30f, PLT_COORD_MAX) && info->leaf_triangles <= 4 &&
-               info->leaf_triangles != 3 && info->treelet_nodes == PLT_BLOCK_NODES_MOST &&
-               info->build != PLT_BUILD_NONE;
+               is_number_between(l->step, 1.0e-30f, PLT_COORD_MAX);
     for (int a = 0; a < 3; a++) {
         good &= is_number_between(l->origin[a], -PLT_COORD_MAX, PLT_COORD_MAX);
-        good &= info->triangles == 0 ||
+        good &= h->info.triangles == 0 ||
                 (h->lattice_box.lo[a] <= h->lattice_box.hi[a] && l->bits <= PLT_LATTICE_BITS_MOST &&
                  h->lattice_box.hi[a] < 1u << l->bits);
     }
-    /* An entry of the primitive ids holds an id and two bits of rotation. */
-    good &= info->primitive_id_bits == 0 ||
-            (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
-             info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
-    if (!good || info->node_bytes > PLT_BLOCKS_BYTES_MAX ||
-        info->triangle_bytes > PLT_BLOCKS_BYTES_MAX) {
-        return plt_refused(fault, 14, PLT_AT_ORIGIN,
+    return good;
+}
+
+/* An entry of the primitive ids holds an id and two bits of rotation. */
+static int id_bits_in_range(const plt_info *info) {
+    return info->primitive_id_bits == 0 ||
+           (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
+            info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
+}
+
+/* What a compact image may hold beside the lattice. */
+static int blocks_in_range(const plt_info *info) {
+    return info->leaf_triangles <= 4 && info->leaf_triangles != 3 &&
+           info->treelet_nodes == PLT_BLOCK_NODES_MOST && info->build != PLT_BUILD_NONE &&
+           info->node_bytes <= PLT_BLOCKS_BYTES_MAX && info->triangle_bytes <= PLT_BLOCKS_BYTES_MAX;
+}
+
+/* R14, of compact images only. */
+static int check_lattice(const plt_header *h, plt_fault *fault) {
+    if (!lattice_in_range(h) || !blocks_in_range(&h->info) || !id_bits_in_range(&h->info)) {
+        return plt_refused(fault, PLT_R14_LATTICE, PLT_AT_ORIGIN,
                            "the lattice, or what lies on it, is out of range");
     }
     if (!boxes_agree(h)) {
-        return plt_refused(fault, 14, PLT_AT_LATTICE_BOX,
+        return plt_refused(fault, PLT_R14_LATTICE, PLT_AT_LATTICE_BOX,
                            "the lattice's box is not that of the scene");
     }
     return PLT_OK;
@@ -61,23 +73,26 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
 static int check_values(const plt_header *h, plt_fault *fault) {
     const plt_info *info = &h->info;
     if (info->triangles > PLT_INDEX_MAX || info->node_slots > PLT_INDEX_MAX) {
-        return plt_refused(fault, 7, PLT_AT_COUNTS, "more than 2^27 - 1 triangles or nodes");
+        return plt_refused(fault, PLT_R7_COUNTS, PLT_AT_COUNTS,
+                           "more than 2^27 - 1 triangles or nodes");
     }
     if (info->leaf_triangles < 1 || info->treelet_nodes < 1 ||
         info->treelet_nodes > PLT_INDEX_MAX || info->nodes > info->node_slots ||
         (info->nodes_format == PLT_NODES_THESIS && info->node_slots % info->treelet_nodes != 0)) {
-        return plt_refused(fault, 7, PLT_AT_COUNTS, "a count is out of range");
+        return plt_refused(fault, PLT_R7_COUNTS, PLT_AT_COUNTS, "a count is out of range");
     }
     if (info->build != PLT_BUILD_HOST && (info->node_slots != 0 || info->treelets != 0)) {
-        return plt_refused(fault, 7, PLT_AT_COUNTS + 4, "nodes in an image without a tree");
+        return plt_refused(fault, PLT_R7_COUNTS, PLT_AT_COUNTS + 4,
+                           "nodes in an image without a tree");
     }
     if (info->build == PLT_BUILD_DEVICE && h->root != PLT_LINK_NONE) {
-        return plt_refused(fault, 7, PLT_AT_ROOT, "a root in an image without a tree");
+        return plt_refused(fault, PLT_R7_COUNTS, PLT_AT_ROOT, "a root in an image without a tree");
     }
     if (info->splits > PLT_SPLIT_MEDIAN || info->build > PLT_BUILD_NONE ||
         info->nodes_format > PLT_NODES_COMPACT || info->geometry_format > info->nodes_format ||
         (info->nodes_format != info->geometry_format && info->build != PLT_BUILD_HOST)) {
-        return plt_refused(fault, 8, PLT_AT_SPLITS, "a format that this version does not know");
+        return plt_refused(fault, PLT_R8_FORMATS, PLT_AT_SPLITS,
+                           "a format that this version does not know");
     }
     const int lattice = info->nodes_format == PLT_NODES_COMPACT ? check_lattice(h, fault) : PLT_OK;
     if (lattice != PLT_OK) {
@@ -86,7 +101,7 @@ static int check_values(const plt_header *h, plt_fault *fault) {
     for (int a = 0; a < 3 && info->triangles > 0; a++) {
         const float lo = info->lo[a], hi = info->hi[a];
         if (!(lo >= -PLT_COORD_MAX && lo <= hi && hi <= PLT_COORD_MAX)) {
-            return plt_refused(fault, 9, PLT_AT_LO, "the scene's box is not a box");
+            return plt_refused(fault, PLT_R9_BOX, PLT_AT_LO, "the scene's box is not a box");
         }
     }
     return PLT_OK;
@@ -98,25 +113,27 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
     const unsigned count = plt_header_kinds(&h->info, kind);
     uint64_t offset = PLT_HEADER_BYTES;
     if (plt_get_u32(bytes + PLT_AT_SECTIONS) != count) {
-        return plt_refused(fault, 10, PLT_AT_SECTIONS, "the number of sections is wrong");
+        return plt_refused(fault, PLT_R10_SECTIONS, PLT_AT_SECTIONS,
+                           "the number of sections is wrong");
     }
     for (unsigned i = 0; i < count; i++) {
         const plt_section *s = &h->section[i];
         const uint64_t due = plt_header_section_bytes(&h->info, kind[i]);
         if (s->kind != kind[i] || s->offset != offset || s->bytes != due) {
-            return plt_refused(fault, 11, PLT_AT_SECTION + 16u * i,
+            return plt_refused(fault, PLT_R11_SECTION, PLT_AT_SECTION + 16u * i,
                                "a section is not where or what it must be");
         }
         offset += due;
     }
     if (offset != h->info.image_bytes) {
-        return plt_refused(fault, 11, PLT_AT_IMAGE_BYTES, "the sections do not fill the image");
+        return plt_refused(fault, PLT_R11_SECTION, PLT_AT_IMAGE_BYTES,
+                           "the sections do not fill the image");
     }
     const int lattice = h->info.nodes_format == PLT_NODES_COMPACT;
     for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_HEADER_BYTES; i++) {
         const int used = lattice && i >= PLT_AT_ORIGIN && i < PLT_AT_RESERVED;
         if (!used && bytes[i] != 0) {
-            return plt_refused(fault, 12, i, "a reserved byte is not zero");
+            return plt_refused(fault, PLT_R12_RESERVED, i, "a reserved byte is not zero");
         }
     }
     return PLT_OK;

@@ -11,7 +11,7 @@
 #define PLT_NODE_BYTES 32                     /* a thesis node */
 #define PLT_RECORD_BYTES 40                   /* a float record */
 #define PLT_INDEX_MAX ((1u << 27) - 1u)       /* of nodes and of triangles */
-#define PLT_LINK_NONE 0xFFFFFFFFu             /* root link of a thesis scene without triangles */
+#define PLT_LINK_NONE 0xFFFFFFFFu             /* no link: the root of a scene without triangles */
 #define PLT_BLOCK_NODES_MOST 64               /* of a compact block */
 #define PLT_BLOCKS_BYTES_MAX (8u * 0xFFFFFFu) /* of all blocks: addresses are 24 bits, times 8 */
 

@@ -5,7 +5,7 @@
 
 void plt_block_cache_clear(plt_opened_block *cache) {
     for (unsigned i = 0; i < PLT_BLOCK_CACHE_SLOTS; i++) {
-        cache[i].link = PLT_MISS;
+        cache[i].link = PLT_LINK_NONE;
     }
 }
 

@@ -13,9 +13,9 @@
 #include "engine/tree/compact/block_tree.h"
 
 typedef struct plt_opened_block {
-    uint32_t link; /* PLT_MISS: the slot is empty */
+    uint32_t link; /* PLT_LINK_NONE: the slot is empty */
     uint8_t geometry_open;
-    float lo[4], hi[4]; /* bounds, in lattice numbers; the fourth means nothing */
+    float lo[4], hi[4]; /* bounds, in lattice coordinates; the fourth means nothing */
     plt_block block;
     plt_geometry geometry; /* if open */
 } plt_opened_block;

@@ -7,7 +7,9 @@
 #include "engine/scene/build_compact.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/record_cache.h"
+#include "engine/scene/counts.h"
 #include "engine/scene/validate_compact.h"
 
 size_t plt_compact_build_bytes(uint32_t triangles) {
@@ -30,9 +32,10 @@ static int validate_corners(const plt_opening *o, const plt_compact_build *b) {
     for (uint32_t i = 0; i < t->count; i++) {
         const unsigned char *at = plt_lattice_triangle(t, i);
         for (uint32_t k = 0; k < 9; k++) {
-            const uint32_t q = plt_lattice_number(t, at, k);
+            const uint32_t q = plt_lattice_coordinate(t, at, k);
             if (q < box->lo[k % 3] || q > box->hi[k % 3]) {
-                return plt_broken(o->fault, 20, b->corners_offset + (9 * i + k) * t->width,
+                return plt_broken(o->fault, PLT_I20_CORNERS,
+                                  b->corners_offset + (9 * i + k) * t->width,
                                   "a corner lies outside the scene's box");
             }
         }
@@ -45,14 +48,15 @@ static int validate_corners(const plt_opening *o, const plt_compact_build *b) {
 static int open_cache(const plt_opening *o, plt_lattice_triangles *t, const plt_section *s) {
     void *memory = plt_opening_cut(o, PLT_PART_RECORD_CACHE);
     if (memory == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
-    t->cache = plt_record_cache_init(memory, o->source, s->offset, 9 * t->width, t->count);
+    t->cache = plt_record_cache_init(memory, o->source, s->offset,
+                                     plt_corners_bytes(o->scene->info.lattice_bits), t->count);
     const uint32_t crc = plt_record_cache_crc(t->cache, s->bytes);
     const int status = cache_status(o, t->cache);
-    return status != PLT_OK || crc == s->crc
-               ? status
-               : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
+    return status != PLT_OK || crc == s->crc ? status
+                                             : plt_refused(o->fault, PLT_R13_SECTION_CRC, s->offset,
+                                                           "a section is damaged (checksum)");
 }
 
 /* The corners where they lie: mapped, or behind a cache. */
@@ -66,7 +70,12 @@ static int open_corners(const plt_opening *o, plt_compact_build *b, const plt_se
     } else {
         status = open_cache(o, t, s);
     }
-    return status == PLT_OK ? validate_corners(o, b) : status;
+    if (status != PLT_OK) {
+        return status;
+    }
+    /* Corners that a source failed to deliver are zeros: its failure comes first. */
+    const int valid = validate_corners(o, b), source = cache_status(o, t->cache);
+    return source == PLT_OK ? valid : source;
 }
 
 /* Blocks grow over the free arena; state, scratch and cache take its end. */
@@ -98,29 +107,48 @@ static plt_compact_build *cut_for_build(const plt_opening *o) {
     return b;
 }
 
-int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
-                            plt_compact_build **build) {
-    const plt_info *info = &o->scene->info;
-    const plt_section *corners = plt_header_section(header, PLT_SECTION_CORNERS);
-    plt_compact_build *b = cut_for_build(o);
-    if (b == NULL) {
-        return plt_opening_short(o);
+/* A status of the builder, with a fault if it is an error. */
+static int blocks_status(const plt_opening *o, const plt_blocks_job *job, int status) {
+    switch (status) {
+    case PLT_ERR_ARENA:
+        return plt_opening_arena_error(o);
+    case PLT_ERR_LIMIT:
+        return plt_limit(o->fault, plt_blocks_limit_message(job));
+    default: /* PLT_OK, PLT_MORE */
+        return status;
     }
+}
+
+static void describe(const plt_opening *o, const plt_section *corners, plt_compact_build *b) {
+    const plt_info *info = &o->scene->info;
     b->corners_offset = corners->offset;
     b->job.triangles.count = info->triangles;
     b->job.triangles.width = plt_corner_width(info->lattice_bits);
     b->job.bits = info->lattice_bits;
     b->job.leaf_triangles = info->leaf_triangles;
     b->job.splits = info->splits;
+}
+
+int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
+                            plt_compact_build **build) {
+    const plt_section *corners = plt_header_section(header, PLT_SECTION_CORNERS);
+    plt_compact_build *b = cut_for_build(o);
+    if (b == NULL) {
+        return plt_opening_arena_error(o);
+    }
+    describe(o, corners, b);
     int status = open_corners(o, b, corners);
-    if (status == PLT_OK && plt_blocks_begin(&b->job) != PLT_OK) {
-        status = plt_opening_short(o);
+    if (status == PLT_OK) {
+        status = blocks_status(o, &b->job, plt_blocks_begin(&b->job));
     }
     if (status == PLT_OK) {
         status = cache_status(o, b->job.triangles.cache);
     }
+    if (status != PLT_OK) {
+        return status;
+    }
     *build = b;
-    return status == PLT_OK ? PLT_MORE : status;
+    return PLT_MORE;
 }
 
 static void set_tree(plt_scene *scene, const plt_blocks_job *job) {
@@ -138,24 +166,23 @@ static void set_tree(plt_scene *scene, const plt_blocks_job *job) {
     info->depth_stack_entries = job->depth;
 }
 
-/* What was read of a source more than once need not have been the same: what became
- * of it is validated like an image. */
+/* A source may return other bytes on a second read, so the finished blocks are validated
+ * as if they came from an image. */
 static int validate_built(const plt_opening *o, uint32_t corners_offset) {
-    plt_info expected = o->scene->info, found;
-    const int status = plt_compact_validate(o, &found);
+    plt_info expected = o->scene->info, counted;
+    const int status = plt_compact_validate(o, &counted);
     if (expected.triangles == 1) {
         expected.triangles = 2; /* it is there twice */
     }
-    if (status == PLT_ERR_ARENA ||
-        (status == PLT_OK && plt_compact_counts_agree(&expected, &found))) {
+    if (status == PLT_ERR_ARENA || (status == PLT_OK && plt_counts_agree(&expected, &counted))) {
         return status;
     }
     return plt_fault_set(o->fault, PLT_ERR_SOURCE, corners_offset,
                          "the source gave other bytes when it was read again");
 }
 
-/* Room that was offered and not needed counts for no peak. The state is read before
- * what follows the blocks is cut where it lies. */
+/* arena.peak counts what the build used, not the free room it was given. The state is
+ * read before what follows the blocks is cut where it lies. */
 static int finish(const plt_opening *o, const plt_compact_build *b) {
     const size_t needed = b->mark + b->job.peak + b->scratch_bytes;
     const uint32_t corners_offset = b->corners_offset;
@@ -167,24 +194,17 @@ static int finish(const plt_opening *o, const plt_compact_build *b) {
     return is_cached ? validate_built(o, corners_offset) : PLT_OK;
 }
 
+/* One step. What the builder makes of a source that has failed counts for nothing. */
+static int step(const plt_opening *o, plt_compact_build *b) {
+    const int status = plt_blocks_step(&b->job);
+    const int source = cache_status(o, b->job.triangles.cache);
+    return source == PLT_OK ? blocks_status(o, &b->job, status) : source;
+}
+
 int plt_build_compact_step(const plt_opening *o, plt_compact_build *b, uint32_t steps) {
     int status = PLT_MORE;
-    while (status == PLT_MORE && steps > 0) {
-        status = plt_blocks_step(&b->job);
-        steps--;
+    for (; status == PLT_MORE && steps > 0; steps--) {
+        status = step(o, b);
     }
-    const int source = cache_status(o, b->job.triangles.cache);
-    if (source != PLT_OK) {
-        return source;
-    }
-    switch (status) {
-    case PLT_OK:
-        return finish(o, b);
-    case PLT_MORE:
-        return PLT_MORE;
-    case PLT_ERR_ARENA:
-        return plt_opening_short(o);
-    default:
-        return plt_limit(o->fault, "the scene needs more than PLT_DEPTH_MAX levels");
-    }
+    return status == PLT_OK ? finish(o, b) : status;
 }

@@ -18,11 +18,12 @@ typedef struct plt_compact_build {
 /* Bytes of scratch for so many triangles, this state included. */
 size_t plt_compact_build_bytes(uint32_t triangles);
 
-/* PLT_MORE and the state, or an error. */
+/* PLT_MORE, and only then the state in `build`; or an error. */
 int plt_build_compact_begin(const plt_opening *o, const plt_header *header,
                             plt_compact_build **build);
 
-/* About `steps` splits or blocks. PLT_OK: the scene is open, the scratch given back. */
+/* About `steps` splits or blocks, fewer if the source fails. PLT_OK: the scene is open, the scratch
+ * given back. */
 int plt_build_compact_step(const plt_opening *o, plt_compact_build *build, uint32_t steps);
 
 #endif

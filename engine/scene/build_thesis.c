@@ -5,13 +5,13 @@
 
 #include "engine/base/fault.h"
 #include "engine/builder/build.h"
-#include "engine/scene/worst_tree.h"
-#include "engine/tree/thesis/validate.h"
+#include "engine/scene/validate_thesis.h"
 #include "engine/tree/validate_records.h"
 
-/* Scratch that goes with as many nodes as fit beside it: 4 bytes per node and 16 per
- * treelet, and what does not depend on their number. */
-static size_t fair_scratch(const plt_info *info, size_t free_bytes) {
+/* Scratch when the free bytes have to be shared between nodes and it: a fixed part comes
+ * off first, and what is left is split so that every node has its PLT_NODE_BYTES and the
+ * scratch that goes with it, 4 bytes and its share of 16 per treelet, rounded up. */
+static size_t shared_scratch(const plt_info *info, size_t free_bytes) {
     const size_t fixed = plt_build_scratch_bytes(0, info->treelet_nodes);
     const size_t each = 4 + (16 + info->treelet_nodes - 1) / info->treelet_nodes;
     if (fixed > free_bytes) {
@@ -27,17 +27,17 @@ static int cut_for_build(const plt_opening *o, plt_build_job *job) {
     const size_t free_bytes = o->arena->bytes - o->arena->used;
     uint64_t scratch = o->layout->bytes[PLT_PART_BUILDER];
     if (most + scratch > free_bytes) { /* less than the bound: mostly still enough */
-        scratch = fair_scratch(info, free_bytes);
+        scratch = shared_scratch(info, free_bytes);
     }
     if (scratch > free_bytes) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     const uint64_t left = free_bytes - scratch;
     job->room = (uint32_t)((left < most ? left : most) / PLT_NODE_BYTES);
     job->scratch_bytes = (size_t)scratch;
     job->nodes = plt_arena_cut(o->arena, (size_t)job->room * PLT_NODE_BYTES);
     job->scratch = plt_arena_cut(o->arena, job->scratch_bytes);
-    return job->nodes != NULL && job->scratch != NULL ? PLT_OK : plt_opening_short(o);
+    return job->nodes != NULL && job->scratch != NULL ? PLT_OK : plt_opening_arena_error(o);
 }
 
 static int run_build(const plt_opening *o, plt_build_job *job) {
@@ -45,7 +45,7 @@ static int run_build(const plt_opening *o, plt_build_job *job) {
     if (status == PLT_OK) {
         status = plt_build(job);
         if (status == PLT_ERR_ARENA) {
-            return plt_opening_short(o);
+            return plt_opening_arena_error(o);
         }
     }
     return status == PLT_ERR_LIMIT
@@ -63,23 +63,19 @@ static void set_tree(const plt_opening *o, const plt_build_job *job) {
     info->node_bytes = job->node_slots * PLT_NODE_BYTES;
 }
 
-/* Counts and stack needs of the new tree, as of one that was read. */
+/* Counts and stack needs of the new tree, as of one that was read; K stays as it is. */
 static int count(const plt_opening *o) {
-    plt_info *info = &o->scene->info;
-    const uint32_t k = info->leaf_triangles;
-    const size_t mark = o->arena->used;
-    plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
-    if (levels == NULL) {
-        return plt_opening_short(o);
+    plt_info *info = &o->scene->info, counted;
+    const int status = plt_thesis_validate(o, &o->scene->thesis, &counted);
+    if (status == PLT_OK) {
+        counted.leaf_triangles = info->leaf_triangles;
+        *info = counted;
     }
-    const int status = plt_tree_validate(&o->scene->thesis, levels, info, o->fault);
-    info->leaf_triangles = k;
-    plt_arena_release(o->arena, mark);
     return status;
 }
 
 int plt_build_thesis(const plt_opening *o, const plt_header *header) {
-    const void *nodes = NULL; /* there are none, with a checksum */
+    const void *nodes = NULL; /* an empty section; only its checksum is checked */
     void *records = NULL;
     int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_NODES), &nodes);
     if (status == PLT_OK) {

@@ -2,7 +2,10 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
+#include "engine/image/header_at.h"
 #include "engine/scene/build_compact.h"
+#include "engine/scene/counts.h"
 #include "engine/scene/open_formats.h"
 #include "engine/scene/validate_compact.h"
 #include "engine/tree/validate_records.h"
@@ -26,21 +29,22 @@ static int validate_ids(const plt_opening *o, const plt_section *section) {
         const uint32_t word = plt_primitive_word_find(n, i);
         if (plt_primitive_id(word) >= info->source_triangles || plt_primitive_rotation(word) > 2) {
             const uint32_t at = (uint32_t)((uint64_t)i * n->bits >> 3);
-            return plt_broken(o->fault, 19, section->offset + at,
-                              "a triangle's number is too large");
+            return plt_broken(o->fault, PLT_I19_IDS, section->offset + at,
+                              "a primitive id or rotation is out of range");
         }
     }
     return PLT_OK;
 }
 
 static int validate_blocks(const plt_opening *o, const plt_section *blocks) {
-    plt_info found;
-    int status = plt_compact_validate(o, &found);
+    plt_info counted;
+    int status = plt_compact_validate(o, &counted);
     if (status == PLT_ERR_IMAGE) {
         o->fault->offset += blocks->offset;
     }
-    if (status == PLT_OK && !plt_compact_counts_agree(&o->scene->info, &found)) {
-        status = plt_broken(o->fault, 18, 24, "the header's counts are not the blocks'");
+    if (status == PLT_OK && !plt_counts_agree(&o->scene->info, &counted)) {
+        status = plt_broken(o->fault, PLT_I18_COUNTS, PLT_AT_COUNTS,
+                            "the header's counts are not the blocks'");
     }
     return status;
 }
@@ -49,20 +53,20 @@ static int validate_blocks(const plt_opening *o, const plt_section *blocks) {
 static int read_sections(const plt_opening *o, const plt_header *header) {
     plt_block_tree *t = &o->scene->compact;
     const plt_section *ids = plt_header_section(header, PLT_SECTION_PRIMITIVE_IDS);
-    const void *blocks = NULL, *numbers = NULL, *records = NULL;
+    const void *blocks = NULL, *id_bytes = NULL, *records = NULL;
     int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_BLOCKS), &blocks);
     if (status == PLT_OK && ids != NULL) {
-        status = plt_opening_section(o, ids, &numbers);
+        status = plt_opening_section(o, ids, &id_bytes);
     }
     if (status == PLT_OK && t->leaf_kind == PLT_LEAF_RECORDS) {
         status =
             plt_opening_section(o, plt_header_section(header, PLT_SECTION_TRIANGLES), &records);
     }
-    if (status == PLT_OK && records != NULL) {
+    if (status == PLT_OK && t->leaf_kind == PLT_LEAF_RECORDS) {
         status = plt_records_validate(header, records, o->fault);
     }
     t->bytes = blocks;
-    t->ids.bytes = numbers;
+    t->ids.bytes = id_bytes;
     t->records = records;
     t->used = header->info.node_bytes + header->info.triangle_bytes;
     return status;

@@ -4,13 +4,14 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/open_formats.h"
-#include "engine/tree/thesis/validate.h"
+#include "engine/scene/validate_thesis.h"
 #include "engine/tree/validate_records.h"
 
 int plt_open_list(const plt_opening *o, const plt_header *header,
                   struct plt_compact_build **build) {
     (void)build;
-    const void *nodes = NULL, *bytes = NULL; /* of nodes there are none, with a checksum */
+    const void *nodes = NULL; /* an empty section; only its checksum is checked */
+    const void *bytes = NULL;
     int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_NODES), &nodes);
     if (status == PLT_OK) {
         status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_TRIANGLES), &bytes);
@@ -25,15 +26,8 @@ int plt_open_list(const plt_opening *o, const plt_header *header,
     const plt_tree tree = {.records = records,
                            .records_count = header->info.triangles,
                            .treelet_nodes = header->info.treelet_nodes,
-                           .root = header->root,
-                           .box = o->scene->box};
-    const size_t mark = o->arena->used;
-    plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
-    if (levels == NULL) {
-        return plt_opening_short(o);
-    }
-    status = plt_tree_validate_counts(header, &tree, levels, o->fault);
-    plt_arena_release(o->arena, mark);
+                           .root = header->root};
+    status = plt_thesis_validate_image(o, header, &tree);
     o->scene->list.records = records;
     o->scene->list.count = header->info.triangles;
     return status;

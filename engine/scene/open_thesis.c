@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/build_thesis.h"
 #include "engine/scene/open_formats.h"
-#include "engine/tree/thesis/validate.h"
+#include "engine/scene/validate_thesis.h"
 #include "engine/tree/validate_records.h"
 
 static void describe(const plt_opening *o, const plt_header *header) {
@@ -12,22 +12,6 @@ static void describe(const plt_opening *o, const plt_header *header) {
     tree->records_count = header->info.triangles;
     tree->treelet_nodes = header->info.treelet_nodes;
     tree->root = header->root;
-    tree->box = o->scene->box;
-}
-
-static int validate(const plt_opening *o, const plt_header *header) {
-    const plt_tree *tree = &o->scene->thesis;
-    const size_t mark = o->arena->used;
-    plt_validate_level *levels = plt_opening_cut(o, PLT_PART_VALIDATION);
-    if (levels == NULL) {
-        return plt_opening_short(o);
-    }
-    int status = plt_planes_validate(header, tree->nodes, o->fault);
-    if (status == PLT_OK) {
-        status = plt_tree_validate_counts(header, tree, levels, o->fault);
-    }
-    plt_arena_release(o->arena, mark);
-    return status;
 }
 
 static int read_tree(const plt_opening *o, const plt_header *header) {
@@ -42,7 +26,7 @@ static int read_tree(const plt_opening *o, const plt_header *header) {
     }
     o->scene->thesis.nodes = nodes;
     o->scene->thesis.records = records;
-    return status == PLT_OK ? validate(o, header) : status;
+    return status == PLT_OK ? plt_thesis_validate_image(o, header, &o->scene->thesis) : status;
 }
 
 int plt_open_thesis(const plt_opening *o, const plt_header *header,

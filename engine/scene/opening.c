@@ -4,10 +4,11 @@
 #include "engine/scene/opening.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/fetch.h"
 #include "engine/planelet_crc32.h"
 
-int plt_opening_short(const plt_opening *o) {
+int plt_opening_arena_error(const plt_opening *o) {
     return plt_arena_short(o->fault, 0);
 }
 
@@ -19,13 +20,14 @@ void *plt_opening_cut(const plt_opening *o, enum plt_part part) {
 static int check_sum(const plt_opening *o, const plt_section *s, const void *bytes) {
     return plt_crc32(0, bytes, s->bytes) == s->crc
                ? PLT_OK
-               : plt_refused(o->fault, 13, s->offset, "a section is damaged (checksum)");
+               : plt_refused(o->fault, PLT_R13_SECTION_CRC, s->offset,
+                             "a section is damaged (checksum)");
 }
 
 int plt_opening_copy(const plt_opening *o, const plt_section *s, void **bytes) {
     *bytes = plt_arena_cut(o->arena, s->bytes);
     if (*bytes == NULL) {
-        return plt_opening_short(o);
+        return plt_opening_arena_error(o);
     }
     const int status = plt_fetch(o->source, s->offset, *bytes, s->bytes, o->fault);
     return status == PLT_OK ? check_sum(o, s, *bytes) : status;

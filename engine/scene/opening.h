@@ -17,8 +17,8 @@ typedef struct plt_opening {
     plt_fault *fault;
 } plt_opening;
 
-/* PLT_ERR_ARENA. The caller of the opening knows how many bytes would do. */
-int plt_opening_short(const plt_opening *o);
+/* PLT_ERR_ARENA. need_bytes stays 0 here; engine/open.c sets it. */
+int plt_opening_arena_error(const plt_opening *o);
 
 /* Cuts all bytes of a part off the arena; NULL: there are too few. */
 void *plt_opening_cut(const plt_opening *o, enum plt_part part);

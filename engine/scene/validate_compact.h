@@ -6,10 +6,8 @@
 
 #include "engine/scene/opening.h"
 
-/* Every block keeps the rules of SPEC.md; `found`: what all of them hold. Offsets of
+/* Every block keeps the rules of SPEC.md; `counted`: what all of them hold. Offsets of
  * faults count from the first block. */
-int plt_compact_validate(const plt_opening *o, plt_info *found);
-
-int plt_compact_counts_agree(const plt_info *a, const plt_info *b);
+int plt_compact_validate(const plt_opening *o, plt_info *counted);
 
 #endif

@@ -6,8 +6,8 @@
 
 #include "engine/planelet.h"
 
-/* Counts, stack needs and sizes of the worst tree that the builder can make of an
- * image without one; of a finished one what `info` says. */
+/* plt_info with every count and size at its upper bound, for an image whose tree the
+ * engine builds; for another one `info` as it is. */
 plt_info plt_worst_tree(const plt_info *info);
 
 #endif

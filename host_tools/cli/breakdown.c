@@ -31,7 +31,7 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
     plt_lattice_box bounds;
     plt_geometry_open_counts(&g, b, tree->leaf_triangles);
     to->of_one_mesh += g.mesh != 0;
-    if (tree->records != NULL) {
+    if (tree->leaf_kind == PLT_LEAF_RECORDS) {
         to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
         to->bytes[PART_COUNTS] += (g.starts - g.counts) / 8.0;
         to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - g.starts / 8.0;
@@ -62,6 +62,6 @@ void breakdown_count(const plt_engine *engine, breakdown *b) {
         at += plt_block_bytes(&block);
     }
     b->bytes[PART_POSITIONS] +=
-        tree->records != NULL ? (double)info->triangles * PLT_RECORD_BYTES : 0.0;
+        tree->leaf_kind == PLT_LEAF_RECORDS ? (double)info->triangles * PLT_RECORD_BYTES : 0.0;
     b->bytes[PART_PRIMITIVE_IDS] = (double)info->triangles * info->primitive_id_bits / 8.0;
 }

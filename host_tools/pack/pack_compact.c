@@ -124,7 +124,7 @@ static void describe(compacting *c) {
         c->s.count > 0) {
         info->primitive_id_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
     }
-    c->header.root = PLT_MISS;
+    c->header.root = PLT_LINK_NONE;
 }
 
 static void write_primitive_ids(const compacting *c, unsigned char *to) {

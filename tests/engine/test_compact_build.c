@@ -199,6 +199,7 @@ static void check_work(work *w, uint64_t seed) {
                                      .used = w->job.used,
                                      .root = w->job.root,
                                      .leaf_triangles = w->job.leaf_triangles,
+                                     .leaf_kind = PLT_LEAF_STRIPS,
                                      .lattice = {{0, 0, 0}, 1, w->job.bits},
                                      .box = w->job.box};
         const snapped s = {.corners = w->corners,

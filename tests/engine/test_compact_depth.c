@@ -1,4 +1,4 @@
-/* test_compact_depth - the builder of compact blocks at the last levels
+/* test_compact_depth - the builder of compact blocks at its limits
  *
  * No scene of ordinary size is 64 levels deep, so the job starts with a root that is already
  * near that depth. Triangles lie at 1, 2, 4, .. along an axis, so both the median and the
@@ -45,6 +45,27 @@ static int build(uint32_t depth, uint8_t splits, plt_blocks_job *job) {
     return status;
 }
 
+/* The first block of a build that has, as it were, written `used` bytes of blocks before. */
+static int build_behind(uint32_t used, plt_blocks_job *job) {
+    uint16_t corners[1][9];
+    put(corners[0], 8);
+    const plt_blocks_job fresh = {.triangles = {(const unsigned char *)corners, 1, 2, 0},
+                                  .bits = 12,
+                                  .leaf_triangles = 1,
+                                  .memory = malloc((size_t)used + MEMORY), /* touched at its end */
+                                  .bytes = (size_t)used + MEMORY,
+                                  .scratch = malloc(plt_blocks_scratch_bytes(1))};
+    *job = fresh;
+    int status = plt_blocks_begin(job);
+    job->used = used;
+    for (uint32_t i = 0; i < 2 && status >= PLT_OK; i++) {
+        status = plt_blocks_step(job);
+    }
+    free(job->scratch);
+    free(job->memory);
+    return status;
+}
+
 int main(void) {
     for (uint8_t splits = PLT_SPLIT_SAH; splits <= PLT_SPLIT_MEDIAN; splits++) {
         const char *name = splits == PLT_SPLIT_SAH ? "SAH" : "median";
@@ -59,9 +80,19 @@ int main(void) {
               status, job.depth);
         test("... and what needs one more level is refused");
         status = build(PLT_DEPTH_MAX - LEVELS + 1, splits, &job);
-        CHECK(status == PLT_ERR_LIMIT, "%s: status %d, depth %u", name, status, job.depth);
+        CHECK(status == PLT_ERR_LIMIT && job.limit == PLT_BLOCKS_LIMIT_DEPTH,
+              "%s: status %d, limit %u, depth %u", name, status, job.limit, job.depth);
         status = build(PLT_DEPTH_MAX, splits, &job);
-        CHECK(status == PLT_ERR_LIMIT, "%s: status %d, depth %u", name, status, job.depth);
+        CHECK(status == PLT_ERR_LIMIT && job.limit == PLT_BLOCKS_LIMIT_DEPTH,
+              "%s: status %d, limit %u, depth %u", name, status, job.limit, job.depth);
     }
+    test("blocks that links cannot reach are refused as that, not as too deep");
+    plt_blocks_job job;
+    int status = build_behind(PLT_BLOCKS_BYTES_MAX - 8, &job);
+    CHECK(status == PLT_ERR_LIMIT && job.limit == PLT_BLOCKS_LIMIT_BYTES, "status %d, limit %u",
+          status, job.limit);
+    status = build_behind(PLT_BLOCKS_BYTES_MAX - 4096, &job);
+    CHECK(status == PLT_MORE && job.limit == PLT_BLOCKS_LIMIT_NONE, "status %d, limit %u", status,
+          job.limit);
     return test_done();
 }

@@ -9,7 +9,9 @@
 #include <string.h>
 
 #include "engine/engine.h"
+#include "engine/image/header.h"
 #include "engine/image/record_cache.h"
+#include "engine/planelet_crc32.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
@@ -111,9 +113,34 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
     pack_free(&image);
 }
 
-static void failures(void) {
+/* Moves all corners up by one coordinate per axis, so that zeros lie outside the lattice's box. */
+static void raise_corners(packed *image) {
+    plt_header h;
+    plt_fault fault;
+    CHECK(plt_header_read(&h, image->bytes, image->size, &fault) == PLT_OK, "%s", fault.message);
+    h.info.lattice_bits = (uint8_t)++h.lattice.bits; /* room for one more at the top */
+    for (int a = 0; a < 3; a++) {
+        h.info.lo[a] = plt_lattice_float(&h.lattice, a, ++h.lattice_box.lo[a]);
+        h.info.hi[a] = plt_lattice_float(&h.lattice, a, ++h.lattice_box.hi[a]);
+    }
+    unsigned char *corners = image->bytes + h.section[0].offset;
+    for (uint32_t i = 0; i < 9 * h.info.triangles; i++) {
+        const uint32_t q = (uint32_t)(corners[2 * i] | corners[2 * i + 1] << 8) + 1;
+        corners[2 * i] = (unsigned char)q;
+        corners[2 * i + 1] = (unsigned char)(q >> 8);
+    }
+    h.section[0].crc = plt_crc32(0, corners, h.section[0].bytes);
+    plt_header_write(image->bytes, &h);
+    image->info = h.info;
+    CHECK(h.lattice_box.lo[0] > 0, "zeros lie inside the lattice's box");
+}
+
+static void failures(int raised) {
     const compact_config config = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
     packed image = image_of(compact_triangles(400, 2), &config);
+    if (raised) {
+        raise_corners(&image);
+    }
     line whole = line_of(&image);
     built b = build(&image, &whole, &config.run);
     CHECK(b.status == PLT_OK, "%s", b.fault.message);
@@ -202,7 +229,8 @@ int main(void) {
         same_blocks(k, 14, PLT_SPLIT_MEDIAN);
     }
     test("a source that fails at any read ends the build with its error, and is not read again");
-    failures();
+    failures(0);
+    failures(1);
     after_failure();
     test("a source that returns other bytes when read again gives an error or a valid tree");
     false_bytes(2, PLT_SPLIT_SAH);

@@ -70,7 +70,7 @@ static void decode_leaves(const plt_block *b, const plt_block_tree *tree, const 
         const uint32_t first = plt_leaf_find(g, leaf, block_pairs(b, slot), pair, &count);
         promise(first == sum && count >= 1 && count <= 2 * tree->leaf_triangles, "a leaf's size");
         sum += count;
-        if (tree->records == NULL) {
+        if (tree->leaf_kind == PLT_LEAF_STRIPS) {
             leaf_corners(g, first, count, corner);
             for (uint32_t i = 0; i < 9 * count; i++) {
                 promise(corner[i / 9][i / 3 % 3][i % 3] < 1u << 22, "a coordinate is too large");
@@ -83,25 +83,26 @@ static void decode_leaves(const plt_block *b, const plt_block_tree *tree, const 
 static plt_header header_of(const plt_block *b, const plt_block_tree *tree, uint32_t triangles,
                             uint32_t depth) {
     const uint32_t size = plt_block_bytes(b);
-    plt_header h = {
-        .info = {.triangles = triangles,
-                 .nodes = b->nodes,
-                 .node_slots = b->nodes,
-                 .leaf_lists = b->leaves - b->pairs,
-                 .intermediate_lists = b->pairs,
-                 .treelets = 1,
-                 .treelet_nodes = PLT_BLOCK_NODES_MOST,
-                 .leaf_triangles = tree->leaf_triangles,
-                 .depth_stack_entries = depth,
-                 .node_bytes = size - b->geometry_bytes,
-                 .triangle_bytes = b->geometry_bytes,
-                 .source_triangles = triangles,
-                 .nodes_format = PLT_NODES_COMPACT,
-                 .geometry_format = tree->records ? PLT_GEOMETRY_FLOAT : PLT_GEOMETRY_LATTICE,
-                 .lattice_bits = (uint8_t)tree->lattice.bits},
-        .root = plt_block_link(0, b->node_bytes),
-        .lattice = tree->lattice,
-        .lattice_box = tree->box};
+    plt_header h = {.info = {.triangles = triangles,
+                             .nodes = b->nodes,
+                             .node_slots = b->nodes,
+                             .leaf_lists = b->leaves - b->pairs,
+                             .intermediate_lists = b->pairs,
+                             .treelets = 1,
+                             .treelet_nodes = PLT_BLOCK_NODES_MOST,
+                             .leaf_triangles = tree->leaf_triangles,
+                             .depth_stack_entries = depth,
+                             .node_bytes = size - b->geometry_bytes,
+                             .triangle_bytes = b->geometry_bytes,
+                             .source_triangles = triangles,
+                             .nodes_format = PLT_NODES_COMPACT,
+                             .geometry_format = tree->leaf_kind == PLT_LEAF_RECORDS
+                                                    ? PLT_GEOMETRY_FLOAT
+                                                    : PLT_GEOMETRY_LATTICE,
+                             .lattice_bits = (uint8_t)tree->lattice.bits},
+                    .root = plt_block_link(0, b->node_bytes),
+                    .lattice = tree->lattice,
+                    .lattice_box = tree->box};
     for (int a = 0; a < 3; a++) {
         h.info.lo[a] = plt_lattice_float(&tree->lattice, a, tree->box.lo[a]);
         h.info.hi[a] = plt_lattice_float(&tree->lattice, a, tree->box.hi[a]);
@@ -118,7 +119,7 @@ static void trace_alone(const plt_block *b, const plt_block_tree *tree, uint32_t
     unsigned char *image = calloc(h.info.image_bytes, 1);
     memcpy(image, header, sizeof header);
     memcpy(image + PLT_HEADER_BYTES, b->bytes, b->node_bytes + b->geometry_bytes);
-    for (uint32_t i = 0; i < triangles && tree->records != NULL; i++) {
+    for (uint32_t i = 0; i < triangles && tree->leaf_kind == PLT_LEAF_RECORDS; i++) {
         unsigned char *record = image + h.section[1].offset + PLT_RECORD_BYTES * i;
         for (uint32_t c = 0; c < 3; c++) {
             plt_put_floats(record + 12 * c, c == i % 3 ? h.info.hi : h.info.lo, 3);
@@ -134,12 +135,11 @@ static void trace_alone(const plt_block *b, const plt_block_tree *tree, uint32_t
 }
 
 static plt_block_tree tree_of(uint8_t choice) {
-    static const plt_record record;
     const uint32_t bits = choice & 4 ? 21 : 14;
     const uint32_t most = (1u << bits) - 1;
     const plt_block_tree tree = {.leaf_triangles = (choice & 3) == 3 ? 2 : 1u << (choice & 3),
                                  .lattice = {{-1.0f, 0.0f, 2.0f}, 1.0f / 2097152.0f, bits},
-                                 .records = choice & 8 ? &record : NULL,
+                                 .leaf_kind = choice & 8 ? PLT_LEAF_RECORDS : PLT_LEAF_STRIPS,
                                  .box = {{0, 0, 0}, {most, most, most}}};
     return tree;
 }
@@ -163,8 +163,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         plt_block_bounds(&b, tree.lattice.bits, &bounds);
         const uint32_t depth = decode_boxes(&b, &bounds);
         if (b.leaves > 0) {
-            tree.records != NULL ? plt_geometry_open_counts(&g, &b, tree.leaf_triangles)
-                                 : plt_geometry_open(&g, &b, &bounds, tree.leaf_triangles);
+            tree.leaf_kind == PLT_LEAF_RECORDS
+                ? plt_geometry_open_counts(&g, &b, tree.leaf_triangles)
+                : plt_geometry_open(&g, &b, &bounds, tree.leaf_triangles);
             decode_leaves(&b, &tree, &g);
         }
         blocks_valid++;

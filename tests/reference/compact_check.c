@@ -160,15 +160,15 @@ static void check_slot(checking *c, open_block *o, row *r, uint32_t node, uint32
 static void check_edges(checking *c, const open_block *o, row *r) {
     uint32_t done = 0;
     for (uint32_t left = o->edges; left > 0; left--) { /* the lowest address first */
-        uint32_t lowest = PLT_MISS;
+        uint32_t lowest = PLT_LINK_NONE;
         for (uint32_t e = 0; e < o->edges; e++) {
             const uint32_t address = plt_block_address(r->edge_link[e]);
-            lowest = address > done && (lowest == PLT_MISS ||
+            lowest = address > done && (lowest == PLT_LINK_NONE ||
                                         address < plt_block_address(r->edge_link[lowest]))
                          ? e
                          : lowest;
         }
-        if (lowest == PLT_MISS) {
+        if (lowest == PLT_LINK_NONE) {
             expect(c, 0, "two edges lead to one block");
             return;
         }
@@ -260,7 +260,7 @@ compact_facts compact_check(const plt_block_tree *tree, const snapped *s) {
     compact_facts facts = {.sentence = "good"};
     const uint32_t due = s == NULL ? 0 : (s->count == 1 ? 2 : s->count);
     checking c = {tree, &facts, malloc((due + 1u) * sizeof(triangle_key)), due, 0};
-    if (tree->root != PLT_MISS) {
+    if (tree->root != PLT_LINK_NONE) {
         const plt_lattice_box exact = check_block(&c, tree->root, &tree->box, 0);
         expect(&c, memcmp(&exact, &tree->box, sizeof exact) == 0, "the scene's box is not exact");
     }

@@ -51,7 +51,7 @@ typedef struct plt_block {
     uint8_t pairs_before[4];
 } plt_block;
 
-/* Bounds are six numbers of so many bits. */
+/* Bounds are six coordinates of so many bits. */
 static inline uint32_t plt_block_bounds_width(uint32_t bits) {
     return bits <= 16 ? 16 : 21;
 }

@@ -18,7 +18,7 @@ enum plt_leaf_kind {
 typedef struct plt_block_tree {
     const unsigned char *bytes; /* block address 0; 8 bytes behind may be read */
     uint32_t used;              /* bytes of blocks */
-    uint32_t root;              /* link, or PLT_MISS */
+    uint32_t root;              /* link, or PLT_LINK_NONE */
     uint32_t leaf_triangles;
     uint8_t leaf_kind; /* enum plt_leaf_kind */
     plt_lattice lattice;

@@ -3,13 +3,9 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/compact/leaf.h"
 
-#include "engine/lanes/lanes.h"
+#include <string.h>
 
-/* Bits of the counts: (count - 1) & 1 for K = 2, two strings of one bit per leaf for
- * K = 4, none for K = 1. */
-static uint32_t count_strings(uint32_t k) {
-    return k == 4 ? 2 : k == 2;
-}
+#include "engine/lanes/lanes.h"
 
 void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     const uint32_t word0 = plt_get_u32(b->geometry), word1 = plt_get_u32(b->geometry + 4);
@@ -20,10 +16,10 @@ void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     g->vertices = word0 >> 27 | (word1 & 0x3Fu) << 5;
     g->mesh = word1 >> 6 & 0x3FFu;
     g->counts = 8 * PLT_GEOMETRY_HEADER_BYTES;
-    g->starts = g->counts + count_strings(k) * b->leaves;
+    g->starts = g->counts + plt_geometry_count_strings(k) * b->leaves;
     const uint32_t bits = 8 * b->geometry_bytes;
     g->triangles = b->leaves + k * b->pairs;
-    for (uint32_t s = 0; s < count_strings(k) && g->starts <= bits; s++) {
+    for (uint32_t s = 0; s < plt_geometry_count_strings(k) && g->starts <= bits; s++) {
         const uint32_t at = g->counts + s * b->leaves;
         g->triangles += plt_bits_count(g->bytes, at, at + b->leaves) << s;
     }
@@ -46,7 +42,7 @@ void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_bo
     if (fits && g->refs <= bits) {
         g->news_ones = plt_ranks_open(g->bytes, g->news, g->refs, g->news_before);
     }
-    g->ref_bits = g->vertices > 1 ? plt_bits_for(g->vertices - 1) : 0;
+    g->ref_bits = plt_geometry_ref_bits(g->vertices);
     g->positions = g->refs + (g->slots - g->vertices) * g->ref_bits;
     g->vertex_bits = g->base[3] = g->axis_mask[3] = 0;
     for (int a = 0; a < 3; a++) {
@@ -61,7 +57,7 @@ uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int
                        uint32_t *count) {
     uint32_t first = leaf + g->k * pairs;
     *count = 1 + (pair ? g->k : 0);
-    for (uint32_t s = 0; s < count_strings(g->k); s++) {
+    for (uint32_t s = 0; s < plt_geometry_count_strings(g->k); s++) {
         const uint32_t at = g->counts + s * g->leaves;
         first += plt_bits_count(g->bytes, at, at + leaf) << s;
         *count += plt_bits_get(g->bytes, at + leaf, 1) << s;

@@ -16,6 +16,17 @@
 
 #define PLT_BLOCK_TRIANGLES_MOST ((PLT_BLOCK_NODES_MOST + 1) * PLT_LEAF_TRIANGLES_MOST)
 
+/* Strings of counts, a bit per leaf each, for lists of at most `k` triangles: none for
+ * K = 1, of count - 1 one for K = 2 and two for K = 4. */
+static inline uint32_t plt_geometry_count_strings(uint32_t k) {
+    return k == 4 ? 2 : k == 2;
+}
+
+/* Bits of a reference to one of so many vertices. */
+static inline uint32_t plt_geometry_ref_bits(uint32_t vertices) {
+    return vertices > 1 ? plt_bits_for(vertices - 1) : 0;
+}
+
 /* Bit positions of the strings in a geometry part, all from its start, and running
  * ranks in the two that are counted in. */
 typedef struct plt_geometry {
@@ -48,7 +59,7 @@ uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int
 /* Lattice position of a vertex of the part. */
 void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]);
 
-/* A vertex, in lattice numbers; the traversal makes them the scene's floats in the same
+/* A vertex, in lattice coordinates; the traversal makes them the scene's floats in the same
  * memory, to keep its stack small. The fourth means nothing. */
 typedef union plt_vertex {
     uint32_t number[4];

@@ -47,7 +47,7 @@ static int add_counts(const plt_block_tree *tree, const plt_block *b, plt_info *
         plt_geometry g;
         plt_geometry_open_counts(&g, b, tree->leaf_triangles);
         if (g.first_triangle != info->triangles) {
-            return PLT_BLOCK_RULE_COUNTS;
+            return PLT_I18_COUNTS;
         }
         info->triangles += g.triangles;
     }
@@ -55,11 +55,11 @@ static int add_counts(const plt_block_tree *tree, const plt_block *b, plt_info *
 }
 
 /* The edge with the lowest address above at->last; how many nodes are above it goes
- * into `depth`. PLT_MISS: none is left. */
+ * into `depth`. PLT_LINK_NONE: none is left. */
 static uint32_t next_edge(validation *s, const plt_blocks_validate_level *at, uint32_t *depth) {
     plt_block *b = &s->b;
     uint16_t depths[PLT_BLOCK_NODES_MOST];
-    uint32_t best = PLT_MISS;
+    uint32_t best = PLT_LINK_NONE;
     plt_block_open(b, s->tree->bytes + at->address, s->tree->lattice.bits);
     node_depths(b, at->depth, depths, s->info);
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
@@ -68,7 +68,7 @@ static uint32_t next_edge(validation *s, const plt_blocks_validate_level *at, ui
         }
         const uint32_t link = plt_block_edge(b, plt_block_rank(b, PLT_SLOT_EDGE, slot));
         const uint32_t address = plt_block_address(link);
-        if (address > at->last && (best == PLT_MISS || address < plt_block_address(best))) {
+        if (address > at->last && (best == PLT_LINK_NONE || address < plt_block_address(best))) {
             best = link;
             *depth = depths[slot / 2];
         }
@@ -82,7 +82,7 @@ static int enter(validation *s, plt_blocks_validate_level *at) {
     const plt_block_tree *tree = s->tree;
     const unsigned char *bytes = tree->bytes + at->address;
     if (at->address != s->end) {
-        return broken(s->fault, PLT_BLOCK_RULE_LINKS, at->address);
+        return broken(s->fault, PLT_I17_LINKS, at->address);
     }
     int rule = plt_block_validate(bytes, tree->used - at->address, tree);
     if (rule == PLT_BLOCK_VALID) {
@@ -90,7 +90,7 @@ static int enter(validation *s, plt_blocks_validate_level *at) {
         plt_block_open(b, bytes, tree->lattice.bits);
         rule = add_counts(tree, b, s->info);
         if (rule == PLT_BLOCK_VALID && at->node_bytes != b->node_bytes) {
-            rule = PLT_BLOCK_RULE_LINKS;
+            rule = PLT_I17_LINKS;
         }
         s->end += plt_block_bytes(b);
         s->edges += b->edges;
@@ -107,7 +107,7 @@ static int traverse(validation *s, plt_blocks_validate_level *levels) {
         plt_blocks_validate_level *at = &levels[level];
         uint32_t depth = 0;
         const uint32_t link = next_edge(s, at, &depth);
-        if (link == PLT_MISS) {
+        if (link == PLT_LINK_NONE) {
             if (level-- == 0) {
                 break;
             }
@@ -118,7 +118,7 @@ static int traverse(validation *s, plt_blocks_validate_level *levels) {
             return plt_limit(s->fault, "the tree is deeper than PLT_DEPTH_MAX");
         }
         if (at->last >= s->tree->used) {
-            return broken(s->fault, PLT_BLOCK_RULE_LINKS, at->address);
+            return broken(s->fault, PLT_I17_LINKS, at->address);
         }
         levels[++level].address = at->last;
         levels[level].depth = depth;
@@ -126,7 +126,7 @@ static int traverse(validation *s, plt_blocks_validate_level *levels) {
         status = enter(s, &levels[level]);
     }
     if (status == PLT_OK && (s->end != s->tree->used || s->edges + 1 != s->info->treelets)) {
-        status = broken(s->fault, PLT_BLOCK_RULE_LINKS, s->end);
+        status = broken(s->fault, PLT_I17_LINKS, s->end);
     }
     return status;
 }
@@ -136,11 +136,11 @@ int plt_blocks_validate(const plt_block_tree *tree, plt_blocks_validate_level *l
     info->nodes = info->node_slots = info->leaf_lists = info->intermediate_lists = 0;
     info->treelets = info->triangles = info->node_bytes = info->triangle_bytes = 0;
     info->local_stack_entries = info->global_stack_entries = info->depth_stack_entries = 0;
-    if (tree->root == PLT_MISS) {
-        return tree->used == 0 ? PLT_OK : broken(fault, PLT_BLOCK_RULE_LINKS, 0);
+    if (tree->root == PLT_LINK_NONE) {
+        return tree->used == 0 ? PLT_OK : broken(fault, PLT_I17_LINKS, 0);
     }
     if (plt_block_address(tree->root) != 0 || tree->used == 0) {
-        return broken(fault, PLT_BLOCK_RULE_LINKS, 0);
+        return broken(fault, PLT_I17_LINKS, 0);
     }
     validation s = {.tree = tree, .info = info, .fault = fault};
     const int status = traverse(&s, levels);

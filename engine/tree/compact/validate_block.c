@@ -92,32 +92,32 @@ static int leaves_are_valid(const plt_geometry *g, const plt_block *b) {
 static int counts_rule(const plt_block *b, uint32_t k) {
     plt_geometry g;
     plt_geometry_open_counts(&g, b, k);
-    return g.starts <= 8 * b->geometry_bytes ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
+    return g.starts <= 8 * b->geometry_bytes ? PLT_BLOCK_VALID : PLT_I14_GEOMETRY;
 }
 
 static int geometry_rule(const plt_block *b, const plt_lattice_box *bounds, uint32_t k,
-                         int floats) {
+                         int leaf_kind) {
     plt_geometry g;
     if (b->leaves == 0) {
-        return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_GEOMETRY;
+        return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_I14_GEOMETRY;
     }
     if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
-        return PLT_BLOCK_RULE_GEOMETRY;
+        return PLT_I14_GEOMETRY;
     }
-    if (floats) {
+    if (leaf_kind == PLT_LEAF_RECORDS) {
         return counts_rule(b, k);
     }
     plt_geometry_open(&g, b, bounds, k);
     if (!geometry_fits(&g, b)) {
-        return PLT_BLOCK_RULE_GEOMETRY;
+        return PLT_I14_GEOMETRY;
     }
     if (!leaves_are_valid(&g, b)) {
-        return PLT_BLOCK_RULE_LEAVES;
+        return PLT_I15_LEAVES;
     }
     if (!references_are_known(&g)) {
-        return PLT_BLOCK_RULE_REFERENCES;
+        return PLT_I16_REFERENCES;
     }
-    return vertices_are_inside(&g, bounds) ? PLT_BLOCK_VALID : PLT_BLOCK_RULE_VERTICES;
+    return vertices_are_inside(&g, bounds) ? PLT_BLOCK_VALID : PLT_I21_VERTICES;
 }
 
 int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
@@ -126,44 +126,43 @@ int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_blo
     const uint32_t bits = tree->lattice.bits;
     if (limit < PLT_BLOCK_HEADER_BYTES ||
         limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
-        return PLT_BLOCK_RULE_SIZES;
+        return PLT_I10_SIZES;
     }
     plt_block_open(&b, bytes, bits);
     if (b.node_bytes > limit || b.geometry_bytes > limit - b.node_bytes) {
-        return PLT_BLOCK_RULE_SIZES;
+        return PLT_I10_SIZES;
     }
     if (!kinds_form_a_tree(&b)) {
-        return PLT_BLOCK_RULE_KINDS;
+        return PLT_I11_KINDS;
     }
     plt_block_bounds(&b, bits, &bounds);
     if (!bounds_are_inside(&bounds, &tree->box)) {
-        return PLT_BLOCK_RULE_BOUNDS;
+        return PLT_I12_BOUNDS;
     }
-    return checks_are_right(&b)
-               ? geometry_rule(&b, &bounds, tree->leaf_triangles, tree->records != NULL)
-               : PLT_BLOCK_RULE_CHECK;
+    return checks_are_right(&b) ? geometry_rule(&b, &bounds, tree->leaf_triangles, tree->leaf_kind)
+                                : PLT_I13_CHECK;
 }
 
 /* A switch: a table of pointers would be data that start-up has to fill in. */
 const char *plt_block_rule_message(int rule) {
     switch (rule) {
-    case PLT_BLOCK_RULE_SIZES:
+    case PLT_I10_SIZES:
         return "a block's parts do not fit its sizes";
-    case PLT_BLOCK_RULE_KINDS:
+    case PLT_I11_KINDS:
         return "a block's nodes form no tree";
-    case PLT_BLOCK_RULE_BOUNDS:
+    case PLT_I12_BOUNDS:
         return "a block's bounds are no box inside the scene's";
-    case PLT_BLOCK_RULE_CHECK:
+    case PLT_I13_CHECK:
         return "a block is damaged (check)";
-    case PLT_BLOCK_RULE_GEOMETRY:
+    case PLT_I14_GEOMETRY:
         return "a block's geometry does not fit its size";
-    case PLT_BLOCK_RULE_LEAVES:
+    case PLT_I15_LEAVES:
         return "a leaf does not begin a strip or is too long";
-    case PLT_BLOCK_RULE_REFERENCES:
+    case PLT_I16_REFERENCES:
         return "a triangle names a vertex before it is there";
-    case PLT_BLOCK_RULE_VERTICES:
+    case PLT_I21_VERTICES:
         return "a vertex lies outside its block's bounds";
-    case PLT_BLOCK_RULE_LINKS:
+    case PLT_I17_LINKS:
         return "a link leads back, astray or twice to a block";
     default:
         return "the header's counts are not the blocks'";

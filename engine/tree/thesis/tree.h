@@ -13,7 +13,6 @@ typedef struct plt_tree {
     uint32_t node_slots, records_count;
     uint32_t treelet_nodes; /* slots per treelet block, 1 or more */
     uint32_t root;          /* link, or PLT_LINK_NONE */
-    plt_box box;            /* of all records; empty when there are none */
 } plt_tree;
 
 #endif

@@ -14,6 +14,7 @@
 #include "engine/tree/thesis/validate.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/rules.h"
 #include "engine/image/header_at.h"
 
 static uint32_t larger(uint32_t a, uint32_t b) {
@@ -30,13 +31,14 @@ static int validate_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, p
                           plt_fault *fault) {
     uint32_t record = plt_link_index(link);
     if (record != *seen) {
-        return plt_broken(fault, 4, record, "a list does not follow the one before it");
+        return plt_broken(fault, PLT_I4_LIST_ORDER, record,
+                          "a list does not follow the one before it");
     }
     for (uint32_t lists = plt_link_lists(link); lists > 0; lists--) {
         uint32_t length = 0;
         do {
             if (record >= tree->records_count) {
-                return plt_broken(fault, 3, record - 1,
+                return plt_broken(fault, PLT_I3_LIST_ENDS, record - 1,
                                   "a list of triangles runs past the last one");
             }
             length++;
@@ -83,6 +85,22 @@ static int link_kind_is_right(const plt_tree *tree, uint32_t node, uint32_t link
     return same == plt_link_is_inner(link);
 }
 
+/* The link from node `from` leads to a node that may be visited, and counts it. */
+static int check_link(const plt_tree *tree, uint32_t from, uint32_t link, plt_info *info,
+                      plt_fault *fault) {
+    if (plt_link_index(link) >= tree->node_slots) {
+        return plt_broken(fault, PLT_I1_LINKS, from, "a link names a node that is not there");
+    }
+    if (!link_kind_is_right(tree, from, link)) {
+        return plt_broken(fault, PLT_I1_LINKS, from, "a link is not in the treelet that it says");
+    }
+    if (++info->nodes > tree->node_slots) {
+        return plt_broken(fault, PLT_I2_TREE, from, "the nodes form no tree");
+    }
+    info->treelets += (link & PLT_LINK_OUT) != 0;
+    return PLT_OK;
+}
+
 /* Post-order traversal of the subtree of levels[0].node. */
 static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *root,
                     uint32_t *seen, plt_info *info, plt_fault *fault) {
@@ -111,19 +129,13 @@ static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *
             at->need[at->next_child++] = leaf;
             continue;
         }
-        if (plt_link_index(link) >= tree->node_slots) {
-            return plt_broken(fault, 1, at->node, "a link names a node that is not there");
-        }
-        if (!link_kind_is_right(tree, at->node, link)) {
-            return plt_broken(fault, 1, at->node, "a link is not in the treelet that it says");
-        }
-        if (++info->nodes > tree->node_slots) {
-            return plt_broken(fault, 2, at->node, "the nodes form no tree");
+        const int status = check_link(tree, at->node, link, info, fault);
+        if (status != PLT_OK) {
+            return status;
         }
         if (++level == PLT_DEPTH_MAX) {
             return plt_limit(fault, "the tree is deeper than PLT_DEPTH_MAX");
         }
-        info->treelets += (link & PLT_LINK_OUT) != 0;
         levels[level].node = plt_link_index(link);
         levels[level].next_child = 0;
     }
@@ -133,7 +145,7 @@ static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *
 static int validate_nodes(const plt_tree *tree, plt_validate_level *levels, uint32_t *seen,
                           plt_info *info, plt_fault *fault) {
     if (plt_link_index(tree->root) >= tree->node_slots) {
-        return plt_broken(fault, 1, PLT_AT_ROOT_LINK,
+        return plt_broken(fault, PLT_I1_LINKS, PLT_AT_ROOT_LINK,
                           "the root link names a node that is not there");
     }
     info->nodes = info->treelets = 1;
@@ -141,12 +153,13 @@ static int validate_nodes(const plt_tree *tree, plt_validate_level *levels, uint
     levels[0].next_child = 0;
     plt_need root;
     const int status = traverse(tree, levels, &root, seen, info, fault);
-    if (status == PLT_OK) {
-        info->local_stack_entries = larger(root.local, root.locals);
-        info->global_stack_entries = larger(1, treelet_need(&root));
-        info->depth_stack_entries = larger(1, root.depth);
+    if (status != PLT_OK) {
+        return status;
     }
-    return status;
+    info->local_stack_entries = larger(root.local, root.locals);
+    info->global_stack_entries = larger(1, treelet_need(&root));
+    info->depth_stack_entries = larger(1, root.depth);
+    return PLT_OK;
 }
 
 int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info *info,
@@ -163,7 +176,7 @@ int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info
                            ? validate_lists(tree, tree->root, &seen, info, fault)
                            : validate_nodes(tree, levels, &seen, info, fault);
     if (status == PLT_OK && seen != tree->records_count) {
-        return plt_broken(fault, 4, seen, "a triangle is in no list");
+        return plt_broken(fault, PLT_I4_LIST_ORDER, seen, "a triangle is in no list");
     }
     return status;
 }
@@ -182,49 +195,10 @@ int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fau
             const int inside = /* false for NaN */
                 plane >= info->lo[axis] && plane <= info->hi[axis];
             if (!inside && plane != 0.0f) {
-                return plt_broken(fault, 6, plane_offset(header, i, (uint32_t)k),
+                return plt_broken(fault, PLT_I6_PLANES, plane_offset(header, i, (uint32_t)k),
                                   "a plane lies outside the scene's box");
             }
         }
     }
     return PLT_OK;
-}
-
-/* Where in the image that is which plt_tree_validate found fault with. */
-static uint32_t fault_offset(const plt_header *header, const plt_fault *fault) {
-    if (fault->offset == PLT_AT_ROOT_LINK) {
-        return PLT_AT_ROOT;
-    }
-    const int in_node = fault->rule <= 2;
-    const uint32_t kind = in_node ? PLT_SECTION_NODES : PLT_SECTION_TRIANGLES;
-    return plt_header_section(header, kind)->offset +
-           fault->offset * (in_node ? PLT_NODE_BYTES : PLT_RECORD_BYTES);
-}
-
-static int same_counts(const plt_info *a, const plt_info *b) {
-    return a->nodes == b->nodes && a->leaf_lists == b->leaf_lists &&
-           a->intermediate_lists == b->intermediate_lists && a->treelets == b->treelets &&
-           a->local_stack_entries == b->local_stack_entries &&
-           a->global_stack_entries == b->global_stack_entries &&
-           a->depth_stack_entries == b->depth_stack_entries &&
-           a->leaf_triangles >= b->leaf_triangles;
-}
-
-int plt_tree_validate_counts(const plt_header *header, const plt_tree *tree,
-                             plt_validate_level *levels, plt_fault *fault) {
-    plt_info found = header->info;
-    if (tree->root == PLT_LINK_NONE && tree->records_count > 0) {
-        return plt_broken(fault, 4, PLT_AT_ROOT, "there are triangles but no tree");
-    }
-    const int status = plt_tree_validate(tree, levels, &found, fault);
-    if (status == PLT_ERR_IMAGE) {
-        fault->offset = fault_offset(header, fault);
-    }
-    if (status == PLT_OK && !same_counts(&header->info, &found)) {
-        return plt_broken(fault, 8, PLT_AT_COUNTS + 4, "the header's counts are not the tree's");
-    }
-    if (status == PLT_OK && found.global_stack_entries > PLT_GLOBAL_STACK_MAX) {
-        return plt_limit(fault, "the scene needs more than PLT_GLOBAL_STACK_MAX entries");
-    }
-    return status;
 }

@@ -42,14 +42,10 @@ typedef struct plt_validate_level {
  * intermediate_lists, treelets, the longest list into leaf_triangles, the
  * three stack needs). `levels` is scratch of PLT_VALIDATE_LEVELS. Returns
  * PLT_OK, PLT_ERR_LIMIT (deeper than PLT_DEPTH_MAX) or PLT_ERR_IMAGE with
- * the rule in fault. Cost: one visit per node, one read per record. */
+ * the rule in fault. Cost: one visit per node,
+ * one read per record. */
 int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info *info,
                       plt_fault *fault);
-
-/* The same for a tree that lies in an image: counts and stack needs of the header
- * are the tree's (I8), and faults have the offset in the image. */
-int plt_tree_validate_counts(const plt_header *header, const plt_tree *tree,
-                             plt_validate_level *levels, plt_fault *fault);
 
 /* I6: planes inside the scene's box, for every slot of a node in use or not. */
 int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault);

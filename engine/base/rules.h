@@ -1,0 +1,50 @@
+/* rules - the numbers of the rules that SPEC.md, section 5, gives
+ *
+ * R1 to R14 refuse an image by its header and checksums, I1 to I21 are invariants of
+ * what its sections hold. SPEC.md has each in full; here they have names.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_BASE_RULES_H
+#define PLT_BASE_RULES_H
+
+enum plt_refusal {
+    PLT_R1_SHORT = 1,         /* fewer bytes than a header */
+    PLT_R2_MAGIC = 2,         /* no image of ours */
+    PLT_R3_VERSION = 3,       /* of the image format */
+    PLT_R4_HEADER_BYTES = 4,  /* size of the header */
+    PLT_R5_HEADER_CRC = 5,    /* its checksum */
+    PLT_R6_IMAGE_BYTES = 6,   /* size of the image */
+    PLT_R7_COUNTS = 7,        /* counts out of range, K, N, the root */
+    PLT_R8_FORMATS = 8,       /* formats that this version does not know */
+    PLT_R9_BOX = 9,           /* the scene's box */
+    PLT_R10_SECTIONS = 10,    /* how many sections */
+    PLT_R11_SECTION = 11,     /* kind, offset and size of each */
+    PLT_R12_RESERVED = 12,    /* bytes that must be zero */
+    PLT_R13_SECTION_CRC = 13, /* checksum of a section */
+    PLT_R14_LATTICE = 14      /* the lattice and what a compact image may hold */
+};
+
+enum plt_invariant {
+    PLT_I1_LINKS = 1,        /* links lead to nodes that are there, and say in which treelet */
+    PLT_I2_TREE = 2,         /* the nodes form a tree */
+    PLT_I3_LIST_ENDS = 3,    /* lists end before the last record does */
+    PLT_I4_LIST_ORDER = 4,   /* lists follow each other and hold every record */
+    PLT_I5_CORNERS = 5,      /* corners of records lie in the scene's box */
+    PLT_I6_PLANES = 6,       /* planes lie in the scene's box */
+    PLT_I7_ID_WORDS = 7,     /* primitive ids and rotations of records are in range */
+    PLT_I8_COUNTS = 8,       /* the header's counts are the tree's */
+    PLT_I10_SIZES = 10,      /* the parts fit the block's sizes and the section */
+    PLT_I11_KINDS = 11,      /* n - 1 inner children, in breadth-first order */
+    PLT_I12_BOUNDS = 12,     /* the bounds are a box inside the scene's */
+    PLT_I13_CHECK = 13,      /* both parts' checks are right */
+    PLT_I14_GEOMETRY = 14,   /* counts, strips and vertices fit the geometry part */
+    PLT_I15_LEAVES = 15,     /* every leaf begins a strip and has at most 2 K triangles */
+    PLT_I16_REFERENCES = 16, /* references name vertices already met */
+    PLT_I17_LINKS = 17,      /* links lead forward, to each block once */
+    PLT_I18_COUNTS = 18,     /* the header's counts are the blocks' */
+    PLT_I19_IDS = 19,        /* entries of the primitive ids are in range */
+    PLT_I20_CORNERS = 20,    /* lattice corners lie in the lattice's box */
+    PLT_I21_VERTICES = 21    /* vertices lie inside the bounds */
+};
+
+#endif
