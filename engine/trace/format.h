@@ -2,8 +2,8 @@
  *
  * A format is a header, format_NAME.h, that gives the operations below as static
  * inline functions; an order is a header, order_NAME.h, written once against them.
- * traverse_NAME.c includes a format and traverse_format.h, which lists the orders;
- * traverse.c chooses the format. There is no function pointer and no test of the format
+ * traverse_NAME.c joins a format with the orders that are wanted for it
+ * (traverse_format.h); traverse.c chooses the format. There is no function pointer and no test of the format
  * on the path of a ray.
  *
  * A format knows where things are; which rays go there, and every box test, is the
@@ -29,7 +29,8 @@
  *   void format_child(children, i, place)        the place of child i
  *   int format_leaf(t, p, place, groups)         tests its triangles for these groups;
  *                                   its treelet is the current one
- *   FORMAT_TIGHTENS                 1: format_enter may make the box smaller
+ *   FORMAT_TIGHTENS                 1: format_enter may make the box smaller; an edge that
+ *                                   has waited is then entered before it is tested
  *
  * Those that may have to fetch return PLT_OK or a negative status (enter, return,
  * leaf). A format whose bytes are all at hand returns the constant PLT_OK, and the
