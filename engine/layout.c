@@ -115,7 +115,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_RECORD_CACHE:
         return record_cache_bytes(s);
     case PLT_PART_TOUCHED:
-        return s->options->count_touched ? 4ull * plt_touched_words(s->sized_for) : 0;
+        return s->options->count_touched ? 4ull * plt_touched_words(s->format, s->sized_for) : 0;
     case PLT_PART_PACKET:
         return plt_packet_bytes(s->options->packet_side);
     case PLT_PART_TILE_BUFFER:
@@ -124,12 +124,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return stack_bytes(s);
     case PLT_PART_LOCAL_STACK:
         return local_stack_bytes(s);
-    case PLT_PART_BLOCK_CACHE:
-        return s->format == PLT_FORMAT_COMPACT ? PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block)
-                                               : 0;
-    default:
-        return 0;
+    case PLT_PART_FORMAT:
+        return plt_state_bytes(s->format);
+    case PLT_PARTS_COUNT:
+        break;
     }
+    return 0;
 }
 
 void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *sized_for, int mapped,

@@ -258,8 +258,8 @@ int plt_render_begin(plt_engine *engine, const plt_frame *frame);
 /* Goes on with the frame for about `visits` node visits (at least one stack
  * entry is worked off; one entry visits at most a treelet or a list), so
  * that a main loop stays alive. Returns PLT_MORE, PLT_TILE (fetch it with
- * plt_render_tile) or PLT_OK when the frame is complete; PLT_ERR_SOURCE: the source
- * failed, and the frame has ended. */
+ * plt_render_tile) or PLT_OK when the frame is complete or none is in progress;
+ * PLT_ERR_SOURCE: the source failed, and the frame has ended. */
 int plt_render_step(plt_engine *engine, uint32_t visits);
 void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 
@@ -268,9 +268,9 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun */
     uint64_t node_visits;    /* nodes decoded, once per packet */
-    uint64_t group_tests;    /* four rays against one box */
-    uint64_t triangle_tests; /* four rays against one triangle, those included that
-                                frustum culling rejected */
+    uint64_t group_tests;    /* four rays against a child's box; not boxes tested again */
+    uint64_t triangle_tests; /* four rays against one triangle, as if every group that
+                                reached a leaf met all of its triangles */
     uint64_t treelet_fetches;
     uint64_t bytes_fetched;      /* of those treelets, had each been copied */
     uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */

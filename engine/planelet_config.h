@@ -75,7 +75,7 @@
 #if (PLT_WITH_THESIS != 0 && PLT_WITH_THESIS != 1) ||                                              \
     (PLT_WITH_COMPACT != 0 && PLT_WITH_COMPACT != 1) ||                                            \
     (PLT_WITH_BUILDER != 0 && PLT_WITH_BUILDER != 1)
-#error "PLT_WITH_THESIS, PLT_WITH_COMPACT and PLT_WITH_BUILDER are 0 or 1"
+#error "PLT_WITH_THESIS, PLT_WITH_COMPACT and PLT_WITH_BUILDER are the digit 0 or 1"
 #endif
 #if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
 #error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"

@@ -32,8 +32,8 @@ int plt_blocks_step(plt_blocks_job *job);
 /* What job->limit means, as a sentence. */
 const char *plt_blocks_limit_message(const plt_blocks_job *job);
 
-/* The image order of the triangles, for a host that wants it: if not NULL,
- * order[i] becomes the index, in the job, of triangle i of the image. */
+/* After plt_blocks_begin, before the first step: the image order of the triangles, for a host that
+ * wants it: if not NULL, order[i] becomes the index, in the job, of triangle i of the image. */
 void plt_blocks_record_order(plt_blocks_job *job, uint32_t *order);
 
 #endif

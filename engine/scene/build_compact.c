@@ -164,6 +164,7 @@ static void set_tree(plt_scene *scene, const plt_blocks_job *job) {
     info->node_bytes = job->node_bytes;
     info->triangle_bytes = job->used - job->node_bytes;
     info->depth_stack_entries = job->depth;
+    info->local_stack_entries = info->global_stack_entries = 0;
 }
 
 /* A source may return other bytes on a second read, so the finished blocks are validated

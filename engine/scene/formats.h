@@ -2,7 +2,8 @@
  *
  * A format is a row here, a member of plt_scene (scene.h), and files of its own:
  * scene/open_NAME.c opens it, trace/format_NAME.h and trace/traverse_NAME.c traverse it.
- * Everything that chooses between formats is made from this list.
+ * Declarations and switches over formats are made from this list; engine/layout.c says
+ * what each takes of an arena.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_SCENE_FORMATS_H
@@ -22,7 +23,8 @@ enum plt_format {
 #undef PLT_FORMAT_NAMED
 };
 
-/* PLT_IF(knob, text): the text if the knob is 1, nothing if it is 0. */
+/* PLT_IF(knob, text): the text if the knob is 1, nothing if it is 0. Knobs are those
+ * digits, and nothing else compiles. */
 #define PLT_IF_1(...) __VA_ARGS__
 #define PLT_IF_0(...)
 #define PLT_IF_JOINED(with, ...) PLT_IF_##with(__VA_ARGS__)

@@ -29,7 +29,7 @@
     ROW(TILE_BUFFER, RUNS, "tile buffer")                                                          \
     ROW(STACK, RUNS, "traversal stack")                                                            \
     ROW(LOCAL_STACK, RUNS, "local stack")                                                          \
-    ROW(BLOCK_CACHE, RUNS, "opened blocks")
+    ROW(FORMAT, RUNS, "state of the format")
 
 enum plt_part {
 #define PLT_PART_NAMED(name, lifetime, text) PLT_PART_##name,

@@ -10,14 +10,14 @@ typedef struct planes {
     f4 near[3], far[3]; /* ONE_ORIGIN: minus the common origin; MIXED: lo and hi */
 } planes;
 
-static inline void set_planes(planes *b, const plt_slab_array *set, const plt_box *box,
+static inline void set_planes(planes *b, const plt_slab_array *slabs, const plt_box *box,
                               enum plt_coherence kind) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        const int swap = kind != PLT_MIXED && set->negative[a];
+        const int swap = kind != PLT_MIXED && slabs->negative[a];
         const float near = swap ? box->hi[a] : box->lo[a];
         const float far = swap ? box->lo[a] : box->hi[a];
-        b->near[a] = f4_all(kind == PLT_ONE_ORIGIN ? near - set->near_org[a] : near);
-        b->far[a] = f4_all(kind == PLT_ONE_ORIGIN ? far - set->far_org[a] : far);
+        b->near[a] = f4_all(kind == PLT_ONE_ORIGIN ? near - slabs->near_org[a] : near);
+        b->far[a] = f4_all(kind == PLT_ONE_ORIGIN ? far - slabs->far_org[a] : far);
     }
 }
 
@@ -49,64 +49,64 @@ static inline m4 meets(const planes *b, const plt_group_slabs *g, enum plt_coher
     return f4_le(*entry, leave);
 }
 
-static inline plt_mask test_box(const plt_slab_array *set, const plt_box *box, plt_mask groups,
+static inline plt_mask test_box(const plt_slab_array *slabs, const plt_box *box, plt_mask groups,
                                 enum plt_coherence kind) {
     planes b;
     plt_mask hit = 0;
-    set_planes(&b, set, box, kind);
+    set_planes(&b, slabs, box, kind);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
-        hit |= plt_mask_of(i, m4_mask(meets(&b, &set->group[i], kind, &entry)) != 0);
+        hit |= plt_mask_of(i, m4_mask(meets(&b, &slabs->group[i], kind, &entry)) != 0);
     }
     return hit;
 }
 
-static inline uint32_t test_pair(const plt_slab_array *set, const plt_box child[2], plt_mask groups,
-                                 plt_mask hit[2], enum plt_coherence kind) {
+static inline uint32_t test_pair(const plt_slab_array *slabs, const plt_box child[2],
+                                 plt_mask groups, plt_mask hit[2], enum plt_coherence kind) {
     planes b[2];
     plt_mask left = 0, right = 0;
     uint32_t tested = 0;
-    set_planes(&b[0], set, &child[0], kind);
-    set_planes(&b[1], set, &child[1], kind);
+    set_planes(&b[0], slabs, &child[0], kind);
+    set_planes(&b[1], slabs, &child[1], kind);
     for (plt_mask m = groups; m != 0; m &= m - 1, tested++) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
-        left |= plt_mask_of(i, m4_mask(meets(&b[0], &set->group[i], kind, &entry)) != 0);
-        right |= plt_mask_of(i, m4_mask(meets(&b[1], &set->group[i], kind, &entry)) != 0);
+        left |= plt_mask_of(i, m4_mask(meets(&b[0], &slabs->group[i], kind, &entry)) != 0);
+        right |= plt_mask_of(i, m4_mask(meets(&b[1], &slabs->group[i], kind, &entry)) != 0);
     }
     hit[0] = left;
     hit[1] = right;
     return tested;
 }
 
-plt_mask plt_box_groups(const plt_slab_array *set, const plt_box *box, plt_mask groups) {
-    switch (set->coherence) {
+plt_mask plt_box_groups(const plt_slab_array *slabs, const plt_box *box, plt_mask groups) {
+    switch (slabs->coherence) {
     case PLT_ONE_ORIGIN:
-        return test_box(set, box, groups, PLT_ONE_ORIGIN);
+        return test_box(slabs, box, groups, PLT_ONE_ORIGIN);
     case PLT_ONE_SIGN:
-        return test_box(set, box, groups, PLT_ONE_SIGN);
+        return test_box(slabs, box, groups, PLT_ONE_SIGN);
     default:
-        return test_box(set, box, groups, PLT_MIXED);
+        return test_box(slabs, box, groups, PLT_MIXED);
     }
 }
 
-uint32_t plt_box_pair(const plt_slab_array *set, const plt_box child[2], plt_mask groups,
+uint32_t plt_box_pair(const plt_slab_array *slabs, const plt_box child[2], plt_mask groups,
                       plt_mask hit[2]) {
-    switch (set->coherence) {
+    switch (slabs->coherence) {
     case PLT_ONE_ORIGIN:
-        return test_pair(set, child, groups, hit, PLT_ONE_ORIGIN);
+        return test_pair(slabs, child, groups, hit, PLT_ONE_ORIGIN);
     case PLT_ONE_SIGN:
-        return test_pair(set, child, groups, hit, PLT_ONE_SIGN);
+        return test_pair(slabs, child, groups, hit, PLT_ONE_SIGN);
     default:
-        return test_pair(set, child, groups, hit, PLT_MIXED);
+        return test_pair(slabs, child, groups, hit, PLT_MIXED);
     }
 }
 
-float plt_box_entry(const plt_slab_array *set, const plt_box *box, plt_mask groups) {
+float plt_box_entry(const plt_slab_array *slabs, const plt_box *box, plt_mask groups) {
     planes b;
     f4 entry;
-    set_planes(&b, set, box, PLT_MIXED); /* right for any packet; calls are rare */
-    const m4 hit = meets(&b, &set->group[plt_mask_first(groups)], PLT_MIXED, &entry);
+    set_planes(&b, slabs, box, PLT_MIXED); /* right for any packet; calls are rare */
+    const m4 hit = meets(&b, &slabs->group[plt_mask_first(groups)], PLT_MIXED, &entry);
     return f4_min_lane(f4_select(hit, entry, f4_all(PLT_NOT_ENTERED)));
 }

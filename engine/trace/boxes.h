@@ -16,15 +16,15 @@
 #include "engine/trace/slabs.h"
 
 /* Groups of `groups` that meet a box. */
-plt_mask plt_box_groups(const plt_slab_array *set, const plt_box *box, plt_mask groups);
+plt_mask plt_box_groups(const plt_slab_array *slabs, const plt_box *box, plt_mask groups);
 
 /* The same for both children of a node at once. Returns how many groups were tested. */
-uint32_t plt_box_pair(const plt_slab_array *set, const plt_box child[2], plt_mask groups,
+uint32_t plt_box_pair(const plt_slab_array *slabs, const plt_box child[2], plt_mask groups,
                       plt_mask hit[2]);
 
 /* Where the lowest group of `groups` enters the box, to sort by; other groups are not
  * looked at. PLT_NOT_ENTERED: it does not. */
 #define PLT_NOT_ENTERED PLT_BOX_FAR
-float plt_box_entry(const plt_slab_array *set, const plt_box *box, plt_mask groups);
+float plt_box_entry(const plt_slab_array *slabs, const plt_box *box, plt_mask groups);
 
 #endif

@@ -3,13 +3,16 @@
  * A format is a header, format_NAME.h, that gives the operations below as static
  * inline functions; an order is a header, order_NAME.h, written once against them.
  * traverse_NAME.c joins a format with the orders that are wanted for it
- * (traverse_format.h); traverse.c chooses the format. There is no function pointer and no test of the format
- * on the path of a ray.
+ * (traverse_format.h); traverse.c chooses the format. There is no function pointer and
+ * no test of the format on the path of a ray.
  *
  * A format knows where things are; which rays go there, and every box test, is the
  * order's business. An order's stack entry is a format_place and what the order keeps
  * beside it.
  *
+ *   format_state                    what is kept from visit to visit, in t->state, above
+ *                                   all the current treelet
+ *   void format_state_init(state)
  *   format_place                    a box of the tree and what it leads to
  *   format_children                 the children of a node
  *   format_room                     where a box may be written
@@ -20,17 +23,19 @@
  *                                   of what is no leaf
  *   const plt_box *format_box(t, place, room)   its box, in scene units
  *   int format_enter(t, place)      the treelet behind an edge becomes the current one,
- *                                   the place its root
+ *                                   the place its root; if it fails, the place is spoilt
  *   int format_return(t, place)     a place that has waited: its treelet becomes the
- *                                   current one again; of an edge as format_enter
+ *                                   current one again, if the place is read through it;
+ *                                   of an edge as format_enter
  *   void format_decode(t, place, children)       of the node that it leads to, which is
  *                                   in the current treelet
  *   const plt_box *format_boxes(children)        their two boxes, in scene units
  *   void format_child(children, i, place)        the place of child i
- *   int format_leaf(t, p, place, groups)         tests its triangles for these groups;
- *                                   its treelet is the current one
- *   FORMAT_TIGHTENS                 1: format_enter may make the box smaller; an edge that
- *                                   has waited is then entered before it is tested
+ *   int format_leaf(t, p, place, groups)         tests its triangles for these groups
+ *   FORMAT_TIGHTENS                 1: format_enter may make the box smaller. An order may
+ *                                   then enter an edge that has waited before it tests it
+ *                                   (depth first does): fewer visits, but a fetch for
+ *                                   nothing where the box is hidden by now
  *
  * Those that may have to fetch return PLT_OK or a negative status (enter, return,
  * leaf). A format whose bytes are all at hand returns the constant PLT_OK, and the
@@ -40,7 +45,6 @@
 #ifndef PLT_TRACE_FORMAT_H
 #define PLT_TRACE_FORMAT_H
 
-#include "engine/trace/boxes.h"
 #include "engine/trace/traversal.h"
 
 /* The child whose centre lies further back along the packet's direction comes first. */

@@ -10,11 +10,23 @@
 #ifndef PLT_TRACE_FORMAT_COMPACT_H
 #define PLT_TRACE_FORMAT_COMPACT_H
 
+#include "engine/memory/block_cache.h"
 #include "engine/memory/traffic.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_compact.h"
 
 enum { FORMAT_TIGHTENS = 1 };
+
+typedef struct format_state {
+    plt_opened_block *current; /* NULL: none */
+    uint8_t geometry_counted;  /* its geometry part is in the statistics */
+    plt_opened_block cache[PLT_BLOCK_CACHE_SLOTS];
+} format_state;
+
+static inline void format_state_init(format_state *state) {
+    state->current = NULL;
+    plt_block_cache_clear(state->cache);
+}
 
 typedef struct format_place {
     float lo[4], hi[4]; /* lattice coordinates; the fourth means nothing */
@@ -56,7 +68,7 @@ typedef struct format_children {
 
 /* Makes the block behind `link` the current one. */
 static inline plt_opened_block *open_block(plt_traversal *t, uint32_t link) {
-    plt_compact_cursor *c = &t->compact;
+    format_state *c = (format_state *)t->state;
     if (c->current != NULL && link == c->current->link) {
         return c->current;
     }
@@ -73,7 +85,7 @@ static inline int format_root(plt_traversal *t, format_place *place) {
     plt_lattice_spread(&tree->box, place->lo, place->hi);
     place->link = tree->root;
     place->target = PLT_SLOT_EDGE;
-    t->compact.current = NULL;
+    ((format_state *)t->state)->current = NULL;
     return tree->root != PLT_LINK_NONE;
 }
 
@@ -158,7 +170,7 @@ static inline void decode_boxes(const plt_block *b, uint32_t node, const format_
 static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
     const plt_block_tree *tree = &t->scene->compact;
-    c->opened = t->compact.current;
+    c->opened = ((const format_state *)t->state)->current;
     c->node = index_of(place);
     prefetch_edges(tree, &c->opened->block, c->node);
     decode_boxes(&c->opened->block, c->node, place, c->lo, c->hi);
@@ -214,12 +226,13 @@ static inline float longest_side(const plt_lattice *l, const format_place *place
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {
     const plt_block_tree *tree = &t->scene->compact;
-    plt_opened_block *o = t->compact.current;
+    format_state *state = (format_state *)t->state;
+    plt_opened_block *o = state->current;
     if (!o->geometry_open) {
         plt_opened_block_geometry(o, tree);
     }
-    if (!t->compact.geometry_counted) {
-        t->compact.geometry_counted = 1; /* beside the bit of the nodes part */
+    if (!state->geometry_counted) {
+        state->geometry_counted = 1; /* beside the bit of the nodes part */
         plt_traffic_count(&t->stats, t->touched, plt_block_address(o->link) / 8 + 1,
                           o->block.geometry_bytes);
     }

@@ -11,8 +11,16 @@
 
 enum { FORMAT_TIGHTENS = 0 };
 
+typedef struct format_state {
+    char none;
+} format_state;
+
+static inline void format_state_init(format_state *state) {
+    state->none = 0;
+}
+
 typedef struct format_place {
-    uint32_t first; /* record */
+    char none; /* there is one leaf */
 } format_place;
 
 /* A list has none; the operations on nodes are never called. */
@@ -25,7 +33,7 @@ typedef struct format_room {
 } format_room;
 
 static inline int format_root(const plt_traversal *t, format_place *place) {
-    place->first = 0;
+    place->none = 0;
     return t->scene->list.count > 0;
 }
 
@@ -78,7 +86,8 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
                               plt_mask groups) {
     const plt_list *list = &t->scene->list;
     const float longest = plt_box_longest_side(&t->scene->box);
-    for (uint32_t i = place->first; i < list->count; i++) {
+    (void)place;
+    for (uint32_t i = 0; i < list->count; i++) {
         plt_record_groups(p, &list->records[i], longest, groups);
     }
     t->stats.triangle_tests += (uint64_t)list->count * plt_mask_count(groups);

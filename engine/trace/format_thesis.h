@@ -12,6 +12,15 @@
 
 enum { FORMAT_TIGHTENS = 0 };
 
+/* Treelets lie in aligned blocks of N slots; several small ones may share a block. */
+typedef struct format_state {
+    uint32_t block; /* the current one, PLT_MISS: none */
+} format_state;
+
+static inline void format_state_init(format_state *state) {
+    state->block = PLT_MISS;
+}
+
 typedef struct format_place {
     plt_box box;
     uint32_t link;
@@ -30,7 +39,7 @@ static inline int format_root(plt_traversal *t, format_place *place) {
     const plt_tree *tree = &t->scene->thesis;
     place->box = t->scene->box;
     place->link = tree->root;
-    t->thesis.block = PLT_MISS;
+    format_state_init((format_state *)t->state);
     return tree->root != PLT_LINK_NONE;
 }
 
@@ -51,10 +60,11 @@ static inline const plt_box *format_box(const plt_traversal *t, const format_pla
 
 /* Counts the block of the place's node if it is not the current one. */
 static inline int format_enter(plt_traversal *t, const format_place *place) {
+    format_state *state = (format_state *)t->state;
     const uint32_t slots = t->scene->thesis.treelet_nodes;
     const uint32_t block = plt_link_index(place->link) / slots;
-    if (block != t->thesis.block) {
-        t->thesis.block = block;
+    if (block != state->block) {
+        state->block = block;
         t->stats.treelet_fetches++;
         plt_traffic_count(&t->stats, t->touched, block, slots * PLT_NODE_BYTES);
     }

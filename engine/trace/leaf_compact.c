@@ -15,65 +15,66 @@
 enum { CULLING_FROM = 4 };
 
 /* Vertices from lattice numbers to floats, and the keys that order them. */
-static void set_positions(plt_leaf *u, const plt_lattice *l, uint64_t key[]) {
-    for (uint32_t i = 0; i < u->vertices; i++) {
-        plt_vertex *v = &u->vertex[i];
+static void set_positions(plt_leaf *leaf, const plt_lattice *l, uint64_t key[]) {
+    for (uint32_t i = 0; i < leaf->vertices; i++) {
+        plt_vertex *v = &leaf->vertex[i];
         key[i] = plt_lattice_key(v->number);
         f4_store(v->scene, plt_lattice_planes(l, f4_of_u4(u4_load(v->number))));
     }
 }
 
 /* Corners in canonical order. */
-static void set_corners(const plt_leaf *u, const uint64_t key[], uint32_t triangle,
+static void set_corners(const plt_leaf *leaf, const uint64_t key[], uint32_t triangle,
                         float to[3][3]) {
-    const uint32_t corner = u->corner[triangle];
+    const uint32_t corner = leaf->corner[triangle];
     const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
     const uint32_t first = plt_canonical_first(b < a, c < a, c < b);
     const uint64_t rotated = ((uint64_t)corner << 24 | corner) >> 8 * first;
     PLT_UNROLLED for (unsigned i = 0; i < 3; i++) {
-        memcpy(to[i], u->vertex[rotated >> 8 * i & 0xFFu].scene, sizeof to[i]);
+        memcpy(to[i], leaf->vertex[rotated >> 8 * i & 0xFFu].scene, sizeof to[i]);
     }
 }
 
 /* Outcodes of all vertices; 0 where the packet has no frustum, so that nothing is
  * culled. */
-static void set_outcodes(const plt_leaf *u, const plt_packet *p, plt_mask groups, uint8_t code[]) {
+static void set_outcodes(const plt_leaf *leaf, const plt_packet *p, plt_mask groups,
+                         uint8_t code[]) {
     plt_frustum frustum;
     if (!plt_frustum_set(&frustum, p, groups)) {
-        memset(code, 0, u->vertices);
+        memset(code, 0, leaf->vertices);
         return;
     }
-    for (uint32_t i = 0; i < u->vertices; i++) {
-        code[i] = (uint8_t)plt_frustum_outcode(&frustum, u->vertex[i].scene);
+    for (uint32_t i = 0; i < leaf->vertices; i++) {
+        code[i] = (uint8_t)plt_frustum_outcode(&frustum, leaf->vertex[i].scene);
     }
 }
 
-static int is_culled(const plt_leaf *u, const uint8_t code[], uint32_t triangle) {
-    return plt_frustum_culls(code[plt_leaf_corner(u, triangle, 0)],
-                             code[plt_leaf_corner(u, triangle, 1)],
-                             code[plt_leaf_corner(u, triangle, 2)]);
+static int is_culled(const plt_leaf *leaf, const uint8_t code[], uint32_t triangle) {
+    return plt_frustum_culls(code[plt_leaf_corner(leaf, triangle, 0)],
+                             code[plt_leaf_corner(leaf, triangle, 1)],
+                             code[plt_leaf_corner(leaf, triangle, 2)]);
 }
 
 static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
                         plt_packet *p, plt_mask groups) {
-    plt_leaf u;
+    plt_leaf leaf;
     uint64_t key[PLT_LEAF_VERTICES_MOST];
     uint8_t code[PLT_LEAF_VERTICES_MOST];
     const int culling = g->k >= CULLING_FROM;
     plt_triangle t;
     t.longest = run->longest;
     t.ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
-    plt_leaf_read(g, run->first, run->count, &u);
-    set_positions(&u, &tree->lattice, key);
+    plt_leaf_read(g, run->first, run->count, &leaf);
+    set_positions(&leaf, &tree->lattice, key);
     if (culling) {
-        set_outcodes(&u, p, groups, code);
+        set_outcodes(&leaf, p, groups, code);
     }
     for (uint32_t i = 0; i < run->count; i++) {
-        if (culling && is_culled(&u, code, i)) {
+        if (culling && is_culled(&leaf, code, i)) {
             continue;
         }
         t.word = g->first_triangle + run->first + i;
-        set_corners(&u, key, i, t.corner);
+        set_corners(&leaf, key, i, t.corner);
         plt_triangle_groups(p, &t, p->any ? groups & p->active : groups);
     }
 }

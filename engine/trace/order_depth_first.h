@@ -12,7 +12,7 @@
 #ifndef PLT_TRACE_ORDER_DEPTH_FIRST_H
 #define PLT_TRACE_ORDER_DEPTH_FIRST_H
 
-#include "engine/lanes/unroll.h"
+#include "engine/base/small_stack.h"
 #include "engine/trace/boxes.h"
 
 typedef struct depth_first_entry {
@@ -21,16 +21,17 @@ typedef struct depth_first_entry {
 } depth_first_entry;
 
 /* Groups of the entry that meet its box. */
-PLT_OUTLINED static plt_mask meet(const plt_traversal *t, const plt_packet *p,
-                                  const depth_first_entry *e) {
+PLT_APART_ON_SMALL_STACKS static plt_mask meet(const plt_traversal *t, const plt_packet *p,
+                                               const depth_first_entry *e) {
     format_room room;
     return plt_box_groups(&p->slabs, format_box(t, &e->place, &room), e->groups);
 }
 
 /* Visits the node that `at` leads to, and goes on to the nearer child that is met; the
- * other one, if it is met, too, waits. 0: none is. Outlined, or both children's boxes
- * would lie on the stack below every leaf. */
-PLT_OUTLINED static int visit_node(plt_traversal *t, const plt_packet *p, depth_first_entry *at) {
+ * other one, if it is met, too, waits. 0: none is. Apart, or both children's boxes would
+ * lie on the stack below every leaf. */
+PLT_APART_ON_SMALL_STACKS static int visit_node(plt_traversal *t, const plt_packet *p,
+                                                depth_first_entry *at) {
     format_children c;
     plt_mask hit[2];
     format_decode(t, &at->place, &c);
@@ -83,14 +84,16 @@ static int descend(plt_traversal *t, plt_packet *p, depth_first_entry *at, uint3
 /* An entry that has waited: hits found meanwhile may hide its box. Where the bounds behind
  * an edge are tighter they are tested instead. */
 static inline int resume(plt_traversal *t, const plt_packet *p, depth_first_entry *at) {
-    int status = PLT_OK;
     const int crosses =
         FORMAT_TIGHTENS && !format_is_leaf(&at->place) && format_is_edge(&at->place);
     if (crosses && at->groups != 0) {
-        status = format_enter(t, &at->place);
+        const int status = format_enter(t, &at->place);
+        if (status != PLT_OK) {
+            return status;
+        }
     }
     at->groups = meet(t, p, at);
-    return status != PLT_OK || at->groups == 0 || crosses ? status : format_return(t, &at->place);
+    return at->groups == 0 || crosses ? PLT_OK : format_return(t, &at->place);
 }
 
 static int pop_depth_first(plt_traversal *t, plt_packet *p, uint32_t *visits) {

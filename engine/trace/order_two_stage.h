@@ -60,7 +60,8 @@ static int visit_local(plt_traversal *t, const plt_packet *p, two_stage_entry *a
     t->stats.node_visits++;
     const unsigned near = plt_nearer_child(p, box);
     for (unsigned k = 0; k < 2; k++) {
-        two_stage_entry e = {.distance = 0.0f};
+        two_stage_entry e;
+        e.distance = 0.0f; /* until it is pushed */
         e.groups = hit[near ^ k];
         if (e.groups == 0) {
             continue;

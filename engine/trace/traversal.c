@@ -1,13 +1,13 @@
-/* traversal - see traversal.h; plt_traverse is in traverse.c
+/* traversal - see traversal.h; what depends on the format is in traverse.c
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/traversal.h"
 
 #include <string.h>
 
-/* Blocks of thesis nodes have a number; compact blocks lie at multiples of 8. */
-uint32_t plt_touched_words(const plt_info *info) {
-    if (plt_format_of(info) == PLT_FORMAT_COMPACT) {
+/* Blocks of thesis nodes have an index; compact blocks lie at multiples of 8. */
+uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
+    if (format == PLT_FORMAT_COMPACT) {
         return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
     }
     return info->node_slots / info->treelet_nodes / 32 + 1;
@@ -20,16 +20,12 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
     t->order = options->order;
     t->stack = part[PLT_PART_STACK];
     t->local = part[PLT_PART_LOCAL_STACK];
+    t->state = part[PLT_PART_FORMAT];
     if (options->count_touched) {
         t->touched = part[PLT_PART_TOUCHED];
-        t->touched_words = plt_touched_words(&scene->info);
+        t->touched_words = plt_touched_words((enum plt_format)scene->format, &scene->info);
     }
-#if PLT_WITH_COMPACT
-    if (scene->format == PLT_FORMAT_COMPACT) {
-        t->compact.cache = part[PLT_PART_BLOCK_CACHE];
-        plt_block_cache_clear(t->compact.cache);
-    }
-#endif
+    plt_state_init(t);
     plt_traversal_reset_stats(t);
 }
 

@@ -11,47 +11,38 @@
 #ifndef PLT_TRACE_TRAVERSAL_H
 #define PLT_TRACE_TRAVERSAL_H
 
-#include "engine/memory/block_cache.h"
 #include "engine/scene/parts.h"
 #include "engine/scene/scene.h"
 #include "engine/trace/packet.h"
 
-/* Thesis nodes: aligned blocks of N slots, which may hold several small treelets. */
-typedef struct plt_thesis_cursor {
-    uint32_t block; /* the current one, PLT_MISS: none */
-} plt_thesis_cursor;
-
-typedef struct plt_compact_cursor {
-    plt_opened_block *cache;   /* PLT_BLOCK_CACHE_SLOTS slots */
-    plt_opened_block *current; /* NULL: none */
-    uint8_t geometry_counted;  /* its geometry part is in the statistics */
-} plt_compact_cursor;
-
 typedef struct plt_traversal {
     const plt_scene *scene;
-    uint8_t order;    /* enum plt_order */
-    void *stack;      /* entries: depth first, or the global stack */
-    uint32_t waiting; /* entries on it; 0: the packet is done */
-    void *local;      /* two-stage only */
-    union {           /* by the scene's format */
-        plt_thesis_cursor thesis;
-        plt_compact_cursor compact;
-    };
+    uint8_t order;     /* enum plt_order */
+    void *stack;       /* entries: depth first, or the global stack */
+    uint32_t waiting;  /* entries on it; 0: the packet is done */
+    void *local;       /* two-stage only */
+    void *state;       /* what the format keeps from visit to visit */
     uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
     uint32_t touched_words;
     plt_stats stats;
 } plt_traversal;
 
-/* Bytes of a stack entry; 0: this build does not have the format. */
+/* Bytes of a stack entry; 0: this build does not have the format, or not in that order. */
 size_t plt_entry_bytes(enum plt_format format, enum plt_order order);
 
+/* Bytes of a format's state. */
+size_t plt_state_bytes(enum plt_format format);
+
 /* Words of a bit per block that can be fetched. */
-uint32_t plt_touched_words(const plt_info *info);
+uint32_t plt_touched_words(enum plt_format format, const plt_info *info);
 
 /* Lays a traversal over the parts of an arena (scene/parts.h), by enum plt_part; those
  * of 0 bytes may be anything. */
 void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_options *options,
                         void *const part[PLT_PARTS_COUNT]);
+
+/* Sets the format's state up, as plt_traversal_init does. */
+void plt_state_init(plt_traversal *t);
 
 void plt_traversal_reset_stats(plt_traversal *t);
 

@@ -1,4 +1,4 @@
-/* traverse - the one place that chooses how a format is traversed
+/* traverse - the one place that chooses how a format is traversed, see traversal.h
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/traversal.h"
@@ -12,6 +12,28 @@ size_t plt_entry_bytes(enum plt_format format, enum plt_order order) {
 #undef ENTRY_BYTES
     default:
         return 0;
+    }
+}
+
+size_t plt_state_bytes(enum plt_format format) {
+    switch (format) {
+#define STATE_BYTES(NAME, name, with, text)                                                        \
+    PLT_IF(with, case PLT_FORMAT_##NAME : return plt_##name##_state_bytes();)
+        PLT_FORMATS(STATE_BYTES)
+#undef STATE_BYTES
+    default:
+        return 0;
+    }
+}
+
+void plt_state_init(plt_traversal *t) {
+    switch (t->scene->format) {
+#define STATE_INIT(NAME, name, with, text)                                                         \
+    PLT_IF(with, case PLT_FORMAT_##NAME : plt_##name##_state_init(t); break;)
+        PLT_FORMATS(STATE_INIT)
+#undef STATE_INIT
+    default:
+        break;
     }
 }
 

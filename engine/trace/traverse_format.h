@@ -4,7 +4,7 @@
  *   FORMAT_NAME              as in scene/formats.h
  *   FORMAT_ORDERS(ROW)       ROW(ORDER, order) for each order
  *   FORMAT_ORDER(order)      optional: the order that stands for the one asked for
- * It gives plt_NAME_entry_bytes, plt_NAME_begin and plt_NAME_traverse. An order gives
+ * It gives the functions of traverse_formats.h. An order gives
  *   order_entry                            what lies on its stacks
  *   int push_root_order(t, p)              0: there is nothing to hit
  *   int pop_order(t, p, &visits)           works one entry off; adds nodes visited
@@ -31,6 +31,14 @@ size_t PLT_JOINED(FORMAT_NAME, entry_bytes)(enum plt_order order) {
     default:
         return 0;
     }
+}
+
+size_t PLT_JOINED(FORMAT_NAME, state_bytes)(void) {
+    return sizeof(format_state);
+}
+
+void PLT_JOINED(FORMAT_NAME, state_init)(plt_traversal *t) {
+    format_state_init((format_state *)t->state);
 }
 
 void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, const plt_packet *p) {

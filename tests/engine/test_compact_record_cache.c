@@ -13,6 +13,7 @@
 #include "engine/image/record_cache.h"
 #include "engine/planelet_crc32.h"
 #include "host_tools/scenes/scenes.h"
+#include "tests/hostile/images.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
@@ -85,6 +86,31 @@ static packed image_of(uint32_t triangles, const compact_config *config) {
     fail f = {""};
     CHECK(scene_knot(&m, triangles, &f) == 0, "%s", f.text);
     return compact_packed(&m, config);
+}
+
+/* Stack needs that the header of an image without a tree claims count for nothing: mapped
+ * or not, the scene has those of the tree that was built. */
+static void claimed_stacks(void) {
+    enum { LOCAL_STACK_AT = 56 };
+    const compact_config config = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    packed image = image_of(compact_triangles(200, 2), &config);
+    image.bytes[LOCAL_STACK_AT] = 3;
+    hostile_seal_header(image.bytes, image.size);
+    for (int mapped = 0; mapped < 2; mapped++) {
+        line l = line_of(&image);
+        const plt_source source = {mapped ? image.bytes : NULL, image.size, &l, line_start,
+                                   line_wait};
+        const size_t need = plt_arena_need(&image.info, mapped, &config.run);
+        void *arena = malloc(need);
+        plt_engine *e = NULL;
+        plt_fault fault;
+        CHECK(plt_open(&e, arena, need, &source, &config.run, &fault) == PLT_OK, "mapped %d: %s",
+              mapped, fault.message);
+        CHECK(e == NULL || plt_engine_info(e)->local_stack_entries == 0, "mapped %d: claimed",
+              mapped);
+        free(arena);
+    }
+    pack_free(&image);
 }
 
 static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
@@ -236,5 +262,7 @@ int main(void) {
     false_bytes(2, PLT_SPLIT_SAH);
     false_bytes(4, PLT_SPLIT_SAH);
     false_bytes(2, PLT_SPLIT_MEDIAN);
+    test("stack needs that an image without a tree claims count for nothing");
+    claimed_stacks();
     return test_done();
 }

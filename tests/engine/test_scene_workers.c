@@ -85,11 +85,10 @@ static void make_parts(const plt_scene *scene, const plt_options *options,
     if (two) {
         part[PLT_PART_LOCAL_STACK] = malloc(scene->info.local_stack_entries * entry + 1);
     }
-    if (scene->format == PLT_FORMAT_COMPACT) {
-        part[PLT_PART_BLOCK_CACHE] = malloc(PLT_BLOCK_CACHE_SLOTS * sizeof(plt_opened_block));
-    }
+    part[PLT_PART_FORMAT] = malloc(plt_state_bytes((enum plt_format)scene->format));
     if (options->count_touched) {
-        part[PLT_PART_TOUCHED] = malloc(4 * (size_t)plt_touched_words(&scene->info));
+        part[PLT_PART_TOUCHED] =
+            malloc(4 * (size_t)plt_touched_words((enum plt_format)scene->format, &scene->info));
     }
     part[PLT_PART_PACKET] = malloc(plt_packet_bytes(options->packet_side));
 }

@@ -98,8 +98,8 @@ printf '%s\n' "$lines" | awk '
     /^error/ { print }
     /^(worst|root)/ { printf "%8d %s\n", $2, $3 }' | sort -rn
 echo
-echo "packets, bytes per ray: slabs $(($(size_of plt_slabs) / 4)), rays and hits $(($(
-    size_of plt_rays) / 4))"
+echo "packets, bytes per ray: slabs $(($(size_of plt_group_slabs) / 4)), rays and hits $(($(
+    size_of plt_group_rays) / 4))"
 echo
 echo "public structures, bytes: here, Cortex-M4F"
 structures arm-none-eabi-gcc arm-none-eabi-nm >"$arm/structures.txt"

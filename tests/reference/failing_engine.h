@@ -19,6 +19,8 @@
 /* ---- what a traverse_NAME.c and traverse.c give --------------------------------------- */
 
 size_t plt_failing_entry_bytes(enum plt_order order);
+size_t plt_failing_state_bytes(void);
+void plt_failing_state_init(plt_traversal *t);
 void plt_failing_begin(plt_traversal *t, const plt_packet *p);
 int plt_failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
 

@@ -46,7 +46,15 @@ static inline int failing_status(const plt_traversal *t, enum failing_call call)
 
 /* ---- the operations of format.h ---------------------------------------------------- */
 
-enum { FORMAT_TIGHTENS = 0 };
+enum { FORMAT_TIGHTENS = 1 }; /* the boxes stay, the calls are made */
+
+typedef struct format_state {
+    char none;
+} format_state;
+
+static inline void format_state_init(format_state *state) {
+    state->none = 0;
+}
 
 typedef struct format_place {
     plt_box box;
