@@ -8,8 +8,10 @@
 # of primary, shadow and bounce rays must be the same, byte for byte. Then the speed: rays
 # per second in alternating runs of this build and BASE; for each mesh, format and kind of
 # ray the median of the ratios counts. Last the instructions per ray of a firmware, which
-# are exact. Set MESHES, FORMATS, KINDS, ROUNDS or REPEAT for less; ROUNDS=0 leaves out
-# the speed, DEVICE= the firmware, MESHES= all but the firmware.
+# are exact. A run of a few milliseconds measures the machine's other work: all runs of a
+# row repeat their rays until they take at least MILLISECONDS. Set MESHES, FORMATS, KINDS,
+# ROUNDS or MILLISECONDS for less; ROUNDS=0 leaves out the speed, DEVICE= the firmware,
+# MESHES= all but the firmware.
 # SPDX-License-Identifier: MIT
 set -u
 base=${1:-} scenes=${2:-} peer=${3:-}
@@ -19,7 +21,7 @@ make=${MAKE:-make}
 meshes=${MESHES-hand bunny dragon engine terrain car diorama statues}
 formats=${FORMATS:-thesis compact}
 kinds=${KINDS:-primary shadow bounce}
-rounds=${ROUNDS:-7} repeat=${REPEAT:-8}
+rounds=${ROUNDS:-7} milliseconds=${MILLISECONDS:-500} repeat=1
 board=${DEVICE-mps2_an386}
 passed=0 failed=0
 
@@ -124,6 +126,14 @@ rate_of() { # PROGRAM IMAGE KIND
         --json - | field mrays_per_s
 }
 
+# How often the rays of a kind are repeated, by the rate of one pass: 32 bytes per ray.
+repeats() { # KIND
+    repeat=1
+    rate=$(rate_of "$before" "$work/base.plt" "$1")
+    awk -v rate="${rate:-0}" -v bytes="$(wc -c <"$work/rays.$1")" -v ms="$milliseconds" \
+        'BEGIN { n = rate * 1000 * ms / (bytes / 32); print int(n) + 1 }'
+}
+
 # The median of column $1 of the race.
 median() {
     cut -d ' ' -f "$1" "$work/race" | sort -n | sed -n "$(((rounds + 1) / 2))p"
@@ -131,6 +141,7 @@ median() {
 
 # Who begins changes from round to round, so that being first is no advantage.
 race() { # MESH FORMAT KIND
+    repeat=$(repeats "$3")
     for round in $(seq "$rounds"); do
         [ $((round % 2)) -eq 1 ] && ours=$(rate_of "$planelet" "$work/this.plt" "$3")
         theirs=$(rate_of "$before" "$work/base.plt" "$3")
@@ -163,7 +174,7 @@ compare_mesh() { # MESH
 summary() {
     awk -F '|' '$4 > 0 { sum += log($4); if (!n++ || $4 < least) { least = $4 } }
         $4 <= 0 { least = 0; none = 1 }
-        END { printf "%.3f %.3f %d\n", (n && !none) ? exp(sum / n) : 0, least, n }' "$work/races"
+        END { printf "%.4f %.4f %d\n", (n && !none) ? exp(sum / n) : 0, least, n }' "$work/races"
 }
 
 speeds() {
