@@ -181,5 +181,9 @@ void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header)
         plt_put_u32(at + 8, s->bytes);
         plt_put_u32(at + 12, s->crc);
     }
+    plt_header_seal(bytes);
+}
+
+void plt_header_seal(unsigned char bytes[PLT_HEADER_BYTES]) {
     plt_put_u32(bytes + PLT_AT_HEADER_CRC, header_crc(bytes));
 }

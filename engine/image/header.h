@@ -66,4 +66,7 @@ int plt_header_check(const plt_header *header, const unsigned char bytes[PLT_HEA
  * the sections are worked out here; their CRCs are the caller's. */
 void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header);
 
+/* Makes the header's checksum right again after a change of its bytes. */
+void plt_header_seal(unsigned char bytes[PLT_HEADER_BYTES]);
+
 #endif

@@ -27,7 +27,8 @@ enum plt_header_at {
     PLT_AT_PRIMITIVE_ID_BITS = 216,
     PLT_AT_NODE_BYTES = 220,
     PLT_AT_TRIANGLE_BYTES = 224,
-    PLT_AT_RESERVED = 228
+    PLT_AT_RESERVED = 228,
+    PLT_AT_SHIFT = 232 /* three doubles, not for the engine; they end the header */
 };
 
 #endif

@@ -130,7 +130,7 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
                            "the sections do not fill the image");
     }
     const int lattice = h->info.nodes_format == PLT_NODES_COMPACT;
-    for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_HEADER_BYTES; i++) {
+    for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_AT_SHIFT; i++) {
         const int used = lattice && i >= PLT_AT_ORIGIN && i < PLT_AT_RESERVED;
         if (!used && bytes[i] != 0) {
             return plt_refused(fault, PLT_R12_RESERVED, i, "a reserved byte is not zero");

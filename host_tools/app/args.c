@@ -191,7 +191,8 @@ unsigned args_choice(args *a, const char *flag, const char *const *words, unsign
     return otherwise;
 }
 
-int args_floats(args *a, const char *flag, float *values, unsigned count) {
+/* Each number rounded once to what was asked for: the other one is NULL. */
+static int read_numbers(args *a, const char *flag, float *single, double *wide, unsigned count) {
     const char *text = args_text(a, flag, NULL);
     const char *at = text;
     if (text == NULL) {
@@ -199,15 +200,28 @@ int args_floats(args *a, const char *flag, float *values, unsigned count) {
     }
     for (unsigned i = 0; i < count; i++) {
         char *end;
-        values[i] = strtof(at, &end);
-        if (end == at || !isfinite(values[i]) || *end != (i + 1 < count ? ',' : '\0')) {
+        const double value = single != NULL ? (double)strtof(at, &end) : strtod(at, &end);
+        if (end == at || !isfinite(value) || *end != (i + 1 < count ? ',' : '\0')) {
             args_complain(a, "%s takes %u number%s separated by commas, not '%s'", flag, count,
                           count == 1 ? "" : "s", text);
             return 0;
         }
+        if (single != NULL) {
+            single[i] = (float)value;
+        } else {
+            wide[i] = value;
+        }
         at = end + 1;
     }
     return 1;
+}
+
+int args_floats(args *a, const char *flag, float *values, unsigned count) {
+    return read_numbers(a, flag, values, NULL, count);
+}
+
+int args_doubles(args *a, const char *flag, double *values, unsigned count) {
+    return read_numbers(a, flag, NULL, values, count);
 }
 
 int args_size(args *a, const char *flag, unsigned *width, unsigned *height) {

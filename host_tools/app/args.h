@@ -49,6 +49,7 @@ const char *args_text(const args *a, const char *flag, const char *otherwise);
 uint64_t args_number(args *a, const char *flag, uint64_t otherwise, uint64_t least, uint64_t most);
 unsigned args_choice(args *a, const char *flag, const char *const *words, unsigned otherwise);
 int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */
+int args_doubles(args *a, const char *flag, double *values, unsigned count);
 int args_size(args *a, const char *flag, unsigned *width, unsigned *height);
 
 /* Prints "PROGRAM COMMAND: TEXT; see PROGRAM COMMAND --help" on standard error and

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "engine/tree/record.h"
@@ -12,6 +13,7 @@
 #include "host_tools/cli/arena_parts.h"
 #include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/pack/shift.h"
 
 static const arg_flag flags[] = {
     {"--json", NULL, "the same for programs"},
@@ -41,11 +43,12 @@ typedef struct derived {
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
     double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
+    double shift[3]; /* what pack subtracted from the meshes */
 } derived;
 
 static derived derive(const plt_info *i, const plt_options *o) {
     const double n = i->triangles > 0 ? (double)i->triangles : 1.0;
-    derived d;
+    derived d = {.shift = {0, 0, 0}};
     d.tree_bytes = (uint64_t)i->node_slots * PLT_NODE_BYTES;
     d.geometry_bytes = (uint64_t)i->triangles * PLT_RECORD_BYTES;
     d.overhead_bytes = (uint64_t)(i->node_slots - i->nodes) * PLT_NODE_BYTES;
@@ -62,6 +65,22 @@ static derived derive(const plt_info *i, const plt_options *o) {
     d.arena_mapped = plt_arena_need(i, 1, o);
     d.arena_fetched = plt_arena_need(i, 0, o);
     return d;
+}
+
+/* A hostile image may hold anything there. */
+static int is_shifted(const derived *d) {
+    int any = 0, finite = 1;
+    for (int a = 0; a < 3; a++) {
+        any |= d->shift[a] != 0.0;
+        finite &= isfinite(d->shift[a]) != 0;
+    }
+    return any && finite;
+}
+
+static void print_shift_json(const derived *d) {
+    const int shifted = is_shifted(d);
+    printf("  \"shift\": [%.17g, %.17g, %.17g],\n", shifted ? d->shift[0] : 0.0,
+           shifted ? d->shift[1] : 0.0, shifted ? d->shift[2] : 0.0);
 }
 
 static void print_parts_json(const plt_info *i, const derived *d) {
@@ -104,6 +123,7 @@ static void print_json(const plt_info *i, const plt_options *o, const derived *d
            d->arena_fetched);
     arena_parts_print_json(i, 1, o);
     printf(",\n");
+    print_shift_json(d);
     if (i->triangles > 0) {
         printf("  \"lo\": [%.9g, %.9g, %.9g],\n  \"hi\": [%.9g, %.9g, %.9g]", (double)i->lo[0],
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
@@ -146,6 +166,10 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
         printf("box                (%g, %g, %g) to (%g, %g, %g)\n", (double)i->lo[0],
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
                (double)i->hi[2]);
+    }
+    if (is_shifted(d)) {
+        printf("shift              (%.17g, %.17g, %.17g) was subtracted from the meshes\n",
+               d->shift[0], d->shift[1], d->shift[2]);
     }
     printf("tree               built by %s, %s splits, %" PRIu32
            " triangles per list, treelets of %" PRIu32 "\n",
@@ -212,6 +236,7 @@ int run_info(args *a) {
     if (status == 0) {
         derived d = derive(&info, &s.options);
         d.has_parts = s.engine != NULL && info.nodes_format == PLT_NODES_COMPACT;
+        shift_read(&s.file.source, d.shift);
         if (d.has_parts) {
             breakdown_count(s.engine, &d.parts);
         }

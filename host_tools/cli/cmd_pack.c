@@ -11,10 +11,11 @@
 #include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/mesh/mesh.h"
-#include "host_tools/mesh/reduce.h"
+#include "host_tools/cli/pack_json.h"
+#include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
+#include "host_tools/pack/shift.h"
 
 static const arg_flag flags[] = {
     {"-o", "SCENE.plt", "the image to write; - is standard output"},
@@ -38,7 +39,13 @@ static const arg_flag flags[] = {
      "positions in the image (default keep)"},
     {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe (default 0)"},
+    {"--centre", NULL,
+     "move the middle of the meshes to 0, in double precision, before they are narrowed to "
+     "single: for coordinates far from the origin; planelet info prints the shift"},
+    {"--origin", "X,Y,Z", "move the meshes so that this point becomes 0, likewise"},
+    {"--weld", "EPS", "make vertices of a file that are as near as EPS one, to close seams"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
+    {"--json", "STATS", "write what was read, lost and packed to this file; - is standard output"},
     {NULL, NULL, NULL}};
 
 const arg_command command_pack = {
@@ -52,47 +59,13 @@ const arg_command command_pack = {
     .files_most = 100000};
 
 typedef struct pack_job {
-    mesh m;
-    mesh_repair repair;
+    pack_meshes in;
     pack_options options;
     compact_options compact; /* lattice_bits 0: thesis nodes */
-    unsigned frame;
-    size_t most;      /* of --reduce; 0: all */
-    size_t *mesh_end; /* owned */
     lattice_loss loss;
-    const char *out;
+    const char *out, *json; /* `json` NULL: none */
+    output *image_out, *json_out;
 } pack_job;
-
-/* One line on standard error, also for scripts: the scene is not the mesh. */
-static void say_what_was_dropped(const mesh_repair *r, const char *name) {
-    fail line = {""}; /* hides control characters in the name */
-    if (r->bad_triangles > 0 || r->bad_vertices > 0) {
-        fail_set(&line, name,
-                 "dropped %" PRIu64 " triangle%s; %" PRIu64 " vert%s not finite or too large",
-                 r->bad_triangles, r->bad_triangles == 1 ? "" : "s", r->bad_vertices,
-                 r->bad_vertices == 1 ? "ex was" : "ices were");
-        fprintf(stderr, "%s\n", line.text);
-    }
-}
-
-static int read_meshes(pack_job *job, const args *a, fail *f) {
-    job->mesh_end = calloc((size_t)a->files, sizeof *job->mesh_end);
-    int status = job->mesh_end == NULL ? fail_set(f, a->file[0], "out of memory") : 0;
-    for (int i = 0; i < a->files && status == 0; i++) {
-        phase_begin("reading", a->file[i]);
-        status = mesh_read(&job->m, a->file[i], job->frame, &job->repair, f);
-        job->mesh_end[i] = job->m.triangles;
-        phase_end();
-    }
-    job->compact.mesh_end = job->most > 0 ? NULL : job->mesh_end;
-    job->compact.meshes = (unsigned)a->files;
-    if (status == 0 && job->most > 0) {
-        phase_begin("reducing", a->file[0]);
-        status = mesh_reduce(&job->m, job->most, a->file[0], f);
-        phase_end();
-    }
-    return status;
-}
 
 /* What the lattice cost, and a finer one where triangles were lost. */
 static void say_what_was_lost(const pack_job *job, const char *name) {
@@ -112,43 +85,84 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
                 : "");
 }
 
+/* With a lattice its own line says it. */
+static void say_what_is_never_hit(const pack_meshes *in) {
+    for (int i = 0; i < in->files; i++) {
+        const uint64_t count = in->file[i].without_area;
+        fail line = {""};
+        if (count > 0) {
+            fail_set(&line, in->file[i].path,
+                     "%" PRIu64 " triangle%s no area: never hit, but counted and numbered", count,
+                     count == 1 ? " has" : "s have");
+            fprintf(stderr, "%s\n", line.text);
+        }
+    }
+}
+
 static int build(pack_job *job, const char *name, packed *image, fail *f) {
     char what[64];
-    snprintf(what, sizeof what, "of %zu triangles", job->m.triangles);
+    snprintf(what, sizeof what, "of %zu triangles", job->in.m.triangles);
     phase_begin("building the tree", what);
     const int compact = job->compact.lattice_bits > 0;
-    const int status = compact ? pack_compact(image, &job->m, &job->compact, name, &job->loss, f)
-                               : pack_mesh(image, &job->m, &job->options, name, f);
+    const mesh *m = &job->in.m;
+    const int status = compact ? pack_compact(image, m, &job->compact, name, &job->loss, f)
+                               : pack_mesh(image, m, &job->options, name, f);
     phase_end();
-    if (status == 0 && compact && !job->compact.floats) {
-        say_what_was_lost(job, name);
-    }
-    return status;
-}
-
-static int write_image(const pack_job *job, output *o, const packed *image, fail *f) {
-    phase_begin("writing", job->out);
-    int status = output_write(o, image->bytes, image->size, f);
     if (status == 0) {
-        status = output_commit(o, f);
-    } else {
-        output_abandon(o);
+        shift_write(image->bytes, job->in.shift);
+    }
+    return status;
+}
+
+static int write_all(pack_job *job, const packed *image, fail *f) {
+    phase_begin("writing", job->out);
+    int status = output_write(job->image_out, image->bytes, image->size, f);
+    if (status == 0 && job->json_out != NULL) {
+        status = pack_json_write(job->json_out, &job->in, image,
+                                 job->compact.lattice_bits > 0 ? &job->loss : NULL, f);
+    }
+    if (status == 0) {
+        status = output_commit(job->image_out, f);
+        job->image_out = NULL;
+    }
+    if (status == 0 && job->json_out != NULL) {
+        status = output_commit(job->json_out, f);
+        job->json_out = NULL;
     }
     phase_end();
     return status;
 }
 
-/* The output is opened first: a path that cannot be written fails before the long work. */
+/* The outputs are opened first: a path that cannot be written fails before the long work. */
+static int open_outputs(pack_job *job, fail *f) {
+    job->image_out = output_open(job->out, f);
+    if (job->image_out != NULL && job->json != NULL) {
+        job->json_out = output_open(job->json, f);
+        return job->json_out != NULL ? 0 : -1;
+    }
+    return job->image_out != NULL ? 0 : -1;
+}
+
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
-    output *o = read_meshes(job, a, f) == 0 ? output_open(job->out, f) : NULL;
-    if (o == NULL) {
+    if (pack_meshes_read(&job->in, a->file, a->files, f) != 0) {
         return -1;
     }
-    if (build(job, a->file[0], image, f) != 0) {
-        output_abandon(o);
+    job->compact.mesh_end = job->in.mesh_end;
+    job->compact.meshes = (unsigned)a->files;
+    if (open_outputs(job, f) != 0 || build(job, a->file[0], image, f) != 0) {
         return -1;
     }
-    return write_image(job, o, image, f);
+    return write_all(job, image, f);
+}
+
+/* What the picture will lack, for scripts as well. */
+static void say_losses(const pack_job *job, const char *name) {
+    pack_meshes_say(&job->in);
+    if (job->compact.lattice_bits > 0 && !job->compact.floats) {
+        say_what_was_lost(job, name);
+    } else {
+        say_what_is_never_hit(&job->in);
+    }
 }
 
 static void say_done(const pack_job *job, const packed *image, double seconds) {
@@ -219,6 +233,19 @@ static void read_format(pack_job *job, args *a) {
     }
 }
 
+static void read_mesh_flags(pack_meshes *in, args *a) {
+    in->most = (size_t)args_number(a, "--reduce", 0, 1, 1000000000);
+    in->frame = (unsigned)args_number(a, "--frame", 0, 0, 99999);
+    in->repair = args_has(a, "--repair");
+    in->centre = args_has(a, "--centre");
+    if (args_doubles(a, "--origin", in->shift, 3) && in->centre) {
+        args_complain(a, "--centre and --origin both choose the origin; leave one out");
+    }
+    if (args_doubles(a, "--weld", &in->weld, 1) && !(in->weld > 0)) {
+        args_complain(a, "--weld takes a distance above 0");
+    }
+}
+
 static void read_flags(pack_job *job, args *a) {
     static const char *const builds[] = {"host", "device", "none", NULL};
     static const char *const splits[] = {"sah", "median", NULL};
@@ -234,9 +261,8 @@ static void read_flags(pack_job *job, args *a) {
     job->compact.splits = job->options.splits;
     job->compact.build = job->options.build;
     job->compact.leaf_triangles = job->options.leaf_triangles;
-    job->most = (size_t)args_number(a, "--reduce", 0, 1, 1000000000);
-    job->frame = (unsigned)args_number(a, "--frame", 0, 0, 99999);
-    job->repair.wanted = args_has(a, "--repair");
+    read_mesh_flags(&job->in, a);
+    job->json = args_text(a, "--json", NULL);
     job->out = args_text(a, "-o", NULL);
     if (job->out == NULL) {
         args_complain(a, "-o SCENE.plt says where the image goes");
@@ -254,13 +280,14 @@ int run_pack(args *a) {
     const double began = clock_seconds();
     const int status = pack_files(&job, a, &image, &f);
     if (status == 0) {
-        say_what_was_dropped(&job.repair, a->files == 1 ? a->file[0] : "all meshes together");
+        say_losses(&job, a->file[0]);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         fprintf(stderr, "%s\n", f.text);
     }
+    output_abandon(job.image_out);
+    output_abandon(job.json_out);
     pack_free(&image);
-    mesh_free(&job.m);
-    free(job.mesh_end);
+    pack_meshes_free(&job.in);
     return status == 0 ? 0 : 1;
 }

@@ -1,11 +1,11 @@
 /* decimal - numbers in text, the same in every locale
  *
- * Keeps: every float is correctly rounded. The first 15 digits m and the
- * power e give m * 10^e with one rounding in double (m < 2^53, |e| <= 22);
- * rounding that to float is right unless it fell on the middle between two
- * floats. Digits left out put the value between m and m + 1: when both
- * give one float, so does the value. All else goes to strtof, as digits
- * and exponent without a decimal point, which no locale can change.
+ * Keeps: every float and every double is correctly rounded. The first 15 digits m
+ * and the power e give m * 10^e with one rounding in double (m < 2^53, |e| <= 22).
+ * When digits were left out, strtod rounds the whole number; it gets digits and an
+ * exponent without a decimal point, which no locale can change. The nearest double,
+ * rounded again, is the nearest float unless it fell on the middle between two, or where
+ * floats are subnormal: then strtof rounds the whole number.
  *
  * Source: W. D. Clinger, How to Read Floating Point Numbers Accurately,
  * PLDI 1990.
@@ -21,9 +21,9 @@
 enum {
     QUICK_DIGITS = 15,
     QUICK_POWER = 22,
-    /* No middle between two floats has more digits; what follows these
+    /* No middle between two doubles has more digits; what follows these
      * only matters as being zero or not. */
-    SLOW_DIGITS = 120,
+    SLOW_DIGITS = 770,
 };
 
 static const int64_t EXPONENT_MAX = 1000000000000000; /* clamps the sum below int64_t */
@@ -98,26 +98,24 @@ static const unsigned char *read_exponent(const unsigned char *at, const unsigne
     return c;
 }
 
-/* 0 when the answer could be wrong. No result is subnormal or overflows:
- * it is 0 or between 1e-22 and 1e37. */
-static int quick_float(uint64_t leading, int64_t power, float *value) {
+/* 0 when digits were left out, or the power has no exact double. */
+static int quick_double(const number *n, double *value) {
     static const double TEN[QUICK_POWER + 1] = {
         1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
         1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
     };
-    if (power < -QUICK_POWER || power > QUICK_POWER) {
+    if (n->dropped || n->power < -QUICK_POWER || n->power > QUICK_POWER) {
         return 0;
     }
-    const double whole = (double)leading;
-    const double product = power < 0 ? whole / TEN[-power] : whole * TEN[power];
-    uint64_t bits;
-    memcpy(&bits, &product, sizeof bits);
-    *value = (float)product;
-    return (bits & 0x1fffffff) != 0x10000000;
+    const double whole = (double)n->leading;
+    *value = n->power < 0 ? whole / TEN[-n->power] : whole * TEN[n->power];
+    return 1;
 }
 
-static float slow_float(const number *n) {
-    char text[SLOW_DIGITS + 32];
+/* All digits as one integer, and the power of ten: what strtod reads in any locale. */
+typedef char slow_text[SLOW_DIGITS + 32];
+
+static void write_slow(const number *n, slow_text text) {
     int count = 0, rest = 0;
     int64_t power = n->power;
     /* `power` belongs to `leading`: each digit past it that is written
@@ -137,9 +135,34 @@ static float slow_float(const number *n) {
         text[count++] = '1';
         power--;
     }
+    if (count == 0) {
+        text[count++] = '0';
+    }
     power = power > 100000 ? 100000 : power < -100000 ? -100000 : power;
-    snprintf(text + count, sizeof text - (size_t)count, "e%d", (int)power);
-    return count ? strtof(text, NULL) : 0;
+    snprintf(text + count, sizeof(slow_text) - (size_t)count, "e%d", (int)power);
+}
+
+static double double_of(const number *n) {
+    double value;
+    if (!quick_double(n, &value)) {
+        slow_text text;
+        write_slow(n, text);
+        value = strtod(text, NULL);
+    }
+    return value;
+}
+
+/* `nearest` is the double nearest to the number. */
+static float float_of(const number *n, double nearest) {
+    uint64_t bits;
+    memcpy(&bits, &nearest, sizeof bits);
+    const int is_middle = (bits & 0x1fffffff) == 0x10000000;
+    if (!is_middle && (nearest == 0 ? n->leading == 0 : nearest >= 1e-37 && nearest <= 1e38)) {
+        return (float)nearest;
+    }
+    slow_text text;
+    write_slow(n, text);
+    return strtof(text, NULL);
 }
 
 static int same_letters(const unsigned char *at, const unsigned char *end, const char *lower) {
@@ -157,42 +180,55 @@ static int is_name(unsigned char c) {
 
 /* "nan", "nan(...)", "inf", "infinity" */
 static const unsigned char *read_named(const unsigned char *at, const unsigned char *end,
-                                       float *value) {
+                                       real *value) {
     const int is_nan = same_letters(at, end, "nan");
     if (!is_nan && !same_letters(at, end, "inf")) {
         return NULL;
     }
-    *value = is_nan ? NAN : INFINITY;
+    *value = real_of_float(is_nan ? NAN : INFINITY);
     while (at < end && (is_name(*at) || *at == '(' || *at == ')')) {
         at++;
     }
     return at;
 }
 
-const unsigned char *decimal_float(const unsigned char *at, const unsigned char *end,
-                                   float *value) {
-    const int negative = at < end && *at == '-';
-    at += at < end && (*at == '-' || *at == '+');
+/* Without the sign. */
+static const unsigned char *read_magnitude(const unsigned char *at, const unsigned char *end,
+                                           real *value) {
     number n;
     const unsigned char *after = read_digits(at, end, &n);
-    float magnitude, above;
     if (!after) {
-        after = read_named(at, end, &magnitude);
-        if (!after) {
-            return NULL;
-        }
-    } else if (after < end && *after == '#') { /* 1.#QNAN, 1.#INF */
+        return read_named(at, end, value);
+    }
+    if (after < end && *after == '#') { /* 1.#QNAN, 1.#INF */
         for (after++; after < end && is_name(*after); after++) {
         }
-        magnitude = NAN;
-    } else {
-        after = read_exponent(after, end, &n);
-        if (!quick_float(n.leading, n.power, &magnitude) ||
-            (n.dropped && (!quick_float(n.leading + 1, n.power, &above) || above != magnitude))) {
-            magnitude = slow_float(&n);
-        }
+        *value = real_of_float(NAN);
+        return after;
     }
-    *value = negative ? -magnitude : magnitude;
+    after = read_exponent(after, end, &n);
+    value->wide = double_of(&n);
+    value->single = float_of(&n, value->wide);
+    return after;
+}
+
+const unsigned char *decimal_real(const unsigned char *at, const unsigned char *end, real *value) {
+    const int negative = at < end && *at == '-';
+    at += at < end && (*at == '-' || *at == '+');
+    const unsigned char *after = read_magnitude(at, end, value);
+    if (after && negative) {
+        *value = (real){-value->single, -value->wide};
+    }
+    return after;
+}
+
+const unsigned char *decimal_float(const unsigned char *at, const unsigned char *end,
+                                   float *value) {
+    real both;
+    const unsigned char *after = decimal_real(at, end, &both);
+    if (after) {
+        *value = both.single;
+    }
     return after;
 }
 

@@ -5,12 +5,15 @@
 #define DECIMAL_H
 #include <stdint.h>
 
-/* Both read the number that begins at `at` and return the byte after it,
+#include "host_tools/mesh/real.h"
+
+/* Each reads the number that begins at `at` and returns the byte after it,
  * or NULL when there is none before `end`.
  *
- * The float is the nearest one, ties to even; too large gives infinity.
+ * Both values are the nearest ones, ties to even; too large gives infinity.
  * "nan", "inf", "infinity" and the "1.#QNAN" family are numbers here, so
  * that the caller can say what is wrong with them. */
+const unsigned char *decimal_real(const unsigned char *at, const unsigned char *end, real *value);
 const unsigned char *decimal_float(const unsigned char *at, const unsigned char *end, float *value);
 
 /* A number beyond int64_t becomes its nearest end. */

@@ -2,7 +2,8 @@
  *
  * Keeps: after `intake_finish` every vertex is finite and within
  * +-PLT_COORD_MAX, every index below the number of vertices, and the
- * triangles stand in the order of the file, degenerate ones included.
+ * triangles stand in the order of the file, degenerate ones included. A face whose corners
+ * are not all there is left out whole.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/intake.h"
@@ -13,14 +14,15 @@
 #include <string.h>
 
 #include "engine/planelet_config.h"
+#include "host_tools/mesh/faces.h"
 
 static const uint32_t MISSING = UINT32_MAX; /* a mesh has fewer vertices */
 
-intake intake_begin(mesh *m, const char *path, mesh_repair *repair, fail *f) {
+intake intake_begin(mesh *m, const char *path, mesh_report *report, fail *f) {
     return (intake){
         .m = m,
         .path = path,
-        .repair = repair,
+        .report = report,
         .f = f,
         .declared = INTAKE_UNKNOWN,
         .first_vertex = m->vertices,
@@ -76,12 +78,8 @@ static int mark_bad(intake *in, size_t vertex) {
         in->bad_bytes = bytes;
     }
     in->bad[byte] |= (unsigned char)(1u << vertex % 8);
-    in->bad_vertices++;
+    in->count[REPORT_BAD_VERTICES]++;
     return 0;
-}
-
-static int is_bad(const intake *in, uint32_t vertex) {
-    return vertex / 8 < in->bad_bytes && (in->bad[vertex / 8] >> vertex % 8 & 1);
 }
 
 /* False for NaN. */
@@ -89,24 +87,26 @@ static int within(float x) {
     return x >= -PLT_COORD_MAX && x <= PLT_COORD_MAX;
 }
 
-int intake_vertex(intake *in, float x, float y, float z) {
+int intake_vertex(intake *in, const real p[3]) {
+    static const real NOWHERE[3] = {{0, 0}, {0, 0}, {0, 0}};
     mesh *m = in->m;
     if (m->vertices == m->vertex_room && make_room(in) != 0) {
         return -1;
     }
-    if (!within(x) || !within(y) || !within(z)) {
-        if (!in->repair->wanted) {
+    if (!within(p[0].single) || !within(p[1].single) || !within(p[2].single)) {
+        if (!in->report->repair) {
             return intake_fail(in,
                                "the vertex (%g %g %g) is not finite or beyond +-2^40; "
                                "use pack --repair to drop it",
-                               (double)x, (double)y, (double)z);
+                               (double)p[0].single, (double)p[1].single, (double)p[2].single);
         }
         if (mark_bad(in, m->vertices - in->first_vertex) != 0) {
             return -1;
         }
-        x = y = z = 0;
+        p = NOWHERE;
     }
-    return mesh_add_vertex(m, x, y, z, in->f);
+    fail inner = {{0}};
+    return mesh_add_real(m, p, &inner) == 0 ? 0 : fail_set(in->f, in->path, "%s", inner.text);
 }
 
 static int fail_missing(intake *in, const location *at, int64_t written, uint64_t count) {
@@ -152,6 +152,10 @@ static int add_corner(intake *in, chain *c, uint32_t vertex) {
     return result;
 }
 
+chain intake_chain(const intake *in, int is_strip) {
+    return (chain){.first_triangle = in->m->triangles, .is_strip = is_strip};
+}
+
 int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written) {
     if (c->is_strip && vertex == -1) {
         c->corners = 0;
@@ -161,7 +165,7 @@ int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written) {
     if (vertex >= 0 && (uint64_t)vertex < in->declared) {
         note_furthest(in, vertex, written);
         number = vertex < MISSING ? (uint32_t)vertex : MISSING;
-    } else if (!in->repair->wanted) {
+    } else if (!in->report->repair) {
         const uint64_t here = in->m->vertices - in->first_vertex;
         return fail_missing(in, &in->at, written,
                             in->declared == INTAKE_UNKNOWN ? here : in->declared);
@@ -169,66 +173,59 @@ int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written) {
     return add_corner(in, c, number);
 }
 
+static int add_face(intake *in, const chain *c) {
+    if (c->corners > UINT32_MAX) {
+        return intake_fail(in, "a face of more than 2^32 - 1 corners; split it");
+    }
+    if (in->faces == in->face_room) {
+        const size_t room = in->face_room * 2 + 16;
+        intake_face *face = realloc(in->face, room * sizeof *face);
+        if (!face) {
+            return fail_set(in->f, in->path, "out of memory; split the mesh");
+        }
+        in->face = face;
+        in->face_room = room;
+    }
+    in->face[in->faces++] = (intake_face){c->first_triangle, (uint32_t)c->corners};
+    return 0;
+}
+
 int intake_polygon_end(intake *in, const chain *c) {
-    if (c->corners >= 3) {
-        return 0;
+    if (c->corners > 3) {
+        return add_face(in, c);
     }
-    if (in->repair->wanted) {
-        in->bad_triangles++;
-        return 0;
-    }
-    return intake_fail(in, "a face of %llu corners; use pack --repair to drop it",
-                       (unsigned long long)c->corners);
+    in->count[REPORT_SMALL_FACES] += c->corners < 3;
+    return 0;
 }
 
-static int can_be_kept(const intake *in, const uint32_t *corner, size_t count) {
-    for (int k = 0; k < 3; k++) {
-        if (corner[k] >= count || is_bad(in, corner[k])) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-/* From the file's vertex indices to the mesh's; drops triangles without one. */
-static void resolve_triangles(intake *in) {
-    mesh *m = in->m;
-    const size_t count = m->vertices - in->first_vertex;
-    const uint32_t base = (uint32_t)in->first_vertex;
-    size_t kept = in->first_triangle;
-    for (size_t i = in->first_triangle; i < m->triangles; i++) {
-        const uint32_t *from = m->triangle + 3 * i;
-        uint32_t *to = m->triangle + 3 * kept;
-        if (!can_be_kept(in, from, count)) {
-            in->bad_triangles++;
-            continue;
-        }
-        for (int k = 0; k < 3; k++) {
-            to[k] = from[k] + base;
-        }
-        kept++;
-    }
-    m->triangles = kept;
+static void forget(intake *in) {
+    free(in->bad);
+    free(in->face);
+    in->bad = NULL;
+    in->face = NULL;
 }
 
 int intake_finish(intake *in) {
     const size_t count = in->m->vertices - in->first_vertex;
-    if (!in->repair->wanted && in->furthest >= (int64_t)count) {
-        fail_missing(in, &in->furthest_at, in->furthest_written, count);
+    int status = 0;
+    if (!in->report->repair && in->furthest >= (int64_t)count) {
+        status = fail_missing(in, &in->furthest_at, in->furthest_written, count);
+    } else if (faces_resolve(in) != 0) {
+        status = fail_set(in->f, in->path, "out of memory; split the mesh");
+    }
+    if (status != 0) {
         intake_undo(in);
         return -1;
     }
-    resolve_triangles(in);
-    in->repair->bad_vertices += in->bad_vertices;
-    in->repair->bad_triangles += in->bad_triangles;
-    free(in->bad);
-    in->bad = NULL;
+    for (int i = 0; i < REPORT_ITEMS; i++) {
+        in->report->count[i] += in->count[i];
+    }
+    forget(in);
     return 0;
 }
 
 void intake_undo(intake *in) {
     in->m->vertices = in->first_vertex;
     in->m->triangles = in->first_triangle;
-    free(in->bad);
-    in->bad = NULL;
+    forget(in);
 }

@@ -3,7 +3,7 @@
  * A reader sets `at` to the element it reads, hands in vertices and corners as
  * the file has them, and ends with `intake_finish` or with `intake_undo`, after
  * which the mesh is as it was. Until then triangles
- * hold the file's own vertex indices.
+ * hold the file's own vertex indices, and faces of more corners are fans.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef INTAKE_H
@@ -20,34 +20,45 @@ typedef struct location {
     uint64_t number;  /* of the element, from 0 */
 } location;
 
+/* A face of more than three corners: its fan begins with triangle `first`. */
+typedef struct intake_face {
+    size_t first;
+    uint32_t corners;
+} intake_face;
+
 typedef struct intake {
     mesh *m;
     const char *path;
-    mesh_repair *repair;
+    mesh_report *report;          /* added to when the file is whole */
+    uint64_t count[REPORT_ITEMS]; /* of this file */
     fail *f;
     location at;
     uint64_t declared; /* vertices in the file; INTAKE_UNKNOWN until the end */
     size_t first_vertex, first_triangle;
-    uint64_t bad_vertices, bad_triangles;
-    unsigned char *bad; /* one bit per vertex, set for bad ones */
+    unsigned char *bad; /* one bit per vertex, set for bad ones; owned */
     size_t bad_bytes;
+    intake_face *face; /* in the order of the file; owned */
+    size_t faces, face_room;
     int64_t furthest, furthest_written; /* greatest index not yet there */
     location furthest_at;
 } intake;
 
-/* A polygon (a fan of triangles) or a triangle strip being read. */
+/* A polygon or a triangle strip being read. */
 typedef struct chain {
     uint32_t first, before, last;
     uint64_t corners;
+    size_t first_triangle;
     int is_strip;
 } chain;
 
-intake intake_begin(mesh *m, const char *path, mesh_repair *repair, fail *f);
-int intake_vertex(intake *in, float x, float y, float z);
+intake intake_begin(mesh *m, const char *path, mesh_report *report, fail *f);
+int intake_vertex(intake *in, const real position[3]);
 
+chain intake_chain(const intake *in, int is_strip);
 /* `vertex` counts from 0 (INTAKE_MISSING: cannot exist), `written` is what
  * the file says, for the failure. */
 int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written);
+/* Faces of one and two corners are points and lines: left out and counted. */
 int intake_polygon_end(intake *in, const chain *c);
 
 int intake_finish(intake *in);

@@ -1,7 +1,8 @@
 /* mesh - triangles with shared vertices: memory
  *
  * Keeps: vertices <= vertex_room and triangles <= triangle_room; fewer than
- * 2^32 - 1 vertices: UINT32_MAX is never a vertex index.
+ * 2^32 - 1 vertices: UINT32_MAX is never a vertex index. `wide`, when there is one, has
+ * room for as many vertices as `vertex`.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/mesh.h"
@@ -26,6 +27,10 @@ static void *grow(void *items, size_t *room, size_t needed, size_t item_bytes) {
     return grown;
 }
 
+static int fail_memory(const mesh *m, fail *f) {
+    return fail_set(f, NULL, "out of memory at vertex %zu; split the mesh", m->vertices);
+}
+
 static int reserve_vertices(mesh *m, size_t more, fail *f) {
     if (more <= m->vertex_room - m->vertices) {
         return 0;
@@ -33,11 +38,20 @@ static int reserve_vertices(mesh *m, size_t more, fail *f) {
     if (more > VERTICES_MAX - m->vertices) {
         return fail_set(f, NULL, "more than 2^32 - 2 vertices; split the mesh");
     }
-    float *vertex = grow(m->vertex, &m->vertex_room, m->vertices + more, 3 * sizeof *m->vertex);
+    size_t room = m->vertex_room;
+    float *vertex = grow(m->vertex, &room, m->vertices + more, 3 * sizeof *m->vertex);
     if (!vertex) {
-        return fail_set(f, NULL, "out of memory at vertex %zu; split the mesh", m->vertices);
+        return fail_memory(m, f);
     }
     m->vertex = vertex;
+    if (m->wide) {
+        double *wide = room > SIZE_MAX / 24 ? NULL : realloc(m->wide, room * 24);
+        if (!wide) {
+            return fail_memory(m, f);
+        }
+        m->wide = wide;
+    }
+    m->vertex_room = room;
     return 0;
 }
 
@@ -69,6 +83,38 @@ int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f) {
     v[0] = x;
     v[1] = y;
     v[2] = z;
+    for (int axis = 0; axis < 3 && m->wide; axis++) {
+        m->wide[3 * (m->vertices - 1) + (size_t)axis] = (double)v[axis];
+    }
+    return 0;
+}
+
+/* From now on there are wide coordinates: of the vertices so far, the floats. */
+static int widen(mesh *m, fail *f) {
+    if (m->vertex_room > SIZE_MAX / 24 || !(m->wide = malloc(m->vertex_room * 24))) {
+        return fail_memory(m, f);
+    }
+    for (size_t i = 0; i < 3 * m->vertices; i++) {
+        m->wide[i] = (double)m->vertex[i];
+    }
+    return 0;
+}
+
+int mesh_add_real(mesh *m, const real p[3], fail *f) {
+    if (mesh_add_vertex(m, p[0].single, p[1].single, p[2].single, f) != 0) {
+        return -1;
+    }
+    int is_exact = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        is_exact &= p[axis].wide == (double)p[axis].single;
+    }
+    if (!m->wide && !is_exact && widen(m, f) != 0) {
+        m->vertices--;
+        return -1;
+    }
+    for (int axis = 0; axis < 3 && m->wide; axis++) {
+        m->wide[3 * (m->vertices - 1) + (size_t)axis] = p[axis].wide;
+    }
     return 0;
 }
 
@@ -85,6 +131,7 @@ int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f) {
 
 void mesh_free(mesh *m) {
     free(m->vertex);
+    free(m->wide);
     free(m->triangle);
     *m = (mesh){0};
 }

@@ -10,34 +10,39 @@
 #include <stdint.h>
 
 #include "host_tools/base/fail.h"
+#include "host_tools/mesh/real.h"
+#include "host_tools/mesh/report.h"
 
 typedef struct mesh {
     float *vertex;      /* 3 floats per vertex: x y z */
+    double *wide;       /* the same before they became floats; NULL: the floats are exact */
     uint32_t *triangle; /* 3 vertex indices per triangle */
     size_t vertices, triangles;
     size_t vertex_room, triangle_room; /* allocated, in vertices, triangles */
 } mesh;
 
-/* What `--repair` dropped; all zero when nothing was wrong. */
-typedef struct mesh_repair {
-    int wanted;             /* 0: refuse what cannot be traced */
-    uint64_t bad_vertices;  /* NaN, infinite or too large: replaced by 0 */
-    uint64_t bad_triangles; /* using such a vertex or a missing one: dropped */
-} mesh_repair;
-
 /* Appends what `path` holds (PLY, OBJ or STL by content, then by name; a
  * `.txt` is a recipe) to `m`. `frame` is the frame to read of a
  * recipe's sequences (`name_{}.ply*N`). The path "-" is standard input, by content
- * only. Triangles stand in the order of the file; degenerate ones are
- * kept. On failure `m` is as it was before. */
-int mesh_read(mesh *m, const char *path, unsigned frame, mesh_repair *repair, fail *f);
+ * only. Triangles stand in the order of the file, those of a polygon as its outline
+ * demands; degenerate ones are kept. `report` is added to. On failure `m` and the
+ * report are as they were before. */
+int mesh_read(mesh *m, const char *path, unsigned frame, mesh_report *report, fail *f);
 
 /* For readers and generators: -1 when memory is out. */
 int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f);
+int mesh_add_real(mesh *m, const real position[3], fail *f);
 int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f);
-/* Makes room for that many more: adding them then cannot fail. */
+/* Makes room for that many more: adding them then cannot fail, but for the first vertex
+ * that is not exact in single precision. */
 int mesh_reserve(mesh *m, size_t vertices, size_t triangles, fail *f);
 void mesh_free(mesh *m);
+
+/* A coordinate as the file has it. */
+static inline double mesh_wide(const mesh *m, size_t vertex, int axis) {
+    const size_t at = 3 * vertex + (size_t)axis;
+    return m->wide != NULL ? m->wide[at] : (double)m->vertex[at];
+}
 
 /* Writes binary little-endian PLY, float x y z and uchar/int lists. */
 int mesh_write_ply(const mesh *m, const char *path, fail *f);

@@ -17,18 +17,21 @@ int mesh_is_recipe(const input *in) {
     return has_ending(in->path, ".txt") && !ply_is(in) && !stl_is(in);
 }
 
-int mesh_read_bytes(mesh *m, const input *in, mesh_repair *repair, fail *f) {
+int mesh_read_bytes(mesh *m, const input *in, mesh_report *report, fail *f) {
     if (ply_is(in)) {
-        return ply_read(m, in, repair, f);
+        return ply_read(m, in, report, f);
     }
     if (stl_is(in) || has_ending(in->path, ".stl")) {
-        return stl_read(m, in, repair, f);
+        return stl_read(m, in, report, f);
     }
     if (has_ending(in->path, ".ply")) {
-        return ply_read(m, in, repair, f);
+        return ply_read(m, in, report, f);
     }
     if (has_ending(in->path, ".obj") || obj_is(in)) {
-        return obj_read(m, in, repair, f);
+        return obj_read(m, in, report, f);
+    }
+    if (stl_may_be(in)) {
+        return stl_read(m, in, report, f);
     }
     return fail_set(f, in->path, "is neither PLY nor OBJ nor STL, and no .txt recipe; convert it");
 }
@@ -43,14 +46,14 @@ int mesh_open(input *in, const char *path, fail *f) {
     return 0;
 }
 
-int mesh_read_single(mesh *m, const char *path, mesh_repair *repair, fail *f) {
+int mesh_read_single(mesh *m, const char *path, mesh_report *report, fail *f) {
     input in;
     if (mesh_open(&in, path, f) != 0) {
         return -1;
     }
     const int result = mesh_is_recipe(&in)
                            ? fail_set(f, path, "is a recipe inside a recipe; write its lines there")
-                           : mesh_read_bytes(m, &in, repair, f);
+                           : mesh_read_bytes(m, &in, report, f);
     input_free(&in);
     return result;
 }

@@ -16,9 +16,9 @@ int mesh_open(input *in, const char *path, fail *f);
 int mesh_is_recipe(const input *in);
 
 /* Appends the PLY, OBJ or STL in `in` to `m`. */
-int mesh_read_bytes(mesh *m, const input *in, mesh_repair *repair, fail *f);
+int mesh_read_bytes(mesh *m, const input *in, mesh_report *report, fail *f);
 
 /* Both for a file that must not be a recipe. */
-int mesh_read_single(mesh *m, const char *path, mesh_repair *repair, fail *f);
+int mesh_read_single(mesh *m, const char *path, mesh_report *report, fail *f);
 
 #endif

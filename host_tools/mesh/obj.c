@@ -1,8 +1,8 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
- * `v` and `f` are read, all other keywords passed over. A face may use a
- * vertex that only comes later. Vertices are counted from 1; a negative
- * number counts back from the last vertex so far.
+ * `v` and `f` are read, all other keywords passed over; what they would draw is counted. A face may
+ * use a vertex that only comes later. Vertices are counted from 1; a negative number counts back
+ * from the last vertex so far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.
@@ -18,18 +18,32 @@ typedef struct reader {
     size_t known_lines;
 } reader;
 
-static const char *const KNOWN[] = {
-    "v",  "f",      "vt",     "vn",     "vp",     "g",  "o",      "s",   "l",    "p",
-    "mg", "mtllib", "usemtl", "usemap", "maplib", "fo", "cstype", "deg", "surf", "curv",
+/* Keywords, and what is counted as left out when a line begins with one. */
+static const struct {
+    const char *name;
+    report_item item; /* REPORT_ITEMS: nothing that anyone would miss */
+} KNOWN[] = {
+    {"v", REPORT_ITEMS},          {"f", REPORT_ITEMS},      {"g", REPORT_ITEMS},
+    {"o", REPORT_ITEMS},          {"s", REPORT_ITEMS},      {"mg", REPORT_ITEMS},
+    {"mtllib", REPORT_ITEMS},     {"maplib", REPORT_ITEMS}, {"cstype", REPORT_ITEMS},
+    {"deg", REPORT_ITEMS},        {"bmat", REPORT_ITEMS},   {"step", REPORT_ITEMS},
+    {"parm", REPORT_ITEMS},       {"trim", REPORT_ITEMS},   {"hole", REPORT_ITEMS},
+    {"scrv", REPORT_ITEMS},       {"sp", REPORT_ITEMS},     {"end", REPORT_ITEMS},
+    {"con", REPORT_ITEMS},        {"vp", REPORT_ITEMS},     {"lod", REPORT_ITEMS},
+    {"fo", REPORT_ITEMS},         {"vn", REPORT_NORMALS},   {"vt", REPORT_TEXTURES},
+    {"p", REPORT_POINTS},         {"l", REPORT_LINES},      {"curv", REPORT_CURVES},
+    {"curv2", REPORT_CURVES},     {"surf", REPORT_CURVES},  {"usemtl", REPORT_MATERIALS},
+    {"usemap", REPORT_MATERIALS},
 };
 
-static int is_known(word w) {
+/* Its number in KNOWN, or -1. */
+static int find_known(word w) {
     for (size_t i = 0; i < sizeof KNOWN / sizeof KNOWN[0]; i++) {
-        if (word_is(w, KNOWN[i])) {
-            return 1;
+        if (word_is(w, KNOWN[i].name)) {
+            return (int)i;
         }
     }
-    return 0;
+    return -1;
 }
 
 static int is_text(word w) {
@@ -50,15 +64,25 @@ static int fail_coordinate(reader *r) {
                        WORD_SHOWN(w));
 }
 
-/* What follows z (w, colours) is not used. */
+/* Numbers that follow z are not used: a weight, or three of a colour, or both. */
+static void read_colour(reader *r) {
+    float number;
+    int count = 0;
+    while (count < 4 && !scan_line_done(&r->text) && scan_float(&r->text, &number) == 0) {
+        count++;
+    }
+    r->in.count[REPORT_COLOURS] += count >= 3;
+}
+
 static int read_vertex(reader *r) {
-    float position[3];
+    real position[3];
     for (int axis = 0; axis < 3; axis++) {
-        if (scan_float(&r->text, &position[axis]) != 0) {
+        if (scan_real(&r->text, &position[axis]) != 0) {
             return fail_coordinate(r);
         }
     }
-    return intake_vertex(&r->in, position[0], position[1], position[2]);
+    read_colour(r);
+    return intake_vertex(&r->in, position);
 }
 
 /* "7", "7/1", "7/1/3" or "7//3": only the first number is used. */
@@ -92,13 +116,20 @@ static int read_corner(reader *r, chain *c) {
 }
 
 static int read_face(reader *r) {
-    chain c = {0};
+    chain c = intake_chain(&r->in, 0);
     while (!scan_line_done(&r->text) && *r->text.at != '#') {
         if (read_corner(r, &c) != 0) {
             return -1;
         }
     }
     return intake_polygon_end(&r->in, &c);
+}
+
+static void count_line(reader *r, int known) {
+    r->known_lines += known >= 0;
+    if (known >= 0 && KNOWN[known].item != REPORT_ITEMS) {
+        r->in.count[KNOWN[known].item]++;
+    }
 }
 
 /* A comment may end in a backslash (a path): it joins no lines. */
@@ -115,7 +146,7 @@ static int read_line(reader *r) {
                            WORD_SHOWN(w));
     }
     r->text.continued = is_vertex || is_face;
-    r->known_lines += (size_t)is_known(w);
+    count_line(r, find_known(w));
     return is_vertex ? read_vertex(r) : is_face ? read_face(r) : 0;
 }
 
@@ -135,12 +166,12 @@ int obj_is(const input *in) {
     scan s = scan_begin(in->bytes, in->size);
     while ((scan_line_done(&s) || *s.at == '#') && scan_next_line(&s)) {
     }
-    return is_known(scan_word(&s));
+    return find_known(scan_word(&s)) >= 0;
 }
 
-int obj_read(mesh *m, const input *in, mesh_repair *repair, fail *f) {
+int obj_read(mesh *m, const input *in, mesh_report *report, fail *f) {
     reader r = {
-        .in = intake_begin(m, in->path, repair, f),
+        .in = intake_begin(m, in->path, report, f),
         .text = scan_begin(in->bytes, in->size),
     };
     int result = read_lines(&r);

@@ -31,19 +31,29 @@ static void cos_sin(double degrees, double *c, double *s) {
     *s = sin(radians);
 }
 
-static void rotate(const rotation *r, const float from[3], double to[3]) {
-    const double x = (double)from[0], y = (double)from[1], z = (double)from[2];
+static void rotate(const rotation *r, const double from[3], double to[3]) {
+    const double x = from[0], y = from[1], z = from[2];
     const double z_rotated = r->sin_x * y + r->cos_x * z;
     to[0] = r->cos_y * x + r->sin_y * z_rotated;
     to[1] = r->cos_x * y - r->sin_x * z;
     to[2] = r->cos_y * z_rotated - r->sin_y * x;
 }
 
-static box box_of(const rotation *r, const mesh *m, size_t first_triangle) {
+/* A vertex of the mesh to be placed. */
+static void rotate_vertex(const rotation *r, const mesh *m, size_t vertex, int wide, double to[3]) {
+    double from[3];
+    for (int axis = 0; axis < 3; axis++) {
+        from[axis] =
+            wide ? mesh_wide(m, vertex, axis) : (double)m->vertex[3 * vertex + (size_t)axis];
+    }
+    rotate(r, from, to);
+}
+
+static box box_of(const rotation *r, const mesh *m, size_t first_triangle, int wide) {
     box b = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (size_t i = 3 * first_triangle; i < 3 * m->triangles; i++) {
         double p[3];
-        rotate(r, m->vertex + 3 * (size_t)m->triangle[i], p);
+        rotate_vertex(r, m, m->triangle[i], wide, p);
         for (int axis = 0; axis < 3; axis++) {
             b.low[axis] = fmin(b.low[axis], p[axis]);
             b.high[axis] = fmax(b.high[axis], p[axis]);
@@ -66,11 +76,11 @@ static int within(double x) {
 }
 
 int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t first_triangle,
-                    const char *path, fail *f) {
+                    int wide, const char *path, fail *f) {
     rotation r;
     cos_sin((double)p->angle_x, &r.cos_x, &r.sin_x);
     cos_sin((double)p->angle_y, &r.cos_y, &r.sin_y);
-    const box b = box_of(&r, m, first_triangle);
+    const box b = box_of(&r, m, first_triangle, wide);
     const double longest = longest_side(&b);
     if (!(longest > 0)) {
         return fail_set(f, path, "has no extent to scale; leave it out");
@@ -80,13 +90,16 @@ int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t fir
     for (size_t i = first_vertex; i < m->vertices; i++) {
         float *v = m->vertex + 3 * i;
         double rotated[3];
-        rotate(&r, v, rotated);
+        rotate_vertex(&r, m, i, wide, rotated);
         for (int axis = 0; axis < 3; axis++) {
             const double moved = (rotated[axis] - centre[axis]) * scale + (double)p->base[axis];
             if (!within(moved)) {
                 return fail_set(f, path, "its position is beyond +-2^40; choose smaller numbers");
             }
             v[axis] = (float)moved;
+            if (m->wide != NULL) {
+                m->wide[3 * i + (size_t)axis] = wide ? moved : (double)v[axis];
+            }
         }
     }
     return 0;

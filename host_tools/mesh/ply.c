@@ -1,7 +1,7 @@
 /* ply - reads the Polygon File Format: ASCII and binary, either order
  *
  * Elements and properties may stand in any order; what is not x, y, z or
- * a vertex list of `face` or `tristrips` is passed over.
+ * a vertex list of `face` or `tristrips` is passed over, and counted if it would be drawn.
  *
  * Keeps: each pass of a loop over a count from the file consumes at least one
  * byte or fails.
@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/mesh/ply_attributes.h"
+#include "host_tools/mesh/ply_body.h"
 #include "host_tools/mesh/ply_value.h"
 #include "host_tools/mesh/readers.h"
 
@@ -43,7 +45,7 @@ static const ply_property *find_corners(const ply_element *e) {
 }
 
 static int read_vertex(ply_reader *r, const ply_element *e, const ply_property *const axis[3]) {
-    float position[3] = {0};
+    real position[3] = {{0, 0}, {0, 0}, {0, 0}};
     for (size_t i = 0; i < e->properties; i++) {
         const ply_property *p = &e->property[i];
         const int k = p == axis[0] ? 0 : p == axis[1] ? 1 : p == axis[2] ? 2 : 3;
@@ -51,14 +53,14 @@ static int read_vertex(ply_reader *r, const ply_element *e, const ply_property *
             return -1;
         }
     }
-    return intake_vertex(&r->in, position[0], position[1], position[2]);
+    return intake_vertex(&r->in, position);
 }
 
 static int read_face(ply_reader *r, const ply_element *e, const ply_property *corners,
                      int is_strip) {
     for (size_t i = 0; i < e->properties; i++) {
         const ply_property *p = &e->property[i];
-        chain c = {.is_strip = is_strip};
+        chain c = intake_chain(&r->in, is_strip);
         if (p == corners ? read_corners(r, p, &c) != 0 : ply_skip(r, p) != 0) {
             return -1;
         }
@@ -134,6 +136,7 @@ static int read_element(ply_reader *r, const ply_element *e, const input *in) {
     if (find_role(&what, e, in, r->in.f) != 0) {
         return -1;
     }
+    ply_count_attributes(e, r->in.count);
     r->in.at = (location){.what = NAMES[what.kind]};
     for (uint64_t i = 0; i < e->count; i++) {
         r->in.at.number = i;
@@ -146,20 +149,15 @@ static int read_element(ply_reader *r, const ply_element *e, const input *in) {
     return 0;
 }
 
-static int check_end(ply_reader *r) {
-    r->in.at = (location){.byte = (size_t)(r->data.at - r->bytes)};
-    if (r->header->format == PLY_ASCII) {
-        while (scan_line_done(&r->data) && scan_next_line(&r->data)) {
-        }
-        r->in.at.line = r->data.line;
+/* What follows the last element is of no use; line ends are not worth a word. */
+static void count_loose_bytes(ply_reader *r) {
+    int is_loose = 0;
+    while (r->header->format == PLY_ASCII && scan_line_done(&r->data) && scan_next_line(&r->data)) {
     }
-    if (r->data.at == r->data.end || r->in.repair->wanted) {
-        return 0;
+    for (const unsigned char *c = r->data.at; c < r->data.end; c++) {
+        is_loose |= *c != '\n' && *c != '\r';
     }
-    return intake_fail(&r->in,
-                       "%zu bytes more than the header declares; "
-                       "correct its counts or use pack --repair to ignore them",
-                       (size_t)(r->data.end - r->data.at));
+    r->in.count[REPORT_LOOSE_BYTES] += is_loose ? (uint64_t)(r->data.end - r->data.at) : 0;
 }
 
 /* Room for what the header announces; its counts were checked against the file size. */
@@ -190,7 +188,21 @@ static int read_data(ply_reader *r, const input *in) {
             return -1;
         }
     }
-    return check_end(r);
+    count_loose_bytes(r);
+    return 0;
+}
+
+/* A body of other types than the header's shows in faces that make no sense. */
+static int read_body(ply_reader *r, const input *in, fail *f) {
+    fail inner = {{0}};
+    r->in.f = &inner;
+    const int status = read_data(r, in);
+    r->in.f = f;
+    if ((status != 0 || r->in.count[REPORT_SMALL_FACES] > 0) &&
+        ply_body_check(r->header, in, f) != 0) {
+        return -1;
+    }
+    return status == 0 ? 0 : fail_set(f, NULL, "%s", inner.text);
 }
 
 int ply_is(const input *in) {
@@ -198,7 +210,7 @@ int ply_is(const input *in) {
            (in->bytes[3] == '\n' || in->bytes[3] == '\r' || in->bytes[3] == ' ');
 }
 
-int ply_read(mesh *m, const input *in, mesh_repair *repair, fail *f) {
+int ply_read(mesh *m, const input *in, mesh_report *report, fail *f) {
     ply_header *header = malloc(sizeof *header);
     if (!header) {
         return fail_set(f, in->path, "out of memory; close other programs");
@@ -206,8 +218,9 @@ int ply_read(mesh *m, const input *in, mesh_repair *repair, fail *f) {
     int result = ply_header_read(header, in, f);
     if (result == 0) {
         ply_reader r = {.header = header, .bytes = in->bytes, .data = header->data};
-        r.in = intake_begin(m, in->path, repair, f);
-        result = read_data(&r, in);
+        r.in = intake_begin(m, in->path, report, f);
+        r.in.count[REPORT_UNKNOWN_LINES] = header->unknown_lines;
+        result = read_body(&r, in, f);
         if (result == 0) {
             result = intake_finish(&r.in);
         } else {

@@ -3,8 +3,10 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/ply_header.h"
 
+#include <string.h>
+
 size_t ply_type_bytes(ply_type type) {
-    static const size_t BYTES[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    static const size_t BYTES[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
     return BYTES[type];
 }
 
@@ -18,7 +20,7 @@ static int type_of(word w, ply_type *type) {
         {"float", PLY_FLOAT32},   {"double", PLY_FLOAT64}, {"int8", PLY_INT8},
         {"uint8", PLY_UINT8},     {"int16", PLY_INT16},    {"uint16", PLY_UINT16},
         {"int32", PLY_INT32},     {"uint32", PLY_UINT32},  {"float32", PLY_FLOAT32},
-        {"float64", PLY_FLOAT64},
+        {"float64", PLY_FLOAT64}, {"int64", PLY_INT64},    {"uint64", PLY_UINT64},
     };
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
         if (word_is(w, NAMES[i].name)) {
@@ -126,6 +128,30 @@ static int read_property(ply_header *h, scan *s, const input *in, fail *f) {
     return 0;
 }
 
+/* A slip of the pen in a keyword must not be passed over: it would shift all data. */
+static int is_slip(word w) {
+    static const char *const HEADS[] = {"prop", "elem", "form", "list", "end"};
+    for (size_t i = 0; i < sizeof HEADS / sizeof HEADS[0]; i++) {
+        const size_t length = strlen(HEADS[i]);
+        const word head = {w.text, w.length < length ? w.length : length};
+        if (word_is_in_any_case(head, HEADS[i])) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int pass_over(ply_header *h, word first, scan *s, const input *in, fail *f) {
+    if (is_slip(first)) {
+        return fail_set(f, in->path,
+                        "line %zu: '%.*s' in the header looks like a misspelt keyword; correct it, "
+                        "or make the line a comment",
+                        s->line, WORD_SHOWN(first));
+    }
+    h->unknown_lines++;
+    return 1;
+}
+
 /* 1: the header goes on, 0: this was its last line. */
 static int read_line(ply_header *h, scan *s, const input *in, fail *f) {
     const word first = scan_word(s);
@@ -143,8 +169,7 @@ static int read_line(ply_header *h, scan *s, const input *in, fail *f) {
     } else if (word_is(first, "property")) {
         result = read_property(h, s, in, f);
     } else {
-        return fail_set(f, in->path, "line %zu: '%.*s' in the header; make it a comment", s->line,
-                        WORD_SHOWN(first));
+        return pass_over(h, first, s, in, f);
     }
     if (result == 0 && !scan_line_done(s)) {
         return fail_set(f, in->path, "line %zu: more words than expected; remove them", s->line);

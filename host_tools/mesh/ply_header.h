@@ -20,6 +20,8 @@ typedef enum ply_type {
     PLY_UINT16,
     PLY_INT32,
     PLY_UINT32,
+    PLY_INT64,
+    PLY_UINT64,
     PLY_FLOAT32,
     PLY_FLOAT64,
 } ply_type;
@@ -47,6 +49,7 @@ typedef struct ply_header {
     size_t elements;
     ply_property property[PLY_PROPERTIES_MAX];
     size_t properties;
+    size_t unknown_lines;
     scan data; /* begins after the header */
 } ply_header;
 

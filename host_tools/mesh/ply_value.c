@@ -34,6 +34,8 @@ static double value_of(uint64_t bits, ply_type type) {
         return (double)(int16_t)bits;
     case PLY_INT32:
         return (double)(int32_t)bits;
+    case PLY_INT64:
+        return (double)(int64_t)bits;
     case PLY_FLOAT32:
         return float_of(bits);
     case PLY_FLOAT64:
@@ -43,17 +45,25 @@ static double value_of(uint64_t bits, ply_type type) {
     }
 }
 
-static int binary_value(ply_reader *r, ply_type type, double *value) {
+static int binary_bits(ply_reader *r, ply_type type, uint64_t *bits) {
     const size_t size = ply_type_bytes(type);
     if ((size_t)(r->data.end - r->data.at) < size) {
         return fail_short(r);
     }
     const int little = r->header->format == PLY_LITTLE;
-    uint64_t bits = 0;
+    *bits = 0;
     for (size_t i = 0; i < size; i++) {
-        bits = bits << 8 | r->data.at[little ? size - 1 - i : i];
+        *bits = *bits << 8 | r->data.at[little ? size - 1 - i : i];
     }
     r->data.at += size;
+    return 0;
+}
+
+static int binary_value(ply_reader *r, ply_type type, double *value) {
+    uint64_t bits = 0;
+    if (binary_bits(r, type, &bits) != 0) {
+        return -1;
+    }
     *value = value_of(bits, type);
     return 0;
 }
@@ -70,9 +80,9 @@ static int find_value(ply_reader *r) {
     return 0;
 }
 
-static int fail_number(ply_reader *r) {
+static int fail_number(ply_reader *r, const char *kind) {
     const word w = scan_word(&r->data);
-    return intake_fail(&r->in, "'%.*s' where a number belongs; correct it", WORD_SHOWN(w));
+    return intake_fail(&r->in, "'%.*s' where a %snumber belongs; correct it", WORD_SHOWN(w), kind);
 }
 
 static int is_whole(double value) {
@@ -88,17 +98,17 @@ int ply_integer(ply_reader *r, ply_type type, int64_t *value) {
         *value = is_whole(number) ? (int64_t)number : INTAKE_MISSING;
         return 0;
     }
-    float fraction;
+    real fraction;
     if (find_value(r) != 0) {
         return -1;
     }
     if (scan_integer(&r->data, value) == 0) {
         return 0;
     }
-    if (type < PLY_FLOAT32 || scan_float(&r->data, &fraction) != 0) {
-        return fail_number(r);
+    if (type < PLY_FLOAT32 || scan_real(&r->data, &fraction) != 0) {
+        return fail_number(r, type < PLY_FLOAT32 ? "whole " : "");
     }
-    *value = is_whole((double)fraction) ? (int64_t)fraction : INTAKE_MISSING;
+    *value = is_whole(fraction.wide) ? (int64_t)fraction.wide : INTAKE_MISSING;
     return 0;
 }
 
@@ -110,19 +120,26 @@ static float narrow(double value) {
     return (float)value;
 }
 
-int ply_coordinate(ply_reader *r, ply_type type, float *value) {
-    double number;
+/* 64 bits are rounded to single precision at once, not by way of double. */
+static float single_of(uint64_t bits, ply_type type) {
+    return type == PLY_INT64    ? (float)(int64_t)bits
+           : type == PLY_UINT64 ? (float)bits
+                                : narrow(value_of(bits, type));
+}
+
+int ply_coordinate(ply_reader *r, ply_type type, real *value) {
+    uint64_t bits = 0;
     if (r->header->format != PLY_ASCII) {
-        if (binary_value(r, type, &number) != 0) {
+        if (binary_bits(r, type, &bits) != 0) {
             return -1;
         }
-        *value = narrow(number);
+        *value = (real){single_of(bits, type), value_of(bits, type)};
         return 0;
     }
     if (find_value(r) != 0) {
         return -1;
     }
-    return scan_float(&r->data, value) == 0 ? 0 : fail_number(r);
+    return scan_real(&r->data, value) == 0 ? 0 : fail_number(r, "");
 }
 
 int ply_count(ply_reader *r, const ply_property *p, uint64_t *count) {

@@ -15,7 +15,7 @@ typedef struct ply_reader {
     intake in;
 } ply_reader;
 
-int ply_coordinate(ply_reader *r, ply_type type, float *value);
+int ply_coordinate(ply_reader *r, ply_type type, real *value);
 
 /* INTAKE_MISSING for a float that is not whole: lists of vertex numbers
  * may be of any type. */

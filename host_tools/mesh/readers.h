@@ -10,12 +10,13 @@
 #include "host_tools/mesh/mesh.h"
 
 int ply_is(const input *in);
-int ply_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
+int ply_read(mesh *m, const input *in, mesh_report *report, fail *f);
 
 int obj_is(const input *in); /* for files whose name says nothing */
-int obj_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
+int obj_read(mesh *m, const input *in, mesh_report *report, fail *f);
 
 int stl_is(const input *in);
-int stl_read(mesh *m, const input *in, mesh_repair *repair, fail *f);
+int stl_may_be(const input *in); /* for files whose name says nothing, after all others */
+int stl_read(mesh *m, const input *in, mesh_report *report, fail *f);
 
 #endif

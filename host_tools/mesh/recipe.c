@@ -16,6 +16,7 @@
 
 #include "host_tools/mesh/mesh_single.h"
 #include "host_tools/mesh/placement.h"
+#include "host_tools/mesh/precision.h"
 #include "host_tools/mesh/scan.h"
 
 enum { FRAMES_MAX = 1000, FRAME_DIGITS_BYTES = 16 };
@@ -25,7 +26,7 @@ typedef struct reader {
     const char *path;
     size_t directory_length; /* of `path`, with its slash */
     unsigned frame;
-    mesh_repair *repair;
+    mesh_report *report;
     scan text;
     fail *f;
 } reader;
@@ -125,6 +126,14 @@ static int read_placement(reader *r, placement *p) {
     return 0;
 }
 
+/* Before the floats are placed: what their rounding has done to them. */
+static void note_precision(reader *r, size_t first_triangle) {
+    static const double NOWHERE[3] = {0, 0, 0};
+    const precision p = precision_of(r->m, first_triangle, r->m->triangles, NOWHERE);
+    r->report->moved = fmax(r->report->moved, p.relative);
+    r->report->vanished += p.vanished;
+}
+
 static int add_mesh(reader *r, const source *s, const placement *p) {
     const size_t first_vertex = r->m->vertices, first_triangle = r->m->triangles;
     char *path = path_of(r, s);
@@ -133,9 +142,13 @@ static int add_mesh(reader *r, const source *s, const placement *p) {
     }
     fail inner = {{0}};
     int result = strcmp(path, "-") == 0 ? fail_set(&inner, path, "is standard input; name a file")
-                                        : mesh_read_single(r->m, path, r->repair, &inner);
+                                        : mesh_read_single(r->m, path, r->report, &inner);
     if (result == 0) {
-        result = placement_apply(p, r->m, first_vertex, first_triangle, path, &inner);
+        if (!r->report->centred) {
+            note_precision(r, first_triangle);
+        }
+        result = placement_apply(p, r->m, first_vertex, first_triangle, r->report->centred, path,
+                                 &inner);
     }
     free(path);
     return result == 0 ? 0 : fail_line(r, inner.text);
@@ -158,15 +171,15 @@ static size_t directory_length(const char *path) {
     return slash ? (size_t)(slash - path) + 1 : 0;
 }
 
-int recipe_read(mesh *m, const input *in, unsigned frame, mesh_repair *repair, fail *f) {
+int recipe_read(mesh *m, const input *in, unsigned frame, mesh_report *report, fail *f) {
     const size_t vertices = m->vertices, triangles = m->triangles;
-    const mesh_repair before = *repair;
+    const mesh_report before = *report;
     reader r = {
         .m = m,
         .path = in->path,
         .directory_length = directory_length(in->path),
         .frame = frame,
-        .repair = repair,
+        .report = report,
         .text = scan_begin(in->bytes, in->size),
         .f = f,
     };
@@ -174,7 +187,7 @@ int recipe_read(mesh *m, const input *in, unsigned frame, mesh_repair *repair, f
         if (read_line(&r) != 0) {
             m->vertices = vertices;
             m->triangles = triangles;
-            *repair = before;
+            *report = before;
             return -1;
         }
     } while (scan_next_line(&r.text));

@@ -8,6 +8,6 @@
 
 /* Appends the meshes of the recipe in `in` to `m`, of sequences their frame `frame`; the
  * contract is that of readers.h. */
-int recipe_read(mesh *m, const input *in, unsigned frame, mesh_repair *repair, fail *f);
+int recipe_read(mesh *m, const input *in, unsigned frame, mesh_report *report, fail *f);
 
 #endif

@@ -32,8 +32,12 @@ static size_t joint(const scan *s, const unsigned char *at) {
     if (!s->continued || at == s->end || *at != '\\') {
         return 0;
     }
-    const size_t ending = line_end(s, at + 1);
-    return ending ? 1 + ending : 0;
+    const unsigned char *after = at + 1;
+    while (after < s->end && is_blank(*after)) {
+        after++;
+    }
+    const size_t ending = line_end(s, after);
+    return ending ? (size_t)(after - at) + ending : 0;
 }
 
 static int ends_word(const scan *s, const unsigned char *at) {
@@ -96,6 +100,11 @@ int scan_float(scan *s, float *value) {
     return advance(s, decimal_float(s->at, s->end, value));
 }
 
+int scan_real(scan *s, real *value) {
+    skip_blanks(s);
+    return advance(s, decimal_real(s->at, s->end, value));
+}
+
 int scan_integer(scan *s, int64_t *value) {
     skip_blanks(s);
     return advance(s, decimal_integer(s->at, s->end, value));
@@ -103,6 +112,14 @@ int scan_integer(scan *s, int64_t *value) {
 
 int word_is(word w, const char *text) {
     return strlen(text) == w.length && memcmp(w.text, text, w.length) == 0;
+}
+
+int word_is_in_any_case(word w, const char *lower) {
+    size_t i = 0;
+    while (i < w.length && lower[i] && (w.text[i] == lower[i] || (w.text[i] | 0x20) == lower[i])) {
+        i++;
+    }
+    return i == w.length && !lower[i];
 }
 
 int word_is_word(word a, word b) {

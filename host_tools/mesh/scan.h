@@ -8,10 +8,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "host_tools/mesh/real.h"
+
 typedef struct scan {
     const unsigned char *at, *end;
     size_t line;   /* from 1 */
-    int continued; /* 1: a backslash before the line end joins the lines */
+    int continued; /* 1: a backslash before the line end joins the lines, also one with
+                    * blanks behind it */
 } scan;
 
 typedef struct word {
@@ -28,9 +31,11 @@ word scan_word(scan *s);
 /* The next word as a number: 0, or -1 when it is none; then it is still
  * the next word. */
 int scan_float(scan *s, float *value);
+int scan_real(scan *s, real *value);
 int scan_integer(scan *s, int64_t *value);
 
 int word_is(word w, const char *text);
+int word_is_in_any_case(word w, const char *lower);
 int word_is_word(word a, word b);
 int word_integer(word w, int64_t *value); /* 0 or -1 */
 

@@ -1,8 +1,11 @@
 /* stl - reads stereolithography files, binary and ASCII; corners are welded
  *
- * Binary is what has the size that its triangle count at byte 80 asks for,
- * whatever its first 80 bytes say ("solid" among others). An ASCII file of
- * that size would begin with a count above 2^27 and be over 7 GB long.
+ * ASCII is text that begins with "solid" in any case, or any text under a name in .stl. All
+ * else is binary, whatever its first 80 bytes say ("solid" among others). Its size says how
+ * many triangles there are when it is whole; the count at byte 80 is wrong in some files.
+ *
+ * Around and between solids of ASCII may stand comments, zero bytes and the end-of-file
+ * byte 0x1A of old systems; "endsolid" may be two words, or missing.
  *
  * Source: 3D Systems, StereoLithography Interface Specification, 1988.
  *
@@ -19,42 +22,87 @@ enum { HEADER_BYTES = 84, TRIANGLE_BYTES = 50, NORMAL_BYTES = 12 };
 typedef struct reader {
     intake in;
     weld welded;
-    scan text; /* ASCII only */
+    scan text;      /* ASCII only */
+    int big_endian; /* binary only: against the format, but some programs can */
 } reader;
 
 static uint32_t read32(const unsigned char *at) {
     return (uint32_t)at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
 }
 
-static uint64_t binary_bytes(const input *in) {
+static uint32_t read32_big(const unsigned char *at) {
+    return (uint32_t)at[3] | (uint32_t)at[2] << 8 | (uint32_t)at[1] << 16 | (uint32_t)at[0] << 24;
+}
+
+static uint64_t counted_bytes(const input *in) {
     return HEADER_BYTES + (uint64_t)TRIANGLE_BYTES * read32(in->bytes + HEADER_BYTES - 4);
 }
 
-static int is_binary(const input *in) {
-    return in->size >= HEADER_BYTES && in->size == binary_bytes(in);
+/* An ASCII file of just the size that its bytes 80 to 83 ask for would be over 7 GB long. */
+static int has_counted_size(const input *in) {
+    return in->size >= HEADER_BYTES && in->size == counted_bytes(in);
+}
+
+static int is_filler(unsigned char c) {
+    return c == 0 || c == 0x1a;
+}
+
+static int is_control(unsigned char c) {
+    return (c < 0x20 && !(c >= '\t' && c <= '\r')) || c == 0x7f;
+}
+
+/* The text, without filler bytes around it. */
+static scan text_of(const input *in) {
+    const unsigned char *first = in->bytes, *last = in->bytes + in->size;
+    while (first < last && is_filler(*first)) {
+        first++;
+    }
+    while (last > first && is_filler(last[-1])) {
+        last--;
+    }
+    return scan_begin(first, (size_t)(last - first));
+}
+
+/* The first bytes that are no filler are text. */
+static int is_text(const input *in) {
+    const scan s = text_of(in);
+    for (size_t i = 0; i < 1024 && s.at + i < s.end; i++) {
+        if (is_control(s.at[i])) {
+            return 0;
+        }
+    }
+    return s.at < s.end;
+}
+
+static int is_comment(const scan *s) {
+    return *s->at == '#' || *s->at == ';' || (s->end - s->at > 1 && memcmp(s->at, "//", 2) == 0);
+}
+
+/* Moves over blanks, line ends, and comments where those may stand. */
+static void find_next(scan *s, int comments) {
+    while ((scan_line_done(s) || (comments && is_comment(s))) && scan_next_line(s)) {
+    }
 }
 
 static int is_ascii(const input *in) {
-    const size_t looked_at = in->size < 1024 ? in->size : 1024;
-    scan s = scan_begin(in->bytes, in->size);
-    while (scan_line_done(&s) && scan_next_line(&s)) {
-    }
-    return word_is(scan_word(&s), "solid") && !memchr(in->bytes, 0, looked_at);
+    scan s = text_of(in);
+    find_next(&s, 1);
+    return word_is_in_any_case(scan_word(&s), "solid") && is_text(in);
 }
 
 /* A vertex that the intake replaced is not welded: it is not at 0. */
-static int add_corner(reader *r, chain *c, const float position[3]) {
+static int add_corner(reader *r, chain *c, const real position[3]) {
     mesh *m = r->in.m;
     uint32_t *slot = weld_find(&r->welded, position);
     if (!slot) {
         return intake_fail(&r->in, "out of memory; split the mesh");
     }
-    const uint64_t bad = r->in.bad_vertices;
+    const uint64_t bad = r->in.count[REPORT_BAD_VERTICES];
     if (*slot == 0) {
-        if (intake_vertex(&r->in, position[0], position[1], position[2]) != 0) {
+        if (intake_vertex(&r->in, position) != 0) {
             return -1;
         }
-        if (r->in.bad_vertices == bad) {
+        if (r->in.count[REPORT_BAD_VERTICES] == bad) {
             *slot = (uint32_t)m->vertices;
             r->welded.used++;
         }
@@ -65,12 +113,15 @@ static int add_corner(reader *r, chain *c, const float position[3]) {
 }
 
 static int read_binary_triangle(reader *r, const unsigned char *at) {
-    chain c = {0};
+    chain c = intake_chain(&r->in, 0);
     for (int k = 0; k < 3; k++) {
-        float position[3];
+        real position[3];
         for (int axis = 0; axis < 3; axis++) {
-            const uint32_t bits = read32(at + NORMAL_BYTES + 12 * k + 4 * axis);
-            memcpy(&position[axis], &bits, sizeof bits);
+            const unsigned char *coordinate = at + NORMAL_BYTES + 12 * k + 4 * axis;
+            const uint32_t bits = r->big_endian ? read32_big(coordinate) : read32(coordinate);
+            float value;
+            memcpy(&value, &bits, sizeof bits);
+            position[axis] = real_of_float(value);
         }
         if (add_corner(r, &c, position) != 0) {
             return -1;
@@ -79,52 +130,70 @@ static int read_binary_triangle(reader *r, const unsigned char *at) {
     return 0;
 }
 
-static int check_size(const reader *r, const input *in) {
+/* Triangles of a binary file: by its size when that is whole, else by its count. */
+static int count_binary(reader *r, const input *in, uint64_t *triangles) {
     if (in->size < HEADER_BYTES) {
         return fail_set(r->in.f, in->path,
                         "byte %zu: ends inside the %d byte header of a binary STL; get it again",
                         in->size, HEADER_BYTES);
     }
-    const unsigned long long asked = binary_bytes(in);
+    const uint64_t counted = read32(in->bytes + HEADER_BYTES - 4);
+    const uint64_t held = (in->size - HEADER_BYTES) / TRIANGLE_BYTES;
+    const unsigned long long asked = counted_bytes(in);
+    *triangles = held;
+    if ((in->size - HEADER_BYTES) % TRIANGLE_BYTES == 0) {
+        r->big_endian = held != counted && held == read32_big(in->bytes + HEADER_BYTES - 4);
+        if (r->big_endian) {
+            r->in.count[REPORT_SWAPPED] += held;
+            return 0;
+        }
+        r->in.count[REPORT_MISCOUNTED] += held > counted ? held - counted : counted - held;
+        return 0;
+    }
     if (in->size < asked) {
         return fail_set(r->in.f, in->path,
                         "byte 80: %llu triangles take %llu bytes, but the file has %zu; "
                         "it is cut short or no STL: get it again",
-                        (asked - HEADER_BYTES) / TRIANGLE_BYTES, asked, in->size);
+                        (unsigned long long)counted, asked, in->size);
     }
-    if (in->size > asked && !r->in.repair->wanted) {
+    if (!r->in.report->repair) {
         return fail_set(r->in.f, in->path,
                         "byte %llu: %llu bytes more than the triangle count at byte 80 says; "
                         "correct it or use pack --repair to ignore them",
                         asked, (unsigned long long)in->size - asked);
     }
+    *triangles = counted;
+    r->in.count[REPORT_LOOSE_BYTES] += in->size - asked;
     return 0;
 }
 
+/* Two programs' ways to colour a triangle in the two bytes behind it: bit 15 set, or
+ * anything when the header has a colour of all. */
+static int is_coloured(const input *in, const unsigned char *triangle) {
+    const unsigned attribute = triangle[TRIANGLE_BYTES - 2] | triangle[TRIANGLE_BYTES - 1] << 8;
+    return attribute >> 15 || (attribute != 0 && memcmp(in->bytes, "COLOR=", 6) == 0);
+}
+
 static int read_binary(reader *r, const input *in) {
-    if (check_size(r, in) != 0) {
+    uint64_t triangles = 0;
+    if (count_binary(r, in, &triangles) != 0) {
         return -1;
     }
-    const uint64_t triangles = read32(in->bytes + HEADER_BYTES - 4);
     for (uint64_t i = 0; i < triangles; i++) {
         const size_t byte = HEADER_BYTES + (size_t)i * TRIANGLE_BYTES;
         r->in.at = (location){.what = "triangle", .number = i, .byte = byte};
         if (read_binary_triangle(r, in->bytes + byte) != 0) {
             return -1;
         }
+        r->in.count[REPORT_COLOURS] += (uint64_t)is_coloured(in, in->bytes + byte);
     }
     return 0;
 }
 
-/* Moves over line ends to the next word; its length is 0 at the end of the text. */
-static void find_word(reader *r) {
-    while (scan_line_done(&r->text) && scan_next_line(&r->text)) {
-    }
+/* The next word, which is empty at the end of the text. */
+static word next_word(reader *r, int comments) {
+    find_next(&r->text, comments);
     r->in.at.line = r->text.line;
-}
-
-static word next_word(reader *r) {
-    find_word(r);
     return scan_word(&r->text);
 }
 
@@ -136,14 +205,31 @@ static int fail_word(reader *r, word w, const char *expected) {
 }
 
 static int expect(reader *r, const char *expected) {
-    const word w = next_word(r);
-    return word_is(w, expected) ? 0 : fail_word(r, w, expected);
+    const word w = next_word(r, 0);
+    return word_is_in_any_case(w, expected) ? 0 : fail_word(r, w, expected);
 }
 
-static int read_position(reader *r, float position[3]) {
+/* Whether `w` is "end" and `rest`, as one word or as two. */
+static int ends(reader *r, word w, const char *rest) {
+    if (word_is_in_any_case(w, "end")) {
+        scan ahead = r->text;
+        find_next(&ahead, 0);
+        if (word_is_in_any_case(scan_word(&ahead), rest)) {
+            r->text = ahead;
+            return 1;
+        }
+        return 0;
+    }
+    const word head = {w.text, w.length < 3 ? w.length : 3};
+    const word tail = {w.text + head.length, w.length - head.length};
+    return word_is_in_any_case(head, "end") && word_is_in_any_case(tail, rest);
+}
+
+static int read_position(reader *r, real position[3]) {
     for (int axis = 0; axis < 3; axis++) {
-        find_word(r);
-        if (scan_float(&r->text, &position[axis]) != 0) {
+        find_next(&r->text, 0);
+        r->in.at.line = r->text.line;
+        if (scan_real(&r->text, &position[axis]) != 0) {
             return fail_word(r, scan_word(&r->text), "a number");
         }
     }
@@ -157,45 +243,79 @@ static int read_facet_begin(reader *r) {
         return -1;
     }
     for (int axis = 0; axis < 3; axis++) {
-        next_word(r);
+        next_word(r, 0);
     }
     return expect(r, "outer") != 0 ? -1 : expect(r, "loop");
 }
 
-static int read_facet(reader *r) {
-    chain c = {0};
-    if (read_facet_begin(r) != 0) {
-        return -1;
-    }
+static int read_loop(reader *r, chain *c) {
     for (;;) {
-        const word w = next_word(r);
-        if (word_is(w, "endloop")) {
-            break;
+        const word w = next_word(r, 0);
+        if (ends(r, w, "loop")) {
+            return 0;
         }
-        float position[3];
-        if (!word_is(w, "vertex")) {
+        real position[3];
+        if (!word_is_in_any_case(w, "vertex")) {
             return fail_word(r, w, "vertex");
         }
-        if (read_position(r, position) != 0 || add_corner(r, &c, position) != 0) {
+        if (read_position(r, position) != 0 || add_corner(r, c, position) != 0) {
             return -1;
         }
     }
-    return intake_polygon_end(&r->in, &c) != 0 ? -1 : expect(r, "endfacet");
+}
+
+/* A facet is a face of three corners at least: fewer are damage. */
+static int read_loop_end(reader *r, const chain *c) {
+    if (c->corners >= 3) {
+        return intake_polygon_end(&r->in, c);
+    }
+    if (!r->in.report->repair) {
+        return intake_fail(&r->in, "a face of %llu corners; use pack --repair to drop it",
+                           (unsigned long long)c->corners);
+    }
+    r->in.count[REPORT_BAD_FACES]++;
+    return 0;
+}
+
+static int read_facet(reader *r) {
+    chain c = intake_chain(&r->in, 0);
+    if (read_facet_begin(r) != 0 || read_loop(r, &c) != 0 || read_loop_end(r, &c) != 0) {
+        return -1;
+    }
+    const word w = next_word(r, 0);
+    return ends(r, w, "facet") ? 0 : fail_word(r, w, "endfacet");
+}
+
+/* The solid that is open ends without endsolid; one without facets is damage. */
+static int end_without_word(reader *r, size_t first_triangle) {
+    if (r->in.m->triangles == first_triangle) {
+        return fail_word(r, (word){"", 0}, "facet or endsolid");
+    }
+    r->in.count[REPORT_UNENDED]++;
+    return 0;
 }
 
 /* One or more of: solid NAME ... endsolid NAME; a name may be anything. */
 static int read_ascii(reader *r) {
     int open = 0;
+    size_t first_triangle = 0; /* of the open solid */
     for (;;) {
-        const word w = next_word(r);
-        if (word_is(w, open ? "endsolid" : "solid")) {
-            open = !open;
+        const word w = next_word(r, 1);
+        const int begins = word_is_in_any_case(w, "solid");
+        if (open && ends(r, w, "solid")) {
+            open = 0;
             scan_next_line(&r->text);
-        } else if (open && word_is(w, "facet")) {
+        } else if (open && (begins || w.length == 0) && end_without_word(r, first_triangle) != 0) {
+            return -1;
+        } else if (begins) {
+            open = 1;
+            first_triangle = r->in.m->triangles;
+            scan_next_line(&r->text);
+        } else if (open && word_is_in_any_case(w, "facet")) {
             if (read_facet(r) != 0) {
                 return -1;
             }
-        } else if (w.length == 0 && !open) {
+        } else if (w.length == 0) {
             return 0;
         } else {
             return fail_word(r, w, open ? "facet or endsolid" : "solid");
@@ -204,16 +324,21 @@ static int read_ascii(reader *r) {
 }
 
 int stl_is(const input *in) {
-    return is_binary(in) || is_ascii(in);
+    return has_counted_size(in) || is_ascii(in);
 }
 
-int stl_read(mesh *m, const input *in, mesh_repair *repair, fail *f) {
+int stl_may_be(const input *in) {
+    return in->size > HEADER_BYTES && (in->size - HEADER_BYTES) % TRIANGLE_BYTES == 0 &&
+           !is_text(in);
+}
+
+int stl_read(mesh *m, const input *in, mesh_report *report, fail *f) {
     reader r = {
-        .in = intake_begin(m, in->path, repair, f),
+        .in = intake_begin(m, in->path, report, f),
         .welded = {.m = m},
-        .text = scan_begin(in->bytes, in->size),
+        .text = text_of(in),
     };
-    int result = !is_binary(in) && is_ascii(in) ? read_ascii(&r) : read_binary(&r, in);
+    int result = !has_counted_size(in) && is_text(in) ? read_ascii(&r) : read_binary(&r, in);
     weld_free(&r.welded);
     if (result == 0) {
         result = intake_finish(&r.in);

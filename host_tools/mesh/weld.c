@@ -10,21 +10,39 @@
 
 enum { FIRST_SLOTS = 1024 };
 
+typedef struct key {
+    uint64_t bits[3];
+} key;
+
+static key key_of(const double position[3]) {
+    key k;
+    memcpy(k.bits, position, sizeof k.bits);
+    return k;
+}
+
+static key key_of_vertex(const mesh *m, size_t vertex) {
+    return key_of((const double[3]){mesh_wide(m, vertex, 0), mesh_wide(m, vertex, 1),
+                                    mesh_wide(m, vertex, 2)});
+}
+
 /* Multiplies and folds: the upper bits of a product depend on all bits of both factors. */
-static size_t hash(const float position[3]) {
-    uint32_t bits[3];
-    memcpy(bits, position, sizeof bits);
+static size_t hash(const key *k) {
     uint64_t h = 0x9e3779b97f4a7c15u;
     for (int i = 0; i < 3; i++) {
-        h = (h ^ bits[i]) * 0xd6e8feb86659fd93u;
+        h = (h ^ k->bits[i]) * 0xd6e8feb86659fd93u;
         h ^= h >> 32;
     }
     return (size_t)h;
 }
 
-static uint32_t *probe(const mesh *m, uint32_t *slot, size_t slots, const float position[3]) {
-    size_t at = hash(position) & (slots - 1);
-    while (slot[at] && memcmp(m->vertex + 3 * (size_t)(slot[at] - 1), position, 12) != 0) {
+static int is_key_of(const key *k, const mesh *m, size_t vertex) {
+    const key other = key_of_vertex(m, vertex);
+    return memcmp(k, &other, sizeof other) == 0;
+}
+
+static uint32_t *probe(const mesh *m, uint32_t *slot, size_t slots, const key *k) {
+    size_t at = hash(k) & (slots - 1);
+    while (slot[at] && !is_key_of(k, m, (size_t)slot[at] - 1)) {
         at = (at + 1) & (slots - 1);
     }
     return &slot[at];
@@ -38,7 +56,8 @@ static int grow(weld *w) {
     }
     for (size_t i = 0; i < w->slots; i++) {
         if (w->slot[i]) {
-            *probe(w->m, slot, slots, w->m->vertex + 3 * (size_t)(w->slot[i] - 1)) = w->slot[i];
+            const key k = key_of_vertex(w->m, (size_t)w->slot[i] - 1);
+            *probe(w->m, slot, slots, &k) = w->slot[i];
         }
     }
     free(w->slot);
@@ -47,11 +66,12 @@ static int grow(weld *w) {
     return 0;
 }
 
-uint32_t *weld_find(weld *w, const float position[3]) {
+uint32_t *weld_find(weld *w, const real position[3]) {
     if (w->used >= w->slots / 2 && grow(w) != 0) {
         return NULL;
     }
-    return probe(w->m, w->slot, w->slots, position);
+    const key k = key_of((const double[3]){position[0].wide, position[1].wide, position[2].wide});
+    return probe(w->m, w->slot, w->slots, &k);
 }
 
 void weld_free(weld *w) {

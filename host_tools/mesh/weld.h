@@ -1,7 +1,7 @@
 /* weld - finds the vertex that has the same bits
  *
- * Only equal bits weld: 0 and -0 stay apart, and so do positions that are
- * merely close. Expected cost: one probe or two.
+ * Only equal bits weld, of the numbers as the file has them: 0 and -0 stay apart, and
+ * so do positions that are merely close. Expected cost: one probe or two.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef WELD_H
@@ -18,7 +18,7 @@ typedef struct weld {
 /* The slot of the vertex with these bits: it holds that vertex's index + 1,
  * or 0, and then the caller stores one and counts it in `used`. NULL when
  * memory is out. The slot stays until the next call. */
-uint32_t *weld_find(weld *w, const float position[3]);
+uint32_t *weld_find(weld *w, const real position[3]);
 void weld_free(weld *w);
 
 #endif

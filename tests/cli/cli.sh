@@ -3,7 +3,8 @@
 # Sourced from the top of the repository, after report.sh. `begin NAME` makes an
 # empty folder and goes there. `run ARGUMENT...` runs planelet: files `out` and
 # `err`, variable `status`. The others are verdicts on one run:
-#   works SENTENCE ARGUMENT...                status 0, nothing on standard error
+#   works SENTENCE ARGUMENT...                status 0, nothing on standard error but how
+#                                             many open edges a mesh has
 #   misused SENTENCE WORD ARGUMENT...         status 2, one line there, names WORD
 #   refused SENTENCE NAME WHERE ARGUMENT...   status 1, one line "NAME: ...; REMEDY"
 #                                             in which the pattern WHERE occurs
@@ -38,13 +39,18 @@ run() {
     status=$?
 }
 
+# trouble: what the last run has said beyond the open edges of meshes with a border.
+trouble() {
+    grep -v '^[^:]*: [1-9][0-9]* open edges\{0,1\}: ' err
+}
+
 works() {
     sentence=$1
     shift
     run "$@"
     verdict "$sentence" "$(
         [ "$status" -eq 0 ] || echo "status $status"
-        cat err)"
+        trouble)"
 }
 
 # one_line: trouble, unless `err` holds exactly one line without control characters.

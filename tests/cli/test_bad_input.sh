@@ -79,15 +79,16 @@ edit() {
 edit 's/^1 1 0$/1 nan 0/'
 mesh "line 12, vertex 2" "a vertex of NaN"
 run pack bad.ply -o x.plt --repair
-verdict "... --repair drops it and says so" "$(
-    [ "$status" -eq 0 ] || echo "status $status"
+verdict "... --repair drops all faces and says that nothing is left" "$(
+    [ "$status" -eq 1 ] || echo "status $status"
     one_line
-    grep -q '^bad.ply: dropped 2 triangles; 1 vertex was' err || cat err)"
+    grep -q '^bad.ply: 4 vertices, no faces but 2 that had to be dropped: nothing to trace; ' err ||
+        cat err)"
 edit 's/^1 0 0$/-inf 0 0/'
 mesh "line 11, vertex 1" "an infinite vertex"
 run pack bad.ply -o x.plt --repair
 verdict "... --repair drops it and says so" "$(
-    grep -q '^bad.ply: dropped 1 triangle; 1 vertex was' err || cat err
+    grep -q '^bad.ply: dropped 1 face that cannot be traced, 1 vertex that is not' err || cat err
     run info x.plt --json
     [ "$(number triangles <out)" = 1 ] || cat out)"
 edit 's/^1 0 0$/1e30 0 0/'
@@ -96,7 +97,7 @@ edit 's/^3 0 2 3$/3 0 2 4/'
 mesh "line 15, face 1" "an index out of range"
 run pack bad.ply -o x.plt --repair
 verdict "... --repair drops it and says so" "$(
-    grep -q '^bad.ply: dropped 1 triangle; 0 vertices were' err || cat err)"
+    grep -q '^bad.ply: dropped 1 face that cannot be traced$' err || cat err)"
 edit 's/^3 0 2 3$/3 0 -1 3/'
 mesh "line 15, face 1" "a negative index"
 edit 's/vertex 4/vertex 4000000000/'

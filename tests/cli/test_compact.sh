@@ -16,7 +16,7 @@ packs() {
     run pack "$@"
     verdict "$sentence" "$(
         [ "$status" -eq 0 ] || echo "status $status"
-        one_line
+        [ "$(trouble | wc -l)" -eq 1 ] || echo "not one line"
         grep -q ': lattice of [0-9]* bits: vertices moved by up to .* of the longest side, ' err ||
             cat err)"
 }
@@ -224,12 +224,11 @@ done
 
 # ---- the smallest scenes, determinism -------------------------------------------------
 
-sed '/^3 /d; s/face 2/face 0/' quad.ply >zero.ply
 sed '/^3 0 2/d; s/face 2/face 1/' quad.ply >one.ply
 echo '0.75 0.25 5 0 0 0 -1 100' | rays ray
 for build in host device; do
     for leaf in 1 2 4; do
-        for count in zero:4294967295 one:0 quad:0; do
+        for count in one:0 quad:0; do
             name=${count%%:*}
             verdict "pack, info, render and trace $name with --build $build --leaf $leaf" "$(
                 run pack "$name.ply" -o tiny.plt --build "$build" --leaf "$leaf" --nodes compact

@@ -114,21 +114,22 @@ verdict "a terminal that is killed takes with it what runs there" "$(
 # ---- progress of work of more than a second --------------------------------------
 
 mkfifo slow.ply
-{ sleep 2; cat quad.ply; } >slow.ply &
+run make ground -o closed.ply # without open edges: nothing to say
+{ sleep 2; cat closed.ply; } >slow.ply &
 seen err pack slow.ply -o slow.plt
 verdict "reading a slow mesh counts the seconds, then wipes them" "$(
     progressed "reading slow.ply, 1 s"
-    grep -q 'slow.plt: 2 triangles' lines || cat lines)"
+    grep -q 'slow.plt: 12 triangles' lines || cat lines)"
 hostile=$(printf 's\033[31m_a_very_long_name_that_does_not_fit_into_the_line.ply')
 mkfifo "$hostile"
-{ sleep 2; cat quad.ply; } >"$hostile" &
+{ sleep 2; cat closed.ply; } >"$hostile" &
 ./pty err "$PLANELET" pack "$hostile" -o slow.plt >seen 2>out
 status=$?
 verdict "... without the controls of a hostile name, cut to fit" "$(
     progressed "reading \.\.\."
     grep -q '31m' lines && cat lines
     awk 'length > 78 && !/slow.plt/ { print length ": " $0 }' lines)"
-{ sleep 2; cat quad.ply; } >slow.ply &
+{ sleep 2; cat closed.ply; } >slow.ply &
 run pack slow.ply -o slow.plt
 verdict "... and nothing for a script" "$(cat err)"
 seen err render none.plt -o slow.y4m --size 256x256 --orbit 25

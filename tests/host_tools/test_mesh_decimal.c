@@ -1,4 +1,4 @@
-/* test_mesh_decimal - decimal text to float, compared with strtof
+/* test_mesh_decimal - decimal text to float and double, compared with strtof and strtod
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -40,10 +40,18 @@ static void same_as_strtof(const char *text) {
     const float value = parse(text), expected = strtof(text, NULL);
     CHECK(bits_of(value) == bits_of(expected), "'%s' is %.9g, not %.9g", text, (double)value,
           (double)expected);
+    real both;
+    const unsigned char *at = (const unsigned char *)text, *end = at + strlen(text);
+    CHECK(decimal_real(at, end, &both) == end, "'%s' is not read to its end", text);
+    const double wide = strtod(text, NULL);
+    CHECK(memcmp(&both.wide, &wide, sizeof wide) == 0, "'%s' is %.17g, not %.17g", text, both.wide,
+          wide);
+    CHECK(bits_of(both.single) == bits_of(expected), "'%s' is %.9g as one of two", text,
+          (double)both.single);
 }
 
 static void any_float(void) {
-    test("Any float printed with 6 to 20 digits reads as the nearest float");
+    test("Any float printed with 6 to 20 digits reads as the nearest float and double");
     int finite = 0;
     for (int i = 0; i < 200000; i++) {
         const float x = float_of((uint32_t)random64());
@@ -58,7 +66,7 @@ static void any_float(void) {
 }
 
 static void usual_floats(void) {
-    test("Coordinates with 1 to 25 decimals read as the nearest float");
+    test("Coordinates with 1 to 25 decimals read as the nearest float and double");
     for (int i = 0; i < 200000; i++) {
         char text[64];
         const double x = (double)(int64_t)random64() * 1.0842021724855044e-16;

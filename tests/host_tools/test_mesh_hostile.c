@@ -10,10 +10,10 @@
 #include "host_tools/mesh/recipe.h"
 #include "tests/hostile/mesh_files.h"
 
-typedef int (*reader_call)(mesh *, const input *, mesh_repair *, fail *);
+typedef int (*reader_call)(mesh *, const input *, mesh_report *, fail *);
 
-static int read_recipe(mesh *m, const input *in, mesh_repair *repair, fail *f) {
-    return recipe_read(m, in, 0, repair, f);
+static int read_recipe(mesh *m, const input *in, mesh_report *report, fail *f) {
+    return recipe_read(m, in, 0, report, f);
 }
 
 /* A small file of each kind: what is cut and flipped. */
@@ -172,9 +172,9 @@ static int feed(const sample *s, const void *bytes, size_t size, int wanted) {
     memcpy(in.bytes, bytes, size);
     in.bytes[size] = 0;
     mesh m = one_triangle();
-    mesh_repair repair = {.wanted = wanted};
+    mesh_report report = {.repair = wanted};
     fail f = {{0}};
-    const int result = s->read(&m, &in, &repair, &f);
+    const int result = s->read(&m, &in, &report, &f);
     check_result(s->path, size, result, &m, &f);
     mesh_free(&m);
     input_free(&in);
@@ -188,8 +188,10 @@ static void cuts(void) {
         for (size_t size = 1; size < s->file.size; size++) {
             for (int wanted = 0; wanted < 2; wanted++) {
                 const int result = feed(s, s->file.bytes, size, wanted);
-                CHECK(result == -1 || !s->text_end_matters, "%s cut at %zu was read", s->path,
-                      size);
+                /* Whole triangles of a binary STL are read, whatever its count says. */
+                const int may_be_read =
+                    !s->text_end_matters || (s->read == stl_read && size >= 84 && size % 50 == 34);
+                CHECK(result == -1 || may_be_read, "%s cut at %zu was read", s->path, size);
             }
         }
         CHECK(feed(s, s->file.bytes, s->file.size, 1) == 0, "%s whole", s->path);
@@ -199,7 +201,7 @@ static void cuts(void) {
 
 static void cuts_on_disk(void) {
     begin("The same through files, where the format is to be found first");
-    mesh_repair repair = {0};
+    mesh_report report = {0};
     for (int i = 0; i < SAMPLES; i++) {
         const sample *s = &samples[i];
         for (size_t size = 0; size < s->file.size; size += size < 100 ? 1 : 7) {
@@ -207,7 +209,7 @@ static void cuts_on_disk(void) {
             b.size = size;
             mesh m = one_triangle();
             fail f;
-            const int result = read_blob(&m, s->path, &b, &repair, &f);
+            const int result = read_blob(&m, s->path, &b, &report, &f);
             check_result(s->path, size, result, &m, &f);
             CHECK(size > 0 || result == -1, "an empty file was read");
             mesh_free(&m);
@@ -323,9 +325,9 @@ static void long_paths(void) {
     memset(path, 'a', 3000);
     path[3000] = '\0';
     mesh m = {0};
-    mesh_repair repair = {0};
+    mesh_report report = {0};
     fail f = {{0}};
-    CHECK(mesh_read(&m, path, 0, &repair, &f) == -1, "read");
+    CHECK(mesh_read(&m, path, 0, &report, &f) == -1, "read");
     CHECK(strncmp(f.text, "...aaaa", 7) == 0, "%s", f.text);
     CHECK(strstr(f.text, "; check the path"), "%s", f.text);
 }

@@ -120,8 +120,6 @@ static void refuses(void) {
     must_fail_text(FILE_NAME, THREE "f 1 2 99999999999999999999\n",
                    "line 4: uses vertex 9223372036854775807, which is not among the 3 vertices; "
                    "use pack --repair to drop it");
-    must_fail_text(FILE_NAME, THREE "f 1 2\n",
-                   "line 4: a face of 2 corners; use pack --repair to drop it");
     must_fail_text(FILE_NAME, "v 0 0 0\nv 0 1e13 0\n",
                    "line 2: the vertex (0 1e+13 0) is not finite or beyond +-2^40; "
                    "use pack --repair to drop it");
@@ -134,16 +132,20 @@ static void refuses(void) {
 static void repairs(void) {
     test("Repair drops and counts what cannot be traced");
     mesh m = {0};
-    mesh_repair repair = {.wanted = 1};
+    mesh_report report = {.repair = 1};
     fail f;
     const char *text = THREE
         "v nan 0 0\nf 1 2 3\nf 1 2 4\nf 0 1 2\nf 1 2\nf 1 2 5 3\n"
         "f 99999999999 1 2\nf 3 2 -9\nf 3 2 1\n";
-    CHECK(read_text(&m, FILE_NAME, text, &repair, &f) == 0, "%s", f.text);
+    CHECK(read_text(&m, FILE_NAME, text, &report, &f) == 0, "%s", f.text);
     CHECK(m.vertices == 4 && m.vertex[9] == 0, "%zu vertices", m.vertices);
     check_triangles(&m, (const uint32_t[]){0, 1, 2, 2, 1, 0}, 2);
-    CHECK(repair.bad_vertices == 1, "%llu", (unsigned long long)repair.bad_vertices);
-    CHECK(repair.bad_triangles == 7, "%llu", (unsigned long long)repair.bad_triangles);
+    CHECK(report.count[REPORT_BAD_VERTICES] == 1, "%llu",
+          (unsigned long long)report.count[REPORT_BAD_VERTICES]);
+    CHECK(report.count[REPORT_BAD_FACES] == 5, "%llu",
+          (unsigned long long)report.count[REPORT_BAD_FACES]); /* a quad is one */
+    CHECK(report.count[REPORT_SMALL_FACES] == 1, "%llu",
+          (unsigned long long)report.count[REPORT_SMALL_FACES]);
     mesh_free(&m);
 }
 

@@ -95,10 +95,10 @@ static void adds_lines(void) {
 /* The height of the one triangle, 100 wide. */
 static float height_of(const char *text, unsigned frame) {
     mesh m = {0};
-    mesh_repair repair = {0};
+    mesh_report report = {0};
     fail f = {{0}};
     write_text(RECIPE, text);
-    CHECK(mesh_read(&m, RECIPE, frame, &repair, &f) == 0, "%s", f.text);
+    CHECK(mesh_read(&m, RECIPE, frame, &report, &f) == 0, "%s", f.text);
     const float height = m.vertices == 3 ? m.vertex[7] : -1;
     mesh_free(&m);
     return height;
@@ -189,15 +189,17 @@ static void refuses_files(void) {
 static void leaves_all(void) {
     test("A failing recipe leaves the mesh and the repair counts as they were");
     mesh m = must_read_text(RECIPE, "wedge.obj 4 0 0 0\n");
-    mesh_repair repair = {.wanted = 1, .bad_vertices = 5, .bad_triangles = 6};
+    mesh_report report = {.repair = 1,
+                          .count = {[REPORT_BAD_VERTICES] = 5, [REPORT_BAD_FACES] = 6}};
     fail f;
-    CHECK(read_text(&m, RECIPE, "bad.obj 1 0 0 0\nmissing.obj 1 0 0 0\n", &repair, &f) == -1,
+    CHECK(read_text(&m, RECIPE, "bad.obj 1 0 0 0\nmissing.obj 1 0 0 0\n", &report, &f) == -1,
           "read");
     CHECK(m.vertices == 4 && m.triangles == 1, "%zu vertices", m.vertices);
-    CHECK(repair.bad_vertices == 5 && repair.bad_triangles == 6, "counted");
-    CHECK(read_text(&m, RECIPE, "bad.obj 1 0 0 0\n", &repair, &f) == 0, "%s", f.text);
+    CHECK(report.count[REPORT_BAD_VERTICES] == 5 && report.count[REPORT_BAD_FACES] == 6, "counted");
+    CHECK(read_text(&m, RECIPE, "bad.obj 1 0 0 0\n", &report, &f) == 0, "%s", f.text);
     CHECK(m.vertices == 8 && m.triangles == 2, "%zu vertices", m.vertices);
-    CHECK(repair.bad_vertices == 6 && repair.bad_triangles == 7, "not counted");
+    CHECK(report.count[REPORT_BAD_VERTICES] == 6 && report.count[REPORT_BAD_FACES] == 7,
+          "not counted");
     mesh_free(&m);
 }
 

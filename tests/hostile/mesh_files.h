@@ -70,45 +70,45 @@ static inline void put_double(blob *b, double value, int big) {
     put_number(b, bits, sizeof bits, big);
 }
 
-static inline int read_blob(mesh *m, const char *path, const blob *b, mesh_repair *repair,
+static inline int read_blob(mesh *m, const char *path, const blob *b, mesh_report *report,
                             fail *f) {
     file_write(path, b->bytes, b->size);
     f->text[0] = '\0';
-    return mesh_read(m, path, 0, repair, f);
+    return mesh_read(m, path, 0, report, f);
 }
 
-static inline int read_text(mesh *m, const char *path, const char *text, mesh_repair *repair,
+static inline int read_text(mesh *m, const char *path, const char *text, mesh_report *report,
                             fail *f) {
     file_write(path, text, strlen(text));
     f->text[0] = '\0';
-    return mesh_read(m, path, 0, repair, f);
+    return mesh_read(m, path, 0, report, f);
 }
 
 /* Reads into an empty mesh without repair: it must succeed. */
 static inline mesh must_read_text(const char *path, const char *text) {
     mesh m = {0};
-    mesh_repair repair = {0};
+    mesh_report report = {0};
     fail f;
-    CHECK(read_text(&m, path, text, &repair, &f) == 0, "%s", f.text);
+    CHECK(read_text(&m, path, text, &report, &f) == 0, "%s", f.text);
     return m;
 }
 
 static inline mesh must_read_blob(const char *path, const blob *b) {
     mesh m = {0};
-    mesh_repair repair = {0};
+    mesh_report report = {0};
     fail f;
-    CHECK(read_blob(&m, path, b, &repair, &f) == 0, "%s", f.text);
+    CHECK(read_blob(&m, path, b, &report, &f) == 0, "%s", f.text);
     return m;
 }
 
 /* Reading must fail with exactly this text after "PATH: ". */
 static inline void must_fail_blob(const char *path, const blob *b, const char *expected) {
     mesh m = {0};
-    mesh_repair repair = {0};
+    mesh_report report = {0};
     fail f;
     char whole[sizeof f.text];
     snprintf(whole, sizeof whole, "%s: %s", path, expected);
-    CHECK(read_blob(&m, path, b, &repair, &f) == -1, "read without failure, wanted: %s", whole);
+    CHECK(read_blob(&m, path, b, &report, &f) == -1, "read without failure, wanted: %s", whole);
     CHECK(strcmp(f.text, whole) == 0, "said '%s', not '%s'", f.text, whole);
     CHECK(m.vertices == 0 && m.triangles == 0, "%zu vertices left", m.vertices);
     mesh_free(&m);

@@ -1,0 +1,14 @@
+/* pack_json - what pack has read, lost and packed, for programs
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PACK_JSON_H
+#define PACK_JSON_H
+#include "host_tools/base/output.h"
+#include "host_tools/cli/pack_meshes.h"
+#include "host_tools/pack/pack.h"
+
+/* `loss` is NULL without a lattice. */
+int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
+                    fail *f);
+
+#endif

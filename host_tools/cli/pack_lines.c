@@ -1,0 +1,105 @@
+/* pack_lines - see pack_lines.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/cli/pack_lines.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *pack_shown(const pack_file *file) {
+    return strcmp(file->path, "-") == 0 ? "standard input" : file->path;
+}
+
+static void print(const fail *line) {
+    fprintf(stderr, "%s\n", line->text);
+}
+
+/* The ending of a plural. */
+static const char *s(uint64_t count) {
+    return count == 1 ? "" : "s";
+}
+
+static void say_report(const pack_file *file) {
+    int more = 0;
+    for (unsigned i = 0; more >= 0; i++) {
+        fail line = {""};
+        more = report_line(&file->report, i, pack_shown(file), &line);
+        if (more > 0) {
+            print(&line);
+        }
+    }
+}
+
+static void say_moved(const pack_file *file) {
+    const precision *p = &file->moved;
+    fail line = {""};
+    fail_set(&line, pack_shown(file),
+             "single precision moves corners by up to %.2g, %.2g of an edge there, and %" PRIu64
+             " triangle%s lose%s an edge; %s",
+             p->moved, p->relative, p->vanished, s(p->vanished), p->vanished == 1 ? "s" : "",
+             file->centre_helps
+                 ? "use pack --centre to move the mesh to the origin first"
+                 : "the mesh is too large for its smallest parts: pack these apart, with --centre");
+    print(&line);
+}
+
+static void say_welded(const pack_file *file) {
+    fail line = {""};
+    fail_set(&line, pack_shown(file),
+             "welded %" PRIu64 " position%s to another; %" PRIu64 " triangle%s lost %s area by it",
+             file->welded.moved, s(file->welded.moved), file->welded.collapsed,
+             s(file->welded.collapsed), file->welded.collapsed == 1 ? "its" : "their");
+    print(&line);
+}
+
+static void say_open(const pack_file *file) {
+    const uint64_t closed = file->open_edges - file->open_left;
+    fail line = {""};
+    if (file->open_distance > 0) {
+        fail_set(&line, pack_shown(file),
+                 "%" PRIu64
+                 " open edge%s, some of which all but meet; use pack --weld %.0e to "
+                 "close %" PRIu64,
+                 file->open_edges, s(file->open_edges), file->open_distance, closed);
+    } else {
+        fail_set(&line, pack_shown(file),
+                 "%" PRIu64 " open edge%s: the surface has holes or a border", file->open_edges,
+                 s(file->open_edges));
+    }
+    print(&line);
+}
+
+void pack_say_lines(const pack_file *file) {
+    fail line = {""};
+    say_report(file);
+    if (file->first == file->end) {
+        pack_nothing_to_trace(file, &line);
+        print(&line);
+    }
+    if (precision_matters(&file->moved)) {
+        say_moved(file);
+    }
+    if (file->welded.moved > 0) {
+        say_welded(file);
+    }
+    if (file->open_edges > 0) {
+        say_open(file);
+    }
+}
+
+static const char *nothing_remedy(const pack_file *file) {
+    return file->report.count[REPORT_BAD_FACES] > 0 ? "mend them in the program that wrote them"
+           : file->vertices > 0 ? "write it with its faces; points need a surface first"
+                                : "check that the right objects were exported";
+}
+
+int pack_nothing_to_trace(const pack_file *file, fail *f) {
+    const uint64_t dropped = file->report.count[REPORT_BAD_FACES];
+    char what[80] = "";
+    if (dropped > 0) {
+        snprintf(what, sizeof what, " but %" PRIu64 " that had to be dropped", dropped);
+    }
+    return fail_set(f, pack_shown(file), "%zu %s, no faces%s: nothing to trace; %s", file->vertices,
+                    file->vertices == 1 ? "vertex" : "vertices", what, nothing_remedy(file));
+}

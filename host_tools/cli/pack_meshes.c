@@ -1,0 +1,131 @@
+/* pack_meshes - see pack_meshes.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/cli/pack_meshes.h"
+
+#include <stdlib.h>
+
+#include "host_tools/app/phase.h"
+#include "host_tools/cli/pack_lines.h"
+#include "host_tools/mesh/open_edges.h"
+#include "host_tools/mesh/reduce.h"
+#include "host_tools/pack/lattice_area.h"
+
+static int out_of_memory(const char *path, fail *f) {
+    return fail_set(f, path, "out of memory; use a larger machine");
+}
+
+static int read_file(pack_meshes *p, pack_file *file, fail *f) {
+    const size_t vertices = p->m.vertices;
+    file->first = p->m.triangles;
+    file->report.repair = p->repair;
+    file->report.centred = p->centre;
+    phase_begin("reading", file->path);
+    const int status = mesh_read(&p->m, file->path, p->frame, &file->report, f);
+    phase_end();
+    file->end = p->m.triangles;
+    file->vertices = p->m.vertices - vertices;
+    return status;
+}
+
+/* Moves the meshes to their origin, which single precision may need. */
+static int settle(pack_meshes *p, fail *f) {
+    double centre[3];
+    precision_centre(&p->m, centre);
+    for (int axis = 0; axis < 3 && p->centre; axis++) {
+        p->shift[axis] = centre[axis];
+    }
+    for (int i = 0; i < p->files; i++) {
+        pack_file *file = &p->file[i];
+        file->moved = precision_of(&p->m, file->first, file->end, p->shift);
+        if (precision_matters(&file->moved)) {
+            const precision at_centre = precision_of(&p->m, file->first, file->end, centre);
+            file->centre_helps = !precision_matters(&at_centre);
+        }
+    }
+    return precision_settle(&p->m, p->shift, pack_shown(&p->file[0]), f);
+}
+
+static int find_open(const pack_meshes *p, pack_file *file) {
+    open_edges o;
+    int status = open_edges_find(&o, &p->m, file->first, file->end);
+    file->open_edges = o.count;
+    if (status == 0) {
+        status = weld_near_suggest(&p->m, file->first, file->end, &o, &file->open_distance,
+                                   &file->open_left);
+    }
+    open_edges_free(&o);
+    return status;
+}
+
+static int join_seams(pack_meshes *p, pack_file *file) {
+    if (p->weld > 0 && weld_near(&p->m, file->first, file->end, p->weld, &file->welded) != 0) {
+        return -1;
+    }
+    for (size_t i = file->first; i < file->end; i++) {
+        file->without_area += (uint64_t)!lattice_had_area(&p->m, i);
+    }
+    return find_open(p, file);
+}
+
+static int look_at_files(pack_meshes *p, fail *f) {
+    phase_begin("looking at the edges of", p->file[0].path);
+    int status = 0;
+    for (int i = 0; i < p->files && status == 0; i++) {
+        status = join_seams(p, &p->file[i]);
+    }
+    phase_end();
+    return status == 0 ? 0 : out_of_memory(pack_shown(&p->file[0]), f);
+}
+
+static int reduce(pack_meshes *p, fail *f) {
+    const char *path = pack_shown(&p->file[0]);
+    phase_begin("reducing", p->file[0].path);
+    const int status = mesh_reduce(&p->m, p->most, path, f);
+    phase_end();
+    free(p->mesh_end);
+    p->mesh_end = NULL;
+    return status;
+}
+
+static int make_room(pack_meshes *p, char **path, int files, fail *f) {
+    p->files = files;
+    p->file = calloc((size_t)files, sizeof *p->file);
+    p->mesh_end = calloc((size_t)files, sizeof *p->mesh_end);
+    if (p->file == NULL || p->mesh_end == NULL) {
+        return out_of_memory(path[0], f);
+    }
+    for (int i = 0; i < files; i++) {
+        p->file[i].path = path[i];
+    }
+    return 0;
+}
+
+int pack_meshes_read(pack_meshes *p, char **path, int files, fail *f) {
+    int status = make_room(p, path, files, f);
+    for (int i = 0; i < files && status == 0; i++) {
+        status = read_file(p, &p->file[i], f);
+        p->mesh_end[i] = p->m.triangles;
+    }
+    if (status == 0 && p->m.triangles == 0) {
+        return pack_nothing_to_trace(&p->file[0], f);
+    }
+    if (status != 0 || settle(p, f) != 0 || look_at_files(p, f) != 0) {
+        return -1;
+    }
+    return p->most > 0 ? reduce(p, f) : 0;
+}
+
+void pack_meshes_say(const pack_meshes *p) {
+    for (int i = 0; i < p->files; i++) {
+        pack_say_lines(&p->file[i]);
+    }
+}
+
+void pack_meshes_free(pack_meshes *p) {
+    mesh_free(&p->m);
+    free(p->file);
+    free(p->mesh_end);
+    p->file = NULL;
+    p->mesh_end = NULL;
+}

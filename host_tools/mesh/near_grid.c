@@ -1,0 +1,96 @@
+/* near_grid - see near_grid.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/mesh/near_grid.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct cell {
+    double q[3]; /* whole numbers, which a double holds whatever their size */
+} cell;
+
+int near_grid_begin(near_grid *g, const float *vertex, double distance, size_t most) {
+    *g = (near_grid){.vertex = vertex, .distance = distance, .slots = 64};
+    while (g->slots < 2 * most) {
+        g->slots *= 2;
+    }
+    g->first = calloc(g->slots, sizeof *g->first);
+    g->next = malloc(most * sizeof *g->next + 1);
+    g->point = malloc(most * sizeof *g->point + 1);
+    return g->first == NULL || g->next == NULL || g->point == NULL ? -1 : 0;
+}
+
+void near_grid_free(near_grid *g) {
+    free(g->first);
+    free(g->next);
+    free(g->point);
+    *g = (near_grid){0};
+}
+
+static cell cell_of(const near_grid *g, uint32_t vertex) {
+    cell c;
+    for (int axis = 0; axis < 3; axis++) {
+        c.q[axis] = floor((double)g->vertex[3 * (size_t)vertex + (size_t)axis] / g->distance);
+    }
+    return c;
+}
+
+static size_t slot_of(const near_grid *g, const cell *c) {
+    uint64_t h = 0x9e3779b97f4a7c15u;
+    for (int axis = 0; axis < 3; axis++) {
+        const double q = c->q[axis] + 0.0; /* -0 is 0 */
+        uint64_t bits;
+        memcpy(&bits, &q, sizeof bits);
+        h = (h ^ bits) * 0xd6e8feb86659fd93u;
+        h ^= h >> 32;
+    }
+    return (size_t)h & (g->slots - 1);
+}
+
+void near_grid_add(near_grid *g, uint32_t vertex) {
+    const cell c = cell_of(g, vertex);
+    uint32_t *first = &g->first[slot_of(g, &c)];
+    g->point[g->points] = vertex;
+    g->next[g->points] = *first;
+    *first = (uint32_t)++g->points;
+}
+
+static double distance_between(const near_grid *g, uint32_t a, uint32_t b) {
+    double sum = 0;
+    for (size_t axis = 0; axis < 3; axis++) {
+        const double d =
+            (double)g->vertex[3 * (size_t)a + axis] - (double)g->vertex[3 * (size_t)b + axis];
+        sum += d * d;
+    }
+    return sqrt(sum);
+}
+
+typedef struct nearest {
+    double far;
+    uint32_t at; /* index of the point + 1; 0: none yet */
+} nearest;
+
+static void look_into(near_grid *g, const cell *c, uint32_t vertex, nearest *n) {
+    for (uint32_t i = g->first[slot_of(g, c)]; i != 0; i = g->next[i - 1]) {
+        const double d = distance_between(g, g->point[i - 1], vertex);
+        g->steps++;
+        const int is_nearer = n->at == 0 || d < n->far || (d == n->far && i < n->at);
+        if (g->point[i - 1] != vertex && d <= g->distance && is_nearer) {
+            *n = (nearest){d, i};
+        }
+    }
+}
+
+uint32_t near_grid_find(near_grid *g, uint32_t vertex, double *far) {
+    const cell middle = cell_of(g, vertex);
+    nearest n = {0, 0};
+    for (int k = 0; k < 27; k++) {
+        const cell c = {
+            {middle.q[0] + k % 3 - 1, middle.q[1] + k / 3 % 3 - 1, middle.q[2] + k / 9 - 1}};
+        look_into(g, &c, vertex, &n);
+    }
+    *far = n.far;
+    return n.at != 0 ? g->point[n.at - 1] : NEAR_GRID_NONE;
+}

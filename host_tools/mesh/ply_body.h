@@ -1,0 +1,15 @@
+/* ply_body - whether the body of a binary PLY can be of the types in its header
+ *
+ * Some programs write colours as floats under a header that says uchar.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLY_BODY_H
+#define PLY_BODY_H
+#include "host_tools/mesh/ply_header.h"
+
+/* Fails when the file has just the size of vertices that take other bytes than the header
+ * says, and faces that are all triangles or all quads. Asked only of files with faces that
+ * make no sense: other files may have such a size by chance. */
+int ply_body_check(const ply_header *h, const input *in, fail *f);
+
+#endif

@@ -1,0 +1,55 @@
+/* report - what a mesh file held and the mesh does not, or not as it was written
+ *
+ * Readers count; whoever asked for the mesh says it, in one line per kind.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef MESH_REPORT_H
+#define MESH_REPORT_H
+#include <stdint.h>
+
+#include "host_tools/base/fail.h"
+
+typedef enum report_item {
+    /* Left out, as nothing traces it. */
+    REPORT_SMALL_FACES, /* of fewer than 3 corners */
+    REPORT_POINTS,
+    REPORT_LINES,
+    REPORT_CURVES, /* and free-form surfaces */
+    REPORT_COLOURS,
+    REPORT_NORMALS,
+    REPORT_TEXTURES,  /* texture coordinates */
+    REPORT_MATERIALS, /* uses of one */
+    REPORT_ELEMENTS,  /* of PLY, of other names */
+    /* Read otherwise than written. */
+    REPORT_OVERLAPPING,   /* faces that no triangles fill without overlap */
+    REPORT_MISCOUNTED,    /* triangles by which the count of a binary STL is off */
+    REPORT_SWAPPED,       /* triangles of a binary STL in big-endian order */
+    REPORT_UNENDED,       /* solids of an STL without endsolid */
+    REPORT_UNKNOWN_LINES, /* of a PLY header */
+    REPORT_LOOSE_BYTES,   /* behind the data */
+    /* Dropped because `repair` was asked for. */
+    REPORT_BAD_FACES,    /* using a bad vertex or a missing one, or of too few corners */
+    REPORT_BAD_VERTICES, /* NaN, infinite or too large: replaced by 0, used by nothing */
+    REPORT_ITEMS,
+} report_item;
+
+/* Single precision may move a corner so far, in lengths of its shortest edge, without a word. */
+#define REPORT_MOVED_MOST 1e-3
+
+typedef struct mesh_report {
+    int repair;  /* asked for: drop what cannot be traced; else it is refused */
+    int centred; /* asked for: recipes place meshes from their wide coordinates */
+    uint64_t count[REPORT_ITEMS];
+    double moved;      /* greatest distance a corner moved in single precision, in lengths of its
+                        * shortest edge; of meshes that recipes placed */
+    uint64_t vanished; /* triangles an edge of which lost its length so */
+} mesh_report;
+
+/* The words of the item as a key: "small_faces". */
+const char *report_key(report_item item);
+
+/* Writes the sentence number `line` about the file `path`: 0 when there is none for it, -1
+ * when there are no more, else 1. Count `line` from 0. */
+int report_line(const mesh_report *r, unsigned line, const char *path, fail *to);
+
+#endif

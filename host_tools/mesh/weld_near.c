@@ -1,0 +1,158 @@
+/* weld_near - see weld_near.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/mesh/weld_near.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/mesh/near_grid.h"
+
+static const double SUGGEST_MOST = 1e-4; /* of the longest side */
+enum { SUGGEST_TRIES = 4 };              /* each a tenth of the one before */
+
+static int is_collapsed(const mesh *m, size_t triangle) {
+    int collapsed = 0;
+    for (size_t k = 0; k < 3; k++) {
+        const float *p = m->vertex + 3 * (size_t)m->triangle[3 * triangle + k];
+        const float *q = m->vertex + 3 * (size_t)m->triangle[3 * triangle + (k + 1) % 3];
+        collapsed |= p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+    }
+    return collapsed;
+}
+
+/* Where each used vertex goes, in the order in which triangles use them. */
+static void find_targets(const mesh *m, size_t first, size_t end, near_grid *g, uint32_t *to,
+                         weld_near_result *result) {
+    for (size_t i = 3 * first; i < 3 * end; i++) {
+        const uint32_t v = m->triangle[i];
+        double far;
+        if (to[v] == NEAR_GRID_NONE) {
+            to[v] = near_grid_find(g, v, &far);
+            result->moved += to[v] != NEAR_GRID_NONE && far > 0;
+        }
+        if (to[v] == NEAR_GRID_NONE) {
+            to[v] = v;
+            near_grid_add(g, v);
+        }
+    }
+}
+
+static void go(mesh *m, size_t first, size_t end, const uint32_t *to, weld_near_result *result) {
+    for (size_t i = first; i < end; i++) {
+        const int before = is_collapsed(m, i);
+        for (size_t k = 0; k < 3; k++) {
+            m->triangle[3 * i + k] = to[m->triangle[3 * i + k]];
+        }
+        result->collapsed += (uint64_t)(!before && is_collapsed(m, i));
+    }
+}
+
+int weld_near(mesh *m, size_t first, size_t end, double distance, weld_near_result *result) {
+    near_grid g;
+    *result = (weld_near_result){0, 0};
+    uint32_t *to = malloc(m->vertices * sizeof *to + 1);
+    int status = near_grid_begin(&g, m->vertex, distance, m->vertices);
+    if (to == NULL) {
+        status = -1;
+    }
+    if (status == 0) {
+        memset(to, 0xff, m->vertices * sizeof *to);
+        find_targets(m, first, end, &g, to, result);
+        go(m, first, end, to, result);
+    }
+    near_grid_free(&g);
+    free(to);
+    return status;
+}
+
+/* ---- a distance that helps ------------------------------------------------------------------ */
+
+static double longest_side(const mesh *m, size_t first, size_t end) {
+    double longest = 0;
+    for (size_t axis = 0; axis < 3; axis++) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (size_t i = 3 * first; i < 3 * end; i++) {
+            const double x = (double)m->vertex[3 * (size_t)m->triangle[i] + axis];
+            low = fmin(low, x);
+            high = fmax(high, x);
+        }
+        longest = fmax(longest, high - low);
+    }
+    return longest;
+}
+
+static int is_too_dense(const near_grid *g) {
+    return g->steps > 256 * (uint64_t)g->points + 1000000;
+}
+
+/* The greatest distance from an open edge's end to the one nearest to it, of those within
+ * `most`; 0 where ends lie so densely that this would take long. */
+static int greatest_gap(const mesh *m, const open_edges *o, double most, double *gap) {
+    near_grid g;
+    *gap = 0;
+    const int status = near_grid_begin(&g, m->vertex, most, 2 * (size_t)o->count);
+    for (size_t i = 0; i < 2 * o->count && status == 0; i++) {
+        near_grid_add(&g, o->vertex[i]);
+    }
+    for (size_t i = 0; i < 2 * o->count && status == 0 && !is_too_dense(&g); i++) {
+        double far;
+        if (near_grid_find(&g, o->vertex[i], &far) != NEAR_GRID_NONE) {
+            *gap = fmax(*gap, far);
+        }
+    }
+    *gap = is_too_dense(&g) ? 0 : *gap;
+    near_grid_free(&g);
+    return status;
+}
+
+/* To one digit, upwards. */
+static double round_up(double x) {
+    const double power = pow(10, floor(log10(x)));
+    return ceil(x / power * (1 + 1e-9)) * power;
+}
+
+/* Open edges that stay when `distance` is welded, and what that does to triangles. */
+static int try_distance(const mesh *m, size_t first, size_t end, double distance, uint64_t *left,
+                        weld_near_result *result) {
+    mesh copy = *m; /* the vertices are shared: they stay */
+    open_edges o = {0, NULL};
+    copy.triangle = malloc(3 * m->triangles * sizeof *copy.triangle + 1);
+    if (copy.triangle == NULL) {
+        return -1;
+    }
+    memcpy(copy.triangle, m->triangle, 3 * m->triangles * sizeof *copy.triangle);
+    int status = weld_near(&copy, first, end, distance, result);
+    if (status == 0) {
+        status = open_edges_find(&o, &copy, first, end);
+    }
+    *left = o.count;
+    open_edges_free(&o);
+    free(copy.triangle);
+    return status;
+}
+
+int weld_near_suggest(const mesh *m, size_t first, size_t end, const open_edges *o,
+                      double *distance, uint64_t *left) {
+    double gap = 0;
+    const double most = SUGGEST_MOST * longest_side(m, first, end);
+    *distance = 0;
+    *left = o->count;
+    if (o->count == 0 || !(most > 0)) {
+        return 0;
+    }
+    int status = greatest_gap(m, o, most, &gap);
+    gap *= 3; /* corners that were one lie within some gaps of each other */
+    for (int i = 0; i < SUGGEST_TRIES && gap > 0 && status == 0; i++, gap /= 10) {
+        uint64_t stay = 0;
+        weld_near_result result = {0, 0};
+        status = try_distance(m, first, end, round_up(gap), &stay, &result);
+        if (status == 0 && stay < o->count && result.collapsed == 0) {
+            *distance = round_up(gap);
+            *left = stay;
+            return 0;
+        }
+    }
+    return status;
+}
