@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #ifndef PACK_LINES_H
 #define PACK_LINES_H
-#include "host_tools/cli/pack_meshes.h"
+#include "host_tools/cli/pack_file.h"
 
 /* Its path, but standard input by that name. */
 const char *pack_shown(const pack_file *file);

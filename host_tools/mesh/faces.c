@@ -19,14 +19,60 @@ typedef struct outline {
     polygon scratch;
 } outline;
 
-static int is_bad(const intake *in, uint32_t vertex) {
-    return vertex / 8 < in->bad_bytes && (in->bad[vertex / 8] >> vertex % 8 & 1);
+int faces_add_fan(mesh_faces *f, size_t first, uint32_t corners) {
+    if (f->fans == f->room) {
+        const size_t room = f->room * 2 + 16;
+        face_fan *fan = realloc(f->fan, room * sizeof *fan);
+        if (!fan) {
+            return -1;
+        }
+        f->fan = fan;
+        f->room = room;
+    }
+    f->fan[f->fans++] = (face_fan){first, corners};
+    return 0;
 }
 
-static int are_good(const intake *in, const uint32_t *vertex, size_t corners) {
-    const size_t count = in->m->vertices - in->first_vertex;
+int faces_mark_bad(mesh_faces *f, size_t vertex) {
+    const size_t byte = vertex / 8;
+    if (byte >= f->bad_bytes) {
+        const size_t bytes = byte * 2 + 64;
+        unsigned char *bad = realloc(f->bad, bytes);
+        if (!bad) {
+            return -1;
+        }
+        memset(bad + f->bad_bytes, 0, bytes - f->bad_bytes);
+        f->bad = bad;
+        f->bad_bytes = bytes;
+    }
+    f->bad[byte] |= (unsigned char)(1u << vertex % 8);
+    return 0;
+}
+
+void faces_free(mesh_faces *f) {
+    free(f->bad);
+    free(f->fan);
+    *f = (mesh_faces){0};
+}
+
+/* ---- resolving ------------------------------------------------------------------------------- */
+
+typedef struct resolving {
+    const mesh_faces *f;
+    mesh *m;
+    uint64_t *count;
+    outline o;
+    size_t kept; /* where the next triangle goes */
+} resolving;
+
+static int is_bad(const mesh_faces *f, uint32_t vertex) {
+    return vertex / 8 < f->bad_bytes && (f->bad[vertex / 8] >> vertex % 8 & 1);
+}
+
+static int are_good(const resolving *r, const uint32_t *vertex, size_t corners) {
+    const size_t count = r->m->vertices - r->f->first_vertex;
     for (size_t k = 0; k < corners; k++) {
-        if (vertex[k] >= count || is_bad(in, vertex[k])) {
+        if (vertex[k] >= count || is_bad(r->f, vertex[k])) {
             return 0;
         }
     }
@@ -51,23 +97,23 @@ static int make_room(outline *o, uint32_t corners) {
     return 0;
 }
 
-/* The corners of the face whose fan begins with triangle `first`. */
-static void unfold(outline *o, const mesh *m, const intake_face *face) {
-    const uint32_t *fan = m->triangle + 3 * face->first;
-    o->corners = face->corners;
-    o->vertex[0] = fan[0];
-    o->vertex[1] = fan[1];
-    for (uint32_t k = 2; k < face->corners; k++) {
-        o->vertex[k] = fan[3 * (size_t)(k - 2) + 2];
+/* The corners of the face whose fan it is. */
+static void unfold(outline *o, const mesh *m, const face_fan *fan) {
+    const uint32_t *triangle = m->triangle + 3 * fan->first;
+    o->corners = fan->corners;
+    o->vertex[0] = triangle[0];
+    o->vertex[1] = triangle[1];
+    for (uint32_t k = 2; k < fan->corners; k++) {
+        o->vertex[k] = triangle[3 * (size_t)(k - 2) + 2];
     }
 }
 
-/* Writes the face's triangles from triangle `to` on. */
-static int fill(outline *o, intake *in, size_t to) {
-    const mesh *m = in->m;
+static int fill(resolving *r) {
+    outline *o = &r->o;
+    const uint32_t base = (uint32_t)r->f->first_vertex;
     for (uint32_t k = 0; k < o->corners; k++) {
         for (int axis = 0; axis < 3; axis++) {
-            o->corner[k][axis] = mesh_wide(m, in->first_vertex + o->vertex[k], axis);
+            o->corner[k][axis] = mesh_wide(r->m, (size_t)base + o->vertex[k], axis);
         }
     }
     const int kind =
@@ -75,59 +121,56 @@ static int fill(outline *o, intake *in, size_t to) {
     if (kind == POLYGON_NO_MEMORY) {
         return -1;
     }
-    in->count[REPORT_OVERLAPPING] += kind == POLYGON_OVERLAPS;
+    r->count[REPORT_OVERLAPPING] += kind == POLYGON_OVERLAPS;
     for (size_t i = 0; i < 3 * ((size_t)o->corners - 2); i++) {
-        m->triangle[3 * to + i] = (uint32_t)in->first_vertex + o->vertex[o->triangle[i]];
+        r->m->triangle[3 * r->kept + i] = base + o->vertex[o->triangle[i]];
     }
+    r->kept += o->corners - 2;
     return 0;
 }
 
-/* Moves the triangle `from` to `*to`, unless it is dropped. */
-static void resolve_triangle(intake *in, size_t from, size_t *to) {
-    const uint32_t *t = in->m->triangle + 3 * from;
-    if (!are_good(in, t, 3)) {
-        in->count[REPORT_BAD_FACES]++;
+static void resolve_triangle(resolving *r, size_t from) {
+    const uint32_t *t = r->m->triangle + 3 * from;
+    if (!are_good(r, t, 3)) {
+        r->count[REPORT_BAD_FACES]++;
         return;
     }
     for (size_t k = 0; k < 3; k++) {
-        in->m->triangle[3 * *to + k] = t[k] + (uint32_t)in->first_vertex;
+        r->m->triangle[3 * r->kept + k] = t[k] + (uint32_t)r->f->first_vertex;
     }
-    ++*to;
+    r->kept++;
 }
 
-static int resolve_face(intake *in, outline *o, const intake_face *face, size_t *to) {
-    if (make_room(o, face->corners) != 0) {
+static int resolve_fan(resolving *r, const face_fan *fan) {
+    if (make_room(&r->o, fan->corners) != 0) {
         return -1;
     }
-    unfold(o, in->m, face);
-    if (!are_good(in, o->vertex, o->corners)) {
-        in->count[REPORT_BAD_FACES]++;
+    unfold(&r->o, r->m, fan);
+    if (!are_good(r, r->o.vertex, r->o.corners)) {
+        r->count[REPORT_BAD_FACES]++;
         return 0;
     }
-    const int status = fill(o, in, *to);
-    *to += o->corners - 2;
-    return status;
+    return fill(r);
 }
 
-int faces_resolve(intake *in) {
-    outline o = {0};
-    mesh *m = in->m;
-    size_t kept = in->first_triangle, next = 0;
+int faces_resolve(const mesh_faces *f, mesh *m, uint64_t count[REPORT_ITEMS]) {
+    resolving r = {.f = f, .m = m, .count = count, .kept = f->first_triangle};
+    size_t next = 0;
     int status = 0;
-    for (size_t i = in->first_triangle; i < m->triangles && status == 0;) {
-        if (next < in->faces && in->face[next].first == i) {
-            i += in->face[next].corners - 2;
-            status = resolve_face(in, &o, &in->face[next++], &kept);
+    for (size_t i = f->first_triangle; i < m->triangles && status == 0;) {
+        if (next < f->fans && f->fan[next].first == i) {
+            i += f->fan[next].corners - 2;
+            status = resolve_fan(&r, &f->fan[next++]);
         } else {
-            resolve_triangle(in, i++, &kept);
+            resolve_triangle(&r, i++);
         }
     }
-    polygon_free(&o.scratch);
-    free(o.vertex);
-    free(o.corner);
-    free(o.triangle);
     if (status == 0) {
-        m->triangles = kept;
+        m->triangles = r.kept;
     }
+    polygon_free(&r.o.scratch);
+    free(r.o.vertex);
+    free(r.o.corner);
+    free(r.o.triangle);
     return status;
 }

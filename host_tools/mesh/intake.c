@@ -14,7 +14,6 @@
 #include <string.h>
 
 #include "engine/planelet_config.h"
-#include "host_tools/mesh/faces.h"
 
 static const uint32_t MISSING = UINT32_MAX; /* a mesh has fewer vertices */
 
@@ -25,8 +24,7 @@ intake intake_begin(mesh *m, const char *path, mesh_report *report, fail *f) {
         .report = report,
         .f = f,
         .declared = INTAKE_UNKNOWN,
-        .first_vertex = m->vertices,
-        .first_triangle = m->triangles,
+        .unresolved = {.first_vertex = m->vertices, .first_triangle = m->triangles},
         .furthest = -1,
     };
 }
@@ -65,21 +63,12 @@ static int make_room(intake *in) {
     return 0;
 }
 
-static int mark_bad(intake *in, size_t vertex) {
-    const size_t byte = vertex / 8;
-    if (byte >= in->bad_bytes) {
-        const size_t bytes = byte * 2 + 64;
-        unsigned char *bad = realloc(in->bad, bytes);
-        if (!bad) {
-            return fail_set(in->f, in->path, "out of memory; split the mesh");
-        }
-        memset(bad + in->bad_bytes, 0, bytes - in->bad_bytes);
-        in->bad = bad;
-        in->bad_bytes = bytes;
-    }
-    in->bad[byte] |= (unsigned char)(1u << vertex % 8);
-    in->count[REPORT_BAD_VERTICES]++;
-    return 0;
+static int fail_memory(intake *in) {
+    return fail_set(in->f, in->path, "out of memory; split the mesh");
+}
+
+size_t intake_vertices(const intake *in) {
+    return in->m->vertices - in->unresolved.first_vertex;
 }
 
 /* False for NaN. */
@@ -100,9 +89,10 @@ int intake_vertex(intake *in, const real p[3]) {
                                "use pack --repair to drop it",
                                (double)p[0].single, (double)p[1].single, (double)p[2].single);
         }
-        if (mark_bad(in, m->vertices - in->first_vertex) != 0) {
-            return -1;
+        if (faces_mark_bad(&in->unresolved, intake_vertices(in)) != 0) {
+            return fail_memory(in);
         }
+        in->count[REPORT_BAD_VERTICES]++;
         p = NOWHERE;
     }
     fail inner = {{0}};
@@ -119,7 +109,7 @@ static int fail_missing(intake *in, const location *at, int64_t written, uint64_
 }
 
 static void note_furthest(intake *in, int64_t vertex, int64_t written) {
-    const size_t here = in->m->vertices - in->first_vertex;
+    const size_t here = intake_vertices(in);
     if (vertex >= (int64_t)here && vertex > in->furthest) {
         in->furthest = vertex;
         in->furthest_written = written;
@@ -166,52 +156,33 @@ int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written) {
         note_furthest(in, vertex, written);
         number = vertex < MISSING ? (uint32_t)vertex : MISSING;
     } else if (!in->report->repair) {
-        const uint64_t here = in->m->vertices - in->first_vertex;
+        const uint64_t here = intake_vertices(in);
         return fail_missing(in, &in->at, written,
                             in->declared == INTAKE_UNKNOWN ? here : in->declared);
     }
     return add_corner(in, c, number);
 }
 
-static int add_face(intake *in, const chain *c) {
+int intake_polygon_end(intake *in, const chain *c) {
     if (c->corners > UINT32_MAX) {
         return intake_fail(in, "a face of more than 2^32 - 1 corners; split it");
     }
-    if (in->faces == in->face_room) {
-        const size_t room = in->face_room * 2 + 16;
-        intake_face *face = realloc(in->face, room * sizeof *face);
-        if (!face) {
-            return fail_set(in->f, in->path, "out of memory; split the mesh");
-        }
-        in->face = face;
-        in->face_room = room;
-    }
-    in->face[in->faces++] = (intake_face){c->first_triangle, (uint32_t)c->corners};
-    return 0;
-}
-
-int intake_polygon_end(intake *in, const chain *c) {
     if (c->corners > 3) {
-        return add_face(in, c);
+        const uint32_t corners = (uint32_t)c->corners;
+        const int status = faces_add_fan(&in->unresolved, c->first_triangle, corners);
+        return status == 0 ? 0 : fail_memory(in);
     }
     in->count[REPORT_SMALL_FACES] += c->corners < 3;
     return 0;
 }
 
-static void forget(intake *in) {
-    free(in->bad);
-    free(in->face);
-    in->bad = NULL;
-    in->face = NULL;
-}
-
 int intake_finish(intake *in) {
-    const size_t count = in->m->vertices - in->first_vertex;
+    const size_t count = intake_vertices(in);
     int status = 0;
     if (!in->report->repair && in->furthest >= (int64_t)count) {
         status = fail_missing(in, &in->furthest_at, in->furthest_written, count);
-    } else if (faces_resolve(in) != 0) {
-        status = fail_set(in->f, in->path, "out of memory; split the mesh");
+    } else if (faces_resolve(&in->unresolved, in->m, in->count) != 0) {
+        status = fail_memory(in);
     }
     if (status != 0) {
         intake_undo(in);
@@ -220,12 +191,12 @@ int intake_finish(intake *in) {
     for (int i = 0; i < REPORT_ITEMS; i++) {
         in->report->count[i] += in->count[i];
     }
-    forget(in);
+    faces_free(&in->unresolved);
     return 0;
 }
 
 void intake_undo(intake *in) {
-    in->m->vertices = in->first_vertex;
-    in->m->triangles = in->first_triangle;
-    forget(in);
+    in->m->vertices = in->unresolved.first_vertex;
+    in->m->triangles = in->unresolved.first_triangle;
+    faces_free(&in->unresolved);
 }

@@ -2,13 +2,12 @@
  *
  * A reader sets `at` to the element it reads, hands in vertices and corners as
  * the file has them, and ends with `intake_finish` or with `intake_undo`, after
- * which the mesh is as it was. Until then triangles
- * hold the file's own vertex indices, and faces of more corners are fans.
+ * which the mesh is as it was.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef INTAKE_H
 #define INTAKE_H
-#include "host_tools/mesh/mesh.h"
+#include "host_tools/mesh/faces.h"
 
 #define INTAKE_UNKNOWN UINT64_MAX
 #define INTAKE_MISSING INT64_MIN
@@ -20,12 +19,6 @@ typedef struct location {
     uint64_t number;  /* of the element, from 0 */
 } location;
 
-/* A face of more than three corners: its fan begins with triangle `first`. */
-typedef struct intake_face {
-    size_t first;
-    uint32_t corners;
-} intake_face;
-
 typedef struct intake {
     mesh *m;
     const char *path;
@@ -34,11 +27,7 @@ typedef struct intake {
     fail *f;
     location at;
     uint64_t declared; /* vertices in the file; INTAKE_UNKNOWN until the end */
-    size_t first_vertex, first_triangle;
-    unsigned char *bad; /* one bit per vertex, set for bad ones; owned */
-    size_t bad_bytes;
-    intake_face *face; /* in the order of the file; owned */
-    size_t faces, face_room;
+    mesh_faces unresolved;
     int64_t furthest, furthest_written; /* greatest index not yet there */
     location furthest_at;
 } intake;
@@ -53,6 +42,7 @@ typedef struct chain {
 
 intake intake_begin(mesh *m, const char *path, mesh_report *report, fail *f);
 int intake_vertex(intake *in, const real position[3]);
+size_t intake_vertices(const intake *in); /* of this file, so far */
 
 chain intake_chain(const intake *in, int is_strip);
 /* `vertex` counts from 0 (INTAKE_MISSING: cannot exist), `written` is what

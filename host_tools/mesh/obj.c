@@ -107,7 +107,7 @@ static int read_corner(reader *r, chain *c) {
     if (read_corner_number(r, &written) != 0) {
         return -1;
     }
-    const int64_t here = (int64_t)(r->in.m->vertices - r->in.first_vertex);
+    const int64_t here = (int64_t)intake_vertices(&r->in);
     int64_t vertex = written > 0 ? written - 1 : INTAKE_MISSING;
     if (written < 0 && written >= -here) {
         vertex = here + written;

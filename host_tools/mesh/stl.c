@@ -108,7 +108,7 @@ static int add_corner(reader *r, chain *c, const real position[3]) {
         }
     }
     const int64_t vertex = *slot ? (int64_t)*slot - 1 : (int64_t)m->vertices - 1;
-    const int64_t number = vertex - (int64_t)r->in.first_vertex;
+    const int64_t number = vertex - (int64_t)r->in.unresolved.first_vertex;
     return intake_corner(&r->in, c, number, number);
 }
 

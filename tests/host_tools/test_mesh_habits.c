@@ -201,7 +201,8 @@ static void ply_with_small_faces(void) {
     const mesh_report r =
         square(PLY, HEAD CORNERS_OF("double") "element face 4\n"
                                               "property list uint8 int32 vertex_indices\n"
-                                              "end_header\n" POINTS "1 0\n2 0 1\n3 0 1 2\n3 0 2 3\n");
+                                              "end_header\n" POINTS
+                                              "1 0\n2 0 1\n3 0 1 2\n3 0 2 3\n");
     only(&r, REPORT_SMALL_FACES, 2);
 }
 
@@ -241,7 +242,8 @@ static void ply_attributes(void) {
                                       "property uchar red\nelement camera 1\nproperty int n\n"
                                       "end_header\n"
                                       "0 0 0 0 0 1 0 0 9\n1 0 0 0 0 1 0 0 9\n1 1 0 0 0 1 0 0 9\n"
-                                      "0 1 0 0 0 1 0 0 9\n0 1\n1 2\n2 3\n3 0 1 2 7\n3 0 2 3 7\n1\n");
+                                      "0 1 0 0 0 1 0 0 9\n0 1\n1 2\n2 3\n3 0 1 2 7\n"
+                                      "3 0 2 3 7\n1\n");
     CHECK(r.count[REPORT_NORMALS] == 4 && r.count[REPORT_TEXTURES] == 4, "of vertices");
     CHECK(r.count[REPORT_COLOURS] == 6, "%llu", (unsigned long long)r.count[REPORT_COLOURS]);
     CHECK(r.count[REPORT_LINES] == 3 && r.count[REPORT_ELEMENTS] == 1, "of other elements");

@@ -9,7 +9,7 @@
 
 static const double NOWHERE[3] = {0, 0, 0};
 
-/* A slab of 1 x 0.4 x 1 where a surveyor's metres put it. */
+/* A slab of 1 x 0.4 x 1 in the metres of a national grid. */
 static const char SLAB[] =
     "v 500000.10 4500000.30 100\nv 500001.10 4500000.30 100\n"
     "v 500000.10 4500000.70 101\nv 500001.10 4500000.70 101\n"
