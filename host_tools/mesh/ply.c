@@ -46,12 +46,17 @@ static const ply_property *find_corners(const ply_element *e) {
 
 static int read_vertex(ply_reader *r, const ply_element *e, const ply_property *const axis[3]) {
     real position[3] = {{0, 0}, {0, 0}, {0, 0}};
+    size_t line = 0;
     for (size_t i = 0; i < e->properties; i++) {
         const ply_property *p = &e->property[i];
         const int k = p == axis[0] ? 0 : p == axis[1] ? 1 : p == axis[2] ? 2 : 3;
         if (k < 3 ? ply_coordinate(r, p->type, &position[k]) != 0 : ply_skip(r, p) != 0) {
             return -1;
         }
+        line = i == 0 ? r->data.line : line;
+    }
+    if (line != r->data.line) {
+        r->short_line = r->short_vertices++ == 0 ? line : r->short_line;
     }
     return intake_vertex(&r->in, position);
 }
@@ -78,12 +83,18 @@ static int skip_element(ply_reader *r, const ply_element *e) {
 }
 
 static int element_done(ply_reader *r) {
-    if (r->header->format == PLY_ASCII && !scan_line_done(&r->data)) {
-        return intake_fail(&r->in,
-                           "more values on the line than the header declares; "
-                           "correct the line or the header");
+    if (r->header->format != PLY_ASCII || scan_line_done(&r->data)) {
+        return 0;
     }
-    return 0;
+    if (r->short_vertices > 1) { /* a property that no line has: nothing is where it seems */
+        r->in.at = (location){.line = r->short_line};
+        return intake_fail(&r->in,
+                           "fewer values than the header declares for a vertex; "
+                           "correct the header or the lines");
+    }
+    return intake_fail(&r->in,
+                       "more values on the line than the header declares; "
+                       "correct the line or the header");
 }
 
 /* What an element is for. */

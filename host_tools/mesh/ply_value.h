@@ -12,6 +12,8 @@ typedef struct ply_reader {
     const ply_header *header;
     const unsigned char *bytes; /* of the whole file */
     scan data;                  /* what is still to be read */
+    size_t short_line;          /* ASCII: the first that ends inside a vertex */
+    uint64_t short_vertices;    /* and how many vertices go on in another line */
     intake in;
 } ply_reader;
 

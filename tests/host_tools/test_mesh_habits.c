@@ -276,6 +276,24 @@ static void ply_of_other_types(void) {
     mesh_free(&m);
 }
 
+static void ply_of_short_lines(void) {
+    test("Values may go on in the next line; when that ends badly, the first such line is named");
+    mesh_report r = square(PLY, HEAD CORNERS_OF("float") "element face 2\n"
+                                                         "property list uchar int vertex_index\n"
+                                                         "end_header\n"
+                                                         "0 0\n0\n1 0\n0\n1\n1 0\n0 1 0\n"
+                                                         "3 0 1\n2\n3 0 2 3\n");
+    nothing(&r);
+    must_fail_text(PLY,
+                   HEAD CORNERS_OF("float") "property float nx\nproperty float ny\n"
+                                            "property float nz\nelement face 2\n"
+                                            "property list uchar int vertex_index\nend_header\n"
+                                            "0.00 0 0\n1.00 0 0\n1.00 1 0\n0.00 1 0\n"
+                                            "3 0 1 2\n3 0 2 3\n",
+                   "line 13: fewer values than the header declares for a vertex; correct the "
+                   "header or the lines");
+}
+
 /* ---- OBJ ------------------------------------------------------------------------------------- */
 
 static void obj_that_joins(void) {
@@ -391,6 +409,7 @@ int main(void) {
     ply_with_more_in_it();
     ply_attributes();
     ply_of_other_types();
+    ply_of_short_lines();
     obj_that_joins();
     obj_attributes();
     concave_faces();
