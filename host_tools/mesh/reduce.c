@@ -8,30 +8,41 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/mesh/extent.h"
+
 #define NOWHERE UINT32_MAX
+
+/* Grids: cells along the longest side, below 2^21, which is a key's share of an axis. */
+static const double CELLS_MOST = 1048576.0;
 
 typedef struct clustering {
     const mesh *m;
-    double lo[3], longest;
+    plt_box box;       /* of the triangles that count (extent.h) */
+    double longest;    /* its longest side */
+    uint32_t *vertex;  /* the vertices that those triangles use, ascending */
     uint64_t *cell;    /* key of each cluster */
     uint32_t *hash;    /* clusters by key */
-    uint32_t *cluster; /* of each vertex */
-    size_t hash_size, clusters;
+    uint32_t *cluster; /* of each vertex; NOWHERE when no triangle that counts uses it */
+    size_t used, hash_size, clusters;
 } clustering;
 
-static void bounds(clustering *c) {
-    double hi[3] = {-INFINITY, -INFINITY, -INFINITY};
+static void find_used(clustering *c) {
+    c->box = mesh_area_box(c->m);
     for (int a = 0; a < 3; a++) {
-        c->lo[a] = INFINITY;
+        c->longest = fmax(c->longest, (double)c->box.hi[a] - (double)c->box.lo[a]);
     }
-    for (size_t i = 0; i < 3 * c->m->vertices; i++) {
-        c->lo[i % 3] = fmin(c->lo[i % 3], (double)c->m->vertex[i]);
-        hi[i % 3] = fmax(hi[i % 3], (double)c->m->vertex[i]);
+    memset(c->cluster, 0xFF, c->m->vertices * sizeof *c->cluster); /* NOWHERE */
+    for (size_t i = 0; i < c->m->triangles; i++) {
+        for (size_t k = 0; k < 3 && (k > 0 || mesh_counts(c->m, &c->box, i)); k++) {
+            c->cluster[c->m->triangle[3 * i + k]] = 0;
+        }
     }
-    c->longest = 0.0;
-    for (int a = 0; a < 3; a++) {
-        c->longest = fmax(c->longest, hi[a] - c->lo[a]);
+    for (size_t i = 0; i < c->m->vertices; i++) {
+        if (c->cluster[i] != NOWHERE) {
+            c->vertex[c->used++] = (uint32_t)i;
+        }
     }
+    c->hash_size = 2 * c->used + 1;
 }
 
 static uint32_t cluster_of(clustering *c, uint64_t key) {
@@ -46,31 +57,34 @@ static uint32_t cluster_of(clustering *c, uint64_t key) {
     return c->hash[at];
 }
 
-/* Gives every vertex its cluster in a grid of `cells` along the longest side. A vertex
- * on the far border belongs to the last cell. */
+/* Gives every vertex that is used its cluster in a grid of `cells` along the longest side. A
+ * vertex on the far border belongs to the last cell. */
 static void assign(clustering *c, double cells) {
     const double scale = c->longest > 0.0 ? cells / c->longest : 0.0;
     const double last = ceil(cells) - 1.0;
     c->clusters = 0;
     memset(c->hash, 0xFF, c->hash_size * sizeof *c->hash);
-    for (size_t i = 0; i < c->m->vertices; i++) {
+    for (size_t i = 0; i < c->used; i++) {
+        const float *p = c->m->vertex + 3 * (size_t)c->vertex[i];
         uint64_t key = 0;
-        for (size_t a = 0; a < 3; a++) {
-            const double x = ((double)c->m->vertex[3 * i + a] - c->lo[a]) * scale;
+        for (int a = 0; a < 3; a++) {
+            const double x = ((double)p[a] - (double)c->box.lo[a]) * scale;
             key = key << 21 | (uint64_t)fmin(x, last);
         }
-        c->cluster[i] = cluster_of(c, key);
+        c->cluster[c->vertex[i]] = cluster_of(c, key);
     }
 }
 
+/* A triangle that does not count has a corner NOWHERE, or two at one position. */
 static int survives(const clustering *c, size_t triangle) {
     const uint32_t *t = &c->m->triangle[3 * triangle];
     const uint32_t p = c->cluster[t[0]], q = c->cluster[t[1]], r = c->cluster[t[2]];
-    return p != q && q != r && p != r;
+    return p != q && q != r && p != r && p != NOWHERE && q != NOWHERE && r != NOWHERE;
 }
 
-static size_t count_left(const clustering *c) {
+static size_t count_left(clustering *c, double cells) {
     size_t left = 0;
+    assign(c, cells);
     for (size_t i = 0; i < c->m->triangles; i++) {
         left += (size_t)survives(c, i);
     }
@@ -80,11 +94,10 @@ static size_t count_left(const clustering *c) {
 /* The finest grid that leaves at most `most`; one cell always does. Their
  * number along a side need not be whole: few triangles leave few whole numbers. */
 static double finest_grid(clustering *c, size_t most) {
-    double good = 1.0, bad = 1048576.0;
+    double good = 1.0, bad = CELLS_MOST;
     for (int i = 0; i < 40 && bad > good * (1.0 + 1e-6); i++) {
         const double middle = sqrt(good * bad);
-        assign(c, middle);
-        if (count_left(c) <= most) {
+        if (count_left(c, middle) <= most) {
             good = middle;
         } else {
             bad = middle;
@@ -93,13 +106,34 @@ static double finest_grid(clustering *c, size_t most) {
     return good;
 }
 
+/* Of the coarse grids that leave something, the one that leaves the most of at most `most`,
+ * 0 when there is none; *least is the least that any of them leaves. Counts do not rise
+ * steadily from grid to grid, so the finest grid may leave nothing and a coarser one
+ * something. The grids are the same for any `most`: asking for *least succeeds. */
+static double coarse_grid(clustering *c, size_t most, size_t *least) {
+    double grid = 0.0;
+    size_t best = 0;
+    int finer = 32; /* grids after the first that leaves something: to four times as fine */
+    for (double cells = 1.0; cells < CELLS_MOST && finer > 0; cells *= 1.0442737824274138) {
+        const size_t left = count_left(c, cells);
+        finer -= left > 0 || finer < 32;
+        *least = left > 0 && left < *least ? left : *least;
+        if (left <= most && left > best) {
+            best = left;
+            grid = cells;
+        }
+    }
+    return grid;
+}
+
 static int rebuild(const clustering *c, mesh *to, fail *f) {
     double *sum = calloc(c->clusters * 4 + 1, sizeof *sum);
     int status = sum == NULL ? -1 : 0;
-    for (size_t i = 0; i < c->m->vertices && status == 0; i++) {
-        double *s = &sum[4 * (size_t)c->cluster[i]];
-        for (size_t a = 0; a < 3; a++) {
-            s[a] += (double)c->m->vertex[3 * i + a];
+    for (size_t i = 0; i < c->used && status == 0; i++) {
+        const float *p = c->m->vertex + 3 * (size_t)c->vertex[i];
+        double *s = &sum[4 * (size_t)c->cluster[c->vertex[i]]];
+        for (int a = 0; a < 3; a++) {
+            s[a] += (double)p[a];
         }
         s[3] += 1.0;
     }
@@ -118,29 +152,63 @@ static int rebuild(const clustering *c, mesh *to, fail *f) {
     return status;
 }
 
+/* Clusters that leave 1 to `most` triangles. */
+static int find_clusters(clustering *c, size_t most, const char *name, fail *f) {
+    size_t least = c->m->triangles;
+    if (c->used == 0) {
+        return fail_set(f, name, "none of its %zu triangles has an area; leave out --reduce",
+                        c->m->triangles);
+    }
+    if (count_left(c, finest_grid(c, most)) > 0) {
+        return 0;
+    }
+    const double grid = coarse_grid(c, most, &least);
+    if (grid > 0.0) {
+        assign(c, grid);
+        return 0;
+    }
+    for (int i = 0; i < 16 && least > most + 1; i++, least--) { /* fewer may do in a fine grid */
+        if (count_left(c, finest_grid(c, least - 1)) == 0) {
+            break;
+        }
+    }
+    return fail_set(f, name,
+                    "--reduce %zu leaves none of its %zu triangles: their corners fall together; "
+                    "use --reduce %zu or more",
+                    most, c->m->triangles, least);
+}
+
+static int reduce(clustering *c, mesh *to, size_t most, const char *name, fail *f) {
+    c->vertex = malloc(c->m->vertices * sizeof *c->vertex + 1);
+    c->cell = malloc(c->m->vertices * sizeof *c->cell + 1);
+    c->hash = malloc((2 * c->m->vertices + 1) * sizeof *c->hash);
+    c->cluster = malloc(c->m->vertices * sizeof *c->cluster + 1);
+    if (c->vertex != NULL && c->cell != NULL && c->hash != NULL && c->cluster != NULL) {
+        find_used(c);
+        if (find_clusters(c, most, name, f) != 0) {
+            return -1;
+        }
+        if (rebuild(c, to, f) == 0) {
+            return 0;
+        }
+    }
+    return fail_set(f, name, "out of memory while reducing; use a larger machine");
+}
+
 int mesh_reduce(mesh *m, size_t most, const char *name, fail *f) {
     clustering c = {.m = m};
     mesh reduced = {0};
     if (m->triangles <= most) {
         return 0;
     }
-    c.hash_size = 2 * m->vertices + 1;
-    c.cell = malloc(m->vertices * sizeof *c.cell + 1);
-    c.hash = malloc(c.hash_size * sizeof *c.hash);
-    c.cluster = malloc(m->vertices * sizeof *c.cluster + 1);
-    int status = -1;
-    if (c.cell != NULL && c.hash != NULL && c.cluster != NULL) {
-        bounds(&c);
-        assign(&c, finest_grid(&c, most));
-        status = rebuild(&c, &reduced, f);
-    }
-    if (status != 0) {
-        fail_set(f, name, "out of memory while reducing; use a larger machine");
-        mesh_free(&reduced);
-    } else {
+    const int status = reduce(&c, &reduced, most, name, f);
+    if (status == 0) {
         mesh_free(m);
         *m = reduced;
+    } else {
+        mesh_free(&reduced);
     }
+    free(c.vertex);
     free(c.cell);
     free(c.hash);
     free(c.cluster);

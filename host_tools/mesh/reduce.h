@@ -12,8 +12,9 @@
 #define MESH_REDUCE_H
 #include "host_tools/mesh/mesh.h"
 
-/* Leaves at most `most` (1 or more) triangles; a mesh that has no more is not
- * changed. */
+/* Leaves 1 to `most` triangles; a mesh that has no more is not changed. Only triangles that
+ * count (extent.h) and their vertices are looked at. Where nothing would be left it fails,
+ * and says how many triangles it can leave; the mesh is then as it was. */
 int mesh_reduce(mesh *m, size_t most, const char *name, fail *f);
 
 #endif

@@ -85,14 +85,23 @@ verdict "... and costs what info says" "$(
     [ $((($(wc -c <keep.plt) - $(wc -c <none.plt)))) -eq "$(number number_bytes <out)" ] ||
         cat out)"
 
-for most in 1 100 1500 1000000; do
+for most in 2 100 1500 1000000; do
     packs "pack --reduce $most" knot.ply -o small.plt --nodes compact --reduce $most
     run info small.plt --json
     verdict "... leaves at most so many triangles" "$(
         n=$(number triangles <out)
-        [ "$n" -le $most ] || echo "$n"
+        [ "$n" -le $most ] && [ "$n" -gt 0 ] || echo "$n"
         [ $most -ne 1500 ] || [ "$n" -gt $((most / 2)) ] || echo "only $n")"
 done
+refused "pack --reduce 1 of a closed mesh, which would leave nothing" knot.ply \
+    '--reduce 1 leaves none of its [0-9]* triangles' \
+    pack knot.ply -o none.plt --nodes compact --reduce 1
+least=$(sed -n 's/.*; use --reduce \([0-9]*\) or more$/\1/p' err)
+run pack knot.ply -o small.plt --nodes compact --reduce "$least"
+run info small.plt --json
+verdict "... and the number that it proposes leaves something" "$(
+    n=$(number triangles <out)
+    [ "${n:-0}" -ge 1 ] && [ "$n" -le "$least" ] || cat err out)"
 run pack knot.ply -o reduced.plt --reduce 1500
 verdict "--reduce goes with thesis nodes, too" "$(
     [ "$status" -eq 0 ] || cat err

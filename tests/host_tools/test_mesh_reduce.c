@@ -33,7 +33,25 @@ static mesh reduced(const mesh *m, size_t most) {
     mesh to = copy_of(m);
     fail f = {""};
     CHECK(mesh_reduce(&to, most, "test", &f) == 0, "%s", f.text);
+    CHECK(to.triangles > 0, "to %zu: nothing is left", most);
     return to;
+}
+
+/* The number in "use --reduce N or more" when so few would leave nothing; else `most`. The
+ * mesh that is refused stays as it is. */
+static size_t enough(const mesh *m, size_t most) {
+    mesh to = copy_of(m);
+    fail f = {""};
+    size_t proposed = most;
+    if (mesh_reduce(&to, most, "test", &f) != 0) {
+        const char *remedy = strstr(f.text, "; use --reduce ");
+        proposed = remedy != NULL ? strtoul(remedy + 15, NULL, 10) : 0;
+        CHECK(strncmp(f.text, "test: --reduce ", 15) == 0, "%s", f.text);
+        CHECK(proposed > most && proposed <= m->triangles, "to %zu: %s", most, f.text);
+        CHECK(same(&to, m), "changed");
+    }
+    mesh_free(&to);
+    return proposed;
 }
 
 static int compare_keys(const void *a, const void *b) {
@@ -109,7 +127,9 @@ static void every_count(mesh *m, const char *name, double share, int closed) {
     static const size_t most[] = {1, 4, 30, 100, 500, 1000, 2000, 3000, 3900};
     CHECK(!closed || open_edges(m) == 0, "%s was not closed", name);
     for (size_t i = 0; i < sizeof most / sizeof most[0] && most[i] < m->triangles; i++) {
-        reduce_to(m, name, most[i], most[i] < 100 ? 0.0 : share, closed);
+        const size_t least = enough(m, most[i]);
+        CHECK(most[i] < 30 || least == most[i], "%s to %zu is refused", name, most[i]);
+        reduce_to(m, name, least, most[i] < 100 ? 0.0 : share, closed);
     }
     mesh_free(m);
 }
@@ -126,7 +146,81 @@ static void not_less(void) {
     mesh_free(&m);
 }
 
-/* Nothing to measure by: no vertices, one point, one line. */
+/* From the number proposed on, whatever is asked for leaves something. */
+static void check_remedy(mesh *m, const char *name, size_t most, size_t wanted) {
+    const size_t least = enough(m, most);
+    CHECK(wanted == 0 || least == wanted, "%s to %zu: %zu proposed", name, most, least);
+    for (size_t n = least; n < least + 40; n++) {
+        mesh a = reduced(m, n);
+        CHECK(a.triangles <= n || n > m->triangles, "%s to %zu: %zu triangles", name, n,
+              a.triangles);
+        mesh_free(&a);
+    }
+    mesh_free(m);
+}
+
+static void too_few(void) {
+    mesh m = {0};
+    fail f = {""};
+    shape_cube(&m);
+    check_remedy(&m, "cube", 1, 12);
+    shape_cube(&m);
+    check_remedy(&m, "cube", 11, 12);
+    shape_icosphere(&m, 3);
+    check_remedy(&m, "icosphere", 1, 0);
+    CHECK(scene_knot(&m, 4000, &f) == 0, "%s", f.text);
+    check_remedy(&m, "knot", 1, 0);
+    shape_icosphere(&m, 2); /* two, so far apart that each is one cell of the finest grid */
+    shape_transform(&m, 1.0f, 1.0e8f, 0, 0);
+    shape_icosphere(&m, 2);
+    check_remedy(&m, "parts", 100, m.triangles);
+}
+
+/* Two spheres, apart: both are still there. */
+static void parts(void) {
+    mesh m = {0};
+    shape_icosphere(&m, 3);
+    shape_transform(&m, 1.0f, 1000, 0, 0);
+    shape_icosphere(&m, 3);
+    mesh a = reduced(&m, 500);
+    size_t left = 0;
+    for (uint32_t i = 0; i < a.triangles; i++) {
+        left += shape_corner(&a, i, 0)[0] < 500;
+    }
+    CHECK(a.triangles >= 450 && left > 100 && left < a.triangles - 100, "%zu of %zu", left,
+          a.triangles);
+    mesh_free(&a);
+    mesh_free(&m);
+}
+
+/* The same, whatever else is far away: vertices that no triangle uses, and triangles
+ * without area, of which one at a sphere's corner has two corners there. */
+static void stray(void) {
+    static const float far[3][3] = {{1.0e9f, 0, 0}, {2.0e9f, 0, 0}, {3.0e9f, 0, 0}};
+    mesh m = {0};
+    fail f = {""};
+    shape_icosphere(&m, 4);
+    mesh a = reduced(&m, 500);
+    for (uint32_t i = 0; i < 3; i++) {
+        mesh_add_vertex(&m, far[i][0], far[i][1], far[i][2], &f);
+        if (i == 0) {
+            mesh b = reduced(&m, 500);
+            CHECK(same(&a, &b), "%zu triangles, not %zu", b.triangles, a.triangles);
+            mesh_free(&b);
+        }
+    }
+    const uint32_t v = (uint32_t)m.vertices;
+    mesh_add_triangle(&m, v - 3, v - 2, v - 1, &f);
+    mesh_add_triangle(&m, v - 1, v - 1, v - 1, &f);
+    mesh_add_triangle(&m, 0, 0, v - 1, &f);
+    mesh b = reduced(&m, 500);
+    CHECK(same(&a, &b), "%zu triangles, not %zu", b.triangles, a.triangles);
+    mesh_free(&a);
+    mesh_free(&b);
+    mesh_free(&m);
+}
+
+/* Piles of one triangle; and one point, in which there is nothing to hit. */
 static void nothing_to_reduce(void) {
     mesh m = {0};
     fail f = {""};
@@ -134,15 +228,12 @@ static void nothing_to_reduce(void) {
     for (int i = 0; i < 5; i++) {
         mesh_add_triangle(&m, 0, 0, 0, &f);
     }
-    mesh a = reduced(&m, 2);
-    CHECK(a.triangles == 0, "%zu triangles of a point", a.triangles);
-    mesh_free(&a);
+    CHECK(mesh_reduce(&m, 2, "point", &f) != 0, "%zu triangles of a point", m.triangles);
+    CHECK(strcmp(f.text, "point: none of its 5 triangles has an area; leave out --reduce") == 0,
+          "%s", f.text);
     mesh_free(&m);
     shape_coincident(&m, 40);
-    a = reduced(&m, 10);
-    CHECK(a.triangles <= 10, "%zu of the same triangle", a.triangles);
-    mesh_free(&a);
-    mesh_free(&m);
+    check_remedy(&m, "pile", 10, 0);
 }
 
 int main(void) {
@@ -162,7 +253,15 @@ int main(void) {
     every_count(&m, "soup", 0.9, 0);
     test("a mesh of no more than that stays as it is");
     not_less();
-    test("points and piles of one triangle are reduced, too");
+    test("vertices that no triangle uses and triangles without area far away change nothing");
+    stray();
+    test("parts stay parts");
+    parts();
+    test(
+        "what would leave nothing is refused with a number that leaves something, as does any "
+        "above it");
+    too_few();
+    test("... and so are piles of one triangle, or points without another number");
     nothing_to_reduce();
     return test_done();
 }
