@@ -8,7 +8,9 @@
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdlib.h>
+#include <time.h>
 
+#include "host_tools/pack/lattice_area.h"
 #include "host_tools/pack/lattice_snap.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
@@ -135,6 +137,147 @@ static void random_slivers(void) {
     CHECK(mended > ROUNDS / 4 && left > ROUNDS / 4, "%u mended, %u left", mended, left);
 }
 
+/* ---- hubs: vertices of many slivers ------------------------------------------------------ */
+
+/* What lattice_mend.h promises, said once more without any book-keeping. Positions of
+ * vertices are different. */
+typedef struct plain {
+    const mesh *m;
+    lattice_position *at;
+    uint64_t mended;
+} plain;
+
+/* 0: has an area, 1: a line, 2: nothing to mend. */
+static int plain_state(const plain *p, size_t i) {
+    const uint32_t *t = &p->m->triangle[3 * i];
+    const lattice_position corners[3] = {p->at[t[0]], p->at[t[1]], p->at[t[2]]};
+    return lattice_has_area(corners) ? 0 : lattice_is_line(corners) ? 1 : 2;
+}
+
+static int plain_better(plain *p, uint32_t vertex, lattice_position to) {
+    int fewer = 0, lost = 0;
+    for (size_t i = 0; i < p->m->triangles; i++) {
+        const uint32_t *t = &p->m->triangle[3 * i];
+        if (t[0] == vertex || t[1] == vertex || t[2] == vertex) {
+            const lattice_position was = p->at[vertex];
+            const int before = plain_state(p, i);
+            p->at[vertex] = to;
+            const int after = plain_state(p, i);
+            p->at[vertex] = was;
+            lost |= before == 0 && after != 0;
+            fewer += (before == 1) - (after == 1);
+        }
+    }
+    return fewer > 0 && !lost;
+}
+
+static void plain_move(plain *p, uint32_t vertex) {
+    double nearest = 0.75;
+    lattice_position best = p->at[vertex];
+    for (unsigned c = 0; c < 8; c++) {
+        lattice_position to;
+        double far2 = 0.0;
+        for (int a = 0; a < 3; a++) {
+            const double x = (double)p->m->vertex[3 * (size_t)vertex + (size_t)a];
+            to.q[a] = (uint32_t)floor(x) + (c >> a & 1u);
+            far2 += (x - to.q[a]) * (x - to.q[a]);
+        }
+        if (far2 < nearest && plain_better(p, vertex, to)) {
+            nearest = far2;
+            best = to;
+        }
+    }
+    p->mended += nearest < 0.75;
+    p->at[vertex] = best;
+}
+
+static void plain_mend(plain *p) {
+    for (size_t i = 0; i < 3 * p->m->vertices; i++) {
+        p->at[i / 3].q[i % 3] = (uint32_t)floor((double)p->m->vertex[i] + 0.5);
+    }
+    for (size_t i = 0; i < 3 * p->m->triangles; i++) {
+        if (plain_state(p, i / 3) == 1) {
+            plain_move(p, p->m->triangle[i]);
+        }
+    }
+}
+
+/* Slivers from `hubs` vertices to others along a line, `shared` hubs in each; and a
+ * triangle that makes the mesh LONGEST long. */
+static mesh hub_mesh(uint32_t hubs, uint32_t shared, uint32_t slivers, float width, uint64_t seed) {
+    random_state r = {seed};
+    mesh m = {0};
+    for (int i = 0; i < 3; i++) {
+        vertex(&m, corner[i]);
+    }
+    triangle(&m, 0, 1, 2);
+    for (uint32_t i = 0; i < hubs; i++) {
+        vertex(&m, (const float[3]){random_float(&r, 5, 4000), random_float(&r, 5, 5 + width),
+                                    random_float(&r, 5, 5 + width)});
+    }
+    for (uint32_t i = 0; i < slivers; i++) {
+        uint32_t t[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            t[k] = 3 + (i + k) % hubs;
+            if (k >= shared) {
+                t[k] = (uint32_t)m.vertices;
+                vertex(&m,
+                       (const float[3]){random_float(&r, 5, 4000), random_float(&r, 5, 5 + width),
+                                        random_float(&r, 5, 5 + width)});
+            }
+        }
+        const uint32_t turn = random_below(&r, 3);
+        triangle(&m, t[turn], t[(turn + 1) % 3], t[(turn + 2) % 3]);
+    }
+    return m;
+}
+
+static void same_as_plain(const mesh *m, uint64_t *mended) {
+    plain p = {.m = m, .at = malloc(m->vertices * sizeof *p.at)};
+    snapped s = snap(m);
+    uint32_t same = 0;
+    plain_mend(&p);
+    CHECK(s.loss.mended == p.mended, "%llu mended, not %llu", (unsigned long long)s.loss.mended,
+          (unsigned long long)p.mended);
+    for (uint32_t i = 0; i < s.count; i++) {
+        for (uint32_t k = 0; k < 9; k++) {
+            const unsigned char *q = at(&s, i, 0) + (size_t)k * s.width;
+            const uint32_t wanted = p.at[m->triangle[3 * (size_t)s.source[i] + k / 3]].q[k % 3];
+            same += (q[0] | (uint32_t)q[1] << 8) == wanted;
+        }
+    }
+    CHECK(same == 9 * s.count, "%u of %u coordinates", same, 9 * s.count);
+    *mended += s.loss.mended;
+    snapped_free(&s);
+    free(p.at);
+}
+
+static void small_hubs(void) {
+    uint64_t mended = 0;
+    for (uint32_t i = 0; i < 60; i++) {
+        mesh m = hub_mesh(2 + i % 4, 1 + i / 4 % 2, 40 + i, 0.5f + 0.1f * (float)(i % 17), i);
+        same_as_plain(&m, &mended);
+        mesh_free(&m);
+    }
+    printf("    %llu mended\n", (unsigned long long)mended);
+    CHECK(mended > 60, "%llu mended", (unsigned long long)mended);
+}
+
+/* All stay lines, whatever moves. That takes minutes where each is counted anew. */
+static void large_hubs(void) {
+    for (uint32_t shared = 1; shared <= 2; shared++) {
+        mesh m = hub_mesh(2, shared, 100000, 0.002f, 1);
+        const clock_t began = clock();
+        snapped s = snap(&m);
+        const double seconds = (double)(clock() - began) / CLOCKS_PER_SEC;
+        printf("    %u shared: %.2f s\n", shared, seconds);
+        CHECK(seconds < 10.0, "%g s", seconds);
+        CHECK(s.count < 1000, "%u triangles", s.count);
+        snapped_free(&s);
+        mesh_free(&m);
+    }
+}
+
 int main(void) {
     test("a corner on its neighbour's edge moves to another grid point around it");
     expect(0, (const float[3]){2000, 0.3f, 0.1f}, 1, 0, 6);
@@ -143,7 +286,7 @@ int main(void) {
     expect(0, (const float[3]){2000, 0.02f, 0.01f}, 0, 1, 5);
     test("a sliver with an area on the lattice stays, and so does one that the mesh had flat");
     expect(0, (const float[3]){2000, 0.6f, 0.1f}, 0, 0, 6);
-    expect(0, (const float[3]){2000, 0, 0}, 0, 1, 5);
+    expect(0, (const float[3]){2001, 0, 0}, 0, 1, 5);
     expect(3, (const float[3]){500.25f, 750.375f, 0}, 0, 1, 5);
     expect(3, (const float[3]){500.25f, 750.376f, 0}, 1, 0, 6);
     test("... and no triangle that has an area loses it: the next grid point is chosen");
@@ -156,5 +299,9 @@ int main(void) {
     corner[2][1] = 3000;
     test("a mesh is closed on the lattice if no T-junction is reported, and only then");
     random_slivers();
+    test("vertices of many slivers move as if each was counted anew");
+    small_hubs();
+    test("... in time that grows with their number, not its square");
+    large_hubs();
     return test_done();
 }
