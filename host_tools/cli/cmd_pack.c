@@ -34,6 +34,10 @@ static const arg_flag flags[] = {
      "(default lattice:16)"},
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side"},
+    {"--step", "auto|power",
+     "compact: the lattice's step is a power of two where that keeps every corner exactly where "
+     "it is, or always: costs up to one bit, and corners that are multiples of it stay exact "
+     "(default auto)"},
     {"--numbers", "keep|none",
      "compact: primitive ids are those of the packed meshes, 2 to 3 bytes per triangle, or "
      "positions in the image (default keep)"},
@@ -72,15 +76,16 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
     const lattice_loss *l = &job->loss;
     fail line = {""};
     fail_set(&line, name,
-             "lattice of %u bits: vertices moved by up to %.1e of the longest side, %" PRIu64
+             "lattice of %u bits: vertices moved by up to %.2g of the longest side, %" PRIu64
              " triangles lost their area (%" PRIu64 " had none), %" PRIu64
-             " positions merged, %" PRIu64 " T-junctions (%" PRIu64 " mended)",
-             (unsigned)job->compact.lattice_bits, l->largest_move, l->flat_now, l->flat_before,
-             l->merged, l->t_junctions, l->mended);
+             " positions merged, %" PRIu64 " T-junctions (%" PRIu64 " mended); step %.9g, %" PRIu64
+             " of %" PRIu64 " vertices stayed exactly where they were",
+             (unsigned)l->bits, l->largest_move, l->flat_now, l->flat_before, l->merged,
+             l->t_junctions, l->mended, (double)l->step, l->unmoved, l->vertices);
     fprintf(stderr, "%s%s%s\n", line.text,
             job->compact.build == PLT_BUILD_DEVICE ? "; primitive ids are positions in the image"
                                                    : "",
-            l->flat_now > 0 && job->compact.lattice_bits < PLT_LATTICE_BITS_MOST
+            l->flat_now > 0 && l->bits < PLT_LATTICE_BITS_MOST
                 ? "; try --geometry lattice:21 to keep them"
                 : "");
 }
@@ -176,7 +181,7 @@ static void say_done(const pack_job *job, const packed *image, double seconds) {
 }
 
 /* --geometry lattice or lattice:BITS; float is on a lattice of 16 bits. */
-static uint8_t read_lattice(args *a, int floats) {
+static uint8_t read_lattice(pack_job *job, args *a, int floats) {
     const char *text = args_text(a, "--geometry", "lattice");
     float tolerance = 0.0f;
     unsigned bits = 16;
@@ -194,6 +199,7 @@ static uint8_t read_lattice(args *a, int floats) {
                           text);
         }
         bits = lattice_bits_for((double)tolerance);
+        job->compact.tolerance = (double)tolerance;
         if (bits == 0 || floats) {
             args_complain(a, floats ? "--tolerance is for --geometry lattice"
                                     : "--tolerance below 5.2e-07 is finer than any lattice; use "
@@ -207,10 +213,12 @@ static uint8_t read_lattice(args *a, int floats) {
 static void read_format(pack_job *job, args *a) {
     static const char *const nodes[] = {"thesis", "compact", NULL};
     static const char *const floats[] = {"float", NULL}, *const numbers[] = {"keep", "none", NULL};
+    static const char *const steps[] = {"auto", "power", NULL};
     job->compact.numbers = args_choice(a, "--numbers", numbers, 0) == 0;
+    job->compact.power = args_choice(a, "--step", steps, 0) == 1;
     if (args_choice(a, "--nodes", nodes, 0) == 1) {
         job->compact.floats = strcmp(args_text(a, "--geometry", ""), "float") == 0;
-        job->compact.lattice_bits = read_lattice(a, job->compact.floats);
+        job->compact.lattice_bits = read_lattice(job, a, job->compact.floats);
         if (job->compact.floats && job->options.build == PLT_BUILD_DEVICE) {
             args_complain(a, "--build device takes --geometry lattice with compact nodes");
         }
@@ -228,8 +236,8 @@ static void read_format(pack_job *job, args *a) {
         return;
     }
     args_choice(a, "--geometry", floats, 0);
-    if (args_has(a, "--tolerance") || args_has(a, "--numbers")) {
-        args_complain(a, "--tolerance and --numbers go with --nodes compact");
+    if (args_has(a, "--tolerance") || args_has(a, "--numbers") || args_has(a, "--step")) {
+        args_complain(a, "--tolerance, --numbers and --step go with --nodes compact");
     }
 }
 

@@ -30,17 +30,3 @@ int lattice_is_line(const lattice_position p[3]) {
     return !lattice_has_area(p) && !same(&p[0], &p[1]) && !same(&p[1], &p[2]) &&
            !same(&p[0], &p[2]);
 }
-
-int lattice_had_area(const mesh *m, size_t i) {
-    double p[3][3], e[3], g[3];
-    for (size_t c = 0; c < 3; c++) {
-        for (size_t a = 0; a < 3; a++) {
-            p[c][a] = (double)m->vertex[3 * (size_t)m->triangle[3 * i + c] + a];
-        }
-    }
-    for (int a = 0; a < 3; a++) {
-        e[a] = p[1][a] - p[0][a];
-        g[a] = p[2][a] - p[0][a];
-    }
-    return e[1] * g[2] != e[2] * g[1] || e[2] * g[0] != e[0] * g[2] || e[0] * g[1] != e[1] * g[0];
-}

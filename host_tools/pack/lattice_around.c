@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "host_tools/mesh/extent.h"
-#include "host_tools/pack/lattice_mend.h"
 
 typedef struct vertex_at {
     float p[3];

@@ -12,7 +12,7 @@ typedef struct lattice_around {
     uint32_t *triangle; /* one stands there once for each of its corners at v */
 } lattice_around;
 
-/* `moved` says which vertices count (lattice_mend.h). 0, or -1 when memory is out; what it
+/* `moved` says which vertices count (snapped.h). 0, or -1 when memory is out; what it
  * allocates lattice_around_free frees in either case. */
 int lattice_around_find(lattice_around *r, const snapped *s, const mesh *m,
                         const lattice_position *moved);

@@ -33,8 +33,8 @@ static void add_box(snapped *s, const mesh *m, size_t i) {
     snapped_add(s, p, 2, (uint32_t)i);
 }
 
-int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
-    if (snapped_begin(s, m, bits, 2, name, f) != 0) {
+int lattice_boxes(snapped *s, const mesh *m, const lattice_wish *wish, const char *name, fail *f) {
+    if (snapped_begin(s, m, wish, 2, name, f) != 0) {
         return -1;
     }
     for (size_t i = 0; i < m->triangles; i++) {

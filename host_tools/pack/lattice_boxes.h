@@ -7,6 +7,6 @@
 
 /* Leaves the mesh where it is: `corners` become the triangles' boxes (6
  * coordinates each), rounded outwards, of all triangles. */
-int lattice_boxes(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f);
+int lattice_boxes(snapped *s, const mesh *m, const lattice_wish *wish, const char *name, fail *f);
 
 #endif

@@ -5,12 +5,8 @@
 #define HOST_LATTICE_MEND_H
 #include "host_tools/pack/snapped.h"
 
-/* Where a vertex goes; q[0] of one that no triangle uses, which is not counted and moves
- * nowhere. */
-#define LATTICE_UNUSED UINT32_MAX
-
 /* Moves corners of triangles that have become lines: `moved` holds where each vertex of the
- * mesh has gone. 0, or -1 when memory is out. */
+ * mesh has gone, or LATTICE_UNUSED. 0, or -1 when memory is out. */
 int lattice_mend(snapped *s, const mesh *m, lattice_position *moved);
 
 #endif

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "engine/tree/canonical.h"
+#include "host_tools/mesh/extent.h"
 #include "host_tools/pack/lattice_area.h"
 #include "host_tools/pack/lattice_mend.h"
 
@@ -30,11 +31,15 @@ static uint8_t rotation_of(const lattice_position p[3]) {
 
 static void add_if_area(snapped *s, const mesh *m, const lattice_position *moved, size_t i) {
     lattice_position p[3];
+    if (!mesh_counts(m, &s->mesh_box, i)) {
+        s->loss.flat_before++;
+        return;
+    }
     for (size_t k = 0; k < 3; k++) {
         p[k] = moved[m->triangle[3 * i + k]];
     }
     if (!lattice_has_area(p)) {
-        const int before = !lattice_had_area(m, i);
+        const int before = !mesh_has_area(m, i);
         s->loss.flat_before += (uint64_t)before;
         s->loss.flat_now += (uint64_t)!before;
         s->loss.t_junctions += (uint64_t)lattice_is_line(p);
@@ -59,10 +64,19 @@ static uint64_t count_different(void *keys, size_t count) {
     return different;
 }
 
+/* The square of how far a vertex moved: what is traced is the lattice coordinate's float. */
+static double move_of(const snapped *s, const float p[3], const lattice_position *to) {
+    double far2 = 0.0;
+    for (int a = 0; a < 3; a++) {
+        const double d = (double)p[a] - (double)plt_lattice_float(&s->lattice, a, to->q[a]);
+        far2 += d * d;
+    }
+    return far2;
+}
+
 static int measure(snapped *s, const mesh *m, const lattice_position *moved) {
     uint32_t(*before)[3] = malloc(m->vertices * 12 + 1), (*after)[3] = malloc(m->vertices * 12 + 1);
-    const double step = (double)s->lattice.step;
-    double longest = 0.0, largest = 0.0;
+    double largest = 0.0;
     if (before == NULL || after == NULL) {
         free(before);
         free(after);
@@ -70,45 +84,45 @@ static int measure(snapped *s, const mesh *m, const lattice_position *moved) {
     }
     size_t used = 0;
     for (size_t i = 0; i < m->vertices; i++) {
-        double far2 = 0.0;
         if (moved[i].q[0] == LATTICE_UNUSED) {
             continue;
         }
-        for (int a = 0; a < 3; a++) {
-            const float p = m->vertex[3 * i + (size_t)a] + 0.0f; /* -0 is 0 */
-            const double d = (double)p - ((double)s->lattice.origin[a] + step * moved[i].q[a]);
+        for (size_t a = 0; a < 3; a++) {
+            const float p = m->vertex[3 * i + a] + 0.0f; /* -0 is 0 */
             memcpy(&before[used][a], &p, 4);
             after[used][a] = moved[i].q[a];
-            far2 += d * d;
         }
+        const double far2 = move_of(s, m->vertex + 3 * i, &moved[i]);
         largest = fmax(largest, far2);
+        s->loss.unmoved += far2 == 0.0;
         used++;
     }
-    for (int a = 0; a < 3; a++) {
-        longest = fmax(longest, step * (double)(s->box.hi[a] - s->box.lo[a]));
-    }
-    s->loss.largest_move = longest > 0.0 ? sqrt(largest) / longest : 0.0;
+    s->loss.vertices = used;
+    s->loss.largest_move = largest > 0.0 ? sqrt(largest) / lattice_longest(&s->mesh_box) : 0.0;
     s->loss.merged = count_different(before, used) - count_different(after, used);
     free(before);
     free(after);
     return 0;
 }
 
-/* Where each vertex goes that a triangle uses. */
+/* Where each vertex goes that a triangle uses which counts. */
 static void snap_all(const snapped *s, const mesh *m, lattice_position *moved) {
     for (size_t i = 0; i < m->vertices; i++) {
         moved[i].q[0] = LATTICE_UNUSED;
     }
-    for (size_t i = 0; i < 3 * m->triangles; i++) {
-        const size_t vertex = m->triangle[i];
-        if (moved[vertex].q[0] == LATTICE_UNUSED) {
-            moved[vertex] = snap(s, m->vertex + 3 * vertex);
+    for (size_t i = 0; i < m->triangles; i++) {
+        for (size_t k = 0; k < 3 && (k > 0 || mesh_counts(m, &s->mesh_box, i)); k++) {
+            const size_t vertex = m->triangle[3 * i + k];
+            if (moved[vertex].q[0] == LATTICE_UNUSED) {
+                moved[vertex] = snap(s, m->vertex + 3 * vertex);
+            }
         }
     }
 }
 
-int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
-    if (snapped_begin(s, m, bits, 3, name, f) != 0) {
+int lattice_snap_as(snapped *s, const mesh *m, const lattice_wish *wish, const char *name,
+                    fail *f) {
+    if (snapped_begin(s, m, wish, 3, name, f) != 0) {
         return -1;
     }
     s->rotation = malloc(m->triangles + 1);
@@ -126,4 +140,9 @@ int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fai
     }
     free(moved);
     return status == 0 ? 0 : fail_set(f, name, "out of memory; pack on a larger machine");
+}
+
+int lattice_snap(snapped *s, const mesh *m, uint32_t bits, const char *name, fail *f) {
+    const lattice_wish wish = {.bits = bits};
+    return lattice_snap_as(s, m, &wish, name, f);
 }

@@ -44,6 +44,8 @@ typedef struct compact_options {
     uint32_t leaf_triangles; /* K: 1, 2 or 4 */
     const size_t *mesh_end;  /* first triangle after each mesh; NULL: one mesh */
     unsigned meshes;         /* from 1,023 on blocks do not say which mesh they are of */
+    uint8_t power;           /* the lattice's step is a power of two */
+    double tolerance;        /* take more bits, or fewer, to keep this; 0: the bits as given */
 } compact_options;
 
 /* The same as compact blocks on a lattice; says what the lattice cost. */

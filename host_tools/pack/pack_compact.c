@@ -186,6 +186,37 @@ static int assemble(compacting *c, packed *image, fail *f) {
     return 0;
 }
 
+/* Takes more bits until the tolerance is kept: floats far from the origin, and steps of a
+ * power of two, are coarser than the bits alone. */
+static int keep_tolerance(compacting *c, lattice_wish *wish, fail *f) {
+    while (lattice_snap_as(&c->s, c->m, wish, c->name, f) == 0) {
+        if (c->s.loss.largest_move <= c->options->tolerance) {
+            return 0;
+        }
+        snapped_free(&c->s);
+        if (wish->bits++ == PLT_LATTICE_BITS_MOST) {
+            return fail_set(f, c->name,
+                            "no lattice keeps --tolerance %g there; use a larger one, --centre, or "
+                            "--geometry float",
+                            c->options->tolerance);
+        }
+    }
+    return -1;
+}
+
+static int put_on_lattice(compacting *c, fail *f) {
+    const compact_options *o = c->options;
+    lattice_wish wish = {.bits = o->lattice_bits,
+                         .power = o->power,
+                         .fewest = o->tolerance > 0.0,
+                         .boxes = o->floats};
+    if (o->floats) {
+        return lattice_boxes(&c->s, c->m, &wish, c->name, f);
+    }
+    return o->tolerance > 0.0 ? keep_tolerance(c, &wish, f)
+                              : lattice_snap_as(&c->s, c->m, &wish, c->name, f);
+}
+
 int pack_compact(packed *image, const mesh *m, const compact_options *options, const char *name,
                  lattice_loss *loss, fail *f) {
     const packed nothing = {NULL, 0, {0}};
@@ -196,8 +227,7 @@ int pack_compact(packed *image, const mesh *m, const compact_options *options, c
     if (m->triangles > PLT_INDEX_MAX) {
         return pack_too_large(m, name, f);
     }
-    int status = options->floats ? lattice_boxes(&c.s, m, options->lattice_bits, name, f)
-                                 : lattice_snap(&c.s, m, options->lattice_bits, name, f);
+    int status = put_on_lattice(&c, f);
     if (status == 0) {
         describe(&c);
         if (options->build == PLT_BUILD_HOST) {

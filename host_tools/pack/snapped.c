@@ -8,28 +8,43 @@
 
 #include "engine/base/bytes.h"
 #include "engine/image/items.h"
-#include "host_tools/pack/lattice.h"
+#include "host_tools/mesh/extent.h"
 
-/* The box of the vertices that triangles use; an empty mesh gives 0, 0. */
-static plt_box used_box(const mesh *m) {
-    const plt_box nothing = {{0, 0, 0}, {0, 0, 0}};
-    plt_box b = plt_box_empty();
-    for (size_t i = 0; i < 3 * m->triangles; i++) {
-        plt_box_add_point(&b, m->vertex + 3 * (size_t)m->triangle[i]);
+/* The grain of the corners of triangles that count (extent.h), or of all. */
+static int grain_of(const mesh *m, const plt_box *box, int all) {
+    int grain = LATTICE_NO_GRAIN;
+    for (size_t i = 0; i < m->triangles; i++) {
+        for (size_t k = 0; k < 9 && (all || k > 0 || mesh_counts(m, box, i)); k++) {
+            const int of = lattice_grain(m->vertex[3 * (size_t)m->triangle[3 * i + k / 3] + k % 3]);
+            grain = of < grain ? of : grain;
+        }
     }
-    return m->triangles > 0 ? b : nothing;
+    return grain;
 }
 
-int snapped_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, const char *name,
-                  fail *f) {
+static lattice_ground ground_of(const mesh *m, int all) {
+    const plt_box nothing = {{0, 0, 0}, {0, 0, 0}};
+    lattice_ground g = {all ? mesh_box(m) : mesh_area_box(m), LATTICE_NO_GRAIN};
+    g.grain = grain_of(m, &g.box, all);
+    if (g.box.lo[0] > g.box.hi[0]) {
+        g.box = nothing;
+    }
+    return g;
+}
+
+int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, uint32_t positions,
+                  const char *name, fail *f) {
     const plt_lattice_box empty = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
+    const lattice_ground ground = ground_of(m, positions == 2);
     memset(s, 0, sizeof *s);
     s->box = empty;
-    s->mesh_box = used_box(m);
-    if (lattice_over(&s->lattice, &s->mesh_box, bits, name, f) != 0) {
+    s->mesh_box = ground.box;
+    if (lattice_over(&s->lattice, &ground, wish, name, f) != 0) {
         return -1;
     }
-    s->width = plt_corner_width(bits);
+    s->loss.bits = s->lattice.bits;
+    s->loss.step = s->lattice.step;
+    s->width = plt_corner_width(s->lattice.bits);
     s->corners = malloc(m->triangles * 3 * positions * s->width + 1);
     s->source = malloc(m->triangles * sizeof *s->source + 1);
     if (s->corners == NULL || s->source == NULL) {

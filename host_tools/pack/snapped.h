@@ -9,10 +9,15 @@
 #include "engine/base/lattice.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/mesh/mesh.h"
+#include "host_tools/pack/lattice.h"
 
 /* What moving cost; printed by pack. */
 typedef struct lattice_loss {
-    double largest_move;  /* of a vertex, as a fraction of the longest side */
+    uint32_t bits; /* of the lattice chosen, and its step */
+    float step;
+    double largest_move;  /* of a vertex, as a fraction of the mesh's longest side */
+    uint64_t vertices;    /* that triangles on the lattice use, or would but for their area */
+    uint64_t unmoved;     /* of them, those that stayed exactly where they were */
     uint64_t flat_before; /* triangles that had no area in the mesh */
     uint64_t flat_now;    /* and those that lost theirs on the lattice */
     uint64_t merged;      /* positions that differed and no longer do */
@@ -22,7 +27,7 @@ typedef struct lattice_loss {
 
 typedef struct snapped {
     plt_lattice lattice;
-    plt_box mesh_box;       /* of the mesh's triangles, where it was */
+    plt_box mesh_box;       /* of the triangles that count (extent.h), where they were */
     plt_lattice_box box;    /* of the triangles that are left */
     unsigned char *corners; /* 9 coordinates each, of boxes 6, of `width` bytes; owned */
     uint32_t width;
@@ -36,15 +41,19 @@ typedef struct lattice_position {
     uint32_t q[3];
 } lattice_position;
 
+/* q[0] of a vertex that no triangle uses which counts: it has no position on the lattice. */
+#define LATTICE_UNUSED UINT32_MAX
+
 /* A coordinate of the mesh in steps from the origin, not rounded. */
 static inline double lattice_steps(const snapped *s, const float p[3], int axis) {
     return ((double)p[axis] - (double)s->lattice.origin[axis]) / (double)s->lattice.step;
 }
 
-/* Empty, with the lattice of `bits` for the mesh, and room for `positions` per triangle.
- * What it allocates snapped_free frees, also after a failure. */
-int snapped_begin(snapped *s, const mesh *m, uint32_t bits, uint32_t positions, const char *name,
-                  fail *f);
+/* Empty, with the lattice for the mesh, and room for `positions` per triangle: 3, corners of
+ * triangles that count, or 2, boxes of all. What it allocates snapped_free frees, also after
+ * a failure. */
+int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, uint32_t positions,
+                  const char *name, fail *f);
 
 /* One more triangle, of so many positions, made of the mesh's triangle `source`. */
 void snapped_add(snapped *s, const lattice_position *p, uint32_t positions, uint32_t source);

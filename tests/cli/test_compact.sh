@@ -142,6 +142,32 @@ packs "a sliver on a lattice of 21 bits" mended.ply -o sliver.plt --nodes compac
     --geometry lattice:21
 verdict "... is kept" "$(grep -q ' 0 triangles lost their area' err || cat err)"
 
+# ---- where vertices stay ---------------------------------------------------------------
+
+packs "a square of whole corners" quad.ply -o quad.plt --nodes compact
+verdict "... moves by nothing, with a step of a power of two" "$(
+    grep -q ' moved by up to 0 of .*; step 1, 4 of 4 vertices stayed exactly where they were' err ||
+        cat err)"
+sed 's/^1 1 0$/1 0.7 0/' quad.ply >odd.ply
+packs "one with a corner between" odd.ply -o odd.plt --nodes compact
+verdict "... has any step, and keeps the corners that lie at 0" "$(
+    grep -q '; step 1.5[0-9]*e-05, [0-3] of 4 vertices stayed' err || cat err)"
+packs "... with --step power" odd.ply -o odd.plt --nodes compact --step power
+verdict "... has one of a power of two, and keeps all of its round corners" "$(
+    grep -q '; step 3.05175781e-05, 3 of 4 vertices stayed exactly where they were' err || cat err)"
+for pair in 3e-4 1e-4 3e-5 1e-6; do
+    packs "... and --tolerance $pair" odd.ply -o odd.plt --nodes compact --step power \
+        --tolerance $pair
+    verdict "... moves no farther" "$(
+        moved=$(sed 's/.*moved by up to \([-+0-9.e]*\) of.*/\1/' err)
+        awk "BEGIN { exit !($moved <= $pair && $moved > 0) }" || echo "moved by $moved")"
+done
+printf 'v 0 0 0\nv 1 0 0\nv 0.5001 1e-9 0\nf 1 2 3\n' >line.obj
+run pack line.obj -o line.plt --nodes compact --geometry lattice:12
+verdict "a sliver alone that is lost has moved by a part of its own length" "$(
+    moved=$(sed -n 's/.*moved by up to \([-+0-9.e]*\) of.*/\1/p' err)
+    awk "BEGIN { exit !(${moved:-1} >= 0.9e-4 && ${moved:-1} <= 2.1e-4) }" || cat err)"
+
 # ---- wrong values -------------------------------------------------------------------
 
 for value in lattice:11 lattice:22 lattice: lattice:x lattice:14x lattice:-14 lattices double; do
@@ -149,7 +175,7 @@ for value in lattice:11 lattice:22 lattice: lattice:x lattice:14x lattice:-14 la
         pack quad.ply -o x --nodes compact --geometry $value
 done
 for pair in --tolerance=0 --tolerance=-1 --tolerance=1e-8 --tolerance=x --tolerance=nan \
-    --numbers=some --reduce=0 --reduce=-5 --reduce=x --nodes=bvh --leaf=3; do
+    --numbers=some --step=two --reduce=0 --reduce=-5 --reduce=x --nodes=bvh --leaf=3; do
     misused "pack refuses $pair" "${pair%=*}" \
         pack quad.ply -o x --nodes compact "${pair%=*}" "${pair#*=}"
 done
@@ -161,20 +187,32 @@ misused "pack refuses float geometry for a device to build blocks over" --build 
     pack quad.ply -o x --nodes compact --geometry float --build device
 misused "pack refuses a tolerance for float geometry" --tolerance \
     pack quad.ply -o x --nodes compact --geometry float --tolerance 1e-3
-for pair in --geometry=lattice:14 --tolerance=1e-3 --numbers=none; do
+for pair in --geometry=lattice:14 --tolerance=1e-3 --numbers=none --step=power; do
     misused "pack refuses $pair with thesis nodes" "${pair%=*}" \
         pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
 verdict "... and no image is left behind" "$(ls x 2>/dev/null; left_behind)"
 
-sed 's/^0 /1000 /; s/^1 /1001 /' quad.ply >far.ply
+sed 's/^0 /1000 /; s/^1 /1001 /; s/^\([0-9]* \)1 0$/\10.7 0/' quad.ply >far.ply
 refused "a mesh too far from the origin for its lattice" far.ply \
-    'a lattice of 21 bits is finer than floats are that far from the origin' \
+    'a lattice of 21 bits is finer than floats are that far from the origin; use --centre, ' \
     pack far.ply -o far.plt --nodes compact --geometry lattice:21
-packs "... is packed on a coarser one" far.ply -o far.plt --nodes compact --geometry lattice:12
+fewer=$(sed -n 's/.*fewer bits (--geometry \(lattice:[0-9]*\))$/\1/p' err)
+packs "... is packed on a coarser one, as proposed" far.ply -o far.plt --nodes compact \
+    --geometry "$fewer"
+sed 's/^0 /100000 /; s/^1 /100001 /; s/^\([0-9]* \)1 0$/\10.7 0/' quad.ply >far.ply
+refused "a mesh too far from the origin for any lattice" far.ply \
+    'a lattice of 16 bits is finer than .* origin; use --centre or --nodes thesis$' \
+    pack far.ply -o far.plt --nodes compact
+sed 's/^0 /100000 /; s/^1 /100001 /' quad.ply >far.ply
+packs "... but not where its corners lie on one" far.ply -o far.plt --nodes compact
+verdict "... exactly" "$(grep -q ' moved by up to 0 of .* step 1, 4 of 4' err || cat err)"
 sed 's/^0 /0e-36 /; s/^1 1/1e-36 1e-36/; s/^1 /1e-36 /; s/^0e-36 1/0 1e-36/' quad.ply >tiny.ply
-refused "a mesh too small for a lattice" tiny.ply 'too small for a lattice; scale it up' \
+refused "a mesh too small for a lattice" tiny.ply \
+    'too small for a lattice; scale it up: pack a text file, .*, with the line FILE 1 0 0 0' \
     pack tiny.ply -o tiny.plt --nodes compact
+echo 'tiny.ply 1 0 0 0' >scene.txt
+packs "... is packed by way of that file" scene.txt -o tiny.plt --nodes compact
 
 # ---- render and trace ------------------------------------------------------------------
 

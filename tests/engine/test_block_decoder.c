@@ -409,7 +409,8 @@ static void check_mesh_numbers(void) {
     const size_t first = m.triangles;
     shape_sheet(&m, 12, 1);
     const size_t mesh_end[] = {first, m.triangles};
-    const compact_options options = {0, 0, 16, 1, 0, 2, mesh_end, 2};
+    const compact_options options = {
+        .lattice_bits = 16, .numbers = 1, .leaf_triangles = 2, .mesh_end = mesh_end, .meshes = 2};
     lattice_loss loss;
     fail f = {""};
     subject s = {0};
