@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "host_tools/mesh/foreign.h"
 #include "host_tools/mesh/readers.h"
 
 static int has_ending(const char *path, const char *ending) {
@@ -20,6 +21,10 @@ int mesh_is_recipe(const input *in) {
 int mesh_read_bytes(mesh *m, const input *in, mesh_report *report, fail *f) {
     if (ply_is(in)) {
         return ply_read(m, in, report, f);
+    }
+    const char *foreign = stl_is(in) ? NULL : foreign_is(in);
+    if (foreign != NULL) {
+        return fail_set(f, in->path, "%s", foreign);
     }
     if (stl_is(in) || has_ending(in->path, ".stl")) {
         return stl_read(m, in, report, f);
