@@ -28,6 +28,7 @@ static const arg_flag flags[] = {
      "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
      "default eyelight"},
     {"--orbit", "N", "a film: N frames once around the scene, 25 per second"},
+    FRAME_CHROMA_FLAG,
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
@@ -176,7 +177,7 @@ static void choose_format(rendering *r, args *a) {
         r->format = r->frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
     } else if (picture_format_of(r->out, &r->format, &f) != 0) {
         args_complain(a, "%s", f.text);
-    } else if (r->frames > 1 && r->format != PICTURE_Y4M) {
+    } else if (r->frames > 1 && !picture_is_film(r->format)) {
         args_complain(a, "--orbit makes a film: give -o a name that ends in .y4m");
     }
 }
@@ -204,6 +205,7 @@ static void read_flags(rendering *r, args *a) {
     r->s.options.count_touched = r->json != NULL;
     if (!a->wrong) {
         choose_format(r, a);
+        frame_choose_chroma(a, &r->format);
     }
     if (!a->wrong) {
         check_outputs(r, a);

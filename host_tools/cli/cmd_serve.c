@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "host_tools/app/frame.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
@@ -21,6 +22,7 @@ static const arg_flag flags[] = {
     {"--listen", "PORT", "the device connects to this port of 127.0.0.1"},
     {"--emulate", "BYTES", "the device is a process of this computer with this much memory"},
     {"-o", "OUT", "a picture (.png .ppm) or a film (.y4m) of the frames that come"},
+    FRAME_CHROMA_FLAG,
     {"--show", NULL, "draw them in the terminal"},
     {"--size", "WxH", "pixels (default 320x240)"},
     {"--format", "NAME", "how pixels travel: rgb565, rgb888, grey8, grey4, mono1 (default rgb888)"},
@@ -119,6 +121,10 @@ static int open_output(serving *s, args *a, const serve_job *job, fail *f) {
         return 0;
     }
     if (strcmp(path, "-") != 0 && picture_format_of(path, &s->format, f) != 0) {
+        return -1;
+    }
+    frame_choose_chroma(a, &s->format);
+    if (a->wrong) {
         return -1;
     }
     s->out = output_open(path, f);

@@ -11,7 +11,9 @@
 int png_frame(output *o, const picture *p, fail *f);
 int ppm_frame(output *o, const picture *p, fail *f);
 
-int y4m_begin(output *o, unsigned width, unsigned height, unsigned frames_per_second, fail *f);
-int y4m_frame(output *o, const picture *p, fail *f);
+typedef enum y4m_chroma { Y4M_420, Y4M_444 } y4m_chroma;
+int y4m_begin(output *o, y4m_chroma chroma, unsigned width, unsigned height,
+              unsigned frames_per_second, fail *f);
+int y4m_frame(output *o, y4m_chroma chroma, const picture *p, fail *f);
 
 #endif

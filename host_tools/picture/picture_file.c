@@ -38,18 +38,26 @@ int picture_format_of(const char *path, picture_format *format, fail *f) {
     return fail_set(f, path, "no picture format has this ending; use .png, .ppm or .y4m");
 }
 
+int picture_is_film(picture_format format) {
+    return format == PICTURE_Y4M || format == PICTURE_Y4M_444;
+}
+
+static y4m_chroma chroma_of(picture_format format) {
+    return format == PICTURE_Y4M_444 ? Y4M_444 : Y4M_420;
+}
+
 int picture_begin(output *o, picture_format format, unsigned width, unsigned height,
                   unsigned frames_per_second, fail *f) {
     if (picture_check_size(width, height, f)) {
         return -1;
     }
-    if (format != PICTURE_Y4M) {
+    if (!picture_is_film(format)) {
         return 0;
     }
     if (frames_per_second == 0) {
         return fail_set(f, NULL, "video at 0 frames per second; choose 1 or more");
     }
-    return y4m_begin(o, width, height, frames_per_second, f);
+    return y4m_begin(o, chroma_of(format), width, height, frames_per_second, f);
 }
 
 int picture_frame(output *o, picture_format format, const picture *p, fail *f) {
@@ -59,6 +67,6 @@ int picture_frame(output *o, picture_format format, const picture *p, fail *f) {
     case PICTURE_PPM:
         return ppm_frame(o, p, f);
     default:
-        return y4m_frame(o, p, f);
+        return y4m_frame(o, chroma_of(format), p, f);
     }
 }

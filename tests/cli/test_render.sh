@@ -44,8 +44,8 @@ verdict "... has its signature, its size, 8-bit RGB and its end" "$(
     [ "$(text $(($(wc -c <knot.png) - 8)) 4 knot.png)" = IEND ] || echo "no IEND")"
 works "a film" render knot.plt -o knot.y4m --size 40x30 --orbit 5
 verdict "... has its header and 5 frames" "$(
-    head -n 1 knot.y4m | grep -q '^YUV4MPEG2 W40 H30 F25:1 .*C444' || head -n 1 knot.y4m
-    [ "$(wc -c <knot.y4m)" -eq $(($(head -n 1 knot.y4m | wc -c) + 5 * (6 + 3600))) ] ||
+    head -n 1 knot.y4m | grep -q '^YUV4MPEG2 W40 H30 F25:1 .*C420jpeg' || head -n 1 knot.y4m
+    [ "$(wc -c <knot.y4m)" -eq $(($(head -n 1 knot.y4m | wc -c) + 5 * (6 + 1800))) ] ||
         wc -c <knot.y4m)"
 run render knot.plt -o - --size 40x30 --orbit 5
 same out knot.y4m "... the same on standard output"
@@ -55,9 +55,22 @@ verdict "... its first frame is the picture, the others differ" "$(
     cmp -n "$(wc -c <one.y4m)" one.y4m knot.y4m
     i=0
     while [ $i -lt 5 ]; do
-        tail -c +$((start + 1 + i * 3606)) knot.y4m | head -c 3606 | cksum
+        tail -c +$((start + 1 + i * 1806)) knot.y4m | head -c 1806 | cksum
         i=$((i + 1))
     done | sort | uniq -d)"
+works "a film with --chroma 444" render knot.plt -o full.y4m --size 41x31 --orbit 2 --chroma 444 \
+    --json full.json
+verdict "... has its header and 2 frames of 3 bytes per pixel" "$(
+    head -n 1 full.y4m | grep -q '^YUV4MPEG2 W41 H31 F25:1 .*C444' || head -n 1 full.y4m
+    [ "$(wc -c <full.y4m)" -eq $(($(head -n 1 full.y4m | wc -c) + 2 * (6 + 3 * 41 * 31))) ] ||
+        wc -c <full.y4m)"
+works "... and the same with 420" render knot.plt -o half.y4m --size 41x31 --orbit 2 --chroma 420 \
+    --json half.json
+verdict "... has chroma of 21 x 16 samples, and the same frame hash, which is of RGB" "$(
+    [ "$(wc -c <half.y4m)" -eq $(($(head -n 1 half.y4m | wc -c) + 2 * (6 + 41 * 31 + 2 * 336))) ] ||
+        wc -c <half.y4m
+    grep frame_hash full.json >full.hash
+    grep frame_hash half.json | cmp full.hash - 2>&1)"
 works "the default is 512 x 512" render quad.plt -o default.ppm
 verdict "... says its header" "$(
     [ "$(sed -n 2p default.ppm)" = "512 512" ] || head -n 3 default.ppm)"

@@ -52,7 +52,7 @@ flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometr
     --numbers --reduce --frame --centre --origin --weld --repair --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --orbit --json $view_flags $scene_flags
+flags render -o --show --size --shader --orbit --chroma --json $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --repeat --json $scene_flags
 
@@ -109,6 +109,7 @@ for pair in --packet=3 --walk=wide --residency=streamed --schedule=task --worker
     misused "trace refuses $pair" "${pair%=*}" trace quad.plt rays x "$pair"
 done
 for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=-5x5 --size=x \
+    --chroma=422 --chroma= \
     --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
     --fov=-5 --fov=x --shader=toon --orbit=0; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
@@ -119,6 +120,7 @@ misused "info refuses --packet 5" --packet info quad.plt --packet 5
 misused "render wants somewhere to go" "--show" render quad.plt
 misused "render knows formats by their endings" ".y4m" render quad.plt -o x.jpg
 misused "several frames are a film" ".y4m" render quad.plt -o x.png --orbit 2
+misused "a picture has no chroma to choose" --chroma render quad.plt -o x.png --chroma 444
 misused "picture and statistics do not share a file" "two different files" \
     render quad.plt -o - --json -
 misused "hits and statistics do not share a file" "two different files" trace quad.plt r h --json h

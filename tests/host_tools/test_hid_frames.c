@@ -42,12 +42,18 @@ static int read_frames(picture *p, fail *f) {
     return status < 0 ? -1 : count;
 }
 
-static void back_again(picture_format format, const char *name, unsigned w, unsigned h, int most) {
+/* Each colour of the pattern is `block` x `block` pixels. */
+static void back_again(picture_format format, const char *name, unsigned w, unsigned h,
+                       unsigned block, int most) {
     picture from, to = {0};
     fail f = {""};
     make_path(name);
     picture_make(&from, w, h, &f);
     pattern_fill(w, w, h, from.rgb);
+    for (size_t i = 0; i < (size_t)w * h; i++) {
+        const size_t x = i % w - i % w % block, y = i / w - i / w % block;
+        memmove(from.rgb + 3 * i, from.rgb + 3 * (y * w + x), 3);
+    }
     output *o = output_open(path, &f);
     CHECK(o != NULL && picture_begin(o, format, w, h, 25, &f) == 0 &&
               picture_frame(o, format, &from, &f) == 0 && output_commit(o, &f) == 0,
@@ -64,12 +70,13 @@ static void back_again(picture_format format, const char *name, unsigned w, unsi
 }
 
 static void own_files(void) {
-    test("PNG and PPM of planelet come back as they were, Y4M within 2 of 255");
+    test("PNG and PPM of planelet come back as they were, Y4M within 2 of 255, 3 as 4:2:0");
     static const unsigned sides[][2] = {{1, 1}, {17, 5}, {240, 160}, {321, 199}};
     for (unsigned i = 0; i < 4; i++) {
-        back_again(PICTURE_PNG, "a.png", sides[i][0], sides[i][1], 0);
-        back_again(PICTURE_PPM, "a.ppm", sides[i][0], sides[i][1], 0);
-        back_again(PICTURE_Y4M, "a.y4m", sides[i][0], sides[i][1], 2);
+        back_again(PICTURE_PNG, "a.png", sides[i][0], sides[i][1], 1, 0);
+        back_again(PICTURE_PPM, "a.ppm", sides[i][0], sides[i][1], 1, 0);
+        back_again(PICTURE_Y4M_444, "a.y4m", sides[i][0], sides[i][1], 1, 2);
+        back_again(PICTURE_Y4M, "a.y4m", sides[i][0], sides[i][1], 2, 3);
     }
 }
 
