@@ -21,7 +21,7 @@
 static const arg_flag flags[] = {
     {"-o", "OUT",
      "a picture (.png .ppm) or a film (.y4m); - is standard output, PPM or with --orbit Y4M"},
-    {"--show", NULL, "draw the picture (of --orbit the last) in the terminal"},
+    {"--show", NULL, "draw the picture (of --orbit the last) in the terminal: " TERMINAL_INK_HELP},
     {"--size", "WxH", "pixels (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",

@@ -6,15 +6,13 @@
 #include <stdio.h>
 
 #include "host_tools/picture/picture.h"
+#include "host_tools/picture/terminal_ink.h"
 
 /* Draws `p` into at most `columns` x `rows` character cells, keeping its
  * aspect (a cell is twice as tall as wide), made smaller by area averaging,
- * never larger: 24-bit half blocks, or plain characters for light text on
- * dark ground where there is no colour (PICTURE_AUTO with NO_COLOR set,
- * TERM unset or "dumb", or `to` not a terminal). Every line ends in a line
+ * never larger. Every line ends in a line
  * feed with all attributes reset; SIGINT waits for the last. 0 columns or rows:
  * picture_terminal_size. Returns 0, or -1 when writing failed (errno says why) or memory is out. */
-typedef enum picture_ink { PICTURE_AUTO, PICTURE_COLOUR, PICTURE_PLAIN } picture_ink;
 int picture_show(FILE *to, const picture *p, picture_ink ink, unsigned columns, unsigned rows);
 
 /* From the terminal, else COLUMNS and LINES, else 80 x 24; 1 .. 10000 each. */

@@ -11,7 +11,7 @@
 # SPDX-License-Identifier: MIT
 LC_ALL=C
 export LC_ALL
-unset NO_COLOR COLUMNS LINES
+unset NO_COLOR COLORTERM COLUMNS LINES
 
 absolute() {
     case $1 in

@@ -75,22 +75,52 @@ done
 
 # ---- pictures --------------------------------------------------------------------
 
-seen both render knot.plt --show
-verdict "--show draws half blocks in 24-bit colour on a terminal" "$(
+# drawn VARIABLE=VALUE...: --show on a terminal in that environment.
+drawn() {
+    env "$@" ./pty both "$PLANELET" render knot.plt --show --shader normal >seen 2>out </dev/null
+    status=$?
+}
+
+# without PATTERN...: trouble, where one of them is in `seen`.
+without() {
+    for pattern in "$@"; do
+        [ "$(grep -c "$pattern" seen)" -eq 0 ] || echo "there is '$pattern'"
+    done
+}
+escape=$(printf '\033')
+
+drawn LC_ALL=C.UTF-8 COLORTERM=truecolor
+verdict "--show draws half blocks in 24-bit colour where COLORTERM says truecolor" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
     grep -q '▀' seen || echo "no half block"
     grep -q '38;2;[0-9]*;[0-9]*;[0-9]*' seen || echo "no colour"
     [ "$(wc -l <seen)" -le 23 ] || wc -l <seen
     tail -c 6 seen | od -An -c | grep -q '0   m  *.r  *.n' || tail -c 6 seen | od -c)"
-NO_COLOR=1 ./pty both "$PLANELET" render knot.plt --show >seen
+drawn LC_ALL=C.UTF-8 COLORTERM=
+verdict "... in 256 colours where nothing is said" "$(
+    grep -q '▀' seen || echo "no half block"
+    grep -q "${escape}\[38;5;[0-9]*m" seen || echo "no colour"
+    without '[34]8;2;')"
+drawn LC_ALL=C COLORTERM=
+verdict "... and blanks where the locale is not UTF-8" "$(
+    grep -q "${escape}\[48;5;[0-9]*m  *${escape}" seen || echo "no blanks in colour"
+    without '38;5;' '▀')"
+drawn LC_ALL=C.UTF-8 TERM=linux
+verdict "... and characters in eight colours on Linux's console" "$(
+    grep -q "${escape}\[1;3[1-7]m[-.:=+*#%@]" seen || echo "no characters in colour"
+    without '▀' '[34]8;')"
+drawn LC_ALL=C.UTF-8 COLORTERM=truecolor NO_COLOR=1
 verdict "... and plain characters when NO_COLOR is set" "$(
     grep -q '[#%@*]' seen || echo "nothing to be seen"
-    grep -c '▀' seen | grep -v '^0$')"
-TERM=dumb ./pty both "$PLANELET" render knot.plt --show >seen
+    without '▀' "$escape")"
+drawn LC_ALL=C.UTF-8 COLORTERM=truecolor TERM=dumb
 verdict "... and on a dumb terminal" "$(
     grep -q '[#%@*]' seen || echo "nothing to be seen"
-    grep "$(printf '\033')" seen)"
+    without '▀' "$escape")"
 
-# Bytes of a picture here: some thousand a line.
+# Bytes of a picture here: some thousand per line.
+LC_ALL=C.UTF-8 COLORTERM=truecolor
+export LC_ALL COLORTERM
 for bytes in 1500 12000 20000 50000 120000; do
     ./pty $bytes "$PLANELET" serve knot.plt --emulate 4000000 --show --shader normal --orbit 500 \
         >seen 2>out </dev/null

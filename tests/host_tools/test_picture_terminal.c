@@ -115,13 +115,13 @@ static void test_sizes(void) {
                                         {199, 67}, {80, 48},   {81, 48},   {80, 49},  {7, 300}};
     static const unsigned cells[][2] = {{80, 24}, {1, 1}, {3, 50}, {200, 2}, {79, 23}};
     test("size: never more cells than asked for, filled in one direction, aspect kept");
-    for (unsigned i = 0; i < 10 * 5 * 2; i++) {
+    for (unsigned i = 0; i < 10 * 5 * PICTURE_INKS; i++) {
         const unsigned *side = sides[i % 10], *room = cells[i / 10 % 5];
         unsigned columns, rows;
         picture p;
         fail f = {""};
         picture_make(&p, side[0], side[1], &f);
-        show(&p, i < 50 ? PICTURE_COLOUR : PICTURE_PLAIN, room[0], room[1]);
+        show(&p, (picture_ink)(i / 50), room[0], room[1]);
         count_cells(&columns, &rows);
         CHECK(columns >= 1 && columns <= room[0] && rows >= 1 && rows <= room[1], "%ux%u: %ux%u",
               side[0], side[1], columns, rows);
@@ -188,30 +188,154 @@ static int show_terminal(const picture *p, picture_ink ink) {
     return 1;
 }
 
+static void set(const char *name, const char *value) {
+    value ? setenv(name, value, 1) : unsetenv(name);
+}
+
+/* How the pixel of test_terminal looks in each ink. */
+static const char *const looks[PICTURE_INKS] = {
+    [PICTURE_PLAIN] = "+",
+    [PICTURE_HUES] = "\x1b[1;31m@\x1b[0m",
+    [PICTURE_256] = "\x1b[38;5;203m" UP "\x1b[0m",
+    [PICTURE_256_BLANKS] = "\x1b[48;5;203m \x1b[0m",
+    [PICTURE_COLOUR] = "\x1b[38;2;240;80;80m" UP "\x1b[0m",
+    [PICTURE_COLOUR_BLANKS] = "\x1b[48;2;240;80;80m \x1b[0m",
+};
+
 static void test_terminal(void) {
     static const struct {
-        const char *term, *no_colour;
+        const char *term, *colorterm, *no_color, *lc_all, *lc_ctype, *lang;
         picture_ink ink;
-        int coloured;
     } cases[] = {
-        {"xterm", NULL, PICTURE_AUTO, 1},  {"xterm", "", PICTURE_AUTO, 1},
-        {"xterm", "1", PICTURE_AUTO, 0},   {"dumb", NULL, PICTURE_AUTO, 0},
-        {NULL, NULL, PICTURE_AUTO, 0},     {"", NULL, PICTURE_AUTO, 0},
-        {"xterm", NULL, PICTURE_PLAIN, 0}, {"dumb", "1", PICTURE_COLOUR, 1},
+        {"xterm", "truecolor", NULL, NULL, NULL, "C.UTF-8", PICTURE_COLOUR},
+        {"xterm", "24bit", NULL, NULL, NULL, "C.UTF-8", PICTURE_COLOUR},
+        {"xterm-direct", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_COLOUR},
+        {"linux", "truecolor", NULL, NULL, NULL, "C.UTF-8", PICTURE_COLOUR},
+        {"xterm", "yes", NULL, NULL, NULL, "C.UTF-8", PICTURE_256},
+        {"xterm", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_256},
+        {"xterm-256color", "", NULL, NULL, NULL, "C.UTF-8", PICTURE_256},
+        {"never-heard-of", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_256},
+        {"linux", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_HUES},
+        {"linux", NULL, NULL, NULL, NULL, NULL, PICTURE_HUES},
+        {"ansi", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_HUES},
+        {"xterm-16color", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_HUES},
+        {"xterm", NULL, "", NULL, NULL, "C.UTF-8", PICTURE_256},
+        {"xterm", "truecolor", "1", NULL, NULL, "C.UTF-8", PICTURE_PLAIN},
+        {"linux", NULL, "0", NULL, NULL, "C.UTF-8", PICTURE_PLAIN},
+        {"dumb", "truecolor", NULL, NULL, NULL, "C.UTF-8", PICTURE_PLAIN},
+        {NULL, "truecolor", NULL, NULL, NULL, "C.UTF-8", PICTURE_PLAIN},
+        {"", NULL, NULL, NULL, NULL, "C.UTF-8", PICTURE_PLAIN},
+        /* which variable is the locale, and what names UTF-8 */
+        {"xterm", NULL, NULL, NULL, NULL, NULL, PICTURE_256_BLANKS},
+        {"xterm", NULL, NULL, "", "", "", PICTURE_256_BLANKS},
+        {"xterm", NULL, NULL, "C", "C.UTF-8", "C.UTF-8", PICTURE_256_BLANKS},
+        {"xterm", NULL, NULL, NULL, "de_DE.ISO-8859-1", "C.UTF-8", PICTURE_256_BLANKS},
+        {"xterm", NULL, NULL, "POSIX", NULL, NULL, PICTURE_256_BLANKS},
+        {"xterm", NULL, NULL, "C.UTF-8", "C", "C", PICTURE_256},
+        {"xterm", NULL, NULL, "", "en_GB.utf8", "C", PICTURE_256},
+        {"xterm", NULL, NULL, NULL, "UTF-8", NULL, PICTURE_256},
+        {"xterm", NULL, NULL, NULL, NULL, "ca_ES.UTF-8@valencia", PICTURE_256},
+        {"xterm", NULL, NULL, NULL, NULL, "de_DE.UTF-16", PICTURE_256_BLANKS},
+        {"xterm", "24bit", NULL, NULL, NULL, "de_DE@euro", PICTURE_COLOUR_BLANKS},
     };
-    uint8_t pixel[3] = {255, 255, 255};
+    uint8_t pixel[3] = {240, 80, 80};
     const picture p = {pixel, 1, 1};
-    test("terminal: colour unless NO_COLOR, TERM=dumb or no TERM; its own size is used");
+    test("terminal: NO_COLOR, TERM, COLORTERM and the locale choose; its own size is used");
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        cases[i].term ? setenv("TERM", cases[i].term, 1) : unsetenv("TERM");
-        cases[i].no_colour ? setenv("NO_COLOR", cases[i].no_colour, 1) : unsetenv("NO_COLOR");
-        CHECK(show_terminal(&p, cases[i].ink), "no pseudo terminals; is /dev/pts mounted?");
-        CHECK((strchr(shown, '\x1b') != NULL) == cases[i].coloured, "case %u: %s", i, readable());
+        set("TERM", cases[i].term);
+        set("COLORTERM", cases[i].colorterm);
+        set("NO_COLOR", cases[i].no_color);
+        set("LC_ALL", cases[i].lc_all);
+        set("LC_CTYPE", cases[i].lc_ctype);
+        set("LANG", cases[i].lang);
+        CHECK(show_terminal(&p, PICTURE_AUTO), "no pseudo terminals; is /dev/pts mounted?");
+        const size_t length = strlen(looks[cases[i].ink]);
+        CHECK(!strncmp(shown, looks[cases[i].ink], length) && !strcmp(shown + length, "\r\n"),
+              "case %u: %s", i, readable());
     }
-    setenv("TERM", "xterm", 1);
-    unsetenv("NO_COLOR");
+    test("terminal: an ink that was asked for is used whatever the environment says");
+    set("NO_COLOR", "1");
+    for (unsigned ink = PICTURE_PLAIN; ink < PICTURE_INKS; ink++) {
+        CHECK(show_terminal(&p, (picture_ink)ink), "no pseudo terminals; is /dev/pts mounted?");
+        CHECK(!strncmp(shown, looks[ink], strlen(looks[ink])), "ink %u: %s", ink, readable());
+    }
+    set("NO_COLOR", NULL);
+    set("TERM", "xterm");
+    set("LANG", "C.UTF-8");
     show(&p, PICTURE_AUTO, 80, 24);
-    CHECK(!strcmp(shown, "@\n"), "a file got colours: %s", readable());
+    CHECK(!strcmp(shown, "+\n"), "a file got colours: %s", readable());
+}
+
+/* Colour 16 to 255 as xterm shows it. */
+static void colour_of(unsigned number, int rgb[3]) {
+    for (unsigned i = 0, rest = number - 16; i < 3; i++, rest /= 6) {
+        const int step = (int)(rest % 6);
+        rgb[2 - i] = number >= 232 ? 8 + 10 * ((int)number - 232) : step ? 55 + 40 * step : 0;
+    }
+}
+
+static int far(const uint8_t *a, const int b[3]) {
+    int sum = 0;
+    for (unsigned i = 0; i < 3; i++) {
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    }
+    return sum;
+}
+
+static void test_nearest(void) {
+    test("256 colours: of 35,937 colours and all greys none has a nearer one than is chosen");
+    for (unsigned i = 0; i < 33 * 33 * 33 + 256; i++) {
+        const unsigned grey = i - 33 * 33 * 33, step[3] = {i % 33, i / 33 % 33, i / 1089};
+        uint8_t rgb[3];
+        int least = 3 * 255 * 255, colour[3];
+        for (unsigned k = 0; k < 3; k++) {
+            rgb[k] = (uint8_t)(i >= 33 * 33 * 33 ? grey : step[k] == 32 ? 255 : 8 * step[k]);
+        }
+        for (unsigned number = 16; number < 256; number++) {
+            colour_of(number, colour);
+            least = far(rgb, colour) < least ? far(rgb, colour) : least;
+        }
+        const unsigned chosen = terminal_nearest_256(rgb);
+        colour_of(chosen, colour);
+        CHECK(chosen >= 16 && chosen < 256 && far(rgb, colour) == least, "%u %u %u: %u", rgb[0],
+              rgb[1], rgb[2], chosen);
+    }
+}
+
+static void test_hues(void) {
+    static const struct {
+        uint8_t rgb[3];
+        unsigned hue;
+    } cases[] = {{{0, 0, 0}, 7},      {{255, 255, 255}, 7}, {{90, 90, 90}, 7},
+                 {{255, 0, 0}, 1},    {{0, 9, 0}, 2},       {{0, 0, 255}, 4},
+                 {{80, 200, 200}, 6}, {{250, 240, 20}, 3},  {{200, 20, 200}, 5},
+                 {{100, 61, 100}, 7}, {{100, 59, 100}, 5},  {{255, 120, 0}, 1},
+                 {{255, 135, 0}, 3}};
+    test("hues: of the channels that are nearer to the brightest than to the darkest");
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const unsigned hue = terminal_hue(cases[i].rgb);
+        CHECK(hue == cases[i].hue, "case %u: %u", i, hue);
+    }
+    test("hues: a character is as bright as the brightest channel, a colour is sent once");
+    uint8_t row[15] = {255, 0, 0, 128, 0, 0, 0, 0, 0, 128, 0, 0, 0, 0, 255};
+    const picture p = {row, 5, 1};
+    show(&p, PICTURE_HUES, 80, 24);
+    CHECK(!strcmp(shown, "\x1b[1;31m@+ +\x1b[1;34m@\x1b[0m\n"), "%s", readable());
+}
+
+static void test_blanks(void) {
+    uint8_t four[12] = {0, 0, 0, 10, 20, 30, 255, 255, 255, 11, 20, 33};
+    const picture p = {four, 2, 2}, odd = {four, 1, 3};
+    test("blanks: a cell is the mean of its two pixels, at an odd end the last one");
+    show(&p, PICTURE_COLOUR_BLANKS, 80, 24);
+    CHECK(!strcmp(shown, "\x1b[48;2;128;128;128m \x1b[48;2;11;20;32m \x1b[0m\n"), "%s", readable());
+    show(&odd, PICTURE_256_BLANKS, 80, 24);
+    CHECK(!strcmp(shown, "\x1b[48;5;232m \x1b[0m\n\x1b[48;5;231m \x1b[0m\n"), "%s", readable());
+    test("256 colours: two half blocks, a colour is sent once for a run of cells");
+    uint8_t same[12] = {250, 2, 3, 255, 1, 1, 96, 136, 176, 95, 135, 175};
+    const picture run = {same, 2, 2};
+    show(&run, PICTURE_256, 80, 24);
+    CHECK(!strcmp(shown, "\x1b[38;5;196m\x1b[48;5;67m" UP UP "\x1b[0m\n"), "%s", readable());
 }
 
 static void test_full(void) {
@@ -239,6 +363,9 @@ int main(void) {
     test_sizes();
     test_environment();
     test_terminal();
+    test_nearest();
+    test_hues();
+    test_blanks();
     test_full();
     return test_done();
 }
