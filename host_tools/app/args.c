@@ -70,6 +70,9 @@ void args_help(const char *program, const arg_command *c) {
         print_flag(f);
     }
     print_flag(&help);
+    if (c->notes != NULL) {
+        printf("\n%s", c->notes);
+    }
 }
 
 /* The flag whose name is the first `length` characters of `word`, or -1. */

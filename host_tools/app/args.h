@@ -22,6 +22,7 @@ typedef struct arg_command {
     const char *about;     /* a sentence */
     const arg_flag *flags; /* ended by a name of NULL */
     int files_least, files_most;
+    const char *notes; /* the end of the help, as it is printed; NULL: none */
 } arg_command;
 
 enum { ARGS_FLAGS_MAX = 32 };

@@ -60,7 +60,21 @@ const arg_command command_pack = {
         "numbered from 0 in the order in which they are read. MESH may be - for standard input.",
     .flags = flags,
     .files_least = 1,
-    .files_most = 100000};
+    .files_most = 100000,
+    .notes =
+        "A recipe (.txt) has a mesh per line, and comments:\n"
+        "\n"
+        "  # FILE SIZE X Y Z [ANGLE_X ANGLE_Y]\n"
+        "  floor.ply    20  0 0 0\n"
+        "  knot.ply      4  0 0 -3  90 45   # a quarter about x, half of one about y\n"
+        "  walk_{}.ply*3+1  2.5  4 0 2      # one of walk_000.ply to walk_002.ply\n"
+        "\n"
+        "FILE is relative to the recipe and has no blanks. The mesh is rotated about x by\n"
+        "ANGLE_X degrees, then about y by ANGLE_Y (default 0 0), and scaled until the\n"
+        "longest side of its box is SIZE; the middle of the box's base, its side of least\n"
+        "y, goes to X Y Z. NAME_{}.ply*N+START is a sequence of N files with numbers from\n"
+        "000 on, of which --frame K takes number (K + START) modulo N; +START may be\n"
+        "left out.\n"};
 
 typedef struct pack_job {
     pack_meshes in;

@@ -17,7 +17,8 @@ const arg_command hid_command_list = {
     "Drivers with a * are " DISPLAY_DISCLAIMER ".",
     flags,
     0,
-    0};
+    0,
+    NULL};
 
 static void print_device(const port_info *p, const driver *by) {
     printf("%-16s %04x:%04x  %-12s %-16s %s%s%s\n", p->path, p->vendor, p->id,

@@ -19,7 +19,8 @@ const arg_command hid_command_rules = {
     "plug the display in again.",
     flags,
     0,
-    0};
+    0,
+    NULL};
 
 static void print_driver(const driver *by) {
     printf("\n# %s\n", by->about);

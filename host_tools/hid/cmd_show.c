@@ -46,7 +46,8 @@ const arg_command hid_command_show = {
     "tenth of a second is exact. Drivers other than planelet are " DISPLAY_DISCLAIMER ".",
     flags,
     1,
-    100000};
+    100000,
+    NULL};
 
 typedef struct showing {
     session session;

@@ -217,6 +217,38 @@ same frame0.plt standing.plt "... frame 0 is the first file of the sequence"
 verdict "... and the frames differ" "$(
     differ frame0.plt frame1.plt
     differ frame1.plt frame2.plt)"
+# The recipe in the help, with a floor of 4 x 3 at y = 7 and three statues, taller each.
+run pack --help
+sed -n '/^A recipe/,/^FILE/s/^  //p' out >shown.txt
+awk '/^end_header/ { on = 1; print; next } on && NF == 3 { print 4 * $1, 7, 3 * $2; next } 1' \
+    quad.ply >floor.ply
+cp small.ply knot.ply
+for i in 0 1 2; do
+    awk -v i=$i '/^end_header/ { on = 1; print; next } on && NF == 3 { $2 *= i + 2 } 1' \
+        quad.ply >walk_00$i.ply
+done
+verdict "the help of pack shows a recipe of three meshes" "$(
+    [ "$(grep -c '^[a-z]' shown.txt)" -eq 3 ] || cat shown.txt)"
+for frame in 0 1 2 5; do
+    number=$(((frame + 1) % 3))
+    sed "s/walk_.*+1 /walk_00$number.ply /" shown.txt >named.txt
+    run pack named.txt -o named.plt
+    works "... --frame $frame packs it" pack shown.txt -o shown.plt --frame $frame
+    same shown.plt named.plt "... with walk_00$number.ply"
+done
+verdict "... the floor is 20 x 15 about the origin, at y = 0, and the knot 4 long on it" "$(
+    echo 'floor.ply 20 0 0 0' >floor.txt
+    grep '^knot' shown.txt >lies.txt
+    for name in floor lies; do
+        run pack $name.txt -o $name.plt
+        run info $name.plt --json
+        cat err
+        sed -n 's/^  "\(lo\|hi\)": \[\(.*\)\].*/\2/p' out | tr -d , | tr '\n' ' ' >$name.box
+    done
+    [ "$(cat floor.box)" = "-10 0 -7.5 10 0 7.5 " ] || cat floor.box
+    awk '{ x = $4 - $1; y = $5 - $2; z = $6 - $3; most = x > y ? x : y; most = most > z ? most : z
+        if (most < 3.9999 || most > 4.0001 || $2 < -1e-5 || $2 > 1e-5 ||
+            ($3 + $6) / 2 < -3.0001 || ($3 + $6) / 2 > -2.9999) { print } }' lies.box)"
 sed 's/^1 1 0$/1 nan 0/' quad.ply >nan.ply
 run pack nan.ply small.ply -o repaired.plt --repair
 verdict "pack --repair says what it dropped, and that nothing is left of a file" "$(
