@@ -6,6 +6,7 @@
 #include <inttypes.h>
 
 #include "host_tools/app/phase.h"
+#include "host_tools/pack/c_array.h"
 
 static const char *const packets[] = {"2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
@@ -26,6 +27,11 @@ int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
         return fail_set(f, path, "needs an arena of %zu bytes and has %zu; use --arena %zu",
                         fault->need_bytes, arena_bytes, fault->need_bytes);
     case PLT_ERR_IMAGE:
+        if (c_array_is(path)) {
+            return fail_set(f, path,
+                            "is a C array written by planelet pack; pack the meshes "
+                            "with -o SCENE.plt to look at them");
+        }
         return fail_set(f, path, "byte %" PRIu32 ": %s (%c%u); %s", fault->offset, fault->message,
                         fault->kind, (unsigned)fault->rule, image_remedy(fault));
     case PLT_ERR_SOURCE:

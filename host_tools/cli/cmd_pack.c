@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/app/command_line.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/phase.h"
 #include "host_tools/base/clock.h"
@@ -13,12 +14,15 @@
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/pack_json.h"
 #include "host_tools/cli/pack_meshes.h"
+#include "host_tools/pack/c_array.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
 #include "host_tools/pack/shift.h"
 
 static const arg_flag flags[] = {
-    {"-o", "SCENE.plt", "the image to write; - is standard output"},
+    {"-o", "SCENE.plt",
+     "the image to write; - is standard output; SCENE.h or SCENE.c is a C array of it for a "
+     "firmware"},
     {"--build", "host|device|none",
      "who builds the tree: this program, the engine when it opens the image, or nobody "
      "(default host)"},
@@ -83,6 +87,7 @@ typedef struct pack_job {
     lattice_loss loss;
     const char *out, *json; /* `json` NULL: none */
     output *image_out, *json_out;
+    char *command; /* owned; for a C array */
 } pack_job;
 
 /* What the lattice cost, and a finer one where triangles were lost. */
@@ -135,7 +140,9 @@ static int build(pack_job *job, const char *name, packed *image, fail *f) {
 
 static int write_all(pack_job *job, const packed *image, fail *f) {
     phase_begin("writing", job->out);
-    int status = output_write(job->image_out, image->bytes, image->size, f);
+    int status = c_array_wanted(job->out)
+                     ? c_array_write(job->image_out, job->out, image, job->command, f)
+                     : output_write(job->image_out, image->bytes, image->size, f);
     if (status == 0 && job->json_out != NULL) {
         status = pack_json_write(job->json_out, &job->in, image,
                                  job->compact.lattice_bits > 0 ? &job->loss : NULL, f);
@@ -185,6 +192,13 @@ static void say_losses(const pack_job *job, const char *name) {
 }
 
 static void say_done(const pack_job *job, const packed *image, double seconds) {
+    if (c_array_wanted(job->out)) {
+        note("%s: %" PRIu32 " triangle%s, %" PRIu32
+             " bytes, %.1f s; next: compile it, its head says how to use it",
+             job->out, image->info.triangles, image->info.triangles == 1 ? "" : "s", image->size,
+             seconds);
+        return;
+    }
     if (strcmp(job->out, "-") != 0) {
         note("%s: %" PRIu32 " triangle%s, %" PRIu32
              " bytes, %.1f s; next: planelet render %s "
@@ -297,6 +311,7 @@ int run_pack(args *a) {
     if (a->wrong) {
         return 2;
     }
+    job.command = command_line(a);
     fail f = {""};
     packed image = {0};
     const double began = clock_seconds();
@@ -311,5 +326,6 @@ int run_pack(args *a) {
     output_abandon(job.json_out);
     pack_free(&image);
     pack_meshes_free(&job.in);
+    free(job.command);
     return status == 0 ? 0 : 1;
 }
