@@ -5,9 +5,11 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "engine/planelet.h"
 #include "host_tools/base/fail.h"
+#include "host_tools/base/standard.h"
 
 static int longest_name(const program *p) {
     size_t longest = 0;
@@ -88,13 +90,20 @@ static int dispatch(const program *p, const char *word, int argc, char **argv) {
 }
 
 int program_main(const program *p, int argc, char **argv) {
+    if (standard_open() != 0) {
+        fprintf(stderr, "%s: a standard stream is closed, and there is no /dev/null for it\n",
+                p->name);
+        return PROGRAM_FAILED;
+    }
     if (argc < 2) {
         overview(p, stderr);
         return PROGRAM_WRONG_USAGE;
     }
     const int status = dispatch(p, argv[1], argc - 2, argv + 2);
     if ((fflush(stdout) != 0 || ferror(stdout)) && status == PROGRAM_DONE) {
-        fprintf(stderr, "standard output: cannot be written; is the disk full?\n");
+        fprintf(stderr, "standard output: cannot be written; %s\n",
+                standard_can_write(STDOUT_FILENO) ? "is the disk full?"
+                                                  : "it is closed: redirect it to a file");
         return PROGRAM_FAILED;
     }
     return status;

@@ -14,6 +14,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "host_tools/base/files.h"
+#include "host_tools/base/standard.h"
+
 /* A stream may never end: it gets this many bytes at most. */
 static const uint64_t STREAM_BYTES_MAX = (uint64_t)1 << 32;
 enum { FIRST_ROOM = 65536 };
@@ -94,7 +97,7 @@ static int read_all(input *in, int fd, size_t room, uint64_t limit, fail *f) {
 
 static int read_open(input *in, int fd, int is_stream, fail *f) {
     struct stat about;
-    if (fstat(fd, &about) != 0) {
+    if (!standard_can_read(fd) || fstat(fd, &about) != 0) {
         return fail_open(in->path, errno, f);
     }
     if (S_ISDIR(about.st_mode)) {
@@ -102,6 +105,9 @@ static int read_open(input *in, int fd, int is_stream, fail *f) {
     }
     if (!is_stream && (S_ISCHR(about.st_mode) || S_ISBLK(about.st_mode))) {
         return fail_set(f, shown(in->path), "is a device; name a file, or - for standard input");
+    }
+    if (files_read(fd, shown(in->path), f) != 0) {
+        return -1;
     }
     uint64_t limit = memory_bytes();
     size_t room = FIRST_ROOM;

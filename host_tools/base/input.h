@@ -13,8 +13,9 @@ typedef struct input {
     size_t size;
 } input;
 
-/* Reads `path` ("-": standard input). Refuses directories, empty files
- * and files that cannot be held in memory, with a remedy in `f`. */
+/* Reads `path` ("-": standard input). Refuses directories, empty files, files that cannot
+ * be held in memory and files that are being written, with a remedy in `f`. No output of the
+ * program may be this file from then on. */
 int input_read(input *in, const char *path, fail *f);
 void input_free(input *in);
 

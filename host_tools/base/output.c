@@ -5,7 +5,6 @@
  * file. After a failed write every further call fails.
  *
  * SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "host_tools/base/output.h"
 
 #include <errno.h>
@@ -18,13 +17,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "host_tools/base/files.h"
+#include "host_tools/base/standard.h"
+#include "host_tools/base/target.h"
 #include "host_tools/base/temporary.h"
 
 struct output {
     temporary beside; /* without a file: written directly */
-    char *name;       /* as asked for: what failures name */
-    char *target;     /* what is renamed over: links followed */
-    int fd, failed;   /* `failed`: errno of the first failed write */
+    file_written as;
+    char *name;     /* as asked for: what failures name */
+    char *target;   /* what is renamed over: links followed */
+    int fd, failed; /* `failed`: errno of the first failed write */
     size_t used;
     unsigned char buffer[65536];
 };
@@ -59,19 +62,30 @@ static const char *remedy(int error) {
     }
 }
 
+static const char *shown(const char *name) {
+    return strcmp(name, "-") == 0 ? "standard output" : name;
+}
+
 static int fail_system(fail *f, const char *name, const char *action, int error) {
-    return fail_set(f, strcmp(name, "-") == 0 ? "standard output" : name, "cannot %s: %s; %s",
-                    action, strerror(error), remedy(error));
+    return fail_set(f, shown(name), "cannot %s: %s; %s", action, strerror(error), remedy(error));
 }
 
 static void output_free(output *o) {
+    files_written(&o->as);
     free(o->name);
     free(o->target);
     free(o);
 }
 
 static int open_beside(output *o, const struct stat *existing, fail *f) {
+    if (files_write(&o->as, o->target, -1, f) != 0) {
+        return -1;
+    }
     o->fd = temporary_create(&o->beside, o->target);
+    if (o->fd < 0 && strcmp(o->name, o->target) != 0) {
+        return fail_set(f, o->name, "is a link to %s: cannot create a file there: %s; %s",
+                        o->target, strerror(errno), remedy(errno));
+    }
     if (o->fd < 0) {
         return fail_system(f, o->name, "create a file there", errno);
     }
@@ -86,18 +100,32 @@ static int open_direct(output *o, fail *f) {
     return o->fd >= 0 ? 0 : fail_system(f, o->name, "open it for writing", errno);
 }
 
-static int open_standard(output *o, fail *f) {
+/* A device that a name says is written as asked for, also if it is a terminal: a serial line
+ * is one. */
+static int open_standard(output *o, int is_text, fail *f) {
     fflush(stdout);
+    if (!standard_can_write(STDOUT_FILENO)) {
+        return fail_system(f, o->name, "write", errno);
+    }
+    if (!is_text && isatty(STDOUT_FILENO)) {
+        return fail_set(f, shown(o->name),
+                        "is a terminal, on which these bytes are no text; name a file, or redirect "
+                        "it to a file or a program");
+    }
+    if (files_write(&o->as, NULL, STDOUT_FILENO, f) != 0) {
+        return -1;
+    }
     o->fd = dup(STDOUT_FILENO);
     return o->fd >= 0 ? 0 : fail_system(f, o->name, "write", errno);
 }
 
-static int set_target(output *o, const char *target, fail *f) {
-    o->target = strdup(target);
-    return o->target ? 0 : fail_system(f, o->name, "open it", ENOMEM);
+/* Of a file that was deleted while a stream had it open, /dev/stdout still is a link to it. */
+static int has_name(const output *o, const struct stat *existing) {
+    struct stat target;
+    return stat(o->target, &target) == 0 && target.st_dev == existing->st_dev &&
+           target.st_ino == existing->st_ino;
 }
 
-/* A symbolic link stays: what it leads to is replaced. */
 static int open_existing(output *o, const struct stat *existing, fail *f) {
     if (S_ISDIR(existing->st_mode)) {
         return fail_set(f, o->name, "is a directory; name a file in it");
@@ -108,36 +136,44 @@ static int open_existing(output *o, const struct stat *existing, fail *f) {
     if (access(o->name, W_OK) != 0) {
         return fail_set(f, o->name, "is write-protected; choose another name or chmod u+w it");
     }
-    char *resolved = realpath(o->name, NULL);
-    const int set = set_target(o, resolved ? resolved : o->name, f);
-    free(resolved);
-    return set == 0 ? open_beside(o, existing, f) : -1;
+    if (!has_name(o, existing)) {
+        return fail_set(f, o->name,
+                        "is a file without a name; name another one, or - for standard "
+                        "output");
+    }
+    return open_beside(o, existing, f);
 }
 
-static int open_path(output *o, fail *f) {
-    const size_t length = strlen(o->name);
-    if (length == 0) {
-        return fail_set(f, NULL, "the output has no name; give one, or - for standard output");
-    }
-    if (strcmp(o->name, "-") == 0) {
-        return open_standard(o, f);
-    }
+/* A symbolic link stays: what it leads to is replaced, or made. */
+static int open_target(output *o, fail *f) {
     struct stat existing;
-    if (stat(o->name, &existing) == 0) {
-        return open_existing(o, &existing, f);
-    }
-    if (errno != ENOENT) {
+    const int exists = stat(o->name, &existing) == 0;
+    if (!exists && errno != ENOENT) {
         return fail_system(f, o->name, "open it", errno);
     }
-    if (o->name[length - 1] == '/') {
+    o->target = target_of(o->name);
+    if (!o->target) {
+        return fail_system(f, o->name, "open it", errno);
+    }
+    if (exists) {
+        return open_existing(o, &existing, f);
+    }
+    if (o->target[strlen(o->target) - 1] == '/') {
         return fail_set(f, o->name, "is the name of a directory; name a file in it");
     }
-    return set_target(o, o->name, f) == 0 ? open_beside(o, NULL, f) : -1;
+    return open_beside(o, NULL, f);
+}
+
+static int open_path(output *o, int is_text, fail *f) {
+    if (o->name[0] == '\0') {
+        return fail_set(f, NULL, "the output has no name; give one, or - for standard output");
+    }
+    return strcmp(o->name, "-") == 0 ? open_standard(o, is_text, f) : open_target(o, f);
 }
 
 /* SIGXFSZ is ignored so that a write past the file size limit returns
  * EFBIG, which can be explained. */
-output *output_open(const char *path, fail *f) {
+static output *open_any(const char *path, int is_text, fail *f) {
     signal(SIGXFSZ, SIG_IGN);
     output *o = malloc(sizeof *o);
     if (!o) {
@@ -145,6 +181,7 @@ output *output_open(const char *path, fail *f) {
         return NULL;
     }
     o->beside = (temporary){0};
+    o->as = (file_written){0};
     o->target = NULL;
     o->fd = -1;
     o->failed = 0;
@@ -152,11 +189,32 @@ output *output_open(const char *path, fail *f) {
     o->name = strdup(path);
     if (!o->name) {
         fail_system(f, path, "open it", ENOMEM);
-    } else if (open_path(o, f) == 0) {
-        return o;
+    } else {
+        o->as.name = shown(o->name);
+        if (open_path(o, is_text, f) == 0) {
+            return o;
+        }
     }
     output_free(o);
     return NULL;
+}
+
+output *output_open(const char *path, fail *f) {
+    return open_any(path, 0, f);
+}
+
+output *output_open_text(const char *path, fail *f) {
+    return open_any(path, 1, f);
+}
+
+int output_print_standard(fail *f) {
+    file_written w = {.name = shown("-")};
+    if (!standard_can_write(STDOUT_FILENO)) {
+        return fail_system(f, "-", "write", errno);
+    }
+    const int status = files_write(&w, NULL, STDOUT_FILENO, f);
+    files_written(&w);
+    return status;
 }
 
 static int write_all(output *o, const unsigned char *bytes, size_t count, fail *f) {

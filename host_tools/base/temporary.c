@@ -20,7 +20,12 @@ enum { NAME_BYTES = 64, TRIES = 100 };
 
 static temporary *volatile alive;
 
-static const int END_SIGNALS[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+/* All of POSIX that end a program and can be caught, but for SIGXFSZ, which output.c ignores.
+ * A program that crashes (a mapped file that somebody shortens is a SIGBUS) also leaves
+ * nothing. */
+static const int END_SIGNALS[] = {SIGINT,  SIGTERM, SIGHUP,    SIGPIPE, SIGQUIT, SIGALRM,
+                                  SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXCPU, SIGABRT,
+                                  SIGBUS,  SIGFPE,  SIGILL,    SIGSEGV, SIGSYS,  SIGTRAP};
 enum { END_SIGNAL_COUNT = sizeof END_SIGNALS / sizeof END_SIGNALS[0] };
 
 static sigset_t end_signals(void) {

@@ -1,6 +1,6 @@
 /* temporary - what must not outlive the program: files beside their target, colours
  *
- * A normal exit, SIGINT, SIGTERM, SIGHUP and SIGPIPE remove every
+ * A normal exit, and every signal that ends the program and can be caught, remove every
  * temporary file that was neither kept nor removed. A forked child
  * removes none of its parent's. The signals also reset the colours of a
  * terminal, if it accepts bytes at all: Ctrl-C discards what was written and not

@@ -425,8 +425,8 @@ static void writes(void) {
         mesh_add_triangle(&m, i, i + 1, i + SIDE, &f);
         mesh_add_triangle(&m, i + 1, i + SIDE + 1, i + SIDE, &f);
     }
-    CHECK(mesh_write_ply(&m, FILE_NAME, &f) == 0, "%s", f.text);
-    CHECK(mesh_read(&back, FILE_NAME, 0, &report, &f) == 0, "%s", f.text);
+    CHECK(mesh_write_ply(&m, MESH_FOLDER "written.ply", &f) == 0, "%s", f.text);
+    CHECK(mesh_read(&back, MESH_FOLDER "written.ply", 0, &report, &f) == 0, "%s", f.text);
     CHECK(back.vertices == SIDE * SIDE && back.triangles == m.triangles, "%zu", back.triangles);
     CHECK(back.vertices == m.vertices &&
               memcmp(back.vertex, m.vertex, m.vertices * 3 * sizeof(float)) == 0,

@@ -1,0 +1,34 @@
+/* files - what the program reads and writes: no file is both, and none is written twice
+ *
+ * A file is known by its device and inode, not by its name: links and other spellings of
+ * a name are found out. An output that does not exist yet is known by its directory and its
+ * last name. Only regular files count: devices, terminals and pipes may be shared.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef FILES_H
+#define FILES_H
+#include <sys/stat.h>
+
+#include "host_tools/base/fail.h"
+
+/* An output that is being written. Caller's memory, at one address from files_write to
+ * files_written. */
+typedef struct file_written {
+    struct file_written *next;
+    const char *name; /* not owned */
+    struct stat file; /* if it exists */
+    struct stat folder;
+    const char *last; /* its name in the folder, not owned; NULL: only the file is known */
+    int exists;
+} file_written;
+
+/* An open file is read, from now on to the end of the program. -1: it is being written, or
+ * memory is out. */
+int files_read(int fd, const char *name, fail *f);
+
+/* `w` holds a name and nothing else; `target` is the path that is written, links followed,
+ * or NULL: the open file `fd`. -1: it was read, or is being written already. */
+int files_write(file_written *w, const char *target, int fd, fail *f);
+void files_written(file_written *w); /* the end of it; more than once does no harm */
+
+#endif
