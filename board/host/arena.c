@@ -1,14 +1,43 @@
-/* arena - the host's one static arena
+/* arena - the host's one arena, which the system gives when it is asked for
  *
  * SPDX-License-Identifier: MIT */
+#define _DEFAULT_SOURCE  /* MAP_ANONYMOUS, MAP_NORESERVE: POSIX has neither yet */
+#define _DARWIN_C_SOURCE /* the same elsewhere */
+#include <sys/mman.h>
+
 #include "board/host/host.h"
 
-static _Alignas(4096) unsigned char arena[PLT_BOARD_ARENA_BYTES];
+#ifndef MAP_ANONYMOUS
+#define MAP_ANONYMOUS MAP_ANON
+#endif
+#ifndef MAP_NORESERVE
+#define MAP_NORESERVE 0
+#endif
+
+static void *arena;
+static size_t arena_bytes;
+
+static void *map(size_t bytes) {
+    void *p = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE,
+                   -1, 0);
+    return p == MAP_FAILED ? NULL : p;
+}
 
 void *host_arena(size_t bytes) {
-    return bytes <= sizeof arena ? arena : NULL;
+    if (bytes > PLT_BOARD_ARENA_BYTES) {
+        return NULL;
+    }
+    if (arena != NULL && bytes > arena_bytes) {
+        munmap(arena, arena_bytes); /* before: there may be no room for both */
+        arena = NULL;
+    }
+    if (arena == NULL) {
+        arena_bytes = bytes > 0 ? bytes : 1;
+        arena = map(arena_bytes);
+    }
+    return arena;
 }
 
 size_t host_arena_bytes(void) {
-    return sizeof arena;
+    return PLT_BOARD_ARENA_BYTES;
 }

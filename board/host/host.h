@@ -1,7 +1,7 @@
 /* host - a computer with an operating system, as a board
  *
- * One static arena, of which a caller uses as much as the device has that it plays; and scene
- * images in files, mapped or fetched piece by piece.
+ * One arena, of which a caller asks for as much as the device has that it plays; and scene
+ * images in files or in memory, mapped or fetched piece by piece.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BOARD_HOST_H
@@ -12,11 +12,12 @@
 
 #include "engine/planelet.h"
 
-/* The first `bytes` of the arena, aligned to a page: always the same memory.
- * NULL when there are fewer (PLT_BOARD_ARENA_BYTES: 1 GiB). Untouched pages
- * cost nothing. */
+/* The arena, with at least `bytes`, aligned to a page: the same memory as before unless it has
+ * to grow; then what was in it is lost, and what is new is zero. NULL when there are more than
+ * host_arena_bytes, or the system does not give so much (ulimit -v); untouched pages cost
+ * nothing but room. A program that never asks takes none. */
 void *host_arena(size_t bytes);
-size_t host_arena_bytes(void);
+size_t host_arena_bytes(void); /* the most there can be: PLT_BOARD_ARENA_BYTES, 1 GiB */
 
 enum { HOST_TRANSFERS = 64 };
 
@@ -27,12 +28,12 @@ typedef struct host_transfer {
     void *to;
 } host_transfer;
 
-/* An open scene file. `source` points into it: it stays where it is until
- * closed. */
+/* An open scene. `source` points into it: it stays where it is until closed. */
 typedef struct host_scene {
     plt_source source;
-    char why[160]; /* after a failure: what is wrong and what to do, no file name */
-    int file;
+    char why[160];      /* after a failure: what is wrong and what to do, no file name */
+    int file;           /* -1: none */
+    const void *memory; /* of a scene in memory, not owned; else NULL */
     host_transfer pending[HOST_TRANSFERS];
     uint64_t transfers, bytes_moved; /* of a fetched file */
 } host_scene;
@@ -45,6 +46,10 @@ int host_scene_map(host_scene *scene, const char *path);
 /* The same file behind start and wait: bytes are moved by reads, at the wait,
  * as late as a device may. Errors as above; at most HOST_TRANSFERS at a time. */
 int host_scene_fetch(host_scene *scene, const char *path);
+
+/* A scene in memory, aligned to PLT_ALIGN, as if it were a mapped or a fetched file. The bytes
+ * are the caller's, until the scene is closed. */
+void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int fetched);
 
 /* After an open, failed or not; more than once does no harm. */
 void host_scene_close(host_scene *scene);

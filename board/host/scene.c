@@ -1,4 +1,4 @@
-/* scene - scene images in files of the host, mapped or fetched
+/* scene - scene images in files or memory of the host, mapped or fetched
  *
  * SPDX-License-Identifier: MIT */
 #include <errno.h>
@@ -73,7 +73,15 @@ static int scene_start(void *context, unsigned tag, uint32_t offset, void *to, u
     return -1;
 }
 
-static int move(host_scene *scene, const host_transfer *t) {
+static int move_in_memory(const host_scene *scene, const host_transfer *t) {
+    if ((uint64_t)t->offset + t->count > scene->source.bytes) {
+        return -1;
+    }
+    memcpy(t->to, (const char *)scene->memory + t->offset, t->count);
+    return 0;
+}
+
+static int move_from_file(const host_scene *scene, const host_transfer *t) {
     uint32_t moved = 0;
     while (moved < t->count) {
         const ssize_t n = pread(scene->file, (char *)t->to + moved, t->count - moved,
@@ -83,8 +91,15 @@ static int move(host_scene *scene, const host_transfer *t) {
         }
         moved += n > 0 ? (uint32_t)n : 0;
     }
+    return 0;
+}
+
+static int move(host_scene *scene, const host_transfer *t) {
+    if ((scene->memory ? move_in_memory(scene, t) : move_from_file(scene, t)) < 0) {
+        return -1;
+    }
     scene->transfers++;
-    scene->bytes_moved += moved;
+    scene->bytes_moved += t->count;
     return 0;
 }
 
@@ -100,21 +115,37 @@ static int scene_wait(void *context, uint32_t tags) {
     return status;
 }
 
+static void set_fetched(host_scene *scene) {
+    scene->source.context = scene;
+    scene->source.start = scene_start;
+    scene->source.wait = scene_wait;
+}
+
 int host_scene_fetch(host_scene *scene, const char *path) {
     if (open_scene(scene, path) < 0) {
         return -1;
     }
-    scene->source.context = scene;
-    scene->source.start = scene_start;
-    scene->source.wait = scene_wait;
+    set_fetched(scene);
     return 0;
 }
 
-void host_scene_close(host_scene *scene) {
-    if (scene->source.mapped) {
-        munmap((void *)(uintptr_t)scene->source.mapped, scene->source.bytes);
-        scene->source.mapped = NULL;
+void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int fetched) {
+    memset(scene, 0, sizeof *scene);
+    scene->file = -1;
+    scene->memory = bytes;
+    scene->source.bytes = count;
+    if (fetched) {
+        set_fetched(scene);
+    } else {
+        scene->source.mapped = bytes;
     }
+}
+
+void host_scene_close(host_scene *scene) {
+    if (scene->source.mapped && !scene->memory) {
+        munmap((void *)(uintptr_t)scene->source.mapped, scene->source.bytes);
+    }
+    scene->source.mapped = scene->memory = NULL;
     if (scene->file >= 0) {
         close(scene->file);
         scene->file = -1;

@@ -4,8 +4,12 @@
 #include "host_tools/app/scene.h"
 
 #include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
 #include "host_tools/app/phase.h"
+#include "host_tools/base/files.h"
 #include "host_tools/pack/c_array.h"
 
 static const char *const packets[] = {"2", "4", "8", "16", NULL};
@@ -20,28 +24,56 @@ static const char *image_remedy(const plt_fault *fault) {
     return foreign ? "is it one? planelet pack makes them from meshes" : "pack the scene again";
 }
 
-int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
-                  size_t arena_bytes) {
+const char *scene_name(const char *path) {
+    return strcmp(path, "-") == 0 ? "standard input" : path;
+}
+
+/* An arena that is too small, that the system does not give, or for which this program is too
+ * small. */
+static int arena_refused(const scene *s, const char *name, size_t need, fail *f) {
+    const size_t most = host_arena_bytes(), enough = need < most ? need : most;
+    if (!s->arena_is_missing && s->arena_bytes < enough) {
+        return fail_set(f, name, "needs an arena of %zu bytes and has %zu; use --arena %zu", need,
+                        s->arena_bytes, enough);
+    }
+    if (!s->arena_is_missing) {
+        return fail_set(f, name,
+                        "needs an arena of %zu bytes, this program has at most %zu; pack it with "
+                        "--build host or --nodes compact",
+                        need, most);
+    }
+    if (s->arena_bytes > need) {
+        return fail_set(f, name,
+                        "this machine has no room for an arena of %zu bytes; use --arena %zu",
+                        s->arena_bytes, need);
+    }
+    return fail_set(f, name,
+                    "this machine has no room for an arena of %zu bytes; raise the limit with "
+                    "ulimit -v, close other programs, or try --arena BYTES with fewer",
+                    s->arena_bytes);
+}
+
+int scene_refused(const scene *s, const char *path, int status, const plt_fault *fault, fail *f) {
+    const char *name = scene_name(path);
     switch (status) {
     case PLT_ERR_ARENA:
-        return fail_set(f, path, "needs an arena of %zu bytes and has %zu; use --arena %zu",
-                        fault->need_bytes, arena_bytes, fault->need_bytes);
+        return arena_refused(s, name, fault->need_bytes, f);
     case PLT_ERR_IMAGE:
         if (c_array_is(path)) {
-            return fail_set(f, path,
+            return fail_set(f, name,
                             "is a C array written by planelet pack; pack the meshes "
                             "with -o SCENE.plt to look at them");
         }
-        return fail_set(f, path, "byte %" PRIu32 ": %s (%c%u); %s", fault->offset, fault->message,
+        return fail_set(f, name, "byte %" PRIu32 ": %s (%c%u); %s", fault->offset, fault->message,
                         fault->kind, (unsigned)fault->rule, image_remedy(fault));
     case PLT_ERR_SOURCE:
-        return fail_set(f, path, "byte %" PRIu32 ": %s; is the file still whole?", fault->offset,
+        return fail_set(f, name, "byte %" PRIu32 ": %s; is the file still whole?", fault->offset,
                         fault->message);
     case PLT_ERR_LIMIT:
-        return fail_set(f, path, "%s; build with a larger one (engine/planelet_config.h)",
+        return fail_set(f, name, "%s; build with a larger one (engine/planelet_config.h)",
                         fault->message);
     default:
-        return fail_set(f, path, "%s; see --help for the ranges", fault->message);
+        return fail_set(f, name, "%s; see --help for the ranges", fault->message);
     }
 }
 
@@ -62,7 +94,52 @@ static void read_flags(scene *s, args *a, int *fetched) {
     args_choice(a, "--residency", resident, 0);
     args_choice(a, "--schedule", branch, 0);
     args_number(a, "--workers", 1, 1, 1);
+    s->arena_is_given = args_has(a, "--arena");
     s->arena_bytes = (size_t)args_number(a, "--arena", host_arena_bytes(), 1, host_arena_bytes());
+}
+
+static int is_aligned(const void *p) {
+    return (uintptr_t)p % PLT_ALIGN == 0;
+}
+
+static int fail_large(const char *path, fail *f) {
+    return fail_set(f, scene_name(path),
+                    "is 4 GiB or larger; a scene image is smaller, is it one?");
+}
+
+int scene_read(input *in, const char *path, fail *f) {
+    struct stat about;
+    *in = (input){.path = path};
+    if (stat(path, &about) == 0 && S_ISREG(about.st_mode) && (uint64_t)about.st_size > UINT32_MAX) {
+        return fail_large(path, f); /* without reading it */
+    }
+    if (input_read(in, path, f) != 0) {
+        return -1;
+    }
+    if (in->size > UINT32_MAX) {
+        input_free(in);
+        return fail_large(path, f);
+    }
+    if (!is_aligned(in->bytes)) { /* malloc of a machine whose largest type is smaller */
+        const size_t room = (in->size + PLT_ALIGN) / PLT_ALIGN * PLT_ALIGN;
+        unsigned char *bytes = aligned_alloc(PLT_ALIGN, room);
+        if (bytes == NULL) {
+            input_free(in);
+            return fail_set(f, scene_name(path), "out of memory; close other programs");
+        }
+        memcpy(bytes, in->bytes, in->size);
+        free(in->bytes);
+        in->bytes = bytes;
+    }
+    return 0;
+}
+
+static int attach_stream(scene *s, int fetched, fail *f) {
+    if (scene_read(&s->stream, "-", f) != 0) {
+        return -1;
+    }
+    host_scene_hold(&s->file, s->stream.bytes, (uint32_t)s->stream.size, fetched);
+    return 0;
 }
 
 int scene_attach(scene *s, args *a, const char *path, fail *f) {
@@ -74,18 +151,44 @@ int scene_attach(scene *s, args *a, const char *path, fail *f) {
     if (path[0] == '\0') {
         return fail_set(f, NULL, "the scene has no name; give the file that planelet pack wrote");
     }
+    if (strcmp(path, "-") == 0) {
+        return attach_stream(s, fetched, f);
+    }
     if ((fetched ? host_scene_fetch(&s->file, path) : host_scene_map(&s->file, path)) != 0) {
         return fail_set(f, path, "%s", s->file.why);
     }
-    return 0;
+    return files_read(s->file.file, path, f);
+}
+
+/* Room that was not asked for must not be what makes a run fail, nor take what the picture
+ * needs: where there are not all of host_arena_bytes, it is just what the scene needs. */
+static void *get_arena(scene *s, size_t need) {
+    void *arena = host_arena(s->arena_bytes);
+    if (arena == NULL && !s->arena_is_given) {
+        s->arena_bytes = need > 0 ? need : 1; /* 0: plt_open says why */
+        arena = host_arena(s->arena_bytes);
+    }
+    s->arena_is_missing = arena == NULL;
+    return arena;
 }
 
 int scene_start(scene *s, const char *path, plt_fault *fault) {
-    phase_begin("opening", path);
-    const int status = plt_open(&s->engine, host_arena(s->arena_bytes), s->arena_bytes,
-                                &s->file.source, &s->options, fault);
+    plt_info info;
+    const int status = plt_image_info(&s->file.source, &info, fault);
+    if (status != PLT_OK) {
+        return status;
+    }
+    const size_t need = plt_arena_need(&info, s->file.source.mapped != NULL, &s->options);
+    void *arena = get_arena(s, need);
+    if (arena == NULL) {
+        *fault = (plt_fault){.need_bytes = need, .message = "there is no arena"};
+        return PLT_ERR_ARENA;
+    }
+    phase_begin("opening", scene_name(path));
+    const int opened =
+        plt_open(&s->engine, arena, s->arena_bytes, &s->file.source, &s->options, fault);
     phase_end();
-    return status;
+    return opened;
 }
 
 int scene_open(scene *s, args *a, const char *path, fail *f) {
@@ -94,11 +197,12 @@ int scene_open(scene *s, args *a, const char *path, fail *f) {
         return -1;
     }
     const int status = scene_start(s, path, &fault);
-    return status == PLT_OK ? 0 : scene_refused(f, path, status, &fault, s->arena_bytes);
+    return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
 }
 
 void scene_close(scene *s) {
     host_scene_close(&s->file);
+    input_free(&s->stream);
 }
 
 void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {

@@ -8,13 +8,17 @@
 #include "engine/planelet.h"
 #include "host_tools/app/args.h"
 #include "host_tools/base/fail.h"
+#include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 
 typedef struct scene {
     host_scene file;
+    input stream;        /* standard input, in memory */
     plt_options options; /* by the flags; count_touched by the command, before scene_attach */
     plt_engine *engine;  /* NULL: not opened */
     size_t arena_bytes;
+    int arena_is_given;   /* by --arena */
+    int arena_is_missing; /* the system does not give it */
 } scene;
 
 #define SCENE_CLOSED                                                                               \
@@ -32,20 +36,29 @@ typedef struct scene {
         {"--source", "map|read",                                                                   \
          "the image is mapped like flash, or fetched into the arena (default map)"},               \
     {                                                                                              \
-        "--arena", "BYTES", "memory of the engine (default 1 GiB)"                                 \
+        "--arena", "BYTES",                                                                        \
+            "memory of the engine, 1 to 1073741824 (default 1 GiB, or what the scene needs where " \
+            "there is less)"                                                                       \
     }
 
-/* Opens the file as the flags say, without reading it; a wrong flag sets a->wrong. */
+/* Opens the file as the flags say, without reading it, or reads standard input for "-"; a
+ * wrong flag sets a->wrong. */
 int scene_attach(scene *s, args *a, const char *path, fail *f);
-/* plt_open on that file: its status. */
+/* Asks for the arena, and plt_open on that file: its status. Unless --arena says how much, that
+ * is all of host_arena_bytes, or, where the system does not give it, plt_arena_need. */
 int scene_start(scene *s, const char *path, plt_fault *fault);
 /* Both. */
 int scene_open(scene *s, args *a, const char *path, fail *f);
 void scene_close(scene *s);
 
 /* Sets `f` to why the engine refused `path` and what to do. Returns -1. */
-int scene_refused(fail *f, const char *path, int status, const plt_fault *fault,
-                  size_t arena_bytes);
+int scene_refused(const scene *s, const char *path, int status, const plt_fault *fault, fail *f);
+
+/* What messages call it: "-" is standard input. */
+const char *scene_name(const char *path);
+
+/* Reads a whole image, "-" is standard input, to where it may be taken for mapped (PLT_ALIGN). */
+int scene_read(input *in, const char *path, fail *f);
 
 /* The members that `trace` and `render` statistics share, without braces. */
 void scene_print_stats(output *o, const scene *s, double seconds, fail *f);

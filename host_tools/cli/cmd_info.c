@@ -26,7 +26,7 @@ const arg_command command_info = {
     .synopsis = "SCENE.plt [--json]",
     .about =
         "Says what a scene image holds, its bytes per triangle, and the arena it needs, part "
-        "by part.",
+        "by part. SCENE.plt may be - for standard input.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -217,7 +217,7 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
         status = scene_start(s, path, &fault);
     }
     if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE || status == PLT_ERR_ARGUMENT) {
-        return scene_refused(f, path, status, &fault, s->arena_bytes);
+        return scene_refused(s, path, status, &fault, f);
     }
     if (s->engine != NULL) {
         *info = *plt_engine_info(s->engine);
@@ -230,6 +230,9 @@ int run_info(args *a) {
     plt_info info;
     fail f = {""};
     int status = scene_attach(&s, a, a->file[0], &f);
+    if (status == 0) {
+        status = output_print_standard(&f);
+    }
     if (status == 0) {
         status = inspect(&s, a->file[0], &info, &f);
     }

@@ -9,7 +9,7 @@
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/mesh/open_edges.h"
 #include "host_tools/mesh/reduce.h"
-#include "host_tools/pack/lattice_area.h"
+#include "host_tools/mesh/extent.h"
 
 static int out_of_memory(const char *path, fail *f) {
     return fail_set(f, path, "out of memory; use a larger machine");
@@ -63,7 +63,7 @@ static int join_seams(pack_meshes *p, pack_file *file) {
         return -1;
     }
     for (size_t i = file->first; i < file->end; i++) {
-        file->without_area += (uint64_t)!lattice_had_area(&p->m, i);
+        file->without_area += (uint64_t)!mesh_has_area(&p->m, i);
     }
     return find_open(p, file);
 }

@@ -67,6 +67,12 @@ int emulated_device(const transport *t, unsigned report_bytes, size_t memory_byt
 
 int emulated_start(stream_link *l, unsigned report_bytes, size_t memory_bytes, fail *f) {
     int pair[2];
+    void *volatile trial = malloc(memory_bytes); /* the device cannot say that it got none */
+    free(trial);
+    if (trial == NULL) {
+        return fail_set(f, "device", "no room for its %zu bytes; give it fewer with --emulate",
+                        memory_bytes);
+    }
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0) {
         return fail_set(f, "device", "%s", strerror(errno));
     }

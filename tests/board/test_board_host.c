@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -109,12 +110,65 @@ static void test_fetch(void) {
     host_scene_close(&scene);
 }
 
+static void test_hold(void) {
+    static _Alignas(PLT_ALIGN) unsigned char bytes[5000];
+    host_scene scene;
+    unsigned char to[100];
+    for (unsigned i = 0; i < sizeof bytes; i++) {
+        bytes[i] = (unsigned char)(i * 7);
+    }
+    test("a scene in memory is there as a mapped file, or fetched as a file");
+    host_scene_hold(&scene, bytes, 4999, 0);
+    CHECK(scene.source.mapped == bytes && scene.source.bytes == 4999, "mapped");
+    host_scene_close(&scene);
+    host_scene_hold(&scene, bytes, 4999, 1);
+    plt_source *s = &scene.source;
+    CHECK(!s->mapped && s->bytes == 4999, "source");
+    memset(to, 0, sizeof to);
+    CHECK(s->start(s->context, 3, 4899, to, 100) == 0 && to[1] == 0, "start");
+    CHECK(s->wait(s->context, 1u << 3) == 0, "wait");
+    CHECK(memcmp(to, bytes + 4899, 100) == 0, "other bytes");
+    CHECK(scene.transfers == 1 && scene.bytes_moved == 100, "counts");
+    CHECK(s->start(s->context, 0, 4900, to, 100) == 0 && s->wait(s->context, 1) < 0, "the end");
+    CHECK(s->start(s->context, 0, UINT32_MAX, to, 100) == 0 && s->wait(s->context, 1) < 0, "far");
+    host_scene_close(&scene);
+    host_scene_close(&scene);
+    CHECK(bytes[1] == 7, "not its own");
+}
+
+static rlim_t address_space(rlim_t bytes) {
+    struct rlimit limit;
+    getrlimit(RLIMIT_AS, &limit);
+    const rlim_t before = limit.rlim_cur;
+    limit.rlim_cur = bytes;
+    CHECK(setrlimit(RLIMIT_AS, &limit) == 0, "no limit");
+    return before;
+}
+
 static void test_arena(void) {
-    test("the arena is aligned, and no larger than it is");
+    test("the arena is aligned, zero, no larger than asked for, and the same until it grows");
     CHECK(host_arena_bytes() >= (size_t)1 << 30, "%zu bytes", host_arena_bytes());
-    CHECK(host_arena(1) && (uintptr_t)host_arena(1) % 4096 == 0, "alignment");
-    CHECK(host_arena(host_arena_bytes()) == host_arena(0), "the same memory");
     CHECK(!host_arena(host_arena_bytes() + 1), "too much");
+    unsigned char *arena = host_arena(100000);
+    CHECK(arena && (uintptr_t)arena % 4096 == 0, "alignment");
+    for (unsigned i = 0; arena && i < 100000; i++) {
+        CHECK(arena[i] == 0, "byte %u", i);
+        arena[i] = 1;
+    }
+    CHECK(host_arena(0) == arena && host_arena(1) == arena && host_arena(100000) == arena, "moved");
+#if !defined(__SANITIZE_ADDRESS__)
+    test("what the system does not give is no arena, and less can still be had");
+    const rlim_t before = address_space((rlim_t)256 << 20);
+    CHECK(!host_arena(host_arena_bytes()), "given");
+    CHECK(host_arena(1 << 20), "not given");
+    address_space(before);
+#else
+    (void)address_space; /* the sanitizer has taken more than any limit */
+#endif
+    test("all of it");
+    arena = host_arena(host_arena_bytes());
+    CHECK(arena && arena[0] == 0 && arena[host_arena_bytes() - 1] == 0, "not zero");
+    CHECK(host_arena(host_arena_bytes()) == arena && host_arena(5) == arena, "moved");
 }
 
 int main(void) {
@@ -125,6 +179,7 @@ int main(void) {
     test_refusals();
     test_map();
     test_fetch();
+    test_hold();
     test_arena();
     static const char *const names[] = {"empty", "large", "pipe", "secret", "scene"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
