@@ -227,7 +227,7 @@ int args_doubles(args *a, const char *flag, double *values, unsigned count) {
     return read_numbers(a, flag, NULL, values, count);
 }
 
-int args_size(args *a, const char *flag, unsigned *width, unsigned *height) {
+int args_size(args *a, const char *flag, unsigned most, unsigned *width, unsigned *height) {
     const char *text = args_text(a, flag, NULL);
     if (text == NULL) {
         return 0;
@@ -235,8 +235,8 @@ int args_size(args *a, const char *flag, unsigned *width, unsigned *height) {
     unsigned w = 0, h = 0;
     int length = 0;
     if (sscanf(text, "%5ux%5u%n", &w, &h, &length) != 2 || text[length] != '\0' || w < 1 || h < 1 ||
-        w > 65535 || h > 65535) {
-        args_complain(a, "%s takes WIDTHxHEIGHT, each 1 to 65535, not '%s'", flag, text);
+        w > most || h > most) {
+        args_complain(a, "%s takes WIDTHxHEIGHT, each 1 to %u, not '%s'", flag, most, text);
         return 0;
     }
     *width = w;

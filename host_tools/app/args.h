@@ -51,7 +51,8 @@ uint64_t args_number(args *a, const char *flag, uint64_t otherwise, uint64_t lea
 unsigned args_choice(args *a, const char *flag, const char *const *words, unsigned otherwise);
 int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */
 int args_doubles(args *a, const char *flag, double *values, unsigned count);
-int args_size(args *a, const char *flag, unsigned *width, unsigned *height);
+/* WIDTHxHEIGHT, each side 1 to `most`. */
+int args_size(args *a, const char *flag, unsigned most, unsigned *width, unsigned *height);
 
 /* Prints "PROGRAM COMMAND: TEXT; see PROGRAM COMMAND --help" on standard error and
  * sets `wrong`; once only. */

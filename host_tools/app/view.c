@@ -8,7 +8,12 @@
 
 #include <math.h>
 
+#include "engine/shade/camera.h"
+
 #define DEGREE 0.017453292519943295
+
+/* The engine takes tangents from 1e-6 to 1e6: these are a little inside. */
+static const float FOV_LEAST = 0.0002f, FOV_MOST = 179.999f;
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -103,6 +108,30 @@ static void fit(const plt_info *info, unsigned width, unsigned height, plt_camer
     }
 }
 
+/* False for what is no number, too. */
+static int is_within(const float v[3]) {
+    int within = 1;
+    for (int i = 0; i < 3; i++) {
+        within &= v[i] >= -PLT_COORD_MAX && v[i] <= PLT_COORD_MAX;
+    }
+    return within;
+}
+
+static void read_point(args *a, const char *flag, float v[3]) {
+    if (args_floats(a, flag, v, 3) && !is_within(v)) {
+        args_complain(a, "%s takes three numbers from -2^40 to 2^40, not '%s'", flag,
+                      args_text(a, flag, ""));
+    }
+}
+
+static void read_fov(args *a, float *fov) {
+    if (args_floats(a, "--fov", fov, 1) && !(*fov >= FOV_LEAST && *fov <= FOV_MOST)) {
+        args_complain(a, "--fov takes degrees from 0.0002 to 179.999, not '%s'",
+                      args_text(a, "--fov", ""));
+        *fov = 45.0f;
+    }
+}
+
 void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
     float fov = 45.0f;
     c->up[0] = c->up[2] = 0.0f;
@@ -110,16 +139,32 @@ void view_camera(args *a, const plt_info *info, unsigned width, unsigned height,
     for (int i = 0; i < 3; i++) {
         c->look[i] = info->triangles > 0 ? 0.5f * info->lo[i] + 0.5f * info->hi[i] : 0.0f;
     }
-    args_floats(a, "--up", c->up, 3);
-    args_floats(a, "--look", c->look, 3);
-    if (args_floats(a, "--fov", &fov, 1) && !(fov > 0.0f && fov < 180.0f)) {
-        args_complain(a, "--fov takes degrees between 0 and 180");
-        fov = 45.0f;
-    }
+    read_point(a, "--up", c->up);
+    read_point(a, "--look", c->look);
+    read_fov(a, &fov);
     c->tan_half_fov = (float)tan(0.5 * (double)fov * DEGREE);
-    if (!args_floats(a, "--eye", c->eye, 3)) {
+    if (args_has(a, "--eye")) {
+        read_point(a, "--eye", c->eye);
+    } else {
         fit(info, width, height, c);
     }
+}
+
+static int refuse(const args *a, const plt_camera *c, fail *f) {
+    if (!is_within(c->eye)) {
+        return fail_set(f, "camera", "%s",
+                        args_has(a, "--eye")
+                            ? "its orbit goes beyond 2^40; move --eye nearer to --look"
+                            : "all is seen only from beyond 2^40; choose a nearer --eye, or a "
+                              "wider --fov");
+    }
+    if (c->eye[0] == c->look[0] && c->eye[1] == c->look[1] && c->eye[2] == c->look[2]) {
+        return fail_set(f, "camera", "eye and look coincide; change --eye or --look");
+    }
+    if (c->up[0] == 0.0f && c->up[1] == 0.0f && c->up[2] == 0.0f) {
+        return fail_set(f, "camera", "up has no direction; change --up");
+    }
+    return fail_set(f, "camera", "up runs along the view; change --eye, --look or --up");
 }
 
 void view_orbit(const plt_camera *from, double circles, plt_camera *to) {
@@ -137,6 +182,20 @@ void view_orbit(const plt_camera *from, double circles, plt_camera *to) {
         to->eye[i] =
             (float)((double)from->look[i] + arm[i] * c + side[i] * s + axis[i] * along * (1.0 - c));
     }
+}
+
+int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f) {
+    plt_frame now = *frame;
+    plt_view view;
+    for (unsigned i = 0; i < frames; i++) {
+        if (i > 0) {
+            view_orbit(&frame->camera, (double)i / frames, &now.camera);
+        }
+        if (plt_view_set(&view, &now) != PLT_OK) {
+            return refuse(a, &now.camera, f);
+        }
+    }
+    return 0;
 }
 
 uint8_t view_shader(args *a) {

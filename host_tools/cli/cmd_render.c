@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "board/hash.h"
 #include "engine/base/bytes.h"
+#include "host_tools/app/destination.h"
 #include "host_tools/app/frame.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/scene.h"
@@ -15,20 +15,20 @@
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
-#include "host_tools/picture/picture_file.h"
 #include "host_tools/picture/terminal.h"
 
 static const arg_flag flags[] = {
     {"-o", "OUT",
      "a picture (.png .ppm) or a film (.y4m); - is standard output, PPM or with --orbit Y4M"},
     {"--show", NULL, "draw the picture (of --orbit the last) in the terminal: " TERMINAL_INK_HELP},
-    {"--size", "WxH", "pixels (default 512x512)"},
+    {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",
      "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
      "default eyelight"},
-    {"--orbit", "N", "a film: N frames once around the scene, 25 per second"},
-    FRAME_CHROMA_FLAG,
+    {"--orbit", "N",
+     "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
+    DESTINATION_CHROMA_FLAG,
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
@@ -37,7 +37,9 @@ static const arg_flag flags[] = {
 const arg_command command_render = {
     .name = "render",
     .synopsis = "SCENE.plt -o OUT.png|ppm|y4m [--show]",
-    .about = "Renders a scene image with the engine that also runs as firmware.",
+    .about =
+        "Renders a scene image with the engine that also runs as firmware. SCENE.plt may be - for "
+        "standard input.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -48,9 +50,8 @@ typedef struct rendering {
     scene s;
     plt_frame frame;
     picture shown;
-    picture_format format;
+    destination to;
     unsigned frames;
-    const char *out, *json;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
@@ -59,12 +60,10 @@ typedef struct rendering {
 
 static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
     const double began = clock_processor_seconds();
-    if (plt_render_begin(r->s.engine, &r->frame) != PLT_OK) {
-        return fail_set(f, "camera",
-                        "eye and look coincide, up runs along the view, or one of them is beyond "
-                        "2^40; change --eye, --look, --up or --fov");
+    int status = plt_render_begin(r->s.engine, &r->frame); /* view_refused has not refused it */
+    if (status != PLT_OK) {
+        return fail_set(f, "engine", "status %d; please report this", status);
     }
-    int status;
     while ((status = plt_render_step(r->s.engine, FRAME_STEP_VISITS)) > PLT_OK) {
         if (status == PLT_TILE) {
             const unsigned rows = frame_copy_tile(r->s.engine, &r->shown);
@@ -86,7 +85,7 @@ static int render_frames(rendering *r, fail *f) {
         }
         status = render_frame(r, &bar, i, f);
         if (status == 0 && r->picture_out != NULL) {
-            status = picture_frame(r->picture_out, r->format, &r->shown, f);
+            status = picture_frame(r->picture_out, r->to.format, &r->shown, f);
         }
     }
     progress_end(&bar);
@@ -116,18 +115,25 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     return output_print(o, f, "\n}\n");
 }
 
-static int open_output(output **o, const char *path, fail *f) {
-    *o = path == NULL ? NULL : output_open(path, f);
-    return path != NULL && *o == NULL ? -1 : 0;
-}
-
 static int commit_output(output **o, fail *f) {
     const int status = *o == NULL ? 0 : output_commit(*o, f);
     *o = NULL;
     return status;
 }
 
-/* Both outputs are opened first: a path that cannot be written fails before the long run. */
+/* All outputs are opened first: one that cannot be written fails before the long run. */
+static int open_outputs(rendering *r, fail *f) {
+    if (r->to.show && output_print_standard(f) != 0) {
+        return -1;
+    }
+    r->picture_out = r->to.out == NULL ? NULL : output_open(r->to.out, f);
+    if (r->to.out != NULL && r->picture_out == NULL) {
+        return -1;
+    }
+    r->stats_out = r->to.json == NULL ? NULL : output_open_text(r->to.json, f);
+    return r->to.json != NULL && r->stats_out == NULL ? -1 : 0;
+}
+
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     if (scene_open(&r->s, a, a->file[0], f) != 0) {
@@ -135,13 +141,12 @@ static int open_all(rendering *r, args *a, fail *f) {
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
     r->first = frame->camera;
-    if (a->wrong || picture_make(&r->shown, frame->width, frame->height, f) != 0 ||
-        open_output(&r->picture_out, r->out, f) != 0 ||
-        open_output(&r->stats_out, r->json, f) != 0) {
+    if (a->wrong || view_refused(a, frame, r->frames, f) != 0 ||
+        picture_make(&r->shown, frame->width, frame->height, f) != 0 || open_outputs(r, f) != 0) {
         return -1;
     }
     return r->picture_out == NULL ? 0
-                                  : picture_begin(r->picture_out, r->format, frame->width,
+                                  : picture_begin(r->picture_out, r->to.format, frame->width,
                                                   frame->height, FRAMES_PER_SECOND, f);
 }
 
@@ -161,60 +166,26 @@ static int run_all(rendering *r, args *a, fail *f) {
         commit_output(&r->picture_out, f) != 0) {
         return -1;
     }
-    if (args_has(a, "--show") && show(&r->shown, f) != 0) {
+    if (r->to.show && show(&r->shown, f) != 0) {
         return -1;
     }
     return commit_output(&r->stats_out, f);
 }
 
-/* `format` by the name's ending; "-" is PPM, or Y4M for several frames. */
-static void choose_format(rendering *r, args *a) {
-    fail f = {""};
-    if (r->out == NULL) {
-        return;
-    }
-    if (strcmp(r->out, "-") == 0) {
-        r->format = r->frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
-    } else if (picture_format_of(r->out, &r->format, &f) != 0) {
-        args_complain(a, "%s", f.text);
-    } else if (r->frames > 1 && !picture_is_film(r->format)) {
-        args_complain(a, "--orbit makes a film: give -o a name that ends in .y4m");
-    }
-}
-
-static void check_outputs(const rendering *r, args *a) {
-    const int shown = args_has(a, "--show");
-    if (r->out == NULL && r->json == NULL && !shown) {
-        args_complain(a, "-o OUT says where the picture goes, --show draws it here");
-    } else if (r->out != NULL && r->json != NULL && strcmp(r->out, r->json) == 0) {
-        args_complain(a, "-o and --json need two different files");
-    } else if (r->out != NULL && shown && strcmp(r->out, "-") == 0) {
-        args_complain(a, "-o - and --show would mix on standard output");
-    }
-}
-
 static void read_flags(rendering *r, args *a) {
     unsigned width = 512, height = 512;
-    args_size(a, "--size", &width, &height);
+    args_size(a, "--size", PICTURE_SIDE_MAX, &width, &height);
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
     r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
-    r->out = args_text(a, "-o", NULL);
-    r->json = args_text(a, "--json", NULL);
-    r->s.options.count_touched = r->json != NULL;
-    if (!a->wrong) {
-        choose_format(r, a);
-        frame_choose_chroma(a, &r->format);
-    }
-    if (!a->wrong) {
-        check_outputs(r, a);
-    }
+    destination_read(&r->to, a, r->frames, 0);
+    r->s.options.count_touched = r->to.json != NULL;
 }
 
 static void say_done(const rendering *r) {
-    if (r->out != NULL) {
-        note("%s: %u frame%s of %u x %u, %.3g s", r->out, r->frames, r->frames == 1 ? "" : "s",
+    if (r->to.out != NULL) {
+        note("%s: %u frame%s of %u x %u, %.3g s", r->to.out, r->frames, r->frames == 1 ? "" : "s",
              r->frame.width, r->frame.height, r->seconds);
     }
 }

@@ -6,29 +6,32 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "host_tools/app/frame.h"
+#include "host_tools/app/destination.h"
+#include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/link/emulated.h"
 #include "host_tools/link/serve.h"
-#include "host_tools/picture/picture_file.h"
 #include "host_tools/picture/terminal.h"
 
 static const arg_flag flags[] = {
     {"--pty", NULL, "the device opens a pseudo terminal, whose name is printed"},
     {"--socket", "PATH", "the device connects to a socket of this name"},
-    {"--listen", "PORT", "the device connects to this port of 127.0.0.1"},
-    {"--emulate", "BYTES", "the device is a process of this computer with this much memory"},
-    {"-o", "OUT", "a picture (.png .ppm) or a film (.y4m) of the frames that come"},
-    FRAME_CHROMA_FLAG,
+    {"--listen", "PORT", "the device connects to this port of 127.0.0.1, 1 to 65535"},
+    {"--emulate", "BYTES",
+     "the device is a process of this computer with this much memory, 1024 to 1073741824"},
+    {"-o", "OUT",
+     "a picture (.png .ppm) or a film (.y4m) of the frames that come; - is standard output"},
+    DESTINATION_CHROMA_FLAG,
     {"--show", NULL, "draw them in the terminal"},
-    {"--size", "WxH", "pixels (default 320x240)"},
+    {"--size", "WxH", "pixels, at most 512 tiles of 16x16 (default 320x240)"},
     {"--format", "NAME", "how pixels travel: rgb565, rgb888, grey8, grey4, mono1 (default rgb888)"},
     {"--report", "BYTES", "size of a report, 8 to 1024 (default 64)"},
-    {"--orbit", "N", "N frames once around the scene (default 1)"},
-    {"--timeout", "SECONDS", "give up after so long without a frame; 0: never (default 60)"},
+    {"--orbit", "N", "a film: N frames once around the scene, 1 to 100000 (default 1)"},
+    {"--timeout", "SECONDS",
+     "give up after so long without a frame, up to 1000000; 0: never (default 60)"},
     VIEW_FLAGS,
     {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
     {"--verbose", NULL, "say what the link does, and statistics at the end"},
@@ -39,7 +42,9 @@ const arg_command command_serve = {
     .synopsis = "SCENE.plt --pty|--socket PATH|--listen PORT|--emulate BYTES [-o OUT] [--show]",
     .about =
         "Gives a scene to a device over a link and receives the frames it renders; the "
-        "protocol is platform/WIRE.md, reports are separated by COBS.",
+        "protocol is platform/WIRE.md, reports are separated by COBS. SCENE.plt may be - for "
+        "standard "
+        "input.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -52,9 +57,10 @@ typedef struct serving {
     plt_camera first;
     unsigned frames;
     uint8_t shader;
-    picture_format format;
+    unsigned port;
+    size_t memory; /* of the emulated device */
+    destination to;
     output *out;
-    int show;
 } serving;
 
 static void view_of(void *context, unsigned number, wire_view *v) {
@@ -72,7 +78,7 @@ static void view_of(void *context, unsigned number, wire_view *v) {
 
 static int receive_frame(void *context, unsigned number, const picture *p, fail *f) {
     serving *s = context;
-    if (s->show) {
+    if (s->to.show) {
         unsigned columns, rows;
         if (s->frames > 1 && isatty(STDOUT_FILENO)) { /* each frame of a film over the last */
             fputs(number == 0 ? "\x1b[2J\x1b[H" : "\x1b[H", stdout);
@@ -80,57 +86,47 @@ static int receive_frame(void *context, unsigned number, const picture *p, fail 
         picture_terminal_size(stdout, &columns, &rows);
         picture_show(stdout, p, PICTURE_AUTO, columns, rows > 1 ? rows - 1 : 1);
     }
-    return s->out == NULL ? 0 : picture_frame(s->out, s->format, p, f);
+    return s->out == NULL ? 0 : picture_frame(s->out, s->to.format, p, f);
 }
 
-static int open_link(serving *s, args *a, unsigned report_bytes, uint64_t memory, fail *f) {
+static int open_link(serving *s, const args *a, unsigned report_bytes, fail *f) {
     if (args_has(a, "--emulate")) {
-        return emulated_start(&s->link, report_bytes, (size_t)memory, f);
+        return emulated_start(&s->link, report_bytes, s->memory, f);
     }
-    const unsigned port = (unsigned)args_number(a, "--listen", 0, 1, 65535);
-    const int status = args_has(a, "--pty") ? link_open_pty(&s->link, f)
-                       : args_has(a, "--socket")
-                           ? link_open_socket(&s->link, args_text(a, "--socket", ""), f)
-                           : link_open_port(&s->link, port, f);
-    if (status == 0) {
-        fprintf(stderr, "serve: waiting for a device at %s\n", s->link.name);
-    }
-    return status;
+    return args_has(a, "--pty")      ? link_open_pty(&s->link, f)
+           : args_has(a, "--socket") ? link_open_socket(&s->link, args_text(a, "--socket", ""), f)
+                                     : link_open_port(&s->link, s->port, f);
 }
 
 static int read_scene(serving *s, args *a, serve_job *job, fail *f) {
     plt_info info;
     plt_fault fault;
-    if (input_read(&s->scene, a->file[0], f) != 0) {
+    plt_frame frame = {.width = (uint16_t)job->width, .height = (uint16_t)job->height};
+    if (scene_read(&s->scene, a->file[0], f) != 0) {
         return -1;
     }
     const plt_source source = {.mapped = s->scene.bytes, .bytes = (uint32_t)s->scene.size};
     if (plt_image_info(&source, &info, &fault) != PLT_OK) {
-        return fail_set(f, a->file[0], "%s; pack the mesh again", fault.message);
+        return fail_set(f, scene_name(a->file[0]), "%s; pack the mesh again", fault.message);
     }
     job->image = s->scene.bytes;
     job->image_bytes = (uint32_t)s->scene.size;
-    view_camera(a, &info, job->width, job->height, &s->first);
-    return 0;
+    view_camera(a, &info, job->width, job->height, &frame.camera);
+    s->first = frame.camera;
+    return a->wrong ? -1 : view_refused(a, &frame, s->frames, f);
 }
 
-static int open_output(serving *s, args *a, const serve_job *job, fail *f) {
-    const char *path = args_text(a, "-o", NULL);
-    s->format = s->frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
-    if (path == NULL) {
+static int open_output(serving *s, const serve_job *job, fail *f) {
+    if (s->to.show && output_print_standard(f) != 0) {
+        return -1;
+    }
+    if (s->to.out == NULL) {
         return 0;
     }
-    if (strcmp(path, "-") != 0 && picture_format_of(path, &s->format, f) != 0) {
-        return -1;
-    }
-    frame_choose_chroma(a, &s->format);
-    if (a->wrong) {
-        return -1;
-    }
-    s->out = output_open(path, f);
+    s->out = output_open(s->to.out, f);
     return s->out == NULL
                ? -1
-               : picture_begin(s->out, s->format, job->width, job->height, FRAMES_PER_SECOND, f);
+               : picture_begin(s->out, s->to.format, job->width, job->height, FRAMES_PER_SECOND, f);
 }
 
 static void print_stats(const serve_result *r, uint32_t image_bytes) {
@@ -144,37 +140,57 @@ static void print_stats(const serve_result *r, uint32_t image_bytes) {
         h->reports_late, h->reports_bad, h->payload_in, h->tiles_in, h->sessions);
 }
 
+static void read_size(args *a, serve_job *job) {
+    job->width = 320, job->height = 240;
+    if (args_size(a, "--size", PICTURE_SIDE_MAX, &job->width, &job->height) &&
+        (job->width + 15) / 16 * ((job->height + 15) / 16) > WIRE_TILES_MAX) {
+        args_complain(a, "--size %ux%u has more than %d tiles of 16x16, which is the most",
+                      job->width, job->height, WIRE_TILES_MAX);
+    }
+}
+
+static void read_link(serving *s, args *a) {
+    const int links = args_has(a, "--pty") + args_has(a, "--socket") + args_has(a, "--listen") +
+                      args_has(a, "--emulate");
+    if (links != 1) {
+        args_complain(a, "one of --pty, --socket, --listen and --emulate says where the device is");
+    }
+    s->port = (unsigned)args_number(a, "--listen", 0, 1, 65535);
+    s->memory = (size_t)args_number(a, "--emulate", 0, 1024, (uint64_t)1 << 30);
+}
+
 static void read_flags(serving *s, args *a, serve_job *job) {
     static const char *const formats[] = {"rgb565", "rgb888", "grey8", "grey4", "mono1", NULL};
-    job->width = 320, job->height = 240;
-    args_size(a, "--size", &job->width, &job->height);
+    read_size(a, job);
+    read_link(s, a);
     job->format = args_choice(a, "--format", formats, WIRE_RGB888);
     job->report_bytes = (unsigned)args_number(a, "--report", 64, 8, 1024);
     job->frames = s->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
     job->verbose = args_has(a, "--verbose");
     s->shader = view_shader(a);
-    s->show = args_has(a, "--show");
-    const int links = args_has(a, "--pty") + args_has(a, "--socket") + args_has(a, "--listen") +
-                      args_has(a, "--emulate");
-    if (links != 1) {
-        args_complain(a, "one of --pty, --socket, --listen and --emulate says where the device is");
-    } else if (!args_has(a, "-o") && !s->show && !job->verbose) {
-        args_complain(a, "-o OUT says where the frames go, --show draws them here");
-    }
+    destination_read(&s->to, a, s->frames, job->verbose);
 }
 
-static int serve(serving *s, args *a, serve_job *job, uint64_t memory, fail *f) {
+/* The link before the output: a socket takes a name that nothing has. */
+static int open_all(serving *s, args *a, serve_job *job, fail *f) {
+    return read_scene(s, a, job, f) == 0 && open_link(s, a, job->report_bytes, f) == 0 &&
+                   open_output(s, job, f) == 0
+               ? 0
+               : -1;
+}
+
+static int serve(serving *s, args *a, serve_job *job, fail *f) {
     serve_result result = {.frames = 0};
-    if (read_scene(s, a, job, f) != 0 || a->wrong ||
-        open_link(s, a, job->report_bytes, memory, f) != 0) {
+    if (open_all(s, a, job, f) != 0) {
+        output_abandon(s->out);
         return -1;
     }
-    const transport t = link_transport(&s->link);
-    int status = open_output(s, a, job, f);
-    if (status == 0) {
-        status = serve_run(job, &t, &result, f);
+    if (!args_has(a, "--emulate")) {
+        fprintf(stderr, "serve: waiting for a device at %s\n", s->link.name);
     }
+    const transport t = link_transport(&s->link);
+    const int status = serve_run(job, &t, &result, f);
     if (job->verbose) {
         print_stats(&result, job->image_bytes);
     }
@@ -190,8 +206,7 @@ int run_serve(args *a) {
     serve_job job = {.view = view_of, .frame = receive_frame, .context = &s};
     fail f = {""};
     read_flags(&s, a, &job);
-    const uint64_t memory = args_number(a, "--emulate", 0, 1024, (uint64_t)1 << 30);
-    const int status = a->wrong ? -1 : serve(&s, a, &job, memory, &f);
+    const int status = a->wrong ? -1 : serve(&s, a, &job, &f);
     link_close(&s.link);
     input_free(&s.scene);
     if (a->wrong) {

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+#include "host_tools/app/destination.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/base/clock.h"
@@ -23,7 +24,7 @@ enum { RAYS_PER_BATCH = 65536 }; /* a whole number of packets of every size */
 
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
-    {"--repeat", "N", "trace N times, report the best time (default 1)"},
+    {"--repeat", "N", "trace N times, report the best time; 1 to 1000000 (default 1)"},
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
@@ -35,7 +36,8 @@ const arg_command command_trace = {
     .about =
         "Traces a file of rays (org[3] tmin dir[3] tmax, 8 little-endian floats each) and writes a "
         "hit for each: floats t u v and the primitive id; 4294967295 is a miss. The id is "
-        "1 or 0 with --any. RAYS and HITS may be -.",
+        "1 or 0 with --any. SCENE.plt or RAYS may be - for standard input, HITS for standard "
+        "output.",
     .flags = flags,
     .files_least = 3,
     .files_most = 3};
@@ -134,7 +136,7 @@ static int open_all(tracing *t, args *a, const char *json, fail *f) {
     if (t->hits_out == NULL) {
         return -1;
     }
-    t->stats_out = json == NULL ? NULL : output_open(json, f);
+    t->stats_out = json == NULL ? NULL : output_open_text(json, f);
     return json != NULL && t->stats_out == NULL ? -1 : 0;
 }
 
@@ -164,8 +166,9 @@ static void close_all(tracing *t) {
 int run_trace(args *a) {
     const unsigned repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     const char *json = args_text(a, "--json", NULL);
-    if (json != NULL && strcmp(json, a->file[2]) == 0) {
-        args_complain(a, "HITS and --json need two different files");
+    destination_differ(a, "HITS and --json", a->file[2], json);
+    if (strcmp(a->file[0], "-") == 0 && strcmp(a->file[1], "-") == 0) {
+        args_complain(a, "SCENE.plt and RAYS are not both on standard input; name a file");
     }
     tracing t = {.s = SCENE_CLOSED};
     t.s.options.count_touched = json != NULL;

@@ -24,12 +24,12 @@ static const arg_flag flags[] = {
     {"--brightness", "0..100", "percent, where the display has it"},
     {"--near", "auto|0..15", "planelet: steps that moving colours may be off by (default auto)"},
     {"--fps", "N",
-     "auto: the fewest steps with which N frames per second get through (default 12)"},
-    {"--frames", "N", "stop after N frames"},
-    {"--hold", "SECONDS", "how long a picture stays before the next (default 1)"},
+     "auto: the fewest steps with which N frames per second, 1 to 100, get through (default 12)"},
+    {"--frames", "N", "stop after N frames, 1 to 1000000000"},
+    {"--hold", "SECONDS", "how long a picture stays before the next, 0 or more (default 1)"},
     {"--every", NULL, "every frame of a film, each until the display has confirmed it"},
     {"--repeat", NULL, "from the first file again, until stopped"},
-    {"--wait", "SECONDS", "for a display that was unplugged to come back (default 60)"},
+    {"--wait", "SECONDS", "for a display that was unplugged to come back, 0 or more (default 60)"},
     {"--release", NULL, "at the end hand the display back to its own picture"},
     {"--json", "STATS", "write statistics; - is standard output"},
     FRAMES_SCENE_FLAGS,
@@ -60,6 +60,7 @@ typedef struct showing {
     uint64_t film_frames; /* of the film that is shown, left out ones too */
     uint64_t limit;
     int every, repeat;
+    output *stats_out; /* NULL: none */
 } showing;
 
 static volatile sig_atomic_t stop;
@@ -181,8 +182,23 @@ static int show_files(showing *s, args *a, fail *f) {
     return 0;
 }
 
+/* Opened first: what cannot be written fails before anything is shown. */
+static int open_all(showing *s, args *a, fail *f) {
+    const char *json = args_text(a, "--json", NULL);
+    if (json != NULL && (s->stats_out = output_open_text(json, f)) == NULL) {
+        return -1;
+    }
+    return session_open(&s->session, f);
+}
+
+static int write_stats(showing *s, double seconds, fail *f) {
+    output *o = s->stats_out;
+    s->stats_out = NULL;
+    return o == NULL ? 0 : statistics_write(&s->statistics, &s->session, o, seconds, f);
+}
+
 static int run_all(showing *s, args *a, fail *f) {
-    if (session_open(&s->session, f) != 0) {
+    if (open_all(s, a, f) != 0) {
         return -1;
     }
     const double began = clock_seconds();
@@ -198,8 +214,7 @@ static int run_all(showing *s, args *a, fail *f) {
     if (args_has(a, "--release") && session_release(&s->session, f) != 0) {
         return -1;
     }
-    const char *json = args_text(a, "--json", NULL);
-    return json == NULL ? 0 : statistics_write(&s->statistics, &s->session, json, seconds, f);
+    return write_stats(s, seconds, f);
 }
 
 static void read_driver(session *s, args *a) {
@@ -259,6 +274,7 @@ int hid_run_show(args *a) {
     sigaction(SIGTERM, &action, NULL);
     read_flags(&s, a);
     const int status = a->wrong ? -1 : run_all(&s, a, &f);
+    output_abandon(s.stats_out);
     session_close(&s.session);
     picture_free(&s.frame);
     picture_free(&s.ahead);

@@ -6,7 +6,6 @@
 #include <stdio.h>
 
 #include "host_tools/base/clock.h"
-#include "host_tools/base/output.h"
 
 /* The steady rate is measured from the first frame to the last: all of the first is
  * new, and after the last the display may still be refining it. */
@@ -30,13 +29,10 @@ static double steady_reports(const statistics *a, const session *s) {
     return (double)(a->last_reports - a->first_reports) / (s->shown > 1 ? s->shown - 1 : 1);
 }
 
-int statistics_write(const statistics *a, const session *s, const char *path, double seconds,
-                     fail *f) {
+int statistics_write(const statistics *a, const session *s, output *o, double seconds, fail *f) {
     port_statistics p;
     session_statistics(s, &p);
-    output *o = output_open(path, f);
-    if (o != NULL &&
-        output_print(o, f,
+    if (output_print(o, f,
                      "{\n  \"driver\": \"%s\",\n  \"width\": %u,\n  \"height\": %u,\n"
                      "  \"frames\": %u,\n  \"left_out\": %llu,\n  \"seconds\": %.6f,\n"
                      "  \"frames_per_s\": %.3f,\n  \"steady_frames_per_s\": %.3f,\n"
@@ -51,7 +47,7 @@ int statistics_write(const statistics *a, const session *s, const char *path, do
         output_abandon(o);
         return -1;
     }
-    return o == NULL ? -1 : output_commit(o, f);
+    return output_commit(o, f);
 }
 
 void statistics_print(const statistics *a, const session *s, double seconds) {

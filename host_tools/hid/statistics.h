@@ -4,6 +4,7 @@
 #ifndef HID_STATISTICS_H
 #define HID_STATISTICS_H
 
+#include "host_tools/base/output.h"
 #include "host_tools/hid/device/session.h"
 
 typedef struct statistics {
@@ -15,7 +16,7 @@ typedef struct statistics {
 void statistics_mark(statistics *a, const session *s);
 
 void statistics_print(const statistics *a, const session *s, double seconds);
-int statistics_write(const statistics *a, const session *s, const char *path, double seconds,
-                     fail *f);
+/* Writes and closes `o`, also on failure. */
+int statistics_write(const statistics *a, const session *s, output *o, double seconds, fail *f);
 
 #endif

@@ -60,7 +60,8 @@ static void end_with(pid_t parent, int number) {
 
 static void become(char **command, int slave, int both) {
     signal(SIGTERM, SIG_DFL);
-    signal(SIGINT, SIG_DFL); /* a shell's background commands ignore it */
+    signal(SIGINT, SIG_DFL); /* a shell's background commands ignore these two */
+    signal(SIGQUIT, SIG_DFL);
     dup2(both ? slave : STDERR_FILENO, STDOUT_FILENO);
     dup2(slave, STDERR_FILENO);
     close(slave);

@@ -131,7 +131,8 @@ refused "eye and look at one point" camera "change --eye" \
     render knot.plt -o x.png --eye 1,1,1 --look 1,1,1
 refused "up along the view" camera "up" render knot.plt -o x.png --eye 0,5,0 --look 0,0,0
 refused "up without direction" camera "up" render knot.plt -o x.png --up 0,0,0
-refused "an eye beyond all scenes" camera "2^40" render knot.plt -o x.png --eye 1e30,0,0
+misused "an eye beyond all scenes is out of the range of --eye" "--eye takes" \
+    render knot.plt -o x.png --eye 1e30,0,0
 verdict "... and none left a picture" "$(ls x.png 2>/dev/null; left_behind)"
 verdict "every shader gives another picture" "$(
     for shader in eyelight normal triangle; do

@@ -144,6 +144,49 @@ static void check_orbit(void) {
     }
 }
 
+/* What view_refused says of the camera by these flags, of a box around the origin. */
+static const char *refusal_of(float size, unsigned frames, int words, char **word) {
+    static fail f;
+    args a;
+    plt_frame frame = {.width = 10, .height = 10};
+    const plt_info info = {.triangles = 1, .lo = {-size, -size, -size}, .hi = {size, size, size}};
+    f = (fail){""};
+    CHECK(args_parse(&a, "view", &command, words, word) == ARGS_GO_ON, "the words are wrong");
+    view_camera(&a, &info, 10, 10, &frame.camera);
+    const int status = a.wrong ? 1 : view_refused(&a, &frame, frames, &f);
+    CHECK(status == (f.text[0] == '\0' ? 0 : -1), "status %d with '%s'", status, f.text);
+    args_free(&a);
+    return f.text;
+}
+
+static void check_refusals(void) {
+    static const struct {
+        float size;
+        unsigned frames;
+        const char *words[6], *word;
+    } cases[] = {{1, 100, {NULL}, ""},
+                 {1, 1, {"--eye", "1,1,1", "--look", "1,1,1"}, "coincide"},
+                 {1, 1, {"--eye", "0,5,0", "--look", "0,0,0"}, "runs along"},
+                 {1, 1, {"--eye", "1,2,3", "--look", "3,6,9", "--up", "1,2,3"}, "runs along"},
+                 {1, 1, {"--up", "0,0,0"}, "no direction"},
+                 {1e12f, 1, {NULL}, "choose a nearer --eye"},
+                 {1e12f, 1, {"--eye", "0,0,1.09e12"}, ""},
+                 {1e7f, 1, {"--fov", "0.0002"}, "wider --fov"},
+                 {1, 1, {"--eye", "1e12,0,1e12"}, ""},
+                 {1, 8, {"--eye", "1e12,0,1e12"}, "its orbit goes beyond"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char words[6][32], *word[6];
+        int count = 0;
+        for (; count < 6 && cases[i].words[count] != NULL; count++) {
+            snprintf(words[count], sizeof words[count], "%s", cases[i].words[count]);
+            word[count] = words[count];
+        }
+        const char *text = refusal_of(cases[i].size, cases[i].frames, count, word);
+        CHECK(cases[i].word[0] == '\0' ? text[0] == '\0' : strstr(text, cases[i].word) != NULL,
+              "case %zu: '%s'", i, text);
+    }
+}
+
 int main(void) {
     test("the default camera sees all of any box in any frame, and not from too far");
     check_fit();
@@ -153,5 +196,7 @@ int main(void) {
     check_flags();
     test("an orbit rotates the eye about the axis through look along up");
     check_orbit();
+    test("a camera that the engine refuses is refused with its reason, in orbits too");
+    check_refusals();
     return test_done();
 }

@@ -6,12 +6,16 @@
 #include <errno.h>
 #include <string.h>
 
+#include "host_tools/base/files.h"
 #include "host_tools/hid/sources/frames_kinds.h"
 
 int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f) {
     s->path = strcmp(path, "-") == 0 ? "standard input" : path;
     if (stream_open(&s->from, path) != 0) {
         return fail_set(f, s->path, "cannot open: %s; check the path", strerror(errno));
+    }
+    if (files_read(s->from.fd, s->path, f) != 0) {
+        return -1;
     }
     const int first = stream_byte(&s->from);
     if (first >= 0) {

@@ -30,9 +30,7 @@ static int live_next(frames *s, picture *p, fail *f) {
         return FRAMES_FAILED;
     }
     if (plt_render_begin(engine, &l->frame) != PLT_OK) {
-        return fail_set(f, s->path,
-                        "eye and look coincide, or up runs along the view; change "
-                        "--eye, --look or --up");
+        return fail_set(f, s->path, "the camera leaves the range of 2^40; change --eye or --look");
     }
     for (int status = PLT_MORE; status != PLT_OK;) {
         status = plt_render_step(engine, FRAME_STEP_VISITS);
@@ -83,5 +81,5 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     view_camera(a, plt_engine_info(l->scene.engine), width, height, &l->frame.camera);
     l->start = l->frame.camera;
     l->began = clock_seconds();
-    return a->wrong ? -1 : 0;
+    return a->wrong ? -1 : view_refused(a, &l->frame, 1, f);
 }

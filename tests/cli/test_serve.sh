@@ -1,0 +1,80 @@
+#!/bin/sh
+# test_serve.sh - planelet serve: what it refuses before it waits, and frames that are render's
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin serve
+run make knot --triangles 500 -o knot.ply
+run pack knot.ply -o knot.plt
+
+# at_once WORD ARGUMENT...: wrong usage that names WORD, not after --timeout seconds.
+at_once() {
+    began=$(date +%s)
+    word=$1
+    shift
+    misused "serve $* is wrong usage" "$word" serve knot.plt --timeout 20 "$@"
+    verdict "... and is so at once" "$([ $(($(date +%s) - began)) -lt 10 ] || echo "it waited")"
+}
+for port in 0 65536 99999 x; do
+    at_once --listen --listen $port -o x.png
+done
+for link in "--listen 40123" --pty "--socket x.socket" "--emulate 600000"; do
+    # shellcheck disable=SC2086
+    {
+        at_once ".y4m" $link -o x.png --orbit 3
+        at_once ".y4m" $link -o x.jpg
+        at_once --show $link -o - --show
+        at_once "--show" $link
+        at_once --size $link -o x.png --size 512x272
+        at_once --size $link -o x.png --size 0x16
+        at_once --fov $link -o x.png --fov 180
+        at_once --eye $link -o x.png --eye 1,2
+        at_once --shader $link -o x.png --shader toon
+        at_once --report $link -o x.png --report 7
+        at_once --format $link -o x.png --format rgb
+    }
+done
+at_once --emulate --emulate 1023 -o x.png
+at_once "one of --pty" -o x.png
+at_once "one of --pty" -o x.png --pty --emulate 600000
+# soon NAME WHERE ARGUMENT...: refused before it waits for a device.
+soon() {
+    began=$(date +%s)
+    name=$1 where=$2
+    shift 2
+    refused "serve $* is refused" "$name" "$where" serve knot.plt --timeout 20 --pty "$@"
+    verdict "... before it waits" "$([ $(($(date +%s) - began)) -lt 10 ] || echo "it waited")"
+}
+soon camera "coincide" -o x.png --eye 1,1,1 --look 1,1,1
+soon camera "up runs along" -o x.png --eye 0,5,0 --look 0,0,0
+soon camera "its orbit" -o x.y4m --orbit 7 --eye 1e12,0,1e12 --up 0,1,0
+soon missing/x.png "create the directory" -o missing/x.png
+verdict "nothing was written" "$(
+    ls x.* 2>/dev/null
+    left_behind)"
+
+works "serve to a file" serve knot.plt --emulate 600000 -o served.ppm --size 48x32
+run render knot.plt -o rendered.ppm --size 48x32
+same served.ppm rendered.ppm "... gives the picture of render"
+"$PLANELET" serve - --emulate 600000 -o piped.ppm --size 48x32 <knot.plt 2>err
+same piped.ppm rendered.ppm "... also of a scene on standard input"
+works "serve --orbit" serve knot.plt --emulate 600000 -o served.y4m --orbit 3 --size 48x32
+run render knot.plt -o rendered.y4m --orbit 3 --size 48x32
+same served.y4m rendered.y4m "... gives the film of render"
+run serve knot.plt --emulate 600000 -o - --size 48x32
+same out rendered.ppm "... and -o - the picture on standard output"
+: >x.png
+refused "an output that is the socket" x.png "in use" \
+    serve knot.plt --socket x.png -o x.png --timeout 1
+rm x.png
+run serve knot.plt --socket x.png -o x.png --timeout 1
+verdict "... or would be, is refused too" "$(
+    refusal x.png "cannot open"
+    ls x.png 2>/dev/null)"
+# Its size modulo 4 GiB is that of the scene.
+cp knot.plt large.plt
+dd if=/dev/zero of=large.plt bs=1 count=0 seek=$((4294967296 + $(wc -c <knot.plt))) 2>trouble
+refused "a scene with 4 GiB behind it" large.plt "4 GiB" \
+    serve large.plt --emulate 600000 -o x.png --size 16x16
+rm -f large.plt
+finish
