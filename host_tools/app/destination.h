@@ -23,8 +23,8 @@ typedef struct destination {
             "compressed it, or 444, that of each pixel in full range (default 420)"                \
     }
 
-/* Reads -o, --show, --chroma and --json, for so many frames. Refuses through args_complain: nowhere to go,
- * unless `is_enough`; a name without a format, several frames in a picture, two outputs that
+/* Reads -o, --show, --chroma and --json, for so many frames. Refuses through args_complain: nowhere
+ * to go, unless `is_enough`; a name without a format, several frames in a picture, two outputs that
  * would mix. */
 void destination_read(destination *d, args *a, unsigned frames, int is_enough);
 

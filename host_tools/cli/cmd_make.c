@@ -6,6 +6,7 @@
 
 #include "host_tools/app/note.h"
 #include "host_tools/app/phase.h"
+#include "host_tools/app/quote.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/scenes/scenes.h"
@@ -14,9 +15,10 @@ static const arg_flag flags[] = {
     {"-o", "FILE",
      "the mesh to write, binary PLY; - is standard output; with --frames a '{}' in it becomes "
      "000, 001 ..."},
-    {"--triangles", "N", "terrain, knot: about so many, up to 10000000 (default 100000)"},
-    {"--frame", "K", "marbles: the frame to write, 25 per second (default 0)"},
-    {"--frames", "N", "marbles: write N frames, from --frame on"},
+    {"--triangles", "N",
+     "about so many: a terrain has 2 to 10000000, a knot 24 to 10000000 (default 100000)"},
+    {"--frame", "K", "marbles: the frame to write, 25 per second; 0 to 99999 (default 0)"},
+    {"--frames", "N", "marbles: write N frames, 1 to 100000, from --frame on"},
     {NULL, NULL, NULL}};
 
 const arg_command command_make = {
@@ -114,8 +116,9 @@ int run_make(args *a) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    if (!many && strcmp(out, "-") != 0) {
-        note("next: planelet pack %s -o %s.plt", out, name);
+    char word[QUOTE_ROOM];
+    if (!many && strcmp(out, "-") != 0 && quote_word(word, sizeof word, out) != NULL) {
+        note("next: planelet pack %s -o %s.plt", word, name);
     }
     return 0;
 }

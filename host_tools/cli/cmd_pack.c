@@ -9,6 +9,7 @@
 #include "host_tools/app/command_line.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/phase.h"
+#include "host_tools/app/quote.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
@@ -37,7 +38,8 @@ static const arg_flag flags[] = {
      "float, 40 bytes per triangle, bit exact; compact also: a lattice of 12 to 21 bits per axis "
      "(default lattice:16)"},
     {"--tolerance", "F",
-     "compact: the lattice that moves no vertex by more than F times the longest side"},
+     "compact: the lattice that moves no vertex by more than F times the longest side, 5.2e-7 and "
+     "more"},
     {"--step", "auto|power",
      "compact: the lattice's step is a power of two where that keeps every corner exactly where "
      "it is, or always: costs up to one bit, and corners that are multiples of it stay exact "
@@ -45,8 +47,8 @@ static const arg_flag flags[] = {
     {"--numbers", "keep|none",
      "compact: primitive ids are those of the packed meshes, 2 to 3 bytes per triangle, or "
      "positions in the image (default keep)"},
-    {"--reduce", "N", "leave at most N triangles, by vertex clustering"},
-    {"--frame", "K", "frame of the sequences in a recipe (default 0)"},
+    {"--reduce", "N", "leave at most N triangles, 1 to 1000000000, by vertex clustering"},
+    {"--frame", "K", "frame of the sequences in a recipe, 0 to 99999 (default 0)"},
     {"--centre", NULL,
      "move the middle of the meshes to 0, in double precision, before they are narrowed to "
      "single: for coordinates far from the origin; planelet info prints the shift"},
@@ -192,6 +194,7 @@ static void say_losses(const pack_job *job, const char *name) {
 }
 
 static void say_done(const pack_job *job, const packed *image, double seconds) {
+    char word[QUOTE_ROOM];
     if (c_array_wanted(job->out)) {
         note("%s: %" PRIu32 " triangle%s, %" PRIu32
              " bytes, %.1f s; next: compile it, its head says how to use it",
@@ -200,11 +203,10 @@ static void say_done(const pack_job *job, const packed *image, double seconds) {
         return;
     }
     if (strcmp(job->out, "-") != 0) {
-        note("%s: %" PRIu32 " triangle%s, %" PRIu32
-             " bytes, %.1f s; next: planelet render %s "
-             "--show",
-             job->out, image->info.triangles, image->info.triangles == 1 ? "" : "s", image->size,
-             seconds, job->out);
+        const int hint = quote_word(word, sizeof word, job->out) != NULL;
+        note("%s: %" PRIu32 " triangle%s, %" PRIu32 " bytes, %.1f s%s%s%s", job->out,
+             image->info.triangles, image->info.triangles == 1 ? "" : "s", image->size, seconds,
+             hint ? "; next: planelet render " : "", hint ? word : "", hint ? " --show" : "");
     }
 }
 

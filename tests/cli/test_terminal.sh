@@ -58,6 +58,43 @@ verdict "render says frames, pixels and seconds" "$(
     grep -q '^ground.png: 1 frame of 64 x 48, [0-9.e-]* s' seen || cat -v seen)"
 seen err trace knot.plt ray hit
 verdict "trace says rays and seconds" "$(grep -q '^hit: 1 ray, [0-9.e-]* s' seen || cat -v seen)"
+
+# Hints are copied: the shell must read each name back as it is.
+# hinted SENTENCE NAME [SHELL]: make and pack write NAME.ply and NAME.plt, with the hints of each.
+hinted() {
+    hint_shell=${3:-sh}
+    rm -f marbles.plt
+    ./pty err "$PLANELET" make ground -o "$2.ply" >seen 2>out </dev/null
+    sed -n 's/^next: planelet \(.*\)\r$/"$PLANELET" \1/p' seen >hint
+    verdict "$1: make's hint packs it" "$(
+        rm -f ground.plt
+        PLANELET=$PLANELET $hint_shell ./hint </dev/null 2>&1
+        [ -f ground.plt ] || cat -v seen)"
+    ./pty err "$PLANELET" pack ground.ply -o "$2.plt" >seen 2>out </dev/null
+    sed -n 's/^.*; next: planelet \(.*\)\r$/"$PLANELET" \1/p' seen >hint
+    verdict "... and pack's hint renders it" "$(
+        PLANELET=$PLANELET $hint_shell ./hint </dev/null >drawn 2>&1
+        [ "$(wc -l <drawn)" -gt 9 ] || cat -v seen drawn)"
+    rm -f -- "$2.ply" "$2.plt" 2>/dev/null || rm -f -- "./$2.ply" "./$2.plt"
+}
+hinted "a name with blanks" "two words  and more"
+hinted "a name with a quote" "it's"
+hinted "a name with all that a shell takes for something else" \
+    "a\"b\$(echo x)\`echo y\`\\c*?[d]{e,f}<g>|h&i;j#k~l!m=n(o)"
+hinted "a name that begins with ~" "~root"
+hinted "a name with other letters" "größe"
+if command -v bash >/dev/null; then
+    hinted "a name with control characters" "$(printf 'a\tb\033[31mc\001d')" bash
+fi
+# A name that begins with a dash is a flag, unless it is the value of one.
+./pty err "$PLANELET" make ground -o -dash.ply >seen 2>out </dev/null
+verdict "a name that begins with a dash gets its folder" "$(
+    grep -q '^next: planelet pack ./-dash.ply -o ground.plt' seen || cat -v seen)"
+long=$(awk 'BEGIN { while (i++ < 240) printf "x" }')
+./pty err "$PLANELET" make ground -o "$long.ply" >seen 2>out </dev/null
+verdict "a name that is too long for the line gets no hint" "$(cat -v seen)"
+rm -f ./-dash.ply "$long.ply"
+
 seen err pack missing -o x.plt
 verdict "an error is one line here too" "$(
     [ "$status" -eq 1 ] || echo "status $status"
