@@ -14,7 +14,8 @@
 #include "host_tools/picture/inflate.h"
 #include "host_tools/picture/png.h"
 
-enum { PALETTE = 3 }; /* a colour type */
+enum { PALETTE = 3 };          /* a colour type */
+enum { DEFLATE_RATIO = 1032 }; /* at most: 258 bytes from two codes of one bit each */
 
 typedef struct png {
     const char *name; /* for errors */
@@ -112,8 +113,15 @@ static void to_rgb(const png *p, const uint8_t *sample, uint8_t *rgb) {
     }
 }
 
+static int fail_damaged(const png *p, fail *f) {
+    return fail_set(f, p->name, "is damaged or ends too early; write it again");
+}
+
 static int decode(png *p, picture *to, fail *f) {
     const size_t row = (size_t)p->width * p->channels + 1, all = row * p->height;
+    if (all / DEFLATE_RATIO > p->packed_bytes) { /* memory grows with the file alone */
+        return fail_damaged(p, f);
+    }
     p->rows = malloc(all);
     if (p->rows == NULL) {
         return fail_set(f, p->name, "too large for memory; make it smaller");
@@ -121,7 +129,7 @@ static int decode(png *p, picture *to, fail *f) {
     /* Two bytes of zlib's head stand before the packed data. */
     if (inflate_bytes(p->packed + 2, p->packed_bytes - 2, p->rows, all) != all ||
         unfilter(p) != 0) {
-        return fail_set(f, p->name, "is damaged or ends too early; write it again");
+        return fail_damaged(p, f);
     }
     if (picture_resize(to, p->width, p->height, f) != 0) {
         return -1;
