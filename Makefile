@@ -108,9 +108,9 @@ tiny:
 scalar:
 	@$(MAKE) LANES=scalar programs-run
 
-##test fuzz: libFuzzer on images, blocks, tiles, reports, SECONDS each (60); TARGETS= for some
-fuzz:
-	@BUILD='$(BUILD)' SECONDS_EACH='$(or $(SECONDS),60)' sh tests/fuzz/fuzz.sh $(TARGETS)
+##test fuzz: libFuzzer on images, meshes, pictures, reports, SECONDS each (60); TARGETS= for some
+fuzz: all
+	@BUILD='$(BUILD)' PLANELET='$(PLANELET)' SECONDS_EACH='$(or $(SECONDS),60)' sh tests/fuzz/fuzz.sh $(TARGETS)
 
 # ---- pictures and figures ------------------------------------------------
 

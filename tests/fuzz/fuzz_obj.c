@@ -1,0 +1,9 @@
+/* fuzz_obj - a libFuzzer target: any bytes as an OBJ
+ *
+ * What is promised is said in mesh_target.h. SPDX-License-Identifier: MIT */
+#include "tests/fuzz/mesh_target.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    mesh_target_try(obj_read, "fuzz.obj", data, size, 0);
+    return 0;
+}
