@@ -80,7 +80,10 @@ int emulated_start(stream_link *l, unsigned report_bytes, size_t memory_bytes, f
     if (child < 0) {
         close(pair[0]);
         close(pair[1]);
-        return fail_set(f, "device", "%s; no process for it", strerror(errno));
+        return fail_set(
+            f, "device",
+            "no process for it: %s; close other programs or raise the limit with ulimit -u",
+            strerror(errno));
     }
     if (child == 0) {
         stream_link own;

@@ -58,15 +58,25 @@ int link_open_pty(stream_link *l, fail *f) {
     return 0;
 }
 
+static const char *remedy(int family, int error) {
+    if (error == ENOENT || error == ENOTDIR) {
+        return "create the directory first, or correct the path";
+    }
+    if (family == AF_INET) {
+        return "choose another port";
+    }
+    return error == EADDRINUSE ? "remove it if nobody serves there" : "choose another path";
+}
+
 static int listen_at(stream_link *l, int family, const struct sockaddr *address, socklen_t bytes,
-                     const char *remedy, fail *f) {
+                     fail *f) {
     const int on = 1;
     l->listener = socket(family, SOCK_STREAM, 0);
     if (l->listener >= 0 && family == AF_INET) {
         setsockopt(l->listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     }
     if (l->listener < 0 || bind(l->listener, address, bytes) != 0 || listen(l->listener, 1) != 0) {
-        fail_set(f, l->name, "%s; %s", strerror(errno), remedy);
+        fail_set(f, l->name, "%s; %s", strerror(errno), remedy(family, errno));
         link_close(l);
         return -1;
     }
@@ -82,8 +92,7 @@ int link_open_socket(stream_link *l, const char *path, fail *f) {
     }
     memcpy(at.sun_path, path, strlen(path) + 1);
     snprintf(l->name, sizeof l->name, "%s", path);
-    if (listen_at(l, AF_UNIX, (const struct sockaddr *)&at, sizeof at,
-                  "remove it if nobody serves there", f) != 0) {
+    if (listen_at(l, AF_UNIX, (const struct sockaddr *)&at, sizeof at, f) != 0) {
         return -1;
     }
     snprintf(l->made, sizeof l->made, "%s", path);
@@ -95,7 +104,7 @@ int link_open_port(stream_link *l, unsigned port, fail *f) {
     clear(l);
     at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     snprintf(l->name, sizeof l->name, "127.0.0.1:%u", port);
-    return listen_at(l, AF_INET, (const struct sockaddr *)&at, sizeof at, "choose another port", f);
+    return listen_at(l, AF_INET, (const struct sockaddr *)&at, sizeof at, f);
 }
 
 void link_of_file(stream_link *l, int file) {

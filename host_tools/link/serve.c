@@ -149,15 +149,20 @@ static int refusal(serving *s, fail *f) {
                         detail >> 24, detail & 0xFFFFFFu);
     }
     if (code == WIRE_E_VERSION) {
-        return fail_set(f, "device", "speaks version %u of the protocol, this program %d", detail,
-                        WIRE_VERSION);
+        return fail_set(
+            f, "device",
+            "speaks version %u of the protocol, this program %d; build both from the same source",
+            detail, WIRE_VERSION);
     }
     if (state == WIRE_SCENE_LARGE) {
-        return fail_set(f, "device", "the image of %u bytes does not fit in its %u",
+        return fail_set(f, "device",
+                        "the image of %u bytes does not fit in its %u; pack it smaller",
                         s->job->image_bytes, wire_other(&s->peer)->arena_bytes);
     }
     if (code == WIRE_E_VIEW) {
-        return fail_set(f, "device", "the camera has no direction; change --eye, --look or --up");
+        return fail_set(f, "device",
+                        "eye and look coincide, up runs along the view, or one of them is beyond "
+                        "2^40; change --eye, --look, --up or --fov");
     }
     return 0;
 }

@@ -92,8 +92,8 @@ static int read_head(frames *s, film *y, fail *f) {
         }
     }
     if (y->width == 0 || y->height == 0) {
-        return fail_set(f, s->path, "its frames are %u x %u pixels; a side is 1 to %u", y->width,
-                        y->height, PICTURE_SIDE_MAX);
+        return fail_set(f, s->path, "its frames are %u x %u pixels; write W and H from 1 to %u",
+                        y->width, y->height, PICTURE_SIDE_MAX);
     }
     return 0;
 }
@@ -105,7 +105,9 @@ static int make_planes(frames *s, film *y, fail *f) {
                                     ((y->height + y->down - 1) / y->down);
     }
     y->planes = malloc(y->plane[0] + y->plane[1] + y->plane[2]);
-    return y->planes == NULL ? fail_set(f, s->path, "frames too large for memory") : 0;
+    return y->planes == NULL
+               ? fail_set(f, s->path, "its frames are too large for memory; make them smaller")
+               : 0;
 }
 
 static uint8_t clamp(int value) { /* of 2^-16 */
