@@ -66,6 +66,15 @@ static int exchange(display *d, unsigned wait_ms, int *sent) {
     return status == PORT_OK ? read_reports(d, *sent ? 0 : wait_ms) : status;
 }
 
+/* A device that was reset may answer as another; an exchange may see only that it is up
+ * again. */
+static int is_other_size(const display *d) {
+    const planelet *p = d->state;
+    const wire_caps *peer = wire_other(&p->peer);
+    return d->width > 0 && wire_is_up(&p->peer) &&
+           (peer->width != d->width || peer->height != d->height);
+}
+
 /* Exchanges reports until `is_so`, and not one more: with nothing new to show the wire
  * continues to refine what is there. GONE when nothing is heard for `patience_ms`,
  * FAILED when the call lasts longer than a whole picture may, STOPPED a second after
@@ -73,7 +82,7 @@ static int exchange(display *d, unsigned wait_ms, int *sent) {
 static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
     uint32_t heard = p->peer.stats.reports_in, since = clock_ms();
-    while (!is_so(p)) {
+    while (!is_so(p) && !is_other_size(d)) {
         int sent;
         if (clock_ms() - p->begun > p->whole) {
             return DISPLAY_FAILED;
@@ -94,9 +103,15 @@ static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned 
     return DISPLAY_OK;
 }
 
-/* As exchange_until, for a picture; an error when it does not get through. */
+/* As exchange_until, for a picture; an error when it does not get through, or no longer
+ * fits. */
 static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
     const int status = exchange_until(d, is_so, STUCK_MS);
+    if (status == DISPLAY_OK && is_other_size(d)) {
+        const wire_caps *peer = wire_other(&((planelet *)d->state)->peer);
+        return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
+                        peer->width, peer->height);
+    }
     return status != DISPLAY_FAILED
                ? status
                : fail_set(f, NULL,
@@ -135,7 +150,7 @@ static int open_end(planelet *p, report_sizes sizes, fail *f) {
         wire_peer_open(&p->peer, &setup, clock_ms()) != WIRE_OK) {
         return fail_set(f, NULL,
                         "reports of %u bytes out and %u in are not for the planelet driver (8 to "
-                        "1024 and 8 to 64)",
+                        "1024 and 8 to 64); choose another with --driver",
                         out, in);
     }
     p->begun = clock_ms();
@@ -200,18 +215,6 @@ static int planelet_open(display *d, fail *f) {
     return status;
 }
 
-/* Waits while the session is down, as it is after the device was reset. */
-static int ensure_up(display *d, fail *f) {
-    const planelet *p = d->state;
-    const int status = deliver(d, is_up, f);
-    const wire_caps *peer = wire_other(&p->peer);
-    if (status == DISPLAY_OK && (peer->width != d->width || peer->height != d->height)) {
-        return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
-                        peer->width, peer->height);
-    }
-    return status;
-}
-
 static int say_error(planelet *p, fail *f) {
     uint32_t detail = 0;
     const unsigned code = wire_error_read(&p->peer, &detail);
@@ -224,7 +227,7 @@ static int planelet_show(display *d, const picture *shown, fail *f) {
     p->begun = clock_ms();
     for (;;) {
         int status = deliver(d, is_idle, f);
-        status = status == DISPLAY_OK ? ensure_up(d, f) : status;
+        status = status == DISPLAY_OK ? deliver(d, is_up, f) : status; /* after a reset it is not */
         if (status != DISPLAY_OK) {
             return status;
         }
@@ -247,7 +250,7 @@ static int planelet_confirm(display *d, fail *f) {
         if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {
             return status;
         }
-        status = ensure_up(d, f);
+        status = deliver(d, is_up, f);
         if (status != DISPLAY_OK) {
             return status;
         }
