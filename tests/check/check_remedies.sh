@@ -1,0 +1,143 @@
+#!/bin/sh
+# check_remedies.sh - every remedy that the tools name is tried by a test, or has a reason
+#
+# messages.awk lists the messages. A test tries one when the message stands in it between
+# double quotes: tests/cli/test_remedies_*.sh (see remedies.sh there) do what it says, and so
+# do tests/host_tools/test_*_remedies.c without a device. SPDX-License-Identifier: MIT
+. tests/check/report.sh
+out=$BUILD/check
+mkdir -p "$out"
+
+# MESSAGE | why no test does what it says. A line may end in a backslash.
+few='so few bytes do not run out before others do'
+size='a file of that size does not fit into a test'
+reasons="
+out of memory | $few
+out of memory; close other programs | $few
+out of memory; choose a smaller --size | a frame of 1,200 tiles is less than one MiB
+cannot read at byte %zu: %s; check the disk | no disk fails when asked to
+cannot be read to its end; check the disk or the pipe | likewise; test_hid_stream provokes it
+your quota is used up: remove files or write to another disk | there are no quotas here
+the file system cannot map it; copy it elsewhere | no such file system here can hold a scene
+%s; use --socket instead | a system without pseudo terminals has no test_terminal either
+more than 2^32 - 1 rays; split the file | $size
+more than 2^32 - 2 vertices; split the mesh | $size
+more than 2^32 - 2 triangles; split the mesh | $size
+PLY numbers only 2^31 vertices with int; split the mesh | $size
+%zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; leave some out | $size
+status %d; please report this | cannot happen; if it does, there is somebody to tell
+the finished tree is refused: %s; please report this | likewise
+video at 0 frames per second; choose 1 or more | no command asks for it; test_picture_frames does
+the mesh has %zu vertices already; start with an empty one | likewise; test_scenes does
+speaks version %u of the protocol, this program %d; build both from the same source | \
+there is one version; test_wire_hello provokes it
+no permission to use %04x:%04x; install the udev rule: planelet-hid rules | sudo tee \
+/etc/udev/rules.d/70-planelet.rules && sudo udevadm control --reload, then plug the display in \
+again | test_hid_rules does so in a machine of its own
+reports of %u bytes out and %u in are not for the planelet driver (8 to 1024 and 8 to 64); \
+choose another with --driver | sizes come from Linux's /sys; the driver is chosen in \
+test_hid_remedies
+the display reports error %u (%u); see platform/WIRE.md | something to read: its list of errors
+no display is plugged in (%u HID devices; --all lists them) | no failure, and list --all is tried
+%04x:%04x went away; waiting for it | says what the program does; test_hid_session waits, too
+; primitive ids are positions in the image | says what is the case
+serve: %u frames in %.2f s, image of %u bytes; reports %u out, %u in, %u lost, %u late, %u bad; \
+%u bytes of tiles, %u tiles, %u sessions | statistics
+"
+
+# Texts of several lines in one: those of sh end in a backslash, those of C are joined.
+joined() {
+    awk '{
+        line = $0
+        if (held != "" && line ~ /^ *"/) { sub(/^ *"/, "", line) } else { printf "%s", held }
+        held = ""
+        if (line ~ /\\$/) { printf "%s", substr(line, 1, length(line) - 1); next }
+        if (FILENAME ~ /[.]c$/ && line ~ /"$/) {
+            printf "%s", substr(line, 1, length(line) - 1)
+            held = "\"\n"
+            next
+        }
+        print line
+    }
+    END { printf "%s", held }' "$@"
+}
+
+# check FILE...: what is wrong with these sources. $tests: the tests; $table: the reasons.
+check() {
+    awk -f tests/check/messages.awk "$@" >"$out/messages"
+    # shellcheck disable=SC2086
+    joined $tests >"$out/tests"
+    printf '%s\n' "$table" | sed -n 's/\(.*\) | .*/\1/p' >"$out/reasons"
+    while IFS='	' read -r at text; do
+        grep -qF "\"$text\"" "$out/tests" || grep -qxF -- "$text" "$out/reasons" ||
+            echo "$at: no test does what this says: $text"
+    done <"$out/messages"
+    cut -f 2- "$out/messages" >"$out/texts"
+    while read -r text; do
+        grep -qxF -- "$text" "$out/texts" || echo "a reason for what nobody says: $text"
+        ! grep -qF "\"$text\"" "$out/tests" || echo "a reason for what is tried: $text"
+    done <"$out/reasons"
+    sed -n 's/^ *\(says\|says_by\|larger\|smaller\|refused_as\|message=\) *"\([^"]*\)".*/\2/p
+            s/^ *says(&f, "\([^"]*\)").*/\1/p' "$out/tests" |
+        grep -v '^[$]' | while read -r text; do
+            grep -qxF -- "$text" "$out/texts" || echo "tried, but nobody says it: $text"
+        done
+}
+
+# An example of each kind, and of what is none.
+cat >"$out/example.c" <<'END'
+#include "no message; use none.h"
+static const arg_flag flags[] = {{"--x", "N", "help; use it"}};
+static const char *remedy(int error) {
+    return error == 1 ? "use a" : "use b"; /* "no message; use none" */
+}
+static int f(fail *f, args *a, char *s) {
+    const char *remedy = "use c";
+    args_complain(a, "%s takes d", "d");
+    fail_with(s, "it is wrong", "use e");
+    printf("next: use f\n");
+    return fail_set(f, NULL, "%" PRIu64 " of '\"', "
+                             "so; use g %s", x) + fail_set(f, "no; %s", "is it h?");
+}
+END
+awk -f tests/check/messages.awk "$out/example.c" | cut -f 2- >"$out/found"
+verdict "messages of every kind are found, and nothing else" "$(
+    cat >"$out/wanted" <<'END'
+use a
+use b
+use c
+%s takes d
+use e
+next: use f
+%llu of '\"', so; use g %s
+is it h?
+END
+    diff "$out/found" "$out/wanted")"
+printf '%s\n' 'says "use a"' 'says "use \' 'b" x' 'larger "use z"' >"$out/example.sh"
+verdict "what is not tried, and what nobody says, is found" "$(
+    tests=$out/example.sh
+    table='use c | so
+%s takes d | so
+use e | so
+next: use f | so
+%llu of '"'"'\"'"'"', so; use g %s | so
+use a | so
+use y | so'
+    cat >"$out/wanted" <<END
+$out/example.c:12: no test does what this says: is it h?
+a reason for what is tried: use a
+a reason for what nobody says: use y
+tried, but nobody says it: use z
+END
+    check "$out/example.c" | diff - "$out/wanted")"
+
+tests='tests/cli/test_remedies_*.sh'
+for file in tests/host_tools/test_*_remedies.c; do
+    [ -e "$file" ] && tests="$tests $file"
+done
+table=$reasons
+# shellcheck disable=SC2046
+trouble=$(check $(find host_tools board/host -name '*.c' | sort))
+verdict "each of $(wc -l <"$out/texts") messages with a remedy is tried, or there is a reason" \
+    "$trouble"
+finish

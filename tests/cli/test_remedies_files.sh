@@ -1,0 +1,182 @@
+#!/bin/sh
+# test_remedies_files.sh - what messages about files, devices and limits advise, helps
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+. tests/cli/remedies.sh
+begin remedies_files
+quad quad.ply
+run pack quad.ply -o quad.plt
+echo '0 0 5 0 0 0 -1 100' | rays ray
+run make knot --triangles 3000 -o knot.ply
+run pack knot.ply -o knot.plt
+mkdir folder
+cp quad.ply quad.plt ray folder
+
+# ---- inputs: host_tools/base/input.c ----------------------------------------------
+
+says "check the spelling and the directory you are in" pack qaud.ply -o x.plt
+packs 2 quad.ply
+says "check the spelling and the directory you are in" pack folder/quad.ply/quad.ply -o x.plt
+packs 2 folder/quad.ply
+ln -s loop loop
+says "check the path" pack loop -o x.plt
+packs 2 quad.ply
+says "is a directory; name a file in it" pack folder -o x.plt
+packs 2 folder/quad.ply
+says "is a device; name a file, or - for standard input" pack /dev/null -o x.plt
+packs 2 quad.ply
+says "is a device; name a file, or - for standard input" pack /dev/null -o x.plt
+cured_by sh -c "\"$PLANELET\" pack - -o cured.plt <quad.ply"
+: >empty.ply
+says "is empty; write the file again" pack empty.ply -o x.plt
+quad empty.ply
+packs 2 empty.ply
+says "the input has no name; give one, or - for standard input" pack '' -o x.plt
+packs 2 quad.ply
+says "the input has no name; give one, or - for standard input" pack '' -o x.plt
+cured_by sh -c "\"$PLANELET\" pack - -o cured.plt <quad.ply"
+says_by "the stream is closed: redirect a file to it" sh -c "\"$PLANELET\" pack - -o x.plt <&-"
+cured_by sh -c "\"$PLANELET\" pack - -o cured.plt <quad.ply"
+# With one descriptor left: the scene takes it, the rays get none.
+says_by "too many files are open: raise the limit with ulimit -n" \
+    limited n 4 "$PLANELET" trace quad.plt ray x.hits
+cured_by limited n 16 "$PLANELET" trace quad.plt ray x.hits
+
+# The arena of 1 GiB is part of the program; 400 MiB are left.
+truncate -s 600000000 large.ray
+says_by "%llu bytes do not fit into memory; split the file or use a larger machine" \
+    limited v 1500000 "$PLANELET" trace quad.plt large.ray x.hits
+head -c 320000 large.ray >part.ray
+cured_by limited v 1500000 "$PLANELET" trace quad.plt part.ray x.hits
+truncate -s 256000000 large.ray
+says_by "out of memory for %u rays; split the file" \
+    limited v 1500000 "$PLANELET" trace quad.plt large.ray x.hits
+cured_by limited v 1500000 "$PLANELET" trace quad.plt part.ray x.hits
+rm large.ray
+
+# ---- outputs: host_tools/base/output.c -----------------------------------------------
+
+says "is a directory; name a file in it" pack quad.ply -o folder
+cured pack quad.ply -o folder/x.plt
+says "create the directory first, or correct the path" pack quad.ply -o new/x.plt
+cured pack quad.ply -o folder/x.plt
+says "create the directory first, or correct the path" pack quad.ply -o new/x.plt
+mkdir new
+cured pack quad.ply -o new/x.plt
+says "is the name of a directory; name a file in it" pack quad.ply -o newer/
+mkdir newer
+cured pack quad.ply -o newer/x.plt
+says "choose a shorter name" pack quad.ply -o "$(awk 'BEGIN { while (i++ < 300) printf "x" }')"
+cured pack quad.ply -o x.plt
+says "check the path and the disk" pack quad.ply -o loop
+cured pack quad.ply -o x.plt
+says "the output has no name; give one, or - for standard output" pack quad.ply -o ''
+cured pack quad.ply -o x.plt
+says "the output has no name; give one, or - for standard output" pack quad.ply -o ''
+cured pack quad.ply -o -
+says "free some space or write to another disk" pack quad.ply -o /dev/full
+cured pack quad.ply -o x.plt
+says_by "the file size limit is reached: raise it with ulimit -f" \
+    limited f 8 "$PLANELET" pack knot.ply -o x.plt
+cured_by limited f 1000 "$PLANELET" pack knot.ply -o x.plt
+says_by "the stream is closed: redirect it to a file" sh -c "\"$PLANELET\" pack quad.ply -o - >&-"
+cured_by sh -c "\"$PLANELET\" pack quad.ply -o - >x.plt"
+# The scene and the hits take the two that there are, the statistics get none.
+says_by "too many files are open: raise the limit with ulimit -n" \
+    limited n 5 "$PLANELET" trace quad.plt ray x.hits --json x.json
+cured_by limited n 16 "$PLANELET" trace quad.plt ray x.hits --json x.json
+# mounted COMMAND...: with a disk that is read-only in `fixed`, which nobody else sees.
+mkdir fixed
+mounted() { unshare -rm sh -c 'mount -t tmpfs -o ro tmpfs fixed && "$@"' sh "$@"; }
+if mounted true 2>/dev/null; then
+    says_by "the disk is read-only: write to another one" \
+        mounted "$PLANELET" pack quad.ply -o fixed/x.plt
+    cured_by mounted "$PLANELET" pack quad.ply -o x.plt
+else
+    echo "    not tried without mounts of its own: a disk that is read-only"
+fi
+# into READER: pack into a pipe, and its status; SIGPIPE does not end it.
+into() {
+    { trap '' PIPE; sleep 0.2; "$PLANELET" pack quad.ply -o -; echo $? >ended; } | "$@" >/dev/null
+    return "$(cat ended)"
+}
+says_by "the reader went away: keep it running" into true
+cured_by into cat
+if [ -n "$has_common" ]; then
+    mkdir shut
+    cp quad.ply mine.ply
+    cp quad.plt shut.plt
+    chmod 777 .
+    chmod 555 shut
+    chmod 000 mine.ply
+    [ "$(id -u)" -ne 0 ] || chown 65534 shut mine.ply shut.plt
+    says_by "make it readable with chmod +r, or run as its owner" \
+        common "$PLANELET" pack mine.ply -o x9.plt
+    chmod +r mine.ply
+    cured_by common "$PLANELET" pack mine.ply -o x9.plt
+    says_by "write to a directory you own, or change its permissions" \
+        common "$PLANELET" pack quad.ply -o shut/x.plt
+    common chmod u+w shut
+    cured_by common "$PLANELET" pack quad.ply -o shut/x.plt
+    chmod 444 shut.plt
+    says_by "is write-protected; choose another name or chmod u+w it" \
+        common "$PLANELET" pack quad.ply -o shut.plt
+    cured_by common "$PLANELET" pack quad.ply -o other.plt
+    says_by "is write-protected; choose another name or chmod u+w it" \
+        common "$PLANELET" pack quad.ply -o shut.plt
+    common chmod u+w shut.plt
+    cured_by common "$PLANELET" pack quad.ply -o shut.plt
+    chmod 755 .
+else
+    echo "    not tried as root without setpriv: three remedies of missing permission"
+fi
+
+# ---- scenes: board/host/scene.c, host_tools/app/scene.c -----------------------------------
+
+says "name the .plt file itself" render folder -o x.png
+cured render folder/quad.plt -o x.png
+mkfifo pipe
+says "store the scene in a file first" render pipe -o x.png
+cat quad.plt >stored.plt
+cured render stored.plt -o x.png
+: >empty.plt
+says "pack the scene again" render empty.plt -o x.png
+run pack quad.ply -o empty.plt
+cured render empty.plt -o x.png
+truncate -s 4294967296 large.plt
+says "a scene image is smaller; is it one?" render large.plt -o x.png
+rm large.plt
+cured render quad.plt -o x.png
+says "check its name and permissions" render qaud.plt -o x.png
+cured render quad.plt -o x.png
+says "the scene has no name; give the file that planelet pack wrote" render '' -o x.png
+cured render quad.plt -o x.png
+says "is it one? planelet pack makes them from meshes" render quad.ply -o x.png
+run pack quad.ply -o packed.plt
+cured render packed.plt -o x.png
+{ head -c 300 quad.plt; printf 'damage'; tail -c +307 quad.plt; } >damaged.plt
+says "pack the scene again" render damaged.plt -o x.png
+run pack quad.ply -o damaged.plt
+cured render damaged.plt -o x.png
+for command in 'render knot.plt -o x.png' 'render knot.plt -o x.png --source read' \
+    'trace knot.plt ray x.hits --json x.json'; do
+    # shellcheck disable=SC2086
+    says "needs an arena of %zu bytes and has %zu; use --arena %zu" $command --arena 1000
+    # shellcheck disable=SC2046,SC2086
+    cured $command $(sed 's/.*use //' err)
+done
+# A file of /sys says that it has a page, and ends before.
+page=/sys/kernel/mm/transparent_hugepage/enabled
+if [ -r $page ]; then
+    says "byte %u: %s; is the file still whole?" render $page -o x.png --source read
+    cured render quad.plt -o x.png --source read
+fi
+# Not a full disk, but what a full disk says.
+says_by "standard output: cannot be written; is the disk full?" \
+    sh -c "\"$PLANELET\" --help >/dev/full"
+cured_by sh -c "\"$PLANELET\" --help >help"
+says_by "the picture cannot be drawn; is the disk full?" \
+    sh -c "\"$PLANELET\" render quad.plt --show >/dev/full"
+cured_by sh -c "\"$PLANELET\" render quad.plt --show >shown"
+finish

@@ -1,0 +1,131 @@
+#!/bin/sh
+# test_remedies_render.sh - what messages about cameras, rays and links advise, helps
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+. tests/cli/remedies.sh
+begin remedies_render
+TERM=xterm
+export TERM
+run make ground -o ground.ply
+run pack ground.ply -o ground.plt
+run make knot --triangles 3000 -o knot.ply
+run pack knot.ply -o knot.plt
+echo '0 5 0 0 0 -1 0 100' | rays ray
+
+# ---- hints at a terminal: following them leads from a mesh to a picture ------------------------
+
+$CC -std=c11 -Wall -Wextra "$CLI_TESTS/pty.c" -o pty 2>&1
+planelet() { "$PLANELET" "$@"; }
+message="next: planelet pack %s -o %s.plt"
+./pty err "$PLANELET" make marbles -o marbles.ply >seen </dev/null
+said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
+eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
+status=$?
+helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
+message="%s: %u triangle%s, %u bytes, %.1f s; next: planelet render %s --show"
+./pty err "$PLANELET" pack marbles.ply -o marbles.plt >seen </dev/null
+said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
+eval "$(tr -d '\r' <seen | sed -n 's/.*; next: //p')" >out 2>err
+status=$?
+helped "$([ "$(wc -l <out)" -gt 10 ] || echo "no picture")"
+
+# ---- pictures: cmd_render.c, host_tools/picture --------------------------------------------------
+
+look='--eye 0,9,20 --look 0,0,0'
+for wrong in '--eye 0,0,0 --look 0,0,0' "$look --up 0,9,20" '--eye 0,9e12,0' \
+    "$look --up 0,0,0" "$look --fov 179.99999"; do
+    # shellcheck disable=SC2086
+    says "eye and look coincide, up runs along the view, or one of them is beyond 2^40; change \
+--eye, --look, --up or --fov" render ground.plt -o x.png --size 64x48 $wrong
+    # shellcheck disable=SC2086
+    cured render ground.plt -o x.png --size 64x48 $look --up 0,1,0 --fov 45
+done
+says "picture of %u x %u pixels: a side is 1 to %u; choose such a size" \
+    render ground.plt -o x.ppm --size 32769x8
+cured render ground.plt -o x.ppm --size 32768x8
+
+run pack knot.ply -o compact.plt --nodes compact
+says "%s; see --help for the ranges" render compact.plt -o x.png --walk two-stage
+cured render --help
+cured render compact.plt -o x.png "$(sed -n 's/^  \(--walk\) \([a-z]*\)|.*/\1=\2/p' out)"
+
+# ---- rays: cmd_trace.c ----------------------------------------------------------------------
+
+head -c 31 ray >short
+says "byte %zu: the last ray is cut short (a ray has 32 bytes); write it again" \
+    trace ground.plt short x.hits
+cp ray short
+cured trace ground.plt short x.hits
+
+# ---- links: cmd_serve.c, host_tools/link ----------------------------------------------------
+
+small='-o x.ppm --size 64x48'
+# shellcheck disable=SC2086
+{
+    head -c 300 ground.ply >bad.plt
+    says "%s; pack the mesh again" serve bad.plt $small --emulate 400000
+    run pack ground.ply -o bad.plt
+    cured serve bad.plt $small --emulate 400000
+    { head -c 300 knot.plt; printf 'damage'; tail -c +307 knot.plt; } >bad.plt
+    says "the scene was refused: rule R%u at byte %u; pack it again" \
+        serve bad.plt $small --emulate 4000000
+    run pack knot.ply -o bad.plt
+    cured serve bad.plt $small --emulate 4000000
+    run pack knot.ply -o smaller.plt --nodes compact --leaf 4
+    says "the image of %u bytes does not fit in its %u; pack it smaller" \
+        serve knot.plt $small --emulate 60000
+    cured serve smaller.plt $small --emulate 60000
+    says "the scene needs %u bytes there, it has %u; pack it smaller" \
+        serve knot.plt $small --emulate "$(wc -c <knot.plt)"
+    cured serve smaller.plt $small --emulate "$(wc -c <knot.plt)"
+    for wrong in '--eye 0,0,0 --look 0,0,0' "$look --up 0,9,20" "$look --fov 179.99999"; do
+        says "eye and look coincide, up runs along the view, or one of them is beyond 2^40; \
+change --eye, --look, --up or --fov" serve ground.plt $small --emulate 400000 $wrong
+        cured serve ground.plt $small --emulate 400000 $look --up 0,1,0 --fov 45
+    done
+    says "%ux%u has more than %d tiles of 16x16; choose a smaller one" \
+        serve ground.plt -o x.ppm --size 9000x9000 --emulate 400000
+    cured serve ground.plt $small --emulate 400000
+    says "%s; is it connected, and does it render?" \
+        serve ground.plt $small --socket nobody --timeout 1
+    cured serve ground.plt $small --emulate 400000 --timeout 60
+}
+
+# waits ARGUMENT...: serve gets as far as waiting for a device; nobody connects.
+waits() {
+    "$PLANELET" serve ground.plt -o x.ppm --timeout 1 "$@" >out 2>err </dev/null
+    [ $? -eq 1 ] && head -n 1 err | grep '^serve: waiting for a device at' >waiting
+}
+long=$(awk 'BEGIN { while (i++ < 120) printf "x" }')
+says "the path is too long for a socket; choose a shorter one" \
+    serve ground.plt -o x.ppm --socket "$long"
+cured_by waits --socket short.socket
+: >taken
+says "remove it if nobody serves there" serve ground.plt -o x.ppm --socket taken
+rm taken
+cured_by waits --socket taken
+says "create the directory first, or correct the path" serve ground.plt -o x.ppm --socket new/it
+mkdir new
+cured_by waits --socket new/it
+port=$((20000 + $$ % 20000))
+"$PLANELET" serve ground.plt -o y.ppm --listen $port --timeout 5 >/dev/null 2>first &
+while ! [ -s first ]; do sleep 0.05; done
+says "choose another port" serve ground.plt -o x.ppm --listen $port
+cured_by waits --listen $((port + 1))
+wait
+if [ -n "$has_common" ]; then
+    mkdir mine shut
+    chmod 777 mine
+    says_by "choose another path" common "$PLANELET" serve ground.plt -o mine/x.ppm --socket shut/it
+    cured_by common sh -c "\"$PLANELET\" serve ground.plt -o mine/x.ppm --socket mine/it \
+        --timeout 1 2>&1 | grep -q '^serve: waiting'"
+fi
+if [ -n "$has_common" ] && command -v prlimit >/dev/null; then # sh may not know ulimit -u
+    says_by "no process for it: %s; close other programs or raise the limit with ulimit -u" \
+        common prlimit --nproc=1: "$PLANELET" serve ground.plt -o mine/x.ppm --emulate 400000 \
+        --size 64x48
+    cured_by common prlimit --nproc=10000: "$PLANELET" serve ground.plt -o mine/x.ppm \
+        --emulate 400000 --size 64x48
+fi
+finish

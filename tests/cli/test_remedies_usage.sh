@@ -1,0 +1,140 @@
+#!/bin/sh
+# test_remedies_usage.sh - what messages about wrong words advise, helps
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+. tests/cli/remedies.sh
+begin remedies_usage
+quad quad.ply
+run pack quad.ply -o quad.plt
+echo '0 0 5 0 0 0 -1 100' | rays ray
+
+# ---- any command: host_tools/app/args.c, program.c ------------------------------------
+
+says "%s: there is no command '%s'; see %s --help" pakc quad.ply -o x.plt
+cured --help
+says "%s %s: %s; see %s %s --help" pack quad.ply -o x.plt --leave 2
+cured pack --help
+verdict "... and the help has the flag that was meant" "$(grep -q '^  --leaf 1' out || cat out)"
+says "there is no flag %.*s" pack quad.ply -o x.plt --leave=2
+packs 2 quad.ply --leaf=2
+says "%.*s takes no value" pack quad.ply -o x.plt --repair=yes
+packs 2 quad.ply --repair
+says "%s takes a value: %s %s" pack quad.ply -o
+cured pack quad.ply -o x.plt
+says "use it as: %s %s %s" pack -o x.plt
+packs 2 quad.ply
+says "%s takes a number from %llu to %llu, not '%s'" pack quad.ply -o x.plt --treelet 0
+packs 2 quad.ply --treelet 1
+says "%s takes %s, not '%s'" pack quad.ply -o x.plt --leaf 3
+packs 2 quad.ply --leaf 4
+says "%s takes %u number%s separated by commas, not '%s'" render quad.plt -o x.png --eye 0,0
+cured render quad.plt -o x.png --eye 0,0,3
+says "%s takes WIDTHxHEIGHT, each 1 to 65535, not '%s'" render quad.plt -o x.png --size 64
+cured render quad.plt -o x.png --size 64x48
+
+# ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
+
+says "there is no scene '%s': ground, marbles, terrain or knot" make tray -o x.ply
+for scene in ground marbles terrain knot; do
+    cured make $scene -o x.ply
+done
+says "-o FILE says where the mesh goes" make ground
+cured make ground -o x.ply
+says "--frames needs a '{}' in the file's name, as in marbles_{}.ply" \
+    make marbles --frames 2 -o x.ply
+cured make marbles --frames 2 -o marbles_{}.ply
+says "only marbles have frames" make knot --frame 3 -o x.ply
+cured make marbles --frame 3 -o x.ply
+says "%s has the triangles it has: no --triangles" make ground --triangles 20 -o x.ply
+cured make ground -o x.ply
+long=$(awk 'BEGIN { while (i++ < 4200) printf "x" }')
+says "the name is too long; choose a shorter one" make marbles --frames 1 -o "{}$long.ply"
+cured make marbles --frames 1 -o "{}.ply"
+for count in 3 11; do
+    says "%llu triangles: a %s has %u to %u; ask for such a number" \
+        make knot --triangles $count -o x.ply
+    cured make knot --triangles "$(sed 's/.* has \([0-9]*\) to .*/\1/' err)" -o x.ply
+done
+
+# ---- pack: host_tools/cli/cmd_pack.c ---------------------------------------------------
+
+compact='quad.ply -o x.plt --nodes compact'
+# shellcheck disable=SC2086
+{
+    says "-o SCENE.plt says where the image goes" pack quad.ply
+    cured pack quad.ply -o x.plt
+    for geometry in double lattice:11 lattice:22; do
+        says "--geometry is float, lattice, or lattice:12 to lattice:21, not '%s'" \
+            pack $compact --geometry $geometry
+    done
+    for geometry in float lattice lattice:12 lattice:21; do
+        cured pack $compact --geometry $geometry
+    done
+    says "--tolerance and --geometry %s both choose the lattice; leave one out" \
+        pack $compact --geometry lattice:14 --tolerance 0.001
+    cured pack $compact --geometry lattice:14
+    cured pack $compact --tolerance 0.001
+    says "--tolerance is for --geometry lattice" \
+        pack $compact --geometry float --tolerance 0.001
+    cured pack $compact --geometry lattice --tolerance 0.001
+    says "--tolerance below 5.2e-07 is finer than any lattice; use --geometry float" \
+        pack $compact --tolerance 5.1e-7
+    cured pack $compact --geometry float
+    cured pack $compact --tolerance 5.2e-7
+    says "--build device takes --geometry lattice with compact nodes" \
+        pack $compact --build device --geometry float
+    cured pack $compact --build device --geometry lattice
+    says "--numbers is for --geometry lattice; float records hold theirs" \
+        pack $compact --geometry float --numbers keep
+    cured pack $compact --geometry lattice --numbers keep
+    cured pack $compact --geometry float
+    says "--numbers keep: on a device primitive ids are positions in the image" \
+        pack $compact --build device --numbers keep
+    cured pack $compact --build device
+    for flags in '--build none' '--treelet 32'; do
+        says "compact nodes come in blocks of 64, built by host or device" pack $compact $flags
+    done
+    cured pack $compact --build host
+    cured pack $compact --build device
+    for flags in '--tolerance 0.001' '--numbers none'; do
+        says "--tolerance and --numbers go with --nodes compact" pack quad.ply -o x.plt $flags
+        cured pack $compact $flags
+    done
+}
+
+# ---- render, trace: host_tools/app, cmd_render.c, cmd_trace.c ----------------------------
+
+says "--fov takes degrees between 0 and 180" render quad.plt -o x.png --fov 180
+cured render quad.plt -o x.png --fov 179
+says "no picture format has this ending; use .png, .ppm or .y4m" render quad.plt -o x.jpg
+for ending in png ppm y4m; do
+    cured render quad.plt -o x.$ending
+done
+says "--orbit makes a film: give -o a name that ends in .y4m" \
+    render quad.plt -o x.png --orbit 2 --size 8x8
+cured render quad.plt -o x.y4m --orbit 2 --size 8x8
+says "-o OUT says where the picture goes, --show draws it here" render quad.plt
+cured render quad.plt -o x.png
+cured render quad.plt --show
+says "-o and --json need two different files" render quad.plt -o x.png --json x.png
+cured render quad.plt -o x.png --json x.json
+says "-o - and --show would mix on standard output" render quad.plt -o - --show
+cured render quad.plt -o -
+cured render quad.plt -o x.png --show
+says "HITS and --json need two different files" trace quad.plt ray x.hits --json x.hits
+cured trace quad.plt ray x.hits --json x.json
+
+# ---- serve: host_tools/cli/cmd_serve.c -------------------------------------------------
+
+says "one of --pty, --socket, --listen and --emulate says where the device is" \
+    serve quad.plt -o x.ppm
+cured serve quad.plt -o x.ppm --emulate 400000 --size 64x48
+says "one of --pty, --socket, --listen and --emulate says where the device is" \
+    serve quad.plt -o x.ppm --emulate 400000 --pty
+cured serve quad.plt -o x.ppm --emulate 400000 --size 64x48
+says "-o OUT says where the frames go, --show draws them here" \
+    serve quad.plt --emulate 400000 --size 64x48
+cured serve quad.plt --emulate 400000 --size 64x48 -o x.ppm
+cured serve quad.plt --emulate 400000 --size 64x48 --show
+finish
