@@ -1,6 +1,7 @@
 /* polygon - see polygon.h
  *
- * Ears are cut with exact signs first. What rounding to single precision has made
+ * Simple outlines are swept. Others, which touch or cross themselves, are cut into
+ * ears: with exact signs first. What rounding to single precision has made
  * cross itself by a hair is cut a second time with signs that leave noise alone.
  *
  * Triangles that all turn left cover every point as often as the outline winds
@@ -172,19 +173,27 @@ static int cut(polygon *p, const double (*point)[2], uint32_t n, double noise, u
     return result == EARS_LEFT ? polygon_ears_cut(&p->ears, point, n, noise, to) : result;
 }
 
-static int triangulate_many(polygon *p, uint32_t n, double noise, uint32_t *to) {
+/* Outlines that may touch themselves. */
+static int cut_twice(polygon *p, uint32_t n, double noise, uint32_t *to) {
     double(*outside)[2] = p->point + n;
-    const double(*point)[2] = (const double(*)[2])p->point;
-    int result = cut(p, point, n, noise, to);
-    if (result == EARS_ALL_CUT) {
-        surround(point, n, outside);
-        result = cut(p, (const double(*)[2])outside, n + FRAME, noise, NULL);
+    const int result = cut(p, (const double(*)[2])p->point, n, noise, to);
+    if (result != EARS_ALL_CUT) {
+        return result;
     }
-    if (result == EARS_ALL_CUT) {
+    surround((const double(*)[2])p->point, n, outside);
+    return cut(p, (const double(*)[2])outside, n + FRAME, noise, NULL);
+}
+
+static int triangulate_many(polygon *p, uint32_t n, double noise, uint32_t *to) {
+    int result = polygon_sweep_cut(&p->sweep, (const double(*)[2])p->point, n, to);
+    if (result == SWEEP_NOT_SIMPLE) {
+        result = cut_twice(p, n, noise, to);
+    }
+    if (result > 0) {
         return POLYGON_FILLED;
     }
     write_fan(n, to);
-    return result == EARS_LEFT ? POLYGON_OVERLAPS : POLYGON_NO_MEMORY;
+    return result == 0 ? POLYGON_OVERLAPS : POLYGON_NO_MEMORY;
 }
 
 int polygon_triangulate(polygon *p, const double (*corner)[3], uint32_t n, uint32_t *to) {
@@ -205,6 +214,7 @@ int polygon_triangulate(polygon *p, const double (*corner)[3], uint32_t n, uint3
 
 void polygon_free(polygon *p) {
     free(p->point);
+    polygon_sweep_free(&p->sweep);
     polygon_ears_free(&p->ears);
     *p = (polygon){0};
 }

@@ -4,12 +4,14 @@
 #ifndef POLYGON_H
 #define POLYGON_H
 #include "host_tools/mesh/polygon_ears.h"
+#include "host_tools/mesh/polygon_sweep.h"
 
 /* Scratch that grows; zero-initialised; freed by polygon_free. */
 typedef struct polygon {
     double (*point)[2]; /* the outline in its plane, then what is outside of it */
     size_t room;
-    polygon_ears ears; /* its `work` counts what all faces took */
+    polygon_sweep sweep;
+    polygon_ears ears;
 } polygon;
 
 enum polygon_kind { POLYGON_FILLED, POLYGON_OVERLAPS, POLYGON_NO_MEMORY };
