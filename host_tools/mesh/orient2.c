@@ -60,3 +60,11 @@ double orient2(const double a[2], const double b[2], const double c[2]) {
     }
     return exact(a, b, c);
 }
+
+double orient2_noise(double noise, const double a[2], const double b[2], const double c[2]) {
+    double around = 6 * noise;
+    for (int k = 0; k < 2; k++) {
+        around += fabs(b[k] - a[k]) + fabs(c[k] - b[k]) + fabs(a[k] - c[k]);
+    }
+    return noise * around;
+}

@@ -1,7 +1,7 @@
 /* polygon - see polygon.h
  *
- * Simple outlines are swept. Others, which touch or cross themselves, are cut into
- * ears: with exact signs first. What rounding to single precision has made
+ * Simple outlines are swept. Those that touch themselves are cut into ears: with
+ * exact signs first. What rounding to single precision has made
  * cross itself by a hair is cut a second time with signs that leave noise alone.
  *
  * Triangles that all turn left cover every point as often as the outline winds
@@ -31,7 +31,7 @@ static void write_fan(uint32_t n, uint32_t *to) {
 
 /* 1: left, -1: right, 0: neither, within the noise. */
 static int turn(const double a[2], const double b[2], const double c[2], double noise) {
-    const double area = orient2(a, b, c), tolerance = polygon_tolerance(noise, a, b, c);
+    const double area = orient2(a, b, c), tolerance = orient2_noise(noise, a, b, c);
     return (area > tolerance) - (area < -tolerance);
 }
 
@@ -185,8 +185,8 @@ static int cut_twice(polygon *p, uint32_t n, double noise, uint32_t *to) {
 }
 
 static int triangulate_many(polygon *p, uint32_t n, double noise, uint32_t *to) {
-    int result = polygon_sweep_cut(&p->sweep, (const double(*)[2])p->point, n, to);
-    if (result == SWEEP_NOT_SIMPLE) {
+    int result = polygon_sweep_cut(&p->sweep, (const double(*)[2])p->point, n, noise, to);
+    if (result == SWEEP_TOUCHES) {
         result = cut_twice(p, n, noise, to);
     }
     if (result > 0) {

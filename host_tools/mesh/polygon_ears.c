@@ -7,7 +7,7 @@
  *
  * Outlines may touch themselves. Corners on the two old edges, or at the ear's
  * own tip, are in the way when the outline goes on inwards from there; corners on
- * the new edge never are. Cutting so keeps invariant that no point is enclosed
+ * the new edge never are. What is left then keeps that no point is enclosed
  * a negative number of times. What adds triangles without area is put off, except
  * at spikes and repeated corners, which leave no choice.
  * Source: G. H. Meisters, "Polygons Have Ears", 1975.
@@ -15,12 +15,11 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/polygon_ears.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "host_tools/mesh/orient2.h"
 
-static const uint64_t WORK_MIN = 1u << 22, WORK_PER_CORNER = 1024;
+static const uint64_t WORK_MIN = 1u << 22, WORK_PER_CORNER = 512;
 
 /* What may be cut besides spikes; each phase begins when the one before is stuck. */
 enum phase {
@@ -35,19 +34,11 @@ enum queue { SPIKES, OTHERS };
 
 enum kind { CONVEX, REFLEX, FLAT, SPIKE };
 
-double polygon_tolerance(double noise, const double a[2], const double b[2], const double c[2]) {
-    double around = 6 * noise;
-    for (int k = 0; k < 2; k++) {
-        around += fabs(b[k] - a[k]) + fabs(c[k] - b[k]) + fabs(a[k] - c[k]);
-    }
-    return noise * around;
-}
-
 /* 1: left, -1: right, 0: neither, within the noise. */
 static int turn(const polygon_ears *e, uint32_t a, uint32_t b, uint32_t c) {
     const double *p = e->point[a], *q = e->point[b], *r = e->point[c];
     const double area = orient2(p, q, r);
-    const double tolerance = polygon_tolerance(e->noise, p, q, r);
+    const double tolerance = orient2_noise(e->noise, p, q, r);
     return (area > tolerance) - (area < -tolerance);
 }
 

@@ -31,14 +31,10 @@ typedef struct polygon_ears {
 
 enum { EARS_NO_MEMORY = -1, EARS_LEFT = 0, EARS_ALL_CUT = 1 };
 
-/* How far a triangle may be turned the wrong way: its area, twice, when the coordinates
- * of its corners are only known to within `noise`. */
-double polygon_tolerance(double noise, const double a[2], const double b[2], const double c[2]);
-
 /* Cuts the outline of n >= 3 points into n - 2 triangles, none of them turned right by
- * more than polygon_tolerance. `to` receives them, corners in the outline's order, unless
+ * more than orient2_noise. `to` receives them, corners in the outline's order, unless
  * it is NULL. EARS_LEFT when that does not come out, or would take more than
- * 2^22 + 1024 n units of work. */
+ * 2^22 + 512 n units of work. */
 int polygon_ears_cut(polygon_ears *e, const double (*point)[2], uint32_t n, double noise,
                      uint32_t *to);
 void polygon_ears_free(polygon_ears *e);

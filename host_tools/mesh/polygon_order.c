@@ -83,6 +83,24 @@ void polygon_order_insert(polygon_order *o, uint32_t below, uint32_t edge) {
     splay(o, edge);
 }
 
+void polygon_order_replace(polygon_order *o, uint32_t old, uint32_t edge) {
+    const order_edge place = o->edge[old];
+    if (place.parent == ORDER_NONE) {
+        o->root = edge;
+    } else {
+        o->edge[place.parent].child[is_higher_child(o, old)] = edge;
+    }
+    o->edge[edge] = place;
+    adopt(o, edge, 0, place.child[0]);
+    adopt(o, edge, 1, place.child[1]);
+    if (place.below != ORDER_NONE) {
+        o->edge[place.below].above = edge;
+    }
+    if (place.above != ORDER_NONE) {
+        o->edge[place.above].below = edge;
+    }
+}
+
 void polygon_order_remove(polygon_order *o, uint32_t edge) {
     splay(o, edge);
     const order_edge gone = o->edge[edge];

@@ -29,6 +29,8 @@ uint32_t polygon_order_find(polygon_order *o, order_side *side, const void *cont
                             int *is_on);
 /* Puts `edge` right above `below`; ORDER_NONE: below all. */
 void polygon_order_insert(polygon_order *o, uint32_t below, uint32_t edge);
+/* Puts `edge` where `old` was. */
+void polygon_order_replace(polygon_order *o, uint32_t old, uint32_t edge);
 void polygon_order_remove(polygon_order *o, uint32_t edge);
 
 #endif

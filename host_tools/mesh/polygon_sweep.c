@@ -12,6 +12,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/polygon_sweep.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "host_tools/mesh/orient2.h"
@@ -45,17 +46,29 @@ static int side(const void *context, uint32_t edge, uint32_t point) {
     return has_inside_above(s, edge) ? turns : -turns;
 }
 
+/* Whether a b c clearly turns, beyond the noise. */
+static int is_clear(const polygon_sweep *s, uint32_t a, uint32_t b, uint32_t c) {
+    const double *p = s->point[a], *q = s->point[b], *r = s->point[c];
+    return fabs(orient2(p, q, r)) > orient2_noise(s->noise, p, q, r);
+}
+
+/* Whether c and d lie on different sides of a b, clearly. */
+static int is_between(const polygon_sweep *s, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+    return turn(s, a, b, c) * turn(s, a, b, d) < 0 && is_clear(s, a, b, c) && is_clear(s, a, b, d);
+}
+
 /* Whether two edges may be neighbours: they do not meet, except in the corner between. */
-static int can_be_neighbours(const polygon_sweep *s, uint32_t e, uint32_t f) {
+static int can_be_neighbours(polygon_sweep *s, uint32_t e, uint32_t f) {
     if (e == ORDER_NONE || f == ORDER_NONE || next_of(s, e) == f || next_of(s, f) == e) {
         return 1;
     }
     const uint32_t e_end = next_of(s, e), f_end = next_of(s, f);
+    s->crosses |= is_between(s, e, e_end, f, f_end) && is_between(s, f, f_end, e, e_end);
     return turn(s, e, e_end, f) * turn(s, e, e_end, f_end) > 0 ||
            turn(s, f, f_end, e) * turn(s, f, f_end, e_end) > 0;
 }
 
-static int fits(const polygon_sweep *s, uint32_t edge) {
+static int fits(polygon_sweep *s, uint32_t edge) {
     return can_be_neighbours(s, s->edge[edge].below, edge) &&
            can_be_neighbours(s, edge, s->edge[edge].above);
 }
@@ -108,10 +121,21 @@ static uint32_t see_downwards(polygon_sweep *s, uint32_t v, uint32_t link) {
 
 /* ---- corners; each returns 0 when the outline is not simple -------------- */
 
+/* A tip of the inside in a gap that is inside already, or of the outside in none: the
+ * outline overlaps, if only clearly so. */
+static int overlap(polygon_sweep *s, uint32_t v, uint32_t below) {
+    polygon_order_insert(&s->order, below, v);
+    const uint32_t above = s->edge[v].above;
+    s->crosses |= (below == ORDER_NONE || is_clear(s, below, next_of(s, below), v)) &&
+                  (above == ORDER_NONE || is_clear(s, above, next_of(s, above), v)) &&
+                  is_clear(s, before_of(s, v), v, next_of(s, v));
+    return 0;
+}
+
 /* Both edges go to the right, and v is a tip of the inside. */
 static int begin_gap(polygon_sweep *s, uint32_t v, uint32_t below) {
     if (below != ORDER_NONE && has_inside_above(s, below)) {
-        return 0;
+        return overlap(s, v, below);
     }
     const uint32_t link = new_link(s, v);
     s->gap[v] = (sweep_gap){link, link, link};
@@ -123,7 +147,7 @@ static int begin_gap(polygon_sweep *s, uint32_t v, uint32_t below) {
 /* Both edges go to the right, with the outside between them. */
 static int split_gap(polygon_sweep *s, uint32_t v, uint32_t below) {
     if (below == ORDER_NONE || !has_inside_above(s, below)) {
-        return 0;
+        return overlap(s, v, below);
     }
     const sweep_gap gap = s->gap[below];
     const uint32_t seen = gap.rightmost, twin = new_link(s, s->link[seen].corner);
@@ -180,8 +204,7 @@ static int go_on_below(polygon_sweep *s, uint32_t v) {
     const uint32_t link = new_link(s, v);
     join(s, link, see_upwards(s, v, gap.lowest));
     s->gap[v] = (sweep_gap){link, gap.highest, link};
-    polygon_order_insert(&s->order, old, v);
-    polygon_order_remove(&s->order, old);
+    polygon_order_replace(&s->order, old, v);
     return fits(s, v);
 }
 
@@ -195,8 +218,7 @@ static int go_on_above(polygon_sweep *s, uint32_t v) {
     const uint32_t link = new_link(s, v);
     join(s, see_downwards(s, v, gap.highest), link);
     s->gap[below] = (sweep_gap){gap.lowest, link, link};
-    polygon_order_insert(&s->order, v, new);
-    polygon_order_remove(&s->order, v);
+    polygon_order_replace(&s->order, v, new);
     return fits(s, new);
 }
 
@@ -281,12 +303,15 @@ static int sort_corners(polygon_sweep *s) {
     return 1;
 }
 
-int polygon_sweep_cut(polygon_sweep *s, const double (*point)[2], uint32_t n, uint32_t *to) {
+int polygon_sweep_cut(polygon_sweep *s, const double (*point)[2], uint32_t n, double noise,
+                      uint32_t *to) {
     if (reserve(s, n) != 0) {
         return SWEEP_NO_MEMORY;
     }
     s->point = point;
     s->n = n;
+    s->noise = noise;
+    s->crosses = 0;
     s->to = to;
     s->links = s->triangles = 0;
     s->order = (polygon_order){.edge = s->edge, .root = ORDER_NONE};
@@ -295,5 +320,8 @@ int polygon_sweep_cut(polygon_sweep *s, const double (*point)[2], uint32_t n, ui
         is_simple = pass(s, s->event[i].corner);
     }
     s->work += s->order.steps;
-    return is_simple && s->triangles == n - 2 ? SWEEP_FILLED : SWEEP_NOT_SIMPLE;
+    if (is_simple && s->triangles == n - 2) {
+        return SWEEP_FILLED;
+    }
+    return s->crosses ? SWEEP_CROSSES : SWEEP_TOUCHES;
 }

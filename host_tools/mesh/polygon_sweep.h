@@ -27,6 +27,8 @@ typedef struct sweep_gap {
 typedef struct polygon_sweep {
     const double (*point)[2];
     uint32_t n;
+    double noise;
+    int crosses;
     sweep_event *event;
     order_edge *edge; /* edge i goes from corner i to the next */
     sweep_gap *gap;   /* of edges that have the inside above them */
@@ -37,12 +39,14 @@ typedef struct polygon_sweep {
     uint64_t work; /* steps of all searches, of all calls */
 } polygon_sweep;
 
-enum { SWEEP_NO_MEMORY = -1, SWEEP_NOT_SIMPLE = 0, SWEEP_FILLED = 1 };
+enum { SWEEP_NO_MEMORY = -1, SWEEP_CROSSES = 0, SWEEP_FILLED = 1, SWEEP_TOUCHES = 2 };
 
 /* Triangulates an outline of n >= 3 points that turns left. It must not touch itself: then
  * `to` holds n - 2 triangles that turn left, none without area. Otherwise that is noticed,
- * and what `to` holds is worthless. O(n log n). */
-int polygon_sweep_cut(polygon_sweep *s, const double (*point)[2], uint32_t n, uint32_t *to);
+ * and what `to` holds is worthless: SWEEP_CROSSES if it overlaps itself by more than
+ * coordinates known to within `noise` can do by chance, or SWEEP_TOUCHES. O(n log n). */
+int polygon_sweep_cut(polygon_sweep *s, const double (*point)[2], uint32_t n, double noise,
+                      uint32_t *to);
 void polygon_sweep_free(polygon_sweep *s);
 
 #endif

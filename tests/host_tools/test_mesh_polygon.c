@@ -673,6 +673,116 @@ static void test_random(void) {
     CHECK(filled > 20000, "%d", filled);
 }
 
+/* ---- many corners ------------------------------------------------------ */
+
+typedef struct big {
+    double (*corner)[3];
+    uint32_t n, *to;
+    double angle; /* it is drawn at, of a plane that rises */
+} big;
+
+static void put_big(big *b, double x, double y) {
+    double *p = b->corner[b->n++];
+    p[0] = (double)(float)(x * cos(b->angle) - y * sin(b->angle));
+    p[1] = (double)(float)(x * sin(b->angle) + y * cos(b->angle));
+    p[2] = (double)(float)(0.25 * p[0]);
+}
+
+static void big_comb(big *b, uint32_t n) {
+    put_big(b, 0, 0);
+    put_big(b, 1, 0);
+    for (uint32_t i = n / 2; i > 0; i--) {
+        put_big(b, 2.0 * i / n, 0.2 + 0.1 * chance());
+        put_big(b, 2.0 * (i - 0.5) / n, 0.9 + 0.1 * chance());
+    }
+    put_big(b, 0, 0.2);
+}
+
+static void big_spiral(big *b, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) {
+        const double along = 2000.0 * (i < n / 2 ? i : n - 1 - i) / n;
+        const double r = along + (i < n / 2 ? 4 : 1);
+        put_big(b, r * cos(along), r * sin(along));
+    }
+}
+
+static void big_star(big *b, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) {
+        const double angle = 2 * 3.14159265358979 * i / n, r = 0.1 + chance();
+        put_big(b, r * cos(angle), r * sin(angle));
+    }
+}
+
+static void big_hole(big *b, uint32_t n) {
+    put_big(b, 0, 0);
+    put_big(b, 9, 0);
+    put_big(b, 9, 9);
+    put_big(b, 0, 9);
+    put_big(b, 0, 0);
+    for (uint32_t i = 0; i <= n; i++) {
+        const double angle = 2 * 3.14159265358979 * (i % n) / n;
+        put_big(b, 5 - 2 * cos(angle), 5 + 2 * sin(angle));
+    }
+}
+
+static void big_tangle(big *b, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) {
+        put_big(b, chance(), chance());
+    }
+}
+
+/* Steps per corner. */
+static double expect_big(void (*draw_big)(big *, uint32_t), uint32_t n, double angle, int kind) {
+    big b = {.angle = angle};
+    b.corner = malloc((n + 6) * sizeof *b.corner);
+    b.to = malloc(3 * (size_t)(n + 6) * sizeof *b.to);
+    polygon p = {0};
+    double steps = 0;
+    if (b.corner && b.to) {
+        draw_big(&b, n);
+        const int got = polygon_triangulate(&p, (const double(*)[3])b.corner, b.n, b.to);
+        CHECK(got == kind, "%u corners: %d", b.n, got);
+        steps = (double)(p.sweep.work + p.ears.work) / b.n;
+    }
+    polygon_free(&p);
+    free(b.corner);
+    free(b.to);
+    return steps;
+}
+
+static void test_big(void) {
+    test("a hundred thousand and a million corners take tens of steps each");
+    for (int i = 0; i < 4; i++) {
+        const uint32_t n = i < 3 ? 100000 : 1000000;
+        CHECK(expect_big(big_comb, n, i, POLYGON_FILLED) < 60, "comb");
+        CHECK(expect_big(big_star, n, i, POLYGON_FILLED) < 60, "star");
+        CHECK(expect_big(big_spiral, n, i, POLYGON_FILLED) < 60, "spiral");
+    }
+    test("a bridged hole of a hundred thousand takes hundreds, and a tangle is seen at once");
+    CHECK(expect_big(big_hole, 100000, 0, POLYGON_FILLED) < 600, "hole");
+    CHECK(expect_big(big_hole, 100000, 1, POLYGON_FILLED) < 600, "hole");
+    CHECK(expect_big(big_tangle, 100000, 0, POLYGON_OVERLAPS) < 60, "tangle");
+}
+
+static void test_extremes(void) {
+    test("sizes from 1e-30 to 1e12 are filled");
+    for (int exponent = -30; exponent <= 11; exponent++) {
+        for (int which = 0; which < DRAWINGS; which++) {
+            const placing p = somewhere(pow(10, exponent), 0);
+            const drawing d = drawing_of(which);
+            expect_filled(&d, &p);
+        }
+    }
+    test("the side of a line is exact");
+    for (int i = 0; i < 10000; i++) {
+        const int64_t x = below(1u << 30), y = below(1u << 30), k = 1 + below(1u << 20);
+        const point a = {0, 0}, b = {(double)x, (double)y};
+        const point on = {(double)(x * k), (double)(y * k)}, up = {on[0], on[1] + 1};
+        CHECK(orient2(a, b, on) == 0, "%lld %lld", (long long)x, (long long)y);
+        CHECK((orient2(a, b, up) > 0) == (x > 0) && orient2(b, a, up) <= 0, "%lld", (long long)x);
+    }
+}
+
 int main(void) {
     test_drawings();
     test_inserted();
@@ -680,6 +790,8 @@ int main(void) {
     test_convex();
     test_overlaps();
     test_random();
+    test_extremes();
+    test_big();
     polygon_free(&scratch);
     return test_done();
 }
