@@ -23,10 +23,11 @@ enum polygon_kind { POLYGON_FILLED, POLYGON_OVERLAPS, POLYGON_NO_MEMORY };
  * repeated or collinear corners. What single precision cannot tell from convex is.
  * Otherwise triangles that fill it without overlap, also where it touches itself, as a
  * hole does that is joined by an edge there and back.
- * POLYGON_OVERLAPS and the fan if it crosses itself or winds around twice.
+ * POLYGON_OVERLAPS and the fan if it crosses itself or winds around twice;
+ * POLYGON_NO_MEMORY and the fan if memory is out.
  *
  * Simple outlines take O(n log n). Those that touch themselves take about that, and are
- * given up as POLYGON_OVERLAPS beyond 2^24 + 2^11 n steps. About 300 bytes per corner.
+ * given up as POLYGON_OVERLAPS beyond 2^27 + 2^11 n steps. About 300 bytes per corner.
  * Corners are finite and within 2^41. The result is the same on every machine. */
 int polygon_triangulate(polygon *p, const double (*corner)[3], uint32_t n, uint32_t *to);
 void polygon_free(polygon *p);

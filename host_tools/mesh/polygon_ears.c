@@ -7,8 +7,8 @@
  *
  * Outlines may touch themselves. Corners on the two old edges, or at the ear's
  * own tip, are in the way when the outline goes on inwards from there; corners on
- * the new edge never are. What is left then keeps that no point is enclosed
- * a negative number of times. What adds triangles without area is put off, except
+ * the new edge never are. Cut like this, what is left never encloses a point a
+ * negative number of times. What adds triangles without area is put off, except
  * at spikes and repeated corners, which leave no choice.
  * Source: G. H. Meisters, "Polygons Have Ears", 1975.
  *
@@ -19,7 +19,7 @@
 
 #include "host_tools/mesh/orient2.h"
 
-static const uint64_t WORK_MIN = 1u << 22, WORK_PER_CORNER = 512;
+static const uint64_t WORK_MIN = 1u << 25, WORK_PER_CORNER = 512;
 
 /* What may be cut besides spikes; each phase begins when the one before is stuck. */
 enum phase {

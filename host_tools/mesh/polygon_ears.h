@@ -34,7 +34,7 @@ enum { EARS_NO_MEMORY = -1, EARS_LEFT = 0, EARS_ALL_CUT = 1 };
 /* Cuts the outline of n >= 3 points into n - 2 triangles, none of them turned right by
  * more than orient2_noise. `to` receives them, corners in the outline's order, unless
  * it is NULL. EARS_LEFT when that does not come out, or would take more than
- * 2^22 + 512 n units of work. */
+ * 2^25 + 512 n steps. */
 int polygon_ears_cut(polygon_ears *e, const double (*point)[2], uint32_t n, double noise,
                      uint32_t *to);
 void polygon_ears_free(polygon_ears *e);
