@@ -54,8 +54,10 @@ int host_scene_map(host_scene *scene, const char *path) {
     }
     void *map = mmap(NULL, scene->source.bytes, PROT_READ, MAP_PRIVATE, scene->file, 0);
     if (map == MAP_FAILED) {
-        return fail_with(scene, strerror(errno),
-                         "the file system cannot map it; copy it elsewhere");
+        const int error = errno;
+        return fail_with(scene, strerror(error),
+                         error == ENOMEM ? "no room to map it; use --source read"
+                                         : "the file system cannot map it; use --source read");
     }
     scene->source.mapped = map;
     return 0;

@@ -124,7 +124,7 @@ int args_parse(args *a, const char *program, const arg_command *command, int arg
     a->command = command;
     a->file = malloc((size_t)(argc + 1) * sizeof *a->file);
     if (a->file == NULL) {
-        args_complain(a, "out of memory");
+        fprintf(stderr, "%s %s: out of memory; close other programs\n", program, command->name);
         return 1;
     }
     int files_only = 0; /* after a "--" */

@@ -70,10 +70,13 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         return fail_set(f, name, "byte %" PRIu32 ": %s; is the file still whole?", fault->offset,
                         fault->message);
     case PLT_ERR_LIMIT:
-        return fail_set(f, name, "%s; build with a larger one (engine/planelet_config.h)",
+        return fail_set(f, name,
+                        s->options.order == PLT_ORDER_TWO_STAGE
+                            ? "%s; use --walk depth, or build with a larger one"
+                            : "%s; build with a larger one (engine/planelet_config.h)",
                         fault->message);
     default:
-        return fail_set(f, name, "%s; see --help for the ranges", fault->message);
+        return fail_set(f, name, "%s; leave out --walk two-stage", fault->message);
     }
 }
 

@@ -159,7 +159,7 @@ static int open_target(output *o, fail *f) {
         return open_existing(o, &existing, f);
     }
     if (o->target[strlen(o->target) - 1] == '/') {
-        return fail_set(f, o->name, "is the name of a directory; name a file in it");
+        return fail_set(f, o->name, "there is no such directory; create it and name a file in it");
     }
     return open_beside(o, NULL, f);
 }

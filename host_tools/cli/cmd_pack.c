@@ -107,7 +107,7 @@ static void say_what_was_lost(const pack_job *job, const char *name) {
             job->compact.build == PLT_BUILD_DEVICE ? "; primitive ids are positions in the image"
                                                    : "",
             l->flat_now > 0 && l->bits < PLT_LATTICE_BITS_MOST
-                ? "; try --geometry lattice:21 to keep them"
+                ? "; --geometry lattice:21 keeps more of them, --geometry float all"
                 : "");
 }
 

@@ -13,9 +13,9 @@
 #include "host_tools/pack/lattice_mend.h"
 
 static lattice_position snap(const snapped *s, const float p[3]) {
-    const uint32_t most = (1u << s->lattice.bits) - 1u;
     lattice_position r;
     for (int a = 0; a < 3; a++) {
+        const uint32_t most = lattice_most(s, a);
         const double q = floor(lattice_steps(s, p, a) + 0.5);
         r.q[a] = q > (double)most ? most : (uint32_t)q;
     }

@@ -27,7 +27,6 @@ enum lattice_state lattice_state_of(const lattice_moving *d, size_t triangle, ui
 }
 
 void lattice_targets(const lattice_moving *d, uint32_t vertex, lattice_target target[8]) {
-    const uint32_t most = (1u << d->s->lattice.bits) - 1u;
     for (unsigned c = 0; c < 8; c++) {
         lattice_target *t = &target[c];
         *t = (lattice_target){.far2 = 0.0};
@@ -35,7 +34,8 @@ void lattice_targets(const lattice_moving *d, uint32_t vertex, lattice_target ta
             const double x = lattice_steps(d->s, d->m->vertex + 3 * (size_t)vertex, a);
             const double q = floor(x) + (double)(c >> a & 1u);
             t->at.q[a] = (uint32_t)q;
-            t->far2 = q <= (double)most ? t->far2 + (x - q) * (x - q) : (double)INFINITY;
+            t->far2 =
+                q <= (double)lattice_most(d->s, a) ? t->far2 + (x - q) * (x - q) : (double)INFINITY;
         }
     }
 }

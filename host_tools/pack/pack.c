@@ -98,9 +98,11 @@ static int build(packing *p, fail *f) {
     const int status = plt_build(&job);
     free(job.scratch);
     if (status != PLT_OK) {
-        return fail_set(f, p->name,
-                        "%zu triangles need more than %d levels; raise PLT_DEPTH_MAX or --leaf",
-                        p->m->triangles, PLT_DEPTH_MAX);
+        return fail_set(
+            f, p->name,
+            "%zu triangles need more than %d levels; use a larger --leaf, or build with a "
+            "larger PLT_DEPTH_MAX",
+            p->m->triangles, PLT_DEPTH_MAX);
     }
     info->node_slots = job.node_slots;
     p->header.root = job.root;

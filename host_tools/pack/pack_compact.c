@@ -51,6 +51,18 @@ static uint16_t *mesh_indices(const compacting *c) {
     return of;
 }
 
+static int over_limit(const compacting *c, const plt_blocks_job *job, fail *f) {
+    if (job->limit == PLT_BLOCKS_LIMIT_DEPTH) {
+        return fail_set(
+            f, c->name,
+            "%u triangles need more than %d levels; use a larger --leaf, or build with a "
+            "larger PLT_DEPTH_MAX",
+            c->s.count, PLT_DEPTH_MAX);
+    }
+    return fail_set(f, c->name, "%u triangles: %s; use --nodes thesis", c->s.count,
+                    plt_blocks_limit_message(job));
+}
+
 static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
     /* Worst case: nine corners of `bits` bits, references and a node each. */
     job->bytes = ((size_t)c->s.count * 40 + 65536) & ~(size_t)7;
@@ -67,10 +79,7 @@ static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
         status = plt_blocks_step(job);
     }
     if (status != PLT_OK) {
-        return fail_set(f, c->name,
-                        "%u triangles need more than %d levels or 128 MiB; raise PLT_DEPTH_MAX or "
-                        "--leaf, or use --nodes thesis",
-                        c->s.count, PLT_DEPTH_MAX);
+        return over_limit(c, job, f);
     }
     return 0;
 }

@@ -7,6 +7,7 @@
 
 #include "engine/base/box.h"
 #include "engine/base/lattice.h"
+#include "engine/planelet_config.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/lattice.h"
@@ -47,6 +48,19 @@ typedef struct lattice_position {
 /* A coordinate of the mesh in steps from the origin, not rounded. */
 static inline double lattice_steps(const snapped *s, const float p[3], int axis) {
     return ((double)p[axis] - (double)s->lattice.origin[axis]) / (double)s->lattice.step;
+}
+
+/* The greatest number of steps along an axis: of the lattice, and within the coordinates of
+ * the engine. Every number up to it is good. */
+static inline uint32_t lattice_most(const snapped *s, int axis) {
+    uint32_t most = (1u << s->lattice.bits) - 1u;
+    while (most > 0 && plt_lattice_float(&s->lattice, axis, most) > PLT_COORD_MAX) {
+        const double over =
+            (double)plt_lattice_float(&s->lattice, axis, most) - (double)PLT_COORD_MAX;
+        const double back = over / (double)s->lattice.step;
+        most = back < (double)most ? most - (uint32_t)back - (back < 1) : 0;
+    }
+    return most;
 }
 
 /* Empty, with the lattice for the mesh, and room for `positions` per triangle: 3, corners of

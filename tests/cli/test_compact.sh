@@ -269,6 +269,16 @@ for command in "render knot.plt -o x.png" "trace knot.plt ray hit"; do
         ls x.png hit 2>/dev/null)"
 done
 
+# ---- coordinates at the limit ------------------------------------------------------------
+
+printf 'v 1099511627776 0 0\nv -1099511627776 0 0\nv 0 10 1099511627776\nf 1 2 3\n' >limit.obj
+for bits in 12 13 14 15 16 17 18 19 20 21; do
+    for step in auto power; do
+        run pack limit.obj -o limit.plt --nodes compact --geometry lattice:$bits --step $step
+        works "corners at 2^40 stay within it on $bits bits, step $step" info limit.plt
+    done
+done
+
 # ---- the smallest scenes, determinism -------------------------------------------------
 
 sed '/^3 0 2/d; s/face 2/face 1/' quad.ply >one.ply
