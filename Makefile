@@ -25,7 +25,7 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
-        against sanitize tiny scalar fuzz run profile clean help FORCE
+        against sanitize tiny scalar fuzz exporters run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -155,6 +155,10 @@ compact: all $(OUT)/tests/engine/test_compact_topology
 against: all
 	@BUILD='$(BUILD)' PLANELET='$(PLANELET)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= \
 	    sh tests/measure/against.sh "$(BASE)" "$(SCENES)" "$(PEER)"
+
+##test exporters: what other programs write, read here and by a parser in Python (EXPORTERS=)
+exporters: all
+	@BUILD='$(BUILD)' PLANELET='$(PLANELET)' sh tests/exporters/exporters.sh $(EXPORTERS)
 
 ##keep clean: removes build/
 clean:
