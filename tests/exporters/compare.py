@@ -6,7 +6,8 @@ bits at the same corners in the same order. A polygon of n corners shall become 
 of its own corners which cover it: each side of the outline once and in its direction, every
 other side twice and there and back, and the areas, seen along its normal, none the other way
 round and in sum the polygon's. A file that the parser refuses planelet shall refuse, too, and
-one without faces, and one with a coordinate that is not finite or beyond 2^40.
+one without faces, and one with a coordinate that is not finite or beyond 2^40. What it
+leaves out or misses in a file that it reads it shall say.
 
 SPDX-License-Identifier: MIT
 """
@@ -120,13 +121,17 @@ def file_difference(planelet, path):
     corners = max(map(len, mesh.polygons), default=0)
     what = f"{len(mesh.polygons)} faces of up to {corners} corners{short}"
     if not mesh.polygons:
-        return None if status == 1 else f"status {status} for a mesh without faces", what
+        vertices = str(len(mesh.positions))
+        right = status == 1 and vertices in said
+        return None if right else f"status {status} for {vertices} vertices, no faces: {said}", what
     if not all(abs(value_of(word)) <= FARTHEST for corner in mesh.positions for word in corner):
         return None if status == 1 else f"status {status} for a coordinate beyond 2^40", what
     if status != 0:
         return f"refused: {said}", what
-    if mesh.short and not said:
-        return f"no word about {mesh.short} faces of fewer than 3 corners", what
+    if mesh.short and str(mesh.short) not in said:
+        return f"no word about {mesh.short} faces of fewer than 3 corners: {said}", what
+    if not mesh.is_ended and "endsolid" not in said:
+        return f"no word about the missing endsolid: {said}", what
     return mesh_difference(mesh, image.triangles(made)), what
 
 

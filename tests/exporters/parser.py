@@ -30,6 +30,7 @@ class Mesh:
         self.positions = []
         self.polygons = []
         self.short = 0  # polygons of fewer than three corners
+        self.is_ended = True  # false for an ASCII STL without endsolid
 
     def add(self, corners):
         if len(corners) < 3:
@@ -228,6 +229,8 @@ def read_ascii_stl(data):
             raise Refused(f"'{words[0]}'")
     if corners:
         raise Refused("ends inside a loop")
+    last = data.rstrip().rsplit(b"\n", 1)[-1]
+    mesh.is_ended = last.strip().lower().startswith(b"endsolid")
     return mesh
 
 
