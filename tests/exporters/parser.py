@@ -197,15 +197,16 @@ def add_loop(mesh, corners):
 
 
 def read_binary_stl(data):
-    """Where the count and the size disagree, the size counts."""
+    """Where the count and the size disagree, the size counts; one program writes all of it
+    big-endian."""
     whole, rest = divmod(len(data) - 84, 50)
     if rest:
         raise Refused(f"{rest} bytes of a triangle")
-    if struct.unpack_from("<I", data, 80)[0] != whole == struct.unpack_from(">I", data, 80)[0]:
-        raise Refused("big-endian")
+    little, big = struct.unpack_from("<I", data, 80)[0], struct.unpack_from(">I", data, 80)[0]
+    order = ">" if little != whole == big else "<"
     mesh = Mesh()
     for at in range(84, len(data), 50):
-        words = struct.unpack_from("<12xIIIIIIIII", data, at)
+        words = struct.unpack_from(order + "12xIIIIIIIII", data, at)
         add_loop(mesh, [words[0:3], words[3:6], words[6:9]])
     return mesh
 

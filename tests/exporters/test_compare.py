@@ -50,15 +50,8 @@ class Checks:
 
 
 def binary_stl(count, order):
-    return b" " * 80 + struct.pack(order + "I", count) + bytes(50) * 3
-
-
-def refused(data):
-    try:
-        parser.read_stl(data)
-    except parser.Refused:
-        return True
-    return False
+    facet = struct.pack(order + "12f", *range(12)) + b"\0\0"
+    return b" " * 80 + struct.pack(order + "I", count) + facet * 3
 
 
 def half_way():
@@ -84,7 +77,8 @@ def main():
     check("a decimal is rounded once", half_way())
     long = parser.read_stl(binary_stl(9, "<"))
     check("the size of an STL counts", len(long.polygons) == 3)
-    check("a big-endian STL is refused", refused(binary_stl(3, ">")))
+    swapped = parser.read_stl(binary_stl(3, ">"))
+    check("a big-endian STL is turned round", swapped.positions == long.positions)
     print(f"compare: {check.passed} passed, {check.failed} failed")
     return 1 if check.failed else 0
 
