@@ -7,9 +7,9 @@
 
 #include "host_tools/app/phase.h"
 #include "host_tools/cli/pack_lines.h"
+#include "host_tools/mesh/extent.h"
 #include "host_tools/mesh/open_edges.h"
 #include "host_tools/mesh/reduce.h"
-#include "host_tools/mesh/extent.h"
 
 static int out_of_memory(const char *path, fail *f) {
     return fail_set(f, path, "out of memory; use a larger machine");

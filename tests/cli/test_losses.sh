@@ -111,7 +111,7 @@ refused "an origin too far away" utm.obj "beyond" pack utm.obj -o x.plt --origin
 printf 'utm.obj 10 0 0 0\n' >far.txt
 run pack far.txt -o far.plt
 verdict "a recipe of such a mesh gets a line, too" "$(
-    grep -q '^far.txt: single precision moved corners by up to .*; use pack --centre to place' err ||
+    grep -q '^far.txt: single precision moved corners by .*; use pack --centre to place' err ||
         cat err)"
 run pack far.txt -o far.plt --centre
 verdict "... and --centre places it first" "$(grep single err)"
