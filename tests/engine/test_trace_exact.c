@@ -35,6 +35,23 @@ static int side_of(const question *x, int power, int dir_power) {
     return side;
 }
 
+/* The integers know the side always, and the value to a few roundings. */
+static void ask_integers(const question *x, int power, int dir_power, wide due) {
+    float p[3], q[3], org[3], dir[3];
+    to_floats(x->p, power, p);
+    to_floats(x->q, power, q);
+    to_floats(x->org, power, org);
+    to_floats(x->dir, dir_power, dir);
+    const plt_scaled v = plt_edge_value(p, q, org, dir);
+    const double value = ldexp((double)v.mantissa, v.exponent - 2 * power - dir_power);
+    CHECK(fabs(value - (double)due) <= 0x1p-23 * fabs((double)due) &&
+              (v.mantissa > 0.0f) == (due > 0) && (v.mantissa < 0.0f) == (due < 0),
+          "%a, not %a", value, (double)due);
+    CHECK(v.mantissa == 0.0f || (fabsf(v.mantissa) >= 1.0f && fabsf(v.mantissa) <= 2.0f),
+          "mantissa %a", (double)v.mantissa);
+    CHECK(plt_scaled_float(v, -2 * power - dir_power) == (float)value, "another float");
+}
+
 static wide size(wide x) {
     return x < 0 ? -x : x;
 }
@@ -97,13 +114,14 @@ static void ask(const question *x, int power, int dir_power) {
     } else {
         CHECK(side == 0 || side == due, "side %d, not %d or 0", side, due);
     }
+    ask_integers(x, power, dir_power, value);
     on += side == 0;
     off += side != 0;
 }
 
 int main(void) {
     random_state r = {3};
-    test("a side is never wrong, and is decided when farther than 2^-41");
+    test("a side is never wrong, pairs decide it when farther than 2^-41, and integers always");
     for (int i = 0; i < 400000; i++) {
         const question x = i % 2 ? random_question(&r) : close_question(&r);
         ask(&x, 0, 0);
