@@ -5,8 +5,9 @@
  * is off by at most 3 u of itself, on each of two axes that are compared. So
  * e = 16 u R, or 4 u |org| where that is more so that the sum does not round
  * away; at least 12 u R of it are left, and a box that a ray meets is never
- * missed. The idea is Woop, Benthin and Wald, "Watertight
- * ray/triangle intersection", 2013, section 5.
+ * missed. R is made at least 2^-50: what rounding takes from subnormal numbers is far less
+ * than 16 u of that, and triangle.c's bounds hold too. The idea is Woop, Benthin and Wald,
+ * "Watertight ray/triangle intersection", 2013, section 5.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/packet.h"
@@ -16,6 +17,7 @@
 #define BOX_ERROR 9.5367431640625e-7f       /* 16 u = 2^-20 */
 #define ORIGIN_ERROR 2.384185791015625e-7f  /* 4 u = 2^-22 */
 #define CLOSE_ERROR 1.1368683772161603e-12f /* 320 u^2 */
+#define REACH_LEAST 8.8817841970012523e-16f /* 2^-50 */
 #define REACH_ROUNDING 1.000001f            /* the differences were rounded */
 
 static f4 largest_of(const f4 a[3]) {
@@ -46,7 +48,7 @@ static void set_reciprocals(plt_group_slabs *s, const f4 dir[3]) {
 
 static void set_origins(plt_group_slabs *s, plt_group_rays *g, const plt_box *scene,
                         const f4 org[3], const f4 dir[3]) {
-    f4 reach = f4_zero();
+    f4 reach = f4_all(REACH_LEAST);
     for (int a = 0; a < 3; a++) {
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->hi[a]), org[a])), reach);

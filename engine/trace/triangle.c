@@ -9,16 +9,28 @@
  *                              X <= 2 R, at most 32 u R X + 128 u^2 R^2
  * Rays that meet the triangle have X <= 2 L + 6 u R, L being the longest side
  * of the triangle's box, so their edge functions are no further on the wrong
- * side than 64 u R L + 264 u^2 R^2; what exact.h counts as on the edge adds at
- * most 384 u^2 R L. All beyond 72 u R L + 320 u^2 R^2 needs no second look.
+ * side than 64 u R L + 264 u^2 R^2. All beyond 72 u R L + 320 u^2 R^2 needs no
+ * second look. R is at least 2^-50 (packet.c), so that what underflows is less
+ * than the rest of these bounds, in scenes of any size.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/triangle.h"
 
 #include "engine/trace/exact.h"
 
-#define U 5.9604644775390625e-8f     /* 2^-24 */
-#define MISS_MARGIN 3.0517578125e-5f /* 2^-15; frustum.c relies on it */
+#define U 5.9604644775390625e-8f             /* 2^-24 */
+#define MISS_MARGIN 3.0517578125e-5f         /* 2^-15 */
+#define SLIVER 9.765625e-4f                  /* 2^-10: a sliver, by the sine of its first angle */
+#define NORMAL_LEAST 1.0842021724855044e-19f /* 2^-63: below, its products may underflow ... */
+#define NORMAL_SCALE 1.2089258196146292e24f  /* ... and with this, 2^80, they do not */
+
+/* Before functions for the few rays that single precision cannot decide: inlined, they take
+ * registers from all the others, some 20 instructions per call on x86-64. */
+#ifdef __GNUC__
+#define RARELY __attribute__((noinline)) static
+#else
+#define RARELY static
+#endif
 
 /* Of axes, and of corners. */
 static const uint8_t axis_after[3] = {1, 2, 0};
@@ -41,12 +53,21 @@ typedef struct edges {
     f4 x[3], y[3];  /* sheared corners */
 } edges;
 
+static void cross3(const float a[3], const float b[3], float to[3]) {
+    to[0] = a[1] * b[2] - a[2] * b[1];
+    to[1] = a[2] * b[0] - a[0] * b[2];
+    to[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 static void normal_of(const float c[3][3], float normal[3]) {
-    const float x1 = c[1][0] - c[0][0], y1 = c[1][1] - c[0][1], z1 = c[1][2] - c[0][2];
-    const float x2 = c[2][0] - c[0][0], y2 = c[2][1] - c[0][1], z2 = c[2][2] - c[0][2];
-    normal[0] = y1 * z2 - z1 * y2;
-    normal[1] = z1 * x2 - x1 * z2;
-    normal[2] = x1 * y2 - y1 * x2;
+    const float first[3] = {c[1][0] - c[0][0], c[1][1] - c[0][1], c[1][2] - c[0][2]};
+    const float second[3] = {c[2][0] - c[0][0], c[2][1] - c[0][1], c[2][2] - c[0][2]};
+    cross3(first, second, normal);
+}
+
+static int is_below(const float v[3], float limit) {
+    return __builtin_fabsf(v[0]) < limit && __builtin_fabsf(v[1]) < limit &&
+           __builtin_fabsf(v[2]) < limit;
 }
 
 static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
@@ -110,38 +131,77 @@ static inline unsigned may_cover(const prepared *t, const plt_group_rays *g, con
     return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
 }
 
-/* The side of one edge for a ray whose edge function is too close to 0 to say:
- * weight[c] belongs to the edge from corner c + 2 to corner c + 1, seen along z. */
-static int exact_side(const prepared *t, const plt_group_rays *g, int z, unsigned lane, int c) {
-    const float org[3] = {g->org[0][lane], g->org[1][lane], g->org[2][lane]};
-    const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
-    const float(*corner)[3] = t->triangle->corner;
-    const int side =
-        plt_edge_side(corner[axis_after[axis_after[c]]], corner[axis_after[c]], org, dir);
-    return dir[z] < 0.0f ? -side : side;
+/* A ray, out of its group. */
+typedef struct single {
+    float org[3], dir[3];
+} single;
+
+static single single_of(const plt_group_rays *g, unsigned lane) {
+    const single ray = {{g->org[0][lane], g->org[1][lane], g->org[2][lane]},
+                        {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]}};
+    return ray;
 }
 
-/* Does the ray meet the triangle? Never wrong: an edge function larger than its error
- * bound is relied on, the others are computed anew. */
-static int meets_exactly(const prepared *t, const plt_group_rays *g, const edges *e, int z,
-                         const float error[4], unsigned lane) {
-    int positive = 0, negative = 0;
+/* weight[c] belongs to the edge from corner c + 2 to corner c + 1. */
+static const float *edge_from(const plt_triangle *t, int c) {
+    return t->corner[axis_after[axis_after[c]]];
+}
+
+static const float *edge_to(const plt_triangle *t, int c) {
+    return t->corner[axis_after[c]];
+}
+
+/* Lanes that are hit, and of these those that need integers: to be sure, or because their
+ * edge functions are not good enough for u and v. */
+typedef struct verdict {
+    uint8_t hits, undecided, coarse;
+} verdict;
+
+static int has_one_sign(const int side[3]) {
+    const int positive = side[0] > 0 || side[1] > 0 || side[2] > 0;
+    const int negative = side[0] < 0 || side[1] < 0 || side[2] < 0;
+    return positive != negative; /* all zero: the ray runs in the triangle's plane */
+}
+
+/* An edge function's side: as its sign says, or within its error as pairs of floats say. */
+static int side_of(const prepared *t, const single *ray, int z, int c, float weight, float error) {
+    if (__builtin_fabsf(weight) > error) {
+        return weight > 0.0f ? 1 : -1;
+    }
+    const int side =
+        plt_edge_side(edge_from(t->triangle, c), edge_to(t->triangle, c), ray->org, ray->dir);
+    return ray->dir[z] < 0.0f ? -side : side; /* as seen along z */
+}
+
+/* Does the ray meet the triangle? Never wrong, but for the edges that pairs leave open. Edge
+ * functions are coarse if none is above a quarter of its error, or if u + v could get above
+ * 1 + 1/14: one has the wrong sign, and none is sixteen times its error. */
+static void meet_by_pairs(const prepared *t, const plt_group_rays *g, const edges *e, int z,
+                          float error, unsigned lane, verdict *v) {
+    const single ray = single_of(g, lane);
+    unsigned sides = 0; /* 1: positive, 2: zero, 4: negative */
+    float least = 0.0f, most = 0.0f;
     for (int c = 0; c < 3; c++) {
         float weight[4];
         f4_store(weight, e->weight[c]);
-        int side = weight[lane] > 0.0f ? 1 : -1;
-        if (weight[lane] <= error[lane] && weight[lane] >= -error[lane]) {
-            side = exact_side(t, g, z, lane, c);
-        }
-        positive |= side > 0;
-        negative |= side < 0;
+        const int side = side_of(t, &ray, z, c, weight[lane], error);
+        sides |= 1u << (1 - side);
+        least = weight[lane] < least ? weight[lane] : least;
+        most = weight[lane] > most ? weight[lane] : most;
     }
-    return positive != negative; /* one sign only; all zero is edge-on */
+    if ((sides & 5u) == 5u) {
+        return;
+    }
+    const float size = most > -least ? most : -least, astray = sides & 1u ? -least : most;
+    const int coarse = size <= 0.25f * error || (astray > 0.0f && size <= 16.0f * error);
+    v->hits |= (uint8_t)(1u << lane);
+    v->undecided |= (uint8_t)((sides >> 1 & 1u) << lane);
+    v->coarse |= (uint8_t)((unsigned)coarse << lane);
 }
 
 /* Lanes that all three corners lie on one side of, seen along the axis, by more than
  * any rounding. A triangle seen edge-on has all edge functions close to 0 in every
- * ray of its plane, however far beside. */
+ * ray of its plane, however far beside: this spares the integers. */
 static m4 clearly_missed(const edges *e, f4 reach) {
     const f4 far = f4_mul(reach, f4_all(MISS_MARGIN)), minus_far = f4_neg(far);
     m4 any = f4_lt(far, f4_min(f4_min(e->x[0], e->x[1]), e->x[2]));
@@ -150,26 +210,62 @@ static m4 clearly_missed(const edges *e, f4 reach) {
     return m4_or(any, f4_lt(larger3(e->y[0], e->y[1], e->y[2]), minus_far));
 }
 
-/* Of the lanes that may be covered those that are. */
-static m4 covered(const prepared *t, const plt_group_rays *g, const edges *e, int z,
-                  m4 candidates) {
+/* Of the lanes that may be covered those that are, as far as pairs of floats can say. */
+static verdict covered(const prepared *t, const plt_group_rays *g, const edges *e, int z,
+                       m4 candidates) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
     const f4 error = f4_mul(
         reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
     const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
-    unsigned lanes = m4_mask(m4_and(candidates, sure));
-    const unsigned undecided =
-        m4_mask(m4_andnot(m4_andnot(candidates, sure), clearly_missed(e, reach)));
+    verdict v = {(uint8_t)m4_mask(m4_and(candidates, sure)), 0, 0};
+    unsigned unsure = m4_mask(m4_andnot(candidates, sure));
+    if (unsure == 0) {
+        return v;
+    }
     float errors[4];
     f4_store(errors, error);
-    for (unsigned lane = 0; undecided >> lane != 0; lane++) {
-        if (undecided >> lane & 1u) {
-            lanes |= (unsigned)meets_exactly(t, g, e, z, errors, lane) << lane;
+    unsure &= ~m4_mask(clearly_missed(e, reach));
+    for (unsigned lane = 0; unsure >> lane != 0; lane++) {
+        if (unsure >> lane & 1u) {
+            meet_by_pairs(t, g, e, z, errors[lane], lane, &v);
         }
     }
-    return m4_bits(lanes);
+    return v;
+}
+
+/* Gives a lane edge functions without errors, times any factor, and says if it is a hit. */
+RARELY int decide_lane(const prepared *t, const plt_group_rays *g, edges *e, unsigned lane,
+                       int is_coarse) {
+    const single ray = single_of(g, lane);
+    plt_scaled value[3];
+    int side[3], most = INT32_MIN;
+    for (int c = 0; c < 3; c++) {
+        value[c] =
+            plt_edge_value(edge_from(t->triangle, c), edge_to(t->triangle, c), ray.org, ray.dir);
+        side[c] = (value[c].mantissa > 0.0f) - (value[c].mantissa < 0.0f);
+        most = side[c] != 0 && value[c].exponent > most ? value[c].exponent : most;
+    }
+    for (int c = 0; c < 3 && is_coarse; c++) {
+        float weight[4];
+        f4_store(weight, e->weight[c]);
+        weight[lane] = side[c] == 0 ? 0.0f : plt_scaled_float(value[c], -most);
+        e->weight[c] = f4_load(weight);
+    }
+    return has_one_sign(side);
+}
+
+/* In integers; the lanes that are hit. */
+static unsigned decide(const prepared *t, const plt_group_rays *g, edges *e, verdict v) {
+    unsigned hits = v.hits;
+    for (unsigned lane = 0; lane < 4; lane++) {
+        if (((unsigned)v.undecided | v.coarse) >> lane & 1u) {
+            const int is_hit = decide_lane(t, g, e, lane, v.coarse >> lane & 1);
+            hits &= ~((unsigned)!is_hit << lane);
+        }
+    }
+    return hits;
 }
 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
@@ -207,6 +303,58 @@ static f4 plane_distance(const prepared *t, const float normal[3], const plt_gro
     return f4_min(f4_max(distance, enter), leave);
 }
 
+/* An edge, by a power of two that makes its largest component 1 to 2. */
+static void set_scaled_edge(float to[3], const float p[3], const float q[3]) {
+    for (int a = 0; a < 3; a++) {
+        to[a] = p[a] - q[a];
+    }
+    const float power = plt_power_to_one(to);
+    for (int a = 0; a < 3; a++) {
+        to[a] *= power;
+    }
+}
+
+/* The normal times a power of two, so large that none of its products underflows. */
+static void set_scaled_normal(const float corner[3][3], float normal[3]) {
+    float first[3], second[3];
+    set_scaled_edge(first, corner[1], corner[0]);
+    set_scaled_edge(second, corner[2], corner[0]);
+    cross3(first, second, normal);
+    for (int a = 0; a < 3; a++) {
+        normal[a] *= NORMAL_SCALE;
+    }
+}
+
+/* By the sine of the angle at its first corner. */
+RARELY int is_sliver(const float corner[3][3]) {
+    float normal[3];
+    set_scaled_normal(corner, normal);
+    return is_below(normal, SLIVER * NORMAL_SCALE);
+}
+
+RARELY f4 exact_distance(const prepared *t, const plt_group_rays *g, unsigned lanes) {
+    float at[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (unsigned lane = 0; lanes >> lane != 0; lane++) {
+        if (lanes >> lane & 1u) {
+            const single ray = single_of(g, lane);
+            at[lane] = plt_exact_distance(t->triangle->corner, ray.org, ray.dir);
+        }
+    }
+    return f4_load(at);
+}
+
+/* Of a sliver, the normal is mostly rounding. Where the clamp leaves open whether the ray
+ * meets it before or after tmin, as its origin lies in the sliver's box, the distance is
+ * computed in integers. */
+static f4 sliver_distance(const prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
+                          unsigned lanes, f4 distance, f4 enter, f4 leave) {
+    const f4 tmin = f4_load(s->tmin);
+    const m4 unsure = m4_and(f4_lt(enter, tmin), f4_le(tmin, leave));
+    const m4 open = m4_and(unsure, m4_bits(lanes));
+    const f4 exact = exact_distance(t, g, m4_mask(open));
+    return f4_min(f4_max(f4_select(open, exact, distance), enter), leave);
+}
+
 static m4 nearer(const plt_group_slabs *s, const plt_group_rays *g, f4 t, u4 id) {
     const f4 tmax = f4_load(s->tmax);
     const m4 tie = m4_and(f4_eq(t, tmax), u4_lt(id, u4_load(g->id)));
@@ -224,40 +372,53 @@ static void store_weights(plt_group_rays *g, m4 hit, const edges *e, uint32_t ro
 }
 
 /* The rays of `lanes` are those that can meet the triangle; which is a hit? */
-static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, const edges *e, int z,
+static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, edges *e, int z,
                             unsigned lanes) {
     plt_group_slabs *s = &p->slabs.group[index];
     plt_group_rays *g = &p->rays[index];
+    const float longest = t->triangle->longest;
     f4 enter, leave;
     float normal[3];
     normal_of(t->triangle->corner, normal);
     const m4 in_box = own_box(t, s, &enter, &leave);
-    const f4 distance = plane_distance(t, normal, g, z, enter, leave);
+    f4 distance = plane_distance(t, normal, g, z, enter, leave);
+    /* What the next two look for depends on the triangle alone; this spares them mostly. */
+    if (is_below(normal, 2.0f * SLIVER * longest * longest + NORMAL_LEAST)) {
+        if (is_below(normal, NORMAL_LEAST)) {
+            set_scaled_normal(t->triangle->corner, normal);
+            distance = plane_distance(t, normal, g, z, enter, leave);
+        }
+        if (is_sliver(t->triangle->corner)) {
+            distance = sliver_distance(t, s, g, lanes, distance, enter, leave);
+        }
+    }
     const uint32_t word = plt_primitive_word_find(t->triangle->ids, t->triangle->word);
     const u4 id = u4_all(plt_primitive_id(word));
     const m4 nearer_lanes = m4_and(m4_and(m4_bits(lanes), in_box), nearer(s, g, distance, id));
     if (m4_mask(nearer_lanes) == 0) {
         return 0;
     }
-    const m4 hit = covered(t, g, e, z, nearer_lanes);
+    const verdict v = covered(t, g, e, z, nearer_lanes);
+    const unsigned hits = (v.undecided | v.coarse) == 0 ? v.hits : decide(t, g, e, v);
+    const m4 hit = m4_bits(hits);
     f4_store(s->tmax, f4_select(hit, p->any ? f4_all(-1.0f) : distance, f4_load(s->tmax)));
     u4_store(g->id, u4_select(hit, id, u4_load(g->id)));
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         f4_store(g->normal[a], f4_select(hit, f4_all(normal[a]), f4_load(g->normal[a])));
     }
     store_weights(g, hit, e, plt_primitive_rotation(word));
-    return m4_mask(hit);
+    return hits;
 }
 
 static inline unsigned test_axis(const prepared *t, plt_packet *p, unsigned index, int z,
                                  enum sharing sharing) {
     const plt_group_rays *g = &p->rays[index];
-    const edges e = edges_of(t, g, z, sharing);
+    edges e = edges_of(t, g, z, sharing);
     const unsigned may = may_cover(t, g, &e, sharing) & g->axis_lanes[z];
     if (may == 0) {
         return 0;
     }
-    const edges kept = e; /* so that e stays in registers for a miss, the common case */
+    edges kept = e; /* so that e stays in registers for a miss, the common case */
     return record_hits(t, p, index, PLT_LANES_REGISTERS ? &kept : &e, z, may);
 }
 
