@@ -48,7 +48,7 @@ static const change changes[] = {
     {AT_LO + 12, 0xFF800000, 4, LATTICE, 14, AT_BOX}, /* hi below lo */
     {AT_LO + 12, 0xFF800000, 4, FLOATS, 9, AT_LO},
     {228, 1, 1, BOTH, 12, 228},
-    {255, 1, 1, BOTH, 12, 255},
+    {231, 1, 1, BOTH, 12, 231}, /* the last before the shift */
 };
 
 static packed image_of(int floats) {

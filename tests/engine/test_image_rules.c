@@ -69,7 +69,7 @@ static const change changes[] = {
     {128, 0, 4, 11, 120},
     {136, 1, 1, 12, 136},
     {200, 0x80, 1, 12, 200},
-    {255, 1, 1, 12, 255},
+    {231, 1, 1, 12, 231},
 };
 
 static hostile_result changed(const change *c) {
@@ -134,11 +134,15 @@ static void sizes_and_checksums(void) {
     free(longer);
 }
 
-/* The minor version is information. */
+/* The minor version is information, and so is the shift. */
 static void tolerated(void) {
     const change minor = {10, 7, 1, 0, 0}, minor_high = {11, 1, 1, 0, 0};
     CHECK(changed(&minor).status == PLT_OK && changed(&minor_high).status == PLT_OK,
           "a minor version is refused");
+    for (uint32_t at = 232; at < 256; at += 4) {
+        const change shift = {at, 0xFFFFFFFF, 4, 0, 0}; /* NaN, too */
+        CHECK(changed(&shift).status == PLT_OK, "a shift is refused at %u", at);
+    }
     const change larger_k = {52, 9, 4, 0, 0};
     CHECK(changed(&larger_k).status == PLT_OK, "K above the longest list is refused");
 }
