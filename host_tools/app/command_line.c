@@ -7,30 +7,44 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/app/quote.h"
+
 enum { FILES_SHOWN = 8 };
 
-/* Letters that no shell looks at. */
-static int is_plain(const char *word) {
-    static const char plain[] =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-        "_-+.,:/=@%";
-    return word[0] != '\0' && word[strspn(word, plain)] == '\0';
+/* -1 when memory is out. */
+static int put_word(FILE *to, const char *text, int is_file) {
+    const size_t room = quote_room_for(strlen(text));
+    char *word = malloc(room);
+    if (word == NULL) {
+        return -1;
+    }
+    fprintf(to, " %s", is_file ? quote_word(word, room, text) : quote_value(word, room, text));
+    free(word);
+    return 0;
 }
 
-static void put_word(FILE *to, const char *before, const char *word) {
-    if (is_plain(word)) {
-        fprintf(to, " %s%s", before, word);
-        return;
+static int put_files(FILE *to, const args *a) {
+    int status = 0;
+    for (int i = 0; i < a->files && i < FILES_SHOWN; i++) {
+        status |= put_word(to, a->file[i], strcmp(a->file[i], "-") != 0);
     }
-    fprintf(to, " '%s", before);
-    for (; *word != '\0'; word++) {
-        if (*word == '\'') {
-            fputs("'\\''", to);
-        } else {
-            fputc(*word, to);
+    if (a->files > FILES_SHOWN) {
+        fprintf(to, " (and %d more)", a->files - FILES_SHOWN);
+    }
+    return status;
+}
+
+static int put_flags(FILE *to, const args *a) {
+    int status = 0;
+    for (int i = 0; a->command->flags[i].name != NULL; i++) {
+        if (a->value[i] != NULL) {
+            fprintf(to, " %s", a->command->flags[i].name);
+            if (a->command->flags[i].value != NULL) {
+                status |= put_word(to, a->value[i], 0);
+            }
         }
     }
-    fputc('\'', to);
+    return status;
 }
 
 char *command_line(const args *a) {
@@ -41,22 +55,8 @@ char *command_line(const args *a) {
         return NULL;
     }
     fprintf(to, "%s %s", a->program, a->command->name);
-    for (int i = 0; i < a->files && i < FILES_SHOWN; i++) {
-        const char *name = a->file[i]; /* no flag, whatever it begins with */
-        put_word(to, name[0] == '-' && name[1] != '\0' ? "./" : "", name);
-    }
-    if (a->files > FILES_SHOWN) {
-        fprintf(to, " (and %d more)", a->files - FILES_SHOWN);
-    }
-    for (int i = 0; a->command->flags[i].name != NULL; i++) {
-        if (a->value[i] != NULL) {
-            fprintf(to, " %s", a->command->flags[i].name);
-            if (a->command->flags[i].value != NULL) {
-                put_word(to, "", a->value[i]);
-            }
-        }
-    }
-    if (fclose(to) != 0) {
+    const int status = put_files(to, a) | put_flags(to, a);
+    if (fclose(to) != 0 || status != 0) {
         free(text);
         return NULL;
     }

@@ -44,8 +44,9 @@ static int is_plain(const char *name) {
     return name[0] != '\0' && name[strspn(name, plain)] == '\0';
 }
 
-static void put_with_controls(word *w, const char *name) {
+static void put_with_controls(word *w, const char *before, const char *name) {
     put(w, "$'");
+    put(w, before);
     for (; *name != '\0'; name++) {
         char text[8] = {*name};
         if (is_control(*name)) {
@@ -58,8 +59,9 @@ static void put_with_controls(word *w, const char *name) {
     put(w, "'");
 }
 
-static void put_in_quotes(word *w, const char *name) {
+static void put_in_quotes(word *w, const char *before, const char *name) {
     put(w, "'");
+    put(w, before);
     for (; *name != '\0'; name++) {
         const char text[2] = {*name};
         put(w, *name == '\'' ? "'\\''" : text);
@@ -67,22 +69,23 @@ static void put_in_quotes(word *w, const char *name) {
     put(w, "'");
 }
 
-const char *quote_word(char *to, size_t room, const char *name) {
-    char from_here[QUOTE_ROOM];
+static const char *quote(char *to, size_t room, const char *before, const char *text) {
     word w = {to, to + room, 0};
-    if (name[0] == '-') { /* else it would be a flag */
-        const int n = snprintf(from_here, sizeof from_here, "./%s", name);
-        if (n < 0 || (size_t)n >= sizeof from_here) {
-            return NULL;
-        }
-        name = from_here;
-    }
-    if (is_plain(name)) {
-        put(&w, name);
-    } else if (has_control(name)) {
-        put_with_controls(&w, name);
+    if (is_plain(text)) {
+        put(&w, before);
+        put(&w, text);
+    } else if (has_control(text)) {
+        put_with_controls(&w, before, text);
     } else {
-        put_in_quotes(&w, name);
+        put_in_quotes(&w, before, text);
     }
     return w.is_full ? NULL : to;
+}
+
+const char *quote_word(char *to, size_t room, const char *name) {
+    return quote(to, room, name[0] == '-' ? "./" : "", name); /* else it would be a flag */
+}
+
+const char *quote_value(char *to, size_t room, const char *value) {
+    return quote(to, room, "", value);
 }

@@ -138,7 +138,7 @@ static void describe(output *o, const plt_info *info, fail *f) {
 static void print_head(output *o, const plt_info *info, const char *command, fail *f) {
     output_print(o, f, "/* " C_ARRAY_MARK " %d.%d; do not edit\n *\n", PLT_VERSION_MAJOR,
                  PLT_VERSION_MINOR);
-    comment(o, " *     ", command, f);
+    comment(o, " *     ", command == NULL ? "planelet pack" : command, f);
     output_print(o, f, " *\n");
     describe(o, info, f);
     output_print(o, f, " *\n");

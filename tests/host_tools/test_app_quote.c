@@ -34,6 +34,20 @@ static void every_byte(void) {
     }
 }
 
+static void check_value(const char *value, const char *expected) {
+    char to[QUOTE_ROOM];
+    const char *word = quote_value(to, sizeof to, value);
+    CHECK(word != NULL && strcmp(word, expected) == 0, "%s, not %s", word ? word : "none",
+          expected);
+}
+
+static void check_room_for(const char *name, size_t spare) {
+    char to[QUOTE_ROOM];
+    const size_t room = quote_room_for(strlen(name));
+    CHECK(quote_word(to, room, name) != NULL, "%s does not fit", name);
+    CHECK(room - strlen(to) - 1 == spare, "%s leaves %zu bytes", name, room - strlen(to) - 1);
+}
+
 static void check_room(void) {
     char name[QUOTE_ROOM + 8], to[QUOTE_ROOM];
     memset(name, 'x', sizeof name);
@@ -72,6 +86,15 @@ int main(void) {
     check("a\nb", "$'a\\012b'");
     check("\x1b[31m'\\\x7f", "$'\\033[31m\\'\\\\\\177'");
     check("-\t", "$'./-\\011'");
+    test("a value may begin with a dash");
+    check_value("-", "-");
+    check_value("-1,2,-3", "-1,2,-3");
+    check_value("- 1", "'- 1'");
+    check_value("-\t", "$'-\\011'");
+    test("the room for any text is enough, and not much too large");
+    check_room_for("''", 3);
+    check_room_for("\x01\x02", 2);
+    check_room_for("-\x01\x02", 3);
     test("a shell reads every other byte back");
     every_byte();
     test("a word that does not fit is none");
