@@ -68,8 +68,8 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
     plt_layout layout;
     void *part[PLT_PARTS_COUNT];
     const plt_info *info = &e->scene.info;
-    const plt_opening o = opening_of(e, &layout, fault);
     plt_layout_set(&layout, info, info, e->source.mapped != NULL, &e->options);
+    const plt_opening o = opening_of(e, &layout, fault);
     const int status = cut_running(&o, part);
     if (status == PLT_OK) {
         plt_traversal_init(&e->traversal, &e->scene, &e->options, part);
