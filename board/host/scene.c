@@ -56,7 +56,7 @@ int host_scene_map(host_scene *scene, const char *path) {
     if (map == MAP_FAILED) {
         const int error = errno;
         return fail_with(scene, strerror(error),
-                         error == ENOMEM ? "no room to map it; use --source read"
+                         error == ENOMEM ? "no room for it; raise the limit with ulimit -v, or close other programs"
                                          : "the file system cannot map it; use --source read");
     }
     scene->source.mapped = map;

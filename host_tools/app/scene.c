@@ -28,6 +28,14 @@ const char *scene_name(const char *path) {
     return strcmp(path, "-") == 0 ? "standard input" : path;
 }
 
+/* The scene needs that much for the worst tree: the one that will be built may take less. */
+static int is_worst(const scene *s) {
+    plt_info info;
+    plt_fault fault;
+    return plt_image_info(&s->file.source, &info, &fault) == PLT_OK &&
+           info.build == PLT_BUILD_DEVICE;
+}
+
 /* An arena that is too small, that the system does not give, or for which this program is too
  * small. */
 static int arena_refused(const scene *s, const char *name, size_t need, fail *f) {
@@ -38,8 +46,11 @@ static int arena_refused(const scene *s, const char *name, size_t need, fail *f)
     }
     if (!s->arena_is_missing) {
         return fail_set(f, name,
-                        "needs an arena of %zu bytes, this program has at most %zu; pack it with "
-                        "--build host or --nodes compact",
+                        is_worst(s)
+                            ? "needs an arena of %zu bytes, this program has at most %zu; pack it "
+                              "with --build host or --nodes compact"
+                            : "needs an arena of %zu bytes, this program has at most %zu; leave "
+                              "out --source read",
                         need, most);
     }
     if (s->arena_bytes > need) {
@@ -48,8 +59,11 @@ static int arena_refused(const scene *s, const char *name, size_t need, fail *f)
                         s->arena_bytes, need);
     }
     return fail_set(f, name,
-                    "this machine has no room for an arena of %zu bytes; raise the limit with "
-                    "ulimit -v, close other programs, or try --arena BYTES with fewer",
+                    is_worst(s)
+                        ? "this machine has no room for an arena of %zu bytes; raise the limit "
+                          "with ulimit -v, close other programs, or try --arena BYTES with fewer"
+                        : "this machine has no room for an arena of %zu bytes; raise the limit "
+                          "with ulimit -v, or close other programs",
                     s->arena_bytes);
 }
 
@@ -70,10 +84,7 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         return fail_set(f, name, "byte %" PRIu32 ": %s; is the file still whole?", fault->offset,
                         fault->message);
     case PLT_ERR_LIMIT:
-        return fail_set(f, name,
-                        s->options.order == PLT_ORDER_TWO_STAGE
-                            ? "%s; use --walk depth, or build with a larger one"
-                            : "%s; build with a larger one (engine/planelet_config.h)",
+        return fail_set(f, name, "%s; build with a larger one (engine/planelet_config.h)",
                         fault->message);
     default:
         return fail_set(f, name, "%s; leave out --walk two-stage", fault->message);

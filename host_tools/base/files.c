@@ -92,7 +92,8 @@ int files_read(int fd, const char *name, fail *f) {
                             shown(w->name));
         }
     }
-    return remember(&about, name) == 0 ? 0 : fail_set(f, name, "out of memory");
+    return remember(&about, name) == 0 ? 0
+                                       : fail_set(f, name, "out of memory; close other programs");
 }
 
 /* ---- what is being written ---------------------------------------------------------- */

@@ -74,7 +74,8 @@ int emulated_start(stream_link *l, unsigned report_bytes, size_t memory_bytes, f
                         memory_bytes);
     }
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0) {
-        return fail_set(f, "device", "%s", strerror(errno));
+        return fail_set(f, "device", "no connection to it: %s; raise the limit with ulimit -n",
+                        strerror(errno));
     }
     const pid_t child = fork();
     if (child < 0) {

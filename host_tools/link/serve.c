@@ -199,7 +199,7 @@ static int has_frame(const serving *s) {
 
 int serve_run(const serve_job *job, const transport *t, serve_result *result, fail *f) {
     serving *s = calloc(1, sizeof *s);
-    int status = s == NULL ? fail_set(f, "serve", "out of memory") : 0;
+    int status = s == NULL ? fail_set(f, "serve", "out of memory; close other programs") : 0;
     if (status == 0) {
         s->job = job;
         s->t = t;

@@ -85,7 +85,7 @@ const char *foreign_is(const input *in) {
         }
     }
     if (in->size >= 4 && memcmp(in->bytes, "PK\3\4", 4) == 0) {
-        return holds(in, "3dmodel.model", in->size)
+        return holds(in, "3dmodel.model", in->size) || holds(in, "3DModel.model", in->size)
                    ? "is 3MF; " BY_ASSIMP("in.3mf")
                    : "is a zip archive; pack what is in it: unzip in.zip";
     }

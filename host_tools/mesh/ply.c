@@ -86,7 +86,7 @@ static int element_done(ply_reader *r) {
     if (r->header->format != PLY_ASCII || scan_line_done(&r->data)) {
         return 0;
     }
-    if (r->short_vertices > 1) { /* a property that no line has: nothing is where it seems */
+    if (r->short_vertices > 0) { /* a value that a line lacks: nothing behind is where it seems */
         r->in.at = (location){.line = r->short_line};
         return intake_fail(&r->in,
                            "fewer values than the header declares for a vertex; "

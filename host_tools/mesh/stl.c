@@ -159,7 +159,7 @@ static int count_binary(reader *r, const input *in, uint64_t *triangles) {
     if (!r->in.report->repair) {
         return fail_set(r->in.f, in->path,
                         "byte %llu: %llu bytes more than the triangle count at byte 80 says; "
-                        "correct it or use pack --repair to ignore them",
+                        "remove them or use pack --repair to ignore them",
                         asked, (unsigned long long)in->size - asked);
     }
     *triangles = counted;

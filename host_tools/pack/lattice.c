@@ -126,14 +126,22 @@ static uint32_t fewer_bits(plt_lattice *l, const lattice_ground *g, const lattic
 }
 
 static int refuse(const lattice_wish *w, uint32_t fewer, const char *name, fail *f) {
-    static const char what[] = "bits is finer than floats are that far from the origin; use";
     if (fewer == 0) {
-        return fail_set(f, name, "a lattice of %u %s --centre or --nodes thesis", w->bits, what);
+        return fail_set(f, name,
+                        "a lattice of %u bits is finer than floats are that far from the origin; "
+                        "use --centre or --nodes thesis",
+                        w->bits);
+    }
+    if (w->fewest) { /* no number of bits was asked for, but a tolerance */
+        return fail_set(f, name,
+                        "a lattice of %u bits is finer than floats are that far from the origin; "
+                        "use --centre, --nodes thesis, or a larger --tolerance",
+                        w->bits);
     }
     return fail_set(f, name,
-                    "a lattice of %u %s --centre, --nodes thesis, or fewer bits (--geometry "
-                    "lattice:%u)",
-                    w->bits, what, fewer);
+                    "a lattice of %u bits is finer than floats are that far from the origin; use "
+                    "--centre, --nodes thesis, or fewer bits (--geometry lattice:%u)",
+                    w->bits, fewer);
 }
 
 int lattice_over(plt_lattice *lattice, const lattice_ground *ground, const lattice_wish *wish,

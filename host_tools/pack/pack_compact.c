@@ -202,12 +202,16 @@ static int keep_tolerance(compacting *c, lattice_wish *wish, fail *f) {
         if (c->s.loss.largest_move <= c->options->tolerance) {
             return 0;
         }
+        const double moved = c->s.loss.largest_move;
         snapped_free(&c->s);
         if (wish->bits++ == PLT_LATTICE_BITS_MOST) {
             return fail_set(f, c->name,
-                            "no lattice keeps --tolerance %g there; use a larger one, --centre, or "
-                            "--geometry float",
-                            c->options->tolerance);
+                            wish->power
+                                ? "--step power keeps no --tolerance %g there, but %.2g; use a "
+                                  "larger one, --step auto, or --geometry float"
+                                : "no lattice keeps --tolerance %g there, but %.2g; use a larger "
+                                  "one, --centre, or --geometry float",
+                            c->options->tolerance, moved);
         }
     }
     return -1;

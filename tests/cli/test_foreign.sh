@@ -34,6 +34,8 @@ printf '; FBX 7.5.0 project file\n' >ascii.fbx
 foreign ascii.fbx "FBX; .*assimp export in.fbx out.ply"
 bytes cube.3mf 'PK\003\004\024\000\000\000[Content_Types].xmlPK\001\0023D/3dmodel.modelPK\005\006'
 foreign cube.3mf "3MF; .*assimp export in.3mf out.ply"
+sed s/3dmodel/3DModel/ cube.3mf >assimp.3mf
+foreign assimp.3mf "3MF; .*assimp export in.3mf out.ply"
 bytes cube.zip 'PK\003\004\024\000\000\000cube.objPK\001\002cube.objPK\005\006'
 foreign cube.zip "zip archive; .*unzip"
 printf 'ISO-10303-21;\nHEADER;\n' >cube.step

@@ -212,8 +212,8 @@ static void joins_lines(void) {
                    "ply\nformat ascii 1.0\nelement vertex 3\n" XYZ
                    "end_header\n"
                    "0.0 0 0\n1.0 0\n2.0 0 0\n",
-                   "line 10, vertex 1: more values on the line than the header declares; "
-                   "correct the line or the header");
+                   "line 9: fewer values than the header declares for a vertex; "
+                   "correct the header or the lines");
 }
 
 #define LIE "the file is cut short: get it again"

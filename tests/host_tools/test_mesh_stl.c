@@ -133,7 +133,7 @@ static void refuses_binary(void) {
     b.size = 183;
     must_fail_blob(FILE_NAME, &b,
                    "byte 134: 49 bytes more than the triangle count at byte 80 says; "
-                   "correct it or use pack --repair to ignore them");
+                   "remove them or use pack --repair to ignore them");
     b.size = 184;
     b.size = 83;
     must_fail_blob(FILE_NAME, &b,
