@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "host_tools/app/command_line.h"
+#include "host_tools/app/destination.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/phase.h"
 #include "host_tools/app/quote.h"
@@ -92,6 +93,11 @@ typedef struct pack_job {
     char *command; /* owned; for a C array */
 } pack_job;
 
+/* With floats only boxes are on the lattice. */
+static int moves_vertices(const pack_job *job) {
+    return job->compact.lattice_bits > 0 && !job->compact.floats;
+}
+
 /* What the lattice cost, and a finer one where triangles were lost. */
 static void say_what_was_lost(const pack_job *job, const char *name) {
     const lattice_loss *l = &job->loss;
@@ -147,7 +153,7 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
                      : output_write(job->image_out, image->bytes, image->size, f);
     if (status == 0 && job->json_out != NULL) {
         status = pack_json_write(job->json_out, &job->in, image,
-                                 job->compact.lattice_bits > 0 ? &job->loss : NULL, f);
+                                 moves_vertices(job) ? &job->loss : NULL, f);
     }
     if (status == 0) {
         status = output_commit(job->image_out, f);
@@ -165,7 +171,7 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
 static int open_outputs(pack_job *job, fail *f) {
     job->image_out = output_open(job->out, f);
     if (job->image_out != NULL && job->json != NULL) {
-        job->json_out = output_open(job->json, f);
+        job->json_out = output_open_text(job->json, f);
         return job->json_out != NULL ? 0 : -1;
     }
     return job->image_out != NULL ? 0 : -1;
@@ -186,7 +192,7 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
 /* What the picture will lack, for scripts as well. */
 static void say_losses(const pack_job *job, const char *name) {
     pack_meshes_say(&job->in);
-    if (job->compact.lattice_bits > 0 && !job->compact.floats) {
+    if (moves_vertices(job)) {
         say_what_was_lost(job, name);
     } else {
         say_what_is_never_hit(&job->in);
@@ -305,6 +311,7 @@ static void read_flags(pack_job *job, args *a) {
     if (job->out == NULL) {
         args_complain(a, "-o SCENE.plt says where the image goes");
     }
+    destination_differ(a, "-o and --json", job->out, job->json);
 }
 
 int run_pack(args *a) {

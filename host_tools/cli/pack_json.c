@@ -5,19 +5,37 @@
 
 #include <inttypes.h>
 
-/* Quotes and what JSON does not hold in a string as escapes; other bytes as they are. */
+/* Bytes of the UTF-8 character at `c`, in a text that a zero byte ends: 0 when it is none. */
+static size_t character_bytes(const unsigned char *c) {
+    const size_t bytes = c[0] < 0x80 ? 1 : c[0] < 0xC2 ? 0 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
+    for (size_t i = 1; i < bytes; i++) {
+        if (c[i] >> 6 != 2) {
+            return 0;
+        }
+    }
+    const int is_wrong = (c[0] == 0xE0 && c[1] < 0xA0) || (c[0] == 0xED && c[1] > 0x9F) ||
+                         (c[0] == 0xF0 && c[1] < 0x90) || (c[0] == 0xF4 && c[1] > 0x8F) ||
+                         c[0] > 0xF4;
+    return is_wrong ? 0 : bytes;
+}
+
+/* Quotes and what JSON does not hold in a string as escapes; a byte that is no UTF-8, which
+ * names of files may hold and JSON may not, as U+FFFD. */
 static int write_string(output *o, const char *text, fail *f) {
     int status = output_print(o, f, "\"");
-    for (const char *c = text; *c != '\0' && status == 0; c++) {
-        const unsigned char byte = (unsigned char)*c;
-        status = byte < 0x20 || byte == 0x7f   ? output_print(o, f, "\\u%04x", byte)
-                 : byte == '"' || byte == '\\' ? output_print(o, f, "\\%c", byte)
-                                               : output_write(o, c, 1, f);
+    for (const unsigned char *c = (const unsigned char *)text; *c != '\0' && status == 0;) {
+        const size_t bytes = character_bytes(c);
+        status = bytes == 0                ? output_print(o, f, "\\ufffd")
+                 : *c < 0x20 || *c == 0x7f ? output_print(o, f, "\\u%04x", *c)
+                 : *c == '"' || *c == '\\' ? output_print(o, f, "\\%c", *c)
+                                           : output_write(o, c, bytes, f);
+        c += bytes > 0 ? bytes : 1;
     }
     return status == 0 ? output_print(o, f, "\"") : -1;
 }
 
 static int write_file(output *o, const pack_file *file, fail *f) {
+    const uint64_t closed = file->open_distance > 0 ? file->open_edges - file->open_left : 0;
     int status = output_print(o, f, "    {\"file\": ");
     if (status == 0) {
         status = write_string(o, file->path, f);
@@ -36,7 +54,14 @@ static int write_file(output *o, const pack_file *file, fail *f) {
                                       "     \"moved_in_edges\": %.6g,\n"
                                       "     \"triangles_that_lose_an_edge\": %" PRIu64
                                       ",\n"
+                                      "     \"moved_in_edges_before_placing\": %.6g,\n"
+                                      "     \"triangles_that_lost_an_edge_before_placing\": "
+                                      "%" PRIu64
+                                      ",\n"
                                       "     \"open_edges\": %" PRIu64
+                                      ",\n"
+                                      "     \"weld_that_closes_edges\": %.0e,\n"
+                                      "     \"open_edges_it_closes\": %" PRIu64
                                       ",\n"
                                       "     \"welded_positions\": %" PRIu64
                                       ",\n"
@@ -44,11 +69,12 @@ static int write_file(output *o, const pack_file *file, fail *f) {
                                       ",\n"
                                       "     \"triangles_without_area\": %" PRIu64 "}",
                                       file->moved.moved, file->moved.relative, file->moved.vanished,
-                                      file->open_edges, file->welded.moved, file->welded.collapsed,
-                                      file->without_area);
+                                      file->report.moved, file->report.vanished, file->open_edges,
+                                      file->open_distance, closed, file->welded.moved,
+                                      file->welded.collapsed, file->without_area);
 }
 
-static int write_loss(output *o, const lattice_loss *l, unsigned bits, fail *f) {
+static int write_loss(output *o, const lattice_loss *l, fail *f) {
     if (l == NULL) {
         return output_print(o, f, "  \"lattice\": null\n}\n");
     }
@@ -56,9 +82,12 @@ static int write_loss(output *o, const lattice_loss *l, unsigned bits, fail *f) 
                         "  \"lattice\": {\n    \"bits\": %u,\n    \"largest_move\": %.6g,\n"
                         "    \"lost_their_area\": %" PRIu64 ",\n    \"had_no_area\": %" PRIu64
                         ",\n    \"merged_positions\": %" PRIu64 ",\n    \"t_junctions\": %" PRIu64
-                        ",\n    \"mended\": %" PRIu64 "\n  }\n}\n",
-                        bits, l->largest_move, l->flat_now, l->flat_before, l->merged,
-                        l->t_junctions, l->mended);
+                        ",\n    \"mended\": %" PRIu64
+                        ",\n    \"step\": %.9g,\n"
+                        "    \"vertices\": %" PRIu64 ",\n    \"unmoved_vertices\": %" PRIu64
+                        "\n  }\n}\n",
+                        (unsigned)l->bits, l->largest_move, l->flat_now, l->flat_before, l->merged,
+                        l->t_junctions, l->mended, (double)l->step, l->vertices, l->unmoved);
 }
 
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
@@ -77,5 +106,5 @@ int pack_json_write(output *o, const pack_meshes *in, const packed *image, const
     if (status == 0) {
         status = output_print(o, f, "  ],\n");
     }
-    return status == 0 ? write_loss(o, loss, image->info.lattice_bits, f) : -1;
+    return status == 0 ? write_loss(o, loss, f) : -1;
 }

@@ -7,7 +7,7 @@
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/pack.h"
 
-/* `loss` is NULL without a lattice. */
+/* `loss` is NULL where no vertex is on a lattice. */
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
                     fail *f);
 
