@@ -12,14 +12,16 @@ mkdir -p "$out"
 few='so few bytes do not run out before others do'
 size='a file of that size does not fit into a test'
 reasons="
-out of memory | $few
 out of memory; close other programs | $few
+%s %s: out of memory; close other programs | $few
 out of memory; choose a smaller --size | a frame of 1,200 tiles is less than one MiB
 cannot read at byte %zu: %s; check the disk | no disk fails when asked to
 cannot be read to its end; check the disk or the pipe | likewise; test_hid_stream provokes it
 your quota is used up: remove files or write to another disk | there are no quotas here
-the file system cannot map it; copy it elsewhere | no such file system here can hold a scene
+the file system cannot map it; use --source read | no such file system here can hold a scene
 %s; use --socket instead | a system without pseudo terminals has no test_terminal either
+a face of more than 2^32 - 1 corners; split it | $size
+%u triangles: %s; use --nodes thesis | 128 MiB of blocks: $size
 more than 2^32 - 1 rays; split the file | $size
 more than 2^32 - 2 vertices; split the mesh | $size
 more than 2^32 - 2 triangles; split the mesh | $size
@@ -27,7 +29,12 @@ PLY numbers only 2^31 vertices with int; split the mesh | $size
 %zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; leave some out | $size
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
-video at 0 frames per second; choose 1 or more | no command asks for it; test_picture_frames does
+%s; please report this | likewise, of a C array
+%ux%u has more than %d tiles of 16x16; choose a smaller one | likewise: the command looks before
+eye and look coincide, up runs along the view, or one of them is beyond 2^40; change --eye, \
+--look, --up or --fov | likewise; test_wire_device provokes it
+picture of %u x %u pixels: a side is 1 to %u; choose such a size | no command asks for it
+video at 0 frames per second; choose 1 or more | likewise; test_picture_frames does
 the mesh has %zu vertices already; start with an empty one | likewise; test_scenes does
 speaks version %u of the protocol, this program %d; build both from the same source | \
 there is one version; test_wire_hello provokes it
@@ -40,7 +47,12 @@ test_hid_remedies
 the display reports error %u (%u); see platform/WIRE.md | something to read: its list of errors
 no display is plugged in (%u HID devices; --all lists them) | no failure, and list --all is tried
 %04x:%04x went away; waiting for it | says what the program does; test_hid_session waits, too
+is a Blender file; export it from there as PLY, OBJ or STL | needs Blender
 ; primitive ids are positions in the image | says what is the case
+. The licence is that of the meshes; planelet adds none. | likewise, in the head of a C array
+lattice of %u bits: vertices moved by up to %.2g of the longest side, %llu triangles lost their \
+area (%llu had none), %llu positions merged, %llu T-junctions (%llu mended); step %.9g, %llu of \
+%llu vertices stayed exactly where they were | likewise; its remedy stands apart
 serve: %u frames in %.2f s, image of %u bytes; reports %u out, %u in, %u lost, %u late, %u bad; \
 %u bytes of tiles, %u tiles, %u sessions | statistics
 "
@@ -73,13 +85,13 @@ check() {
             echo "$at: no test does what this says: $text"
     done <"$out/messages"
     cut -f 2- "$out/messages" >"$out/texts"
-    while read -r text; do
+    while IFS= read -r text; do
         grep -qxF -- "$text" "$out/texts" || echo "a reason for what nobody says: $text"
         ! grep -qF "\"$text\"" "$out/tests" || echo "a reason for what is tried: $text"
     done <"$out/reasons"
-    sed -n 's/^ *\(says\|says_by\|larger\|smaller\|refused_as\|message=\) *"\([^"]*\)".*/\2/p
+    sed -n 's/^ *\(says\|says_by\|warns\|converted\|larger\|smaller\|refused_as\|message=\) *"\([^"]*\)".*/\2/p
             s/^ *says(&f, "\([^"]*\)").*/\1/p' "$out/tests" |
-        grep -v '^[$]' | while read -r text; do
+        grep -v '^[$]' | while IFS= read -r text; do
             grep -qxF -- "$text" "$out/texts" || echo "tried, but nobody says it: $text"
         done
 }
@@ -87,6 +99,7 @@ check() {
 # An example of each kind, and of what is none.
 cat >"$out/example.c" <<'END'
 #include "no message; use none.h"
+#define BY_TOOL(in) "convert it: " in " out"
 static const arg_flag flags[] = {{"--x", "N", "help; use it"}};
 static const char *remedy(int error) {
     return error == 1 ? "use a" : "use b"; /* "no message; use none" */
@@ -96,6 +109,13 @@ static int f(fail *f, args *a, char *s) {
     args_complain(a, "%s takes d", "d");
     fail_with(s, "it is wrong", "use e");
     printf("next: use f\n");
+    output_print(o, f, "what a file says; use none");
+    fail_set(f, path, "%s of it; %s", s, x ? "use i, "
+                                                        "then j"
+                                                      : "is it k");
+    fail_set(f, path, x ? "it is l; use m"
+                        : "it is n; use o");
+    intake_fail(in, "is OFF; " BY_TOOL("in.off"));
     return fail_set(f, NULL, "%" PRIu64 " of '\"', "
                              "so; use g %s", x) + fail_set(f, "no; %s", "is it h?");
 }
@@ -109,6 +129,11 @@ use c
 %s takes d
 use e
 next: use f
+use i, then j
+is it k
+it is l; use m
+it is n; use o
+is OFF; convert it: in.off out
 %llu of '\"', so; use g %s
 is it h?
 END
@@ -120,16 +145,41 @@ verdict "what is not tried, and what nobody says, is found" "$(
 %s takes d | so
 use e | so
 next: use f | so
+use i, then j | so
+is it k | so
+it is l; use m | so
+it is n; use o | so
+is OFF; convert it: in.off out | so
 %llu of '"'"'\"'"'"', so; use g %s | so
 use a | so
 use y | so'
     cat >"$out/wanted" <<END
-$out/example.c:12: no test does what this says: is it h?
+$out/example.c:20: no test does what this says: is it h?
 a reason for what is tried: use a
 a reason for what nobody says: use y
 tried, but nobody says it: use z
 END
     check "$out/example.c" | diff - "$out/wanted")"
+
+# A coarse look that knows nothing of C: what stands in quotes and names a remedy is part of
+# some message, but for the help of flags and two that give no advice.
+verdict "no literal with a remedy is overlooked" "$(
+    # shellcheck disable=SC2046
+    set -- $(find host_tools board/host -name '*.c' | sort)
+    awk -f tests/check/messages.awk "$@" | cut -f 2- >"$out/texts"
+    awk '/^(static )?const arg_(flag|command) /, /^}|;$/ { next }
+        { rest = $0
+          while (match(rest, /"([^"\\]|\\.)*"/)) {
+            text = substr(rest, RSTART + 1, RLENGTH - 2)
+            rest = substr(rest, RSTART + RLENGTH)
+            sub(/\\n$/, "", text)
+            if (text ~ /; [-a-z]|[?]$|^(use|try|choose|write|check|make|leave) / &&
+                text !~ /do not edit|^use of/) {
+                print FILENAME ":" FNR "\t" text
+            }
+        } }' "$@" | while IFS='	' read -r at text; do
+        grep -qF -- "$text" "$out/texts" || echo "$at: $text"
+    done)"
 
 tests='tests/cli/test_remedies_*.sh'
 for file in tests/host_tools/test_*_remedies.c; do

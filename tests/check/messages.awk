@@ -6,23 +6,27 @@
 #   - is one of args_complain, whose texts all say what is taken,
 #   - begins with "next: ", or
 #   - is a remedy on its own: of a function or a variable called `remedy`, the text of a
-#     call that has a remedy as its last argument (fail_with, listen_at).
-# Tables of flags and commands (--help) and texts of a terminal are not messages.
+#     call that has a remedy as its last argument (fail_with, listen_at), or one that stands
+#     for the last %s of a text that ends in "; %s".
+# A macro of literals with one parameter is put in. Tables of flags and commands (--help), texts
+# of a terminal, and what output_print writes into a file are not messages.
 # SPDX-License-Identifier: MIT
 
 # Has several words of its own, and is no code of a terminal; "; %s" leaves the remedy to others.
 function is_message(text) {
     gsub(/%[-+ 0-9.*]*(ll|l|z|h)*[a-z]/, "%", text)
-    return text ~ /[a-z][a-z]/ && text ~ / / && text !~ /\\x1b|; %$/
+    return text ~ /[a-z][a-z]/ && text ~ / / && text !~ /\\x1b|; %(\\n)?$/
 }
 
 # A statement is over: its literals are known, and what stood between them.
-function end_statement(    i, all, whole) {
+function end_statement(    i, all, open, whole) {
     whole = code
+    open = 0
+    for (i = 1; i <= literals; i++) { open += literal[i] ~ /; %s(\\n)?$/ }
     for (i = 1; i <= literals; i++) {
-        all = whole ~ /args_complain|remedy *=/ || header ~ /remedy/
+        all = open > 0 || whole ~ /args_complain|remedy *=/ || header ~ /remedy/
         if (whole ~ /(fail_with|listen_at) *\(/) { all = i == literals }
-        if (is_message(literal[i]) && whole !~ /arg_flag|arg_command/ &&
+        if (is_message(literal[i]) && whole !~ /arg_flag|arg_command|output_print/ &&
             (all || literal[i] ~ /; [-a-z]/ || literal[i] ~ /[?](\\n)?$/ ||
              literal[i] ~ /^next: /)) {
             sub(/\\n$/, "", literal[i])
@@ -39,12 +43,39 @@ function add_code(c) {
     if (c !~ /[ \t]/) { joined = 0 }
 }
 
-FNR == 1 { depth = literals = in_comment = joined = 0; code = header = "" }
+# The line with macros put in: "is OFF; " BY_ASSIMP("in.off").
+function expand(line,    name, head, tail) {
+    for (name in macro) {
+        while ((at = index(line, name "(\"")) > 0) {
+            head = substr(line, 1, at - 1)
+            tail = substr(line, at + length(name) + 1)
+            match(tail, /^"[^"]*"/)
+            text = macro[name]
+            sub(/PARAMETER/, substr(tail, 1, RLENGTH), text)
+            line = head text substr(tail, RLENGTH + 2)
+        }
+    }
+    return line
+}
+
+FNR == 1 {
+    depth = literals = in_comment = joined = 0
+    code = header = ""
+    split("", macro)
+}
+
+/^#define [A-Z_]+[(][a-z]+[)] "/ {
+    match($0, /[(][a-z]+[)]/)
+    parameter = substr($0, RSTART + 1, RLENGTH - 2)
+    text = substr($0, RSTART + RLENGTH)
+    sub("\" " parameter " \"", "\" PARAMETER \"", text)
+    macro[substr($2, 1, index($2, "(") - 1)] = text
+}
 
 /^#/ { next }
 
 {
-    rest = $0
+    rest = expand($0)
     while (rest != "") {
         if (in_comment) {
             at = index(rest, "*/")

@@ -12,6 +12,7 @@ run make knot --triangles 3000 -o knot.ply
 run pack knot.ply -o knot.plt
 mkdir folder
 cp quad.ply quad.plt ray folder
+run pack quad.ply -o quad.h
 
 # ---- inputs: host_tools/base/input.c ----------------------------------------------
 
@@ -64,9 +65,44 @@ cured pack quad.ply -o folder/x.plt
 says "create the directory first, or correct the path" pack quad.ply -o new/x.plt
 mkdir new
 cured pack quad.ply -o new/x.plt
-says "is the name of a directory; name a file in it" pack quad.ply -o newer/
+says "there is no such directory; create it and name a file in it" pack quad.ply -o newer/
 mkdir newer
 cured pack quad.ply -o newer/x.plt
+if [ -e /dev/fd/0 ] && [ -d /proc/self/fd ]; then
+    for remedy in x.plt -; do
+        exec 5>gone
+        rm gone
+        says "is a file without a name; name another one, or - for standard output" \
+            pack quad.ply -o /dev/fd/5
+        exec 5>&-
+        cured pack quad.ply -o $remedy
+    done
+fi
+$CC -std=c11 -Wall -Wextra "$CLI_TESTS/pty.c" -o pty 2>&1
+for remedy in '-o x.plt' '-o - >x.plt' '-o - | cat >x.plt'; do
+    ./pty both "$PLANELET" pack quad.ply -o - >seen 2>out </dev/null
+    status=$?
+    tr -d '\r' <seen >err
+    message="is a terminal, on which these bytes are no text; name a file, or redirect it to a file \
+or a program"
+    said=$(unlike "$message")
+    rm -f x.plt
+    ./pty both sh -c "\"$PLANELET\" pack quad.ply $remedy 2>err" >seen 2>out </dev/null
+    status=$?
+    helped "$(cmp quad.plt x.plt 2>&1)"
+done
+
+# ---- inputs that are outputs: host_tools/base/files.c --------------------------------------------
+
+says "is the same file as the input %s; write to another one" pack quad.ply -o ./quad.ply
+cured pack quad.ply -o x.plt
+says "is the same file as the output %s; write to another one" \
+    trace quad.plt ray x.hits --json ./x.hits
+cured trace quad.plt ray x.hits --json x.json
+# A program opens its scene before its outputs: only a stream is there before.
+says_by "is the same file as the input %s; write to another one" \
+    sh -c "\"$PLANELET\" pack quad.ply -o - >>quad.ply"
+cured_by sh -c "\"$PLANELET\" pack quad.ply -o - >x.plt"
 says "choose a shorter name" pack quad.ply -o "$(awk 'BEGIN { while (i++ < 300) printf "x" }')"
 cured pack quad.ply -o x.plt
 says "check the path and the disk" pack quad.ply -o loop
@@ -146,8 +182,15 @@ run pack quad.ply -o empty.plt
 cured render empty.plt -o x.png
 truncate -s 4294967296 large.plt
 says "a scene image is smaller; is it one?" render large.plt -o x.png
-rm large.plt
 cured render quad.plt -o x.png
+says "is 4 GiB or larger; a scene image is smaller, is it one?" \
+    serve large.plt -o x.png --size 8x8 --emulate 600000
+rm large.plt
+cured serve quad.plt -o x.png --size 8x8 --emulate 600000
+says "is a C array written by planelet pack; pack the meshes with -o SCENE.plt to look at them" \
+    render quad.h -o x.png
+run pack quad.ply -o SCENE.plt
+cured render SCENE.plt -o x.png
 says "check its name and permissions" render qaud.plt -o x.png
 cured render quad.plt -o x.png
 says "the scene has no name; give the file that planelet pack wrote" render '' -o x.png
@@ -172,8 +215,39 @@ if [ -r $page ]; then
     says "byte %u: %s; is the file still whole?" render $page -o x.png --source read
     cured render quad.plt -o x.png --source read
 fi
+run make terrain --triangles 400000 -o big.ply
+run pack big.ply -o big.plt
+run pack big.ply -o worst.plt --build device
+# A scene of 19 MiB, mapped or read, where there are 20 for all.
+says_by "no room for it; raise the limit with ulimit -v, or close other programs" \
+    limited v 20000 "$PLANELET" render big.plt -o x.png --size 64x64
+cured_by limited v unlimited "$PLANELET" render big.plt -o x.png --size 64x64
+says_by "this machine has no room for an arena of %zu bytes; raise the limit with ulimit -v, or \
+close other programs" limited v 20000 "$PLANELET" render big.plt -o x.png --size 64x64 \
+    --source read
+cured_by limited v unlimited "$PLANELET" render big.plt -o x.png --size 64x64 --source read
+says_by "this machine has no room for an arena of %zu bytes; use --arena %zu" \
+    limited v 800000 "$PLANELET" render quad.plt -o x.png --size 8x8 --arena 1073741824
+cured_by limited v 800000 "$PLANELET" render quad.plt -o x.png --size 8x8 \
+    --arena "$(sed 's/.*use --arena //' err)"
+# An image of 15 MiB that asks for 41 of arena, where there are 58 for all.
+for remedy in 'unlimited' '60000 --arena 30000000'; do
+    message="this machine has no room for an arena of %zu bytes; raise the limit with ulimit -v, \
+close other programs, or try --arena BYTES with fewer"
+    says_by "$message" limited v 60000 "$PLANELET" render worst.plt -o x.png --size 64x64
+    # shellcheck disable=SC2086
+    cured_by limited v ${remedy%% *} "$PLANELET" render worst.plt -o x.png --size 64x64 \
+        $(echo "$remedy" | cut -s -d ' ' -f 2-)
+done
 # Not a full disk, but what a full disk says.
-says_by "standard output: cannot be written; is the disk full?" \
+if mounted sh -c 'mount -t tmpfs tmpfs /dev && exec <&-' 2>/dev/null; then
+    says_by "%s: a standard stream is closed, and there is no /dev/null for it; leave it open" \
+        mounted sh -c 'mount -t tmpfs tmpfs /dev && exec "$0" --version <&-' "$PLANELET"
+    cured_by mounted sh -c 'mount -t tmpfs tmpfs /dev && exec "$0" --version' "$PLANELET"
+fi
+says_by "it is closed: redirect it to a file" sh -c "\"$PLANELET\" --help >&-"
+cured_by sh -c "\"$PLANELET\" --help >help"
+says_by "is the disk full?" \
     sh -c "\"$PLANELET\" --help >/dev/full"
 cured_by sh -c "\"$PLANELET\" --help >help"
 says_by "the picture cannot be drawn; is the disk full?" \

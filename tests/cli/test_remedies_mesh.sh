@@ -47,9 +47,6 @@ for wrong in 's/^3 0 2 3$/3 0 2 4/' 's/^3 0 2 3$/3 0 -1 3/'; do
 drop it"
     packs 1 bad.ply --repair
 done
-bad quad.ply 's/^3 0 2 3$/2 0 2/'
-refused_as "a face of %llu corners; use pack --repair to drop it"
-packs 1 bad.ply --repair
 
 # ---- PLY: ply_header.c ----------------------------------------------------------------------
 
@@ -113,9 +110,14 @@ mended 's/^property float$/& y/'
 bad quad.ply 's/^property float y/property double x\n&/; s/^[01] [01] 0$/& 5/'
 refused_as "line %zu: a second property '%.*s'; rename one"
 mended 's/^property float z/property float w/; s/^property double x/property double z/'
-bad quad.ply 's/^element face 2/made by hand\n&/'
-refused_as "line %zu: '%.*s' in the header; make it a comment"
-mended 's/^made/comment &/'
+bad quad.ply 's/^property float y/propperty float y/'
+refused_as "line %zu: '%.*s' in the header looks like a misspelt keyword; correct it, or make the \
+line a comment"
+mended 's/^propperty/property/'
+bad quad.ply 's/^element face 2/formerly in two parts\n&/'
+refused_as "line %zu: '%.*s' in the header looks like a misspelt keyword; correct it, or make the \
+line a comment"
+mended 's/^formerly/comment &/'
 bad quad.ply 's/^element face 2/& faces/'
 refused_as "line %zu: more words than expected; remove them"
 mended 's/ faces$//'
@@ -153,25 +155,115 @@ mended 's/^property float height/property float z/'
 bad quad.ply 's/vertex_indices/corners/'
 refused_as "line %zu: '%.*s' has no list vertex_indices; rename one"
 mended 's/corners/vertex_indices/'
-for remedy in count repair; do
-    bad quad.ply 's/^element face 2/element face 1/'
-    refused_as "%zu bytes more than the header declares; correct its counts or use pack --repair \
-to ignore them"
-    if [ $remedy = repair ]; then
-        packs 1 bad.ply --repair
-    else
-        mended 's/^element face 1/element face 2/'
-    fi
+bad quad.ply 's/^1 1 0$/1 1/'
+refused_as "fewer values than the header declares for a vertex; correct the header or the lines"
+mended 's/^1 1$/& 0/'
+for remedy in '/^property float w/d' 's/^[01] [01] 0$/& 5/'; do
+    bad quad.ply 's/^element face 2/property float w\n&/'
+    refused_as "fewer values than the header declares for a vertex; correct the header or the lines"
+    mended "$remedy"
 done
 bad quad.ply '$s/ 3$//'
 refused_as "the file ends inside it; get it again"
 again quad.ply
-bad quad.ply 's/^1 1 0$/1 one 0/'
-refused_as "'%.*s' where a number belongs; correct it"
-mended 's/one/1/'
+for wrong in 's/^1 1 0$/1 one 0/' 's/^3 0 2 3$/3 0 two 3/' 's/^3 0 2 3$/3 0 2.5 3/'; do
+    bad quad.ply "$wrong"
+    refused_as "'%.*s' where a %snumber belongs; correct it"
+    mended 's/one/1/; s/two/2/; s/2\.5/2/'
+done
 bad quad.ply 's/^3 0 2 3$/3000000 0 2 3/'
 refused_as "a list of %lld values, but %zu bytes follow; the file is damaged: get it again"
 again quad.ply
+
+# ---- PLY: ply_body.c -----------------------------------------------------------------------------
+
+# Doubles under a header that says float: six vertices, eight triangles.
+{
+    sed -n '1,/^end_header/s/ascii/binary_little_endian/; s/vertex 4/vertex 6/; s/face 2/face 8/
+        1,/^end_header/p' quad.ply
+    head -c 144 /dev/zero
+    for i in 1 2 3 4 5 6 7 8; do printf '\3\0\0\0\0\1\0\0\0\2\0\0\0'; done
+} >bad.ply
+message="line %zu: the body does not fit the types of the header, by which a vertex takes %llu \
+bytes: it takes %llu; write the mesh as ASCII PLY or OBJ"
+for remedy in quad.ply quad.obj; do
+    says "$message" pack bad.ply -o x.plt
+    packs 2 $remedy
+done
+
+# ---- what pack says beside its work: report.c, pack_lines.c, pack_meshes.c -----------------------
+
+# warns MESSAGE ARGUMENT...: pack succeeds, and one of its lines is that message.
+warns() {
+    message=$1
+    shift
+    "$PLANELET" pack "$@" -o x.plt >out 2>err </dev/null
+    status=$?
+    said=$(
+        [ "$status" -eq 0 ] || echo "status $status"
+        grep -q -- "$(pattern "$message")\$" err || { echo "not said:"; cat err; })
+}
+# quiet ARGUMENT...: pack succeeds without that message, the remedy.
+quiet() {
+    "$PLANELET" pack "$@" -o x.plt >out 2>err </dev/null
+    status=$?
+    helped "$(grep -- "$(pattern "$message")" err)"
+}
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 3 2 4\n' >crossed.obj
+warns "%llu face%s cross%s %s, and no triangles fill %s without overlap; cut %s into triangles \
+where %s made" crossed.obj
+quiet quad.obj
+printf 'v %s.1 4500000.3 0\n' 500000 500001 500002 >far.obj
+printf 'v 500001.1 4500000.7 1\nf 1 2 4\nf 2 3 4\n' >>far.obj
+warns "use pack --centre to move the mesh to the origin first" far.obj
+quiet far.obj --centre
+echo 'far.obj 10 0 0 0' >far.txt
+warns "single precision moved corners by up to %.2g of an edge before their meshes were placed, \
+and %llu triangles lost an edge; use pack --centre to place them first" far.txt
+quiet far.txt --centre
+printf 'v %s.1 4500000.3 0\n' 500000 500001 >part.obj
+printf 'v 500001.1 4500000.7 1\nf 1 2 3\n' >>part.obj
+{ cat part.obj; printf 'v 0.1 0 0\nv 1.2 0 0\nv 0 1.3 0\nf 4 5 6\n'; } >wide.obj
+warns "the mesh is too large for its smallest parts: pack these apart, with --centre" wide.obj
+quiet part.obj --centre
+{
+    echo 'solid a'
+    for side in '0.333333333 0 0|0 0.666666687 0|0 0 1' '0 0.666666687 0|0 0 0|0 0 1' \
+        '0 0 0|0.333333333 0 0|0 0 1' '0 0 0|0 0.6667 0|0.3333 0 0'; do
+        echo 'facet normal 0 0 0 outer loop'
+        echo "$side" | tr '|' '\n' | sed 's/^/vertex /'
+        echo 'endloop endfacet'
+    done
+    echo 'endsolid a'
+} >seams.stl
+warns "%llu open edge%s, some of which all but meet; use pack --weld %.0e to close %llu" seams.stl
+# shellcheck disable=SC2046
+quiet seams.stl $(sed -n 's/.*use pack \(--weld [^ ]*\) .*/\1/p' err)
+verdict "... and no edge is open any more" "$(grep 'open edge' err)"
+sed '/^f/d' quad.obj >bad.obj
+file=bad.obj
+refused_as "write it with its faces; points need a surface first"
+again quad.obj
+printf 'o nothing\n' >bad.obj
+refused_as "check that the right objects were exported"
+again quad.obj
+sed 's/^v 0 0 0/v nan 0 0/' quad.obj >bad.obj
+says "mend them in the program that wrote them" pack bad.obj -o x.plt --repair
+again quad.obj
+
+# ---- where a mesh is, and how much is left of it: precision.c, reduce.c --------------------------
+
+says "moved by --origin it reaches beyond +-2^40; use --centre" \
+    pack quad.obj -o x.plt --origin 2e12,0,0
+packs 2 quad.obj --centre
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 1 2\nf 2 2 3\n' >flat.obj
+says "none of its %zu triangles has an area; leave out --reduce" pack flat.obj -o x.plt --reduce 1
+packs 2 flat.obj
+run make knot --triangles 500 -o knot.ply
+says "--reduce %zu leaves none of its %zu triangles: their corners fall together; use --reduce %zu \
+or more" pack knot.ply -o x.plt --reduce 1
+# shellcheck disable=SC2046
+cured pack knot.ply -o x.plt $(sed -n 's/.*use \(--reduce [0-9]*\) or more$/\1/p' err)
 
 # ---- OBJ: obj.c, mesh_single.c ------------------------------------------------------------------
 
@@ -184,18 +276,19 @@ mended 's/one/1/'
 bad quad.obj 's/^f 1 3 4/f 1 3 four/'
 refused_as "'%.*s' where a vertex number belongs; correct the line"
 mended 's/four/4/'
-gzip -nc quad.obj >bad.obj
+{ printf '\1\2\n'; cat quad.obj; } >bad.obj
+file=bad.obj
 refused_as "'%.*s' is no text; check that this is an OBJ file"
-gzip -dc bad.obj >unpacked.obj
-packs 2 unpacked.obj
+again quad.obj
 echo 'quad.ply 1 0 0 0' >bad.obj
 refused_as "no line up to here is one of OBJ; check the file's format"
 mv bad.obj recipe.txt
 packs 2 recipe.txt
-printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >quad.off
-says "is neither PLY nor OBJ nor STL, and no .txt recipe; convert it" pack quad.off -o x.plt
-awk 'NR > 2 && NF == 3 { print "v", $0 }
-    NR > 2 && NF == 4 { print "f", $2 + 1, $3 + 1, $4 + 1 }' quad.off >converted.obj
+printf '4 vertices\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 triangles\n0 1 2\n0 2 3\n' >own.mesh
+says "is neither PLY nor OBJ nor STL, and no .txt recipe; convert it" pack own.mesh -o x.plt
+awk '/triangles/ { faces = 1 }
+    NF == 3 && !faces { print "v", $0 }
+    NF == 3 && faces { print "f", $1 + 1, $2 + 1, $3 + 1 }' own.mesh >converted.obj
 packs 2 converted.obj
 
 # ---- STL: stl.c ---------------------------------------------------------------------------------
@@ -226,23 +319,27 @@ head -c 160 quad.stl >bad.stl
 refused_as "byte 80: %llu triangles take %llu bytes, but the file has %zu; it is cut short or no \
 STL: get it again"
 again quad.stl
-for remedy in count repair; do
-    { head -c 80 quad.stl; printf '\1'; tail -c +82 quad.stl; } >bad.stl
-    refused_as "byte %llu: %llu bytes more than the triangle count at byte 80 says; correct it or \
+for remedy in remove repair; do
+    { cat quad.stl; echo by hand; } >bad.stl
+    refused_as "byte %llu: %llu bytes more than the triangle count at byte 80 says; remove them or \
 use pack --repair to ignore them"
     if [ $remedy = repair ]; then
-        packs 1 bad.stl --repair
+        packs 2 bad.stl --repair
     else
-        { head -c 80 bad.stl; printf '\2'; tail -c +82 bad.stl; } >counted.stl
-        packs 2 counted.stl
+        head -c "$(sed 's/.*: byte \([0-9]*\): .*/\1/' err)" bad.stl >shorter.stl
+        packs 2 shorter.stl
     fi
 done
-bad text.stl '/^endsolid/d'
+bad text.stl '12,$d'
 refused_as "the file ends where '%s' belongs; get it again"
 again text.stl
 bad text.stl 's/outer loop/loop/'
 refused_as "'%.*s' where '%s' belongs; correct it"
 mended 's/^loop/outer loop/'
+
+bad text.stl '4d'
+refused_as "a face of %llu corners; use pack --repair to drop it"
+packs 1 bad.stl --repair
 
 # ---- recipes: recipe.c, placement.c -------------------------------------------------------------
 

@@ -4,6 +4,7 @@
 . tests/check/report.sh
 . tests/cli/cli.sh
 . tests/cli/remedies.sh
+top=$PWD
 begin remedies_render
 TERM=xterm
 export TERM
@@ -23,32 +24,62 @@ said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
 eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
 status=$?
 helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
-message="%s: %u triangle%s, %u bytes, %.1f s; next: planelet render %s --show"
+message="; next: planelet render "
 ./pty err "$PLANELET" pack marbles.ply -o marbles.plt >seen </dev/null
 said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
 eval "$(tr -d '\r' <seen | sed -n 's/.*; next: //p')" >out 2>err
 status=$?
 helped "$([ "$(wc -l <out)" -gt 10 ] || echo "no picture")"
+message="%s: %u triangle%s, %u bytes, %.1f s; next: compile it, its head says how to use it"
+./pty err "$PLANELET" pack marbles.ply -o marbles.h >seen </dev/null
+said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
+{
+    echo '#include "engine/planelet.h"'
+    echo '#include "marbles.h"'
+    sed -n 's/^ \*  *\(plt_source source = .*;\)$/\1/p' marbles.h
+} >marbles.c
+cured_by $CC -std=c11 -Wall -Wextra -I "$top" -c marbles.c
 
 # ---- pictures: cmd_render.c, host_tools/picture --------------------------------------------------
 
 look='--eye 0,9,20 --look 0,0,0'
-for wrong in '--eye 0,0,0 --look 0,0,0' "$look --up 0,9,20" '--eye 0,9e12,0' \
-    "$look --up 0,0,0" "$look --fov 179.99999"; do
+# sees ARGUMENT...: with them the scene is rendered.
+sees() {
+    cured render ground.plt -o x.png --size 64x48 "$@"
+}
+same='--eye 0,1,0 --look 0,1,0'
+# shellcheck disable=SC2086
+{
+    for remedy in '--eye 0,9,20 --look 0,1,0' '--eye 0,1,0 --look 9,0,0'; do
+        says "eye and look coincide; change --eye or --look" render ground.plt -o x.png $same
+        sees $remedy
+    done
+    says "up has no direction; change --up" render ground.plt -o x.png $look --up 0,0,0
+    sees $look --up 0,1,0
+    for remedy in '--eye 9,9,20 --look 0,0,0' '--eye 0,9,20 --look 5,0,0' "$look --up 0,1,0"; do
+        says "up runs along the view; change --eye, --look or --up" \
+            render ground.plt -o x.png $look --up 0,9,20
+        case $remedy in
+        *--up*) sees $remedy ;;
+        *) sees $remedy --up 0,9,20 ;;
+        esac
+    done
+    says "its orbit goes beyond 2^40; move --eye nearer to --look" \
+        render ground.plt -o x.y4m --size 8x8 --orbit 8 --eye 1e12,0,1e12
+    cured render ground.plt -o x.y4m --size 8x8 --orbit 8 --eye 1e11,0,1e11
+}
+printf 'v 0 0 0\nv 1e12 0 0\nv 1e12 1e12 0\nf 1 2 3\n' >huge.obj
+run pack huge.obj -o huge.plt
+for remedy in '--eye 5e11,5e11,1e12' '--fov 150'; do
+    says "all is seen only from beyond 2^40; choose a nearer --eye, or a wider --fov" \
+        render huge.plt -o x.png --size 64x48
     # shellcheck disable=SC2086
-    says "eye and look coincide, up runs along the view, or one of them is beyond 2^40; change \
---eye, --look, --up or --fov" render ground.plt -o x.png --size 64x48 $wrong
-    # shellcheck disable=SC2086
-    cured render ground.plt -o x.png --size 64x48 $look --up 0,1,0 --fov 45
+    cured render huge.plt -o x.png --size 64x48 $remedy
 done
-says "picture of %u x %u pixels: a side is 1 to %u; choose such a size" \
-    render ground.plt -o x.ppm --size 32769x8
-cured render ground.plt -o x.ppm --size 32768x8
 
 run pack knot.ply -o compact.plt --nodes compact
-says "%s; see --help for the ranges" render compact.plt -o x.png --walk two-stage
-cured render --help
-cured render compact.plt -o x.png "$(sed -n 's/^  \(--walk\) \([a-z]*\)|.*/\1=\2/p' out)"
+says "%s; leave out --walk two-stage" render compact.plt -o x.png --walk two-stage
+cured render compact.plt -o x.png
 
 # ---- rays: cmd_trace.c ----------------------------------------------------------------------
 
@@ -79,14 +110,19 @@ small='-o x.ppm --size 64x48'
     says "the scene needs %u bytes there, it has %u; pack it smaller" \
         serve knot.plt $small --emulate "$(wc -c <knot.plt)"
     cured serve smaller.plt $small --emulate "$(wc -c <knot.plt)"
-    for wrong in '--eye 0,0,0 --look 0,0,0' "$look --up 0,9,20" "$look --fov 179.99999"; do
-        says "eye and look coincide, up runs along the view, or one of them is beyond 2^40; \
-change --eye, --look, --up or --fov" serve ground.plt $small --emulate 400000 $wrong
-        cured serve ground.plt $small --emulate 400000 $look --up 0,1,0 --fov 45
-    done
-    says "%ux%u has more than %d tiles of 16x16; choose a smaller one" \
+    says "up has no direction; change --up" serve ground.plt $small --emulate 400000 --up 0,0,0
+    cured serve ground.plt $small --emulate 400000 --up 0,1,0
+    says "--size %ux%u has more than %d tiles of 16x16, which is the most" \
         serve ground.plt -o x.ppm --size 9000x9000 --emulate 400000
-    cured serve ground.plt $small --emulate 400000
+    cured serve ground.plt -o x.ppm --emulate 400000 --size "$(
+        sed 's/.* more than \([0-9]*\) tiles of \([0-9]*\)x.*/\1 \2/' err |
+            awk '{ print $2 "x" $2 }')"
+    says_by "no room for its %zu bytes; give it fewer with --emulate" \
+        limited v 300000 "$PLANELET" serve ground.plt $small --emulate 1073741824
+    cured_by limited v 300000 "$PLANELET" serve ground.plt $small --emulate 400000
+    says_by "no connection to it: %s; raise the limit with ulimit -n" \
+        limited n 4 "$PLANELET" serve ground.plt $small --emulate 400000
+    cured_by limited n 16 "$PLANELET" serve ground.plt $small --emulate 400000
     says "%s; is it connected, and does it render?" \
         serve ground.plt $small --socket nobody --timeout 1
     cured serve ground.plt $small --emulate 400000 --timeout 60

@@ -37,13 +37,17 @@ for flags in '--near 2' '--every'; do
     cured show good.png --fps 10 --near auto
 done
 look='--eye 0,9,20 --look 0,0,0'
-for wrong in '--eye 0,0,0 --look 0,0,0' "$look --up 0,9,20" "$look --fov 179.99999"; do
-    # shellcheck disable=SC2086
-    says "eye and look coincide, up runs along the view, or one of them is beyond 2^40; change \
---eye, --look, --up or --fov" show ground.plt --frames 1 $wrong
-    # shellcheck disable=SC2086
-    cured show ground.plt --frames 1 $look --up 0,1,0 --fov 45
-done
+# shellcheck disable=SC2086
+{
+    says "up runs along the view; change --eye, --look or --up" \
+        show ground.plt --frames 1 $look --up 0,9,20
+    cured show ground.plt --frames 1 $look --up 0,1,0
+    for remedy in '--eye 1e11,0,1e11' '--eye 1e12,0,1e12 --look 9e11,0,9e11'; do
+        says "the camera leaves the range of 2^40; change --eye or --look" \
+            show ground.plt --frames 1000 --turn 1 --eye 1e12,0,1e12
+        cured show ground.plt --frames 30 --turn 1 $remedy
+    done
+}
 
 # ---- any file: sources/frames_open.c, frames.c ------------------------------------------------
 

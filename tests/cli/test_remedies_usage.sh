@@ -30,7 +30,7 @@ says "%s takes %s, not '%s'" pack quad.ply -o x.plt --leaf 3
 packs 2 quad.ply --leaf 4
 says "%s takes %u number%s separated by commas, not '%s'" render quad.plt -o x.png --eye 0,0
 cured render quad.plt -o x.png --eye 0,0,3
-says "%s takes WIDTHxHEIGHT, each 1 to 65535, not '%s'" render quad.plt -o x.png --size 64
+says "%s takes WIDTHxHEIGHT, each 1 to %u, not '%s'" render quad.plt -o x.png --size 64
 cured render quad.plt -o x.png --size 64x48
 
 # ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
@@ -71,6 +71,11 @@ compact='quad.ply -o x.plt --nodes compact'
     for geometry in float lattice lattice:12 lattice:21; do
         cured pack $compact --geometry $geometry
     done
+    for flag in --tolerance=0.001 --numbers=none --step=power; do
+        says "--tolerance, --numbers and --step go with --nodes compact" \
+            pack quad.ply -o x.plt $flag
+        cured pack $compact $flag
+    done
     says "--tolerance and --geometry %s both choose the lattice; leave one out" \
         pack $compact --geometry lattice:14 --tolerance 0.001
     cured pack $compact --geometry lattice:14
@@ -97,16 +102,31 @@ compact='quad.ply -o x.plt --nodes compact'
     done
     cured pack $compact --build host
     cured pack $compact --build device
-    for flags in '--tolerance 0.001' '--numbers none'; do
-        says "--tolerance and --numbers go with --nodes compact" pack quad.ply -o x.plt $flags
-        cured pack $compact $flags
+    says "--centre and --origin both choose the origin; leave one out" \
+        pack quad.ply -o x.plt --centre --origin 1,0,0
+    cured pack quad.ply -o x.plt --centre
+    cured pack quad.ply -o x.plt --origin 1,0,0
+    says "--weld takes a distance above 0" pack quad.ply -o x.plt --weld 0
+    cured pack quad.ply -o x.plt --weld 1e-9
+    for one in x.plt -; do
+        says "%s need two different files, not '%s' twice" pack quad.ply -o $one --json $one
+        cured pack quad.ply -o $one --json x.json
     done
 }
 
 # ---- render, trace: host_tools/app, cmd_render.c, cmd_trace.c ----------------------------
 
-says "--fov takes degrees between 0 and 180" render quad.plt -o x.png --fov 180
-cured render quad.plt -o x.png --fov 179
+for fov in 0.0001 180; do
+    says "--fov takes degrees from 0.0002 to 179.999, not '%s'" render quad.plt -o x.png --fov $fov
+done
+for fov in 0.0002 179.999; do
+    cured render quad.plt -o x.png --fov $fov
+done
+says "%s takes three numbers from -2^40 to 2^40, not '%s'" render quad.plt -o x.png --eye 2e12,0,0
+cured render quad.plt -o x.png --eye 1099511627776,0,0
+says "--chroma is for films: give -o a name that ends in .y4m" \
+    render quad.plt -o x.png --chroma 444
+cured render quad.plt -o x.y4m --chroma 444 --size 8x8
 says "no picture format has this ending; use .png, .ppm or .y4m" render quad.plt -o x.jpg
 for ending in png ppm y4m; do
     cured render quad.plt -o x.$ending
@@ -117,13 +137,16 @@ cured render quad.plt -o x.y4m --orbit 2 --size 8x8
 says "-o OUT says where the picture goes, --show draws it here" render quad.plt
 cured render quad.plt -o x.png
 cured render quad.plt --show
-says "-o and --json need two different files" render quad.plt -o x.png --json x.png
+says "%s need two different files, not '%s' twice" render quad.plt -o x.png --json x.png
 cured render quad.plt -o x.png --json x.json
 says "-o - and --show would mix on standard output" render quad.plt -o - --show
 cured render quad.plt -o -
 cured render quad.plt -o x.png --show
-says "HITS and --json need two different files" trace quad.plt ray x.hits --json x.hits
+says "%s need two different files, not '%s' twice" trace quad.plt ray x.hits --json x.hits
 cured trace quad.plt ray x.hits --json x.json
+says "SCENE.plt and RAYS are not both on standard input; name a file" trace - - x.hits
+cured_by sh -c "\"$PLANELET\" trace quad.plt - x.hits <ray"
+cured_by sh -c "\"$PLANELET\" trace - ray x.hits <quad.plt"
 
 # ---- serve: host_tools/cli/cmd_serve.c -------------------------------------------------
 
@@ -133,7 +156,7 @@ cured serve quad.plt -o x.ppm --emulate 400000 --size 64x48
 says "one of --pty, --socket, --listen and --emulate says where the device is" \
     serve quad.plt -o x.ppm --emulate 400000 --pty
 cured serve quad.plt -o x.ppm --emulate 400000 --size 64x48
-says "-o OUT says where the frames go, --show draws them here" \
+says "-o OUT says where the picture goes, --show draws it here" \
     serve quad.plt --emulate 400000 --size 64x48
 cured serve quad.plt --emulate 400000 --size 64x48 -o x.ppm
 cured serve quad.plt --emulate 400000 --size 64x48 --show
