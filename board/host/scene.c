@@ -55,9 +55,11 @@ int host_scene_map(host_scene *scene, const char *path) {
     void *map = mmap(NULL, scene->source.bytes, PROT_READ, MAP_PRIVATE, scene->file, 0);
     if (map == MAP_FAILED) {
         const int error = errno;
-        return fail_with(scene, strerror(error),
-                         error == ENOMEM ? "no room for it; raise the limit with ulimit -v, or close other programs"
-                                         : "the file system cannot map it; use --source read");
+        return fail_with(
+            scene, strerror(error),
+            error == ENOMEM
+                ? "no room for it; raise the limit with ulimit -v, or close other programs"
+                : "the file system cannot map it; use --source read");
     }
     scene->source.mapped = map;
     return 0;

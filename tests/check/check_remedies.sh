@@ -89,7 +89,8 @@ check() {
         grep -qxF -- "$text" "$out/texts" || echo "a reason for what nobody says: $text"
         ! grep -qF "\"$text\"" "$out/tests" || echo "a reason for what is tried: $text"
     done <"$out/reasons"
-    sed -n 's/^ *\(says\|says_by\|warns\|converted\|larger\|smaller\|refused_as\|message=\) *"\([^"]*\)".*/\2/p
+    by='says\|says_by\|warns\|converted\|larger\|smaller\|refused_as\|message='
+    sed -n "s/^ *\($by\) *\"\([^\"]*\)\".*/\2/p"'
             s/^ *says(&f, "\([^"]*\)").*/\1/p' "$out/tests" |
         grep -v '^[$]' | while IFS= read -r text; do
             grep -qxF -- "$text" "$out/texts" || echo "tried, but nobody says it: $text"

@@ -198,7 +198,7 @@ for pair in 'scene.h|scene_plt' '3d-model v2.h|scene_3d_model_v2_plt' 'häuser.h
     cp "./$file" copy.h
     program "$name" copy.h
     verdict "... is a $name, in C and C++" "$(
-        cat err
+        trouble
         $c "$name.main.c" "$library" -o named 2>&1 && ./named >got || echo "status $?"
         run pack quad.ply -o quad.plt
         cmp got quad.plt 2>&1

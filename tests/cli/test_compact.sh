@@ -136,7 +136,8 @@ packs "a sliver that is too thin to be mended" sliver.ply -o sliver.plt --nodes 
 verdict "... is lost, reported as a T-junction, and a finer lattice is proposed" "$(
     grep -q ' 1 triangles lost their area (0 had none)' err &&
         grep -q ' 1 T-junctions' err &&
-        grep -q '; --geometry lattice:21 keeps more of them, --geometry float all$' err || cat err
+            grep -q '; --geometry lattice:21 keeps more of them, --geometry float all$' err ||
+            cat err
     run info sliver.plt --json
     [ "$(number triangles <out) $(number source_triangles <out)" = "2 3" ] || cat out)"
 packs "a sliver on a lattice of 21 bits" mended.ply -o sliver.plt --nodes compact \

@@ -75,7 +75,10 @@ printf '<html>' >html
 foreign html "is neither PLY nor OBJ nor STL"
 bytes short '\037'
 foreign short "is neither PLY nor OBJ nor STL"
-bytes header.stl "PK\\003\\004$(awk 'BEGIN { while (i++ < 76) printf "x" }')\\000\\000\\000\\000"
-works "an STL whose 80 bytes of text begin like a zip archive is an STL" pack header.stl -o x.plt
+bytes header.stl "PK\\003\\004$(awk 'BEGIN { while (i++ < 76) printf "x" }')\\001\\000\\000\\000"
+head -c 50 /dev/zero >>header.stl
+run pack header.stl -o x.plt
+verdict "an STL whose 80 bytes of text begin like a zip archive is an STL" "$(
+    [ "$status" -eq 0 ] || cat err)"
 verdict "nothing half-written is left" "$(left_behind)"
 finish

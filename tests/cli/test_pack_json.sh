@@ -17,8 +17,8 @@ member() {
 
 # ---- what reads it here sees mistakes ---------------------------------------------------
 
-for wrong in '{' '{}{}' '{"a": 1,}' '[1 2]' '[01]' '[1.]' '[nan]' '["a' '["\x"]' '{"a": 1, "a": 2}' \
-    '["	"]' '{a: 1}' '[+1]'; do
+for wrong in '{' '{}{}' '{"a": 1,}' '[1 2]' '[01]' '[1.]' '[nan]' '["a' '["\x"]' '["	"]' \
+    '{"a": 1, "a": 2}' '{a: 1}' '[+1]'; do
     echo "$wrong" >wrong.json
     verdict "the tests' reader refuses $wrong" "$(values wrong.json | grep -q '^wrong' || echo no)"
 done

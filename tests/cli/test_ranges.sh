@@ -69,7 +69,8 @@ for bits in 11 22; do
     misused "pack --geometry lattice:$bits is out of range" --geometry \
         pack quad.ply -o x.plt --nodes compact --geometry lattice:$bits
 done
-run pack quad.ply -o x.plt --nodes compact --tolerance 5.2e-7
+run make knot --triangles 500 -o knot.ply # unlike the quad, on no coarse grid
+run pack knot.ply -o x.plt --nodes compact --tolerance 5.2e-7
 verdict "pack --tolerance 5.2e-7 is the finest lattice" "$(grep -q 'of 21 bits' err || cat err)"
 misused "pack --tolerance 5.1e-7 is out of range" --tolerance \
     pack quad.ply -o x.plt --nodes compact --tolerance 5.1e-7

@@ -83,8 +83,8 @@ for remedy in '-o x.plt' '-o - >x.plt' '-o - | cat >x.plt'; do
     ./pty both "$PLANELET" pack quad.ply -o - >seen 2>out </dev/null
     status=$?
     tr -d '\r' <seen >err
-    message="is a terminal, on which these bytes are no text; name a file, or redirect it to a file \
-or a program"
+    message="is a terminal, on which these bytes are no text; name a file, or redirect it to a \
+file or a program"
     said=$(unlike "$message")
     rm -f x.plt
     ./pty both sh -c "\"$PLANELET\" pack quad.ply $remedy 2>err" >seen 2>out </dev/null

@@ -39,8 +39,8 @@ scattered -0.5 centred.obj
 # shellcheck disable=SC2046,SC2086
 {
     for remedy in '--nodes compact --geometry lattice:18 --centre' '--nodes thesis' named; do
-        says "a lattice of %u bits is finer than floats are that far from the origin; use --centre, \
---nodes thesis, or fewer bits (--geometry lattice:%u)" \
+        says "a lattice of %u bits is finer than floats are that far from the origin; use \
+--centre, --nodes thesis, or fewer bits (--geometry lattice:%u)" \
             pack far.obj -o x.plt --nodes compact --geometry lattice:18
         [ "$remedy" != named ] ||
             remedy="--nodes compact $(sed 's/.*(\(--geometry lattice:[0-9]*\))$/\1/' err)"
@@ -48,8 +48,9 @@ scattered -0.5 centred.obj
     done
     for remedy in '--nodes compact --tolerance 1e-5 --centre' '--nodes thesis' \
         '--nodes compact --tolerance 1e-3'; do
-        says "a lattice of %u bits is finer than floats are that far from the origin; use --centre, \
---nodes thesis, or a larger --tolerance" pack far.obj -o x.plt --nodes compact --tolerance 1e-5
+        says "a lattice of %u bits is finer than floats are that far from the origin; use \
+--centre, --nodes thesis, or a larger --tolerance" \
+            pack far.obj -o x.plt --nodes compact --tolerance 1e-5
         packs 1 far.obj $remedy
     done
     for remedy in '--nodes compact --centre' '--nodes thesis'; do
@@ -83,7 +84,8 @@ helped "$(grep 'triangles lost' err)"
 
 # ---- limits of a build: pack.c, pack_compact.c, host_tools/app/scene.c ----------------------
 
-trouble=$(cd "$top" && BUILD=$(absolute "$BUILD") && $MAKE -s VARIANT=-small OPTIMISE=-O0 ARENA_BYTES=22000 all \
+trouble=$(cd "$top" && BUILD=$(absolute "$BUILD") && $MAKE -s VARIANT=-small OPTIMISE=-O0 \
+    ARENA_BYTES=22000 all \
     CFLAGS='-DPLT_PACKET_SIDE_MAX=4 -DPLT_DEPTH_MAX=8 -DPLT_GLOBAL_STACK_MAX=16' 2>&1 >/dev/null)
 SMALL=${PLANELET%/host*/planelet}/host-small/planelet
 [ -z "$trouble" ] && [ ! -x "$SMALL" ] && trouble="it is not $SMALL"

@@ -49,7 +49,7 @@ scene_flags='--packet --walk --residency --schedule --workers --source --arena'
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --frame --frames
 flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometry --tolerance \
-    --numbers --reduce --frame --centre --origin --weld --repair --json
+    --step --numbers --reduce --frame --centre --origin --weld --repair --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --chroma --json $view_flags $scene_flags

@@ -251,7 +251,8 @@ static void refuses_names(void) {
     must_refuse("", "the output has no name; give one, or - for standard output");
     must_refuse("build", "build: is a directory; name a file in it");
     must_refuse(FOLDER, FOLDER ": is a directory; name a file in it");
-    must_refuse("build/none/", "build/none/: is the name of a directory; name a file in it");
+    must_refuse("build/none/",
+                "build/none/: there is no such directory; create it and name a file in it");
     must_refuse("build/none/file",
                 "build/none/file: cannot create a file there: No such file or "
                 "directory; create the directory first, or correct the path");
