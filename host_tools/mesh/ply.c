@@ -209,7 +209,7 @@ static int read_body(ply_reader *r, const input *in, fail *f) {
     r->in.f = &inner;
     const int status = read_data(r, in);
     r->in.f = f;
-    if ((status != 0 || r->in.count[REPORT_SMALL_FACES] > 0) &&
+    if ((status != 0 || r->in.count[REPORT_LOOSE_BYTES] > 0) &&
         ply_body_check(r->header, in, f) != 0) {
         return -1;
     }

@@ -34,35 +34,34 @@ static int has_others(const ply_header *h) {
     return others;
 }
 
-/* Bytes per vertex that the size leaves when all faces have `corners` corners; 0: none. */
-static uint64_t vertex_bytes(const ply_element *vertex, const ply_element *face, uint64_t body,
-                             uint64_t corners) {
-    unsigned lists;
-    const uint64_t each = item_bytes(face, corners, &lists);
-    if (lists != 1 || each > body / face->count) {
-        return 0;
+/* Properties of one byte, as colours are: written as floats they take three bytes more. */
+static uint64_t byte_properties(const ply_element *e) {
+    uint64_t count = 0;
+    for (size_t i = 0; i < e->properties; i++) {
+        count += !e->property[i].is_list && ply_type_bytes(e->property[i].type) == 1;
     }
-    const uint64_t left = body - each * face->count;
-    return left % vertex->count == 0 ? left / vertex->count : 0;
+    return count;
 }
 
 int ply_body_check(const ply_header *h, const input *in, fail *f) {
     const ply_element *vertex = find_element(h, "vertex"), *face = find_element(h, "face");
-    unsigned lists;
     if (h->format == PLY_ASCII || vertex == NULL || face == NULL || has_others(h)) {
         return 0;
     }
-    const uint64_t said = item_bytes(vertex, 0, &lists);
-    for (uint64_t corners = 3; corners <= 4 && lists == 0; corners++) {
-        const uint64_t takes =
-            vertex_bytes(vertex, face, (uint64_t)(h->data.end - h->data.at), corners);
-        if (takes > said) {
-            return fail_set(f, in->path,
-                            "line %zu: the body does not fit the types of the header, by which a "
-                            "vertex takes %llu bytes: it takes %llu; write the mesh as ASCII PLY "
-                            "or OBJ",
-                            vertex->line, (unsigned long long)said, (unsigned long long)takes);
-        }
+    unsigned lists, face_lists;
+    const uint64_t said = item_bytes(vertex, 0, &lists), bytes = byte_properties(vertex);
+    const uint64_t takes = said + 3 * bytes, body = (uint64_t)(h->data.end - h->data.at);
+    const uint64_t least = item_bytes(face, 3, &face_lists);
+    if (lists > 0 || face_lists != 1 || bytes == 0 || takes > body / vertex->count) {
+        return 0;
     }
-    return 0;
+    /* All triangles, or all quads. */
+    const uint64_t left = body - takes * vertex->count, each = left / face->count;
+    if (left % face->count != 0 || (each != least && each != item_bytes(face, 4, &face_lists))) {
+        return 0;
+    }
+    return fail_set(f, in->path,
+                    "line %zu: the body does not fit the types of the header, by which a vertex "
+                    "takes %llu bytes: it takes %llu; write the mesh as ASCII PLY or OBJ",
+                    vertex->line, (unsigned long long)said, (unsigned long long)takes);
 }

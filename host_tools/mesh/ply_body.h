@@ -7,9 +7,9 @@
 #define PLY_BODY_H
 #include "host_tools/mesh/ply_header.h"
 
-/* Fails when the file has just the size of vertices that take other bytes than the header
- * says, and faces that are all triangles or all quads. Asked only of files with faces that
- * make no sense: other files may have such a size by chance. */
+/* Fails when the file has just the size that it would have if all properties of one byte were
+ * floats, and its faces triangles or quads. For a file that has failed already, or has bytes
+ * behind the data: others may have such a size by chance. */
 int ply_body_check(const ply_header *h, const input *in, fail *f);
 
 #endif

@@ -21,6 +21,10 @@
 
 enum { FRAME = 6 }; /* points of the outside that the outline does not have */
 
+static const double NOT_MEANT = 0x1p-9;   /* of the area; a dent deeper than that is one */
+static const double MUCH_NOISE = 0x1p-7;  /* of a face's size: it says nothing any more */
+static const double WIDE_NOISE = 0x1p-16; /* of a face's size: doubles have not more */
+
 static void write_fan(uint32_t n, uint32_t *to) {
     for (uint32_t i = 1; i < n - 1; i++) {
         *to++ = 0;
@@ -94,6 +98,24 @@ static int is_fan(const double (*point)[2], uint32_t n, double noise) {
         }
     }
     return 1;
+}
+
+/* Whether what the fan fills beside the outline is too little to be meant: far from the
+ * origin, noise is as large as a notch may be. Or there is no area that could be meant. */
+static int misses_little(const double (*point)[2], uint32_t n, double noise) {
+    double right = 0, all = 0;
+    for (uint32_t i = 1; i + 1 < n; i++) {
+        const double area = orient2(point[0], point[i], point[i + 1]);
+        right += area < 0 ? -area : 0;
+        all += area;
+    }
+    const int has_no_area = fabs(all) <= 4 * noise && noise < MUCH_NOISE;
+    return right <= NOT_MEANT * all || has_no_area;
+}
+
+/* What is convex but for rounding gives a fan, too. */
+static int fills_by_fan(const double (*point)[2], uint32_t n, double noise) {
+    return is_fan(point, n, 0) || (is_fan(point, n, noise) && misses_little(point, n, noise));
 }
 
 static int triangulate_quad(const double (*point)[2], double noise, uint32_t *to) {
@@ -204,8 +226,9 @@ int polygon_triangulate(polygon *p, const double (*corner)[3], uint32_t n, uint3
     }
     double(*own)[2] = n > 4 ? p->point : few;
     const double(*point)[2] = (const double(*)[2])own;
-    const double noise = n > 3 ? polygon_project(corner, n, own) : -1;
-    if (noise < 0 || is_fan(point, n, noise)) {
+    double noise = n > 3 ? polygon_project(corner, n, own) : -1;
+    noise = p->wide ? fmin(noise, WIDE_NOISE) : noise;
+    if (noise < 0 || fills_by_fan(point, n, noise)) {
         write_fan(n, to);
         return POLYGON_FILLED;
     }
@@ -216,5 +239,5 @@ void polygon_free(polygon *p) {
     free(p->point);
     polygon_sweep_free(&p->sweep);
     polygon_ears_free(&p->ears);
-    *p = (polygon){0};
+    *p = (polygon){.wide = p->wide};
 }

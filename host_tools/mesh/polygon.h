@@ -12,6 +12,7 @@ typedef struct polygon {
     size_t room;
     polygon_sweep sweep;
     polygon_ears ears;
+    int wide; /* set by the caller: corners are doubles, whose rounding is no matter */
 } polygon;
 
 enum polygon_kind { POLYGON_FILLED, POLYGON_OVERLAPS, POLYGON_NO_MEMORY };

@@ -318,6 +318,46 @@ static void obj_attributes(void) {
     CHECK(r.count[REPORT_SMALL_FACES] == 1, "f of two");
 }
 
+/* Two triangles, two lines and a quad: faces as a program that keeps lines among them writes. */
+static void ply_of_mixed_faces(void) {
+    test("Binary faces of 2, 3 and 4 corners are read, whatever size that gives the file");
+    for (int lines = 0; lines < 40; lines++) {
+        blob b = {.size = 0};
+        char head[400];
+        snprintf(head, sizeof head,
+                 "ply\nformat binary_little_endian 1.0\n" CORNERS_OF(
+                     "float") "property uchar red\nelement face %d\n"
+                              "property list uchar int vertex_index\nend_header\n",
+                 1 + lines);
+        put_text(&b, head);
+        for (int i = 0; i < 4; i++) {
+            put_float(&b, (float)(i == 1 || i == 2), 0);
+            put_float(&b, (float)(i / 2), 0);
+            put_float(&b, 0, 0);
+            put_number(&b, 9, 1, 0);
+        }
+        for (int i = 0; i < lines; i++) {
+            put_number(&b, 2, 1, 0);
+            put_number(&b, 0, 4, 0);
+            put_number(&b, 1, 4, 0);
+        }
+        put_number(&b, 4, 1, 0);
+        for (uint32_t i = 0; i < 4; i++) {
+            put_number(&b, i, 4, 0);
+        }
+        const mesh_report r = square_of(PLY, &b);
+        CHECK(r.count[REPORT_SMALL_FACES] == (uint64_t)lines, "%d lines", lines);
+        /* The last vertex number is missing: that is what is said. */
+        b.bytes[b.size - 4] = 7;
+        mesh m = {0};
+        mesh_report none = {0};
+        fail f;
+        CHECK(read_blob(&m, PLY, &b, &none, &f) == -1, "read");
+        CHECK(strstr(f.text, "uses vertex 7, which is not among the 4") != NULL, "%s", f.text);
+        mesh_free(&m);
+    }
+}
+
 /* ---- polygons -------------------------------------------------------------------------------- */
 
 static double area_of(const mesh *m) {
@@ -359,6 +399,45 @@ static void concave_faces(void) {
             CHECK(area_of(&m) == 3, "%s from %d: %g", path[i], start, area_of(&m));
             mesh_free(&m);
         }
+    }
+}
+
+/* A house of 20 x 10 with a notch of 4 x `depth`, from corner `start` on, in a national grid. */
+static void check_notch(const char *type, double depth, int start) {
+    const double at[8][2] = {{0, 0},           {20, 0},         {20, 10}, {12, 10},
+                             {12, 10 - depth}, {8, 10 - depth}, {8, 10},  {0, 10}};
+    char text[900];
+    snprintf(text, sizeof text,
+             "ply\nformat ascii 1.0\nelement vertex 8\nproperty %s x\nproperty %s y\n"
+             "property %s z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n",
+             type, type, type);
+    for (int i = 0; i < 8; i++) {
+        const double *p = at[(start + i) % 8];
+        sprintf(text + strlen(text), "%.17g %.17g 0\n", 500000 + p[0], 5000000 + p[1]);
+    }
+    strcat(text, "8 0 1 2 3 4 5 6 7\n");
+    mesh m = must_read_text(PLY, text);
+    double area = 0;
+    for (size_t i = 0; i < m.triangles; i++) {
+        double p[3][2];
+        for (int k = 0; k < 6; k++) {
+            p[k / 2][k % 2] = mesh_wide(&m, m.triangle[3 * i + (size_t)k / 2], k % 2);
+        }
+        area += fabs((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) -
+                     (p[2][0] - p[0][0]) * (p[1][1] - p[0][1])) /
+                2;
+    }
+    CHECK(fabs(area - (200 - 4 * depth)) < 1e-6, "%g deep from %d: area %.9g", depth, start, area);
+    mesh_free(&m);
+}
+
+static void far_faces(void) {
+    test("A notch far from the origin stays one, in doubles and in whole numbers");
+    for (int start = 0; start < 8; start++) {
+        check_notch("double", 0.2, start);
+        check_notch("double", 1.1, start);
+        check_notch("float", 1, start);
+        check_notch("int", 2, start);
     }
 }
 
@@ -409,10 +488,12 @@ int main(void) {
     ply_with_more_in_it();
     ply_attributes();
     ply_of_other_types();
+    ply_of_mixed_faces();
     ply_of_short_lines();
     obj_that_joins();
     obj_attributes();
     concave_faces();
+    far_faces();
     crossing_faces();
     sentences();
     return test_done();
