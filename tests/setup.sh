@@ -14,7 +14,12 @@ qemu-system-x86_64:qemu-system-x86
 busybox:busybox-static
 cpio:cpio
 modprobe:kmod
-pkg-config:pkg-config'
+pkg-config:pkg-config
+assimp:assimp-utils
+xz:xz-utils
+bzip2:bzip2
+zstd:zstd
+unzip:unzip'
 PATH=$PATH:/usr/sbin:/sbin
 
 missing() {
