@@ -191,8 +191,11 @@ static void surround(const double (*point)[2], uint32_t n, double (*to)[2]) {
 
 /* Exactly, and if that does not come out, within the noise. */
 static int cut(polygon *p, const double (*point)[2], uint32_t n, double noise, uint32_t *to) {
-    const int result = polygon_ears_cut(&p->ears, point, n, 0, to);
-    return result == EARS_LEFT ? polygon_ears_cut(&p->ears, point, n, noise, to) : result;
+    int result = polygon_ears_cut(&p->ears, point, n, 0, to);
+    if (result == EARS_LEFT) {
+        result = polygon_ears_cut(&p->ears, point, n, noise, to);
+    }
+    return result == EARS_GIVEN_UP ? EARS_LEFT : result;
 }
 
 /* Outlines that may touch themselves. */

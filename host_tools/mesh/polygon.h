@@ -28,8 +28,9 @@ enum polygon_kind { POLYGON_FILLED, POLYGON_OVERLAPS, POLYGON_NO_MEMORY };
  * POLYGON_NO_MEMORY and the fan if memory is out.
  *
  * Simple outlines take O(n log n). Those that touch themselves take about that, and are
- * given up as POLYGON_OVERLAPS beyond 2^27 + 2^11 n steps. About 300 bytes per corner.
- * Corners are finite and within 2^41. The result is the same on every machine. */
+ * given up as POLYGON_OVERLAPS when all outlines of one scratch together have taken
+ * 2^25 + 2^10 steps per corner: a file of hostile faces takes linear time. About 300 bytes
+ * per corner. Corners are finite and within 2^41. The result is the same on every machine. */
 int polygon_triangulate(polygon *p, const double (*corner)[3], uint32_t n, uint32_t *to);
 void polygon_free(polygon *p);
 

@@ -19,7 +19,8 @@
 
 #include "host_tools/mesh/orient2.h"
 
-static const uint64_t WORK_MIN = 1u << 25, WORK_PER_CORNER = 512;
+static const uint64_t WORK_MIN = 1u << 25, WORK_PER_CORNER = 160;
+enum { WORK_OF_SIDES = 7 }; /* some, on which the corner exactly lies, take much longer */
 
 /* What may be cut besides spikes; each phase begins when the one before is stuck. */
 enum phase {
@@ -224,6 +225,7 @@ static uint32_t find_in_the_way(polygon_ears *e, uint32_t b) {
         polygon_tree_search(&e->tree, e->point[a], e->point[b], e->point[c], 4 * e->noise);
     uint32_t p = polygon_tree_next(&s);
     while (p != POLYGON_NONE && !is_in_the_way(e, b, p)) {
+        e->work += WORK_OF_SIDES;
         p = polygon_tree_next(&s);
     }
     e->work += s.visits;
@@ -317,10 +319,10 @@ int polygon_ears_cut(polygon_ears *e, const double (*point)[2], uint32_t n, doub
     if (begin(e, n) != 0) {
         return EARS_NO_MEMORY;
     }
-    const uint64_t work_end = e->work + WORK_MIN + WORK_PER_CORNER * n;
+    e->corners += n;
     while (e->left > 3) {
-        if (e->work > work_end) {
-            return EARS_LEFT;
+        if (e->work > WORK_MIN + WORK_PER_CORNER * e->corners) {
+            return EARS_GIVEN_UP;
         }
         if (!try_next(e)) {
             if (e->phase + 1 == PHASES) {

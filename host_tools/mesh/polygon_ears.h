@@ -26,15 +26,15 @@ typedef struct polygon_ears {
     uint32_t left, some;
     int phase;
     uint32_t *to;
-    uint64_t work; /* tree nodes and corners looked at, of all calls */
+    uint64_t work, corners; /* tree nodes and corners looked at, and corners, of all calls */
 } polygon_ears;
 
-enum { EARS_NO_MEMORY = -1, EARS_LEFT = 0, EARS_ALL_CUT = 1 };
+enum { EARS_NO_MEMORY = -1, EARS_LEFT = 0, EARS_ALL_CUT = 1, EARS_GIVEN_UP = 2 };
 
 /* Cuts the outline of n >= 3 points into n - 2 triangles, none of them turned right by
  * more than orient2_noise. `to` receives them, corners in the outline's order, unless
- * it is NULL. EARS_LEFT when that does not come out, or would take more than
- * 2^25 + 512 n steps. */
+ * it is NULL. EARS_LEFT when that does not come out; EARS_GIVEN_UP when
+ * all calls together have taken 2^25 steps, and 160 for each of their corners. */
 int polygon_ears_cut(polygon_ears *e, const double (*point)[2], uint32_t n, double noise,
                      uint32_t *to);
 void polygon_ears_free(polygon_ears *e);

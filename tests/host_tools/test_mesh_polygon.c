@@ -769,6 +769,34 @@ static void test_big(void) {
     CHECK(expect_big(big_tangle, 100000, 0, POLYGON_OVERLAPS) < 60, "tangle");
 }
 
+/* Corners on the four of a square, where every cut has hundreds of points to look at. */
+static void test_many_tangles(void) {
+    test("hopeless outlines share what they may take: a file of them takes linear time");
+    enum { CORNERS = 2500, OUTLINES = 40 };
+    static double corner[CORNERS][3];
+    static uint32_t to[3 * CORNERS];
+    polygon p = {0};
+    int overlap = 0;
+    for (int i = 0; i < OUTLINES; i++) {
+        for (uint32_t k = 0; k < CORNERS; k++) {
+            corner[k][0] = below(2);
+            corner[k][1] = below(2);
+        }
+        overlap +=
+            polygon_triangulate(&p, (const double(*)[3])corner, CORNERS, to) == POLYGON_OVERLAPS;
+    }
+    const double most = 0x1p25 + 0x1p10 * CORNERS * OUTLINES;
+    CHECK((double)p.ears.work > 0x1p25 && (double)p.ears.work < most, "%llu steps",
+          (unsigned long long)p.ears.work);
+    CHECK(overlap == OUTLINES, "%d", overlap);
+    const drawing d = drawing_of(8);
+    const placing here = flat();
+    place(&d, &here);
+    CHECK(polygon_triangulate(&p, (const double(*)[3])space, d.n, to) == POLYGON_FILLED,
+          "a hole after them");
+    polygon_free(&p);
+}
+
 static void test_extremes(void) {
     test("sizes from 1e-30 to 1e12 are filled");
     for (int exponent = -30; exponent <= 11; exponent++) {
@@ -797,6 +825,7 @@ int main(void) {
     test_random();
     test_extremes();
     test_big();
+    test_many_tangles();
     polygon_free(&scratch);
     return test_done();
 }
