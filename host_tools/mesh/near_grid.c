@@ -7,12 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Floats are multiples of that: in shorter cells they would be no closer together, and too far
+ * from the origin to count. */
+static const double LEAST_CELL = 0x1p-149;
+
 typedef struct cell {
     double q[3]; /* whole numbers, which a double holds whatever their size */
 } cell;
 
 int near_grid_begin(near_grid *g, const float *vertex, double distance, size_t most) {
     *g = (near_grid){.vertex = vertex, .distance = distance, .slots = 64};
+    g->cell = fmax(distance, LEAST_CELL);
     while (g->slots < 2 * most) {
         g->slots *= 2;
     }
@@ -32,7 +37,7 @@ void near_grid_free(near_grid *g) {
 static cell cell_of(const near_grid *g, uint32_t vertex) {
     cell c;
     for (int axis = 0; axis < 3; axis++) {
-        c.q[axis] = floor((double)g->vertex[3 * (size_t)vertex + (size_t)axis] / g->distance);
+        c.q[axis] = floor((double)g->vertex[3 * (size_t)vertex + (size_t)axis] / g->cell);
     }
     return c;
 }

@@ -11,11 +11,11 @@
 #define NEAR_GRID_NONE UINT32_MAX
 
 typedef struct near_grid {
-    const float *vertex; /* 3 floats per vertex; not owned */
-    double distance;
-    uint32_t *first; /* by hash of a cell: a point of it, + 1; owned */
-    uint32_t *next;  /* of each point added: another one with that hash, + 1; owned */
-    uint32_t *point; /* vertices, in the order they were added; owned */
+    const float *vertex;   /* 3 floats per vertex; not owned */
+    double distance, cell; /* a cell is at least as long */
+    uint32_t *first;       /* by hash of a cell: a point of it, + 1; owned */
+    uint32_t *next;        /* of each point added: another one with that hash, + 1; owned */
+    uint32_t *point;       /* vertices, in the order they were added; owned */
     size_t points, slots;
     uint64_t steps; /* distances computed so far: a cell may hold many points */
 } near_grid;

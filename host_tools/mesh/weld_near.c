@@ -87,23 +87,38 @@ static int is_too_dense(const near_grid *g) {
     return g->steps > 256 * (uint64_t)g->points + 1000000;
 }
 
+/* Each end once, however many edges end there. */
+static void add_ends(near_grid *g, const open_edges *o, unsigned char *is_there) {
+    for (size_t i = 0; i < 2 * o->count; i++) {
+        if (!is_there[o->vertex[i]]) {
+            is_there[o->vertex[i]] = 1;
+            near_grid_add(g, o->vertex[i]);
+        }
+    }
+}
+
 /* The greatest distance from an open edge's end to the one nearest to it, of those within
  * `most`; 0 where ends lie so densely that this would take long. */
 static int greatest_gap(const mesh *m, const open_edges *o, double most, double *gap) {
     near_grid g;
     *gap = 0;
-    const int status = near_grid_begin(&g, m->vertex, most, 2 * (size_t)o->count);
-    for (size_t i = 0; i < 2 * o->count && status == 0; i++) {
-        near_grid_add(&g, o->vertex[i]);
+    unsigned char *is_there = calloc(m->vertices + 1, 1);
+    int status = near_grid_begin(&g, m->vertex, most, 2 * (size_t)o->count);
+    if (is_there == NULL) {
+        status = -1;
     }
-    for (size_t i = 0; i < 2 * o->count && status == 0 && !is_too_dense(&g); i++) {
+    if (status == 0) {
+        add_ends(&g, o, is_there);
+    }
+    for (size_t i = 0; i < g.points && status == 0 && !is_too_dense(&g); i++) {
         double far;
-        if (near_grid_find(&g, o->vertex[i], &far) != NEAR_GRID_NONE) {
+        if (near_grid_find(&g, g.point[i], &far) != NEAR_GRID_NONE) {
             *gap = fmax(*gap, far);
         }
     }
     *gap = is_too_dense(&g) ? 0 : *gap;
     near_grid_free(&g);
+    free(is_there);
     return status;
 }
 

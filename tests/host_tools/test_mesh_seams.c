@@ -123,6 +123,10 @@ static void collapses(void) {
     CHECK(r.collapsed == m.triangles, "%llu", (unsigned long long)r.collapsed);
     CHECK(weld_near(&m, 0, m.triangles, 1e-40, &r) == 0, "out of memory");
     mesh_free(&m);
+    m = torus(150, 1e-6); /* a distance in which no double counts the cells */
+    CHECK(weld_near(&m, 0, m.triangles, 1e-310, &r) == 0, "out of memory");
+    CHECK(r.collapsed == 0 && r.moved == 0, "%llu", (unsigned long long)r.moved);
+    mesh_free(&m);
 }
 
 static void dense_points(void) {
@@ -151,6 +155,39 @@ static void dense_points(void) {
     mesh_free(&m);
 }
 
+/* Triangles of which each two share a spoke's outer side, from one of two hubs: a seam runs
+ * along every spoke. */
+static mesh wheel(unsigned pairs, float apart) {
+    mesh m = {0};
+    fail f = {{0}};
+    mesh_add_vertex(&m, 0, 0, 0, &f);
+    mesh_add_vertex(&m, 0, 0, apart, &f);
+    for (unsigned i = 0; i < 2 * pairs; i++) {
+        const double angle = 6.283185307179586 * i / (2 * pairs);
+        mesh_add_vertex(&m, (float)cos(angle), (float)sin(angle), 0, &f);
+    }
+    for (unsigned i = 0; i < pairs; i++) {
+        mesh_add_triangle(&m, 0, 2 + 2 * i, 3 + 2 * i, &f);
+        mesh_add_triangle(&m, 1, 3 + 2 * i, 2 + 2 * i, &f);
+    }
+    return m;
+}
+
+static void many_ends(void) {
+    test("Thousands of open edges that end in one position do not hide the seam there");
+    mesh m = wheel(2000, 1e-6f);
+    open_edges o;
+    double distance;
+    uint64_t left;
+    CHECK(open_edges_find(&o, &m, 0, m.triangles) == 0, "out of memory");
+    CHECK(o.count == 8000, "%llu", (unsigned long long)o.count);
+    CHECK(weld_near_suggest(&m, 0, m.triangles, &o, &distance, &left) == 0, "out of memory");
+    CHECK(distance > 1e-6 && distance < 1e-5 && left == 0, "%g leaves %llu", distance,
+          (unsigned long long)left);
+    open_edges_free(&o);
+    mesh_free(&m);
+}
+
 int main(void) {
     mesh_folder();
     counts();
@@ -159,5 +196,6 @@ int main(void) {
     suggests_nothing();
     collapses();
     dense_points();
+    many_ends();
     return test_done();
 }
