@@ -89,8 +89,10 @@ int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f) {
     return 0;
 }
 
-/* From now on there are wide coordinates: of the vertices so far, the floats. */
-static int widen(mesh *m, fail *f) {
+int mesh_widen(mesh *m, fail *f) {
+    if (m->wide) {
+        return 0;
+    }
     if (m->vertex_room > SIZE_MAX / 24 || !(m->wide = malloc(m->vertex_room * 24))) {
         return fail_memory(m, f);
     }
@@ -108,7 +110,7 @@ int mesh_add_real(mesh *m, const real p[3], fail *f) {
     for (int axis = 0; axis < 3; axis++) {
         is_exact &= p[axis].wide == (double)p[axis].single;
     }
-    if (!m->wide && !is_exact && widen(m, f) != 0) {
+    if (!is_exact && mesh_widen(m, f) != 0) {
         m->vertices--;
         return -1;
     }

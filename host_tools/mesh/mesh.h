@@ -33,6 +33,8 @@ int mesh_read(mesh *m, const char *path, unsigned frame, mesh_report *report, fa
 int mesh_add_vertex(mesh *m, float x, float y, float z, fail *f);
 int mesh_add_real(mesh *m, const real position[3], fail *f);
 int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f);
+/* From now on there are wide coordinates: of the vertices so far, the floats. */
+int mesh_widen(mesh *m, fail *f);
 /* Makes room for that many more: adding them then cannot fail, but for the first vertex
  * that is not exact in single precision. */
 int mesh_reserve(mesh *m, size_t vertices, size_t triangles, fail *f);

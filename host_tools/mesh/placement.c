@@ -85,6 +85,9 @@ int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t fir
     if (!(longest > 0)) {
         return fail_set(f, path, "has no extent to scale; leave it out");
     }
+    if (wide && mesh_widen(m, f) != 0) { /* floats that were exact are so no more */
+        return -1;
+    }
     const double scale = (double)p->size / longest;
     const double centre[3] = {(b.low[0] + b.high[0]) / 2, b.low[1], (b.low[2] + b.high[2]) / 2};
     for (size_t i = first_vertex; i < m->vertices; i++) {

@@ -97,6 +97,25 @@ static void places_wide(void) {
     mesh_free(&m);
 }
 
+static void places_exact_floats(void) {
+    test("With --centre a recipe's position costs floats nothing, whatever they are read behind");
+    static const char flat[] = "v 0 0 0\nv 0.125 0 0\nv 0 0.125 1\nf 1 2 3\n";
+    file_write(MESH_FOLDER "flat.obj", flat, strlen(flat));
+    mesh alone = {0}, behind = must_read_text(FILE_NAME, SLAB);
+    mesh_report report = {.centred = 1};
+    fail f;
+    const size_t first = behind.vertices;
+    CHECK(read_text(&alone, RECIPE, "flat.obj 1 4194304 0 1e8\n", &report, &f) == 0, "%s", f.text);
+    CHECK(read_text(&behind, RECIPE, "flat.obj 1 4194304 0 1e8\n", &report, &f) == 0, "%s", f.text);
+    for (size_t i = 0; i < 9; i++) {
+        const double x = mesh_wide(&alone, i / 3, (int)(i % 3));
+        CHECK(x == mesh_wide(&behind, first + i / 3, (int)(i % 3)), "coordinate %zu: %.17g", i, x);
+    }
+    CHECK(mesh_wide(&alone, 2, 2) - mesh_wide(&alone, 0, 2) == 1, "%.17g", mesh_wide(&alone, 2, 2));
+    mesh_free(&alone);
+    mesh_free(&behind);
+}
+
 static void appends_wide(void) {
     test("Wide coordinates begin at the first vertex that needs them, and go on");
     mesh m = must_read_text(FILE_NAME, "v 1 2 3\nv 4 5 6\nv 7 8 9\nf 1 2 3\n");
@@ -119,6 +138,7 @@ int main(void) {
     keeps_floats();
     refuses_far_origins();
     places_wide();
+    places_exact_floats();
     appends_wide();
     return test_done();
 }
