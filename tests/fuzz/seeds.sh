@@ -58,6 +58,57 @@ END
         printf '\077\360\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0\0\0\0\1\1'
         printf '\3\0\0\0\1\0\2\3\0\0\0\2\0\3'
     } >"$1/big.ply"
+    { # faces of one to six corners, numbers of 64 bits, a line that is no keyword
+        printf 'ply\nformat binary_little_endian 1.0\nmade by hand\nelement vertex 6\n'
+        printf 'property float x\nproperty float y\nproperty float z\nproperty uchar red\n'
+        printf 'element face 5\nproperty list int64 uint64 vertex_index\nend_header\n'
+        for corner in '0 0' '4 0' '4 4' '2 1' '0 4' '-1 2'; do
+            # shellcheck disable=SC2086
+            floats $corner 0.5
+            printf '\377'
+        done
+        for face in '0' '0 1' '0 1 2' '0 1 2 3' '0 1 2 3 4 5'; do
+            # shellcheck disable=SC2086
+            set -- "$1" $face
+            printf "\\$(($# - 1))\0\0\0\0\0\0\0"
+            for vertex in $face; do
+                printf "\\$vertex\0\0\0\0\0\0\0"
+            done
+            set -- "$1"
+        done
+        printf 'loose'
+    } >"$1/small_faces.ply"
+    cat >"$1/concave.ply" <<'END'
+ply
+format ascii 1.0
+element vertex 7
+property double x
+property double y
+property double z
+property float nx
+property float texture_u
+element face 3
+property list uchar int64 vertex_indices
+property int material_index
+element line 1
+property int vertex1
+property int vertex2
+element camera 1
+property float view
+end_header
+1000000.1 0 0 0 0
+1000000.4 0 0 0 0
+1000000.4 0.3 0 0 0
+1000000.2 0.1 0 0 0
+1000000.1 0.3 0 0 0
+0.1 16777217.1 1e-7 0 0
+1000000.1 1e-5 0 0 0
+5 0 1 2 3 4 7
+4 2 1 0 5 7
+6 0 1 2 3 4 3 7
+0 1
+2
+END
 }
 
 seeds_obj() { # FOLDER
@@ -86,6 +137,13 @@ f 4 5 1 # closed
 END
     printf 'v 0 0 nan\r\nv 1 -inf 0\r\nv 0 1 1e30\rv 1 1 1\rf 1 2\nf 9 1 2\nf 0 1 2\n' \
         >"$1/bad.obj"
+    printf 'v 0 0 0\nv 9 0 0 \\ \t\n\nv 9 9 .1\\\r\n\r\nv 0 9 0\nv 3 3 0\nv 3 6 0\nv 6 6 0\n' \
+        >"$1/habits.obj"
+    printf 'v 6 3 0 1 1 1\nf 1 2 3 4 1 5 6 7 \\  \n 8 5\nf 1 2 6 4\nf 1 3 2 4\nf 1\nf 1 2\n' \
+        >>"$1/habits.obj"
+    printf 'p 1 2\nl 1/1 2/2\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n' \
+        >>"$1/habits.obj"
+    printf 'surf 0 1 0 1 1 2 3 4\ncurv2 1 2\n# C:\\\nusemap none\nf -8 -7 1\\\n' >>"$1/habits.obj"
 }
 
 seeds_stl() { # FOLDER
@@ -118,6 +176,28 @@ END
         floats 0 0 1 1 0 0 1 1 0 0 1 nan
         printf '\0\0'
     } >"$1/binary.stl"
+    tr '[:lower:]' '[:upper:]' <"$1/ascii.stl" | sed 's/END/END /' >"$1/capitals.stl"
+    {
+        printf '\0\0# comments\r\n; of all\r\n// kinds\r\nsolid\r\n'
+        printf 'facet normal 0 0 1\router loop\rvertex 0.1 0 0\rvertex 1 0 0\rvertex 0 1 0\r'
+        printf 'end loop\nendfacet\nsolid open\nfacet normal x y z outer loop\n'
+        printf 'vertex 0.1000001 0 0 vertex 0 1 0 vertex -1 0 0 endloop end facet\n\32\0\0'
+    } >"$1/old.stl"
+    { # one triangle, and a header that says three
+        printf 'COLOR=1234%070d' 0
+        printf '\3\0\0\0'
+        floats 0 0 1 0 0 0 1 0 0 0 1 0
+        printf '\1\200'
+    } >"$1/miscounted.stl"
+    { # big-endian: 0, 1 and 2 as coordinates
+        head -c 80 /dev/zero
+        printf '\0\0\0\1'
+        for number in 0 0 1 0 0 0 1 0 0 0 2 0; do
+            big32 $((number == 0 ? 0 : 1056964608 + 8388608 * number))
+        done
+        printf '\0\0'
+    } >"$1/big_endian.stl"
+    { cat "$1/binary.stl"; printf 'loose'; } >"$1/loose.stl"
 }
 
 seeds_recipe() { # FOLDER
