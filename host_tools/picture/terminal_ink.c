@@ -4,6 +4,9 @@
  * there (console-setup: Lat15, Uni2 and others) have no half block: there only characters
  * and their colours are safe.
  *
+ * A VT100, VT220 or VT52 knows no colours, and neither does a terminal whose entry in terminfo
+ * ends in "-m" or "-mono".
+ *
  * Sources: https://no-color.org, 2017; https://github.com/termstandard/colors (COLORTERM,
  * and that "-direct" in TERM says 24 bits); xterm's 256colres.pl (the cube and the greys);
  * POSIX.1-2017, Base Definitions, section 8.2 (which variable is the locale).
@@ -42,10 +45,19 @@ static int locale_is_utf8(void) {
            (length == 4 && strncasecmp(charset, "UTF8", 4) == 0);
 }
 
+static int begins_with(const char *text, const char *beginning) {
+    return strncmp(text, beginning, strlen(beginning)) == 0;
+}
+
+static int is_monochrome(const char *term) {
+    return term[0] == '\0' || strcmp(term, "dumb") == 0 || begins_with(term, "vt1") ||
+           begins_with(term, "vt2") || strcmp(term, "vt52") == 0 || ends_in(term, "-m") ||
+           ends_in(term, "-mono");
+}
+
 picture_ink terminal_ink(FILE *to) {
     const char *term = said("TERM"), *colours = said("COLORTERM");
-    if (!isatty(fileno(to)) || said("NO_COLOR")[0] != '\0' || term[0] == '\0' ||
-        strcmp(term, "dumb") == 0) {
+    if (!isatty(fileno(to)) || said("NO_COLOR")[0] != '\0' || is_monochrome(term)) {
         return PICTURE_PLAIN;
     }
     if (strcmp(colours, "truecolor") == 0 || strcmp(colours, "24bit") == 0 ||

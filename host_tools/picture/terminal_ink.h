@@ -20,7 +20,8 @@ typedef enum picture_ink {
 /* Never PICTURE_AUTO. The first that holds:
  *
  *     `to` is no terminal, NO_COLOR is set and not empty, TERM is not set,
- *     empty or "dumb"                                                     PLAIN
+ *     empty, "dumb" or "vt52", begins with "vt1" or "vt2", or ends in
+ *     "-m" or "-mono"                                                     PLAIN
  *     COLORTERM is "truecolor" or "24bit", or TERM ends in "-direct"      COLOUR
  *     TERM is "linux" or "ansi", or ends in "-16color"                    HUES
  *     all others, as "xterm-256color" and "screen"                        256
@@ -31,7 +32,8 @@ picture_ink terminal_ink(FILE *to);
 
 /* For the help of a command that draws. */
 #define TERMINAL_INK_HELP                                                                          \
-    "plain characters if NO_COLOR is set, TERM is dumb or not set, or the output no terminal; "    \
+    "plain characters if NO_COLOR is set, TERM is monochrome (dumb, vt100 ...) or not set, or "    \
+    "the output no terminal; "                                                                     \
     "else half blocks in 24-bit colour if COLORTERM is truecolor or 24bit, characters in eight "   \
     "colours if TERM is linux, or half blocks in 256 colours; blanks for half blocks if the "      \
     "locale is not UTF-8"
