@@ -33,6 +33,12 @@ static uint32_t u32(const uint8_t *p) {
     return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | p[3];
 }
 
+/* The filter byte and the samples. read_head keeps all rows together below 2^32, so that their
+ * number fits in a size_t of 32 bits. */
+static size_t row_bytes(const png *p) {
+    return 1 + (size_t)p->width * p->channels;
+}
+
 static int read_head(png *p, const uint8_t *data, uint32_t bytes, fail *f) {
     static const unsigned channels[] = {1, 0, 3, 1, 2, 0, 4};
     if (bytes != 13 || data[8] != 8 || data[9] > 6 || channels[data[9]] == 0 || data[12] != 0) {
@@ -42,7 +48,8 @@ static int read_head(png *p, const uint8_t *data, uint32_t bytes, fail *f) {
     p->height = u32(data + 4);
     p->colour = data[9];
     p->channels = channels[data[9]];
-    if (p->width - 1 >= PICTURE_SIDE_MAX || p->height - 1 >= PICTURE_SIDE_MAX) {
+    if (p->width - 1 >= PICTURE_SIDE_MAX || p->height - 1 >= PICTURE_SIDE_MAX ||
+        row_bytes(p) > UINT32_MAX / p->height) {
         return fail_set(f, p->name, "%u x %u pixels are too many; make it smaller", p->width,
                         p->height);
     }
@@ -118,7 +125,7 @@ static int fail_damaged(const png *p, fail *f) {
 }
 
 static int decode(png *p, picture *to, fail *f) {
-    const size_t row = (size_t)p->width * p->channels + 1, all = row * p->height;
+    const size_t row = row_bytes(p), all = row * p->height;
     if (all / DEFLATE_RATIO > p->packed_bytes) { /* memory grows with the file alone */
         return fail_damaged(p, f);
     }

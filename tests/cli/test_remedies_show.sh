@@ -87,6 +87,11 @@ patched eight.png 16 '\0\0\200\001'
 says "%u x %u pixels are too many; make it smaller" show bad.png
 patched eight.png 16 '\0\0\0\4'
 cured show bad.png
+# Of four samples each, with the filter bytes they are more than 2^32 bytes.
+patched eight.png 16 '\0\0\200\0\0\0\200\0\10\6'
+says "%u x %u pixels are too many; make it smaller" show bad.png
+patched eight.png 16 '\0\0\0\4'
+cured show bad.png
 head -c 60 eight.png >bad.png
 says "holds no picture; write it again" show bad.png
 picture 2 "$rows" >bad.png
