@@ -13,7 +13,7 @@ static int is_standard(const char *path) {
 static int may_be_shared(const char *path) {
     struct stat about;
     return !is_standard(path) && stat(path, &about) == 0 && !S_ISREG(about.st_mode) &&
-           !S_ISDIR(about.st_mode);
+           !S_ISDIR(about.st_mode) && !S_ISSOCK(about.st_mode);
 }
 
 void destination_differ(args *a, const char *what, const char *one, const char *other) {

@@ -44,6 +44,7 @@ static sigset_t block_signals(void) {
     return before;
 }
 
+/* A signal that came meanwhile ends the program here. */
 static void restore_signals(const sigset_t *before) {
     sigprocmask(SIG_SETMASK, before, NULL);
 }
@@ -119,22 +120,38 @@ static int create_file(temporary *t, const char *target) {
     return -1;
 }
 
-int temporary_create(temporary *t, const char *target) {
-    install_handlers();
-    const sigset_t before = block_signals();
-    t->owner = getpid();
-    const int fd = create_file(t, target);
+/* Call with the signals blocked. */
+static void take(temporary *t, int is_there) {
     const int error = errno;
-    if (fd >= 0) {
+    if (is_there) {
         t->next = alive;
         alive = t;
     } else {
         free(t->path);
         t->path = NULL;
     }
-    restore_signals(&before);
     errno = error;
+}
+
+int temporary_create(temporary *t, const char *target) {
+    install_handlers();
+    const sigset_t before = block_signals();
+    t->owner = getpid();
+    const int fd = create_file(t, target);
+    take(t, fd >= 0);
+    restore_signals(&before);
     return fd;
+}
+
+int temporary_make(temporary *t, const char *path, int (*make)(void *), void *context) {
+    install_handlers();
+    const sigset_t before = block_signals();
+    t->owner = getpid();
+    t->path = strdup(path);
+    const int status = t->path != NULL ? make(context) : -1;
+    take(t, status == 0);
+    restore_signals(&before);
+    return status;
 }
 
 /* Call with the signals blocked. */

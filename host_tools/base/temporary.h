@@ -1,4 +1,4 @@
-/* temporary - what must not outlive the program: files beside their target, colours
+/* temporary - what must not outlive the program: files beside their target, sockets, colours
  *
  * A normal exit, and every signal that ends the program and can be caught, remove every
  * temporary file that was neither kept nor removed. A forked child
@@ -21,6 +21,10 @@ typedef struct temporary {
 /* Creates a file in the directory of `target`, with the mode a new file
  * gets here. Returns its descriptor, or -1 with errno set. */
 int temporary_create(temporary *t, const char *target);
+
+/* The file that `make` makes at `path` (0: it did, else errno says why not): the end of the
+ * program removes it, and temporary_remove. Returns what `make` does. */
+int temporary_make(temporary *t, const char *path, int (*make)(void *context), void *context);
 
 /* Renames the file over `target`. Returns 0, or the errno after which the
  * file is removed. Both calls allow a temporary without a file. */

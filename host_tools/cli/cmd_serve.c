@@ -155,6 +155,9 @@ static void read_link(serving *s, args *a) {
     if (links != 1) {
         args_complain(a, "one of --pty, --socket, --listen and --emulate says where the device is");
     }
+    if (args_text(a, "--socket", "x")[0] == '\0') { /* to the system no path, but any address */
+        args_complain(a, "--socket takes a path, not ''");
+    }
     s->port = (unsigned)args_number(a, "--listen", 0, 1, 65535);
     s->memory = (size_t)args_number(a, "--emulate", 0, 1024, (uint64_t)1 << 30);
 }
@@ -170,6 +173,9 @@ static void read_flags(serving *s, args *a, serve_job *job) {
     job->verbose = args_has(a, "--verbose");
     s->shader = view_shader(a);
     destination_read(&s->to, a, s->frames, job->verbose);
+    if (s->to.out != NULL && strcmp(s->to.out, "-") != 0) {
+        destination_differ(a, "--socket and -o", args_text(a, "--socket", NULL), s->to.out);
+    }
 }
 
 /* The link before the output: a socket takes a name that nothing has. */

@@ -74,8 +74,10 @@ int emulated_start(stream_link *l, unsigned report_bytes, size_t memory_bytes, f
                         memory_bytes);
     }
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0) {
-        return fail_set(f, "device", "no connection to it: %s; raise the limit with ulimit -n",
-                        strerror(errno));
+        return fail_set(f, "device", "no connection to it: %s; %s", strerror(errno),
+                        errno == EMFILE || errno == ENFILE
+                            ? "too many files are open: raise the limit with ulimit -n"
+                            : "close other programs");
     }
     const pid_t child = fork();
     if (child < 0) {

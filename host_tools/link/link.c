@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <termios.h>
 #include <unistd.h>
@@ -58,14 +59,51 @@ int link_open_pty(stream_link *l, fail *f) {
     return 0;
 }
 
-static const char *remedy(int family, int error) {
-    if (error == ENOENT || error == ENOTDIR) {
+static const char *remedy(int error) {
+    switch (error) {
+    case ENOENT:
+    case ENOTDIR:
         return "create the directory first, or correct the path";
+    case EADDRINUSE:
+        return "remove it if nobody serves there";
+    default:
+        return "choose another path";
     }
+}
+
+/* A file of this name may be all that somebody has: nobody is told to remove it. */
+static int is_other_file(const char *path) {
+    struct stat about;
+    return lstat(path, &about) == 0 && !S_ISSOCK(about.st_mode);
+}
+
+static int fail_listen(stream_link *l, int family, int error, fail *f) {
     if (family == AF_INET) {
-        return "choose another port";
+        fail_set(f, l->name, "%s; choose another port", strerror(error));
+    } else if (error == EADDRINUSE && is_other_file(l->name)) {
+        fail_set(f, l->name, "is a file, not a socket; choose another path");
+    } else {
+        fail_set(f, l->name, "%s; %s", strerror(error), remedy(error));
     }
-    return error == EADDRINUSE ? "remove it if nobody serves there" : "choose another path";
+    link_close(l);
+    return -1;
+}
+
+typedef struct place {
+    int socket;
+    const struct sockaddr *address;
+    socklen_t bytes;
+} place;
+
+static int bind_place(void *context) {
+    const place *p = context;
+    return bind(p->socket, p->address, p->bytes);
+}
+
+/* A path appears with the bind, and must not stay when the program ends. */
+static int bind_to(stream_link *l, int family, const struct sockaddr *address, socklen_t bytes) {
+    place p = {l->listener, address, bytes};
+    return family == AF_UNIX ? temporary_make(&l->made, l->name, bind_place, &p) : bind_place(&p);
 }
 
 static int listen_at(stream_link *l, int family, const struct sockaddr *address, socklen_t bytes,
@@ -75,10 +113,8 @@ static int listen_at(stream_link *l, int family, const struct sockaddr *address,
     if (l->listener >= 0 && family == AF_INET) {
         setsockopt(l->listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     }
-    if (l->listener < 0 || bind(l->listener, address, bytes) != 0 || listen(l->listener, 1) != 0) {
-        fail_set(f, l->name, "%s; %s", strerror(errno), remedy(family, errno));
-        link_close(l);
-        return -1;
+    if (l->listener < 0 || bind_to(l, family, address, bytes) != 0 || listen(l->listener, 1) != 0) {
+        return fail_listen(l, family, errno, f);
     }
     set_nonblocking(l->listener);
     return 0;
@@ -92,11 +128,7 @@ int link_open_socket(stream_link *l, const char *path, fail *f) {
     }
     memcpy(at.sun_path, path, strlen(path) + 1);
     snprintf(l->name, sizeof l->name, "%s", path);
-    if (listen_at(l, AF_UNIX, (const struct sockaddr *)&at, sizeof at, f) != 0) {
-        return -1;
-    }
-    snprintf(l->made, sizeof l->made, "%s", path);
-    return 0;
+    return listen_at(l, AF_UNIX, (const struct sockaddr *)&at, sizeof at, f);
 }
 
 int link_open_port(stream_link *l, unsigned port, fail *f) {
@@ -120,11 +152,8 @@ void link_close(stream_link *l) {
     if (l->listener >= 0) {
         close(l->listener);
     }
-    if (l->made[0]) {
-        unlink(l->made);
-    }
+    temporary_remove(&l->made);
     l->peer = l->listener = -1;
-    l->made[0] = '\0';
 }
 
 /* ---- moving --------------------------------------------------------------------------- */

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "host_tools/base/fail.h"
+#include "host_tools/base/temporary.h"
 #include "platform/wire/wire_bytes.h"
 
 typedef struct transport {
@@ -22,12 +23,12 @@ typedef struct transport {
 } transport;
 
 /* A stream of bytes to one peer: whoever opens the pseudo terminal or connects to the
- * socket, and after it has gone the next one. */
+ * socket, and after it has gone the next one. At one address from opening to closing. */
 typedef struct stream_link {
     int listener, peer; /* -1: none */
     int is_pty;
     char name[108]; /* what the peer opens */
-    char made[108]; /* a socket's path, to be removed */
+    temporary made; /* a socket's path */
     wire_bytes_reader reader;
     uint8_t out[2 * WIRE_BYTES_MOST], in[512];
     size_t out_used, in_used, in_read;

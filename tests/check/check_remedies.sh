@@ -15,6 +15,7 @@ reasons="
 out of memory; close other programs | $few
 %s %s: out of memory; close other programs | $few
 out of memory; choose a smaller --size | a frame of 1,200 tiles is less than one MiB
+close other programs | a system without memory for two sockets cannot be had here
 cannot read at byte %zu: %s; check the disk | no disk fails when asked to
 cannot be read to its end; check the disk or the pipe | likewise; test_hid_stream provokes it
 your quota is used up: remove files or write to another disk | there are no quotas here

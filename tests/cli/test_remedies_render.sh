@@ -120,7 +120,7 @@ small='-o x.ppm --size 64x48'
     says_by "no room for its %zu bytes; give it fewer with --emulate" \
         limited v 300000 "$PLANELET" serve ground.plt $small --emulate 1073741824
     cured_by limited v 300000 "$PLANELET" serve ground.plt $small --emulate 400000
-    says_by "no connection to it: %s; raise the limit with ulimit -n" \
+    says_by "too many files are open: raise the limit with ulimit -n" \
         limited n 4 "$PLANELET" serve ground.plt $small --emulate 400000
     cured_by limited n 16 "$PLANELET" serve ground.plt $small --emulate 400000
     says "%s; is it connected, and does it render?" \
@@ -137,19 +137,52 @@ long=$(awk 'BEGIN { while (i++ < 120) printf "x" }')
 says "the path is too long for a socket; choose a shorter one" \
     serve ground.plt -o x.ppm --socket "$long"
 cured_by waits --socket short.socket
-: >taken
-says "remove it if nobody serves there" serve ground.plt -o x.ppm --socket taken
-rm taken
-cured_by waits --socket taken
+# A socket that is left behind when nobody gets to remove it.
+"$PLANELET" serve ground.plt -o y.ppm --socket left >/dev/null 2>first &
+for i in $(seq 200); do [ -s first ] || sleep 0.05; done
+kill -9 $!
+wait $! 2>/dev/null
+rm -f .planelet-*
+says "remove it if nobody serves there" serve ground.plt -o x.ppm --socket left
+rm left
+cured_by waits --socket left
+cp ground.plt mine.plt
+mkdir folder
+ln -s nowhere dangling
+for other in mine.plt folder dangling; do
+    says "is a file, not a socket; choose another path" serve mine.plt -o x.ppm --socket $other
+    cured_by waits --socket another.socket
+done
+same ground.plt mine.plt "... the file is as it was"
+says "--socket takes a path, not ''" serve ground.plt -o x.ppm --socket ''
+cured_by waits --socket another.socket
 says "create the directory first, or correct the path" serve ground.plt -o x.ppm --socket new/it
 mkdir new
 cured_by waits --socket new/it
-port=$((20000 + $$ % 20000))
-"$PLANELET" serve ground.plt -o y.ppm --listen $port --timeout 5 >/dev/null 2>first &
-while ! [ -s first ]; do sleep 0.05; done
+# listens PORT: serve waits there, in the background.
+listens() {
+    : >first
+    "$PLANELET" serve ground.plt -o y.ppm --listen "$1" --timeout 20 >/dev/null 2>first &
+    server=$!
+    for i in $(seq 200); do [ -s first ] || sleep 0.05; done
+    grep -q '^serve: waiting' first
+}
+# Below those that systems give to whoever asks for any; others may have some of them.
+port=$((10000 + $$ % 20000))
+last=$((port + 20))
+until listens $port || [ $port -eq $last ]; do port=$((port + 1)); done
 says "choose another port" serve ground.plt -o x.ppm --listen $port
-cured_by waits --listen $((port + 1))
-wait
+# elsewhere: one of the next ports is free.
+elsewhere() {
+    for i in $(seq 20); do
+        port=$((port + 1))
+        ! waits --listen $port || return 0
+    done
+    return 1
+}
+cured_by elsewhere
+kill $server
+wait $server 2>/dev/null
 if [ -n "$has_common" ]; then
     mkdir mine shut
     chmod 777 mine

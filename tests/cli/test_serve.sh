@@ -63,14 +63,39 @@ run render knot.plt -o rendered.y4m --orbit 3 --size 48x32
 same served.y4m rendered.y4m "... gives the film of render"
 run serve knot.plt --emulate 600000 -o - --size 48x32
 same out rendered.ppm "... and -o - the picture on standard output"
+at_once "two different files" --socket x.png -o x.png
+at_once --socket --socket '' -o x.png
 : >x.png
-refused "an output that is the socket" x.png "in use" \
-    serve knot.plt --socket x.png -o x.png --timeout 1
+at_once "two different files" --socket x.png -o x.png
+refused "an output that is there already cannot be the socket" x.png "is a file, not a socket" \
+    serve knot.plt --socket x.png -o y.png --timeout 1
 rm x.png
-run serve knot.plt --socket x.png -o x.png --timeout 1
-verdict "... or would be, is refused too" "$(
+run serve knot.plt --socket ./x.png -o x.png --timeout 1
+verdict "an output that is the socket under another name is refused" "$(
     refusal x.png "cannot open"
     ls x.png 2>/dev/null)"
+# gone SIGNAL: it ends serve, which has removed its socket.
+gone() {
+    : >waiting
+    # A shell's own background commands ignore some signals.
+    ./pty err sh -c 'echo $$ >pid; exec "$@" 2>waiting' sh "$PLANELET" serve knot.plt \
+        --socket here -o x.ppm --size 16x16 >seen 2>out </dev/null &
+    terminal=$!
+    for i in $(seq 200); do [ -s waiting ] || sleep 0.05; done
+    there=$([ -S here ] || echo "there was no socket")
+    kill -s "$1" "$(cat pid)"
+    wait $terminal
+    verdict "SIG$1 ends serve, which leaves no socket and no output" "$(
+        echo "$there" | grep .
+        ls here x.ppm 2>/dev/null
+        left_behind)"
+    rm -f here
+}
+$CC -std=c11 -Wall -Wextra "$CLI_TESTS/pty.c" -o pty 2>trouble ||
+    verdict "the terminal of the tests builds" "$(cat trouble)"
+for signal in INT TERM HUP; do
+    gone $signal
+done
 # Its size modulo 4 GiB is that of the scene.
 cp knot.plt large.plt
 dd if=/dev/zero of=large.plt bs=1 count=0 seek=$((4294967296 + $(wc -c <knot.plt))) 2>trouble
