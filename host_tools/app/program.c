@@ -9,6 +9,7 @@
 
 #include "engine/planelet.h"
 #include "host_tools/base/fail.h"
+#include "host_tools/base/files.h"
 #include "host_tools/base/standard.h"
 
 static int longest_name(const program *p) {
@@ -97,6 +98,7 @@ int program_main(const program *p, int argc, char **argv) {
             p->name);
         return PROGRAM_FAILED;
     }
+    files_open();
     if (argc < 2) {
         overview(p, stderr);
         return PROGRAM_WRONG_USAGE;

@@ -1,5 +1,8 @@
 /* files - what the program reads and writes: no file is both, and none is written twice
  *
+ * Standard error is an output from the beginning. What an output has become keeps being one
+ * after its end: no later output of another name replaces it.
+ *
  * A file is known by its device and inode, not by its name: links and other spellings of
  * a name are found out. An output that does not exist yet is known by its directory and its
  * last name. Only regular files count: devices, terminals and pipes may be shared.
@@ -22,13 +25,20 @@ typedef struct file_written {
     int exists;
 } file_written;
 
+/* Before anything else: where standard error is a regular file, that is no input and no
+ * output. */
+void files_open(void);
+
 /* An open file is read, from now on to the end of the program. -1: it is being written, or
  * memory is out. */
 int files_read(int fd, const char *name, fail *f);
 
 /* `w` holds a name and nothing else; `target` is the path that is written, links followed,
- * or NULL: the open file `fd`. -1: it was read, or is being written already. */
-int files_write(file_written *w, const char *target, int fd, fail *f);
+ * or NULL: the open file `fd`. -1: it was read, was written, or is being written already. Text
+ * on an open file may be where standard error is: so it is at terminals. */
+int files_write(file_written *w, const char *target, int fd, int is_text, fail *f);
 void files_written(file_written *w); /* the end of it; more than once does no harm */
+/* The same, when `target` holds it. */
+void files_finished(file_written *w, const char *target);
 
 #endif

@@ -78,7 +78,7 @@ static void output_free(output *o) {
 }
 
 static int open_beside(output *o, const struct stat *existing, fail *f) {
-    if (files_write(&o->as, o->target, -1, f) != 0) {
+    if (files_write(&o->as, o->target, -1, 0, f) != 0) {
         return -1;
     }
     o->fd = temporary_create(&o->beside, o->target);
@@ -95,13 +95,31 @@ static int open_beside(output *o, const struct stat *existing, fail *f) {
     return 0;
 }
 
-static int open_direct(output *o, fail *f) {
+static int is_device_of(int fd, const struct stat *device) {
+    struct stat about;
+    return isatty(fd) && fstat(fd, &about) == 0 && about.st_rdev == device->st_rdev;
+}
+
+/* The terminal that somebody sits at, under whatever name. */
+static int is_own_terminal(const struct stat *device) {
+    struct stat own;
+    return S_ISCHR(device->st_mode) &&
+           (is_device_of(STDIN_FILENO, device) || is_device_of(STDOUT_FILENO, device) ||
+            is_device_of(STDERR_FILENO, device) ||
+            (stat("/dev/tty", &own) == 0 && own.st_rdev == device->st_rdev));
+}
+
+/* Another device that a name says is written as asked for, also if it is a terminal: a serial
+ * line is one. */
+static int open_direct(output *o, const struct stat *existing, int is_text, fail *f) {
+    if (!is_text && is_own_terminal(existing)) {
+        return fail_set(f, o->name,
+                        "is your terminal, on which these bytes are no text; name a file");
+    }
     o->fd = open(o->name, O_WRONLY | O_CLOEXEC);
     return o->fd >= 0 ? 0 : fail_system(f, o->name, "open it for writing", errno);
 }
 
-/* A device that a name says is written as asked for, also if it is a terminal: a serial line
- * is one. */
 static int open_standard(output *o, int is_text, fail *f) {
     fflush(stdout);
     if (!standard_can_write(STDOUT_FILENO)) {
@@ -112,7 +130,7 @@ static int open_standard(output *o, int is_text, fail *f) {
                         "is a terminal, on which these bytes are no text; name a file, or redirect "
                         "it to a file or a program");
     }
-    if (files_write(&o->as, NULL, STDOUT_FILENO, f) != 0) {
+    if (files_write(&o->as, NULL, STDOUT_FILENO, is_text, f) != 0) {
         return -1;
     }
     o->fd = dup(STDOUT_FILENO);
@@ -126,12 +144,12 @@ static int has_name(const output *o, const struct stat *existing) {
            target.st_ino == existing->st_ino;
 }
 
-static int open_existing(output *o, const struct stat *existing, fail *f) {
+static int open_existing(output *o, const struct stat *existing, int is_text, fail *f) {
     if (S_ISDIR(existing->st_mode)) {
         return fail_set(f, o->name, "is a directory; name a file in it");
     }
     if (!S_ISREG(existing->st_mode)) {
-        return open_direct(o, f);
+        return open_direct(o, existing, is_text, f);
     }
     if (access(o->name, W_OK) != 0) {
         return fail_set(f, o->name, "is write-protected; choose another name or chmod u+w it");
@@ -145,7 +163,7 @@ static int open_existing(output *o, const struct stat *existing, fail *f) {
 }
 
 /* A symbolic link stays: what it leads to is replaced, or made. */
-static int open_target(output *o, fail *f) {
+static int open_target(output *o, int is_text, fail *f) {
     struct stat existing;
     const int exists = stat(o->name, &existing) == 0;
     if (!exists && errno != ENOENT) {
@@ -156,7 +174,7 @@ static int open_target(output *o, fail *f) {
         return fail_system(f, o->name, "open it", errno);
     }
     if (exists) {
-        return open_existing(o, &existing, f);
+        return open_existing(o, &existing, is_text, f);
     }
     if (o->target[strlen(o->target) - 1] == '/') {
         return fail_set(f, o->name, "there is no such directory; create it and name a file in it");
@@ -168,7 +186,8 @@ static int open_path(output *o, int is_text, fail *f) {
     if (o->name[0] == '\0') {
         return fail_set(f, NULL, "the output has no name; give one, or - for standard output");
     }
-    return strcmp(o->name, "-") == 0 ? open_standard(o, is_text, f) : open_target(o, f);
+    return strcmp(o->name, "-") == 0 ? open_standard(o, is_text, f)
+                                     : open_target(o, is_text, f);
 }
 
 /* SIGXFSZ is ignored so that a write past the file size limit returns
@@ -212,7 +231,7 @@ int output_print_standard(fail *f) {
     if (!standard_can_write(STDOUT_FILENO)) {
         return fail_system(f, "-", "write", errno);
     }
-    const int status = files_write(&w, NULL, STDOUT_FILENO, f);
+    const int status = files_write(&w, NULL, STDOUT_FILENO, 1, f);
     files_written(&w);
     return status;
 }
@@ -294,9 +313,12 @@ int output_commit(output *o, fail *f) {
         output_abandon(o);
         return -1;
     }
+    const int is_beside = o->beside.path != NULL;
     const int error = temporary_keep(&o->beside, o->target);
     if (error) {
         fail_system(f, o->name, "give the finished file this name", error);
+    } else if (is_beside) {
+        files_finished(&o->as, o->target);
     }
     output_free(o);
     return error ? -1 : 0;

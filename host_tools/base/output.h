@@ -7,8 +7,8 @@
  * path "-" is standard output, which cannot be undone. A symbolic link is written
  * through, also when what it leads to does not exist.
  *
- * Refused is a file that the program has read (base/input.h) or is already writing,
- * under whatever name (base/files.h).
+ * Refused is a file that the program has read (base/input.h), has written or is already
+ * writing, or that standard error goes to, under whatever name (base/files.h).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef OUTPUT_H
@@ -19,7 +19,8 @@
 
 typedef struct output output;
 
-/* NULL on failure. Standard output that is a terminal is for text only. */
+/* NULL on failure. Standard output that is a terminal, and the terminal of any of the three
+ * streams under its name, are for text only. */
 output *output_open(const char *path, fail *f);
 output *output_open_text(const char *path, fail *f);
 int output_write(output *o, const void *bytes, size_t count, fail *f);

@@ -93,6 +93,58 @@ streamed "render --json - appended to its own scene" knot.plt "standard output"
 "$PLANELET" serve knot.plt --emulate 600000 -o - >>knot.plt 2>err
 streamed "serve -o - appended to its own scene" knot.plt "standard output"
 
+# ---- standard error -----------------------------------------------------------------
+
+# erring SENTENCE NAME FILE ARGUMENT...: with errors appended to FILE, NAME is refused; FILE keeps
+# what it held. A file that is read gets no word more: that is on standard output.
+erring() {
+    sentence=$1 name=$2 file=$3
+    shift 3
+    [ -e "$file" ] || : >"$file"
+    cp "$file" was
+    "$PLANELET" "$@" >out 2>>"$file"
+    status=$?
+    if [ -s out ]; then mv out err; else tail -c +$(($(wc -c <was) + 1)) "$file" >err; fi
+    verdict "$sentence" "$(
+        refusal "$name" "is the file that standard error goes to;"
+        head -c "$(wc -c <was)" "$file" | cmp was - 2>&1
+        for kept in quad.ply knot.plt ray recipe.txt; do
+            cmp keep/$kept $kept
+        done 2>&1
+        left_behind)"
+}
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >border.obj # open edges are said of it
+cp border.obj keep
+erring "errors appended to the mesh that is packed" quad.ply hard.quad.ply pack quad.ply -o x.plt
+erring "... that has something to say" border.obj border.obj pack border.obj -o x.plt
+same border.obj keep/border.obj "... which is as it was"
+erring "... or to the rays" ray ray trace knot.plt ray x.hits
+erring "... or to the scene" knot.plt chain.knot.plt render knot.plt -o x.ppm
+erring "... or to the scene that is served" knot.plt knot.plt serve knot.plt --emulate 600000 -o x.ppm
+erring "errors into the image that is written" w.plt w.plt pack border.obj -o w.plt
+erring "... under another name" me/w.plt w.plt pack border.obj -o me/w.plt
+erring "... or into the statistics" log log render knot.plt --json log
+if [ -d /proc/self/fd ]; then
+    erring "... or called /dev/stderr" /dev/stderr log pack border.obj -o /dev/stderr
+fi
+"$PLANELET" pack - -o x.plt <border.obj >out 2>>border.obj
+status=$?
+mv out err
+verdict "... or what standard input is" "$(
+    refusal "standard input" "is the file that standard error goes to;"
+    cmp border.obj keep/border.obj 2>&1)"
+"$PLANELET" pack border.obj -o - >mixed 2>&1
+status=$?
+cp mixed err
+verdict "an image and errors do not mix in a file" "$(
+    refusal "standard output" "is the file that standard error goes to;")"
+"$PLANELET" info knot.plt --json >mixed 2>&1
+status=$?
+verdict "... but text and errors may" "$(
+    [ "$status" -eq 0 ] || cat mixed
+    flat_json mixed)"
+rm -f x.* w.plt log mixed
+
 # ---- no file is written twice ----------------------------------------------------
 
 echo old >old.ppm
@@ -122,6 +174,16 @@ status=$?
 verdict "a picture and statistics on standard output that is the picture" "$(
     refusal "standard output" "is the same file as the output old.ppm;"
     [ "$(cat old.ppm)" = old ] || echo "the old output changed")"
+ln -s a000.ply a001.ply
+refused "frames that are one file through a link" a001.ply "is the same file as the output a000.ply;" \
+    make marbles --frames 2 -o 'a{}.ply'
+rm -f a000.ply
+ln -s b001.ply b000.ply
+refused "... also the other way round" b001.ply "is the same file as the output b000.ply;" \
+    make marbles --frames 2 -o 'b{}.ply'
+run make marbles --frame 0 -o frame.ply
+same b001.ply frame.ply "... the one that was written first is as it was"
+rm -f a0* b0* frame.ply
 misused "one word for two outputs is wrong usage" "two different files" \
     render knot.plt -o x.ppm --json x.ppm
 misused "the scene and the rays are not both standard input" "standard input" trace - - x.hits
@@ -259,6 +321,26 @@ for command in "render knot.plt -o -" "render knot.plt -o - --orbit 3" "pack qua
     tr -d '\r' <seen >err
     verdict "$command does not write to a terminal" "$(refusal "standard output" "is a terminal")"
 done
+for name in /dev/stdout /dev/stderr /dev/tty; do
+    [ -e $name ] || continue
+    for command in "pack quad.ply" "make ground" "trace knot.plt ray"; do
+        case $command in
+        trace*) out= ;;
+        *) out=-o ;;
+        esac
+        ./pty 1000000 sh -c "\"$PLANELET\" $command $out $name; echo \$? >ended" >seen 2>out \
+            </dev/null
+        status=$(cat ended)
+        tr -d '\r' <seen >err
+        verdict "$command does not write to a terminal called $name" "$(
+            refusal $name "is your terminal")"
+    done
+done
+./pty 1000000 "$PLANELET" trace knot.plt ray x.hits --json /dev/tty >seen 2>out </dev/null
+status=$?
+verdict "... where text is welcome" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    tr -d '\r' <seen | grep -q '"rays": 1' || cat seen)"
 ./pty both "$PLANELET" render knot.plt --size 8x8 --json - >seen 2>out </dev/null
 status=$?
 verdict "statistics are text for a terminal" "$(

@@ -92,17 +92,49 @@ file or a program"
     helped "$(cmp quad.plt x.plt 2>&1)"
 done
 
+for name in /dev/stdout /dev/stderr /dev/tty; do
+    [ -e $name ] || continue
+    rm -f err
+    ./pty 1000000 sh -c "\"$PLANELET\" pack quad.ply -o $name; echo \$? >ended" >seen 2>out \
+        </dev/null
+    status=$(cat ended)
+    tr -d '\r' <seen >err
+    message="is your terminal, on which these bytes are no text; name a file"
+    said=$(unlike "$message")
+    rm -f x.plt
+    ./pty 1000000 "$PLANELET" pack quad.ply -o x.plt >seen 2>out </dev/null
+    status=$?
+    helped "$(cmp quad.plt x.plt 2>&1)"
+done
+
 # ---- inputs that are outputs: host_tools/base/files.c --------------------------------------------
 
-says "is the same file as the input %s; write to another one" pack quad.ply -o ./quad.ply
+says "is the same file as the %s %s; write to another one" pack quad.ply -o ./quad.ply
 cured pack quad.ply -o x.plt
-says "is the same file as the output %s; write to another one" \
+says "is the same file as the %s %s; write to another one" \
     trace quad.plt ray x.hits --json ./x.hits
 cured trace quad.plt ray x.hits --json x.json
 # A program opens its scene before its outputs: only a stream is there before.
-says_by "is the same file as the input %s; write to another one" \
+says_by "is the same file as the %s %s; write to another one" \
     sh -c "\"$PLANELET\" pack quad.ply -o - >>quad.ply"
 cured_by sh -c "\"$PLANELET\" pack quad.ply -o - >x.plt"
+# redirected FILE COMMAND...: with standard error appended to it.
+redirected() {
+    file=$1
+    shift
+    sh -c 'file=$1; shift; exec "$@" 2>>"$file"' sh "$file" "$@"
+}
+# What was said went where nothing was harmed.
+message="is the file that standard error goes to; redirect that to another"
+cp quad.ply kept.ply
+for name in quad.ply ./x.plt; do # an input, and an output
+    rm -f ./x.plt
+    redirected $name "$PLANELET" pack quad.ply -o ./x.plt >out </dev/null
+    status=$?
+    [ $name = quad.ply ] && mv out err || tail -n 1 $name >err
+    said=$(unlike "$message"; cmp quad.ply kept.ply 2>&1)
+    cured_by redirected errors "$PLANELET" pack quad.ply -o ./x.plt
+done
 says "choose a shorter name" pack quad.ply -o "$(awk 'BEGIN { while (i++ < 300) printf "x" }')"
 cured pack quad.ply -o x.plt
 says "check the path and the disk" pack quad.ply -o loop

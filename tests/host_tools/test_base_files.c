@@ -55,6 +55,11 @@ static int in_child(int (*body)(const char *, const char *), const char *one, co
     return WEXITSTATUS(status);
 }
 
+static const char *const SAME[] = {FOLDER "file",           FOLDER "./file", FOLDER "inner/../file",
+                                   FOLDER "folder/../file", FOLDER "hard",   FOLDER "soft",
+                                   FOLDER "inner/chain"};
+enum { SAME_COUNT = sizeof SAME / sizeof SAME[0] };
+
 enum { TAKEN = 1, REFUSED = 2, WRONG = 3 };
 
 static int verdict_of(const output *o, const char *name, const char *word, const fail *f) {
@@ -116,15 +121,98 @@ static int write_after(const char *one, const char *other) {
     if (first == NULL || output_commit(first, &f) != 0) {
         return WRONG;
     }
+    char word[120];
+    snprintf(word, sizeof word, "output %s", one);
     output *second = output_open(other, &f);
+    const int status = verdict_of(second, other, word, &f);
     output_abandon(second);
-    return second != NULL ? TAKEN : WRONG;
+    return status;
 }
 
-static const char *const SAME[] = {FOLDER "file",           FOLDER "./file", FOLDER "inner/../file",
-                                   FOLDER "folder/../file", FOLDER "hard",   FOLDER "soft",
-                                   FOLDER "inner/chain"};
-enum { SAME_COUNT = sizeof SAME / sizeof SAME[0] };
+/* A later read of what was written is none of these. */
+static int read_after(const char *one, const char *other) {
+    input in;
+    fail f = {""};
+    output *o = output_open(one, &f);
+    if (o == NULL || output_print(o, &f, "text") != 0 || output_commit(o, &f) != 0) {
+        return WRONG;
+    }
+    return input_read(&in, other, &f) == 0 ? TAKEN : WRONG;
+}
+
+/* With standard error going to one. */
+static int with_errors(const char *one, const char *other, int (*body)(const char *)) {
+    const int fd = open(one, O_WRONLY | O_APPEND);
+    if (fd < 0 || dup2(fd, STDERR_FILENO) < 0) {
+        return WRONG;
+    }
+    close(fd);
+    files_open();
+    return body(other);
+}
+
+static int verdict_of_errors(int status, const fail *f) {
+    return status == 0 ? TAKEN
+           : strstr(f->text, "is the file that standard error goes to;") != NULL ? REFUSED
+                                                                                 : WRONG;
+}
+
+static int read_it(const char *name) {
+    input in;
+    fail f = {""};
+    const int status = input_read(&in, name, &f);
+    return verdict_of_errors(status, &f);
+}
+
+static int write_it(const char *name) {
+    fail f = {""};
+    output *o = output_open(name, &f);
+    output_abandon(o);
+    return verdict_of_errors(o != NULL ? 0 : -1, &f);
+}
+
+static int print_it(const char *name) {
+    fail f = {""};
+    const int fd = open(name, O_WRONLY | O_APPEND);
+    dup2(fd, STDOUT_FILENO);
+    output *o = output_open_text("-", &f);
+    output_abandon(o);
+    return verdict_of_errors(o != NULL && output_print_standard(&f) == 0 ? 0 : -1, &f);
+}
+
+static int put_it(const char *name) {
+    const int fd = open(name, O_WRONLY | O_APPEND);
+    dup2(fd, STDOUT_FILENO);
+    return write_it("-");
+}
+
+static int errors_and_read(const char *one, const char *other) {
+    return with_errors(one, other, read_it);
+}
+
+static int errors_and_write(const char *one, const char *other) {
+    return with_errors(one, other, write_it);
+}
+
+static int errors_and_print(const char *one, const char *other) {
+    return with_errors(one, other, print_it);
+}
+
+static int errors_and_put(const char *one, const char *other) {
+    return with_errors(one, other, put_it);
+}
+
+static void check_errors(void) {
+    for (int i = 0; i < SAME_COUNT; i++) {
+        CHECK(in_child(errors_and_read, FOLDER "file", SAME[i]) == REFUSED, "%s", SAME[i]);
+        CHECK(in_child(errors_and_write, FOLDER "file", SAME[i]) == REFUSED, "%s", SAME[i]);
+    }
+    CHECK(in_child(errors_and_put, FOLDER "file", FOLDER "file") == REFUSED, "standard output");
+    CHECK(in_child(errors_and_print, FOLDER "file", FOLDER "file") == TAKEN, "text there");
+    CHECK(in_child(errors_and_write, FOLDER "file", FOLDER "new") == TAKEN, "another file");
+    CHECK(in_child(errors_and_write, "/dev/null", "/dev/null") == TAKEN, "a device");
+    CHECK(size_of(FOLDER "file") == 3, "%d bytes", size_of(FOLDER "file"));
+}
 
 static const char *const NEW[] = {FOLDER "new", FOLDER ".//new", FOLDER "folder/../new",
                                   FOLDER "dangling"};
@@ -155,6 +243,15 @@ static void every_other(void) {
     CHECK(in_child(write_twice, FOLDER "new", FOLDER "inner/new") == TAKEN, "another folder");
     CHECK(in_child(write_twice, "/dev/null", "/dev/null") == TAKEN, "a device");
     CHECK(in_child(write_after, FOLDER "inner/new", FOLDER "inner/new") == TAKEN, "one by one");
+    CHECK(in_child(write_after, FOLDER "inner/file", FOLDER "inner/new") == TAKEN, "two files");
+    CHECK(in_child(write_after, "/dev/null", "/dev/null") == TAKEN, "a device");
+    CHECK(in_child(read_after, FOLDER "inner/new", FOLDER "inner/new") == TAKEN, "read back");
+}
+
+static void check_finished(void) {
+    CHECK(symlink("other", FOLDER "inner/later") == 0, "no link");
+    CHECK(in_child(write_after, FOLDER "inner/other", FOLDER "inner/later") == REFUSED, "a link");
+    CHECK(in_child(write_after, FOLDER "inner/later", FOLDER "folder/other") == REFUSED, "to it");
 }
 
 static void keep_standard_output(void (*body)(void)) {
@@ -267,6 +364,10 @@ int main(void) {
     test("a file is one under every name: not read and written, not written twice");
     prepare();
     every_pair();
+    test("a file that was written is not written again under another name");
+    check_finished();
+    test("standard error is no input and no output, but for text on standard output");
+    check_errors();
     test("other files, and devices, are others");
     every_other();
     test("standard output is the file it is redirected to");

@@ -68,6 +68,12 @@ static int holds(const char *path, const char *text) {
     return file && size == strlen(text) && memcmp(bytes, text, size) == 0;
 }
 
+/* The library knows to its end what it has written: while the file is open, its number goes to
+ * no other one, also when it is deleted. */
+static void stays_known(const char *path) {
+    open(path, O_RDONLY | O_NONBLOCK);
+}
+
 static int write_file(const char *path, const char *text, fail *f) {
     output *o = output_open(path, f);
     if (!o) {
@@ -77,7 +83,14 @@ static int write_file(const char *path, const char *text, fail *f) {
         output_abandon(o);
         return -1;
     }
-    return output_commit(o, f);
+    const int status = output_commit(o, f);
+    return status == 0 ? (stays_known(path), 0) : status;
+}
+
+/* What was there before. */
+static void make_file(const char *path, const char *text) {
+    FILE *file = fopen(path, "wb");
+    CHECK(file && fputs(text, file) >= 0 && fclose(file) == 0, "not made");
 }
 
 static void appears_whole(void) {
@@ -92,6 +105,7 @@ static void appears_whole(void) {
     CHECK(size_of(TARGET) == -1, "there before the commit");
     CHECK(entries() == 1, "%d entries", entries());
     CHECK(o && output_commit(o, &f) == 0, "%s", f.text);
+    stays_known(TARGET);
     CHECK(size_of(TARGET) == 800000, "%ld bytes", size_of(TARGET));
     CHECK(entries() == 1, "%d entries", entries());
     char line[9] = {0};
@@ -119,6 +133,7 @@ static void writes_any_length(void) {
         total += 2 * sizes[i];
     }
     CHECK(o && output_commit(o, &f) == 0, "%s", f.text);
+    stays_known(TARGET);
     CHECK(size_of(TARGET) == (long)total, "%ld bytes, not %zu", size_of(TARGET), total);
 }
 
@@ -126,7 +141,7 @@ static void abandons(void) {
     test("An abandoned file leaves the old one, and nothing beside it");
     clean();
     fail f = {{0}};
-    CHECK(write_file(TARGET, "old", &f) == 0, "%s", f.text);
+    make_file(TARGET, "old");
     output *o = output_open(TARGET, &f);
     CHECK(o && output_write(o, "new", 3, &f) == 0, "%s", f.text);
     output_abandon(o);
@@ -142,14 +157,16 @@ static void keeps_modes(void) {
     fail f = {{0}};
     struct stat about;
     const mode_t mask = umask(027);
-    CHECK(write_file(TARGET, "one", &f) == 0, "%s", f.text);
+    CHECK(write_file(FOLDER "new", "one", &f) == 0, "%s", f.text);
     umask(mask);
-    CHECK(stat(TARGET, &about) == 0 && (about.st_mode & 0777) == 0640, "mode %o", about.st_mode);
+    CHECK(stat(FOLDER "new", &about) == 0 && (about.st_mode & 0777) == 0640, "mode %o",
+          about.st_mode);
+    make_file(TARGET, "one");
     CHECK(chmod(TARGET, 0604) == 0 && symlink("target", FOLDER "link") == 0, "no link");
     CHECK(write_file(FOLDER "link", "two", &f) == 0, "%s", f.text);
     CHECK(stat(TARGET, &about) == 0 && (about.st_mode & 0777) == 0604, "mode %o", about.st_mode);
     CHECK(lstat(FOLDER "link", &about) == 0 && S_ISLNK(about.st_mode), "the link is gone");
-    CHECK(holds(TARGET, "two") && entries() == 2, "%d entries", entries());
+    CHECK(holds(TARGET, "two") && entries() == 3, "%d entries", entries());
 }
 
 /* Runs `body` in a child; what `wait` says about its end. */
@@ -234,6 +251,7 @@ static void child_removes_nothing(void) {
     CHECK(o && output_write(o, "kept", 4, &f) == 0, "%s", f.text);
     in_child(exit_at_once);
     CHECK(o && output_commit(o, &f) == 0, "%s", f.text);
+    stays_known(TARGET);
     CHECK(holds(TARGET, "kept"), "lost");
 }
 
@@ -256,8 +274,7 @@ static void refuses_names(void) {
     must_refuse("build/none/file",
                 "build/none/file: cannot create a file there: No such file or "
                 "directory; create the directory first, or correct the path");
-    fail f = {{0}};
-    CHECK(write_file(TARGET, "x", &f) == 0, "%s", f.text);
+    make_file(TARGET, "x");
     must_refuse(TARGET "/file", TARGET
                 "/file: cannot open it: Not a directory; "
                 "create the directory first, or correct the path");
@@ -283,8 +300,7 @@ static void without_rights(void) {
 static void refuses_rights(void) {
     test("A directory without rights and a write-protected file are refused");
     clean();
-    fail f = {{0}};
-    CHECK(write_file(TARGET, "x", &f) == 0, "%s", f.text);
+    make_file(TARGET, "x");
     CHECK(chmod(TARGET, 0444) == 0 && mkdir(FOLDER "locked", 0555) == 0, "not made");
     const int status = in_child(without_rights);
     CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 7, "status %x", status);
@@ -327,8 +343,7 @@ static void over_the_limit(void) {
 static void size_limit(void) {
     test("The file size limit is a failure with a remedy, and leaves the old file");
     clean();
-    fail f = {{0}};
-    CHECK(write_file(TARGET, "old", &f) == 0, "%s", f.text);
+    make_file(TARGET, "old");
     const int status = in_child(over_the_limit);
     CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 7, "status %x", status);
     CHECK(holds(TARGET, "old") && entries() == 1, "%d entries", entries());
@@ -355,6 +370,34 @@ static void direct_targets(void) {
     close(fd);
     CHECK(stat(FOLDER "fifo", &about) == 0 && S_ISFIFO(about.st_mode), "the FIFO is gone");
     CHECK(entries() == 1, "%d entries", entries());
+}
+
+static int master;
+static int own_fd; /* the stream whose terminal it is; -1: none */
+
+static void write_to_terminal(void) {
+    fail f = {{0}}, g = {{0}};
+    const char *name = ptsname(master);
+    const int slave = name ? open(name, O_RDWR | O_NOCTTY) : -1;
+    if (slave < 0 || (own_fd >= 0 && dup2(slave, own_fd) < 0)) {
+        _exit(1);
+    }
+    output *text = output_open_text(name, &g);
+    output_abandon(text);
+    const int result = write_file(name, "bytes", &f);
+    _exit(!text ? 2 : result == 0 ? 4 : strstr(f.text, "is your terminal, ") != NULL ? 5 : 3);
+}
+
+static void terminals(void) {
+    test("A terminal is written by its name, but for bytes on that of a standard stream");
+    master = posix_openpt(O_RDWR | O_NOCTTY);
+    CHECK(master >= 0 && grantpt(master) == 0 && unlockpt(master) == 0, "no pseudo terminal");
+    for (own_fd = -1; own_fd <= STDERR_FILENO; own_fd++) {
+        const int status = in_child(write_to_terminal);
+        CHECK(WIFEXITED(status) && WEXITSTATUS(status) == (own_fd < 0 ? 4 : 5),
+              "stream %d: status %x", own_fd, status);
+    }
+    close(master);
 }
 
 static int standard_fd;
@@ -426,6 +469,7 @@ int main(void) {
     full_disk();
     size_limit();
     direct_targets();
+    terminals();
     standard_output();
     first_failure();
     clean();
