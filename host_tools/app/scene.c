@@ -12,6 +12,8 @@
 #include "host_tools/base/files.h"
 #include "host_tools/pack/c_array.h"
 
+enum { SMALL_THINGS = 1 << 22 }; /* bytes: buffers of outputs and of the C library */
+
 static const char *const packets[] = {"2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", NULL};
@@ -174,10 +176,19 @@ int scene_attach(scene *s, args *a, const char *path, fail *f) {
     return files_read(s->file.file, path, f);
 }
 
-/* Room that was not asked for must not be what makes a run fail, nor take what the picture
- * needs: where there are not all of host_arena_bytes, it is just what the scene needs. */
+/* All of host_arena_bytes, if what the command takes later fits beside it; else NULL. */
+static void *get_most(const scene *s) {
+    const uint64_t spare_bytes = s->spare_bytes + SMALL_THINGS;
+    void *volatile spare = spare_bytes < SIZE_MAX ? malloc((size_t)spare_bytes) : NULL;
+    void *arena = spare != NULL ? host_arena(s->arena_bytes) : NULL;
+    free(spare);
+    return arena;
+}
+
+/* Room that was not asked for must not be what makes a run fail: where there is too little for
+ * all of it, the arena is just what the scene needs. */
 static void *get_arena(scene *s, size_t need) {
-    void *arena = host_arena(s->arena_bytes);
+    void *arena = s->arena_is_given ? host_arena(s->arena_bytes) : get_most(s);
     if (arena == NULL && !s->arena_is_given) {
         s->arena_bytes = need > 0 ? need : 1; /* 0: plt_open says why */
         arena = host_arena(s->arena_bytes);

@@ -18,6 +18,7 @@ typedef struct scene {
     plt_engine *engine;  /* NULL: not opened */
     size_t arena_bytes;
     int arena_is_given;   /* by --arena */
+    uint64_t spare_bytes; /* what the command takes from the system after scene_start */
     int arena_is_missing; /* the system does not give it */
 } scene;
 
@@ -45,7 +46,8 @@ typedef struct scene {
  * wrong flag sets a->wrong. */
 int scene_attach(scene *s, args *a, const char *path, fail *f);
 /* Asks for the arena, and plt_open on that file: its status. Unless --arena says how much, that
- * is all of host_arena_bytes, or, where the system does not give it, plt_arena_need. */
+ * is all of host_arena_bytes, or, where the system does not give it beside spare_bytes,
+ * plt_arena_need. */
 int scene_start(scene *s, const char *path, plt_fault *fault);
 /* Both. */
 int scene_open(scene *s, args *a, const char *path, fail *f);

@@ -45,6 +45,8 @@ const arg_command command_render = {
     .files_most = 1};
 
 enum { FRAMES_PER_SECOND = 25 };
+/* What writing a PNG takes: the filtered rows, and the packed ones in memory that doubles. */
+enum { PNG_PICTURES = 3 };
 
 typedef struct rendering {
     scene s;
@@ -181,6 +183,8 @@ static void read_flags(rendering *r, args *a) {
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     destination_read(&r->to, a, r->frames, 0);
     r->s.options.count_touched = r->to.json != NULL;
+    r->s.spare_bytes =
+        (uint64_t)(r->to.format == PICTURE_PNG ? 1 + PNG_PICTURES : 1) * 3 * width * height;
 }
 
 static void say_done(const rendering *r) {

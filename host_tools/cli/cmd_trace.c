@@ -127,10 +127,16 @@ static int write_stats(const tracing *t, output *o, fail *f) {
     return output_print(o, f, "\n}\n");
 }
 
-/* Both outputs are opened first: a path that cannot be written fails before the long run. */
+/* The rays before the arena, which is as large as there is room for. Both outputs are opened
+ * first: a path that cannot be written fails before the long run. */
 static int open_all(tracing *t, args *a, const char *json, fail *f) {
-    if (scene_open(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0) {
+    plt_fault fault;
+    if (scene_attach(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0) {
         return -1;
+    }
+    const int status = scene_start(&t->s, a->file[0], &fault);
+    if (status != PLT_OK) {
+        return scene_refused(&t->s, a->file[0], status, &fault, f);
     }
     t->hits_out = output_open(a->file[2], f);
     if (t->hits_out == NULL) {

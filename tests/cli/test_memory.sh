@@ -13,10 +13,13 @@ done
 echo '0 0 5 0 0 0 -1 100' | rays ray
 run trace host.plt ray open.hits
 
-# within KIB ARGUMENT...: runs planelet with an address space of so many KiB.
+# within KIB ARGUMENT...: runs planelet with an address space of so many KiB, or of those that
+# the caller has if they are fewer.
+has=$(ulimit -v)
 within() {
     limit=$1
     shift
+    [ "$has" = unlimited ] || [ "$has" -ge "$limit" ] || limit=$has
     (ulimit -v "$limit" && exec "$PLANELET" "$@") >out 2>err </dev/null
     status=$?
 }
@@ -46,9 +49,27 @@ within 20000 render host.plt -o x.ppm --size 32x32 --json stats
 counting=$((need + $(run info host.plt --json && touched_bytes <out)))
 verdict "where there is no GiB, the arena is what info says" "$(
     [ "$(number arena_bytes <stats)" = "$counting" ] || grep arena stats)"
-run render host.plt -o x.ppm --size 32x32 --json stats
-verdict "... and else all of it" "$(
-    [ "$(number arena_bytes <stats)" = 1073741824 ] || grep arena stats)"
+overcommit=/proc/sys/vm/overcommit_memory
+if [ "$has" != unlimited ]; then
+    echo "    not tried under ulimit -v $has: else all of it"
+elif [ -r $overcommit ] && [ "$(cat $overcommit)" = 2 ]; then
+    echo "    not tried where the system gives only memory that it has: else all of it"
+else
+    run render host.plt -o x.ppm --size 32x32 --json stats
+    verdict "... and else all of it" "$(
+        [ "$(number arena_bytes <stats)" = 1073741824 ] || grep arena stats)"
+fi
+# Around 1 GiB, where the arena has room but little is left for rays and pictures.
+head -c 16000000 /dev/zero >many.ray
+run render host.plt -o open.png --size 1024x1024 --shader triangle
+for kib in 1050000 1060000 1070000 1080000 1090000 1100000 1110000 1120000; do
+    within $kib trace host.plt many.ray x.hits
+    enough "500,000 rays in $kib KiB"
+    within $kib render host.plt -o x.png --size 1024x1024 --shader triangle
+    enough "... and a large PNG"
+    same x.png open.png "... which is the same"
+done
+rm -f many.ray open.png x.png
 within 20000 render host.plt -o x.ppm --size 32x32 --arena 262144
 enough "--arena 262144 takes no more than that"
 rm -f x.ppm

@@ -44,16 +44,16 @@ says_by "too many files are open: raise the limit with ulimit -n" \
     limited n 4 "$PLANELET" trace quad.plt ray x.hits
 cured_by limited n 16 "$PLANELET" trace quad.plt ray x.hits
 
-# The arena of 1 GiB is part of the program; 400 MiB are left.
-truncate -s 600000000 large.ray
+# Of 100,000 KiB for all; the rays come before the arena, which is no larger than there is room.
+truncate -s 120000000 large.ray
 says_by "%llu bytes do not fit into memory; split the file or use a larger machine" \
-    limited v 1500000 "$PLANELET" trace quad.plt large.ray x.hits
+    limited v 100000 "$PLANELET" trace quad.plt large.ray x.hits
 head -c 320000 large.ray >part.ray
-cured_by limited v 1500000 "$PLANELET" trace quad.plt part.ray x.hits
-truncate -s 256000000 large.ray
+cured_by limited v 100000 "$PLANELET" trace quad.plt part.ray x.hits
+truncate -s 64000000 large.ray
 says_by "out of memory for %u rays; split the file" \
-    limited v 1500000 "$PLANELET" trace quad.plt large.ray x.hits
-cured_by limited v 1500000 "$PLANELET" trace quad.plt part.ray x.hits
+    limited v 100000 "$PLANELET" trace quad.plt large.ray x.hits
+cured_by limited v 100000 "$PLANELET" trace quad.plt part.ray x.hits
 rm large.ray
 
 # ---- outputs: host_tools/base/output.c -----------------------------------------------
