@@ -130,9 +130,11 @@ killed() {
         left_behind)"
 }
 run make terrain --triangles 400000 -o big.ply
+mkfifo nobody.reads
 run pack quad.ply -o none.plt --build none
 for end in TERM:143 HUP:129 ALRM:142; do
-    killed old.plt "${end%:*}" "${end#*:}" pack big.ply -o old.plt
+    killed old.plt "${end%:*}" "${end#*:}" pack quad.ply -o old.plt \
+        --json nobody.reads
     killed old.y4m "${end%:*}" "${end#*:}" render knot.plt -o old.y4m --orbit 2000
     killed old.hits "${end%:*}" "${end#*:}" trace knot.plt ray old.hits --repeat 1000000
 done

@@ -276,19 +276,20 @@ fi
 
 # ---- signals -----------------------------------------------------------------------
 
-run make terrain --triangles 400000 -o big.ply
-# ended SIGNAL: pack, while it builds, as a person at a terminal ends it: a shell's own
-# background commands ignore some signals.
+mkfifo nobody.reads
+# ended SIGNAL: pack, which has begun its image and waits for a reader of its statistics, as a
+# person at a terminal ends it: a shell's own background commands ignore some signals.
 ended() {
     echo old >old.plt
     rm -f pid
-    ./pty err sh -c 'echo $$ >pid; exec "$@"' sh "$PLANELET" pack big.ply -o old.plt \
-        >seen 2>out </dev/null &
+    ./pty err sh -c 'echo $$ >pid; exec "$@"' sh "$PLANELET" pack quad.ply -o old.plt \
+        --json nobody.reads >seen 2>out </dev/null &
     terminal=$!
     tries=0
     until ls -a | grep -q '^\.planelet-' || ! kill -0 $terminal 2>/dev/null; do
         tries=$((tries + 1))
-        [ $tries -lt 100000 ] || break
+        [ $tries -lt 600 ] || break
+        sleep 0.05
     done
     kill -s "$1" "$(cat pid)" 2>/dev/null
     wait $terminal
@@ -303,7 +304,7 @@ ended() {
 for signal in INT TERM HUP QUIT USR1 USR2 XCPU VTALRM PROF BUS; do
     ended $signal
 done
-rm -f big.ply
+rm -f nobody.reads
 
 # ---- terminals ---------------------------------------------------------------------
 
