@@ -6,6 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "host_tools/app/note.h"
+
 static int is_standard(const char *path) {
     return path != NULL && strcmp(path, "-") == 0;
 }
@@ -56,5 +58,13 @@ void destination_read(destination *d, args *a, unsigned frames, int is_enough) {
     destination_differ(a, "-o and --json", d->out, d->json);
     if (is_standard(d->out) && d->show) {
         args_complain(a, "-o - and --show would mix on standard output");
+    }
+}
+
+void destination_note(const destination *d, unsigned width, unsigned height) {
+    if (d->out != NULL && d->format == PICTURE_Y4M && (width % 2 != 0 || height % 2 != 0)) {
+        note("%s: H.264 wants an even width and height; choose another --size for ffmpeg, or "
+             "--chroma 444",
+             is_standard(d->out) ? "standard output" : d->out);
     }
 }

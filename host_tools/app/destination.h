@@ -20,13 +20,17 @@ typedef struct destination {
     {                                                                                              \
         "--chroma", "420|444",                                                                     \
             "colour of a film: 420, which players play once ffmpeg -i film.y4m film.mp4 has "      \
-            "compressed it, or 444, that of each pixel in full range (default 420)"                \
+            "compressed it (of even width and height), or 444, that of each pixel in full range "  \
+            "(default 420)"                                                                        \
     }
 
 /* Reads -o, --show, --chroma and --json, for so many frames. Refuses through args_complain: nowhere
  * to go, unless `is_enough`; a name without a format, several frames in a picture, two outputs that
  * would mix. */
 void destination_read(destination *d, args *a, unsigned frames, int is_enough);
+
+/* Notes, once the film is there, that players may not get one of this size. */
+void destination_note(const destination *d, unsigned width, unsigned height);
 
 /* Refuses outputs that are one word, unless it names a device, a terminal or a pipe. */
 void destination_differ(args *a, const char *what, const char *one, const char *other);

@@ -192,6 +192,7 @@ static void say_done(const rendering *r) {
         note("%s: %u frame%s of %u x %u, %.3g s", r->to.out, r->frames, r->frames == 1 ? "" : "s",
              r->frame.width, r->frame.height, r->seconds);
     }
+    destination_note(&r->to, r->frame.width, r->frame.height);
 }
 
 int run_render(args *a) {

@@ -220,6 +220,8 @@ int run_serve(args *a) {
     }
     if (status != 0) {
         fprintf(stderr, "%s\n", f.text);
+    } else {
+        destination_note(&s.to, job.width, job.height);
     }
     return status == 0 ? 0 : 1;
 }

@@ -81,6 +81,38 @@ run pack knot.ply -o compact.plt --nodes compact
 says "%s; leave out --walk two-stage" render compact.plt -o x.png --walk two-stage
 cured render compact.plt -o x.png
 
+# ---- films: host_tools/app/destination.c -----------------------------------------------------
+
+message="%s: H.264 wants an even width and height; choose another --size for ffmpeg, or --chroma 444"
+# film ARGUMENT...: as a person at a terminal makes one; what was noted is in `err`.
+film() {
+    ./pty err "$PLANELET" "$@" >seen 2>out </dev/null
+    status=$?
+    tr -d '\r' <seen >err
+}
+# encodes: trouble, unless H.264 takes x.y4m, or nobody can try it here.
+if ffmpeg -hide_banner -encoders 2>/dev/null | grep -q libx264; then
+    encodes() { ffmpeg -nostdin -v error -y -i x.y4m x.mp4 2>&1; }
+else
+    echo "    not tried without ffmpeg and libx264: films of odd sizes"
+    encodes() { :; }
+fi
+for command in 'render ground.plt' 'serve ground.plt --emulate 400000'; do
+    for odd in 33x32 32x33; do
+        for remedy in '34x34' "$odd --chroma 444"; do
+            # shellcheck disable=SC2086
+            {
+                film $command -o x.y4m --orbit 2 --size $odd
+                said=$(grep -q -- "$(pattern "$message")" err || cat err)
+                film $command -o x.y4m --orbit 2 --size $remedy
+            }
+            helped "$(
+                grep -- "$(pattern "$message")" err
+                encodes)"
+        done
+    done
+done
+
 # ---- rays: cmd_trace.c ----------------------------------------------------------------------
 
 head -c 31 ray >short
