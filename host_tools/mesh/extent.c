@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/extent.h"
 
+#include "host_tools/mesh/position.h"
+
 static const float *corner(const mesh *m, size_t triangle, size_t k) {
     return m->vertex + 3 * (size_t)m->triangle[3 * triangle + k];
 }
@@ -42,10 +44,6 @@ plt_box mesh_area_box(const mesh *m) {
     return b;
 }
 
-static int same(const float *p, const float *q) {
-    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-}
-
 int mesh_counts(const mesh *m, const plt_box *box, size_t triangle) {
     const float *p = corner(m, triangle, 0), *q = corner(m, triangle, 1),
                 *r = corner(m, triangle, 2);
@@ -54,5 +52,6 @@ int mesh_counts(const mesh *m, const plt_box *box, size_t triangle) {
         inside &= p[a] >= box->lo[a] && p[a] <= box->hi[a] && q[a] >= box->lo[a] &&
                   q[a] <= box->hi[a] && r[a] >= box->lo[a] && r[a] <= box->hi[a];
     }
-    return inside && !same(p, q) && !same(q, r) && !same(p, r);
+    return inside && !positions_are_equal(p, q) && !positions_are_equal(q, r) &&
+           !positions_are_equal(p, r);
 }

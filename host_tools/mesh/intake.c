@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/planelet_config.h"
+#include "host_tools/mesh/position.h"
 
 static const uint32_t MISSING = UINT32_MAX; /* a mesh has fewer vertices */
 
@@ -71,9 +71,9 @@ size_t intake_vertices(const intake *in) {
     return in->m->vertices - in->unresolved.first_vertex;
 }
 
-/* False for NaN. */
-static int within(float x) {
-    return x >= -PLT_COORD_MAX && x <= PLT_COORD_MAX;
+static int is_valid(const real p[3]) {
+    return coordinate_is_valid((double)p[0].single) && coordinate_is_valid((double)p[1].single) &&
+           coordinate_is_valid((double)p[2].single);
 }
 
 int intake_vertex(intake *in, const real p[3]) {
@@ -82,7 +82,7 @@ int intake_vertex(intake *in, const real p[3]) {
     if (m->vertices == m->vertex_room && make_room(in) != 0) {
         return -1;
     }
-    if (!within(p[0].single) || !within(p[1].single) || !within(p[2].single)) {
+    if (!is_valid(p)) {
         if (!in->report->repair) {
             return intake_fail(in,
                                "the vertex (%g %g %g) is not finite or beyond +-2^40; "

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/mesh/position.h"
+
 #define FREE UINT64_MAX
 
 typedef struct search {
@@ -25,10 +27,6 @@ static size_t fold(uint64_t h, uint64_t bits) {
     return (size_t)(h ^ h >> 32);
 }
 
-static int is_same(const float *p, const float *q) {
-    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-}
-
 /* The first vertex met at the position of `vertex`. */
 static uint32_t representative(search *s, uint32_t vertex) {
     const float *p = s->m->vertex + 3 * (size_t)vertex;
@@ -40,7 +38,7 @@ static uint32_t representative(search *s, uint32_t vertex) {
         at = fold(at, bits);
     }
     for (at &= s->slots - 1; s->same[at]; at = (at + 1) & (s->slots - 1)) {
-        if (is_same(s->m->vertex + 3 * (size_t)(s->same[at] - 1), p)) {
+        if (positions_are_equal(s->m->vertex + 3 * (size_t)(s->same[at] - 1), p)) {
             return s->same[at] - 1;
         }
     }

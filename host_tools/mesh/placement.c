@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "engine/planelet_config.h"
+#include "host_tools/mesh/position.h"
 
 typedef struct rotation {
     double cos_x, sin_x, cos_y, sin_y;
@@ -62,26 +62,13 @@ static box box_of(const rotation *r, const mesh *m, size_t first_triangle, int w
     return b;
 }
 
-static double longest_side(const box *b) {
-    double longest = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        longest = fmax(longest, b->high[axis] - b->low[axis]);
-    }
-    return longest;
-}
-
-/* False for NaN. */
-static int within(double x) {
-    return fabs(x) <= (double)PLT_COORD_MAX;
-}
-
 int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t first_triangle,
                     int wide, const char *path, fail *f) {
     rotation r;
     cos_sin((double)p->angle_x, &r.cos_x, &r.sin_x);
     cos_sin((double)p->angle_y, &r.cos_y, &r.sin_y);
     const box b = box_of(&r, m, first_triangle, wide);
-    const double longest = longest_side(&b);
+    const double longest = longest_side(b.low, b.high);
     if (!(longest > 0)) {
         return fail_set(f, path, "has no extent to scale; leave it out");
     }
@@ -96,7 +83,7 @@ int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t fir
         rotate_vertex(&r, m, i, wide, rotated);
         for (int axis = 0; axis < 3; axis++) {
             const double moved = (rotated[axis] - centre[axis]) * scale + (double)p->base[axis];
-            if (!within(moved)) {
+            if (!coordinate_is_valid(moved)) {
                 return fail_set(f, path, "its position is beyond +-2^40; choose smaller numbers");
             }
             v[axis] = (float)moved;

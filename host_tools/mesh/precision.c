@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "engine/planelet_config.h"
+#include "host_tools/mesh/position.h"
 
 typedef struct corner {
     double wide[3];  /* moved */
@@ -85,15 +85,10 @@ static void drop_wide(mesh *m) {
     m->wide = NULL;
 }
 
-/* False for NaN. */
-static int within(double x) {
-    return fabs(x) <= (double)PLT_COORD_MAX;
-}
-
 static int check_used(const mesh *m, const double origin[3], const char *path, fail *f) {
     for (size_t i = 0; i < 3 * m->triangles; i++) {
         for (int axis = 0; axis < 3; axis++) {
-            if (!within(mesh_wide(m, m->triangle[i], axis) - origin[axis])) {
+            if (!coordinate_is_valid(mesh_wide(m, m->triangle[i], axis) - origin[axis])) {
                 return fail_set(f, path,
                                 "moved by --origin it reaches beyond +-2^40; use --centre");
             }
@@ -110,7 +105,7 @@ int precision_settle(mesh *m, const double origin[3], const char *path, fail *f)
         for (size_t i = 0; i < m->vertices; i++) {
             for (int axis = 0; axis < 3; axis++) {
                 const double x = mesh_wide(m, i, axis) - origin[axis];
-                m->vertex[3 * i + (size_t)axis] = within(x) ? (float)x : 0.0f;
+                m->vertex[3 * i + (size_t)axis] = coordinate_is_valid(x) ? (float)x : 0.0f;
             }
         }
     }

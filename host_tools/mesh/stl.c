@@ -1,4 +1,4 @@
-/* stl - reads stereolithography files, binary and ASCII; corners are welded
+/* stl - reads stereolithography files, binary and ASCII; equal corners become one vertex
  *
  * ASCII is text that begins with "solid" in any case, or any text under a name in .stl. All
  * else is binary, whatever its first 80 bytes say ("solid" among others). Its size says how
@@ -15,13 +15,13 @@
 #include "host_tools/mesh/intake.h"
 #include "host_tools/mesh/readers.h"
 #include "host_tools/mesh/scan.h"
-#include "host_tools/mesh/weld.h"
+#include "host_tools/mesh/vertex_table.h"
 
 enum { HEADER_BYTES = 84, TRIANGLE_BYTES = 50, NORMAL_BYTES = 12 };
 
 typedef struct reader {
     intake in;
-    weld welded;
+    vertex_table met;
     scan text;      /* ASCII only */
     int big_endian; /* binary only: against the format, but some programs can */
 } reader;
@@ -90,10 +90,10 @@ static int is_ascii(const input *in) {
     return word_is_in_any_case(scan_word(&s), "solid") && is_text(in);
 }
 
-/* A vertex that the intake replaced is not welded: it is not at 0. */
+/* A vertex that the intake replaced is not found again: it is not at 0. */
 static int add_corner(reader *r, chain *c, const real position[3]) {
     mesh *m = r->in.m;
-    uint32_t *slot = weld_find(&r->welded, position);
+    uint32_t *slot = vertex_table_find(&r->met, position);
     if (!slot) {
         return intake_fail(&r->in, "out of memory; split the mesh");
     }
@@ -104,7 +104,7 @@ static int add_corner(reader *r, chain *c, const real position[3]) {
         }
         if (r->in.count[REPORT_BAD_VERTICES] == bad) {
             *slot = (uint32_t)m->vertices;
-            r->welded.used++;
+            r->met.used++;
         }
     }
     const int64_t vertex = *slot ? (int64_t)*slot - 1 : (int64_t)m->vertices - 1;
@@ -335,11 +335,11 @@ int stl_may_be(const input *in) {
 int stl_read(mesh *m, const input *in, mesh_report *report, fail *f) {
     reader r = {
         .in = intake_begin(m, in->path, report, f),
-        .welded = {.m = m},
+        .met = {.m = m},
         .text = text_of(in),
     };
     int result = !has_counted_size(in) && is_text(in) ? read_ascii(&r) : read_binary(&r, in);
-    weld_free(&r.welded);
+    vertex_table_free(&r.met);
     if (result == 0) {
         result = intake_finish(&r.in);
     } else {

@@ -1,9 +1,9 @@
-/* weld - finds the vertex that has the same bits
+/* vertex_table - finds the vertex that has the same bits
  *
  * Open addressing with linear probing, at most half full.
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/mesh/weld.h"
+#include "host_tools/mesh/vertex_table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -48,33 +48,33 @@ static uint32_t *probe(const mesh *m, uint32_t *slot, size_t slots, const key *k
     return &slot[at];
 }
 
-static int grow(weld *w) {
-    const size_t slots = w->slots ? w->slots * 2 : FIRST_SLOTS;
-    uint32_t *slot = slots > w->slots ? calloc(slots, sizeof *slot) : NULL;
+static int grow(vertex_table *t) {
+    const size_t slots = t->slots ? t->slots * 2 : FIRST_SLOTS;
+    uint32_t *slot = slots > t->slots ? calloc(slots, sizeof *slot) : NULL;
     if (!slot) {
         return -1;
     }
-    for (size_t i = 0; i < w->slots; i++) {
-        if (w->slot[i]) {
-            const key k = key_of_vertex(w->m, (size_t)w->slot[i] - 1);
-            *probe(w->m, slot, slots, &k) = w->slot[i];
+    for (size_t i = 0; i < t->slots; i++) {
+        if (t->slot[i]) {
+            const key k = key_of_vertex(t->m, (size_t)t->slot[i] - 1);
+            *probe(t->m, slot, slots, &k) = t->slot[i];
         }
     }
-    free(w->slot);
-    w->slot = slot;
-    w->slots = slots;
+    free(t->slot);
+    t->slot = slot;
+    t->slots = slots;
     return 0;
 }
 
-uint32_t *weld_find(weld *w, const real position[3]) {
-    if (w->used >= w->slots / 2 && grow(w) != 0) {
+uint32_t *vertex_table_find(vertex_table *t, const real position[3]) {
+    if (t->used >= t->slots / 2 && grow(t) != 0) {
         return NULL;
     }
     const key k = key_of((const double[3]){position[0].wide, position[1].wide, position[2].wide});
-    return probe(w->m, w->slot, w->slots, &k);
+    return probe(t->m, t->slot, t->slots, &k);
 }
 
-void weld_free(weld *w) {
-    free(w->slot);
-    *w = (weld){0};
+void vertex_table_free(vertex_table *t) {
+    free(t->slot);
+    *t = (vertex_table){0};
 }
