@@ -18,36 +18,39 @@ static int is_zero(const double v[3]) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
+/* Above 0 unless `v` is 0: below 1e-140 squares would lose digits, then all. */
+static double length(const double v[3]) {
+    const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    return square > 1e-280 ? sqrt(square) : hypot(hypot(v[0], v[1]), v[2]);
+}
+
 /* A mesh that stays where it is keeps the floats of its file. */
 static corner corner_of(const mesh *m, size_t vertex, const double origin[3]) {
     const int stays = is_zero(origin);
-    corner c = {.moved = 0};
+    corner c;
+    double d[3];
     for (int axis = 0; axis < 3; axis++) {
         c.wide[axis] = mesh_wide(m, vertex, axis) - origin[axis];
         c.single[axis] = stays ? m->vertex[3 * vertex + (size_t)axis] : (float)c.wide[axis];
-        const double d = (double)c.single[axis] - c.wide[axis];
-        c.moved += d * d;
+        d[axis] = (double)c.single[axis] - c.wide[axis];
     }
-    c.moved = sqrt(c.moved);
+    c.moved = length(d);
     return c;
 }
 
 /* 1: the edge loses its length. */
 static int add_edge(precision *p, const corner *a, const corner *b) {
-    double length = 0;
-    int same = 1;
+    double d[3];
     for (int axis = 0; axis < 3; axis++) {
-        const double d = a->wide[axis] - b->wide[axis];
-        length += d * d;
-        same &= a->single[axis] == b->single[axis];
+        d[axis] = a->wide[axis] - b->wide[axis];
     }
-    const double moved = fmax(a->moved, b->moved);
-    if (!(length > 0)) {
+    if (is_zero(d)) {
         return 0;
     }
+    const double moved = fmax(a->moved, b->moved);
     p->moved = fmax(p->moved, moved);
-    p->relative = fmax(p->relative, moved / sqrt(length));
-    return same;
+    p->relative = fmax(p->relative, moved / length(d));
+    return positions_are_equal(a->single, b->single);
 }
 
 precision precision_of(const mesh *m, size_t first, size_t end, const double origin[3]) {

@@ -66,6 +66,23 @@ static void keeps_floats(void) {
     mesh_free(&m);
 }
 
+static void notices_the_smallest_edges(void) {
+    test("Edges whose squares are 0 in double are noticed when their corners fall together");
+    mesh m = must_read_text(FILE_NAME, "v 0 0 0\nv 1e-170 0 0\nv 0 1 0\nf 1 2 3\n");
+    precision p = precision_of(&m, 0, 1, NOWHERE);
+    CHECK(p.vanished == 1, "%llu vanished", (unsigned long long)p.vanished);
+    CHECK(p.moved == 1e-170 && p.relative == 1, "%g, %g of an edge", p.moved, p.relative);
+    mesh_free(&m);
+    m = must_read_text(FILE_NAME, "v 0 0 0\nv 0 1e-310 0\nv 0 1 0\nf 1 2 3\n");
+    p = precision_of(&m, 0, 1, NOWHERE);
+    CHECK(p.vanished == 1 && p.relative == 1, "%g of an edge", p.relative);
+    mesh_free(&m);
+    m = must_read_text(FILE_NAME, "v 0 1e-310 0\nv 0 1e-310 0\nv 0 1 0\nf 1 2 3\n");
+    p = precision_of(&m, 0, 1, NOWHERE);
+    CHECK(p.vanished == 0, "an edge without length lost one");
+    mesh_free(&m);
+}
+
 static void refuses_far_origins(void) {
     test("An origin from which the mesh reaches beyond 2^40 is refused; unused vertices may");
     mesh m = must_read_text(FILE_NAME, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1e12 0 0\nf 1 2 3\n");
@@ -136,6 +153,7 @@ int main(void) {
     measures();
     counts_triangles();
     keeps_floats();
+    notices_the_smallest_edges();
     refuses_far_origins();
     places_wide();
     places_exact_floats();
