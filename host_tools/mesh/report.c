@@ -33,6 +33,12 @@ const char *report_key(report_item item) {
     return ITEMS[item].key;
 }
 
+void report_add_miscount(mesh_report *r, report_miscount more) {
+    r->miscount.files += more.files;
+    r->miscount.counted += more.counted;
+    r->miscount.held += more.held;
+}
+
 /* A list in words: "2 points, 1 normal". */
 typedef struct list {
     char text[400];
@@ -74,10 +80,24 @@ static int say_overlapping(const mesh_report *r, const char *path, fail *to) {
     return faces > 0;
 }
 
+/* Of several files, which a recipe may place, the sums. */
+static int say_miscount(const mesh_report *r, const char *path, fail *to) {
+    const unsigned long long files = r->miscount.files, counted = r->miscount.counted;
+    const unsigned long long held = r->miscount.held;
+    const char *s = counted == 1 ? "" : "s";
+    if (files == 1) {
+        fail_set(to, path, "read whole: its count says %llu triangle%s, its size holds %llu",
+                 counted, s, held);
+    } else if (files > 1) {
+        fail_set(to, path,
+                 "read whole: the counts of %llu files say %llu triangle%s, their sizes hold %llu",
+                 files, counted, s, held);
+    }
+    return files > 0;
+}
+
 static int say_habits(const mesh_report *r, const char *path, fail *to) {
     list l = {"", 0};
-    append(&l, r->count[REPORT_MISCOUNTED], "triangle too many or too few in its count",
-           "triangles too many or too few in its count");
     append(&l, r->count[REPORT_SWAPPED], "triangle in big-endian order",
            "triangles in big-endian order");
     append(&l, r->count[REPORT_UNENDED], "solid without endsolid", "solids without endsolid");
@@ -121,7 +141,8 @@ static int say_moved(const mesh_report *r, const char *path, fail *to) {
 
 int report_line(const mesh_report *r, unsigned line, const char *path, fail *to) {
     static int (*const SAY[])(const mesh_report *, const char *, fail *) = {
-        say_left_out, say_overlapping, say_habits, say_dropped, say_ignored, say_moved,
+        say_left_out, say_overlapping, say_miscount, say_habits,
+        say_dropped,  say_ignored,     say_moved,
     };
     return line < sizeof SAY / sizeof SAY[0] ? SAY[line](r, path, to) : -1;
 }

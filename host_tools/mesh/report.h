@@ -17,9 +17,9 @@ typedef enum report_item {
     REPORT_CURVES, /* and free-form surfaces */
     REPORT_COLOURS,
     REPORT_NORMALS,
-    REPORT_TEXTURES,  /* texture coordinates */
-    REPORT_MATERIALS, /* uses of one */
-    REPORT_ELEMENTS,  /* of PLY, of other names */
+    REPORT_TEXTURES,     /* texture coordinates */
+    REPORT_MATERIALS,    /* uses of one */
+    REPORT_ELEMENTS,     /* of PLY, of other names */
     /* Read otherwise than written. */
     REPORT_OVERLAPPING,   /* faces that no triangles fill without overlap */
     REPORT_MISCOUNTED,    /* triangles by which the count of a binary STL is off */
@@ -36,14 +36,22 @@ typedef enum report_item {
 /* Single precision may move a corner so far, in lengths of its shortest edge, without a word. */
 #define REPORT_MOVED_MOST 1e-3
 
+/* Of binary STL whose count of triangles is not what their size holds. */
+typedef struct report_miscount {
+    uint64_t files, counted, held; /* triangles, of all of them */
+} report_miscount;
+
 typedef struct mesh_report {
     int repair;  /* asked for: drop what cannot be traced; else it is refused */
     int centred; /* asked for: recipes place meshes from their wide coordinates */
     uint64_t count[REPORT_ITEMS];
+    report_miscount miscount;
     double moved;      /* greatest distance a corner moved in single precision, in lengths of its
                         * shortest edge; of meshes that recipes placed */
     uint64_t vanished; /* triangles an edge of which lost its length so */
 } mesh_report;
+
+void report_add_miscount(mesh_report *r, report_miscount more);
 
 /* The words of the item as a key: "small_faces". */
 const char *report_key(report_item item);

@@ -1,11 +1,13 @@
 /* stl - reads stereolithography files, binary and ASCII; equal corners become one vertex
  *
- * ASCII is text that begins with "solid" in any case, or any text under a name in .stl. All
- * else is binary, whatever its first 80 bytes say ("solid" among others). Its size says how
- * many triangles there are when it is whole; the count at byte 80 is wrong in some files.
+ * A file of just the size that its count asks for is binary, whatever its first 80 bytes say.
+ * Of others ASCII is what begins with "solid", in any case, and goes on after that line as
+ * such text does, beyond byte 84; and what has hardly a control byte, when it begins with
+ * "solid" or its name ends in .stl. All else is binary. Its size says how many triangles there
+ * are when it is whole; the count at byte 80 is wrong in some files.
  *
- * Around and between solids of ASCII may stand comments, zero bytes and the end-of-file
- * byte 0x1A of old systems; "endsolid" may be two words, or missing.
+ * Around facets and solids of ASCII may stand comments, zero bytes and the end-of-file byte
+ * 0x1A of old systems; "endsolid" may be two words, or missing. A name may hold any byte.
  *
  * Source: 3D Systems, StereoLithography Interface Specification, 1988.
  *
@@ -17,13 +19,14 @@
 #include "host_tools/mesh/scan.h"
 #include "host_tools/mesh/vertex_table.h"
 
-enum { HEADER_BYTES = 84, TRIANGLE_BYTES = 50, NORMAL_BYTES = 12 };
+enum { HEADER_BYTES = 84, TRIANGLE_BYTES = 50, NORMAL_BYTES = 12, SAMPLE_BYTES = 1024 };
 
 typedef struct reader {
     intake in;
     vertex_table met;
-    scan text;      /* ASCII only */
-    int big_endian; /* binary only: against the format, but some programs can */
+    scan text;                /* ASCII only */
+    int big_endian;           /* binary only: against the format, but some programs can */
+    report_miscount miscount; /* binary only */
 } reader;
 
 static uint32_t read32(const unsigned char *at) {
@@ -51,7 +54,7 @@ static int is_control(unsigned char c) {
     return (c < 0x20 && !(c >= '\t' && c <= '\r')) || c == 0x7f;
 }
 
-/* The text, without filler bytes around it. */
+/* The text, without fillers around it. */
 static scan text_of(const input *in) {
     const unsigned char *first = in->bytes, *last = in->bytes + in->size;
     while (first < last && is_filler(*first)) {
@@ -63,31 +66,103 @@ static scan text_of(const input *in) {
     return scan_begin(first, (size_t)(last - first));
 }
 
-/* The first bytes that are no filler are text. */
-static int is_text(const input *in) {
-    const scan s = text_of(in);
-    for (size_t i = 0; i < 1024 && s.at + i < s.end; i++) {
-        if (is_control(s.at[i])) {
-            return 0;
-        }
+/* Of its first bytes at most one of 32 is a control byte. A binary file has more: three of
+ * its count below 2^24, and two of each triangle without a colour. */
+static int is_mostly_text(const input *in) {
+    size_t size = (size_t)(text_of(in).end - in->bytes), controls = 0;
+    size = size < SAMPLE_BYTES ? size : SAMPLE_BYTES;
+    for (size_t i = 0; i < size; i++) {
+        controls += (size_t)is_control(in->bytes[i]);
     }
-    return s.at < s.end;
+    return size > 0 && 32 * controls <= size;
 }
 
 static int is_comment(const scan *s) {
     return *s->at == '#' || *s->at == ';' || (s->end - s->at > 1 && memcmp(s->at, "//", 2) == 0);
 }
 
-/* Moves over blanks, line ends, and comments where those may stand. */
-static void find_next(scan *s, int comments) {
-    while ((scan_line_done(s) || (comments && is_comment(s))) && scan_next_line(s)) {
+/* Moves over blanks and line ends, and where they may stand, over comments and fillers. */
+static void find_next(scan *s, int around) {
+    for (;;) {
+        if (scan_line_done(s) || (around && is_comment(s))) {
+            if (!scan_next_line(s)) {
+                return;
+            }
+        } else if (around && is_filler(*s->at)) {
+            s->at++;
+        } else {
+            return;
+        }
     }
 }
 
-static int is_ascii(const input *in) {
+/* The next word of the line, without fillers behind it. */
+static word read_word(scan *s) {
+    const word w = scan_word(s);
+    size_t length = w.length > 0;
+    while (length < w.length && !is_filler((unsigned char)w.text[length])) {
+        length++;
+    }
+    s->at -= w.length - length;
+    return (word){w.text, length};
+}
+
+/* Whether `w`, and the next word if need be, is "end" and `rest`: then `s` is behind both. */
+static int ends(scan *s, word w, const char *rest) {
+    if (word_is_in_any_case(w, "end")) {
+        scan ahead = *s;
+        find_next(&ahead, 0);
+        if (word_is_in_any_case(read_word(&ahead), rest)) {
+            *s = ahead;
+            return 1;
+        }
+        return 0;
+    }
+    const word head = {w.text, w.length < 3 ? w.length : 3};
+    const word tail = {w.text + head.length, w.length - head.length};
+    return word_is_in_any_case(head, "end") && word_is_in_any_case(tail, rest);
+}
+
+/* From the word at `at` on all is ASCII, to the end of where a header would be. */
+static int is_ascii_beyond_header(const input *in, const unsigned char *at) {
+    const unsigned char *end = in->bytes + (in->size < HEADER_BYTES ? in->size : HEADER_BYTES);
+    while (at < end && *at < 0x80 && !is_control(*at)) {
+        at++;
+    }
+    return at >= end;
+}
+
+static int begins_with_solid(const input *in) {
     scan s = text_of(in);
     find_next(&s, 1);
-    return word_is_in_any_case(scan_word(&s), "solid") && is_text(in);
+    return word_is_in_any_case(read_word(&s), "solid");
+}
+
+/* Begins with "solid", and after that line, and those of solids without facets, a facet
+ * or the end is there as text. The line itself may hold any byte: a name is there. */
+static int speaks_stl(const input *in) {
+    scan s = text_of(in);
+    find_next(&s, 1);
+    word w = read_word(&s);
+    int solids = word_is_in_any_case(w, "solid"), ended = 0;
+    if (!solids) {
+        return 0;
+    }
+    while (solids) {
+        scan_next_line(&s);
+        find_next(&s, 1);
+        w = read_word(&s);
+        const int at_end = ends(&s, w, "solid");
+        ended |= at_end;
+        solids = at_end || word_is_in_any_case(w, "solid");
+    }
+    return word_is_in_any_case(w, "facet")
+               ? is_ascii_beyond_header(in, (const unsigned char *)w.text)
+               : ended && w.length == 0;
+}
+
+static int is_text(const input *in) {
+    return speaks_stl(in) || is_mostly_text(in);
 }
 
 /* A vertex that the intake replaced is not found again: it is not at 0. */
@@ -130,40 +205,68 @@ static int read_binary_triangle(reader *r, const unsigned char *at) {
     return 0;
 }
 
-/* Triangles of a binary file: by its size when that is whole, else by its count. */
+static void note_miscount(reader *r, uint64_t counted, uint64_t held) {
+    if (counted != held) {
+        r->in.count[REPORT_MISCOUNTED] += held > counted ? held - counted : counted - held;
+        r->miscount = (report_miscount){.files = 1, .counted = counted, .held = held};
+    }
+}
+
+/* Bytes are left over behind the triangles. With repair they are ignored, and the triangles
+ * are those that the size holds: the count is not above that. */
+static int count_with_loose_bytes(reader *r, const input *in, uint64_t *triangles) {
+    const unsigned long long counted = read32(in->bytes + HEADER_BYTES - 4);
+    const unsigned long long held = (in->size - HEADER_BYTES) / TRIANGLE_BYTES;
+    const unsigned long long asked = counted_bytes(in);
+    const unsigned long long loose = (in->size - HEADER_BYTES) % TRIANGLE_BYTES;
+    if (in->size < asked) {
+        return fail_set(r->in.f, in->path,
+                        "byte 80: %llu triangles take %llu bytes, but the file has %zu; "
+                        "it is cut short or no STL: get it again",
+                        counted, asked, in->size);
+    }
+    if (held == 0) {
+        return fail_set(r->in.f, in->path,
+                        "byte %d: a triangle takes %d bytes, but %llu follow; get the file again",
+                        HEADER_BYTES, TRIANGLE_BYTES, loose);
+    }
+    if (!r->in.report->repair && held == counted) {
+        return fail_set(r->in.f, in->path,
+                        "byte %llu: %llu bytes more than the triangle count at byte 80 says; "
+                        "remove them or use pack --repair to ignore them",
+                        asked, loose);
+    }
+    if (!r->in.report->repair) {
+        return fail_set(r->in.f, in->path,
+                        "byte 80: the count says %llu triangles, but the file holds %llu and %llu "
+                        "bytes more; use pack --repair to read what it holds",
+                        counted, held, loose);
+    }
+    *triangles = held;
+    note_miscount(r, counted, held);
+    r->in.count[REPORT_LOOSE_BYTES] += loose;
+    return 0;
+}
+
+/* Triangles of a binary file: by its size when that is whole. */
 static int count_binary(reader *r, const input *in, uint64_t *triangles) {
     if (in->size < HEADER_BYTES) {
         return fail_set(r->in.f, in->path,
                         "byte %zu: ends inside the %d byte header of a binary STL; get it again",
                         in->size, HEADER_BYTES);
     }
+    if ((in->size - HEADER_BYTES) % TRIANGLE_BYTES != 0) {
+        return count_with_loose_bytes(r, in, triangles);
+    }
     const uint64_t counted = read32(in->bytes + HEADER_BYTES - 4);
     const uint64_t held = (in->size - HEADER_BYTES) / TRIANGLE_BYTES;
-    const unsigned long long asked = counted_bytes(in);
     *triangles = held;
-    if ((in->size - HEADER_BYTES) % TRIANGLE_BYTES == 0) {
-        r->big_endian = held != counted && held == read32_big(in->bytes + HEADER_BYTES - 4);
-        if (r->big_endian) {
-            r->in.count[REPORT_SWAPPED] += held;
-            return 0;
-        }
-        r->in.count[REPORT_MISCOUNTED] += held > counted ? held - counted : counted - held;
-        return 0;
+    r->big_endian = held != counted && held == read32_big(in->bytes + HEADER_BYTES - 4);
+    if (r->big_endian) {
+        r->in.count[REPORT_SWAPPED] += held;
+    } else {
+        note_miscount(r, counted, held);
     }
-    if (in->size < asked) {
-        return fail_set(r->in.f, in->path,
-                        "byte 80: %llu triangles take %llu bytes, but the file has %zu; "
-                        "it is cut short or no STL: get it again",
-                        (unsigned long long)counted, asked, in->size);
-    }
-    if (!r->in.report->repair) {
-        return fail_set(r->in.f, in->path,
-                        "byte %llu: %llu bytes more than the triangle count at byte 80 says; "
-                        "remove them or use pack --repair to ignore them",
-                        asked, (unsigned long long)in->size - asked);
-    }
-    *triangles = counted;
-    r->in.count[REPORT_LOOSE_BYTES] += in->size - asked;
     return 0;
 }
 
@@ -191,10 +294,10 @@ static int read_binary(reader *r, const input *in) {
 }
 
 /* The next word, which is empty at the end of the text. */
-static word next_word(reader *r, int comments) {
-    find_next(&r->text, comments);
+static word next_word(reader *r, int around) {
+    find_next(&r->text, around);
     r->in.at.line = r->text.line;
-    return scan_word(&r->text);
+    return read_word(&r->text);
 }
 
 static int fail_word(reader *r, word w, const char *expected) {
@@ -207,22 +310,6 @@ static int fail_word(reader *r, word w, const char *expected) {
 static int expect(reader *r, const char *expected) {
     const word w = next_word(r, 0);
     return word_is_in_any_case(w, expected) ? 0 : fail_word(r, w, expected);
-}
-
-/* Whether `w` is "end" and `rest`, as one word or as two. */
-static int ends(reader *r, word w, const char *rest) {
-    if (word_is_in_any_case(w, "end")) {
-        scan ahead = r->text;
-        find_next(&ahead, 0);
-        if (word_is_in_any_case(scan_word(&ahead), rest)) {
-            r->text = ahead;
-            return 1;
-        }
-        return 0;
-    }
-    const word head = {w.text, w.length < 3 ? w.length : 3};
-    const word tail = {w.text + head.length, w.length - head.length};
-    return word_is_in_any_case(head, "end") && word_is_in_any_case(tail, rest);
 }
 
 static int read_position(reader *r, real position[3]) {
@@ -251,7 +338,7 @@ static int read_facet_begin(reader *r) {
 static int read_loop(reader *r, chain *c) {
     for (;;) {
         const word w = next_word(r, 0);
-        if (ends(r, w, "loop")) {
+        if (ends(&r->text, w, "loop")) {
             return 0;
         }
         real position[3];
@@ -283,7 +370,7 @@ static int read_facet(reader *r) {
         return -1;
     }
     const word w = next_word(r, 0);
-    return ends(r, w, "facet") ? 0 : fail_word(r, w, "endfacet");
+    return ends(&r->text, w, "facet") ? 0 : fail_word(r, w, "endfacet");
 }
 
 /* The solid that is open ends without endsolid; one without facets is damage. */
@@ -302,7 +389,7 @@ static int read_ascii(reader *r) {
     for (;;) {
         const word w = next_word(r, 1);
         const int begins = word_is_in_any_case(w, "solid");
-        if (open && ends(r, w, "solid")) {
+        if (open && ends(&r->text, w, "solid")) {
             open = 0;
             scan_next_line(&r->text);
         } else if (open && (begins || w.length == 0) && end_without_word(r, first_triangle) != 0) {
@@ -324,7 +411,7 @@ static int read_ascii(reader *r) {
 }
 
 int stl_is(const input *in) {
-    return has_counted_size(in) || is_ascii(in);
+    return has_counted_size(in) || (begins_with_solid(in) && is_text(in));
 }
 
 int stl_may_be(const input *in) {
@@ -340,10 +427,13 @@ int stl_read(mesh *m, const input *in, mesh_report *report, fail *f) {
     };
     int result = !has_counted_size(in) && is_text(in) ? read_ascii(&r) : read_binary(&r, in);
     vertex_table_free(&r.met);
-    if (result == 0) {
-        result = intake_finish(&r.in);
-    } else {
+    if (result != 0) {
         intake_undo(&r.in);
+        return -1;
     }
-    return result;
+    if (intake_finish(&r.in) != 0) {
+        return -1;
+    }
+    report_add_miscount(report, r.miscount);
+    return 0;
 }

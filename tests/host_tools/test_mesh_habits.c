@@ -117,6 +117,67 @@ static void stl_text_speaks_of_lines(void) {
     must_fail_text(STL, "v 0 0 0\n", "line 1: 'v' where 'solid' belongs; correct it");
 }
 
+/* Not the square, and with a failure that speaks of a line. */
+static void fails_at_line(const blob *b, int line) {
+    mesh m = {0};
+    mesh_report report = {0};
+    fail f;
+    char where[40];
+    snprintf(where, sizeof where, STL ": line %d: ", line);
+    CHECK(read_blob(&m, STL, b, &report, &f) == -1, "read");
+    CHECK(strncmp(f.text, where, strlen(where)) == 0, "%s", f.text);
+    mesh_free(&m);
+}
+
+static void stl_text_with_control_bytes(void) {
+    test("Control bytes between solids, at the end and in names leave an ASCII STL text");
+    static const struct {
+        const char *bytes;
+        size_t size;
+    } GAPS[] = {{"\x1a", 1},       {"\x1a\r\n", 3},        {"\n\x1a\n", 3},
+                {"\0\0\0\0\n", 5}, {" \0 \x1a \r\n\0", 8}, {"\n# of old\n\x1a;\n", 13}};
+    static char padding[512];
+    for (size_t i = 0; i < sizeof GAPS / sizeof GAPS[0]; i++) {
+        for (int named = 0; named < 2; named++) {
+            blob b = {.size = 0};
+            put(&b, GAPS[i].bytes, GAPS[i].size);
+            put_text(&b, "solid a\nendsolid\n");
+            put(&b, GAPS[i].bytes, GAPS[i].size);
+            put_text(&b, "solid b\n" SQUARE "endsolid");
+            put(&b, GAPS[i].bytes, GAPS[i].size);
+            mesh_report r = square_of(named ? STL : MESH_FOLDER "habit_no_name", &b);
+            nothing(&r);
+        }
+    }
+    blob b = {.size = 0};
+    put_text(&b, "solid a\nendsolid a\n");
+    put(&b, padding, sizeof padding);
+    put_text(&b, "solid b\n" SQUARE);
+    put(&b, padding, sizeof padding);
+    mesh_report r = square_of(STL, &b);
+    only(&r, REPORT_UNENDED, 1);
+    r = square(STL, "solid \x01 name \x02\x03\n" SQUARE "endsolid \x01 name\n");
+    nothing(&r);
+    r = square(STL,
+               "solid \x80\xff\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\n" SQUARE);
+    only(&r, REPORT_UNENDED, 1);
+}
+
+static void stl_text_that_is_damaged(void) {
+    test("A control byte within a facet is refused at its line");
+    static const char *const TEXTS[] = {
+        "solid a\n" SQUARE "facet normal 0 \x01 0\nouter loops",
+        "solid a\x01\x02\n" SQUARE "\x01\n",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\x01 0\nvertex 1 0 0\nvertex 1 1 0\n",
+    };
+    static const int LINES[] = {17, 16, 4};
+    for (int i = 0; i < 3; i++) {
+        blob b = {.size = 0};
+        put_text(&b, TEXTS[i]);
+        fails_at_line(&b, LINES[i]);
+    }
+}
+
 /* `count` says so; `held` triangles are there, of the square, over and over. */
 static blob binary(uint32_t count, unsigned held, int big) {
     static const float CORNERS[2][9] = {{0, 0, 0, 1, 0, 0, 1, 1, 0}, {0, 0, 0, 1, 1, 0, 0, 1, 0}};
@@ -134,6 +195,48 @@ static blob binary(uint32_t count, unsigned held, int big) {
         put_number(&b, 0, 2, 0);
     }
     return b;
+}
+
+static void stl_that_is_binary(void) {
+    test("A binary STL whose header begins as text does is binary, also when it miscounts");
+    static const char *const HEADS[] = {
+        "solid",
+        "solid name\nfacet normal 0 0 1\n",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nend",
+        "solid a\nendsolid a\n",
+        "solid by a program that pads its header with blanks                             ",
+    };
+    for (size_t i = 0; i < sizeof HEADS / sizeof HEADS[0]; i++) {
+        for (uint32_t count = 1; count < 4; count++) {
+            blob b = binary(count, 2, 0);
+            memset(b.bytes, 0, 80);
+            memcpy(b.bytes, HEADS[i], strlen(HEADS[i]));
+            const mesh_report r = square_of(STL, &b);
+            only(&r, REPORT_MISCOUNTED, count != 2);
+        }
+    }
+}
+
+static void stl_with_loose_bytes(void) {
+    test(
+        "Repair reads what the size holds when the count is smaller; where nothing is held it "
+        "is not named");
+    blob b = binary(0, 2, 0);
+    put(&b, "abc", 3);
+    must_fail_blob(STL, &b,
+                   "byte 80: the count says 0 triangles, but the file holds 2 and 3 bytes more; "
+                   "use pack --repair to read what it holds");
+    mesh m = {0};
+    mesh_report r = {.repair = 1};
+    fail f;
+    CHECK(read_blob(&m, STL, &b, &r, &f) == 0, "%s", f.text);
+    CHECK(m.triangles == 2 && r.count[REPORT_MISCOUNTED] == 2 && r.count[REPORT_LOOSE_BYTES] == 3,
+          "%zu triangles", m.triangles);
+    CHECK(r.miscount.files == 1 && r.miscount.counted == 0 && r.miscount.held == 2, "numbers");
+    mesh_free(&m);
+    b = binary(0, 0, 0);
+    put(&b, "abc", 3);
+    must_fail_blob(STL, &b, "byte 84: a triangle takes 50 bytes, but 3 follow; get the file again");
 }
 
 static void stl_that_miscounts(void) {
@@ -465,6 +568,9 @@ static void sentences(void) {
         int said = 0;
         mesh_report one = {0};
         one.count[item] = 4711;
+        if (item == REPORT_MISCOUNTED) { /* said by both numbers that differ by it */
+            report_add_miscount(&one, (report_miscount){1, 4711, 0});
+        }
         int more = 0;
         for (unsigned line = 0; more >= 0; line++) {
             fail sentence = {{0}};
@@ -475,6 +581,31 @@ static void sentences(void) {
     }
 }
 
+static void says_miscount(const mesh_report *r, const char *expected) {
+    fail said = {{0}};
+    int found = 0, more = 0;
+    for (unsigned line = 0; more >= 0; line++) {
+        more = report_line(r, line, "x", &said);
+        found |= more > 0 && strcmp(said.text, expected) == 0;
+    }
+    CHECK(found, "'%s', not '%s'", said.text, expected);
+}
+
+static void miscount_sentences(void) {
+    test("A wrong count is said beside what the size holds, of one file and of several");
+    blob b = binary(6, 4, 0);
+    mesh m = {0};
+    mesh_report r = {0};
+    fail f;
+    CHECK(read_blob(&m, STL, &b, &r, &f) == 0, "%s", f.text);
+    says_miscount(&r, "x: read whole: its count says 6 triangles, its size holds 4");
+    b = binary(1, 2, 0);
+    CHECK(read_blob(&m, STL, &b, &r, &f) == 0, "%s", f.text);
+    says_miscount(&r, "x: read whole: the counts of 2 files say 7 triangles, their sizes hold 6");
+    CHECK(r.count[REPORT_MISCOUNTED] == 3, "%llu", (unsigned long long)r.count[REPORT_MISCOUNTED]);
+    mesh_free(&m);
+}
+
 int main(void) {
     mesh_folder();
     stl_in_any_case();
@@ -482,6 +613,10 @@ int main(void) {
     stl_without_end();
     stl_of_several();
     stl_text_speaks_of_lines();
+    stl_text_with_control_bytes();
+    stl_text_that_is_damaged();
+    stl_that_is_binary();
+    stl_with_loose_bytes();
     stl_that_miscounts();
     ply_of_64_bits();
     ply_with_small_faces();
@@ -496,5 +631,6 @@ int main(void) {
     far_faces();
     crossing_faces();
     sentences();
+    miscount_sentences();
     return test_done();
 }
