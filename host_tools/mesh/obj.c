@@ -1,8 +1,9 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
- * `v` and `f` are read, all other keywords passed over; what they would draw is counted. A face may
- * use a vertex that only comes later. Vertices are counted from 1; a negative number counts back
- * from the last vertex so far.
+ * `v` and `f` are read, and `fo`, which was `f` before version 3.0. All other keywords are passed
+ * over; what they would draw is counted, and so are lines of no known keyword, and of `call` and
+ * `csh`, which would run other files and commands. A face may use a vertex that only comes later.
+ * Vertices are counted from 1; a negative number counts back from the last vertex so far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.
@@ -23,17 +24,21 @@ static const struct {
     const char *name;
     report_item item; /* REPORT_ITEMS: nothing that anyone would miss */
 } KNOWN[] = {
-    {"v", REPORT_ITEMS},          {"f", REPORT_ITEMS},      {"g", REPORT_ITEMS},
-    {"o", REPORT_ITEMS},          {"s", REPORT_ITEMS},      {"mg", REPORT_ITEMS},
-    {"mtllib", REPORT_ITEMS},     {"maplib", REPORT_ITEMS}, {"cstype", REPORT_ITEMS},
-    {"deg", REPORT_ITEMS},        {"bmat", REPORT_ITEMS},   {"step", REPORT_ITEMS},
-    {"parm", REPORT_ITEMS},       {"trim", REPORT_ITEMS},   {"hole", REPORT_ITEMS},
-    {"scrv", REPORT_ITEMS},       {"sp", REPORT_ITEMS},     {"end", REPORT_ITEMS},
-    {"con", REPORT_ITEMS},        {"vp", REPORT_ITEMS},     {"lod", REPORT_ITEMS},
-    {"fo", REPORT_ITEMS},         {"vn", REPORT_NORMALS},   {"vt", REPORT_TEXTURES},
-    {"p", REPORT_POINTS},         {"l", REPORT_LINES},      {"curv", REPORT_CURVES},
-    {"curv2", REPORT_CURVES},     {"surf", REPORT_CURVES},  {"usemtl", REPORT_MATERIALS},
-    {"usemap", REPORT_MATERIALS},
+    {"v", REPORT_ITEMS},           {"f", REPORT_ITEMS},          {"g", REPORT_ITEMS},
+    {"o", REPORT_ITEMS},           {"s", REPORT_ITEMS},          {"mg", REPORT_ITEMS},
+    {"mtllib", REPORT_ITEMS},      {"maplib", REPORT_ITEMS},     {"cstype", REPORT_ITEMS},
+    {"deg", REPORT_ITEMS},         {"bmat", REPORT_ITEMS},       {"step", REPORT_ITEMS},
+    {"parm", REPORT_ITEMS},        {"trim", REPORT_ITEMS},       {"hole", REPORT_ITEMS},
+    {"scrv", REPORT_ITEMS},        {"sp", REPORT_ITEMS},         {"end", REPORT_ITEMS},
+    {"con", REPORT_ITEMS},         {"vp", REPORT_ITEMS},         {"lod", REPORT_ITEMS},
+    {"fo", REPORT_ITEMS},          {"vn", REPORT_NORMALS},       {"vt", REPORT_TEXTURES},
+    {"bevel", REPORT_ITEMS},       {"c_interp", REPORT_ITEMS},   {"d_interp", REPORT_ITEMS},
+    {"shadow_obj", REPORT_ITEMS},  {"trace_obj", REPORT_ITEMS},  {"ctech", REPORT_ITEMS},
+    {"stech", REPORT_ITEMS},       {"res", REPORT_ITEMS},        {"bzp", REPORT_CURVES},
+    {"bsp", REPORT_CURVES},        {"cdc", REPORT_CURVES},       {"cdp", REPORT_CURVES},
+    {"call", REPORT_UNREAD_LINES}, {"csh", REPORT_UNREAD_LINES}, {"p", REPORT_POINTS},
+    {"l", REPORT_LINES},           {"curv", REPORT_CURVES},      {"curv2", REPORT_CURVES},
+    {"surf", REPORT_CURVES},       {"usemtl", REPORT_MATERIALS}, {"usemap", REPORT_MATERIALS},
 };
 
 /* Its number in KNOWN, or -1. */
@@ -126,13 +131,33 @@ static int read_face(reader *r) {
 }
 
 static void count_line(reader *r, int known) {
+    const report_item item = known >= 0 ? KNOWN[known].item : REPORT_UNREAD_LINES;
     r->known_lines += known >= 0;
-    if (known >= 0 && KNOWN[known].item != REPORT_ITEMS) {
-        r->in.count[KNOWN[known].item]++;
+    if (item != REPORT_ITEMS) {
+        r->in.count[item]++;
     }
 }
 
-/* A comment may end in a backslash (a path): it joins no lines. */
+/* What follows is a name, or the keyword is none of OBJ. */
+static int may_be_path(word w, int known) {
+    static const char *const NAMED[] = {"g",      "o",    "mtllib", "maplib",     "usemtl",
+                                        "usemap", "call", "csh",    "shadow_obj", "trace_obj"};
+    for (size_t i = 0; i < sizeof NAMED / sizeof NAMED[0]; i++) {
+        if (word_is(w, NAMED[i])) {
+            return 1;
+        }
+    }
+    return known < 0;
+}
+
+/* Up to the end of the line, which may be that of another that it is joined to. */
+static void pass_over(reader *r) {
+    while (!scan_line_done(&r->text) && *r->text.at != '#') {
+        scan_word(&r->text);
+    }
+}
+
+/* A comment or a name may end in a backslash (a path): it joins no lines. */
 static int read_line(reader *r) {
     r->in.at = (location){.line = r->text.line};
     r->text.continued = 0;
@@ -140,14 +165,19 @@ static int read_line(reader *r) {
         return 0;
     }
     const word w = scan_word(&r->text);
-    const int is_vertex = word_is(w, "v"), is_face = word_is(w, "f");
+    const int is_vertex = word_is(w, "v"), is_face = word_is(w, "f") || word_is(w, "fo");
     if (!is_text(w)) {
         return intake_fail(&r->in, "'%.*s' is no text; check that this is an OBJ file",
                            WORD_SHOWN(w));
     }
-    r->text.continued = is_vertex || is_face;
-    count_line(r, find_known(w));
-    return is_vertex ? read_vertex(r) : is_face ? read_face(r) : 0;
+    const int known = find_known(w);
+    r->text.continued = is_vertex || is_face || !may_be_path(w, known);
+    count_line(r, known);
+    if (!is_vertex && !is_face) {
+        pass_over(r);
+        return 0;
+    }
+    return is_vertex ? read_vertex(r) : read_face(r);
 }
 
 static int read_lines(reader *r) {

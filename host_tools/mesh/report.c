@@ -19,6 +19,8 @@ static const struct {
     [REPORT_TEXTURES] = {"texture_coordinates", "texture coordinate", "texture coordinates"},
     [REPORT_MATERIALS] = {"materials", "use of a material", "uses of materials"},
     [REPORT_ELEMENTS] = {"other_elements", "element of another kind", "elements of other kinds"},
+    [REPORT_UNREAD_LINES] = {"unread_lines", "line of a keyword that is not read",
+                             "lines of keywords that are not read"},
     [REPORT_OVERLAPPING] = {"overlapping_faces", NULL, NULL},
     [REPORT_MISCOUNTED] = {"miscounted_triangles", NULL, NULL},
     [REPORT_SWAPPED] = {"big_endian_triangles", NULL, NULL},

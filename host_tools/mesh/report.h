@@ -20,6 +20,7 @@ typedef enum report_item {
     REPORT_TEXTURES,     /* texture coordinates */
     REPORT_MATERIALS,    /* uses of one */
     REPORT_ELEMENTS,     /* of PLY, of other names */
+    REPORT_UNREAD_LINES, /* of OBJ, of no known keyword or of one that runs something */
     /* Read otherwise than written. */
     REPORT_OVERLAPPING,   /* faces that no triangles fill without overlap */
     REPORT_MISCOUNTED,    /* triangles by which the count of a binary STL is off */

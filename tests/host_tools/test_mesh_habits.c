@@ -421,6 +421,25 @@ static void obj_attributes(void) {
     CHECK(r.count[REPORT_SMALL_FACES] == 1, "f of two");
 }
 
+static void obj_of_old_keywords(void) {
+    test("fo is f, and lines of other old keywords and of none are known by what they draw");
+    mesh_report r = square(OBJ, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nfo 1 2 3\nfo 1/1 \\\n3 4\n");
+    nothing(&r);
+    r = square(OBJ,
+               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nF 1 2 3\nfaces 1 2 3\n"
+               "call x\ncsh ls\n");
+    only(&r, REPORT_UNREAD_LINES, 4);
+    r = square(OBJ,
+               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nbzp 1 2\nbsp 1 2\ncdc 1 2\n"
+               "cdp 1 2\ncurv 0 1 \\\n 1 2\n");
+    only(&r, REPORT_CURVES, 5);
+    r = square(OBJ,
+               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nbevel on\nc_interp on\nd_interp on\n"
+               "shadow_obj a\ntrace_obj a\nctech cparm 1\nstech cparma 1 1\nres 1 1\n"
+               "parm u 0 \\\n 0.5 \\\n 1\ng C:\\a\\\nf 1 2 3\no C:\\\nf 1 3 4\n");
+    nothing(&r);
+}
+
 /* Two triangles, two lines and a quad: faces as a program that keeps lines among them writes. */
 static void ply_of_mixed_faces(void) {
     test("Binary faces of 2, 3 and 4 corners are read, whatever size that gives the file");
@@ -627,6 +646,7 @@ int main(void) {
     ply_of_short_lines();
     obj_that_joins();
     obj_attributes();
+    obj_of_old_keywords();
     concave_faces();
     far_faces();
     crossing_faces();
