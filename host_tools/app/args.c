@@ -194,6 +194,14 @@ unsigned args_choice(args *a, const char *flag, const char *const *words, unsign
     return otherwise;
 }
 
+static void complain_numbers(args *a, const char *flag, unsigned count, const char *text) {
+    if (count == 1) {
+        args_complain(a, "%s takes a number, not '%s'", flag, text);
+    } else {
+        args_complain(a, "%s takes %u numbers separated by commas, not '%s'", flag, count, text);
+    }
+}
+
 /* Each number rounded once to what was asked for: the other one is NULL. */
 static int read_numbers(args *a, const char *flag, float *single, double *wide, unsigned count) {
     const char *text = args_text(a, flag, NULL);
@@ -205,8 +213,7 @@ static int read_numbers(args *a, const char *flag, float *single, double *wide, 
         char *end;
         const double value = single != NULL ? (double)strtof(at, &end) : strtod(at, &end);
         if (end == at || !isfinite(value) || *end != (i + 1 < count ? ',' : '\0')) {
-            args_complain(a, "%s takes %u number%s separated by commas, not '%s'", flag, count,
-                          count == 1 ? "" : "s", text);
+            complain_numbers(a, flag, count, text);
             return 0;
         }
         if (single != NULL) {

@@ -67,6 +67,11 @@ int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t fir
     rotation r;
     cos_sin((double)p->angle_x, &r.cos_x, &r.sin_x);
     cos_sin((double)p->angle_y, &r.cos_y, &r.sin_y);
+    if (m->triangles == first_triangle) {
+        const size_t vertices = m->vertices - first_vertex;
+        return fail_set(f, path, "%zu %s, no triangles: nothing to place; leave it out", vertices,
+                        vertices == 1 ? "vertex" : "vertices");
+    }
     const box b = box_of(&r, m, first_triangle, wide);
     const double longest = longest_side(b.low, b.high);
     if (!(longest > 0)) {

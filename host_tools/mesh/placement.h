@@ -17,7 +17,7 @@ typedef struct placement {
 /* Places the vertices from `first_vertex` on; the box is that of the
  * triangles from `first_triangle` on. With `wide` the coordinates before they became floats
  * are placed, and are then kept beside the floats. Fails, and leaves the mesh undefined, when
- * the box has no extent or a vertex leaves +-PLT_COORD_MAX. */
+ * there are no triangles, their box has no extent or a vertex leaves +-PLT_COORD_MAX. */
 int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t first_triangle,
                     int wide, const char *path, fail *f);
 

@@ -60,6 +60,32 @@ printf 'solid a\nendsolid a\n' >none.stl
 refused "an STL without facets" none.stl "0 vertices, no faces: nothing to trace" \
     pack none.stl -o x.plt
 verdict "... leave no image" "$(ls x.plt 2>/dev/null)"
+# nothing SENTENCE MESH LINE: pack MESH has nothing to trace, and LINE says what there is.
+nothing() {
+    run pack "$2" -o x.plt
+    verdict "$1" "$(
+        [ "$status" -eq 1 ] || echo "status $status"
+        printf '%s: %s: nothing to trace; write it with its faces; points need a surface first\n' \
+            "$2" "$3" | cmp -s - err || cat err)"
+}
+v='v 0 0 0\nv 1 0 0\nv 0 1 0\n'
+printf "${v}l 1 2\nl 2 3\np 1\n" >lines.obj
+nothing "lines and points are named, for there are no faces" lines.obj \
+    "3 vertices, 2 lines, 1 point, no faces"
+printf "${v}f 1 2\nf 3\n" >small.obj
+nothing "... and small faces are, for there are some" small.obj \
+    "3 vertices, 2 faces of fewer than 3 corners"
+printf "${v}f 1 2\nf 1 2 9\n" >both.obj
+refused "... and what --repair drops beside them" both.obj \
+    "3 vertices, 1 face of fewer than 3 corners, and 1 that had to be dropped: nothing to trace" \
+    pack both.obj -o x.plt --repair
+printf "${v}curv 0 1 1 2\nf 1\np 1 2\n" >curve.obj
+nothing "... and curves" curve.obj \
+    "3 vertices, 1 curve or free-form surface, 1 point, 1 face of fewer than 3 corners"
+printf 'cut.obj 1 0 0 0\n' >cut.txt
+refused "a recipe of it" cut.txt \
+    "line 1: cut.obj: 3 vertices, no triangles: nothing to place; leave it out" \
+    pack cut.txt -o x.plt
 run pack all.obj cut.obj -o x.plt
 verdict "... beside a file with faces it is a line" "$(
     [ "$status" -eq 0 ] || echo "status $status"
@@ -142,6 +168,7 @@ says "... and a distance beyond reason says what it takes" \
     "seams.stl: 4 triangles have no area: never hit, but counted and numbered"
 for distance in 0 -1 x; do
     misused "--weld $distance" "--weld" pack seams.stl -o x.plt --weld "$distance"
+    verdict "... a single number is not said to need commas" "$(grep comma err)"
 done
 run make ground -o closed.ply
 run pack closed.ply -o closed.plt
@@ -175,6 +202,12 @@ says "--repair counts faces, not triangles" \
     "repair.obj: dropped 2 faces that cannot be traced, 1 vertex that is not finite or is beyond \
 +-2^40" \
     "repair.obj: 3 open edges: $border"
+
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\nF 1 2 3\ncall x\n' >old.obj
+run pack old.obj -o old.plt
+says "an OBJ with fo, and lines that nothing reads" \
+    "old.obj: left out 2 lines of keywords that are not read" \
+    "old.obj: 3 open edges: $border"
 
 # ---- messages of failures stay alone -------------------------------------------------------
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_remedies_readers.sh - messages about binary STL advise, helps
+# test_remedies_readers.sh - messages about binary STL, bare meshes and numbers help
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
@@ -24,4 +24,15 @@ says "byte %d: a triangle takes %d bytes, but %llu follow; get the file again" \
     pack part.stl -o x.plt
 cp two.stl part.stl
 packs 2 part.stl
+
+printf 'v 0 0 0\nv 1 0 0\n' >bare.obj
+printf 'bare.obj 1 0 0 0\nquad.ply 1 0 0 0\n' >bad.txt
+says "%zu %s, no triangles: nothing to place; leave it out" pack bad.txt -o x.plt
+sed '/^bare/d' bad.txt >left.txt
+packs 2 left.txt
+
+says "%s takes a number, not '%s'" pack quad.ply -o x.plt --weld 1,2
+packs 2 quad.ply --weld 0.1
+says "%s takes %u numbers separated by commas, not '%s'" pack quad.ply -o x.plt --origin 1,2
+packs 2 quad.ply --origin 1,2,3
 finish

@@ -28,7 +28,7 @@ says "%s takes a number from %llu to %llu, not '%s'" pack quad.ply -o x.plt --tr
 packs 2 quad.ply --treelet 1
 says "%s takes %s, not '%s'" pack quad.ply -o x.plt --leaf 3
 packs 2 quad.ply --leaf 4
-says "%s takes %u number%s separated by commas, not '%s'" render quad.plt -o x.png --eye 0,0
+says "%s takes %u numbers separated by commas, not '%s'" render quad.plt -o x.png --eye 0,0
 cured render quad.plt -o x.png --eye 0,0,3
 says "%s takes WIDTHxHEIGHT, each 1 to %u, not '%s'" render quad.plt -o x.png --size 64
 cured render quad.plt -o x.png --size 64x48

@@ -177,7 +177,8 @@ static void refuses_files(void) {
     must_fail_text(RECIPE, "flat.obj 4 0 0 0\n",
                    "line 1: " FOLDER "flat.obj: has no extent to scale; leave it out");
     must_fail_text(RECIPE, "bare.obj 4 0 0 0\n",
-                   "line 1: " FOLDER "bare.obj: has no extent to scale; leave it out");
+                   "line 1: " FOLDER
+                   "bare.obj: 3 vertices, no triangles: nothing to place; leave it out");
     must_fail_text(RECIPE, "wedge.obj 4 1e13 0 0\n",
                    "line 1: " FOLDER
                    "wedge.obj: its position is beyond +-2^40; "
