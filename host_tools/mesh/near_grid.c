@@ -7,17 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Floats are multiples of that: in shorter cells they would be no closer together, and too far
- * from the origin to count. */
-static const double LEAST_CELL = 0x1p-149;
+/* Where a coordinate is this many distances or more from 0, the next float lies further away
+ * than the distance: there only equal coordinates are near, and each is a cell of its own. */
+static const double CELLS_MOST = 9007199254740992.0; /* 2^53 */
 
 typedef struct cell {
-    double q[3]; /* whole numbers, which a double holds whatever their size */
+    double q[3];   /* whole numbers below CELLS_MOST; or a coordinate itself */
+    int around[3]; /* neighbours on either side that may hold a near point: 1, or 0 */
 } cell;
 
 int near_grid_begin(near_grid *g, const float *vertex, double distance, size_t most) {
     *g = (near_grid){.vertex = vertex, .distance = distance, .slots = 64};
-    g->cell = fmax(distance, LEAST_CELL);
     while (g->slots < 2 * most) {
         g->slots *= 2;
     }
@@ -37,7 +37,10 @@ void near_grid_free(near_grid *g) {
 static cell cell_of(const near_grid *g, uint32_t vertex) {
     cell c;
     for (int axis = 0; axis < 3; axis++) {
-        c.q[axis] = floor((double)g->vertex[3 * (size_t)vertex + (size_t)axis] / g->cell);
+        const double x = (double)g->vertex[3 * (size_t)vertex + (size_t)axis];
+        const double q = floor(x / g->distance); /* or infinite */
+        c.around[axis] = fabs(q) < CELLS_MOST;
+        c.q[axis] = c.around[axis] ? q : x;
     }
     return c;
 }
@@ -92,9 +95,16 @@ uint32_t near_grid_find(near_grid *g, uint32_t vertex, double *far) {
     const cell middle = cell_of(g, vertex);
     nearest n = {0, 0};
     for (int k = 0; k < 27; k++) {
-        const cell c = {
-            {middle.q[0] + k % 3 - 1, middle.q[1] + k / 3 % 3 - 1, middle.q[2] + k / 9 - 1}};
-        look_into(g, &c, vertex, &n);
+        const int to[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        cell c = middle;
+        int reached = 1;
+        for (int axis = 0; axis < 3; axis++) {
+            c.q[axis] += to[axis];
+            reached &= abs(to[axis]) <= c.around[axis];
+        }
+        if (reached) {
+            look_into(g, &c, vertex, &n);
+        }
     }
     *far = n.far;
     return n.at != 0 ? g->point[n.at - 1] : NEAR_GRID_NONE;

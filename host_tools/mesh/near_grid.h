@@ -1,6 +1,8 @@
 /* near_grid - the nearest of a set of points, within a distance
  *
- * A hashed grid of cells as long as the distance: a point's neighbours lie in 27 cells.
+ * A hashed grid of cells as long as the distance: a point's neighbours lie in 27 cells. Where
+ * floats are further apart than the distance, only points with equal coordinates are neighbours,
+ * and each coordinate is a cell.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef NEAR_GRID_H
@@ -11,11 +13,11 @@
 #define NEAR_GRID_NONE UINT32_MAX
 
 typedef struct near_grid {
-    const float *vertex;   /* 3 floats per vertex; not owned */
-    double distance, cell; /* a cell is at least as long */
-    uint32_t *first;       /* by hash of a cell: a point of it, + 1; owned */
-    uint32_t *next;        /* of each point added: another one with that hash, + 1; owned */
-    uint32_t *point;       /* vertices, in the order they were added; owned */
+    const float *vertex; /* 3 floats per vertex; not owned */
+    double distance;     /* also the length of a cell */
+    uint32_t *first;     /* by hash of a cell: a point of it, + 1; owned */
+    uint32_t *next;      /* of each point added: another one with that hash, + 1; owned */
+    uint32_t *point;     /* vertices, in the order they were added; owned */
     size_t points, slots;
     uint64_t steps; /* distances computed so far: a cell may hold many points */
 } near_grid;

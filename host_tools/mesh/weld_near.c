@@ -22,28 +22,46 @@ static int is_collapsed(const mesh *m, size_t triangle) {
     return collapsed;
 }
 
+typedef struct welding {
+    size_t first, end; /* triangles */
+    size_t vertex;     /* the first of the vertices that they use, */
+    size_t vertices;   /* and how many there are up to the last: those of one file lie together */
+    uint32_t *to;      /* by vertex: where it goes; owned */
+} welding;
+
+static void find_vertices(welding *w, const mesh *m) {
+    size_t low = m->vertices, high = 0;
+    for (size_t i = 3 * w->first; i < 3 * w->end; i++) {
+        const size_t v = m->triangle[i];
+        low = v < low ? v : low;
+        high = v >= high ? v + 1 : high;
+    }
+    w->vertex = low;
+    w->vertices = high > low ? high - low : 0;
+}
+
 /* Where each used vertex goes, in the order in which triangles use them. */
-static void find_targets(const mesh *m, size_t first, size_t end, near_grid *g, uint32_t *to,
-                         weld_near_result *result) {
-    for (size_t i = 3 * first; i < 3 * end; i++) {
+static void find_targets(welding *w, const mesh *m, near_grid *g, weld_near_result *result) {
+    for (size_t i = 3 * w->first; i < 3 * w->end; i++) {
         const uint32_t v = m->triangle[i];
+        uint32_t *to = &w->to[v - w->vertex];
         double far;
-        if (to[v] == NEAR_GRID_NONE) {
-            to[v] = near_grid_find(g, v, &far);
-            result->moved += to[v] != NEAR_GRID_NONE && far > 0;
+        if (*to == NEAR_GRID_NONE) {
+            *to = near_grid_find(g, v, &far);
+            result->moved += *to != NEAR_GRID_NONE && far > 0;
         }
-        if (to[v] == NEAR_GRID_NONE) {
-            to[v] = v;
+        if (*to == NEAR_GRID_NONE) {
+            *to = v;
             near_grid_add(g, v);
         }
     }
 }
 
-static void go(mesh *m, size_t first, size_t end, const uint32_t *to, weld_near_result *result) {
-    for (size_t i = first; i < end; i++) {
+static void go(const welding *w, mesh *m, weld_near_result *result) {
+    for (size_t i = w->first; i < w->end; i++) {
         const int before = is_collapsed(m, i);
         for (size_t k = 0; k < 3; k++) {
-            m->triangle[3 * i + k] = to[m->triangle[3 * i + k]];
+            m->triangle[3 * i + k] = w->to[m->triangle[3 * i + k] - w->vertex];
         }
         result->collapsed += (uint64_t)(!before && is_collapsed(m, i));
     }
@@ -51,19 +69,21 @@ static void go(mesh *m, size_t first, size_t end, const uint32_t *to, weld_near_
 
 int weld_near(mesh *m, size_t first, size_t end, double distance, weld_near_result *result) {
     near_grid g;
+    welding w = {.first = first, .end = end};
     *result = (weld_near_result){0, 0};
-    uint32_t *to = malloc(m->vertices * sizeof *to + 1);
-    int status = near_grid_begin(&g, m->vertex, distance, m->vertices);
-    if (to == NULL) {
+    find_vertices(&w, m);
+    w.to = malloc(w.vertices * sizeof *w.to + 1);
+    int status = near_grid_begin(&g, m->vertex, distance, w.vertices);
+    if (w.to == NULL) {
         status = -1;
     }
     if (status == 0) {
-        memset(to, 0xff, m->vertices * sizeof *to);
-        find_targets(m, first, end, &g, to, result);
-        go(m, first, end, to, result);
+        memset(w.to, 0xff, w.vertices * sizeof *w.to);
+        find_targets(&w, m, &g, result);
+        go(&w, m, result);
     }
     near_grid_free(&g);
-    free(to);
+    free(w.to);
     return status;
 }
 
@@ -133,14 +153,15 @@ static int try_distance(const mesh *m, size_t first, size_t end, double distance
                         weld_near_result *result) {
     mesh copy = *m; /* the vertices are shared: they stay */
     open_edges o = {0, NULL};
-    copy.triangle = malloc(3 * m->triangles * sizeof *copy.triangle + 1);
+    copy.triangles = end - first;
+    copy.triangle = malloc(3 * copy.triangles * sizeof *copy.triangle + 1);
     if (copy.triangle == NULL) {
         return -1;
     }
-    memcpy(copy.triangle, m->triangle, 3 * m->triangles * sizeof *copy.triangle);
-    int status = weld_near(&copy, first, end, distance, result);
+    memcpy(copy.triangle, m->triangle + 3 * first, 3 * copy.triangles * sizeof *copy.triangle);
+    int status = weld_near(&copy, 0, copy.triangles, distance, result);
     if (status == 0) {
-        status = open_edges_find(&o, &copy, first, end);
+        status = open_edges_find(&o, &copy, 0, copy.triangles);
     }
     *left = o.count;
     open_edges_free(&o);

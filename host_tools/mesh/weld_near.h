@@ -16,7 +16,8 @@ typedef struct weld_near_result {
 } weld_near_result;
 
 /* Welds the vertices that triangles first .. end - 1 use, within `distance` > 0, by changing
- * the triangles' corners; the vertices stay. -1 when memory is out. */
+ * the triangles' corners; the vertices stay. Takes time and memory for these triangles and the
+ * vertices from the first to the last that they use. -1 when memory is out. */
 int weld_near(mesh *m, size_t first, size_t end, double distance, weld_near_result *result);
 
 /* A distance, rounded up to one digit, that closes open edges whose ends all but meet

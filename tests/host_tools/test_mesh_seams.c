@@ -1,6 +1,9 @@
 /* test_mesh_seams - open edges are counted as they are, and welding closes seams
  *
  * SPDX-License-Identifier: MIT */
+#include <time.h>
+
+#include "host_tools/mesh/near_grid.h"
 #include "host_tools/mesh/open_edges.h"
 #include "host_tools/mesh/weld_near.h"
 #include "tests/hostile/mesh_files.h"
@@ -188,6 +191,114 @@ static void many_ends(void) {
     mesh_free(&m);
 }
 
+/* ---- distances below the floats' own -------------------------------------------------------- */
+
+static float random_coordinate(uint32_t *seed, double scale) {
+    *seed = *seed * 1664525u + 1013904223u;
+    return (float)(((*seed >> 8) / 8388608.0 - 1) * scale);
+}
+
+static void tiny_distances(void) {
+    test("Below the distance of floats only equal positions are near, and each is found at once");
+    enum { COUNT = 20000 };
+    static float position[3 * (COUNT + 1)];
+    static const double distances[] = {1e-310, 5e-324, 1e-60, 1e-30, 1e-17};
+    uint32_t seed = 1;
+    for (size_t d = 0; d < sizeof distances / sizeof distances[0]; d++) {
+        near_grid g;
+        double far;
+        for (size_t i = 0; i < 3 * COUNT; i++) {
+            position[i] = random_coordinate(&seed, 10);
+        }
+        memcpy(position + 3 * (size_t)COUNT, position + 3 * (size_t)(COUNT / 2), 12);
+        CHECK(near_grid_begin(&g, position, distances[d], COUNT) == 0, "out of memory");
+        for (uint32_t i = 0; i < COUNT; i++) {
+            CHECK(near_grid_find(&g, i, &far) == NEAR_GRID_NONE, "%g: %u", distances[d], i);
+            near_grid_add(&g, i);
+        }
+        CHECK(near_grid_find(&g, COUNT, &far) == COUNT / 2 && far == 0, "%g", distances[d]);
+        CHECK(g.steps < 4 * (uint64_t)COUNT, "%g: %llu", distances[d], (unsigned long long)g.steps);
+        near_grid_free(&g);
+    }
+}
+
+/* The first of the nearest of the points before `vertex`. */
+static uint32_t search_all(const float *position, uint32_t vertex, double distance) {
+    uint32_t found = NEAR_GRID_NONE;
+    double nearest = distance;
+    for (uint32_t i = 0; i < vertex; i++) {
+        double far2 = 0;
+        for (size_t axis = 0; axis < 3; axis++) {
+            const double d = (double)position[3 * (size_t)i + axis] -
+                             (double)position[3 * (size_t)vertex + axis];
+            far2 += d * d;
+        }
+        if (sqrt(far2) < nearest || (sqrt(far2) == nearest && found == NEAR_GRID_NONE)) {
+            nearest = sqrt(far2);
+            found = i;
+        }
+    }
+    return found;
+}
+
+static void mixed_distances(void) {
+    test("Points far along one axis and near 0 along the others are found as by looking at all");
+    enum { COUNT = 1500 };
+    static float position[3 * COUNT];
+    static const double distances[] = {3e-3, 2e-9, 1e-12, 1e-16, 1e-17, 1e-20};
+    uint32_t seed = 7, found = 0;
+    for (size_t d = 0; d < sizeof distances / sizeof distances[0]; d++) {
+        near_grid g;
+        double far;
+        for (size_t i = 0; i < COUNT; i++) { /* on ten planes, and on x = 0 */
+            position[3 * i] = (float)(i % 11) * 0.1f;
+            position[3 * i + 1] = random_coordinate(&seed, 3 * distances[d]);
+            position[3 * i + 2] = random_coordinate(&seed, 3 * distances[d]);
+        }
+        CHECK(near_grid_begin(&g, position, distances[d], COUNT) == 0, "out of memory");
+        for (uint32_t i = 0; i < COUNT; i++) {
+            const uint32_t expected = search_all(position, i, distances[d]);
+            CHECK(near_grid_find(&g, i, &far) == expected, "%g: %u", distances[d], i);
+            found += expected != NEAR_GRID_NONE;
+            near_grid_add(&g, i);
+        }
+        near_grid_free(&g);
+    }
+    CHECK(found > COUNT, "%u", found);
+}
+
+/* ---- many files --------------------------------------------------------------------------- */
+
+/* Processor time to look for a distance in the first `parts` of a mesh, of 3 triangles each,
+ * and to weld them. */
+static double seconds_for(mesh *m, size_t parts) {
+    const clock_t began = clock();
+    for (size_t i = 0; i < parts; i++) {
+        open_edges o;
+        double distance;
+        uint64_t left;
+        weld_near_result r;
+        CHECK(open_edges_find(&o, m, 3 * i, 3 * i + 3) == 0, "out of memory");
+        CHECK(weld_near_suggest(m, 3 * i, 3 * i + 3, &o, &distance, &left) == 0, "out of memory");
+        CHECK(distance > 0 && left < o.count, "%g leaves %llu", distance, (unsigned long long)left);
+        CHECK(weld_near(m, 3 * i, 3 * i + 3, distance, &r) == 0, "out of memory");
+        open_edges_free(&o);
+    }
+    return (double)(clock() - began) / CLOCKS_PER_SEC;
+}
+
+static void many_files(void) {
+    test("A file of few triangles takes no longer among a hundred thousand of other files");
+    enum { PARTS = 1000 };
+    mesh alone = torus(240, 1e-6), among = torus(240, 1e-6);
+    alone.vertices = 9 * PARTS;
+    alone.triangles = 3 * PARTS;
+    const double little = seconds_for(&alone, PARTS), much = seconds_for(&among, PARTS);
+    CHECK(much < 4 * little + 0.02, "%g s, and alone %g s", much, little);
+    mesh_free(&alone);
+    mesh_free(&among);
+}
+
 int main(void) {
     mesh_folder();
     counts();
@@ -197,5 +308,8 @@ int main(void) {
     collapses();
     dense_points();
     many_ends();
+    tiny_distances();
+    mixed_distances();
+    many_files();
     return test_done();
 }
