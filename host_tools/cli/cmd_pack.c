@@ -15,6 +15,7 @@
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/pack_json.h"
+#include "host_tools/cli/pack_lines.h"
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/c_array.h"
 #include "host_tools/pack/lattice.h"
@@ -99,10 +100,10 @@ static int moves_vertices(const pack_job *job) {
 }
 
 /* What the lattice cost, and a finer one where triangles were lost. */
-static void say_what_was_lost(const pack_job *job, const char *name) {
+static void say_what_was_lost(const pack_job *job) {
     const lattice_loss *l = &job->loss;
     fail line = {""};
-    fail_set(&line, name,
+    fail_set(&line, pack_shown(&job->in.file[0]),
              "lattice of %u bits: vertices moved by up to %.2g of the longest side, %" PRIu64
              " triangles lost their area (%" PRIu64 " had none), %" PRIu64
              " positions merged, %" PRIu64 " T-junctions (%" PRIu64 " mended); step %.9g, %" PRIu64
@@ -123,7 +124,7 @@ static void say_what_is_never_hit(const pack_meshes *in) {
         const uint64_t count = in->file[i].without_area;
         fail line = {""};
         if (count > 0) {
-            fail_set(&line, in->file[i].path,
+            fail_set(&line, pack_shown(&in->file[i]),
                      "%" PRIu64 " triangle%s no area: never hit, but counted and numbered", count,
                      count == 1 ? " has" : "s have");
             fprintf(stderr, "%s\n", line.text);
@@ -131,7 +132,8 @@ static void say_what_is_never_hit(const pack_meshes *in) {
     }
 }
 
-static int build(pack_job *job, const char *name, packed *image, fail *f) {
+static int build(pack_job *job, packed *image, fail *f) {
+    const char *name = pack_shown(&job->in.file[0]);
     char what[64];
     snprintf(what, sizeof what, "of %zu triangles", job->in.m.triangles);
     phase_begin("building the tree", what);
@@ -183,17 +185,17 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     }
     job->compact.mesh_end = job->in.mesh_end;
     job->compact.meshes = (unsigned)a->files;
-    if (open_outputs(job, f) != 0 || build(job, a->file[0], image, f) != 0) {
+    if (open_outputs(job, f) != 0 || build(job, image, f) != 0) {
         return -1;
     }
     return write_all(job, image, f);
 }
 
 /* What the picture will lack, for scripts as well. */
-static void say_losses(const pack_job *job, const char *name) {
+static void say_losses(const pack_job *job) {
     pack_meshes_say(&job->in);
     if (moves_vertices(job)) {
-        say_what_was_lost(job, name);
+        say_what_was_lost(job);
     } else {
         say_what_is_never_hit(&job->in);
     }
@@ -326,7 +328,7 @@ int run_pack(args *a) {
     const double began = clock_seconds();
     const int status = pack_files(&job, a, &image, &f);
     if (status == 0) {
-        say_losses(&job, a->file[0]);
+        say_losses(&job);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         fprintf(stderr, "%s\n", f.text);

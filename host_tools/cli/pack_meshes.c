@@ -20,7 +20,7 @@ static int read_file(pack_meshes *p, pack_file *file, fail *f) {
     file->first = p->m.triangles;
     file->report.repair = p->repair;
     file->report.centred = p->centre;
-    phase_begin("reading", file->path);
+    phase_begin("reading", pack_shown(file));
     const int status = mesh_read(&p->m, file->path, p->frame, &file->report, f);
     phase_end();
     file->end = p->m.triangles;
@@ -69,7 +69,7 @@ static int join_seams(pack_meshes *p, pack_file *file) {
 }
 
 static int look_at_files(pack_meshes *p, fail *f) {
-    phase_begin("looking at the edges of", p->file[0].path);
+    phase_begin("looking at the edges of", pack_shown(&p->file[0]));
     int status = 0;
     for (int i = 0; i < p->files && status == 0; i++) {
         status = join_seams(p, &p->file[i]);
@@ -80,11 +80,14 @@ static int look_at_files(pack_meshes *p, fail *f) {
 
 static int reduce(pack_meshes *p, fail *f) {
     const char *path = pack_shown(&p->file[0]);
-    phase_begin("reducing", p->file[0].path);
+    const size_t before = p->m.triangles;
+    phase_begin("reducing", path);
     const int status = mesh_reduce(&p->m, p->most, path, f);
     phase_end();
-    free(p->mesh_end);
-    p->mesh_end = NULL;
+    if (p->m.triangles < before) {
+        free(p->mesh_end);
+        p->mesh_end = NULL;
+    }
     return status;
 }
 

@@ -16,7 +16,7 @@ typedef struct pack_meshes {
     /* Made of it; freed by pack_meshes_free. */
     mesh m;
     pack_file *file;
-    size_t *mesh_end; /* first triangle after each file; NULL when reduced */
+    size_t *mesh_end; /* first triangle after each file; NULL when there are fewer triangles now */
     int files;
 } pack_meshes;
 

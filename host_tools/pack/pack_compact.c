@@ -195,6 +195,24 @@ static int assemble(compacting *c, packed *image, fail *f) {
     return 0;
 }
 
+/* Any other step is as fine as the bits allow, but far from the origin floats are coarser. */
+static int auto_step_keeps_it(const compacting *c) {
+    const lattice_wish wish = {.bits = PLT_LATTICE_BITS_MOST, .fewest = 1};
+    snapped s;
+    fail ignored = {""};
+    const int keeps = lattice_snap_as(&s, c->m, &wish, c->name, &ignored) == 0 &&
+                      s.loss.largest_move <= c->options->tolerance;
+    snapped_free(&s);
+    return keeps;
+}
+
+static int power_is_too_coarse(const compacting *c, double moved, fail *f) {
+    return fail_set(f, c->name,
+                    "--step power keeps no --tolerance %g there, but %.2g; use a larger one, "
+                    "--step auto%s, or --geometry float",
+                    c->options->tolerance, moved, auto_step_keeps_it(c) ? "" : " with --centre");
+}
+
 /* Takes more bits until the tolerance is kept: floats far from the origin, and steps of a
  * power of two, are coarser than the bits alone. */
 static int keep_tolerance(compacting *c, lattice_wish *wish, fail *f) {
@@ -205,13 +223,11 @@ static int keep_tolerance(compacting *c, lattice_wish *wish, fail *f) {
         const double moved = c->s.loss.largest_move;
         snapped_free(&c->s);
         if (wish->bits++ == PLT_LATTICE_BITS_MOST) {
-            return fail_set(f, c->name,
-                            wish->power
-                                ? "--step power keeps no --tolerance %g there, but %.2g; use a "
-                                  "larger one, --step auto, or --geometry float"
-                                : "no lattice keeps --tolerance %g there, but %.2g; use a larger "
-                                  "one, --centre, or --geometry float",
-                            c->options->tolerance, moved);
+            return wish->power ? power_is_too_coarse(c, moved, f)
+                               : fail_set(f, c->name,
+                                          "no lattice keeps --tolerance %g there, but %.2g; use a "
+                                          "larger one, --centre, or --geometry float",
+                                          c->options->tolerance, moved);
         }
     }
     return -1;

@@ -65,9 +65,18 @@ or --nodes thesis" pack farthest.obj -o x.plt --nodes compact
     done
     for remedy in '--tolerance 1e-6 --step power' '--tolerance 5.3e-7 --step auto' \
         '--geometry float'; do
-        says "--step power keeps no --tolerance %g there, but %.2g; use a larger one, --step auto, \
-or --geometry float" pack centred.obj -o x.plt --nodes compact --tolerance 5.3e-7 --step power
+        says "--step power keeps no --tolerance %g there, but %.2g; use a larger one, --step \
+auto%s, or --geometry float" \
+            pack centred.obj -o x.plt --nodes compact --tolerance 5.3e-7 --step power
+        said=$said$(grep -e --centre err)
         packs 4000 centred.obj --nodes compact $remedy
+    done
+    for remedy in '--tolerance 1e-6 --step power' '--tolerance 5.3e-7 --step auto --centre' \
+        '--geometry float'; do
+        says "--step power keeps no --tolerance %g there, but %.2g; use a larger one, --step \
+auto%s, or --geometry float" \
+            pack near.obj -o x.plt --nodes compact --tolerance 5.3e-7 --step power
+        packs 4000 near.obj --nodes compact $remedy
     done
 }
 { # one triangle that 12 bits lose, and one that says how long the lattice is
