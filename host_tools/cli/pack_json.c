@@ -34,6 +34,11 @@ static int write_string(output *o, const char *text, fail *f) {
     return status == 0 ? output_print(o, f, "\"") : -1;
 }
 
+/* Whether a line names --centre. */
+static int centre_would_help(const pack_file *file) {
+    return file->centre_helps || file->report.moved > REPORT_MOVED_MOST;
+}
+
 static int write_file(output *o, const pack_file *file, fail *f) {
     const uint64_t closed = file->open_distance > 0 ? file->open_edges - file->open_left : 0;
     int status = output_print(o, f, "    {\"file\": ");
@@ -58,6 +63,7 @@ static int write_file(output *o, const pack_file *file, fail *f) {
                                       "     \"triangles_that_lost_an_edge_before_placing\": "
                                       "%" PRIu64
                                       ",\n"
+                                      "     \"centre_would_help\": %s,\n"
                                       "     \"open_edges\": %" PRIu64
                                       ",\n"
                                       "     \"weld_that_closes_edges\": %.0e,\n"
@@ -69,7 +75,8 @@ static int write_file(output *o, const pack_file *file, fail *f) {
                                       ",\n"
                                       "     \"triangles_without_area\": %" PRIu64 "}",
                                       file->moved.moved, file->moved.relative, file->moved.vanished,
-                                      file->report.moved, file->report.vanished, file->open_edges,
+                                      file->report.moved, file->report.vanished,
+                                      centre_would_help(file) ? "true" : "false", file->open_edges,
                                       file->open_distance, closed, file->welded.moved,
                                       file->welded.collapsed, file->without_area);
 }
@@ -92,11 +99,13 @@ static int write_loss(output *o, const lattice_loss *l, fail *f) {
 
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
                     fail *f) {
-    int status =
-        output_print(o, f,
-                     "{\n  \"triangles\": %" PRIu32 ",\n  \"image_bytes\": %" PRIu32
-                     ",\n  \"shift\": [%.17g, %.17g, %.17g],\n  \"files\": [\n",
-                     image->info.triangles, image->size, in->shift[0], in->shift[1], in->shift[2]);
+    int status = output_print(o, f,
+                              "{\n  \"triangles\": %" PRIu32
+                              ",\n  \"triangles_after_reduce\": %zu"
+                              ",\n  \"image_bytes\": %" PRIu32
+                              ",\n  \"shift\": [%.17g, %.17g, %.17g],\n  \"files\": [\n",
+                              image->info.triangles, in->m.triangles, image->size, in->shift[0],
+                              in->shift[1], in->shift[2]);
     for (int i = 0; i < in->files && status == 0; i++) {
         status = write_file(o, &in->file[i], f);
         if (status == 0) {

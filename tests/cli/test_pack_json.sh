@@ -107,7 +107,7 @@ said '.files[1].small_faces' '[ ]\([0-9]*\) face of fewer than 3'
 said '.files[1].open_edges' 'all.obj: \([0-9]*\) open edges'
 verdict "... and of the other file nothing is said" "$(
     values x.json | grep '^.files.0' | grep -v 'file	\|vertices	4\|triangles	2\|open_edges	4' |
-        grep -v '	\(0\|0e+00\)$')"
+        grep -v '	\(0\|0e+00\|false\)$')"
 verdict "... the image is counted" "$(
     [ "$(member .triangles)" = 4 ] || echo "triangles: $(member .triangles)"
     [ "$(member .image_bytes)" -eq "$(wc -c <x.plt)" ] || echo "bytes: $(member .image_bytes)"
@@ -171,8 +171,25 @@ verdict "... what single precision moves" "$(
         two "$(member '.files[0].moved_in_edges')") of an edge there, and $(
         member '.files[0].triangles_that_lose_an_edge') triangle"
     grep -qF "$line" err || { echo "$line"; cat err; })"
+# centre TRUE_OR_FALSE: so is said whether --centre would help.
+centre() {
+    verdict "... that --centre would help is $1" "$(
+        [ "$(member '.files[0].centre_would_help')" = "$1" ] || cat x.json
+        [ "$(grep -qe 'use pack --centre' err && echo true || echo false)" = "$1" ] || cat err)"
+}
+centre true
+packed far.obj --centre
+centre false
+{ # as long as it is far away, with a small part
+    cat far.obj
+    printf 'v -500000 -4500000 0\nv -500000 -4500000 1\nv -500001 -4500000 0\nf 6 7 8\n'
+} >huge.obj
+packed huge.obj
+verdict "... single precision moves it" "$(grep -q 'the mesh is too large' err || cat err)"
+centre false
 echo 'far.obj 10 0 0 0' >far.txt
 packed far.txt
+centre true
 verdict "... also before meshes are placed" "$(
     line="by up to $(two "$(member '.files[0].moved_in_edges_before_placing')") of an edge before \
 their meshes were placed, and $(member '.files[0].triangles_that_lost_an_edge_before_placing') \
@@ -183,6 +200,22 @@ verdict "... the shift is there to the last digit" "$(
     for pair in 0:500000 1:4500000 2:-0.10000000000000001; do
         [ "$(member ".shift[${pair%:*}]")" = "${pair#*:}" ] || member ".shift[${pair%:*}]"
     done)"
+
+run make knot --triangles 2000 -o knot.ply
+run make knot --triangles 1000 -o small.ply
+packed knot.ply small.ply
+all=$(member .triangles)
+verdict "... without --reduce all triangles are left after it" \
+    "$([ "$(member .triangles_after_reduce)" = "$all" ] || cat x.json)"
+packed knot.ply small.ply --reduce 500 --nodes compact --geometry lattice:12
+verdict "... triangles are counted as read, after --reduce, and in the image" "$(
+    run info x.plt --json
+    read=$(($(member '.files[0].triangles') + $(member '.files[1].triangles')))
+    [ "$read" -eq "$all" ] || echo "read: $read"
+    after=$(member .triangles_after_reduce)
+    [ "$after" -le 500 ] && [ "$after" -gt 250 ] || echo "after it: $after"
+    [ "$after" = "$(number source_triangles <out)" ] || cat out
+    [ "$(member .triangles)" = "$(number triangles <out)" ] || cat out)"
 
 # ---- lattices ---------------------------------------------------------------------------
 
