@@ -95,13 +95,16 @@ static void print_parts_json(const plt_info *i, const derived *d) {
     printf("\n  }");
 }
 
-static void print_json(const plt_info *i, const plt_options *o, const derived *d) {
-    printf("{\n  \"triangles\": %" PRIu32 ",\n  \"nodes\": %" PRIu32 ",\n  \"node_slots\": %" PRIu32
+static void print_counts_json(const plt_info *i) {
+    printf("  \"triangles\": %" PRIu32 ",\n  \"nodes\": %" PRIu32 ",\n  \"node_slots\": %" PRIu32
            ",\n  \"leaf_lists\": %" PRIu32 ",\n  \"intermediate_lists\": %" PRIu32
            ",\n  \"treelets\": %" PRIu32 ",\n  \"treelet_nodes\": %" PRIu32
            ",\n  \"leaf_triangles\": %" PRIu32 ",\n",
            i->triangles, i->nodes, i->node_slots, i->leaf_lists, i->intermediate_lists, i->treelets,
            i->treelet_nodes, i->leaf_triangles);
+}
+
+static void print_format_json(const plt_info *i, const derived *d) {
     printf(
         "  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"node_format\": \"%s\",\n"
         "  \"geometry_format\": \"%s\",\n  \"lattice_bits\": %u,\n"
@@ -115,6 +118,9 @@ static void print_json(const plt_info *i, const plt_options *o, const derived *d
         geometry_names[i->geometry_format], (unsigned)i->lattice_bits, i->source_triangles,
         i->primitive_id_bytes, i->image_bytes, d->tree_bytes, d->tree_each, d->geometry_bytes,
         d->geometry_each, d->overhead_bytes);
+}
+
+static void print_arena_json(const plt_info *i, const plt_options *o, const derived *d) {
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
            ",\n  \"depth_stack_entries\": %" PRIu32
            ",\n  \"arena_bytes_needed\": %zu,\n"
@@ -123,7 +129,9 @@ static void print_json(const plt_info *i, const plt_options *o, const derived *d
            d->arena_fetched);
     arena_parts_print_json(i, 1, o);
     printf(",\n");
-    print_shift_json(d);
+}
+
+static void print_box_json(const plt_info *i) {
     if (i->triangles > 0) {
         printf("  \"lo\": [%.9g, %.9g, %.9g],\n  \"hi\": [%.9g, %.9g, %.9g]", (double)i->lo[0],
                (double)i->lo[1], (double)i->lo[2], (double)i->hi[0], (double)i->hi[1],
@@ -131,6 +139,15 @@ static void print_json(const plt_info *i, const plt_options *o, const derived *d
     } else {
         printf("  \"lo\": null,\n  \"hi\": null");
     }
+}
+
+static void print_json(const plt_info *i, const plt_options *o, const derived *d) {
+    printf("{\n");
+    print_counts_json(i);
+    print_format_json(i, d);
+    print_arena_json(i, o, d);
+    print_shift_json(d);
+    print_box_json(i);
     print_parts_json(i, d);
     printf("\n}\n");
 }
@@ -160,7 +177,7 @@ static void print_stacks(const plt_info *i) {
     putchar('\n');
 }
 
-static void print_text(const plt_info *i, const plt_options *o, const derived *d) {
+static void print_scene(const plt_info *i, const derived *d) {
     printf("triangles          %" PRIu32 "\n", i->triangles);
     if (i->triangles > 0) {
         printf("box                (%g, %g, %g) to (%g, %g, %g)\n", (double)i->lo[0],
@@ -171,6 +188,9 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
         printf("shift              (%.17g, %.17g, %.17g) was subtracted from the meshes\n",
                d->shift[0], d->shift[1], d->shift[2]);
     }
+}
+
+static void print_tree(const plt_info *i, const derived *d) {
     printf("tree               built by %s, %s splits, %" PRIu32
            " triangles per list, treelets of %" PRIu32 "\n",
            build_names[i->build], split_names[i->splits], i->leaf_triangles, i->treelet_nodes);
@@ -185,19 +205,28 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
                " of them free slots\n",
                d->tree_bytes, d->tree_each, d->overhead_bytes);
     }
+}
+
+static void print_compact(const plt_info *i, const derived *d) {
+    printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",
+           (unsigned)i->lattice_bits, i->triangles, i->source_triangles);
+    printf("primitive ids      %s\n", i->primitive_id_bits > 0
+                                          ? "of the packed meshes, kept in a section"
+                                          : "positions in the image");
+    if (d->has_parts && d->parts.of_one_mesh > 0) {
+        printf("blocks of one mesh %" PRIu32 " of %" PRIu32 "\n", d->parts.of_one_mesh,
+               i->treelets);
+    }
+    print_parts_text(i, d);
+}
+
+static void print_text(const plt_info *i, const plt_options *o, const derived *d) {
+    print_scene(i, d);
+    print_tree(i, d);
     printf("geometry bytes     %" PRIu64 ", %.2f per triangle\n", d->geometry_bytes,
            d->geometry_each);
     if (i->nodes_format == PLT_NODES_COMPACT) {
-        printf("lattice            %u bits; %" PRIu32 " of %" PRIu32 " triangles kept their area\n",
-               (unsigned)i->lattice_bits, i->triangles, i->source_triangles);
-        printf("primitive ids      %s\n", i->primitive_id_bits > 0
-                                              ? "of the packed meshes, kept in a section"
-                                              : "positions in the image");
-        if (d->has_parts && d->parts.of_one_mesh > 0) {
-            printf("blocks of one mesh %" PRIu32 " of %" PRIu32 "\n", d->parts.of_one_mesh,
-                   i->treelets);
-        }
-        print_parts_text(i, d);
+        print_compact(i, d);
     }
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);
     printf("arena needed       %zu bytes%s\n", d->arena_mapped,
