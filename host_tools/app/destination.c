@@ -63,8 +63,9 @@ void destination_read(destination *d, args *a, unsigned frames, int is_enough) {
 
 void destination_note(const destination *d, unsigned width, unsigned height) {
     if (d->out != NULL && d->format == PICTURE_Y4M && (width % 2 != 0 || height % 2 != 0)) {
-        note("%s: H.264 wants an even width and height; choose another --size for ffmpeg, or "
-             "--chroma 444",
-             is_standard(d->out) ? "standard output" : d->out);
+        note(
+            "%s: H.264 wants an even width and height; choose another --size for ffmpeg, or "
+            "--chroma 444",
+            is_standard(d->out) ? "standard output" : d->out);
     }
 }

@@ -186,8 +186,7 @@ static int open_path(output *o, int is_text, fail *f) {
     if (o->name[0] == '\0') {
         return fail_set(f, NULL, "the output has no name; give one, or - for standard output");
     }
-    return strcmp(o->name, "-") == 0 ? open_standard(o, is_text, f)
-                                     : open_target(o, is_text, f);
+    return strcmp(o->name, "-") == 0 ? open_standard(o, is_text, f) : open_target(o, is_text, f);
 }
 
 /* SIGXFSZ is ignored so that a write past the file size limit returns

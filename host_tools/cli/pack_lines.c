@@ -111,6 +111,7 @@ static void append(held *h, uint64_t count, const char *one, const char *many) {
 int pack_nothing_to_trace(const pack_file *file, fail *f) {
     const uint64_t *count = file->report.count;
     const uint64_t dropped = count[REPORT_BAD_FACES], small = count[REPORT_SMALL_FACES];
+    const char *none = small > 0 ? "" : ", no faces";
     held h = {"", 0};
     char but[80] = "";
     append(&h, count[REPORT_CURVES], "curve or free-form surface", "curves and free-form surfaces");
@@ -122,6 +123,6 @@ int pack_nothing_to_trace(const pack_file *file, fail *f) {
                  small > 0 ? ", and " : " but ", dropped);
     }
     return fail_set(f, pack_shown(file), "%zu %s%s%s%s: nothing to trace; %s", file->vertices,
-                    file->vertices == 1 ? "vertex" : "vertices", h.text,
-                    small > 0 ? "" : ", no faces", but, nothing_remedy(file));
+                    file->vertices == 1 ? "vertex" : "vertices", h.text, none, but,
+                    nothing_remedy(file));
 }

@@ -34,34 +34,58 @@ static int has_others(const ply_header *h) {
     return others;
 }
 
-/* Properties of one byte, as colours are: written as floats they take three bytes more. */
-static uint64_t byte_properties(const ply_element *e) {
-    uint64_t count = 0;
-    for (size_t i = 0; i < e->properties; i++) {
-        count += !e->property[i].is_list && ply_type_bytes(e->property[i].type) == 1;
+/* What some programs write beside their headers. */
+static const struct {
+    ply_type said, written;
+} SLIPS[] = {{PLY_UINT8, PLY_FLOAT32}, {PLY_INT8, PLY_FLOAT32}, {PLY_FLOAT32, PLY_FLOAT64}};
+
+enum { SLIP_COUNT = sizeof SLIPS / sizeof SLIPS[0] };
+
+/* Bytes of a vertex with that slip; 0: it has nothing to slip on. */
+static uint64_t slipped_bytes(const ply_element *vertex, int slip) {
+    uint64_t bytes = 0;
+    int slips = 0;
+    for (size_t i = 0; i < vertex->properties; i++) {
+        const ply_property *p = &vertex->property[i];
+        const int slipped = p->type == SLIPS[slip].said;
+        if (p->is_list) {
+            return 0;
+        }
+        bytes += ply_type_bytes(slipped ? SLIPS[slip].written : p->type);
+        slips += slipped;
     }
-    return count;
+    return slips > 0 ? bytes : 0;
+}
+
+/* Whether a body holds such vertices, and faces that are all triangles or all quads. */
+static int fits(const ply_element *vertex, const ply_element *face, uint64_t body, uint64_t each) {
+    unsigned lists;
+    if (each == 0 || each > body / vertex->count) {
+        return 0;
+    }
+    const uint64_t left = body - each * vertex->count, of_face = left / face->count;
+    const int is_whole = left % face->count == 0;
+    return is_whole &&
+           (of_face == item_bytes(face, 3, &lists) || of_face == item_bytes(face, 4, &lists)) &&
+           lists == 1;
 }
 
 int ply_body_check(const ply_header *h, const input *in, fail *f) {
     const ply_element *vertex = find_element(h, "vertex"), *face = find_element(h, "face");
+    unsigned lists;
     if (h->format == PLY_ASCII || vertex == NULL || face == NULL || has_others(h)) {
         return 0;
     }
-    unsigned lists, face_lists;
-    const uint64_t said = item_bytes(vertex, 0, &lists), bytes = byte_properties(vertex);
-    const uint64_t takes = said + 3 * bytes, body = (uint64_t)(h->data.end - h->data.at);
-    const uint64_t least = item_bytes(face, 3, &face_lists);
-    if (lists > 0 || face_lists != 1 || bytes == 0 || takes > body / vertex->count) {
-        return 0;
+    for (int slip = 0; slip < SLIP_COUNT; slip++) {
+        const uint64_t takes = slipped_bytes(vertex, slip);
+        if (fits(vertex, face, (uint64_t)(h->data.end - h->data.at), takes)) {
+            return fail_set(f, in->path,
+                            "line %zu: the body does not fit the types of the header, by which a "
+                            "vertex takes %llu bytes: it takes %llu; write the mesh as ASCII PLY "
+                            "or OBJ",
+                            vertex->line, (unsigned long long)item_bytes(vertex, 0, &lists),
+                            (unsigned long long)takes);
+        }
     }
-    /* All triangles, or all quads. */
-    const uint64_t left = body - takes * vertex->count, each = left / face->count;
-    if (left % face->count != 0 || (each != least && each != item_bytes(face, 4, &face_lists))) {
-        return 0;
-    }
-    return fail_set(f, in->path,
-                    "line %zu: the body does not fit the types of the header, by which a vertex "
-                    "takes %llu bytes: it takes %llu; write the mesh as ASCII PLY or OBJ",
-                    vertex->line, (unsigned long long)said, (unsigned long long)takes);
+    return 0;
 }

@@ -8,8 +8,8 @@
 #include "host_tools/mesh/ply_header.h"
 
 /* Fails when the file has just the size that it would have if all properties of one byte were
- * floats, and its faces triangles or quads. For a file that has failed already, or has bytes
- * behind the data: others may have such a size by chance. */
+ * floats, or all floats doubles, and its faces triangles or quads. For a file that has failed
+ * already, or has bytes behind the data: others may have such a size by chance. */
 int ply_body_check(const ply_header *h, const input *in, fail *f);
 
 #endif

@@ -120,7 +120,8 @@ erring "... that has something to say" border.obj border.obj pack border.obj -o 
 same border.obj keep/border.obj "... which is as it was"
 erring "... or to the rays" ray ray trace knot.plt ray x.hits
 erring "... or to the scene" knot.plt chain.knot.plt render knot.plt -o x.ppm
-erring "... or to the scene that is served" knot.plt knot.plt serve knot.plt --emulate 600000 -o x.ppm
+erring "... or to the scene that is served" knot.plt knot.plt serve knot.plt --emulate 600000 \
+    -o x.ppm
 erring "errors into the image that is written" w.plt w.plt pack border.obj -o w.plt
 erring "... under another name" me/w.plt w.plt pack border.obj -o me/w.plt
 erring "... or into the statistics" log log render knot.plt --json log
@@ -175,8 +176,8 @@ verdict "a picture and statistics on standard output that is the picture" "$(
     refusal "standard output" "is the same file as the output old.ppm;"
     [ "$(cat old.ppm)" = old ] || echo "the old output changed")"
 ln -s a000.ply a001.ply
-refused "frames that are one file through a link" a001.ply "is the same file as the output a000.ply;" \
-    make marbles --frames 2 -o 'a{}.ply'
+refused "frames that are one file through a link" a001.ply \
+    "is the same file as the output a000.ply;" make marbles --frames 2 -o 'a{}.ply'
 rm -f a000.ply
 ln -s b001.ply b000.ply
 refused "... also the other way round" b001.ply "is the same file as the output b000.ply;" \

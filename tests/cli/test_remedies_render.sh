@@ -203,7 +203,7 @@ listens() {
 port=$((10000 + $$ % 20000))
 last=$((port + 20))
 until listens $port || [ $port -eq $last ]; do port=$((port + 1)); done
-says "choose another port" serve ground.plt -o x.ppm --listen $port
+says "%s; choose another port" serve ground.plt -o x.ppm --listen $port
 # elsewhere: one of the next ports is free.
 elsewhere() {
     for i in $(seq 20); do

@@ -152,7 +152,7 @@ static int with_errors(const char *one, const char *other, int (*body)(const cha
 }
 
 static int verdict_of_errors(int status, const fail *f) {
-    return status == 0 ? TAKEN
+    return status == 0                                                           ? TAKEN
            : strstr(f->text, "is the file that standard error goes to;") != NULL ? REFUSED
                                                                                  : WRONG;
 }
