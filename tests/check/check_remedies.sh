@@ -118,6 +118,9 @@ static int f(fail *f, args *a, char *s) {
     fail_set(f, path, x ? "it is l; use m"
                         : "it is n; use o");
     intake_fail(in, "is OFF; " BY_TOOL("in.off"));
+    fail_set(f, "device", "no remedy of %d", 1);
+    fail_set(f, "device", "what others say: %s", s);
+    fail_set(&line, "device", "a report of %d", 1);
     return fail_set(f, NULL, "%" PRIu64 " of '\"', "
                              "so; use g %s", x) + fail_set(f, "no; %s", "is it h?");
 }
@@ -136,6 +139,7 @@ is it k
 it is l; use m
 it is n; use o
 is OFF; convert it: in.off out
+no remedy of %d
 %llu of '\"', so; use g %s
 is it h?
 END
@@ -156,7 +160,8 @@ is OFF; convert it: in.off out | so
 use a | so
 use y | so'
     cat >"$out/wanted" <<END
-$out/example.c:20: no test does what this says: is it h?
+$out/example.c:19: no test does what this says: no remedy of %d
+$out/example.c:23: no test does what this says: is it h?
 a reason for what is tried: use a
 a reason for what nobody says: use y
 tried, but nobody says it: use z

@@ -4,9 +4,11 @@
 #   - holds "; ", after which a message names its remedy,
 #   - asks whether something is so ("is the disk full?"),
 #   - is one of args_complain, whose texts all say what is taken,
-#   - begins with "next: ", or
+#   - begins with "next: ",
+#   - is all that a failure says (fail_set(f or fail_set(&f), not a report's line), if it does not
+#     leave the end to others: no failure goes without a remedy unseen, or
 #   - is a remedy on its own: of a function or a variable called `remedy`, the text of a
-#     call that has a remedy as its last argument (fail_with, listen_at), or one that stands
+#     call that has a remedy as its last argument (fail_with), or one that stands
 #     for the last %s of a text that ends in "; %s".
 # A macro of literals with one parameter is put in. Tables of flags and commands (--help), texts
 # of a terminal, and what output_print writes into a file are not messages.
@@ -19,13 +21,17 @@ function is_message(text) {
 }
 
 # A statement is over: its literals are known, and what stood between them.
-function end_statement(    i, all, open, whole) {
+function end_statement(    i, all, bare, open, whole) {
     whole = code
     open = 0
-    for (i = 1; i <= literals; i++) { open += literal[i] ~ /; %s(\\n)?$/ }
+    bare = whole ~ /fail_set *\( *&?f *,/
     for (i = 1; i <= literals; i++) {
-        all = open > 0 || whole ~ /args_complain|remedy *=/ || header ~ /remedy/
-        if (whole ~ /(fail_with|listen_at) *\(/) { all = i == literals }
+        open += literal[i] ~ /; %s(\\n)?$/
+        if (literal[i] ~ /; |[?](\\n)?$|%s$/) { bare = 0 }
+    }
+    for (i = 1; i <= literals; i++) {
+        all = open > 0 || bare || whole ~ /args_complain|remedy *=/ || header ~ /remedy/
+        if (whole ~ /fail_with *\(/) { all = i == literals }
         if (is_message(literal[i]) && whole !~ /arg_flag|arg_command|output_print/ &&
             (all || literal[i] ~ /; [-a-z]/ || literal[i] ~ /[?](\\n)?$/ ||
              literal[i] ~ /^next: /)) {
