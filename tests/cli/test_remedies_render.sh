@@ -83,7 +83,8 @@ cured render compact.plt -o x.png
 
 # ---- films: host_tools/app/destination.c -----------------------------------------------------
 
-message="%s: H.264 wants an even width and height; choose another --size for ffmpeg, or --chroma 444"
+message="%s: H.264 wants an even width and height; choose another --size for ffmpeg, or --chroma \
+444"
 # film ARGUMENT...: as a person at a terminal makes one; what was noted is in `err`.
 film() {
     ./pty err "$PLANELET" "$@" >seen 2>out </dev/null
