@@ -220,12 +220,16 @@ typedef struct plt_ray {
  *               its plane, a triangle is not met; tilted by the least float, it is.
  *   t * |dir|   Off by at most 2^-19 D / (s c) + 2^-149 |dir|, D being the distance from
  *               org to the farthest corner, s the sine of the smallest angle, c the cosine between
- *               ray and normal; and the hit point lies in the triangle's own box, grown
- *               by 2^-19 R + 2^-21 |org|. R is the distance along an axis from org to the
- *               farthest side of the scene's box, at least 2^-50. A hit closer than that
- *               to tmin or tmax may be lost, or be found just outside. For a ray that
- *               starts in the box of a sliver, whose first angle (at the corner of least
- *               x, then y, then z) has a sine below 2^-14, t is within 2^-21 of itself.
+ *               ray and normal, and by at most D / 8 + 2^-149 |dir|, however thin the
+ *               triangle and however grazing the ray; and the hit point lies in the triangle's
+ *               own box, grown by 2^-19 R + 2^-21 |org|. R is the distance along an axis
+ *               from org to the farthest side of the scene's box, at least 2^-50. A hit whose
+ *               exact t is closer than t's error to tmin (0 where that is less) or tmax
+ *               may be lost, or be found just outside; no other. Let f be the sine of the first
+ *               angle, at the corner of least x, then y, then z. With f c below 2^-17, and
+ *               with f below 2^-14 for a ray that starts in the triangle's box, t is within
+ *               2^-21 of itself, or 2^-149. t depends on neither tmin nor tmax: traced again
+ *               with tmin = t, a ray has the same hit.
  *   u, v        Each in 0 .. 1, u + v at most 1 + 1/14. Off by at most 2^-17 R / (h c),
  *               h being the smallest height, and by 2^-22 if the triangle's box is no
  *               longer than 2^-27 R.

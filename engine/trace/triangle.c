@@ -16,11 +16,14 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/triangle.h"
 
+#include <string.h>
+
 #include "engine/trace/exact.h"
 
 #define U 5.9604644775390625e-8f             /* 2^-24 */
 #define MISS_MARGIN 3.0517578125e-5f         /* 2^-15 */
 #define SLIVER 9.765625e-4f                  /* 2^-10: a sliver, by the sine of its first angle */
+#define GRAZING 2.44140625e-4f               /* 2^-12: n . dir, for edges and dir of 1 to 2 */
 #define NORMAL_LEAST 1.0842021724855044e-19f /* 2^-63: below, its products may underflow ... */
 #define NORMAL_SCALE 1.2089258196146292e24f  /* ... and with this, 2^80, they do not */
 
@@ -212,15 +215,15 @@ static m4 clearly_missed(const edges *e, f4 reach) {
 
 /* Of the lanes that may be covered those that are, as far as pairs of floats can say. */
 static verdict covered(const prepared *t, const plt_group_rays *g, const edges *e, int z,
-                       m4 candidates) {
+                       unsigned candidates) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
     const f4 error = f4_mul(
         reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
-    const m4 sure = m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error)));
-    verdict v = {(uint8_t)m4_mask(m4_and(candidates, sure)), 0, 0};
-    unsigned unsure = m4_mask(m4_andnot(candidates, sure));
+    const unsigned sure = m4_mask(m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error))));
+    verdict v = {(uint8_t)(candidates & sure), 0, 0};
+    unsigned unsure = candidates & ~sure;
     if (unsure == 0) {
         return v;
     }
@@ -285,22 +288,22 @@ static m4 own_box(const prepared *t, const plt_group_slabs *s, f4 *enter, f4 *le
     return f4_le(*enter, *leave);
 }
 
-/* t = n . (p0 - org) / n . dir, with dir as its component along z times the
- * slopes: no factor is above 1, so no direction that is allowed overflows. A
- * NaN (0 / 0) becomes `enter` by the rule of max. */
-static f4 plane_distance(const prepared *t, const float normal[3], const plt_group_rays *g, int z,
-                         f4 enter, f4 leave) {
+/* n . dir over dir[z]: no factor is above 1, so no direction that is allowed overflows. */
+static inline f4 normal_along(const float normal[3], const plt_group_rays *g, int z) {
     const int ax = axis_after[z], ay = axis_after[ax];
+    return f4_add(f4_all(normal[z]), f4_add(f4_mul(f4_all(normal[ax]), f4_load(g->slope[0])),
+                                            f4_mul(f4_all(normal[ay]), f4_load(g->slope[1]))));
+}
+
+/* t = n . (p0 - org) / n . dir. */
+static inline f4 plane_distance(const prepared *t, const float normal[3], const plt_group_rays *g,
+                                int z, f4 along) {
     f4 numerator = f4_zero();
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p0 = f4_sub(f4_all(t->triangle->corner[0][a]), f4_load(g->org[a]));
         numerator = f4_add(numerator, f4_mul(f4_all(normal[a]), p0));
     }
-    const f4 n_dot_dir = /* over dir[z] */
-        f4_add(f4_all(normal[z]), f4_add(f4_mul(f4_all(normal[ax]), f4_load(g->slope[0])),
-                                         f4_mul(f4_all(normal[ay]), f4_load(g->slope[1]))));
-    const f4 distance = f4_div(f4_div(numerator, n_dot_dir), f4_load(g->dir[z]));
-    return f4_min(f4_max(distance, enter), leave);
+    return f4_div(f4_div(numerator, along), f4_load(g->dir[z]));
 }
 
 /* An edge, by a power of two that makes its largest component 1 to 2. */
@@ -325,34 +328,45 @@ static void set_scaled_normal(const float corner[3][3], float normal[3]) {
     }
 }
 
-/* By the sine of the angle at its first corner. */
-RARELY int is_sliver(const float corner[3][3]) {
-    float normal[3];
-    set_scaled_normal(corner, normal);
-    return is_below(normal, SLIVER * NORMAL_SCALE);
-}
-
-RARELY f4 exact_distance(const prepared *t, const plt_group_rays *g, unsigned lanes) {
-    float at[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+/* `distance`, in `lanes` computed in integers. */
+RARELY f4 exact_distance(const prepared *t, const plt_group_rays *g, unsigned lanes, f4 distance,
+                         f4 enter, f4 leave) {
+    float at[4];
+    f4_store(at, distance);
     for (unsigned lane = 0; lanes >> lane != 0; lane++) {
         if (lanes >> lane & 1u) {
             const single ray = single_of(g, lane);
             at[lane] = plt_exact_distance(t->triangle->corner, ray.org, ray.dir);
         }
     }
-    return f4_load(at);
+    return f4_min(f4_max(f4_load(at), enter), leave);
 }
 
-/* Of a sliver, the normal is mostly rounding. Where the clamp leaves open whether the ray
- * meets it before or after tmin, as its origin lies in the sliver's box, the distance is
- * computed in integers. */
-static f4 sliver_distance(const prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
-                          unsigned lanes, f4 distance, f4 enter, f4 leave) {
-    const f4 tmin = f4_load(s->tmin);
-    const m4 unsure = m4_and(f4_lt(enter, tmin), f4_le(tmin, leave));
-    const m4 open = m4_and(unsure, m4_bits(lanes));
-    const f4 exact = exact_distance(t, g, m4_mask(open));
-    return f4_min(f4_max(f4_select(open, exact, distance), enter), leave);
+/* Of |n . dir|: a sliver's, and that of a normal below NORMAL_LEAST, is less than three times
+ * what limits each of its three components. */
+static inline float open_limit(float longest) {
+    return 4.0f * SLIVER * longest * longest + 4.0f * NORMAL_LEAST;
+}
+
+/* Lanes whose distance needs integers, if they are hit: n . dir is mostly rounding; or the
+ * triangle is a sliver, and so close that the clamp may leave open whether it is met before or
+ * after tmin. Neither tmin nor tmax has a say: they only spare lanes that are no hit anyway. A
+ * normal whose products may underflow is scaled, and the distance computed anew. */
+RARELY unsigned open_lanes(const prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
+                           int z, f4 enter, f4 leave, float normal[3], f4 *distance) {
+    float scaled[3];
+    set_scaled_normal(t->triangle->corner, scaled);
+    const f4 along = normal_along(scaled, g, z);
+    if (is_below(normal, NORMAL_LEAST)) {
+        memcpy(normal, scaled, sizeof scaled);
+        *distance = plane_distance(t, normal, g, z, along);
+    }
+    m4 open = f4_lt(f4_abs(along), f4_all(GRAZING * NORMAL_SCALE));
+    if (is_below(scaled, SLIVER * NORMAL_SCALE)) {
+        open = m4_or(open, f4_le(f4_add(enter, enter), leave));
+    }
+    const m4 in_range = m4_and(f4_le(enter, f4_load(s->tmax)), f4_le(f4_load(s->tmin), leave));
+    return m4_mask(m4_and(open, in_range));
 }
 
 static m4 nearer(const plt_group_slabs *s, const plt_group_rays *g, f4 t, u4 id) {
@@ -376,30 +390,30 @@ static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, ed
                             unsigned lanes) {
     plt_group_slabs *s = &p->slabs.group[index];
     plt_group_rays *g = &p->rays[index];
-    const float longest = t->triangle->longest;
     f4 enter, leave;
     float normal[3];
     normal_of(t->triangle->corner, normal);
     const m4 in_box = own_box(t, s, &enter, &leave);
-    f4 distance = plane_distance(t, normal, g, z, enter, leave);
-    /* What the next two look for depends on the triangle alone; this spares them mostly. */
-    if (is_below(normal, 2.0f * SLIVER * longest * longest + NORMAL_LEAST)) {
-        if (is_below(normal, NORMAL_LEAST)) {
-            set_scaled_normal(t->triangle->corner, normal);
-            distance = plane_distance(t, normal, g, z, enter, leave);
-        }
-        if (is_sliver(t->triangle->corner)) {
-            distance = sliver_distance(t, s, g, lanes, distance, enter, leave);
-        }
+    const f4 along = normal_along(normal, g, z);
+    f4 distance = plane_distance(t, normal, g, z, along);
+    unsigned candidates = lanes & m4_mask(in_box), open = 0;
+    if (f4_min_lane(f4_abs(along)) < open_limit(t->triangle->longest)) {
+        open = candidates & open_lanes(t, s, g, z, enter, leave, normal, &distance);
     }
+    /* A NaN (0 / 0) becomes `enter` by the rule of max. */
+    distance = f4_min(f4_max(distance, enter), leave);
     const uint32_t word = plt_primitive_word_find(t->triangle->ids, t->triangle->word);
     const u4 id = u4_all(plt_primitive_id(word));
-    const m4 nearer_lanes = m4_and(m4_and(m4_bits(lanes), in_box), nearer(s, g, distance, id));
-    if (m4_mask(nearer_lanes) == 0) {
+    candidates &= m4_mask(nearer(s, g, distance, id)) | open;
+    if (candidates == 0) {
         return 0;
     }
-    const verdict v = covered(t, g, e, z, nearer_lanes);
-    const unsigned hits = (v.undecided | v.coarse) == 0 ? v.hits : decide(t, g, e, v);
+    const verdict v = covered(t, g, e, z, candidates);
+    unsigned hits = (v.undecided | v.coarse) == 0 ? v.hits : decide(t, g, e, v);
+    if ((hits & open) != 0) {
+        distance = exact_distance(t, g, hits & open, distance, enter, leave);
+        hits &= m4_mask(nearer(s, g, distance, id));
+    }
     const m4 hit = m4_bits(hits);
     f4_store(s->tmax, f4_select(hit, p->any ? f4_all(-1.0f) : distance, f4_load(s->tmax)));
     u4_store(g->id, u4_select(hit, id, u4_load(g->id)));

@@ -3,7 +3,8 @@
  * A ray that meets a triangle, edges and corners included, is never turned away, and no
  * other is a hit: three edge functions in single precision decide where their error bounds
  * allow; cases within the error bound go to exact.h, which is never wrong. So no ray slips
- * through an edge or a corner of a closed mesh. t comes from the triangle's plane and is held
+ * through an edge or a corner of a closed mesh. t comes from the triangle's plane, in
+ * integers where single precision would be mostly rounding, and is held
  * within the triangle's own box, which a ray must meet: hence a hit lies in every box around its
  * triangle, and no tree, packet or order of visits can change it. Of equal t the lower
  * primitive id wins. A triangle without area has no inside and is never hit.

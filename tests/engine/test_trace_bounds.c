@@ -1,9 +1,10 @@
 /* test_trace_bounds - the numbers that planelet.h promises of a hit, against integers
  *
  * One triangle at a time, of sizes from 2^-145 to 2^37, of all shapes, up to 2^60 of its size
- * away; rays through it, exactly through its corners and edges, past them by far less than the
- * last place of the origin, and in its plane. Each promise also has an example just beyond it.
- * PLANELET_SOAK=1 traces twenty times as many.
+ * away, alone or with another one up to 2^38 away, which makes the scene's box large; rays
+ * through it, exactly through its corners and edges, past them by far less than the last place
+ * of the origin, in its plane, and tilted against that by any angle. Each promise also has an
+ * example just beyond it. PLANELET_SOAK=1 traces twenty times as many.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -19,7 +20,9 @@
 #include "tests/test.h"
 
 #define BATCH 64u
-#define SINE_LEAST 0x1p-14 /* less at the first corner: exact for rays that start in the box */
+#define SINE_LEAST 0x1p-14  /* less at the first corner: exact for rays that start in the box */
+#define SHAPE_LEAST 0x1p-17 /* less of that sine times the cosine: exact for all rays */
+#define T_WORST 0.125       /* of D, for any shape and any angle */
 #define EXACT_T 0x1p-21
 #define T_ERROR 0x1p-19      /* of the distance D, for a well-shaped triangle seen head-on */
 #define BOX_ERROR 0x1p-19    /* of the reach: how far a hit may lie beside its triangle's box */
@@ -29,10 +32,12 @@
 #define SMALL 0x1p-27        /* triangles no longer than that of the reach ... */
 #define EXACT_WEIGHT 0x1p-22 /* ... have better ones */
 #define SUM_MOST (1.0 + 1.0 / 14.0)
-#define HITS 0x9b3c8e177a1a52d2u /* a hash of all hits */
+#define HITS 0x999f38bff019a3fdu /* a hash of all hits */
 
 typedef struct one {
     float corner[3][3];
+    float far[3][3]; /* another triangle, if has_far */
+    int has_far;
     rig rig;
 } one;
 
@@ -51,6 +56,12 @@ static int one_open(one *o, uint8_t order) {
         mesh_add_vertex(&m, o->corner[c][0], o->corner[c][1], o->corner[c][2], &f);
     }
     mesh_add_triangle(&m, 0, 1, 2, &f);
+    for (int c = 0; c < 3 && o->has_far; c++) {
+        mesh_add_vertex(&m, o->far[c][0], o->far[c][1], o->far[c][2], &f);
+    }
+    if (o->has_far) {
+        mesh_add_triangle(&m, 3, 4, 5, &f);
+    }
     rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     config.run.order = order;
     const int status = rig_open(&o->rig, &m, &config);
@@ -168,11 +179,31 @@ static plt_ray random_ray(const one *o, random_state *r, float size, float away,
     return ray_make(org, dir, 0.0f, HUGE_VALF);
 }
 
+/* Through a point inside, along the plane but for a tilt. */
+static plt_ray grazing_ray(const one *o, random_state *r, float away) {
+    const float along = random_float(r, -1.0f, 1.0f), across = random_float(r, -1.0f, 1.0f);
+    const float tilt = ldexpf(1.0f, -(int)(10 + random_below(r, 51)));
+    const float before = random_float(r, -0.25f, 1.0f) * away;
+    float org[3], dir[3], at[3];
+    point_inside(o, r, at);
+    for (int a = 0; a < 3; a++) {
+        dir[a] = along * (o->corner[1][a] - o->corner[0][a]) +
+                 across * (o->corner[2][a] - o->corner[0][a]);
+    }
+    scale_direction(dir, 0);
+    for (int a = 0; a < 3; a++) {
+        dir[a] += sized(r, tilt);
+        org[a] = at[a] - before * dir[a];
+    }
+    scale_direction(dir, random_below(r, 2) ? 0 : exponent_between(r, -50, 50));
+    return ray_make(org, dir, 0.0f, HUGE_VALF);
+}
+
 /* ---- bounds -------------------------------------------------------------------------- */
 
 typedef struct measures {
     double farthest; /* from the origin to a corner, D */
-    double reach;    /* from the origin to a corner, along an axis; at least 2^-50 */
+    double reach;    /* from the origin to any corner, along an axis; at least 2^-50 */
     double sine;     /* of the triangle's smallest angle */
     double first;    /* sine of the angle at its least corner, by x, then y, then z */
     double height;   /* the smallest */
@@ -205,6 +236,9 @@ static measures measure(const one *o, const plt_ray *ray) {
             far += d * d;
             side[c] += e * e;
             m.reach = fmax(m.reach, fabs(d));
+            if (o->has_far) {
+                m.reach = fmax(m.reach, fabs((double)o->far[c][a] - (double)ray->org[a]));
+            }
         }
         m.farthest = fmax(m.farthest, sqrt(far));
         side[c] = sqrt(side[c]);
@@ -238,10 +272,11 @@ static measures measure(const one *o, const plt_ray *ray) {
 /* Of t times |dir|: how far along the ray a hit may be off. Infinite for no area. */
 static double t_bound(const measures *m, const exact_answer *a) {
     const double shape = m->sine * a->cosine, rounding = 0x1p-149 * m->length;
-    if (m->in_box && m->first < SINE_LEAST) {
+    if ((m->in_box && m->first < SINE_LEAST) || m->first * a->cosine < SHAPE_LEAST) {
         return EXACT_T * fabs(a->t) * m->length + rounding;
     }
-    return (shape > 0.0 ? T_ERROR * m->farthest / shape : HUGE_VAL) + rounding;
+    const double bound = shape > 0.0 ? T_ERROR * m->farthest / shape : HUGE_VAL;
+    return fmin(bound, T_WORST * m->farthest) + rounding;
 }
 
 /* How far outside of the triangle's own box the hit point lies, over what it may. */
@@ -261,6 +296,7 @@ static double outside_box(const one *o, const plt_ray *ray, const measures *m, d
 
 static struct {
     uint32_t rays, met, missed, open;
+    uint32_t grazed; /* of those met, so that t is exact */
     uint64_t hash;
     double t, lost, box, weight, most_weight, sum; /* the worst, over its bound */
 } seen;
@@ -308,6 +344,7 @@ static void check(const one *o, const plt_ray *ray, const plt_hit *h) {
         CHECK(is_hit == (t > 0.0), "a triangle at t %a is %s", a.t, is_hit ? "hit" : "missed");
         seen.met++;
     }
+    seen.grazed += m.first * a.cosine < SHAPE_LEAST && a.cosine > 0.0;
     if (is_hit) {
         check_hit(o, ray, h, &a, &m);
     }
@@ -324,13 +361,21 @@ static void trace_and_check(one *o, const plt_ray rays[BATCH], int alone) {
         if (alone) {
             plt_trace(o->rig.engine, &rays[i], &hit, 1, 0);
             CHECK(memcmp(&hit, &hits[i], sizeof hit) == 0, "alone a ray has another hit");
+            if (hit.triangle != PLT_MISS) {
+                plt_ray again = rays[i];
+                again.tmin = hit.t;
+                again.tmax = hit.t;
+                plt_trace(o->rig.engine, &again, &hit, 1, 0);
+                CHECK(memcmp(&hit, &hits[i], sizeof hit) == 0, "t %a is %a for tmin = tmax = t",
+                      (double)hits[i].t, (double)hit.t);
+            }
         }
     }
 }
 
 static void any_size_and_distance(random_state *r, uint32_t triangles) {
     for (uint32_t i = 0; i < triangles; i++) {
-        one o;
+        one o = {.has_far = 0};
         plt_ray rays[BATCH];
         const int power = exponent_between(r, -145, 37);
         const int times = exponent_between(r, 0, 39 - power < 60 ? 39 - power : 60);
@@ -351,11 +396,35 @@ static void any_size_and_distance(random_state *r, uint32_t triangles) {
     }
 }
 
+/* Rays that graze a triangle, in scenes of any size around it. Where all is lost in rounding,
+ * t must not follow the scene's box. */
+static void grazing(random_state *r, uint32_t triangles) {
+    const float nowhere[3] = {0.0f, 0.0f, 0.0f};
+    for (uint32_t i = 0; i < triangles; i++) {
+        one o = {.has_far = i % 4 != 0};
+        plt_ray rays[BATCH];
+        const int power = exponent_between(r, i % 4 == 1 ? -140 : -20, 10);
+        const float size = ldexpf(1.0f, power);
+        const float far = ldexpf(1.0f, exponent_between(r, power, 38));
+        set_corners(&o, r, i % 8 < 4 ? ANY : random_below(r, SHAPES), size, nowhere);
+        for (int a = 0; a < 9; a++) { /* three axes of three corners, all beyond the near ones */
+            o.far[a / 3][a % 3] = 2.0f * size + far * random_float(r, 0.5f, 1.0f);
+        }
+        for (uint32_t k = 0; k < BATCH; k++) {
+            rays[k] = grazing_ray(&o, r, size * ldexpf(1.0f, (int)random_below(r, 12) - 8));
+        }
+        if (one_open(&o, i & 1 ? PLT_ORDER_TWO_STAGE : PLT_ORDER_DEPTH_FIRST)) {
+            trace_and_check(&o, rays, i % 16 == 0);
+        }
+        rig_close(&o.rig);
+    }
+}
+
 /* Rays to points of a thin triangle, from within its box or close to it. */
 static void from_its_own_box(random_state *r, uint32_t triangles) {
     const float nowhere[3] = {0.0f, 0.0f, 0.0f};
     for (uint32_t i = 0; i < triangles; i++) {
-        one o;
+        one o = {.has_far = 0};
         plt_ray rays[BATCH];
         const float size = ldexpf(1.0f, exponent_between(r, -60, 20));
         set_corners(&o, r, i % 4 == 0 ? ANY : (i % 2 ? NEEDLE : CAP), size, nowhere);
@@ -387,7 +456,7 @@ static void no_ray_slips_through(random_state *r, uint32_t meshes) {
         const int power = exponent_between(r, -140, 30);
         const int times = exponent_between(r, 0, 39 - power < 100 ? 39 - power : 100);
         const float size = ldexpf(1.0f, power), away = ldexpf(1.0f, power + times);
-        one o;
+        one o = {.has_far = 0};
         mesh m = {0};
         fail f = {""};
         plt_ray rays[BATCH];
@@ -433,6 +502,41 @@ static plt_hit hit_of(one *o, float x, float y, float z, float dx, float dy, flo
     return hit;
 }
 
+/* A triangle that was hit at 393217 instead of 0.786, one that was missed, and one behind the
+ * origin that was hit, when the rounding of n . dir exceeded its value. */
+static void grazing_examples(void) {
+    one o = {.corner = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.25f, 0.0f}, {0.25f, 1.0f, 0.125f}},
+             .far = {{0x1p38f, 0.0f, 0.0f}, {0x1p38f, 1.0f, 0.0f}, {0x1p38f, 0.0f, 1.0f}},
+             .has_far = 1};
+    one tiny = {.corner = {{1.6058432e-36f, 5.9061699e-37f, 9.3803583e-37f},
+                           {-1.2181568e-36f, -1.0665525e-36f, -1.4275697e-36f},
+                           {-4.0421570e-36f, -2.7237221e-36f, -1.4729128e-36f}}};
+    for (int k = 0; k < 2; k++) {
+        if (one_open(&o, PLT_ORDER_DEPTH_FIRST)) {
+            const plt_hit hit =
+                hit_of(&o, 0.09526678919792175f, 1.2373968362808228f, 0.16181069612503052f,
+                       0.12690091133117676f, -1.0f, -0.13756337761878967f);
+            CHECK(hit.triangle == 0 && fabsf(hit.t - 0.786f) < 0.001f, "t is %g", (double)hit.t);
+            const plt_hit other =
+                hit_of(&o, -0.04792812466621399f, 1.3133937120437622f, 0.17671677470207214f,
+                       0.4997924864292145f, -1.0f, -0.14999309182167053f);
+            CHECK(other.triangle == 0 && fabsf(other.t - 1.0f) < 0.001f, "t is %g",
+                  (double)other.t);
+        }
+        rig_close(&o.rig);
+        for (int c = 0; c < 3; c++) {
+            o.far[c][0] = 0x1p20f;
+        }
+    }
+    if (one_open(&tiny, PLT_ORDER_DEPTH_FIRST)) {
+        CHECK(
+            hit_of(&tiny, -3.6945722e-38f, -3.7339849e-37f, -4.3800675e-37f, 0.0f, -0.0f, -0x1p-45f)
+                    .triangle == PLT_MISS,
+            "a triangle behind the origin is hit");
+    }
+    rig_close(&tiny.rig);
+}
+
 /* The triangle around 0 in the plane z = 0. */
 static void just_beyond(void) {
     one o = {.corner = {{-1.0f, -1.0f, 0.0f}, {1.0f, -1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}};
@@ -461,14 +565,18 @@ int main(void) {
     any_size_and_distance(&r, 8000 * times);
     test("so they are for rays that start in a thin triangle's own box");
     from_its_own_box(&r, 8000 * times);
-    printf("    %u rays: %u meet, %u miss, %u start too close to say\n", seen.rays, seen.met,
-           seen.missed, seen.open);
+    test("so they are for rays that graze a triangle, in a scene of any size");
+    grazing(&r, 8000 * times);
+    grazing_examples();
+    printf("    %u rays: %u meet, %u miss, %u start too close to say; %u graze\n", seen.rays,
+           seen.met, seen.missed, seen.open, seen.grazed);
     printf(
         "    worst, over its bound: t %.3g, lost %.3g, box %.3g, u or v %.3g (%.3g), u + v %.8g\n",
         seen.t, seen.lost, seen.box, seen.weight, seen.most_weight, seen.sum);
     test("many rays were decided, and the worst of them come close to what is promised");
-    CHECK(seen.met > 350000 * times && seen.missed > 400000 * times && seen.open < seen.met / 2,
+    CHECK(seen.met > 500000 * times && seen.missed > 700000 * times && seen.open < seen.met / 2,
           "counts");
+    CHECK(seen.grazed > 200000 * times, "only %u rays graze", seen.grazed);
     CHECK(seen.t > 1.0 / 16, "t is never worse than %g of its bound", seen.t);
     CHECK(seen.lost > 1.0 / 64, "hits are lost up to %g of the bound from tmin", seen.lost);
     CHECK(seen.box > 1.0 / 4, "hit points lie no further than %g of the bound", seen.box);
