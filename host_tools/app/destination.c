@@ -24,13 +24,15 @@ void destination_differ(args *a, const char *what, const char *one, const char *
     }
 }
 
-static void choose_format(destination *d, args *a, unsigned frames) {
+/* Several PPM in a row are one stream of pictures, for who says that this will do. */
+static void choose_format(destination *d, args *a, unsigned frames, int is_stream) {
     fail f = {""};
     if (is_standard(d->out)) {
         d->format = frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
     } else if (picture_format_of(d->out, &d->format, &f) != 0) {
         args_complain(a, "%s", f.text);
-    } else if (frames > 1 && !picture_is_film(d->format)) {
+    } else if (frames > 1 && !picture_is_film(d->format) &&
+               !(is_stream && d->format == PICTURE_PPM)) {
         args_complain(a, "--orbit makes a film: give -o a name that ends in .y4m");
     }
 }
@@ -45,12 +47,12 @@ static void choose_chroma(destination *d, args *a) {
     }
 }
 
-void destination_read(destination *d, args *a, unsigned frames, int is_enough) {
+void destination_read(destination *d, args *a, unsigned frames, int is_stream, int is_enough) {
     *d = (destination){.out = args_text(a, "-o", NULL),
                        .json = args_text(a, "--json", NULL),
                        .show = args_has(a, "--show")};
     if (d->out != NULL) {
-        choose_format(d, a, frames);
+        choose_format(d, a, frames, is_stream);
         choose_chroma(d, a);
     } else if (d->json == NULL && !d->show && !is_enough) {
         args_complain(a, "-o OUT says where the picture goes, --show draws it here");

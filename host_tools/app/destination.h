@@ -26,8 +26,8 @@ typedef struct destination {
 
 /* Reads -o, --show, --chroma and --json, for so many frames. Refuses through args_complain: nowhere
  * to go, unless `is_enough`; a name without a format, several frames in a picture, two outputs that
- * would mix. */
-void destination_read(destination *d, args *a, unsigned frames, int is_enough);
+ * would mix. With `is_stream` several frames may go into one PPM, one after another. */
+void destination_read(destination *d, args *a, unsigned frames, int is_stream, int is_enough);
 
 /* Notes, once the film is there, that players may not get one of this size. */
 void destination_note(const destination *d, unsigned width, unsigned height);

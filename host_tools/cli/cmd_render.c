@@ -181,7 +181,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.height = (uint16_t)height;
     r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
-    destination_read(&r->to, a, r->frames, 0);
+    destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
     r->s.spare_bytes =
         (uint64_t)(r->to.format == PICTURE_PNG ? 1 + PNG_PICTURES : 1) * 3 * width * height;

@@ -172,7 +172,7 @@ static void read_flags(serving *s, args *a, serve_job *job) {
     job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
     job->verbose = args_has(a, "--verbose");
     s->shader = view_shader(a);
-    destination_read(&s->to, a, s->frames, job->verbose);
+    destination_read(&s->to, a, s->frames, 1, job->verbose);
     if (s->to.out != NULL && strcmp(s->to.out, "-") != 0) {
         destination_differ(a, "--socket and -o", args_text(a, "--socket", NULL), s->to.out);
     }

@@ -102,4 +102,11 @@ dd if=/dev/zero of=large.plt bs=1 count=0 seek=$((4294967296 + $(wc -c <knot.plt
 refused "a scene with 4 GiB behind it" large.plt "4 GiB" \
     serve large.plt --emulate 600000 -o x.png --size 16x16
 rm -f large.plt
+# A PPM may be several pictures in a row; a PNG is one.
+run serve knot.plt --emulate 600000 -o two.ppm --orbit 2 --size 16x16
+verdict "two frames go into one PPM, one after another" "$(
+    [ "$status" -eq 0 ] || cat err
+    [ "$(wc -c <two.ppm)" -eq $((2 * (13 + 768))) ] || wc -c <two.ppm)"
+misused "... but not into one PNG" "--orbit" serve knot.plt --emulate 600000 -o two.png --orbit 2
+
 finish
