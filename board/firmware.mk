@@ -30,9 +30,12 @@ FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) $(wildcard board/$(BOARD)/*.c
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
 FIRMWARE_OBJECTS := $(call objects,$(ENGINE) $(FIRMWARE))
 
+OPTIMISE_FOR := -O2
+$(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
+
 # Loops stay loops: memcpy must not become a call of itself, nor a search for
 # the end of a text a call of strlen.
-COMMAND = $(CC) $(STRICT) $(CPU) -O2 -g $(FREESTANDING) $(lanes_$(LANES)) \
+COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) $(lanes_$(LANES)) \
           -ffunction-sections -fdata-sections -fcallgraph-info=su,da \
           -fno-tree-loop-distribute-patterns \
           -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(PARTS_FLAGS) $(FIRMWARE_FLAGS)

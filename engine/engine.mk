@@ -35,6 +35,11 @@ $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both awa
 endif
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part)))
+# What runs when a scene is opened, and for the few rays that single precision cannot decide:
+# firmware compiles it for size.
+ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
+    engine/scene/open*.c engine/scene/validate*.c engine/tree/*/validate*.c \
+    engine/trace/exact.c engine/trace/wide.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

@@ -1,12 +1,9 @@
 /* exact - on which side of a directed edge does a ray pass, and where does it meet a plane?
  *
- * For the cases of the ray/triangle test that single precision cannot decide. First comes
- * arithmetic in pairs of floats (about 46 bits), error-free where it matters; what is
- * smaller than its error bound stays open. The rest is computed in integers without any
- * error (wide.h), at some ten times the cost. So a side is never wrong.
+ * For the cases of the ray/triangle test that single precision cannot decide: computed in
+ * integers without any error (wide.h).
  *
- * Sources: Dekker, "A floating-point technique for extending the available
- * precision", 1971; Knuth, TAOCP volume 2, section 4.2.2 (exact sums).
+ * Source: Knuth, TAOCP volume 2, section 4.2.2 (exact sums).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_EXACT_H
@@ -14,11 +11,8 @@
 
 #include "engine/trace/wide.h"
 
-/* Sign of dir . ((p - org) x (q - org)): 1, -1, or 0 when the ray passes the line through
- * p and q closer than about 2^-42 of its distance, and pairs cannot tell. */
-int plt_edge_side(const float p[3], const float q[3], const float org[3], const float dir[3]);
-
-/* The same value, and exactly its sign. */
+/* dir . ((p - org) x (q - org)), to 2^-23 of itself and exactly its sign: 0 if and only if the
+ * ray runs through the line of p and q. */
 plt_scaled plt_edge_value(const float p[3], const float q[3], const float org[3],
                           const float dir[3]);
 

@@ -18,6 +18,7 @@
 
 #include <string.h>
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/exact.h"
 
 #define U 5.9604644775390625e-8f             /* 2^-24 */
@@ -154,125 +155,113 @@ static const float *edge_to(const plt_triangle *t, int c) {
     return t->corner[axis_after[c]];
 }
 
-/* Lanes that are hit, and of these those that need integers: to be sure, or because their
- * edge functions are not good enough for u and v. */
-typedef struct verdict {
-    uint8_t hits, undecided, coarse;
-} verdict;
-
-static int has_one_sign(const int side[3]) {
-    const int positive = side[0] > 0 || side[1] > 0 || side[2] > 0;
-    const int negative = side[0] < 0 || side[1] < 0 || side[2] < 0;
-    return positive != negative; /* all zero: the ray runs in the triangle's plane */
+/* weight[c], without any error. */
+static plt_scaled exact_weight(const prepared *t, const single *ray, int c) {
+    return plt_edge_value(edge_from(t->triangle, c), edge_to(t->triangle, c), ray->org, ray->dir);
 }
 
-/* An edge function's side: as its sign says, or within its error as pairs of floats say. */
-static int side_of(const prepared *t, const single *ray, int z, int c, float weight, float error) {
-    if (__builtin_fabsf(weight) > error) {
-        return weight > 0.0f ? 1 : -1;
-    }
-    const int side =
-        plt_edge_side(edge_from(t->triangle, c), edge_to(t->triangle, c), ray->org, ray->dir);
-    return ray->dir[z] < 0.0f ? -side : side; /* as seen along z */
+static float lane_of(f4 v, unsigned lane) {
+    float all[4];
+    f4_store(all, v);
+    return all[lane];
 }
 
-/* Does the ray meet the triangle? Never wrong, but for the edges that pairs leave open. Edge
- * functions are coarse if none is above a quarter of its error, or if u + v could get above
- * 1 + 1/14: one has the wrong sign, and none is sixteen times its error. */
-static void meet_by_pairs(const prepared *t, const plt_group_rays *g, const edges *e, int z,
-                          float error, unsigned lane, verdict *v) {
-    const single ray = single_of(g, lane);
-    unsigned sides = 0; /* 1: positive, 2: zero, 4: negative */
-    float least = 0.0f, most = 0.0f;
-    for (int c = 0; c < 3; c++) {
-        float weight[4];
-        f4_store(weight, e->weight[c]);
-        const int side = side_of(t, &ray, z, c, weight[lane], error);
-        sides |= 1u << (1 - side);
-        least = weight[lane] < least ? weight[lane] : least;
-        most = weight[lane] > most ? weight[lane] : most;
-    }
-    if ((sides & 5u) == 5u) {
-        return;
-    }
-    const float size = most > -least ? most : -least, astray = sides & 1u ? -least : most;
-    const int coarse = size <= 0.25f * error || (astray > 0.0f && size <= 16.0f * error);
-    v->hits |= (uint8_t)(1u << lane);
-    v->undecided |= (uint8_t)((sides >> 1 & 1u) << lane);
-    v->coarse |= (uint8_t)((unsigned)coarse << lane);
+static void set_lane(f4 *v, unsigned lane, float to) {
+    float all[4];
+    f4_store(all, *v);
+    all[lane] = to;
+    *v = f4_load(all);
 }
 
-/* Lanes that all three corners lie on one side of, seen along the axis, by more than
+/* Whether all three corners lie on one side of the ray, seen along the axis, by more than
  * any rounding. A triangle seen edge-on has all edge functions close to 0 in every
  * ray of its plane, however far beside: this spares the integers. */
-static m4 clearly_missed(const edges *e, f4 reach) {
-    const f4 far = f4_mul(reach, f4_all(MISS_MARGIN)), minus_far = f4_neg(far);
-    m4 any = f4_lt(far, f4_min(f4_min(e->x[0], e->x[1]), e->x[2]));
-    any = m4_or(any, f4_lt(larger3(e->x[0], e->x[1], e->x[2]), minus_far));
-    any = m4_or(any, f4_lt(far, f4_min(f4_min(e->y[0], e->y[1]), e->y[2])));
-    return m4_or(any, f4_lt(larger3(e->y[0], e->y[1], e->y[2]), minus_far));
+static int is_beside(const f4 corner[3], unsigned lane, float far) {
+    const float p = lane_of(corner[0], lane), q = lane_of(corner[1], lane),
+                r = lane_of(corner[2], lane);
+    return (p > far && q > far && r > far) || (p < -far && q < -far && r < -far);
 }
 
-/* Of the lanes that may be covered those that are, as far as pairs of floats can say. */
-static verdict covered(const prepared *t, const plt_group_rays *g, const edges *e, int z,
-                       unsigned candidates) {
+/* Edge functions that are not good enough for u and v: none is above a quarter of its error,
+ * or u + v could get above 1 + 1/14, as one has the wrong sign, and none is above sixteen
+ * times its error. */
+static int is_coarse(const float weight[3], float error, int positive) {
+    float least = 0.0f, most = 0.0f;
+    for (int c = 0; c < 3; c++) {
+        least = weight[c] < least ? weight[c] : least;
+        most = weight[c] > most ? weight[c] : most;
+    }
+    const float size = most > -least ? most : -least, astray = positive ? -least : most;
+    return size <= 0.25f * error || (astray > 0.0f && size <= 16.0f * error);
+}
+
+/* Gives a lane edge functions without errors, times a factor. */
+RARELY void set_exact_weights(const prepared *t, const plt_group_rays *g, edges *e, unsigned lane) {
+    const single ray = single_of(g, lane);
+    plt_scaled value[3];
+    int most = INT32_MIN;
+    for (int c = 0; c < 3; c++) {
+        value[c] = exact_weight(t, &ray, c);
+        most = value[c].mantissa != 0.0f && value[c].exponent > most ? value[c].exponent : most;
+    }
+    for (int c = 0; c < 3; c++) {
+        set_lane(&e->weight[c], lane, plt_scaled_float(value[c], -most));
+    }
+}
+
+enum meeting { MISSES, MEETS, MEETS_COARSELY };
+
+/* Does the ray of a lane meet the triangle? Never wrong: an edge function above its error has
+ * the right sign, those of the others come from integers. */
+RARELY enum meeting decide_lane(const prepared *t, const plt_group_rays *g, const edges *e, int z,
+                                unsigned lane, float error) {
+    const single ray = single_of(g, lane);
+    const float far = MISS_MARGIN * g->reach[lane];
+    if (is_beside(e->x, lane, far) || is_beside(e->y, lane, far)) {
+        return MISSES;
+    }
+    float weight[3];
+    unsigned sides = 0; /* 1: positive, 2: negative */
+    for (int c = 0; c < 3; c++) {
+        weight[c] = lane_of(e->weight[c], lane);
+        float sign = weight[c];
+        if (__builtin_fabsf(sign) <= error) {
+            sign = exact_weight(t, &ray, c).mantissa;
+            sign = ray.dir[z] < 0.0f ? -sign : sign; /* as seen along z */
+        }
+        sides |= (unsigned)(sign > 0.0f) | (unsigned)(sign < 0.0f) << 1;
+    }
+    if (sides != 1 && sides != 2) { /* of both signs, or all 0: the ray runs in its plane */
+        return MISSES;
+    }
+    return is_coarse(weight, error, sides == 1) ? MEETS_COARSELY : MEETS;
+}
+
+/* Of the lanes that may be covered those that are. */
+static unsigned covered(const prepared *t, const plt_group_rays *g, edges *e, int z,
+                        unsigned candidates) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
     const f4 error = f4_mul(
         reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
     const unsigned sure = m4_mask(m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error))));
-    verdict v = {(uint8_t)(candidates & sure), 0, 0};
-    unsigned unsure = candidates & ~sure;
-    if (unsure == 0) {
-        return v;
-    }
-    float errors[4];
-    f4_store(errors, error);
-    unsure &= ~m4_mask(clearly_missed(e, reach));
-    for (unsigned lane = 0; unsure >> lane != 0; lane++) {
-        if (unsure >> lane & 1u) {
-            meet_by_pairs(t, g, e, z, errors[lane], lane, &v);
-        }
-    }
-    return v;
-}
-
-/* Gives a lane edge functions without errors, times any factor, and says if it is a hit. */
-RARELY int decide_lane(const prepared *t, const plt_group_rays *g, edges *e, unsigned lane,
-                       int is_coarse) {
-    const single ray = single_of(g, lane);
-    plt_scaled value[3];
-    int side[3], most = INT32_MIN;
-    for (int c = 0; c < 3; c++) {
-        value[c] =
-            plt_edge_value(edge_from(t->triangle, c), edge_to(t->triangle, c), ray.org, ray.dir);
-        side[c] = (value[c].mantissa > 0.0f) - (value[c].mantissa < 0.0f);
-        most = side[c] != 0 && value[c].exponent > most ? value[c].exponent : most;
-    }
-    for (int c = 0; c < 3 && is_coarse; c++) {
-        float weight[4];
-        f4_store(weight, e->weight[c]);
-        weight[lane] = side[c] == 0 ? 0.0f : plt_scaled_float(value[c], -most);
-        e->weight[c] = f4_load(weight);
-    }
-    return has_one_sign(side);
-}
-
-/* In integers; the lanes that are hit. */
-static unsigned decide(const prepared *t, const plt_group_rays *g, edges *e, verdict v) {
-    unsigned hits = v.hits;
-    for (unsigned lane = 0; lane < 4; lane++) {
-        if (((unsigned)v.undecided | v.coarse) >> lane & 1u) {
-            const int is_hit = decide_lane(t, g, e, lane, v.coarse >> lane & 1);
-            hits &= ~((unsigned)!is_hit << lane);
+    unsigned hits = candidates & sure;
+    for (unsigned lane = 0; (candidates & ~sure) >> lane != 0; lane++) {
+        if ((candidates & ~sure) >> lane & 1u) {
+            const enum meeting how = decide_lane(t, g, e, z, lane, lane_of(error, lane));
+            hits |= (unsigned)(how != MISSES) << lane;
+            if (how == MEETS_COARSELY) {
+                set_exact_weights(t, g, e, lane);
+            }
         }
     }
     return hits;
 }
 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
-static m4 own_box(const prepared *t, const plt_group_slabs *s, f4 *enter, f4 *leave) {
+PLT_APART_ON_SMALL_STACKS static m4 own_box(const prepared *t, const plt_group_slabs *s, f4 *enter,
+                                            f4 *leave) {
     f4 n[3], f[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 p = f4_all(t->triangle->corner[0][a]), q = f4_all(t->triangle->corner[1][a]),
@@ -361,12 +350,16 @@ RARELY unsigned open_lanes(const prepared *t, const plt_group_slabs *s, const pl
         memcpy(normal, scaled, sizeof scaled);
         *distance = plane_distance(t, normal, g, z, along);
     }
-    m4 open = f4_lt(f4_abs(along), f4_all(GRAZING * NORMAL_SCALE));
-    if (is_below(scaled, SLIVER * NORMAL_SCALE)) {
-        open = m4_or(open, f4_le(f4_add(enter, enter), leave));
+    const int is_sliver = is_below(scaled, SLIVER * NORMAL_SCALE);
+    unsigned open = 0;
+    for (unsigned lane = 0; lane < 4; lane++) {
+        const float from = lane_of(enter, lane), to = lane_of(leave, lane);
+        const int is_open = __builtin_fabsf(lane_of(along, lane)) < GRAZING * NORMAL_SCALE ||
+                            (is_sliver && from + from <= to);
+        const int in_range = from <= s->tmax[lane] && s->tmin[lane] <= to;
+        open |= (unsigned)(is_open && in_range) << lane;
     }
-    const m4 in_range = m4_and(f4_le(enter, f4_load(s->tmax)), f4_le(f4_load(s->tmin), leave));
-    return m4_mask(m4_and(open, in_range));
+    return open;
 }
 
 static m4 nearer(const plt_group_slabs *s, const plt_group_rays *g, f4 t, u4 id) {
@@ -408,8 +401,7 @@ static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, ed
     if (candidates == 0) {
         return 0;
     }
-    const verdict v = covered(t, g, e, z, candidates);
-    unsigned hits = (v.undecided | v.coarse) == 0 ? v.hits : decide(t, g, e, v);
+    unsigned hits = covered(t, g, e, z, candidates);
     if ((hits & open) != 0) {
         distance = exact_distance(t, g, hits & open, distance, enter, leave);
         hits &= m4_mask(nearer(s, g, distance, id));

@@ -10,7 +10,7 @@
  * primitive id wins. A triangle without area has no inside and is never hit.
  *
  * Sources: Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013
- * (the shear and the edge functions). Error bounds, pairs of floats instead of
+ * (the shear and the edge functions). Error bounds, integers instead of
  * their double precision, and the clamp are ours (DESIGN.md, section 7).
  *
  * SPDX-License-Identifier: MIT */

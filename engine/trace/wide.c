@@ -26,15 +26,17 @@ static unsigned place_of(uint32_t bits) {
 /* Adds or takes away word[0 .. 3], which begin at limb `first`. */
 static void add_words(plt_wide *sum, const uint32_t word[4], unsigned first, unsigned is_negative) {
     const uint32_t flip = 0u - is_negative; /* minus x is the complement of x, plus 1 */
-    uint32_t carry = is_negative;
-    for (unsigned i = first; i < PLT_WIDE_LIMBS; i++) {
-        if (i >= first + 4 && carry == is_negative) {
-            return; /* nothing changes from here on */
-        }
-        const uint32_t other = (i < first + 4 ? word[i - first] : 0u) ^ flip;
-        const uint64_t s = (uint64_t)sum->limb[i] + other + carry;
-        sum->limb[i] = (uint32_t)s;
-        carry = (uint32_t)(s >> 32);
+    uint64_t carry = is_negative;
+    unsigned at = first;
+    for (unsigned i = 0; i < 4 && at < PLT_WIDE_LIMBS; i++, at++) {
+        carry += (uint64_t)sum->limb[at] + (word[i] ^ flip);
+        sum->limb[at] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    for (; at < PLT_WIDE_LIMBS && carry != is_negative; at++) { /* until nothing changes */
+        carry += (uint64_t)sum->limb[at] + flip;
+        sum->limb[at] = (uint32_t)carry;
+        carry >>= 32;
     }
 }
 

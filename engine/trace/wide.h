@@ -1,6 +1,6 @@
 /* wide - exact sums of products of three floats
  *
- * For the few rays that neither floats nor pairs of floats can decide. A sum is an integer
+ * For the few rays that single precision cannot decide. A sum is an integer
  * of 608 bits that counts 2^-447: every product of three finite floats is a multiple of
  * that, and as long as its factors are below 2^60, 2^43 and 2^43, 32 of them fit in.
  *

@@ -68,22 +68,22 @@ scene device --build device
 scene compact_device --nodes compact --geometry lattice:14 --build device
 
 thesis=$BUILD/mps2_an386-render-thesis compact=$BUILD/mps2_an386-compact-render
-if part "render thesis" "$thesis" 43008; then
+if part "render thesis" "$thesis" 40960; then
     renders "$thesis" thesis
     renders "$thesis" list
     refuses "$thesis" compact PLT_WITH_COMPACT
     refuses "$thesis" device PLT_WITH_BUILDER
 fi
-if part "render compact" "$compact" 51200; then
+if part "render compact" "$compact" 47104; then
     renders "$compact" compact
     refuses "$compact" thesis PLT_WITH_THESIS
     refuses "$compact" list PLT_WITH_THESIS
     refuses "$compact" compact_device PLT_WITH_BUILDER
 fi
-if part thesis "$BUILD/mps2_an386-thesis" 49664; then
+if part thesis "$BUILD/mps2_an386-thesis" 46080; then
     renders "$BUILD/mps2_an386-thesis" device
 fi
-if part compact "$BUILD/mps2_an386-compact" 62976; then
+if part compact "$BUILD/mps2_an386-compact" 58368; then
     renders "$BUILD/mps2_an386-compact" compact_device
 fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS=rendr 2>&1)

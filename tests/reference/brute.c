@@ -1,7 +1,7 @@
 /* brute - see brute.h
  *
  * The side of an edge that a ray passes on is left open only below 2^-38 of the factors' size:
- * the engine decides close cases in pairs of floats. t, u and v are single precision, with an
+ * the engine decides close cases in integers. t, u and v are single precision, with an
  * error bound worked out for each.
  *
  * Scaled triple products: with A B C the corners seen from the origin of the ray, dir . (C x B)
