@@ -15,15 +15,15 @@
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 version=5.2.5~ds0-1+b1
-mkdir -p "$folder/archives/partial" "$folder/root"
+mkdir -p "$folder/archives/partial" "$folder/tree"
 apt-get install -y -qq --no-install-recommends --download-only \
     -o "Dir::Cache::archives=$folder/archives" "assimp-utils=$version" >/dev/null 2>&1 ||
     { echo "cannot get assimp-utils $version"; exit 2; }
 for package in "$folder"/archives/*.deb; do
-    [ ! -e "$package" ] || dpkg-deb -x "$package" "$folder/root" || exit 2
+    [ ! -e "$package" ] || dpkg-deb -x "$package" "$folder/tree" || exit 2
 done
-PATH=$folder/root/usr/bin:$PATH
-LD_LIBRARY_PATH=$folder/root/usr/lib/$(uname -m)-linux-gnu
+PATH=$folder/tree/usr/bin:$PATH
+LD_LIBRARY_PATH=$folder/tree/usr/lib/$(uname -m)-linux-gnu
 export PATH LD_LIBRARY_PATH
 printf '%s\n' 'v 0 0 0 1 0 0.2' 'v 1 0 0 0 1 0' 'v 0 1 0 0 0 1' 'f 1 2 3' >"$folder/in.obj"
 for kind in ply plyb; do

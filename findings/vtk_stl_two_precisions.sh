@@ -12,14 +12,14 @@
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 version=9.1.0+really9.1.0+dfsg2-5+deb12u1
-mkdir -p "$folder/archives/partial" "$folder/root"
+mkdir -p "$folder/archives/partial" "$folder/tree"
 apt-get install -y -qq --no-install-recommends --download-only \
     -o "Dir::Cache::archives=$folder/archives" "python3-vtk9=$version" >/dev/null 2>&1 ||
     { echo "cannot get python3-vtk9 $version"; exit 2; }
 for package in "$folder"/archives/*.deb; do
-    [ ! -e "$package" ] || dpkg-deb -x "$package" "$folder/root" || exit 2
+    [ ! -e "$package" ] || dpkg-deb -x "$package" "$folder/tree" || exit 2
 done
-libraries=$folder/root/usr/lib/$(uname -m)-linux-gnu
+libraries=$folder/tree/usr/lib/$(uname -m)-linux-gnu
 cat >"$folder/write.py" <<'END'
 import sys
 import vtk
@@ -41,7 +41,7 @@ writer.SetInputData(data)
 writer.Write()
 END
 LD_LIBRARY_PATH=$libraries:$libraries/blas:$libraries/lapack \
-    PYTHONPATH=$folder/root/usr/lib/python3/dist-packages \
+    PYTHONPATH=$folder/tree/usr/lib/python3/dist-packages \
     /usr/bin/python3 "$folder/write.py" "$folder/out.stl" || exit 2
 seen=$(grep -o 'vertex 0.333.* 0.14.*' "$folder/out.stl" | sort -u)
 echo "$seen"
