@@ -94,35 +94,26 @@ static const char *nothing_remedy(const pack_file *file) {
                                 : "check that the right objects were exported";
 }
 
-/* The parts of "3 vertices, 2 lines, 1 point, no faces". */
-typedef struct held {
-    char text[240];
-    size_t used;
-} held;
-
-static void append(held *h, uint64_t count, const char *one, const char *many) {
-    if (count > 0 && h->used < sizeof h->text) {
-        const int n = snprintf(h->text + h->used, sizeof h->text - h->used, ", %" PRIu64 " %s",
-                               count, count == 1 ? one : many);
-        h->used += n > 0 ? (size_t)n : 0;
-    }
-}
-
+/* "3 vertices, 2 lines, 1 point, no faces" */
 int pack_nothing_to_trace(const pack_file *file, fail *f) {
-    const uint64_t *count = file->report.count;
-    const uint64_t dropped = count[REPORT_BAD_FACES], small = count[REPORT_SMALL_FACES];
-    const char *none = small > 0 ? "" : ", no faces";
-    held h = {"", 0};
+    static const report_item THERE[] = {REPORT_CURVES, REPORT_LINES, REPORT_POINTS,
+                                        REPORT_SMALL_FACES};
+    const uint64_t dropped = file->report.count[REPORT_BAD_FACES];
+    const int has_faces = file->report.count[REPORT_SMALL_FACES] > 0;
+    const char *none = has_faces ? "" : ", no faces";
+    count_list there = {"0 vertices", sizeof "0 vertices" - 1};
     char but[80] = "";
-    append(&h, count[REPORT_CURVES], "curve or free-form surface", "curves and free-form surfaces");
-    append(&h, count[REPORT_LINES], "line", "lines");
-    append(&h, count[REPORT_POINTS], "point", "points");
-    append(&h, small, "face of fewer than 3 corners", "faces of fewer than 3 corners");
+    if (file->vertices > 0) {
+        there.used = 0;
+        count_list_add(&there, file->vertices, "vertex", "vertices");
+    }
+    for (size_t i = 0; i < sizeof THERE / sizeof THERE[0]; i++) {
+        report_count(&file->report, THERE[i], &there);
+    }
     if (dropped > 0) {
         snprintf(but, sizeof but, "%s%" PRIu64 " that had to be dropped",
-                 small > 0 ? ", and " : " but ", dropped);
+                 has_faces ? ", and " : " but ", dropped);
     }
-    return fail_set(f, pack_shown(file), "%zu %s%s%s%s: nothing to trace; %s", file->vertices,
-                    file->vertices == 1 ? "vertex" : "vertices", h.text, none, but,
+    return fail_set(f, pack_shown(file), "%s%s%s: nothing to trace; %s", there.text, none, but,
                     nothing_remedy(file));
 }

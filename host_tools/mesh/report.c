@@ -3,32 +3,45 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/report.h"
 
-#include <stdio.h>
-#include <string.h>
+#include <stddef.h>
+
+/* Items that stand together in a sentence. */
+enum group { LEFT_OUT, HABITS, DROPPED, GROUPS, ALONE };
 
 static const struct {
-    const char *key, *one, *many; /* the words after a count; NULL: not left out */
+    const char *key;
+    enum group group;
+    const char *one, *many; /* the words after a count */
 } ITEMS[REPORT_ITEMS] = {
-    [REPORT_SMALL_FACES] = {"small_faces", "face of fewer than 3 corners",
+    [REPORT_SMALL_FACES] = {"small_faces", LEFT_OUT, "face of fewer than 3 corners",
                             "faces of fewer than 3 corners"},
-    [REPORT_POINTS] = {"points", "point", "points"},
-    [REPORT_LINES] = {"lines", "line", "lines"},
-    [REPORT_CURVES] = {"curves", "curve or free-form surface", "curves and free-form surfaces"},
-    [REPORT_COLOURS] = {"colours", "colour", "colours"},
-    [REPORT_NORMALS] = {"normals", "normal", "normals"},
-    [REPORT_TEXTURES] = {"texture_coordinates", "texture coordinate", "texture coordinates"},
-    [REPORT_MATERIALS] = {"materials", "use of a material", "uses of materials"},
-    [REPORT_ELEMENTS] = {"other_elements", "element of another kind", "elements of other kinds"},
-    [REPORT_UNREAD_LINES] = {"unread_lines", "line of a keyword that is not read",
+    [REPORT_POINTS] = {"points", LEFT_OUT, "point", "points"},
+    [REPORT_LINES] = {"lines", LEFT_OUT, "line", "lines"},
+    [REPORT_CURVES] = {"curves", LEFT_OUT, "curve or free-form surface",
+                       "curves and free-form surfaces"},
+    [REPORT_COLOURS] = {"colours", LEFT_OUT, "colour", "colours"},
+    [REPORT_NORMALS] = {"normals", LEFT_OUT, "normal", "normals"},
+    [REPORT_TEXTURES] = {"texture_coordinates", LEFT_OUT, "texture coordinate",
+                         "texture coordinates"},
+    [REPORT_MATERIALS] = {"materials", LEFT_OUT, "use of a material", "uses of materials"},
+    [REPORT_ELEMENTS] = {"other_elements", LEFT_OUT, "element of another kind",
+                         "elements of other kinds"},
+    [REPORT_UNREAD_LINES] = {"unread_lines", LEFT_OUT, "line of a keyword that is not read",
                              "lines of keywords that are not read"},
-    [REPORT_OVERLAPPING] = {"overlapping_faces", NULL, NULL},
-    [REPORT_MISCOUNTED] = {"miscounted_triangles", NULL, NULL},
-    [REPORT_SWAPPED] = {"big_endian_triangles", NULL, NULL},
-    [REPORT_UNENDED] = {"unended_solids", NULL, NULL},
-    [REPORT_UNKNOWN_LINES] = {"unknown_header_lines", NULL, NULL},
-    [REPORT_LOOSE_BYTES] = {"loose_bytes", NULL, NULL},
-    [REPORT_BAD_FACES] = {"dropped_faces", NULL, NULL},
-    [REPORT_BAD_VERTICES] = {"bad_vertices", NULL, NULL},
+    [REPORT_OVERLAPPING] = {"overlapping_faces", ALONE, NULL, NULL},
+    [REPORT_MISCOUNTED] = {"miscounted_triangles", ALONE, NULL, NULL},
+    [REPORT_SWAPPED] = {"big_endian_triangles", HABITS, "triangle in big-endian order",
+                        "triangles in big-endian order"},
+    [REPORT_UNENDED] = {"unended_solids", HABITS, "solid without endsolid",
+                        "solids without endsolid"},
+    [REPORT_UNKNOWN_LINES] = {"unknown_header_lines", HABITS, "header line that is no PLY keyword",
+                              "header lines that are no PLY keywords"},
+    [REPORT_LOOSE_BYTES] = {"loose_bytes", ALONE, NULL, NULL},
+    [REPORT_BAD_FACES] = {"dropped_faces", DROPPED, "face that cannot be traced",
+                          "faces that cannot be traced"},
+    [REPORT_BAD_VERTICES] = {"bad_vertices", DROPPED,
+                             "vertex that is not finite or is beyond +-2^40",
+                             "vertices that are not finite or are beyond +-2^40"},
 };
 
 const char *report_key(report_item item) {
@@ -41,32 +54,23 @@ void report_add_miscount(mesh_report *r, report_miscount more) {
     r->miscount.held += more.held;
 }
 
-/* A list in words: "2 points, 1 normal". */
-typedef struct list {
-    char text[400];
-    size_t used;
-} list;
-
-static void append(list *l, uint64_t count, const char *one, const char *many) {
-    if (count > 0 && l->used < sizeof l->text) {
-        const int n =
-            snprintf(l->text + l->used, sizeof l->text - l->used, "%s%llu %s",
-                     l->used > 0 ? ", " : "", (unsigned long long)count, count == 1 ? one : many);
-        l->used += n > 0 ? (size_t)n : 0;
-    }
+void report_count(const mesh_report *r, report_item item, count_list *to) {
+    count_list_add(to, r->count[item], ITEMS[item].one, ITEMS[item].many);
 }
 
-static int say_left_out(const mesh_report *r, const char *path, fail *to) {
-    list l = {"", 0};
+static int say_group(const mesh_report *r, enum group group, const char *path, fail *to) {
+    static const char *const HEADS[GROUPS] = {
+        [LEFT_OUT] = "left out", [HABITS] = "read whole in spite of", [DROPPED] = "dropped"};
+    count_list items = {"", 0};
     for (int i = 0; i < REPORT_ITEMS; i++) {
-        if (ITEMS[i].one != NULL) {
-            append(&l, r->count[i], ITEMS[i].one, ITEMS[i].many);
+        if (ITEMS[i].group == group) {
+            report_count(r, (report_item)i, &items);
         }
     }
-    if (l.used > 0) {
-        fail_set(to, path, "left out %s", l.text);
+    if (items.used > 0) {
+        fail_set(to, path, "%s %s", HEADS[group], items.text);
     }
-    return l.used > 0;
+    return items.used > 0;
 }
 
 static int say_overlapping(const mesh_report *r, const char *path, fail *to) {
@@ -98,31 +102,6 @@ static int say_miscount(const mesh_report *r, const char *path, fail *to) {
     return files > 0;
 }
 
-static int say_habits(const mesh_report *r, const char *path, fail *to) {
-    list l = {"", 0};
-    append(&l, r->count[REPORT_SWAPPED], "triangle in big-endian order",
-           "triangles in big-endian order");
-    append(&l, r->count[REPORT_UNENDED], "solid without endsolid", "solids without endsolid");
-    append(&l, r->count[REPORT_UNKNOWN_LINES], "header line that is no PLY keyword",
-           "header lines that are no PLY keywords");
-    if (l.used > 0) {
-        fail_set(to, path, "read whole in spite of %s", l.text);
-    }
-    return l.used > 0;
-}
-
-static int say_dropped(const mesh_report *r, const char *path, fail *to) {
-    list l = {"", 0};
-    append(&l, r->count[REPORT_BAD_FACES], "face that cannot be traced",
-           "faces that cannot be traced");
-    append(&l, r->count[REPORT_BAD_VERTICES], "vertex that is not finite or is beyond +-2^40",
-           "vertices that are not finite or are beyond +-2^40");
-    if (l.used > 0) {
-        fail_set(to, path, "dropped %s", l.text);
-    }
-    return l.used > 0;
-}
-
 static int say_ignored(const mesh_report *r, const char *path, fail *to) {
     const unsigned long long bytes = r->count[REPORT_LOOSE_BYTES];
     if (bytes > 0) {
@@ -142,9 +121,22 @@ static int say_moved(const mesh_report *r, const char *path, fail *to) {
 }
 
 int report_line(const mesh_report *r, unsigned line, const char *path, fail *to) {
-    static int (*const SAY[])(const mesh_report *, const char *, fail *) = {
-        say_left_out, say_overlapping, say_miscount, say_habits,
-        say_dropped,  say_ignored,     say_moved,
-    };
-    return line < sizeof SAY / sizeof SAY[0] ? SAY[line](r, path, to) : -1;
+    switch (line) {
+    case 0:
+        return say_group(r, LEFT_OUT, path, to);
+    case 1:
+        return say_overlapping(r, path, to);
+    case 2:
+        return say_miscount(r, path, to);
+    case 3:
+        return say_group(r, HABITS, path, to);
+    case 4:
+        return say_group(r, DROPPED, path, to);
+    case 5:
+        return say_ignored(r, path, to);
+    case 6:
+        return say_moved(r, path, to);
+    default:
+        return -1;
+    }
 }

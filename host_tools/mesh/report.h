@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "host_tools/base/fail.h"
+#include "host_tools/mesh/count_list.h"
 
 typedef enum report_item {
     /* Left out, as nothing traces it. */
@@ -56,6 +57,9 @@ void report_add_miscount(mesh_report *r, report_miscount more);
 
 /* The words of the item as a key: "small_faces". */
 const char *report_key(report_item item);
+
+/* Adds one item to a list, if there is any: of those that are left out, or dropped. */
+void report_count(const mesh_report *r, report_item item, count_list *to);
 
 /* Writes the sentence number `line` about the file `path`: 0 when there is none for it, -1
  * when there are no more, else 1. Count `line` from 0. */

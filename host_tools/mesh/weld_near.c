@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "host_tools/mesh/near_grid.h"
+#include "host_tools/mesh/position.h"
 
 static const double SUGGEST_MOST = 1e-4; /* of the longest side */
 enum { SUGGEST_TRIES = 4 };              /* each a tenth of the one before */
@@ -17,7 +18,7 @@ static int is_collapsed(const mesh *m, size_t triangle) {
     for (size_t k = 0; k < 3; k++) {
         const float *p = m->vertex + 3 * (size_t)m->triangle[3 * triangle + k];
         const float *q = m->vertex + 3 * (size_t)m->triangle[3 * triangle + (k + 1) % 3];
-        collapsed |= p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+        collapsed |= positions_are_equal(p, q);
     }
     return collapsed;
 }
@@ -89,18 +90,16 @@ int weld_near(mesh *m, size_t first, size_t end, double distance, weld_near_resu
 
 /* ---- a distance that helps ------------------------------------------------------------------ */
 
-static double longest_side(const mesh *m, size_t first, size_t end) {
-    double longest = 0;
-    for (size_t axis = 0; axis < 3; axis++) {
-        double low = HUGE_VAL, high = -HUGE_VAL;
-        for (size_t i = 3 * first; i < 3 * end; i++) {
+static double size_of(const mesh *m, size_t first, size_t end) {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 3 * first; i < 3 * end; i++) {
+        for (size_t axis = 0; axis < 3; axis++) {
             const double x = (double)m->vertex[3 * (size_t)m->triangle[i] + axis];
-            low = fmin(low, x);
-            high = fmax(high, x);
+            low[axis] = fmin(low[axis], x);
+            high[axis] = fmax(high[axis], x);
         }
-        longest = fmax(longest, high - low);
     }
-    return longest;
+    return longest_side(low, high);
 }
 
 static int is_too_dense(const near_grid *g) {
@@ -172,7 +171,7 @@ static int try_distance(const mesh *m, size_t first, size_t end, double distance
 int weld_near_suggest(const mesh *m, size_t first, size_t end, const open_edges *o,
                       double *distance, uint64_t *left) {
     double gap = 0;
-    const double most = SUGGEST_MOST * longest_side(m, first, end);
+    const double most = SUGGEST_MOST * size_of(m, first, end);
     *distance = 0;
     *left = o->count;
     if (o->count == 0 || !(most > 0)) {

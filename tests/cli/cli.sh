@@ -183,6 +183,43 @@ hits() {
     paste hits.floats hits.numbers | awk '{ print $1, $2, $3, $8 }'
 }
 
+# seams FILE: an ASCII STL of a tetrahedron, three sides with 17 digits and its base with 6.
+seams() {
+    {
+        echo 'solid a'
+        for side in "0.33333334326744079 0 0|0 0.66666668653488159 0|0 0 1" \
+            "0 0.66666668653488159 0|0 0 0|0 0 1" "0 0 0|0.33333334326744079 0 0|0 0 1" \
+            "0 0 0|0 0.666667 0|0.333333 0 0"; do
+            echo 'facet normal 0 0 0 outer loop'
+            echo "$side" | tr '|' '\n' | sed 's/^/vertex /'
+            echo 'endloop endfacet'
+        done
+        echo 'endsolid a'
+    } >"$1"
+}
+
+# all_kinds FILE: an OBJ of a square and whatever else one can hold.
+all_kinds() {
+    cat >"$1" <<'END'
+mtllib x.mtl
+v 0 0 0 1 0 0
+v 1 0 0 0 1 0
+v 1 1 0 0 0 1
+v 0 1 0
+vn 0 0 1
+vt 0 0
+vt 1 0
+usemtl red
+f 1 2 3
+f 1 3 4
+f 1 2
+p 1
+l 1 2
+l 2 3
+curv 0 1 1 2
+END
+}
+
 # quad FILE: two triangles that are the unit square of z = 0, number 0 below
 # the diagonal and number 1 above it.
 quad() {

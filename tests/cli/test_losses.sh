@@ -19,26 +19,11 @@ border='the surface has holes or a border'
 
 # ---- left out ---------------------------------------------------------------------
 
-cat >all.obj <<'END'
-mtllib x.mtl
-v 0 0 0 1 0 0
-v 1 0 0 0 1 0
-v 1 1 0 0 0 1
-v 0 1 0
-vn 0 0 1
-vt 0 0
-vt 1 0
-usemtl red
-f 1 2 3
-f 1 3 4
-p 1
-l 1 2
-l 2 3
-curv 0 1 1 2
-END
+all_kinds all.obj
 run pack all.obj -o all.plt --json all.json
 says "points, lines, curves, colours, normals, texture coordinates and materials are counted" \
-    "all.obj: left out 1 point, 2 lines, 1 curve or free-form surface, 3 colours, 1 normal, 2 \
+    "all.obj: left out 1 face of fewer than 3 corners, 1 point, 2 lines, 1 curve or free-form \
+surface, 3 colours, 1 normal, 2 \
 texture coordinates, 1 use of a material" \
     "all.obj: 4 open edges: $border"
 verdict "... also in --json" "$(
@@ -144,18 +129,7 @@ verdict "... and --centre places it first" "$(grep single err)"
 
 # ---- seams ------------------------------------------------------------------------------
 
-# A tetrahedron's three sides with 17 digits and its base with 6.
-{
-    echo 'solid a'
-    for side in "0.33333334326744079 0 0|0 0.66666668653488159 0|0 0 1" \
-        "0 0.66666668653488159 0|0 0 0|0 0 1" "0 0 0|0.33333334326744079 0 0|0 0 1" \
-        "0 0 0|0 0.666667 0|0.333333 0 0"; do
-        echo 'facet normal 0 0 0 outer loop'
-        echo "$side" | tr '|' '\n' | sed 's/^/vertex /'
-        echo 'endloop endfacet'
-    done
-    echo 'endsolid a'
-} >seams.stl
+seams seams.stl
 run pack seams.stl -o seams.plt
 says "open edges that all but meet name a distance" \
     "seams.stl: 6 open edges, some of which all but meet; use pack --weld 2e-06 to close 6"
