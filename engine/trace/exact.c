@@ -6,7 +6,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/exact.h"
 
-#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -39,13 +38,16 @@ static pair sum(float a, float b) {
 /* A vector of pairs: all high parts, then all low parts. */
 typedef float pair_vector[2][3];
 
-/* (high + low) . (b x c); `low` NULL: high . (b x c) */
-static plt_scaled volume(const float high[3], const float *low, const pair_vector b,
+/* The low parts of a vector of floats. */
+static const float no_low[3];
+
+/* (high + low) . (b x c) */
+static plt_scaled volume(const float high[3], const float low[3], const pair_vector b,
                          const pair_vector c) {
     plt_wide value = {{0}};
     for (unsigned x = 0; x < 3; x++) {
         const unsigned y = x < 2 ? x + 1 : 0, z = y < 2 ? y + 1 : 0;
-        for (unsigned i = 0; i < (low != NULL ? 8u : 4u); i++) {
+        for (unsigned i = 0; i < 8; i++) {
             const float p = i < 4 ? high[x] : low[x], *q = b[i >> 1 & 1u], *r = c[i & 1u];
             plt_wide_add(&value, p, q[y], r[z]);
             plt_wide_add(&value, -p, q[z], r[y]);
@@ -67,7 +69,7 @@ plt_scaled plt_edge_value(const float p[3], const float q[3], const float org[3]
     pair_vector from, edge;
     set_difference(from, p, org);
     set_difference(edge, q, p);
-    return volume(dir, NULL, from, edge);
+    return volume(dir, no_low, from, edge);
 }
 
 float plt_exact_distance(const float corner[3][3], const float org[3], const float dir[3]) {
@@ -76,7 +78,7 @@ float plt_exact_distance(const float corner[3][3], const float org[3], const flo
     set_difference(second, corner[2], corner[0]);
     set_difference(from, corner[0], org);
     plt_scaled t = volume(from[0], from[1], first, second);
-    const plt_scaled along = volume(dir, NULL, first, second);
+    const plt_scaled along = volume(dir, no_low, first, second);
     if (along.mantissa == 0.0f) {
         return 0.0f;
     }
