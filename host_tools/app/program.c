@@ -92,10 +92,8 @@ static int dispatch(const program *p, const char *word, int argc, char **argv) {
 
 int program_main(const program *p, int argc, char **argv) {
     if (standard_open() != 0) {
-        fprintf(
-            stderr,
-            "%s: a standard stream is closed, and there is no /dev/null for it; leave it open\n",
-            p->name);
+        fprintf(stderr, "%s: a standard stream is closed, and / cannot be opened; leave it open\n",
+                p->name);
         return PROGRAM_FAILED;
     }
     files_open();

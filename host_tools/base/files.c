@@ -28,7 +28,7 @@ typedef struct file_table {
 
 static file_table inputs, finished;
 
-static struct stat errors; /* standard error, where it is a regular file */
+static struct stat errors; /* standard error, where it is a regular file or a pipe */
 static int has_errors;
 
 static file_written *outputs;
@@ -39,8 +39,18 @@ static const char *shown(const char *name) {
     return length > NAME_SHOWN ? name + length - NAME_SHOWN : name;
 }
 
-static int fail_same(const char *name, const char *kind, const char *other, fail *f) {
-    return fail_set(f, name, "is the same file as the %s %s; write to another one", kind,
+static const char *kind_of(const struct stat *file) {
+    return S_ISREG(file->st_mode) ? "file" : "pipe";
+}
+
+/* What only one output may write. */
+static int is_exclusive(const struct stat *file) {
+    return S_ISREG(file->st_mode) || S_ISFIFO(file->st_mode) || S_ISSOCK(file->st_mode);
+}
+
+static int fail_same(const char *name, const char *what, const char *kind, const char *other,
+                     fail *f) {
+    return fail_set(f, name, "is the same %s as the %s %s; write to another one", what, kind,
                     shown(other));
 }
 
@@ -104,7 +114,7 @@ static int remember(file_table *t, const struct stat *file, const char *name) {
 /* ---- standard error ------------------------------------------------------------------ */
 
 void files_open(void) {
-    has_errors = fstat(STDERR_FILENO, &errors) == 0 && S_ISREG(errors.st_mode);
+    has_errors = fstat(STDERR_FILENO, &errors) == 0 && is_exclusive(&errors);
 }
 
 static int is_errors(const struct stat *file) {
@@ -112,7 +122,8 @@ static int is_errors(const struct stat *file) {
 }
 
 static int fail_errors(const char *name, fail *f) {
-    return fail_set(f, name, "is the file that standard error goes to; redirect that to another");
+    return fail_set(f, name, "is the %s that standard error goes to; redirect that to another",
+                    kind_of(&errors));
 }
 
 /* The sentence about an input that standard error would be appended to, and all after it, must
@@ -138,7 +149,7 @@ int files_read(int fd, const char *name, fail *f) {
     }
     for (const file_written *w = outputs; w != NULL; w = w->next) {
         if (w->exists && is_same(&w->file, &about)) {
-            return fail_same(name, "output", w->name, f);
+            return fail_same(name, "file", "output", w->name, f);
         }
     }
     return remember(&inputs, &about, name) == 0
@@ -172,25 +183,27 @@ static int check(const file_written *w, fail *f) {
     const char *input = w->exists ? name_in(&inputs, &w->file) : NULL;
     const char *output = w->exists ? name_in(&finished, &w->file) : NULL;
     if (input != NULL) {
-        return fail_same(w->name, "input", input, f);
+        return fail_same(w->name, "file", "input", input, f);
     }
     for (const file_written *other = outputs; other != NULL; other = other->next) {
         if (collide(w, other)) {
-            return fail_same(w->name, "output", other->name, f);
+            return fail_same(w->name, w->exists ? kind_of(&w->file) : "file", "output", other->name,
+                             f);
         }
     }
     if (output != NULL && strcmp(output, w->name) != 0) { /* the same name: it is meant */
-        return fail_same(w->name, "output", output, f);
+        return fail_same(w->name, "file", "output", output, f);
     }
     return 0;
 }
 
 int files_write(file_written *w, const char *target, int fd, int is_text, fail *f) {
     w->exists = (target != NULL ? stat(target, &w->file) : fstat(fd, &w->file)) == 0;
-    if (w->exists && !S_ISREG(w->file.st_mode)) {
+    if (w->exists && !is_exclusive(&w->file)) {
         return 0;
     }
-    if (w->exists && is_errors(&w->file) && (target != NULL || !is_text)) {
+    if (w->exists && is_errors(&w->file) &&
+        (!is_text || (target != NULL && S_ISREG(w->file.st_mode)))) {
         return fail_errors(w->name, f);
     }
     if (target != NULL) {

@@ -5,7 +5,8 @@
  *
  * A file is known by its device and inode, not by its name: links and other spellings of
  * a name are found out. An output that does not exist yet is known by its directory and its
- * last name. Only regular files count: devices, terminals and pipes may be shared.
+ * last name. Devices and terminals may be shared; a pipe is for one output, and for messages only
+ * where that is text.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef FILES_H
@@ -26,7 +27,7 @@ typedef struct file_written {
 } file_written;
 
 /* Before anything else: where standard error is a regular file, that is no input and no
- * output. */
+ * output; where it is a pipe, no output but text. */
 void files_open(void);
 
 /* An open file is read, from now on to the end of the program. -1: it is being written, or
@@ -35,7 +36,7 @@ int files_read(int fd, const char *name, fail *f);
 
 /* `w` holds a name and nothing else; `target` is the path that is written, links followed,
  * or NULL: the open file `fd`. -1: it was read, was written, or is being written already. Text
- * on an open file may be where standard error is: so it is at terminals. */
+ * on an open file or a pipe may be where standard error is: so it is at terminals. */
 int files_write(file_written *w, const char *target, int fd, int is_text, fail *f);
 void files_written(file_written *w); /* the end of it; more than once does no harm */
 /* The same, when `target` holds it. */

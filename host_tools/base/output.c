@@ -22,12 +22,15 @@
 #include "host_tools/base/target.h"
 #include "host_tools/base/temporary.h"
 
+static file_written printed; /* standard output, once text is printed to it */
+
 struct output {
     temporary beside; /* without a file: written directly */
     file_written as;
     char *name;     /* as asked for: what failures name */
     char *target;   /* what is renamed over: links followed */
-    int fd, failed; /* `failed`: errno of the first failed write */
+    int fd, failed; /* -1: closed; `failed`: errno of the first failed write */
+    int is_finished;
     size_t used;
     unsigned char buffer[65536];
 };
@@ -116,6 +119,9 @@ static int open_direct(output *o, const struct stat *existing, int is_text, fail
         return fail_set(f, o->name,
                         "is your terminal, on which these bytes are no text; name a file");
     }
+    if (files_write(&o->as, o->name, -1, is_text, f) != 0) {
+        return -1;
+    }
     o->fd = open(o->name, O_WRONLY | O_CLOEXEC);
     return o->fd >= 0 ? 0 : fail_system(f, o->name, "open it for writing", errno);
 }
@@ -129,6 +135,9 @@ static int open_standard(output *o, int is_text, fail *f) {
         return fail_set(f, shown(o->name),
                         "is a terminal, on which these bytes are no text; name a file, or redirect "
                         "it to a file or a program");
+    }
+    if (is_text) { /* it follows what is printed */
+        files_written(&printed);
     }
     if (files_write(&o->as, NULL, STDOUT_FILENO, is_text, f) != 0) {
         return -1;
@@ -145,6 +154,9 @@ static int has_name(const output *o, const struct stat *existing) {
 }
 
 static int open_existing(output *o, const struct stat *existing, int is_text, fail *f) {
+    if (standard_was_closed(existing)) {
+        return fail_system(f, o->name, "write", EBADF);
+    }
     if (S_ISDIR(existing->st_mode)) {
         return fail_set(f, o->name, "is a directory; name a file in it");
     }
@@ -203,6 +215,7 @@ static output *open_any(const char *path, int is_text, fail *f) {
     o->target = NULL;
     o->fd = -1;
     o->failed = 0;
+    o->is_finished = 0;
     o->used = 0;
     o->name = strdup(path);
     if (!o->name) {
@@ -226,13 +239,12 @@ output *output_open_text(const char *path, fail *f) {
 }
 
 int output_print_standard(fail *f) {
-    file_written w = {.name = shown("-")};
+    printed.name = shown("-");
     if (!standard_can_write(STDOUT_FILENO)) {
         return fail_system(f, "-", "write", errno);
     }
-    const int status = files_write(&w, NULL, STDOUT_FILENO, 1, f);
-    files_written(&w);
-    return status;
+    files_written(&printed);
+    return files_write(&printed, NULL, STDOUT_FILENO, 1, f);
 }
 
 static int write_all(output *o, const unsigned char *bytes, size_t count, fail *f) {
@@ -300,15 +312,25 @@ int output_print(output *o, fail *f, const char *format, ...) {
     return written;
 }
 
-int output_commit(output *o, fail *f) {
-    if (o->failed || flush(o, f) != 0) {
-        fail_system(f, o->name, "write", o->failed);
-        output_abandon(o);
-        return -1;
+int output_finish(output *o, fail *f) {
+    if (o->is_finished) {
+        return 0;
     }
-    if (close(o->fd) != 0 && errno != EINTR) {
-        o->fd = -1;
-        fail_system(f, o->name, "finish writing", errno);
+    if (o->failed || flush(o, f) != 0) {
+        return fail_system(f, o->name, "write", o->failed);
+    }
+    const int status = close(o->fd);
+    o->fd = -1;
+    if (status != 0 && errno != EINTR) {
+        o->failed = errno;
+        return fail_system(f, o->name, "finish writing", errno);
+    }
+    o->is_finished = 1;
+    return 0;
+}
+
+int output_commit(output *o, fail *f) {
+    if (output_finish(o, f) != 0) {
         output_abandon(o);
         return -1;
     }

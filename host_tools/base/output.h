@@ -25,11 +25,15 @@ output *output_open(const char *path, fail *f);
 output *output_open_text(const char *path, fail *f);
 int output_write(output *o, const void *bytes, size_t count, fail *f);
 int output_print(output *o, fail *f, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Writes the rest and closes the file, so that only its name is missing: of two outputs both are
+ * finished before one is committed. */
+int output_finish(output *o, fail *f);
 int output_commit(output *o, fail *f); /* frees `o`, also on failure */
 void output_abandon(output *o);        /* frees `o`; NULL is allowed */
 
-/* Before text is printed to stdout: -1 when that is closed, or redirected to a file that is
- * read or written otherwise. */
+/* Before text is printed to stdout: -1 when that is closed, or redirected to a file or a pipe
+ * that is read or written otherwise. From then on nothing but text, as "-",
+ * may go there. */
 int output_print_standard(fail *f);
 
 #endif

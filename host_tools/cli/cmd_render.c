@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "board/hash.h"
 #include "engine/base/bytes.h"
@@ -162,10 +163,19 @@ static int show(const picture *p, fail *f) {
     return 0;
 }
 
+/* Statistics are finished before the picture gets its name; on standard output they come behind
+ * the drawing. */
+static int write_all(rendering *r, fail *f) {
+    const int has_stats = r->stats_out != NULL;
+    if ((has_stats && write_stats(r, r->stats_out, f) != 0) ||
+        (has_stats && strcmp(r->to.json, "-") != 0 && output_finish(r->stats_out, f) != 0)) {
+        return -1;
+    }
+    return commit_output(&r->picture_out, f);
+}
+
 static int run_all(rendering *r, args *a, fail *f) {
-    if (open_all(r, a, f) != 0 || render_frames(r, f) != 0 ||
-        (r->stats_out != NULL && write_stats(r, r->stats_out, f) != 0) ||
-        commit_output(&r->picture_out, f) != 0) {
+    if (open_all(r, a, f) != 0 || render_frames(r, f) != 0 || write_all(r, f) != 0) {
         return -1;
     }
     if (r->to.show && show(&r->shown, f) != 0) {

@@ -148,7 +148,8 @@ static int open_all(tracing *t, args *a, const char *json, fail *f) {
 
 static int write_all(tracing *t, fail *f) {
     if (write_hits(t, t->hits_out, f) != 0 ||
-        (t->stats_out != NULL && write_stats(t, t->stats_out, f) != 0)) {
+        (t->stats_out != NULL &&
+         (write_stats(t, t->stats_out, f) != 0 || output_finish(t->stats_out, f) != 0))) {
         return -1;
     }
     const int hits = output_commit(t->hits_out, f);

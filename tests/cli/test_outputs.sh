@@ -144,6 +144,40 @@ status=$?
 verdict "... but text and errors may" "$(
     [ "$status" -eq 0 ] || cat mixed
     flat_json mixed)"
+# piped SENTENCE NAME WORDS ARGUMENT...: refused, with standard output a pipe; $errors, if set, is
+# where standard error goes.
+piped() {
+    sentence=$1 name=$2 words=$3
+    shift 3
+    {
+        sh -c 'exec "$@" '"${errors:-2>err}" sh "$PLANELET" "$@" </dev/null
+        echo $? >status
+    } | cat >mixed
+    status=$(cat status)
+    [ -z "$errors" ] || cp mixed err
+    verdict "$sentence" "$(
+        refusal "$name" "$words"
+        left_behind)"
+}
+errors='2>&1'
+piped "nor do they in a pipe" "standard output" "is the pipe that standard error goes to;" \
+    pack border.obj -o -
+[ ! -d /proc/self/fd ] || piped "... under another name" /dev/stdout \
+    "is the pipe that standard error goes to;" trace knot.plt ray /dev/stdout
+errors=
+"$PLANELET" info knot.plt --json 2>&1 | cat >mixed
+verdict "... but text and errors may" "$(flat_json mixed)"
+if [ -d /proc/self/fd ]; then
+    same="is the same pipe as the output"
+    piped "two outputs in a pipe" /dev/stdout "$same standard output;" \
+        pack border.obj -o - --json /dev/stdout
+    piped "... the other way round" "standard output" "$same /dev/stdout;" \
+        trace knot.plt ray /dev/stdout --json -
+    piped "... under two names" /dev/fd/1 "$same /dev/stdout;" \
+        trace knot.plt ray /dev/stdout --json /dev/fd/1
+    piped "... and a picture that is drawn" /dev/stdout "$same standard output;" \
+        render knot.plt --show --json /dev/stdout --size 8x8
+fi
 rm -f x.* w.plt log mixed
 
 # ---- no file is written twice ----------------------------------------------------
@@ -193,6 +227,28 @@ for device in /dev/null; do
     works "... a picture, too, under two names" \
         trace knot.plt ray /dev/./null --json $device
 done
+"$PLANELET" render knot.plt -o new.ppm --show --size 8x8 >new.ppm 2>err
+status=$?
+verdict "a picture and its drawing in one file" "$(
+    refusal new.ppm "is the same file as the output standard output;"
+    [ ! -s new.ppm ] || echo "it was written")"
+"$PLANELET" serve knot.plt --emulate 600000 -o new.ppm --show --size 8x8 >new.ppm 2>err
+status=$?
+verdict "... of serve, too" "$(
+    refusal new.ppm "is the same file as the output standard output;"
+    [ ! -s new.ppm ] || echo "it was written")"
+if [ -c /dev/full ]; then
+    for command in "pack quad.ply -o new.ppm" "render knot.plt -o new.ppm --size 8x8" \
+        "trace knot.plt ray new.ppm"; do
+        echo old >new.ppm
+        # shellcheck disable=SC2086
+        refused "$command with statistics that cannot be written" /dev/full "cannot write" \
+            $command --json /dev/full
+        verdict "... leaves what was there" "$(
+            [ "$(cat new.ppm)" = old ] || echo "it was replaced"
+            left_behind)"
+    done
+fi
 works "outputs that are two files" render knot.plt -o new.ppm --json stats --size 8x8
 rm -f new.ppm
 
@@ -236,6 +292,26 @@ for command in "render knot.plt -o -" "render knot.plt --json -" "render knot.pl
     "$PLANELET" $command >&- 2>err
     unclosed "standard output" "$command with standard output closed"
 done
+if [ -d /proc/self/fd ]; then
+    for name in /dev/stdout /dev/fd/1; do
+        for command in "pack quad.ply -o $name" "pack quad.ply -o x.plt --json $name" \
+            "trace knot.plt ray $name" "render knot.plt --json $name"; do
+            # shellcheck disable=SC2086
+            "$PLANELET" $command >&- 2>err
+            unclosed $name "$command with standard output closed"
+        done
+    done
+    "$PLANELET" pack quad.ply -o /dev/stdin <&- >out 2>err
+    unclosed /dev/stdin "pack -o /dev/stdin with standard input closed"
+    "$PLANELET" pack quad.ply -o /dev/stderr 2>&- >out
+    status=$?
+    verdict "pack -o /dev/stderr with standard error closed is no success" "$(
+        [ $status -eq 1 ] || echo "status $status")"
+    "$PLANELET" pack quad.ply -o /dev/null >&- 2>err
+    status=$?
+    verdict "... but -o /dev/null with standard output closed is one" "$(
+        [ $status -eq 0 ] || cat err)"
+fi
 for command in "pack - -o x.plt" "info -" "render - -o x.png" "trace knot.plt - x.hits"; do
     # shellcheck disable=SC2086
     "$PLANELET" $command <&- >out 2>err
