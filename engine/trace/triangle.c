@@ -199,7 +199,7 @@ static int is_coarse(const float weight[3], float error, int positive) {
 RARELY void set_exact_weights(const prepared *t, const plt_group_rays *g, edges *e, unsigned lane) {
     const single ray = single_of(g, lane);
     plt_scaled value[3];
-    int most = INT32_MIN;
+    int most = -447; /* wide.h: no other value is lower */
     for (int c = 0; c < 3; c++) {
         value[c] = exact_weight(t, &ray, c);
         most = value[c].mantissa != 0.0f && value[c].exponent > most ? value[c].exponent : most;

@@ -2,7 +2,7 @@
  *
  * For the few rays that single precision cannot decide. A sum is an integer
  * of 608 bits that counts 2^-447: every product of three finite floats is a multiple of
- * that, and as long as its factors are below 2^60, 2^43 and 2^43, 32 of them fit in.
+ * that, and as long as its factors are below 2^60, 2^43 and 2^43, 64 of them fit in.
  *
  * Source: Kulisch, "Computer arithmetic and validity", 2008 (the long accumulator); the
  * format is ours.

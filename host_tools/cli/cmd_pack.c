@@ -99,17 +99,24 @@ static int moves_vertices(const pack_job *job) {
     return job->compact.lattice_bits > 0 && !job->compact.floats;
 }
 
+static const char *s(uint64_t count) {
+    return count == 1 ? "" : "s";
+}
+
 /* What the lattice cost, and a finer one where triangles were lost. */
-static void say_what_was_lost(const pack_job *job) {
+static void say_what_was_lost(const pack_job *job, const packed *image) {
     const lattice_loss *l = &job->loss;
     fail line = {""};
     fail_set(&line, pack_shown(&job->in.file[0]),
              "lattice of %u bits: vertices moved by up to %.2g of the longest side, %" PRIu64
-             " triangles lost their area (%" PRIu64 " had none), %" PRIu64
-             " positions merged, %" PRIu64 " T-junctions (%" PRIu64 " mended); step %.9g, %" PRIu64
-             " of %" PRIu64 " vertices stayed exactly where they were",
-             (unsigned)l->bits, l->largest_move, l->flat_now, l->flat_before, l->merged,
-             l->t_junctions, l->mended, (double)l->step, l->unmoved, l->vertices);
+             " triangle%s lost %s area (%" PRIu64 " had none), %" PRIu64
+             " position%s merged, %" PRIu64 " T-junction%s (%" PRIu64
+             " mended); step %.9g, %" PRIu64 " of %" PRIu64
+             " vertices stayed exactly where they were%s",
+             (unsigned)l->bits, l->largest_move, l->flat_now, s(l->flat_now),
+             l->flat_now == 1 ? "its" : "their", l->flat_before, l->merged, s(l->merged),
+             l->t_junctions, s(l->t_junctions), l->mended, (double)l->step, l->unmoved, l->vertices,
+             image->info.triangles == 0 ? "; nothing is left to trace" : "");
     fprintf(stderr, "%s%s%s\n", line.text,
             job->compact.build == PLT_BUILD_DEVICE ? "; primitive ids are positions in the image"
                                                    : "",
@@ -157,6 +164,9 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
         status = pack_json_write(job->json_out, &job->in, image,
                                  moves_vertices(job) ? &job->loss : NULL, f);
     }
+    if (status == 0 && job->json_out != NULL) {
+        status = output_finish(job->json_out, f); /* before the other gets its name */
+    }
     if (status == 0) {
         status = output_commit(job->image_out, f);
         job->image_out = NULL;
@@ -192,10 +202,10 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
 }
 
 /* What the picture will lack, for scripts as well. */
-static void say_losses(const pack_job *job) {
+static void say_losses(const pack_job *job, const packed *image) {
     pack_meshes_say(&job->in);
     if (moves_vertices(job)) {
-        say_what_was_lost(job);
+        say_what_was_lost(job, image);
     } else {
         say_what_is_never_hit(&job->in);
     }
@@ -328,7 +338,7 @@ int run_pack(args *a) {
     const double began = clock_seconds();
     const int status = pack_files(&job, a, &image, &f);
     if (status == 0) {
-        say_losses(&job);
+        say_losses(&job, &image);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         fprintf(stderr, "%s\n", f.text);

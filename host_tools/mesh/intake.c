@@ -85,8 +85,8 @@ int intake_vertex(intake *in, const real p[3]) {
     if (!is_valid(p)) {
         if (!in->report->repair) {
             return intake_fail(in,
-                               "the vertex (%g %g %g) is not finite or beyond +-2^40; "
-                               "use pack --repair to drop it",
+                               "the vertex (%g %g %g) is not finite or beyond +-2^40; correct "
+                               "it or its unit, or use pack --repair to drop it",
                                (double)p[0].single, (double)p[1].single, (double)p[2].single);
         }
         if (faces_mark_bad(&in->unresolved, intake_vertices(in)) != 0) {

@@ -193,7 +193,7 @@ static int read_lines(reader *r) {
 }
 
 int obj_is(const input *in) {
-    scan s = scan_begin(in->bytes, in->size);
+    scan s = scan_begin_filled(in->bytes, in->size);
     while ((scan_line_done(&s) || *s.at == '#') && scan_next_line(&s)) {
     }
     return find_known(scan_word(&s)) >= 0;
@@ -202,7 +202,7 @@ int obj_is(const input *in) {
 int obj_read(mesh *m, const input *in, mesh_report *report, fail *f) {
     reader r = {
         .in = intake_begin(m, in->path, report, f),
-        .text = scan_begin(in->bytes, in->size),
+        .text = scan_begin_filled(in->bytes, in->size),
     };
     int result = read_lines(&r);
     if (result == 0) {

@@ -39,6 +39,8 @@ static corner corner_of(const mesh *m, size_t vertex, const double origin[3]) {
 }
 
 /* 1: the edge loses its length. */
+enum { RELATIVE_MOST = 1000000 }; /* edges; beyond, the number says nothing more */
+
 static int add_edge(precision *p, const corner *a, const corner *b) {
     double d[3];
     for (int axis = 0; axis < 3; axis++) {
@@ -49,7 +51,7 @@ static int add_edge(precision *p, const corner *a, const corner *b) {
     }
     const double moved = fmax(a->moved, b->moved);
     p->moved = fmax(p->moved, moved);
-    p->relative = fmax(p->relative, moved / length(d));
+    p->relative = fmax(p->relative, fmin(moved / length(d), RELATIVE_MOST));
     return positions_are_equal(a->single, b->single);
 }
 

@@ -7,7 +7,8 @@
 
 typedef struct precision {
     double moved;      /* greatest distance by which a corner moves */
-    double relative;   /* the same in lengths of an edge that ends there, the greatest such */
+    double relative;   /* the same in lengths of an edge that ends there, the greatest
+                        * such, at most a million */
     uint64_t vanished; /* triangles an edge of which loses its length */
 } precision;
 

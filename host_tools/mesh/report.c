@@ -114,8 +114,8 @@ static int say_moved(const mesh_report *r, const char *path, fail *to) {
     if (r->moved > REPORT_MOVED_MOST) {
         fail_set(to, path,
                  "single precision moved corners by up to %.2g of an edge before their meshes were "
-                 "placed, and %llu triangles lost an edge; use pack --centre to place them first",
-                 r->moved, (unsigned long long)r->vanished);
+                 "placed, and %llu triangle%s lost an edge; use pack --centre to place them first",
+                 r->moved, (unsigned long long)r->vanished, r->vanished == 1 ? "" : "s");
     }
     return r->moved > REPORT_MOVED_MOST;
 }

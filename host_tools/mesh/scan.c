@@ -12,6 +12,21 @@ scan scan_begin(const unsigned char *bytes, size_t size) {
     return (scan){.at = bytes + mark, .end = bytes + size, .line = 1};
 }
 
+int byte_is_filler(unsigned char c) {
+    return c == 0 || c == 0x1a;
+}
+
+scan scan_begin_filled(const unsigned char *bytes, size_t size) {
+    const unsigned char *first = bytes, *last = bytes + size;
+    while (first < last && byte_is_filler(*first)) {
+        first++;
+    }
+    while (last > first && byte_is_filler(last[-1])) {
+        last--;
+    }
+    return scan_begin(first, (size_t)(last - first));
+}
+
 static int is_blank(unsigned char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }

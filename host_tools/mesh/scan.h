@@ -22,7 +22,14 @@ typedef struct word {
     size_t length;    /* 0: the line has no more words */
 } word;
 
-scan scan_begin(const unsigned char *bytes, size_t size); /* skips an UTF-8 mark */
+/* The text begins behind an UTF-8 mark. */
+scan scan_begin(const unsigned char *bytes, size_t size);
+
+/* Zero bytes, and 0x1A, with which old systems ended a text: they may fill a file up. */
+int byte_is_filler(unsigned char c);
+
+/* The same without fillers around it. */
+scan scan_begin_filled(const unsigned char *bytes, size_t size);
 
 int scan_line_done(scan *s); /* skips blanks; 1 at the line's or text's end */
 int scan_next_line(scan *s); /* 0: there is none */

@@ -46,24 +46,12 @@ static int has_counted_size(const input *in) {
     return in->size >= HEADER_BYTES && in->size == counted_bytes(in);
 }
 
-static int is_filler(unsigned char c) {
-    return c == 0 || c == 0x1a;
-}
-
 static int is_control(unsigned char c) {
     return (c < 0x20 && !(c >= '\t' && c <= '\r')) || c == 0x7f;
 }
 
-/* The text, without fillers around it. */
 static scan text_of(const input *in) {
-    const unsigned char *first = in->bytes, *last = in->bytes + in->size;
-    while (first < last && is_filler(*first)) {
-        first++;
-    }
-    while (last > first && is_filler(last[-1])) {
-        last--;
-    }
-    return scan_begin(first, (size_t)(last - first));
+    return scan_begin_filled(in->bytes, in->size);
 }
 
 /* Of its first bytes at most one of 32 is a control byte. A binary file has more: three of
@@ -88,7 +76,7 @@ static void find_next(scan *s, int around) {
             if (!scan_next_line(s)) {
                 return;
             }
-        } else if (around && is_filler(*s->at)) {
+        } else if (around && byte_is_filler(*s->at)) {
             s->at++;
         } else {
             return;
@@ -100,7 +88,7 @@ static void find_next(scan *s, int around) {
 static word read_word(scan *s) {
     const word w = scan_word(s);
     size_t length = w.length > 0;
-    while (length < w.length && !is_filler((unsigned char)w.text[length])) {
+    while (length < w.length && !byte_is_filler((unsigned char)w.text[length])) {
         length++;
     }
     s->at -= w.length - length;
@@ -237,10 +225,11 @@ static int count_with_loose_bytes(reader *r, const input *in, uint64_t *triangle
                         asked, loose);
     }
     if (!r->in.report->repair) {
-        return fail_set(r->in.f, in->path,
-                        "byte 80: the count says %llu triangles, but the file holds %llu and %llu "
-                        "bytes more; use pack --repair to read what it holds",
-                        counted, held, loose);
+        return fail_set(
+            r->in.f, in->path,
+            "byte 80: its count of triangles says %llu, but the file holds %llu and %llu "
+            "bytes more; use pack --repair to read what it holds",
+            counted, held, loose);
     }
     *triangles = held;
     note_miscount(r, counted, held);

@@ -51,9 +51,11 @@ no display is plugged in (%u HID devices; --all lists them) | no failure, and li
 is a Blender file; export it from there as PLY, OBJ or STL | needs Blender
 ; primitive ids are positions in the image | says what is the case
 . The licence is that of the meshes; planelet adds none. | likewise, in the head of a C array
-lattice of %u bits: vertices moved by up to %.2g of the longest side, %llu triangles lost their \
-area (%llu had none), %llu positions merged, %llu T-junctions (%llu mended); step %.9g, %llu of \
-%llu vertices stayed exactly where they were | likewise; its remedy stands apart
+lattice of %u bits: vertices moved by up to %.2g of the longest side, %llu triangle%s lost %s \
+area (%llu had none), %llu position%s merged, %llu T-junction%s (%llu mended); step %.9g, %llu of \
+%llu vertices stayed exactly where they were%s | likewise; its remedy stands apart
+; nothing is left to trace | likewise
+%s: a standard stream is closed, and / cannot be opened; leave it open | / can always be opened here
 serve: %u frames in %.2f s, image of %u bytes; reports %u out, %u in, %u lost, %u late, %u bad; \
 %u bytes of tiles, %u tiles, %u sessions | statistics
 "

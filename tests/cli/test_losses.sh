@@ -177,6 +177,22 @@ says "--repair counts faces, not triangles" \
 +-2^40" \
     "repair.obj: 3 open edges: $border"
 
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >flat.obj
+run pack flat.obj -o flat.plt --nodes compact
+verdict "a mesh of which nothing is left on the lattice" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    grep -q ' 0 triangles lost their area (1 had none).*; nothing is left to trace$' err ||
+        cat err)"
+printf '\0\0v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\032\032\0\0\0' >filled.obj
+run pack filled.obj -o filled.plt
+says "an OBJ with fillers around it" "filled.obj: 3 open edges: $border"
+run info filled.plt
+verdict "... is read whole" "$(grep -q '^triangles  *1$' out || cat out)"
+run pack filled.obj -o filled.plt --nodes compact
+run info filled.plt
+verdict "... and has one triangle in compact nodes, too" "$(
+    grep -q '; 1 of 1 triangles kept their area$' out || cat out)"
+
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\nF 1 2 3\ncall x\n' >old.obj
 run pack old.obj -o old.plt
 says "an OBJ with fo, and lines that nothing reads" \

@@ -38,8 +38,10 @@ again() {
 
 for wrong in 's/^1 0 0$/1 nan 0/' 's/^1 0 0$/-inf 0 0/' 's/^1 0 0$/1e30 0 0/'; do
     bad quad.ply "$wrong"
-    refused_as "the vertex (%g %g %g) is not finite or beyond +-2^40; use pack --repair to drop it"
+    refused_as "the vertex (%g %g %g) is not finite or beyond +-2^40; correct it or its unit, or \
+use pack --repair to drop it"
     packs 1 bad.ply --repair
+    mended 's/^1 nan 0$/1 1 0/; s/^-inf 0 0$/1 0 0/; s/^1e30 0 0$/1 0 0/'
 done
 for wrong in 's/^3 0 2 3$/3 0 2 4/' 's/^3 0 2 3$/3 0 -1 3/'; do
     bad quad.ply "$wrong"
@@ -219,7 +221,7 @@ warns "use pack --centre to move the mesh to the origin first" far.obj
 quiet far.obj --centre
 echo 'far.obj 10 0 0 0' >far.txt
 warns "single precision moved corners by up to %.2g of an edge before their meshes were placed, \
-and %llu triangles lost an edge; use pack --centre to place them first" far.txt
+and %llu triangle%s lost an edge; use pack --centre to place them first" far.txt
 quiet far.txt --centre
 printf 'v %s.1 4500000.3 0\n' 500000 500001 >part.obj
 printf 'v 500001.1 4500000.7 1\nf 1 2 3\n' >>part.obj

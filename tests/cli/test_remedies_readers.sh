@@ -15,7 +15,7 @@ triangle() {
 }
 { head -c 80 /dev/zero; printf '\2\0\0\0'; triangle 1 0; triangle 1 1; } >two.stl
 { head -c 80 two.stl; printf '\0\0\0\0'; tail -c +85 two.stl; printf 'abc'; } >bad.stl
-says "byte 80: the count says %llu triangles, but the file holds %llu and %llu bytes more; use \
+says "byte 80: its count of triangles says %llu, but the file holds %llu and %llu bytes more; use \
 pack --repair to read what it holds" pack bad.stl -o x.plt
 packs 2 bad.stl --repair
 head -c 84 bad.stl >part.stl

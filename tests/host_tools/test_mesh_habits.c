@@ -224,7 +224,7 @@ static void stl_with_loose_bytes(void) {
     blob b = binary(0, 2, 0);
     put(&b, "abc", 3);
     must_fail_blob(STL, &b,
-                   "byte 80: the count says 0 triangles, but the file holds 2 and 3 bytes more; "
+                   "byte 80: its count of triangles says 0, but the file holds 2 and 3 bytes more; "
                    "use pack --repair to read what it holds");
     mesh m = {0};
     mesh_report r = {.repair = 1};

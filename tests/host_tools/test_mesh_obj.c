@@ -122,7 +122,7 @@ static void refuses(void) {
                    "use pack --repair to drop it");
     must_fail_text(FILE_NAME, "v 0 0 0\nv 0 1e13 0\n",
                    "line 2: the vertex (0 1e+13 0) is not finite or beyond +-2^40; "
-                   "use pack --repair to drop it");
+                   "correct it or its unit, or use pack --repair to drop it");
     must_fail_text(FILE_NAME, "hello\nworld\n",
                    "line 2: no line up to here is one of OBJ; check the file's format");
     must_fail_text(FILE_NAME, THREE "\x01\x02\n",

@@ -316,7 +316,8 @@ static void refuses_headers(void) {
                    "line 3: 'face' has no list vertex_indices; rename one");
 }
 
-#define BAD_TAIL "is not finite or beyond +-2^40; use pack --repair to drop it"
+#define BAD_TAIL                                                                                   \
+    "is not finite or beyond +-2^40; correct it or its unit, or use pack --repair to drop it"
 
 static void refuses_bad_vertices(void) {
     test("A vertex that is not finite or too large is refused where it stands");

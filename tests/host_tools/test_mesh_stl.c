@@ -148,10 +148,10 @@ static void refuses_bad_vertices(void) {
     const blob b = binary("", 2, (const float(*)[9])triangle, 2);
     must_fail_blob(FILE_NAME, &b,
                    "triangle 1 at byte 134: the vertex (1 inf 0) is not finite or beyond +-2^40; "
-                   "use pack --repair to drop it");
+                   "correct it or its unit, or use pack --repair to drop it");
     must_fail_text(FILE_NAME, "solid\n" FACET("0 0 0", "1e20 0 0", "0 1 0") "endsolid\n",
                    "line 5: the vertex (1e+20 0 0) is not finite or beyond +-2^40; "
-                   "use pack --repair to drop it");
+                   "correct it or its unit, or use pack --repair to drop it");
 }
 
 static void refuses_ascii(void) {
