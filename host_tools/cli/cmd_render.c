@@ -29,6 +29,7 @@ static const arg_flag flags[] = {
      "default eyelight"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
+    {"--repeat", "N", "render all that N times, report the best time; 1 to 1000000 (default 1)"},
     DESTINATION_CHROMA_FLAG,
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
@@ -54,14 +55,15 @@ typedef struct rendering {
     plt_frame frame;
     picture shown;
     destination to;
-    unsigned frames;
+    unsigned frames, repeat;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
-    double seconds;   /* in the engine */
+    double seconds;   /* in the engine, of the best run: from the first ray to the last tile */
 } rendering;
 
-static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
+/* `done` rows are there already. Adds to `seconds`. */
+static int render_frame(rendering *r, progress *bar, uint64_t done, double *seconds, fail *f) {
     const double began = clock_processor_seconds();
     int status = plt_render_begin(r->s.engine, &r->frame); /* view_refused has not refused it */
     if (status != PLT_OK) {
@@ -70,26 +72,44 @@ static int render_frame(rendering *r, progress *bar, unsigned number, fail *f) {
     while ((status = plt_render_step(r->s.engine, FRAME_STEP_VISITS)) > PLT_OK) {
         if (status == PLT_TILE) {
             const unsigned rows = frame_copy_tile(r->s.engine, &r->shown);
-            progress_show(bar, (uint64_t)number * r->frame.height + rows);
+            progress_show(bar, done + rows);
         }
     }
-    r->seconds += clock_processor_seconds() - began;
-    r->hash = hash_update(r->hash, r->shown.rgb, 3 * (size_t)r->shown.width * r->shown.height);
+    *seconds += clock_processor_seconds() - began;
     return status == PLT_OK ? 0 : fail_set(f, "engine", "status %d; please report this", status);
+}
+
+static int keep_frame(rendering *r, fail *f) {
+    r->hash = hash_update(r->hash, r->shown.rgb, 3 * (size_t)r->shown.width * r->shown.height);
+    return r->picture_out == NULL ? 0 : picture_frame(r->picture_out, r->to.format, &r->shown, f);
+}
+
+/* All frames once: the first run's are kept. */
+static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
+    double seconds = 0.0;
+    int status = 0;
+    plt_stats_reset(r->s.engine);
+    for (unsigned i = 0; i < r->frames && status == 0; i++) {
+        const uint64_t before = (uint64_t)run * r->frames + i;
+        r->frame.camera = r->first;
+        if (i > 0) {
+            view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
+        }
+        status = render_frame(r, bar, before * r->frame.height, &seconds, f);
+        if (status == 0 && run == 0) {
+            status = keep_frame(r, f);
+        }
+    }
+    r->seconds = run == 0 || seconds < r->seconds ? seconds : r->seconds;
+    return status;
 }
 
 static int render_frames(rendering *r, fail *f) {
     progress bar;
     int status = 0;
-    progress_begin(&bar, "rendering", (uint64_t)r->frames * r->frame.height);
-    for (unsigned i = 0; i < r->frames && status == 0; i++) {
-        if (i > 0) {
-            view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
-        }
-        status = render_frame(r, &bar, i, f);
-        if (status == 0 && r->picture_out != NULL) {
-            status = picture_frame(r->picture_out, r->to.format, &r->shown, f);
-        }
+    progress_begin(&bar, "rendering", (uint64_t)r->repeat * r->frames * r->frame.height);
+    for (unsigned i = 0; i < r->repeat && status == 0; i++) {
+        status = render_run(r, &bar, i, f);
     }
     progress_end(&bar);
     return status;
@@ -191,6 +211,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.height = (uint16_t)height;
     r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
+    r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
     r->s.spare_bytes =

@@ -89,6 +89,7 @@ for command in "render quad.plt -o x.ppm" "trace quad.plt ray x.hits"; do
     }
 done
 range --repeat "1 to 1000000" "0 1 1000000 1000001" trace quad.plt ray x.hits
+range --repeat "1 to 1000000" "0 1 1000 1000001" render quad.plt -o x.ppm --size 1x1
 range --orbit "1 to 100000" "0 1 100000 100001" render quad.plt -o x.y4m --size 1x1
 range --size "1 to 32768" "0x1 1x32768 32768x1 32769x1" render quad.plt -o x.png
 misused "render --size 1x32769 is out of range" --size render quad.plt -o x.png --size 1x32769

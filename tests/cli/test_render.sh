@@ -250,4 +250,16 @@ verdict "... are all there" "$(
     sed -n '/^{$/,$p' out >stats
     # shellcheck disable=SC2086
     flat_json stats $fields)"
+
+# ---- several runs ------------------------------------------------------------
+
+works "render --repeat" render knot.plt -o often.y4m --size 40x30 --orbit 3 --repeat 4 --json often
+run render knot.plt -o once.y4m --size 40x30 --orbit 3 --json once
+same often.y4m once.y4m "... gives the same film"
+verdict "... and the same statistics, but for the time" "$(
+    grep -v 'seconds\|mrays' once >expected
+    grep -v 'seconds\|mrays' often | diff expected -)"
+verdict "... whose best time is not all of them" "$(
+    awk -v often="$(number seconds <often)" -v once="$(number seconds <once)" 'BEGIN {
+        if (!(often > 0) || often > 3 * once) print often " s, once " once " s" }')"
 finish

@@ -52,7 +52,7 @@ flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometr
     --step --numbers --reduce --frame --centre --origin --weld --repair --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --orbit --chroma --json $view_flags $scene_flags
+flags render -o --show --size --shader --orbit --repeat --chroma --json $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --repeat --json $scene_flags
 
@@ -111,7 +111,7 @@ done
 for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=-5x5 --size=x \
     --chroma=422 --chroma= \
     --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
-    --fov=-5 --fov=x --shader=toon --orbit=0; do
+    --fov=-5 --fov=x --shader=toon --orbit=0 --repeat=0; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
 done
 misused "trace refuses --repeat 0" --repeat trace quad.plt rays x --repeat 0
