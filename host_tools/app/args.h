@@ -49,6 +49,8 @@ const char *args_text(const args *a, const char *flag, const char *otherwise);
 /* Each refuses a value that is out of range through args_complain. */
 uint64_t args_number(args *a, const char *flag, uint64_t otherwise, uint64_t least, uint64_t most);
 unsigned args_choice(args *a, const char *flag, const char *const *words, unsigned otherwise);
+/* Words separated by commas, each one of `words`: a set of bits, bit i for words[i]. */
+unsigned args_set(args *a, const char *flag, const char *const *words, unsigned otherwise);
 int args_floats(args *a, const char *flag, float *values, unsigned count); /* 1: given */
 int args_doubles(args *a, const char *flag, double *values, unsigned count);
 /* WIDTHxHEIGHT, each side 1 to `most`. */

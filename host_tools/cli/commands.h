@@ -7,12 +7,13 @@
 #include "host_tools/app/args.h"
 
 extern const arg_command command_pack, command_info, command_render, command_trace, command_make;
-extern const arg_command command_serve;
+extern const arg_command command_serve, command_bench;
 int run_pack(args *a);
 int run_info(args *a);
 int run_render(args *a);
 int run_trace(args *a);
 int run_make(args *a);
 int run_serve(args *a);
+int run_bench(args *a);
 
 #endif

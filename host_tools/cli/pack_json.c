@@ -5,34 +5,7 @@
 
 #include <inttypes.h>
 
-/* Bytes of the UTF-8 character at `c`, in a text that a zero byte ends: 0 when it is none. */
-static size_t character_bytes(const unsigned char *c) {
-    const size_t bytes = c[0] < 0x80 ? 1 : c[0] < 0xC2 ? 0 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
-    for (size_t i = 1; i < bytes; i++) {
-        if (c[i] >> 6 != 2) {
-            return 0;
-        }
-    }
-    const int is_wrong = (c[0] == 0xE0 && c[1] < 0xA0) || (c[0] == 0xED && c[1] > 0x9F) ||
-                         (c[0] == 0xF0 && c[1] < 0x90) || (c[0] == 0xF4 && c[1] > 0x8F) ||
-                         c[0] > 0xF4;
-    return is_wrong ? 0 : bytes;
-}
-
-/* Quotes and what JSON does not hold in a string as escapes; a byte that is no UTF-8, which
- * names of files may hold and JSON may not, as U+FFFD. */
-static int write_string(output *o, const char *text, fail *f) {
-    int status = output_print(o, f, "\"");
-    for (const unsigned char *c = (const unsigned char *)text; *c != '\0' && status == 0;) {
-        const size_t bytes = character_bytes(c);
-        status = bytes == 0                ? output_print(o, f, "\\ufffd")
-                 : *c < 0x20 || *c == 0x7f ? output_print(o, f, "\\u%04x", *c)
-                 : *c == '"' || *c == '\\' ? output_print(o, f, "\\%c", *c)
-                                           : output_write(o, c, bytes, f);
-        c += bytes > 0 ? bytes : 1;
-    }
-    return status == 0 ? output_print(o, f, "\"") : -1;
-}
+#include "host_tools/app/json_string.h"
 
 /* Whether a line names --centre. */
 static int centre_would_help(const pack_file *file) {
@@ -43,7 +16,7 @@ static int write_file(output *o, const pack_file *file, fail *f) {
     const uint64_t closed = file->open_distance > 0 ? file->open_edges - file->open_left : 0;
     int status = output_print(o, f, "    {\"file\": ");
     if (status == 0) {
-        status = write_string(o, file->path, f);
+        status = json_write_string(o, file->path, f);
     }
     if (status == 0) {
         status = output_print(o, f, ",\n     \"vertices\": %zu, \"triangles\": %zu", file->vertices,

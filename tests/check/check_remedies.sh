@@ -30,6 +30,7 @@ PLY numbers only 2^31 vertices with int; split the mesh | $size
 %zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; leave some out | $size
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
+hits of %s rays differ between modes; please report this | likewise
 %s; please report this | likewise, of a C array
 %ux%u has more than %d tiles of 16x16; choose a smaller one | likewise: the command looks before
 eye and look coincide, up runs along the view, or one of them is beyond 2^40; change --eye, \

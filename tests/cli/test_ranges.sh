@@ -90,6 +90,10 @@ for command in "render quad.plt -o x.ppm" "trace quad.plt ray x.hits"; do
 done
 range --repeat "1 to 1000000" "0 1 1000000 1000001" trace quad.plt ray x.hits
 range --repeat "1 to 1000000" "0 1 1000 1000001" render quad.plt -o x.ppm --size 1x1
+range --repeat "1 to 1000" "0 1 1000 1001" bench quad.plt --size 1x1 --packets 2
+range --size "1 to 4096" "0x1 1x4096 4096x1 4097x1" bench quad.plt --packets 8 --repeat 1 \
+    --eye 0.5,0.5,9 --look 0.5,0.5,0 --fov 0.01
+misused "bench --size 1x4097 is out of range" --size bench quad.plt --size 1x4097
 range --orbit "1 to 100000" "0 1 100000 100001" render quad.plt -o x.y4m --size 1x1
 range --size "1 to 32768" "0x1 1x32768 32768x1 32769x1" render quad.plt -o x.png
 misused "render --size 1x32769 is out of range" --size render quad.plt -o x.png --size 1x32769

@@ -122,6 +122,18 @@ says "byte %zu: the last ray is cut short (a ray has 32 bytes); write it again" 
 cp ray short
 cured trace ground.plt short x.hits
 
+# ---- measuring: cmd_bench.c, host_tools/app/ray_kinds.c -----------------------------------------
+
+for remedy in '--eye 0,1,8 --look 0,0,0' '--eye 0,1,9 --look 0,0,0'; do
+    says "no primary ray hits it; choose another --eye or --look" \
+        bench ground.plt --size 9x9 --repeat 1 --eye 0,1,9 --look 0,1,99
+    # shellcheck disable=SC2086
+    cured bench ground.plt --size 9x9 --repeat 1 $remedy
+done
+says "no such mode is for its nodes; add --walks depth" \
+    bench compact.plt --size 9x9 --repeat 1 --walks two-stage
+cured bench compact.plt --size 9x9 --repeat 1 --walks two-stage,depth
+
 # ---- links: cmd_serve.c, host_tools/link ----------------------------------------------------
 
 small='-o x.ppm --size 64x48'

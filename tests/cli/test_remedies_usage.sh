@@ -28,6 +28,8 @@ says "%s takes a number from %llu to %llu, not '%s'" pack quad.ply -o x.plt --tr
 packs 2 quad.ply --treelet 1
 says "%s takes %s, not '%s'" pack quad.ply -o x.plt --leaf 3
 packs 2 quad.ply --leaf 4
+says "%s takes %s, several with commas between, not '%s'" bench quad.plt --packets 8,9
+cured bench quad.plt --packets 8,16 --size 9x9
 says "%s takes %u numbers separated by commas, not '%s'" render quad.plt -o x.png --eye 0,0
 cured render quad.plt -o x.png --eye 0,0,3
 says "%s takes WIDTHxHEIGHT, each 1 to %u, not '%s'" render quad.plt -o x.png --size 64

@@ -104,7 +104,7 @@ verdict "an image for a program comes without a hint" "$(
     cat -v seen
     cmp out ground.plt 2>&1)"
 for arguments in "make ground -o x.ply" "pack ground.ply -o x.plt" "render ground.plt -o x.png" \
-    "trace knot.plt ray x.hits" "info ground.plt"; do
+    "trace knot.plt ray x.hits" "bench knot.plt --size 9x9" "info ground.plt"; do
     # shellcheck disable=SC2086
     run $arguments
     verdict "${arguments%% *} says nothing to a script" "$(cat err)"
@@ -211,4 +211,6 @@ verdict "serve shows per cent of each frame that needs long, then erases them" "
     grep '^~' lines | tail -n 1 | grep -q '^~\[K$' || echo "the progress was not wiped")"
 seen err trace none.plt ray hit --repeat 60000
 verdict "a long trace shows per cent, then wipes them" "$(progressed "tracing: [0-9]* %")"
+seen err bench none.plt --kinds random --repeat 20 --size 24x24
+verdict "a long bench likewise" "$(progressed "tracing: [0-9]* %")"
 finish

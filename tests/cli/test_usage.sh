@@ -9,7 +9,7 @@ run pack quad.ply -o quad.plt
 
 works "planelet --help" --help
 verdict "... names every command" "$(
-    for command in make pack info render trace; do
+    for command in make pack info render trace serve bench; do
         grep -q "^  planelet $command " out || echo "not a word about $command"
     done)"
 cp out overview
@@ -55,6 +55,8 @@ flags info --json --packet --walk
 flags render -o --show --size --shader --orbit --repeat --chroma --json $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --repeat --json $scene_flags
+# shellcheck disable=SC2086
+flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags
 
 misused "an unknown command is wrong usage" "'frob'" frob
 misused "help of an unknown command is wrong usage" "'frob'" help frob

@@ -1,0 +1,251 @@
+/* ray_kinds - see ray_kinds.h
+ *
+ * The engine's own frame in colours of the surface's directions says where the normals are:
+ * 8 bits per axis are enough for what has to be random anyway, and any image has them.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/app/ray_kinds.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/shade/camera.h"
+#include "host_tools/app/frame.h"
+
+const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow", "bounce", "random", NULL};
+
+enum { TILE_SIDE = 16 };
+
+/* What the rays are made from. */
+typedef struct making {
+    ray_kinds *to;
+    const plt_info *info;
+    const plt_frame *frame;
+    double diagonal, light[3];
+    uint32_t *pixel; /* of each primary ray: y * width + x */
+    plt_hit *hits;
+    picture normals;
+    uint64_t random;
+} making;
+
+static double random_number(making *m) { /* 0 <= x < 1 */
+    m->random ^= m->random << 13;
+    m->random ^= m->random >> 7;
+    m->random ^= m->random << 17;
+    return (double)(m->random >> 11) * 0x1p-53;
+}
+
+static uint32_t random_below(making *m, uint32_t count) {
+    return (uint32_t)(random_number(m) * count);
+}
+
+static void add(ray_set *s, const double org[3], const double dir[3], float tmax) {
+    plt_ray *ray = &s->rays[s->count++];
+    for (int a = 0; a < 3; a++) {
+        ray->org[a] = (float)org[a];
+        ray->dir[a] = (float)dir[a];
+    }
+    ray->tmin = 0.0f;
+    ray->tmax = tmax;
+}
+
+static void normalise(double v[3]) {
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int a = 0; a < 3 && length > 0.0; a++) {
+        v[a] /= length;
+    }
+}
+
+static void add_primary(making *m, const plt_view *view, uint32_t x, uint32_t y) {
+    ray_set *s = &m->to->of[RAYS_PRIMARY];
+    double org[3], dir[3];
+    for (int a = 0; a < 3; a++) {
+        org[a] = (double)view->eye[a];
+        dir[a] = (double)view->corner[a] + x * (double)view->right[a] + y * (double)view->down[a];
+    }
+    m->pixel[s->count] = y * m->frame->width + x;
+    add(s, org, dir, INFINITY);
+}
+
+static int make_primary(making *m, fail *f) {
+    plt_view view;
+    if (plt_view_set(&view, m->frame) != PLT_OK) {
+        return fail_set(f, "engine", "status %d; please report this", PLT_ERR_ARGUMENT);
+    }
+    for (uint32_t top = 0; top < m->frame->height; top += TILE_SIDE) {
+        for (uint32_t left = 0; left < m->frame->width; left += TILE_SIDE) {
+            for (uint32_t k = 0; k < TILE_SIDE * TILE_SIDE; k++) {
+                const uint32_t x = left + plt_z_order_x(k), y = top + plt_z_order_y(k);
+                if (x < m->frame->width && y < m->frame->height) {
+                    add_primary(m, &view, x, y);
+                }
+            }
+        }
+    }
+    return 0;
+}
+
+static int make_normals(making *m, plt_engine *engine, fail *f) {
+    plt_frame frame = *m->frame;
+    frame.shader = PLT_SHADE_NORMAL;
+    int status = plt_render_begin(engine, &frame);
+    while (status >= PLT_OK && (status = plt_render_step(engine, FRAME_STEP_VISITS)) > PLT_OK) {
+        if (status == PLT_TILE) {
+            frame_copy_tile(engine, &m->normals);
+        }
+    }
+    return status == PLT_OK ? 0 : fail_set(f, "engine", "status %d; please report this", status);
+}
+
+/* Of unit length, to the side from which the ray comes. */
+static void normal_at(const making *m, uint32_t pixel, double normal[3]) {
+    for (int a = 0; a < 3; a++) {
+        normal[a] = m->normals.rgb[3 * (size_t)pixel + (size_t)a] / 127.5 - 1.0;
+    }
+    normalise(normal);
+}
+
+/* Malley: points of a disc, of equal density, moved up to the half sphere. */
+static void cosine_direction(making *m, const double normal[3], double dir[3]) {
+    double x, y, side[3], over[3];
+    do {
+        x = 2.0 * random_number(m) - 1.0;
+        y = 2.0 * random_number(m) - 1.0;
+    } while (x * x + y * y >= 1.0);
+    const int least = fabs(normal[0]) < fabs(normal[1])
+                          ? (fabs(normal[0]) < fabs(normal[2]) ? 0 : 2)
+                          : (fabs(normal[1]) < fabs(normal[2]) ? 1 : 2);
+    const int b = (least + 1) % 3, c = (least + 2) % 3;
+    side[least] = 0.0;
+    side[b] = -normal[c];
+    side[c] = normal[b];
+    normalise(side);
+    for (int a = 0; a < 3; a++) {
+        const int next = (a + 1) % 3, last = (a + 2) % 3;
+        over[a] = normal[next] * side[last] - normal[last] * side[next];
+    }
+    for (int a = 0; a < 3; a++) {
+        dir[a] = x * side[a] + y * over[a] + sqrt(1.0 - x * x - y * y) * normal[a];
+    }
+}
+
+static void make_secondary(making *m) {
+    const ray_set *primary = &m->to->of[RAYS_PRIMARY];
+    for (uint32_t i = 0; i < primary->count; i++) {
+        if (m->hits[i].triangle == PLT_MISS) {
+            continue;
+        }
+        double normal[3], org[3], to_light[3], dir[3];
+        normal_at(m, m->pixel[i], normal);
+        for (int a = 0; a < 3; a++) {
+            const plt_ray *ray = &primary->rays[i];
+            org[a] = (double)ray->org[a] + (double)m->hits[i].t * (double)ray->dir[a] +
+                     1e-4 * m->diagonal * normal[a];
+            to_light[a] = m->light[a] - org[a];
+        }
+        add(&m->to->of[RAYS_SHADOW], org, to_light, 1.0f);
+        cosine_direction(m, normal, dir);
+        add(&m->to->of[RAYS_BOUNCE], org, dir, INFINITY);
+    }
+}
+
+/* Fisher and Yates. */
+static void shuffle(making *m, ray_set *s) {
+    for (uint32_t i = s->count; i > 1; i--) {
+        const uint32_t k = random_below(m, i);
+        const plt_ray ray = s->rays[i - 1];
+        s->rays[i - 1] = s->rays[k];
+        s->rays[k] = ray;
+    }
+}
+
+/* Sides are 0 .. 5: an axis, and which end of it. */
+static void random_point(making *m, uint32_t side, double point[3]) {
+    for (unsigned a = 0; a < 3; a++) {
+        const double lo = (double)m->info->lo[a], hi = (double)m->info->hi[a];
+        const double share = a == side / 2 ? (double)(side % 2) : random_number(m);
+        point[a] = lo + share * (hi - lo);
+    }
+}
+
+static void make_random(making *m, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        double from[3], to[3], dir[3];
+        const uint32_t side = random_below(m, 6);
+        random_point(m, side, from);
+        random_point(m, (side + 1 + random_below(m, 5)) % 6, to);
+        for (int a = 0; a < 3; a++) {
+            dir[a] = to[a] - from[a];
+        }
+        normalise(dir);
+        add(&m->to->of[RAYS_RANDOM], from, dir, INFINITY);
+    }
+}
+
+/* The light is two diagonals from the middle of the box, above and behind the default eye. */
+static void measure_box(making *m) {
+    double light[3] = {0.5, 1.0, 0.7}, sum = 0.0;
+    normalise(light);
+    for (int a = 0; a < 3; a++) {
+        const double edge = (double)m->info->hi[a] - (double)m->info->lo[a];
+        sum += edge * edge;
+    }
+    m->diagonal = sqrt(sum);
+    for (int a = 0; a < 3; a++) {
+        const double middle = 0.5 * ((double)m->info->hi[a] + (double)m->info->lo[a]);
+        m->light[a] = middle + 2.0 * m->diagonal * light[a];
+    }
+}
+
+static int make_room(making *m, size_t pixels, fail *f) {
+    m->pixel = malloc(pixels * sizeof *m->pixel);
+    m->hits = malloc(pixels * sizeof *m->hits);
+    int enough = m->pixel != NULL && m->hits != NULL;
+    for (int k = 0; k < RAY_KINDS; k++) {
+        m->to->of[k].rays = malloc(pixels * sizeof *m->to->of[k].rays);
+        enough &= m->to->of[k].rays != NULL;
+    }
+    if (!enough) {
+        return fail_set(f, "rays", "out of memory; choose a smaller --size");
+    }
+    return picture_make(&m->normals, m->frame->width, m->frame->height, f);
+}
+
+static int make(making *m, plt_engine *engine, const char *name, fail *f) {
+    const uint32_t pixels = (uint32_t)m->frame->width * m->frame->height;
+    if (make_room(m, pixels, f) != 0 || make_primary(m, f) != 0) {
+        return -1;
+    }
+    plt_trace(engine, m->to->of[RAYS_PRIMARY].rays, m->hits, pixels, 0);
+    if (make_normals(m, engine, f) != 0) {
+        return -1;
+    }
+    make_secondary(m);
+    if (m->to->of[RAYS_SHADOW].count == 0) {
+        return fail_set(f, name, "no primary ray hits it; choose another --eye or --look");
+    }
+    shuffle(m, &m->to->of[RAYS_BOUNCE]);
+    make_random(m, pixels);
+    return 0;
+}
+
+int ray_kinds_make(ray_kinds *r, plt_engine *engine, const plt_frame *frame, const char *name,
+                   fail *f) {
+    making m = {.to = r, .info = plt_engine_info(engine), .frame = frame};
+    memset(r, 0, sizeof *r);
+    m.random = UINT64_C(88172645463325252);
+    measure_box(&m);
+    const int status = make(&m, engine, name, f);
+    picture_free(&m.normals);
+    free(m.pixel);
+    free(m.hits);
+    return status;
+}
+
+void ray_kinds_free(ray_kinds *r) {
+    for (int k = 0; k < RAY_KINDS; k++) {
+        free(r->of[k].rays);
+        r->of[k] = (ray_set){NULL, 0};
+    }
+}

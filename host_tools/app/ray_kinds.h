@@ -1,0 +1,44 @@
+/* ray_kinds - rays of every kind that tracers are measured with, from one view of a scene
+ *
+ *   primary  one through each pixel of the view, in Z order in tiles of 16x16: consecutive runs
+ *            of 4, 16, 64 or 256 rays are square packets (at the edges of the frame less)
+ *   shadow   from every hit of those, in their order, to one light
+ *   bounce   from every hit into a random direction, as diffuse surfaces reflect (the cosine
+ *            law), in random order: neighbours have nothing in common
+ *   random   from a random point of one side of the scene's box to one of another side, as many
+ *            as there are primary rays
+ *
+ * Shadow and bounce rays start 1e-4 of the box's diagonal above their surface. The same scene
+ * and view give the same rays: random numbers are xorshift's, from a fixed seed.
+ *
+ * Source: Marsaglia, "Xorshift RNGs", 2003; Malley's method for the cosine law (Pharr, Jakob,
+ * Humphreys, "Physically Based Rendering", 2016, section 13.6.3).
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef RAY_KINDS_H
+#define RAY_KINDS_H
+
+#include "engine/planelet.h"
+#include "host_tools/base/fail.h"
+
+enum ray_kind { RAYS_PRIMARY, RAYS_SHADOW, RAYS_BOUNCE, RAYS_RANDOM, RAY_KINDS };
+
+extern const char *const ray_kind_names[RAY_KINDS + 1]; /* ended by NULL */
+
+typedef struct ray_set {
+    plt_ray *rays; /* owned */
+    uint32_t count;
+} ray_set;
+
+typedef struct ray_kinds {
+    ray_set of[RAY_KINDS];
+} ray_kinds;
+
+/* Makes all of them with an open engine, whose frame and statistics are lost. `frame` has a
+ * camera that the engine takes and at most 2^24 pixels. Fails when no primary ray hits, or memory
+ * is out; `name` is for errors. `r` is freed by ray_kinds_free also after that. */
+int ray_kinds_make(ray_kinds *r, plt_engine *engine, const plt_frame *frame, const char *name,
+                   fail *f);
+void ray_kinds_free(ray_kinds *r);
+
+#endif

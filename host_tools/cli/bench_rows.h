@@ -1,0 +1,47 @@
+/* bench_rows - what planelet bench has measured, a row for each kind of ray and mode
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef BENCH_ROWS_H
+#define BENCH_ROWS_H
+
+#include "engine/planelet.h"
+#include "host_tools/app/ray_kinds.h"
+#include "host_tools/base/counters.h"
+#include "host_tools/base/output.h"
+
+typedef struct bench_row {
+    /* What was traced. */
+    const char *scene;
+    uint8_t nodes; /* enum plt_nodes */
+    uint8_t kind;  /* enum ray_kind */
+    uint8_t any;
+    uint8_t packet_side, order;
+    uint32_t triangles, rays;
+    /* What came of it. */
+    uint32_t hits;              /* rays that hit something */
+    uint64_t hash;              /* of all hits */
+    double least, median, most; /* rays per second */
+    uint64_t counted[COUNTERS]; /* of one pass; where it was not granted 0 */
+    plt_stats stats;            /* of one pass */
+    size_t arena_bytes;         /* needed */
+} bench_row;
+
+typedef struct bench_rows {
+    bench_row *row; /* owned */
+    unsigned count, room;
+} bench_rows;
+
+extern const char *const bench_nodes_names[], *const bench_any_names[];
+
+/* A zero row behind the others; NULL when memory is out. */
+bench_row *bench_rows_add(bench_rows *rows);
+void bench_rows_free(bench_rows *rows);
+
+/* The rows from `first` on as a table, kinds of rays one after the other. Of the rows that differ
+ * in their packets and orders alone, the one with the best median has a star. */
+int bench_rows_print(const bench_rows *rows, unsigned first, const counters *c, output *o, fail *f);
+
+/* All rows as a list of JSON, with whole counts per pass and whole rays per second. */
+int bench_rows_json(const bench_rows *rows, const counters *c, output *o, fail *f);
+
+#endif

@@ -1,0 +1,372 @@
+/* cmd_bench - planelet bench: rays per second, by scene, kind of ray, structure and mode
+ *
+ * Every mode of one structure must give the same hits, bit for bit: their hashes are compared.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/app/destination.h"
+#include "host_tools/app/phase.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/app/view.h"
+#include "host_tools/cli/bench_measure.h"
+#include "host_tools/cli/commands.h"
+#include "host_tools/cli/pack_meshes.h"
+#include "host_tools/pack/pack.h"
+
+enum { SIDE_MOST = 4096, PACKET_SIZES = 4 };
+
+static const arg_flag flags[] = {
+    {"--kinds", "LIST",
+     "rays: primary, shadow, bounce, random, several with commas between (default all)"},
+    {"--hits", "LIST", "closest, any (default closest,any)"},
+    {"--nodes", "LIST", "what a mesh is packed as: thesis, compact (default thesis,compact)"},
+    {"--packets", "LIST", "rays along a packet's side: 2, 4, 8, 16 (default all)"},
+    {"--walks", "LIST",
+     "depth, two-stage; the structures that have no two stages go without (default all)"},
+    {"--repeat", "N", "trace so often; 1 to 1000 (default 5)"},
+    {"--size", "WxH", "primary rays, each side 1 to 4096 (default 256x256)"},
+    VIEW_FLAGS,
+    {"--json", "STATS", "write all figures to this file; - is standard output, without the table"},
+    {NULL, NULL, NULL}};
+
+const arg_command command_bench = {
+    .name = "bench",
+    .synopsis = "SCENE... [--json STATS]",
+    .about =
+        "Measures rays per second on one core, with rays that it makes for each SCENE: an image, "
+        "measured as it is, or a mesh (PLY, OBJ, STL, recipe), packed in memory. SCENE may be - "
+        "for an image on standard input.",
+    .flags = flags,
+    .files_least = 1,
+    .files_most = 1000,
+    .notes =
+        "Rays: primary, one per pixel in Z order; shadow, from their hits to one light;\n"
+        "bounce, from their hits in random directions by the cosine law, shuffled;\n"
+        "random, from side to side of the scene's box.\n"
+        "\n"
+        "Mray/s is the median of all repetitions, least the slowest; spread is from the\n"
+        "slowest to the fastest, as a share of the median. The rest is per ray:\n"
+        "instructions, cycles and branch misses, where the system lets a program count\n"
+        "them, visits of nodes, tests of groups of four rays against a box, and of\n"
+        "groups against a triangle. A star marks the best of each structure.\n"};
+
+typedef struct bench {
+    args *a;
+    unsigned kinds, hits, nodes, packets, orders; /* sets of bits */
+    plt_frame frame;                              /* of the primary rays */
+    bench_meter meter;
+    bench_rows rows;
+    ray_kinds rays; /* of the scene that is measured; none yet: no room either */
+    output *table, *json;
+} bench;
+
+static unsigned bits_of(unsigned set) {
+    unsigned count = 0;
+    for (; set > 0; set >>= 1) {
+        count += set & 1u;
+    }
+    return count;
+}
+
+/* The engine has just been opened: all structures of a scene are measured with one set. */
+static int make_rays(bench *b, plt_engine *engine, const char *name, fail *f) {
+    const size_t pixels = (size_t)b->frame.width * b->frame.height;
+    if (b->meter.hits != NULL) {
+        return 0;
+    }
+    view_camera(b->a, plt_engine_info(engine), b->frame.width, b->frame.height, &b->frame.camera);
+    if (b->a->wrong || view_refused(b->a, &b->frame, 1, f) != 0) {
+        return -1;
+    }
+    b->meter.hits = malloc(pixels * sizeof *b->meter.hits);
+    if (b->meter.hits == NULL) {
+        return fail_set(f, "rays", "out of memory; choose a smaller --size");
+    }
+    return ray_kinds_make(&b->rays, engine, &b->frame, name, f);
+}
+
+static void free_rays(bench *b) {
+    ray_kinds_free(&b->rays);
+    free(b->meter.hits);
+    b->meter.hits = NULL;
+}
+
+/* The same structure has given the same hits before, in another mode. */
+static int check_hits(const bench *b, unsigned first, fail *f) {
+    const bench_row *row = &b->rows.row[b->rows.count - 1];
+    for (unsigned i = first; i + 1 < b->rows.count; i++) {
+        const bench_row *other = &b->rows.row[i];
+        if (other->kind == row->kind && other->any == row->any && other->hash != row->hash) {
+            return fail_set(f, row->scene,
+                            "hits of %s rays differ between modes; please report this",
+                            ray_kind_names[row->kind]);
+        }
+    }
+    return 0;
+}
+
+/* One open engine: every kind of ray, closest and any hit. `first` row of this image. */
+static int measure_mode(bench *b, const scene *s, const bench_row *like, unsigned first, fail *f) {
+    for (unsigned kind = 0; kind < RAY_KINDS; kind++) {
+        for (unsigned any = 0; any < 2; any++) {
+            if (!(b->kinds >> kind & 1u) || !(b->hits >> any & 1u)) {
+                continue;
+            }
+            bench_row *row = bench_rows_add(&b->rows);
+            if (row == NULL) {
+                return fail_set(f, "rays", "out of memory; choose a smaller --size");
+            }
+            *row = *like;
+            row->kind = (uint8_t)kind;
+            row->any = (uint8_t)any;
+            bench_measure(row, s->engine, &b->rays.of[kind], &b->meter);
+            if (check_hits(b, first, f) != 0) {
+                return -1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* The modes that this build and these nodes have: their number, and the i-th of them. */
+static unsigned list_modes(const bench *b, const plt_info *info, plt_options *mode) {
+    unsigned count = 0;
+    for (unsigned p = 0; p < PACKET_SIZES; p++) {
+        for (unsigned order = 0; scene_orders[order] != NULL; order++) {
+            const plt_options o = {.packet_side = (uint8_t)(2u << p), .order = (uint8_t)order};
+            if ((b->packets >> p & 1u) && (b->orders >> order & 1u) &&
+                plt_arena_need(info, 1, &o) > 0) {
+                mode[count++] = o;
+            }
+        }
+    }
+    return count;
+}
+
+/* Every mode of an image that is attached or held. */
+static int measure_image(bench *b, scene *s, const char *path, fail *f) {
+    plt_fault fault;
+    plt_info info;
+    plt_options mode[2 * PACKET_SIZES];
+    const unsigned first = b->rows.count;
+    int status = plt_image_info(&s->file.source, &info, &fault);
+    if (status != PLT_OK) {
+        return scene_refused(s, path, status, &fault, f);
+    }
+    const unsigned modes = list_modes(b, &info, mode);
+    if (modes == 0) {
+        return fail_set(f, scene_name(path), "no such mode is for its nodes; add --walks depth");
+    }
+    b->meter.passes = 0;
+    progress_begin(&b->meter.bar, "tracing",
+                   (uint64_t)modes * bits_of(b->kinds) * bits_of(b->hits) * (b->meter.repeat + 1));
+    for (unsigned i = 0; i < modes && status == 0; i++) {
+        s->options = mode[i];
+        const int opened = scene_start(s, path, &fault);
+        if (opened != PLT_OK) {
+            status = scene_refused(s, path, opened, &fault, f);
+        } else if ((status = make_rays(b, s->engine, scene_name(path), f)) == 0) {
+            const bench_row like = {.scene = scene_name(path),
+                                    .nodes = info.nodes_format,
+                                    .packet_side = mode[i].packet_side,
+                                    .order = mode[i].order,
+                                    .triangles = info.triangles,
+                                    .arena_bytes = plt_arena_need(&info, 1, &mode[i])};
+            status = measure_mode(b, s, &like, first, f);
+        }
+    }
+    progress_end(&b->meter.bar);
+    return status;
+}
+
+static int pack_as(packed *image, const pack_meshes *in, unsigned nodes, const char *path,
+                   fail *f) {
+    const pack_options thesis = {.leaf_triangles = 2, .treelet_nodes = 64};
+    const compact_options compact = {.lattice_bits = 16,
+                                     .numbers = 1,
+                                     .leaf_triangles = 2,
+                                     .mesh_end = in->mesh_end,
+                                     .meshes = 1};
+    lattice_loss loss;
+    phase_begin("building the tree of", path);
+    const int status = nodes == PLT_NODES_THESIS
+                           ? pack_mesh(image, &in->m, &thesis, path, f)
+                           : pack_compact(image, &in->m, &compact, path, &loss, f);
+    phase_end();
+    return status;
+}
+
+/* A mesh, packed as pack does by default. */
+static int measure_mesh(bench *b, char *path, fail *f) {
+    pack_meshes in = {0};
+    int status = pack_meshes_read(&in, &path, 1, f);
+    for (unsigned nodes = 0; bench_nodes_names[nodes] != NULL && status == 0; nodes++) {
+        packed image = {0};
+        scene s = SCENE_CLOSED;
+        if (!(b->nodes >> nodes & 1u)) {
+            continue;
+        }
+        status = pack_as(&image, &in, nodes, path, f);
+        if (status == 0) {
+            host_scene_hold(&s.file, image.bytes, image.size, 0);
+            s.arena_bytes = host_arena_bytes();
+            status = measure_image(b, &s, path, f);
+        }
+        scene_close(&s);
+        pack_free(&image);
+    }
+    pack_meshes_free(&in);
+    return status;
+}
+
+static int measure_file(bench *b, char *path, fail *f) {
+    scene s = SCENE_CLOSED;
+    int status = scene_attach(&s, b->a, path, f);
+    if (status == 0) {
+        status = measure_image(b, &s, path, f);
+    }
+    scene_close(&s);
+    return status;
+}
+
+/* An image, by its first bytes (SPEC.md, section 2) or its name; standard input is one. */
+static int is_image(const char *path) {
+    char head[8] = "";
+    const size_t length = strlen(path);
+    if (strcmp(path, "-") == 0 || (length > 4 && strcmp(path + length - 4, ".plt") == 0)) {
+        return 1;
+    }
+    FILE *file = fopen(path, "rb");
+    const size_t got = file != NULL ? fread(head, 1, sizeof head, file) : 0;
+    if (file != NULL) {
+        fclose(file);
+    }
+    return got == sizeof head && memcmp(head, "PLANELET", sizeof head) == 0;
+}
+
+static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
+    const ray_set *of = b->rays.of;
+    if (b->table == NULL) {
+        return 0;
+    }
+    fail name = {""}; /* hides control characters */
+    fail_set(&name, NULL, "%s", scene_name(path));
+    output_print(b->table, f,
+                 "%s%s: %" PRIu32 " triangles; %" PRIu32 " primary, %" PRIu32 " shadow, %" PRIu32
+                 " bounce, %" PRIu32 " random rays\n",
+                 first > 0 ? "\n" : "", name.text, b->rows.row[first].triangles,
+                 of[RAYS_PRIMARY].count, of[RAYS_SHADOW].count, of[RAYS_BOUNCE].count,
+                 of[RAYS_RANDOM].count);
+    return bench_rows_print(&b->rows, first, &b->meter.counters, b->table, f);
+}
+
+static int measure_all(bench *b, fail *f) {
+    int status = 0;
+    for (int i = 0; i < b->a->files && status == 0; i++) {
+        const unsigned first = b->rows.count;
+        char *path = b->a->file[i];
+        status = is_image(path) ? measure_file(b, path, f) : measure_mesh(b, path, f);
+        if (status == 0) {
+            status = print_scene(b, path, first, f);
+        }
+        free_rays(b);
+    }
+    return status;
+}
+
+static int write_json(bench *b, fail *f) {
+    output *o = b->json;
+    if (o == NULL) {
+        return 0;
+    }
+    output_print(o, f, "{\n  \"repeat\": %u,\n  \"width\": %u,\n  \"height\": %u,\n",
+                 b->meter.repeat, b->frame.width, b->frame.height);
+    bench_rows_json(&b->rows, &b->meter.counters, o, f);
+    b->json = NULL;
+    if (output_print(o, f, "\n}\n") != 0) {
+        output_abandon(o);
+        return -1;
+    }
+    return output_commit(o, f);
+}
+
+/* Says what the system does not count for this program. */
+static void print_missing(const counters *c, output *o, fail *f) {
+    static const char *const names[COUNTERS] = {"instructions", "cycles", "branch misses"};
+    const char *before = "\nnot granted by the system: ";
+    for (int i = 0; i < COUNTERS; i++) {
+        if (c->file[i] < 0) {
+            output_print(o, f, "%s%s", before, names[i]);
+            before = ", ";
+        }
+    }
+    if (c->why != NULL) {
+        output_print(o, f, " (%s)\n", c->why);
+    }
+}
+
+static int finish_table(bench *b, fail *f) {
+    output *o = b->table;
+    b->table = NULL;
+    if (o == NULL) {
+        return 0;
+    }
+    print_missing(&b->meter.counters, o, f);
+    return output_commit(o, f);
+}
+
+/* Outputs are opened first: a path that cannot be written fails before the long run. */
+static int run_all(bench *b, fail *f) {
+    const char *json = args_text(b->a, "--json", NULL);
+    if (json == NULL || strcmp(json, "-") != 0) {
+        b->table = output_open_text("-", f);
+        if (b->table == NULL) {
+            return -1;
+        }
+    }
+    if (json != NULL && (b->json = output_open_text(json, f)) == NULL) {
+        return -1;
+    }
+    counters_open(&b->meter.counters);
+    const int status =
+        measure_all(b, f) != 0 || write_json(b, f) != 0 || finish_table(b, f) != 0 ? -1 : 0;
+    counters_close(&b->meter.counters);
+    return status;
+}
+
+static void read_flags(bench *b, args *a) {
+    static const char *const packets[] = {"2", "4", "8", "16", NULL};
+    unsigned width = 256, height = 256;
+    b->a = a;
+    b->kinds = args_set(a, "--kinds", ray_kind_names, ~0u) & ((1u << RAY_KINDS) - 1);
+    b->hits = args_set(a, "--hits", bench_any_names, 3);
+    b->nodes = args_set(a, "--nodes", bench_nodes_names, 3);
+    b->packets = args_set(a, "--packets", packets, 15);
+    b->orders = args_set(a, "--walks", scene_orders, 3);
+    b->meter.repeat = (unsigned)args_number(a, "--repeat", 5, 1, BENCH_REPEAT_MOST);
+    args_size(a, "--size", SIDE_MOST, &width, &height);
+    b->frame.width = (uint16_t)width;
+    b->frame.height = (uint16_t)height;
+}
+
+int run_bench(args *a) {
+    bench b = {.a = a};
+    fail f = {""};
+    read_flags(&b, a);
+    const int status = a->wrong ? -1 : run_all(&b, &f);
+    output_abandon(b.table);
+    output_abandon(b.json);
+    bench_rows_free(&b.rows);
+    if (a->wrong) {
+        return 2;
+    }
+    if (status != 0) {
+        fprintf(stderr, "%s\n", f.text);
+        return 1;
+    }
+    return 0;
+}

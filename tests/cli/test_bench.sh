@@ -1,0 +1,161 @@
+#!/bin/sh
+# test_bench.sh - planelet bench: every scene, kind of ray, structure and mode, counted right
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin bench
+run make knot --triangles 2000 -o knot.ply
+run pack knot.ply -o knot.plt
+run pack knot.ply -o compact.plt --nodes compact
+
+# rows FILE: "KEY=VALUE ..." of each row of bench's JSON.
+rows() {
+    sed -n 's/^    {\(.*\)},*$/\1/p' "$1" | sed 's/"\([a-z_]*\)": "*\([^",]*\)"*/\1=\2/g
+        s/, / /g'
+}
+
+# combinations FILE: what differs between rows, a line each.
+combinations() {
+    rows "$1" | awk '{
+        line = ""
+        for (i = 1; i <= NF; i++)
+            if ($i ~ /^(nodes|kind|hit|packet|walk)=/) { sub(/.*=/, "", $i); line = line " " $i }
+        print line }' | sort
+}
+
+# counts WHICH: of those rows what the processor has no part in.
+counts() {
+    grep "$1" | sed 's/scene=[^ ]*//; s/[a-z]*_rays_per_s=[0-9]*//g
+        s/\(instructions\|cycles\|branch_misses\)=[0-9]*//g'
+}
+
+small='--size 37x50 --repeat 2'
+# shellcheck disable=SC2086
+works "bench MESH --json FILE" bench knot.ply $small --json stats
+cp out table
+verdict "... JSON of flat objects" "$(flat_json stats repeat width height)"
+verdict "... every kind, hit, structure, packet and order once" "$(
+    for kind in primary shadow bounce random; do
+        for hit in closest any; do
+            for packet in 2 4 8 16; do
+                echo " thesis $kind $hit $packet depth"
+                echo " thesis $kind $hit $packet two-stage"
+                echo " compact $kind $hit $packet depth"
+            done
+        done
+    done | sort >wanted
+    combinations stats | diff wanted -)"
+verdict "... as many rays as their kind has, of the same hits in every mode" "$(
+    rows stats | awk '
+        {
+            for (i = 1; i <= NF; i++) { split($i, part, "="); v[part[1]] = part[2] }
+            if (v["triangles"] != 1980 && v["triangles"] != 2000) print "triangles: " $0
+            hits = v["hits_hash"] " " v["hits"] " " v["rays"]
+            key = v["nodes"] " " v["kind"] " " v["hit"]
+            if (key in seen && seen[key] != hits) print key ": " hits ", before " seen[key]
+            seen[key] = hits
+            rays[v["kind"]] = v["rays"]
+            hit[v["nodes"] v["kind"] v["hit"]] = v["hits"]
+        }
+        END {
+            if (rays["primary"] != 37 * 50 || rays["random"] != 37 * 50) print "not a ray per pixel"
+            if (rays["shadow"] != hit["thesisprimaryclosest"]) print "not a shadow ray per hit"
+            if (rays["bounce"] != rays["shadow"]) print "not a bounce ray per hit"
+            for (key in hit) if (hit[key] < 20) print key " hits " hit[key]
+            for (kind in rays)
+                for (i = 1; i <= 2; i++) {
+                    nodes = i == 1 ? "thesis" : "compact"
+                    if (hit[nodes kind "any"] != hit[nodes kind "closest"])
+                        print kind ": any finds " hit[nodes kind "any"] ", not " \
+                            hit[nodes kind "closest"]
+                }
+        }')"
+verdict "... figures that fit together" "$(
+    rows stats | awk '{
+        for (i = 1; i <= NF; i++) { split($i, part, "="); v[part[1]] = part[2] }
+        if (v["least_rays_per_s"] + 0 > v["median_rays_per_s"] + 0 ||
+            v["median_rays_per_s"] + 0 > v["most_rays_per_s"] + 0 || v["least_rays_per_s"] < 1000)
+            print "rates: " $0
+        if (v["node_visits"] < 10 || v["group_tests"] < v["node_visits"] ||
+            v["triangle_tests"] < 100) print "tests: " $0
+        if ("instructions" in v && v["instructions"] < 100 * v["rays"]) print "counted: " $0 }')"
+for packet in 2 16; do
+    run info knot.plt --json --packet $packet --walk two-stage
+    need=$(number arena_bytes_needed <out)
+    verdict "... the arena that info says, packets of $packet" "$(
+        rows stats | grep "nodes=thesis .*packet=$packet walk=two-stage" |
+            grep -v "arena_bytes_needed=$need\$")"
+done
+verdict "the table has a row for each, titles, and a star for the best of each structure" "$(
+    [ "$(grep -c '^\(primary\|shadow\|bounce\|random\) ' table)" -eq 96 ] || cat table
+    grep -q '^rays  *hits  *nodes  *packet  *walk  *Mray/s  *least  *spread ' table || cat table
+    [ "$(grep -c '\*' table)" -ge 16 ] && [ "$(grep -c '\*' table)" -lt 40 ] || cat table)"
+verdict "what the system does not count is said in one line" "$(
+    if grep -q '^rays .*instr  *cycles  *misses' table; then
+        grep 'not granted' table
+    else
+        [ "$(tail -n 1 table | grep -c '^not granted by the system: .*(.*)$')" -eq 1 ] ||
+            tail -n 2 table
+    fi)"
+verdict "no figure of the table is wider than its column" "$(
+    awk '/^(primary|shadow|bounce|random) / {
+        if (width && length != width) print
+        width = length }' table)"
+
+# ---- the same visits as trace counts, and the same rays every time ------------------------------
+
+# shellcheck disable=SC2086
+{
+    works "bench two images --json -" bench knot.plt compact.plt $small --json - \
+        --kinds primary,bounce
+    cp out again
+    verdict "... no table beside it" "$(flat_json again repeat)"
+    verdict "... an image is measured as the mesh was: the same rays, visits and hits" "$(
+        for kind in primary bounce; do
+            rows stats | counts "nodes=thesis kind=$kind " >one
+            rows again | counts "nodes=thesis kind=$kind " | diff one -
+        done)"
+    verdict "... and each under its name" "$(
+        [ "$(grep -c '"scene": "knot.plt"' again)" -eq 32 ] || grep -c knot.plt again
+        [ "$(grep -c '"scene": "compact.plt"' again)" -eq 16 ] || grep -c compact.plt again)"
+    "$PLANELET" bench - $small --packets 8 --kinds primary --json - <compact.plt >piped 2>err
+    verdict "an image may come from standard input" "$(
+        cat err
+        combinations piped | sort -u | wc -l | grep -qx 2 || cat piped
+        grep -q '"scene": "standard input"' piped || cat piped)"
+    works "lists choose what is measured" bench knot.ply $small --json - --kinds random,shadow \
+        --hits any --nodes compact --packets 16,2 --walks depth
+    verdict "... that and nothing else" "$(
+        for kind in random shadow; do
+            for packet in 2 16; do
+                echo " compact $kind any $packet depth"
+            done
+        done | sort >wanted
+        combinations out | diff wanted -)"
+    works "the device's image is built and measured" bench knot.ply $small --packets 8
+    run pack knot.ply -o device.plt --build device
+    works "... as the host's" bench device.plt $small --packets 8 --kinds primary --json -
+    verdict "... with the same visits" "$(
+        rows out | sed 's/.*\(node_visits=[0-9]*\).*/\1/' >device
+        rows stats | grep 'nodes=thesis kind=primary .* packet=8' |
+            sed 's/.*\(node_visits=[0-9]*\).*/\1/' | diff device -)"
+}
+
+# ---- what cannot be measured -------------------------------------------------------------------
+
+# shellcheck disable=SC2086
+{
+    misused "a list with a wrong word" "several with commas between" bench knot.ply --kinds a
+    misused "an empty word of a list" "several with commas between" bench knot.ply --kinds primary,
+    refused "a mesh that is none" bad.ply "." bench bad.ply $small
+    head -c 3000 knot.plt >short.plt
+    refused "an image that is damaged" short.plt "byte" bench short.plt $small
+    refused "no ray hits" knot.plt "no primary ray hits it" bench knot.plt $small --eye 0,0,50 \
+        --look 0,0,99
+    refused "no such mode" compact.plt "no such mode" bench compact.plt $small --walks two-stage
+    cp knot.plt kept.plt
+    refused "an output that is a scene" kept.plt "same file" bench kept.plt $small --json kept.plt
+    same knot.plt kept.plt "... which is as it was"
+    verdict "nothing is left behind" "$(left_behind)"
+}
+finish
