@@ -143,9 +143,9 @@ bench: all
 scenes: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/scenes.sh
 
-##measure peers: compares with another tracer: make peers SCENES=folder PEER=program
+##measure peers: judges and races beside another tracer: make peers SCENES=folder PEER=program
 peers: all
-	@sh tests/measure/peers.sh "$(SCENES)" "$(PEER)"
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/peers.sh "$(SCENES)" "$(PEER)"
 
 ##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
 compact: all $(OUT)/tests/engine/test_compact_topology
