@@ -1,17 +1,6 @@
 /* triangle - see triangle.h
  *
- * Error bounds (u = 2^-24; R = the ray's reach, at least the distance from its
- * origin to any corner on any axis; X = the largest sheared coordinate):
- *   a sheared coordinate       6 u R     one rounding each for both
- *                                        differences, 3 for slope * depth, 2
- *                                        for the last difference
- *   an edge function           4 * 6 u R * X + 72 u^2 R^2 + 4 u X^2, and as
- *                              X <= 2 R, at most 32 u R X + 128 u^2 R^2
- * Rays that meet the triangle have X <= 2 L + 6 u R, L being the longest side
- * of the triangle's box, so their edge functions are no further on the wrong
- * side than 64 u R L + 264 u^2 R^2. All beyond 72 u R L + 320 u^2 R^2 needs no
- * second look. R is at least 2^-50 (packet.c), so that what underflows is less
- * than the rest of these bounds, in scenes of any size.
+ * Error bounds: triangle_common.h.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/triangle.h"
@@ -20,13 +9,7 @@
 
 #include "engine/base/small_stack.h"
 #include "engine/trace/exact.h"
-
-#define U 5.9604644775390625e-8f             /* 2^-24 */
-#define MISS_MARGIN 3.0517578125e-5f         /* 2^-15 */
-#define SLIVER 9.765625e-4f                  /* 2^-10: a sliver, by the sine of its first angle */
-#define GRAZING 2.44140625e-4f               /* 2^-12: n . dir, for edges and dir of 1 to 2 */
-#define NORMAL_LEAST 1.0842021724855044e-19f /* 2^-63: below, its products may underflow ... */
-#define NORMAL_SCALE 1.2089258196146292e24f  /* ... and with this, 2^80, they do not */
+#include "engine/trace/triangle_seldom.h"
 
 /* Before functions for the few rays that single precision cannot decide: inlined, they take
  * registers from all the others, some 20 instructions per call on x86-64. */
@@ -35,9 +18,6 @@
 #else
 #define RARELY static
 #endif
-
-/* Of axes, and of corners. */
-static const uint8_t axis_after[3] = {1, 2, 0};
 
 /* What is computed once per packet: corner - origin, for one origin and one axis of the
  * shear; or nothing. (One origin alone is rare, and was not worth its code.) */
@@ -57,36 +37,19 @@ typedef struct edges {
     f4 x[3], y[3];  /* sheared corners */
 } edges;
 
-static void cross3(const float a[3], const float b[3], float to[3]) {
-    to[0] = a[1] * b[2] - a[2] * b[1];
-    to[1] = a[2] * b[0] - a[0] * b[2];
-    to[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static void normal_of(const float c[3][3], float normal[3]) {
-    const float first[3] = {c[1][0] - c[0][0], c[1][1] - c[0][1], c[1][2] - c[0][2]};
-    const float second[3] = {c[2][0] - c[0][0], c[2][1] - c[0][1], c[2][2] - c[0][2]};
-    cross3(first, second, normal);
-}
-
-static int is_below(const float v[3], float limit) {
-    return __builtin_fabsf(v[0]) < limit && __builtin_fabsf(v[1]) < limit &&
-           __builtin_fabsf(v[2]) < limit;
-}
-
 static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
     const plt_triangle *triangle = t->triangle;
-    t->slack = f4_all(72.0f * U * triangle->longest);
+    t->slack = f4_all(72.0f * PLT_U * triangle->longest);
     if (sharing == PER_GROUP) {
         return;
     }
     t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->least_slack));
-    unsigned axis = axis_after[p->axis];
+    unsigned axis = plt_axis_after[p->axis];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         for (int c = 0; c < 3; c++) {
             t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
         }
-        axis = axis_after[axis];
+        axis = plt_axis_after[axis];
     }
 }
 
@@ -109,7 +72,7 @@ static inline f4 larger3(f4 a, f4 b, f4 c) {
 static inline edges edges_of(const prepared *t, const plt_group_rays *g, int z,
                              enum sharing sharing) {
     z = sharing == PER_PACKET ? 2 : z;
-    const int ax = axis_after[z], ay = axis_after[ax];
+    const int ax = plt_axis_after[z], ay = plt_axis_after[ax];
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     edges e;
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
@@ -135,31 +98,6 @@ static inline unsigned may_cover(const prepared *t, const plt_group_rays *g, con
     return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
 }
 
-/* A ray, out of its group. */
-typedef struct single {
-    float org[3], dir[3];
-} single;
-
-static single single_of(const plt_group_rays *g, unsigned lane) {
-    const single ray = {{g->org[0][lane], g->org[1][lane], g->org[2][lane]},
-                        {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]}};
-    return ray;
-}
-
-/* weight[c] belongs to the edge from corner c + 2 to corner c + 1. */
-static const float *edge_from(const plt_triangle *t, int c) {
-    return t->corner[axis_after[axis_after[c]]];
-}
-
-static const float *edge_to(const plt_triangle *t, int c) {
-    return t->corner[axis_after[c]];
-}
-
-/* weight[c], without any error. */
-static plt_scaled exact_weight(const prepared *t, const single *ray, int c) {
-    return plt_edge_value(edge_from(t->triangle, c), edge_to(t->triangle, c), ray->org, ray->dir);
-}
-
 static float lane_of(f4 v, unsigned lane) {
     float all[4];
     f4_store(all, v);
@@ -173,68 +111,34 @@ static void set_lane(f4 *v, unsigned lane, float to) {
     *v = f4_load(all);
 }
 
-/* Whether all three corners lie on one side of the ray, seen along the axis, by more than
- * any rounding. A triangle seen edge-on has all edge functions close to 0 in every
- * ray of its plane, however far beside: this spares the integers. */
-static int is_beside(const f4 corner[3], unsigned lane, float far) {
-    const float p = lane_of(corner[0], lane), q = lane_of(corner[1], lane),
-                r = lane_of(corner[2], lane);
-    return (p > far && q > far && r > far) || (p < -far && q < -far && r < -far);
+static plt_lone_ray ray_of(const plt_group_rays *g, int z, unsigned lane) {
+    const plt_lone_ray ray = {{g->org[0][lane], g->org[1][lane], g->org[2][lane]},
+                              {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]},
+                              g->reach[lane],
+                              z};
+    return ray;
 }
 
-/* Edge functions that are not good enough for u and v: none is above a quarter of its error,
- * or u + v could get above 1 + 1/14, as one has the wrong sign, and none is above sixteen
- * times its error. */
-static int is_coarse(const float weight[3], float error, int positive) {
-    float least = 0.0f, most = 0.0f;
+/* Is it a hit for the ray of a lane? If its edge functions are too coarse for u and v, it gets
+ * others. */
+RARELY int decide_lane(const prepared *t, const plt_group_rays *g, edges *e, int z, unsigned lane,
+                       float error) {
+    const plt_lone_ray ray = ray_of(g, z, lane);
+    plt_lone_edges lone;
     for (int c = 0; c < 3; c++) {
-        least = weight[c] < least ? weight[c] : least;
-        most = weight[c] > most ? weight[c] : most;
+        lone.weight[c] = lane_of(e->weight[c], lane);
+        lone.x[c] = lane_of(e->x[c], lane);
+        lone.y[c] = lane_of(e->y[c], lane);
     }
-    const float size = most > -least ? most : -least, astray = positive ? -least : most;
-    return size <= 0.25f * error || (astray > 0.0f && size <= 16.0f * error);
-}
-
-/* Gives a lane edge functions without errors, times a factor. */
-RARELY void set_exact_weights(const prepared *t, const plt_group_rays *g, edges *e, unsigned lane) {
-    const single ray = single_of(g, lane);
-    plt_scaled value[3];
-    int most = -447; /* wide.h: no other value is lower */
-    for (int c = 0; c < 3; c++) {
-        value[c] = exact_weight(t, &ray, c);
-        most = value[c].mantissa != 0.0f && value[c].exponent > most ? value[c].exponent : most;
-    }
-    for (int c = 0; c < 3; c++) {
-        set_lane(&e->weight[c], lane, plt_scaled_float(value[c], -most));
-    }
-}
-
-enum meeting { MISSES, MEETS, MEETS_COARSELY };
-
-/* Does the ray of a lane meet the triangle? Never wrong: an edge function above its error has
- * the right sign, those of the others come from integers. */
-RARELY enum meeting decide_lane(const prepared *t, const plt_group_rays *g, const edges *e, int z,
-                                unsigned lane, float error) {
-    const single ray = single_of(g, lane);
-    const float far = MISS_MARGIN * g->reach[lane];
-    if (is_beside(e->x, lane, far) || is_beside(e->y, lane, far)) {
-        return MISSES;
-    }
-    float weight[3];
-    unsigned sides = 0; /* 1: positive, 2: negative */
-    for (int c = 0; c < 3; c++) {
-        weight[c] = lane_of(e->weight[c], lane);
-        float sign = weight[c];
-        if (__builtin_fabsf(sign) <= error) {
-            sign = exact_weight(t, &ray, c).mantissa;
-            sign = ray.dir[z] < 0.0f ? -sign : sign; /* as seen along z */
+    lone.error = error;
+    const enum plt_meeting how = plt_decide_meeting(&ray, t->triangle->corner, &lone);
+    if (how == PLT_MEETS_COARSELY) {
+        plt_exact_weights(&ray, t->triangle->corner, lone.weight);
+        for (int c = 0; c < 3; c++) {
+            set_lane(&e->weight[c], lane, lone.weight[c]);
         }
-        sides |= (unsigned)(sign > 0.0f) | (unsigned)(sign < 0.0f) << 1;
     }
-    if (sides != 1 && sides != 2) { /* of both signs, or all 0: the ray runs in its plane */
-        return MISSES;
-    }
-    return is_coarse(weight, error, sides == 1) ? MEETS_COARSELY : MEETS;
+    return how != PLT_MISSES;
 }
 
 /* Of the lanes that may be covered those that are. */
@@ -243,17 +147,13 @@ static unsigned covered(const prepared *t, const plt_group_rays *g, edges *e, in
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
-    const f4 error = f4_mul(
-        reach, f4_add(f4_mul(f4_all(32.0f * U), extent), f4_mul(f4_all(128.0f * U * U), reach)));
+    const f4 error = f4_mul(reach, f4_add(f4_mul(f4_all(32.0f * PLT_U), extent),
+                                          f4_mul(f4_all(128.0f * PLT_U * PLT_U), reach)));
     const unsigned sure = m4_mask(m4_or(f4_lt(error, e->least), f4_lt(e->most, f4_neg(error))));
     unsigned hits = candidates & sure;
     for (unsigned lane = 0; (candidates & ~sure) >> lane != 0; lane++) {
         if ((candidates & ~sure) >> lane & 1u) {
-            const enum meeting how = decide_lane(t, g, e, z, lane, lane_of(error, lane));
-            hits |= (unsigned)(how != MISSES) << lane;
-            if (how == MEETS_COARSELY) {
-                set_exact_weights(t, g, e, lane);
-            }
+            hits |= (unsigned)decide_lane(t, g, e, z, lane, lane_of(error, lane)) << lane;
         }
     }
     return hits;
@@ -279,7 +179,7 @@ PLT_APART_ON_SMALL_STACKS static m4 own_box(const prepared *t, const plt_group_s
 
 /* n . dir over dir[z]: no factor is above 1, so no direction that is allowed overflows. */
 static inline f4 normal_along(const float normal[3], const plt_group_rays *g, int z) {
-    const int ax = axis_after[z], ay = axis_after[ax];
+    const int ax = plt_axis_after[z], ay = plt_axis_after[ax];
     return f4_add(f4_all(normal[z]), f4_add(f4_mul(f4_all(normal[ax]), f4_load(g->slope[0])),
                                             f4_mul(f4_all(normal[ay]), f4_load(g->slope[1]))));
 }
@@ -295,28 +195,6 @@ static inline f4 plane_distance(const prepared *t, const float normal[3], const 
     return f4_div(f4_div(numerator, along), f4_load(g->dir[z]));
 }
 
-/* An edge, by a power of two that makes its largest component 1 to 2. */
-static void set_scaled_edge(float to[3], const float p[3], const float q[3]) {
-    for (int a = 0; a < 3; a++) {
-        to[a] = p[a] - q[a];
-    }
-    const float power = plt_power_to_one(to);
-    for (int a = 0; a < 3; a++) {
-        to[a] *= power;
-    }
-}
-
-/* The normal times a power of two, so large that none of its products underflows. */
-static void set_scaled_normal(const float corner[3][3], float normal[3]) {
-    float first[3], second[3];
-    set_scaled_edge(first, corner[1], corner[0]);
-    set_scaled_edge(second, corner[2], corner[0]);
-    cross3(first, second, normal);
-    for (int a = 0; a < 3; a++) {
-        normal[a] *= NORMAL_SCALE;
-    }
-}
-
 /* `distance`, in `lanes` computed in integers. */
 RARELY f4 exact_distance(const prepared *t, const plt_group_rays *g, unsigned lanes, f4 distance,
                          f4 enter, f4 leave) {
@@ -324,38 +202,29 @@ RARELY f4 exact_distance(const prepared *t, const plt_group_rays *g, unsigned la
     f4_store(at, distance);
     for (unsigned lane = 0; lanes >> lane != 0; lane++) {
         if (lanes >> lane & 1u) {
-            const single ray = single_of(g, lane);
+            const plt_lone_ray ray = ray_of(g, 0, lane);
             at[lane] = plt_exact_distance(t->triangle->corner, ray.org, ray.dir);
         }
     }
     return f4_min(f4_max(f4_load(at), enter), leave);
 }
 
-/* Of |n . dir|: a sliver's, and that of a normal below NORMAL_LEAST, is less than three times
- * what limits each of its three components. */
-static inline float open_limit(float longest) {
-    return 4.0f * SLIVER * longest * longest + 4.0f * NORMAL_LEAST;
-}
-
-/* Lanes whose distance needs integers, if they are hit: n . dir is mostly rounding; or the
- * triangle is a sliver, and so close that the clamp may leave open whether it is met before or
- * after tmin. Neither tmin nor tmax has a say: they only spare lanes that are no hit anyway. A
- * normal whose products may underflow is scaled, and the distance computed anew. */
+/* Lanes whose distance needs integers, if they are hit. Neither tmin nor tmax has a say: they
+ * only spare lanes that are no hit anyway. A normal whose products may underflow is scaled, and
+ * the distance computed anew. */
 RARELY unsigned open_lanes(const prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
                            int z, f4 enter, f4 leave, float normal[3], f4 *distance) {
     float scaled[3];
-    set_scaled_normal(t->triangle->corner, scaled);
+    const unsigned kind = plt_scale_normal(t->triangle->corner, normal, scaled);
     const f4 along = normal_along(scaled, g, z);
-    if (is_below(normal, NORMAL_LEAST)) {
+    if ((kind & PLT_NORMAL_IS_SMALL) != 0) {
         memcpy(normal, scaled, sizeof scaled);
         *distance = plane_distance(t, normal, g, z, along);
     }
-    const int is_sliver = is_below(scaled, SLIVER * NORMAL_SCALE);
     unsigned open = 0;
     for (unsigned lane = 0; lane < 4; lane++) {
         const float from = lane_of(enter, lane), to = lane_of(leave, lane);
-        const int is_open = __builtin_fabsf(lane_of(along, lane)) < GRAZING * NORMAL_SCALE ||
-                            (is_sliver && from + from <= to);
+        const int is_open = plt_distance_is_open(lane_of(along, lane), kind, from, to);
         const int in_range = from <= s->tmax[lane] && s->tmin[lane] <= to;
         open |= (unsigned)(is_open && in_range) << lane;
     }
@@ -371,7 +240,7 @@ static m4 nearer(const plt_group_slabs *s, const plt_group_rays *g, f4 t, u4 id)
 /* u and v count from the corner that came first in the packed mesh. */
 static void store_weights(plt_group_rays *g, m4 hit, const edges *e, uint32_t rotation) {
     const f4 sum = f4_add(f4_add(e->weight[0], e->weight[1]), e->weight[2]);
-    const unsigned first = axis_after[rotation], second = axis_after[first];
+    const unsigned first = plt_axis_after[rotation], second = plt_axis_after[first];
     const f4 u = f4_min(f4_max(f4_div(e->weight[first], sum), f4_zero()), f4_all(1.0f));
     const f4 v = f4_min(f4_max(f4_div(e->weight[second], sum), f4_zero()), f4_all(1.0f));
     f4_store(g->u, f4_select(hit, u, f4_load(g->u)));
@@ -385,12 +254,12 @@ static unsigned record_hits(const prepared *t, plt_packet *p, unsigned index, ed
     plt_group_rays *g = &p->rays[index];
     f4 enter, leave;
     float normal[3];
-    normal_of(t->triangle->corner, normal);
+    plt_triangle_normal(t->triangle->corner, normal);
     const m4 in_box = own_box(t, s, &enter, &leave);
     const f4 along = normal_along(normal, g, z);
     f4 distance = plane_distance(t, normal, g, z, along);
     unsigned candidates = lanes & m4_mask(in_box), open = 0;
-    if (f4_min_lane(f4_abs(along)) < open_limit(t->triangle->longest)) {
+    if (f4_min_lane(f4_abs(along)) < plt_open_limit(t->triangle->longest)) {
         open = candidates & open_lanes(t, s, g, z, enter, leave, normal, &distance);
     }
     /* A NaN (0 / 0) becomes `enter` by the rule of max. */
