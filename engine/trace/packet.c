@@ -1,24 +1,13 @@
 /* packet - see packet.h
  *
- * How far origins are moved (e, per axis; u = 2^-24, R = the reach, the largest
- * distance on any axis from the origin to the scene's box): a plane's distance
- * is off by at most 3 u of itself, on each of two axes that are compared. So
- * e = 16 u R, or 4 u |org| where that is more so that the sum does not round
- * away; at least 12 u R of it are left, and a box that a ray meets is never
- * missed. R is made at least 2^-50: what rounding takes from subnormal numbers is far less
- * than 16 u of that, and triangle.c's bounds hold too. The idea is Woop, Benthin and Wald,
- * "Watertight ray/triangle intersection", 2013, section 5.
+ * How far origins are moved: ray_bounds.h.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/packet.h"
 
-#define LARGEST 1.152921504606846976e18f    /* 2^60 */
-#define SMALLEST 8.67361737988403547e-19f   /* 2^-60 */
-#define BOX_ERROR 9.5367431640625e-7f       /* 16 u = 2^-20 */
-#define ORIGIN_ERROR 2.384185791015625e-7f  /* 4 u = 2^-22 */
+#include "engine/trace/ray_bounds.h"
+
 #define CLOSE_ERROR 1.1368683772161603e-12f /* 320 u^2 */
-#define REACH_LEAST 8.8817841970012523e-16f /* 2^-50 */
-#define REACH_ROUNDING 1.000001f            /* the differences were rounded */
 
 static f4 largest_of(const f4 a[3]) {
     return f4_max(f4_max(f4_abs(a[0]), f4_abs(a[1])), f4_abs(a[2]));
@@ -32,13 +21,14 @@ static m4 within(const f4 a[3], float limit) {
 }
 
 static m4 valid_lanes(const f4 org[3], const f4 dir[3], f4 tmin, f4 tmax) {
-    const m4 length = f4_le(f4_all(SMALLEST), largest_of(dir));
+    const m4 length = f4_le(f4_all(PLT_DIR_LEAST), largest_of(dir));
     const m4 range = m4_and(f4_le(tmin, tmax), f4_le(f4_zero(), tmax));
-    return m4_and(m4_and(within(org, PLT_COORD_MAX), within(dir, LARGEST)), m4_and(length, range));
+    return m4_and(m4_and(within(org, PLT_COORD_MAX), within(dir, PLT_DIR_MOST)),
+                  m4_and(length, range));
 }
 
 static void set_reciprocals(plt_group_slabs *s, const f4 dir[3]) {
-    const f4 tiny = f4_mul(largest_of(dir), f4_all(SMALLEST));
+    const f4 tiny = f4_mul(largest_of(dir), f4_all(PLT_DIR_LEAST));
     for (int a = 0; a < 3; a++) {
         const f4 signed_tiny = f4_select(f4_lt(dir[a], f4_zero()), f4_neg(tiny), tiny);
         const f4 d = f4_select(f4_lt(f4_abs(dir[a]), tiny), signed_tiny, dir[a]);
@@ -48,17 +38,17 @@ static void set_reciprocals(plt_group_slabs *s, const f4 dir[3]) {
 
 static void set_origins(plt_group_slabs *s, plt_group_rays *g, const plt_box *scene,
                         const f4 org[3], const f4 dir[3]) {
-    f4 reach = f4_all(REACH_LEAST);
+    f4 reach = f4_all(PLT_REACH_LEAST);
     for (int a = 0; a < 3; a++) {
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->lo[a]), org[a])), reach);
         reach = f4_max(f4_abs(f4_sub(f4_all(scene->hi[a]), org[a])), reach);
     }
-    reach = f4_mul(reach, f4_all(REACH_ROUNDING));
+    reach = f4_mul(reach, f4_all(PLT_REACH_ROUNDING));
     f4_store(g->reach, reach);
     f4_store(g->least_slack, f4_mul(f4_mul(reach, reach), f4_all(CLOSE_ERROR)));
-    const f4 box_error = f4_mul(reach, f4_all(BOX_ERROR));
+    const f4 box_error = f4_mul(reach, f4_all(PLT_BOX_ERROR));
     for (int a = 0; a < 3; a++) {
-        const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(ORIGIN_ERROR)));
+        const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(PLT_ORIGIN_ERROR)));
         const m4 negative = f4_lt(dir[a], f4_zero());
         const f4 up = f4_add(org[a], e), down = f4_sub(org[a], e);
         f4_store(s->near_org[a], f4_select(negative, down, up));
