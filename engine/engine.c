@@ -4,15 +4,26 @@
 #include "engine/engine.h"
 
 #include "engine/trace/rays.h"
+#include "engine/trace/wave.h"
 
 const plt_info *plt_engine_info(const plt_engine *e) {
     return &e->scene.info;
+}
+
+static int use_wave(const plt_engine *e) {
+    return PLT_WITH_WAVE && e->traversal.wave != NULL && e->options.rays == PLT_RAYS_INCOHERENT;
 }
 
 int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
     const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
     int status = PLT_OK;
     e->rendering.done = 1;
+#if PLT_WITH_WAVE
+    if (use_wave(e)) {
+        plt_wave_trace(&e->traversal, &e->packet, rays, hits, count, any);
+        return PLT_OK;
+    }
+#endif
     while (count > 0 && status == PLT_OK) {
         const uint32_t now = count < most ? count : most;
         status = plt_trace_packet(&e->traversal, &e->packet, rays, hits, now, any);

@@ -4,6 +4,7 @@
 #   render   no builder: images whose tree is finished
 #   thesis   thesis nodes and lists, no compact blocks
 #   compact  compact blocks alone
+#   wave     and the wave for incoherent rays, which any other word leaves out
 # Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
 # SPDX-License-Identifier: MIT
 
@@ -20,6 +21,9 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
     engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
     engine/builder/split_records.c)
 
+wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
+    engine/trace/ray_block.c)
+
 left_out_render := $(builder_files)
 left_out_thesis := $(compact_files)
 left_out_compact := $(thesis_files)
@@ -27,14 +31,18 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave; it has $(PARTS))
 endif
-ifeq ($(filter-out render,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
-ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))),$(ENGINE_ALL))
-PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part)))
+ifneq ($(strip $(PARTS)),)
+without_wave := $(if $(filter wave,$(PARTS)),,yes)
+endif
+ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
+    $(if $(without_wave),$(wave_files)),$(ENGINE_ALL))
+PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-DPLT_WITH_WAVE=0)
 # What runs when a scene is opened, and for the few rays that single precision cannot decide:
 # firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \

@@ -7,6 +7,8 @@
 #include "engine/image/record_cache.h"
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
+#include "engine/trace/wave_state.h"
+#include "engine/trace/wide_form.h"
 #include "engine/tree/compact/validate.h"
 #include "engine/tree/thesis/validate.h"
 
@@ -99,6 +101,30 @@ static uint64_t local_stack_bytes(const subject *s) {
                : 0;
 }
 
+static int has_wide_form(const subject *s) {
+    return PLT_WITH_WAVE && s->options->wide && plt_wide_supports(s->format);
+}
+
+static uint64_t wide_bytes(const subject *s) {
+    return has_wide_form(s) ? plt_wide_bytes(s->sized_for) : 0;
+}
+
+/* While the wide form is made, its scratch lies there. */
+static uint64_t wave_bytes(const subject *s) {
+#if PLT_WITH_WAVE
+    const plt_options *o = s->options;
+    if (has_wide_form(s)) {
+        return larger(plt_wave_bytes(o->rays_in_flight, 1, plt_wide_depth_bound(s->sized_for)),
+                      plt_wide_scratch_bytes(s->sized_for));
+    }
+    if (o->rays_in_flight > 0 && s->format == PLT_FORMAT_THESIS) {
+        return plt_wave_bytes(o->rays_in_flight, 0, s->sized_for->depth_stack_entries);
+    }
+#endif
+    (void)s;
+    return 0;
+}
+
 /* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
@@ -126,6 +152,10 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return local_stack_bytes(s);
     case PLT_PART_FORMAT:
         return plt_state_bytes(s->format);
+    case PLT_PART_WIDE_FORM:
+        return wide_bytes(s);
+    case PLT_PART_WAVE:
+        return wave_bytes(s);
     case PLT_PARTS_COUNT:
         break;
     }
@@ -161,10 +191,17 @@ uint64_t plt_layout_need(const plt_layout *layout) {
                   larger(sum[PLT_LIFETIME_BUILDS], sum[PLT_LIFETIME_VALIDATES]));
 }
 
+static int is_wave_valid(const plt_options *o) {
+    const unsigned rays = o->rays_in_flight;
+    const int has_wave = PLT_WITH_WAVE && rays >= PLT_WAVE_LEAST && rays <= PLT_WAVE_MOST;
+    return (rays == 0 || has_wave) && (o->wide == 0 || (o->wide == 1 && rays > 0)) &&
+           o->rays <= PLT_RAYS_INCOHERENT;
+}
+
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side == 2 || side == 4 || side == 8 || side == 16) && side <= PLT_PACKET_SIDE_MAX &&
-           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1;
+           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

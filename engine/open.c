@@ -8,6 +8,8 @@
 #include "engine/engine.h"
 #include "engine/image/fetch.h"
 #include "engine/layout.h"
+#include "engine/trace/wave_state.h"
+#include "engine/trace/wide_form.h"
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 
@@ -63,6 +65,43 @@ static int cut_running(const plt_opening *o, void *to[PLT_PARTS_COUNT]) {
     return PLT_OK;
 }
 
+#if PLT_WITH_WAVE
+/* Makes the wide form, with the wave's room for scratch; then both take just what they need,
+ * which is known only now. They were cut last. */
+static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+    const uint64_t room = o->layout->bytes[PLT_PART_WIDE_FORM] + o->layout->bytes[PLT_PART_WAVE];
+    size_t form_bytes = 0;
+    e->scene.bvh4 =
+        plt_wide_make(&e->traversal, part[PLT_PART_WIDE_FORM], part[PLT_PART_WAVE], &form_bytes);
+    const size_t wave_bytes =
+        (size_t)plt_wave_bytes(e->options.rays_in_flight, 1, e->scene.bvh4->depth);
+    plt_arena_release(&e->arena, e->arena.used - (size_t)room);
+    plt_arena_cut(&e->arena, form_bytes);
+    e->traversal.wave = plt_arena_cut(&e->arena, wave_bytes);
+    plt_wave_init(e->traversal.wave, e->options.rays_in_flight, 1, e->scene.bvh4->depth);
+    return PLT_OK;
+}
+
+static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+    if (o->layout->bytes[PLT_PART_WIDE_FORM] > 0) {
+        return make_wide_form(e, o, part);
+    }
+    if (o->layout->bytes[PLT_PART_WAVE] > 0) {
+        e->traversal.wave = part[PLT_PART_WAVE];
+        plt_wave_init(e->traversal.wave, e->options.rays_in_flight, 0,
+                      e->scene.info.depth_stack_entries);
+    }
+    return PLT_OK;
+}
+#else
+static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+    (void)e;
+    (void)o;
+    (void)part;
+    return PLT_OK;
+}
+#endif
+
 /* The scene is open: a traversal, a packet and a tile buffer over it. */
 static int start_worker(plt_engine *e, plt_fault *fault) {
     plt_layout layout;
@@ -70,11 +109,12 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
     const plt_info *info = &e->scene.info;
     plt_layout_set(&layout, info, info, e->source.mapped != NULL, &e->options);
     const plt_opening o = opening_of(e, &layout, fault);
-    const int status = cut_running(&o, part);
+    int status = cut_running(&o, part);
     if (status == PLT_OK) {
         plt_traversal_init(&e->traversal, &e->scene, &e->options, part);
         plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
         plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], e->options.packet_side);
+        status = start_wave(e, &o, part);
     }
     return status;
 }

@@ -96,12 +96,24 @@ enum plt_geometry_format {
                               * quantisation grid */
 };
 
+/* How plt_trace traces: hits are the same, bit for bit. */
+enum plt_rays {
+    PLT_RAYS_AUTO = 0,      /* looks at each packet's worth of rays */
+    PLT_RAYS_COHERENT = 1,  /* neighbours point alike: in packets */
+    PLT_RAYS_INCOHERENT = 2 /* each for itself: in a wave */
+};
+
 /* How an engine shall run; all zero but `packet_side` is a good choice. */
 typedef struct plt_options {
-    uint8_t packet_side;   /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
-    uint8_t order;         /* enum plt_order */
-    uint8_t count_touched; /* 1: count plt_stats.bytes_touched_once, for a bit per treelet
-                            * block, of compact blocks a bit per 8 bytes */
+    uint8_t packet_side;    /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
+    uint8_t order;          /* enum plt_order */
+    uint8_t count_touched;  /* 1: count plt_stats.bytes_touched_once, for a bit per treelet
+                             * block, of compact blocks a bit per 8 bytes */
+    uint8_t rays_in_flight; /* of a wave for incoherent rays: 16 .. 64, or 0: plt_trace has
+                             * packets alone. DESIGN.md, section 6, has the bytes */
+    uint8_t wide;           /* 1: the wave has a wide form of the tree, made when the scene is
+                             * opened: faster, for some 75 bytes per triangle */
+    uint8_t rays;           /* enum plt_rays; without a wave all are coherent */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -301,6 +313,8 @@ typedef struct plt_stats {
     uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */
     uint64_t mixed_packets;      /* packets whose rays differ in sign */
     uint64_t packets;
+    uint64_t wave_rays; /* of `rays`, those that went by the wave: each visits nodes for
+                           itself, and four triangles at a time are one triangle_test */
 } plt_stats;
 
 void plt_stats_get(const plt_engine *engine, plt_stats *stats);

@@ -21,6 +21,10 @@
 #define PLT_WITH_BUILDER 1 /* images whose tree is built in the arena */
 #endif
 
+#ifndef PLT_WITH_WAVE
+#define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
+#endif
+
 /* Largest packet, rays along one side: 2, 4, 8 or 16. Decides only what
  * `plt_options.packet_side` may be: the arena holds the packet asked for. */
 #ifndef PLT_PACKET_SIDE_MAX
@@ -74,8 +78,8 @@
 
 #if (PLT_WITH_THESIS != 0 && PLT_WITH_THESIS != 1) ||                                              \
     (PLT_WITH_COMPACT != 0 && PLT_WITH_COMPACT != 1) ||                                            \
-    (PLT_WITH_BUILDER != 0 && PLT_WITH_BUILDER != 1)
-#error "PLT_WITH_THESIS, PLT_WITH_COMPACT and PLT_WITH_BUILDER are the digit 0 or 1"
+    (PLT_WITH_BUILDER != 0 && PLT_WITH_BUILDER != 1) || (PLT_WITH_WAVE != 0 && PLT_WITH_WAVE != 1)
+#error "PLT_WITH_THESIS, _COMPACT, _BUILDER and _WAVE are the digit 0 or 1"
 #endif
 #if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
 #error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"

@@ -41,6 +41,10 @@ static inline f4 f4_load(const float *from) {
     return _mm_loadu_ps(from);
 }
 
+static inline f4 f4_load_16(const float *from) {
+    return _mm_load_ps(from);
+}
+
 static inline void f4_store(float *to, f4 a) {
     _mm_storeu_ps(to, a);
 }
@@ -184,6 +188,19 @@ static inline float f4_min_lane(f4 a) {
 
 static inline void f4_transpose(f4 *a, f4 *b, f4 *c, f4 *d) {
     _MM_TRANSPOSE4_PS(*a, *b, *c, *d);
+}
+
+static inline f4 f4_rotate(f4 a) {
+    return _mm_shuffle_ps(a, a, _MM_SHUFFLE(0, 3, 2, 1));
+}
+
+static inline void f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4 a, f4 b) {
+    const __m128 low = _mm_unpacklo_ps(_mm_castsi128_ps(a.v), b);
+    const __m128 high = _mm_unpackhi_ps(_mm_castsi128_ps(a.v), b);
+    _mm_storel_pi((__m64 *)(void *)to[at[0]], low);
+    _mm_storeh_pi((__m64 *)(void *)to[at[1]], low);
+    _mm_storel_pi((__m64 *)(void *)to[at[2]], high);
+    _mm_storeh_pi((__m64 *)(void *)to[at[3]], high);
 }
 
 static inline void plt_prefetch(const void *at) {

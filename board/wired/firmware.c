@@ -156,7 +156,8 @@ static uint8_t credits_for(uint32_t room_bytes, uint32_t report_bytes) {
 
 static int open_device(uint16_t report_bytes) {
     const uint32_t room_bytes = board_serial_open();
-    static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0, 0};
+    static const plt_options options = {.packet_side =
+                                            PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8};
     const wire_setup setup = {.role = WIRE_DEVICE,
                               .caps = {.session = board_ticks(),
                                        .in_bytes = report_bytes,

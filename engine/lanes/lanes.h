@@ -19,6 +19,7 @@
  *
  * load / store      f4_load(const float[4]) f4_store(float[4], f4)  any
  *                   u4_load u4_store                     4-byte alignment
+ *                   f4_load_16(const float[4])           16-byte alignment
  * make              f4_all(float) u4_all(uint32) f4_zero()
  *                   u4_three(uint32_t, uint32_t, uint32_t), the fourth is 0
  *                   m4_bits(unsigned) lane i from bit i
@@ -33,6 +34,9 @@
  * cross lanes       f4_min_lane(f4) least lane, -0 before +0 not promised,
  *                   NaN lanes not allowed
  *                   f4_transpose(f4*, f4*, f4*, f4*): 4 rows to 4 columns
+ *                   f4_rotate(f4) lanes 1, 2, 3, 0
+ *                   f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4, f4)
+ *                   the bits of both lanes i to to[at[i]], in the order of lanes
  * memory            plt_prefetch(const void *): a hint, may do nothing
  *                   PLT_LANES_REGISTERS: 1 if four lanes are one register, 0 if four
  *

@@ -53,6 +53,10 @@ static inline f4 f4_load(const float *from) {
     return r;
 }
 
+static inline f4 f4_load_16(const float *from) {
+    return f4_load(from);
+}
+
 static inline void f4_store(float *to, f4 a) {
     memcpy(to, a.lane, sizeof a.lane);
 }
@@ -193,6 +197,17 @@ static inline void f4_transpose(f4 *a, f4 *b, f4 *c, f4 *d) {
         b->lane[i] = row[i].lane[1];
         c->lane[i] = row[i].lane[2];
         d->lane[i] = row[i].lane[3];
+    }
+}
+
+static inline f4 f4_rotate(f4 a) {
+    PLT_EACH_LANE(f4, a.lane[(i + 1) & 3]);
+}
+
+static inline void f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4 a, f4 b) {
+    PLT_UNROLLED for (int i = 0; i < 4; i++) {
+        to[at[i]][0] = a.lane[i];
+        to[at[i]][1] = plt_bits_of(b.lane[i]);
     }
 }
 

@@ -29,7 +29,9 @@
     ROW(TILE_BUFFER, RUNS, "tile buffer")                                                          \
     ROW(STACK, RUNS, "traversal stack")                                                            \
     ROW(LOCAL_STACK, RUNS, "local stack")                                                          \
-    ROW(FORMAT, RUNS, "state of the format")
+    ROW(FORMAT, RUNS, "state of the format")                                                       \
+    ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
+    ROW(WAVE, RUNS, "rays in flight")
 
 enum plt_part {
 #define PLT_PART_NAMED(name, lifetime, text) PLT_PART_##name,

@@ -10,6 +10,7 @@
 
 #include "engine/base/box.h"
 #include "engine/scene/formats.h"
+#include "engine/tree/bvh4.h"
 #include "engine/tree/compact/block_tree.h"
 #include "engine/tree/thesis/tree.h"
 
@@ -28,6 +29,7 @@ typedef struct plt_scene {
         plt_block_tree compact;
         plt_list list;
     };
+    const plt_bvh4 *bvh4; /* the tree again, as the wave wants it; NULL: not asked for */
 } plt_scene;
 
 #endif

@@ -19,6 +19,8 @@ plt_info plt_worst_tree(const plt_info *info) {
 #if PLT_WITH_THESIS
     worst.node_slots = plt_build_slots_bound(worst.nodes, info->treelet_nodes);
 #endif
+    worst.leaf_lists = worst.nodes + 1; /* each of one triangle */
+    worst.intermediate_lists = 0;
     worst.depth_stack_entries = PLT_DEPTH_MAX;
     worst.local_stack_entries = PLT_DEPTH_MAX;
     worst.global_stack_entries =

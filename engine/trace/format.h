@@ -32,6 +32,9 @@
  *   const plt_box *format_boxes(children)        their two boxes, in scene units
  *   void format_child(children, i, place)        the place of child i
  *   int format_leaf(t, p, place, groups)         tests its triangles for these groups
+ *   uint32_t format_count(t, place)              of a format that can have a wide form: how
+ *                                   many triangles the leaf has, whose treelet is current
+ *   void format_triangle(t, place, index, triangle)   one of them, without `longest`
  *   FORMAT_TIGHTENS                 1: format_enter may make the box smaller. An order may
  *                                   then enter an edge that has waited before it tests it
  *                                   (depth first does): fewer visits, but a fetch for

@@ -245,4 +245,33 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
     return PLT_OK;
 }
 
+/* The current block, its geometry part opened, too. */
+static inline plt_opened_block *with_geometry(const plt_traversal *t) {
+    plt_opened_block *o = ((format_state *)t->state)->current;
+    if (!o->geometry_open) {
+        plt_opened_block_geometry(o, &t->scene->compact);
+    }
+    return o;
+}
+
+static inline plt_leaf_run run_of(const plt_opened_block *o, const format_place *place) {
+    plt_leaf_run run = {0, 0, 0.0f};
+    run.first = plt_leaf_find(&o->geometry, index_of(place), pairs_before(place), is_pair(place),
+                              &run.count);
+    return run;
+}
+
+static inline uint32_t format_count(const plt_traversal *t, const format_place *place) {
+    return run_of(with_geometry(t), place).count;
+}
+
+#if PLT_WITH_WAVE
+static inline void format_triangle(const plt_traversal *t, const format_place *place,
+                                   uint32_t index, plt_triangle *to) {
+    const plt_opened_block *o = with_geometry(t);
+    const plt_leaf_run run = run_of(o, place);
+    plt_leaf_triangle(&t->scene->compact, &o->geometry, &run, index, to);
+}
+#endif
+
 #endif

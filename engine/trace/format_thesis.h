@@ -116,4 +116,21 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
     return PLT_OK;
 }
 
+static inline uint32_t format_count(const plt_traversal *t, const format_place *place) {
+    const plt_record *first = &t->scene->thesis.records[plt_link_index(place->link)];
+    const plt_record *at = first;
+    for (uint32_t lists = plt_link_lists(place->link); lists > 0; at++) {
+        lists -= (uint32_t)plt_record_is_last(at);
+    }
+    return (uint32_t)(at - first);
+}
+
+static inline void format_triangle(const plt_traversal *t, const format_place *place,
+                                   uint32_t index, plt_triangle *to) {
+    const plt_record *record = &t->scene->thesis.records[plt_link_index(place->link) + index];
+    plt_record_corners(record, to->corner);
+    to->word = plt_get_u32(&record->word[9]);
+    to->ids = NULL;
+}
+
 #endif

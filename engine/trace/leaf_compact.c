@@ -55,6 +55,31 @@ static int is_culled(const plt_leaf *leaf, const uint8_t code[], uint32_t triang
                              code[plt_leaf_corner(leaf, triangle, 2)]);
 }
 
+#if PLT_WITH_WAVE
+static void set_strip_triangle(const plt_block_tree *tree, const plt_geometry *g,
+                               const plt_leaf_run *run, uint32_t index, plt_triangle *to) {
+    plt_leaf leaf;
+    uint64_t key[PLT_LEAF_VERTICES_MOST];
+    plt_leaf_read(g, run->first, run->count, &leaf);
+    set_positions(&leaf, &tree->lattice, key);
+    set_corners(&leaf, key, index, to->corner);
+    to->word = g->first_triangle + run->first + index;
+    to->ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
+}
+
+void plt_leaf_triangle(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
+                       uint32_t index, plt_triangle *to) {
+    if (tree->leaf_kind == PLT_LEAF_STRIPS) {
+        set_strip_triangle(tree, g, run, index, to);
+        return;
+    }
+    const plt_record *record = &tree->records[g->first_triangle + run->first + index];
+    plt_record_corners(record, to->corner);
+    to->word = plt_get_u32(&record->word[9]);
+    to->ids = NULL;
+}
+#endif
+
 static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
                         plt_packet *p, plt_mask groups) {
     plt_leaf leaf;

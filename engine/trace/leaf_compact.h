@@ -9,6 +9,7 @@
 
 #include "engine/lanes/lanes.h"
 #include "engine/trace/packet.h"
+#include "engine/trace/triangle.h"
 #include "engine/tree/compact/block_tree.h"
 
 /* Triangles in a row. */
@@ -22,6 +23,10 @@ typedef struct plt_leaf_run {
 static inline f4 plt_lattice_planes(const plt_lattice *l, f4 numbers) {
     return f4_add(f4_load(l->origin), f4_mul(f4_all(l->step), numbers));
 }
+
+/* Triangle `index` of the run, as the test gets it; but for `longest`, which is not set. */
+void plt_leaf_triangle(const plt_block_tree *tree, const plt_geometry *geometry,
+                       const plt_leaf_run *run, uint32_t index, plt_triangle *to);
 
 /* Tests them for `groups`. */
 void plt_leaf_groups(const plt_block_tree *tree, const plt_geometry *geometry,

@@ -7,9 +7,8 @@
 
 _Static_assert(sizeof(plt_ray) == 32 && sizeof(plt_hit) == 16, "as in ray and hit files");
 
-/* Four rays, or fewer at the end of the array, into lanes. */
-static void load_group(plt_packet *p, const plt_box *scene, unsigned index, const plt_ray *rays,
-                       uint32_t count) {
+void plt_packet_load_rays(plt_packet *p, const plt_box *scene, unsigned index, const plt_ray *rays,
+                          uint32_t count) {
     plt_ray four[4];
     if (count < 4) {
         for (uint32_t i = 0; i < 4; i++) {
@@ -67,7 +66,7 @@ int plt_trace_packet(plt_traversal *t, plt_packet *p, const plt_ray *rays, plt_h
     int status = PLT_MORE;
     plt_packet_begin(p, (count + 3) / 4, any);
     for (unsigned i = 0; i < p->groups; i++) {
-        load_group(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
+        plt_packet_load_rays(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
     plt_traversal_begin(t, p, count);

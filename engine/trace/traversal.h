@@ -21,6 +21,7 @@ typedef struct plt_traversal {
     void *stack;       /* entries: depth first, or the global stack */
     uint32_t waiting;  /* entries on it; 0: the packet is done */
     void *local;       /* two-stage only */
+    void *wave;        /* rays in flight (wave_state.h); NULL: not asked for */
     void *state;       /* what the format keeps from visit to visit */
     uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
     uint32_t touched_words;

@@ -31,7 +31,8 @@ static int send_reports(wire_device *d, const transport *t, uint8_t *report, siz
 }
 
 int emulated_device(const transport *t, unsigned report_bytes, size_t memory_bytes) {
-    static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0, 0};
+    static const plt_options options = {.packet_side =
+                                            PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8};
     const wire_setup setup = {.role = WIRE_DEVICE,
                               .caps = {.session = clock_ms(),
                                        .in_bytes = (uint16_t)report_bytes,

@@ -11,7 +11,7 @@ alone() {
     for header in "$@"; do
         # An order is written against a format (trace/format.h), which comes first.
         case $header in
-        engine/trace/order_*) first=engine/trace/format_thesis.h ;;
+        engine/trace/order_* | engine/trace/collapse.h) first=engine/trace/format_thesis.h ;;
         *) first=$header ;;
         esac
         printf '#include "%s"\n' "$first" "$header" |

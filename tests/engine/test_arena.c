@@ -137,7 +137,9 @@ static void sizes(void (*of)(const packed *, int, const plt_options *), uint8_t 
     for (int i = 0; i < count; i++) {
         packed image = image_of(triangles[i], build, 1, nodes[i]);
         for (uint8_t order = 0; order < 2; order++) {
-            const plt_options small = {2, order, 1}, large = {PLT_PACKET_SIDE_MAX, order, 1};
+            const plt_options small = {.packet_side = 2, .order = order, .count_touched = 1};
+            const plt_options large = {
+                .packet_side = PLT_PACKET_SIDE_MAX, .order = order, .count_touched = 1};
             of(&image, 0, &small);
             of(&image, 1, &large);
         }
@@ -157,7 +159,7 @@ static void read_only(uint8_t build) {
     packed locked = image;
     locked.bytes = pages;
     for (uint8_t order = 0; order < 2; order++) {
-        const plt_options options = {2, order, 1};
+        const plt_options options = {.packet_side = 2, .order = order, .count_touched = 1};
         const opened o = open_in(&locked, plt_arena_need(&image.info, 1, &options), 0, &options);
         CHECK(o.status == PLT_OK, "build %u: %s", build, o.fault.message);
     }
@@ -171,7 +173,7 @@ static void side_by_side(void) {
     enum { ENGINES = 4, RAYS = 256 };
     packed image = image_of(60, PLT_BUILD_HOST, 1, 2);
     const plt_source source = rig_source(&image);
-    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
+    const plt_options options = {.packet_side = 2, .count_touched = 1};
     const size_t need = plt_arena_need(&image.info, 1, &options);
     unsigned char *arena = aligned_alloc(PLT_ALIGN, ENGINES * need), *before = malloc(need);
     plt_engine *e[ENGINES];
@@ -223,7 +225,7 @@ static void cuts(void) {
 
 /* Needs larger than any arena: they grow with the triangles and never wrap. */
 static void largest_needs(void) {
-    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
+    const plt_options options = {.packet_side = 2, .count_touched = 1};
     for (uint8_t format = 0; format < 2; format++) {
         size_t before = 0;
         for (uint32_t triangles = 1; triangles < 1u << 27; triangles = 2 * triangles + 1) {

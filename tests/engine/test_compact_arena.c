@@ -38,7 +38,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     hostile_stream stream = {image->bytes, image->size, 0};
     const plt_source fetched = {NULL, image->size, &stream, hostile_start, hostile_wait};
     const plt_source source = streamed ? fetched : rig_source(image);
-    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST, 1};
+    const plt_options options = {.packet_side = side, .count_touched = 1};
     unsigned char *zone = malloc(bytes + ZONE);
     plt_engine *e = NULL;
     memset(zone, PATTERN, bytes + ZONE);
@@ -59,7 +59,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
 }
 
 static void every_size(const packed *image, int streamed, uint8_t side) {
-    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST, 1};
+    const plt_options options = {.packet_side = side, .count_touched = 1};
     const size_t need = plt_arena_need(&image->info, !streamed, &options);
     const int device = image->info.build == PLT_BUILD_DEVICE;
     size_t least = 0;

@@ -34,7 +34,7 @@ typedef struct excess {
 } excess;
 
 static int open_image(rig *r, const packed *image, uint8_t side) {
-    const plt_options options = {side, PLT_ORDER_DEPTH_FIRST, 1};
+    const plt_options options = {.packet_side = side, .count_touched = 1};
     const plt_source source = rig_source(image);
     plt_info info;
     int status = plt_image_info(&source, &info, &r->fault);

@@ -24,7 +24,7 @@ static packed image_of(uint32_t triangles, uint8_t build) {
 }
 
 static plt_options options_of(void) {
-    const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
+    const plt_options options = {.packet_side = 2, .count_touched = 1};
     return options;
 }
 

@@ -262,6 +262,19 @@ static void test_whole_numbers(void) {
     CHECK(out[0] == 1 && out[1] == 2 && out[2] == 3 && out[3] == 0, "three words and 0");
 }
 
+/* Every pair of lanes where it belongs, the later of two on top. */
+static void test_crossing(void) {
+    test("scalar: lanes rotate by one; pairs go where they are told, in the order of lanes");
+    const lanes_in in = {.row = {{1, 2, 3, 4}, {5, 6, 7, 8}, {6, 0, 6, 3}}};
+    uint32_t out[16] = {0};
+    lanes_probe_scalar.run(OP_f4_rotate, &in, out);
+    CHECK(out[0] == 2 && out[1] == 3 && out[2] == 4 && out[3] == 1, "rotated");
+    lanes_probe_scalar.run(OP_f4_store_pairs, &in, out);
+    CHECK(out[12] == 3 && out[13] == 7 && out[0] == 2 && out[1] == 6 && out[6] == 4 && out[7] == 8,
+          "pairs");
+    CHECK(out[2] == 0x77777777u && out[15] == 0x77777777u, "nothing else is written");
+}
+
 /* (1 + 2^-12)^2 - (1 + 2^-11) is 2^-24 when fused and 0 when rounded twice. */
 static void test_not_fused(const lanes_probe *p) {
     char sentence[160];
@@ -356,6 +369,7 @@ int main(void) {
     test_compares();
     test_sign_bits();
     test_whole_numbers();
+    test_crossing();
     test_not_fused(&lanes_probe_scalar);
 #ifdef LANES_X86
     test_complete(&lanes_probe_sse2);

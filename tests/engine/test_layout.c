@@ -92,8 +92,9 @@ static uint32_t each(void (*look)(const combination *c)) {
     uint32_t count = 0;
     for (unsigned i = 0; i < IMAGES * 2 * 4 * 2 * 2; i++) {
         const subject *s = &subjects[i / 32];
-        const plt_options options = {(uint8_t)(2u << i % 4), (uint8_t)(i / 4 % 2),
-                                     (uint8_t)(i / 8 % 2)};
+        const plt_options options = {.packet_side = (uint8_t)(2u << i % 4),
+                                     .order = (uint8_t)(i / 4 % 2),
+                                     .count_touched = (uint8_t)(i / 8 % 2)};
         const int valid = options.packet_side <= PLT_PACKET_SIDE_MAX &&
                           (options.order == PLT_ORDER_DEPTH_FIRST ||
                            s->image.info.nodes_format == PLT_NODES_THESIS);
@@ -334,7 +335,7 @@ static void invalid_options(const combination *c) {
 /* Of each image one valid combination, spoilt. */
 static void out_of_range(void) {
     for (int i = 0; i < IMAGES; i++) {
-        const plt_options options = {2, PLT_ORDER_DEPTH_FIRST, 1};
+        const plt_options options = {.packet_side = 2, .count_touched = 1};
         const plt_info *info = &subjects[i].image.info;
         const combination c = {&subjects[i], info, options,
                                i % 2,        1,    info->build == PLT_BUILD_DEVICE};

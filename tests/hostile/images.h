@@ -188,7 +188,8 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {config.packet_side, config.order, 1};
+    const plt_options options = {
+        .packet_side = config.packet_side, .order = config.order, .count_touched = 1};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }

@@ -194,7 +194,8 @@ static const wire_view views[2] = {
      .shader = PLT_SHADE_NORMAL}};
 
 static void open_engine(const packed *image, uint64_t seed) {
-    static const plt_options options = {PLT_PACKET_SIDE_MAX < 4 ? PLT_PACKET_SIDE_MAX : 4, 0, 0};
+    static const plt_options options = {.packet_side =
+                                            PLT_PACKET_SIDE_MAX < 4 ? PLT_PACKET_SIDE_MAX : 4};
     const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
     memset(&e, 0, sizeof e);
     fake_cable_open(&e.cable, &e.host, &e.device.peer, seed);
@@ -293,7 +294,7 @@ static void test_engine(void) {
 }
 
 static void test_other_tiles(void) {
-    static const plt_options options = {PLT_PACKET_SIDE_MAX, 0, 0};
+    static const plt_options options = {.packet_side = PLT_PACKET_SIDE_MAX};
     test("an engine whose tiles are not those of the wire is refused as a device");
     CHECK(wire_device_open(&e.device, &device_setup, &options, e.memory, sizeof e.memory, 0) ==
               WIRE_ERR_SETUP,

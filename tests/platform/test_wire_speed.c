@@ -55,7 +55,8 @@ static void render(plt_engine *engine, const plt_frame *frame, uint8_t *rgb) {
 }
 
 static plt_engine *engine_of(const plt_source *source) {
-    static const plt_options options = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, 0, 0};
+    static const plt_options options = {.packet_side =
+                                            PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8};
     plt_engine *engine;
     plt_fault fault;
     const int status =

@@ -49,6 +49,9 @@
     X(u4_select, EXACT, 2)                                                                         \
     X(f4_min_lane, VALUE, 1)                                                                       \
     X(f4_transpose, EXACT, 4)                                                                      \
+    X(f4_load_16, EXACT, 1)                                                                        \
+    X(f4_rotate, EXACT, 1)                                                                         \
+    X(f4_store_pairs, EXACT, 3)                                                                    \
     X(plt_prefetch, EXACT, 0)
 
 enum lanes_kind { EXACT, ARITHMETIC, VALUE };

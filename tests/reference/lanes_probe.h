@@ -83,6 +83,24 @@ static void run_bytes(const lanes_in *in, uint32_t *out) {
     put_f4(out, f4_of_bytes(hidden(&p)->bytes + 5));
 }
 
+static void run_load_16(const lanes_in *in, uint32_t *out) {
+    buffer p;
+    memcpy(p.bytes, in->row[0], 16);
+    put_f4(out, f4_load_16(hidden(&p)->f));
+}
+
+/* To places of which two may be the same, in two rows of words. */
+static void run_store_pairs(const lanes_in *in, uint32_t *out) {
+    uint32_t to[8][2];
+    uint8_t at[4];
+    memset(to, 0x77, sizeof to);
+    for (int i = 0; i < 4; i++) {
+        at[i] = (uint8_t)(in->row[2][i] & 7u);
+    }
+    f4_store_pairs(to, at, u4_of(in->row[0]), f4_of(in->row[1]));
+    memcpy(out, to, sizeof to);
+}
+
 #define F_F(op)                                                                                    \
     case OP_##op:                                                                                  \
         put_f4(out, op(f4_of(in->row[0])));                                                        \
@@ -171,6 +189,13 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         break;
     case OP_f4_transpose:
         run_transpose(in, out);
+        break;
+        F_F(f4_rotate);
+    case OP_f4_load_16:
+        run_load_16(in, out);
+        break;
+    case OP_f4_store_pairs:
+        run_store_pairs(in, out);
         break;
     case OP_plt_prefetch:
         plt_prefetch(in);

@@ -1,0 +1,268 @@
+/* ray_block - see ray_block.h; what follows where edge functions do not rule a hit out
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/ray_block.h"
+
+#include "engine/trace/exact.h"
+#include "engine/trace/triangle_seldom.h"
+#include "engine/tree/primitive_id.h"
+
+/* Four triangles' planes, and where the ray meets them. */
+typedef struct planes {
+    float normal[3][4];
+    f4 enter, leave; /* of each triangle's own box */
+    f4 along;        /* n . dir over the largest component of dir */
+    f4 distance;
+} planes;
+
+/* Where the ray is inside each triangle's own box, as boxes.c would say. */
+static m4 own_boxes(const plt_wave_ray *r, const plt_bvh4_block *b, planes *p) {
+    f4 n[3], f[3];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        const f4 c0 = f4_load_16(b->corner[0][a]), c1 = f4_load_16(b->corner[1][a]),
+                 c2 = f4_load_16(b->corner[2][a]);
+        const f4 lo = f4_min(f4_min(c0, c1), c2), hi = f4_max(f4_max(c0, c1), c2);
+        const f4 rdir = f4_load_16(r->rdir[a]);
+        const m4 negative = f4_lt(rdir, f4_zero());
+        n[a] = f4_mul(f4_sub(f4_select(negative, hi, lo), f4_load_16(r->near_org[a])), rdir);
+        f[a] = f4_mul(f4_sub(f4_select(negative, lo, hi), f4_load_16(r->far_org[a])), rdir);
+    }
+    p->enter = f4_max(f4_max(n[0], n[1]), n[2]);
+    p->leave = f4_min(f4_min(f[0], f[1]), f[2]);
+    return f4_le(p->enter, p->leave);
+}
+
+/* Normals, as plt_triangle_normal. */
+static void set_normals(const plt_bvh4_block *b, planes *p) {
+    f4 first[3], second[3];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        const f4 c0 = f4_load_16(b->corner[0][a]);
+        first[a] = f4_sub(f4_load_16(b->corner[1][a]), c0);
+        second[a] = f4_sub(f4_load_16(b->corner[2][a]), c0);
+    }
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        const int x = plt_axis_after[a], y = plt_axis_after[x];
+        f4_store(p->normal[a], f4_sub(f4_mul(first[x], second[y]), f4_mul(first[y], second[x])));
+    }
+}
+
+/* n . dir over dir[z], of one of triangle.c's normals. */
+static float along_one(const plt_wave_ray *r, const float normal[3]) {
+    const unsigned x = r->axis[0] / 16u, y = r->axis[1] / 16u, z = r->axis[2] / 16u;
+    return normal[z] + (normal[x] * r->slope[0] + normal[y] * r->slope[1]);
+}
+
+static void set_distances(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
+                          planes *p) {
+    const unsigned x = r->axis[0] / 16u, y = r->axis[1] / 16u, z = r->axis[2] / 16u;
+    f4 numerator = f4_zero();
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        const f4 p0 = f4_sub(f4_load_16(b->corner[0][a]), f4_all(ray->org[a]));
+        numerator = f4_add(numerator, f4_mul(f4_load(p->normal[a]), p0));
+    }
+    p->along =
+        f4_add(f4_load(p->normal[z]), f4_add(f4_mul(f4_load(p->normal[x]), f4_all(r->slope[0])),
+                                             f4_mul(f4_load(p->normal[y]), f4_all(r->slope[1]))));
+    p->distance = f4_div(f4_div(numerator, p->along), f4_all(r->along));
+}
+
+/* ---- lanes that single precision may not decide --------------------------------- */
+
+static void corners_of(const plt_bvh4_block *b, unsigned lane, float corner[3][3]) {
+    for (int c = 0; c < 3; c++) {
+        for (int a = 0; a < 3; a++) {
+            corner[c][a] = b->corner[c][a][lane];
+        }
+    }
+}
+
+static plt_lone_ray lone_ray(const plt_wave_ray *r, const plt_ray *ray) {
+    const plt_lone_ray lone = {{ray->org[0], ray->org[1], ray->org[2]},
+                               {ray->dir[0], ray->dir[1], ray->dir[2]},
+                               r->reach,
+                               r->axis[2] / 16};
+    return lone;
+}
+
+/* t, from a scaled normal. */
+static float scaled_distance(const plt_wave_ray *r, const float corner[3][3], const plt_ray *ray,
+                             const float normal[3], float along) {
+    float numerator = 0.0f;
+    for (int a = 0; a < 3; a++) {
+        numerator = numerator + normal[a] * (corner[0][a] - ray->org[a]);
+    }
+    return numerator / along / r->along;
+}
+
+static float clamped(float t, float enter, float leave) {
+    t = t > enter ? t : enter;
+    return t < leave ? t : leave;
+}
+
+/* Whether the distance of a lane needs integers; where products of the normal may underflow it
+ * is computed anew. */
+static int is_open(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
+                   const float normal[3], float enter, float leave, unsigned lane, float *t) {
+    float corner[3][3], scaled[3];
+    corners_of(b, lane, corner);
+    const unsigned kind = plt_scale_normal(corner, normal, scaled);
+    const float along = along_one(r, scaled);
+    if ((kind & PLT_NORMAL_IS_SMALL) != 0) {
+        *t = scaled_distance(r, corner, ray, scaled, along);
+    }
+    return plt_distance_is_open(along, kind, enter, leave) && enter <= r->tmax[0] &&
+           r->tmin[0] <= leave;
+}
+
+/* Of `candidates`, those whose distance needs integers. */
+static unsigned open_lanes(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
+                           planes *p, unsigned candidates) {
+    float enter[4], leave[4], t[4];
+    unsigned open = 0;
+    f4_store(enter, p->enter);
+    f4_store(leave, p->leave);
+    f4_store(t, p->distance);
+    for (unsigned i = 0; i < 4; i++) {
+        if (candidates >> i & 1u) {
+            const float normal[3] = {p->normal[0][i], p->normal[1][i], p->normal[2][i]};
+            open |= (unsigned)is_open(r, b, ray, normal, enter[i], leave[i], i, &t[i]) << i;
+        }
+    }
+    p->distance = f4_load(t);
+    return open;
+}
+
+/* ---- hits ------------------------------------------------------------------------ */
+
+/* The four lanes, out of their registers. */
+typedef struct lanes {
+    float weight[3][4], x[3][4], y[3][4];
+    float error[4], t[4], enter[4], leave[4];
+} lanes;
+
+static void set_lanes(lanes *l, const block_edges *e, const planes *p, f4 error) {
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        f4_store(l->weight[c], e->weight[c]);
+        f4_store(l->x[c], e->x[c]);
+        f4_store(l->y[c], e->y[c]);
+    }
+    f4_store(l->error, error);
+    f4_store(l->t, p->distance);
+    f4_store(l->enter, p->enter);
+    f4_store(l->leave, p->leave);
+}
+
+/* Bounds the errors of the edge functions. */
+static f4 error_of(const plt_wave_ray *r, const block_edges *e) {
+    const f4 reach = f4_all(r->reach);
+    const f4 x = f4_max(f4_max(f4_abs(e->x[0]), f4_abs(e->x[1])), f4_abs(e->x[2]));
+    const f4 y = f4_max(f4_max(f4_abs(e->y[0]), f4_abs(e->y[1])), f4_abs(e->y[2]));
+    return f4_mul(reach, f4_add(f4_mul(f4_all(32.0f * PLT_U), f4_max(x, y)),
+                                f4_mul(f4_all(128.0f * PLT_U * PLT_U), reach)));
+}
+
+static unsigned sure_lanes(const block_edges *e, f4 error) {
+    const f4 least = f4_min(f4_min(e->weight[0], e->weight[1]), e->weight[2]);
+    const f4 most = f4_max(f4_max(e->weight[0], e->weight[1]), e->weight[2]);
+    return m4_mask(m4_or(f4_lt(error, least), f4_lt(most, f4_neg(error))));
+}
+
+/* Is a lane's triangle met? One that is too close to call gets other weights if its own are
+ * too coarse for u and v. */
+static int is_met(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray, lanes *l,
+                  unsigned i) {
+    const plt_lone_ray lone = lone_ray(r, ray);
+    float corner[3][3];
+    const plt_lone_edges e = {{l->weight[0][i], l->weight[1][i], l->weight[2][i]},
+                              {l->x[0][i], l->x[1][i], l->x[2][i]},
+                              {l->y[0][i], l->y[1][i], l->y[2][i]},
+                              l->error[i]};
+    corners_of(b, i, corner);
+    const enum plt_meeting how = plt_decide_meeting(&lone, corner, &e);
+    if (how == PLT_MEETS_COARSELY) {
+        float weight[3];
+        plt_exact_weights(&lone, corner, weight);
+        for (int c = 0; c < 3; c++) {
+            l->weight[c][i] = weight[c];
+        }
+    }
+    return how != PLT_MISSES;
+}
+
+static void set_exact_distance(const plt_bvh4_block *b, const plt_ray *ray, lanes *l, unsigned i) {
+    float corner[3][3];
+    corners_of(b, i, corner);
+    l->t[i] = clamped(plt_exact_distance(corner, ray->org, ray->dir), l->enter[i], l->leave[i]);
+}
+
+static int is_nearer(const plt_wave_ray *r, float t, uint32_t id) {
+    return r->tmin[0] <= t && (t < r->tmax[0] || (t == r->tmax[0] && id < r->id));
+}
+
+static float weight_of(const lanes *l, unsigned corner, unsigned i, float sum) {
+    const float w = l->weight[corner][i] / sum;
+    const float above = w > 0.0f ? w : 0.0f;
+    return above < 1.0f ? above : 1.0f;
+}
+
+static void record(plt_wave_ray *r, const lanes *l, unsigned i, uint32_t word, int any) {
+    const float sum = (l->weight[0][i] + l->weight[1][i]) + l->weight[2][i];
+    const unsigned first = plt_axis_after[plt_primitive_rotation(word)];
+    f4_store(r->tmax, f4_all(any ? -1.0f : l->t[i]));
+    r->id = plt_primitive_id(word);
+    r->u = weight_of(l, first, i, sum);
+    r->v = weight_of(l, plt_axis_after[first], i, sum);
+}
+
+/* Lanes that are nearer than the hit so far. */
+static unsigned nearer_lanes(const plt_wave_ray *r, const plt_bvh4_block *b, f4 t) {
+    const f4 tmax = f4_load_16(r->tmax);
+    const u4 id = u4_and(u4_load(b->word), u4_all(PLT_PRIMITIVE_ID_MASK));
+    const m4 tie = m4_and(f4_eq(t, tmax), u4_lt(id, u4_all(r->id)));
+    return m4_mask(m4_and(f4_le(f4_load_16(r->tmin), t), m4_or(f4_lt(t, tmax), tie)));
+}
+
+/* Below the limit of its triangle's plt_open_limit. */
+static unsigned low_lanes(const plt_bvh4_block *b, f4 along) {
+    const f4 longest = f4_load_16(b->longest);
+    const f4 limit = f4_add(f4_mul(f4_mul(f4_all(4.0f * PLT_SLIVER), longest), longest),
+                            f4_all(4.0f * PLT_NORMAL_LEAST));
+    return m4_mask(f4_lt(f4_abs(along), limit));
+}
+
+int plt_ray_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
+                       const block_edges *e, unsigned may, int any) {
+    planes p;
+    lanes l;
+    unsigned candidates = may & m4_mask(own_boxes(r, b, &p)), open = 0;
+    int found = 0;
+    set_normals(b, &p);
+    set_distances(r, b, ray, &p);
+    const unsigned low = candidates & low_lanes(b, p.along);
+    if (low != 0) {
+        open = open_lanes(r, b, ray, &p, low);
+    }
+    /* A NaN (0 / 0) becomes `enter` by the rule of max. */
+    p.distance = f4_min(f4_max(p.distance, p.enter), p.leave);
+    candidates &= nearer_lanes(r, b, p.distance) | open;
+    if (candidates == 0) {
+        return 0;
+    }
+    const f4 error = error_of(r, e);
+    const unsigned sure = sure_lanes(e, error);
+    set_lanes(&l, e, &p, error);
+    for (unsigned i = 0; i < 4; i++) {
+        const unsigned bit = 1u << i;
+        if ((candidates & bit) == 0 || !((sure & bit) != 0 || is_met(r, b, ray, &l, i))) {
+            continue;
+        }
+        if ((open & bit) != 0) {
+            set_exact_distance(b, ray, &l, i);
+        }
+        if (is_nearer(r, l.t[i], plt_primitive_id(b->word[i]))) {
+            record(r, &l, i, b->word[i], any);
+            found = 1;
+        }
+    }
+    return found;
+}

@@ -1,0 +1,121 @@
+/* wave_state - see wave_state.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/wave_state.h"
+
+#include "engine/trace/rays.h"
+#include "engine/trace/triangle_common.h"
+/* Columns of four rays, a row for each. */
+static void store_rows(f4 a, f4 b, f4 c, f4 d, float to[4][4]) {
+    f4 row[4] = {a, b, c, d};
+    f4_transpose(&row[0], &row[1], &row[2], &row[3]);
+    PLT_UNROLLED for (int i = 0; i < 4; i++) {
+        f4_store(to[i], row[i]);
+    }
+}
+
+/* The rays' numbers in their own axes. */
+static void stage_own_axes(plt_wave_staged *to, const plt_group_rays *g) {
+    const m4 is_x = m4_bits(g->axis_lanes[0]), is_y = m4_bits(g->axis_lanes[1]);
+    f4 org[3], dir[3], own[3];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        org[a] = f4_load(g->org[a]);
+        dir[a] = f4_load(g->dir[a]);
+    }
+    PLT_UNROLLED for (int i = 0; i < 3; i++) {
+        const int x = plt_axis_after[i], y = plt_axis_after[x];
+        own[i] = f4_select(is_x, org[x], f4_select(is_y, org[y], org[i]));
+    }
+    f4_store(to->along, f4_select(is_x, dir[0], f4_select(is_y, dir[1], dir[2])));
+    store_rows(own[0], own[1], own[2], f4_load(g->reach), to->own);
+}
+
+/* Sets four rays up; lanes without one, and rays that hit nothing, are not valid. */
+static void stage(plt_wave_job *job) {
+    plt_wave_staged *to = &job->wave->staged;
+    plt_packet *p = job->staging;
+    const plt_group_slabs *s = &p->slabs.group[0];
+    const plt_group_rays *g = &p->rays[0];
+    plt_packet_load_rays(p, job->box, 0, job->rays + job->next, job->count - job->next);
+    to->valid = g->valid;
+    if (g->valid == 0) {
+        return;
+    }
+    stage_own_axes(to, g);
+    store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), f4_load(g->least_slack),
+               f4_mul(f4_load(g->reach), f4_all(72.0f * PLT_U)), to->shear);
+    for (int a = 0; a < 3; a++) {
+        to->negative[a] = (uint8_t)m4_mask(f4_lt(f4_load(s->rdir[a]), f4_zero()));
+    }
+}
+
+/* A ray out of its lane. */
+static void set_ray(plt_wave_ray *r, const plt_wave_job *job, unsigned lane) {
+    const plt_wave_staged *from = &job->wave->staged;
+    const plt_group_slabs *s = &job->staging->slabs.group[0];
+    const plt_group_rays *g = &job->staging->rays[0];
+    unsigned z = (g->axis_lanes[1] >> lane & 1u) + 2 * (g->axis_lanes[2] >> lane & 1u);
+    PLT_UNROLLED for (unsigned a = 0; a < 3; a++) {
+        f4_store(r->near_org[a], f4_all(s->near_org[a][lane]));
+        f4_store(r->far_org[a], f4_all(s->far_org[a][lane]));
+        f4_store(r->rdir[a], f4_all(s->rdir[a][lane]));
+        r->near[a] = (uint8_t)(32 * a + 16 * (from->negative[a] >> lane & 1u));
+        r->far[a] = r->near[a] ^ 16u;
+        z = plt_axis_after[z];
+        r->axis[a] = (uint8_t)(16 * z);
+    }
+    f4_store(r->tmin, f4_all(s->tmin[lane]));
+    f4_store(r->tmax, f4_all(s->tmax[lane]));
+    f4_store(r->org, f4_load(from->own[lane]));
+    f4_store(r->slope, f4_load(from->shear[lane]));
+    r->along = from->along[lane];
+    r->id = PLT_MISS;
+    r->u = r->v = 0.0f;
+}
+
+/* Asks for the rays that come PLT_WAVE_AHEAD later: four take two lines. */
+static void ask_ahead(const plt_wave_job *job) {
+    const uint32_t left = job->count - job->next;
+    const plt_ray *ahead = &job->rays[job->next + (left > PLT_WAVE_AHEAD + 2 ? PLT_WAVE_AHEAD : 0)];
+    plt_prefetch(ahead);
+    plt_prefetch(ahead + (left > 2 ? 2 : 0));
+}
+
+int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
+    while (job->next < job->count) {
+        const unsigned lane = job->next & 3u;
+        if (lane == 0) {
+            ask_ahead(job);
+            stage(job);
+        }
+        const uint32_t number = job->next++;
+        if (job->wave->staged.valid >> lane & 1u) {
+            set_ray(to, job, lane);
+            to->number = number;
+            return 1;
+        }
+        const plt_hit miss = {0.0f, 0.0f, 0.0f, job->any ? 0 : PLT_MISS};
+        job->hits[number] = miss;
+    }
+    return 0;
+}
+
+/* Of a multiple of 16. */
+static size_t rounded(size_t bytes) {
+    return (bytes + 15) / 16 * 16;
+}
+
+static uint32_t ray_bytes(int wide, uint32_t depth) {
+    return (uint32_t)rounded(sizeof(plt_wave_ray) + plt_wave_stack_bytes(wide, depth));
+}
+
+uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth) {
+    return rounded(sizeof(plt_wave)) + (uint64_t)rays_in_flight * ray_bytes(wide, depth);
+}
+
+void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t depth) {
+    plt_wave *w = memory;
+    w->first = (unsigned char *)memory + rounded(sizeof(plt_wave));
+    w->rays_in_flight = rays_in_flight;
+    w->ray_bytes = ray_bytes(wide, depth);
+}

@@ -1,0 +1,75 @@
+/* wave_state - what lies in the arena for a wave, and how rays get in and out of it
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_WAVE_STATE_H
+#define PLT_TRACE_WAVE_STATE_H
+
+#include "engine/trace/traversal.h"
+#include "engine/trace/wave_ray.h"
+
+/* Rays in flight: PLT_WAVE_LEAST .. PLT_WAVE_MOST, or 0: there is no wave. */
+enum { PLT_WAVE_LEAST = 16, PLT_WAVE_MOST = 64 };
+
+/* Bytes of a wave of so many rays, with stacks for scenes whose tree or wide form has at most
+ * `depth` nodes on a path. */
+uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth);
+
+/* Lays one out in `memory`. */
+void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t depth);
+
+/* What is next for a ray in flight, and so which list it is on. */
+enum plt_wave_step { PLT_WAVE_VISIT, PLT_WAVE_TEST, PLT_WAVE_DONE, PLT_WAVE_STEPS };
+
+enum { PLT_WAVE_AHEAD = 16 }; /* rays are asked for so many before they are taken */
+
+/* What four rays that are set up together have not in common with their lanes. */
+typedef struct plt_wave_staged {
+    float own[4][4];   /* [lane] org and reach, in own axes */
+    float shear[4][4]; /* slopes and slacks */
+    float along[4];
+    uint8_t negative[3]; /* lanes, per axis */
+    uint8_t valid;       /* lanes of rays that can hit anything */
+} plt_wave_staged;
+
+typedef struct plt_wave {
+    plt_wave_staged staged;
+    uint32_t ray_bytes; /* of a ray in flight and its stack */
+    uint32_t rays_in_flight;
+    unsigned char *first;                         /* ray in flight */
+    uint32_t list[PLT_WAVE_STEPS][PLT_WAVE_MOST]; /* bytes from `first` to the ray */
+} plt_wave;
+
+/* One call's rays. */
+typedef struct plt_wave_job {
+    plt_wave *wave;
+    const plt_box *box; /* the scene's */
+    plt_packet *staging;
+    const plt_ray *rays;
+    plt_hit *hits;
+    uint32_t count, next;
+    int any;
+} plt_wave_job;
+
+static inline plt_wave_ray *plt_wave_at(const plt_wave *w, uint32_t place) {
+    return (plt_wave_ray *)(void *)(w->first + place);
+}
+
+/* Bytes of a ray's stack. */
+static inline uint32_t plt_wave_stack_bytes(int wide, uint32_t depth) {
+    return wide ? 8 * (3 * depth + 4) : 16 * (depth + 2);
+}
+
+/* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */
+int plt_wave_take(plt_wave_job *job, plt_wave_ray *to);
+
+/* Writes a ray's hit to its place. */
+static inline void plt_wave_write(const plt_wave_job *job, const plt_wave_ray *r) {
+    const int found = r->id != PLT_MISS, wanted = found && !job->any;
+    plt_hit *hit = &job->hits[r->number];
+    hit->t = wanted ? r->tmax[0] : 0.0f;
+    hit->u = wanted ? r->u : 0.0f;
+    hit->v = wanted ? r->v : 0.0f;
+    hit->triangle = job->any ? (uint32_t)found : r->id;
+}
+
+#endif

@@ -1,0 +1,472 @@
+/* test_wave - incoherent rays by the wave: hits of packets, bit for bit
+ *
+ * Scenes and rays contain whatever could make a difference: ties, slivers, flat and doubled
+ * triangles, triangles without area, huge and tiny scales; rays along axes, at edges and
+ * corners, from surfaces and inside boxes, and rays that are none.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/engine.h"
+#include "engine/trace/child_order.h"
+#include "engine/trace/wave_state.h"
+#include "engine/trace/wide_form.h"
+#include "host_tools/scenes/scenes.h"
+#include "tests/hostile/images.h"
+#include "tests/reference/compact_rig.h"
+#include "tests/reference/rays.h"
+#include "tests/reference/shapes.h"
+#include "tests/test.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+enum { EACH = 96 };
+#else
+enum { EACH = 400 };
+#endif
+enum { KINDS = 6, RAYS = KINDS * EACH, SCENES = 11 };
+
+static plt_ray rays[RAYS];
+static plt_hit expected[2][RAYS]; /* nearest, any */
+static uint64_t compared, met;
+
+/* ---- scenes and rays ---------------------------------------------------------------- */
+
+static const char *make(int number, uint32_t k, mesh *m) {
+    static const char *const name[SCENES] = {
+        "soup",        "small soup", "sheet",   "coincident", "degenerate", "knot",
+        "far terrain", "icosphere",  "needles", "huge soup",  "exponential"};
+    fail f = {""};
+    switch (number) {
+    case 0:
+        shape_soup(m, rig_triangles(300, k), 0.7f, 1);
+        break;
+    case 1:
+        shape_soup(m, rig_triangles(900, k), 0.02f, 2);
+        break;
+    case 2:
+        shape_sheet(m, rig_is_tiny() ? 7 : 15, (int)k % 3);
+        break;
+    case 3:
+        shape_coincident(m, rig_triangles(40, k) - 2);
+        break;
+    case 4:
+        shape_degenerate(m);
+        break;
+    case 5:
+        scene_knot(m, rig_triangles(900, k), &f);
+        break;
+    case 6:
+        scene_terrain(m, rig_triangles(900, k), &f);
+        shape_transform(m, 37.0f, 30.0f, -77.0f, 21.0f);
+        break;
+    case 7:
+        shape_icosphere(m, rig_is_tiny() ? 1 : 2);
+        shape_transform(m, 1e-6f, 1e-6f, 0.0f, 1e-7f);
+        break;
+    case 8:
+        shape_needles(m, 13);
+        break;
+    case 9:
+        shape_soup(m, rig_triangles(300, k), 0.3f, 5);
+        shape_transform(m, 1e11f, 3e11f, 0.0f, -2e11f);
+        break;
+    default:
+        shape_exponential(m, rig_triangles(100, k));
+    }
+    return name[number];
+}
+
+/* From a random point of a triangle, in any direction. */
+static void rays_from_surfaces(plt_ray *to, uint32_t count, const mesh *m, random_state *r) {
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t triangle = random_below(r, m->triangles);
+        const float u = random_float(r, 0.0f, 0.5f), v = random_float(r, 0.0f, 0.5f);
+        float org[3], dir[3];
+        for (int a = 0; a < 3; a++) {
+            const float p0 = shape_corner(m, triangle, 0)[a], p1 = shape_corner(m, triangle, 1)[a],
+                        p2 = shape_corner(m, triangle, 2)[a];
+            org[a] = (1.0f - u - v) * p0 + u * p1 + v * p2;
+            dir[a] = random_float(r, -1.0f, 1.0f);
+        }
+        to[i] = ray_make(org, dir, i % 3 == 0 ? 1e-4f : 0.0f, i % 5 == 0 ? 0.5f : RAYS_FAR);
+    }
+}
+
+/* Makes rays odd: NaN, infinite, out of range, directions of 0, empty intervals. */
+static void spoil(plt_ray *to, uint32_t count, random_state *r) {
+    static const float odd[] = {NAN,    INFINITY, -INFINITY, 0.0f,  -0.0f,
+                                1e-40f, 1e13f,    -1e13f,    1e30f, 1e-30f};
+    for (uint32_t i = 0; i < count; i++) {
+        float *ray = to[i].org; /* org tmin dir tmax, without gaps */
+        if (i % 7 == 0) {
+            to[i].tmin = 2.0f;
+            to[i].tmax = 1.0f;
+            continue;
+        }
+        for (uint32_t n = 1 + random_below(r, 2); n > 0; n--) {
+            ray[random_below(r, 8)] = odd[random_below(r, sizeof odd / sizeof odd[0])];
+        }
+    }
+}
+
+static void set_rays(const mesh *m, uint64_t seed) {
+    random_state r = {seed};
+    rays_mixed(rays, EACH, m, &r);
+    rays_edges(rays + EACH, EACH, m, &r);
+    rays_camera(rays + 2 * EACH, EACH, m, &r);
+    rays_axis(rays + 3 * EACH, EACH, m, &r);
+    rays_from_surfaces(rays + 4 * EACH, EACH, m, &r);
+    rays_mixed(rays + 5 * EACH, EACH, m, &r);
+    spoil(rays + 5 * EACH, EACH, &r);
+    for (uint32_t i = RAYS; i > 1; i--) { /* no two neighbours alike */
+        const uint32_t other = random_below(&r, i);
+        const plt_ray ray = rays[i - 1];
+        rays[i - 1] = rays[other];
+        rays[other] = ray;
+    }
+}
+
+/* ---- a wave against packets ------------------------------------------------------------- */
+
+static void compare(const char *name, int any, const plt_hit *hits, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        const plt_hit *e = &expected[any][i], *h = &hits[i];
+        compared++;
+        met += e->triangle != PLT_MISS;
+        CHECK(memcmp(e, h, sizeof *e) == 0,
+              "%s, any %d, ray %u: triangle %u t %a u %a v %a, not triangle %u t %a u %a v %a",
+              name, any, i, h->triangle, (double)h->t, (double)h->u, (double)h->v, e->triangle,
+              (double)e->t, (double)e->u, (double)e->v);
+    }
+}
+
+/* Traces all rays, nearest and any hit, and counts that do not fill the wave. */
+static void trace(const char *name, plt_engine *engine) {
+    static const uint32_t counts[] = {0, 1, 2, 3, 5, 17, 63, RAYS - 1, RAYS};
+    static plt_hit hits[RAYS + 1];
+    for (int any = 0; any < 2; any++) {
+        for (unsigned i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+            plt_stats stats;
+            memset(hits, 0x55, sizeof hits);
+            plt_stats_reset(engine);
+            const int status = plt_trace(engine, rays, hits, counts[i], any);
+            plt_stats_get(engine, &stats);
+            CHECK(status == PLT_OK, "%s: status %d", name, status);
+            CHECK(stats.rays == counts[i] && stats.wave_rays == counts[i] && stats.packets == 0,
+                  "%s: %llu of %llu rays by the wave", name, (unsigned long long)stats.wave_rays,
+                  (unsigned long long)stats.rays);
+            CHECK(((const unsigned char *)&hits[counts[i]])[0] == 0x55, "%s: writes beyond", name);
+            compare(name, any, hits, counts[i]);
+        }
+    }
+}
+
+static void set_wave(plt_options *run, int wide, uint8_t rays_in_flight) {
+    run->wide = (uint8_t)wide;
+    run->rays_in_flight = rays_in_flight;
+    run->rays = PLT_RAYS_INCOHERENT;
+}
+
+static void expect(plt_engine *engine) {
+    for (int any = 0; any < 2; any++) {
+        memset(expected[any], 0x55, sizeof expected[any]);
+        plt_trace(engine, rays, expected[any], RAYS, any);
+    }
+}
+
+/* ---- the wide form itself ------------------------------------------------------------------ */
+
+static int encloses(const plt_bvh4_node *n, int child, const float p[3]) {
+    int inside = 1;
+    for (int a = 0; a < 3; a++) {
+        inside &= n->plane[a][0][child] <= p[a] && p[a] <= n->plane[a][1][child];
+    }
+    return inside;
+}
+
+typedef struct tree_check {
+    const plt_bvh4 *tree;
+    const char *name;
+    unsigned char *seen; /* per triangle */
+    uint32_t triangles, depth;
+} tree_check;
+
+/* The blocks that `link` leads to: `path` are the boxes around them. */
+static void check_blocks(tree_check *w, uint32_t link, const plt_bvh4_node *const path[],
+                         const int child[], uint32_t depth) {
+    const plt_bvh4_block *b =
+        (const plt_bvh4_block *)(const void *)plt_bvh4_at(w->tree->nodes, link);
+    const uint32_t more = link >> PLT_BVH4_MORE_SHIFT & PLT_BVH4_MORE_MOST;
+    for (const plt_bvh4_block *last = b + more; b <= last; b++) {
+        CHECK(b >= w->tree->blocks && b < w->tree->blocks + w->tree->blocks_count,
+              "%s: a block that is none", w->name);
+        for (int lane = 0; lane < 4; lane++) {
+            if (b->longest[lane] == -INFINITY) {
+                continue;
+            }
+            w->seen[plt_primitive_id(b->word[lane])]++;
+            for (uint32_t d = 0; d < depth; d++) {
+                for (int c = 0; c < 3; c++) {
+                    const float p[3] = {b->corner[c][0][lane], b->corner[c][1][lane],
+                                        b->corner[c][2][lane]};
+                    CHECK(encloses(path[d], child[d], p), "%s: a corner is outside", w->name);
+                }
+            }
+        }
+    }
+}
+
+/* Left to right, without recursion. */
+static void check_tree(tree_check *w) {
+    const plt_bvh4_node *path[PLT_DEPTH_MAX + 32];
+    int child[PLT_DEPTH_MAX + 32];
+    uint32_t depth = 0;
+    if (w->tree->root >> 31) {
+        if (w->tree->root != PLT_BVH4_NONE) {
+            check_blocks(w, w->tree->root, path, child, 0);
+        }
+        return;
+    }
+    path[0] = (const plt_bvh4_node *)(const void *)plt_bvh4_at(w->tree->nodes, w->tree->root);
+    child[0] = -1;
+    for (depth = 1; depth > 0;) {
+        w->depth = depth > w->depth ? depth : w->depth;
+        if (++child[depth - 1] == 4) {
+            depth--;
+            continue;
+        }
+        const uint32_t link = path[depth - 1]->link[child[depth - 1]];
+        if (link == PLT_BVH4_NONE) {
+            continue;
+        }
+        if (link >> 31) {
+            check_blocks(w, link, path, child, depth);
+            continue;
+        }
+        path[depth] = (const plt_bvh4_node *)(const void *)plt_bvh4_at(w->tree->nodes, link);
+        child[depth++] = -1;
+    }
+}
+
+static void check_form(const char *name, const plt_engine *engine, uint32_t source_triangles) {
+    const plt_bvh4 *tree = engine->scene.bvh4;
+    const plt_info *info = &engine->scene.info;
+    CHECK(tree != NULL, "%s: no wide form", name);
+    if (tree == NULL) {
+        return;
+    }
+    tree_check w = {tree, name, calloc(source_triangles + 1, 1), 0, 0};
+    check_tree(&w);
+    uint32_t once = 0;
+    for (uint32_t i = 0; i < source_triangles; i++) {
+        CHECK(w.seen[i] <= 1, "%s: triangle %u is there %u times", name, i, w.seen[i]);
+        once += w.seen[i];
+    }
+    CHECK(once == info->triangles, "%s: %u of %u triangles", name, once, info->triangles);
+    CHECK(w.depth == tree->depth && tree->depth <= plt_wide_depth_bound(info), "%s: depth %u", name,
+          tree->depth);
+    CHECK(tree->nodes_count <= plt_wide_nodes_bound(info) &&
+              tree->blocks_count <= plt_wide_blocks_bound(info),
+          "%s: %u nodes, %u blocks", name, tree->nodes_count, tree->blocks_count);
+    CHECK((uintptr_t)tree->nodes % PLT_BVH4_ALIGN == 0, "%s: not aligned", name);
+    free(w.seen);
+}
+
+/* ---- formats ----------------------------------------------------------------------------- */
+
+static void with_thesis(int number, uint32_t k, uint8_t build, int wide) {
+    mesh m = {0};
+    rig packets, wave;
+    const char *name = make(number, k, &m);
+    rig_config config = rig_config_of(k, 8, build, (uint8_t)(number & 1));
+    set_rays(&m, 100u * (uint64_t)number + k);
+    int status = rig_open(&packets, &m, &config);
+    set_wave(&config.run, wide, (uint8_t)(PLT_WAVE_LEAST + 7 * number % 48));
+    const int other = rig_open(&wave, &m, &config);
+    CHECK(status == other, "%s, %s: %d and %d, %s", name, rig_name(&config), status, other,
+          wave.fault.message);
+    CHECK(status == PLT_OK || (rig_is_tiny() && status == PLT_ERR_LIMIT), "%s: %s", name,
+          packets.fault.message);
+    if (status == PLT_OK && other == PLT_OK) {
+        expect(packets.engine);
+        trace(name, wave.engine);
+        if (wide) {
+            check_form(name, wave.engine, m.triangles);
+        }
+    }
+    rig_close(&packets);
+    rig_close(&wave);
+    mesh_free(&m);
+}
+
+static void with_compact(int number, uint32_t k, uint8_t bits, int floats, int numbers) {
+    mesh m = {0};
+    rig packets, wave;
+    const char *name = make(number, k, &m);
+    compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, (uint8_t)(number & 1));
+    config.pack.floats = (uint8_t)floats;
+    config.pack.numbers = (uint8_t)numbers;
+    set_rays(&m, 100u * (uint64_t)number + k);
+    const int status = compact_open(&packets, &m, &config);
+    set_wave(&config.run, 1, 32);
+    const int other = compact_open(&wave, &m, &config);
+    CHECK(status == other, "%s, %s: %d and %d, %s", name, compact_name(&config), status, other,
+          wave.fault.message);
+    if (status == PLT_OK && other == PLT_OK) {
+        expect(packets.engine);
+        trace(name, wave.engine);
+        check_form(name, wave.engine, m.triangles);
+    }
+    rig_close(&packets);
+    rig_close(&wave);
+    mesh_free(&m);
+}
+
+/* ---- properties -------------------------------------------------------------------------- */
+
+static void wide_over_thesis(void) {
+    for (int scene = 0; scene < SCENES; scene++) {
+        for (uint32_t k = 1; k <= 4; k *= 2) {
+            with_thesis(scene, k, PLT_BUILD_HOST, 1);
+        }
+        with_thesis(scene, 2, PLT_BUILD_DEVICE, 1);
+    }
+}
+
+static void wide_over_compact(void) {
+    for (int scene = 0; scene < 9; scene++) {
+        with_compact(scene, 2, 14, 0, 1);
+        with_compact(scene, 4, 21, 0, 0);
+        with_compact(scene, 1, 12, 1, 1);
+    }
+}
+
+/* Lists as long as there are triangles: runs of blocks, and leaves too long for a link. */
+static void long_lists(void) {
+    static const uint32_t lengths[] = {3, 9, 33, 130, 700};
+    for (unsigned i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        with_thesis(0, lengths[i], PLT_BUILD_HOST, 1);
+        with_thesis(1, lengths[i], PLT_BUILD_HOST, 1);
+    }
+}
+
+/* An image that is fetched, in an arena of exactly its need. */
+static void fetched(void) {
+    mesh m = {0};
+    rig mapped;
+    const rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const char *name = make(5, 2, &m);
+    set_rays(&m, 77);
+    CHECK(rig_open(&mapped, &m, &config) == PLT_OK, "%s", mapped.fault.message);
+    if (mapped.engine != NULL) {
+        hostile_stream stream = {mapped.image.bytes, mapped.image.size, 0};
+        const plt_source source = {NULL, mapped.image.size, &stream, hostile_start, hostile_wait};
+        plt_options options = config.run;
+        plt_engine *engine;
+        plt_fault fault;
+        set_wave(&options, 1, 24);
+        expect(mapped.engine);
+        const size_t need = plt_arena_need(&mapped.image.info, 0, &options);
+        void *arena = aligned_alloc(PLT_ALIGN, need);
+        CHECK(plt_open(&engine, arena, need, &source, &options, &fault) == PLT_OK, "%s",
+              fault.message);
+        if (engine != NULL) {
+            trace(name, engine);
+        }
+        CHECK(plt_open(&engine, arena, need - PLT_ALIGN, &source, &options, &fault) ==
+                      PLT_ERR_ARENA &&
+                  fault.need_bytes == need,
+              "an arena too small: %s, %zu", fault.message, fault.need_bytes);
+        free(arena);
+    }
+    rig_close(&mapped);
+    mesh_free(&m);
+}
+
+/* Scenes of no triangles, and lists without a tree: packets serve. */
+static void nothing_to_widen(void) {
+    mesh m = {0}, none = {0};
+    rig list, empty;
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_NONE, PLT_SPLIT_SAH);
+    plt_hit hit;
+    shape_cube(&m);
+    set_wave(&config.run, 1, 32);
+    const plt_ray ray = {{0, 0, -3}, 0, {0, 0.1f, 1}, 100};
+    CHECK(rig_open(&list, &m, &config) == PLT_OK, "%s", list.fault.message);
+    if (list.engine != NULL) {
+        CHECK(plt_trace(list.engine, &ray, &hit, 1, 0) == PLT_OK && hit.triangle != PLT_MISS,
+              "a list is not hit");
+    }
+    config.pack.build = PLT_BUILD_HOST;
+    CHECK(rig_open(&empty, &none, &config) == PLT_OK, "%s", empty.fault.message);
+    if (empty.engine != NULL) {
+        CHECK(plt_trace(empty.engine, &ray, &hit, 1, 0) == PLT_OK && hit.triangle == PLT_MISS,
+              "nothing is hit");
+    }
+    rig_close(&list);
+    rig_close(&empty);
+    mesh_free(&m);
+}
+
+static void options_refused(void) {
+    static const struct {
+        uint8_t rays_in_flight, wide, rays;
+        int valid;
+    } cases[] = {{0, 0, 0, 1},  {0, 1, 0, 0},  {15, 0, 0, 0}, {16, 0, 0, 1}, {64, 1, 2, 1},
+                 {65, 0, 0, 0}, {32, 2, 0, 0}, {32, 1, 3, 0}, {0, 0, 2, 1}};
+    mesh m = {0};
+    rig r;
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    shape_cube(&m);
+    CHECK(rig_open(&r, &m, &config) == PLT_OK, "%s", r.fault.message);
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        plt_options o = config.run;
+        o.rays_in_flight = cases[i].rays_in_flight;
+        o.wide = cases[i].wide;
+        o.rays = cases[i].rays;
+        CHECK((plt_arena_need(&r.image.info, 1, &o) > 0) == cases[i].valid, "case %u", i);
+    }
+    rig_close(&r);
+    mesh_free(&m);
+}
+
+/* Every order of four numbers, with every tie. */
+static void every_order(void) {
+    for (unsigned i = 0; i < 256; i++) {
+        const float v[4] = {(float)(i & 3) - 1, (float)(i >> 2 & 3) - 1, (float)(i >> 4 & 3) - 1,
+                            (float)(i >> 6) - 1};
+        const uint8_t *place = plt_descending(f4_load(v));
+        float sorted[4] = {NAN, NAN, NAN, NAN};
+        for (unsigned lane = 0; lane < 4; lane++) {
+            sorted[place[lane]] = v[lane];
+        }
+        CHECK(sorted[0] >= sorted[1] && sorted[1] >= sorted[2] && sorted[2] >= sorted[3],
+              "%g %g %g %g", (double)v[0], (double)v[1], (double)v[2], (double)v[3]);
+    }
+    for (unsigned i = 0; i < 16; i++) {
+        CHECK(plt_ones[i] == (i & 1) + (i >> 1 & 1) + (i >> 2 & 1) + (i >> 3), "%u", i);
+    }
+}
+
+int main(void) {
+    test("four numbers are sorted by their comparisons, with every tie");
+    every_order();
+    test("options of the wave out of their range are refused");
+    options_refused();
+    test("the wide form of thesis nodes is a tree of all triangles; hits are those of packets");
+    wide_over_thesis();
+    test("so is that of compact blocks, of strips and of records");
+    wide_over_compact();
+    test("and lists of any length");
+    long_lists();
+    test("an image that is fetched has the same hits, in exactly its need, and no less");
+    fetched();
+    test("what has no tree is traced all the same");
+    nothing_to_widen();
+    CHECK(met > compared / 10, "hardly any hit");
+    printf("    %llu hits compared, %llu of them of triangles\n", (unsigned long long)compared,
+           (unsigned long long)met);
+    return test_done();
+}
