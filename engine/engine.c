@@ -10,28 +10,16 @@ const plt_info *plt_engine_info(const plt_engine *e) {
     return &e->scene.info;
 }
 
-static int use_wave(const plt_engine *e) {
-    return PLT_WITH_WAVE && e->traversal.wave != NULL && e->options.rays == PLT_RAYS_INCOHERENT;
-}
-
 int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
     const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
-    int status = PLT_OK;
     e->rendering.done = 1;
 #if PLT_WITH_WAVE
-    if (use_wave(e)) {
-        plt_wave_trace(&e->traversal, &e->packet, rays, hits, count, any);
-        return PLT_OK;
+    if (e->traversal.wave != NULL && e->options.rays != PLT_RAYS_COHERENT) {
+        const int looks = e->options.rays == PLT_RAYS_AUTO;
+        return plt_wave_trace(&e->traversal, &e->packet, most, looks, rays, hits, count, any);
     }
 #endif
-    while (count > 0 && status == PLT_OK) {
-        const uint32_t now = count < most ? count : most;
-        status = plt_trace_packet(&e->traversal, &e->packet, rays, hits, now, any);
-        rays += now;
-        hits += now;
-        count -= now;
-    }
-    return status;
+    return plt_trace_packets(&e->traversal, &e->packet, most, rays, hits, count, any);
 }
 
 int plt_render_begin(plt_engine *e, const plt_frame *frame) {

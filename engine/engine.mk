@@ -22,7 +22,7 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
     engine/builder/split_records.c)
 
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
-    engine/trace/ray_block.c)
+    engine/trace/ray_block.c engine/trace/coherence.c)
 
 left_out_render := $(builder_files)
 left_out_thesis := $(compact_files)

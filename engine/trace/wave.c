@@ -3,13 +3,21 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/wave.h"
 
+#include "engine/trace/coherence.h"
 #include "engine/trace/wave_bvh4.h"
 
-void plt_wave_trace(plt_traversal *t, plt_packet *staging, const plt_ray *rays, plt_hit *hits,
-                    uint32_t count, int any) {
-    plt_wave_job job = {t->wave, &t->scene->box, staging, rays, hits, count, 0, any};
-    plt_packet_begin(staging, 1, any);
-    t->stats.rays += count;
-    t->stats.wave_rays += count;
-    plt_wave_bvh4(t, &job);
+int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int looks,
+                   const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
+    const uint32_t window = most > PLT_COHERENCE_WINDOW ? most : PLT_COHERENCE_WINDOW;
+    plt_wave_job job = {.wave = t->wave,
+                        .traversal = t,
+                        .packet = packet,
+                        .packet_rays = most,
+                        .window = looks ? window : 0,
+                        .rays = rays,
+                        .hits = hits,
+                        .count = count,
+                        .any = any};
+    plt_wave_bvh4(&job);
+    return job.status;
 }

@@ -18,8 +18,10 @@
 
 #include "engine/trace/traversal.h"
 
-/* Traces `count` rays; `staging` is a packet whose first group may be used. Counts them. */
-void plt_wave_trace(plt_traversal *t, plt_packet *staging, const plt_ray *rays, plt_hit *hits,
-                    uint32_t count, int any);
+/* Traces `count` rays. `packet` has room for `most` rays; its first group may be used. If
+ * `looks`, coherent rays among them (coherence.h) go in packets. PLT_OK, or what a fetch for a
+ * packet failed with: then hits from that packet on are as they were. */
+int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int looks,
+                   const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
 
 #endif

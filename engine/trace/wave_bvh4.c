@@ -146,7 +146,8 @@ static void take_all(run *k, plt_wave_job *job, uint32_t root) {
     }
 }
 
-void plt_wave_bvh4(plt_traversal *t, plt_wave_job *job) {
+void plt_wave_bvh4(plt_wave_job *job) {
+    plt_traversal *t = job->traversal;
     const plt_bvh4 *tree = t->scene->bvh4;
     run k = {job->wave, tree->nodes, {0, 0, 0}};
     for (uint32_t i = 0; i < k.w->rays_in_flight; i++) {

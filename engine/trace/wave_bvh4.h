@@ -7,6 +7,6 @@
 #include "engine/trace/wave_state.h"
 
 /* Traces all rays of a job; the scene has a wide form. */
-void plt_wave_bvh4(plt_traversal *t, plt_wave_job *job);
+void plt_wave_bvh4(plt_wave_job *job);
 
 #endif

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/wave_state.h"
 
+#include "engine/trace/coherence.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/triangle_common.h"
 /* Columns of four rays, a row for each. */
@@ -33,10 +34,12 @@ static void stage_own_axes(plt_wave_staged *to, const plt_group_rays *g) {
 /* Sets four rays up; lanes without one, and rays that hit nothing, are not valid. */
 static void stage(plt_wave_job *job) {
     plt_wave_staged *to = &job->wave->staged;
-    plt_packet *p = job->staging;
+    plt_packet *p = job->packet;
     const plt_group_slabs *s = &p->slabs.group[0];
     const plt_group_rays *g = &p->rays[0];
-    plt_packet_load_rays(p, job->box, 0, job->rays + job->next, job->count - job->next);
+    plt_packet_begin(p, 1, job->any);
+    plt_packet_load_rays(p, &job->traversal->scene->box, 0, job->rays + job->next,
+                         job->count - job->next);
     to->valid = g->valid;
     if (g->valid == 0) {
         return;
@@ -52,8 +55,8 @@ static void stage(plt_wave_job *job) {
 /* A ray out of its lane. */
 static void set_ray(plt_wave_ray *r, const plt_wave_job *job, unsigned lane) {
     const plt_wave_staged *from = &job->wave->staged;
-    const plt_group_slabs *s = &job->staging->slabs.group[0];
-    const plt_group_rays *g = &job->staging->rays[0];
+    const plt_group_slabs *s = &job->packet->slabs.group[0];
+    const plt_group_rays *g = &job->packet->rays[0];
     unsigned z = (g->axis_lanes[1] >> lane & 1u) + 2 * (g->axis_lanes[2] >> lane & 1u);
     PLT_UNROLLED for (unsigned a = 0; a < 3; a++) {
         f4_store(r->near_org[a], f4_all(s->near_org[a][lane]));
@@ -81,9 +84,36 @@ static void ask_ahead(const plt_wave_job *job) {
     plt_prefetch(ahead + (left > 2 ? 2 : 0));
 }
 
+/* Traces windows of coherent rays in packets, up to one that is not, which it counts. Called
+ * when all rays that were set up are taken. */
+static void look(plt_wave_job *job) {
+    plt_traversal *t = job->traversal;
+    while (job->next < job->count && job->status == PLT_OK) {
+        const uint32_t left = job->count - job->next;
+        const uint32_t now = job->window > 0 && job->window < left ? job->window : left;
+        const plt_ray *rays = job->rays + job->next;
+        if (job->window == 0 || !plt_rays_are_coherent(rays, now, &t->scene->box)) {
+            job->seen += now;
+            t->stats.rays += now;
+            t->stats.wave_rays += now;
+            return;
+        }
+        job->status = plt_trace_packets(t, job->packet, job->packet_rays, rays,
+                                        job->hits + job->next, now, job->any);
+        job->next += now;
+        job->seen = job->next;
+    }
+}
+
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
-    while (job->next < job->count) {
+    for (;;) {
         const unsigned lane = job->next & 3u;
+        if (job->next == job->seen) {
+            look(job);
+        }
+        if (job->next == job->seen) {
+            return 0;
+        }
         if (lane == 0) {
             ask_ahead(job);
             stage(job);
@@ -97,7 +127,6 @@ int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
         const plt_hit miss = {0.0f, 0.0f, 0.0f, job->any ? 0 : PLT_MISS};
         job->hits[number] = miss;
     }
-    return 0;
 }
 
 /* Of a multiple of 16. */

@@ -42,12 +42,16 @@ typedef struct plt_wave {
 /* One call's rays. */
 typedef struct plt_wave_job {
     plt_wave *wave;
-    const plt_box *box; /* the scene's */
-    plt_packet *staging;
+    plt_traversal *traversal; /* counts them */
+    plt_packet *packet;       /* for coherent rays; its first group sets others up */
+    uint32_t packet_rays;
+    uint32_t window; /* rays looked at together, a multiple of 4; 0: all go by the wave */
     const plt_ray *rays;
     plt_hit *hits;
     uint32_t count, next;
+    uint32_t seen; /* rays below are known to be incoherent */
     int any;
+    int status; /* of packets */
 } plt_wave_job;
 
 static inline plt_wave_ray *plt_wave_at(const plt_wave *w, uint32_t place) {

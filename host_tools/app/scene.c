@@ -185,13 +185,32 @@ static void *get_most(const scene *s) {
     return arena;
 }
 
+static size_t need_of(const scene *s, const plt_info *info) {
+    return plt_arena_need(info, s->file.source.mapped != NULL, &s->options);
+}
+
+/* Does without the wide form, or without the wave. 0: it does without both already. */
+static int do_without(scene *s) {
+    const int had = s->options.rays_in_flight > 0;
+    s->options.rays_in_flight = s->options.wide ? s->options.rays_in_flight : 0;
+    s->options.wide = 0;
+    return had;
+}
+
 /* Room that was not asked for must not be what makes a run fail: where there is too little for
- * all of it, the arena is just what the scene needs. */
-static void *get_arena(scene *s, size_t need) {
+ * all of it, the arena is just what the scene needs, and where that is too much, too, it is
+ * what the scene needs without a wide form or a wave. */
+static void *get_arena(scene *s, const plt_info *info) {
+    while (need_of(s, info) > s->arena_bytes && do_without(s)) {
+    }
     void *arena = s->arena_is_given ? host_arena(s->arena_bytes) : get_most(s);
-    if (arena == NULL && !s->arena_is_given) {
+    while (arena == NULL && !s->arena_is_given) {
+        const size_t need = need_of(s, info);
         s->arena_bytes = need > 0 ? need : 1; /* 0: plt_open says why */
         arena = host_arena(s->arena_bytes);
+        if (arena != NULL || !do_without(s)) {
+            break;
+        }
     }
     s->arena_is_missing = arena == NULL;
     return arena;
@@ -203,10 +222,9 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
     if (status != PLT_OK) {
         return status;
     }
-    const size_t need = plt_arena_need(&info, s->file.source.mapped != NULL, &s->options);
-    void *arena = get_arena(s, need);
+    void *arena = get_arena(s, &info);
     if (arena == NULL) {
-        *fault = (plt_fault){.need_bytes = need, .message = "there is no arena"};
+        *fault = (plt_fault){.need_bytes = need_of(s, &info), .message = "there is no arena"};
         return PLT_ERR_ARENA;
     }
     phase_begin("opening", scene_name(path));
@@ -236,7 +254,8 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
     output_print(o, f,
                  "  \"rays\": %" PRIu64
                  ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n"
-                 "  \"packets\": %" PRIu64 ",\n  \"mixed_packets\": %" PRIu64
+                 "  \"wave_rays\": %" PRIu64 ",\n  \"packets\": %" PRIu64
+                 ",\n  \"mixed_packets\": %" PRIu64
                  ",\n"
                  "  \"node_visits\": %" PRIu64 ",\n  \"group_tests\": %" PRIu64
                  ",\n"
@@ -245,7 +264,8 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
                  "  \"bytes_fetched\": %" PRIu64 ",\n  \"bytes_touched_once\": %" PRIu64
                  ",\n"
                  "  \"arena_bytes\": %zu,\n  \"arena_peak_bytes\": %zu",
-                 q.rays, seconds, seconds > 0.0 ? (double)q.rays / seconds * 1e-6 : 0.0, q.packets,
-                 q.mixed_packets, q.node_visits, q.group_tests, q.triangle_tests, q.treelet_fetches,
-                 q.bytes_fetched, q.bytes_touched_once, s->arena_bytes, plt_arena_peak(s->engine));
+                 q.rays, seconds, seconds > 0.0 ? (double)q.rays / seconds * 1e-6 : 0.0,
+                 q.wave_rays, q.packets, q.mixed_packets, q.node_visits, q.group_tests,
+                 q.triangle_tests, q.treelet_fetches, q.bytes_fetched, q.bytes_touched_once,
+                 s->arena_bytes, plt_arena_peak(s->engine));
 }

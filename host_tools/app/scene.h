@@ -14,7 +14,9 @@
 typedef struct scene {
     host_scene file;
     input stream;        /* standard input, in memory */
-    plt_options options; /* by the flags; count_touched by the command, before scene_attach */
+    plt_options options; /* by the flags; count_touched and the wave by the command, before
+                          * scene_attach; scene_start leaves out the wide form, and then the
+                          * wave, where the arena has no room for them */
     plt_engine *engine;  /* NULL: not opened */
     size_t arena_bytes;
     int arena_is_given;   /* by --arena */

@@ -24,6 +24,9 @@ enum { RAYS_PER_BATCH = 65536 }; /* a whole number of packets of every size */
 
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
+    {"--rays", "auto|coherent|incoherent",
+     "in packets if neighbours point alike, one by one in a wave if not, or as the rays look; "
+     "hits are the same (default auto)"},
     {"--repeat", "N", "trace N times, report the best time; 1 to 1000000 (default 1)"},
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
@@ -41,6 +44,11 @@ const arg_command command_trace = {
     .flags = flags,
     .files_least = 3,
     .files_most = 3};
+
+static const char *const kinds[] = {"auto", "coherent", "incoherent", NULL};
+
+/* Where the arena has room for it, rays that are not coherent go by a wave. */
+enum { RAYS_IN_FLIGHT = 32 };
 
 typedef struct tracing {
     scene s;
@@ -179,6 +187,11 @@ int run_trace(args *a) {
     }
     tracing t = {.s = SCENE_CLOSED};
     t.s.options.count_touched = json != NULL;
+    t.s.options.rays = (uint8_t)args_choice(a, "--rays", kinds, PLT_RAYS_AUTO);
+    if (t.s.options.rays != PLT_RAYS_COHERENT) {
+        t.s.options.rays_in_flight = RAYS_IN_FLIGHT;
+        t.s.options.wide = 1;
+    }
     fail f = {""};
     int status = a->wrong ? -1 : open_all(&t, a, json, &f);
     if (status == 0) {
