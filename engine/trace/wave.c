@@ -5,6 +5,7 @@
 
 #include "engine/trace/coherence.h"
 #include "engine/trace/wave_bvh4.h"
+#include "engine/trace/wave_thesis.h"
 
 int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int looks,
                    const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
@@ -18,6 +19,10 @@ int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int look
                         .hits = hits,
                         .count = count,
                         .any = any};
-    plt_wave_bvh4(&job);
+    if (t->scene->bvh4 != NULL) {
+        plt_wave_bvh4(&job);
+    } else {
+        plt_wave_thesis(&job);
+    }
     return job.status;
 }

@@ -76,14 +76,18 @@ static inline uint32_t visit(const unsigned char *node, plt_wave_ray *r) {
     return stack[(int32_t)left][0];
 }
 
-static void visit_all(run *k) {
-    const size_t count = k->on[PLT_WAVE_VISIT];
-    k->on[PLT_WAVE_VISIT] = 0;
+/* The counts are copied, so that they stay in registers. */
+PLT_WAVE_LOOP static void visit_all(run *shared) {
+    run k = *shared;
+    unsigned char *const first = k.w->first;
+    const size_t count = k.on[PLT_WAVE_VISIT];
+    k.on[PLT_WAVE_VISIT] = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k->w->list[PLT_WAVE_VISIT][i];
-        plt_wave_ray *r = plt_wave_at(k->w, place);
-        enlist(k, r, place, visit(plt_bvh4_at(k->nodes, r->link), r));
+        const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
+        plt_wave_ray *r = (plt_wave_ray *)(void *)(first + place);
+        enlist(&k, r, place, visit(plt_bvh4_at(k.nodes, r->link), r));
     }
+    *shared = k;
 }
 
 /* Drops what lies behind the new hit. */

@@ -107,13 +107,13 @@ static void look(plt_wave_job *job) {
 
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
     for (;;) {
-        const unsigned lane = job->next & 3u;
         if (job->next == job->seen) {
             look(job);
         }
         if (job->next == job->seen) {
             return 0;
         }
+        const unsigned lane = job->next & 3u;
         if (lane == 0) {
             ask_ahead(job);
             stage(job);

@@ -14,6 +14,14 @@ enum { PLT_WAVE_LEAST = 16, PLT_WAVE_MOST = 64 };
  * `depth` nodes on a path. */
 uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth);
 
+/* Before a loop over a list that has no branch but its own: apart, so that its jumps can be
+ * counted (tests/check/check_branches.sh). */
+#ifdef __GNUC__
+#define PLT_WAVE_LOOP __attribute__((noinline))
+#else
+#define PLT_WAVE_LOOP
+#endif
+
 /* Lays one out in `memory`. */
 void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t depth);
 
@@ -58,9 +66,12 @@ static inline plt_wave_ray *plt_wave_at(const plt_wave *w, uint32_t place) {
     return (plt_wave_ray *)(void *)(w->first + place);
 }
 
-/* Bytes of a ray's stack. */
+/* What a ray over thesis nodes takes beside plt_wave_ray. */
+enum { PLT_WAVE_THESIS_BYTES = 96 };
+
+/* Bytes of a ray's stack: see wave_bvh4.c, wave_thesis.c. */
 static inline uint32_t plt_wave_stack_bytes(int wide, uint32_t depth) {
-    return wide ? 8 * (3 * depth + 4) : 16 * (depth + 2);
+    return wide ? 8 * (3 * depth + 2) : PLT_WAVE_THESIS_BYTES + 16 * (depth + 2);
 }
 
 /* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */

@@ -11,6 +11,7 @@
 
 #include "engine/engine.h"
 #include "engine/trace/child_order.h"
+#include "engine/trace/coherence.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 #include "host_tools/scenes/scenes.h"
@@ -335,6 +336,17 @@ static void wide_over_thesis(void) {
     }
 }
 
+static void over_thesis(void) {
+    for (int scene = 0; scene < SCENES; scene++) {
+        for (uint32_t k = 1; k <= 4; k *= 2) {
+            with_thesis(scene, k, PLT_BUILD_HOST, 0);
+        }
+        with_thesis(scene, 2, PLT_BUILD_DEVICE, 0);
+    }
+    with_thesis(0, 33, PLT_BUILD_HOST, 0);
+    with_thesis(1, 700, PLT_BUILD_HOST, 0);
+}
+
 static void wide_over_compact(void) {
     for (int scene = 0; scene < 9; scene++) {
         with_compact(scene, 2, 14, 0, 1);
@@ -410,6 +422,95 @@ static void nothing_to_widen(void) {
     mesh_free(&m);
 }
 
+/* ---- which rays go which way ------------------------------------------------------------- */
+
+/* From one point, within a cone: a beam. */
+static void rays_beam(plt_ray *to, uint32_t count, float spread, random_state *r) {
+    for (uint32_t i = 0; i < count; i++) {
+        const float org[3] = {0.0f, 0.0f, -4.0f};
+        const float dir[3] = {random_float(r, -spread, spread), random_float(r, -spread, spread),
+                              1.0f};
+        to[i] = ray_make(org, dir, 0.0f, RAYS_FAR);
+    }
+}
+
+/* Windows of beams and of others in turn, `beams` of `of` in all; the last is cut short. */
+static uint32_t mix(uint32_t beams, uint32_t of, const mesh *m, uint32_t *coherent) {
+    const uint32_t window = PLT_COHERENCE_WINDOW; /* no packet of a rig is larger */
+    random_state r = {11};
+    uint32_t count = 0;
+    *coherent = 0;
+    for (uint32_t i = 0; count + window + 5 <= RAYS; i++) {
+        const uint32_t now = count + 2 * window + 5 <= RAYS ? window : window - 3;
+        if (i % of < beams) {
+            rays_beam(rays + count, now, 0.01f, &r);
+            *coherent += now;
+        } else {
+            rays_random(rays + count, now, m, &r);
+        }
+        count += now;
+    }
+    return count;
+}
+
+static void by_their_looks(void) {
+    static plt_hit hits[RAYS];
+    mesh m = {0};
+    rig packets, wave;
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const char *name = make(0, 2, &m);
+    CHECK(rig_open(&packets, &m, &config) == PLT_OK, "%s", packets.fault.message);
+    set_wave(&config.run, 1, 32);
+    config.run.rays = PLT_RAYS_AUTO;
+    CHECK(rig_open(&wave, &m, &config) == PLT_OK, "%s", wave.fault.message);
+    for (uint32_t of = 1; of <= 4; of++) {
+        for (uint32_t beams = 0; beams <= of; beams++) {
+            uint32_t coherent;
+            plt_stats stats;
+            const uint32_t count = mix(beams, of, &m, &coherent);
+            for (int any = 0; any < 2; any++) {
+                memset(hits, 0x55, sizeof hits);
+                plt_trace(packets.engine, rays, expected[any], count, any);
+                plt_stats_reset(wave.engine);
+                plt_trace(wave.engine, rays, hits, count, any);
+                plt_stats_get(wave.engine, &stats);
+                compare(name, any, hits, count);
+                CHECK(stats.rays == count && stats.wave_rays == count - coherent,
+                      "%u of %u beams: %u of %u rays are coherent, %llu went by the wave", beams,
+                      of, coherent, count, (unsigned long long)stats.wave_rays);
+            }
+        }
+    }
+    rig_close(&packets);
+    rig_close(&wave);
+    mesh_free(&m);
+}
+
+/* Beams of any width and length, and with rays in them that are none. */
+static void beams(void) {
+    const plt_box scene = {{-1, -1, -1}, {1, 1, 1}};
+    random_state r = {5};
+    for (int power = -60; power <= 60; power += 12) {
+        const float length = ldexpf(1.0f, power);
+        for (int wide = 0; wide < 2; wide++) {
+            rays_beam(rays, 64, wide ? 1.0f : 0.1f, &r);
+            for (uint32_t i = 0; i < 64; i++) {
+                for (int a = 0; a < 3; a++) {
+                    rays[i].dir[a] *= length;
+                }
+            }
+            CHECK(plt_rays_are_coherent(rays, 64, &scene) == !wide, "2^%d, wide %d", power, wide);
+        }
+    }
+    rays_beam(rays, 64, 0.1f, &r);
+    rays[3].org[1] = rays[9].dir[0] = rays[11].tmin = NAN;
+    rays[12].tmax = rays[13].tmax = INFINITY;
+    CHECK(plt_rays_are_coherent(rays, 64, &scene), "what is not a number counts");
+    CHECK(plt_rays_are_coherent(rays, 1, &scene), "a single ray");
+    rays[5].org[2] += 3.0f;
+    CHECK(!plt_rays_are_coherent(rays, 64, &scene), "an origin elsewhere does not");
+}
+
 static void options_refused(void) {
     static const struct {
         uint8_t rays_in_flight, wide, rays;
@@ -455,6 +556,12 @@ int main(void) {
     every_order();
     test("options of the wave out of their range are refused");
     options_refused();
+    test("beams are told from other rays, however long");
+    beams();
+    test("windows of coherent rays go in packets, all others by the wave, and hits are the same");
+    by_their_looks();
+    test("over thesis nodes the wave has the hits of packets, bit for bit");
+    over_thesis();
     test("the wide form of thesis nodes is a tree of all triangles; hits are those of packets");
     wide_over_thesis();
     test("so is that of compact blocks, of strips and of records");
