@@ -4,7 +4,8 @@
 #   render   no builder: images whose tree is finished
 #   thesis   thesis nodes and lists, no compact blocks
 #   compact  compact blocks alone
-#   wave     and the wave for incoherent rays, which any other word leaves out
+#   wave     with the wave for incoherent rays: any list without this word leaves it out
+#   packets  all but the wave
 # Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
 # SPDX-License-Identifier: MIT
 
@@ -31,10 +32,10 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, and wave; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave packets,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, wave and packets; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave packets,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
 ifneq ($(strip $(PARTS)),)
@@ -47,7 +48,8 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-D
 # firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
     engine/scene/open*.c engine/scene/validate*.c engine/tree/*/validate*.c \
-    engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c)
+    engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
+    engine/trace/collapse_*.c engine/trace/wide_form.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

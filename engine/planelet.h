@@ -31,7 +31,8 @@ extern "C" {
 /* 2.0: the order of traversal is enum plt_order and plt_options.order; plt_info has
  * primitive_id_bytes and primitive_id_bits; the knob for opened blocks is
  * PLT_BLOCK_CACHE_SLOTS; touched blocks
- * are counted only if plt_options.count_touched asks for it; plt_trace and
+ * are counted only if plt_options.count_touched asks for it; incoherent rays can go by a wave
+ * (plt_options.rays_in_flight, wide, rays; plt_stats.wave_rays); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
@@ -254,7 +255,9 @@ typedef struct plt_hit {
 } plt_hit;
 
 /* Traces `count` rays in packets of side^2 consecutive rays; every four are
- * a group that shares registers, so neighbours should point alike. `any`:
+ * a group that shares registers, so neighbours should point alike. Rays that do not are
+ * faster in a wave, if there is one (plt_options.rays_in_flight): unless plt_options.rays says
+ * which, each 64 rays, or packet if it is larger, are looked at. `any`:
  * only whether anything is hit. A hit depends on ray, triangle and the scene's
  * box alone: packet size, tree and order never change it. Ends a frame that was
  * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed; hits before those of
@@ -303,7 +306,7 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 /* ---- statistics ------------------------------------------------------ */
 
 typedef struct plt_stats {
-    uint64_t rays;           /* of packets that were begun */
+    uint64_t rays;           /* of packets that were begun, and of waves */
     uint64_t node_visits;    /* nodes decoded, once per packet */
     uint64_t group_tests;    /* four rays against a child's box; not boxes tested again */
     uint64_t triangle_tests; /* four rays against one triangle, as if every group that
@@ -313,8 +316,9 @@ typedef struct plt_stats {
     uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */
     uint64_t mixed_packets;      /* packets whose rays differ in sign */
     uint64_t packets;
-    uint64_t wave_rays; /* of `rays`, those that went by the wave: each visits nodes for
-                           itself, and four triangles at a time are one triangle_test */
+    uint64_t wave_rays; /* of `rays`, those that went by the wave. Each visits nodes for itself:
+                         * a visit tests its children's boxes at once, one group_test; up to four
+                         * triangles at once are one triangle_test. No treelets are counted. */
 } plt_stats;
 
 void plt_stats_get(const plt_engine *engine, plt_stats *stats);

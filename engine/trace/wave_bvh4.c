@@ -161,6 +161,7 @@ void plt_wave_bvh4(plt_wave_job *job) {
     }
     while (k.on[PLT_WAVE_VISIT] + k.on[PLT_WAVE_TEST] + k.on[PLT_WAVE_DONE] > 0) {
         t->stats.node_visits += k.on[PLT_WAVE_VISIT];
+        t->stats.group_tests += k.on[PLT_WAVE_VISIT];
         visit_all(&k);
         t->stats.triangle_tests += k.on[PLT_WAVE_TEST];
         test_all(&k, job);

@@ -180,7 +180,7 @@ static inline f4 longest_of(const plt_bvh4_block *b) {
 
 /* Up to four records of a leaf, that has so many lists left from `record` on; returns how
  * many there are. Lanes without one are as in bvh4.h. */
-static inline unsigned gather(const plt_record *record, uint32_t *lists, plt_bvh4_block *b) {
+static inline unsigned load_records(const plt_record *record, uint32_t *lists, plt_bvh4_block *b) {
     f4 row[3][4];
     float longest[4];
     unsigned count = 0;
@@ -228,7 +228,7 @@ static uint32_t test_leaf(const run *k, thesis_ray *r, const plt_wave_job *job) 
     const plt_record *record = &k->tree->records[plt_link_index(r->ray.link)];
     uint32_t lists = plt_link_lists(r->ray.link), blocks = 0;
     for (; lists > 0; blocks++) {
-        record += gather(record, &lists, &b);
+        record += load_records(record, &lists, &b);
         if (plt_ray_block(&r->ray, &b, job->rays, job->any)) {
             cull(r);
         }
@@ -313,6 +313,7 @@ void plt_wave_thesis(plt_wave_job *job) {
     }
     while (k.on[PLT_WAVE_VISIT] + k.on[PLT_WAVE_TEST] + k.on[PLT_WAVE_DONE] > 0) {
         job->traversal->stats.node_visits += k.on[PLT_WAVE_VISIT];
+        job->traversal->stats.group_tests += k.on[PLT_WAVE_VISIT];
         visit_all(&k);
         test_all(&k, job);
         take_all(&k, job);

@@ -22,7 +22,7 @@ static int has_long_lists(const plt_info *info) {
 
 uint32_t plt_wide_nodes_bound(const plt_info *info) {
     const uint32_t cut = has_long_lists(info) ? info->triangles / 32 : 0;
-    return (uint32_t)((2ull * info->nodes + 1) / 3) + cut + 1; /* node 0, if the root is a leaf */
+    return (2 * info->nodes + 1) / 3 + cut + 1; /* node 0, if the root is a leaf */
 }
 
 uint32_t plt_wide_blocks_bound(const plt_info *info) {

@@ -143,11 +143,11 @@ fields='rays seconds mrays_per_s packets mixed_packets node_visits group_tests t
     treelet_fetches bytes_fetched bytes_touched_once arena_bytes arena_peak_bytes'
 run pack knot.ply -o knot.plt
 run trace knot.plt mixed nearest
-works "trace --json -" trace knot.plt mixed hit --json -
+works "trace --json -" trace knot.plt mixed hit --json - --rays coherent
 cp out stats
 # shellcheck disable=SC2086
 verdict "... holds every value" "$(flat_json stats $fields)"
-works "trace --json FILE" trace knot.plt mixed hit --json stats.json --repeat 3
+works "trace --json FILE" trace knot.plt mixed hit --json stats.json --repeat 3 --rays coherent
 verdict "... the same statistics, whatever --repeat" "$(
     grep -v 'seconds\|mrays' stats >expected
     grep -v 'seconds\|mrays' stats.json | diff expected -)"
@@ -173,17 +173,67 @@ END
     [ "$arena_peak_bytes" = "$((need + $(touched_bytes <out)))" ] || echo "the peak is another")"
 verdict "a packet size counts packets of that size" "$(
     for packet in 2:250 4:63 8:16 16:4; do
-        run trace knot.plt mixed hit --json - --packet "${packet%:*}"
+        run trace knot.plt mixed hit --json - --packet "${packet%:*}" --rays coherent
         [ "$(number packets <out)" = "${packet#*:}" ] || grep '"packets' out
     done)"
 verdict "the two-stage order visits more nodes or as many" "$(
-    run trace knot.plt mixed hit --json - --walk two-stage
+    run trace knot.plt mixed hit --json - --walk two-stage --rays coherent
     [ "$(number node_visits <out)" -ge "$(number node_visits <stats)" ] || cat out)"
 dd if=/dev/zero of=many.rays bs=32 count=70000 2>/dev/null
 works "many rays go in batches" trace knot.plt many.rays hit --json -
 verdict "... and are counted once" "$(
     [ "$(number rays <out)" = 70000 ] || cat out
     [ "$(wc -c <hit)" -eq 1120000 ] || wc -c <hit)"
+
+# ---- coherent and incoherent rays -----------------------------------------------
+
+for image in knot.plt none.plt; do
+    for rays in auto coherent incoherent; do
+        run trace $image mixed hit --rays $rays
+        verdict "$image, --rays $rays: the same hits" "$(cmp hit nearest 2>&1 || cat err)"
+        run trace $image mixed hit --rays $rays --any
+        verdict "$image, --rays $rays: the same any hits" "$(cmp hit any 2>&1 || cat err)"
+    done
+done
+run pack knot.ply -o compact.plt --nodes compact --geometry float
+run trace compact.plt mixed hit --rays incoherent
+same hit nearest "compact blocks, --rays incoherent: the same hits"
+
+# by RAYS WORD: how many of the rays go by the wave.
+by() {
+    run trace knot.plt "$1" hit --json - --rays "$2"
+    number wave_rays <out
+}
+awk 'BEGIN {
+    for (i = 0; i < 1000; i++)
+        print 0, 0, 9, 0, i % 32 / 320, int(i / 32) / 320, -1, 1000
+}' | rays beam
+awk 'BEGIN {
+    srand(3)
+    for (i = 0; i < 1000; i++)
+        print 6 * rand() - 3, 3 * rand() - 1.5, 6 * rand() - 3, 0, \
+            rand() - 0.5, rand() - 0.5, rand() - 0.5, 1000
+}' | rays shuffled
+head -c 16384 beam >half
+head -c 16384 shuffled >>half
+verdict "rays that point alike go in packets, others by the wave, and half of half a file" "$(
+    equal <<END
+a beam|$(by beam auto)|0
+shuffled|$(by shuffled auto)|1000
+half|$(by half auto)|512
+a beam, incoherent|$(by beam incoherent)|1000
+shuffled, coherent|$(by shuffled coherent)|0
+END
+)"
+verdict "where the arena has no room for the wide form they go by the wave without it" "$(
+    run info knot.plt --json
+    need=$(number arena_bytes_needed <out)
+    run trace knot.plt shuffled wide
+    run trace knot.plt shuffled hit --json - --arena $((need + 100000))
+    [ "$(number wave_rays <out)" = 1000 ] || cat out err
+    cmp wide hit
+    run trace knot.plt shuffled hit --arena "$need" --rays incoherent
+    cmp wide hit 2>&1)"
 
 # ---- the arena ---------------------------------------------------------------
 
