@@ -6,12 +6,15 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "engine/engine.h"
+#include "engine/layout.h"
 #include "engine/trace/child_order.h"
 #include "engine/trace/coherence.h"
+#include "engine/trace/wave.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 #include "host_tools/scenes/scenes.h"
@@ -186,6 +189,77 @@ static void expect(plt_engine *engine) {
     }
 }
 
+/* ---- workers on one scene ----------------------------------------------------------------- */
+
+enum { WORKERS = 3 };
+
+/* A traversal, a wave and a packet of its own over a scene that all read. */
+typedef struct worker {
+    plt_engine *engine;
+    plt_traversal traversal;
+    plt_packet packet;
+    void *part[PLT_PARTS_COUNT], *packets;
+    plt_hit hits[RAYS];
+} worker;
+
+static void worker_open(worker *w, plt_engine *e, plt_options options) {
+    plt_layout layout;
+    memset(w, 0, sizeof *w);
+    w->engine = e;
+    plt_layout_set(&layout, &e->scene.info, &e->scene.info, 1, &options);
+    w->part[PLT_PART_STACK] = malloc((size_t)layout.bytes[PLT_PART_STACK]);
+    w->part[PLT_PART_FORMAT] = malloc((size_t)layout.bytes[PLT_PART_FORMAT]);
+    w->part[PLT_PART_WAVE] = malloc((size_t)layout.bytes[PLT_PART_WAVE]);
+    w->packets = malloc(plt_packet_bytes(options.packet_side));
+    options.count_touched = 0;
+    plt_traversal_init(&w->traversal, &e->scene, &options, w->part);
+    plt_packet_init(&w->packet, w->packets, options.packet_side);
+    const int wide = e->scene.bvh4 != NULL;
+    w->traversal.wave = w->part[PLT_PART_WAVE];
+    plt_wave_init(w->traversal.wave, options.rays_in_flight, wide,
+                  wide ? e->scene.bvh4->depth : e->scene.info.depth_stack_entries);
+}
+
+static void worker_close(worker *w) {
+    free(w->part[PLT_PART_STACK]);
+    free(w->part[PLT_PART_FORMAT]);
+    free(w->part[PLT_PART_WAVE]);
+    free(w->packets);
+}
+
+static void *work(void *argument) {
+    worker *w = argument;
+    plt_wave_trace(&w->traversal, &w->packet, 4, 1, rays, w->hits, RAYS, 0);
+    return NULL;
+}
+
+static void workers(int wide) {
+    static worker w[WORKERS];
+    pthread_t thread[WORKERS];
+    mesh m = {0};
+    rig wave;
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const char *name = make_any(0, &m);
+    set_wave(&config.run, wide, 16);
+    config.run.packet_side = 2;
+    set_rays(&m, 3);
+    CHECK(rig_open(&wave, &m, &config) == PLT_OK, "%s", wave.fault.message);
+    for (int i = 0; i < WORKERS && wave.engine != NULL; i++) {
+        worker_open(&w[i], wave.engine, config.run);
+    }
+    for (int i = 0; i < WORKERS && wave.engine != NULL; i++) {
+        pthread_create(&thread[i], NULL, work, &w[i]);
+    }
+    for (int i = 0; i < WORKERS && wave.engine != NULL; i++) {
+        pthread_join(thread[i], NULL);
+        plt_trace(wave.engine, rays, expected[0], RAYS, 0);
+        compare(name, 0, w[i].hits, RAYS);
+        worker_close(&w[i]);
+    }
+    rig_close(&wave);
+    mesh_free(&m);
+}
+
 /* ---- the wide form itself ------------------------------------------------------------------ */
 
 static int encloses(const plt_bvh4_node *n, int child, const float p[3]) {
@@ -230,8 +304,8 @@ static void check_blocks(tree_check *w, uint32_t link, const plt_bvh4_node *cons
 
 /* Left to right, without recursion. */
 static void check_tree(tree_check *w) {
-    const plt_bvh4_node *path[PLT_DEPTH_MAX + 32];
-    int child[PLT_DEPTH_MAX + 32];
+    const plt_bvh4_node *path[PLT_DEPTH_MAX + 32] = {NULL};
+    int child[PLT_DEPTH_MAX + 32] = {0};
     uint32_t depth = 0;
     if (w->tree->root >> 31) {
         if (w->tree->root != PLT_BVH4_NONE) {
@@ -579,6 +653,9 @@ int main(void) {
     long_lists();
     test("an image that is fetched has the same hits, in exactly its need, and no less");
     fetched();
+    test("workers on one scene, each with a wave of its own, have the same hits");
+    workers(1);
+    workers(0);
     test("what has no tree is traced all the same");
     nothing_to_widen();
     CHECK(met > compared / 10, "hardly any hit");
