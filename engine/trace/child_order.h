@@ -26,10 +26,10 @@ static const uint8_t plt_descending_rows[64][4] = {
     {0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}};
 
 /* The row of the table for these numbers. */
-static inline const uint8_t *plt_descending(f4 key) {
+static inline unsigned plt_descending(f4 key) {
     const f4 next = f4_rotate(key), across = f4_rotate(next);
     const unsigned low = m4_mask(f4_lt(key, next)), high = m4_mask(f4_lt(key, across)) & 3u;
-    return plt_descending_rows[low | high << 4];
+    return low | high << 4;
 }
 
 /* Bits that are set. */

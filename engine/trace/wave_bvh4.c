@@ -54,9 +54,10 @@ static inline f4 planes_at(const unsigned char *node, size_t bytes) {
     return f4_load_16((const float *)(const void *)(node + bytes));
 }
 
-/* Tests all four children; those that are met go onto the stack, the nearest on top, and it
- * is taken off again. */
-static inline uint32_t visit(const unsigned char *node, plt_wave_ray *r) {
+/* Tests all four children: where the ray enters those that are met, -1 for others, and how
+ * many are met. */
+static inline void test_children(const unsigned char *node, const plt_wave_ray *r,
+                                 plt_wave_visited *to) {
     f4 near = f4_load_16(r->tmin), far = f4_load_16(r->tmax);
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 rdir = f4_load_16(r->rdir[a]);
@@ -67,25 +68,39 @@ static inline uint32_t visit(const unsigned char *node, plt_wave_ray *r) {
     }
     const m4 met = f4_le(near, far);
     const f4 key = f4_select(met, near, f4_all(-1.0f));
+    f4_store(to->at, key);
+    to->met = m4_mask(met);
+    to->row = plt_descending(key);
+}
+
+/* Children that are met go onto the stack, the nearest on top, and it is taken off again. */
+static inline uint32_t push(const unsigned char *node, plt_wave_ray *r,
+                            const plt_wave_visited *from) {
     const uint32_t *link = ((const plt_bvh4_node *)(const void *)node)->link;
-    const uint32_t top = r->top;
+    const uint32_t top = r->top, left = plt_ones[from->met] - 1u;
     entry *stack = stack_of(r) + top;
-    f4_store_pairs(stack, plt_descending(key), u4_load(link), key);
-    const uint32_t left = plt_ones[m4_mask(met)] - 1u;
+    f4_store_pairs(stack, plt_descending_rows[from->row], u4_load(link), f4_load(from->at));
     r->top = top + left;
     return stack[(int32_t)left][0];
 }
 
-/* The counts are copied, so that they stay in registers. */
+/* First all tests, then all that follows from them: a machine that looks only so many
+ * instructions ahead has more rays in view of half a step than of a whole one. */
 PLT_WAVE_LOOP static void visit_all(run *shared) {
-    run k = *shared;
+    run k = *shared; /* so that counts stay in registers */
     unsigned char *const first = k.w->first;
+    plt_wave_visited *const visited = k.w->visited;
     const size_t count = k.on[PLT_WAVE_VISIT];
+    for (size_t i = 0; i < count; i++) {
+        const plt_wave_ray *r =
+            (const plt_wave_ray *)(const void *)(first + k.w->list[PLT_WAVE_VISIT][i]);
+        test_children(plt_bvh4_at(k.nodes, r->link), r, &visited[i]);
+    }
     k.on[PLT_WAVE_VISIT] = 0;
     for (size_t i = 0; i < count; i++) {
         const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
         plt_wave_ray *r = (plt_wave_ray *)(void *)(first + place);
-        enlist(&k, r, place, visit(plt_bvh4_at(k.nodes, r->link), r));
+        enlist(&k, r, place, push(plt_bvh4_at(k.nodes, r->link), r, &visited[i]));
     }
     *shared = k;
 }

@@ -39,7 +39,16 @@ typedef struct plt_wave_staged {
     uint8_t valid;       /* lanes of rays that can hit anything */
 } plt_wave_staged;
 
+/* What a visit of a node found, until it is acted on. */
+typedef struct plt_wave_visited {
+    float at[4];  /* wide form: where children are entered; thesis: also minus where left */
+    uint32_t met; /* children, a bit each */
+    uint32_t row; /* by which they are sorted */
+    uint32_t pad[2];
+} plt_wave_visited;
+
 typedef struct plt_wave {
+    plt_wave_visited visited[PLT_WAVE_MOST]; /* as on the list of visits */
     plt_wave_staged staged;
     uint32_t ray_bytes; /* of a ray in flight and its stack */
     uint32_t rays_in_flight;

@@ -130,36 +130,46 @@ static inline f4 intervals(const plt_node *node, const thesis_ray *r) {
     return f4_max(f4_max(f4_max(row[0], row[1]), row[2]), inside);
 }
 
-/* Children that are met go onto the stack, the nearer one on top. */
-static inline void visit(const plt_node *node, thesis_ray *r) {
+/* Where the ray enters both children and minus where it leaves them, and which are met. */
+static inline void test_children(const plt_node *node, const thesis_ray *r, plt_wave_visited *to) {
     const f4 at = intervals(node, r);
     const f4 leave = f4_neg(f4_rotate(f4_rotate(at)));
-    const unsigned met = m4_mask(f4_le(at, leave)) & 3u;
     const unsigned order = m4_mask(f4_lt(at, f4_rotate(at))) & 1u;
-    const uint32_t left = place_of_left[met | order << 2];
-    entry *stack = stack_of(r) + r->ray.top;
-    float end[4];
-    f4_store(end, at);
-    stack[left].enter = end[0];
-    stack[left].minus_leave = end[2];
-    stack[left].link = plt_node_link(node, 0);
-    stack[left ^ 1u].enter = end[1];
-    stack[left ^ 1u].minus_leave = end[3];
-    stack[left ^ 1u].link = plt_node_link(node, 1);
-    r->ray.top += ones[met];
+    f4_store(to->at, at);
+    to->met = m4_mask(f4_le(at, leave)) & 3u;
+    to->row = to->met | order << 2;
 }
 
-/* The counts are copied, so that they stay in registers. */
+/* Children that are met go onto the stack, the nearer one on top. */
+static inline void push(const plt_node *node, thesis_ray *r, const plt_wave_visited *from) {
+    const uint32_t left = place_of_left[from->row];
+    entry *stack = stack_of(r) + r->ray.top;
+    stack[left].enter = from->at[0];
+    stack[left].minus_leave = from->at[2];
+    stack[left].link = plt_node_link(node, 0);
+    stack[left ^ 1u].enter = from->at[1];
+    stack[left ^ 1u].minus_leave = from->at[3];
+    stack[left ^ 1u].link = plt_node_link(node, 1);
+    r->ray.top += ones[from->met];
+}
+
+/* In two halves, as in wave_bvh4.c. */
 PLT_WAVE_LOOP static void visit_all(run *shared) {
-    run k = *shared;
+    run k = *shared; /* so that counts stay in registers */
     unsigned char *const first = k.w->first;
+    plt_wave_visited *const visited = k.w->visited;
     const plt_node *const nodes = k.tree->nodes;
     const size_t count = k.on[PLT_WAVE_VISIT];
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
+        const thesis_ray *r = (const thesis_ray *)(const void *)(first + place);
+        test_children(&nodes[plt_link_index(r->ray.link)], r, &visited[i]);
+    }
     k.on[PLT_WAVE_VISIT] = 0;
     for (size_t i = 0; i < count; i++) {
         const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
         thesis_ray *r = (thesis_ray *)(void *)(first + place);
-        visit(&nodes[plt_link_index(r->ray.link)], r);
+        push(&nodes[plt_link_index(r->ray.link)], r, &visited[i]);
         go_on(&k, r, place);
     }
     *shared = k;

@@ -189,7 +189,7 @@ static int traverse_packet(subject *s, uint32_t number, int any, uint32_t visits
     int status = PLT_MORE;
     plt_packet_begin(p, (count + 3) / 4, any);
     for (unsigned i = 0; i < p->groups; i++) {
-        load_group(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
+        plt_packet_load_rays(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
     failing_traversal_begin(t, p, count);

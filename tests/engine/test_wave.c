@@ -621,7 +621,7 @@ static void every_order(void) {
     for (unsigned i = 0; i < 256; i++) {
         const float v[4] = {(float)(i & 3) - 1, (float)(i >> 2 & 3) - 1, (float)(i >> 4 & 3) - 1,
                             (float)(i >> 6) - 1};
-        const uint8_t *place = plt_descending(f4_load(v));
+        const uint8_t *place = plt_descending_rows[plt_descending(f4_load(v))];
         float sorted[4] = {NAN, NAN, NAN, NAN};
         for (unsigned lane = 0; lane < 4; lane++) {
             sorted[place[lane]] = v[lane];
