@@ -15,7 +15,7 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { PLT_LANES_REGISTERS = 1 };
+#define PLT_LANES_REGISTERS 1
 
 typedef __m128 f4;
 
@@ -97,6 +97,11 @@ static inline f4 f4_of_bytes(const unsigned char *from) {
     const __m128i zero = _mm_setzero_si128();
     const __m128i words = _mm_unpacklo_epi8(_mm_cvtsi32_si128(four), zero);
     return _mm_cvtepi32_ps(_mm_unpacklo_epi16(words, zero));
+}
+
+static inline f4 f4_of_halves(const unsigned char *from) {
+    const __m128i words = _mm_loadl_epi64((const __m128i *)(const void *)from);
+    return _mm_cvtepi32_ps(_mm_unpacklo_epi16(words, _mm_setzero_si128()));
 }
 
 static inline f4 f4_add(f4 a, f4 b) {

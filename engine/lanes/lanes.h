@@ -25,6 +25,7 @@
  *                   m4_bits(unsigned) lane i from bit i
  *                   f4_of_u4(u4) of numbers below 2^31; exact below 2^24
  *                   f4_of_bytes(const unsigned char[4]) of 8 bits each
+ *                   f4_of_halves(const unsigned char[8]) of 16 bits each, little-endian
  * arithmetic        f4_add f4_sub f4_mul f4_div f4_min f4_max
  *                   f4_abs f4_neg (sign bit alone) u4_add u4_and
  * compare           f4_lt f4_le f4_eq u4_lt u4_eq -> m4
@@ -38,7 +39,7 @@
  *                   f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4, f4)
  *                   the bits of both lanes i to to[at[i]], in the order of lanes
  * memory            plt_prefetch(const void *): a hint, may do nothing
- *                   PLT_LANES_REGISTERS: 1 if four lanes are one register, 0 if four
+ *                   PLT_LANES_REGISTERS, a macro: 1 if four lanes are one register, 0 if four
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_LANES_LANES_H

@@ -11,7 +11,7 @@
 
 #include "engine/lanes/unroll.h"
 
-enum { PLT_LANES_REGISTERS = 0 };
+#define PLT_LANES_REGISTERS 0
 
 typedef struct f4 {
     float lane[4];
@@ -106,6 +106,10 @@ static inline f4 f4_of_u4(u4 a) {
 
 static inline f4 f4_of_bytes(const unsigned char *from) {
     PLT_EACH_LANE(f4, (float)from[i]);
+}
+
+static inline f4 f4_of_halves(const unsigned char *from) {
+    PLT_EACH_LANE(f4, (float)(from[2 * i] | from[2 * i + 1] << 8));
 }
 
 static inline f4 f4_add(f4 a, f4 b) {

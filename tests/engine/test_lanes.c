@@ -253,6 +253,7 @@ static void test_whole_numbers(void) {
         const uint32_t a = random_word(), b = random_word(), below = a & 0x7FFFFFFFu;
         CHECK(scalar(OP_f4_of_u4, below, 0, 0) == as_bits((float)(double)below), "%08x", below);
         CHECK(scalar(OP_f4_of_bytes, a, 0, 0) == as_bits((float)(a & 0xFFu)), "%08x", a);
+        CHECK(scalar(OP_f4_of_halves, a, 0, 0) == as_bits((float)(a & 0xFFFFu)), "%08x", a);
         CHECK(scalar(OP_u4_add, a, b, 0) == (uint32_t)((uint64_t)a + b), "%08x %08x", a, b);
         CHECK(scalar(OP_u4_and, a, b, 0) == ~(~a | ~b), "%08x %08x", a, b);
     }

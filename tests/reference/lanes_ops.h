@@ -24,6 +24,7 @@
     X(u4_three, EXACT, 1)                                                                          \
     X(f4_of_u4, EXACT, 1)                                                                          \
     X(f4_of_bytes, EXACT, 1)                                                                       \
+    X(f4_of_halves, EXACT, 1)                                                                      \
     X(f4_zero, EXACT, 0)                                                                           \
     X(m4_bits, EXACT, 0)                                                                           \
     X(f4_add, ARITHMETIC, 2)                                                                       \

@@ -101,6 +101,16 @@ static void run_store_pairs(const lanes_in *in, uint32_t *out) {
     memcpy(out, to, sizeof to);
 }
 
+/* Bytes hidden as in run_bytes. */
+static void run_halves(const lanes_in *in, uint32_t *out) {
+    buffer p;
+    for (int i = 0; i < 4; i++) {
+        p.bytes[5 + 2 * i] = (unsigned char)in->row[0][i];
+        p.bytes[6 + 2 * i] = (unsigned char)(in->row[0][i] >> 8);
+    }
+    put_f4(out, f4_of_halves(hidden(&p)->bytes + 5));
+}
+
 #define F_F(op)                                                                                    \
     case OP_##op:                                                                                  \
         put_f4(out, op(f4_of(in->row[0])));                                                        \
@@ -168,6 +178,9 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         break;
     case OP_f4_of_bytes:
         run_bytes(in, out);
+        break;
+    case OP_f4_of_halves:
+        run_halves(in, out);
         break;
     case OP_f4_zero:
         put_f4(out, f4_zero());
