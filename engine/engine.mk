@@ -48,6 +48,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-D
 # firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
     engine/scene/open*.c engine/scene/validate*.c engine/tree/*/validate*.c \
+    engine/builder/b*.c engine/builder/strips.c \
     engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c)
 # In the names of folders: -render, -render-thesis.

@@ -51,8 +51,7 @@
 #define PLT_GLOBAL_STACK_MAX 65536
 #endif
 
-/* Bins per axis of the SAH builder: 4 .. 64. Cost: 112 bytes of build scratch, 143 for compact
- * blocks. */
+/* Bins per axis of the SAH builder: 4 .. 64. Cost: 128 bytes of build scratch. */
 #ifndef PLT_SAH_BINS
 #define PLT_SAH_BINS 32
 #endif

@@ -41,20 +41,6 @@ typedef struct plt_block_node {
     uint32_t first[2], count[2];
 } plt_block_node;
 
-typedef struct plt_lattice_bin {
-    plt_lattice_box box;
-    uint32_t count;
-} plt_lattice_bin;
-
-typedef struct plt_lattice_bins {
-    plt_lattice_bin bin[3][PLT_SAH_BINS];
-    plt_lattice_box right_box[PLT_SAH_BINS]; /* of bins k and up, while an axis is swept */
-    uint32_t right_count[PLT_SAH_BINS];
-    plt_lattice_box few_box[PLT_SAH_BINS]; /* a range of no more triangles than bins */
-    uint32_t few_index[PLT_SAH_BINS];
-    uint8_t few_rank[3][PLT_SAH_BINS];
-} plt_lattice_bins;
-
 /* A triangle of a strip: which of the leaf, rotated by how many corners; whether it
  * starts a strip, and its swap bit. */
 typedef struct plt_strip_step {
@@ -84,8 +70,8 @@ typedef struct plt_blocks_state {
     uint8_t flags[PLT_BLOCK_TRIANGLES_MOST];      /* 1: start, 2: swap */
     uint8_t leaf_count[PLT_BLOCK_NODES_MOST + 1]; /* triangles per leaf */
     uint32_t leaves, triangles, references, vertices;
-    uint32_t mesh; /* index + 1 of the mesh of all its triangles; 0: several, or not known */
-    plt_lattice_bins bins; /* splitting */
+    uint32_t mesh;       /* index + 1 of the mesh of all its triangles; 0: several, or not known */
+    plt_split_bins bins; /* splitting */
 } plt_blocks_state;
 
 static inline uint32_t plt_permuted(const plt_blocks_state *s, uint32_t i) {

@@ -26,7 +26,7 @@ typedef struct pending {
 } pending;
 
 typedef struct splitting {
-    plt_record_bins bins;
+    plt_split_bins bins;
     pending stack[PLT_DEPTH_MAX + 1];
     uint32_t waiting;
 } splitting;

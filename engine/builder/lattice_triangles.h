@@ -56,6 +56,17 @@ static inline void plt_lattice_box_add(plt_lattice_box *b, const plt_lattice_box
     }
 }
 
+/* Twice the centre of its box on an axis. */
+static inline uint32_t plt_lattice_triangle_centre2(const plt_lattice_triangles *t,
+                                                    uint32_t triangle, uint32_t axis) {
+    const unsigned char *at = plt_lattice_triangle(t, triangle);
+    const uint32_t x = plt_lattice_coordinate(t, at, axis),
+                   y = plt_lattice_coordinate(t, at, 3 + axis),
+                   z = plt_lattice_coordinate(t, at, t->boxes ? 3 + axis : 6 + axis);
+    const uint32_t lo = x < y ? x : y, hi = x < y ? y : x;
+    return (z < lo ? z : lo) + (z > hi ? z : hi);
+}
+
 static inline plt_lattice_box plt_lattice_triangle_box(const plt_lattice_triangles *t,
                                                        uint32_t triangle) {
     const unsigned char *at = plt_lattice_triangle(t, triangle);

@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "engine/planelet_config.h"
+#include "engine/builder/split_bins.h"
 #include "engine/tree/record.h"
 
 /* Items [begin, end), at least two, and how to split them. */
@@ -21,21 +21,9 @@ typedef struct plt_split_range {
     uint8_t splits;          /* enum plt_splits */
 } plt_split_range;
 
-/* Scratch of the surface area heuristic over records. */
-typedef struct plt_record_bin {
-    plt_box box;
-    uint32_t count;
-} plt_record_bin;
-
-typedef struct plt_record_bins {
-    plt_record_bin bin[3][PLT_SAH_BINS];
-    plt_box right_box[PLT_SAH_BINS]; /* of bins k and up, while an axis is swept */
-    uint32_t right_count[PLT_SAH_BINS];
-} plt_record_bins;
-
 typedef struct plt_record_items {
     plt_record *records;
-    plt_record_bins *bins;
+    plt_split_bins *bins;
 } plt_record_items;
 
 /* Permutes the records of a range, whose tight box is `box`, so that the left

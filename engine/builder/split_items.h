@@ -7,22 +7,23 @@
  *   items_split                        the name of its splitter, see the end of this file
  *   item_list, item_box,               what is split, lo[3] and hi[3],
  *   item_coordinate                    a coordinate of these
- *   item_bin, item_bins, items_bins()  scratch: a bin's box and count; bin[3][],
- *                                      right_box[], right_count[]
- *   item_box_empty(), item_box_add()   the union of boxes
- *   item_box_at(), item_centre2_at()   of item i: its box, twice its centre on an axis
+ *   items_bins()                       scratch: plt_split_bins
+ *   item_box_at()                      of item i: its box as a plt_split_box, exact
+ *   item_box_from()                      a box in lanes as an item_box
+ *   item_centre2_at()                  of item i: twice its centre on an axis, exact
+ *   item_place_at()                    the same as a float
+ *   item_prefetch()                    item i is looked at soon
  *   items_swap()                       items i and k change their positions
- *   item_axis, item_axis_of(),         how centres become bins on an axis: from their
- *   item_bin_of()                      bounds; the bin of a centre, 0 .. PLT_SAH_BINS - 1
- *   items_cost()                       of two sides, their boxes and counts
- *   ITEMS_SWEEP_FEW                    1: ranges of no more items than bins are sorted, and
- *                                      every split of them has its cost; needs item_index(),
- *                                      item_set_index() and few_*[] in the scratch
+ *   item_weight(), item_penalty()      what `count` items cost, four numbers at once; what a
+ *                                      split costs beyond its sides
+ *   ITEMS_FEW                          ranges of no more items are sorted, and every split of
+ *                                      them has its cost; at most PLT_SAH_BINS
  *   ITEMS_SELECT_HALVES                1: quickselect before a range is halved by count
  *
  * Three ways to split. Surface area heuristic: items are counted into bins by their
  * centres, on all three axes in one pass; the cheapest of the 3 * (bins - 1) planes
- * wins, the first of equals. Spatial median, the thesis's: the longest axis of the
+ * wins, the first of equals (split_sweep.h). Of a few items each has a bin of its own, in
+ * the order of centres. Spatial median, the thesis's: the longest axis of the
  * tight box, an item goes left when its centre lies below the middle. Halves by
  * count along that axis: when the depth runs out or no plane separates anything.
  *
@@ -38,28 +39,17 @@
 #include <stddef.h>
 
 #include "engine/builder/split.h"
+#include "engine/builder/split_bins.h"
+#include "engine/builder/split_sweep.h"
 #include "engine/planelet.h"
 
-typedef struct split_candidate {
-    float cost;
-    int axis;      /* -1: none */
-    uint32_t bin;  /* first bin of the right side */
-    uint32_t left; /* items of the left side */
-    item_box child[2];
-} split_candidate;
-
-static split_candidate split_none(void) {
-    const split_candidate none = {0.0f, -1, 0, 0, {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}};
-    return none;
-}
-
 static item_box split_box_of(const item_list *items, uint32_t begin, uint32_t end) {
-    item_box all = item_box_empty();
+    plt_split_box all = plt_split_box_empty();
     for (uint32_t i = begin; i < end; i++) {
-        const item_box b = item_box_at(items, i);
-        item_box_add(&all, &b);
+        const plt_split_box b = item_box_at(items, i);
+        plt_split_box_add(&all, &b);
     }
-    return all;
+    return item_box_from(&all);
 }
 
 static int split_longest_axis(const item_box *b) {
@@ -70,161 +60,320 @@ static int split_longest_axis(const item_box *b) {
     return axis;
 }
 
-/* Where an item's centre decides over its side: its bin, or the coordinate. */
+/* ---- the surface area heuristic ---- */
+
+enum { SPLIT_AHEAD = 16 }; /* items that are fetched before they are looked at */
+
+/* Twice the centre to a bin: (centre2 - lo) * scale. Four numbers, for lanes; the last mean
+ * nothing. */
+typedef struct split_grid {
+    float lo[4], scale[4];
+    uint32_t bins;
+} split_grid;
+
+#if PLT_LANES_REGISTERS
+static inline plt_split_box split_point(const plt_split_box *b) {
+    const f4 at = f4_add(b->lo, b->hi);
+    const plt_split_box point = {at, at};
+    return point;
+}
+
+static inline void split_store(const plt_split_box *b, float lo[4], float hi[4]) {
+    f4_store(lo, b->lo);
+    f4_store(hi, b->hi);
+}
+
+/* The bins of a box, as numbers that are not whole yet. */
+static inline void split_places(const split_grid *grid, const plt_split_box *b, float place[4]) {
+    const f4 last = f4_all((float)(int32_t)(grid->bins - 1));
+    const f4 offset = f4_sub(f4_add(b->lo, b->hi), f4_load(grid->lo));
+    const f4 at = f4_mul(offset, f4_load(grid->scale));
+    f4_store(place, f4_max(f4_min(at, last), f4_zero()));
+}
+#else
+static plt_split_box split_point(const plt_split_box *b) {
+    plt_split_box point;
+    for (int a = 0; a < 3; a++) {
+        point.lo[a] = point.hi[a] = b->lo[a] + b->hi[a];
+    }
+    return point;
+}
+
+static void split_store(const plt_split_box *b, float lo[4], float hi[4]) {
+    memcpy(lo, b->lo, sizeof b->lo);
+    memcpy(hi, b->hi, sizeof b->hi);
+}
+
+static void split_places(const split_grid *grid, const plt_split_box *b, float place[4]) {
+    const float last = (float)(int32_t)(grid->bins - 1);
+    for (int a = 0; a < 3; a++) {
+        const float centre2 = b->lo[a] + b->hi[a];
+        const float offset = centre2 - grid->lo[a];
+        const float at = offset * grid->scale[a], most = at < last ? at : last;
+        place[a] = most > 0.0f ? most : 0.0f;
+    }
+}
+#endif
+
+/* All in bin 0 where the extent is 0, or so small that the scale would overflow. */
+static float split_scale(float extent, uint32_t bins) {
+    const float scale = (float)(int32_t)bins / extent;
+    return extent > 0.0f && scale < PLT_BOX_FAR ? scale : 0.0f;
+}
+
+/* A sweep over a bin costs about as much as an item: few items get few bins. */
+static uint32_t split_bin_count(uint32_t count) {
+    return count <= 256 && PLT_SAH_BINS > 16 ? 16 : PLT_SAH_BINS;
+}
+
+/* From every `step`-th item: others may lie outside, they count in the first or the last bin. */
+static split_grid split_lay_out_bins(const item_list *items, uint32_t begin, uint32_t end,
+                                     uint32_t step) {
+    plt_split_box all = plt_split_box_empty();
+    for (uint32_t i = begin; i < end; i += step) {
+        const plt_split_box b = item_box_at(items, i);
+        const plt_split_box point = split_point(&b);
+        plt_split_box_add(&all, &point);
+    }
+    split_grid grid = {{0, 0, 0, 0}, {0, 0, 0, 0}, split_bin_count(end - begin)};
+    float hi[4];
+    split_store(&all, grid.lo, hi);
+    for (int a = 0; a < 3; a++) {
+        grid.scale[a] = split_scale(hi[a] - grid.lo[a], grid.bins);
+    }
+    return grid;
+}
+
+static void split_set_count(plt_split_bins *bins, uint32_t k, uint32_t count) {
+    for (int a = 0; a < 3; a++) {
+        bins->count[k][a] = count;
+    }
+}
+
+static void split_empty_bins(plt_split_bins *bins, uint32_t count) {
+    const plt_split_box empty = plt_split_box_empty();
+    for (uint32_t k = 0; k < count; k++) {
+        for (int a = 0; a < 3; a++) {
+            plt_split_set_row(bins, a, k, &empty);
+        }
+        split_set_count(bins, k, 0);
+    }
+}
+
+static void split_fill_bins(item_list *items, uint32_t begin, uint32_t end,
+                            const split_grid *grid) {
+    plt_split_bins *bins = items_bins(items);
+    split_empty_bins(bins, grid->bins);
+    for (uint32_t i = begin; i < end; i++) {
+        item_prefetch(items, i + SPLIT_AHEAD < end ? i + SPLIT_AHEAD : begin);
+        const plt_split_box b = item_box_at(items, i);
+        float place[4];
+        split_places(grid, &b, place);
+        for (int a = 0; a < 3; a++) {
+            const uint32_t k = (uint32_t)(int32_t)place[a];
+            plt_split_box row = plt_split_row(bins, a, k);
+            plt_split_box_add(&row, &b);
+            plt_split_set_row(bins, a, k, &row);
+            bins->count[k][a]++;
+        }
+    }
+}
+
+static item_box split_rows_box(const plt_split_bins *bins, int axis, uint32_t begin, uint32_t end) {
+    plt_split_box all = plt_split_box_empty();
+    for (uint32_t k = begin; k < end; k++) {
+        const plt_split_box row = plt_split_row(bins, axis, k);
+        plt_split_box_add(&all, &row);
+    }
+    return item_box_from(&all);
+}
+
+/* Whether an item's bin on an axis is `row` or above. */
 typedef struct split_plane {
     int axis;
-    const item_axis *bins;   /* NULL: no bins */
-    uint32_t bin;            /* first of the right side */
-    item_coordinate middle2; /* twice the coordinate, which belongs to the right side */
+    float lo, scale, row;
 } split_plane;
 
-/* Returns the first item of the right side. */
+/* Each step is rounded to a float, as in lanes: so the sides are those of split_fill_bins. */
+static inline uint32_t split_is_right(const item_list *items, uint32_t i, const split_plane *p) {
+    const float place = item_place_at(items, i, p->axis);
+    const float offset = place - p->lo;
+    const float bin = offset * p->scale;
+    return bin >= p->row;
+}
+
+enum { SPLIT_BLOCK = 32 };
+
+/* Items of a block that are on the wrong side, found without a jump that depends on where
+ * they are; those from `next` on wait for one of the other side. */
+typedef struct split_wrong {
+    uint8_t at[SPLIT_BLOCK];
+    uint32_t next, count;
+} split_wrong;
+
+/* Looks at a block from `at` on, upwards for those on the right, or downwards for the others. */
+static void split_find_wrong(const item_list *items, uint32_t at, uint32_t downwards,
+                             const split_plane *plane, split_wrong *w) {
+    const uint32_t step = downwards ? (uint32_t)-1 : 1;
+    w->next = w->count = 0;
+    for (uint32_t i = 0; i < SPLIT_BLOCK; i++, at += step) {
+        item_prefetch(items, at + SPLIT_BLOCK * step);
+        w->at[w->count] = (uint8_t)i;
+        w->count += split_is_right(items, at, plane) ^ downwards;
+    }
+}
+
+/* Returns the first item of the right side. By blocks, then what is left one by one.
+ * Source: Edelkamp, Weiss, "BlockQuicksort", 2016. */
 static uint32_t split_partition(item_list *items, uint32_t begin, uint32_t end,
                                 const split_plane *plane) {
+    split_wrong left = {{0}, 0, 0}, right = {{0}, 0, 0};
+    while (end - begin >= 2 * SPLIT_BLOCK) {
+        if (left.next == left.count) {
+            split_find_wrong(items, begin, 0, plane, &left);
+        }
+        if (right.next == right.count) {
+            split_find_wrong(items, end - 1, 1, plane, &right);
+        }
+        while (left.next < left.count && right.next < right.count) {
+            items_swap(items, begin + left.at[left.next++], end - 1 - right.at[right.next++]);
+        }
+        begin += left.next == left.count ? SPLIT_BLOCK : 0;
+        end -= right.next == right.count ? SPLIT_BLOCK : 0;
+    }
     while (begin < end) {
-        const item_coordinate centre2 = item_centre2_at(items, begin, plane->axis);
-        if (plane->bins != NULL ? item_bin_of(plane->bins, centre2) < plane->bin
-                                : centre2 < plane->middle2) {
+        if (split_is_right(items, begin, plane)) {
+            items_swap(items, begin, --end);
+        } else {
+            begin++;
+        }
+    }
+    return begin;
+}
+
+/* Some 256 items of a large range say where its bins are; all are counted. */
+static uint32_t split_sample_step(uint32_t count) {
+    return count < 512 ? 1 : count / 256;
+}
+
+/* Returns the middle, `begin` when no plane separates anything. */
+static uint32_t split_sah_from(item_list *items, uint32_t begin, uint32_t end, uint32_t step,
+                               item_box child[2]) {
+    plt_split_bins *bins = items_bins(items);
+    const split_grid grid = split_lay_out_bins(items, begin, end, step);
+    split_fill_bins(items, begin, end, &grid);
+    const split_choice best = split_sweep(items, bins, grid.bins, end - begin);
+    if (best.axis < 0) {
+        return begin;
+    }
+    const split_plane plane = {best.axis, grid.lo[best.axis], grid.scale[best.axis],
+                               (float)(int32_t)best.row};
+    child[0] = split_rows_box(bins, best.axis, 0, best.row);
+    child[1] = split_rows_box(bins, best.axis, best.row, grid.bins);
+    return split_partition(items, begin, end, &plane);
+}
+
+static uint32_t split_sah(item_list *items, uint32_t begin, uint32_t end, item_box child[2]) {
+    const uint32_t step = split_sample_step(end - begin);
+    const uint32_t middle = split_sah_from(items, begin, end, step, child);
+    return middle == begin && step > 1 ? split_sah_from(items, begin, end, 1, child) : middle;
+}
+
+/* The items' ranks on three axes, of equals the first in front. */
+#if PLT_LANES_REGISTERS
+static void split_rank_few(const float place[][4], uint32_t count, uint8_t rank[3][ITEMS_FEW]) {
+    const u4 one = u4_all(1), none = u4_all(0);
+    for (uint32_t i = 0; i < count; i++) {
+        const f4 mine = f4_load(place[i]);
+        u4 r = none;
+        for (uint32_t k = 0; k < i; k++) {
+            r = u4_add(r, u4_select(f4_le(f4_load(place[k]), mine), one, none));
+        }
+        for (uint32_t k = i + 1; k < count; k++) {
+            r = u4_add(r, u4_select(f4_lt(f4_load(place[k]), mine), one, none));
+        }
+        uint32_t ranks[4];
+        u4_store(ranks, r);
+        for (int a = 0; a < 3; a++) {
+            rank[a][i] = (uint8_t)ranks[a];
+        }
+    }
+}
+#else
+static void split_rank_few(const float place[][4], uint32_t count, uint8_t rank[3][ITEMS_FEW]) {
+    uint8_t sorted[ITEMS_FEW];
+    for (int a = 0; a < 3; a++) {
+        for (uint32_t i = 0; i < count; i++) {
+            uint32_t k = i;
+            for (; k > 0 && place[sorted[k - 1]][a] > place[i][a]; k--) {
+                sorted[k] = sorted[k - 1];
+            }
+            sorted[k] = (uint8_t)i;
+        }
+        for (uint32_t k = 0; k < count; k++) {
+            rank[a][sorted[k]] = (uint8_t)k;
+        }
+    }
+}
+#endif
+
+/* Items whose rank is below `row` to the left. */
+static void split_at_rank(item_list *items, uint32_t begin, uint32_t count, uint8_t *rank,
+                          uint32_t row) {
+    uint32_t i = 0, k = count;
+    while (i < k) {
+        if (rank[i] < row) {
+            i++;
+        } else if (rank[k - 1] >= row) {
+            k--;
+        } else {
+            const uint8_t r = rank[i];
+            rank[i++] = rank[--k];
+            rank[k] = r;
+            items_swap(items, begin + i - 1, begin + k);
+        }
+    }
+}
+
+/* At most as many items as rows: every split in order along an axis gets its cost. */
+static uint32_t split_few(item_list *items, uint32_t begin, uint32_t count, item_box child[2]) {
+    plt_split_bins *bins = items_bins(items);
+    uint8_t rank[3][ITEMS_FEW];
+    for (uint32_t i = 0; i < count; i++) {
+        const plt_split_box b = item_box_at(items, begin + i);
+        plt_split_centre2(&b, bins->right_cost[i]); /* until the sweep */
+    }
+    split_rank_few((const float(*)[4])bins->right_cost, count, rank);
+    for (uint32_t i = 0; i < count; i++) {
+        const plt_split_box b = item_box_at(items, begin + i);
+        for (int a = 0; a < 3; a++) {
+            plt_split_set_row(bins, a, rank[a][i], &b);
+        }
+        split_set_count(bins, i, 1);
+    }
+    const split_choice best = split_sweep(items, bins, count, count);
+    if (best.axis < 0) {
+        return begin;
+    }
+    child[0] = split_rows_box(bins, best.axis, 0, best.row);
+    child[1] = split_rows_box(bins, best.axis, best.row, count);
+    split_at_rank(items, begin, count, rank[best.axis], best.row);
+    return begin + best.row;
+}
+
+/* ---- the spatial median ---- */
+
+static uint32_t split_median(item_list *items, uint32_t begin, uint32_t end, const item_box *box) {
+    const int axis = split_longest_axis(box);
+    const item_coordinate middle2 = box->lo[axis] + box->hi[axis];
+    while (begin < end) {
+        if (item_centre2_at(items, begin, axis) < middle2) {
             begin++;
         } else {
             items_swap(items, begin, --end);
         }
     }
     return begin;
-}
-
-/* ---- the surface area heuristic ---- */
-
-static void split_lay_out_bins(const item_list *items, uint32_t begin, uint32_t end,
-                               item_axis axis[3]) {
-    item_box centres2 = item_box_empty();
-    for (uint32_t i = begin; i < end; i++) {
-        const item_box b = item_box_at(items, i);
-        const item_coordinate x = b.lo[0] + b.hi[0], y = b.lo[1] + b.hi[1], z = b.lo[2] + b.hi[2];
-        const item_box point = {{x, y, z}, {x, y, z}};
-        item_box_add(&centres2, &point);
-    }
-    for (int a = 0; a < 3; a++) {
-        axis[a] = item_axis_of(centres2.lo[a], centres2.hi[a]);
-    }
-}
-
-static void split_fill_bins(item_list *items, uint32_t begin, uint32_t end,
-                            const item_axis axis[3]) {
-    item_bins *bins = items_bins(items);
-    const item_bin empty = {item_box_empty(), 0};
-    for (int a = 0; a < 3; a++) {
-        for (int k = 0; k < PLT_SAH_BINS; k++) {
-            bins->bin[a][k] = empty;
-        }
-    }
-    for (uint32_t i = begin; i < end; i++) {
-        const item_box b = item_box_at(items, i);
-        for (int a = 0; a < 3; a++) {
-            item_bin *bin = &bins->bin[a][item_bin_of(&axis[a], b.lo[a] + b.hi[a])];
-            item_box_add(&bin->box, &b);
-            bin->count++;
-        }
-    }
-}
-
-/* Sweeps an axis from the right, then from the left, over running unions. A plane
- * behind an empty bin has the cost of the one before it. */
-static void split_sweep(item_list *items, int axis, uint32_t total, split_candidate *best) {
-    item_bins *bins = items_bins(items);
-    const item_bin *bin = bins->bin[axis];
-    item_box box = item_box_empty();
-    uint32_t count = 0;
-    for (uint32_t k = PLT_SAH_BINS - 1; k > 0; k--) {
-        item_box_add(&box, &bin[k].box);
-        count += bin[k].count;
-        bins->right_box[k] = box;
-        bins->right_count[k] = count;
-    }
-    box = item_box_empty();
-    count = 0;
-    for (uint32_t k = 1; k < PLT_SAH_BINS; k++) {
-        item_box_add(&box, &bin[k - 1].box);
-        count += bin[k - 1].count;
-        if (count == 0 || count == total || bin[k - 1].count == 0) {
-            continue;
-        }
-        const float cost =
-            items_cost(items, &box, count, &bins->right_box[k], bins->right_count[k]);
-        if (best->axis < 0 || cost < best->cost) {
-            const split_candidate better = {cost, axis, k, count, {box, bins->right_box[k]}};
-            *best = better;
-        }
-    }
-}
-
-/* Returns the middle, `begin` when no plane separates anything. */
-static uint32_t split_sah(item_list *items, uint32_t begin, uint32_t end, item_box child[2]) {
-    item_axis axis[3];
-    split_lay_out_bins(items, begin, end, axis);
-    split_fill_bins(items, begin, end, axis);
-    split_candidate best = split_none();
-    for (int a = 0; a < 3; a++) {
-        split_sweep(items, a, end - begin, &best);
-    }
-    if (best.axis < 0) {
-        return begin;
-    }
-    const uint32_t middle = begin + best.left;
-    const split_plane plane = {best.axis, &axis[best.axis], best.bin, 0};
-    split_partition(items, begin, end, &plane);
-    child[0] = best.child[0];
-    child[1] = best.child[1];
-    return middle;
-}
-
-#if ITEMS_SWEEP_FEW
-/* Ranks of the range's items along an axis, by insertion; of equals the first. Each
- * becomes a bin of its own. */
-static void split_rank_few(item_bins *bins, int axis, uint32_t count) {
-    uint8_t *rank = bins->few_rank[axis];
-    const item_box *box = bins->few_box;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t k = i;
-        const item_coordinate c = box[i].lo[axis] + box[i].hi[axis];
-        for (; k > 0 && box[rank[k - 1]].lo[axis] + box[rank[k - 1]].hi[axis] > c; k--) {
-            rank[k] = rank[k - 1];
-        }
-        rank[k] = (uint8_t)i;
-    }
-    for (uint32_t k = 0; k < PLT_SAH_BINS; k++) {
-        bins->bin[axis][k].count = k < count;
-        bins->bin[axis][k].box = k < count ? box[rank[k]] : item_box_empty();
-    }
-}
-
-/* At most as many items as bins: every split in order along an axis gets its cost. */
-static uint32_t split_few(item_list *items, uint32_t begin, uint32_t count, item_box child[2]) {
-    item_bins *bins = items_bins(items);
-    split_candidate best = split_none();
-    for (uint32_t i = 0; i < count; i++) {
-        bins->few_index[i] = item_index(items, begin + i);
-        bins->few_box[i] = item_box_of(items, bins->few_index[i]);
-    }
-    for (int a = 0; a < 3; a++) {
-        split_rank_few(bins, a, count);
-        split_sweep(items, a, count, &best);
-    }
-    for (uint32_t i = 0; i < count; i++) {
-        item_set_index(items, begin + i, bins->few_index[bins->few_rank[best.axis][i]]);
-    }
-    child[0] = best.child[0];
-    child[1] = best.child[1];
-    return begin + best.left;
-}
-#endif
-
-/* ---- the spatial median ---- */
-
-static uint32_t split_median(item_list *items, uint32_t begin, uint32_t end, const item_box *box) {
-    const int axis = split_longest_axis(box);
-    const split_plane plane = {axis, NULL, 0, box->lo[axis] + box->hi[axis]};
-    return split_partition(items, begin, end, &plane);
 }
 
 /* ---- halves by count ---- */
@@ -286,11 +435,9 @@ static uint32_t split_as_asked(item_list *items, const plt_split_range *range, c
     if (range->splits == PLT_SPLIT_MEDIAN) {
         return split_median(items, range->begin, range->end, box);
     }
-#if ITEMS_SWEEP_FEW
-    if (range->end - range->begin <= PLT_SAH_BINS) {
+    if (range->end - range->begin <= ITEMS_FEW) {
         return split_few(items, range->begin, range->end - range->begin, child);
     }
-#endif
     return split_sah(items, range->begin, range->end, child);
 }
 

@@ -8,7 +8,7 @@
 #include "engine/builder/blocks_state.h"
 
 #define items_split plt_split_lattice
-#define ITEMS_SWEEP_FEW 1     /* every split of a range of no more triangles than bins */
+#define ITEMS_FEW PLT_SAH_BINS
 #define ITEMS_SELECT_HALVES 0 /* halves are what the permutation has there */
 
 /* Cost of a split whose sides need one leaf more than the whole: it is a node,
@@ -16,90 +16,145 @@
 #define LEAF_PENALTY 1.03125f
 
 typedef plt_blocks_state item_list;
-typedef plt_lattice_bin item_bin;
-typedef plt_lattice_bins item_bins;
 typedef plt_lattice_box item_box;
 typedef uint32_t item_coordinate;
 
-/* bin = (centre2 - lo) * PLT_SAH_BINS / span; span: the extent + 1. */
-typedef struct item_axis {
-    uint32_t lo, span;
-} item_axis;
-
-static item_bins *items_bins(item_list *items) {
+static plt_split_bins *items_bins(item_list *items) {
     return &items->bins;
 }
 
-static plt_lattice_box item_box_empty(void) {
-    return plt_lattice_box_empty();
+/* Lattice coordinates have at most 21 bits: floats hold them, and their sums, exactly. The mask
+ * is for a source that is read again and has changed: it may give anything. */
+#define COORDINATE_MOST ((1u << PLT_LATTICE_BITS_MOST) - 1u)
+
+static plt_lattice_box lattice_box_at(const item_list *items, uint32_t i) {
+    return plt_lattice_triangle_box(&items->job->triangles, plt_permuted(items, i));
 }
 
-static void item_box_add(plt_lattice_box *box, const plt_lattice_box *more) {
-    plt_lattice_box_add(box, more);
+#if PLT_LANES_REGISTERS
+/* Whether the corners of a triangle are read as eight bytes each, two too many: not those of the
+ * last one, nor through a cache, whose lines end somewhere. */
+static inline int is_read_at_once(const plt_lattice_triangles *t, uint32_t triangle) {
+    return t->width == 2 && !t->boxes && t->cache == NULL && triangle + 1 < t->count;
 }
 
-static uint32_t item_index(const item_list *items, uint32_t i) {
-    return plt_permuted(items, i);
+static inline void item_prefetch(const item_list *items, uint32_t i) {
+    const plt_lattice_triangles *t = &items->job->triangles;
+    if (is_read_at_once(t, 0)) {
+        plt_prefetch(t->bytes + (size_t)18 * plt_permuted(items, i));
+    }
 }
 
-static void item_set_index(item_list *items, uint32_t i, uint32_t index) {
-    plt_permute(items, i, index);
+static inline plt_split_box item_box_at(const item_list *items, uint32_t i) {
+    const plt_lattice_triangles *t = &items->job->triangles;
+    const uint32_t triangle = plt_permuted(items, i);
+    if (is_read_at_once(t, triangle)) {
+        const unsigned char *at = t->bytes + (size_t)18 * triangle;
+        const f4 p = f4_of_halves(at), q = f4_of_halves(at + 6), s = f4_of_halves(at + 12);
+        const plt_split_box box = {f4_min(s, f4_min(p, q)), f4_max(s, f4_max(p, q))};
+        return box;
+    }
+    const plt_lattice_box b = lattice_box_at(items, i);
+    const u4 most = u4_all(COORDINATE_MOST);
+    const plt_split_box box = {f4_of_u4(u4_and(u4_three(b.lo[0], b.lo[1], b.lo[2]), most)),
+                               f4_of_u4(u4_and(u4_three(b.hi[0], b.hi[1], b.hi[2]), most))};
+    return box;
+}
+#else
+static inline void item_prefetch(const item_list *items, uint32_t i) {
+    (void)items, (void)i;
 }
 
-static plt_lattice_box item_box_of(const item_list *items, uint32_t index) {
-    return plt_lattice_triangle_box(&items->job->triangles, index);
+static PLT_SPLIT_APART plt_split_box item_box_at(const item_list *items, uint32_t i) {
+    const plt_lattice_box b = lattice_box_at(items, i);
+    plt_split_box box;
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = (float)(int32_t)(b.lo[a] & COORDINATE_MOST);
+        box.hi[a] = (float)(int32_t)(b.hi[a] & COORDINATE_MOST);
+    }
+    return box;
+}
+#endif
+
+static plt_lattice_box item_box_from(const plt_split_box *b) {
+    float lo[4], hi[4];
+    plt_lattice_box box;
+#if PLT_LANES_REGISTERS
+    f4_store(lo, b->lo);
+    f4_store(hi, b->hi);
+#else
+    memcpy(lo, b->lo, sizeof b->lo);
+    memcpy(hi, b->hi, sizeof b->hi);
+#endif
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = (uint32_t)(int32_t)lo[a];
+        box.hi[a] = (uint32_t)(int32_t)hi[a];
+    }
+    return box;
 }
 
-static plt_lattice_box item_box_at(const item_list *items, uint32_t i) {
-    return item_box_of(items, item_index(items, i));
+static PLT_SPLIT_APART uint32_t item_centre2_at(const item_list *items, uint32_t i, int axis) {
+    return plt_lattice_triangle_centre2(&items->job->triangles, plt_permuted(items, i),
+                                        (uint32_t)axis);
 }
 
-static uint32_t item_centre2_at(const item_list *items, uint32_t i, int axis) {
-    const plt_lattice_box b = item_box_at(items, i);
-    return b.lo[axis] + b.hi[axis];
+static inline float item_place_at(const item_list *items, uint32_t i, int axis) {
+    return (float)(int32_t)item_centre2_at(items, i, axis);
 }
 
-static void items_swap(item_list *items, uint32_t i, uint32_t k) {
+static PLT_SPLIT_APART void items_swap(item_list *items, uint32_t i, uint32_t k) {
     const uint32_t t = plt_permuted(items, i);
     plt_permute(items, i, plt_permuted(items, k));
     plt_permute(items, k, t);
 }
 
-static item_axis item_axis_of(uint32_t lo, uint32_t hi) {
-    const item_axis axis = {lo, hi - lo + 1};
-    return axis;
+/* Full lists, or leaves, of `each` (a power of two) items that `count` take: the quotient
+ * rounded up. 2^23 added leaves no fraction; what is below it and not 0 is at least 1 / each. */
+#define WHOLE 8388608.0f
+
+#if PLT_LANES_REGISTERS
+static inline f4 lists_of(f4 count, uint32_t each) {
+    const float share = 1.0f / (float)(int32_t)each;
+    const f4 up = f4_all(0.5f - 0.5f * share), whole = f4_all(WHOLE);
+    return f4_sub(f4_add(f4_add(f4_mul(count, f4_all(share)), up), whole), whole);
 }
 
-/* Within the bins also for a centre that has changed since they were laid out, as a
- * source that is read again may have it. */
-static uint32_t item_bin_of(const item_axis *axis, uint32_t centre2) {
-    const uint32_t bin = (centre2 - axis->lo) * PLT_SAH_BINS / axis->span;
-    return bin < PLT_SAH_BINS ? bin : PLT_SAH_BINS - 1;
+static inline f4 item_weight(const item_list *items, f4 count) {
+    return lists_of(count, items->job->leaf_triangles);
 }
 
-static float lattice_half_area(const plt_lattice_box *b) {
-    const float x = (float)(int32_t)(b->hi[0] - b->lo[0]);
-    const float y = (float)(int32_t)(b->hi[1] - b->lo[1]);
-    const float z = (float)(int32_t)(b->hi[2] - b->lo[2]);
-    return x * y + y * z + z * x;
+/* The leaf penalty counts only where counts are exact; higher up what is left over is shared
+ * out further down. */
+static inline f4 item_penalty(const item_list *items, f4 cost, f4 left_count, uint32_t total) {
+    if (total > PLT_SAH_BINS) {
+        return cost;
+    }
+    const uint32_t leaf = 2 * items->job->leaf_triangles;
+    const f4 all = f4_all((float)(int32_t)total);
+    const f4 leaves = f4_add(lists_of(left_count, leaf), lists_of(f4_sub(all, left_count), leaf));
+    const m4 spills = f4_lt(lists_of(all, leaf), leaves);
+    return f4_select(spills, f4_mul(cost, f4_all(LEAF_PENALTY)), cost);
+}
+#else
+static float lists_of(float count, uint32_t each) {
+    const float share = 1.0f / (float)(int32_t)each, up = 0.5f - 0.5f * share;
+    const float part = count * share;
+    const float sum = part + up;
+    const float whole = sum + WHOLE;
+    return whole - WHOLE;
 }
 
-/* Full lists, or leaves, of `each` triangles that `count` take; the last may hold fewer. */
-static uint32_t lists_of(uint32_t count, uint32_t each) {
-    return (count + each - 1) / each;
+static inline float item_weight(const item_list *items, float count) {
+    return lists_of(count, items->job->leaf_triangles);
 }
 
-/* Half the area of a box * its lists, of both sides. The leaf penalty counts only
- * where counts are exact; higher up what is left over is shared out further down. */
-static float items_cost(const item_list *items, const plt_lattice_box *left, uint32_t left_count,
-                        const plt_lattice_box *right, uint32_t right_count) {
-    const uint32_t k = items->job->leaf_triangles, total = left_count + right_count;
-    const float cost = lattice_half_area(left) * (float)(int32_t)lists_of(left_count, k) +
-                       lattice_half_area(right) * (float)(int32_t)lists_of(right_count, k);
-    const int spills =
-        lists_of(left_count, 2 * k) + lists_of(right_count, 2 * k) > lists_of(total, 2 * k);
-    return spills && total <= PLT_SAH_BINS ? cost * LEAF_PENALTY : cost;
+static float item_penalty(const item_list *items, float cost, float left_count, uint32_t total) {
+    const uint32_t leaf = 2 * items->job->leaf_triangles;
+    const float all = (float)(int32_t)total;
+    const float leaves = lists_of(left_count, leaf) + lists_of(all - left_count, leaf);
+    return total <= PLT_SAH_BINS && lists_of(all, leaf) < leaves ? cost * LEAF_PENALTY : cost;
 }
+#endif
 
 /* The splitter itself. */
 #include "engine/builder/split_items.h"

@@ -6,38 +6,66 @@
 #include "engine/builder/split.h"
 
 #define items_split plt_split_records
-#define ITEMS_SWEEP_FEW 0     /* bins for small ranges, too */
+#define ITEMS_FEW (PLT_SAH_BINS < 16 ? PLT_SAH_BINS : 16)
 #define ITEMS_SELECT_HALVES 1 /* halves are sorted along the longest axis */
 
 typedef plt_record_items item_list;
-typedef plt_record_bin item_bin;
-typedef plt_record_bins item_bins;
 typedef plt_box item_box;
 typedef float item_coordinate;
 
-/* bin = (centre2 - lo) * scale. */
-typedef struct item_axis {
-    float lo, scale;
-} item_axis;
-
-static item_bins *items_bins(item_list *items) {
+static plt_split_bins *items_bins(item_list *items) {
     return items->bins;
 }
 
-static plt_box item_box_empty(void) {
-    return plt_box_empty();
+/* Records lie in a row: the processor sees that. */
+static inline void item_prefetch(const item_list *items, uint32_t i) {
+    (void)items, (void)i;
 }
 
-static void item_box_add(plt_box *box, const plt_box *more) {
-    plt_box_add(box, more);
+#if PLT_LANES_REGISTERS
+/* A corner and the word behind it. */
+static inline f4 record_corner(const plt_record *r, int corner) {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return f4_load((const float *)(const void *)&r->word[3 * corner]);
+#else
+    const float at[4] = {plt_record_float(r, corner, 0), plt_record_float(r, corner, 1),
+                         plt_record_float(r, corner, 2), 0.0f};
+    return f4_load(at);
+#endif
 }
 
-static plt_box item_box_at(const item_list *items, uint32_t i) {
+static inline plt_split_box item_box_at(const item_list *items, uint32_t i) {
+    const plt_record *r = &items->records[i];
+    const f4 p = record_corner(r, 0), q = record_corner(r, 1), s = record_corner(r, 2);
+    const plt_split_box b = {f4_min(s, f4_min(p, q)), f4_max(s, f4_max(p, q))};
+    return b;
+}
+
+static plt_box item_box_from(const plt_split_box *b) {
+    float lo[4], hi[4];
+    plt_box box;
+    f4_store(lo, b->lo);
+    f4_store(hi, b->hi);
+    memcpy(box.lo, lo, sizeof box.lo);
+    memcpy(box.hi, hi, sizeof box.hi);
+    return box;
+}
+
+typedef f4 item_number;
+#else
+static PLT_SPLIT_APART plt_split_box item_box_at(const item_list *items, uint32_t i) {
     return plt_record_box(&items->records[i]);
 }
 
+static inline plt_box item_box_from(const plt_split_box *b) {
+    return *b;
+}
+
+typedef float item_number;
+#endif
+
 /* Exact to one rounding. */
-static inline float item_centre2_at(const item_list *items, uint32_t i, int axis) {
+static PLT_SPLIT_APART float item_centre2_at(const item_list *items, uint32_t i, int axis) {
     const plt_record *r = &items->records[i];
     const float p = plt_record_float(r, 0, axis), q = plt_record_float(r, 1, axis),
                 s = plt_record_float(r, 2, axis);
@@ -45,29 +73,25 @@ static inline float item_centre2_at(const item_list *items, uint32_t i, int axis
     return (s < lo ? s : lo) + (s > hi ? s : hi);
 }
 
-static inline void items_swap(item_list *items, uint32_t i, uint32_t k) {
+static PLT_SPLIT_APART void items_swap(item_list *items, uint32_t i, uint32_t k) {
     const plt_record t = items->records[i];
     items->records[i] = items->records[k];
     items->records[k] = t;
 }
 
-/* All in bin 0 where the extent is 0, or so small that the scale would overflow. */
-static item_axis item_axis_of(float lo, float hi) {
-    const float extent = hi - lo, scale = (float)PLT_SAH_BINS / extent;
-    const item_axis axis = {lo, extent > 0.0f && scale < PLT_BOX_FAR ? scale : 0.0f};
-    return axis;
+static inline float item_place_at(const item_list *items, uint32_t i, int axis) {
+    return item_centre2_at(items, i, axis);
 }
 
-static uint32_t item_bin_of(const item_axis *axis, float centre2) {
-    const int bin = (int)((centre2 - axis->lo) * axis->scale);
-    return bin < PLT_SAH_BINS ? (uint32_t)bin : PLT_SAH_BINS - 1;
-}
-
-static float items_cost(const item_list *items, const plt_box *left, uint32_t left_count,
-                        const plt_box *right, uint32_t right_count) {
+static inline item_number item_weight(const item_list *items, item_number count) {
     (void)items;
-    return plt_box_half_area(left) * (float)left_count +
-           plt_box_half_area(right) * (float)right_count;
+    return count;
+}
+
+static inline item_number item_penalty(const item_list *items, item_number cost,
+                                       item_number left_count, uint32_t total) {
+    (void)items, (void)left_count, (void)total;
+    return cost;
 }
 
 /* The splitter itself. */

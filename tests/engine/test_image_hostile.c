@@ -93,16 +93,15 @@ static void breaks(packed *image, unsigned char *word, uint32_t value, uint8_t r
     hostile_seal(image->bytes, image->size);
 }
 
-/* A link from a node to another node, for the traps to change. */
+/* A link from a node to another node, for the traps to change: a second one, so that a
+ * traversal meets a list before it, and twice if it leads back (I4; else I2 ends it). */
 static unsigned char *some_inner_link(const packed *image, uint32_t *node) {
-    for (uint32_t i = image->info.node_slots; i-- > 0;) {
-        for (int c = 0; c < 2; c++) {
-            unsigned char *link = node_at(image, i) + 24 + 4 * c;
-            const uint32_t value = plt_get_u32(link);
-            if (i != 0 && (value & 1) == 0 && value >> 5 != 0) {
-                *node = i;
-                return link;
-            }
+    for (uint32_t i = image->info.node_slots; i-- > 1;) {
+        unsigned char *link = node_at(image, i) + 24 + 4;
+        const uint32_t value = plt_get_u32(link);
+        if ((value & 1) == 0 && value >> 5 != 0) {
+            *node = i;
+            return link;
         }
     }
     return NULL;
