@@ -1,7 +1,7 @@
 /* arena - the host's one arena, which the system gives when it is asked for
  *
  * SPDX-License-Identifier: MIT */
-#define _DEFAULT_SOURCE  /* MAP_ANONYMOUS, MAP_NORESERVE: POSIX has neither yet */
+#define _DEFAULT_SOURCE  /* MAP_ANONYMOUS, MAP_NORESERVE, madvise: POSIX has none of them yet */
 #define _DARWIN_C_SOURCE /* the same elsewhere */
 #include <sys/mman.h>
 
@@ -17,10 +17,18 @@
 static void *arena;
 static size_t arena_bytes;
 
+/* In large pages where the system has them to spare: rays that point anywhere touch more small
+ * ones than a processor remembers. */
 static void *map(size_t bytes) {
     void *p = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE,
                    -1, 0);
-    return p == MAP_FAILED ? NULL : p;
+    if (p == MAP_FAILED) {
+        return NULL;
+    }
+#ifdef MADV_HUGEPAGE
+    (void)madvise(p, bytes, MADV_HUGEPAGE); /* a wish; without it the same happens, slower */
+#endif
+    return p;
 }
 
 void *host_arena(size_t bytes) {
