@@ -4,8 +4,7 @@
 #   render   no builder: images whose tree is finished
 #   thesis   thesis nodes and lists, no compact blocks
 #   compact  compact blocks alone
-#   wave     with the wave for incoherent rays: any list without this word leaves it out
-#   packets  all but the wave
+#   wave     with the wave for incoherent rays, which firmware is without unless it asks for it
 # Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
 # SPDX-License-Identifier: MIT
 
@@ -32,15 +31,13 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave packets,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, wave and packets; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave packets,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
-ifneq ($(strip $(PARTS)),)
-without_wave := $(if $(filter wave,$(PARTS)),,yes)
-endif
+without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-DPLT_WITH_WAVE=0)

@@ -86,6 +86,12 @@ fi
 if part compact "$BUILD/mps2_an386-compact" 58368; then
     renders "$BUILD/mps2_an386-compact" compact_device
 fi
+wave=$BUILD/mps2_an386-render-thesis-wave
+if part "render thesis wave" "$wave" 73728; then
+    renders "$wave" thesis
+    verdict "... the whole engine is without a wave" "$(
+        find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
+fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS=rendr 2>&1)
 verdict "a part that is not there is refused, and those that are named" "$(
     echo "$trouble" | grep -q 'PARTS is a list of render, thesis and compact' || echo "$trouble")"
