@@ -102,7 +102,8 @@ static uint64_t local_stack_bytes(const subject *s) {
 }
 
 static int has_wide_form(const subject *s) {
-    return PLT_WITH_WAVE && s->options->wide && plt_wide_supports(s->format);
+    return PLT_WITH_WAVE && s->options->wide && plt_wide_supports(s->format) &&
+           s->info->triangles <= PLT_WIDE_TRIANGLES_MOST;
 }
 
 static uint64_t wide_bytes(const subject *s) {

@@ -9,6 +9,9 @@
 #include "engine/trace/traversal.h"
 #include "engine/tree/bvh4.h"
 
+/* Links of the wide form reach 2 GiB; so many triangles take at most 265 bytes each. */
+#define PLT_WIDE_TRIANGLES_MOST 8000000u
+
 /* Most nodes and blocks that a tree of these counts collapses to, and most nodes on a path. */
 uint32_t plt_wide_nodes_bound(const plt_info *info);
 uint32_t plt_wide_blocks_bound(const plt_info *info);

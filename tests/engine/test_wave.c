@@ -616,6 +616,29 @@ static void options_refused(void) {
     mesh_free(&m);
 }
 
+/* The widest form that its links must reach, and one triangle more. */
+static void too_large(void) {
+    static const uint8_t builds[2] = {PLT_BUILD_HOST, PLT_BUILD_DEVICE};
+    for (int i = 0; i < 2; i++) {
+        plt_options with = {.packet_side = 2, .rays_in_flight = 16, .wide = 1}, without = with;
+        plt_info info = {.triangles = PLT_WIDE_TRIANGLES_MOST,
+                         .leaf_triangles = i == 0 ? 1 : 1000,
+                         .treelet_nodes = 64,
+                         .depth_stack_entries = PLT_DEPTH_MAX,
+                         .build = builds[i]};
+        info.nodes = info.node_slots = info.triangles - 1;
+        info.leaf_lists = info.triangles;
+        without.wide = 0;
+        const uint64_t bytes = plt_wide_bytes(&info);
+        CHECK(bytes < (uint64_t)PLT_BVH4_PLACE * PLT_BVH4_GRAIN, "%llu bytes",
+              (unsigned long long)bytes);
+        CHECK(plt_arena_need(&info, 1, &with) > plt_arena_need(&info, 1, &without) + bytes / 2,
+              "it has a wide form");
+        info.triangles++;
+        CHECK(plt_arena_need(&info, 1, &with) == plt_arena_need(&info, 1, &without), "it has none");
+    }
+}
+
 /* Every order of four numbers, with every tie. */
 static void every_order(void) {
     for (unsigned i = 0; i < 256; i++) {
@@ -639,6 +662,8 @@ int main(void) {
     every_order();
     test("options of the wave out of their range are refused");
     options_refused();
+    test("a wide form is no larger than its links reach");
+    too_large();
     test("beams are told from other rays, however long");
     beams();
     test("windows of coherent rays go in packets, all others by the wave, and hits are the same");
