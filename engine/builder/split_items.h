@@ -251,9 +251,9 @@ static uint32_t split_partition(item_list *items, uint32_t begin, uint32_t end,
     return begin;
 }
 
-/* Some 256 items of a large range say where its bins are; all are counted. */
+/* Some 1,024 items of a large range say where its bins are; all are counted. */
 static uint32_t split_sample_step(uint32_t count) {
-    return count < 512 ? 1 : count / 256;
+    return count < 2048 ? 1 : count / 1024;
 }
 
 /* Returns the middle, `begin` when no plane separates anything. */
