@@ -75,7 +75,7 @@ $(OUT)/flags: FORCE
 ##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: frames, as a host gets them
 ifeq ($(PROGRAM),wired)
 run: firmware
-	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
+	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BOARD='$(BOARD)' SCENE='$(SCENE)' \
 	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' sh board/tools/demo.sh
 
@@ -84,13 +84,13 @@ profile:
 else
 ##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: with counts
 run: firmware
-	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
+	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
 ##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function
 profile: firmware
-	@$(MAKE) --no-print-directory -s BOARD=host CC='$(HOST_CC)' all
+	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' PROFILE='$(OUT)/profile.txt' \
 	    sh board/tools/run_like_host.sh $(BOARD) \
 	    '$(SCENE)' '$(or $(SIZE),320x240)' $(PARAMETERS)

@@ -10,6 +10,7 @@ const plt_info *plt_engine_info(const plt_engine *e) {
     return &e->scene.info;
 }
 
+#if PLT_WITH_GROUPS
 int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
     const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
     e->rendering.done = 1;
@@ -22,8 +23,19 @@ int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count,
     return plt_trace_packets(&e->traversal, &e->packet, most, rays, hits, count, any);
 }
 
+#else
+int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
+    (void)rays;
+    (void)hits;
+    (void)count;
+    (void)any;
+    e->rendering.done = 1;
+    return PLT_ERR_LIMIT;
+}
+#endif
+
 int plt_render_begin(plt_engine *e, const plt_frame *frame) {
-    return plt_rendering_begin(&e->rendering, frame);
+    return plt_rendering_begin(&e->rendering, frame, &e->traversal);
 }
 
 int plt_render_step(plt_engine *e, uint32_t visits) {

@@ -5,6 +5,9 @@
 #   thesis   thesis nodes and lists, no compact blocks
 #   compact  compact blocks alone
 #   wave     with the wave for incoherent rays, which firmware is without unless it asks for it
+#   frames   nothing but frames, no plt_trace: with `thesis`, as beams are of thesis nodes
+# Frames of thesis nodes are traced by beams, everything else by groups of four rays. The whole
+# engine has both; `thesis` has groups, `thesis frames` beams.
 # Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
 # SPDX-License-Identifier: MIT
 
@@ -23,31 +26,46 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
+groups_files := $(addprefix engine/trace/,triangle.c packet.c boxes.c rays.c) \
+    $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
+beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
+    engine/trace/triangle_ray.c
 
 left_out_render := $(builder_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files)
+left_out_compact := $(thesis_files) $(beams_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, and wave; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave frames,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave or frames; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave frames,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
+endif
+ifneq ($(filter frames,$(PARTS)),)
+ifneq ($(filter thesis,$(PARTS))$(filter wave,$(PARTS)),thesis)
+$(error PARTS with frames has thesis, and no wave: make PARTS='render thesis frames')
+endif
+left_out_frames := $(groups_files)
+flags_frames := -DPLT_WITH_GROUPS=0
+else
+left_out_thesis += $(beams_files)
+flags_thesis += -DPLT_WITH_BEAMS=0
 endif
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-DPLT_WITH_WAVE=0)
-# What runs when a scene is opened, and for the few rays that single precision cannot decide:
-# firmware compiles it for size.
+# What runs when a scene is opened, once per frame or packet, and for the few rays that single
+# precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
     engine/scene/open*.c engine/scene/validate*.c engine/tree/*/validate*.c \
     engine/builder/b*.c engine/builder/strips.c \
     engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
-    engine/trace/collapse_*.c engine/trace/wide_form.c)
+    engine/trace/collapse_*.c engine/trace/wide_form.c \
+    engine/shade/margins.c engine/shade/camera.c engine/shade/rendering.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

@@ -9,6 +9,7 @@
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
+#include "engine/trace/treelet_entry.h"
 #include "engine/tree/compact/validate.h"
 #include "engine/tree/thesis/validate.h"
 
@@ -86,19 +87,43 @@ static uint64_t record_cache_bytes(const subject *s) {
                : 0;
 }
 
+/* Bytes of a stack entry; 0: not in this order. A beam's are less than those of groups, which
+ * it shares the stack with. */
+static size_t entry_bytes(enum plt_format format, unsigned order) {
+#if PLT_WITH_GROUPS
+    return plt_entry_bytes(format, (enum plt_order)order);
+#else
+    (void)format;
+    return order == PLT_ORDER_DEPTH_FIRST ? sizeof(plt_beam_entry) : 0;
+#endif
+}
+
 static uint64_t stack_bytes(const subject *s) {
     const uint32_t need = s->options->order == PLT_ORDER_TWO_STAGE
                               ? s->sized_for->global_stack_entries
                               : s->sized_for->depth_stack_entries;
-    return (uint64_t)(need > 0 ? need : 1) *
-           plt_entry_bytes(s->format, (enum plt_order)s->options->order);
+    return (uint64_t)(need > 0 ? need : 1) * entry_bytes(s->format, s->options->order);
 }
 
 static uint64_t local_stack_bytes(const subject *s) {
-    return s->options->order == PLT_ORDER_TWO_STAGE
-               ? (uint64_t)s->sized_for->local_stack_entries *
-                     plt_entry_bytes(s->format, (enum plt_order)s->options->order)
-               : 0;
+    return s->options->order == PLT_ORDER_TWO_STAGE ? (uint64_t)s->sized_for->local_stack_entries *
+                                                          entry_bytes(s->format, s->options->order)
+                                                    : 0;
+}
+
+/* Pixels of a beam take less than rays in groups, and lie where those do. */
+static uint64_t packet_bytes(const subject *s) {
+    return PLT_WITH_GROUPS ? plt_packet_bytes(s->options->packet_side)
+                           : plt_beam_bytes(s->options->packet_side);
+}
+
+static uint64_t state_bytes(const subject *s) {
+#if PLT_WITH_GROUPS
+    return plt_state_bytes(s->format);
+#else
+    (void)s;
+    return sizeof(plt_treelet_state);
+#endif
 }
 
 static int has_wide_form(const subject *s) {
@@ -144,7 +169,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_TOUCHED:
         return s->options->count_touched ? 4ull * plt_touched_words(s->format, s->sized_for) : 0;
     case PLT_PART_PACKET:
-        return plt_packet_bytes(s->options->packet_side);
+        return packet_bytes(s);
     case PLT_PART_TILE_BUFFER:
         return PLT_TILE_BUFFER_BYTES;
     case PLT_PART_STACK:
@@ -152,7 +177,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_LOCAL_STACK:
         return local_stack_bytes(s);
     case PLT_PART_FORMAT:
-        return plt_state_bytes(s->format);
+        return state_bytes(s);
     case PLT_PART_WIDE_FORM:
         return wide_bytes(s);
     case PLT_PART_WAVE:
@@ -206,7 +231,7 @@ int plt_layout_options_valid(const plt_options *o) {
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
-    return plt_entry_bytes(plt_format_of(info), (enum plt_order)o->order) > 0;
+    return entry_bytes(plt_format_of(info), o->order) > 0;
 }
 
 static int valid(const plt_info *info, const plt_options *o) {

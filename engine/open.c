@@ -112,8 +112,11 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
     int status = cut_running(&o, part);
     if (status == PLT_OK) {
         plt_traversal_init(&e->traversal, &e->scene, &e->options, part);
+#if PLT_WITH_GROUPS
         plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
-        plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], e->options.packet_side);
+#endif
+        plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], part[PLT_PART_PACKET],
+                           e->options.packet_side);
         status = start_wave(e, &o, part);
     }
     return status;
@@ -141,8 +144,7 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
         return plt_limit(fault, left_out);
     }
     if (!plt_layout_order_valid(info, options)) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "compact blocks are traversed depth first");
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "these nodes are traversed depth first");
     }
     return PLT_OK;
 }

@@ -264,8 +264,9 @@ typedef struct plt_hit {
  * only whether anything is hit. A hit depends on ray, triangle and the scene's
  * box alone: packet size, tree and order never change it. Ends a frame that was
  * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed; hits before those of
- * the current packet are right, that packet's and later ones are as they were. Cost:
- * see DESIGN.md, section 6. */
+ * the current packet are right, that packet's and later ones are as they were.
+ * PLT_ERR_LIMIT: this build has no rays in groups (PLT_WITH_GROUPS). Cost: see DESIGN.md,
+ * section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
 
 /* ---- frames ---------------------------------------------------------- */
@@ -308,12 +309,14 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 
 /* ---- statistics ------------------------------------------------------ */
 
+/* A frame of thesis nodes or of a list, depth first, is traced by beams (DESIGN.md, section 6): a
+ * packet is then one beam, and its triangles are tested once for all of its pixels. */
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun, and of waves */
     uint64_t node_visits;    /* nodes decoded, once per packet */
-    uint64_t group_tests;    /* four rays against a child's box; not boxes tested again */
+    uint64_t group_tests;    /* four rays or a beam against a child's box; not boxes tested again */
     uint64_t triangle_tests; /* four rays against one triangle, as if every group that
-                                reached a leaf met all of its triangles */
+                                reached a leaf met all of its triangles; or one beam */
     uint64_t treelet_fetches;
     uint64_t bytes_fetched;      /* of those treelets, had each been copied */
     uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */

@@ -24,6 +24,14 @@
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
+#ifndef PLT_WITH_GROUPS
+#define PLT_WITH_GROUPS                                                                            \
+    1 /* rays in groups of four: plt_trace, compact blocks, the two-stage order */
+#endif
+#ifndef PLT_WITH_BEAMS
+#define PLT_WITH_BEAMS                                                                             \
+    PLT_WITH_THESIS /* frames of thesis nodes and lists by beams: faster, smaller */
+#endif
 
 /* Largest packet, rays along one side: 2, 4, 8 or 16. Decides only what
  * `plt_options.packet_side` may be: the arena holds the packet asked for. */
@@ -80,8 +88,20 @@
     (PLT_WITH_BUILDER != 0 && PLT_WITH_BUILDER != 1) || (PLT_WITH_WAVE != 0 && PLT_WITH_WAVE != 1)
 #error "PLT_WITH_THESIS, _COMPACT, _BUILDER and _WAVE are the digit 0 or 1"
 #endif
+#if (PLT_WITH_GROUPS != 0 && PLT_WITH_GROUPS != 1) || (PLT_WITH_BEAMS != 0 && PLT_WITH_BEAMS != 1)
+#error "PLT_WITH_GROUPS and PLT_WITH_BEAMS are the digit 0 or 1"
+#endif
 #if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
 #error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"
+#endif
+#if !PLT_WITH_GROUPS && (PLT_WITH_COMPACT || !PLT_WITH_BEAMS)
+#error "without PLT_WITH_GROUPS there are beams alone: PLT_WITH_BEAMS, not PLT_WITH_COMPACT"
+#endif
+#if PLT_WITH_WAVE && !PLT_WITH_GROUPS
+#error "PLT_WITH_WAVE is for PLT_WITH_GROUPS"
+#endif
+#if PLT_WITH_BEAMS && !PLT_WITH_THESIS
+#error "PLT_WITH_BEAMS is for PLT_WITH_THESIS"
 #endif
 #if PLT_PACKET_SIDE_MAX != 2 && PLT_PACKET_SIDE_MAX != 4 && PLT_PACKET_SIDE_MAX != 8 &&            \
     PLT_PACKET_SIDE_MAX != 16

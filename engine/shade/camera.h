@@ -20,6 +20,15 @@ typedef struct plt_view {
  * of range. */
 int plt_view_set(plt_view *view, const plt_frame *frame);
 
+#define PLT_VIEW_FAR 3.0e38f /* tmax of its rays */
+
+/* The direction through a pixel. */
+static inline void plt_view_direction(const plt_view *v, uint32_t px, uint32_t py, float dir[3]) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        dir[a] = (v->corner[a] + (float)px * v->right[a]) + (float)py * v->down[a];
+    }
+}
+
 /* A square of pixels, its top left one, and the first column and row behind the frame. */
 typedef struct plt_pixels {
     uint32_t side, x, y, x_end, y_end;

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/rendering.h"
 
+#include <string.h>
+
 #include "engine/shade/surface.h"
 
 static uint32_t least(uint32_t a, uint32_t b) {
@@ -17,12 +19,20 @@ static uint32_t tile_height(const plt_rendering *r) {
     return least(PLT_TILE_SIDE, r->frame.height - r->y);
 }
 
-void plt_rendering_init(plt_rendering *r, uint8_t *tile, uint32_t packet_side) {
-    const plt_rendering idle = {.tile = tile, .side = packet_side, .done = 1};
+/* A constant where there is no choice, and the compiler leaves the other way out. */
+#define HAS_BEAMS(r) (PLT_WITH_BEAMS && (!PLT_WITH_GROUPS || (r)->beams))
+
+void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t packet_side) {
+    const plt_rendering idle = {.beam = beam, .tile = tile, .side = packet_side, .done = 1};
     *r = idle;
 }
 
-int plt_rendering_begin(plt_rendering *r, const plt_frame *frame) {
+/* Beams read thesis records, and keep to the depth-first order. */
+static int has_beams(const plt_traversal *t) {
+    return t->order == PLT_ORDER_DEPTH_FIRST && t->scene->format != PLT_FORMAT_COMPACT;
+}
+
+int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
     r->done = 1;
     if (frame->width == 0 || frame->height == 0 || frame->shader > PLT_SHADE_TRIANGLE) {
         return PLT_ERR_ARGUMENT;
@@ -30,20 +40,51 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame) {
     r->frame = *frame;
     const int status = plt_view_set(&r->view, frame);
     if (status == PLT_OK) {
+        r->beams = (uint8_t)has_beams(t);
+        if (HAS_BEAMS(r)) {
+            plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
+        }
         r->x = r->y = r->px = r->py = 0;
         r->tracing = r->done = 0;
     }
     return status;
 }
 
+/* A row of tiles begins. */
+static void set_sky(plt_rendering *r) {
+    for (uint32_t y = 0; y < tile_height(r); y++) {
+        plt_surface_sky(&r->frame, r->y + y, &r->sky[3 * y]);
+    }
+}
+
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
     const plt_pixels pixels = {r->side, r->x + r->px, r->y + r->py, r->frame.width,
                                r->frame.height};
-    plt_view_packet(&r->view, &t->scene->box, p, &pixels);
-    plt_traversal_begin(t, p,
-                        least(r->side, r->frame.width - pixels.x) *
-                            least(r->side, r->frame.height - pixels.y));
+    const uint32_t rays =
+        least(r->side, r->frame.width - pixels.x) * least(r->side, r->frame.height - pixels.y);
     r->tracing = 1;
+    if (pixels.x == 0 && r->py == 0) {
+        set_sky(r);
+    }
+    if (HAS_BEAMS(r)) {
+        plt_beam_begin(r->beam, &pixels, t, rays);
+        return;
+    }
+    plt_view_packet(&r->view, &t->scene->box, p, &pixels);
+    plt_traversal_begin(t, p, rays);
+}
+
+static void shade_lane(const plt_frame *frame, const plt_group_rays *g, unsigned lane,
+                       const uint8_t sky[3], uint8_t rgb[3]) {
+    if (!(g->valid >> lane & 1u) || g->id[lane] == PLT_MISS) {
+        memcpy(rgb, sky, 3);
+        return;
+    }
+    const float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
+    const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
+    plt_surface surface;
+    plt_surface_set(&surface, normal);
+    plt_surface_colour(&surface, frame->shader, g->id[lane], dir, rgb);
 }
 
 static void shade_packet(const plt_rendering *r, const plt_packet *p) {
@@ -51,10 +92,16 @@ static void shade_packet(const plt_rendering *r, const plt_packet *p) {
     for (uint32_t k = 0; k < r->side * r->side; k++) {
         const uint32_t x = r->px + plt_z_order_x(k), y = r->py + plt_z_order_y(k);
         if (x < width && y < height) {
-            plt_surface_colour(&r->frame, &p->rays[k / 4], k % 4, r->y + y,
-                               &r->tile[3 * (y * width + x)]);
+            shade_lane(&r->frame, &p->rays[k / 4], k % 4, &r->sky[3 * y],
+                       &r->tile[3 * (y * width + x)]);
         }
     }
+}
+
+static void shade_square(const plt_rendering *r) {
+    const uint32_t width = tile_width(r);
+    plt_beam_shade(r->beam, &r->frame, &r->sky[3 * r->py], &r->tile[3 * (r->py * width + r->px)],
+                   3 * width);
 }
 
 /* To the next packet of the tile; 0 when the tile is complete. */
@@ -89,14 +136,20 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (!r->tracing) {
         begin_packet(r, t, p);
     }
-    const int status = plt_traverse(t, p, visits > 0 ? visits : 1);
+    visits = visits > 0 ? visits : 1;
+    const int status =
+        HAS_BEAMS(r) ? plt_beam_trace(r->beam, t, visits) : plt_traverse(t, p, visits);
     if (status < 0) {
         r->done = 1;
     }
     if (status != PLT_OK) {
         return status;
     }
-    shade_packet(r, p);
+    if (HAS_BEAMS(r)) {
+        shade_square(r);
+    } else {
+        shade_packet(r, p);
+    }
     return next_packet(r) ? PLT_MORE : PLT_TILE;
 }
 

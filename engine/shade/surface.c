@@ -6,6 +6,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/surface.h"
 
+#include "engine/lanes/unroll.h"
+
 /* 0 .. 1 to 0 .. 255, to nearest. */
 static uint8_t byte_of(float x) {
     const float limited = x < 0.0f ? 0.0f : (x > 1.0f ? 1.0f : x);
@@ -18,19 +20,18 @@ static float dot(const float a[3], const float b[3]) {
 
 /* Brings the largest component to 1 (or leaves zero), so that a dot product
  * of any mesh's normals neither vanishes nor overflows. */
-static void even_out(float v[3]) {
-    float most = 0.0f;
-    for (int a = 0; a < 3; a++) {
-        const float size = __builtin_fabsf(v[a]);
-        most = size > most ? size : most;
-    }
-    for (int a = 0; a < 3 && most > 0.0f; a++) {
-        v[a] /= most;
+static inline void even_out(const float v[3], float to[3]) {
+    const float x = __builtin_fabsf(v[0]), y = __builtin_fabsf(v[1]), z = __builtin_fabsf(v[2]);
+    float most = x > y ? x : y;
+    most = z > most ? z : most;
+    most = most > 0.0f ? most : 1.0f;
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        to[a] = v[a] / most;
     }
 }
 
 /* The sky: a little lighter towards the ground. */
-static void background(const plt_frame *frame, uint32_t y, uint8_t rgb[3]) {
+void plt_surface_sky(const plt_frame *frame, uint32_t y, uint8_t rgb[3]) {
     static const float top[3] = {0.10f, 0.12f, 0.16f}, bottom[3] = {0.30f, 0.34f, 0.40f};
     const float down = ((float)y + 0.5f) / (float)frame->height;
     for (int c = 0; c < 3; c++) {
@@ -47,32 +48,50 @@ static void flat_colour(uint32_t id, float facing, uint8_t rgb[3]) {
     }
 }
 
-void plt_surface_colour(const plt_frame *frame, const plt_group_rays *g, unsigned lane, uint32_t y,
-                        uint8_t rgb[3]) {
+static void clay_colour(float facing, uint8_t rgb[3]) {
     static const float clay[3] = {1.0f, 0.93f, 0.84f};
-    if (!(g->valid >> lane & 1u) || g->id[lane] == PLT_MISS) {
-        background(frame, y, rgb);
-        return;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        const float x = facing * clay[c]; /* never below 0 */
+        rgb[c] = (uint8_t)((x > 1.0f ? 1.0f : x) * 255.0f + 0.5f);
     }
-    float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
-    float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
-    even_out(normal);
-    even_out(dir);
-    if (dot(normal, normal) == 0.0f) { /* a sliver: as if it faced the eye */
-        for (int a = 0; a < 3; a++) {
-            normal[a] = -dir[a];
-        }
-    }
-    const float along = dot(normal, dir);
-    const float facing = __builtin_sqrtf(along * along / (dot(normal, normal) * dot(dir, dir)));
-    if (frame->shader == PLT_SHADE_TRIANGLE) {
-        flat_colour(g->id[lane], facing, rgb);
-        return;
-    }
-    const float length = __builtin_sqrtf(dot(normal, normal));
+}
+
+static void normal_colour(const float normal[3], float squared, float along, uint8_t rgb[3]) {
+    const float length = __builtin_sqrtf(squared);
     for (int c = 0; c < 3; c++) {
         const float to_eye = (along > 0.0f ? -normal[c] : normal[c]) / length;
-        rgb[c] = frame->shader == PLT_SHADE_NORMAL ? byte_of(0.5f + 0.5f * to_eye)
-                                                   : byte_of(facing * clay[c]);
+        rgb[c] = byte_of(0.5f + 0.5f * to_eye);
+    }
+}
+
+void plt_surface_set(plt_surface *s, const float normal[3]) {
+    even_out(normal, s->normal);
+    s->squared = dot(s->normal, s->normal);
+}
+
+void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
+                        uint8_t rgb[3]) {
+    float d[3];
+    even_out(dir, d);
+    plt_surface facing_eye;
+    if (s->squared == 0.0f) { /* a sliver: as if it faced the eye */
+        for (int a = 0; a < 3; a++) {
+            facing_eye.normal[a] = -d[a];
+        }
+        facing_eye.squared = dot(facing_eye.normal, facing_eye.normal);
+        s = &facing_eye;
+    }
+    const float along = dot(s->normal, d);
+    const float facing = __builtin_sqrtf(along * along / (s->squared * dot(d, d)));
+    switch (shader) {
+    case PLT_SHADE_TRIANGLE:
+        flat_colour(id, facing, rgb);
+        break;
+    case PLT_SHADE_NORMAL:
+        normal_colour(s->normal, s->squared, along, rgb);
+        break;
+    default:
+        clay_colour(facing, rgb);
+        break;
     }
 }

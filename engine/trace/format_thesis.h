@@ -6,16 +6,13 @@
 #ifndef PLT_TRACE_FORMAT_THESIS_H
 #define PLT_TRACE_FORMAT_THESIS_H
 
-#include "engine/memory/traffic.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_records.h"
+#include "engine/trace/treelet_entry.h"
 
 enum { FORMAT_TIGHTENS = 0 };
 
-/* Treelets lie in aligned blocks of N slots; several small ones may share a block. */
-typedef struct format_state {
-    uint32_t block; /* the current one, PLT_MISS: none */
-} format_state;
+typedef plt_treelet_state format_state;
 
 static inline void format_state_init(format_state *state) {
     state->block = PLT_MISS;
@@ -58,16 +55,8 @@ static inline const plt_box *format_box(const plt_traversal *t, const format_pla
     return &place->box;
 }
 
-/* Counts the block of the place's node if it is not the current one. */
 static inline int format_enter(plt_traversal *t, const format_place *place) {
-    format_state *state = (format_state *)t->state;
-    const uint32_t slots = t->scene->thesis.treelet_nodes;
-    const uint32_t block = plt_link_index(place->link) / slots;
-    if (block != state->block) {
-        state->block = block;
-        t->stats.treelet_fetches++;
-        plt_traffic_count(&t->stats, t->touched, block, slots * PLT_NODE_BYTES);
-    }
+    plt_treelet_enter(t, place->link);
     return PLT_OK;
 }
 

@@ -25,7 +25,9 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
         t->touched = part[PLT_PART_TOUCHED];
         t->touched_words = plt_touched_words((enum plt_format)scene->format, &scene->info);
     }
+#if PLT_WITH_GROUPS
     plt_state_init(t);
+#endif
     plt_traversal_reset_stats(t);
 }
 

@@ -13,6 +13,7 @@
 #define PLT_TREE_RECORD_H
 
 #include <stdint.h>
+#include <string.h>
 
 #include "engine/base/box.h"
 #include "engine/base/bytes.h"
@@ -41,11 +42,14 @@ static inline void plt_record_set_last(plt_record *r, int last) {
 }
 
 static inline void plt_record_corners(const plt_record *r, float corner[3][3]) {
+    memcpy(corner, r->word, 9 * sizeof r->word[0]);
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     for (int c = 0; c < 3; c++) {
         for (int a = 0; a < 3; a++) {
             corner[c][a] = plt_record_float(r, c, a);
         }
     }
+#endif
 }
 
 static inline plt_box plt_record_box(const plt_record *r) {

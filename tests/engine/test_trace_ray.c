@@ -44,7 +44,8 @@ static void make_rays(four *f, random_state *r, float scale) {
         f->dir[0][a] = length * random_float(r, -1.0f, 1.0f);
     }
     for (unsigned zero = random_below(r, 8) == 0 ? 1 + random_below(r, 2) : 0; zero-- > 0;) {
-        f->dir[0][random_below(r, 3)] = random_below(r, 2) ? 0.0f : -0.0f; /* along an axis */
+        const float little = random_below(r, 2) ? 0.0f : length * 0x1p-65f; /* along an axis */
+        f->dir[0][random_below(r, 3)] = random_below(r, 2) ? little : -little;
     }
     for (int i = 1; i < 4; i++) {
         for (int a = 0; a < 3; a++) {

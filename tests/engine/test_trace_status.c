@@ -84,7 +84,7 @@ static void set_engine(subject *s, const plt_options *options) {
     s->engine.options = *options;
     plt_packet_init(&s->engine.packet, s->packet, options->packet_side);
     plt_traversal_init(&s->engine.traversal, &s->scene.scene, options, part);
-    failing_rendering_init(&s->engine.rendering, s->tile, options->packet_side);
+    failing_rendering_init(&s->engine.rendering, s->tile, NULL, options->packet_side);
 }
 
 static subject *open_subject(mesh *m, uint8_t order) {

@@ -1,0 +1,116 @@
+/* beam - see beam.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/shade/beam.h"
+
+#include "engine/trace/ray_bounds.h"
+#include "engine/trace/triangle_common.h"
+
+void plt_beam_init(plt_beam *b, const plt_view *view, const plt_frame *frame,
+                   const plt_scene *scene, uint32_t side) {
+    b->view = view;
+    b->records = scene->format == PLT_FORMAT_LIST ? scene->list.records : scene->thesis.records;
+    b->pixel = (plt_pixel *)(void *)(b + 1);
+    plt_ray_origin_set(&b->origin, &scene->box, view->eye);
+    plt_margins_set(&b->margins, view, frame, side, b->origin.reach);
+}
+
+typedef struct range {
+    float least, most;
+} range;
+
+static void widen(range *r, float x) {
+    r->least = x < r->least ? x : r->least;
+    r->most = x > r->most ? x : r->most;
+}
+
+/* The box of all directions: rounding is monotone, so its corners are directions of the
+ * pixels at the square's corners. */
+static void set_ranges(const plt_beam *b, range r[3]) {
+    const plt_view *v = b->view;
+    const uint32_t x_last = b->square.x + b->columns - 1, y_last = b->square.y + b->rows - 1;
+    for (int a = 0; a < 3; a++) {
+        const float left = v->corner[a] + (float)b->square.x * v->right[a];
+        const float right = v->corner[a] + (float)x_last * v->right[a];
+        const float top = (float)b->square.y * v->down[a], bottom = (float)y_last * v->down[a];
+        r[a].least = r[a].most = left + top;
+        widen(&r[a], left + bottom);
+        widen(&r[a], right + top);
+        widen(&r[a], right + bottom);
+    }
+}
+
+/* `tiny`: as packet.c makes components that are less, at most. Rays on both sides of 0 enter
+ * a box by either plane, and leave it no one knows where. */
+static void set_planes(plt_beam *b, int axis, const range *r, float tiny) {
+    plt_beam_plane *lo = &b->plane[axis], *hi = &b->plane[3 + axis];
+    lo->org = b->origin.up[axis];
+    hi->org = b->origin.down[axis];
+    lo->leaves = r->most <= -tiny;
+    hi->leaves = r->least >= tiny;
+    lo->factor = lo->leaves ? -1.0f / r->most : 1.0f / (r->most > tiny ? r->most : tiny);
+    hi->factor = hi->leaves ? -1.0f / r->least : 1.0f / (r->least < -tiny ? r->least : -tiny);
+}
+
+static int set_beam(plt_beam *b) {
+    range r[3];
+    float largest = 0.0f;
+    set_ranges(b, r);
+    b->is_mixed = 0;
+    for (int a = 0; a < 3; a++) {
+        const float size = r[a].most > -r[a].least ? r[a].most : -r[a].least;
+        largest = size > largest ? size : largest;
+        b->is_mixed |= r[a].least < 0.0f && r[a].most >= 0.0f;
+    }
+    for (int a = 0; a < 3; a++) {
+        set_planes(b, a, &r[a], largest * PLT_DIR_LEAST);
+    }
+    return largest >= PLT_DIR_LEAST;
+}
+
+static void set_rows(plt_beam *b) {
+    const plt_view *v = b->view;
+    const float scale = 1.0f / b->margins.det;
+    plt_view_direction(v, b->square.x, b->square.y, b->first);
+    plt_cross(v->down, b->first, b->row_x);
+    plt_cross(b->first, v->right, b->row_y);
+    for (int a = 0; a < 3; a++) {
+        b->row_x[a] *= scale;
+        b->row_y[a] *= scale;
+    }
+}
+
+static uint32_t least(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
+static void open_pixels(plt_beam *b) {
+    static const plt_pixel open = {PLT_VIEW_FAR, PLT_MISS};
+    plt_pixel *end = b->pixel + b->square.side * b->rows;
+    for (plt_pixel *p = b->pixel; p < end; p += 2) {
+        p[0] = open;
+        p[1] = open;
+    }
+}
+
+void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uint32_t rays) {
+    b->square = *square;
+    b->columns = least(square->side, square->x_end - square->x);
+    b->rows = least(square->side, square->y_end - square->y);
+    b->end_x = (float)(b->columns - 1);
+    b->end_y = (float)(b->rows - 1);
+    b->far = PLT_VIEW_FAR;
+    b->open = b->columns * b->rows;
+    b->is_stored = 0;
+    t->waiting = 0;
+    if (set_beam(b)) {
+        plt_beam_push_root(b, t);
+    }
+    if (t->waiting > 0) {
+        set_rows(b);
+        open_pixels(b);
+    }
+    t->stats.rays += rays;
+    t->stats.packets++;
+    t->stats.mixed_packets += b->is_mixed;
+}

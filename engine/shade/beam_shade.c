@@ -1,0 +1,63 @@
+/* beam_shade - the colours of a square of pixels
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/shade/beam.h"
+#include "engine/shade/surface.h"
+
+/* The triangle that was shaded last. */
+typedef struct shaded {
+    uint32_t record, id;
+    plt_surface surface;
+} shaded;
+
+static void set_shaded(shaded *s, const plt_record *records, uint32_t record) {
+    float corner[3][3], normal[3];
+    plt_record_corners(&records[record], corner);
+    plt_hit_normal((const float(*)[3])corner, normal);
+    plt_surface_set(&s->surface, normal);
+    s->record = record;
+    s->id = plt_primitive_id(plt_get_u32(&records[record].word[9]));
+}
+
+static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8_t sky[3],
+                      uint8_t *rgb, shaded *s) {
+    const plt_pixel *row = &b->pixel[y * b->square.side];
+    const uint8_t red = sky[0], green = sky[1], blue = sky[2];
+    for (uint32_t x = 0, columns = b->columns; x < columns; x++, rgb += 3) {
+        const uint32_t record = row[x].record;
+        if (record == PLT_MISS) {
+            rgb[0] = red;
+            rgb[1] = green;
+            rgb[2] = blue;
+            continue;
+        }
+        float dir[3];
+        if (record != s->record) {
+            set_shaded(s, b->records, record);
+        }
+        plt_view_direction(b->view, b->square.x + x, b->square.y + y, dir);
+        plt_surface_colour(&s->surface, shader, s->id, dir, rgb);
+    }
+}
+
+static void shade_sky(const uint8_t sky[3], uint8_t *rgb, uint32_t columns) {
+    const uint8_t red = sky[0], green = sky[1], blue = sky[2];
+    for (const uint8_t *end = rgb + 3 * columns; rgb < end; rgb += 3) {
+        rgb[0] = red;
+        rgb[1] = green;
+        rgb[2] = blue;
+    }
+}
+
+void plt_beam_shade(const plt_beam *b, const plt_frame *frame, const uint8_t *sky, uint8_t *rgb,
+                    uint32_t row_bytes) {
+    shaded s = {.record = PLT_MISS};
+    const int is_empty = plt_beam_is_empty(b);
+    for (uint32_t y = 0; y < b->rows; y++, rgb += row_bytes, sky += 3) {
+        if (is_empty) {
+            shade_sky(sky, rgb, b->columns);
+        } else {
+            shade_row(b, frame->shader, y, sky, rgb, &s);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+/* margins - see margins.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/shade/margins.h"
+
+#include "engine/trace/triangle_common.h"
+
+#define CORNER_MOST 1024.0f   /* pixels */
+#define OBLIQUE_MOST 16384.0f /* 2^14 */
+
+static float dot(const float a[3], const float b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static float length(const float a[3]) {
+    return __builtin_sqrtf(dot(a, a));
+}
+
+static float larger(float a, float b) {
+    return a > b ? a : b;
+}
+
+/* The longest direction through a pixel: one of the frame's corners. */
+static float longest_direction(const plt_view *v, uint32_t width, uint32_t height) {
+    float most = 0.0f;
+    for (unsigned i = 0; i < 4; i++) {
+        float d[3];
+        plt_view_direction(v, i & 1u ? width - 1 : 0, i & 2u ? height - 1 : 0, d);
+        most = larger(most, length(d));
+    }
+    return most;
+}
+
+/* M: no rounding of a direction is above 3 u of it, on any axis. */
+static float largest_term(const plt_view *v, const plt_frame *frame) {
+    float most = 0.0f;
+    for (int a = 0; a < 3; a++) {
+        most = larger(most, __builtin_fabsf(v->corner[a]) +
+                                (float)frame->width * __builtin_fabsf(v->right[a]) +
+                                (float)frame->height * __builtin_fabsf(v->down[a]));
+    }
+    return most;
+}
+
+void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
+                     float reach) {
+    plt_cross(v->right, v->down, m->row_w);
+    m->det = dot(v->corner, m->row_w);
+    const float det = __builtin_fabsf(m->det);
+    const float right = length(v->right), down = length(v->down), step = larger(right, down);
+    const float farthest = longest_direction(v, frame->width, frame->height);
+    const float term = largest_term(v, frame);
+    const float row = right * down / det;       /* the length of row_w */
+    const float across = step * farthest / det; /* at least that of row_x and row_y */
+    const float square = (float)side * step / farthest;
+    const float corner = 0.5f * farthest / step;
+    m->step = step;
+    m->direction = 3.0f * farthest;
+    m->pixels = PLT_U * across *
+                (8.0f * (1.0f + larger(0.5f, square)) * m->direction +
+                 13.0f * (1.0f + square) * term + 40.0f);
+    m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
+    m->size = m->corner - (float)side;
+    m->depth = 1.75f * reach / m->direction;
+    m->plane = 160.0f * PLT_U * term;
+    m->t = PLT_U * (110.0f * row * farthest + 12.0f * row * term + 100.0f);
+    m->shape = 800.0f * PLT_U * farthest / det;
+    m->project = row * (farthest + term + 1.0f) <= OBLIQUE_MOST; /* false for NaN */
+    for (int a = 0; a < 3; a++) {
+        m->row_w[a] /= m->det;
+    }
+}

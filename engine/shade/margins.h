@@ -1,0 +1,31 @@
+/* margins - how far off a pixel may be, for one camera and frame
+ *
+ * Triangles are projected in single precision; what is looked at around their pixels is
+ * wider by these margins, so that no ray is left out that the exact test would find a hit
+ * for. Proof: DESIGN.md, section 7.7.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_SHADE_MARGINS_H
+#define PLT_SHADE_MARGINS_H
+
+#include "engine/shade/camera.h"
+
+typedef struct plt_margins {
+    float pixels; /* between a projected corner and a ray, in pixels */
+    float corner; /* farthest corner from a square's first pixel that is projected, in pixels */
+    float size;   /* width and height of a triangle that needs no look at its corners, in pixels */
+    float depth;  /* of a corner whose x alone says that it is beside a square */
+    float plane;  /* of a plane through the eye and an edge, times the corners' distances */
+    float row_w[3];  /* w: of q = corner - eye, depth in directions through pixels */
+    float det;       /* right . (down x direction), of every pixel */
+    float step;      /* between the directions of two pixels */
+    float direction; /* more than the length of a direction to a corner that is projected */
+    float t, shape;  /* of 1 / t: a share of itself, and one that depends on the shape */
+    uint8_t project; /* 0: the field is too wide or too narrow, nothing is projected */
+} plt_margins;
+
+/* `reach`: of rays from the eye. */
+void plt_margins_set(plt_margins *m, const plt_view *view, const plt_frame *frame, uint32_t side,
+                     float reach);
+
+#endif
