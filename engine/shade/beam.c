@@ -12,7 +12,7 @@ void plt_beam_init(plt_beam *b, const plt_view *view, const plt_frame *frame,
     b->records = scene->format == PLT_FORMAT_LIST ? scene->list.records : scene->thesis.records;
     b->pixel = (plt_pixel *)(void *)(b + 1);
     plt_ray_origin_set(&b->origin, &scene->box, view->eye);
-    plt_margins_set(&b->margins, view, frame, side, b->origin.reach);
+    plt_margins_set(&b->margins, view, frame, side, &scene->box, b->origin.reach);
 }
 
 typedef struct range {

@@ -32,9 +32,8 @@ static int wins_ties(const plt_beam *b, const plt_pixel *pixel, const plt_record
                plt_primitive_id(plt_get_u32(&b->records[pixel->record].word[9]));
 }
 
-static void test_pixel(plt_beam *b, uint32_t index, uint32_t x, uint32_t y) {
+static void test_pixel(plt_beam *b, const plt_record *record, uint32_t x, uint32_t y) {
     plt_pixel *pixel = &b->pixel[y * b->square.side + x];
-    const plt_record *record = &b->records[index];
     float corner[3][3], dir[3];
     plt_ray_hit hit;
     plt_record_corners(record, corner);
@@ -44,7 +43,7 @@ static void test_pixel(plt_beam *b, uint32_t index, uint32_t x, uint32_t y) {
         b->open -= pixel->record == PLT_MISS;
         b->is_stored = 1;
         pixel->t = hit.t;
-        pixel->record = index;
+        pixel->record = (uint32_t)(record - b->records);
     }
 }
 
@@ -65,10 +64,10 @@ typedef struct edge {
     float at, right, down;
 } edge;
 
-RARELY void test_planes(plt_beam *b, uint32_t index) {
+RARELY void test_planes(plt_beam *b, const plt_record *record) {
     float q[3][3], margin[3];
     edge e[3];
-    plt_record_corners(&b->records[index], q);
+    plt_record_corners(record, q);
     for (int c = 0; c < 3; c++) {
         for (int a = 0; a < 3; a++) {
             q[c][a] -= b->origin.org[a];
@@ -91,7 +90,7 @@ RARELY void test_planes(plt_beam *b, uint32_t index) {
                 sides |= (unsigned)(at > margin[c]) | (unsigned)(at < -margin[c]) << 1;
             }
             if (sides != 3) {
-                test_pixel(b, index, x, y);
+                test_pixel(b, record, x, y);
             }
         }
     }
@@ -155,7 +154,7 @@ static inline enum projection project(const plt_beam *b, const float q[3][3], pr
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         depth[c] = along(q[c], m->row_w);
     }
-    const int deep = all_at_least(depth, m->depth);
+    const int deep = m->all_deep || all_at_least(depth, m->depth);
     if (!deep && !all_at_least(depth, DEPTH_LEAST)) {
         return NOT_PROJECTED;
     }
@@ -220,16 +219,17 @@ static inline int is_behind(const plt_beam *b, const projected *p, footprint *f,
     return (over + f->slack) * pixel->t < f->area;
 }
 
-static inline void test_inside(plt_beam *b, uint32_t index, const projected *p, footprint *f,
-                               const float e[3], uint32_t x, uint32_t y) {
+static inline void test_inside(plt_beam *b, const plt_record *record, const projected *p,
+                               footprint *f, const float e[3], uint32_t x, uint32_t y) {
     const float out = -f->error;
     if (e[0] >= out && e[1] >= out && e[2] >= out &&
         !is_behind(b, p, f, e, &b->pixel[y * b->square.side + x])) {
-        test_pixel(b, index, x, y);
+        test_pixel(b, record, x, y);
     }
 }
 
-static inline void test_all(plt_beam *b, uint32_t index, const projected *p, footprint *f) {
+static inline void test_all(plt_beam *b, const plt_record *record, const projected *p,
+                            footprint *f) {
     float right[3], down[3];
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         const int i = (c + 1) % 3, j = (c + 2) % 3;
@@ -239,7 +239,7 @@ static inline void test_all(plt_beam *b, uint32_t index, const projected *p, foo
     for (uint32_t y = p->top; y <= p->bottom; y++) {
         float e[3] = {f->at[0], f->at[1], f->at[2]};
         for (uint32_t x = p->left; x <= p->right; x++) {
-            test_inside(b, index, p, f, e, x, y);
+            test_inside(b, record, p, f, e, x, y);
             PLT_UNROLLED for (int c = 0; c < 3; c++) {
                 e[c] += right[c];
             }
@@ -273,8 +273,7 @@ static inline void set_edges(footprint *f, const projected *p, float margin) {
     }
 }
 
-static inline void test_record(plt_beam *b, uint32_t index) {
-    const plt_record *record = &b->records[index];
+static inline void test_record(plt_beam *b, const plt_record *record) {
     float q[3][3];
     projected p;
     footprint f;
@@ -288,25 +287,24 @@ static inline void test_record(plt_beam *b, uint32_t index) {
     case OUTSIDE:
         return;
     case NOT_PROJECTED:
-        test_planes(b, index);
+        test_planes(b, record);
         return;
     case PROJECTED:
         break;
     }
     set_edges(&f, &p, b->margins.pixels);
     if (p.left == p.right && p.top == p.bottom) {
-        test_inside(b, index, &p, &f, f.at, p.left, p.top);
+        test_inside(b, record, &p, &f, f.at, p.left, p.top);
     } else {
-        test_all(b, index, &p, &f);
+        test_all(b, record, &p, &f);
     }
 }
 
 uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists) {
-    uint32_t record = first;
-    while (lists > 0) {
+    const plt_record *begin = &b->records[first], *record = begin;
+    for (; lists > 0; record++) {
         test_record(b, record);
-        lists -= (uint32_t)plt_record_is_last(&b->records[record]);
-        record++;
+        lists -= (uint32_t)plt_record_is_last(record);
     }
-    return record - first;
+    return (uint32_t)(record - begin);
 }

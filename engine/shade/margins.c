@@ -42,8 +42,18 @@ static float largest_term(const plt_view *v, const plt_frame *frame) {
     return most;
 }
 
+/* Of all points in a box, as footprint.c computes it: by the corner that is least on each axis,
+ * as rounding is monotone, in the differences, the products and their sum. */
+static float least_depth(const float row_w[3], const float eye[3], const plt_box *box) {
+    float term[3];
+    for (int a = 0; a < 3; a++) {
+        term[a] = ((row_w[a] > 0.0f ? box->lo[a] : box->hi[a]) - eye[a]) * row_w[a];
+    }
+    return term[0] + term[1] + term[2];
+}
+
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
-                     float reach) {
+                     const plt_box *scene, float reach) {
     plt_cross(v->right, v->down, m->row_w);
     m->det = dot(v->corner, m->row_w);
     const float det = __builtin_fabsf(m->det);
@@ -69,4 +79,5 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     for (int a = 0; a < 3; a++) {
         m->row_w[a] /= m->det;
     }
+    m->all_deep = least_depth(m->row_w, v->eye, scene) >= m->depth;
 }

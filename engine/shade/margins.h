@@ -16,16 +16,17 @@ typedef struct plt_margins {
     float size;   /* width and height of a triangle that needs no look at its corners, in pixels */
     float depth;  /* of a corner whose x alone says that it is beside a square */
     float plane;  /* of a plane through the eye and an edge, times the corners' distances */
-    float row_w[3];  /* w: of q = corner - eye, depth in directions through pixels */
-    float det;       /* right . (down x direction), of every pixel */
-    float step;      /* between the directions of two pixels */
-    float direction; /* more than the length of a direction to a corner that is projected */
-    float t, shape;  /* of 1 / t: a share of itself, and one that depends on the shape */
-    uint8_t project; /* 0: the field is too wide or too narrow, nothing is projected */
+    float row_w[3];   /* w: of q = corner - eye, depth in directions through pixels */
+    float det;        /* right . (down x direction), of every pixel */
+    float step;       /* between the directions of two pixels */
+    float direction;  /* more than the length of a direction to a corner that is projected */
+    float t, shape;   /* of 1 / t: a share of itself, and one that depends on the shape */
+    uint8_t all_deep; /* all corners in the scene's box are beyond `depth` */
+    uint8_t project;  /* 0: the field is too wide or too narrow, nothing is projected */
 } plt_margins;
 
-/* `reach`: of rays from the eye. */
+/* `scene`: the box of all triangles; `reach`: of rays from the eye. */
 void plt_margins_set(plt_margins *m, const plt_view *view, const plt_frame *frame, uint32_t side,
-                     float reach);
+                     const plt_box *scene, float reach);
 
 #endif
