@@ -127,8 +127,8 @@ static inline int pixels_between(float from, float to, float end, uint32_t *firs
     if (!(to >= 0.0f && from <= end)) {
         return 0;
     }
-    *last = (uint32_t)(int32_t)(to < end ? to : end);
     *first = from > 0.0f ? (uint32_t)(int32_t)(from + ALMOST_ONE) : 0;
+    *last = (uint32_t)(int32_t)(to < end ? to : end);
     return *first <= *last;
 }
 
@@ -204,7 +204,8 @@ RARELY float slack_of(const plt_margins *m, range over, float size, float error,
     const float side = over.most * size * m->step + m->direction * length;
     const float slack =
         11.0f * error * length + m->t * over.most * area + m->shape * side * side / over.most;
-    return length <= over.least && slack <= over.most * area ? slack : PLT_VIEW_FAR;
+    const int is_known = area > 16.0f * error && length <= over.least && slack <= over.most * area;
+    return is_known ? slack : PLT_VIEW_FAR;
 }
 
 static inline int is_behind(const plt_beam *b, const projected *p, footprint *f, const float e[3],
@@ -259,11 +260,10 @@ static inline void set_edges(footprint *f, const projected *p, float margin) {
     f->at[2] = x[0] * y[1] - x[1] * y[0];
     f->area = f->at[0] + f->at[1] + f->at[2];
     f->error = 4.0f * margin * (p->size + 2.0f * margin);
-    const float size = __builtin_fabsf(f->area);
-    f->slack = size > 16.0f * f->error ? -1.0f : PLT_VIEW_FAR;
+    f->slack = -1.0f;
     f->sign = 1.0f;
-    if (size <= 4.0f * f->error) { /* its sign is open: no pixel is left out */
-        f->error = PLT_VIEW_FAR;
+    if (__builtin_fabsf(f->area) <= 4.0f * f->error) { /* its sign is open: no pixel is left out */
+        f->error = f->slack = PLT_VIEW_FAR;
     } else if (f->area < 0.0f) {
         f->sign = -1.0f;
         f->area = -f->area;
@@ -283,14 +283,12 @@ static inline void test_record(plt_beam *b, const plt_record *record) {
         q[c][2] = plt_record_float(record, c, 2) - b->origin.org[2];
     }
     p.left = p.right = p.top = p.bottom = 0;
-    switch (b->margins.project ? project(b, (const float(*)[3])q, &p) : NOT_PROJECTED) {
-    case OUTSIDE:
+    const enum projection how = project(b, (const float(*)[3])q, &p);
+    if (how != PROJECTED) {
+        if (how == NOT_PROJECTED) {
+            test_planes(b, record);
+        }
         return;
-    case NOT_PROJECTED:
-        test_planes(b, record);
-        return;
-    case PROJECTED:
-        break;
     }
     set_edges(&f, &p, b->margins.pixels);
     if (p.left == p.right && p.top == p.bottom) {
@@ -302,8 +300,13 @@ static inline void test_record(plt_beam *b, const plt_record *record) {
 
 uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists) {
     const plt_record *begin = &b->records[first], *record = begin;
+    const uint32_t project = b->margins.project;
     for (; lists > 0; record++) {
-        test_record(b, record);
+        if (project) {
+            test_record(b, record);
+        } else {
+            test_planes(b, record);
+        }
         lists -= (uint32_t)plt_record_is_last(record);
     }
     return (uint32_t)(record - begin);
