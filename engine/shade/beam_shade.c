@@ -23,6 +23,10 @@ static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8
                       uint8_t *rgb, shaded *s) {
     const plt_pixel *row = &b->pixel[y * b->square.side];
     const uint8_t red = sky[0], green = sky[1], blue = sky[2];
+    float down[3];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        down[a] = (float)(int32_t)(b->square.y + y) * b->view->down[a];
+    }
     for (uint32_t x = 0, columns = b->columns; x < columns; x++, rgb += 3) {
         const uint32_t record = row[x].record;
         if (record == PLT_MISS) {
@@ -31,11 +35,14 @@ static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8
             rgb[2] = blue;
             continue;
         }
-        float dir[3];
         if (record != s->record) {
             set_shaded(s, b->records, record);
         }
-        plt_view_direction(b->view, b->square.x + x, b->square.y + y, dir);
+        float dir[3]; /* as plt_view_direction has it */
+        const float px = (float)(int32_t)(b->square.x + x);
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
+            dir[a] = (b->view->corner[a] + px * b->view->right[a]) + down[a];
+        }
         plt_surface_colour(&s->surface, shader, s->id, dir, rgb);
     }
 }

@@ -142,7 +142,8 @@ int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
     const int is_list = t->scene->format == PLT_FORMAT_LIST;
     counts c = {0, 0};
     for (uint32_t entries = 0; t->waiting > 0 && c.nodes + entries < visits; entries++) {
-        const plt_beam_entry at = ((plt_beam_entry *)t->stack)[--t->waiting];
+        const plt_beam_entry *top = (plt_beam_entry *)t->stack + --t->waiting;
+        const plt_beam_entry at = {top->enter, top->minus_leave, top->link};
         if (is_list) {
             c.triangles += plt_beam_lists(b, 0, 1); /* one list of all */
         } else if (is_met(b, &at)) {
