@@ -210,7 +210,8 @@ static void arguments(const packed *image) {
 static void two_stages_of_blocks(void) {
     static _Alignas(PLT_ALIGN) unsigned char arena[PLT_ALIGN];
     const compact_options how = {.lattice_bits = 16, .leaf_triangles = 2};
-    const plt_options options = {2, PLT_ORDER_TWO_STAGE, 1};
+    const plt_options options = {
+        .packet_side = 2, .order = PLT_ORDER_TWO_STAGE, .count_touched = 1};
     packed image;
     mesh m = {0};
     lattice_loss loss;

@@ -75,7 +75,8 @@ static void streamed(const mesh *m, const plt_frame *frame, uint64_t due) {
     rig r = plain(m);
     hostile_stream stream = {r.image.bytes, r.image.size, 0};
     const plt_source source = {NULL, r.image.size, &stream, hostile_start, hostile_wait};
-    const plt_options options = {2, PLT_ORDER_TWO_STAGE, 1};
+    const plt_options options = {
+        .packet_side = 2, .order = PLT_ORDER_TWO_STAGE, .count_touched = 1};
     const size_t need = plt_arena_need(&r.image.info, 0, &options);
     void *arena = aligned_alloc(PLT_ALIGN, need);
     plt_engine *e;

@@ -2,8 +2,8 @@
 # test_parts.sh - firmware with parts of the engine left out (engine/engine.mk)
 #
 # A render-only engine of one format gives the whole engine's frame in less code, and
-# refuses, in a sentence, what needs a part that it does not have. Of thesis nodes it has beams
-# alone, an engine with a builder groups alone, the whole engine both: the frames are the same.
+# refuses, in a sentence, what needs a part that it does not have. Of thesis nodes it has groups
+# alone, for frames beams alone, the whole engine both: the frames are the same.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 planelet=$BUILD/host/planelet
@@ -87,6 +87,16 @@ fi
 if part compact "$BUILD/mps2_an386-compact" 58368; then
     renders "$BUILD/mps2_an386-compact" compact_device
 fi
+frames=$BUILD/mps2_an386-frames-render-thesis
+if part "render thesis frames" "$frames" 28672; then
+    renders "$frames" thesis
+    renders "$frames" list
+    refuses "$frames" compact PLT_WITH_COMPACT
+    refuses "$frames" device PLT_WITH_BUILDER
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render compact frames' 2>&1)
+verdict "frames of compact blocks have no part of their own" "$(
+    echo "$trouble" | grep -q 'PARTS with frames has thesis, and no wave' || echo "$trouble")"
 wave=$BUILD/mps2_an386-render-thesis-wave
 if part "render thesis wave" "$wave" 73728; then
     renders "$wave" thesis
