@@ -62,7 +62,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-D
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
     engine/scene/open*.c engine/scene/validate*.c engine/tree/*/validate*.c \
-    engine/builder/b*.c engine/builder/strips.c \
+    engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/camera.c engine/shade/rendering.c)

@@ -90,7 +90,7 @@ void plt_beam_shade(const plt_beam *b, const plt_frame *frame, const uint8_t *sk
 void plt_beam_push_root(plt_beam *b, plt_traversal *t);
 
 /* Tests the triangles of so many lists in a row, and gives their hits to the pixels. Returns how
- * many there were. */
-uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists);
+ * many there were. `single`: 1 if every triangle counts as a list, 0. */
+uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t single);
 
 #endif

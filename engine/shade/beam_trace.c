@@ -113,7 +113,7 @@ static inline void descend(plt_beam *b, plt_traversal *t, plt_beam_entry at, cou
             plt_treelet_enter(t, at.link);
         }
     }
-    c->triangles += plt_beam_lists(b, plt_link_index(at.link), plt_link_lists(at.link));
+    c->triangles += plt_beam_lists(b, plt_link_index(at.link), plt_link_lists(at.link), 0);
     if (b->is_stored && b->open == 0) {
         update_far(b);
     }
@@ -139,14 +139,15 @@ static void count(plt_stats *s, const counts *c) {
 }
 
 int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
-    const int is_list = t->scene->format == PLT_FORMAT_LIST;
     counts c = {0, 0};
+    if (t->scene->format == PLT_FORMAT_LIST && t->waiting > 0) {
+        c.triangles = plt_beam_lists(b, 0, t->scene->list.count, 1);
+        t->waiting = 0;
+    }
     for (uint32_t entries = 0; t->waiting > 0 && c.nodes + entries < visits; entries++) {
         const plt_beam_entry *top = (plt_beam_entry *)t->stack + --t->waiting;
-        const plt_beam_entry at = {top->enter, top->minus_leave, top->link};
-        if (is_list) {
-            c.triangles += plt_beam_lists(b, 0, 1); /* one list of all */
-        } else if (is_met(b, &at)) {
+        if (is_met(b, top)) {
+            const plt_beam_entry at = {top->enter, top->minus_leave, top->link};
             descend(b, t, at, &c);
         }
     }

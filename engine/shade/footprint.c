@@ -298,7 +298,7 @@ static inline void test_record(plt_beam *b, const plt_record *record) {
     }
 }
 
-uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists) {
+uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t single) {
     const plt_record *begin = &b->records[first], *record = begin;
     const uint32_t project = b->margins.project;
     for (; lists > 0; record++) {
@@ -307,7 +307,7 @@ uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists) {
         } else {
             test_planes(b, record);
         }
-        lists -= (uint32_t)plt_record_is_last(record);
+        lists -= (uint32_t)plt_record_is_last(record) | single;
     }
     return (uint32_t)(record - begin);
 }
