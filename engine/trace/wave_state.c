@@ -57,7 +57,7 @@ static void set_ray(plt_wave_ray *r, const plt_wave_job *job, unsigned lane) {
     const plt_wave_staged *from = &job->wave->staged;
     const plt_group_slabs *s = &job->packet->slabs.group[0];
     const plt_group_rays *g = &job->packet->rays[0];
-    unsigned z = (g->axis_lanes[1] >> lane & 1u) + 2 * (g->axis_lanes[2] >> lane & 1u);
+    unsigned z = (g->axis_lanes[2] >> lane & 1u) != 0 ? 2u : g->axis_lanes[1] >> lane & 1u;
     PLT_UNROLLED for (unsigned a = 0; a < 3; a++) {
         f4_store(r->near_org[a], f4_all(s->near_org[a][lane]));
         f4_store(r->far_org[a], f4_all(s->far_org[a][lane]));
