@@ -7,9 +7,9 @@
 #include "engine/image/record_cache.h"
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
+#include "engine/trace/treelet_entry.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
-#include "engine/trace/treelet_entry.h"
 #include "engine/tree/compact/validate.h"
 #include "engine/tree/thesis/validate.h"
 
