@@ -14,8 +14,8 @@
 
 enum { SMALL_THINGS = 1 << 22 }; /* bytes: buffers of outputs and of the C library */
 
-const char *const scene_orders[] = {"depth", "two-stage", NULL};
 static const char *const packets[] = {"2", "4", "8", "16", NULL};
+static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", NULL};
 static const char *const resident[] = {"resident", NULL};
 static const char *const branch[] = {"branch", NULL};
@@ -105,7 +105,7 @@ static uint8_t read_packet(args *a) {
 
 static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
-    s->options.order = (uint8_t)args_choice(a, "--walk", scene_orders, PLT_ORDER_DEPTH_FIRST);
+    s->options.order = (uint8_t)args_choice(a, "--walk", orders, PLT_ORDER_DEPTH_FIRST);
     *fetched = args_choice(a, "--source", sources, 0) == 1;
     args_choice(a, "--residency", resident, 0);
     args_choice(a, "--schedule", branch, 0);

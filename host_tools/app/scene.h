@@ -29,9 +29,6 @@ typedef struct scene {
         .file = {.file = -1 }                                                                      \
     }
 
-/* The words of --walk, by enum plt_order; ended by NULL. */
-extern const char *const scene_orders[];
-
 /* The flags that say how to open an image, for a command's list. */
 #define SCENE_FLAGS                                                                                \
     {"--packet", "2|4|8|16", "rays along a packet's side (default 8)"},                            \

@@ -9,10 +9,10 @@
 #include <string.h>
 
 #include "host_tools/app/json_string.h"
-#include "host_tools/app/scene.h"
 
 const char *const bench_nodes_names[] = {"thesis", "compact", NULL};
 const char *const bench_any_names[] = {"closest", "any", NULL};
+const char *const bench_walk_names[] = {"depth", "two-stage", "wave", "wide", NULL};
 
 static const char *const counter_titles[COUNTERS] = {"instr", "cycles", "misses"};
 static const char *const counter_keys[COUNTERS] = {"instructions", "cycles", "branch_misses"};
@@ -37,7 +37,7 @@ void bench_rows_free(bench_rows *rows) {
     *rows = (bench_rows){NULL, 0, 0};
 }
 
-/* Of one scene, structure and question: they differ in packets and orders alone. */
+/* Of one scene, structure and question: they differ in packets and walks alone. */
 static int is_alike(const bench_row *a, const bench_row *b) {
     return a->kind == b->kind && a->any == b->any && a->nodes == b->nodes;
 }
@@ -65,11 +65,13 @@ static int print_title(output *o, const counters *c, fail *f) {
 /* Counts are per ray. */
 static int print_row(const bench_row *r, int best, output *o, const counters *c, fail *f) {
     const double rays = (double)r->rays;
-    char packet[8];
-    snprintf(packet, sizeof packet, "%ux%u", r->packet_side, r->packet_side);
+    char packet[8] = "-";
+    if (r->packet_side > 0) {
+        snprintf(packet, sizeof packet, "%ux%u", r->packet_side, r->packet_side);
+    }
     output_print(o, f, "%-8s %-8s %-8s %-6s %-9s %8.3f%c %7.3f %5.1f %%", ray_kind_names[r->kind],
                  bench_any_names[r->any], bench_nodes_names[r->nodes], packet,
-                 scene_orders[r->order], 1e-6 * r->median, best ? '*' : ' ', 1e-6 * r->least,
+                 bench_walk_names[r->walk], 1e-6 * r->median, best ? '*' : ' ', 1e-6 * r->least,
                  100.0 * (r->most - r->least) / r->median);
     for (int i = 0; i < COUNTERS; i++) {
         if (c->file[i] >= 0) {
@@ -105,8 +107,8 @@ static int json_row(const bench_row *r, output *o, const counters *c, fail *f) {
                  "\"hit\": \"%s\", \"packet\": %u, \"walk\": \"%s\", \"rays\": %" PRIu32
                  ", \"hits\": %" PRIu32 ", \"hits_hash\": \"%016" PRIx64 "\"",
                  r->triangles, bench_nodes_names[r->nodes], ray_kind_names[r->kind],
-                 bench_any_names[r->any], r->packet_side, scene_orders[r->order], r->rays, r->hits,
-                 r->hash);
+                 bench_any_names[r->any], r->packet_side, bench_walk_names[r->walk], r->rays,
+                 r->hits, r->hash);
     output_print(o, f,
                  ", \"least_rays_per_s\": %.0f, \"median_rays_per_s\": %.0f, "
                  "\"most_rays_per_s\": %.0f",

@@ -9,13 +9,17 @@
 #include "host_tools/base/counters.h"
 #include "host_tools/base/output.h"
 
+/* Orders of packets, and the wave over the nodes of the image or over its wide form. */
+enum bench_walk { BENCH_DEPTH, BENCH_TWO_STAGE, BENCH_WAVE, BENCH_WIDE, BENCH_WALKS };
+
 typedef struct bench_row {
     /* What was traced. */
     const char *scene;
     uint8_t nodes; /* enum plt_nodes */
     uint8_t kind;  /* enum ray_kind */
     uint8_t any;
-    uint8_t packet_side, order;
+    uint8_t walk;        /* enum bench_walk */
+    uint8_t packet_side; /* 0: a wave has none */
     uint32_t triangles, rays;
     /* What came of it. */
     uint32_t hits;              /* rays that hit something */
@@ -31,14 +35,14 @@ typedef struct bench_rows {
     unsigned count, room;
 } bench_rows;
 
-extern const char *const bench_nodes_names[], *const bench_any_names[];
+extern const char *const bench_nodes_names[], *const bench_any_names[], *const bench_walk_names[];
 
 /* A zero row behind the others; NULL when memory is out. */
 bench_row *bench_rows_add(bench_rows *rows);
 void bench_rows_free(bench_rows *rows);
 
 /* The rows from `first` on as a table, kinds of rays one after the other. Of the rows that differ
- * in their packets and orders alone, the one with the best median has a star. */
+ * in their packets and walks alone, the one with the best median has a star. */
 int bench_rows_print(const bench_rows *rows, unsigned first, const counters *c, output *o, fail *f);
 
 /* All rows as a list of JSON, with whole counts per pass and whole rays per second. */

@@ -17,7 +17,7 @@
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/pack.h"
 
-enum { SIDE_MOST = 4096, PACKET_SIZES = 4 };
+enum { SIDE_MOST = 4096, PACKET_SIZES = 4, MODES_MOST = 2 * PACKET_SIZES + 2, RAYS_IN_FLIGHT = 32 };
 
 static const arg_flag flags[] = {
     {"--kinds", "LIST",
@@ -26,7 +26,8 @@ static const arg_flag flags[] = {
     {"--nodes", "LIST", "what a mesh is packed as: thesis, compact (default thesis,compact)"},
     {"--packets", "LIST", "rays along a packet's side: 2, 4, 8, 16 (default all)"},
     {"--walks", "LIST",
-     "depth, two-stage; the structures that have no two stages go without (default all)"},
+     "depth, two-stage, of packets; wave, for rays one by one, over the nodes as they are, and "
+     "wide, over a wide form of them; structures go without what they do not have (default all)"},
     {"--repeat", "N", "trace so often; 1 to 1000 (default 5)"},
     {"--size", "WxH", "primary rays, each side 1 to 4096 (default 256x256)"},
     VIEW_FLAGS,
@@ -56,8 +57,8 @@ const arg_command command_bench = {
 
 typedef struct bench {
     args *a;
-    unsigned kinds, hits, nodes, packets, orders; /* sets of bits */
-    plt_frame frame;                              /* of the primary rays */
+    unsigned kinds, hits, nodes, packets, walks; /* sets of bits */
+    plt_frame frame;                             /* of the primary rays */
     bench_meter meter;
     bench_rows rows;
     ray_kinds rays; /* of the scene that is measured; none yet: no room either */
@@ -132,50 +133,92 @@ static int measure_mode(bench *b, const scene *s, const bench_row *like, unsigne
     return 0;
 }
 
-/* The modes that this build and these nodes have: their number, and the i-th of them. */
-static unsigned list_modes(const bench *b, const plt_info *info, plt_options *mode) {
-    unsigned count = 0;
+/* A way to trace. */
+typedef struct bench_mode {
+    plt_options options;
+    uint8_t walk; /* enum bench_walk */
+} bench_mode;
+
+typedef struct mode_list {
+    bench_mode mode[MODES_MOST];
+    unsigned count;
+} mode_list;
+
+/* Unless this build or these nodes do not have it. */
+static void add_mode(mode_list *list, const plt_info *info, plt_options options,
+                     enum bench_walk walk) {
+    if (plt_arena_need(info, 1, &options) > 0) {
+        list->mode[list->count++] = (bench_mode){options, (uint8_t)walk};
+    }
+}
+
+/* Compact blocks have no wave but over a wide form. */
+static void add_waves(mode_list *list, const bench *b, const plt_info *info) {
+    plt_options o = {.packet_side = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8,
+                     .rays_in_flight = RAYS_IN_FLIGHT,
+                     .rays = PLT_RAYS_INCOHERENT};
+    if ((b->walks >> BENCH_WAVE & 1u) && info->nodes_format == PLT_NODES_THESIS) {
+        add_mode(list, info, o, BENCH_WAVE);
+    }
+    o.wide = 1;
+    if (b->walks >> BENCH_WIDE & 1u) {
+        add_mode(list, info, o, BENCH_WIDE);
+    }
+}
+
+static void list_modes(mode_list *list, const bench *b, const plt_info *info) {
+    list->count = 0;
     for (unsigned p = 0; p < PACKET_SIZES; p++) {
-        for (unsigned order = 0; scene_orders[order] != NULL; order++) {
-            const plt_options o = {.packet_side = (uint8_t)(2u << p), .order = (uint8_t)order};
-            if ((b->packets >> p & 1u) && (b->orders >> order & 1u) &&
-                plt_arena_need(info, 1, &o) > 0) {
-                mode[count++] = o;
+        for (unsigned walk = BENCH_DEPTH; walk <= BENCH_TWO_STAGE; walk++) {
+            const plt_options o = {.packet_side = (uint8_t)(2u << p), .order = (uint8_t)walk};
+            if ((b->packets >> p & 1u) && (b->walks >> walk & 1u)) {
+                add_mode(list, info, o, (enum bench_walk)walk);
             }
         }
     }
-    return count;
+    add_waves(list, b, info);
+}
+
+/* Whether the wave was to be there and is not: the arena had no room for it. */
+static int is_without(const scene *s, const bench_mode *mode) {
+    return s->options.rays_in_flight != mode->options.rays_in_flight ||
+           s->options.wide != mode->options.wide;
 }
 
 /* Every mode of an image that is attached or held. */
 static int measure_image(bench *b, scene *s, const char *path, fail *f) {
     plt_fault fault;
     plt_info info;
-    plt_options mode[2 * PACKET_SIZES];
+    mode_list modes;
     const unsigned first = b->rows.count;
     int status = plt_image_info(&s->file.source, &info, &fault);
     if (status != PLT_OK) {
         return scene_refused(s, path, status, &fault, f);
     }
-    const unsigned modes = list_modes(b, &info, mode);
-    if (modes == 0) {
+    list_modes(&modes, b, &info);
+    if (modes.count == 0) {
         return fail_set(f, scene_name(path), "no such mode is for its nodes; add --walks depth");
     }
     b->meter.passes = 0;
     progress_begin(&b->meter.bar, "tracing",
-                   (uint64_t)modes * bits_of(b->kinds) * bits_of(b->hits) * (b->meter.repeat + 1));
-    for (unsigned i = 0; i < modes && status == 0; i++) {
-        s->options = mode[i];
+                   (uint64_t)modes.count * bits_of(b->kinds) * bits_of(b->hits) *
+                       (b->meter.repeat + 1));
+    for (unsigned i = 0; i < modes.count && status == 0; i++) {
+        const bench_mode *mode = &modes.mode[i];
+        s->options = mode->options;
         const int opened = scene_start(s, path, &fault);
         if (opened != PLT_OK) {
             status = scene_refused(s, path, opened, &fault, f);
+        } else if (is_without(s, mode)) {
+            continue;
         } else if ((status = make_rays(b, s->engine, scene_name(path), f)) == 0) {
-            const bench_row like = {.scene = scene_name(path),
-                                    .nodes = info.nodes_format,
-                                    .packet_side = mode[i].packet_side,
-                                    .order = mode[i].order,
-                                    .triangles = info.triangles,
-                                    .arena_bytes = plt_arena_need(&info, 1, &mode[i])};
+            const bench_row like = {
+                .scene = scene_name(path),
+                .nodes = info.nodes_format,
+                .walk = mode->walk,
+                .packet_side = mode->options.rays_in_flight > 0 ? 0 : mode->options.packet_side,
+                .triangles = info.triangles,
+                .arena_bytes = plt_arena_need(&info, 1, &mode->options)};
             status = measure_mode(b, s, &like, first, f);
         }
     }
@@ -346,7 +389,7 @@ static void read_flags(bench *b, args *a) {
     b->hits = args_set(a, "--hits", bench_any_names, 3);
     b->nodes = args_set(a, "--nodes", bench_nodes_names, 3);
     b->packets = args_set(a, "--packets", packets, 15);
-    b->orders = args_set(a, "--walks", scene_orders, 3);
+    b->walks = args_set(a, "--walks", bench_walk_names, (1u << BENCH_WALKS) - 1);
     b->meter.repeat = (unsigned)args_number(a, "--repeat", 5, 1, BENCH_REPEAT_MOST);
     args_size(a, "--size", SIDE_MOST, &width, &height);
     b->frame.width = (uint16_t)width;

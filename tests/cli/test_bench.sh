@@ -42,6 +42,9 @@ verdict "... every kind, hit, structure, packet and order once" "$(
                 echo " thesis $kind $hit $packet two-stage"
                 echo " compact $kind $hit $packet depth"
             done
+            echo " thesis $kind $hit 0 wave"
+            echo " thesis $kind $hit 0 wide"
+            echo " compact $kind $hit 0 wide"
         done
     done | sort >wanted
     combinations stats | diff wanted -)"
@@ -87,7 +90,7 @@ for packet in 2 16; do
             grep -v "arena_bytes_needed=$need\$")"
 done
 verdict "the table has a row for each, titles, and a star for the best of each structure" "$(
-    [ "$(grep -c '^\(primary\|shadow\|bounce\|random\) ' table)" -eq 96 ] || cat table
+    [ "$(grep -c '^\(primary\|shadow\|bounce\|random\) ' table)" -eq 120 ] || cat table
     grep -q '^rays  *hits  *nodes  *packet  *walk  *Mray/s  *least  *spread ' table || cat table
     [ "$(grep -c '\*' table)" -ge 16 ] && [ "$(grep -c '\*' table)" -lt 40 ] || cat table)"
 verdict "what the system does not count is said in one line" "$(
@@ -116,12 +119,12 @@ verdict "no figure of the table is wider than its column" "$(
             rows again | counts "nodes=thesis kind=$kind " | diff one -
         done)"
     verdict "... and each under its name" "$(
-        [ "$(grep -c '"scene": "knot.plt"' again)" -eq 32 ] || grep -c knot.plt again
-        [ "$(grep -c '"scene": "compact.plt"' again)" -eq 16 ] || grep -c compact.plt again)"
+        [ "$(grep -c '"scene": "knot.plt"' again)" -eq 40 ] || grep -c knot.plt again
+        [ "$(grep -c '"scene": "compact.plt"' again)" -eq 20 ] || grep -c compact.plt again)"
     "$PLANELET" bench - $small --packets 8 --kinds primary --json - <compact.plt >piped 2>err
     verdict "an image may come from standard input" "$(
         cat err
-        combinations piped | sort -u | wc -l | grep -qx 2 || cat piped
+        combinations piped | sort -u | wc -l | grep -qx 4 || cat piped
         grep -q '"scene": "standard input"' piped || cat piped)"
     works "lists choose what is measured" bench knot.ply $small --json - --kinds random,shadow \
         --hits any --nodes compact --packets 16,2 --walks depth
@@ -134,7 +137,8 @@ verdict "no figure of the table is wider than its column" "$(
         combinations out | diff wanted -)"
     works "the device's image is built and measured" bench knot.ply $small --packets 8
     run pack knot.ply -o device.plt --build device
-    works "... as the host's" bench device.plt $small --packets 8 --kinds primary --json -
+    works "... as the host's" bench device.plt $small --packets 8 --walks depth,two-stage \
+        --kinds primary --json -
     verdict "... with the same visits" "$(
         rows out | sed 's/.*\(node_visits=[0-9]*\).*/\1/' >device
         rows stats | grep 'nodes=thesis kind=primary .* packet=8' |
