@@ -309,8 +309,9 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 
 /* ---- statistics ------------------------------------------------------ */
 
-/* A frame of thesis nodes or of a list, depth first, is traced by beams (DESIGN.md, section 6): a
- * packet is then one beam, and its triangles are tested once for all of its pixels. */
+/* A frame of thesis nodes or of a list, depth first, is traced by beams where four lanes are not
+ * one register (DESIGN.md, section 6): a packet is then one beam, and its triangles are tested
+ * once for all of its pixels. */
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun, and of waves */
     uint64_t node_visits;    /* nodes decoded, once per packet */

@@ -27,9 +27,12 @@ void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t pa
     *r = idle;
 }
 
-/* Beams read thesis records, and keep to the depth-first order. */
+/* Beams read thesis records, and keep to the depth-first order. They take the fewest instructions,
+ * but depend on one another: where four lanes are one register, groups are faster on large
+ * meshes (DESIGN.md, section 6). */
 static int has_beams(const plt_traversal *t) {
-    return t->order == PLT_ORDER_DEPTH_FIRST && t->scene->format != PLT_FORMAT_COMPACT;
+    return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST &&
+           t->scene->format != PLT_FORMAT_COMPACT;
 }
 
 int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
