@@ -144,7 +144,9 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
         return plt_limit(fault, left_out);
     }
     if (!plt_layout_order_valid(info, options)) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "these nodes are traversed depth first");
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             PLT_WITH_GROUPS ? "compact blocks are traversed depth first"
+                                             : "beams are traversed depth first");
     }
     return PLT_OK;
 }

@@ -126,10 +126,10 @@ for remedy in '--build host --treelet 1' '--nodes compact'; do
     says "needs an arena of %zu bytes, this program has at most %zu; pack it with --build host or \
 --nodes compact" render few.plt -o x.png --size 8x8
     # shellcheck disable=SC2086
-    run pack few.ply -o few.plt --leaf 4 $remedy
+    "$SMALL" pack few.ply -o few.plt --leaf 4 $remedy 2>err # of no more levels than it takes
     cured render few.plt -o x.png --size 8x8
 done
-run pack few.ply -o more.plt --leaf 4 --treelet 1
+"$SMALL" pack few.ply -o more.plt --leaf 4 --treelet 1 2>err
 says "needs an arena of %zu bytes, this program has at most %zu; leave out --source read" \
     render more.plt -o x.png --size 8x8 --source read
 cured render more.plt -o x.png --size 8x8
