@@ -87,14 +87,19 @@ static uint64_t record_cache_bytes(const subject *s) {
                : 0;
 }
 
-/* Bytes of a stack entry; 0: not in this order. A beam's are less than those of groups, which
- * it shares the stack with. */
+/* Bytes of a stack entry; 0: not in this order. Beams and groups share the stack. */
 static size_t entry_bytes(enum plt_format format, unsigned order) {
 #if PLT_WITH_GROUPS
-    return plt_entry_bytes(format, (enum plt_order)order);
+    const size_t bytes = plt_entry_bytes(format, (enum plt_order)order);
 #else
+    const size_t bytes = 0;
     (void)format;
-    return order == PLT_ORDER_DEPTH_FIRST ? sizeof(plt_beam_entry) : 0;
+#endif
+#if PLT_WITH_BEAMS
+    return order == PLT_ORDER_DEPTH_FIRST && bytes < sizeof(plt_beam_entry) ? sizeof(plt_beam_entry)
+                                                                            : bytes;
+#else
+    return bytes;
 #endif
 }
 
@@ -126,13 +131,20 @@ static uint64_t state_bytes(const subject *s) {
 #endif
 }
 
+#if PLT_WITH_WAVE
 static int has_wide_form(const subject *s) {
-    return PLT_WITH_WAVE && s->options->wide && plt_wide_supports(s->format) &&
+    return s->options->wide && plt_wide_supports(s->format) &&
            s->info->triangles <= PLT_WIDE_TRIANGLES_MOST;
 }
+#endif
 
 static uint64_t wide_bytes(const subject *s) {
+#if PLT_WITH_WAVE
     return has_wide_form(s) ? plt_wide_bytes(s->sized_for) : 0;
+#else
+    (void)s;
+    return 0;
+#endif
 }
 
 /* While the wide form is made, its scratch lies there. */

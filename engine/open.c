@@ -78,6 +78,9 @@ static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[
     plt_arena_release(&e->arena, e->arena.used - (size_t)room);
     plt_arena_cut(&e->arena, form_bytes);
     e->traversal.wave = plt_arena_cut(&e->arena, wave_bytes);
+    if (e->traversal.wave == NULL) {
+        return plt_opening_arena_error(o);
+    }
     plt_wave_init(e->traversal.wave, e->options.rays_in_flight, 1, e->scene.bvh4->depth);
     return PLT_OK;
 }

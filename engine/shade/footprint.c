@@ -197,6 +197,9 @@ typedef struct footprint {
     float slack; /* of the sum of their products with `over`; negative: not known yet */
 } footprint;
 
+/* A slack that hides nothing, behind no t: infinity times 0 is a NaN. */
+#define UNKNOWN __builtin_inff()
+
 /* What the sum of edge functions times 1 / depth, which is area / t, may be off by, and t itself
  * as the exact test computes it. `over`: the range of 1 / depth. */
 RARELY float slack_of(const plt_margins *m, range over, float size, float error, float area) {
@@ -205,7 +208,7 @@ RARELY float slack_of(const plt_margins *m, range over, float size, float error,
     const float slack =
         11.0f * error * length + m->t * over.most * area + m->shape * side * side / over.most;
     const int is_known = area > 16.0f * error && length <= over.least && slack <= over.most * area;
-    return is_known ? slack : PLT_VIEW_FAR;
+    return is_known ? slack : UNKNOWN;
 }
 
 static inline int is_behind(const plt_beam *b, const projected *p, footprint *f, const float e[3],
@@ -263,7 +266,8 @@ static inline void set_edges(footprint *f, const projected *p, float margin) {
     f->slack = -1.0f;
     f->sign = 1.0f;
     if (__builtin_fabsf(f->area) <= 4.0f * f->error) { /* its sign is open: no pixel is left out */
-        f->error = f->slack = PLT_VIEW_FAR;
+        f->error = PLT_VIEW_FAR;
+        f->slack = UNKNOWN;
     } else if (f->area < 0.0f) {
         f->sign = -1.0f;
         f->area = -f->area;

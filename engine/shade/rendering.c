@@ -73,8 +73,12 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
         plt_beam_begin(r->beam, &pixels, t, rays);
         return;
     }
+#if PLT_WITH_GROUPS
     plt_view_packet(&r->view, &t->scene->box, p, &pixels);
     plt_traversal_begin(t, p, rays);
+#else
+    (void)p;
+#endif
 }
 
 static void shade_lane(const plt_frame *frame, const plt_group_rays *g, unsigned lane,
@@ -102,9 +106,13 @@ static void shade_packet(const plt_rendering *r, const plt_packet *p) {
 }
 
 static void shade_square(const plt_rendering *r) {
+#if PLT_WITH_BEAMS
     const uint32_t width = tile_width(r);
     plt_beam_shade(r->beam, &r->frame, &r->sky[3 * r->py], &r->tile[3 * (r->py * width + r->px)],
                    3 * width);
+#else
+    (void)r;
+#endif
 }
 
 /* To the next packet of the tile; 0 when the tile is complete. */

@@ -19,10 +19,12 @@ int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int look
                         .hits = hits,
                         .count = count,
                         .any = any};
-    if (t->scene->bvh4 != NULL) {
-        plt_wave_bvh4(&job);
-    } else {
+#if PLT_WITH_THESIS
+    if (t->scene->bvh4 == NULL) {
         plt_wave_thesis(&job);
+        return job.status;
     }
+#endif
+    plt_wave_bvh4(&job);
     return job.status;
 }

@@ -27,7 +27,8 @@ uint32_t plt_wide_nodes_bound(const plt_info *info) {
 
 uint32_t plt_wide_blocks_bound(const plt_info *info) {
     const uint64_t leaves = (uint64_t)info->leaf_lists + info->intermediate_lists;
-    return (uint32_t)((info->triangles + 3 * leaves) / 4);
+    const uint64_t most = info->triangles > leaves ? info->triangles : leaves;
+    return (uint32_t)((most + 3 * leaves) / 4); /* a single triangle is in two (SPEC, 4.11) */
 }
 
 uint32_t plt_wide_depth_bound(const plt_info *info) {

@@ -252,6 +252,36 @@ static void limits(void) {
     mesh_free(&m);
 }
 
+static void add_triangle(mesh *m, const float corner[3][3]) {
+    fail f = {""};
+    const uint32_t first = (uint32_t)m->vertices;
+    for (int c = 0; c < 3; c++) {
+        CHECK(mesh_add_vertex(m, corner[c][0], corner[c][1], corner[c][2], &f) == 0, "%s", f.text);
+    }
+    CHECK(mesh_add_triangle(m, first, first + 1, first + 2, &f) == 0, "%s", f.text);
+}
+
+/* A triangle that all but touches the eye, in front of others whose t is 0 or next to it. */
+static void at_the_eye(void) {
+    static const float depth[3] = {0.0f, 1e-37f, 1e-30f};
+    static tracer t;
+    for (unsigned i = 0; i < 3; i++) {
+        const float front[3][3] = {{-1, -1, 2}, {0, 0, 1e-20f}, {1, -1, 2}};
+        const float plane[3][3] = {{-1, -1, depth[i]}, {1, -1, depth[i]}, {0, 1, depth[i]}};
+        mesh m = {0};
+        add_triangle(&m, front);
+        for (unsigned k = 0; k < 5; k++) {
+            add_triangle(&m, plane);
+        }
+        opened(&t, &m, 4, PLT_BUILD_HOST);
+        plt_frame f = {.width = 32, .height = 32};
+        f.camera.look[2] = f.camera.up[1] = f.camera.tan_half_fov = 1.0f;
+        one_frame(&t, &f, PLT_PACKET_SIDE_MAX, "at the eye");
+        rig_close(&t.r);
+        mesh_free(&m);
+    }
+}
+
 static void report(void) {
     CHECK(pixels_hit > frames_seen, "%llu pixels hit something", (unsigned long long)pixels_hit);
     if (getenv("PLANELET_COUNT") != NULL) {
@@ -267,6 +297,9 @@ int main(void) {
     report();
     test("straight down on doubled grids: the same");
     straight_down();
+    report();
+    test("hits at a t of 0 hide nothing: the same");
+    at_the_eye();
     report();
     test("fields of 1e-6 to 1e6, frames of up to 65535 pixels, lists: the same");
     limits();

@@ -505,6 +505,40 @@ static void nothing_to_widen(void) {
     mesh_free(&m);
 }
 
+/* A single triangle is in both leaves of its block; an arena for less than the worst tree is
+ * enough, or refused. */
+static void one_triangle_anywhere(void) {
+    compact_config config = compact_config_of(2, 12, PLT_BUILD_DEVICE, 0);
+    const plt_ray ray = {{0, 0, -3}, 0, {0, 0, 1}, 100};
+    uint32_t opened = 0, refused = 0;
+    mesh m = {0};
+    shape_soup(&m, 1, 0.5f, 1);
+    set_wave(&config.run, 1, 64);
+    packed image = compact_packed(&m, &config);
+    const plt_source source = rig_source(&image);
+    const size_t need = plt_arena_need(&image.info, 1, &config.run);
+    unsigned char *arena = aligned_alloc(64, (need / 64 + 2) * 64);
+    for (size_t shift = 0; shift < 64 && arena != NULL && image.bytes != NULL; shift += 16) {
+        for (size_t bytes = 16; bytes <= need; bytes += bytes < need / 2 ? 16 : 4096) {
+            plt_engine *engine;
+            plt_fault fault;
+            plt_hit hit;
+            const int status =
+                plt_open(&engine, arena + shift, bytes, &source, &config.run, &fault);
+            opened += status == PLT_OK;
+            refused += status == PLT_ERR_ARENA;
+            CHECK(status == PLT_OK || status == PLT_ERR_ARENA, "%zu bytes: %s", bytes,
+                  fault.message);
+            if (status == PLT_OK) {
+                plt_trace(engine, &ray, &hit, 1, 0);
+            }
+        }
+    }
+    CHECK(opened > 0 && refused > 0, "%u opened, %u refused", opened, refused);
+    free(arena);
+    pack_free(&image);
+}
+
 /* ---- which rays go which way ------------------------------------------------------------- */
 
 /* From one point, within a cone: a beam. */
@@ -672,6 +706,8 @@ int main(void) {
     over_thesis();
     test("the wide form of thesis nodes is a tree of all triangles; hits are those of packets");
     wide_over_thesis();
+    test("a single triangle has one in any arena that holds it");
+    one_triangle_anywhere();
     test("so is that of compact blocks, of strips and of records");
     wide_over_compact();
     test("and lists of any length");

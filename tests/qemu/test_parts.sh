@@ -103,6 +103,10 @@ if part "render thesis wave" "$wave" 73728; then
     verdict "... the whole engine is without a wave" "$(
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
 fi
+wave=$BUILD/mps2_an386-compact-render-wave
+if part "render compact wave" "$wave" 77824; then
+    renders "$wave" compact
+fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS=rendr 2>&1)
 verdict "a part that is not there is refused, and those that are named" "$(
     echo "$trouble" | grep -q 'PARTS is a list of render, thesis and compact' || echo "$trouble")"
