@@ -125,6 +125,7 @@ static inline range range_of(const float v[3]) {
 /* Pixels first .. last of 0 .. end between two coordinates; 0: none. */
 static inline int pixels_between(float from, float to, float end, uint32_t *first, uint32_t *last) {
     if (!(to >= 0.0f && from <= end)) {
+        *first = *last = 0;
         return 0;
     }
     *first = from > 0.0f ? (uint32_t)(int32_t)(from + ALMOST_ONE) : 0;
@@ -197,7 +198,8 @@ typedef struct footprint {
     float slack; /* of the sum of their products with `over`; negative: not known yet */
 } footprint;
 
-/* A slack that hides nothing, behind no t: infinity times 0 is a NaN. */
+/* An error that leaves no pixel out, and a slack that hides nothing, behind no t: infinity times
+ * 0 is a NaN. */
 #define UNKNOWN __builtin_inff()
 
 /* What the sum of edge functions times 1 / depth, which is area / t, may be off by, and t itself
@@ -266,8 +268,7 @@ static inline void set_edges(footprint *f, const projected *p, float margin) {
     f->slack = -1.0f;
     f->sign = 1.0f;
     if (__builtin_fabsf(f->area) <= 4.0f * f->error) { /* its sign is open: no pixel is left out */
-        f->error = PLT_VIEW_FAR;
-        f->slack = UNKNOWN;
+        f->error = f->slack = UNKNOWN;
     } else if (f->area < 0.0f) {
         f->sign = -1.0f;
         f->area = -f->area;
@@ -286,7 +287,6 @@ static inline void test_record(plt_beam *b, const plt_record *record) {
         q[c][1] = plt_record_float(record, c, 1) - b->origin.org[1];
         q[c][2] = plt_record_float(record, c, 2) - b->origin.org[2];
     }
-    p.left = p.right = p.top = p.bottom = 0;
     const enum projection how = project(b, (const float(*)[3])q, &p);
     if (how != PROJECTED) {
         if (how == NOT_PROJECTED) {

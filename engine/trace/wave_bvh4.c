@@ -41,12 +41,7 @@ static inline void enlist(run *k, plt_wave_ray *r, uint32_t place, uint32_t link
     plt_prefetch(third + 64);
     plt_prefetch(third + PLT_BVH4_BLOCK_HOT_BYTES - 1 - 64);
     r->link = link;
-    k->w->list[PLT_WAVE_VISIT][k->on[PLT_WAVE_VISIT]] = place;
-    k->on[PLT_WAVE_VISIT] += 1 - is_leaf;
-    k->w->list[PLT_WAVE_TEST][k->on[PLT_WAVE_TEST]] = place;
-    k->on[PLT_WAVE_TEST] += is_leaf - is_done;
-    k->w->list[PLT_WAVE_DONE][k->on[PLT_WAVE_DONE]] = place;
-    k->on[PLT_WAVE_DONE] += is_done;
+    plt_wave_enlist(k->w, k->on, place, is_leaf, is_done);
 }
 
 /* The planes of four children, so many bytes into a node. */

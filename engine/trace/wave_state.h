@@ -75,6 +75,18 @@ static inline plt_wave_ray *plt_wave_at(const plt_wave *w, uint32_t place) {
     return (plt_wave_ray *)(void *)(w->first + place);
 }
 
+/* Puts a ray on the list of what is next for it, without a branch: it is written to all, and one
+ * grows. `on`: how many are on each; is_done is 0 unless is_leaf is 1. */
+static inline void plt_wave_enlist(plt_wave *w, size_t on[PLT_WAVE_STEPS], uint32_t place,
+                                   size_t is_leaf, size_t is_done) {
+    w->list[PLT_WAVE_VISIT][on[PLT_WAVE_VISIT]] = place;
+    on[PLT_WAVE_VISIT] += 1 - is_leaf;
+    w->list[PLT_WAVE_TEST][on[PLT_WAVE_TEST]] = place;
+    on[PLT_WAVE_TEST] += is_leaf - is_done;
+    w->list[PLT_WAVE_DONE][on[PLT_WAVE_DONE]] = place;
+    on[PLT_WAVE_DONE] += is_done;
+}
+
 /* What a ray over thesis nodes takes beside plt_wave_ray. */
 enum { PLT_WAVE_THESIS_BYTES = 96 };
 

@@ -89,12 +89,7 @@ static inline void go_on(run *k, thesis_ray *r, uint32_t place) {
     r->ray.link = link;
     r->interval[0] = r->interval[1] = e->enter;
     r->interval[2] = r->interval[3] = e->minus_leave;
-    k->w->list[PLT_WAVE_VISIT][k->on[PLT_WAVE_VISIT]] = place;
-    k->on[PLT_WAVE_VISIT] += 1 - is_leaf;
-    k->w->list[PLT_WAVE_TEST][k->on[PLT_WAVE_TEST]] = place;
-    k->on[PLT_WAVE_TEST] += is_leaf - is_done;
-    k->w->list[PLT_WAVE_DONE][k->on[PLT_WAVE_DONE]] = place;
-    k->on[PLT_WAVE_DONE] += is_done;
+    plt_wave_enlist(k->w, k->on, place, is_leaf, is_done);
 }
 
 /* ---- nodes ---------------------------------------------------------------------- */
