@@ -78,7 +78,7 @@ static uint32_t make_leaf(plt_traversal *t, plt_wide_build *b, const piece *p, p
         const uint32_t left = p->count - i;
         set_block(t, p, p->first + i, left < 4 ? left : 4, &b->blocks[b->blocks_count++], box);
     }
-    return PLT_BVH4_LEAF | more << PLT_BVH4_MORE_SHIFT | first;
+    return PLT_BVH4_LEAF | more << PLT_BVH4_MORE_SHIFT | first * (PLT_BVH4_KIND + 1);
 }
 
 /* ---- nodes ---------------------------------------------------------------------- */
@@ -192,7 +192,7 @@ static uint32_t make_node(plt_traversal *t, plt_wide_build *b, waiting_piece *w,
             stack[waiting++] = next;
         }
     }
-    link_to(b, w, node);
+    link_to(b, w, node * (PLT_BVH4_KIND + 1));
     return waiting;
 }
 

@@ -10,60 +10,71 @@
 /* Four triangles' planes, and where the ray meets them. */
 typedef struct planes {
     float normal[3][4];
-    f4 enter, leave; /* of each triangle's own box */
-    f4 along;        /* n . dir over the largest component of dir */
+    f4 enter; /* into each triangle's own box */
+    f4 along; /* n . dir over the largest component of dir */
     f4 distance;
 } planes;
 
-/* Where the ray is inside each triangle's own box, as boxes.c would say. */
-static m4 own_boxes(const plt_wave_ray *r, const plt_bvh4_block *b, planes *p) {
-    f4 n[3], f[3];
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        const f4 c0 = f4_load_16(b->corner[0][a]), c1 = f4_load_16(b->corner[1][a]),
-                 c2 = f4_load_16(b->corner[2][a]);
-        const f4 lo = f4_min(f4_min(c0, c1), c2), hi = f4_max(f4_max(c0, c1), c2);
-        const f4 rdir = f4_load_16(r->rdir[a]);
-        const m4 negative = f4_lt(rdir, f4_zero());
-        n[a] = f4_mul(f4_sub(f4_select(negative, hi, lo), f4_load_16(r->near_org[a])), rdir);
-        f[a] = f4_mul(f4_sub(f4_select(negative, lo, hi), f4_load_16(r->far_org[a])), rdir);
-    }
-    p->enter = f4_max(f4_max(n[0], n[1]), n[2]);
-    p->leave = f4_min(f4_min(f[0], f[1]), f[2]);
-    return f4_le(p->enter, p->leave);
+/* Each triangle's own box on one axis, its near and its far plane. */
+static inline void own_planes(const plt_wave_ray *r, const plt_bvh4_block *b, int a, f4 *near,
+                              f4 *far) {
+    const f4 c0 = f4_load_16(b->corner[0][a]), c1 = f4_load_16(b->corner[1][a]),
+             c2 = f4_load_16(b->corner[2][a]);
+    const f4 lo = f4_min(f4_min(c0, c1), c2), hi = f4_max(f4_max(c0, c1), c2);
+    const m4 negative = f4_lt(f4_load_16(r->rdir[a]), f4_zero());
+    *near = f4_select(negative, hi, lo);
+    *far = f4_select(negative, lo, hi);
 }
 
-/* Normals, as plt_triangle_normal. */
-static void set_normals(const plt_bvh4_block *b, planes *p) {
-    f4 first[3], second[3];
+/* Where the ray enters each triangle's own box, as boxes.c would say. */
+static inline f4 own_enter(const plt_wave_ray *r, const plt_bvh4_block *b) {
+    f4 n[3], near, far;
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        own_planes(r, b, a, &near, &far);
+        n[a] = f4_mul(f4_sub(near, f4_load_16(r->near_org[a])), f4_load_16(r->rdir[a]));
+    }
+    return f4_max(f4_max(n[0], n[1]), n[2]);
+}
+
+/* And where it leaves it. */
+static inline f4 own_leave(const plt_wave_ray *r, const plt_bvh4_block *b) {
+    f4 f[3], near, far;
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        own_planes(r, b, a, &near, &far);
+        f[a] = f4_mul(f4_sub(far, f4_load_16(r->far_org[a])), f4_load_16(r->rdir[a]));
+    }
+    return f4_min(f4_min(f[0], f[1]), f[2]);
+}
+
+/* The planes that the triangles lie in, with normals as plt_triangle_normal, and where the ray
+ * meets them. */
+static inline planes planes_of(const plt_wave_ray *r, const plt_bvh4_block *b) {
+    const unsigned x = r->at.axis[0] / 4u, y = r->at.axis[1] / 4u, z = r->at.axis[2] / 4u;
+    f4 first[3], second[3], numerator = f4_zero();
+    planes p = {.enter = own_enter(r, b)};
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 c0 = f4_load_16(b->corner[0][a]);
         first[a] = f4_sub(f4_load_16(b->corner[1][a]), c0);
         second[a] = f4_sub(f4_load_16(b->corner[2][a]), c0);
     }
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        const int x = plt_axis_after[a], y = plt_axis_after[x];
-        f4_store(p->normal[a], f4_sub(f4_mul(first[x], second[y]), f4_mul(first[y], second[x])));
+        const int i = plt_axis_after[a], k = plt_axis_after[i];
+        const f4 normal = f4_sub(f4_mul(first[i], second[k]), f4_mul(first[k], second[i]));
+        const f4 p0 = f4_sub(f4_load_16(b->corner[0][a]), f4_all(r->org[a]));
+        numerator = f4_add(numerator, f4_mul(normal, p0));
+        f4_store(p.normal[a], normal);
     }
+    p.along =
+        f4_add(f4_load(p.normal[z]), f4_add(f4_mul(f4_load(p.normal[x]), f4_all(r->slope[0])),
+                                            f4_mul(f4_load(p.normal[y]), f4_all(r->slope[1]))));
+    p.distance = f4_div(f4_div(numerator, p.along), f4_all(r->along));
+    return p;
 }
 
 /* n . dir over dir[z], of one of triangle.c's normals. */
 static float along_one(const plt_wave_ray *r, const float normal[3]) {
-    const unsigned x = r->axis[0] / 16u, y = r->axis[1] / 16u, z = r->axis[2] / 16u;
+    const unsigned x = r->at.axis[0] / 4u, y = r->at.axis[1] / 4u, z = r->at.axis[2] / 4u;
     return normal[z] + (normal[x] * r->slope[0] + normal[y] * r->slope[1]);
-}
-
-static void set_distances(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
-                          planes *p) {
-    const unsigned x = r->axis[0] / 16u, y = r->axis[1] / 16u, z = r->axis[2] / 16u;
-    f4 numerator = f4_zero();
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        const f4 p0 = f4_sub(f4_load_16(b->corner[0][a]), f4_all(ray->org[a]));
-        numerator = f4_add(numerator, f4_mul(f4_load(p->normal[a]), p0));
-    }
-    p->along =
-        f4_add(f4_load(p->normal[z]), f4_add(f4_mul(f4_load(p->normal[x]), f4_all(r->slope[0])),
-                                             f4_mul(f4_load(p->normal[y]), f4_all(r->slope[1]))));
-    p->distance = f4_div(f4_div(numerator, p->along), f4_all(r->along));
 }
 
 /* ---- lanes that single precision may not decide --------------------------------- */
@@ -80,7 +91,7 @@ static plt_lone_ray lone_ray(const plt_wave_ray *r, const plt_ray *ray) {
     const plt_lone_ray lone = {{ray->org[0], ray->org[1], ray->org[2]},
                                {ray->dir[0], ray->dir[1], ray->dir[2]},
                                r->reach,
-                               r->axis[2] / 16};
+                               r->at.axis[2] / 4};
     return lone;
 }
 
@@ -116,11 +127,11 @@ static int is_open(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray
 
 /* Of `candidates`, those whose distance needs integers. */
 static unsigned open_lanes(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
-                           planes *p, unsigned candidates) {
+                           planes *p, f4 leaves, unsigned candidates) {
     float enter[4], leave[4], t[4];
     unsigned open = 0;
     f4_store(enter, p->enter);
-    f4_store(leave, p->leave);
+    f4_store(leave, leaves);
     f4_store(t, p->distance);
     for (unsigned i = 0; i < 4; i++) {
         if (candidates >> i & 1u) {
@@ -140,16 +151,18 @@ typedef struct lanes {
     float error[4], t[4], enter[4], leave[4];
 } lanes;
 
-static void set_lanes(lanes *l, const block_edges *e, const planes *p, f4 error) {
+static lanes lanes_of(const block_edges *e, f4 error, f4 t, f4 enter, f4 leave) {
+    lanes l = {.t = {0}};
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        f4_store(l->weight[c], e->weight[c]);
-        f4_store(l->x[c], e->x[c]);
-        f4_store(l->y[c], e->y[c]);
+        f4_store(l.weight[c], e->weight[c]);
+        f4_store(l.x[c], e->x[c]);
+        f4_store(l.y[c], e->y[c]);
     }
-    f4_store(l->error, error);
-    f4_store(l->t, p->distance);
-    f4_store(l->enter, p->enter);
-    f4_store(l->leave, p->leave);
+    f4_store(l.error, error);
+    f4_store(l.t, t);
+    f4_store(l.enter, enter);
+    f4_store(l.leave, leave);
+    return l;
 }
 
 /* Bounds the errors of the edge functions. */
@@ -195,8 +208,8 @@ static void set_exact_distance(const plt_bvh4_block *b, const plt_ray *ray, lane
     l->t[i] = clamped(plt_exact_distance(corner, ray->org, ray->dir), l->enter[i], l->leave[i]);
 }
 
-static int is_nearer(const plt_wave_ray *r, float t, uint32_t id) {
-    return r->tmin[0] <= t && (t < r->tmax[0] || (t == r->tmax[0] && id < r->id));
+static int is_nearer(const plt_wave_ray *r, const plt_hit *hit, float t, uint32_t id) {
+    return r->tmin[0] <= t && (t < r->tmax[0] || (t == r->tmax[0] && id < hit->triangle));
 }
 
 static float weight_of(const lanes *l, unsigned corner, unsigned i, float sum) {
@@ -205,21 +218,26 @@ static float weight_of(const lanes *l, unsigned corner, unsigned i, float sum) {
     return above < 1.0f ? above : 1.0f;
 }
 
-static void record(plt_wave_ray *r, const lanes *l, unsigned i, uint32_t word, int any) {
+/* The hit goes to its place at once; of any hit only that there is one. */
+static void record(plt_wave_ray *r, const lanes *l, unsigned i, uint32_t word, int any,
+                   plt_hit *hit) {
     const float sum = (l->weight[0][i] + l->weight[1][i]) + l->weight[2][i];
     const unsigned first = plt_axis_after[plt_primitive_rotation(word)];
-    f4_store(r->tmax, f4_all(any ? -1.0f : l->t[i]));
-    r->id = plt_primitive_id(word);
-    r->u = weight_of(l, first, i, sum);
-    r->v = weight_of(l, plt_axis_after[first], i, sum);
+    if (any) {
+        f4_store(r->tmax, f4_all(-1.0f));
+        hit->triangle = 1;
+        return;
+    }
+    f4_store(r->tmax, f4_all(l->t[i]));
+    hit->t = l->t[i];
+    hit->u = weight_of(l, first, i, sum);
+    hit->v = weight_of(l, plt_axis_after[first], i, sum);
+    hit->triangle = plt_primitive_id(word);
 }
 
-/* Lanes that are nearer than the hit so far. */
-static unsigned nearer_lanes(const plt_wave_ray *r, const plt_bvh4_block *b, f4 t) {
-    const f4 tmax = f4_load_16(r->tmax);
-    const u4 id = u4_and(u4_load(b->word), u4_all(PLT_PRIMITIVE_ID_MASK));
-    const m4 tie = m4_and(f4_eq(t, tmax), u4_lt(id, u4_all(r->id)));
-    return m4_mask(m4_and(f4_le(f4_load_16(r->tmin), t), m4_or(f4_lt(t, tmax), tie)));
+/* Lanes that may be nearer than the hit so far: at the same distance the lower id decides. */
+static unsigned nearer_lanes(const plt_wave_ray *r, f4 t) {
+    return m4_mask(m4_and(f4_le(f4_load_16(r->tmin), t), f4_le(t, f4_load_16(r->tmax))));
 }
 
 /* Below the limit of its triangle's plt_open_limit. */
@@ -230,39 +248,55 @@ static unsigned low_lanes(const plt_bvh4_block *b, f4 along) {
     return m4_mask(f4_lt(f4_abs(along), limit));
 }
 
-int plt_ray_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
-                       const block_edges *e, unsigned may, int any) {
-    planes p;
-    lanes l;
-    unsigned candidates = may & m4_mask(own_boxes(r, b, &p)), open = 0;
-    int found = 0;
-    set_normals(b, &p);
-    set_distances(r, b, ray, &p);
-    const unsigned low = candidates & low_lanes(b, p.along);
-    if (low != 0) {
-        open = open_lanes(r, b, ray, &p, low);
-    }
-    /* A NaN (0 / 0) becomes `enter` by the rule of max. */
-    p.distance = f4_min(f4_max(p.distance, p.enter), p.leave);
-    candidates &= nearer_lanes(r, b, p.distance) | open;
-    if (candidates == 0) {
-        return 0;
-    }
-    const f4 error = error_of(r, e);
-    const unsigned sure = sure_lanes(e, error);
-    set_lanes(&l, e, &p, error);
-    for (unsigned i = 0; i < 4; i++) {
-        const unsigned bit = 1u << i;
-        if ((candidates & bit) == 0 || !((sure & bit) != 0 || is_met(r, b, ray, &l, i))) {
+/* t is the distance clamped to its triangle's box: at most the greater of distance and enter, and
+ * no less than enter. A NaN becomes `enter` by the rule of max. */
+unsigned plt_block_may_be_nearer(const plt_wave_ray *r, const plt_bvh4_block *b) {
+    const planes p = planes_of(r, b);
+    const unsigned ahead = m4_mask(f4_le(f4_load_16(r->tmin), f4_max(p.distance, p.enter)));
+    const unsigned above = m4_mask(f4_le(p.enter, f4_load_16(r->tmax)));
+    return (ahead | low_lanes(b, p.along)) & above;
+}
+
+/* By its bit. */
+static const uint8_t lane_of[9] = {0, 0, 1, 0, 2, 0, 0, 0, 3};
+
+/* Of the candidates those that the ray meets: keeps the nearest. 0: there is none. */
+static int keep_nearest(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job, lanes *l,
+                        unsigned candidates, unsigned sure, unsigned open) {
+    const plt_ray *ray = &job->rays[r->number];
+    plt_hit *hit = &job->hits[r->number];
+    int is_hit = 0;
+    for (; candidates != 0; candidates &= candidates - 1) {
+        const unsigned bit = candidates & (0u - candidates), i = lane_of[bit];
+        if ((sure & bit) == 0 && !is_met(r, b, ray, l, i)) {
             continue;
         }
         if ((open & bit) != 0) {
-            set_exact_distance(b, ray, &l, i);
+            set_exact_distance(b, ray, l, i);
         }
-        if (is_nearer(r, l.t[i], plt_primitive_id(b->word[i]))) {
-            record(r, &l, i, b->word[i], any);
-            found = 1;
+        if (is_nearer(r, hit, l->t[i], plt_primitive_id(b->word[i]))) {
+            record(r, l, i, b->word[i], job->any, hit);
+            is_hit = 1;
         }
     }
-    return found;
+    return is_hit;
+}
+
+int plt_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job,
+                   unsigned may) {
+    planes p = planes_of(r, b);
+    const f4 leave = own_leave(r, b);
+    const unsigned inside = may & m4_mask(f4_le(p.enter, leave));
+    const unsigned low = inside & low_lanes(b, p.along);
+    const unsigned open = low != 0 ? open_lanes(r, b, &job->rays[r->number], &p, leave, low) : 0;
+    const f4 t = f4_min(f4_max(p.distance, p.enter), leave);
+    const unsigned candidates = inside & (nearer_lanes(r, t) | open);
+    if (candidates == 0) {
+        return 0;
+    }
+    block_edges e;
+    plt_block_edges(r, b, &e);
+    const f4 error = error_of(r, &e);
+    lanes l = lanes_of(&e, error, t, p.enter, leave);
+    return keep_nearest(r, b, job, &l, candidates, sure_lanes(&e, error), open);
 }

@@ -1,8 +1,9 @@
 /* wave_bvh4 - the wave over the wide form
  *
  * A step has no branch that depends on a ray: what a link leads to is arithmetic, children
- * are sorted by a table. The one branch of a test of triangles is taken where they may be
- * met. tests/check/check_branches.sh counts the jumps.
+ * are sorted by a table, and triangles are tested in passes, each over the rays that the one
+ * before left. Only the last, over rays that may have a nearer hit, has branches.
+ * tests/check/check_branches.sh counts the jumps.
  *
  * Stack: entry 0 is PLT_BVH4_NONE, nearer than any hit. A node on level d (the root's is 1) is
  * visited with at most 3 (d - 1) entries above it, and four are stored; so 3 * depth + 2
@@ -17,47 +18,50 @@
 #include "engine/trace/ray_block.h"
 #include "engine/tree/bvh4.h"
 
+/* Rounds of visits to one of all else: of a list's end a branch is mispredicted, and the others
+ * are short. Three are no faster: fewer and fewer rays are still at nodes. */
+enum { VISITS_IN_A_ROW = 2 };
+
 /* Something that waits, and where the ray enters it. */
 typedef uint32_t entry[2]; /* link, bits of t */
 
 /* What a run of the wave works with, apart from the rays themselves. */
 typedef struct run {
-    plt_wave *w;
     const plt_bvh4_node *nodes;
-    size_t on[PLT_WAVE_STEPS]; /* how many are on each list */
+    plt_wave_found *found;
+    plt_wave_lists on;
 } run;
 
 static inline entry *stack_of(plt_wave_ray *r) {
     return (entry *)(void *)(r + 1);
 }
 
-/* Puts a ray on the list of what is next for it, and asks for that: two lines of a node; of a
- * block's PLT_BVH4_BLOCK_HOT_BYTES the first three and the last, which may be a fourth. */
-static inline void enlist(run *k, plt_wave_ray *r, uint32_t place, uint32_t link) {
-    const size_t is_leaf = link >> 31, is_done = link == PLT_BVH4_NONE;
-    const unsigned char *at = plt_bvh4_at(k->nodes, link), *third = at + 64 * is_leaf;
-    plt_prefetch(at);
-    plt_prefetch(at + 64);
-    plt_prefetch(third + 64);
-    plt_prefetch(third + PLT_BVH4_BLOCK_HOT_BYTES - 1 - 64);
-    r->link = link;
-    plt_wave_enlist(k->w, k->on, place, is_leaf, is_done);
+/* Puts a ray on the list of what is next for it, and asks for that: two lines of a node, or three
+ * of a block. */
+static inline void enlist(run *k, plt_wave_ray *r, uint32_t link) {
+    const size_t is_leaf = link & PLT_BVH4_LEAF;
+    const uintptr_t at = plt_bvh4_at(k->nodes, link);
+    plt_prefetch((const void *)at);
+    plt_prefetch((const void *)(at + 64));
+    plt_prefetch((const void *)(at + 64 + 64 * is_leaf));
+    r->next = at;
+    plt_wave_enlist(&k->on, r, is_leaf);
 }
 
 /* The planes of four children, so many bytes into a node. */
-static inline f4 planes_at(const unsigned char *node, size_t bytes) {
-    return f4_load_16((const float *)(const void *)(node + bytes));
+static inline f4 planes_at(const plt_bvh4_node *node, size_t bytes) {
+    return f4_load_16((const float *)(const void *)((const char *)node + bytes));
 }
 
-/* Tests all four children: where the ray enters those that are met, -1 for others, and how
- * many are met. */
-static inline void test_children(const unsigned char *node, const plt_wave_ray *r,
-                                 plt_wave_visited *to) {
+/* Tests all four children: where the ray enters those that are met, -1 for others, and which
+ * are met. */
+static inline void test_children(const plt_bvh4_node *node, const plt_wave_ray *r,
+                                 plt_wave_found *to) {
     f4 near = f4_load_16(r->tmin), far = f4_load_16(r->tmax);
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 rdir = f4_load_16(r->rdir[a]);
-        const f4 n = f4_sub(planes_at(node, r->near[a]), f4_load_16(r->near_org[a]));
-        const f4 f = f4_sub(planes_at(node, r->far[a]), f4_load_16(r->far_org[a]));
+        const f4 n = f4_sub(planes_at(node, r->at.near[a]), f4_load_16(r->near_org[a]));
+        const f4 f = f4_sub(planes_at(node, r->at.far[a]), f4_load_16(r->far_org[a]));
         near = f4_max(f4_mul(n, rdir), near);
         far = f4_min(f4_mul(f, rdir), far);
     }
@@ -69,111 +73,145 @@ static inline void test_children(const unsigned char *node, const plt_wave_ray *
 }
 
 /* Children that are met go onto the stack, the nearest on top, and it is taken off again. */
-static inline uint32_t push(const unsigned char *node, plt_wave_ray *r,
-                            const plt_wave_visited *from) {
-    const uint32_t *link = ((const plt_bvh4_node *)(const void *)node)->link;
-    const uint32_t top = r->top, left = plt_ones[from->met] - 1u;
-    entry *stack = stack_of(r) + top;
-    f4_store_pairs(stack, plt_descending_rows[from->row], u4_load(link), f4_load(from->at));
-    r->top = top + left;
-    return stack[(int32_t)left][0];
+static inline uint32_t push(plt_wave_ray *r, const plt_wave_found *from) {
+    const plt_child_order *order = &plt_child_orders;
+    const ptrdiff_t left = order->ones_less_one[from->met];
+    const uint32_t *link = plt_bvh4_node_at(r->next)->link;
+    entry *stack = r->top;
+    f4_store_pairs(stack, order->descending[from->row], u4_load(link), f4_load(from->at));
+    r->top = stack + left;
+    return stack[left][0];
 }
 
 /* First all tests, then all that follows from them: a machine that looks only so many
  * instructions ahead has more rays in view of half a step than of a whole one. */
 PLT_WAVE_LOOP static void visit_all(run *shared) {
     run k = *shared; /* so that counts stay in registers */
-    unsigned char *const first = k.w->first;
-    plt_wave_visited *const visited = k.w->visited;
-    const size_t count = k.on[PLT_WAVE_VISIT];
+    plt_wave_ray **const list = k.on.list[PLT_WAVE_VISIT];
+    const size_t count = k.on.on[PLT_WAVE_VISIT];
     for (size_t i = 0; i < count; i++) {
-        const plt_wave_ray *r =
-            (const plt_wave_ray *)(const void *)(first + k.w->list[PLT_WAVE_VISIT][i]);
-        test_children(plt_bvh4_at(k.nodes, r->link), r, &visited[i]);
+        const plt_wave_ray *r = list[i];
+        test_children(plt_bvh4_node_at(r->next), r, &k.found[i]);
     }
-    k.on[PLT_WAVE_VISIT] = 0;
+    k.on.on[PLT_WAVE_VISIT] = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
-        plt_wave_ray *r = (plt_wave_ray *)(void *)(first + place);
-        enlist(&k, r, place, push(plt_bvh4_at(k.nodes, r->link), r, &visited[i]));
+        plt_wave_ray *r = list[i];
+        enlist(&k, r, push(r, &k.found[i]));
     }
     *shared = k;
 }
 
 /* Drops what lies behind the new hit. */
 static inline void cull(plt_wave_ray *r) {
-    entry *stack = stack_of(r);
     const float tmax = r->tmax[0];
-    uint32_t kept = 1;
-    for (uint32_t i = 1; i < r->top; i++) {
+    entry *kept = stack_of(r) + 1;
+    for (entry *at = kept; at < (entry *)r->top; at++) {
         float t;
-        memcpy(&t, &stack[i][1], sizeof t);
-        memcpy(stack[kept], stack[i], sizeof stack[kept]);
+        memcpy(&t, &(*at)[1], sizeof t);
+        memcpy(kept, at, sizeof *kept);
         kept += t <= tmax;
     }
     r->top = kept;
 }
 
-/* The block behind it, or what waits on top of the stack. */
-static inline uint32_t after_block(plt_wave_ray *r) {
-    const uint32_t more = 0u - ((r->link >> PLT_BVH4_MORE_SHIFT & PLT_BVH4_MORE_MOST) != 0);
-    const uint32_t following = r->link + PLT_BVH4_BLOCK_GRAINS - (1u << PLT_BVH4_MORE_SHIFT);
-    r->top -= 1u + more;
-    return (following & more) | (stack_of(r)[r->top][0] & ~more);
+/* Goes on to the block behind it, or to what waits on top of the stack. */
+static inline void leave_block(run *k, plt_wave_ray *r) {
+    const uint32_t one = 1u << PLT_BVH4_MORE_SHIFT;
+    const uint32_t link = (uint32_t)(r->next - (uintptr_t)k->nodes);
+    const uint32_t more = 0u - ((link & PLT_BVH4_MORE_MOST * one) != 0);
+    const uint32_t following = link + (uint32_t)sizeof(plt_bvh4_block) - one;
+    entry *top = (entry *)r->top - 1;
+    const uint32_t waits = (*top)[0];
+    r->top = top - (int32_t)more;
+    enlist(k, r, (following & more) | (waits & ~more));
 }
 
-static void test_all(run *k, const plt_wave_job *job) {
-    const size_t count = k->on[PLT_WAVE_TEST];
-    k->on[PLT_WAVE_TEST] = 0;
+/* Rays at triangles that they may meet, at the end of the list of those that are done. */
+PLT_WAVE_LOOP static size_t test_edges(const run *k, plt_wave_ray **met, size_t count) {
+    plt_wave_ray **const list = k->on.list[PLT_WAVE_TEST];
+    plt_wave_found *const found = k->found;
+    size_t meet = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k->w->list[PLT_WAVE_TEST][i];
-        plt_wave_ray *r = plt_wave_at(k->w, place);
-        const plt_bvh4_block *b =
-            (const plt_bvh4_block *)(const void *)plt_bvh4_at(k->nodes, r->link);
-        if (plt_ray_block(r, b, job->rays, job->any)) {
+        plt_wave_ray *r = list[i];
+        block_edges e;
+        const unsigned may = plt_block_edges(r, plt_bvh4_block_at(r->next), &e);
+        met[meet] = r;
+        found[meet].met = may;
+        meet += may != 0;
+    }
+    return meet;
+}
+
+/* Of those, the ones that may have a nearer hit there. */
+static inline size_t test_distances(run *k, plt_wave_ray **met, size_t count) {
+    size_t nearer = 0;
+    for (size_t i = 0; i < count; i++) {
+        plt_wave_ray *r = met[i];
+        const unsigned may = plt_block_may_be_nearer(r, plt_bvh4_block_at(r->next));
+        met[nearer] = r;
+        k->found[nearer].met = may & k->found[i].met;
+        nearer += k->found[nearer].met != 0;
+    }
+    return nearer;
+}
+
+/* A pass for each question, over the rays that the one before left, instead of branches. */
+static void test_all(run *k, const plt_wave_job *job) {
+    const size_t count = k->on.on[PLT_WAVE_TEST];
+    plt_wave_ray **const met = k->on.list[PLT_WAVE_DONE] + k->on.on[PLT_WAVE_DONE];
+    const size_t nearer = test_distances(k, met, test_edges(k, met, count));
+    for (size_t i = 0; i < nearer; i++) {
+        plt_wave_ray *r = met[i];
+        const plt_bvh4_block *b = plt_bvh4_block_at(r->next);
+        if (plt_block_hits(r, b, job, k->found[i].met)) {
             cull(r);
         }
-        enlist(k, r, place, after_block(r));
+    }
+    k->on.on[PLT_WAVE_TEST] = 0;
+    for (size_t i = 0; i < count; i++) {
+        plt_wave_ray *r = k->on.list[PLT_WAVE_TEST][i];
+        leave_block(k, r);
     }
 }
 
 /* The next ray, where one is done. */
-static int take(run *k, plt_wave_job *job, uint32_t place, uint32_t root) {
-    plt_wave_ray *r = plt_wave_at(k->w, place);
+static int take(run *k, plt_wave_job *job, plt_wave_ray *r, uint32_t root) {
     const entry none = {PLT_BVH4_NONE, 0xFF800000u}; /* -infinity */
     if (!plt_wave_take(job, r)) {
         return 0;
     }
     memcpy(stack_of(r)[0], none, sizeof none);
-    r->top = 1;
-    enlist(k, r, place, root);
+    r->top = &stack_of(r)[1];
+    enlist(k, r, root);
     return 1;
 }
 
 static void take_all(run *k, plt_wave_job *job, uint32_t root) {
-    const size_t count = k->on[PLT_WAVE_DONE];
-    k->on[PLT_WAVE_DONE] = 0;
+    const size_t count = k->on.on[PLT_WAVE_DONE];
+    k->on.on[PLT_WAVE_DONE] = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k->w->list[PLT_WAVE_DONE][i];
-        plt_wave_write(job, plt_wave_at(k->w, place));
-        take(k, job, place, root);
+        take(k, job, k->on.list[PLT_WAVE_DONE][i], root);
     }
 }
 
 void plt_wave_bvh4(plt_wave_job *job) {
     plt_traversal *t = job->traversal;
+    const plt_wave *w = job->wave;
     const plt_bvh4 *tree = t->scene->bvh4;
-    run k = {job->wave, tree->nodes, {0, 0, 0}};
-    for (uint32_t i = 0; i < k.w->rays_in_flight; i++) {
-        if (!take(&k, job, i * k.w->ray_bytes, tree->root)) {
+    run k = {tree->nodes, w->found, plt_wave_no_lists(w)};
+    for (uint32_t i = 0; i < w->rays_in_flight; i++) {
+        if (!take(&k, job, plt_wave_slot(w, i), tree->root)) {
             break;
         }
     }
-    while (k.on[PLT_WAVE_VISIT] + k.on[PLT_WAVE_TEST] + k.on[PLT_WAVE_DONE] > 0) {
-        t->stats.node_visits += k.on[PLT_WAVE_VISIT];
-        t->stats.group_tests += k.on[PLT_WAVE_VISIT];
-        visit_all(&k);
-        t->stats.triangle_tests += k.on[PLT_WAVE_TEST];
+    while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] > 0) {
+        for (int i = 0; i < VISITS_IN_A_ROW; i++) {
+            t->stats.node_visits += k.on.on[PLT_WAVE_VISIT];
+            t->stats.group_tests += k.on.on[PLT_WAVE_VISIT];
+            visit_all(&k);
+        }
+        plt_wave_part(&k.on, plt_bvh4_at(k.nodes, PLT_BVH4_NONE));
+        t->stats.triangle_tests += k.on.on[PLT_WAVE_TEST];
         test_all(&k, job);
         take_all(&k, job, tree->root);
     }

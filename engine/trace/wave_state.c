@@ -6,6 +6,23 @@
 #include "engine/trace/coherence.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/triangle_common.h"
+
+/* By signs of a direction, bit 0 for x, plus 8 * the axis of its largest component. */
+static const plt_wave_offsets offsets[24] = {
+    {{0, 32, 64}, {16, 48, 80}, {4, 8, 0}}, {{16, 32, 64}, {0, 48, 80}, {4, 8, 0}},
+    {{0, 48, 64}, {16, 32, 80}, {4, 8, 0}}, {{16, 48, 64}, {0, 32, 80}, {4, 8, 0}},
+    {{0, 32, 80}, {16, 48, 64}, {4, 8, 0}}, {{16, 32, 80}, {0, 48, 64}, {4, 8, 0}},
+    {{0, 48, 80}, {16, 32, 64}, {4, 8, 0}}, {{16, 48, 80}, {0, 32, 64}, {4, 8, 0}},
+    {{0, 32, 64}, {16, 48, 80}, {8, 0, 4}}, {{16, 32, 64}, {0, 48, 80}, {8, 0, 4}},
+    {{0, 48, 64}, {16, 32, 80}, {8, 0, 4}}, {{16, 48, 64}, {0, 32, 80}, {8, 0, 4}},
+    {{0, 32, 80}, {16, 48, 64}, {8, 0, 4}}, {{16, 32, 80}, {0, 48, 64}, {8, 0, 4}},
+    {{0, 48, 80}, {16, 32, 64}, {8, 0, 4}}, {{16, 48, 80}, {0, 32, 64}, {8, 0, 4}},
+    {{0, 32, 64}, {16, 48, 80}, {0, 4, 8}}, {{16, 32, 64}, {0, 48, 80}, {0, 4, 8}},
+    {{0, 48, 64}, {16, 32, 80}, {0, 4, 8}}, {{16, 48, 64}, {0, 32, 80}, {0, 4, 8}},
+    {{0, 32, 80}, {16, 48, 64}, {0, 4, 8}}, {{16, 32, 80}, {0, 48, 64}, {0, 4, 8}},
+    {{0, 48, 80}, {16, 32, 64}, {0, 4, 8}}, {{16, 48, 80}, {0, 32, 64}, {0, 4, 8}},
+};
+
 /* Columns of four rays, a row for each. */
 static void store_rows(f4 a, f4 b, f4 c, f4 d, float to[4][4]) {
     f4 row[4] = {a, b, c, d};
@@ -15,20 +32,24 @@ static void store_rows(f4 a, f4 b, f4 c, f4 d, float to[4][4]) {
     }
 }
 
-/* The rays' numbers in their own axes. */
-static void stage_own_axes(plt_wave_staged *to, const plt_group_rays *g) {
+/* The largest components of dir. */
+static f4 along_of(const plt_group_rays *g) {
     const m4 is_x = m4_bits(g->axis_lanes[0]), is_y = m4_bits(g->axis_lanes[1]);
-    f4 org[3], dir[3], own[3];
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        org[a] = f4_load(g->org[a]);
-        dir[a] = f4_load(g->dir[a]);
+    const f4 x = f4_load(g->dir[0]), y = f4_load(g->dir[1]), z = f4_load(g->dir[2]);
+    return f4_select(is_x, x, f4_select(is_y, y, z));
+}
+
+static void stage_offsets(plt_wave_staged *to, const plt_group_slabs *s, const plt_group_rays *g) {
+    unsigned negative[3];
+    for (int a = 0; a < 3; a++) {
+        negative[a] = m4_mask(f4_lt(f4_load(s->rdir[a]), f4_zero()));
     }
-    PLT_UNROLLED for (int i = 0; i < 3; i++) {
-        const int x = plt_axis_after[i], y = plt_axis_after[x];
-        own[i] = f4_select(is_x, org[x], f4_select(is_y, org[y], org[i]));
+    for (unsigned i = 0; i < 4; i++) {
+        const unsigned signs =
+            (negative[0] >> i & 1u) | (negative[1] >> i & 1u) << 1 | (negative[2] >> i & 1u) << 2;
+        const unsigned y = g->axis_lanes[1] >> i & 1u, z = g->axis_lanes[2] >> i & 1u;
+        to->offsets[i] = (uint8_t)(signs + 8 * y + 16 * z);
     }
-    f4_store(to->along, f4_select(is_x, dir[0], f4_select(is_y, dir[1], dir[2])));
-    store_rows(own[0], own[1], own[2], f4_load(g->reach), to->own);
 }
 
 /* Sets four rays up; lanes without one, and rays that hit nothing, are not valid. */
@@ -44,36 +65,27 @@ static void stage(plt_wave_job *job) {
     if (g->valid == 0) {
         return;
     }
-    stage_own_axes(to, g);
-    store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), f4_load(g->least_slack),
-               f4_mul(f4_load(g->reach), f4_all(72.0f * PLT_U)), to->shear);
-    for (int a = 0; a < 3; a++) {
-        to->negative[a] = (uint8_t)m4_mask(f4_lt(f4_load(s->rdir[a]), f4_zero()));
-    }
+    store_rows(f4_load(g->org[0]), f4_load(g->org[1]), f4_load(g->org[2]), f4_load(g->reach),
+               to->org);
+    store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), f4_load(g->least_slack), along_of(g),
+               to->shear);
+    stage_offsets(to, s, g);
 }
 
 /* A ray out of its lane. */
 static void set_ray(plt_wave_ray *r, const plt_wave_job *job, unsigned lane) {
     const plt_wave_staged *from = &job->wave->staged;
     const plt_group_slabs *s = &job->packet->slabs.group[0];
-    const plt_group_rays *g = &job->packet->rays[0];
-    unsigned z = (g->axis_lanes[2] >> lane & 1u) != 0 ? 2u : g->axis_lanes[1] >> lane & 1u;
     PLT_UNROLLED for (unsigned a = 0; a < 3; a++) {
         f4_store(r->near_org[a], f4_all(s->near_org[a][lane]));
         f4_store(r->far_org[a], f4_all(s->far_org[a][lane]));
         f4_store(r->rdir[a], f4_all(s->rdir[a][lane]));
-        r->near[a] = (uint8_t)(32 * a + 16 * (from->negative[a] >> lane & 1u));
-        r->far[a] = r->near[a] ^ 16u;
-        z = plt_axis_after[z];
-        r->axis[a] = (uint8_t)(16 * z);
     }
     f4_store(r->tmin, f4_all(s->tmin[lane]));
     f4_store(r->tmax, f4_all(s->tmax[lane]));
-    f4_store(r->org, f4_load(from->own[lane]));
+    f4_store(r->org, f4_load(from->org[lane]));
     f4_store(r->slope, f4_load(from->shear[lane]));
-    r->along = from->along[lane];
-    r->id = PLT_MISS;
-    r->u = r->v = 0.0f;
+    r->at = offsets[from->offsets[lane]];
 }
 
 /* Asks for the rays that come PLT_WAVE_AHEAD later: four take two lines. */
@@ -118,14 +130,14 @@ int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
             ask_ahead(job);
             stage(job);
         }
+        const plt_hit miss = {0.0f, 0.0f, 0.0f, job->any ? 0 : PLT_MISS};
         const uint32_t number = job->next++;
+        job->hits[number] = miss;
         if (job->wave->staged.valid >> lane & 1u) {
             set_ray(to, job, lane);
             to->number = number;
             return 1;
         }
-        const plt_hit miss = {0.0f, 0.0f, 0.0f, job->any ? 0 : PLT_MISS};
-        job->hits[number] = miss;
     }
 }
 
@@ -138,13 +150,27 @@ static uint32_t ray_bytes(int wide, uint32_t depth) {
     return (uint32_t)rounded(sizeof(plt_wave_ray) + plt_wave_stack_bytes(wide, depth));
 }
 
+/* Bytes of a wave without its rays. */
+static size_t lists_bytes(unsigned rays_in_flight) {
+    return rounded(sizeof(plt_wave)) +
+           rounded(rays_in_flight *
+                   (sizeof(plt_wave_found) + PLT_WAVE_STEPS * sizeof(plt_wave_ray *)));
+}
+
 uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth) {
-    return rounded(sizeof(plt_wave)) + (uint64_t)rays_in_flight * ray_bytes(wide, depth);
+    return lists_bytes(rays_in_flight) + (uint64_t)rays_in_flight * ray_bytes(wide, depth);
 }
 
 void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t depth) {
     plt_wave *w = memory;
-    w->first = (unsigned char *)memory + rounded(sizeof(plt_wave));
+    unsigned char *at = (unsigned char *)memory + rounded(sizeof(plt_wave));
     w->rays_in_flight = rays_in_flight;
     w->ray_bytes = ray_bytes(wide, depth);
+    w->found = (plt_wave_found *)(void *)at;
+    at += rays_in_flight * sizeof *w->found;
+    for (int i = 0; i < PLT_WAVE_STEPS; i++) {
+        w->list[i] = (plt_wave_ray **)(void *)at;
+        at += rays_in_flight * sizeof *w->list[i];
+    }
+    w->first = (unsigned char *)memory + lists_bytes(rays_in_flight);
 }

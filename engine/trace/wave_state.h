@@ -32,28 +32,28 @@ enum { PLT_WAVE_AHEAD = 16 }; /* rays are asked for so many before they are take
 
 /* What four rays that are set up together have not in common with their lanes. */
 typedef struct plt_wave_staged {
-    float own[4][4];   /* [lane] org and reach, in own axes */
-    float shear[4][4]; /* slopes and slacks */
-    float along[4];
-    uint8_t negative[3]; /* lanes, per axis */
-    uint8_t valid;       /* lanes of rays that can hit anything */
+    float org[4][4];    /* [lane] org and reach */
+    float shear[4][4];  /* slopes, slack, component of dir along which they are sheared */
+    uint8_t offsets[4]; /* [lane] signs of dir, a bit per axis, and 8 * the own last axis */
+    uint8_t valid;      /* lanes of rays that can hit anything */
+    uint8_t pad[3];
 } plt_wave_staged;
 
-/* What a visit of a node found, until it is acted on. */
-typedef struct plt_wave_visited {
+/* What was found in one half of a step, until the other acts on it. */
+typedef struct plt_wave_found {
     float at[4];  /* wide form: where children are entered; thesis: also minus where left */
-    uint32_t met; /* children, a bit each */
-    uint32_t row; /* by which they are sorted */
-    uint32_t pad[2];
-} plt_wave_visited;
+    uint32_t met; /* children or triangles, a bit each */
+    uint32_t row; /* of children, by which they are sorted */
+} plt_wave_found;
 
+/* Arrays of rays_in_flight each lie behind it, and the rays behind those. */
 typedef struct plt_wave {
-    plt_wave_visited visited[PLT_WAVE_MOST]; /* as on the list of visits */
     plt_wave_staged staged;
-    uint32_t ray_bytes; /* of a ray in flight and its stack */
+    plt_wave_ray **list[PLT_WAVE_STEPS];
+    plt_wave_found *found; /* as on the list that is worked off */
+    unsigned char *first;  /* ray in flight */
+    uint32_t ray_bytes;    /* of a ray in flight and its stack */
     uint32_t rays_in_flight;
-    unsigned char *first;                         /* ray in flight */
-    uint32_t list[PLT_WAVE_STEPS][PLT_WAVE_MOST]; /* bytes from `first` to the ray */
 } plt_wave;
 
 /* One call's rays. */
@@ -71,20 +71,45 @@ typedef struct plt_wave_job {
     int status; /* of packets */
 } plt_wave_job;
 
-static inline plt_wave_ray *plt_wave_at(const plt_wave *w, uint32_t place) {
-    return (plt_wave_ray *)(void *)(w->first + place);
+/* The lists, and how many rays are on each: a copy, so that counts stay in registers. */
+typedef struct plt_wave_lists {
+    plt_wave_ray **list[PLT_WAVE_STEPS];
+    size_t on[PLT_WAVE_STEPS];
+} plt_wave_lists;
+
+static inline plt_wave_lists plt_wave_no_lists(const plt_wave *w) {
+    const plt_wave_lists none = {{w->list[0], w->list[1], w->list[2]}, {0, 0, 0}};
+    return none;
 }
 
-/* Puts a ray on the list of what is next for it, without a branch: it is written to all, and one
- * grows. `on`: how many are on each; is_done is 0 unless is_leaf is 1. */
-static inline void plt_wave_enlist(plt_wave *w, size_t on[PLT_WAVE_STEPS], uint32_t place,
-                                   size_t is_leaf, size_t is_done) {
-    w->list[PLT_WAVE_VISIT][on[PLT_WAVE_VISIT]] = place;
-    on[PLT_WAVE_VISIT] += 1 - is_leaf;
-    w->list[PLT_WAVE_TEST][on[PLT_WAVE_TEST]] = place;
-    on[PLT_WAVE_TEST] += is_leaf - is_done;
-    w->list[PLT_WAVE_DONE][on[PLT_WAVE_DONE]] = place;
-    on[PLT_WAVE_DONE] += is_done;
+/* Puts a ray on the list of what is next for it, without a branch: it is written to both, and
+ * one grows. Rays that are done have a leaf for next until they are parted. */
+static inline void plt_wave_enlist(plt_wave_lists *l, plt_wave_ray *r, size_t is_leaf) {
+    l->list[PLT_WAVE_VISIT][l->on[PLT_WAVE_VISIT]] = r;
+    l->list[PLT_WAVE_TEST][l->on[PLT_WAVE_TEST]] = r;
+    l->on[PLT_WAVE_VISIT] = l->on[PLT_WAVE_VISIT] - is_leaf + 1;
+    l->on[PLT_WAVE_TEST] += is_leaf;
+}
+
+/* Parts rays that are done, whose `next` is `end`, from those that have triangles to test. */
+static inline void plt_wave_part(plt_wave_lists *l, uintptr_t end) {
+    plt_wave_ray **const test = l->list[PLT_WAVE_TEST], **const done = l->list[PLT_WAVE_DONE];
+    const size_t count = l->on[PLT_WAVE_TEST];
+    size_t tests = 0, ends = 0;
+    for (size_t i = 0; i < count; i++) {
+        plt_wave_ray *r = test[i];
+        const size_t is_done = r->next == end;
+        test[tests] = r;
+        done[ends] = r;
+        tests += is_done ^ 1;
+        ends += is_done;
+    }
+    l->on[PLT_WAVE_TEST] = tests;
+    l->on[PLT_WAVE_DONE] = ends;
+}
+
+static inline plt_wave_ray *plt_wave_slot(const plt_wave *w, uint32_t index) {
+    return (plt_wave_ray *)(void *)(w->first + (size_t)index * w->ray_bytes);
 }
 
 /* What a ray over thesis nodes takes beside plt_wave_ray. */
@@ -97,15 +122,5 @@ static inline uint32_t plt_wave_stack_bytes(int wide, uint32_t depth) {
 
 /* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to);
-
-/* Writes a ray's hit to its place. */
-static inline void plt_wave_write(const plt_wave_job *job, const plt_wave_ray *r) {
-    const int found = r->id != PLT_MISS, wanted = found && !job->any;
-    plt_hit *hit = &job->hits[r->number];
-    hit->t = wanted ? r->tmax[0] : 0.0f;
-    hit->u = wanted ? r->u : 0.0f;
-    hit->v = wanted ? r->v : 0.0f;
-    hit->triangle = job->any ? (uint32_t)found : r->id;
-}
 
 #endif

@@ -42,7 +42,7 @@ typedef struct thesis_ray {
 
 _Static_assert(sizeof(thesis_ray) == sizeof(plt_wave_ray) + PLT_WAVE_THESIS_BYTES &&
                    sizeof(entry) == 16,
-               "what plt_wave_ray_bytes counts with");
+               "what plt_wave_stack_bytes counts with");
 
 /* What min leaves of planes x y z for the left child, by three owner bits: those of the right
  * child become -infinity. */
@@ -58,10 +58,10 @@ static const uint8_t place_of_left[8] = {0, 0, 1, 0, 0, 0, 1, 1};
 static const uint8_t ones[4] = {0, 1, 1, 2};
 
 typedef struct run {
-    plt_wave *w;
     const plt_tree *tree;
     const unsigned char *base[2]; /* of nodes, of records */
-    size_t on[PLT_WAVE_STEPS];    /* how many are on each list */
+    plt_wave_found *found;
+    plt_wave_lists on;
 } run;
 
 static const uint32_t bytes_of[2] = {PLT_NODE_BYTES, PLT_RECORD_BYTES};
@@ -70,15 +70,18 @@ static inline entry *stack_of(thesis_ray *r) {
     return (entry *)(void *)(r + 1);
 }
 
-static inline thesis_ray *ray_at(const plt_wave *w, uint32_t place) {
-    return (thesis_ray *)(void *)plt_wave_at(w, place);
+static inline thesis_ray *whole(plt_wave_ray *r) {
+    return (thesis_ray *)(void *)r;
+}
+
+static inline uint32_t link_of(const thesis_ray *r) {
+    return (uint32_t)r->ray.next;
 }
 
 /* Takes the top of the stack, puts the ray on the list of what that is, and asks for it: a
  * node's line, or those of four records. */
-static inline void go_on(run *k, thesis_ray *r, uint32_t place) {
-    const uint32_t top = --r->ray.top;
-    const entry *e = &stack_of(r)[top];
+static inline void go_on(run *k, thesis_ray *r) {
+    const entry *e = (const entry *)r->ray.top - 1;
     const uint32_t link = e->link;
     const size_t is_leaf = link & PLT_LINK_LEAF, is_done = link == PLT_LINK_NONE;
     const size_t index = plt_link_index(link) & (is_done - 1);
@@ -86,10 +89,11 @@ static inline void go_on(run *k, thesis_ray *r, uint32_t place) {
     plt_prefetch(at);
     plt_prefetch(at + 64 * is_leaf);
     plt_prefetch(at + 128 * is_leaf);
-    r->ray.link = link;
+    r->ray.next = link;
+    r->ray.top = (entry *)r->ray.top - 1;
     r->interval[0] = r->interval[1] = e->enter;
     r->interval[2] = r->interval[3] = e->minus_leave;
-    plt_wave_enlist(k->w, k->on, place, is_leaf, is_done);
+    plt_wave_enlist(&k->on, &r->ray, is_leaf);
 }
 
 /* ---- nodes ---------------------------------------------------------------------- */
@@ -126,7 +130,7 @@ static inline f4 intervals(const plt_node *node, const thesis_ray *r) {
 }
 
 /* Where the ray enters both children and minus where it leaves them, and which are met. */
-static inline void test_children(const plt_node *node, const thesis_ray *r, plt_wave_visited *to) {
+static inline void test_children(const plt_node *node, const thesis_ray *r, plt_wave_found *to) {
     const f4 at = intervals(node, r);
     const f4 leave = f4_neg(f4_rotate(f4_rotate(at)));
     const unsigned order = m4_mask(f4_lt(at, f4_rotate(at))) & 1u;
@@ -136,36 +140,33 @@ static inline void test_children(const plt_node *node, const thesis_ray *r, plt_
 }
 
 /* Children that are met go onto the stack, the nearer one on top. */
-static inline void push(const plt_node *node, thesis_ray *r, const plt_wave_visited *from) {
+static inline void push(const plt_node *node, thesis_ray *r, const plt_wave_found *from) {
     const uint32_t left = place_of_left[from->row];
-    entry *stack = stack_of(r) + r->ray.top;
+    entry *stack = r->ray.top;
     stack[left].enter = from->at[0];
     stack[left].minus_leave = from->at[2];
     stack[left].link = plt_node_link(node, 0);
     stack[left ^ 1u].enter = from->at[1];
     stack[left ^ 1u].minus_leave = from->at[3];
     stack[left ^ 1u].link = plt_node_link(node, 1);
-    r->ray.top += ones[from->met];
+    r->ray.top = stack + ones[from->met];
 }
 
 /* In two halves, as in wave_bvh4.c. */
 PLT_WAVE_LOOP static void visit_all(run *shared) {
     run k = *shared; /* so that counts stay in registers */
-    unsigned char *const first = k.w->first;
-    plt_wave_visited *const visited = k.w->visited;
+    plt_wave_ray **const list = k.on.list[PLT_WAVE_VISIT];
     const plt_node *const nodes = k.tree->nodes;
-    const size_t count = k.on[PLT_WAVE_VISIT];
+    const size_t count = k.on.on[PLT_WAVE_VISIT];
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
-        const thesis_ray *r = (const thesis_ray *)(const void *)(first + place);
-        test_children(&nodes[plt_link_index(r->ray.link)], r, &visited[i]);
+        const thesis_ray *r = whole(list[i]);
+        test_children(&nodes[plt_link_index(link_of(r))], r, &k.found[i]);
     }
-    k.on[PLT_WAVE_VISIT] = 0;
+    k.on.on[PLT_WAVE_VISIT] = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k.w->list[PLT_WAVE_VISIT][i];
-        thesis_ray *r = (thesis_ray *)(void *)(first + place);
-        push(&nodes[plt_link_index(r->ray.link)], r, &visited[i]);
-        go_on(&k, r, place);
+        thesis_ray *r = whole(list[i]);
+        push(&nodes[plt_link_index(link_of(r))], r, &k.found[i]);
+        go_on(&k, r);
     }
     *shared = k;
 }
@@ -217,10 +218,10 @@ static inline unsigned load_records(const plt_record *record, uint32_t *lists, p
 static inline void cull(thesis_ray *r) {
     entry *stack = stack_of(r);
     const float tmax = r->ray.tmax[0];
-    uint32_t kept = 1;
-    for (uint32_t i = 1; i < r->ray.top; i++) {
-        const entry e = stack[i];
-        stack[kept] = e;
+    entry *kept = stack + 1;
+    for (const entry *at = kept; at < (const entry *)r->ray.top; at++) {
+        const entry e = *at;
+        *kept = e;
         kept += e.enter <= tmax;
     }
     r->ray.top = kept;
@@ -230,11 +231,11 @@ static inline void cull(thesis_ray *r) {
 /* Tests all records of a leaf; returns how many blocks they were. */
 static uint32_t test_leaf(const run *k, thesis_ray *r, const plt_wave_job *job) {
     _Alignas(16) plt_bvh4_block b;
-    const plt_record *record = &k->tree->records[plt_link_index(r->ray.link)];
-    uint32_t lists = plt_link_lists(r->ray.link), blocks = 0;
+    const plt_record *record = &k->tree->records[plt_link_index(link_of(r))];
+    uint32_t lists = plt_link_lists(link_of(r)), blocks = 0;
     for (; lists > 0; blocks++) {
         record += load_records(record, &lists, &b);
-        if (plt_ray_block(&r->ray, &b, job->rays, job->any)) {
+        if (plt_ray_block(&r->ray, &b, job)) {
             cull(r);
         }
     }
@@ -242,13 +243,12 @@ static uint32_t test_leaf(const run *k, thesis_ray *r, const plt_wave_job *job) 
 }
 
 static void test_all(run *k, const plt_wave_job *job) {
-    const size_t count = k->on[PLT_WAVE_TEST];
-    k->on[PLT_WAVE_TEST] = 0;
+    const size_t count = k->on.on[PLT_WAVE_TEST];
+    k->on.on[PLT_WAVE_TEST] = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k->w->list[PLT_WAVE_TEST][i];
-        thesis_ray *r = ray_at(k->w, place);
+        thesis_ray *r = whole(k->on.list[PLT_WAVE_TEST][i]);
         job->traversal->stats.triangle_tests += test_leaf(k, r, job);
-        go_on(k, r, place);
+        go_on(k, r);
     }
 }
 
@@ -281,8 +281,7 @@ static entry root_entry(const thesis_ray *r, const plt_box *box, uint32_t link) 
 }
 
 /* The next ray, where one is done. */
-static int take(run *k, plt_wave_job *job, uint32_t place) {
-    thesis_ray *r = ray_at(k->w, place);
+static int take(run *k, plt_wave_job *job, thesis_ray *r) {
     const entry end = {-ENDLESS, -ENDLESS, PLT_LINK_NONE, 0};
     if (!plt_wave_take(job, &r->ray)) {
         return 0;
@@ -290,36 +289,36 @@ static int take(run *k, plt_wave_job *job, uint32_t place) {
     set_axes(r);
     stack_of(r)[0] = end;
     stack_of(r)[1] = root_entry(r, &job->traversal->scene->box, k->tree->root);
-    r->ray.top = 2;
-    go_on(k, r, place);
+    r->ray.top = &stack_of(r)[2];
+    go_on(k, r);
     return 1;
 }
 
 static void take_all(run *k, plt_wave_job *job) {
-    const size_t count = k->on[PLT_WAVE_DONE];
-    k->on[PLT_WAVE_DONE] = 0;
+    const size_t count = k->on.on[PLT_WAVE_DONE];
+    k->on.on[PLT_WAVE_DONE] = 0;
     for (size_t i = 0; i < count; i++) {
-        const uint32_t place = k->w->list[PLT_WAVE_DONE][i];
-        plt_wave_write(job, plt_wave_at(k->w, place));
-        take(k, job, place);
+        take(k, job, whole(k->on.list[PLT_WAVE_DONE][i]));
     }
 }
 
 void plt_wave_thesis(plt_wave_job *job) {
     const plt_tree *tree = &job->traversal->scene->thesis;
-    run k = {job->wave,
-             tree,
+    const plt_wave *w = job->wave;
+    run k = {tree,
              {(const unsigned char *)tree->nodes, (const unsigned char *)tree->records},
-             {0, 0, 0}};
-    for (uint32_t i = 0; i < k.w->rays_in_flight; i++) {
-        if (!take(&k, job, i * k.w->ray_bytes)) {
+             w->found,
+             plt_wave_no_lists(w)};
+    for (uint32_t i = 0; i < w->rays_in_flight; i++) {
+        if (!take(&k, job, whole(plt_wave_slot(w, i)))) {
             break;
         }
     }
-    while (k.on[PLT_WAVE_VISIT] + k.on[PLT_WAVE_TEST] + k.on[PLT_WAVE_DONE] > 0) {
-        job->traversal->stats.node_visits += k.on[PLT_WAVE_VISIT];
-        job->traversal->stats.group_tests += k.on[PLT_WAVE_VISIT];
+    while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] > 0) {
+        job->traversal->stats.node_visits += k.on.on[PLT_WAVE_VISIT];
+        job->traversal->stats.group_tests += k.on.on[PLT_WAVE_VISIT];
         visit_all(&k);
+        plt_wave_part(&k.on, PLT_LINK_NONE);
         test_all(&k, job);
         take_all(&k, job);
     }

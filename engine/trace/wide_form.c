@@ -77,15 +77,14 @@ static plt_bvh4_node *nodes_of(void *memory) {
     return (plt_bvh4_node *)(void *)((unsigned char *)memory + header_bytes() + up);
 }
 
-/* A link as collapse.h makes it, with an index in bits 0 .. 26, leads to a place now. */
+/* A link as collapse.h makes it, with an index in place of the offset. */
 static uint32_t placed(uint32_t link, uint32_t nodes) {
+    const uint32_t node = sizeof(plt_bvh4_node), block = sizeof(plt_bvh4_block);
     if (link == PLT_COLLAPSE_NONE) {
         return PLT_BVH4_NONE;
     }
-    const uint32_t index = link & PLT_BVH4_PLACE;
-    return (link & PLT_BVH4_LEAF) == 0
-               ? index * PLT_BVH4_NODE_GRAINS
-               : link - index + nodes * PLT_BVH4_NODE_GRAINS + index * PLT_BVH4_BLOCK_GRAINS;
+    const uint32_t kind = link & PLT_BVH4_KIND, index = link / (PLT_BVH4_KIND + 1);
+    return kind | ((kind & PLT_BVH4_LEAF) == 0 ? index * node : nodes * node + index * block);
 }
 
 const plt_bvh4 *plt_wide_make(plt_traversal *t, void *memory, void *scratch, size_t *used_bytes) {

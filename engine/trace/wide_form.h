@@ -9,8 +9,8 @@
 #include "engine/trace/traversal.h"
 #include "engine/tree/bvh4.h"
 
-/* Links of the wide form reach 2 GiB; so many triangles take at most 265 bytes each. */
-#define PLT_WIDE_TRIANGLES_MOST 8000000u
+/* Links of the wide form reach 4 GiB; so many triangles take at most 281 bytes each. */
+#define PLT_WIDE_TRIANGLES_MOST 15000000u
 
 /* Most nodes and blocks that a tree of these counts collapses to, and most nodes on a path. */
 uint32_t plt_wide_nodes_bound(const plt_info *info);

@@ -16,15 +16,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A link says where a node or a leaf's first block is, in bits 0 .. 26, in steps of 16 bytes
- * from node 0 on. Bit 31: it is a leaf, and bits 27 .. 30 are how many blocks follow the
- * first. Node 0 is always there, so that PLT_BVH4_NONE has a valid address. */
-#define PLT_BVH4_LEAF 0x80000000u
+/* A link is how many bytes from node 0 on a node or a leaf's first block is; all lie at multiples
+ * of 64. Its lowest bits say which: bit 0, that it is a leaf, bits 1 .. 4, how many blocks follow
+ * the first. So a link to a node is an offset as it stands. Node 0 is always there, so that
+ * PLT_BVH4_NONE has a valid address. */
+#define PLT_BVH4_LEAF 1u
 #define PLT_BVH4_NONE PLT_BVH4_LEAF
-#define PLT_BVH4_GRAIN 16
-#define PLT_BVH4_PLACE 0x07FFFFFFu
-#define PLT_BVH4_MORE_SHIFT 27
+#define PLT_BVH4_MORE_SHIFT 1
 #define PLT_BVH4_MORE_MOST 15u
+#define PLT_BVH4_KIND 31u
 
 /* Two cache lines. Children that are not there have lo > hi on every axis, and
  * PLT_BVH4_NONE. */
@@ -35,22 +35,17 @@ typedef struct plt_bvh4_node {
 } plt_bvh4_node;
 
 /* Lanes without a triangle hold the first again, and -infinity as `longest`: no edge
- * function is within that. The first 160 bytes are read for every ray that gets here. */
+ * function is within that. */
 typedef struct plt_bvh4_block {
     float corner[3][3][4]; /* [corner][axis][triangle], in canonical order (record.h) */
     float longest[4];      /* the longest side of each one's box */
     uint32_t word[4];      /* of primitive_id.h */
+    uint32_t pad[4];       /* three cache lines, not two and three quarters anywhere */
 } plt_bvh4_block;
 
-enum { PLT_BVH4_BLOCK_HOT_BYTES = 160, PLT_BVH4_ALIGN = 64 };
+enum { PLT_BVH4_ALIGN = 64 };
 
-enum {
-    PLT_BVH4_NODE_GRAINS = sizeof(plt_bvh4_node) / PLT_BVH4_GRAIN,
-    PLT_BVH4_BLOCK_GRAINS = sizeof(plt_bvh4_block) / PLT_BVH4_GRAIN
-};
-
-_Static_assert(sizeof(plt_bvh4_node) == 128 && sizeof(plt_bvh4_block) == 176,
-               "both multiples of 16");
+_Static_assert(sizeof(plt_bvh4_node) == 128 && sizeof(plt_bvh4_block) == 192, "whole cache lines");
 
 typedef struct plt_bvh4 {
     const plt_bvh4_node *nodes;   /* at a multiple of PLT_BVH4_ALIGN */
@@ -60,9 +55,17 @@ typedef struct plt_bvh4 {
     uint32_t depth; /* most nodes on a path */
 } plt_bvh4;
 
-/* Where a link leads. */
-static inline const unsigned char *plt_bvh4_at(const plt_bvh4_node *nodes, uint32_t link) {
-    return (const unsigned char *)nodes + (size_t)(link & PLT_BVH4_PLACE) * PLT_BVH4_GRAIN;
+/* Where a link leads, its lowest bits kept. */
+static inline uintptr_t plt_bvh4_at(const plt_bvh4_node *nodes, uint32_t link) {
+    return (uintptr_t)nodes + link;
+}
+
+static inline const plt_bvh4_node *plt_bvh4_node_at(uintptr_t at) {
+    return (const plt_bvh4_node *)at;
+}
+
+static inline const plt_bvh4_block *plt_bvh4_block_at(uintptr_t at) {
+    return (const plt_bvh4_block *)(at & ~(uintptr_t)PLT_BVH4_KIND);
 }
 
 #endif

@@ -280,8 +280,7 @@ typedef struct tree_check {
 /* The blocks that `link` leads to: `path` are the boxes around them. */
 static void check_blocks(tree_check *w, uint32_t link, const plt_bvh4_node *const path[],
                          const int child[], uint32_t depth) {
-    const plt_bvh4_block *b =
-        (const plt_bvh4_block *)(const void *)plt_bvh4_at(w->tree->nodes, link);
+    const plt_bvh4_block *b = plt_bvh4_block_at(plt_bvh4_at(w->tree->nodes, link));
     const uint32_t more = link >> PLT_BVH4_MORE_SHIFT & PLT_BVH4_MORE_MOST;
     for (const plt_bvh4_block *last = b + more; b <= last; b++) {
         CHECK(b >= w->tree->blocks && b < w->tree->blocks + w->tree->blocks_count,
@@ -307,13 +306,13 @@ static void check_tree(tree_check *w) {
     const plt_bvh4_node *path[PLT_DEPTH_MAX + 32] = {NULL};
     int child[PLT_DEPTH_MAX + 32] = {0};
     uint32_t depth = 0;
-    if (w->tree->root >> 31) {
+    if (w->tree->root & PLT_BVH4_LEAF) {
         if (w->tree->root != PLT_BVH4_NONE) {
             check_blocks(w, w->tree->root, path, child, 0);
         }
         return;
     }
-    path[0] = (const plt_bvh4_node *)(const void *)plt_bvh4_at(w->tree->nodes, w->tree->root);
+    path[0] = plt_bvh4_node_at(plt_bvh4_at(w->tree->nodes, w->tree->root));
     child[0] = -1;
     for (depth = 1; depth > 0;) {
         w->depth = depth > w->depth ? depth : w->depth;
@@ -325,11 +324,11 @@ static void check_tree(tree_check *w) {
         if (link == PLT_BVH4_NONE) {
             continue;
         }
-        if (link >> 31) {
+        if (link & PLT_BVH4_LEAF) {
             check_blocks(w, link, path, child, depth);
             continue;
         }
-        path[depth] = (const plt_bvh4_node *)(const void *)plt_bvh4_at(w->tree->nodes, link);
+        path[depth] = plt_bvh4_node_at(plt_bvh4_at(w->tree->nodes, link));
         child[depth++] = -1;
     }
 }
@@ -664,8 +663,7 @@ static void too_large(void) {
         info.leaf_lists = info.triangles;
         without.wide = 0;
         const uint64_t bytes = plt_wide_bytes(&info);
-        CHECK(bytes < (uint64_t)PLT_BVH4_PLACE * PLT_BVH4_GRAIN, "%llu bytes",
-              (unsigned long long)bytes);
+        CHECK(bytes < 0x100000000u, "%llu bytes", (unsigned long long)bytes);
         CHECK(plt_arena_need(&info, 1, &with) > plt_arena_need(&info, 1, &without) + bytes / 2,
               "it has a wide form");
         info.triangles++;
@@ -678,7 +676,7 @@ static void every_order(void) {
     for (unsigned i = 0; i < 256; i++) {
         const float v[4] = {(float)(i & 3) - 1, (float)(i >> 2 & 3) - 1, (float)(i >> 4 & 3) - 1,
                             (float)(i >> 6) - 1};
-        const uint8_t *place = plt_descending_rows[plt_descending(f4_load(v))];
+        const uint8_t *place = plt_child_orders.descending[plt_descending(f4_load(v))];
         float sorted[4] = {NAN, NAN, NAN, NAN};
         for (unsigned lane = 0; lane < 4; lane++) {
             sorted[place[lane]] = v[lane];
@@ -687,7 +685,9 @@ static void every_order(void) {
               "%g %g %g %g", (double)v[0], (double)v[1], (double)v[2], (double)v[3]);
     }
     for (unsigned i = 0; i < 16; i++) {
-        CHECK(plt_ones[i] == (i & 1) + (i >> 1 & 1) + (i >> 2 & 1) + (i >> 3), "%u", i);
+        CHECK(plt_child_orders.ones_less_one[i] + 1 ==
+                  (int)((i & 1) + (i >> 1 & 1) + (i >> 2 & 1) + (i >> 3)),
+              "%u", i);
     }
 }
 
