@@ -61,7 +61,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-D
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
-    engine/scene/open*.c engine/scene/validate*.c engine/tree/*/validate*.c \
+    engine/base/between.c engine/scene/*.c engine/tree/*/validate*.c \
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \

@@ -1,6 +1,6 @@
 /* planelet_crc32 - the CRC-32 of ISO 3309 (as in zip and PNG), for images and the wire
  *
- * Bit-reversed polynomial 0xEDB88320. A table of 1 KB; 7 instructions per byte on a
+ * Bit-reversed polynomial 0xEDB88320. A table of 64 bytes; 7 instructions per byte on a
  * Cortex-M4. It needs nothing else of the engine.
  *
  * SPDX-License-Identifier: MIT */

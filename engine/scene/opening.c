@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/scene/opening.h"
 
+#include "engine/base/crc32_long.h"
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/image/fetch.h"
@@ -17,8 +18,18 @@ void *plt_opening_cut(const plt_opening *o, enum plt_part part) {
     return bytes > SIZE_MAX ? NULL : plt_arena_cut(o->arena, (size_t)bytes);
 }
 
+/* The scratch is that of others, later on: no arena needs to be larger for it. */
+static uint32_t crc_of(const plt_opening *o, const void *bytes, size_t count) {
+    const enum plt_part part = PLT_WITH_GROUPS ? PLT_PART_PACKET : PLT_PART_VALIDATION;
+    const size_t mark = o->arena->used;
+    uint32_t *scratch = plt_opening_cut(o, part);
+    plt_arena_release(o->arena, mark);
+    return plt_crc32_long(bytes, count, scratch,
+                          scratch != NULL ? (size_t)o->layout->bytes[part] / 4 : 0);
+}
+
 static int check_sum(const plt_opening *o, const plt_section *s, const void *bytes) {
-    return plt_crc32(0, bytes, s->bytes) == s->crc
+    return crc_of(o, bytes, s->bytes) == s->crc
                ? PLT_OK
                : plt_refused(o->fault, PLT_R13_SECTION_CRC, s->offset,
                              "a section is damaged (checksum)");

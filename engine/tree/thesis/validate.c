@@ -13,9 +13,11 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/thesis/validate.h"
 
+#include "engine/base/between.h"
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/image/header_at.h"
+#include "engine/lanes/unroll.h"
 
 static uint32_t larger(uint32_t a, uint32_t b) {
     return a > b ? a : b;
@@ -181,23 +183,28 @@ int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info
     return status;
 }
 
-static uint32_t plane_offset(const plt_header *header, uint32_t node, uint32_t plane) {
-    return plt_header_section(header, PLT_SECTION_NODES)->offset + node * PLT_NODE_BYTES +
-           4 * plane;
+/* Of the planes of a node the first that is neither in the box nor 0, or NULL. */
+static inline const uint32_t *outside(const plt_between box[3], const plt_node *node) {
+    PLT_UNROLLED for (uint32_t k = 0; k < 6; k += 3) {
+        PLT_UNROLLED for (uint32_t a = 0; a < 3; a++) {
+            const uint32_t *plane = &node->word[k + a];
+            if (!plt_is_between(&box[a], plane) && plt_get_float(plane) != 0.0f) {
+                return plane;
+            }
+        }
+    }
+    return NULL;
 }
 
 int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault) {
-    const plt_info *info = &header->info;
-    for (uint32_t i = 0; i < info->node_slots; i++) {
-        for (int k = 0; k < 6; k++) {
-            const float plane = plt_get_float(&nodes[i].word[k]);
-            const int axis = k % 3;
-            const int inside = /* false for NaN */
-                plane >= info->lo[axis] && plane <= info->hi[axis];
-            if (!inside && plane != 0.0f) {
-                return plt_broken(fault, PLT_I6_PLANES, plane_offset(header, i, (uint32_t)k),
-                                  "a plane lies outside the scene's box");
-            }
+    const uint32_t offset = plt_header_section(header, PLT_SECTION_NODES)->offset;
+    plt_between box[3];
+    plt_between_set(box, header->info.lo, header->info.hi);
+    for (const plt_node *node = nodes, *end = nodes + header->info.node_slots; node < end; node++) {
+        const uint32_t *plane = outside(box, node);
+        if (plane != NULL) {
+            return plt_broken(fault, PLT_I6_PLANES, offset + 4 * (uint32_t)(plane - nodes->word),
+                              "a plane lies outside the scene's box");
         }
     }
     return PLT_OK;
