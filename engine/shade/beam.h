@@ -2,8 +2,9 @@
  *
  * All rays start at the eye and their directions lie in one box, the beam. Nodes are tested
  * against the beam alone; a triangle is projected once, and only pixels that it may cover are
- * looked at, each by the exact test of one ray (trace/triangle_ray.h). So a pixel has the
- * hit that plt_trace would find, bit for bit.
+ * looked at. Where it surely covers one, and surely nearer than what is there, it is taken with a
+ * bound of its t; else the exact test of one ray (trace/triangle_ray.h) decides. So a pixel has the
+ * triangle that plt_trace would find, and plt_beam_settle gives its t, bit for bit.
  *
  * Invariant: what the beam leaves out no ray of it would have hit (DESIGN.md, section 7.7).
  *
@@ -16,11 +17,19 @@
 #include "engine/trace/triangle_ray.h"
 #include "engine/tree/record.h"
 
-/* The nearest hit of a pixel so far. 8 bytes. */
+/* The nearest hit of a pixel so far. 8 bytes. Its t is exact, or, with PLT_PIXEL_BOUND, no less
+ * than that and more by no more than PLT_PIXEL_SLACK of it. */
 typedef struct plt_pixel {
     float t;         /* PLT_VIEW_FAR: none */
     uint32_t record; /* PLT_MISS: none */
 } plt_pixel;
+
+#define PLT_PIXEL_BOUND 0x80000000u /* in `record`; indices have 27 bits */
+#define PLT_PIXEL_SLACK 0x1p-6f
+
+static inline uint32_t plt_pixel_record(const plt_pixel *p) {
+    return p->record & ~PLT_PIXEL_BOUND;
+}
 
 /* The least t at which some ray may enter a box, minus the greatest at which some may leave
  * it, and what the box leads to. 12 bytes. */
@@ -73,6 +82,9 @@ void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uin
 
 /* Works off stack entries, as plt_traverse. */
 int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits);
+
+/* Makes the t of a pixel that has a hit exact. */
+void plt_beam_settle(plt_beam *b, uint32_t x, uint32_t y);
 
 /* Whether no pixel has a hit. Then they may not have been set up at all. */
 static inline int plt_beam_is_empty(const plt_beam *b) {

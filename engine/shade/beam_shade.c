@@ -28,13 +28,13 @@ static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8
         down[a] = (float)(int32_t)(b->square.y + y) * b->view->down[a];
     }
     for (uint32_t x = 0, columns = b->columns; x < columns; x++, rgb += 3) {
-        const uint32_t record = row[x].record;
-        if (record == PLT_MISS) {
+        if (row[x].record == PLT_MISS) {
             rgb[0] = red;
             rgb[1] = green;
             rgb[2] = blue;
             continue;
         }
+        const uint32_t record = plt_pixel_record(&row[x]);
         if (record != s->record) {
             set_shaded(s, b->records, record);
         }

@@ -22,7 +22,9 @@
 
 #define DEPTH_LEAST 7.8886090522101181e-31f /* 2^-100: below, products may underflow */
 #define PLANE_LEAST 7.8886090522101181e-31f /* 2^-100: what underflow takes of a plane */
-#define ALMOST_ONE 0.9999f                  /* x + this, cut off, is at most ceil(x) */
+#define SLACK_MOST (0.49f * PLT_PIXEL_SLACK)
+#define NEARER (1.0f - PLT_PIXEL_SLACK)
+#define ALMOST_ONE 0.9999f /* x + this, cut off, is at most ceil(x) */
 
 /* ---- the exact test ------------------------------------------------------------ */
 
@@ -32,18 +34,38 @@ static int wins_ties(const plt_beam *b, const plt_pixel *pixel, const plt_record
                plt_primitive_id(plt_get_u32(&b->records[pixel->record].word[9]));
 }
 
-static void test_pixel(plt_beam *b, const plt_record *record, uint32_t x, uint32_t y) {
-    plt_pixel *pixel = &b->pixel[y * b->square.side + x];
+static int find_hit(const plt_beam *b, const plt_record *record, uint32_t x, uint32_t y, float tmax,
+                    int wins, plt_ray_hit *hit) {
     float corner[3][3], dir[3];
-    plt_ray_hit hit;
     plt_record_corners(record, corner);
     plt_view_direction(b->view, b->square.x + x, b->square.y + y, dir);
-    if (plt_triangle_ray(&b->origin, dir, (const float(*)[3])corner, pixel->t,
-                         wins_ties(b, pixel, record), &hit)) {
-        b->open -= pixel->record == PLT_MISS;
-        b->is_stored = 1;
-        pixel->t = hit.t;
-        pixel->record = (uint32_t)(record - b->records);
+    return plt_triangle_ray(&b->origin, dir, (const float(*)[3])corner, tmax, wins, hit);
+}
+
+void plt_beam_settle(plt_beam *b, uint32_t x, uint32_t y) {
+    plt_pixel *pixel = &b->pixel[y * b->square.side + x];
+    plt_ray_hit hit;
+    if (pixel->record != PLT_MISS && (pixel->record & PLT_PIXEL_BOUND) != 0) {
+        pixel->record = plt_pixel_record(pixel);
+        if (find_hit(b, &b->records[pixel->record], x, y, PLT_VIEW_FAR, 1, &hit)) { /* it is one */
+            pixel->t = hit.t;
+        }
+    }
+}
+
+static void take(plt_beam *b, plt_pixel *pixel, float t, uint32_t record) {
+    b->open -= pixel->record == PLT_MISS;
+    b->is_stored = 1;
+    pixel->t = t;
+    pixel->record = record;
+}
+
+static void test_pixel(plt_beam *b, const plt_record *record, uint32_t x, uint32_t y) {
+    plt_pixel *pixel = &b->pixel[y * b->square.side + x];
+    plt_ray_hit hit;
+    plt_beam_settle(b, x, y);
+    if (find_hit(b, record, x, y, pixel->t, wins_ties(b, pixel, record), &hit)) {
+        take(b, pixel, hit.t, (uint32_t)(record - b->records));
     }
 }
 
@@ -122,15 +144,33 @@ static inline range range_of(const float v[3]) {
     return r;
 }
 
-/* Pixels first .. last of 0 .. end between two coordinates; 0: none. */
-static inline int pixels_between(float from, float to, float end, uint32_t *first, uint32_t *last) {
-    if (!(to >= 0.0f && from <= end)) {
-        *first = *last = 0;
-        return 0;
-    }
+/* Whether there is a pixel of 0 .. end between two coordinates. */
+static inline int has_pixel(float from, float to, float end) {
+    return to >= 0.0f && from <= end && (from <= 0.0f || (float)(int32_t)(from + ALMOST_ONE) <= to);
+}
+
+/* Which ones, if there are any. */
+static inline void set_pixels(float from, float to, float end, uint32_t *first, uint32_t *last) {
     *first = from > 0.0f ? (uint32_t)(int32_t)(from + ALMOST_ONE) : 0;
     *last = (uint32_t)(int32_t)(to < end ? to : end);
-    return *first <= *last;
+}
+
+/* What all triangles are projected by; of a square, in registers. */
+typedef struct projector {
+    float org[3], row_w[3], row_x[3], row_y[3];
+    float margin, end_x, end_y;
+} projector;
+
+static inline void set_projector(projector *k, const plt_beam *b) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        k->org[a] = b->origin.org[a];
+        k->row_w[a] = b->margins.row_w[a];
+        k->row_x[a] = b->row_x[a];
+        k->row_y[a] = b->row_y[a];
+    }
+    k->margin = b->margins.pixels;
+    k->end_x = b->end_x;
+    k->end_y = b->end_y;
 }
 
 static inline float along(const float q[3], const float row[3]) {
@@ -148,38 +188,42 @@ static inline int are_near(range r, float limit) {
 enum projection { OUTSIDE, PROJECTED, NOT_PROJECTED };
 
 /* Not projected: a corner is not in front, or too far beside. A deep triangle without a column
- * or without a row is outside wherever its corners are. */
-static inline enum projection project(const plt_beam *b, const float q[3][3], projected *p) {
-    const plt_margins *m = &b->margins;
+ * or without a row is outside wherever its corners are; `all_deep`: every one is deep. */
+static inline enum projection project(const plt_margins *m, const projector *k, const float q[3][3],
+                                      int all_deep, projected *p) {
     float depth[3];
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        depth[c] = along(q[c], m->row_w);
+        depth[c] = along(q[c], k->row_w);
     }
-    const int deep = m->all_deep || all_at_least(depth, m->depth);
+    const int deep = all_deep || all_at_least(depth, m->depth);
     if (!deep && !all_at_least(depth, DEPTH_LEAST)) {
         return NOT_PROJECTED;
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         p->over[c] = 1.0f / depth[c];
-        p->x[c] = along(q[c], b->row_x) * p->over[c];
+        p->x[c] = along(q[c], k->row_x) * p->over[c];
     }
     const range x = range_of(p->x);
-    const int columns =
-        pixels_between(x.least - m->pixels, x.most + m->pixels, b->end_x, &p->left, &p->right);
+    const float left = x.least - k->margin, right = x.most + k->margin;
+    const int columns = has_pixel(left, right, k->end_x);
     if (!columns && deep) {
         return OUTSIDE;
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        p->y[c] = along(q[c], b->row_y) * p->over[c];
+        p->y[c] = along(q[c], k->row_y) * p->over[c];
     }
     const range y = range_of(p->y);
-    const int rows =
-        pixels_between(y.least - m->pixels, y.most + m->pixels, b->end_y, &p->top, &p->bottom);
+    const float top = y.least - k->margin, bottom = y.most + k->margin;
+    const int rows = has_pixel(top, bottom, k->end_y);
     if (!rows && deep) {
         return OUTSIDE;
     }
     p->size = (x.most - x.least) + (y.most - y.least);
     const int meets = columns && rows;
+    if (meets) {
+        set_pixels(left, right, k->end_x, &p->left, &p->right);
+        set_pixels(top, bottom, k->end_y, &p->top, &p->bottom);
+    }
     if ((meets && p->size <= m->size) || (are_near(x, m->corner) && are_near(y, m->corner))) {
         return meets ? PROJECTED : OUTSIDE;
     }
@@ -206,30 +250,35 @@ typedef struct footprint {
  * as the exact test computes it. `over`: the range of 1 / depth. */
 RARELY float slack_of(const plt_margins *m, range over, float size, float error, float area) {
     const float length = over.most - over.least;
-    const float side = over.most * size * m->step + m->direction * length;
+    const float wide = size * m->step;
+    const float side = over.most * wide + (0.34f * m->direction + wide) * length;
     const float slack =
         11.0f * error * length + m->t * over.most * area + m->shape * side * side / over.most;
     const int is_known = area > 16.0f * error && length <= over.least && slack <= over.most * area;
     return is_known ? slack : UNKNOWN;
 }
 
-static inline int is_behind(const plt_beam *b, const projected *p, footprint *f, const float e[3],
-                            const plt_pixel *pixel) {
-    if (pixel->record == PLT_MISS) {
-        return 0;
+/* Surely inside and surely nearer: takes the pixel, with the greatest t it may have. What is not
+ * surely beside or behind either is tested exactly. */
+static inline void test_inside(plt_beam *b, const plt_record *record, const projected *p,
+                               footprint *f, const float e[3], uint32_t x, uint32_t y) {
+    const float in = f->error, out = -in;
+    if (!(e[0] >= out && e[1] >= out && e[2] >= out)) {
+        return;
     }
+    plt_pixel *pixel = &b->pixel[y * b->square.side + x];
     if (f->slack < 0.0f) {
         f->slack = slack_of(&b->margins, range_of(p->over), p->size, f->error, f->area);
     }
     const float over = e[0] * p->over[0] + e[1] * p->over[1] + e[2] * p->over[2];
-    return (over + f->slack) * pixel->t < f->area;
-}
-
-static inline void test_inside(plt_beam *b, const plt_record *record, const projected *p,
-                               footprint *f, const float e[3], uint32_t x, uint32_t y) {
-    const float out = -f->error;
-    if (e[0] >= out && e[1] >= out && e[2] >= out &&
-        !is_behind(b, p, f, e, &b->pixel[y * b->square.side + x])) {
+    if ((over + f->slack) * pixel->t < f->area) {
+        return;
+    }
+    const float least = over - f->slack;
+    if (e[0] >= in && e[1] >= in && e[2] >= in && f->slack <= SLACK_MOST * over &&
+        least * (pixel->t * NEARER) > f->area) {
+        take(b, pixel, f->area / least, (uint32_t)(record - b->records) | PLT_PIXEL_BOUND);
+    } else {
         test_pixel(b, record, x, y);
     }
 }
@@ -278,16 +327,17 @@ static inline void set_edges(footprint *f, const projected *p, float margin) {
     }
 }
 
-static inline void test_record(plt_beam *b, const plt_record *record) {
+static inline void test_record(plt_beam *b, const projector *k, const plt_record *record,
+                               int all_deep) {
     float q[3][3];
     projected p;
     footprint f;
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        q[c][0] = plt_record_float(record, c, 0) - b->origin.org[0];
-        q[c][1] = plt_record_float(record, c, 1) - b->origin.org[1];
-        q[c][2] = plt_record_float(record, c, 2) - b->origin.org[2];
+        q[c][0] = plt_record_float(record, c, 0) - k->org[0];
+        q[c][1] = plt_record_float(record, c, 1) - k->org[1];
+        q[c][2] = plt_record_float(record, c, 2) - k->org[2];
     }
-    const enum projection how = project(b, (const float(*)[3])q, &p);
+    const enum projection how = project(&b->margins, k, (const float(*)[3])q, all_deep, &p);
     if (how != PROJECTED) {
         if (how == NOT_PROJECTED) {
             test_planes(b, record);
@@ -302,15 +352,28 @@ static inline void test_record(plt_beam *b, const plt_record *record) {
     }
 }
 
+/* The same for all triangles of a frame, and for most frames: all are deep. */
+static inline const plt_record *test_lists(plt_beam *b, const plt_record *record, uint32_t lists,
+                                           uint32_t single, int all_deep) {
+    projector k;
+    set_projector(&k, b);
+    for (; lists > 0; record++) {
+        test_record(b, &k, record, all_deep);
+        lists -= (uint32_t)plt_record_is_last(record) | single;
+    }
+    return record;
+}
+
 uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t single) {
     const plt_record *begin = &b->records[first], *record = begin;
-    const uint32_t project = b->margins.project;
+    if (b->margins.all_deep) {
+        return (uint32_t)(test_lists(b, record, lists, single, 1) - begin);
+    }
+    if (b->margins.project) {
+        return (uint32_t)(test_lists(b, record, lists, single, 0) - begin);
+    }
     for (; lists > 0; record++) {
-        if (project) {
-            test_record(b, record);
-        } else {
-            test_planes(b, record);
-        }
+        test_planes(b, record);
         lists -= (uint32_t)plt_record_is_last(record) | single;
     }
     return (uint32_t)(record - begin);

@@ -79,5 +79,5 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     for (int a = 0; a < 3; a++) {
         m->row_w[a] /= m->det;
     }
-    m->all_deep = least_depth(m->row_w, v->eye, scene) >= m->depth;
+    m->all_deep = m->project && least_depth(m->row_w, v->eye, scene) >= m->depth;
 }

@@ -19,9 +19,9 @@ typedef struct plt_margins {
     float row_w[3];   /* w: of q = corner - eye, depth in directions through pixels */
     float det;        /* right . (down x direction), of every pixel */
     float step;       /* between the directions of two pixels */
-    float direction;  /* more than the length of a direction to a corner that is projected */
+    float direction;  /* 3 * the longest through a pixel; above that to a projected corner */
     float t, shape;   /* of 1 / t: a share of itself, and one that depends on the shape */
-    uint8_t all_deep; /* all corners in the scene's box are beyond `depth` */
+    uint8_t all_deep; /* all corners in the scene's box are beyond `depth`; `project` */
     uint8_t project;  /* 0: the field is too wide or too narrow, nothing is projected */
 } plt_margins;
 

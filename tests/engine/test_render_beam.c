@@ -1,18 +1,22 @@
 /* test_render_beam - pixels traced as beams have the hits of plt_trace
  *
- * Of every pixel t, bit for bit, and the triangle, so that ties count: for cameras anywhere, of
- * any field of view and size, in every size of square, also where it is cropped. Random cameras
- * hardly find a margin that is missing (DESIGN.md, section 7.7); views straight down on grids
- * do, whose corners and edges lie on pixels. Broken on purpose, so many frames differ of 646
- * cameras and 384 views on grids (PLANELET_COUNT=1 prints it):
+ * Of every pixel t, bit for bit once it is settled, and the triangle, so that ties count; and
+ * before that t is no less, and hardly more: for cameras anywhere, of any field of view and size,
+ * in every size of square, also where it is cropped. Random cameras hardly find a margin that is
+ * missing (DESIGN.md, section 7.7); views straight down on grids do, whose corners and edges lie
+ * on pixels. Broken on purpose, so many frames differ of 646 cameras, 384 views on grids, 384 by
+ * bounds and 320 of sheets that cross (PLANELET_COUNT=1 prints it):
  *
- *   margins.pixels = 0            0    212
- *   margins.pixels * 0.03         0      0
- *   slack_of returns 0           29    262
- *   slack_of * 0.05               0      0
- *   margins.plane = 0             0      9
- *   far: the last pixel's t      16      0
- *   ties are always won          16    384
+ *   margins.pixels = 0                0    212    223      1
+ *   margins.pixels * 0.03             0      0      0      0
+ *   slack_of returns 0              347    346    367    254
+ *   slack_of * 0.05                   0      0      0      0
+ *   margins.plane = 0                 0      9      1      0
+ *   taken at 0, not at the error      0      0     24      0
+ *   taken without slack             293      0    335    208
+ *   NEARER = 1                       26    176      0     45
+ *   far: the last pixel's t          17      0      0      4
+ *   ties are always won              58    384    328      0
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -40,7 +44,7 @@ typedef struct tracer {
 } tracer;
 
 static uint32_t frames_seen, frames_wrong;
-static uint64_t pixels_hit;
+static uint64_t pixels_hit, pixels_bound; /* bound: taken without the exact test */
 
 static void opened(tracer *t, const mesh *m, uint32_t leaf, uint8_t build) {
     const rig_config config = rig_config_of(leaf, 16, build, PLT_SPLIT_SAH);
@@ -58,19 +62,31 @@ static void set_rays(tracer *t, const plt_pixels *s, uint32_t columns, uint32_t 
     }
 }
 
+/* Makes t exact, and says whether it was no less, and not more than it may be. */
+static int settled(tracer *t, uint32_t x, uint32_t y) {
+    const plt_pixel *pixel = &t->beam->pixel[y * t->beam->square.side + x];
+    const plt_pixel before = *pixel;
+    plt_beam_settle(t->beam, x, y);
+    pixels_bound += before.record != pixel->record;
+    return before.record == pixel->record
+               ? before.t == pixel->t
+               : before.t >= pixel->t && pixel->t >= (1.0f - PLT_PIXEL_SLACK) * before.t;
+}
+
 /* Pixels of the square that differ. */
-static uint32_t compare(tracer *t, uint32_t side, uint32_t columns, uint32_t rows) {
+static uint32_t compare(tracer *t, uint32_t columns, uint32_t rows) {
     uint32_t wrong = 0;
     for (uint32_t i = 0; i < columns * rows; i++) {
-        const plt_pixel *pixel = &t->beam->pixel[i / columns * side + i % columns];
+        const plt_pixel *pixel = &t->beam->pixel[i / columns * t->beam->square.side + i % columns];
         const plt_hit *hit = &t->hits[i];
-        const uint32_t record = plt_beam_is_empty(t->beam) ? PLT_MISS : pixel->record;
-        uint32_t id = record;
-        if (record != PLT_MISS) {
-            id = plt_primitive_id(plt_get_u32(&t->beam->records[record].word[9]));
+        uint32_t id = plt_beam_is_empty(t->beam) ? PLT_MISS : pixel->record;
+        int is_settled = 1;
+        if (id != PLT_MISS) {
+            is_settled = settled(t, i % columns, i / columns);
+            id = plt_primitive_id(plt_get_u32(&t->beam->records[pixel->record].word[9]));
             pixels_hit++;
         }
-        wrong += id != hit->triangle ||
+        wrong += id != hit->triangle || !is_settled ||
                  (id != PLT_MISS && memcmp(&pixel->t, &hit->t, sizeof hit->t) != 0);
     }
     return wrong;
@@ -84,7 +100,7 @@ static uint32_t one_square(tracer *t, const plt_frame *f, const plt_pixels *s) {
     }
     set_rays(t, s, columns, rows);
     plt_trace(t->r.engine, t->rays, t->hits, columns * rows, 0);
-    return compare(t, s->side, columns, rows);
+    return compare(t, columns, rows);
 }
 
 /* `what`: for messages. */
@@ -200,22 +216,75 @@ static plt_frame down_on(float x, float height, float z, float tan_half, uint16_
     return f;
 }
 
-static void straight_down(void) {
-    static const float apart[6] = {0.0f, 0x1p-24f, 0x1p-22f, 0x1p-18f, 0x1p-14f, -0x1p-23f};
+/* Every second triangle of a sheet: behind its edges, on which pixels lie, there is nothing. */
+static void halved(mesh *m, uint32_t side) {
+    shape_sheet(m, side, 1);
+    for (size_t i = 1; i < m->triangles / 2; i++) {
+        memcpy(&m->triangle[3 * i], &m->triangle[6 * i], 3 * sizeof *m->triangle);
+    }
+    m->triangles /= 2;
+}
+
+/* Down on such sheets, or, with `apart` NAN, on half of one. */
+static void down_on_sheets(float apart, uint32_t side, float moved, random_state *r) {
     static const float height[4] = {1.0f, 2.0f, 1.37f, -3.0f};
     static const uint16_t pixels[4] = {32, 33, 47, 64};
     static tracer t;
+    mesh m = {0};
+    if (isnan(apart)) {
+        halved(&m, side);
+    } else {
+        doubled(&m, side, apart, moved);
+    }
+    opened(&t, &m, 4, PLT_BUILD_HOST);
+    for (unsigned k = 0; k < 4 * 4 * 2; k++) {
+        const float h = height[k % 4], wide = fabsf(h);
+        const float at = k < 16 ? 0.0f : random_float(r, -0.3f, 0.3f);
+        const plt_frame f = down_on(at, h, at, 1.0f / wide, pixels[k / 4 % 4]);
+        one_frame(&t, &f, any_side(r), "straight down");
+    }
+    rig_close(&t.r);
+    mesh_free(&m);
+}
+
+static void straight_down(void) {
+    static const float apart[6] = {0.0f, 0x1p-24f, 0x1p-22f, 0x1p-18f, 0x1p-14f, -0x1p-23f};
     random_state r = {4};
     for (unsigned i = 0; i < 6 * 2; i++) {
         const uint32_t side = rig_is_tiny() ? 2 : (i % 2 ? 8 : 11);
+        down_on_sheets(apart[i / 2], side, i % 4 < 2 ? 0.0f : 0x1p-20f, &r);
+    }
+}
+
+/* So far apart that bounds of t tell which is nearer, or just do not. */
+static void straight_down_by_bounds(void) {
+    static const float apart[6] = {NAN, 0x1p-11f, 0x1p-9f, -0x1p-7f, 0x1p-5f, 0x1p-3f};
+    random_state r = {6};
+    for (unsigned i = 0; i < 6 * 2; i++) {
+        const uint32_t side = rig_is_tiny() ? 2 : (i % 2 ? 8 : 11);
+        down_on_sheets(apart[i / 2], side, i % 4 < 2 ? 0.0f : 0x1p-20f, &r);
+    }
+}
+
+/* Sheets that cross each other at small angles, from all sides: from line to line the distance
+ * between them grows from nothing. */
+static void crossing(void) {
+    static const float middle[3] = {0, 0, 0};
+    static tracer t;
+    random_state r = {7};
+    for (unsigned i = 0; i < 8; i++) {
+        const uint32_t side = rig_is_tiny() ? 2 : 2 + 3 * (i % 4);
         mesh m = {0};
-        doubled(&m, side, apart[i / 2], i % 4 < 2 ? 0.0f : 0x1p-20f);
+        shape_sheet(&m, side, 1);
+        shape_sheet(&m, side, 1);
+        for (size_t v = 0; v < m.vertices; v++) {
+            float *p = &m.vertex[3 * v];
+            p[1] = (v < m.vertices / 2 ? 0x1p-2f : 0x1p-4f) * (p[0] + p[2] * (float)(i / 4));
+        }
         opened(&t, &m, 4, PLT_BUILD_HOST);
-        for (unsigned k = 0; k < 4 * 4 * 2; k++) {
-            const float h = height[k % 4], wide = fabsf(h);
-            const float at = k < 16 ? 0.0f : random_float(&r, -0.3f, 0.3f);
-            const plt_frame f = down_on(at, h, at, 1.0f / wide, pixels[k / 4 % 4]);
-            one_frame(&t, &f, any_side(&r), "straight down");
+        for (unsigned k = 0; k < 40; k++) {
+            const plt_frame f = any_frame(&r, 1.0f, middle);
+            one_frame(&t, &f, any_side(&r), "crossing sheets");
         }
         rig_close(&t.r);
         mesh_free(&m);
@@ -285,10 +354,12 @@ static void at_the_eye(void) {
 static void report(void) {
     CHECK(pixels_hit > frames_seen, "%llu pixels hit something", (unsigned long long)pixels_hit);
     if (getenv("PLANELET_COUNT") != NULL) {
-        printf("    %u of %u frames differ\n", frames_wrong, frames_seen);
+        printf("    %u of %u frames differ; %llu of %llu hits were taken by a bound\n",
+               frames_wrong, frames_seen, (unsigned long long)pixels_bound,
+               (unsigned long long)pixels_hit);
     }
     frames_seen = frames_wrong = 0;
-    pixels_hit = 0;
+    pixels_hit = pixels_bound = 0;
 }
 
 int main(void) {
@@ -297,6 +368,12 @@ int main(void) {
     report();
     test("straight down on doubled grids: the same");
     straight_down();
+    report();
+    test("... on half a grid, and on grids far enough apart for bounds of t: the same");
+    straight_down_by_bounds();
+    report();
+    test("sheets that cross at small angles: the same");
+    crossing();
     report();
     test("hits at a t of 0 hide nothing: the same");
     at_the_eye();
