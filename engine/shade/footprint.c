@@ -173,10 +173,6 @@ static inline void set_projector(projector *k, const plt_beam *b) {
     k->end_y = b->end_y;
 }
 
-static inline float along(const float q[3], const float row[3]) {
-    return q[0] * row[0] + q[1] * row[1] + q[2] * row[2];
-}
-
 static inline int all_at_least(const float v[3], float limit) {
     return v[0] >= limit && v[1] >= limit && v[2] >= limit;
 }
@@ -193,7 +189,7 @@ static inline enum projection project(const plt_margins *m, const projector *k, 
                                       int all_deep, projected *p) {
     float depth[3];
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        depth[c] = along(q[c], k->row_w);
+        depth[c] = plt_along(q[c], k->row_w);
     }
     const int deep = all_deep || all_at_least(depth, m->depth);
     if (!deep && !all_at_least(depth, DEPTH_LEAST)) {
@@ -201,7 +197,7 @@ static inline enum projection project(const plt_margins *m, const projector *k, 
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         p->over[c] = 1.0f / depth[c];
-        p->x[c] = along(q[c], k->row_x) * p->over[c];
+        p->x[c] = plt_along(q[c], k->row_x) * p->over[c];
     }
     const range x = range_of(p->x);
     const float left = x.least - k->margin, right = x.most + k->margin;
@@ -210,7 +206,7 @@ static inline enum projection project(const plt_margins *m, const projector *k, 
         return OUTSIDE;
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        p->y[c] = along(q[c], k->row_y) * p->over[c];
+        p->y[c] = plt_along(q[c], k->row_y) * p->over[c];
     }
     const range y = range_of(p->y);
     const float top = y.least - k->margin, bottom = y.most + k->margin;
@@ -352,28 +348,27 @@ static inline void test_record(plt_beam *b, const projector *k, const plt_record
     }
 }
 
-/* The same for all triangles of a frame, and for most frames: all are deep. */
-static inline const plt_record *test_lists(plt_beam *b, const plt_record *record, uint32_t lists,
-                                           uint32_t single, int all_deep) {
-    projector k;
-    set_projector(&k, b);
+/* Of a field that is too wide or too narrow to project anything. */
+RARELY uint32_t test_unprojected(plt_beam *b, const plt_record *begin, uint32_t lists,
+                                 uint32_t single) {
+    const plt_record *record = begin;
     for (; lists > 0; record++) {
-        test_record(b, &k, record, all_deep);
+        test_planes(b, record);
         lists -= (uint32_t)plt_record_is_last(record) | single;
     }
-    return record;
+    return (uint32_t)(record - begin);
 }
 
 uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t single) {
     const plt_record *begin = &b->records[first], *record = begin;
-    if (b->margins.all_deep) {
-        return (uint32_t)(test_lists(b, record, lists, single, 1) - begin);
+    const int all_deep = b->margins.all_deep;
+    projector k;
+    if (!b->margins.project) {
+        return test_unprojected(b, begin, lists, single);
     }
-    if (b->margins.project) {
-        return (uint32_t)(test_lists(b, record, lists, single, 0) - begin);
-    }
+    set_projector(&k, b);
     for (; lists > 0; record++) {
-        test_planes(b, record);
+        test_record(b, &k, record, all_deep);
         lists -= (uint32_t)plt_record_is_last(record) | single;
     }
     return (uint32_t)(record - begin);

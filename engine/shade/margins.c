@@ -45,11 +45,11 @@ static float largest_term(const plt_view *v, const plt_frame *frame) {
 /* Of all points in a box, as footprint.c computes it: by the corner that is least on each axis,
  * as rounding is monotone, in the differences, the products and their sum. */
 static float least_depth(const float row_w[3], const float eye[3], const plt_box *box) {
-    float term[3];
+    float q[3];
     for (int a = 0; a < 3; a++) {
-        term[a] = ((row_w[a] > 0.0f ? box->lo[a] : box->hi[a]) - eye[a]) * row_w[a];
+        q[a] = (row_w[a] > 0.0f ? box->lo[a] : box->hi[a]) - eye[a];
     }
-    return term[0] + term[1] + term[2];
+    return plt_along(q, row_w);
 }
 
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,

@@ -25,6 +25,16 @@ typedef struct plt_margins {
     uint8_t project;  /* 0: the field is too wide or too narrow, nothing is projected */
 } plt_margins;
 
+/* A row of the projection times q. Where the machine multiplies and adds at once, with a rounding
+ * less than the margins are for. */
+static inline float plt_along(const float q[3], const float row[3]) {
+#if defined(__ARM_FEATURE_FMA) || defined(__FMA__)
+    return __builtin_fmaf(q[2], row[2], __builtin_fmaf(q[1], row[1], q[0] * row[0]));
+#else
+    return q[0] * row[0] + q[1] * row[1] + q[2] * row[2];
+#endif
+}
+
 /* `scene`: the box of all triangles; `reach`: of rays from the eye. */
 void plt_margins_set(plt_margins *m, const plt_view *view, const plt_frame *frame, uint32_t side,
                      const plt_box *scene, float reach);
