@@ -48,11 +48,12 @@ static void flat_colour(uint32_t id, float facing, uint8_t rgb[3]) {
     }
 }
 
+/* Rounding may leave a facing some ulp above 1: only where clay is 1 that would show. */
 static void clay_colour(float facing, uint8_t rgb[3]) {
     static const float clay[3] = {1.0f, 0.93f, 0.84f};
+    const float limited = facing > 1.0f ? 1.0f : facing; /* never below 0 */
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        const float x = facing * clay[c]; /* never below 0 */
-        rgb[c] = (uint8_t)((x > 1.0f ? 1.0f : x) * 255.0f + 0.5f);
+        rgb[c] = (uint8_t)(int32_t)(limited * clay[c] * 255.0f + 0.5f);
     }
 }
 
