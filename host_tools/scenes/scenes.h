@@ -38,4 +38,13 @@ int scene_terrain(mesh *m, uint64_t triangles, fail *f);
  * and fewer by less than 2 a. */
 int scene_knot(mesh *m, uint64_t triangles, fail *f);
 
+/* A closed room, 6 x 2.7 x 4.8 inside, with furniture, of about `triangles`
+ * (SCENE_ROOM_LEAST .. SCENE_TRIANGLES_MAX) triangles: never more than asked for. Every
+ * surface in it is closed; walls, floor and ceiling are a box and the cavity in it. Books,
+ * chairs, fruit, leaves and balls are where `seed` says. SCENE_ROOM_VIEW has all of it in the
+ * picture, from inside. */
+#define SCENE_ROOM_LEAST 24000u
+#define SCENE_ROOM_VIEW "--eye 2.7,1.6,2.1 --look -0.9,0.72,-0.7 --fov 60"
+int scene_room(mesh *m, uint64_t triangles, uint32_t seed, fail *f);
+
 #endif

@@ -49,6 +49,10 @@ range() {
 range --triangles "2 to 10000000" "- 2 - 10000001" make terrain -o x.ply
 range --triangles "24 to 10000000" "1 24 - 10000001" make knot -o x.ply
 refused "make --triangles 23 is no knot" knot "24 to 10000000" make knot --triangles 23 -o x.ply
+range --triangles "24000 to 10000000" "1 24000 - 10000001" make room -o x.ply
+refused "make --triangles 23999 is no room" room "24000 to 10000000" \
+    make room --triangles 23999 -o x.ply
+range --seed "0 to 999999" "-1 0 999999 1000000" make room --triangles 24000 -o x.ply
 range --frame "0 to 99999" "-1 0 - 100000" make marbles -o x.ply
 range --frames "1 to 100000" "0 1 - 100001" make marbles -o 'x{}.ply'
 # Those ends are too much work: that they are taken shows a folder that is missing.

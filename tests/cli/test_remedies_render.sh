@@ -24,6 +24,10 @@ said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
 eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
 status=$?
 helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
+./pty err "$PLANELET" make room --triangles 24000 -o room.ply >seen </dev/null
+run pack room.ply -o room.plt
+eval "$(tr -d '\r' <seen | sed -n 's/^then, from inside: //p')" >out 2>err
+verdict "a room's second hint shows it from inside" "$([ "$(wc -l <out)" -gt 10 ] || cat seen err)"
 message="; next: planelet render "
 ./pty err "$PLANELET" pack marbles.ply -o marbles.plt >seen </dev/null
 said=$(grep -q -- "$(pattern "$message")" seen || cat seen)

@@ -37,8 +37,8 @@ cured render quad.plt -o x.png --size 64x48
 
 # ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
 
-says "there is no scene '%s': ground, marbles, terrain or knot" make tray -o x.ply
-for scene in ground marbles terrain knot; do
+says "there is no scene '%s': ground, marbles, terrain, knot or room" make tray -o x.ply
+for scene in ground marbles terrain knot room; do
     cured make $scene -o x.ply
 done
 says "-o FILE says where the mesh goes" make ground
@@ -48,6 +48,8 @@ says "--frames needs a '{}' in the file's name, as in marbles_{}.ply" \
 cured make marbles --frames 2 -o marbles_{}.ply
 says "only marbles have frames" make knot --frame 3 -o x.ply
 cured make marbles --frame 3 -o x.ply
+says "only a room has a seed" make knot --seed 3 -o x.ply
+cured make room --seed 3 -o x.ply
 says "%s has the triangles it has: no --triangles" make ground --triangles 20 -o x.ply
 cured make ground -o x.ply
 long=$(awk 'BEGIN { while (i++ < 4200) printf "x" }')

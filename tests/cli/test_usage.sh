@@ -47,7 +47,7 @@ flags() {
 }
 scene_flags='--packet --walk --residency --schedule --workers --source --arena'
 view_flags='--eye --look --up --fov'
-flags make -o --triangles --frame --frames
+flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometry --tolerance \
     --step --numbers --reduce --frame --centre --origin --weld --repair --json
 flags info --json --packet --walk
@@ -131,6 +131,7 @@ misused "make knows its scenes" "'cube'" make cube -o x.ply
 misused "make wants -o" "-o" make knot
 misused "frames need names" "'{}'" make marbles --frames 2 -o x.ply
 misused "a knot has no frames" "frames" make knot --frame 2 -o x.ply
+misused "a knot has no seed" "seed" make knot --seed 2 -o x.ply
 misused "marbles have their triangles" "--triangles" make marbles --triangles 5 -o x.ply
 misused "make refuses more triangles than it can" "10000000" make knot --triangles 10000001 -o x.ply
 verdict "wrong usage wrote no file" "$(ls x x.* 2>/dev/null)"
