@@ -13,7 +13,8 @@
 #include "engine/shade/camera.h"
 #include "host_tools/app/frame.h"
 
-const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow", "bounce", "random", NULL};
+const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow", "bounce", "random",
+                                                   "outside", "inside", NULL};
 
 enum { TILE_SIDE = 16 };
 
@@ -29,34 +30,6 @@ typedef struct making {
     uint64_t random;
 } making;
 
-static double random_number(making *m) { /* 0 <= x < 1 */
-    m->random ^= m->random << 13;
-    m->random ^= m->random >> 7;
-    m->random ^= m->random << 17;
-    return (double)(m->random >> 11) * 0x1p-53;
-}
-
-static uint32_t random_below(making *m, uint32_t count) {
-    return (uint32_t)(random_number(m) * count);
-}
-
-static void add(ray_set *s, const double org[3], const double dir[3], float tmax) {
-    plt_ray *ray = &s->rays[s->count++];
-    for (int a = 0; a < 3; a++) {
-        ray->org[a] = (float)org[a];
-        ray->dir[a] = (float)dir[a];
-    }
-    ray->tmin = 0.0f;
-    ray->tmax = tmax;
-}
-
-static void normalise(double v[3]) {
-    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int a = 0; a < 3 && length > 0.0; a++) {
-        v[a] /= length;
-    }
-}
-
 static void add_primary(making *m, const plt_view *view, uint32_t x, uint32_t y) {
     ray_set *s = &m->to->of[RAYS_PRIMARY];
     double org[3], dir[3];
@@ -65,7 +38,7 @@ static void add_primary(making *m, const plt_view *view, uint32_t x, uint32_t y)
         dir[a] = (double)view->corner[a] + x * (double)view->right[a] + y * (double)view->down[a];
     }
     m->pixel[s->count] = y * m->frame->width + x;
-    add(s, org, dir, INFINITY);
+    ray_set_add(s, org, dir, INFINITY);
 }
 
 static int make_primary(making *m, fail *f) {
@@ -103,28 +76,17 @@ static void normal_at(const making *m, uint32_t pixel, double normal[3]) {
     for (int a = 0; a < 3; a++) {
         normal[a] = m->normals.rgb[3 * (size_t)pixel + (size_t)a] / 127.5 - 1.0;
     }
-    normalise(normal);
+    ray_normalise(normal);
 }
 
 /* Malley: points of a disc, of equal density, moved up to the half sphere. */
 static void cosine_direction(making *m, const double normal[3], double dir[3]) {
     double x, y, side[3], over[3];
     do {
-        x = 2.0 * random_number(m) - 1.0;
-        y = 2.0 * random_number(m) - 1.0;
+        x = 2.0 * ray_random(&m->random) - 1.0;
+        y = 2.0 * ray_random(&m->random) - 1.0;
     } while (x * x + y * y >= 1.0);
-    const int least = fabs(normal[0]) < fabs(normal[1])
-                          ? (fabs(normal[0]) < fabs(normal[2]) ? 0 : 2)
-                          : (fabs(normal[1]) < fabs(normal[2]) ? 1 : 2);
-    const int b = (least + 1) % 3, c = (least + 2) % 3;
-    side[least] = 0.0;
-    side[b] = -normal[c];
-    side[c] = normal[b];
-    normalise(side);
-    for (int a = 0; a < 3; a++) {
-        const int next = (a + 1) % 3, last = (a + 2) % 3;
-        over[a] = normal[next] * side[last] - normal[last] * side[next];
-    }
+    ray_frame(normal, side, over);
     for (int a = 0; a < 3; a++) {
         dir[a] = x * side[a] + y * over[a] + sqrt(1.0 - x * x - y * y) * normal[a];
     }
@@ -144,49 +106,26 @@ static void make_secondary(making *m) {
                      1e-4 * m->diagonal * normal[a];
             to_light[a] = m->light[a] - org[a];
         }
-        add(&m->to->of[RAYS_SHADOW], org, to_light, 1.0f);
+        ray_set_add(&m->to->of[RAYS_SHADOW], org, to_light, 1.0f);
         cosine_direction(m, normal, dir);
-        add(&m->to->of[RAYS_BOUNCE], org, dir, INFINITY);
+        ray_set_add(&m->to->of[RAYS_BOUNCE], org, dir, INFINITY);
     }
 }
 
 /* Fisher and Yates. */
 static void shuffle(making *m, ray_set *s) {
     for (uint32_t i = s->count; i > 1; i--) {
-        const uint32_t k = random_below(m, i);
+        const uint32_t k = ray_random_below(&m->random, i);
         const plt_ray ray = s->rays[i - 1];
         s->rays[i - 1] = s->rays[k];
         s->rays[k] = ray;
     }
 }
 
-/* Sides are 0 .. 5: an axis, and which end of it. */
-static void random_point(making *m, uint32_t side, double point[3]) {
-    for (unsigned a = 0; a < 3; a++) {
-        const double lo = (double)m->info->lo[a], hi = (double)m->info->hi[a];
-        const double share = a == side / 2 ? (double)(side % 2) : random_number(m);
-        point[a] = lo + share * (hi - lo);
-    }
-}
-
-static void make_random(making *m, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) {
-        double from[3], to[3], dir[3];
-        const uint32_t side = random_below(m, 6);
-        random_point(m, side, from);
-        random_point(m, (side + 1 + random_below(m, 5)) % 6, to);
-        for (int a = 0; a < 3; a++) {
-            dir[a] = to[a] - from[a];
-        }
-        normalise(dir);
-        add(&m->to->of[RAYS_RANDOM], from, dir, INFINITY);
-    }
-}
-
 /* The light is two diagonals from the middle of the box, above and behind the default eye. */
 static void measure_box(making *m) {
     double light[3] = {0.5, 1.0, 0.7}, sum = 0.0;
-    normalise(light);
+    ray_normalise(light);
     for (int a = 0; a < 3; a++) {
         const double edge = (double)m->info->hi[a] - (double)m->info->lo[a];
         sum += edge * edge;
@@ -226,7 +165,9 @@ static int make(making *m, plt_engine *engine, const char *name, fail *f) {
         return fail_set(f, name, "no primary ray hits it; choose another --eye or --look");
     }
     shuffle(m, &m->to->of[RAYS_BOUNCE]);
-    make_random(m, pixels);
+    ray_box_sides(&m->to->of[RAYS_RANDOM], m->info, pixels, &m->random);
+    ray_box_outside(&m->to->of[RAYS_OUTSIDE], m->info, pixels, &m->random);
+    ray_box_inside(&m->to->of[RAYS_INSIDE], m->info, pixels, &m->random);
     return 0;
 }
 

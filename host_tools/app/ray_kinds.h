@@ -5,13 +5,17 @@
  *   shadow   from every hit of those, in their order, to one light
  *   bounce   from every hit into a random direction, as diffuse surfaces reflect (the cosine
  *            law), in random order: neighbours have nothing in common
- *   random   from a random point of one side of the scene's box to one of another side, as many
- *            as there are primary rays
+ *   random   from a random point of one side of the scene's box to one of another side
+ *   outside  from outside in random directions: lines of equal density through the ball around
+ *            the box, from two of its radii before its middle
+ *   inside   from random points of the middle of the box, half as long, wide and high, in random
+ *            directions: in a closed room all of them hit
  *
+ * Of each of the last three there are as many as of primary rays, without any order. *
  * Shadow and bounce rays start 1e-4 of the box's diagonal above their surface. The same scene
  * and view give the same rays: random numbers are xorshift's, from a fixed seed.
  *
- * Source: Marsaglia, "Xorshift RNGs", 2003; Malley's method for the cosine law (Pharr, Jakob,
+ * Source: Malley's method for the cosine law (Pharr, Jakob,
  * Humphreys, "Physically Based Rendering", 2016, section 13.6.3).
  *
  * SPDX-License-Identifier: MIT */
@@ -19,16 +23,20 @@
 #define RAY_KINDS_H
 
 #include "engine/planelet.h"
+#include "host_tools/app/ray_box.h"
 #include "host_tools/base/fail.h"
 
-enum ray_kind { RAYS_PRIMARY, RAYS_SHADOW, RAYS_BOUNCE, RAYS_RANDOM, RAY_KINDS };
+enum ray_kind {
+    RAYS_PRIMARY,
+    RAYS_SHADOW,
+    RAYS_BOUNCE,
+    RAYS_RANDOM,
+    RAYS_OUTSIDE,
+    RAYS_INSIDE,
+    RAY_KINDS
+};
 
 extern const char *const ray_kind_names[RAY_KINDS + 1]; /* ended by NULL */
-
-typedef struct ray_set {
-    plt_ray *rays; /* owned */
-    uint32_t count;
-} ray_set;
 
 typedef struct ray_kinds {
     ray_set of[RAY_KINDS];

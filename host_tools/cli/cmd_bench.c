@@ -21,7 +21,8 @@ enum { SIDE_MOST = 4096, PACKET_SIZES = 4, MODES_MOST = 2 * PACKET_SIZES + 2, RA
 
 static const arg_flag flags[] = {
     {"--kinds", "LIST",
-     "rays: primary, shadow, bounce, random, several with commas between (default all)"},
+     "rays: primary, shadow, bounce, random, outside, inside, several with commas between "
+     "(default all)"},
     {"--hits", "LIST", "closest, any (default closest,any)"},
     {"--nodes", "LIST", "what a mesh is packed as: thesis, compact (default thesis,compact)"},
     {"--packets", "LIST", "rays along a packet's side: 2, 4, 8, 16 (default all)"},
@@ -47,7 +48,9 @@ const arg_command command_bench = {
     .notes =
         "Rays: primary, one per pixel in Z order; shadow, from their hits to one light;\n"
         "bounce, from their hits in random directions by the cosine law, shuffled;\n"
-        "random, from side to side of the scene's box.\n"
+        "random, from side to side of the scene's box; outside, from outside in random\n"
+        "directions; inside, from within the box in random directions: from inside a\n"
+        "closed room all of them hit.\n"
         "\n"
         "Mray/s is the median of all repetitions, least the slowest; spread is from the\n"
         "slowest to the fastest, as a share of the median. The rest is per ray:\n"
@@ -300,10 +303,10 @@ static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
     fail_set(&name, NULL, "%s", scene_name(path));
     output_print(b->table, f,
                  "%s%s: %" PRIu32 " triangles; %" PRIu32 " primary, %" PRIu32 " shadow, %" PRIu32
-                 " bounce, %" PRIu32 " random rays\n",
+                 " bounce, %" PRIu32 " random, %" PRIu32 " outside, %" PRIu32 " inside rays\n",
                  first > 0 ? "\n" : "", name.text, b->rows.row[first].triangles,
                  of[RAYS_PRIMARY].count, of[RAYS_SHADOW].count, of[RAYS_BOUNCE].count,
-                 of[RAYS_RANDOM].count);
+                 of[RAYS_RANDOM].count, of[RAYS_OUTSIDE].count, of[RAYS_INSIDE].count);
     return bench_rows_print(&b->rows, first, &b->meter.counters, b->table, f);
 }
 

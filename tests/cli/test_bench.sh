@@ -35,7 +35,7 @@ works "bench MESH --json FILE" bench knot.ply $small --json stats
 cp out table
 verdict "... JSON of flat objects" "$(flat_json stats repeat width height)"
 verdict "... every kind, hit, structure, packet and order once" "$(
-    for kind in primary shadow bounce random; do
+    for kind in primary shadow bounce random outside inside; do
         for hit in closest any; do
             for packet in 2 4 8 16; do
                 echo " thesis $kind $hit $packet depth"
@@ -61,7 +61,9 @@ verdict "... as many rays as their kind has, of the same hits in every mode" "$(
             hit[v["nodes"] v["kind"] v["hit"]] = v["hits"]
         }
         END {
-            if (rays["primary"] != 37 * 50 || rays["random"] != 37 * 50) print "not a ray per pixel"
+            if (rays["primary"] != 37 * 50 || rays["random"] != 37 * 50 ||
+                rays["outside"] != 37 * 50 || rays["inside"] != 37 * 50)
+                print "not a ray per pixel"
             if (rays["shadow"] != hit["thesisprimaryclosest"]) print "not a shadow ray per hit"
             if (rays["bounce"] != rays["shadow"]) print "not a bounce ray per hit"
             for (key in hit) if (hit[key] < 20) print key " hits " hit[key]
@@ -90,9 +92,9 @@ for packet in 2 16; do
             grep -v "arena_bytes_needed=$need\$")"
 done
 verdict "the table has a row for each, titles, and a star for the best of each structure" "$(
-    [ "$(grep -c '^\(primary\|shadow\|bounce\|random\) ' table)" -eq 120 ] || cat table
+    [ "$(grep -cE '^(primary|shadow|bounce|random|outside|inside) ' table)" -eq 180 ] || cat table
     grep -q '^rays  *hits  *nodes  *packet  *walk  *Mray/s  *least  *spread ' table || cat table
-    [ "$(grep -c '\*' table)" -ge 16 ] && [ "$(grep -c '\*' table)" -lt 40 ] || cat table)"
+    [ "$(grep -c '\*' table)" -ge 24 ] && [ "$(grep -c '\*' table)" -lt 60 ] || cat table)"
 verdict "what the system does not count is said in one line" "$(
     if grep -q '^rays .*instr  *cycles  *misses' table; then
         grep 'not granted' table
@@ -101,7 +103,7 @@ verdict "what the system does not count is said in one line" "$(
             tail -n 2 table
     fi)"
 verdict "no figure of the table is wider than its column" "$(
-    awk '/^(primary|shadow|bounce|random) / {
+    awk '/^(primary|shadow|bounce|random|outside|inside) / {
         if (width && length != width) print
         width = length }' table)"
 
@@ -144,6 +146,21 @@ verdict "no figure of the table is wider than its column" "$(
         rows stats | grep 'nodes=thesis kind=primary .* packet=8' |
             sed 's/.*\(node_visits=[0-9]*\).*/\1/' | diff device -)"
 }
+
+# ---- a closed room, from inside -----------------------------------------------------------------
+
+run make room --triangles 24000 -o room.ply
+works "bench of a closed room, from inside" bench room.ply --size 40x40 --repeat 1 --json - \
+    --packets 8 --eye 2.7,1.6,2.1 --look -0.9,0.72,-0.7 --fov 60
+verdict "... every ray hits but those from outside in random directions" "$(
+    rows out | awk '
+        {
+            for (i = 1; i <= NF; i++) { split($i, part, "="); v[part[1]] = part[2] }
+            if (v["kind"] == "outside") outside++
+            if (v["kind"] == "outside" ? v["hits"] == v["rays"] || v["hits"] < v["rays"] / 10 \
+                : v["hits"] != v["rays"]) print v["kind"] ": " v["hits"] " of " v["rays"]
+        }
+        END { if (outside != 12) print outside " rows of rays from outside" }')"
 
 # ---- what cannot be measured -------------------------------------------------------------------
 

@@ -7,6 +7,7 @@
 #include "host_tools/app/ray_kinds.h"
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
+#include "tests/reference/rig.h"
 #include "tests/test.h"
 
 enum { WIDTH = 100, HEIGHT = 52, ARENA = 1 << 16 };
@@ -120,6 +121,91 @@ static void check_random(const ray_set *s, const plt_info *info) {
     }
 }
 
+static void check_outside(const ray_set *s, const plt_info *info) {
+    test("outside rays: lines through the ball around the box, in all directions alike");
+    double middle[3], radius = 0.0, mean[3] = {0, 0, 0}, past = 0.0;
+    CHECK(s->count == WIDTH * HEIGHT, "%u rays", (unsigned)s->count);
+    for (int k = 0; k < 3; k++) {
+        middle[k] = 0.5 * ((double)info->lo[k] + (double)info->hi[k]);
+        radius += 0.25 * ((double)info->hi[k] - (double)info->lo[k]) *
+                  ((double)info->hi[k] - (double)info->lo[k]);
+    }
+    radius = sqrt(radius);
+    for (uint32_t i = 0; i < s->count; i++) {
+        const plt_ray *a = &s->rays[i];
+        double away = 0.0, along = 0.0;
+        for (int k = 0; k < 3; k++) {
+            const double from = (double)a->org[k] - middle[k];
+            away += from * from;
+            along += from * (double)a->dir[k];
+            mean[k] += (double)a->dir[k] / s->count;
+        }
+        const double square = away - along * along; /* of the distance from the middle */
+        CHECK(fabs(along + 2.0 * radius) < 1e-4 * radius && square < radius * radius * 1.0001,
+              "ray %u: %g, %g", (unsigned)i, along, square);
+        CHECK(fabs(dot(a->dir, a->dir) - 1.0) < 1e-5 && a->tmax > 1e30f, "ray %u", (unsigned)i);
+        past += square / (radius * radius) / s->count;
+    }
+    CHECK(fabs(past - 0.5) < 0.02, "the mean square distance is %g, of a disc 0.5", past);
+    CHECK(fabs(mean[0]) < 0.03 && fabs(mean[1]) < 0.03 && fabs(mean[2]) < 0.03, "%g %g %g", mean[0],
+          mean[1], mean[2]);
+}
+
+static void check_inside(const ray_set *s, const plt_info *info) {
+    test("inside rays: from the middle of the box, in all directions alike");
+    double mean[3] = {0, 0, 0}, square[3] = {0, 0, 0};
+    CHECK(s->count == WIDTH * HEIGHT, "%u rays", (unsigned)s->count);
+    for (uint32_t i = 0; i < s->count; i++) {
+        const plt_ray *a = &s->rays[i];
+        CHECK(fabs(dot(a->dir, a->dir) - 1.0) < 1e-5 && a->tmax > 1e30f, "ray %u", (unsigned)i);
+        for (int k = 0; k < 3; k++) {
+            const double edge = (double)info->hi[k] - (double)info->lo[k];
+            const double share = ((double)a->org[k] - (double)info->lo[k]) / edge;
+            CHECK(share > 0.249 && share < 0.751, "ray %u, axis %d: %g", (unsigned)i, k, share);
+            mean[k] += (double)a->dir[k] / s->count;
+            square[k] += (double)a->dir[k] * (double)a->dir[k] / s->count;
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        CHECK(fabs(mean[k]) < 0.03 && fabs(square[k] - 1.0 / 3.0) < 0.02, "axis %d: %g %g", k,
+              mean[k], square[k]);
+    }
+}
+
+static void check_closed_room(void) {
+    mesh m = {0};
+    packed image = {0};
+    fail f = {""};
+    plt_fault fault;
+    plt_engine *engine = NULL;
+    ray_kinds r = {0};
+    const pack_options options = {.leaf_triangles = 2, .treelet_nodes = 64};
+    const plt_options run = {.packet_side = 2};
+    plt_frame inside = frame;
+    inside.camera = (plt_camera){.eye = {0.3f, 1.6f, 1.5f}, .up = {0, 1, 0}, .tan_half_fov = 0.5f};
+    test("from inside a closed room every ray hits, of primary and inside rays");
+    CHECK(scene_room(&m, 24000, 0, &f) == 0 && pack_mesh(&image, &m, &options, "room", &f) == 0,
+          "%s", f.text);
+    const plt_source source = {.mapped = image.bytes, .bytes = image.size};
+    CHECK(plt_open(&engine, arena, sizeof arena, &source, &run, &fault) == PLT_OK, "%s",
+          fault.message);
+    CHECK(ray_kinds_make(&r, engine, &inside, "room", &f) == 0, "%s", f.text);
+    plt_hit *hits = malloc(WIDTH * HEIGHT * sizeof *hits);
+    for (int kind = RAYS_PRIMARY; kind <= RAYS_INSIDE; kind += RAYS_INSIDE - RAYS_PRIMARY) {
+        uint32_t missed = 0;
+        plt_trace(engine, r.of[kind].rays, hits, r.of[kind].count, 0);
+        for (uint32_t i = 0; i < r.of[kind].count; i++) {
+            missed += hits[i].triangle == PLT_MISS;
+        }
+        CHECK(missed == 0, "%s: %u of %u rays left the room", ray_kind_names[kind],
+              (unsigned)missed, (unsigned)r.of[kind].count);
+    }
+    free(hits);
+    ray_kinds_free(&r);
+    pack_free(&image);
+    mesh_free(&m);
+}
+
 int main(void) {
     packed image = {0};
     ray_kinds one = {0}, two = {0};
@@ -131,6 +217,8 @@ int main(void) {
     check_shadow(&one);
     check_bounce(&one);
     check_random(&one.of[RAYS_RANDOM], plt_engine_info(engine));
+    check_outside(&one.of[RAYS_OUTSIDE], plt_engine_info(engine));
+    check_inside(&one.of[RAYS_INSIDE], plt_engine_info(engine));
     test("the same scene and view give the same rays");
     CHECK(ray_kinds_make(&two, engine, &frame, "ground", &f) == 0, "%s", f.text);
     for (int k = 0; k < RAY_KINDS; k++) {
@@ -147,5 +235,8 @@ int main(void) {
     ray_kinds_free(&one);
     ray_kinds_free(&two);
     pack_free(&image);
+    if (!rig_is_tiny()) { /* a room has more levels */
+        check_closed_room();
+    }
     return test_done();
 }
