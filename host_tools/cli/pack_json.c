@@ -70,8 +70,22 @@ static int write_loss(output *o, const lattice_loss *l, fail *f) {
                         l->t_junctions, l->mended, (double)l->step, l->vertices, l->unmoved);
 }
 
+/* Seconds are the one number that is not the same in every run, and what time made of it. */
+static int write_quality(output *o, const quality_stats *q, fail *f) {
+    if (q->passes == 0) {
+        return output_print(o, f, "  \"quality\": null,\n");
+    }
+    return output_print(o, f,
+                        "  \"quality\": {\n    \"passes\": %" PRIu32 ",\n    \"moves\": %" PRIu32
+                        ",\n    \"boxes_per_line_before\": %.6g,\n"
+                        "    \"boxes_per_line\": %.6g,\n    \"seconds\": %.3f,\n"
+                        "    \"out_of_time\": %s\n  },\n",
+                        q->passes, q->moves, q->before, q->after, q->seconds,
+                        q->out_of_time ? "true" : "false");
+}
+
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
-                    fail *f) {
+                    const quality_stats *quality, fail *f) {
     int status = output_print(o, f,
                               "{\n  \"triangles\": %" PRIu32
                               ",\n  \"triangles_after_reduce\": %zu"
@@ -87,6 +101,9 @@ int pack_json_write(output *o, const pack_meshes *in, const packed *image, const
     }
     if (status == 0) {
         status = output_print(o, f, "  ],\n");
+    }
+    if (status == 0) {
+        status = write_quality(o, quality, f);
     }
     return status == 0 ? write_loss(o, loss, f) : -1;
 }

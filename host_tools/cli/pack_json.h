@@ -9,6 +9,6 @@
 
 /* `loss` is NULL where no vertex is on a lattice. */
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
-                    fail *f);
+                    const quality_stats *quality, fail *f);
 
 #endif

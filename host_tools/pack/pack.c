@@ -22,6 +22,8 @@ typedef struct packing {
     plt_header header;
     plt_record *records;
     plt_node *nodes;
+    quality_stats *quality; /* NULL: the tree stays as it is built */
+    uint32_t seconds;
 } packing;
 
 static int out_of_memory(const packing *p, fail *f) {
@@ -95,8 +97,15 @@ static int build(packing *p, fail *f) {
         free(job.scratch);
         return out_of_memory(p, f);
     }
-    const int status = plt_build(&job);
+    int status = plt_build(&job);
+    const int was_built = status == PLT_OK;
+    if (was_built && p->quality != NULL) {
+        status = quality_improve(&job, &p->records, p->seconds, p->quality);
+    }
     free(job.scratch);
+    if (was_built && status != PLT_OK) {
+        return out_of_memory(p, f);
+    }
     if (status != PLT_OK) {
         return fail_set(
             f, p->name,
@@ -182,18 +191,29 @@ static int pack(packing *p, packed *image, fail *f) {
     return assemble(p, image, f);
 }
 
-int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name,
-              fail *f) {
+static int pack_all(packing *p, packed *image, fail *f) {
     const packed nothing = {NULL, 0, {0}};
     *image = nothing;
-    packing p = {.m = m, .options = options, .name = name};
-    if (m->triangles > PLT_INDEX_MAX) {
-        return pack_too_large(m, name, f);
+    if (p->m->triangles > PLT_INDEX_MAX) {
+        return pack_too_large(p->m, p->name, f);
     }
-    const int status = pack(&p, image, f);
-    free(p.records);
-    free(p.nodes);
+    const int status = pack(p, image, f);
+    free(p->records);
+    free(p->nodes);
     return status;
+}
+
+int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name,
+              fail *f) {
+    packing p = {.m = m, .options = options, .name = name};
+    return pack_all(&p, image, f);
+}
+
+int pack_mesh_better(packed *image, const mesh *m, const pack_options *options, uint32_t seconds,
+                     quality_stats *stats, const char *name, fail *f) {
+    packing p = {.m = m, .options = options, .name = name, .quality = stats, .seconds = seconds};
+    *stats = (quality_stats){.passes = 0};
+    return pack_all(&p, image, f);
 }
 
 void pack_free(packed *image) {

@@ -10,6 +10,7 @@
 #include "host_tools/base/fail.h"
 #include "host_tools/base/output.h"
 #include "host_tools/mesh/mesh.h"
+#include "host_tools/pack/quality.h"
 #include "host_tools/pack/snapped.h"
 
 typedef struct pack_options {
@@ -28,6 +29,10 @@ typedef struct packed {
 
 /* Triangle i of the mesh gets primitive id i. `name` is for errors. */
 int pack_mesh(packed *image, const mesh *m, const pack_options *options, const char *name, fail *f);
+/* The same with a tree that is improved for at most so many seconds, 0: as long as it takes
+ * (quality.h); built by the host. */
+int pack_mesh_better(packed *image, const mesh *m, const pack_options *options, uint32_t seconds,
+                     quality_stats *stats, const char *name, fail *f);
 void pack_free(packed *image);
 
 /* Triangle `triangle` of the mesh as a float record, with its primitive id and rotation. */

@@ -48,8 +48,9 @@ flags() {
 scene_flags='--packet --walk --residency --schedule --workers --source --arena'
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
-flags pack -o --build --splits --leaf --nodes --treelet --fill --slots --geometry --tolerance \
-    --step --numbers --reduce --frame --centre --origin --weld --repair --json
+flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
+    --geometry --tolerance --step --numbers --reduce --frame --centre --origin --weld --repair \
+    --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --repeat --chroma --json $view_flags $scene_flags
@@ -99,7 +100,8 @@ misused "pack --nodes compact refuses --build none" compact \
     pack quad.ply -o x --nodes compact --build none
 
 # Every value that is a word or a number, just out of its range.
-for pair in --build=thing --splits=middle --leaf=3 --leaf=0 --nodes=small --treelet=0 \
+for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
+    --leaf=3 --leaf=0 --nodes=small --treelet=0 \
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
     --slots=newest --geometry=lattice --geometry=double --numbers=some --numbers=none \
     --tolerance=0.1 --reduce=0 --frame=-1; do

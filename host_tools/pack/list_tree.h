@@ -1,0 +1,60 @@
+/* list_tree - a thesis tree as a plain binary one that can be changed
+ *
+ * Its leaves are lists of records. Every node knows its box, parent and children; intermediate
+ * nodes are nodes like all others.
+ * Invariant: an inner node's box is the union of its children's, its area that of the box, its
+ * height one more than the greater of theirs.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef LIST_TREE_H
+#define LIST_TREE_H
+#include <stddef.h>
+#include <stdint.h>
+
+#include "engine/base/box.h"
+#include "engine/builder/build.h"
+
+#define LIST_TREE_NONE 0xFFFFFFFFu
+
+typedef struct list_tree_node {
+    plt_box box;
+    double area; /* half the surface, from single precision without rounding that matters */
+    uint32_t parent;
+    uint32_t child[2];  /* of a list: its first record, LIST_TREE_NONE */
+    uint32_t triangles; /* below it */
+    uint32_t height;    /* inner nodes below on the longest path, itself included; a list's is 0 */
+} list_tree_node;
+
+typedef struct list_tree {
+    list_tree_node *node; /* node 0 is the root */
+    uint32_t nodes;
+} list_tree;
+
+static inline int list_tree_is_list(const list_tree_node *n) {
+    return n->child[1] == LIST_TREE_NONE;
+}
+
+static inline double list_tree_half_area(const plt_box *b) {
+    const double x = (double)b->hi[0] - (double)b->lo[0];
+    const double y = (double)b->hi[1] - (double)b->lo[1];
+    const double z = (double)b->hi[2] - (double)b->lo[2];
+    return x * y + y * z + z * x;
+}
+
+/* Box, area, triangles and height of an inner node, from its children. */
+void list_tree_fit(list_tree *t, uint32_t node);
+
+/* Nodes of the tree that the job has built: 2 * lists - 1. */
+uint32_t list_tree_nodes(const plt_build_job *job);
+/* Reads that tree; `t->node` has room for its nodes. */
+void list_tree_read(list_tree *t, const plt_build_job *job);
+/* Makes it the job's: nodes in treelets, and `to`, which gets the job's records in the tree's
+ * order. The job's own records are as they were. A subtree of at most K triangles becomes one
+ * list. PLT_OK, or what plt_treelets_form returns. */
+int list_tree_write(const list_tree *t, plt_build_job *job, plt_record *to);
+
+/* Areas of all inner nodes over the root's: how many of their boxes a random line meets that
+ * meets the root's. 0 if the root's area is. */
+double list_tree_cost(const list_tree *t);
+
+#endif

@@ -1,0 +1,109 @@
+/* quality - see quality.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/pack/quality.h"
+
+#include <stdlib.h>
+
+#include "host_tools/base/clock.h"
+#include "host_tools/base/progress.h"
+#include "host_tools/pack/list_tree.h"
+#include "host_tools/pack/reinsert.h"
+
+#define GAIN_LEAST 0.001 /* of the cost, by a pass: or it is the last one */
+#define PASSES_MOST 20u
+#define CLOCK_STEP 1024u /* nodes between two looks at the clock */
+
+/* A node and its area when the pass begins. */
+typedef struct turn {
+    double area;
+    uint32_t node;
+} turn;
+
+typedef struct improving {
+    list_tree tree;
+    turn *turns;
+    double began, seconds;
+    quality_stats *stats;
+    progress bar;
+} improving;
+
+/* The largest first, of equals the one with the lower number. */
+static int by_area(const void *left, const void *right) {
+    const turn *a = left, *b = right;
+    if (a->area != b->area) {
+        return a->area < b->area ? 1 : -1;
+    }
+    return a->node < b->node ? -1 : 1;
+}
+
+static void sort_turns(improving *w) {
+    for (uint32_t i = 0; i < w->tree.nodes; i++) {
+        w->turns[i] = (turn){w->tree.node[i].area, i};
+    }
+    qsort(w->turns, w->tree.nodes, sizeof *w->turns, by_area);
+}
+
+static int is_late(const improving *w) {
+    return w->seconds > 0.0 && clock_seconds() - w->began >= w->seconds;
+}
+
+static void pass(improving *w) {
+    sort_turns(w);
+    for (uint32_t i = 0; i < w->tree.nodes && !w->stats->out_of_time; i++) {
+        w->stats->moves += (uint32_t)reinsert(&w->tree, w->turns[i].node);
+        if (i % CLOCK_STEP == CLOCK_STEP - 1) {
+            w->stats->out_of_time = is_late(w);
+            progress_show(&w->bar, (uint64_t)w->stats->passes * w->tree.nodes + i);
+        }
+    }
+    w->stats->passes++;
+    w->stats->after = list_tree_cost(&w->tree);
+}
+
+static void improve(improving *w) {
+    double last;
+    w->stats->before = w->stats->after = list_tree_cost(&w->tree);
+    progress_begin(&w->bar, "improving the tree, nodes looked at", 0);
+    do {
+        last = w->stats->after;
+        pass(w);
+    } while (last - w->stats->after > GAIN_LEAST * last && w->stats->passes < PASSES_MOST &&
+             !w->stats->out_of_time);
+    progress_end(&w->bar);
+}
+
+static int write_back(const improving *w, plt_build_job *job, plt_record **records) {
+    plt_record *ordered = malloc(job->count * sizeof *ordered);
+    if (ordered == NULL) {
+        return PLT_ERR_ARENA;
+    }
+    const int status = list_tree_write(&w->tree, job, ordered);
+    free(*records);
+    *records = job->records = ordered;
+    return status;
+}
+
+int quality_improve(plt_build_job *job, plt_record **records, uint32_t seconds,
+                    quality_stats *stats) {
+    const uint32_t nodes = list_tree_nodes(job);
+    improving w = {.began = clock_seconds(), .seconds = seconds, .stats = stats};
+    int status = PLT_OK;
+    *stats = (quality_stats){.passes = 0};
+    if (job->nodes_used == 0) {
+        return PLT_OK;
+    }
+    w.tree.node = malloc(nodes * sizeof *w.tree.node);
+    w.turns = malloc(nodes * sizeof *w.turns);
+    if (w.tree.node == NULL || w.turns == NULL) {
+        status = PLT_ERR_ARENA;
+    } else {
+        list_tree_read(&w.tree, job);
+        improve(&w);
+        status = stats->after < stats->before ? write_back(&w, job, records) : PLT_OK;
+    }
+    stats->seconds = clock_seconds() - w.began;
+    free(w.tree.node);
+    free(w.turns);
+    return status;
+}

@@ -1,0 +1,31 @@
+/* quality - a finished tree made better, in passes over all its nodes
+ *
+ * A pass takes out every node in turn, the largest first, and puts it back where it is best
+ * (reinsert.h). Passes go on while they gain 1/1000 of the cost. The result depends on the
+ * tree alone, unless the time runs out.
+ *
+ * Memory: 72 bytes per node of list_tree, of which there are 2 per list less one, and a second
+ * array of records; nothing else is allocated. Time: a pass is a search per node, of some 20
+ * to 50 boxes where triangles are small; where all overlap it may be of all boxes.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef QUALITY_H
+#define QUALITY_H
+#include "engine/builder/build.h"
+
+typedef struct quality_stats {
+    uint32_t passes;
+    uint32_t moves;       /* nodes that were moved, in all passes */
+    double before, after; /* list_tree_cost */
+    double seconds;
+    int out_of_time;
+} quality_stats;
+
+/* Improves what the job has built, for so many seconds at most; 0: as long as it takes.
+ * `*records`, which are the job's, may be replaced by others, from malloc as they have to be,
+ * too. The cost never gets worse. PLT_OK, or PLT_ERR_ARENA: out of memory, and all is as it
+ * was. */
+int quality_improve(plt_build_job *job, plt_record **records, uint32_t seconds,
+                    quality_stats *stats);
+
+#endif
