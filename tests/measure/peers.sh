@@ -23,6 +23,7 @@ passed=0 failed=0
     echo "use it as: make peers SCENES=folder-of-meshes PEER=judge-program" >&2
     exit 2
 }
+sh tests/measure/isa.sh "${ISA:-sse4.2}" || exit 2
 mkdir -p "$work"
 
 verdict() { # STATUS SENTENCE

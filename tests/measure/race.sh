@@ -8,7 +8,8 @@
 # `render --repeat` from the eye of the primary rays, from the first ray to the last tile, over
 # the best primary rays of the peer, which are traced only. Set MESHES, KINDS, FORMATS, PACKETS,
 # WALKS, MODES, ISA, ROUNDS or REPEAT for less; FORMATS may also have "float" (compact blocks
-# with the mesh's own floats). SPDX-License-Identifier: MIT
+# with the mesh's own floats) and "high" (thesis nodes of pack --quality high). An ISA that the
+# machine lacks is refused (isa.sh). SPDX-License-Identifier: MIT
 set -u
 scenes=${1:-} peer=${2:-}
 planelet=${PLANELET:-build/host/planelet}
@@ -25,6 +26,7 @@ failed=0
     echo "use it as: sh tests/measure/race.sh folder-of-meshes judge-program" >&2
     exit 2
 }
+sh tests/measure/isa.sh "$isa" || exit 2
 mkdir -p "$work"
 : >"$work/runs"
 : >"$work/judged"
@@ -35,8 +37,9 @@ options_of() { # FORMAT
     thesis) ;;
     compact) echo "--nodes compact" ;;
     float) echo "--nodes compact --geometry float" ;;
+    high) echo "--quality high" ;;
     *)
-        echo "race: there is no format $1; formats: thesis compact float" >&2
+        echo "race: there is no format $1; formats: thesis compact float high" >&2
         return 1
         ;;
     esac
@@ -71,7 +74,10 @@ run_theirs() { # MESH KIND ROUND MODE
 our_modes() {
     for format in $formats; do
         for walk in $walks; do
-            [ "$format" = thesis ] || [ "$walk" = depth ] || continue
+            case $format:$walk in
+            thesis:* | high:* | *:depth) ;;
+            *) continue ;;
+            esac
             for side in $packets; do
                 echo "$format:$side:$walk"
             done
