@@ -38,6 +38,7 @@ $(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
 COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) $(lanes_$(LANES)) \
           -ffunction-sections -fdata-sections -fcallgraph-info=su,da \
           -fno-tree-loop-distribute-patterns \
+          -DPLT_BLOCKS_LEVELS=0 \
           -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(PARTS_FLAGS) $(FIRMWARE_FLAGS)
 
 ##build make BOARD=name [PROGRAM=wired] [PARTS='render thesis compact']: build/name/firmware.elf

@@ -19,7 +19,7 @@ builder_files := $(wildcard engine/builder/*.c engine/scene/build_*.c engine/sce
 compact_files := $(wildcard engine/tree/compact/*.c engine/memory/block_cache.c \
     engine/image/record_cache.c engine/scene/*_compact.c engine/trace/*_compact.c \
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
-    engine/builder/split_lattice.c)
+    engine/builder/split_lattice.c engine/builder/split_given.c)
 thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine/scene/*_list.c \
     engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
     engine/builder/split_records.c)

@@ -52,6 +52,13 @@
 #define PLT_DEPTH_MAX 64
 #endif
 
+/* 1: a program that builds compact blocks may give the tree (builder/split_given.c), as the host's
+ * packer does; 0: nobody does (board/firmware.mk). Cost: about 250 bytes of code, and a pointer in
+ * the arena while blocks are built. */
+#ifndef PLT_BLOCKS_LEVELS
+#define PLT_BLOCKS_LEVELS 1
+#endif
+
 /* Most entries of the global stack of the two-stage order: 16 .. 1048576.
  * Opening refuses a scene that needs more, whichever order is asked for: one
  * check serves both. Cost: as above. */
@@ -116,6 +123,9 @@
 #endif
 #if PLT_DEPTH_MAX < 8 || PLT_DEPTH_MAX > 512
 #error "PLT_DEPTH_MAX is 8 .. 512"
+#endif
+#if PLT_BLOCKS_LEVELS != 0 && PLT_BLOCKS_LEVELS != 1
+#error "PLT_BLOCKS_LEVELS is 0 or 1"
 #endif
 #if PLT_GLOBAL_STACK_MAX < 16 || PLT_GLOBAL_STACK_MAX > 1048576
 #error "PLT_GLOBAL_STACK_MAX is 16 .. 1048576"

@@ -125,6 +125,17 @@ static void set_child(plt_blocks_state *s, const plt_block_range *range, uint32_
     }
 }
 
+static uint32_t split(plt_blocks_state *s, const plt_block_range *p, plt_lattice_box half[2]) {
+    const plt_split_range range = {p->first, p->first + p->count, p->depth, s->job->leaf_triangles,
+                                   s->job->splits};
+#if PLT_BLOCKS_LEVELS
+    if (s->job->levels != NULL) {
+        return plt_split_given(s, range.begin, range.end, half);
+    }
+#endif
+    return plt_split_lattice(s, &range, &p->exact, half);
+}
+
 static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     const plt_block_range p = s->pending[chosen];
     const uint32_t index = s->nodes++;
@@ -138,9 +149,7 @@ static void split_pending(plt_blocks_state *s, uint32_t chosen) {
     }
     uint32_t middle = p.first;
     if (p.count > 1) {
-        const plt_split_range range = {p.first, p.first + p.count, p.depth, s->job->leaf_triangles,
-                                       s->job->splits};
-        middle = plt_split_lattice(s, &range, &p.exact, half);
+        middle = split(s, &p, half);
     } else { /* a scene of one triangle has it twice */
         half[0] = half[1] = p.exact;
     }

@@ -5,6 +5,7 @@
 #define PLT_BUILDER_BLOCKS_JOB_H
 
 #include "engine/builder/lattice_triangles.h"
+#include "engine/planelet_config.h"
 
 /* Why a build ends with PLT_ERR_LIMIT. */
 enum plt_blocks_limit {
@@ -19,10 +20,13 @@ typedef struct plt_blocks_job {
     uint32_t bits;                   /* of the lattice */
     uint32_t leaf_triangles;         /* K: 1, 2 or 4 */
     uint8_t splits;                  /* enum plt_splits */
-    const uint16_t *mesh;            /* index of each triangle's mesh, 0 .. 1022; or NULL */
-    unsigned char *memory;           /* aligned to 8 */
-    size_t bytes;                    /* of memory */
-    void *scratch;                   /* plt_blocks_scratch_bytes, aligned to 8 */
+#if PLT_BLOCKS_LEVELS
+    const uint16_t *levels; /* of a tree that is given (split_given.c), or NULL */
+#endif
+    const uint16_t *mesh;  /* index of each triangle's mesh, 0 .. 1022; or NULL */
+    unsigned char *memory; /* aligned to 8 */
+    size_t bytes;          /* of memory */
+    void *scratch;         /* plt_blocks_scratch_bytes, aligned to 8 */
     /* results */
     uint32_t used;                                  /* bytes of blocks so far */
     uint32_t node_bytes;                            /* of them nodes parts */

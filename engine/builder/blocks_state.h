@@ -104,6 +104,12 @@ static inline int plt_blocks_limited(plt_blocks_state *s, enum plt_blocks_limit 
 uint32_t plt_split_lattice(plt_blocks_state *items, const plt_split_range *range,
                            const plt_lattice_box *box, plt_lattice_box child[2]);
 
+#if PLT_BLOCKS_LEVELS
+/* The same by job->levels, of two items and more. (split_given.c) */
+uint32_t plt_split_given(const plt_blocks_state *s, uint32_t begin, uint32_t end,
+                         plt_lattice_box child[2]);
+#endif
+
 /* The order and rotations of a leaf's triangles that take few strips, with start and
  * swap bits. `count` is 1 .. 8. (strips.c) */
 void plt_strips_find(const uint32_t corner[][3][3], uint32_t count, plt_strip_step *step);

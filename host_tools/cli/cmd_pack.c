@@ -31,7 +31,7 @@ static const arg_flag flags[] = {
      "(default host)"},
     {"--splits", "sah|median", "binned SAH, or the thesis's spatial median (default sah)"},
     {"--quality", "fast|high",
-     "high: thesis nodes of --build host are moved to where the boxes are smallest, which takes "
+     "high: nodes of --build host are moved to where the boxes are smallest, which takes "
      "four times as long and more, and gives up to a third fewer visits where triangles differ "
      "in size (default fast)"},
     {"--quality-time", "N", "of --quality high: stop after N seconds, 1 to 86400"},
@@ -156,6 +156,8 @@ static int build(pack_job *job, packed *image, fail *f) {
     const mesh *m = &job->in.m;
     int status;
     if (compact) {
+        job->compact.quality = job->is_high ? &job->quality : NULL;
+        job->compact.quality_seconds = job->quality_seconds;
         status = pack_compact(image, m, &job->compact, name, &job->loss, f);
     } else if (job->is_high) {
         status =
@@ -316,9 +318,7 @@ static void read_quality(pack_job *job, args *a) {
     static const char *const qualities[] = {"fast", "high", NULL};
     job->is_high = (int)args_choice(a, "--quality", qualities, 0);
     job->quality_seconds = (uint32_t)args_number(a, "--quality-time", 0, 1, 86400);
-    if (job->is_high && job->compact.lattice_bits > 0) {
-        args_complain(a, "--quality high is for thesis nodes; leave out one of both");
-    } else if (job->is_high && job->options.build != PLT_BUILD_HOST) {
+    if (job->is_high && job->options.build != PLT_BUILD_HOST) {
         args_complain(a, "--quality high improves what this program builds; use --build host");
     } else if (!job->is_high && args_has(a, "--quality-time")) {
         args_complain(a, "--quality-time is for --quality high");

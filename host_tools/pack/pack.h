@@ -42,15 +42,17 @@ void pack_record(plt_record *record, const mesh *m, size_t triangle);
 int pack_too_large(const mesh *m, const char *name, fail *f);
 
 typedef struct compact_options {
-    uint8_t splits, build;   /* as above, but not PLT_BUILD_NONE */
-    uint8_t lattice_bits;    /* 12 .. 21 */
-    uint8_t numbers;         /* keep primitive ids in a section */
-    uint8_t floats;          /* float records, bit exact; the lattice is for boxes alone */
-    uint32_t leaf_triangles; /* K: 1, 2 or 4 */
-    const size_t *mesh_end;  /* first triangle after each mesh; NULL: one mesh */
-    unsigned meshes;         /* from 1,023 on blocks do not say which mesh they are of */
-    uint8_t power;           /* the lattice's step is a power of two */
-    double tolerance;        /* take more bits, or fewer, to keep this; 0: the bits as given */
+    uint8_t splits, build;    /* as above, but not PLT_BUILD_NONE */
+    uint8_t lattice_bits;     /* 12 .. 21 */
+    uint8_t numbers;          /* keep primitive ids in a section */
+    uint8_t floats;           /* float records, bit exact; the lattice is for boxes alone */
+    uint32_t leaf_triangles;  /* K: 1, 2 or 4 */
+    const size_t *mesh_end;   /* first triangle after each mesh; NULL: one mesh */
+    unsigned meshes;          /* from 1,023 on blocks do not say which mesh they are of */
+    uint8_t power;            /* the lattice's step is a power of two */
+    double tolerance;         /* take more bits, or fewer, to keep this; 0: the bits as given */
+    quality_stats *quality;   /* NULL: the tree stays as it is built; of PLT_BUILD_HOST alone */
+    uint32_t quality_seconds; /* as of pack_mesh_better */
 } compact_options;
 
 /* The same as compact blocks on a lattice; says what the lattice cost. */

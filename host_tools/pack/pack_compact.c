@@ -17,6 +17,7 @@
 #include "host_tools/pack/lattice_boxes.h"
 #include "host_tools/pack/lattice_snap.h"
 #include "host_tools/pack/pack.h"
+#include "host_tools/pack/quality_order.h"
 
 typedef struct compacting {
     const mesh *m;
@@ -27,6 +28,7 @@ typedef struct compacting {
     unsigned char *blocks; /* owned */
     uint32_t *order;       /* index in `s` of each triangle in image order; owned */
     uint32_t triangles;    /* in image order */
+    uint16_t *levels;      /* of a better tree; owned; NULL: there is none */
 } compacting;
 
 static int out_of_memory(const compacting *c, fail *f) {
@@ -42,7 +44,10 @@ static uint16_t *mesh_indices(const compacting *c) {
     }
     uint16_t *of = malloc((size_t)c->s.count * sizeof *of + 1);
     unsigned at = 0;
-    for (uint32_t i = 0; i < c->s.count && of != NULL; i++) { /* sources ascend */
+    for (uint32_t i = 0; i < c->s.count && of != NULL; i++) { /* sources ascend, or are near */
+        while (at > 0 && c->s.source[i] < o->mesh_end[at - 1]) {
+            at--;
+        }
         while (at + 1 < o->meshes && c->s.source[i] >= o->mesh_end[at]) {
             at++;
         }
@@ -84,11 +89,33 @@ static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
     return 0;
 }
 
+/* A better tree, if it is asked for: triangles come into its order. */
+static int improve(compacting *c, fail *f) {
+    const compact_options *o = c->options;
+    if (o->quality == NULL || c->s.count == 0) {
+        return 0;
+    }
+    c->levels = malloc(c->s.count * sizeof *c->levels);
+    const int status = c->levels == NULL ? PLT_ERR_ARENA
+                                         : quality_order(&c->s, o->leaf_triangles, o->floats,
+                                                         o->quality_seconds, o->quality, c->levels);
+    if (status == PLT_ERR_LIMIT) { /* the builder of blocks says so, or does without */
+        free(c->levels);
+        c->levels = NULL;
+        return 0;
+    }
+    return status == PLT_OK ? 0 : out_of_memory(c, f);
+}
+
 static int build(compacting *c, fail *f) {
     plt_info *info = &c->header.info;
+    if (improve(c, f) != 0) {
+        return -1;
+    }
     plt_blocks_job job = {.triangles = {c->s.corners, c->s.count, c->s.width, c->options->floats},
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
+                          .levels = c->levels,
                           .splits = info->splits};
     uint16_t *meshes = mesh_indices(c);
     job.mesh = meshes;
@@ -251,6 +278,9 @@ int pack_compact(packed *image, const mesh *m, const compact_options *options, c
     const packed nothing = {NULL, 0, {0}};
     const lattice_loss none = {0};
     compacting c = {.m = m, .options = options, .name = name};
+    if (options->quality != NULL) {
+        *options->quality = (quality_stats){.passes = 0};
+    }
     *image = nothing;
     *loss = none;
     if (m->triangles > PLT_INDEX_MAX) {
@@ -271,5 +301,6 @@ int pack_compact(packed *image, const mesh *m, const compact_options *options, c
     snapped_free(&c.s);
     free(c.blocks);
     free(c.order);
+    free(c.levels);
     return status;
 }

@@ -37,16 +37,6 @@ cured render quad.plt -o x.png --size 64x48
 
 # ---- pack --quality: host_tools/cli/cmd_pack.c ---------------------------------------
 
-for nodes in thesis compact; do
-    says "--quality high is for thesis nodes; leave out one of both" \
-        pack quad.ply -o x.plt --quality high --nodes compact
-    if [ $nodes = thesis ]; then
-        packs 2 quad.ply --quality high
-    else
-        run pack quad.ply -o cured.plt --nodes compact
-        cured info cured.plt
-    fi
-done
 for build in device none; do
     says "--quality high improves what this program builds; use --build host" \
         pack quad.ply -o x.plt --quality high --build $build

@@ -12,6 +12,7 @@
 #include "host_tools/pack/list_tree.h"
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
+#include "tests/reference/compact_rig.h"
 #include "tests/reference/rays.h"
 #include "tests/reference/rig.h"
 #include "tests/reference/shapes.h"
@@ -119,12 +120,40 @@ static double check_mesh(const mesh *m, uint32_t k, uint32_t n, uint8_t splits, 
     return before > 0.0 ? after / before : 1.0;
 }
 
+/* The same as compact blocks; opening validates them. */
+static void check_compact(mesh *m, uint32_t k, uint8_t floats, const char *name) {
+    compact_config config = compact_config_of(k, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    rig fast, high;
+    quality_stats stats;
+    config.pack.floats = floats;
+    config.pack.numbers = !floats;
+    const int opened = compact_open(&fast, m, &config);
+    config.pack.quality = &stats;
+    const int status = compact_open(&high, m, &config);
+    if (rig_is_tiny() && (opened == PLT_ERR_LIMIT || status == PLT_ERR_LIMIT)) {
+        return; /* too deep for so few levels */
+    }
+    CHECK(opened == PLT_OK && status == PLT_OK, "%s: not opened: %d, %d %s", name, opened, status,
+          high.fault.message);
+    CHECK(high.image.info.triangles == fast.image.info.triangles, "%s: triangles are lost", name);
+    CHECK(stats.after <= stats.before, "%s: cost %g, was %g", name, stats.after, stats.before);
+    if (opened == PLT_OK && status == PLT_OK && high.image.info.triangles > 0) {
+        check_hits(&fast, &high, m, name);
+    }
+    rig_close(&fast);
+    rig_close(&high);
+}
+
 static void check_shape(mesh *m, const char *name) {
     static const uint32_t k[] = {1, 2, 4, 2}, n[] = {64, 64, 1, 3};
     test(name);
     for (int i = 0; i < 4; i++) {
         check_mesh(m, k[i], n[i], i == 3 ? PLT_SPLIT_MEDIAN : PLT_SPLIT_SAH, name);
     }
+    for (int i = 0; i < 3; i++) {
+        check_compact(m, k[i], 0, name);
+    }
+    check_compact(m, 2, 1, name);
     mesh_free(m);
 }
 
@@ -167,6 +196,7 @@ static void test_gain(void) {
     CHECK(scene_room(&m, 24000, 0, &f) == 0, "%s", f.text);
     const double share = check_mesh(&m, 2, 64, PLT_SPLIT_SAH, "room");
     CHECK(share < 0.8, "%.3f of the cost remains", share);
+    check_compact(&m, 2, 0, "room");
     mesh_free(&m);
 }
 
