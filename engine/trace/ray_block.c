@@ -208,8 +208,9 @@ static void set_exact_distance(const plt_bvh4_block *b, const plt_ray *ray, lane
     l->t[i] = clamped(plt_exact_distance(corner, ray->org, ray->dir), l->enter[i], l->leave[i]);
 }
 
-static int is_nearer(const plt_wave_ray *r, const plt_hit *hit, float t, uint32_t id) {
-    return r->tmin[0] <= t && (t < r->tmax[0] || (t == r->tmax[0] && id < hit->triangle));
+/* For any hit `hit` holds no id, and tmax is -1 once there is one. */
+static int is_nearer(const plt_wave_ray *r, const plt_hit *hit, float t, uint32_t id, int any) {
+    return r->tmin[0] <= t && (t < r->tmax[0] || (t == r->tmax[0] && (any || id < hit->triangle)));
 }
 
 static float weight_of(const lanes *l, unsigned corner, unsigned i, float sum) {
@@ -274,7 +275,7 @@ static int keep_nearest(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave
         if ((open & bit) != 0) {
             set_exact_distance(b, ray, l, i);
         }
-        if (is_nearer(r, hit, l->t[i], plt_primitive_id(b->word[i]))) {
+        if (is_nearer(r, hit, l->t[i], plt_primitive_id(b->word[i]), job->any)) {
             record(r, l, i, b->word[i], job->any, hit);
             is_hit = 1;
         }
