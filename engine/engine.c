@@ -54,6 +54,10 @@ void plt_stats_reset(plt_engine *e) {
     plt_traversal_reset_stats(&e->traversal);
 }
 
+unsigned plt_packet_side(const plt_engine *e) {
+    return e->options.packet_side;
+}
+
 size_t plt_arena_used(const plt_engine *e) {
     return e->arena.used;
 }

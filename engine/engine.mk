@@ -26,7 +26,8 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
-groups_files := $(addprefix engine/trace/,triangle.c packet.c boxes.c rays.c) \
+groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
+    rays.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c

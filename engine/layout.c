@@ -90,7 +90,7 @@ static uint64_t record_cache_bytes(const subject *s) {
 /* Bytes of a stack entry; 0: not in this order. Beams and groups share the stack. */
 static size_t entry_bytes(enum plt_format format, unsigned order) {
 #if PLT_WITH_GROUPS
-    const size_t bytes = plt_entry_bytes(format, (enum plt_order)order);
+    const size_t bytes = plt_entry_bytes(format, order);
 #else
     const size_t bytes = 0;
     (void)format;
@@ -103,11 +103,34 @@ static size_t entry_bytes(enum plt_format format, unsigned order) {
 #endif
 }
 
+/* Of packets with hulls; 0: there are none. */
+static size_t hulls_entry_bytes(const subject *s) {
+#if PLT_WITH_HULLS
+    return s->options->order == PLT_ORDER_DEPTH_FIRST ? plt_entry_bytes(s->format, PLT_ORDER_HULLS)
+                                                      : 0;
+#else
+    (void)s;
+    return 0;
+#endif
+}
+
+/* The largest that there is room for is chosen later (open.c): 2 x 2 is what must fit. */
+static unsigned packet_side(const subject *s) {
+    return s->options->packet_side > 0 ? s->options->packet_side : 2;
+}
+
 static uint64_t stack_bytes(const subject *s) {
-    const uint32_t need = s->options->order == PLT_ORDER_TWO_STAGE
-                              ? s->sized_for->global_stack_entries
-                              : s->sized_for->depth_stack_entries;
-    return (uint64_t)(need > 0 ? need : 1) * entry_bytes(s->format, s->options->order);
+    const int two_stage = s->options->order == PLT_ORDER_TWO_STAGE;
+    const uint32_t need =
+        two_stage ? s->sized_for->global_stack_entries : s->sized_for->depth_stack_entries;
+    const uint64_t entries = need > 0 ? need : 1;
+    const uint64_t hulls = entries + plt_hull_levels(packet_side(s)) + 1;
+    return larger(entries * entry_bytes(s->format, s->options->order),
+                  hulls * hulls_entry_bytes(s));
+}
+
+static uint64_t leaves_bytes(const subject *s) {
+    return (uint64_t)(PLT_LEAVES_WAITING + 2) * hulls_entry_bytes(s);
 }
 
 static uint64_t local_stack_bytes(const subject *s) {
@@ -118,8 +141,7 @@ static uint64_t local_stack_bytes(const subject *s) {
 
 /* Pixels of a beam take less than rays in groups, and lie where those do. */
 static uint64_t packet_bytes(const subject *s) {
-    return PLT_WITH_GROUPS ? plt_packet_bytes(s->options->packet_side)
-                           : plt_beam_bytes(s->options->packet_side);
+    return PLT_WITH_GROUPS ? plt_packet_bytes(packet_side(s)) : plt_beam_bytes(packet_side(s));
 }
 
 static uint64_t state_bytes(const subject *s) {
@@ -188,6 +210,8 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return stack_bytes(s);
     case PLT_PART_LOCAL_STACK:
         return local_stack_bytes(s);
+    case PLT_PART_LEAVES:
+        return leaves_bytes(s);
     case PLT_PART_FORMAT:
         return state_bytes(s);
     case PLT_PART_WIDE_FORM:
@@ -219,11 +243,24 @@ void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
 #endif
 }
 
-uint64_t plt_layout_need(const plt_layout *layout) {
-    uint64_t sum[PLT_LIFETIMES] = {0, 0, 0, 0};
+static void add_up(const plt_layout *layout, uint64_t sum[PLT_LIFETIMES]) {
+    for (unsigned i = 0; i < PLT_LIFETIMES; i++) {
+        sum[i] = 0;
+    }
     for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
         sum[plt_part_lifetime((enum plt_part)i)] += layout->bytes[i];
     }
+}
+
+uint64_t plt_layout_running(const plt_layout *layout) {
+    uint64_t sum[PLT_LIFETIMES];
+    add_up(layout, sum);
+    return sum[PLT_LIFETIME_RUNS];
+}
+
+uint64_t plt_layout_need(const plt_layout *layout) {
+    uint64_t sum[PLT_LIFETIMES];
+    add_up(layout, sum);
     return sum[PLT_LIFETIME_STAYS] +
            larger(sum[PLT_LIFETIME_RUNS],
                   larger(sum[PLT_LIFETIME_BUILDS], sum[PLT_LIFETIME_VALIDATES]));
@@ -238,7 +275,7 @@ static int is_wave_valid(const plt_options *o) {
 
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
-    return (side == 2 || side == 4 || side == 8 || side == 16) && side <= PLT_PACKET_SIDE_MAX &&
+    return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
 }
 

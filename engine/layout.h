@@ -20,6 +20,9 @@ void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *si
 void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
                          const plt_options *options);
 
+/* Bytes of what runs, which is cut last. */
+uint64_t plt_layout_running(const plt_layout *layout);
+
 /* What an arena must hold for these parts. */
 uint64_t plt_layout_need(const plt_layout *layout);
 

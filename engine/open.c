@@ -105,12 +105,23 @@ static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_
 }
 #endif
 
+/* Bytes of all that runs; if it was not said, with the largest packets that there is room for. */
+static void set_layout(plt_engine *e, plt_layout *layout) {
+    const plt_info *info = &e->scene.info;
+    const int chooses = e->options.packet_side == 0;
+    unsigned side = chooses ? PLT_PACKET_SIDE_MAX : e->options.packet_side;
+    do {
+        e->options.packet_side = (uint8_t)side;
+        plt_layout_set(layout, info, info, e->source.mapped != NULL, &e->options);
+        side /= 2;
+    } while (chooses && side > 1 && plt_layout_running(layout) > e->arena.bytes - e->arena.used);
+}
+
 /* The scene is open: a traversal, a packet and a tile buffer over it. */
 static int start_worker(plt_engine *e, plt_fault *fault) {
     plt_layout layout;
     void *part[PLT_PARTS_COUNT];
-    const plt_info *info = &e->scene.info;
-    plt_layout_set(&layout, info, info, e->source.mapped != NULL, &e->options);
+    set_layout(e, &layout);
     const plt_opening o = opening_of(e, &layout, fault);
     int status = cut_running(&o, part);
     if (status == PLT_OK) {

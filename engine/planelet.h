@@ -104,9 +104,10 @@ enum plt_rays {
     PLT_RAYS_INCOHERENT = 2 /* each for itself: in a wave */
 };
 
-/* How an engine shall run; all zero but `packet_side` is a good choice. */
+/* How an engine shall run; all zero is a good choice. */
 typedef struct plt_options {
-    uint8_t packet_side;    /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX */
+    uint8_t packet_side;    /* 2, 4, 8 or 16, at most PLT_PACKET_SIDE_MAX; 0: the largest that the
+                             * arena has room for (a need is then that of 2) */
     uint8_t order;          /* enum plt_order */
     uint8_t count_touched;  /* 1: count plt_stats.bytes_touched_once, for a bit per treelet
                              * block, of compact blocks a bit per 8 bytes */
@@ -314,8 +315,9 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
  * once for all of its pixels. */
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun, and of waves */
-    uint64_t node_visits;    /* nodes decoded, once per packet */
-    uint64_t group_tests;    /* four rays or a beam against a child's box; not boxes tested again */
+    uint64_t node_visits;    /* nodes decoded, once per packet, or per hull of its rays */
+    uint64_t group_tests;    /* four rays, four hulls of rays or a beam against a child's box;
+                                not boxes tested again */
     uint64_t triangle_tests; /* four rays against one triangle, as if every group that
                                 reached a leaf met all of its triangles; or one beam */
     uint64_t treelet_fetches;
@@ -325,11 +327,15 @@ typedef struct plt_stats {
     uint64_t packets;
     uint64_t wave_rays; /* of `rays`, those that went by the wave. Each visits nodes for itself:
                          * a visit tests its children's boxes at once, one group_test; up to four
-                         * triangles at once are one triangle_test. No treelets are counted. */
+                         * triangles at once are one triangle_test. No treelets are counted.
+                         * How many they are depends on the calls before, too; hits do not. */
 } plt_stats;
 
 void plt_stats_get(const plt_engine *engine, plt_stats *stats);
 void plt_stats_reset(plt_engine *engine);
+
+/* Rays along a packet's side: as asked for, or as there was room for. */
+unsigned plt_packet_side(const plt_engine *engine);
 
 /* Bytes of the arena in use, and the most that ever were. */
 size_t plt_arena_used(const plt_engine *engine);

@@ -33,6 +33,16 @@
     PLT_WITH_THESIS /* frames of thesis nodes and lists by beams: faster, smaller */
 #endif
 
+/* Packets as trees of hulls (trace/hulls.h), where four lanes are one register; elsewhere they
+ * cost more code than they save work. */
+#ifndef PLT_WITH_HULLS
+#ifdef PLT_LANES
+#define PLT_WITH_HULLS PLT_WITH_GROUPS
+#else
+#define PLT_WITH_HULLS 0
+#endif
+#endif
+
 /* Largest packet, rays along one side: 2, 4, 8 or 16. Decides only what
  * `plt_options.packet_side` may be: the arena holds the packet asked for. */
 #ifndef PLT_PACKET_SIDE_MAX
@@ -97,6 +107,9 @@
 #endif
 #if (PLT_WITH_GROUPS != 0 && PLT_WITH_GROUPS != 1) || (PLT_WITH_BEAMS != 0 && PLT_WITH_BEAMS != 1)
 #error "PLT_WITH_GROUPS and PLT_WITH_BEAMS are the digit 0 or 1"
+#endif
+#if (PLT_WITH_HULLS != 0 && PLT_WITH_HULLS != 1) || (PLT_WITH_HULLS && !PLT_WITH_GROUPS)
+#error "PLT_WITH_HULLS is the digit 0, or with PLT_WITH_GROUPS 1"
 #endif
 #if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
 #error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"

@@ -195,6 +195,17 @@ static inline void f4_transpose(f4 *a, f4 *b, f4 *c, f4 *d) {
     _MM_TRANSPOSE4_PS(*a, *b, *c, *d);
 }
 
+/* A macro, as the lane is part of the instruction. */
+#define f4_lane(a, lane) _mm_castsi128_ps(_mm_shuffle_epi32(_mm_castps_si128(a), 0x55 * (lane)))
+
+static inline m4 m4_of_u4(u4 a) {
+    return plt_m4(_mm_castsi128_ps(a.v));
+}
+
+static inline f4 f4_turn(f4 a) {
+    return _mm_castsi128_ps(_mm_shuffle_epi32(_mm_castps_si128(a), _MM_SHUFFLE(3, 0, 2, 1)));
+}
+
 static inline f4 f4_rotate(f4 a) {
     return _mm_shuffle_ps(a, a, _MM_SHUFFLE(0, 3, 2, 1));
 }
@@ -208,7 +219,13 @@ static inline void f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4 a, 
     _mm_storeh_pi((__m64 *)(void *)to[at[3]], high);
 }
 
-static inline void plt_prefetch(const void *at) {
+/* Always inlined: gcc 12 takes a function of nothing but prefetches for one without effects, and
+ * drops the calls to it before it inlines them. */
+#ifdef __GNUC__
+__attribute__((always_inline))
+#endif
+static inline void
+plt_prefetch(const void *at) {
     _mm_prefetch((const char *)at, _MM_HINT_T0);
 }
 

@@ -23,6 +23,7 @@
  * make              f4_all(float) u4_all(uint32) f4_zero()
  *                   u4_three(uint32_t, uint32_t, uint32_t), the fourth is 0
  *                   m4_bits(unsigned) lane i from bit i
+ *                   m4_of_u4(u4) of lanes that are all ones or zero
  *                   f4_of_u4(u4) of numbers below 2^31; exact below 2^24
  *                   f4_of_bytes(const unsigned char[4]) of 8 bits each
  *                   f4_of_halves(const unsigned char[8]) of 16 bits each, little-endian
@@ -36,6 +37,8 @@
  *                   NaN lanes not allowed
  *                   f4_transpose(f4*, f4*, f4*, f4*): 4 rows to 4 columns
  *                   f4_rotate(f4) lanes 1, 2, 3, 0
+ *                   f4_turn(f4) lanes 1, 2, 0, 3: axes, each the one after it
+ *                   f4_lane(f4, constant) that lane in all
  *                   f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4, f4)
  *                   the bits of both lanes i to to[at[i]], in the order of lanes
  * memory            plt_prefetch(const void *): a hint, may do nothing

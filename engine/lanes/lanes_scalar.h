@@ -204,6 +204,19 @@ static inline void f4_transpose(f4 *a, f4 *b, f4 *c, f4 *d) {
     }
 }
 
+static inline f4 f4_lane(f4 a, int lane) {
+    PLT_EACH_LANE(f4, a.lane[lane]);
+}
+
+static inline f4 f4_turn(f4 a) {
+    const f4 r = {{a.lane[1], a.lane[2], a.lane[0], a.lane[3]}};
+    return r;
+}
+
+static inline m4 m4_of_u4(u4 a) {
+    PLT_EACH_LANE(m4, a.lane[i]);
+}
+
 static inline f4 f4_rotate(f4 a) {
     PLT_EACH_LANE(f4, a.lane[(i + 1) & 3]);
 }

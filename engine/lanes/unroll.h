@@ -7,6 +7,13 @@
 #ifndef PLT_LANES_UNROLL_H
 #define PLT_LANES_UNROLL_H
 
+/* Before a function that is compiled anew for the constants of every call. */
+#ifdef __GNUC__
+#define PLT_INLINED static inline __attribute__((always_inline))
+#else
+#define PLT_INLINED static inline
+#endif
+
 #if defined(__clang__)
 #define PLT_UNROLLED _Pragma("clang loop unroll(full)")
 #elif defined(__GNUC__)

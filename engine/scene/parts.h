@@ -29,6 +29,7 @@
     ROW(TILE_BUFFER, RUNS, "tile buffer")                                                          \
     ROW(STACK, RUNS, "traversal stack")                                                            \
     ROW(LOCAL_STACK, RUNS, "local stack")                                                          \
+    ROW(LEAVES, RUNS, "leaves that wait")                                                          \
     ROW(FORMAT, RUNS, "state of the format")                                                       \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")

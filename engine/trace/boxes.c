@@ -3,14 +3,9 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/boxes.h"
 
-#include "engine/lanes/lanes.h"
+#include "engine/trace/planes.h"
 
-/* One box as each kind of coherence wants it, in all four lanes. */
-typedef struct planes {
-    f4 near[3], far[3]; /* ONE_ORIGIN: minus the common origin; MIXED: lo and hi */
-} planes;
-
-static inline void set_planes(planes *b, const plt_slab_array *slabs, const plt_box *box,
+static inline void set_planes(plt_planes *b, const plt_slab_array *slabs, const plt_box *box,
                               enum plt_coherence kind) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const int swap = kind != PLT_MIXED && slabs->negative[a];
@@ -21,28 +16,12 @@ static inline void set_planes(planes *b, const plt_slab_array *slabs, const plt_
     }
 }
 
-static inline void distances(const planes *b, const plt_group_slabs *g, int a,
-                             enum plt_coherence kind, f4 *near, f4 *far) {
-    const f4 rdir = f4_load(g->rdir[a]);
-    f4 n = b->near[a], f = b->far[a];
-    if (kind == PLT_MIXED) {
-        const m4 negative = f4_lt(rdir, f4_zero());
-        n = f4_select(negative, b->far[a], b->near[a]);
-        f = f4_select(negative, b->near[a], b->far[a]);
-    }
-    if (kind != PLT_ONE_ORIGIN) {
-        n = f4_sub(n, f4_load(g->near_org[a]));
-        f = f4_sub(f, f4_load(g->far_org[a]));
-    }
-    *near = f4_mul(n, rdir);
-    *far = f4_mul(f, rdir);
-}
-
-static inline m4 meets(const planes *b, const plt_group_slabs *g, enum plt_coherence kind,
+static inline m4 meets(const plt_planes *b, const plt_group_slabs *g, enum plt_coherence kind,
                        f4 *entry) {
     f4 n[3], f[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        distances(b, g, a, kind, &n[a], &f[a]);
+        const f4 rdir = f4_load(g->rdir[a]);
+        plt_plane_depths(b, a, g, rdir, rdir, kind, &n[a], &f[a]);
     }
     *entry = f4_max(f4_max(n[0], n[1]), f4_max(n[2], f4_load(g->tmin)));
     const f4 leave = f4_min(f4_min(f[0], f[1]), f4_min(f[2], f4_load(g->tmax)));
@@ -51,7 +30,7 @@ static inline m4 meets(const planes *b, const plt_group_slabs *g, enum plt_coher
 
 static inline plt_mask test_box(const plt_slab_array *slabs, const plt_box *box, plt_mask groups,
                                 enum plt_coherence kind) {
-    planes b;
+    plt_planes b;
     plt_mask hit = 0;
     set_planes(&b, slabs, box, kind);
     for (plt_mask m = groups; m != 0; m &= m - 1) {
@@ -64,7 +43,7 @@ static inline plt_mask test_box(const plt_slab_array *slabs, const plt_box *box,
 
 static inline uint32_t test_pair(const plt_slab_array *slabs, const plt_box child[2],
                                  plt_mask groups, plt_mask hit[2], enum plt_coherence kind) {
-    planes b[2];
+    plt_planes b[2];
     plt_mask left = 0, right = 0;
     uint32_t tested = 0;
     set_planes(&b[0], slabs, &child[0], kind);
@@ -104,7 +83,7 @@ uint32_t plt_box_pair(const plt_slab_array *slabs, const plt_box child[2], plt_m
 }
 
 float plt_box_entry(const plt_slab_array *slabs, const plt_box *box, plt_mask groups) {
-    planes b;
+    plt_planes b;
     f4 entry;
     set_planes(&b, slabs, box, PLT_MIXED); /* right for any packet; calls are rare */
     const m4 hit = meets(&b, &slabs->group[plt_mask_first(groups)], PLT_MIXED, &entry);

@@ -113,8 +113,9 @@ static void open_piece(plt_traversal *t, piece *p, piece to[2]) {
     for (unsigned i = 0; i < 2; i++) {
         format_child(&c, i, &to[i].place);
     }
+    const plt_box *box = format_boxes(&c);
     for (unsigned i = 0; i < 2; i++) {
-        set_piece(t, &to[i], &format_boxes(&c)[i]);
+        set_piece(t, &to[i], &box[i]);
     }
 }
 

@@ -31,17 +31,23 @@
  *                                   in the current treelet
  *   const plt_box *format_boxes(children)        their two boxes, in scene units
  *   void format_child(children, i, place)        the place of child i
+ *   void format_bounds(t, place, lo, hi)         its box in lanes: x, y, z, and a number that
+ *                                   means nothing; wanted by order_hulls.h alone, as are
+ *   void format_child_bounds(children, i, lo, hi)         that of child i, and
+ *   int format_cross(t, place)      enters an edge, if the place is one
  *   int format_leaf(t, p, place, groups)         tests its triangles for these groups
  *   uint32_t format_count(t, place)              of a format that can have a wide form: how
  *                                   many triangles the leaf has, whose treelet is current
  *   void format_triangle(t, place, index, triangle)   one of them, without `longest`
+ *   FORMAT_LEAVES_WAIT              1: a leaf can be tested after others, as it is not read
+ *                                   through the current treelet
  *   FORMAT_TIGHTENS                 1: format_enter may make the box smaller. An order may
  *                                   then enter an edge that has waited before it tests it
  *                                   (depth first does): fewer visits, but a fetch for
  *                                   nothing where the box is hidden by now
  *
- * Those that may have to fetch return PLT_OK or a negative status (enter, return,
- * leaf). A format whose bytes are all at hand returns the constant PLT_OK, and the
+ * Those that may have to fetch return PLT_OK or a negative status (enter, cross,
+ * return, leaf). A format whose bytes are all at hand returns the constant PLT_OK, and the
  * compiler drops the test.
  *
  * SPDX-License-Identifier: MIT */

@@ -15,7 +15,7 @@
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_compact.h"
 
-enum { FORMAT_TIGHTENS = 1 };
+enum { FORMAT_TIGHTENS = 1, FORMAT_LEAVES_WAIT = 0 };
 
 typedef struct format_state {
     plt_opened_block *current; /* NULL: none */
@@ -61,6 +61,7 @@ typedef union format_room {
 
 typedef struct format_children {
     const plt_opened_block *opened;
+    const plt_lattice *lattice;
     uint32_t node;   /* index in the block */
     f4 lo[2], hi[2]; /* lattice coordinates */
     format_room scene;
@@ -109,6 +110,13 @@ static inline const plt_box *format_box(const plt_traversal *t, const format_pla
     return room->box;
 }
 
+static inline void format_bounds(const plt_traversal *t, const format_place *place, f4 *lo,
+                                 f4 *hi) {
+    const plt_lattice *l = &t->scene->compact.lattice;
+    *lo = plt_lattice_planes(l, f4_load(place->lo));
+    *hi = plt_lattice_planes(l, f4_load(place->hi));
+}
+
 /* The root of a block has exact bounds. In trees of our builder they are no larger than
  * the box that led here; in a hostile tree larger ones cost tests, never hits. */
 static inline int format_enter(plt_traversal *t, format_place *place) {
@@ -117,6 +125,10 @@ static inline int format_enter(plt_traversal *t, format_place *place) {
     f4_store(place->lo, f4_load(o->lo));
     f4_store(place->hi, f4_load(o->hi));
     return PLT_OK;
+}
+
+static inline int format_cross(plt_traversal *t, format_place *place) {
+    return format_is_edge(place) ? format_enter(t, place) : PLT_OK;
 }
 
 static inline int format_return(plt_traversal *t, format_place *place) {
@@ -173,14 +185,20 @@ static inline void format_decode(const plt_traversal *t, const format_place *pla
     c->opened = ((const format_state *)t->state)->current;
     c->node = index_of(place);
     prefetch_edges(tree, &c->opened->block, c->node);
+    c->lattice = &tree->lattice;
     decode_boxes(&c->opened->block, c->node, place, c->lo, c->hi);
-    for (int i = 0; i < 2; i++) {
-        set_scene_box(&tree->lattice, c->lo[i], c->hi[i], c->scene.lane + 6 * i);
-    }
 }
 
-static inline const plt_box *format_boxes(const format_children *c) {
+static inline const plt_box *format_boxes(format_children *c) {
+    for (int i = 0; i < 2; i++) {
+        set_scene_box(c->lattice, c->lo[i], c->hi[i], c->scene.lane + 6 * i);
+    }
     return c->scene.box;
+}
+
+static inline void format_child_bounds(const format_children *c, unsigned child, f4 *lo, f4 *hi) {
+    *lo = plt_lattice_planes(c->lattice, c->lo[child]);
+    *hi = plt_lattice_planes(c->lattice, c->hi[child]);
 }
 
 /* What slot `slot` of the block leads to. */

@@ -72,7 +72,7 @@ static inline void format_decode(const plt_traversal *t, const format_place *pla
     c->box[0] = c->box[1] = t->scene->box;
 }
 
-static inline const plt_box *format_boxes(const format_children *c) {
+static inline const plt_box *format_boxes(format_children *c) {
     return c->box;
 }
 

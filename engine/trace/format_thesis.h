@@ -8,9 +8,10 @@
 
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_records.h"
+#include "engine/trace/thesis_place.h"
 #include "engine/trace/treelet_entry.h"
 
-enum { FORMAT_TIGHTENS = 0 };
+enum { FORMAT_TIGHTENS = 0, FORMAT_LEAVES_WAIT = 1 };
 
 typedef plt_treelet_state format_state;
 
@@ -18,23 +19,9 @@ static inline void format_state_init(format_state *state) {
     state->block = PLT_MISS;
 }
 
-typedef struct format_place {
-    plt_box box;
-    uint32_t link;
-} format_place;
-
-typedef struct format_children {
-    const plt_node *node;
-    plt_box box[2];
-} format_children;
-
-typedef struct format_room {
-    char none; /* a place has its box in it */
-} format_room;
-
 static inline int format_root(plt_traversal *t, format_place *place) {
     const plt_tree *tree = &t->scene->thesis;
-    place->box = t->scene->box;
+    place_set_box(place, &t->scene->box);
     place->link = tree->root;
     format_state_init((format_state *)t->state);
     return tree->root != PLT_LINK_NONE;
@@ -48,15 +35,25 @@ static inline int format_is_edge(const format_place *place) {
     return !plt_link_is_inner(place->link);
 }
 
-static inline const plt_box *format_box(const plt_traversal *t, const format_place *place,
-                                        format_room *room) {
-    (void)t;
-    (void)room;
-    return &place->box;
-}
-
 static inline int format_enter(plt_traversal *t, const format_place *place) {
     plt_treelet_enter(t, place->link);
+    return PLT_OK;
+}
+
+/* Over an edge, if the place is one; without a jump, unless touched blocks are counted. */
+PLT_INLINED int format_cross(plt_traversal *t, const format_place *place) {
+    plt_treelet_state *state = (plt_treelet_state *)t->state;
+    const uint32_t slots = t->scene->thesis.treelet_nodes;
+    const uint32_t block = plt_link_index(place->link) / slots;
+    const uint32_t crossed = (uint32_t)(block != state->block) & (uint32_t)format_is_edge(place);
+    const uint32_t all = 0u - crossed;
+    state->block = (block & all) | (state->block & ~all);
+    t->stats.treelet_fetches += crossed;
+    t->stats.bytes_fetched += all & slots * PLT_NODE_BYTES;
+    if (t->touched != NULL && crossed) {
+        t->stats.bytes_fetched -= slots * PLT_NODE_BYTES;
+        plt_traffic_count(&t->stats, t->touched, block, slots * PLT_NODE_BYTES);
+    }
     return PLT_OK;
 }
 
@@ -64,44 +61,35 @@ static inline int format_return(plt_traversal *t, const format_place *place) {
     return format_is_leaf(place) ? PLT_OK : format_enter(t, place);
 }
 
-/* Both children are asked for before it is known which are hit: a cache line too many
- * costs less than one that is late. */
-static inline void prefetch_child(const plt_tree *tree, uint32_t link) {
-    if (plt_link_is_leaf(link)) {
-        plt_prefetch(&tree->records[plt_link_index(link)]);
-    } else {
-        plt_prefetch(&tree->nodes[plt_link_index(link)]);
-    }
+/* Both children are asked for before it is known which are hit: a cache line too many costs less
+ * than one that is late. Three lines of a leaf hold its triangles, mostly; of a node one does.
+ * Addresses are chosen by arithmetic, as what a child is, is hard to foresee. */
+PLT_INLINED void prefetch_child(const plt_tree *tree, uint32_t link) {
+    const uintptr_t leaf = 0u - (uintptr_t)plt_link_is_leaf(link), index = plt_link_index(link);
+    const uintptr_t node = (uintptr_t)tree->nodes + index * sizeof(plt_node);
+    const uintptr_t record = (uintptr_t)tree->records + index * sizeof(plt_record);
+    const uintptr_t at = (record & leaf) | (node & ~leaf);
+    plt_prefetch((const void *)at);
+    plt_prefetch((const void *)(at + (leaf & 64)));
+    plt_prefetch((const void *)(at + (leaf & 128)));
 }
 
 static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
     const plt_tree *tree = &t->scene->thesis;
-    c->node = &tree->nodes[plt_link_index(place->link)];
-    prefetch_child(tree, plt_node_link(c->node, 0));
-    prefetch_child(tree, plt_node_link(c->node, 1));
-    plt_node_decode(c->node, &place->box, c->box);
-}
-
-static inline const plt_box *format_boxes(const format_children *c) {
-    return c->box;
-}
-
-static inline void format_child(const format_children *c, unsigned child, format_place *place) {
-    place->box = c->box[child];
-    place->link = plt_node_link(c->node, (int)child);
+    const plt_node *node = &tree->nodes[plt_link_index(place->link)];
+    prefetch_child(tree, plt_node_link(node, 0));
+    prefetch_child(tree, plt_node_link(node, 1));
+    children_decode(c, node, place);
 }
 
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {
     const plt_record *record = &t->scene->thesis.records[plt_link_index(place->link)];
     const uint32_t tested = plt_mask_count(groups);
-    const float longest = plt_box_longest_side(&place->box);
-    for (uint32_t lists = plt_link_lists(place->link); lists > 0; record++) {
-        plt_record_groups(p, record, longest, groups);
-        t->stats.triangle_tests += tested;
-        lists -= (uint32_t)plt_record_is_last(record);
-    }
+    const float longest = place_longest_side(place);
+    t->stats.triangle_tests +=
+        tested * plt_records_groups(p, record, plt_link_lists(place->link), longest, groups);
     return PLT_OK;
 }
 

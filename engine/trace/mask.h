@@ -25,6 +25,15 @@ static inline unsigned plt_mask_first(plt_mask m) {
 #endif
 }
 
+/* Number of the highest. */
+static inline unsigned plt_mask_last(plt_mask m) {
+#if PLT_GROUPS_MAX > 32
+    return 63u - (unsigned)__builtin_clzll(m);
+#else
+    return 31u - (unsigned)__builtin_clz(m);
+#endif
+}
+
 /* How many groups, by adding up ever wider fields. */
 static inline uint32_t plt_mask_count(plt_mask m) {
     const plt_mask all = (plt_mask) ~(plt_mask)0;

@@ -37,33 +37,80 @@ _Static_assert(sizeof(plt_group_slabs) == 176 && sizeof(plt_group_rays) == 272,
 /* plt_packet.axis when rays differ in the axis of their largest component. */
 #define PLT_AXES_DIFFER 3
 
+typedef struct plt_hull plt_hull; /* hulls.h */
+
 typedef struct plt_packet {
     plt_slab_array slabs; /* of the groups */
     plt_group_rays *rays; /* [groups], in the arena */
+    const plt_box *scene; /* the box of all that may be hit */
     unsigned groups;
     plt_mask active; /* groups with a valid ray; any hit: with one that has hit nothing yet */
     uint8_t any;     /* any hit is enough */
     uint8_t axis;    /* of the largest component in all rays, or PLT_AXES_DIFFER */
-    float org[3], reach, least_slack; /* PLT_ONE_ORIGIN: as in the groups */
-    float forward[3];                 /* sum of the directions of first lanes */
+    float org[4];    /* PLT_ONE_ORIGIN: as in the groups; 0 */
+    float reach, least_slack; /* the largest of all groups */
+    float forward[4];         /* sum of the directions of first lanes; 0 */
+#if PLT_WITH_HULLS
+    plt_hull *hull;                 /* [plt_hull_count(side)], in the arena */
+    unsigned first_group, capacity; /* hulls before the first group; groups that fit */
+    plt_mask ready;                 /* groups whose reach and slabs are set */
+    plt_mask changed;               /* groups with hits that the hulls do not know yet */
+    uint8_t along;                  /* hulls can be set: one axis, one direction along it */
+    float across[4];                /* 1 on the two axes across the packet's, else 0 */
+#endif
 } plt_packet;
 
-/* Bytes of slabs and rays of a packet of side^2 rays. */
+/* Hulls of a packet of side^2 rays, and levels that they have. */
+static inline size_t plt_hull_count(unsigned side) {
+    return PLT_WITH_HULLS ? (side * side / 4 - 1) / 3 : 0;
+}
+
+static inline unsigned plt_hull_levels(unsigned side) {
+    return side >= 16 ? 3 : side / 4; /* 2, 4, 8, 16 to 0, 1, 2, 3 */
+}
+
+enum { PLT_HULL_BYTES = 304 };
+
+/* Bytes of slabs, rays and hulls of a packet of side^2 rays. */
 static inline size_t plt_packet_bytes(unsigned side) {
-    return (size_t)side * side / 4 * (sizeof(plt_group_slabs) + sizeof(plt_group_rays));
+    return (size_t)side * side / 4 * (sizeof(plt_group_slabs) + sizeof(plt_group_rays)) +
+           plt_hull_count(side) * PLT_HULL_BYTES;
 }
 
 /* Lays slabs and rays out in `memory`, plt_packet_bytes(side) of it. */
 void plt_packet_init(plt_packet *packet, void *memory, unsigned side);
 
 /* Starts a packet of `groups` groups; when all of them are set, finish finds its
- * short cuts. */
-void plt_packet_begin(plt_packet *packet, unsigned groups, int any);
+ * short cuts. `scene`: the box of all that may be hit; it must stay where it is. */
+void plt_packet_begin(plt_packet *packet, const plt_box *scene, unsigned groups, int any);
 void plt_packet_finish(plt_packet *packet);
 
-/* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. `scene`:
- * the box of all that may be hit. */
-void plt_packet_set_group(plt_packet *packet, unsigned index, const plt_box *scene, const f4 org[3],
-                          const f4 dir[3], f4 tmin, f4 tmax, unsigned count);
+/* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. */
+void plt_packet_set_group(plt_packet *packet, unsigned index, const f4 org[3], const f4 dir[3],
+                          f4 tmin, f4 tmax, unsigned count);
+
+/* A group's reach and slabs, which few groups of a packet with hulls need, are set when they
+ * are asked for; without hulls, with the group. */
+#if PLT_WITH_HULLS
+void plt_group_set_slabs(plt_packet *packet, unsigned index);
+
+static inline void plt_group_make_ready(plt_packet *packet, unsigned index) {
+    if ((packet->ready >> index & 1u) == 0) {
+        plt_group_set_slabs(packet, index);
+    }
+}
+
+/* The same for all groups with rays, for orders that test them against boxes one by one. */
+void plt_packet_make_ready(plt_packet *packet);
+#else
+static inline void plt_group_make_ready(const plt_packet *packet, unsigned index) {
+    (void)packet;
+    (void)index;
+}
+
+static inline void plt_packet_make_ready(const plt_packet *packet) {
+    (void)packet;
+}
+#endif
 
 #endif

@@ -7,8 +7,7 @@
 
 _Static_assert(sizeof(plt_ray) == 32 && sizeof(plt_hit) == 16, "as in ray and hit files");
 
-void plt_packet_load_rays(plt_packet *p, const plt_box *scene, unsigned index, const plt_ray *rays,
-                          uint32_t count) {
+void plt_packet_load_rays(plt_packet *p, unsigned index, const plt_ray *rays, uint32_t count) {
     plt_ray four[4];
     if (count < 4) {
         for (uint32_t i = 0; i < 4; i++) {
@@ -26,7 +25,7 @@ void plt_packet_load_rays(plt_packet *p, const plt_box *scene, unsigned index, c
     }
     f4_transpose(&o[0], &o[1], &o[2], &o[3]);
     f4_transpose(&d[0], &d[1], &d[2], &d[3]);
-    plt_packet_set_group(p, index, scene, o, d, o[3], d[3], count);
+    plt_packet_set_group(p, index, o, d, o[3], d[3], count);
 }
 
 /* Four hits: rows of t, u, v and id, as they lie in a hit file. Lanes without a
@@ -64,11 +63,14 @@ static void store_hits(const plt_packet *p, plt_hit *hits, uint32_t count) {
 int plt_trace_packet(plt_traversal *t, plt_packet *p, const plt_ray *rays, plt_hit *hits,
                      uint32_t count, int any) {
     int status = PLT_MORE;
-    plt_packet_begin(p, (count + 3) / 4, any);
+    plt_packet_begin(p, &t->scene->box, (count + 3) / 4, any);
     for (unsigned i = 0; i < p->groups; i++) {
-        plt_packet_load_rays(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
+        plt_packet_load_rays(p, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
+    for (uint32_t i = 0; i < count; i += 2) {
+        plt_prefetch((const void *)((uintptr_t)rays + (count + i) * sizeof *rays));
+    }
     plt_traversal_begin(t, p, count);
     while (status == PLT_MORE) {
         status = plt_traverse(t, p, 0xFFFFFFFFu);

@@ -8,8 +8,7 @@
 
 /* The next four of `count` rays, or as many as there are, as group `index`
  * (plt_packet_set_group). */
-void plt_packet_load_rays(plt_packet *packet, const plt_box *scene, unsigned index,
-                          const plt_ray *rays, uint32_t count);
+void plt_packet_load_rays(plt_packet *packet, unsigned index, const plt_ray *rays, uint32_t count);
 
 /* Traces `count` rays, at most those of `packet`, of side^2 rays. PLT_OK, or what a
  * fetch failed with: then the hits are left as they were. */

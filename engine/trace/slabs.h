@@ -32,8 +32,9 @@ enum plt_coherence {
 /* The slabs of a packet's groups, and what all of them have in common. */
 typedef struct plt_slab_array {
     plt_group_slabs *group;        /* in the arena */
-    float near_org[3], far_org[3]; /* PLT_ONE_ORIGIN: as in all groups */
-    uint8_t negative[3];           /* direction sign per axis, unless PLT_MIXED */
+    float near_org[4], far_org[4]; /* PLT_ONE_ORIGIN: as in all groups; the fourth is 0 */
+    uint32_t backwards[4];         /* unless PLT_MIXED: all ones on axes of negative directions */
+    uint8_t negative[3];           /* the same, 1 each */
     uint8_t coherence;             /* enum plt_coherence */
 } plt_slab_array;
 

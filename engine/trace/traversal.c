@@ -20,6 +20,9 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
     t->order = options->order;
     t->stack = part[PLT_PART_STACK];
     t->local = part[PLT_PART_LOCAL_STACK];
+#if PLT_WITH_HULLS
+    t->leaves = part[PLT_PART_LEAVES];
+#endif
     t->state = part[PLT_PART_FORMAT];
     if (options->count_touched) {
         t->touched = part[PLT_PART_TOUCHED];

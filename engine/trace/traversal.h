@@ -17,10 +17,14 @@
 
 typedef struct plt_traversal {
     const plt_scene *scene;
-    uint8_t order;     /* enum plt_order */
-    void *stack;       /* entries: depth first, or the global stack */
-    uint32_t waiting;  /* entries on it; 0: the packet is done */
-    void *local;       /* two-stage only */
+    uint8_t order;    /* enum plt_order */
+    void *stack;      /* entries: depth first, or the global stack */
+    uint32_t waiting; /* entries on it; 0: the packet is done */
+    void *local;      /* two-stage only */
+#if PLT_WITH_HULLS
+    void *leaves;            /* hulls only: they wait to be tested */
+    unsigned leaves_waiting; /* PLT_LEAVES_WAITING and two at most */
+#endif
     void *wave;        /* rays in flight (wave_state.h); NULL: not asked for */
     void *state;       /* what the format keeps from visit to visit */
     uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
@@ -28,8 +32,24 @@ typedef struct plt_traversal {
     plt_stats stats;
 } plt_traversal;
 
+/* Leaves that wait at most until they are tested, for packets with hulls. A visit adds two. */
+#define PLT_LEAVES_WAITING 8u
+
+/* Depth first, for packets with hulls (order_hulls.h); follows enum plt_order. */
+#define PLT_ORDER_HULLS 2u
+
+/* The order that a packet is traced in. */
+static inline unsigned plt_order_for(const plt_traversal *t, const plt_packet *p) {
+#if PLT_WITH_HULLS
+    return t->order == PLT_ORDER_DEPTH_FIRST && p->along ? PLT_ORDER_HULLS : t->order;
+#else
+    (void)p;
+    return t->order;
+#endif
+}
+
 /* Bytes of a stack entry; 0: this build does not have the format, or not in that order. */
-size_t plt_entry_bytes(enum plt_format format, enum plt_order order);
+size_t plt_entry_bytes(enum plt_format format, unsigned order);
 
 /* Bytes of a format's state. */
 size_t plt_state_bytes(enum plt_format format);
@@ -48,7 +68,7 @@ void plt_state_init(plt_traversal *t);
 void plt_traversal_reset_stats(plt_traversal *t);
 
 /* Starts a packet that is set up, and counts it and its `rays`. */
-void plt_traversal_begin(plt_traversal *t, const plt_packet *packet, uint32_t rays);
+void plt_traversal_begin(plt_traversal *t, plt_packet *packet, uint32_t rays);
 
 /* Works off stack entries until about `visits` nodes were visited or the packet is
  * done. PLT_OK: it is done; PLT_MORE; or what a fetch failed with: then nothing

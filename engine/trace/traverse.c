@@ -1,10 +1,11 @@
 /* traverse - the one place that chooses how a format is traversed, see traversal.h
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/trace/hulls.h"
 #include "engine/trace/traversal.h"
 #include "engine/trace/traverse_formats.h"
 
-size_t plt_entry_bytes(enum plt_format format, enum plt_order order) {
+size_t plt_entry_bytes(enum plt_format format, unsigned order) {
     switch (format) {
 #define ENTRY_BYTES(NAME, name, with, text)                                                        \
     PLT_IF(with, case PLT_FORMAT_##NAME : return plt_##name##_entry_bytes(order);)
@@ -37,7 +38,14 @@ void plt_state_init(plt_traversal *t) {
     }
 }
 
-void plt_traversal_begin(plt_traversal *t, const plt_packet *p, uint32_t rays) {
+void plt_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
+#if PLT_WITH_HULLS
+    if (plt_order_for(t, p) == PLT_ORDER_HULLS && t->scene->format != PLT_FORMAT_LIST) {
+        plt_hulls_set(p);
+    } else {
+        plt_packet_make_ready(p);
+    }
+#endif
     t->stats.rays += rays;
     t->stats.packets++;
     t->stats.mixed_packets += p->slabs.coherence == PLT_MIXED;

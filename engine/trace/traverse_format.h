@@ -18,10 +18,17 @@
 #define FORMAT_ORDER(order) (order)
 #endif
 
+/* The row of the order that packets with hulls go in, where there are any. */
+#if PLT_WITH_HULLS
+#define FORMAT_ORDER_HULLS(ROW) ROW(HULLS, hulls)
+#else
+#define FORMAT_ORDER_HULLS(ROW)
+#endif
+
 #define PLT_JOINED_AGAIN(name, what) plt_##name##_##what
 #define PLT_JOINED(name, what) PLT_JOINED_AGAIN(name, what)
 
-size_t PLT_JOINED(FORMAT_NAME, entry_bytes)(enum plt_order order) {
+size_t PLT_JOINED(FORMAT_NAME, entry_bytes)(unsigned order) {
     switch (FORMAT_ORDER(order)) {
 #define ENTRY_BYTES(ORDER, order)                                                                  \
     case PLT_ORDER_##ORDER:                                                                        \
@@ -41,9 +48,9 @@ void PLT_JOINED(FORMAT_NAME, state_init)(plt_traversal *t) {
     format_state_init((format_state *)t->state);
 }
 
-void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, const plt_packet *p) {
+void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {
     int there = 0;
-    switch (FORMAT_ORDER(t->order)) {
+    switch (FORMAT_ORDER(plt_order_for(t, p))) {
 #define PUSH_ROOT(ORDER, order)                                                                    \
     case PLT_ORDER_##ORDER:                                                                        \
         there = push_root_##order(t, p);                                                           \
@@ -78,7 +85,7 @@ FORMAT_ORDERS(TRAVERSE)
 #undef TRAVERSE
 
 int PLT_JOINED(FORMAT_NAME, traverse)(plt_traversal *t, plt_packet *p, uint32_t visits) {
-    switch (FORMAT_ORDER(t->order)) {
+    switch (FORMAT_ORDER(plt_order_for(t, p))) {
 #define CHOOSE(ORDER, order)                                                                       \
     case PLT_ORDER_##ORDER:                                                                        \
         return traverse_##order(t, p, visits);

@@ -9,10 +9,10 @@
 /* plt_thesis_entry_bytes, plt_thesis_begin, plt_thesis_traverse ...: as the
  * functions of traversal.h whose names end so, of one format. */
 #define PLT_TRAVERSE_DECLARED(NAME, name, with, text)                                              \
-    size_t plt_##name##_entry_bytes(enum plt_order order);                                         \
+    size_t plt_##name##_entry_bytes(unsigned order);                                               \
     size_t plt_##name##_state_bytes(void);                                                         \
     void plt_##name##_state_init(plt_traversal *t);                                                \
-    void plt_##name##_begin(plt_traversal *t, const plt_packet *p);                                \
+    void plt_##name##_begin(plt_traversal *t, plt_packet *p);                                      \
     int plt_##name##_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
 PLT_FORMATS(PLT_TRAVERSE_DECLARED)
 #undef PLT_TRAVERSE_DECLARED

@@ -58,13 +58,13 @@ static void stage(plt_wave_job *job) {
     plt_packet *p = job->packet;
     const plt_group_slabs *s = &p->slabs.group[0];
     const plt_group_rays *g = &p->rays[0];
-    plt_packet_begin(p, 1, job->any);
-    plt_packet_load_rays(p, &job->traversal->scene->box, 0, job->rays + job->next,
-                         job->count - job->next);
+    plt_packet_begin(p, &job->traversal->scene->box, 1, job->any);
+    plt_packet_load_rays(p, 0, job->rays + job->next, job->count - job->next);
     to->valid = g->valid;
     if (g->valid == 0) {
         return;
     }
+    plt_group_make_ready(p, 0);
     store_rows(f4_load(g->org[0]), f4_load(g->org[1]), f4_load(g->org[2]), f4_load(g->reach),
                to->org);
     store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), f4_load(g->least_slack), along_of(g),
@@ -96,6 +96,41 @@ static void ask_ahead(const plt_wave_job *job) {
     plt_prefetch(ahead + (left > 2 ? 2 : 0));
 }
 
+/* Where boxes are as small as the gaps between rays they are visited for a ray or two at a time,
+ * and packets are a burden. Visits per ray tell it: packets of 16 x 16 win on scenes where they
+ * make 0.05 to 0.74, the wave where they make 1.16 to 2.8 (DESIGN.md, section 6.2). Smaller
+ * packets share less near the root: 1, 1.25, 1.75 and 2.75 are the limit for 16 to 2 rays per side.
+ */
+static uint32_t visits_most(uint32_t packet_rays) {
+    uint32_t side = 2;
+    while (side * side < packet_rays) {
+        side *= 2;
+    }
+    return 16 * (12 + 64 / side);
+}
+
+/* On average of some 32 windows, each counted as 4 times the limit at most; then so many go by the
+ * wave until one is tried again. */
+enum { DENSE_WINDOWS = 31 };
+
+static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
+    plt_wave *w = job->wave;
+    const uint64_t now = 256 * visits / rays, most = visits_most(job->packet_rays);
+    w->visits = (uint32_t)((31 * (uint64_t)w->visits + (now < 4 * most ? now : 4 * most)) / 32);
+    w->dense = w->visits > most ? DENSE_WINDOWS : 0;
+}
+
+static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
+    if (job->window == 0) {
+        return 0;
+    }
+    if (job->wave->dense > 0) {
+        job->wave->dense--;
+        return 0;
+    }
+    return plt_rays_are_coherent(rays, count, &job->traversal->scene->box);
+}
+
 /* Traces windows of coherent rays in packets, up to one that is not, which it counts. Called
  * when all rays that were set up are taken. */
 static void look(plt_wave_job *job) {
@@ -104,14 +139,16 @@ static void look(plt_wave_job *job) {
         const uint32_t left = job->count - job->next;
         const uint32_t now = job->window > 0 && job->window < left ? job->window : left;
         const plt_ray *rays = job->rays + job->next;
-        if (job->window == 0 || !plt_rays_are_coherent(rays, now, &t->scene->box)) {
+        if (!goes_in_packets(job, rays, now)) {
             job->seen += now;
             t->stats.rays += now;
             t->stats.wave_rays += now;
             return;
         }
+        const uint64_t visits = t->stats.node_visits;
         job->status = plt_trace_packets(t, job->packet, job->packet_rays, rays,
                                         job->hits + job->next, now, job->any);
+        count_visits(job, now, t->stats.node_visits - visits);
         job->next += now;
         job->seen = job->next;
     }
@@ -166,6 +203,7 @@ void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t dep
     unsigned char *at = (unsigned char *)memory + rounded(sizeof(plt_wave));
     w->rays_in_flight = rays_in_flight;
     w->ray_bytes = ray_bytes(wide, depth);
+    w->visits = w->dense = 0;
     w->found = (plt_wave_found *)(void *)at;
     at += rays_in_flight * sizeof *w->found;
     for (int i = 0; i < PLT_WAVE_STEPS; i++) {

@@ -54,6 +54,8 @@ typedef struct plt_wave {
     unsigned char *first;  /* ray in flight */
     uint32_t ray_bytes;    /* of a ray in flight and its stack */
     uint32_t rays_in_flight;
+    uint32_t visits; /* per 256 rays of packets, on average of the last windows */
+    uint32_t dense;  /* windows that go by the wave, whether they are coherent or not */
 } plt_wave;
 
 /* One call's rays. */

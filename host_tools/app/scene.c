@@ -14,7 +14,7 @@
 
 enum { SMALL_THINGS = 1 << 22 }; /* bytes: buffers of outputs and of the C library */
 
-static const char *const packets[] = {"2", "4", "8", "16", NULL};
+static const char *const packets[] = {"auto", "2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", NULL};
 static const char *const resident[] = {"resident", NULL};
@@ -94,8 +94,8 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
 }
 
 static uint8_t read_packet(args *a) {
-    const unsigned otherwise = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX / 4 : 2;
-    const unsigned side = 2u << args_choice(a, "--packet", packets, otherwise);
+    const unsigned chosen = (unsigned)args_choice(a, "--packet", packets, 0);
+    const unsigned side = chosen > 0 ? 1u << chosen : 0;
     if (side > PLT_PACKET_SIDE_MAX) {
         args_complain(a, "--packet %u: this build has packets of up to %d", side,
                       PLT_PACKET_SIDE_MAX);
@@ -185,8 +185,11 @@ static void *get_most(const scene *s) {
     return arena;
 }
 
+/* With packets of the usual size, where none was asked for. */
 static size_t need_of(const scene *s, const plt_info *info) {
-    return plt_arena_need(info, s->file.source.mapped != NULL, &s->options);
+    plt_options o = s->options;
+    o.packet_side = o.packet_side > 0 ? o.packet_side : SCENE_USUAL_PACKET;
+    return plt_arena_need(info, s->file.source.mapped != NULL, &o);
 }
 
 /* Does without the wide form, or without the wave. 0: it does without both already. */
@@ -254,7 +257,7 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
     output_print(o, f,
                  "  \"rays\": %" PRIu64
                  ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n"
-                 "  \"wave_rays\": %" PRIu64 ",\n  \"packets\": %" PRIu64
+                 "  \"wave_rays\": %" PRIu64 ",\n  \"packet_side\": %u,\n  \"packets\": %" PRIu64
                  ",\n  \"mixed_packets\": %" PRIu64
                  ",\n"
                  "  \"node_visits\": %" PRIu64 ",\n  \"group_tests\": %" PRIu64
@@ -265,7 +268,7 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
                  ",\n"
                  "  \"arena_bytes\": %zu,\n  \"arena_peak_bytes\": %zu",
                  q.rays, seconds, seconds > 0.0 ? (double)q.rays / seconds * 1e-6 : 0.0,
-                 q.wave_rays, q.packets, q.mixed_packets, q.node_visits, q.group_tests,
-                 q.triangle_tests, q.treelet_fetches, q.bytes_fetched, q.bytes_touched_once,
-                 s->arena_bytes, plt_arena_peak(s->engine));
+                 q.wave_rays, plt_packet_side(s->engine), q.packets, q.mixed_packets, q.node_visits,
+                 q.group_tests, q.triangle_tests, q.treelet_fetches, q.bytes_fetched,
+                 q.bytes_touched_once, s->arena_bytes, plt_arena_peak(s->engine));
 }

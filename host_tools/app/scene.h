@@ -24,6 +24,9 @@ typedef struct scene {
     int arena_is_missing; /* the system does not give it */
 } scene;
 
+/* What an arena is made for if neither packets nor bytes were asked for. */
+#define SCENE_USUAL_PACKET (PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8)
+
 #define SCENE_CLOSED                                                                               \
     {                                                                                              \
         .file = {.file = -1 }                                                                      \
@@ -31,7 +34,9 @@ typedef struct scene {
 
 /* The flags that say how to open an image, for a command's list. */
 #define SCENE_FLAGS                                                                                \
-    {"--packet", "2|4|8|16", "rays along a packet's side (default 8)"},                            \
+    {"--packet", "auto|2|4|8|16",                                                                  \
+     "rays along a packet's side; auto is the largest that the arena has room for (default "       \
+     "auto)"},                                                                                     \
         {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
         {"--residency", "resident", "the whole scene is in memory"},                               \
         {"--schedule", "branch", "each packet traverses its branches alone"},                      \

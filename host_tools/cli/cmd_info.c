@@ -17,7 +17,8 @@
 
 static const arg_flag flags[] = {
     {"--json", NULL, "the same for programs"},
-    {"--packet", "2|4|8|16", "arena for such packets (default 8)"},
+    {"--packet", "auto|2|4|8|16",
+     "arena for such packets; auto is 8, and lists what each size takes (default auto)"},
     {"--walk", "depth|two-stage", "arena for this order (default depth)"},
     {NULL, NULL, NULL}};
 
@@ -43,7 +44,8 @@ typedef struct derived {
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
     double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
-    double shift[3]; /* what pack subtracted from the meshes */
+    int lists_packets; /* no size was asked for */
+    double shift[3];   /* what pack subtracted from the meshes */
 } derived;
 
 static derived derive(const plt_info *i, const plt_options *o) {
@@ -120,6 +122,21 @@ static void print_format_json(const plt_info *i, const derived *d) {
         d->geometry_each, d->overhead_bytes);
 }
 
+/* The arena that packets of another size take, the image being mapped. */
+static size_t need_with(const plt_info *i, const plt_options *options, unsigned side) {
+    plt_options o = *options;
+    o.packet_side = (uint8_t)side;
+    return plt_arena_need(i, 1, &o);
+}
+
+static void print_packets(const plt_info *i, const plt_options *o, const derived *d) {
+    for (unsigned side = 2; side <= PLT_PACKET_SIDE_MAX && d->lists_packets; side *= 2) {
+        char name[32];
+        snprintf(name, sizeof name, "with packets of %ux%u", side, side);
+        printf("  %-30s %8zu bytes\n", name, need_with(i, o, side));
+    }
+}
+
 static void print_arena_json(const plt_info *i, const plt_options *o, const derived *d) {
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
            ",\n  \"depth_stack_entries\": %" PRIu32
@@ -128,7 +145,11 @@ static void print_arena_json(const plt_info *i, const plt_options *o, const deri
            i->local_stack_entries, i->global_stack_entries, i->depth_stack_entries, d->arena_mapped,
            d->arena_fetched);
     arena_parts_print_json(i, 1, o);
-    printf(",\n");
+    printf(",\n  \"arena_bytes_by_packet\": [");
+    for (unsigned side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
+        printf("%s%zu", side > 2 ? ", " : "", need_with(i, o, side));
+    }
+    printf("],\n");
 }
 
 static void print_box_json(const plt_info *i) {
@@ -234,6 +255,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     printf("arena needed       %zu bytes%s\n", d->arena_mapped,
            i->build == PLT_BUILD_DEVICE ? " for the worst tree" : " when the image is mapped");
     arena_parts_print(i, 1, o);
+    print_packets(i, o, d);
     if (i->build != PLT_BUILD_DEVICE) {
         printf("arena if fetched   %zu bytes\n", d->arena_fetched);
     }
@@ -268,7 +290,10 @@ int run_info(args *a) {
         status = inspect(&s, a->file[0], &info, &f);
     }
     if (status == 0) {
+        const int lists_packets = s.options.packet_side == 0;
+        s.options.packet_side = lists_packets ? SCENE_USUAL_PACKET : s.options.packet_side;
         derived d = derive(&info, &s.options);
+        d.lists_packets = lists_packets;
         d.has_parts = s.engine != NULL && info.nodes_format == PLT_NODES_COMPACT;
         shift_read(&s.file.source, d.shift);
         if (d.has_parts) {

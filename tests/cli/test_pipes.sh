@@ -50,9 +50,10 @@ fetched=$(number arena_bytes_needed_fetched <out)
 piped "render - -o piped.ppm --size 40x30 --source read --arena $fetched"
 verdict "a scene that is fetched from memory fits in the arena that info says" "$(
     [ "$status" -eq 0 ] || cat err)"
-run render scene.plt -o piped.ppm --size 40x30 --source read --arena $((fetched - 1))
+run render scene.plt -o piped.ppm --size 40x30 --source read --packet 8 \
+    --arena $((fetched - 1))
 cp err said
-piped "render - -o piped.ppm --size 40x30 --source read --arena $((fetched - 1))"
+piped "render - -o piped.ppm --size 40x30 --source read --packet 8 --arena $((fetched - 1))"
 verdict "... and not in a byte less" "$(
     refusal "standard input" "--arena $fetched"
     sed 's/^standard input/scene.plt/' err | diff said -)"

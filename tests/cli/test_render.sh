@@ -147,7 +147,7 @@ verdict "every shader gives another picture" "$(
 
 # ---- statistics and the hash -------------------------------------------------
 
-fields='width height frames rays seconds mrays_per_s packets mixed_packets node_visits
+fields='width height frames rays seconds mrays_per_s packet_side packets mixed_packets node_visits
     group_tests triangle_tests treelet_fetches bytes_fetched bytes_touched_once arena_bytes
     arena_peak_bytes'
 hash_of() {
@@ -213,7 +213,7 @@ works "render in the arena that info says" render knot.plt -o fits.ppm --size 16
     --arena "$need"
 same fits.ppm small.ppm "... the same picture"
 refused "statistics need a bit per treelet more" knot.plt "needs an arena of $counting bytes" \
-    render knot.plt --size 16x12 --json - --arena "$((counting - 1))"
+    render knot.plt --size 16x12 --json - --packet 8 --arena "$((counting - 1))"
 works "render --json in the arena for that" render knot.plt --size 16x12 --json - \
     --arena "$counting"
 verdict "... the same frame, touched treelets are counted, and the arena is used up" "$(
@@ -222,7 +222,10 @@ verdict "... the same frame, touched treelets are counted, and the arena is used
     [ "$(number arena_bytes <out) $(number arena_peak_bytes <out)" = "$counting $counting" ] ||
         cat out)"
 refused "render with a byte less says the bytes" knot.plt "needs an arena of $need bytes" \
-    render knot.plt -o x.png --arena $((need - 1))
+    render knot.plt -o x.png --packet 8 --arena $((need - 1))
+works "... unless packets may be smaller" render knot.plt -o smaller.ppm --size 16x12 \
+    --arena $((need - 1))
+same smaller.ppm small.ppm "... the same picture"
 for name in twice.png twice.ppm twice.y4m; do
     run render knot.plt -o $name --size 100x75
     mv $name once

@@ -192,8 +192,8 @@ static void arguments(const packed *image) {
           "an arena that is not aligned");
     for (unsigned side = 0; side < 256; side++) {
         options.packet_side = (uint8_t)side;
-        const int valid =
-            (side == 2 || side == 4 || side == 8 || side == 16) && side <= PLT_PACKET_SIDE_MAX;
+        const int valid = (side == 0 || side == 2 || side == 4 || side == 8 || side == 16) &&
+                          side <= PLT_PACKET_SIDE_MAX;
         CHECK((plt_arena_need(&image->info, 1, &options) != 0) == valid, "side %u", side);
         if (!valid) {
             CHECK(plt_open(&e, arena, bytes, &source, &options, &fault) == PLT_ERR_ARGUMENT && !e,

@@ -270,6 +270,13 @@ static void test_crossing(void) {
     uint32_t out[16] = {0};
     lanes_probe_scalar.run(OP_f4_rotate, &in, out);
     CHECK(out[0] == 2 && out[1] == 3 && out[2] == 4 && out[3] == 1, "rotated");
+    lanes_probe_scalar.run(OP_f4_turn, &in, out);
+    CHECK(out[0] == 2 && out[1] == 3 && out[2] == 1 && out[3] == 4, "turned");
+    lanes_probe_scalar.run(OP_f4_lane, &in, out);
+    for (uint32_t i = 0; i < 16; i++) {
+        CHECK(out[i] == 1 + i / 4, "lane %u in all", i / 4);
+    }
+    memset(out, 0x77, sizeof out);
     lanes_probe_scalar.run(OP_f4_store_pairs, &in, out);
     CHECK(out[12] == 3 && out[13] == 7 && out[0] == 2 && out[1] == 6 && out[6] == 4 && out[7] == 8,
           "pairs");

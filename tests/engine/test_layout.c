@@ -315,7 +315,7 @@ static void invalid_options(const combination *c) {
     for (unsigned value = 0; value < 256; value++) {
         combination other = *c;
         other.options.packet_side = (uint8_t)value;
-        if ((value != 2 && value != 4 && value != 8 && value != 16) ||
+        if ((value != 0 && value != 2 && value != 4 && value != 8 && value != 16) ||
             value > PLT_PACKET_SIDE_MAX) {
             refuse(&other);
         }
@@ -346,6 +346,43 @@ static void out_of_range(void) {
         CHECK(plt_arena_need(&no_treelets, 1, &options) == 0 &&
                   plt_arena_part_get(&no_treelets, 1, &options, 0, &part) == PLT_ERR_ARGUMENT,
               "%s: treelets of no nodes", subjects[i].name);
+    }
+}
+
+/* An arena of `bytes` gets packets as large as it has room for: of the side whose need is the
+ * greatest that is no more. */
+static void chooses(const combination *c, size_t bytes) {
+    unsigned due = 0;
+    combination other = *c;
+    for (unsigned side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
+        other.options.packet_side = (uint8_t)side;
+        if (plt_arena_need(c->info, c->mapped, &other.options) <= bytes) {
+            due = side;
+        }
+    }
+    other.options.packet_side = 0;
+    const opened o = open_in(&other, bytes);
+    CHECK((o.status == PLT_OK) == (due > 0), "%s: %zu bytes, status %d", name_of(c), bytes,
+          o.status);
+    if (o.status == PLT_OK) {
+        CHECK(plt_packet_side(o.e) == due, "%s: %zu bytes, packets of %u, not %u", name_of(c),
+              bytes, plt_packet_side(o.e), due);
+    }
+    free(o.arena);
+}
+
+static void room_for_packets(const combination *c) {
+    if (c->valid && !c->builds) {
+        const size_t need = plt_arena_need(c->info, c->mapped, &c->options);
+        chooses(c, need - PLT_ALIGN);
+        chooses(c, need);
+        chooses(c, need + 100000);
+        plt_options least = c->options;
+        least.packet_side = 0;
+        const size_t at_least = plt_arena_need(c->info, c->mapped, &least);
+        least.packet_side = 2;
+        CHECK(at_least == plt_arena_need(c->info, c->mapped, &least), "%s: the need of side 0",
+              name_of(c));
     }
 }
 
@@ -384,6 +421,8 @@ int main(void) {
     test("touched blocks are counted only if asked for, and change nothing else");
     each(counts_touched);
     CHECK(met > 0 && touched_bytes > 0, "nothing was hit or touched");
+    test("packets of no size that was asked for are as large as the arena has room for");
+    each(room_for_packets);
     test("a part beyond the last is refused");
     each(beyond_the_last);
     test("options out of range have no need and no parts, and open nothing");

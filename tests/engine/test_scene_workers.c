@@ -76,15 +76,12 @@ typedef struct worker {
 /* Exactly what the traversal may use: sanitizers see one entry too many. */
 static void make_parts(const plt_scene *scene, const plt_options *options,
                        void *part[PLT_PARTS_COUNT]) {
-    const size_t entry =
-        plt_entry_bytes((enum plt_format)scene->format, (enum plt_order)options->order);
-    const int two = options->order == PLT_ORDER_TWO_STAGE;
-    const uint32_t need = two ? scene->info.global_stack_entries : scene->info.depth_stack_entries;
+    plt_layout layout;
+    plt_layout_set(&layout, &scene->info, &scene->info, 1, options);
     memset(part, 0, PLT_PARTS_COUNT * sizeof *part);
-    part[PLT_PART_STACK] = malloc((need > 0 ? need : 1) * entry);
-    if (two) {
-        part[PLT_PART_LOCAL_STACK] = malloc(scene->info.local_stack_entries * entry + 1);
-    }
+    part[PLT_PART_STACK] = malloc((size_t)layout.bytes[PLT_PART_STACK]);
+    part[PLT_PART_LEAVES] = malloc((size_t)layout.bytes[PLT_PART_LEAVES] + 1);
+    part[PLT_PART_LOCAL_STACK] = malloc((size_t)layout.bytes[PLT_PART_LOCAL_STACK] + 1);
     part[PLT_PART_FORMAT] = malloc(plt_state_bytes((enum plt_format)scene->format));
     if (options->count_touched) {
         part[PLT_PART_TOUCHED] =

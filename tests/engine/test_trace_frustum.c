@@ -21,6 +21,7 @@ typedef struct bundle {
     plt_group_slabs slabs[GROUPS];
     plt_group_rays rays[GROUPS];
     plt_packet packet;
+    plt_box scene;
     float org[3];
 } bundle;
 
@@ -32,16 +33,16 @@ static plt_box scene_at(float away) {
 
 /* Rays with slopes x .. x + spread, y .. y + spread along an axis, in either direction. */
 static void make_bundle(bundle *b, random_state *r, float spread, float away) {
-    const plt_box scene = scene_at(away);
     const int axis = (int)random_below(r, 3);
     const float sign = random_below(r, 2) ? 1.0f : -1.0f, length = random_float(r, 0.5f, 2.0f);
     const float x = random_float(r, 0.0f, 0.9f - spread), y = random_float(r, 0.0f, 0.9f - spread);
     const float sign_x = random_below(r, 2) ? 1.0f : -1.0f,
                 sign_y = random_below(r, 2) ? 1.0f : -1.0f;
     memset(b, 0, sizeof *b);
+    b->scene = scene_at(away);
     b->packet.slabs.group = b->slabs;
     b->packet.rays = b->rays;
-    plt_packet_begin(&b->packet, GROUPS, 0);
+    plt_packet_begin(&b->packet, &b->scene, GROUPS, 0);
     const unsigned lanes = 1 + random_below(r, 4);
     for (int a = 0; a < 3; a++) {
         b->org[a] = away + random_float(r, -2.0f, 2.0f);
@@ -61,7 +62,7 @@ static void make_bundle(bundle *b, random_state *r, float spread, float away) {
             o[a] = f4_all(b->org[a]);
             d[a] = f4_load(dir[a]);
         }
-        plt_packet_set_group(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), lanes);
+        plt_packet_set_group(&b->packet, i, o, d, f4_zero(), f4_all(1e30f), lanes);
     }
     plt_packet_finish(&b->packet);
 }
@@ -171,11 +172,11 @@ static void whole_numbers(random_state *r, int most, float to[3]) {
 
 /* Rays in the plane that p and q span, from a grid point or very close to one. */
 static void make_flat(bundle *b, random_state *r, const float p[3], const float q[3]) {
-    const plt_box scene = {{-4096, -4096, -4096}, {4096, 4096, 4096}};
     memset(b, 0, sizeof *b);
+    b->scene = (plt_box){{-4096, -4096, -4096}, {4096, 4096, 4096}};
     b->packet.slabs.group = b->slabs;
     b->packet.rays = b->rays;
-    plt_packet_begin(&b->packet, GROUPS, 0);
+    plt_packet_begin(&b->packet, &b->scene, GROUPS, 0);
     whole_numbers(r, 16, b->org);
     b->org[random_below(r, 3)] = ldexpf((float)random_below(r, 3), -(int)random_below(r, 40));
     for (unsigned i = 0; i < GROUPS; i++) {
@@ -191,7 +192,7 @@ static void make_flat(bundle *b, random_state *r, const float p[3], const float 
             o[a] = f4_all(b->org[a]);
             d[a] = f4_load(dir[a]);
         }
-        plt_packet_set_group(&b->packet, i, &scene, o, d, f4_zero(), f4_all(1e30f), 4);
+        plt_packet_set_group(&b->packet, i, o, d, f4_zero(), f4_all(1e30f), 4);
     }
     plt_packet_finish(&b->packet);
 }

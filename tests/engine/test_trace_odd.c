@@ -10,6 +10,7 @@
 #include "tests/reference/rays.h"
 #include "tests/reference/rig.h"
 #include "tests/reference/shapes.h"
+#include "tests/reference/visits.h"
 #include "tests/test.h"
 
 static const float INF = HUGE_VALF;
@@ -173,7 +174,7 @@ static void any_bits(const mesh *m, uint8_t order) {
     CHECK(met >= 100, "only %u hits", met);
     plt_stats s;
     plt_stats_get(one.engine, &s);
-    CHECK(s.node_visits <= s.packets * plt_engine_info(one.engine)->nodes, "%llu visits",
+    CHECK(s.node_visits <= visits_most(&s, plt_engine_info(one.engine)->nodes), "%llu visits",
           (unsigned long long)s.node_visits);
     rig_close(&one);
 }
@@ -206,6 +207,96 @@ static void far_corners(void) {
     mesh_free(&m);
 }
 
+/* Towards edges and corners of the mesh, from its surroundings and from very far, in turn. */
+static void rays_of_all_reaches(const mesh *m, random_state *r, plt_ray *rays, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t *corner = &m->triangle[3 * random_below(r, (uint32_t)m->triangles)];
+        const float *p = &m->vertex[3 * corner[0]], *q = &m->vertex[3 * corner[1]];
+        const float along = (float)random_below(r, 5) / 4, far = ldexpf(1.0f, i % 2 ? 20 : 0);
+        float to[3], from[3];
+        for (int a = 0; a < 3; a++) {
+            to[a] = p[a] + along * (q[a] - p[a]);
+            from[a] = to[a] + far * random_float(r, a == 2 ? 0.8f : -0.2f, a == 2 ? 1.0f : 0.2f);
+        }
+        rays[i] = ray_between(from, to);
+    }
+}
+
+/* What a packet knows of all its rays must do for each of them. */
+static void one_by_one(uint8_t side, uint8_t order) {
+    enum { RAYS = 2048 };
+    static plt_ray rays[RAYS];
+    static plt_hit hits[RAYS];
+    mesh m = {0};
+    fail f = {""};
+    random_state r = {5};
+    scene_knot(&m, rig_triangles(4000, 2), &f);
+    rig one;
+    rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    config.run.packet_side = side;
+    config.run.order = order;
+    const int status = rig_open(&one, &m, &config);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config), one.fault.message);
+    if (status != PLT_OK) {
+        exit(test_done());
+    }
+    rays_of_all_reaches(&m, &r, rays, RAYS);
+    for (int any = 0; any < 2; any++) {
+        plt_trace(one.engine, rays, hits, RAYS, any);
+        for (uint32_t i = 0; i < RAYS; i++) {
+            plt_hit alone;
+            plt_trace(one.engine, &rays[i], &alone, 1, any);
+            CHECK(memcmp(&alone, &hits[i], sizeof alone) == 0, "side %u, ray %u: %u, alone %u",
+                  side, i, hits[i].triangle, alone.triangle);
+        }
+    }
+    rig_close(&one);
+    mesh_free(&m);
+}
+
+#if PLT_WITH_WAVE
+/* An interval that ends where the hit is has it, by the wave as in packets. */
+static void ends_at_the_hit(uint8_t wide) {
+    enum { RAYS = 1024 };
+    static plt_ray rays[RAYS];
+    static plt_hit hits[RAYS], again[RAYS];
+    mesh m = {0};
+    random_state r = {6};
+    uint32_t found = 0;
+    shape_soup(&m, 80, 0.6f, 7);
+    rig one;
+    rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    config.run.rays_in_flight = 16;
+    config.run.wide = wide;
+    config.run.rays = PLT_RAYS_INCOHERENT;
+    const int status = rig_open(&one, &m, &config);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config), one.fault.message);
+    if (status != PLT_OK) {
+        exit(test_done());
+    }
+    rays_mixed(rays, RAYS, &m, &r);
+    plt_trace(one.engine, rays, hits, RAYS, 0);
+    for (uint32_t i = 0; i < RAYS; i++) {
+        rays[i].tmax = hits[i].triangle != PLT_MISS ? hits[i].t : rays[i].tmax;
+    }
+    for (int any = 0; any < 2; any++) {
+        plt_trace(one.engine, rays, again, RAYS, any);
+        for (uint32_t i = 0; i < RAYS; i++) {
+            if (hits[i].triangle == PLT_MISS) {
+                continue;
+            }
+            const uint32_t due = any ? 1 : hits[i].triangle;
+            CHECK(again[i].triangle == due, "any %d, ray %u: %u, not %u", any, i, again[i].triangle,
+                  due);
+            found++;
+        }
+    }
+    CHECK(found > RAYS / 8, "%u hits", found);
+    rig_close(&one);
+    mesh_free(&m);
+}
+#endif
+
 static void visits_are_bounded(uint8_t order) {
     mesh m = {0};
     fail f = {""};
@@ -221,7 +312,8 @@ static void visits_are_bounded(uint8_t order) {
         plt_trace(one.engine, rays, hits, 1024, kind & 1);
         plt_stats_get(one.engine, &s);
         const uint64_t nodes = plt_engine_info(one.engine)->nodes;
-        CHECK(s.node_visits <= s.packets * nodes, "%llu visits", (unsigned long long)s.node_visits);
+        CHECK(s.node_visits <= visits_most(&s, nodes), "%llu visits",
+              (unsigned long long)s.node_visits);
         CHECK(s.rays == 1024 && s.packets > 0 && s.mixed_packets <= s.packets, "statistics");
         CHECK(s.bytes_touched_once <= s.bytes_fetched &&
                   s.bytes_touched_once <= plt_engine_info(one.engine)->node_bytes + 64u,
@@ -268,7 +360,17 @@ int main(void) {
     any_bits(&mixed, PLT_ORDER_TWO_STAGE);
     test("coordinates up to 2^40 overflow nothing");
     far_corners();
-    test("no packet visits a node twice");
+    test("a ray hits what it hits alone, however far the others of its packet come from");
+    for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side = (uint8_t)(2 * side)) {
+        one_by_one(side, PLT_ORDER_DEPTH_FIRST);
+        one_by_one(side, PLT_ORDER_TWO_STAGE);
+    }
+#if PLT_WITH_WAVE
+    test("a hit at tmax is one for single rays, too, the nearest and any");
+    ends_at_the_hit(0);
+    ends_at_the_hit(1);
+#endif
+    test("in a packet no group visits a node twice");
     visits_are_bounded(PLT_ORDER_DEPTH_FIRST);
     visits_are_bounded(PLT_ORDER_TWO_STAGE);
     test("a scene without triangles opens, has an empty box and is never hit");

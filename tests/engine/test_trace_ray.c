@@ -62,10 +62,11 @@ static void set_group(four *f) {
         d[a] = f4_load(lanes);
     }
     memset(&f->rays, 0, sizeof f->rays);
+    memset(&f->packet, 0, sizeof f->packet);
     f->packet.slabs.group = &f->slabs;
     f->packet.rays = &f->rays;
-    plt_packet_begin(&f->packet, 1, 0);
-    plt_packet_set_group(&f->packet, 0, &f->scene, o, d, f4_zero(), f4_all(3.0e38f), 4);
+    plt_packet_begin(&f->packet, &f->scene, 1, 0);
+    plt_packet_set_group(&f->packet, 0, o, d, f4_zero(), f4_all(3.0e38f), 4);
     plt_packet_finish(&f->packet);
 }
 

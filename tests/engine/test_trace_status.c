@@ -31,7 +31,7 @@ typedef struct subject {
     failing_node *nodes;
     failing_plan plan;
     plt_engine engine;
-    stack stack, local;
+    stack stack, local, leaves;
     void *packet;
     uint8_t tile[PLT_TILE_BUFFER_BYTES];
     plt_ray rays[RAYS_MOST];
@@ -39,8 +39,8 @@ typedef struct subject {
     uint32_t count, most;      /* rays; rays of a packet */
 } subject;
 
-static stack stack_of(uint32_t entries, uint8_t order) {
-    const size_t bytes = entries * plt_failing_entry_bytes((enum plt_order)order);
+static stack stack_of(uint32_t entries, unsigned order) {
+    const size_t bytes = entries * plt_failing_entry_bytes(order);
     const stack s = {malloc(bytes + GUARD), bytes};
     memset(s.memory, PATTERN, bytes + GUARD);
     return s;
@@ -53,6 +53,11 @@ static int is_guarded(const stack *s) {
         }
     }
     return 1;
+}
+
+static int are_guarded(const subject *s) {
+    return is_guarded(&s->stack) && is_guarded(&s->local) &&
+           (s->leaves.memory == NULL || is_guarded(&s->leaves));
 }
 
 /* The node behind a link and those below it, from planes to whole boxes. */
@@ -74,12 +79,21 @@ static void set_engine(subject *s, const plt_options *options) {
     const int two = options->order == PLT_ORDER_TWO_STAGE;
     const uint32_t entries = two ? info->global_stack_entries : info->depth_stack_entries;
     s->stack = stack_of(entries > 0 ? entries : 1, options->order);
+#if PLT_WITH_HULLS
+    if (!two) { /* more of larger entries */
+        const uint32_t more = plt_hull_levels(options->packet_side) + 1;
+        free(s->stack.memory);
+        s->stack = stack_of((entries > 0 ? entries : 1) + more, PLT_ORDER_HULLS);
+        s->leaves = stack_of(PLT_LEAVES_WAITING + 2, PLT_ORDER_HULLS);
+    }
+#endif
     s->local = stack_of(two ? info->local_stack_entries : 0, options->order);
     s->packet = malloc(plt_packet_bytes(options->packet_side));
     static _Alignas(PLT_ALIGN) unsigned char state[64]; /* of thesis nodes, or of ours */
     CHECK(plt_state_bytes(PLT_FORMAT_THESIS) <= sizeof state, "a larger state");
     void *const part[PLT_PARTS_COUNT] = {[PLT_PART_FORMAT] = state,
                                          [PLT_PART_STACK] = s->stack.memory,
+                                         [PLT_PART_LEAVES] = s->leaves.memory,
                                          [PLT_PART_LOCAL_STACK] = s->local.memory};
     s->engine.options = *options;
     plt_packet_init(&s->engine.packet, s->packet, options->packet_side);
@@ -117,6 +131,7 @@ static subject *open_subject(mesh *m, uint8_t order) {
 static void close_subject(subject *s) {
     free(s->stack.memory);
     free(s->local.memory);
+    free(s->leaves.memory);
     free(s->packet);
     free(s->nodes);
     rig_close(&s->r);
@@ -135,8 +150,7 @@ static void at_rest(subject *s, uint64_t at) {
     CHECK(s->plan.all == at, "%u calls, when the %u. failed", (unsigned)s->plan.all, (unsigned)at);
     CHECK(s->engine.traversal.waiting == 0, "call %u: %u entries wait", (unsigned)at,
           s->engine.traversal.waiting);
-    CHECK(is_guarded(&s->stack) && is_guarded(&s->local), "call %u: a stack was overrun",
-          (unsigned)at);
+    CHECK(are_guarded(s), "call %u: a stack was overrun", (unsigned)at);
 }
 
 /* ---- arrays of rays --------------------------------------------------------------------- */
@@ -163,7 +177,7 @@ static void same_as_thesis(subject *s) {
         plt_hit again[RAYS_MOST];
         plt_trace(s->r.engine, s->rays, again, s->count, any);
         trace_right(s, any);
-        CHECK(is_guarded(&s->stack) && is_guarded(&s->local), "a stack was overrun");
+        CHECK(are_guarded(s), "a stack was overrun");
         CHECK(s->plan.calls[FAILING_RETURN] > 0 && s->plan.calls[FAILING_LEAF] > 0, "no calls");
     }
     plt_stats_get(s->r.engine, &due);
@@ -187,9 +201,9 @@ static int traverse_packet(subject *s, uint32_t number, int any, uint32_t visits
     const plt_ray *rays = s->rays + number * s->most;
     const uint32_t left = s->count - number * s->most, count = left < s->most ? left : s->most;
     int status = PLT_MORE;
-    plt_packet_begin(p, (count + 3) / 4, any);
+    plt_packet_begin(p, &t->scene->box, (count + 3) / 4, any);
     for (unsigned i = 0; i < p->groups; i++) {
-        plt_packet_load_rays(p, &t->scene->box, i, rays + 4 * i, count - 4 * i);
+        plt_packet_load_rays(p, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
     failing_traversal_begin(t, p, count);

@@ -208,6 +208,7 @@ static void worker_open(worker *w, plt_engine *e, plt_options options) {
     w->engine = e;
     plt_layout_set(&layout, &e->scene.info, &e->scene.info, 1, &options);
     w->part[PLT_PART_STACK] = malloc((size_t)layout.bytes[PLT_PART_STACK]);
+    w->part[PLT_PART_LEAVES] = malloc((size_t)layout.bytes[PLT_PART_LEAVES]);
     w->part[PLT_PART_FORMAT] = malloc((size_t)layout.bytes[PLT_PART_FORMAT]);
     w->part[PLT_PART_WAVE] = malloc((size_t)layout.bytes[PLT_PART_WAVE]);
     w->packets = malloc(plt_packet_bytes(options.packet_side));
@@ -222,6 +223,7 @@ static void worker_open(worker *w, plt_engine *e, plt_options options) {
 
 static void worker_close(worker *w) {
     free(w->part[PLT_PART_STACK]);
+    free(w->part[PLT_PART_LEAVES]);
     free(w->part[PLT_PART_FORMAT]);
     free(w->part[PLT_PART_WAVE]);
     free(w->packets);

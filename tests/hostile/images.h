@@ -16,6 +16,7 @@
 #include "engine/planelet.h"
 #include "engine/planelet_crc32.h"
 #include "engine/tree/compact/block.h"
+#include "tests/reference/visits.h"
 
 #define HOSTILE_RAYS 70u
 #define HOSTILE_ARENA_MOST (8u << 20)
@@ -149,7 +150,7 @@ static inline const char *hostile_trace(plt_engine *e) {
         }
     }
     plt_trace(e, rays, hits, HOSTILE_RAYS, 1);
-    return s.node_visits <= s.packets * info->nodes ? NULL : "a node was visited twice";
+    return s.node_visits <= visits_most(&s, info->nodes) ? NULL : "a node was visited twice";
 }
 
 static inline const char *hostile_refusal(int status, const plt_fault *f, const plt_engine *e) {

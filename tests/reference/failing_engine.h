@@ -14,21 +14,30 @@
 
 /* The orders come after the format. */
 #include "engine/trace/order_depth_first.h"
+#include "engine/trace/order_hulls.h"
 #include "engine/trace/order_two_stage.h"
 
 /* ---- what a traverse_NAME.c and traverse.c give --------------------------------------- */
 
-size_t plt_failing_entry_bytes(enum plt_order order);
+size_t plt_failing_entry_bytes(unsigned order);
 size_t plt_failing_state_bytes(void);
 void plt_failing_state_init(plt_traversal *t);
-void plt_failing_begin(plt_traversal *t, const plt_packet *p);
+void plt_failing_begin(plt_traversal *t, plt_packet *p);
 int plt_failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits);
 
 #define FORMAT_NAME failing
-#define FORMAT_ORDERS(ROW) ROW(DEPTH_FIRST, depth_first) ROW(TWO_STAGE, two_stage)
+#define FORMAT_ORDERS(ROW)                                                                         \
+    ROW(DEPTH_FIRST, depth_first) FORMAT_ORDER_HULLS(ROW) ROW(TWO_STAGE, two_stage)
 #include "engine/trace/traverse_format.h"
 
-static void failing_traversal_begin(plt_traversal *t, const plt_packet *p, uint32_t rays) {
+static void failing_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
+#if PLT_WITH_HULLS
+    if (plt_order_for(t, p) == PLT_ORDER_HULLS) {
+        plt_hulls_set(p);
+    } else {
+        plt_packet_make_ready(p);
+    }
+#endif
     t->stats.packets++;
     t->stats.rays += rays;
     t->stats.mixed_packets += p->slabs.coherence == PLT_MIXED;
@@ -56,6 +65,7 @@ FAILING_DECLARE(render_step);
 FAILING_DECLARE(render_tile);
 FAILING_DECLARE(stats_get);
 FAILING_DECLARE(stats_reset);
+FAILING_DECLARE(packet_side);
 FAILING_DECLARE(arena_used);
 FAILING_DECLARE(arena_peak);
 
@@ -78,6 +88,7 @@ FAILING_DECLARE(arena_peak);
 #define plt_render_tile failing_render_tile
 #define plt_stats_get failing_stats_get
 #define plt_stats_reset failing_stats_reset
+#define plt_packet_side failing_packet_side
 #define plt_arena_used failing_arena_used
 #define plt_arena_peak failing_arena_peak
 
@@ -101,6 +112,7 @@ FAILING_DECLARE(arena_peak);
 #undef plt_render_tile
 #undef plt_stats_get
 #undef plt_stats_reset
+#undef plt_packet_side
 #undef plt_arena_used
 #undef plt_arena_peak
 

@@ -46,7 +46,7 @@ static inline int failing_status(const plt_traversal *t, enum failing_call call)
 
 /* ---- the operations of format.h ---------------------------------------------------- */
 
-enum { FORMAT_TIGHTENS = 1 }; /* the boxes stay, the calls are made */
+enum { FORMAT_TIGHTENS = 1, FORMAT_LEAVES_WAIT = 1 }; /* the boxes stay, the calls are made */
 
 typedef struct format_state {
     char none;
@@ -93,6 +93,25 @@ static inline const plt_box *format_box(const plt_traversal *t, const format_pla
 static inline int format_enter(const plt_traversal *t, const format_place *place) {
     (void)place;
     return failing_status(t, FAILING_ENTER);
+}
+
+static inline int format_cross(const plt_traversal *t, const format_place *place) {
+    return format_is_edge(place) ? format_enter(t, place) : PLT_OK;
+}
+
+static inline void bounds_of(const plt_box *box, f4 *lo, f4 *hi) {
+    *lo = f4_load(box->lo);
+    *hi = f4_rotate(f4_load(&box->lo[2]));
+}
+
+static inline void format_bounds(const plt_traversal *t, const format_place *place, f4 *lo,
+                                 f4 *hi) {
+    (void)t;
+    bounds_of(&place->box, lo, hi);
+}
+
+static inline void format_child_bounds(const format_children *c, unsigned child, f4 *lo, f4 *hi) {
+    bounds_of(&c->node->box[child], lo, hi);
 }
 
 static inline int format_return(const plt_traversal *t, const format_place *place) {

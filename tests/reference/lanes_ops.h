@@ -52,6 +52,9 @@
     X(f4_transpose, EXACT, 4)                                                                      \
     X(f4_load_16, EXACT, 1)                                                                        \
     X(f4_rotate, EXACT, 1)                                                                         \
+    X(f4_turn, EXACT, 1)                                                                           \
+    X(f4_lane, EXACT, 1)                                                                           \
+    X(m4_of_u4, EXACT, 0)                                                                          \
     X(f4_store_pairs, EXACT, 3)                                                                    \
     X(plt_prefetch, EXACT, 0)
 

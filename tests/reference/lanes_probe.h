@@ -111,6 +111,14 @@ static void run_halves(const lanes_in *in, uint32_t *out) {
     put_f4(out, f4_of_halves(hidden(&p)->bytes + 5));
 }
 
+static void run_words_to_mask(const lanes_in *in, uint32_t *out) {
+    uint32_t word[4];
+    for (int i = 0; i < 4; i++) {
+        word[i] = 0u - (in->mask[0] >> i & 1u);
+    }
+    put_m4(out, m4_of_u4(u4_of(word)));
+}
+
 #define F_F(op)                                                                                    \
     case OP_##op:                                                                                  \
         put_f4(out, op(f4_of(in->row[0])));                                                        \
@@ -204,6 +212,16 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         run_transpose(in, out);
         break;
         F_F(f4_rotate);
+        F_F(f4_turn);
+    case OP_f4_lane:
+        put_f4(out, f4_lane(f4_of(in->row[0]), 0));
+        put_f4(out + 4, f4_lane(f4_of(in->row[0]), 1));
+        put_f4(out + 8, f4_lane(f4_of(in->row[0]), 2));
+        put_f4(out + 12, f4_lane(f4_of(in->row[0]), 3));
+        break;
+    case OP_m4_of_u4:
+        run_words_to_mask(in, out);
+        break;
     case OP_f4_load_16:
         run_load_16(in, out);
         break;
