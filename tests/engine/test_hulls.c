@@ -272,7 +272,8 @@ int main(void) {
 #else
 
 int main(void) {
-    test("without lanes in registers there are no hulls (make test-scalar has none)");
+    test("without lanes in registers, or with packets of 2 x 2 alone, there are no hulls");
+    CHECK(plt_hull_count(PLT_PACKET_SIDE_MAX) == 0, "%u", (unsigned)PLT_PACKET_SIDE_MAX);
     return test_done();
 }
 
