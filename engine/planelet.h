@@ -32,7 +32,8 @@ extern "C" {
  * primitive_id_bytes and primitive_id_bits; the knob for opened blocks is
  * PLT_BLOCK_CACHE_SLOTS; touched blocks
  * are counted only if plt_options.count_touched asks for it; incoherent rays can go by a wave
- * (plt_options.rays_in_flight, wide, rays; plt_stats.wave_rays); plt_trace and
+ * (plt_options.rays_in_flight, wide, rays; plt_stats.wave_rays); packets may be as large as there
+ * is room for (plt_options.packet_side 0, plt_packet_side); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0

@@ -51,8 +51,7 @@ PLT_INLINED int format_cross(plt_traversal *t, const format_place *place) {
     t->stats.treelet_fetches += crossed;
     t->stats.bytes_fetched += all & slots * PLT_NODE_BYTES;
     if (t->touched != NULL && crossed) {
-        t->stats.bytes_fetched -= slots * PLT_NODE_BYTES;
-        plt_traffic_count(&t->stats, t->touched, block, slots * PLT_NODE_BYTES);
+        plt_traffic_touch(&t->stats, t->touched, block, slots * PLT_NODE_BYTES);
     }
     return PLT_OK;
 }
@@ -86,7 +85,7 @@ static inline void format_decode(const plt_traversal *t, const format_place *pla
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {
     const plt_record *record = &t->scene->thesis.records[plt_link_index(place->link)];
-    const uint32_t tested = plt_mask_count(groups);
+    const uint64_t tested = plt_mask_count(groups);
     const float longest = place_longest_side(place);
     t->stats.triangle_tests +=
         tested * plt_records_groups(p, record, plt_link_lists(place->link), longest, groups);

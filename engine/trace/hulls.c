@@ -98,33 +98,25 @@ static void set_nothing(plt_packet *p, unsigned group) {
     f4_store(p->slabs.group[group].tmax, f4_all(-1.0f));
 }
 
+/* `of`, least_of or most_of, a row of four hulls. */
+#define OF_FOUR(of, hull, row)                                                                     \
+    of(f4_load((hull)[0].row), f4_load((hull)[1].row), f4_load((hull)[2].row),                     \
+       f4_load((hull)[3].row))
+
 /* Lanes from the four hulls below. */
 static inline void collect_hulls(const plt_packet *p, plt_hull *h, const plt_hull *below) {
-    const int z = p->axis;
     for (int a = 0; a < 3; a++) {
-        if (a != z) {
-            f4_store(h->far_rate[a],
-                     least_of(f4_load(below[0].far_rate[a]), f4_load(below[1].far_rate[a]),
-                              f4_load(below[2].far_rate[a]), f4_load(below[3].far_rate[a])));
-            f4_store(h->slabs.rdir[a],
-                     most_of(f4_load(below[0].slabs.rdir[a]), f4_load(below[1].slabs.rdir[a]),
-                             f4_load(below[2].slabs.rdir[a]), f4_load(below[3].slabs.rdir[a])));
+        if (a != p->axis) {
+            f4_store(h->far_rate[a], OF_FOUR(least_of, below, far_rate[a]));
+            f4_store(h->slabs.rdir[a], OF_FOUR(most_of, below, slabs.rdir[a]));
         }
         if (p->slabs.coherence != PLT_ONE_ORIGIN) {
-            f4_store(h->slabs.far_org[a], least_of(f4_load(below[0].slabs.far_org[a]),
-                                                   f4_load(below[1].slabs.far_org[a]),
-                                                   f4_load(below[2].slabs.far_org[a]),
-                                                   f4_load(below[3].slabs.far_org[a])));
-            f4_store(h->slabs.near_org[a], most_of(f4_load(below[0].slabs.near_org[a]),
-                                                   f4_load(below[1].slabs.near_org[a]),
-                                                   f4_load(below[2].slabs.near_org[a]),
-                                                   f4_load(below[3].slabs.near_org[a])));
+            f4_store(h->slabs.far_org[a], OF_FOUR(least_of, below, slabs.far_org[a]));
+            f4_store(h->slabs.near_org[a], OF_FOUR(most_of, below, slabs.near_org[a]));
         }
     }
-    f4_store(h->slabs.tmin, least_of(f4_load(below[0].slabs.tmin), f4_load(below[1].slabs.tmin),
-                                     f4_load(below[2].slabs.tmin), f4_load(below[3].slabs.tmin)));
-    f4_store(h->slabs.tmax, most_of(f4_load(below[0].slabs.tmax), f4_load(below[1].slabs.tmax),
-                                    f4_load(below[2].slabs.tmax), f4_load(below[3].slabs.tmax)));
+    f4_store(h->slabs.tmin, OF_FOUR(least_of, below, slabs.tmin));
+    f4_store(h->slabs.tmax, OF_FOUR(most_of, below, slabs.tmax));
 }
 
 static inline f4 rate(f4 slope, float least) {
@@ -194,28 +186,28 @@ static inline void convert(const plt_packet *p, plt_hull *h, const float error[3
     }
 }
 
+static inline float larger(float a, float b) {
+    return a > b ? a : b;
+}
+
 /* How far origins are moved (ray_bounds.h), by a reach that is enough for all rays, and what
  * it makes of edge functions. */
 static void set_reach(plt_packet *p, float error[3]) {
-    float reach = PLT_REACH_LEAST, far[3];
+    const plt_group_slabs *s = &p->hull[0].slabs;
+    float reach = PLT_REACH_LEAST, furthest[3];
     for (int a = 0; a < 3; a++) {
-        const float lo = f4_min_lane(f4_load(p->hull[0].slabs.far_org[a]));
-        const float hi = -f4_min_lane(f4_neg(f4_load(p->hull[0].slabs.near_org[a])));
-        const float back = __builtin_fabsf(p->scene->lo[a] - lo),
-                    ahead = __builtin_fabsf(p->scene->hi[a] - hi);
-        const float back2 = __builtin_fabsf(p->scene->lo[a] - hi),
-                    ahead2 = __builtin_fabsf(p->scene->hi[a] - lo);
-        reach = back > reach ? back : reach;
-        reach = ahead > reach ? ahead : reach;
-        reach = back2 > reach ? back2 : reach;
-        reach = ahead2 > reach ? ahead2 : reach;
-        far[a] = -lo > hi ? -lo : hi;
+        const float end[2] = {f4_min_lane(f4_load(s->far_org[a])),
+                              -f4_min_lane(f4_neg(f4_load(s->near_org[a])))};
+        for (int i = 0; i < 2; i++) {
+            reach = larger(reach, __builtin_fabsf(p->scene->lo[a] - end[i]));
+            reach = larger(reach, __builtin_fabsf(p->scene->hi[a] - end[i]));
+        }
+        furthest[a] = larger(-end[0], end[1]);
     }
     p->reach = reach * PLT_REACH_ROUNDING;
     p->least_slack = p->reach * p->reach * PLT_CLOSE_ERROR;
     for (int a = 0; a < 3; a++) {
-        const float box = p->reach * PLT_BOX_ERROR, origin = far[a] * PLT_ORIGIN_ERROR;
-        error[a] = box > origin ? box : origin;
+        error[a] = larger(p->reach * PLT_BOX_ERROR, furthest[a] * PLT_ORIGIN_ERROR);
     }
 }
 
@@ -264,10 +256,8 @@ void plt_hulls_narrow(plt_packet *p) {
         if (i >= lowest) {
             f4_store(p->hull[i].slabs.tmax, deepest(p, 4 * (i - lowest)));
         } else {
-            const plt_hull *b = &p->hull[plt_hull_below(i, 0)];
-            f4_store(p->hull[i].slabs.tmax,
-                     most_of(f4_load(b[0].slabs.tmax), f4_load(b[1].slabs.tmax),
-                             f4_load(b[2].slabs.tmax), f4_load(b[3].slabs.tmax)));
+            const plt_hull *below = &p->hull[plt_hull_below(i, 0)];
+            f4_store(p->hull[i].slabs.tmax, OF_FOUR(most_of, below, slabs.tmax));
         }
         if (i > 0) {
             hulls |= plt_mask_of((i - 1) / 4, 1);

@@ -168,8 +168,6 @@ void plt_packet_set_group(plt_packet *p, unsigned index, const f4 org[3], const 
         f4_store(g->org[a], o[a]);
         f4_store(g->dir[a], d[a]);
     }
-#endif
-#if !PLT_WITH_HULLS
     set_slabs(p, index, o, d);
 #endif
     set_shear(g, d, g->valid);

@@ -60,6 +60,15 @@ static void store_hits(const plt_packet *p, plt_hit *hits, uint32_t count) {
     }
 }
 
+/* Asks for as many rays behind these, which the processor does not guess while it traces. They
+ * may lie beyond the last: no prefetch minds. */
+static void ask_ahead(const plt_ray *rays, uint32_t count) {
+    const uintptr_t next = (uintptr_t)rays + count * sizeof *rays;
+    for (uint32_t i = 0; i < count; i += 2) {
+        plt_prefetch((const void *)(next + i * sizeof *rays));
+    }
+}
+
 int plt_trace_packet(plt_traversal *t, plt_packet *p, const plt_ray *rays, plt_hit *hits,
                      uint32_t count, int any) {
     int status = PLT_MORE;
@@ -68,9 +77,7 @@ int plt_trace_packet(plt_traversal *t, plt_packet *p, const plt_ray *rays, plt_h
         plt_packet_load_rays(p, i, rays + 4 * i, count - 4 * i);
     }
     plt_packet_finish(p);
-    for (uint32_t i = 0; i < count; i += 2) {
-        plt_prefetch((const void *)((uintptr_t)rays + (count + i) * sizeof *rays));
-    }
+    ask_ahead(rays, count);
     plt_traversal_begin(t, p, count);
     while (status == PLT_MORE) {
         status = plt_traverse(t, p, 0xFFFFFFFFu);

@@ -194,10 +194,15 @@ PLT_INLINED void test_groups(prepared *t, plt_packet *p, plt_mask groups, int z,
     }
 }
 
-/* Of groups whose rays differ in axis. */
+/* Of groups whose rays differ in axis, those that have one of it. */
 static void test_axes(prepared *t, plt_packet *p, plt_mask groups) {
     for (int z = 0; z < 3; z++) {
-        test_groups(t, p, groups, z, PER_GROUP);
+        plt_mask along = 0;
+        for (plt_mask m = groups; m != 0; m &= m - 1) {
+            const unsigned index = plt_mask_first(m);
+            along |= plt_mask_of(index, p->rays[index].axis_lanes[z] != 0);
+        }
+        test_groups(t, p, along, z, PER_GROUP);
     }
 }
 
@@ -228,7 +233,7 @@ static void test_axes(prepared *t, plt_packet *p, plt_mask groups) {
     }
 
 /* A corner each, x, y, z; the fourth lane means nothing. */
-static inline void plt_record_rows(const plt_record *r, f4 corner[3]) {
+static inline void record_rows(const plt_record *r, f4 corner[3]) {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     float c[3][3 + 1] = {{0.0f}};
     for (int i = 0; i < 9; i++) {
@@ -266,7 +271,7 @@ void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask g
 
 PLT_INLINED void set_record(prepared *t, const plt_packet *p, const plt_record *record, int z,
                             enum sharing sharing) {
-    plt_record_rows(record, t->corner);
+    record_rows(record, t->corner);
     prepare(t, p, z, sharing);
 }
 
@@ -300,6 +305,7 @@ PLT_INLINED uint32_t test_records(plt_packet *p, const plt_record *record, uint3
         if (f.count > FOUND_MOST) {
             test_found(&t, p, &f, z, sharing);
             f.count = 0;
+            groups &= p->any ? p->active : groups;
         }
     }
     test_found(&t, p, &f, z, sharing);
@@ -314,7 +320,7 @@ static uint32_t test_records_axes(plt_packet *p, const plt_record *record, uint3
     t.slack = f4_all(slack_of(p, longest));
     t.ids = NULL;
     for (; lists > 0; at++) {
-        plt_record_rows(at, t.corner);
+        record_rows(at, t.corner);
         t.word = plt_get_u32(&at->word[9]);
         t.has_surface = 0;
         test_axes(&t, p, p->any ? groups & p->active : groups);

@@ -111,7 +111,7 @@ static uint32_t visits_most(uint32_t packet_rays) {
 
 /* On average of some 32 windows, each counted as 4 times the limit at most; then so many go by the
  * wave until one is tried again. */
-enum { DENSE_WINDOWS = 31 };
+enum { DENSE_WINDOWS = 15 };
 
 static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
     plt_wave *w = job->wave;
