@@ -100,6 +100,7 @@ static void print_stats(const plt_engine *engine) {
     line_text(&l, "streamed");
     line_item(&l, "treelet_fetches", stats.treelet_fetches);
     line_item(&l, "bytes_fetched", stats.bytes_fetched);
+    line_item(&l, "retries", stats.fetch_retries);
     line_print(&l);
 }
 
@@ -167,11 +168,14 @@ static int run(plt_engine *engine, const job *j, const char *parameters) {
     const uint32_t before = board_ticks();
     const int status = render(engine, j, &tiles);
     const uint32_t ticks = board_ticks() - before;
-    if (status < 0) {
-        board_print(status == PLT_ERR_SOURCE
-                        ? "error: the source failed while rendering\n"
-                        : "error: the camera has no direction, or the frame no size\n");
+    if (status == PLT_ERR_ARGUMENT) {
+        board_print("error: the camera has no direction, or the frame no size\n");
         return FIRMWARE_FAILED;
+    }
+    if (status < 0) {
+        plt_fault fault;
+        plt_fault_get(engine, &fault);
+        return print_fault(&fault, status, 0);
     }
     print_frame(&j->frame, tiles, ticks, board_frame_end(parameters));
     print_stats(engine);

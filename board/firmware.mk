@@ -83,7 +83,7 @@ run: firmware
 profile:
 	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))
 else
-##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [PARAMETERS='key=value ...']: with counts
+##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [SOURCE=file] [PARAMETERS='k=v ...']: counts
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \

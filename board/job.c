@@ -7,7 +7,7 @@
 #include "board/parameters.h"
 
 static const char keys[] =
-    "size eye look up tan packet walk shader visits arena "
+    "size eye look up tan packet walk shader visits arena residency store "
     "scene bytes frame";
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
@@ -96,7 +96,9 @@ static int read_camera(const char *all, job *j) {
 static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
     static const char *const shaders[] = {"eyelight", "normal", "triangle"};
-    if (read_word(all, "walk", walks, 2, &j->options.order) < 0) {
+    static const char *const residencies[] = {"resident", "streamed"};
+    if (read_word(all, "walk", walks, 2, &j->options.order) < 0 ||
+        read_word(all, "residency", residencies, 2, &j->options.residency) < 0) {
         return -1;
     }
     return read_word(all, "shader", shaders, 3, &j->frame.shader);
@@ -113,6 +115,7 @@ int job_read(job *j, const char *parameters, size_t *arena_bytes) {
     if (read_size(parameters, &j->frame) < 0 || read_camera(parameters, j) < 0 ||
         read_words(parameters, j) < 0 ||
         read_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
+        read_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
         read_u32(parameters, "visits", 1, UINT32_MAX, &j->visits) < 0 ||
         read_u32(parameters, "arena", 0, arena, &arena) < 0) {
         return -1;

@@ -46,6 +46,18 @@ void plt_render_tile(const plt_engine *e, plt_tile *tile) {
     plt_rendering_tile(&e->rendering, tile);
 }
 
+void plt_fault_get(const plt_engine *e, plt_fault *fault) {
+    const plt_fault none = {0, 0, 0, 0, "no fault"};
+    *fault = none;
+#if PLT_WITH_STREAMED
+    if (e->scene.format == PLT_FORMAT_STREAMED) {
+        *fault = ((const plt_stream *)e->traversal.state)->fault;
+    }
+#else
+    (void)e;
+#endif
+}
+
 void plt_stats_get(const plt_engine *e, plt_stats *stats) {
     *stats = e->traversal.stats;
 }

@@ -5,6 +5,8 @@
 #   thesis   thesis nodes and lists, no compact blocks
 #   compact  compact blocks alone
 #   wave     with the wave for incoherent rays, which firmware is without unless it asks for it
+#   stream   with scenes that stay in their source, block by block, which firmware is without,
+#            too
 #   frames   nothing but frames, no plt_trace: with `thesis`, as beams are of thesis nodes
 # Frames of thesis nodes are traced by beams, everything else by groups of four rays. The whole
 # engine has both; `thesis` has groups, `thesis frames` beams.
@@ -16,8 +18,9 @@ ENGINE_ALL := $(sort $(wildcard engine/*.c engine/*/*.c engine/*/*/*.c))
 
 builder_files := $(wildcard engine/builder/*.c engine/scene/build_*.c engine/scene/worst_tree.c \
     engine/tree/thesis/treelets.c engine/image/record_cache.c)
-compact_files := $(wildcard engine/tree/compact/*.c engine/memory/block_cache.c \
-    engine/image/record_cache.c engine/scene/*_compact.c engine/trace/*_compact.c \
+compact_files := $(wildcard engine/tree/compact/*.c engine/memory/*.c \
+    engine/image/record_cache.c engine/scene/*_compact.c engine/scene/*_streamed.c \
+    engine/trace/*_compact.c engine/trace/*_streamed.c \
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
     engine/builder/split_lattice.c engine/builder/split_given.c)
 thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine/scene/*_list.c \
@@ -26,6 +29,8 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
+stream_files := engine/memory/store.c engine/memory/stream.c engine/scene/open_streamed.c \
+    engine/trace/traverse_streamed.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
     rays.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
@@ -39,11 +44,14 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave frames,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, and wave or frames; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave stream frames,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave, stream or frames; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave frames,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave stream frames,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
+endif
+ifeq ($(sort $(filter thesis stream,$(PARTS))),stream thesis)
+$(error PARTS with stream has compact blocks: make PARTS='render compact stream')
 endif
 ifneq ($(filter frames,$(PARTS)),)
 ifneq ($(filter thesis,$(PARTS))$(filter wave,$(PARTS)),thesis)
@@ -55,10 +63,12 @@ else
 left_out_thesis += $(beams_files)
 flags_thesis += -DPLT_WITH_BEAMS=0
 endif
+without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
-    $(if $(without_wave),$(wave_files)),$(ENGINE_ALL))
-PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) $(if $(without_wave),-DPLT_WITH_WAVE=0)
+    $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)),$(ENGINE_ALL))
+PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
+    $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \

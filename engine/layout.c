@@ -38,6 +38,9 @@ static uint64_t larger(uint64_t a, uint64_t b) {
 static uint64_t section_bytes(const subject *s) {
     uint32_t kind[PLT_SECTIONS_MOST];
     uint64_t bytes = 0;
+    if (s->format == PLT_FORMAT_STREAMED) {
+        return 0;
+    }
     if (s->builds) {
         return s->format == PLT_FORMAT_THESIS ? s->info->triangle_bytes : 0;
     }
@@ -58,7 +61,8 @@ static uint64_t tree_bytes(const subject *s) {
 
 /* Blocks built from mapped corners are not validated again. */
 static uint64_t validation_bytes(const subject *s) {
-    if (s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) {
+    if ((s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) ||
+        s->format == PLT_FORMAT_STREAMED) {
         return 0;
     }
     return s->format == PLT_FORMAT_COMPACT ? PLT_DEPTH_MAX * sizeof(plt_blocks_validate_level)
@@ -123,7 +127,8 @@ static uint64_t stack_bytes(const subject *s) {
     const int two_stage = s->options->order == PLT_ORDER_TWO_STAGE;
     const uint32_t need =
         two_stage ? s->sized_for->global_stack_entries : s->sized_for->depth_stack_entries;
-    const uint64_t entries = need > 0 ? need : 1;
+    const uint64_t slack = s->format == PLT_FORMAT_STREAMED ? PLT_STACK_SLACK : 0;
+    const uint64_t entries = (need > 0 ? need : 1) + slack;
     const uint64_t hulls = entries + plt_hull_levels(packet_side(s)) + 1;
     return larger(entries * entry_bytes(s->format, s->options->order),
                   hulls * hulls_entry_bytes(s));
@@ -151,6 +156,12 @@ static uint64_t state_bytes(const subject *s) {
     (void)s;
     return sizeof(plt_treelet_state);
 #endif
+}
+
+/* Unless it is said how large it is, the least; opening adds what there is room for. */
+static uint64_t store_bytes(const subject *s) {
+    const uint32_t asked = s->options->store_bytes;
+    return s->format == PLT_FORMAT_STREAMED ? (asked > 0 ? asked : PLT_STORE_LEAST) : 0;
 }
 
 #if PLT_WITH_WAVE
@@ -214,6 +225,8 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return leaves_bytes(s);
     case PLT_PART_FORMAT:
         return state_bytes(s);
+    case PLT_PART_STORE:
+        return store_bytes(s);
     case PLT_PART_WIDE_FORM:
         return wide_bytes(s);
     case PLT_PART_WAVE:
@@ -226,8 +239,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
 
 void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *sized_for, int mapped,
                     const plt_options *options) {
-    const subject s = {
-        info, sized_for, options, mapped, info->build == PLT_BUILD_DEVICE, plt_format_of(info)};
+    const subject s = {info,
+                       sized_for,
+                       options,
+                       mapped,
+                       info->build == PLT_BUILD_DEVICE,
+                       plt_format_of(info, options->residency)};
     for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
         layout->bytes[i] = rounded(part_bytes((enum plt_part)i, &s));
     }
@@ -276,16 +293,23 @@ static int is_wave_valid(const plt_options *o) {
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
+           o->residency <= PLT_RESIDENCY_STREAMED &&
+           (o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
 }
 
+int plt_layout_residency_valid(const plt_info *info, const plt_options *o) {
+    return o->residency != PLT_RESIDENCY_STREAMED || plt_can_stream(info);
+}
+
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
-    return entry_bytes(plt_format_of(info), o->order) > 0;
+    return entry_bytes(plt_format_of(info, o->residency), o->order) > 0;
 }
 
 static int valid(const plt_info *info, const plt_options *o) {
-    return plt_layout_options_valid(o) && plt_scene_left_out(info) == NULL &&
-           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
+    return plt_layout_options_valid(o) && plt_scene_left_out(info, o->residency) == NULL &&
+           plt_layout_residency_valid(info, o) && plt_layout_order_valid(info, o) &&
+           info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

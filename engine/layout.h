@@ -8,6 +8,7 @@
 
 /* The options are in range, and this build can open such an image with them. */
 int plt_layout_options_valid(const plt_options *options);
+int plt_layout_residency_valid(const plt_info *info, const plt_options *options);
 int plt_layout_order_valid(const plt_info *info, const plt_options *options);
 
 /* Fills in every part. `info`: what the image says; `sized_for`: counts of the tree that

@@ -46,7 +46,8 @@ static plt_opening opening_of(plt_engine *e, const plt_layout *layout, plt_fault
                            .source = &e->source,
                            .arena = &e->arena,
                            .layout = layout,
-                           .fault = fault};
+                           .fault = fault,
+                           .residency = e->options.residency};
     return o;
 }
 
@@ -105,16 +106,30 @@ static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_
 }
 #endif
 
-/* Bytes of all that runs; if it was not said, with the largest packets that there is room for. */
+static uint32_t store_bytes_in(uint64_t room) {
+    const uint64_t most = room < UINT32_MAX ? room / PLT_ALIGN * PLT_ALIGN : UINT32_MAX - 15u;
+    return most > PLT_STORE_LEAST ? (uint32_t)most : PLT_STORE_LEAST;
+}
+
+/* Bytes of all that runs; if it was not said, with the largest packets that there is room for,
+ * beside a store of half of it; and a store as large as the rest. */
 static void set_layout(plt_engine *e, plt_layout *layout) {
     const plt_info *info = &e->scene.info;
-    const int chooses = e->options.packet_side == 0;
+    const int mapped = e->source.mapped != NULL, chooses = e->options.packet_side == 0;
+    const int grows = e->scene.format == PLT_FORMAT_STREAMED && e->options.store_bytes == 0;
+    const size_t room = e->arena.bytes - e->arena.used;
     unsigned side = chooses ? PLT_PACKET_SIDE_MAX : e->options.packet_side;
+    e->options.store_bytes = grows ? store_bytes_in(room / 2) : e->options.store_bytes;
     do {
         e->options.packet_side = (uint8_t)side;
-        plt_layout_set(layout, info, info, e->source.mapped != NULL, &e->options);
+        plt_layout_set(layout, info, info, mapped, &e->options);
         side /= 2;
-    } while (chooses && side > 1 && plt_layout_running(layout) > e->arena.bytes - e->arena.used);
+    } while (chooses && side > 1 && plt_layout_running(layout) > room);
+    if (grows) {
+        const uint64_t others = plt_layout_running(layout) - layout->bytes[PLT_PART_STORE];
+        e->options.store_bytes = store_bytes_in(room > others ? room - others : 0);
+        plt_layout_set(layout, info, info, mapped, &e->options);
+    }
 }
 
 /* The scene is open: a traversal, a packet and a tile buffer over it. */
@@ -153,9 +168,13 @@ static int open_scene(plt_engine *e, const plt_header *header, plt_fault *fault)
 
 /* What no arena helps against. */
 static int refuse(const plt_info *info, const plt_options *options, plt_fault *fault) {
-    const char *left_out = plt_scene_left_out(info);
+    const char *left_out = plt_scene_left_out(info, options->residency);
     if (left_out != NULL) {
         return plt_limit(fault, left_out);
+    }
+    if (!plt_layout_residency_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "only finished compact blocks with lattice geometry are streamed");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

@@ -76,6 +76,18 @@ enum plt_order {
     PLT_ORDER_TWO_STAGE = 1    /* not of compact blocks: local and global stack (section 4.2) */
 };
 
+/* Where the tree and the triangles of a finished image are while rays are traced. */
+enum plt_residency {
+    PLT_RESIDENCY_WHOLE = 0,   /* mapped, or fetched whole into the arena, and validated whole */
+    PLT_RESIDENCY_STREAMED = 1 /* in the source: blocks are fetched into a store when a packet
+                                * needs them, and validated then (SPEC.md, 5.5). Compact blocks
+                                * with lattice geometry; the source may be mapped, too */
+};
+
+/* Least bytes of a store, its table included: the largest parts that a block can have fit it
+ * together, wherever they lie: 739 (nodes), 8,184 (geometry) and 1,886 (primitive ids). */
+#define PLT_STORE_LEAST 28672u
+
 enum plt_splits {
     PLT_SPLIT_SAH = 0,   /* binned surface area heuristic (Wald 2007) */
     PLT_SPLIT_MEDIAN = 1 /* spatial median of the longest axis (the thesis) */
@@ -120,6 +132,10 @@ typedef struct plt_options {
                              * bound, some 120). Scenes without a tree, or of more than 8
                              * million triangles, have none */
     uint8_t rays;           /* enum plt_rays; without a wave all are coherent */
+    uint8_t residency;    /* enum plt_residency; a streamed scene has neither wave nor wide form */
+    uint32_t store_bytes; /* streamed: bytes for blocks, PLT_STORE_LEAST (28,672) at least; 0:
+                           * all the room that the arena has (a need is then that of the
+                           * least). Bytes fetched depend on it, hits do not */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -265,7 +281,8 @@ typedef struct plt_hit {
  * which, each 64 rays, or packet if it is larger, are looked at. `any`:
  * only whether anything is hit. A hit depends on ray, triangle and the scene's
  * box alone: packet size, tree and order never change it. Ends a frame that was
- * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed; hits before those of
+ * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed, or PLT_ERR_IMAGE: what came is not
+ * valid (both of streamed scenes; plt_fault_get says where); hits before those of
  * the current packet are right, that packet's and later ones are as they were.
  * PLT_ERR_LIMIT: this build has no rays in groups (PLT_WITH_GROUPS). Cost: see DESIGN.md,
  * section 6. */
@@ -305,9 +322,14 @@ int plt_render_begin(plt_engine *engine, const plt_frame *frame);
  * entry is worked off; one entry visits at most a treelet or a list), so
  * that a main loop stays alive. Returns PLT_MORE, PLT_TILE (fetch it with
  * plt_render_tile) or PLT_OK when the frame is complete or none is in progress;
- * PLT_ERR_SOURCE: the source failed, and the frame has ended. */
+ * PLT_ERR_SOURCE, PLT_ERR_IMAGE: as plt_trace, and the frame has ended. The engine can go on
+ * with the next. */
 int plt_render_step(plt_engine *engine, uint32_t visits);
 void plt_render_tile(const plt_engine *engine, plt_tile *tile);
+
+/* Why the last plt_trace or plt_render_step of a streamed scene failed: the byte of the image,
+ * and the rule of SPEC.md that is broken, if one is. */
+void plt_fault_get(const plt_engine *engine, plt_fault *fault);
 
 /* ---- statistics ------------------------------------------------------ */
 
@@ -324,6 +346,10 @@ typedef struct plt_stats {
     uint64_t treelet_fetches;
     uint64_t bytes_fetched;      /* of those treelets, had each been copied */
     uint64_t bytes_touched_once; /* of different treelets among them; if count_touched */
+    uint64_t store_evictions;    /* streamed: parts given up for others; treelet_fetches and
+                                  * bytes_fetched are then what really came, nodes, geometry and
+                                  * ids, and bytes_touched_once what of it was different */
+    uint64_t fetch_retries;      /* streamed: parts that came late, short or wrong */
     uint64_t mixed_packets;      /* packets whose rays differ in sign */
     uint64_t packets;
     uint64_t wave_rays; /* of `rays`, those that went by the wave. Each visits nodes for itself:

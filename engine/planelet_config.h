@@ -21,6 +21,10 @@
 #define PLT_WITH_BUILDER 1 /* images whose tree is built in the arena */
 #endif
 
+#ifndef PLT_WITH_STREAMED
+#define PLT_WITH_STREAMED PLT_WITH_COMPACT /* compact blocks, fetched when a ray needs them */
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -96,6 +100,12 @@
 #define PLT_TRANSFER_BYTES 4096
 #endif
 
+/* How often a part of a streamed block is fetched, if it is late, short or wrong, before a
+ * traversal fails: 1 .. 255. Cost: none. */
+#ifndef PLT_FETCH_TRIES
+#define PLT_FETCH_TRIES 3
+#endif
+
 /* Coordinates reach from -PLT_COORD_MAX to PLT_COORD_MAX (2^40), so that no
  * product of the ray/triangle test can overflow. Not a knob. */
 #define PLT_COORD_MAX 1099511627776.0f
@@ -116,6 +126,9 @@
 #endif
 #if !PLT_WITH_GROUPS && (PLT_WITH_COMPACT || !PLT_WITH_BEAMS)
 #error "without PLT_WITH_GROUPS there are beams alone: PLT_WITH_BEAMS, not PLT_WITH_COMPACT"
+#endif
+#if (PLT_WITH_STREAMED != 0 && PLT_WITH_STREAMED != 1) || (PLT_WITH_STREAMED && !PLT_WITH_COMPACT)
+#error "PLT_WITH_STREAMED is the digit 0, or with PLT_WITH_COMPACT 1"
 #endif
 #if PLT_WITH_WAVE && !PLT_WITH_GROUPS
 #error "PLT_WITH_WAVE is for PLT_WITH_GROUPS"
@@ -148,6 +161,9 @@
 #endif
 #if PLT_BLOCK_CACHE_SLOTS < 1 || PLT_BLOCK_CACHE_SLOTS > 64
 #error "PLT_BLOCK_CACHE_SLOTS is 1 .. 64"
+#endif
+#if PLT_FETCH_TRIES < 1 || PLT_FETCH_TRIES > 255
+#error "PLT_FETCH_TRIES is 1 .. 255"
 #endif
 #if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
 #error "PLT_TRANSFER_BYTES is 64 .. 1048576"

@@ -1,7 +1,8 @@
 #!/bin/sh
 # run.sh SCENE.plt|"" [key=value ...] - runs the firmware in QEMU and counts
 #
-# The scene goes into PSRAM by QEMU's loader; "" leaves that to scene=PATH.
+# The scene goes into PSRAM by QEMU's loader; "" leaves that to scene=PATH, and so does
+# SOURCE=file, which gives its path: it stays in the file, and is fetched by semihosting.
 # Prints what the firmware prints, then "instructions total=N open=N render=N
 # stored_stack=N", "instructions_per_ray N" and "stack painted=N stored=N worst=N".
 # PROFILE=PATH writes a count for every instruction there.
@@ -28,7 +29,9 @@ done
 
 parameters=$*
 set --
-if [ -n "$scene" ]; then
+if [ -n "$scene" ] && [ "$SOURCE" = file ]; then
+    parameters="scene=$scene $parameters"
+elif [ -n "$scene" ]; then
     [ -r "$scene" ] || { echo "$scene: cannot be read" >&2; exit 1; }
     parameters="bytes=$(wc -c <"$scene" | tr -d ' ') $parameters"
     # An empty file has nothing to load.

@@ -9,9 +9,10 @@ void plt_block_cache_clear(plt_opened_block *cache) {
     }
 }
 
-void plt_opened_block_set(plt_opened_block *slot, const plt_block_tree *tree, uint32_t link) {
+void plt_opened_block_set(plt_opened_block *slot, const unsigned char *bytes,
+                          const plt_block_tree *tree, uint32_t link) {
     plt_lattice_box bounds;
-    plt_block_open(&slot->block, tree->bytes + plt_block_address(link), tree->lattice.bits);
+    plt_block_open(&slot->block, bytes, tree->lattice.bits);
     plt_block_bounds(&slot->block, tree->lattice.bits, &bounds);
     plt_lattice_spread(&bounds, slot->lo, slot->hi);
     slot->link = link;

@@ -23,20 +23,25 @@ typedef struct plt_opened_block {
 /* Empties all PLT_BLOCK_CACHE_SLOTS slots. */
 void plt_block_cache_clear(plt_opened_block *cache);
 
-/* Opens the block behind `link` in `slot`. */
-void plt_opened_block_set(plt_opened_block *slot, const plt_block_tree *tree, uint32_t link);
+/* Opens the block behind `link`, which lies at `bytes`, in `slot`. */
+void plt_opened_block_set(plt_opened_block *slot, const unsigned char *bytes,
+                          const plt_block_tree *tree, uint32_t link);
 
-/* Opens its geometry part, too. */
+/* Opens its geometry part, too, which lies at block.geometry. */
 void plt_opened_block_geometry(plt_opened_block *opened, const plt_block_tree *tree);
+
+/* Its slot. The address is multiplied by the golden ratio, so that neighbouring blocks do not
+ * collide. */
+static inline uint32_t plt_block_cache_slot(uint32_t link) {
+    return (plt_block_address(link) / 8 * 0x9E3779B1u >> 16) % PLT_BLOCK_CACHE_SLOTS;
+}
 
 /* The block behind `link`, opened. */
 static inline plt_opened_block *plt_block_cache_find(plt_opened_block *cache,
                                                      const plt_block_tree *tree, uint32_t link) {
-    /* Multiplied by the golden ratio, so that neighbouring blocks do not collide. */
-    const uint32_t spread = plt_block_address(link) / 8 * 0x9E3779B1u >> 16;
-    plt_opened_block *slot = &cache[spread % PLT_BLOCK_CACHE_SLOTS];
+    plt_opened_block *slot = &cache[plt_block_cache_slot(link)];
     if (slot->link != link) {
-        plt_opened_block_set(slot, tree, link);
+        plt_opened_block_set(slot, tree->bytes + plt_block_address(link), tree, link);
     }
     return slot;
 }

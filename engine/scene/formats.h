@@ -1,6 +1,7 @@
 /* formats - the one list of what a scene can be
  *
- * A format is a row here, a member of plt_scene (scene.h), and files of its own:
+ * A format is a row here, a member of plt_scene (scene.h; streamed scenes have that of compact
+ * ones), and files of its own:
  * scene/open_NAME.c opens it, trace/format_NAME.h and trace/traverse_NAME.c traverse it.
  * Declarations and switches over formats are made from this list; engine/layout.c says
  * what each takes of an arena.
@@ -15,6 +16,7 @@
 #define PLT_FORMATS(ROW)                                                                           \
     ROW(THESIS, thesis, PLT_WITH_THESIS, "thesis nodes (PLT_WITH_THESIS)")                         \
     ROW(COMPACT, compact, PLT_WITH_COMPACT, "compact blocks (PLT_WITH_COMPACT)")                   \
+    ROW(STREAMED, streamed, PLT_WITH_STREAMED, "streamed scenes (PLT_WITH_STREAMED)")              \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")
 
 enum plt_format {
@@ -30,9 +32,19 @@ enum plt_format {
 #define PLT_IF_JOINED(with, ...) PLT_IF_##with(__VA_ARGS__)
 #define PLT_IF(with, ...) PLT_IF_JOINED(with, __VA_ARGS__)
 
-static inline enum plt_format plt_format_of(const plt_info *info) {
+/* A finished tree of compact blocks with lattice geometry can be streamed. */
+static inline int plt_can_stream(const plt_info *info) {
+    return info->nodes_format == PLT_NODES_COMPACT &&
+           info->geometry_format == PLT_GEOMETRY_LATTICE && info->build == PLT_BUILD_HOST;
+}
+
+/* `residency`: enum plt_residency. */
+static inline enum plt_format plt_format_of(const plt_info *info, unsigned residency) {
     if (info->build == PLT_BUILD_NONE) {
         return PLT_FORMAT_LIST;
+    }
+    if (residency == PLT_RESIDENCY_STREAMED && plt_can_stream(info)) {
+        return PLT_FORMAT_STREAMED;
     }
     return info->nodes_format == PLT_NODES_COMPACT ? PLT_FORMAT_COMPACT : PLT_FORMAT_THESIS;
 }

@@ -9,11 +9,11 @@
 
 #define NEEDS "this build of the engine does not have what the image needs: "
 
-const char *plt_scene_left_out(const plt_info *info) {
+const char *plt_scene_left_out(const plt_info *info, unsigned residency) {
     if (!PLT_WITH_BUILDER && info->build == PLT_BUILD_DEVICE) {
         return NEEDS "the builder (PLT_WITH_BUILDER)";
     }
-    switch (plt_format_of(info)) {
+    switch (plt_format_of(info, residency)) {
 #define LEFT_OUT(NAME, name, with, text)                                                           \
     case PLT_FORMAT_##NAME:                                                                        \
         return with ? NULL : NEEDS text;
@@ -24,9 +24,9 @@ const char *plt_scene_left_out(const plt_info *info) {
     }
 }
 
-static void describe(plt_scene *scene, const plt_header *header) {
+static void describe(plt_scene *scene, const plt_header *header, unsigned residency) {
     scene->info = header->info;
-    scene->format = (uint8_t)plt_format_of(&header->info);
+    scene->format = (uint8_t)plt_format_of(&header->info, residency);
     scene->box = plt_box_empty();
     for (int a = 0; a < 3 && header->info.triangles > 0; a++) {
         scene->box.lo[a] = header->info.lo[a];
@@ -37,7 +37,7 @@ static void describe(plt_scene *scene, const plt_header *header) {
 int plt_scene_open(const plt_opening *o, const plt_header *header,
                    struct plt_compact_build **build) {
     *build = NULL;
-    describe(o->scene, header);
+    describe(o->scene, header, o->residency);
     switch (o->scene->format) {
 #define OPEN(NAME, name, with, text)                                                               \
     PLT_IF(with, case PLT_FORMAT_##NAME : return plt_open_##name(o, header, build);)

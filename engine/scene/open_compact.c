@@ -5,21 +5,11 @@
 #include "engine/base/rules.h"
 #include "engine/image/header_at.h"
 #include "engine/scene/build_compact.h"
+#include "engine/scene/compact_tree.h"
 #include "engine/scene/counts.h"
 #include "engine/scene/open_formats.h"
 #include "engine/scene/validate_compact.h"
 #include "engine/tree/validate_records.h"
-
-static void describe(const plt_opening *o, const plt_header *header) {
-    plt_block_tree *t = &o->scene->compact;
-    t->root = header->root;
-    t->leaf_triangles = header->info.leaf_triangles;
-    t->leaf_kind =
-        header->info.geometry_format == PLT_GEOMETRY_FLOAT ? PLT_LEAF_RECORDS : PLT_LEAF_STRIPS;
-    t->lattice = header->lattice;
-    t->box = header->lattice_box;
-    t->ids.bits = header->info.primitive_id_bits;
-}
 
 /* Primitive ids of the section are those of the packed mesh. */
 static int validate_ids(const plt_opening *o, const plt_section *section) {
@@ -83,7 +73,7 @@ static int read_tree(const plt_opening *o, const plt_header *header) {
 
 int plt_open_compact(const plt_opening *o, const plt_header *header,
                      struct plt_compact_build **build) {
-    describe(o, header);
+    plt_compact_describe(&o->scene->compact, header);
 #if PLT_WITH_BUILDER
     if (header->info.build == PLT_BUILD_DEVICE) {
         return plt_build_compact_begin(o, header, build);

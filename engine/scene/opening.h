@@ -15,6 +15,7 @@ typedef struct plt_opening {
     plt_arena *arena;
     const plt_layout *layout;
     plt_fault *fault;
+    uint8_t residency; /* enum plt_residency */
 } plt_opening;
 
 /* PLT_ERR_ARENA. need_bytes stays 0 here; engine/open.c sets it. */

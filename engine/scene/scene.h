@@ -9,6 +9,7 @@
 #define PLT_SCENE_SCENE_H
 
 #include "engine/base/box.h"
+#include "engine/memory/stream.h"
 #include "engine/scene/formats.h"
 #include "engine/tree/bvh4.h"
 #include "engine/tree/compact/block_tree.h"
@@ -29,7 +30,8 @@ typedef struct plt_scene {
         plt_block_tree compact;
         plt_list list;
     };
-    const plt_bvh4 *bvh4; /* the tree again, as the wave wants it; NULL: not asked for */
+    plt_stream_image stream; /* of a streamed scene: where its blocks come from */
+    const plt_bvh4 *bvh4;    /* the tree again, as the wave wants it; NULL: not asked for */
 } plt_scene;
 
 #endif

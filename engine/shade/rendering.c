@@ -35,6 +35,19 @@ static int has_beams(const plt_traversal *t) {
            t->scene->format != PLT_FORMAT_COMPACT;
 }
 
+static uint32_t tiles_in(uint32_t pixels) {
+    return (pixels + PLT_TILE_SIDE - 1) / PLT_TILE_SIDE;
+}
+
+/* The tile that the order is at; if there is none, the frame is done. */
+static void start_tile(plt_rendering *r) {
+    uint32_t column = 0, row = 0;
+    r->px = r->py = 0;
+    r->done = (uint8_t)!plt_tile_order_find(&r->order, &column, &row);
+    r->x = PLT_TILE_SIDE * column;
+    r->y = PLT_TILE_SIDE * row;
+}
+
 int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
     r->done = 1;
     if (frame->width == 0 || frame->height == 0 || frame->shader > PLT_SHADE_TRIANGLE) {
@@ -47,13 +60,17 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         if (HAS_BEAMS(r)) {
             plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
         }
-        r->x = r->y = r->px = r->py = 0;
-        r->tracing = r->done = 0;
+        const plt_tile_order order = {.columns = tiles_in(frame->width),
+                                      .rows = tiles_in(frame->height),
+                                      .curves = t->scene->format == PLT_FORMAT_STREAMED};
+        r->order = order;
+        r->tracing = 0;
+        start_tile(r);
     }
     return status;
 }
 
-/* A row of tiles begins. */
+/* Of the rows of a tile; rows of tiles that go from left to right share it. */
 static void set_sky(plt_rendering *r) {
     for (uint32_t y = 0; y < tile_height(r); y++) {
         plt_surface_sky(&r->frame, r->y + y, &r->sky[3 * y]);
@@ -66,7 +83,7 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
     const uint32_t rays =
         least(r->side, r->frame.width - pixels.x) * least(r->side, r->frame.height - pixels.y);
     r->tracing = 1;
-    if (pixels.x == 0 && r->py == 0) {
+    if ((pixels.x == 0 || r->order.curves) && r->px == 0 && r->py == 0) {
         set_sky(r);
     }
     if (HAS_BEAMS(r)) {
@@ -128,13 +145,8 @@ static int next_packet(plt_rendering *r) {
 
 /* The tile was fetched: to the next one, or to the end. */
 static void next_tile(plt_rendering *r) {
-    r->px = r->py = 0;
-    r->x += PLT_TILE_SIDE;
-    if (r->x >= r->frame.width) {
-        r->x = 0;
-        r->y += PLT_TILE_SIDE;
-    }
-    r->done = r->y >= r->frame.height;
+    r->order.at++;
+    start_tile(r);
 }
 
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {

@@ -1,13 +1,14 @@
 /* rendering - a frame, tile after tile, a bounded piece at a time
  *
- * Tiles go from left to right, top down; the packets of a tile likewise, the rays of a
- * packet in Z order.
+ * Tiles go from left to right, top down, or as tile_order.h has it; the packets of a tile
+ * from left to right, top down, the rays of a packet in Z order.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_SHADE_RENDERING_H
 #define PLT_SHADE_RENDERING_H
 
 #include "engine/shade/beam.h"
+#include "engine/shade/tile_order.h"
 
 #define PLT_TILE_BUFFER_BYTES (3 * PLT_TILE_SIDE * PLT_TILE_SIDE)
 
@@ -18,6 +19,7 @@ typedef struct plt_rendering {
     uint8_t *tile;                  /* PLT_TILE_BUFFER_BYTES, rows as wide as the current tile */
     uint8_t sky[3 * PLT_TILE_SIDE]; /* colour of the sky in each row of the tile */
     uint32_t side;                  /* of a packet */
+    plt_tile_order order;           /* of the tiles */
     uint32_t x, y;                  /* current tile, pixels */
     uint32_t px, py;                /* current packet, pixels within the tile */
     uint8_t tracing;                /* the packet is set up and its traversal is not over */

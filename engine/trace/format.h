@@ -12,7 +12,7 @@
  *
  *   format_state                    what is kept from visit to visit, in t->state, above
  *                                   all the current treelet
- *   void format_state_init(state)
+ *   void format_state_init(t)
  *   format_place                    a box of the tree and what it leads to
  *   format_children                 the children of a node
  *   format_room                     where a box may be written

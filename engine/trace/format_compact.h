@@ -1,5 +1,7 @@
 /* format_compact - compact blocks; the operations of format.h
  *
+ * Include blocks_resident.h or blocks_streamed.h before it: how a block is reached.
+ *
  * Boxes are decoded once per packet and visit, in whole lattice numbers. They are
  * kept in floats, which hold whole numbers up to 2^24 exactly, so that the 4-lane
  * operations decode all three axes at once; a lattice has at most 21 bits. They become
@@ -10,26 +12,15 @@
 #ifndef PLT_TRACE_FORMAT_COMPACT_H
 #define PLT_TRACE_FORMAT_COMPACT_H
 
-#include "engine/memory/block_cache.h"
-#include "engine/memory/traffic.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_compact.h"
 
 enum { FORMAT_TIGHTENS = 1, FORMAT_LEAVES_WAIT = 0 };
 
-typedef struct format_state {
-    plt_opened_block *current; /* NULL: none */
-    uint8_t geometry_counted;  /* its geometry part is in the statistics */
-    plt_opened_block cache[PLT_BLOCK_CACHE_SLOTS];
-} format_state;
-
-static inline void format_state_init(format_state *state) {
-    state->current = NULL;
-    plt_block_cache_clear(state->cache);
-}
-
 typedef struct format_place {
-    float lo[4], hi[4]; /* lattice coordinates; the fourth means nothing */
+    float lo[4], hi[4]; /* lattice coordinates; of a streamed scene the fourth of hi is where
+                         * the subtree of the place's block ends (plt_stream_end), else it
+                         * means nothing, as that of lo does */
     uint32_t link;      /* of its block; of an edge the block behind it */
     uint32_t target;    /* see below */
 } format_place;
@@ -63,30 +54,18 @@ typedef struct format_children {
     const plt_opened_block *opened;
     const plt_lattice *lattice;
     uint32_t node;   /* index in the block */
+    float end;       /* of the block's subtree */
     f4 lo[2], hi[2]; /* lattice coordinates */
     format_room scene;
 } format_children;
 
-/* Makes the block behind `link` the current one. */
-static inline plt_opened_block *open_block(plt_traversal *t, uint32_t link) {
-    format_state *c = (format_state *)t->state;
-    if (c->current != NULL && link == c->current->link) {
-        return c->current;
-    }
-    c->current = plt_block_cache_find(c->cache, &t->scene->compact, link);
-    c->geometry_counted = 0;
-    t->stats.treelet_fetches++;
-    plt_traffic_count(&t->stats, t->touched, plt_block_address(link) / 8,
-                      c->current->block.node_bytes);
-    return c->current;
-}
-
 static inline int format_root(plt_traversal *t, format_place *place) {
     const plt_block_tree *tree = &t->scene->compact;
     plt_lattice_spread(&tree->box, place->lo, place->hi);
+    blocks_set_end(place->hi, blocks_root_end(tree));
     place->link = tree->root;
     place->target = PLT_SLOT_EDGE;
-    ((format_state *)t->state)->current = NULL;
+    blocks_leave((format_state *)t->state);
     return tree->root != PLT_LINK_NONE;
 }
 
@@ -120,10 +99,16 @@ static inline void format_bounds(const plt_traversal *t, const format_place *pla
 /* The root of a block has exact bounds. In trees of our builder they are no larger than
  * the box that led here; in a hostile tree larger ones cost tests, never hits. */
 static inline int format_enter(plt_traversal *t, format_place *place) {
-    const plt_opened_block *o = open_block(t, place->link);
+    const float end = place->hi[3];
+    const int status = blocks_open(t, place->link, end);
+    if (status != PLT_OK) {
+        return status;
+    }
+    const plt_opened_block *o = blocks_current(t);
     place->target = PLT_SLOT_INNER; /* node 0 */
     f4_store(place->lo, f4_load(o->lo));
     f4_store(place->hi, f4_load(o->hi));
+    blocks_set_end(place->hi, end);
     return PLT_OK;
 }
 
@@ -135,21 +120,7 @@ static inline int format_return(plt_traversal *t, format_place *place) {
     if (format_is_edge(place)) {
         return format_enter(t, place);
     }
-    open_block(t, place->link);
-    return PLT_OK;
-}
-
-/* Asks for the blocks behind a node before it is known whether they are met. */
-static inline void prefetch_edges(const plt_block_tree *tree, const plt_block *b, uint32_t node) {
-    const uint32_t word = node >> 4, shift = node << 1 & 31, edge = b->mask[PLT_SLOT_EDGE][word];
-    if ((edge >> shift & 3u) == 0) {
-        return;
-    }
-    const uint32_t edges =
-        b->before[PLT_SLOT_EDGE][word] + plt_count_bits(edge & plt_low_bits(shift));
-    for (uint32_t i = 0; i < plt_count_bits(edge >> shift & 3u); i++) {
-        plt_prefetch(tree->bytes + plt_block_address(plt_block_edge(b, edges + i)));
-    }
+    return blocks_open(t, place->link, place->hi[3]);
 }
 
 /* max(1, (e + 254) / 255 rounded down), three axes at once: the quotient is at
@@ -182,9 +153,10 @@ static inline void decode_boxes(const plt_block *b, uint32_t node, const format_
 static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
     const plt_block_tree *tree = &t->scene->compact;
-    c->opened = ((const format_state *)t->state)->current;
+    c->opened = blocks_current(t);
     c->node = index_of(place);
-    prefetch_edges(tree, &c->opened->block, c->node);
+    c->end = place->hi[3];
+    blocks_prefetch(tree, &c->opened->block, c->node);
     c->lattice = &tree->lattice;
     decode_boxes(&c->opened->block, c->node, place, c->lo, c->hi);
 }
@@ -202,7 +174,8 @@ static inline void format_child_bounds(const format_children *c, unsigned child,
 }
 
 /* What slot `slot` of the block leads to. */
-static inline void set_target(const plt_opened_block *o, uint32_t slot, format_place *place) {
+static inline void set_target(const format_children *c, uint32_t slot, format_place *place) {
+    const plt_opened_block *o = c->opened;
     const plt_block *b = &o->block;
     const uint32_t word = slot >> 5, bit = 1u << (slot & 31), below = bit - 1u;
     const uint32_t inner = b->mask[PLT_SLOT_INNER][word], edge = b->mask[PLT_SLOT_EDGE][word];
@@ -215,6 +188,7 @@ static inline void set_target(const plt_opened_block *o, uint32_t slot, format_p
     const uint32_t edges = b->before[PLT_SLOT_EDGE][word] + plt_count_bits(edge & below);
     if (edge & bit) {
         place->link = plt_block_edge(b, edges);
+        blocks_set_end(place->hi, blocks_edge_end(o, edges));
         place->target = PLT_SLOT_EDGE;
         return;
     }
@@ -228,7 +202,8 @@ static inline void set_target(const plt_opened_block *o, uint32_t slot, format_p
 static inline void format_child(const format_children *c, unsigned child, format_place *place) {
     f4_store(place->lo, c->lo[child]);
     f4_store(place->hi, c->hi[child]);
-    set_target(c->opened, 2 * c->node + child, place);
+    blocks_set_end(place->hi, c->end);
+    set_target(c, 2 * c->node + child, place);
 }
 
 /* Floats of corners were rounded, so a step is added. */
@@ -243,17 +218,12 @@ static inline float longest_side(const plt_lattice *l, const format_place *place
 
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {
-    const plt_block_tree *tree = &t->scene->compact;
-    format_state *state = (format_state *)t->state;
-    plt_opened_block *o = state->current;
-    if (!o->geometry_open) {
-        plt_opened_block_geometry(o, tree);
+    const int status = blocks_open_geometry(t);
+    if (status != PLT_OK) {
+        return status;
     }
-    if (!state->geometry_counted) {
-        state->geometry_counted = 1; /* beside the bit of the nodes part */
-        plt_traffic_count(&t->stats, t->touched, plt_block_address(o->link) / 8 + 1,
-                          o->block.geometry_bytes);
-    }
+    const plt_block_tree *tree = blocks_tree(t);
+    const plt_opened_block *o = blocks_current(t);
     plt_leaf_run run;
     run.longest = longest_side(&tree->lattice, place);
     run.first = plt_leaf_find(&o->geometry, index_of(place), pairs_before(place), is_pair(place),
@@ -263,15 +233,7 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
     return PLT_OK;
 }
 
-/* The current block, its geometry part opened, too. */
-static inline plt_opened_block *with_geometry(const plt_traversal *t) {
-    plt_opened_block *o = ((format_state *)t->state)->current;
-    if (!o->geometry_open) {
-        plt_opened_block_geometry(o, &t->scene->compact);
-    }
-    return o;
-}
-
+#ifdef PLT_BLOCKS_RESIDENT /* which alone are collapsed */
 static inline plt_leaf_run run_of(const plt_opened_block *o, const format_place *place) {
     plt_leaf_run run = {0, 0, 0.0f};
     run.first = plt_leaf_find(&o->geometry, index_of(place), pairs_before(place), is_pair(place),
@@ -280,16 +242,17 @@ static inline plt_leaf_run run_of(const plt_opened_block *o, const format_place 
 }
 
 static inline uint32_t format_count(const plt_traversal *t, const format_place *place) {
-    return run_of(with_geometry(t), place).count;
+    return run_of(blocks_with_geometry(t), place).count;
 }
 
 #if PLT_WITH_WAVE
 static inline void format_triangle(const plt_traversal *t, const format_place *place,
                                    uint32_t index, plt_triangle *to) {
-    const plt_opened_block *o = with_geometry(t);
+    const plt_opened_block *o = blocks_with_geometry(t);
     const plt_leaf_run run = run_of(o, place);
     plt_leaf_triangle(&t->scene->compact, &o->geometry, &run, index, to);
 }
+#endif
 #endif
 
 #endif

@@ -15,15 +15,15 @@ enum { FORMAT_TIGHTENS = 0, FORMAT_LEAVES_WAIT = 1 };
 
 typedef plt_treelet_state format_state;
 
-static inline void format_state_init(format_state *state) {
-    state->block = PLT_MISS;
+static inline void format_state_init(plt_traversal *t) {
+    ((format_state *)t->state)->block = PLT_MISS;
 }
 
 static inline int format_root(plt_traversal *t, format_place *place) {
     const plt_tree *tree = &t->scene->thesis;
     place_set_box(place, &t->scene->box);
     place->link = tree->root;
-    format_state_init((format_state *)t->state);
+    format_state_init(t);
     return tree->root != PLT_LINK_NONE;
 }
 

@@ -25,15 +25,22 @@ typedef struct plt_traversal {
     void *leaves;            /* hulls only: they wait to be tested */
     unsigned leaves_waiting; /* PLT_LEAVES_WAITING and two at most */
 #endif
-    void *wave;        /* rays in flight (wave_state.h); NULL: not asked for */
-    void *state;       /* what the format keeps from visit to visit */
-    uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
+    void *store;          /* of streamed blocks */
+    uint32_t store_bytes; /* of it */
+    void *wave;           /* rays in flight (wave_state.h); NULL: not asked for */
+    void *state;          /* what the format keeps from visit to visit */
+    uint32_t *touched;    /* a bit per block that was counted once; NULL: not asked for */
     uint32_t touched_words;
     plt_stats stats;
 } plt_traversal;
 
 /* Leaves that wait at most until they are tested, for packets with hulls. A visit adds two. */
 #define PLT_LEAVES_WAITING 8u
+
+/* Entries that the stack of a streamed scene has beyond depth_stack_entries, which nobody has
+ * counted: what its blocks say of themselves is tested with this to spare, for the levels of
+ * hulls (blocks_streamed.h). */
+#define PLT_STACK_SLACK 4u
 
 /* Depth first, for packets with hulls (order_hulls.h); follows enum plt_order. */
 #define PLT_ORDER_HULLS 2u

@@ -45,7 +45,7 @@ size_t PLT_JOINED(FORMAT_NAME, state_bytes)(void) {
 }
 
 void PLT_JOINED(FORMAT_NAME, state_init)(plt_traversal *t) {
-    format_state_init((format_state *)t->state);
+    format_state_init(t);
 }
 
 void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {

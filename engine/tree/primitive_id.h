@@ -25,7 +25,8 @@
  * behind the last entry may be read. */
 typedef struct plt_primitive_ids {
     const unsigned char *bytes;
-    uint32_t bits; /* 2 .. 29 */
+    uint32_t bits;  /* 2 .. 29 */
+    uint32_t first; /* byte of the section that `bytes` begins with; 0: all of it is there */
 } plt_primitive_ids;
 
 static inline uint32_t plt_primitive_id(uint32_t word) {
@@ -42,7 +43,7 @@ static inline uint32_t plt_primitive_word_find(const plt_primitive_ids *ids, uin
         return index;
     }
     const uint64_t at = (uint64_t)index * ids->bits;
-    const unsigned char *byte = ids->bytes + (at >> 3);
+    const unsigned char *byte = ids->bytes + ((at >> 3) - ids->first);
     const uint64_t word = (uint64_t)plt_get_u32(byte + 4) << 32 | plt_get_u32(byte);
     const uint32_t entry = (uint32_t)(word >> (at & 7)) & ((1u << ids->bits) - 1u);
     return entry >> 2 | (entry & 3u) << PLT_PRIMITIVE_ROTATION_SHIFT;

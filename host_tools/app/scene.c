@@ -17,7 +17,7 @@ enum { SMALL_THINGS = 1 << 22 }; /* bytes: buffers of outputs and of the C libra
 static const char *const packets[] = {"auto", "2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", NULL};
-static const char *const resident[] = {"resident", NULL};
+static const char *const residencies[] = {"resident", "streamed", NULL};
 static const char *const branch[] = {"branch", NULL};
 
 /* Rules 1 and 2 of SPEC.md: too short for a header, or no header of ours. */
@@ -89,8 +89,18 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         return fail_set(f, name, "%s; build with a larger one (engine/planelet_config.h)",
                         fault->message);
     default:
-        return fail_set(f, name, "%s; leave out --walk two-stage", fault->message);
+        return fail_set(f, name,
+                        s->options.residency == PLT_RESIDENCY_STREAMED
+                            ? "%s; pack it with --nodes compact, or use --residency resident"
+                            : "%s; leave out --walk two-stage",
+                        fault->message);
     }
+}
+
+int scene_failed(const scene *s, const char *path, int status, fail *f) {
+    plt_fault fault;
+    plt_fault_get(s->engine, &fault);
+    return scene_refused(s, path, status, &fault, f);
 }
 
 static uint8_t read_packet(args *a) {
@@ -107,7 +117,13 @@ static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
     s->options.order = (uint8_t)args_choice(a, "--walk", orders, PLT_ORDER_DEPTH_FIRST);
     *fetched = args_choice(a, "--source", sources, 0) == 1;
-    args_choice(a, "--residency", resident, 0);
+    s->options.residency = (uint8_t)args_choice(a, "--residency", residencies, 0);
+    *fetched |= s->options.residency == PLT_RESIDENCY_STREAMED;
+    s->options.store_bytes =
+        (uint32_t)args_number(a, "--store", 0, PLT_STORE_LEAST, host_arena_bytes());
+    if (args_has(a, "--store") && s->options.residency != PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--store is for --residency streamed");
+    }
     args_choice(a, "--schedule", branch, 0);
     args_number(a, "--workers", 1, 1, 1);
     s->arena_is_given = args_has(a, "--arena");
@@ -266,9 +282,12 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
                  ",\n"
                  "  \"bytes_fetched\": %" PRIu64 ",\n  \"bytes_touched_once\": %" PRIu64
                  ",\n"
+                 "  \"store_evictions\": %" PRIu64 ",\n  \"fetch_retries\": %" PRIu64
+                 ",\n"
                  "  \"arena_bytes\": %zu,\n  \"arena_peak_bytes\": %zu",
                  q.rays, seconds, seconds > 0.0 ? (double)q.rays / seconds * 1e-6 : 0.0,
                  q.wave_rays, plt_packet_side(s->engine), q.packets, q.mixed_packets, q.node_visits,
                  q.group_tests, q.triangle_tests, q.treelet_fetches, q.bytes_fetched,
-                 q.bytes_touched_once, s->arena_bytes, plt_arena_peak(s->engine));
+                 q.bytes_touched_once, q.store_evictions, q.fetch_retries, s->arena_bytes,
+                 plt_arena_peak(s->engine));
 }

@@ -38,7 +38,11 @@ typedef struct scene {
      "rays along a packet's side; auto is the largest that the arena has room for (default "       \
      "auto)"},                                                                                     \
         {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
-        {"--residency", "resident", "the whole scene is in memory"},                               \
+        {"--residency", "resident|streamed",                                                       \
+         "the whole scene is in memory, or compact blocks are fetched from the file when rays "    \
+         "need them (default resident)"},                                                          \
+        {"--store", "BYTES",                                                                       \
+         "streamed: memory for blocks, from 28672 (default all that the arena has room for)"},     \
         {"--schedule", "branch", "each packet traverses its branches alone"},                      \
         {"--workers", "1", "threads that trace"},                                                  \
         {"--source", "map|read",                                                                   \
@@ -62,6 +66,9 @@ void scene_close(scene *s);
 
 /* Sets `f` to why the engine refused `path` and what to do. Returns -1. */
 int scene_refused(const scene *s, const char *path, int status, const plt_fault *fault, fail *f);
+
+/* Sets `f` to why tracing or rendering a streamed scene has ended. Returns -1. */
+int scene_failed(const scene *s, const char *path, int status, fail *f);
 
 /* What messages call it: "-" is standard input. */
 const char *scene_name(const char *path);

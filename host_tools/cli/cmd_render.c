@@ -52,6 +52,7 @@ enum { PNG_PICTURES = 3 };
 
 typedef struct rendering {
     scene s;
+    const char *path; /* of the scene */
     plt_frame frame;
     picture shown;
     destination to;
@@ -76,7 +77,7 @@ static int render_frame(rendering *r, progress *bar, uint64_t done, double *seco
         }
     }
     *seconds += clock_processor_seconds() - began;
-    return status == PLT_OK ? 0 : fail_set(f, "engine", "status %d; please report this", status);
+    return status == PLT_OK ? 0 : scene_failed(&r->s, r->path, status, f);
 }
 
 static int keep_frame(rendering *r, fail *f) {
@@ -159,6 +160,7 @@ static int open_outputs(rendering *r, fail *f) {
 
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
+    r->path = a->file[0];
     if (scene_open(&r->s, a, a->file[0], f) != 0) {
         return -1;
     }

@@ -91,29 +91,34 @@ static int read_rays(tracing *t, const char *path, fail *f) {
     return status;
 }
 
-/* All rays once, in batches of whole packets; returns the seconds of tracing. */
-static double trace_once(tracing *t, plt_engine *engine, int any, progress *bar, uint64_t before) {
-    double seconds = 0.0;
+/* All rays once, in batches of whole packets; adds the seconds of tracing. A status of the
+ * engine. */
+static int trace_once(tracing *t, int any, progress *bar, uint64_t before, double *seconds) {
+    plt_engine *engine = t->s.engine;
+    int status = PLT_OK;
     plt_stats_reset(engine);
-    for (uint32_t at = 0; at < t->count;) {
+    for (uint32_t at = 0; at < t->count && status == PLT_OK;) {
         const uint32_t left = t->count - at, now = left < RAYS_PER_BATCH ? left : RAYS_PER_BATCH;
         const double began = clock_processor_seconds();
-        plt_trace(engine, t->rays + at, t->hits + at, now, any); /* has no failures */
-        seconds += clock_processor_seconds() - began;
+        status = plt_trace(engine, t->rays + at, t->hits + at, now, any);
+        *seconds += clock_processor_seconds() - began;
         at += now;
         progress_show(bar, before + at);
     }
-    return seconds;
+    return status;
 }
 
-static void trace_all(tracing *t, plt_engine *engine, int any, unsigned repeat) {
+static int trace_all(tracing *t, const char *path, int any, unsigned repeat, fail *f) {
     progress bar;
+    int status = PLT_OK;
     progress_begin(&bar, "tracing", (uint64_t)repeat * t->count);
-    for (unsigned i = 0; i < repeat; i++) {
-        const double took = trace_once(t, engine, any, &bar, (uint64_t)i * t->count);
+    for (unsigned i = 0; i < repeat && status == PLT_OK; i++) {
+        double took = 0.0;
+        status = trace_once(t, any, &bar, (uint64_t)i * t->count, &took);
         t->seconds = i == 0 || took < t->seconds ? took : t->seconds;
     }
     progress_end(&bar);
+    return status == PLT_OK ? 0 : scene_failed(&t->s, path, status, f);
 }
 
 static int write_hits(const tracing *t, output *o, fail *f) {
@@ -195,9 +200,9 @@ int run_trace(args *a) {
     fail f = {""};
     int status = a->wrong ? -1 : open_all(&t, a, json, &f);
     if (status == 0) {
-        trace_all(&t, t.s.engine, args_has(a, "--any"), repeat);
-        status = write_all(&t, &f);
+        status = trace_all(&t, a->file[0], args_has(a, "--any"), repeat, &f);
     }
+    status = status == 0 ? write_all(&t, &f) : status;
     close_all(&t);
     if (a->wrong) {
         return 2;

@@ -12,6 +12,8 @@ alone() {
         # An order is written against a format (trace/format.h), which comes first.
         case $header in
         engine/trace/order_* | engine/trace/collapse.h) first=engine/trace/format_thesis.h ;;
+        # And compact blocks are reached in one way or the other.
+        engine/trace/format_compact.h) first=engine/trace/blocks_streamed.h ;;
         *) first=$header ;;
         esac
         printf '#include "%s"\n' "$first" "$header" |

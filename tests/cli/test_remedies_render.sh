@@ -81,6 +81,14 @@ for remedy in '--eye 5e11,5e11,1e12' '--fov 150'; do
     cured render huge.plt -o x.png --size 64x48 $remedy
 done
 
+run pack knot.ply -o thesis.plt
+says "%s; pack it with --nodes compact, or use --residency resident" \
+    render thesis.plt -o x.png --residency streamed
+cured render thesis.plt -o x.png --residency resident
+run pack knot.ply -o compact.plt --nodes compact --geometry lattice:14
+cured render compact.plt -o x.png --residency streamed
+says "--store is for --residency streamed" render compact.plt -o x.png --store 65536
+cured render compact.plt -o x.png --residency streamed --store 65536
 run pack knot.ply -o compact.plt --nodes compact
 says "%s; leave out --walk two-stage" render compact.plt -o x.png --walk two-stage
 cured render compact.plt -o x.png

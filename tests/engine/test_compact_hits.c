@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/trace/blocks_resident.h"
 #include "engine/trace/format_compact.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/block_slots.h"

@@ -64,6 +64,7 @@ FAILING_DECLARE(render_begin);
 FAILING_DECLARE(render_step);
 FAILING_DECLARE(render_tile);
 FAILING_DECLARE(stats_get);
+FAILING_DECLARE(fault_get);
 FAILING_DECLARE(stats_reset);
 FAILING_DECLARE(packet_side);
 FAILING_DECLARE(arena_used);
@@ -87,6 +88,7 @@ FAILING_DECLARE(arena_peak);
 #define plt_render_step failing_render_step
 #define plt_render_tile failing_render_tile
 #define plt_stats_get failing_stats_get
+#define plt_fault_get failing_fault_get
 #define plt_stats_reset failing_stats_reset
 #define plt_packet_side failing_packet_side
 #define plt_arena_used failing_arena_used
@@ -111,6 +113,7 @@ FAILING_DECLARE(arena_peak);
 #undef plt_render_step
 #undef plt_render_tile
 #undef plt_stats_get
+#undef plt_fault_get
 #undef plt_stats_reset
 #undef plt_packet_side
 #undef plt_arena_used

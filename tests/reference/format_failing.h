@@ -52,8 +52,8 @@ typedef struct format_state {
     char none;
 } format_state;
 
-static inline void format_state_init(format_state *state) {
-    state->none = 0;
+static inline void format_state_init(plt_traversal *t) {
+    ((format_state *)t->state)->none = 0;
 }
 
 typedef struct format_place {

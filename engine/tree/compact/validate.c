@@ -21,20 +21,6 @@ typedef struct validation {
         b; /* the block in hand: opened again at each step, because a copy per level costs stack */
 } validation;
 
-/* Depth of every node of a block, and the deepest into `info`. */
-static void node_depths(const plt_block *b, uint32_t depth, uint16_t *depths, plt_info *info) {
-    depths[0] = (uint16_t)(depth + 1);
-    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
-        if (plt_block_kind(b, slot) == PLT_SLOT_INNER) {
-            depths[1 + plt_block_rank(b, PLT_SLOT_INNER, slot)] = (uint16_t)(depths[slot / 2] + 1);
-        }
-    }
-    for (uint32_t i = 0; i < b->nodes; i++) {
-        info->depth_stack_entries =
-            depths[i] > info->depth_stack_entries ? depths[i] : info->depth_stack_entries;
-    }
-}
-
 /* Adds a block that is entered for the first time to the counts. */
 static int add_counts(const plt_block_tree *tree, const plt_block *b, plt_info *info) {
     info->treelets++;
@@ -61,7 +47,10 @@ static uint32_t next_edge(validation *s, const plt_blocks_validate_level *at, ui
     uint16_t depths[PLT_BLOCK_NODES_MOST];
     uint32_t best = PLT_LINK_NONE;
     plt_block_open(b, s->tree->bytes + at->address, s->tree->lattice.bits);
-    node_depths(b, at->depth, depths, s->info);
+    const uint32_t deepest = at->depth + plt_block_depths(b, depths);
+    if (deepest > s->info->depth_stack_entries) {
+        s->info->depth_stack_entries = deepest;
+    }
     for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
         if (plt_block_kind(b, slot) != PLT_SLOT_EDGE) {
             continue;
@@ -70,7 +59,7 @@ static uint32_t next_edge(validation *s, const plt_blocks_validate_level *at, ui
         const uint32_t address = plt_block_address(link);
         if (address > at->last && (best == PLT_LINK_NONE || address < plt_block_address(best))) {
             best = link;
-            *depth = depths[slot / 2];
+            *depth = at->depth + depths[slot / 2];
         }
     }
     return best;

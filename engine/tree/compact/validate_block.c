@@ -24,12 +24,8 @@ static int bounds_are_inside(const plt_lattice_box *f, const plt_lattice_box *sc
     return inside;
 }
 
-static int checks_are_right(const plt_block *b) {
-    if (plt_get_u32(b->bytes) >> 16 != plt_block_check(b->bytes, b->node_bytes, 2)) {
-        return 0;
-    }
-    return b->geometry_bytes == 0 ||
-           plt_get_u32(b->geometry + 4) >> 16 == plt_block_check(b->geometry, b->geometry_bytes, 6);
+static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t check_at) {
+    return plt_get_u32(part + check_at - 2) >> 16 == plt_block_check(part, bytes, check_at);
 }
 
 /* Each string begins where the one before ends; all must end inside the part. Counts are bounded
@@ -95,18 +91,9 @@ static int counts_rule(const plt_block *b, uint32_t k) {
     return g.starts <= 8 * b->geometry_bytes ? PLT_BLOCK_VALID : PLT_I14_GEOMETRY;
 }
 
-static int geometry_rule(const plt_block *b, const plt_lattice_box *bounds, uint32_t k,
-                         int leaf_kind) {
+/* Of a part whose check is right. */
+static int strings_rule(const plt_block *b, const plt_lattice_box *bounds, uint32_t k) {
     plt_geometry g;
-    if (b->leaves == 0) {
-        return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_I14_GEOMETRY;
-    }
-    if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
-        return PLT_I14_GEOMETRY;
-    }
-    if (leaf_kind == PLT_LEAF_RECORDS) {
-        return counts_rule(b, k);
-    }
     plt_geometry_open(&g, b, bounds, k);
     if (!geometry_fits(&g, b)) {
         return PLT_I14_GEOMETRY;
@@ -120,27 +107,63 @@ static int geometry_rule(const plt_block *b, const plt_lattice_box *bounds, uint
     return vertices_are_inside(&g, bounds) ? PLT_BLOCK_VALID : PLT_I21_VERTICES;
 }
 
-int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
-    plt_block b;
+int plt_block_validate_geometry(const plt_block *b, const plt_block_tree *tree) {
+    plt_lattice_box bounds;
+    if (b->geometry_bytes > 0 && !check_is_right(b->geometry, b->geometry_bytes, 6)) {
+        return PLT_I13_CHECK;
+    }
+    if (b->leaves == 0) {
+        return b->geometry_bytes == 0 ? PLT_BLOCK_VALID : PLT_I14_GEOMETRY;
+    }
+    if (b->geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
+        return PLT_I14_GEOMETRY;
+    }
+    if (tree->leaf_kind == PLT_LEAF_RECORDS) {
+        return counts_rule(b, tree->leaf_triangles);
+    }
+    plt_block_bounds(b, tree->lattice.bits, &bounds);
+    return strings_rule(b, &bounds, tree->leaf_triangles);
+}
+
+int plt_block_validate_nodes(plt_block *b, const unsigned char *bytes, uint32_t there,
+                             uint32_t limit, const plt_block_tree *tree) {
     plt_lattice_box bounds;
     const uint32_t bits = tree->lattice.bits;
-    if (limit < PLT_BLOCK_HEADER_BYTES ||
-        limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
+    if (there < PLT_BLOCK_HEADER_BYTES ||
+        there < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
         return PLT_I10_SIZES;
     }
-    plt_block_open(&b, bytes, bits);
-    if (b.node_bytes > limit || b.geometry_bytes > limit - b.node_bytes) {
+    plt_block_open(b, bytes, bits);
+    if (b->node_bytes > there || there > limit || b->geometry_bytes > limit - b->node_bytes) {
         return PLT_I10_SIZES;
     }
-    if (!kinds_form_a_tree(&b)) {
+    if (!kinds_form_a_tree(b)) {
         return PLT_I11_KINDS;
     }
-    plt_block_bounds(&b, bits, &bounds);
+    plt_block_bounds(b, bits, &bounds);
     if (!bounds_are_inside(&bounds, &tree->box)) {
         return PLT_I12_BOUNDS;
     }
-    return checks_are_right(&b) ? geometry_rule(&b, &bounds, tree->leaf_triangles, tree->leaf_kind)
-                                : PLT_I13_CHECK;
+    return check_is_right(bytes, b->node_bytes, 2) ? PLT_BLOCK_VALID : PLT_I13_CHECK;
+}
+
+int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
+    plt_block b;
+    const int rule = plt_block_validate_nodes(&b, bytes, limit, limit, tree);
+    return rule == PLT_BLOCK_VALID ? plt_block_validate_geometry(&b, tree) : rule;
+}
+
+uint32_t plt_block_depths(const plt_block *b, uint16_t depth[PLT_BLOCK_NODES_MOST]) {
+    uint32_t deepest = 1;
+    depth[0] = 1;
+    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
+        if (plt_block_kind(b, slot) == PLT_SLOT_INNER) {
+            const uint32_t node = 1 + plt_block_rank(b, PLT_SLOT_INNER, slot);
+            depth[node] = (uint16_t)(depth[slot / 2] + 1);
+            deepest = depth[node] > deepest ? depth[node] : deepest;
+        }
+    }
+    return deepest;
 }
 
 /* A switch: a table of pointers would be data that start-up has to fill in. */

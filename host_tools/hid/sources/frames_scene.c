@@ -37,6 +37,9 @@ static int live_next(frames *s, picture *p, fail *f) {
         if (status == PLT_TILE) {
             frame_copy_tile(engine, p);
         }
+        if (status < PLT_OK) { /* a streamed scene */
+            return scene_failed(&l->scene, s->path, status, f);
+        }
         if (s->from.tick != NULL && s->from.tick(s->from.context)) {
             return FRAMES_END;
         }

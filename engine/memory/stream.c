@@ -1,0 +1,311 @@
+/* stream - see stream.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/memory/stream.h"
+
+#include "engine/base/fault.h"
+#include "engine/image/fetch.h"
+#include "engine/memory/traffic.h"
+#include "engine/tree/compact/validate_block.h"
+
+/* A part on its way: of which block, which of its parts, and where that lies in the image. */
+typedef struct arrival {
+    plt_stream_block *to;
+    uint32_t link, offset, count;
+    enum plt_stream_part kind;
+    uint32_t against; /* serial of the part that it is validated against; 0: none */
+} arrival;
+
+void plt_stream_init(plt_stream *s, void *memory, uint32_t bytes) {
+    plt_store_init(&s->store, memory, bytes);
+    s->current = NULL;
+    s->serial = 0;
+    for (unsigned i = 0; i < PLT_BLOCK_CACHE_SLOTS; i++) {
+        s->cache[i].opened.link = PLT_LINK_NONE;
+    }
+    plt_fault_set(&s->fault, PLT_OK, 0, "no fault");
+}
+
+static uint32_t end_bytes(const plt_stream *s, float end) {
+    return end < 16777216.0f ? 8 * (uint32_t)end : s->tree.used;
+}
+
+float plt_stream_edge_end(const plt_stream_block *block, uint32_t rank) {
+    const plt_block *b = &block->opened.block;
+    const uint32_t from = plt_block_address(plt_block_edge(b, rank));
+    float end = block->end;
+    for (uint32_t i = 0; i < b->edges; i++) {
+        const uint32_t address = plt_block_address(plt_block_edge(b, i));
+        if (address > from && plt_stream_end(address) < end) {
+            end = plt_stream_end(address);
+        }
+    }
+    return end;
+}
+
+static int refuse(plt_stream *s, int rule, uint32_t offset) {
+    return plt_broken(&s->fault, (uint8_t)rule, offset, plt_block_rule_message(rule));
+}
+
+int plt_stream_refuse(plt_stream *s, uint8_t rule) {
+    const uint32_t address = plt_block_address(s->current->opened.link);
+    s->current = NULL;
+    return refuse(s, rule, s->image.blocks_at + address);
+}
+
+/* ---- what is valid ---------------------------------------------------- */
+
+static int links_differ(const plt_block *b) {
+    int differ = 1;
+    for (uint32_t i = 0; i < b->edges; i++) {
+        for (uint32_t k = 0; k < i; k++) {
+            const uint32_t one = plt_block_edge(b, i), other = plt_block_edge(b, k);
+            differ &= plt_block_address(one) != plt_block_address(other);
+        }
+    }
+    return differ;
+}
+
+/* Behind the block, and in front of where its subtree ends. */
+static int links_are_below(const plt_block *b, uint32_t address, uint32_t end) {
+    const uint32_t from = address + plt_block_bytes(b);
+    int below = 1;
+    for (uint32_t i = 0; i < b->edges; i++) {
+        const uint32_t to = plt_block_address(plt_block_edge(b, i));
+        below &= to >= from && to < end;
+    }
+    return below;
+}
+
+static int nodes_rule(plt_stream *s, const arrival *a, uint16_t part) {
+    plt_block b;
+    uint16_t depth[PLT_BLOCK_NODES_MOST];
+    const uint32_t address = plt_block_address(a->link), end = end_bytes(s, a->to->end);
+    const int rule = plt_block_validate_nodes(&b, plt_store_bytes(&s->store, part), a->count,
+                                              end - address, &s->tree);
+    if (rule != PLT_BLOCK_VALID) {
+        return rule;
+    }
+    s->store.part[part].depth = (uint8_t)plt_block_depths(&b, depth);
+    return links_differ(&b) ? PLT_BLOCK_VALID : PLT_I17_LINKS;
+}
+
+static int geometry_rule(const plt_stream *s, const arrival *a, uint16_t part) {
+    plt_block b = a->to->opened.block;
+    b.geometry = plt_store_bytes(&s->store, part);
+    const int rule = plt_block_validate_geometry(&b, &s->tree);
+    if (rule != PLT_BLOCK_VALID) {
+        return rule;
+    }
+    plt_geometry g;
+    plt_geometry_open_counts(&g, &b, s->tree.leaf_triangles);
+    const uint32_t left = s->image.triangles - g.triangles;
+    return g.triangles <= s->image.triangles && g.first_triangle <= left ? PLT_BLOCK_VALID
+                                                                         : PLT_I18_COUNTS;
+}
+
+/* The byte of the ids section that holds the first of the block's ids. */
+static uint32_t first_id_byte(const plt_stream *s, const plt_geometry *g) {
+    return (uint32_t)((uint64_t)g->first_triangle * s->tree.ids.bits >> 3);
+}
+
+static int ids_rule(const plt_stream *s, const arrival *a, uint16_t part) {
+    const plt_geometry *g = &a->to->opened.geometry;
+    const plt_primitive_ids ids = {plt_store_bytes(&s->store, part), s->tree.ids.bits,
+                                   first_id_byte(s, g)};
+    int valid = 1;
+    for (uint32_t i = 0; i < g->triangles; i++) {
+        const uint32_t word = plt_primitive_word_find(&ids, g->first_triangle + i);
+        valid &= plt_primitive_id(word) < s->image.source_triangles;
+        valid &= plt_primitive_rotation(word) <= 2;
+    }
+    return valid ? PLT_BLOCK_VALID : PLT_I19_IDS;
+}
+
+static int rule_of(plt_stream *s, const arrival *a, uint16_t part) {
+    switch (a->kind) {
+    case PLT_STREAM_NODES:
+        return nodes_rule(s, a, part);
+    case PLT_STREAM_GEOMETRY:
+        return geometry_rule(s, a, part);
+    default:
+        return ids_rule(s, a, part);
+    }
+}
+
+/* ---- what comes ------------------------------------------------------- */
+
+/* Once: PLT_OK, or why it did not come or is not valid. */
+static int fetch_once(plt_stream *s, const arrival *a, uint16_t part) {
+    const int status = plt_fetch(s->image.source, a->offset, plt_store_bytes(&s->store, part),
+                                 a->count, &s->fault);
+    const uint32_t bit = plt_block_address(a->link) / 8 + a->kind;
+    plt_traffic_count(s->stats, s->touched, bit, a->count);
+    if (status != PLT_OK) {
+        return status;
+    }
+    const int rule = rule_of(s, a, part);
+    return rule == PLT_BLOCK_VALID ? PLT_OK : refuse(s, rule, a->offset);
+}
+
+/* Parts have their names by where their blocks lie, which are multiples of 8. */
+static uint32_t key_of(const arrival *a) {
+    return plt_block_address(a->link) + a->kind;
+}
+
+static int fetch_part(plt_stream *s, const arrival *a, uint16_t *part) {
+    const uint64_t before = s->store.given_up;
+    int status = PLT_OK;
+    *part = plt_store_take(&s->store, key_of(a), a->count);
+    if (*part == PLT_STORE_NONE) {
+        return plt_limit(&s->fault, "the parts of a block do not fit the store together");
+    }
+    s->stats->store_evictions += s->store.given_up - before;
+    s->stats->treelet_fetches += a->kind == PLT_STREAM_NODES;
+    s->store.part[*part].serial = ++s->serial;
+    for (unsigned tries = 0; tries < PLT_FETCH_TRIES; tries++) {
+        s->stats->fetch_retries += tries > 0;
+        status = fetch_once(s, a, *part);
+        if (status == PLT_OK) {
+            return PLT_OK;
+        }
+    }
+    plt_store_forget(&s->store, *part);
+    return status;
+}
+
+/* It is as long as it shall be, and valid. What it is validated against may have come anew, from
+ * a source that has changed: then it is validated again. */
+static int is_valid(plt_stream *s, const arrival *a, uint16_t part) {
+    const plt_store_part *p = &s->store.part[part];
+    return p->bytes == plt_store_rounded(a->count) &&
+           (p->against == a->against || rule_of(s, a, part) == PLT_BLOCK_VALID);
+}
+
+/* Finds the part, or fetches it. */
+static int need_part(plt_stream *s, const arrival *a) {
+    uint16_t part = plt_store_find(&s->store, key_of(a));
+    int status = PLT_OK;
+    if (part != PLT_STORE_NONE && !is_valid(s, a, part)) {
+        plt_store_forget(&s->store, part);
+        part = PLT_STORE_NONE;
+    }
+    if (part == PLT_STORE_NONE) {
+        status = fetch_part(s, a, &part);
+    }
+    a->to->part[a->kind] = PLT_STORE_NONE;
+    if (status == PLT_OK) {
+        s->store.part[part].against = a->against;
+        a->to->part[a->kind] = part;
+        a->to->at[a->kind] = s->store.part[part].at;
+    }
+    return status;
+}
+
+static uint32_t serial_of(const plt_stream *s, const plt_stream_block *b, uint32_t kind) {
+    return s->store.part[b->part[kind]].serial;
+}
+
+/* It is in the store still, and has not moved. */
+static int is_there(plt_stream *s, const plt_stream_block *b, uint32_t kind) {
+    if (b->part[kind] == PLT_STORE_NONE) {
+        return 0;
+    }
+    plt_store_part *p = &s->store.part[b->part[kind]];
+    const int there = p->key == plt_block_address(b->opened.link) + kind && p->at == b->at[kind];
+    p->found |= (uint8_t)there;
+    return there;
+}
+
+/* ---- blocks ------------------------------------------------------------ */
+
+static int open_nodes(plt_stream *s, plt_stream_block *b, uint32_t link, float end) {
+    b->opened.link = PLT_LINK_NONE;
+    b->end = end;
+    const uint32_t address = plt_block_address(link);
+    const arrival a = {
+        b, link, s->image.blocks_at + address, plt_block_node_bytes(link), PLT_STREAM_NODES, 0};
+    const int status = need_part(s, &a);
+    if (status != PLT_OK) {
+        return status;
+    }
+    const unsigned char *bytes = plt_store_bytes(&s->store, b->part[PLT_STREAM_NODES]);
+    plt_opened_block_set(&b->opened, bytes, &s->tree, link);
+    const plt_block *block = &b->opened.block;
+    if (block->node_bytes != a.count || !links_are_below(block, address, end_bytes(s, end))) {
+        b->opened.link = PLT_LINK_NONE;
+        return refuse(s, PLT_I17_LINKS, a.offset);
+    }
+    b->part[PLT_STREAM_GEOMETRY] = b->part[PLT_STREAM_IDS] = PLT_STORE_NONE;
+    return PLT_OK;
+}
+
+int plt_stream_open(plt_stream *s, uint32_t link, float end) {
+    plt_stream_block *b = &s->cache[plt_block_cache_slot(link)];
+    if (b->opened.link != link || b->end != end || !is_there(s, b, PLT_STREAM_NODES)) {
+        s->current = NULL;
+        const int status = open_nodes(s, b, link, end);
+        if (status != PLT_OK) {
+            return status;
+        }
+    }
+    s->current = b;
+    return PLT_OK;
+}
+
+static int open_geometry(plt_stream *s, plt_stream_block *b) {
+    plt_opened_block *o = &b->opened;
+    const uint32_t at = plt_block_address(o->link) + o->block.node_bytes;
+    const arrival a = {b,
+                       o->link,
+                       s->image.blocks_at + at,
+                       o->block.geometry_bytes,
+                       PLT_STREAM_GEOMETRY,
+                       serial_of(s, b, PLT_STREAM_NODES)};
+    const int status = a.count > 0 ? need_part(s, &a) : refuse(s, PLT_I14_GEOMETRY, a.offset);
+    if (status == PLT_OK) {
+        o->block.geometry = plt_store_bytes(&s->store, b->part[PLT_STREAM_GEOMETRY]);
+        plt_opened_block_geometry(o, &s->tree);
+    }
+    return status;
+}
+
+static int open_ids(plt_stream *s, plt_stream_block *b) {
+    const plt_geometry *g = &b->opened.geometry;
+    const uint32_t from = first_id_byte(s, g);
+    const uint64_t bits = ((uint64_t)g->first_triangle + g->triangles) * s->tree.ids.bits;
+    const arrival a = {b,
+                       b->opened.link,
+                       s->image.ids_at + from,
+                       (uint32_t)((bits + 7) >> 3) - from,
+                       PLT_STREAM_IDS,
+                       serial_of(s, b, PLT_STREAM_GEOMETRY)};
+    return need_part(s, &a);
+}
+
+/* Parts that are open already are not fetched again. Those of the same block are held meanwhile,
+ * as they must not move. */
+static int open_both(plt_stream *s, plt_stream_block *b) {
+    int status = is_there(s, b, PLT_STREAM_GEOMETRY) ? PLT_OK : open_geometry(s, b);
+    if (status == PLT_OK && s->tree.ids.bits > 0 && !is_there(s, b, PLT_STREAM_IDS)) {
+        plt_store_part *geometry = &s->store.part[b->part[PLT_STREAM_GEOMETRY]];
+        geometry->held = 1;
+        status = open_ids(s, b);
+        geometry->held = 0;
+    }
+    return status;
+}
+
+int plt_stream_open_geometry(plt_stream *s) {
+    plt_stream_block *b = s->current;
+    plt_store_part *nodes = &s->store.part[b->part[PLT_STREAM_NODES]];
+    nodes->held = 1;
+    const int status = open_both(s, b);
+    nodes->held = 0;
+    s->current = status == PLT_OK ? b : NULL;
+    if (status == PLT_OK && s->tree.ids.bits > 0) {
+        s->tree.ids.bytes = plt_store_bytes(&s->store, b->part[PLT_STREAM_IDS]);
+        s->tree.ids.first = first_id_byte(s, &b->opened.geometry);
+    }
+    return status;
+}

@@ -1,0 +1,78 @@
+/* stream - compact blocks that come from a source when a ray needs them
+ *
+ * A block has three parts, each fetched when it is needed first: its nodes; the geometry of its
+ * leaves; and, if the image has them, the primitive ids of its triangles. Parts lie in
+ * a store (store.h); a few blocks are open, as those of a resident scene are
+ * (block_cache.h). What arrives is validated before it is used (SPEC.md, section 5.5), and is
+ * fetched PLT_FETCH_TRIES times at most if it is late, short or wrong.
+ *
+ * Every block knows where its subtree ends: blocks lie depth first, so what is below an edge
+ * lies between its block and that of the next edge by address. Links that leave this
+ * range are refused, and so no image, nor one that changes, can lead a packet in a circle.
+ *
+ * One stream per traversal. Source: Karrenberg 2007, section 4.3, SPEs that fetch treelets.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_MEMORY_STREAM_H
+#define PLT_MEMORY_STREAM_H
+
+#include "engine/memory/block_cache.h"
+#include "engine/memory/store.h"
+
+/* Where the image lies, and what its header says of the parts. */
+typedef struct plt_stream_image {
+    const plt_source *source;
+    uint32_t blocks_at, ids_at; /* bytes of the image: where the sections begin */
+    uint32_t triangles, source_triangles;
+} plt_stream_image;
+
+enum plt_stream_part { PLT_STREAM_NODES, PLT_STREAM_GEOMETRY, PLT_STREAM_IDS, PLT_STREAM_PARTS };
+
+typedef struct plt_stream_block {
+    plt_opened_block opened;
+    float end;                       /* of its subtree (plt_stream_end) */
+    uint16_t part[PLT_STREAM_PARTS]; /* in the store; PLT_STORE_NONE: not fetched yet */
+    uint32_t at[PLT_STREAM_PARTS];   /* where the part was when it was opened */
+} plt_stream_block;
+
+typedef struct plt_stream {
+    plt_stream_image image;
+    plt_block_tree tree; /* the scene's, but that `ids` are those of the current block */
+    plt_stats *stats;
+    uint32_t *touched; /* bits as of plt_traversal; NULL: not asked for */
+    plt_fault fault;   /* why the last call failed */
+    plt_store store;
+    uint32_t serial;           /* of the part that came last */
+    plt_stream_block *current; /* NULL: none */
+    plt_stream_block cache[PLT_BLOCK_CACHE_SLOTS];
+} plt_stream;
+
+/* `memory`: of the store, `bytes` of it. Image, tree, stats and touched are set by the caller. */
+void plt_stream_init(plt_stream *stream, void *memory, uint32_t bytes);
+
+/* Blocks are at multiples of 8 bytes, and so are the ends of their subtrees. A float holds such a
+ * number of eights exactly, up to 2^24; what is more stands for the end of all blocks. */
+static inline float plt_stream_end(uint32_t address) {
+    return address / 8 < 1u << 24 ? (float)(address / 8) : 16777216.0f;
+}
+
+/* Makes the block behind `link` the current one, fetched if it is not there; its subtree ends
+ * at `end`. PLT_OK, PLT_ERR_SOURCE, or PLT_ERR_IMAGE: what came breaks a rule; the fault says
+ * which, and there is no current block. */
+int plt_stream_open(plt_stream *stream, uint32_t link, float end);
+
+/* Fetches and opens the current block's geometry part, and ids, likewise. */
+int plt_stream_open_geometry(plt_stream *stream);
+
+/* How deep the current block is, in nodes. */
+static inline uint32_t plt_stream_depth(const plt_stream *s) {
+    return s->store.part[s->current->part[PLT_STREAM_NODES]].depth;
+}
+
+/* The current block's edge `rank`: where the subtree behind it ends. */
+float plt_stream_edge_end(const plt_stream_block *block, uint32_t rank);
+
+/* Breaks off: the current block breaks rule `rule`. */
+int plt_stream_refuse(plt_stream *stream, uint8_t rule);
+
+#endif

@@ -1,0 +1,114 @@
+/* blocks_resident - compact blocks that are all at hand, mapped or in the arena
+ *
+ * What format_compact.h asks of it, here and in blocks_streamed.h:
+ *
+ *   format_state                    and format_state_init(t)
+ *   void blocks_leave(state)        no block is the current one
+ *   int blocks_open(t, link, end)   the block behind `link` becomes the current one; `end` is where
+ *                                   its subtree ends
+ *   blocks_current(t)               the current block, opened
+ *   int blocks_open_geometry(t)     ... and its geometry part; PLT_OK, or as blocks_open
+ *   blocks_tree(t)                  the tree that its leaves are read by
+ *   void blocks_prefetch(tree, b, node)          asks for the blocks behind the node's edges
+ *   float blocks_root_end(tree)     where the whole tree ends
+ *   float blocks_edge_end(o, rank)  where the subtree behind an edge of the block ends
+ *   void blocks_set_end(hi, end)    notes it in a place; here nobody needs it
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_BLOCKS_RESIDENT_H
+#define PLT_TRACE_BLOCKS_RESIDENT_H
+
+#include "engine/memory/block_cache.h"
+#include "engine/memory/traffic.h"
+#include "engine/trace/traversal.h"
+
+#define PLT_BLOCKS_RESIDENT 1
+
+typedef struct format_state {
+    plt_opened_block *current; /* NULL: none */
+    uint8_t geometry_counted;  /* its geometry part is in the statistics */
+    plt_opened_block cache[PLT_BLOCK_CACHE_SLOTS];
+} format_state;
+
+static inline void format_state_init(plt_traversal *t) {
+    format_state *state = (format_state *)t->state;
+    state->current = NULL;
+    plt_block_cache_clear(state->cache);
+}
+
+static inline void blocks_leave(format_state *state) {
+    state->current = NULL;
+}
+
+static inline plt_opened_block *blocks_current(const plt_traversal *t) {
+    return ((const format_state *)t->state)->current;
+}
+
+static inline const plt_block_tree *blocks_tree(const plt_traversal *t) {
+    return &t->scene->compact;
+}
+
+static inline int blocks_open(plt_traversal *t, uint32_t link, float end) {
+    format_state *c = (format_state *)t->state;
+    (void)end;
+    if (c->current != NULL && link == c->current->link) {
+        return PLT_OK;
+    }
+    c->current = plt_block_cache_find(c->cache, &t->scene->compact, link);
+    c->geometry_counted = 0;
+    t->stats.treelet_fetches++;
+    plt_traffic_count(&t->stats, t->touched, plt_block_address(link) / 8,
+                      c->current->block.node_bytes);
+    return PLT_OK;
+}
+
+/* The current block, its geometry part opened, too, but not counted. */
+static inline plt_opened_block *blocks_with_geometry(const plt_traversal *t) {
+    plt_opened_block *o = blocks_current(t);
+    if (!o->geometry_open) {
+        plt_opened_block_geometry(o, &t->scene->compact);
+    }
+    return o;
+}
+
+static inline int blocks_open_geometry(plt_traversal *t) {
+    format_state *c = (format_state *)t->state;
+    const plt_opened_block *o = blocks_with_geometry(t);
+    if (!c->geometry_counted) {
+        c->geometry_counted = 1; /* beside the bit of the nodes part */
+        plt_traffic_count(&t->stats, t->touched, plt_block_address(o->link) / 8 + 1,
+                          o->block.geometry_bytes);
+    }
+    return PLT_OK;
+}
+
+/* Before it is known whether they are met. */
+static inline void blocks_prefetch(const plt_block_tree *tree, const plt_block *b, uint32_t node) {
+    const uint32_t word = node >> 4, shift = node << 1 & 31, edge = b->mask[PLT_SLOT_EDGE][word];
+    if ((edge >> shift & 3u) == 0) {
+        return;
+    }
+    const uint32_t edges =
+        b->before[PLT_SLOT_EDGE][word] + plt_count_bits(edge & plt_low_bits(shift));
+    for (uint32_t i = 0; i < plt_count_bits(edge >> shift & 3u); i++) {
+        plt_prefetch(tree->bytes + plt_block_address(plt_block_edge(b, edges + i)));
+    }
+}
+
+static inline float blocks_root_end(const plt_block_tree *tree) {
+    (void)tree;
+    return 0.0f;
+}
+
+static inline float blocks_edge_end(const plt_opened_block *o, uint32_t rank) {
+    (void)o;
+    (void)rank;
+    return 0.0f;
+}
+
+static inline void blocks_set_end(float hi[4], float end) {
+    (void)hi;
+    (void)end;
+}
+
+#endif

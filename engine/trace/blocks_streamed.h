@@ -1,0 +1,77 @@
+/* blocks_streamed - compact blocks that are fetched when a packet needs them
+ *
+ * What format_compact.h asks of it: blocks_resident.h. The state of the format is a stream
+ * (memory/stream.h).
+ *
+ * A scene that is not read when it is opened claims how deep it is; so every block says how
+ * deep it is itself, and is refused where the stack might not hold what it pushes.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_BLOCKS_STREAMED_H
+#define PLT_TRACE_BLOCKS_STREAMED_H
+
+#include "engine/base/rules.h"
+#include "engine/memory/stream.h"
+#include "engine/trace/traversal.h"
+
+typedef plt_stream format_state;
+
+static inline void format_state_init(plt_traversal *t) {
+    plt_stream *s = (plt_stream *)t->state;
+    s->image = t->scene->stream;
+    s->tree = t->scene->compact;
+    s->stats = &t->stats;
+    s->touched = t->touched;
+    plt_stream_init(s, t->store, t->store_bytes);
+}
+
+static inline void blocks_leave(format_state *state) {
+    state->current = NULL;
+}
+
+static inline plt_opened_block *blocks_current(const plt_traversal *t) {
+    return &((const format_state *)t->state)->current->opened;
+}
+
+static inline const plt_block_tree *blocks_tree(const plt_traversal *t) {
+    return &((const format_state *)t->state)->tree;
+}
+
+static inline int blocks_open(plt_traversal *t, uint32_t link, float end) {
+    format_state *s = (format_state *)t->state;
+    if (s->current != NULL && s->current->opened.link == link && s->current->end == end) {
+        return PLT_OK;
+    }
+    const int status = plt_stream_open(s, link, end);
+    if (status == PLT_OK &&
+        t->waiting + plt_stream_depth(s) > t->scene->info.depth_stack_entries + PLT_STACK_SLACK) {
+        return plt_stream_refuse(s, PLT_I18_COUNTS);
+    }
+    return status;
+}
+
+static inline int blocks_open_geometry(plt_traversal *t) {
+    return plt_stream_open_geometry((format_state *)t->state);
+}
+
+/* Blocks behind edges are fetched when they are entered. */
+static inline void blocks_prefetch(const plt_block_tree *tree, const plt_block *b, uint32_t node) {
+    (void)tree;
+    (void)b;
+    (void)node;
+}
+
+static inline float blocks_root_end(const plt_block_tree *tree) {
+    return plt_stream_end(tree->used);
+}
+
+static inline float blocks_edge_end(const plt_opened_block *o, uint32_t rank) {
+    /* `opened` is the first member. */
+    return plt_stream_edge_end((const plt_stream_block *)(const void *)o, rank);
+}
+
+static inline void blocks_set_end(float hi[4], float end) {
+    hi[3] = end;
+}
+
+#endif

@@ -1,0 +1,68 @@
+#!/bin/sh
+# test_streamed.sh - scenes that stay in their file: --residency streamed, --store
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin streamed
+
+works "a terrain is made" make terrain -o t.ply --triangles 60000
+run pack t.ply -o t.plt --nodes compact --geometry lattice:14 --leaf 2 # says what moved
+works "... and as thesis nodes" pack t.ply -o thesis.plt
+value() {
+    sed -n "s/^ *\"$2\": \"\{0,1\}\([^\",]*\).*/\1/p" "$1"
+}
+works "the whole scene is rendered" render t.plt -o whole.ppm --size 200x150 --json whole.json
+for arena in 65536 131072 1048576; do
+    works "streamed through an arena of $arena bytes" render t.plt -o streamed.ppm --size 200x150 \
+        --residency streamed --arena $arena --json streamed.json
+    same whole.ppm streamed.ppm "... the picture is the same"
+    verdict "... the arena was $arena bytes, and something was fetched" "$(
+        [ "$(value streamed.json arena_bytes)" = $arena ] &&
+            [ "$(value streamed.json bytes_fetched)" -gt 100000 ] || cat streamed.json)"
+done
+works "a store of a stated size" render t.plt -o streamed.ppm --size 200x150 --residency streamed \
+    --store 28672 --json small.json
+same whole.ppm streamed.ppm "... the picture is the same"
+verdict "... and more is fetched than with a larger one" "$(
+    [ "$(value small.json bytes_fetched)" -gt "$(value streamed.json bytes_fetched)" ] &&
+        [ "$(value small.json store_evictions)" -gt 0 ] || cat small.json streamed.json)"
+works "a film, too" render t.plt -o streamed.y4m --size 64x48 --orbit 3 --residency streamed
+works "... of the whole scene" render t.plt -o whole.y4m --size 64x48 --orbit 3
+same whole.y4m streamed.y4m "... is the same"
+
+awk 'BEGIN { for (i = 0; i < 300; i++)
+    print i % 17 / 17 - 0.5, 3, i % 23 / 23 - 0.5, 0, 0.1 * (i % 3), -1, 0.05 * (i % 5), 100 }' |
+    rays rays
+for any in '' --any; do
+    # shellcheck disable=SC2086
+    works "rays are traced $any" trace t.plt rays whole.hits $any
+    # shellcheck disable=SC2086
+    works "... streamed" trace t.plt rays streamed.hits $any --residency streamed --arena 100000
+    same whole.hits streamed.hits "... the hits are the same"
+done
+
+refused "thesis nodes cannot be streamed" thesis.plt "only finished compact blocks" \
+    render thesis.plt -o x.png --residency streamed
+refused "an arena without room for the least store is refused" t.plt "use --arena" \
+    render t.plt -o x.png --residency streamed --arena 20000
+misused "a store without a stream is wrong usage" "--residency streamed" \
+    render t.plt -o x.png --store 65536
+misused "a store below the least is wrong usage" "--store" \
+    render t.plt -o x.png --residency streamed --store 28671
+
+# A byte in the middle of the blocks: opening a whole scene finds it, a streamed one when a ray
+# comes there. The message has file, byte and rule, and no picture is left.
+cp t.plt damaged.plt
+size=$(wc -c <t.plt)
+at=1000
+while [ $at -lt $((size / 2)) ]; do # many, so that any view meets one
+    printf '\377\000\377' | dd of=damaged.plt bs=1 seek=$at conv=notrunc 2>/dev/null
+    at=$((at + 3001))
+done
+refused "a damaged block is refused when it comes" damaged.plt "byte [0-9]*: .*(I" \
+    render damaged.plt -o x.png --residency streamed
+verdict "... nothing is left of the picture" "$([ ! -e x.png ] || echo x.png)"
+refused "... and when rays are traced" damaged.plt "byte [0-9]*: .*(I" \
+    trace damaged.plt rays x.hits --residency streamed
+verdict "... nothing is left of the hits" "$([ ! -e x.hits ] || echo x.hits)"
+finish
