@@ -7,9 +7,9 @@
 #   wave     with the wave for incoherent rays, which firmware is without unless it asks for it
 #   stream   with scenes that stay in their source, block by block, which firmware is without,
 #            too
-#   frames   nothing but frames, no plt_trace: with `thesis`, as beams are of thesis nodes
-# Frames of thesis nodes are traced by beams, everything else by groups of four rays. The whole
-# engine has both; `thesis` has groups, `thesis frames` beams.
+#   frames   nothing but frames, no plt_trace: with `thesis` or `compact`
+# Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
+# `thesis` and `compact` have groups, with `frames` beams.
 # Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
 # SPDX-License-Identifier: MIT
 
@@ -22,24 +22,25 @@ compact_files := $(wildcard engine/tree/compact/*.c engine/memory/*.c \
     engine/image/record_cache.c engine/scene/*_compact.c engine/scene/*_streamed.c \
     engine/trace/*_compact.c engine/trace/*_streamed.c \
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
-    engine/builder/split_lattice.c engine/builder/split_given.c)
+    engine/builder/split_lattice.c engine/builder/split_given.c engine/shade/beam_compact.c \
+    engine/shade/beam_store.c engine/shade/beam_strips.c)
 thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine/scene/*_list.c \
     engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
-    engine/builder/split_records.c)
+    engine/builder/split_records.c engine/shade/beam_thesis.c)
 
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
 stream_files := engine/memory/store.c engine/memory/stream.c engine/scene/open_streamed.c \
     engine/trace/traverse_streamed.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
-    rays.c) \
+    rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
 left_out_render := $(builder_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(beams_files)
+left_out_compact := $(thesis_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
@@ -54,14 +55,19 @@ ifeq ($(sort $(filter thesis stream,$(PARTS))),stream thesis)
 $(error PARTS with stream has compact blocks: make PARTS='render compact stream')
 endif
 ifneq ($(filter frames,$(PARTS)),)
-ifneq ($(filter thesis,$(PARTS))$(filter wave,$(PARTS)),thesis)
-$(error PARTS with frames has thesis, and no wave: make PARTS='render thesis frames')
+ifeq ($(filter thesis compact,$(PARTS)),)
+$(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
+endif
+ifneq ($(filter wave stream,$(PARTS)),)
+$(error PARTS with frames has no wave and no stream: make PARTS='render thesis frames')
 endif
 left_out_frames := $(groups_files)
 flags_frames := -DPLT_WITH_GROUPS=0
 else
 left_out_thesis += $(beams_files)
 flags_thesis += -DPLT_WITH_BEAMS=0
+left_out_compact += $(beams_files)
+flags_compact += -DPLT_WITH_BEAMS=0
 endif
 without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)

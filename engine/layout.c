@@ -7,6 +7,7 @@
 #include "engine/image/record_cache.h"
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
+#include "engine/trace/block_entry.h"
 #include "engine/trace/treelet_entry.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
@@ -91,19 +92,22 @@ static uint64_t record_cache_bytes(const subject *s) {
                : 0;
 }
 
+/* Of a beam; 0: there are none. */
+static size_t beam_entry_bytes(enum plt_format format, unsigned order) {
+    const size_t bytes =
+        format == PLT_FORMAT_COMPACT ? sizeof(plt_beam_block_entry) : sizeof(plt_beam_entry);
+    return PLT_WITH_BEAMS && order == PLT_ORDER_DEPTH_FIRST && format != PLT_FORMAT_STREAMED ? bytes
+                                                                                             : 0;
+}
+
 /* Bytes of a stack entry; 0: not in this order. Beams and groups share the stack. */
 static size_t entry_bytes(enum plt_format format, unsigned order) {
+    const size_t beam = beam_entry_bytes(format, order);
 #if PLT_WITH_GROUPS
     const size_t bytes = plt_entry_bytes(format, order);
+    return bytes > beam ? bytes : beam;
 #else
-    const size_t bytes = 0;
-    (void)format;
-#endif
-#if PLT_WITH_BEAMS
-    return order == PLT_ORDER_DEPTH_FIRST && bytes < sizeof(plt_beam_entry) ? sizeof(plt_beam_entry)
-                                                                            : bytes;
-#else
-    return bytes;
+    return beam;
 #endif
 }
 
@@ -146,15 +150,18 @@ static uint64_t local_stack_bytes(const subject *s) {
 
 /* Pixels of a beam take less than rays in groups, and lie where those do. */
 static uint64_t packet_bytes(const subject *s) {
-    return PLT_WITH_GROUPS ? plt_packet_bytes(packet_side(s)) : plt_beam_bytes(packet_side(s));
+    const unsigned side = packet_side(s);
+    if (PLT_WITH_GROUPS) {
+        return plt_packet_bytes(side);
+    }
+    return s->format == PLT_FORMAT_COMPACT ? plt_beam_blocks_bytes(side) : plt_beam_bytes(side);
 }
 
 static uint64_t state_bytes(const subject *s) {
 #if PLT_WITH_GROUPS
     return plt_state_bytes(s->format);
 #else
-    (void)s;
-    return sizeof(plt_treelet_state);
+    return s->format == PLT_FORMAT_COMPACT ? sizeof(plt_block_state) : sizeof(plt_treelet_state);
 #endif
 }
 

@@ -143,6 +143,8 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
         plt_traversal_init(&e->traversal, &e->scene, &e->options, part);
 #if PLT_WITH_GROUPS
         plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
+#else
+        plt_beam_state_init(&e->traversal);
 #endif
         plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], part[PLT_PART_PACKET],
                            e->options.packet_side);

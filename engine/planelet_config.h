@@ -33,8 +33,7 @@
     1 /* rays in groups of four: plt_trace, compact blocks, the two-stage order */
 #endif
 #ifndef PLT_WITH_BEAMS
-#define PLT_WITH_BEAMS                                                                             \
-    PLT_WITH_THESIS /* frames of thesis nodes and lists by beams: faster, smaller */
+#define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */
 #endif
 
 /* Packets as trees of hulls (trace/hulls.h), where four lanes are one register; elsewhere they
@@ -124,17 +123,14 @@
 #if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
 #error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"
 #endif
-#if !PLT_WITH_GROUPS && (PLT_WITH_COMPACT || !PLT_WITH_BEAMS)
-#error "without PLT_WITH_GROUPS there are beams alone: PLT_WITH_BEAMS, not PLT_WITH_COMPACT"
+#if !PLT_WITH_GROUPS && !PLT_WITH_BEAMS
+#error "without PLT_WITH_GROUPS there are beams alone: PLT_WITH_BEAMS"
 #endif
 #if (PLT_WITH_STREAMED != 0 && PLT_WITH_STREAMED != 1) || (PLT_WITH_STREAMED && !PLT_WITH_COMPACT)
 #error "PLT_WITH_STREAMED is the digit 0, or with PLT_WITH_COMPACT 1"
 #endif
 #if PLT_WITH_WAVE && !PLT_WITH_GROUPS
 #error "PLT_WITH_WAVE is for PLT_WITH_GROUPS"
-#endif
-#if PLT_WITH_BEAMS && !PLT_WITH_THESIS
-#error "PLT_WITH_BEAMS is for PLT_WITH_THESIS"
 #endif
 #if PLT_PACKET_SIDE_MAX != 2 && PLT_PACKET_SIDE_MAX != 4 && PLT_PACKET_SIDE_MAX != 8 &&            \
     PLT_PACKET_SIDE_MAX != 16

@@ -30,9 +30,9 @@ static uint32_t end_bytes(const plt_stream *s, float end) {
     return end < 16777216.0f ? 8 * (uint32_t)end : s->tree.used;
 }
 
-float plt_stream_edge_end(const plt_stream_block *block, uint32_t rank) {
+float plt_stream_edge_end(const plt_stream_block *block, uint32_t link) {
     const plt_block *b = &block->opened.block;
-    const uint32_t from = plt_block_address(plt_block_edge(b, rank));
+    const uint32_t from = plt_block_address(link);
     float end = block->end;
     for (uint32_t i = 0; i < b->edges; i++) {
         const uint32_t address = plt_block_address(plt_block_edge(b, i));

@@ -69,8 +69,8 @@ static inline uint32_t plt_stream_depth(const plt_stream *s) {
     return s->store.part[s->current->part[PLT_STREAM_NODES]].depth;
 }
 
-/* The current block's edge `rank`: where the subtree behind it ends. */
-float plt_stream_edge_end(const plt_stream_block *block, uint32_t rank);
+/* Where the subtree ends that edge `link` of the block leads to. */
+float plt_stream_edge_end(const plt_stream_block *block, uint32_t link);
 
 /* Breaks off: the current block breaks rule `rule`. */
 int plt_stream_refuse(plt_stream *stream, uint8_t rule);

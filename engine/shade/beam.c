@@ -6,11 +6,24 @@
 #include "engine/trace/ray_bounds.h"
 #include "engine/trace/triangle_common.h"
 
+static void set_records(plt_beam *b, const plt_scene *scene, uint32_t side) {
+#if PLT_WITH_COMPACT
+    if (scene->format == PLT_FORMAT_COMPACT) {
+        b->tree = &scene->compact;
+        b->store = (plt_record *)(void *)(b->pixel + (size_t)side * side);
+        b->records = b->tree->leaf_kind == PLT_LEAF_STRIPS ? b->store : b->tree->records;
+        return;
+    }
+#endif
+    (void)side;
+    b->records = scene->format == PLT_FORMAT_LIST ? scene->list.records : scene->thesis.records;
+}
+
 void plt_beam_init(plt_beam *b, const plt_view *view, const plt_frame *frame,
                    const plt_scene *scene, uint32_t side) {
     b->view = view;
-    b->records = scene->format == PLT_FORMAT_LIST ? scene->list.records : scene->thesis.records;
     b->pixel = (plt_pixel *)(void *)(b + 1);
+    set_records(b, scene, side);
     plt_ray_origin_set(&b->origin, &scene->box, view->eye);
     plt_margins_set(&b->margins, view, frame, side, &scene->box, b->origin.reach);
 }
@@ -102,6 +115,9 @@ void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uin
     b->far = PLT_VIEW_FAR;
     b->open = b->columns * b->rows;
     b->is_stored = 0;
+#if PLT_WITH_COMPACT
+    b->next = 0;
+#endif
     t->waiting = 0;
     if (set_beam(b)) {
         plt_beam_push_root(b, t);

@@ -15,6 +15,7 @@
 #include "engine/shade/margins.h"
 #include "engine/trace/traversal.h"
 #include "engine/trace/triangle_ray.h"
+#include "engine/tree/compact/block_tree.h"
 #include "engine/tree/record.h"
 
 /* The nearest hit of a pixel so far. 8 bytes. Its t is exact, or, with PLT_PIXEL_BOUND, no less
@@ -32,11 +33,19 @@ static inline uint32_t plt_pixel_record(const plt_pixel *p) {
 }
 
 /* The least t at which some ray may enter a box, minus the greatest at which some may leave
- * it, and what the box leads to. 12 bytes. */
+ * it, and what the box leads to: of thesis nodes. 12 bytes. */
 typedef struct plt_beam_entry {
     float enter, minus_leave;
     uint32_t link;
 } plt_beam_entry;
+
+/* The same of compact blocks, whose planes are relative to the box: in lattice coordinates.
+ * 40 bytes. */
+typedef struct plt_beam_block_entry {
+    float enter, minus_leave;
+    uint32_t link, target; /* plt_block_target */
+    uint32_t lo[3], hi[3];
+} plt_beam_block_entry;
 
 /* A plane of a box bounds where rays enter it or where they leave it: t = (plane - org) *
  * factor, in the latter case its negative. */
@@ -61,6 +70,12 @@ typedef struct plt_beam {
     float far;                   /* no pixel has a hit behind it */
     uint32_t open;               /* pixels without a hit */
     uint8_t is_mixed, is_stored; /* rays differ in sign; a pixel has a new hit */
+#if PLT_WITH_COMPACT
+    /* of strips: `records` is the store, behind the pixels */
+    const plt_block_tree *tree;
+    plt_record *store;
+    uint32_t next; /* where to look for a record of it that no pixel has */
+#endif
 } plt_beam;
 
 /* Bytes of a beam and, behind it, the pixels of side^2 rays. */
@@ -72,8 +87,30 @@ _Static_assert(sizeof(plt_beam) + 4 * sizeof(plt_pixel) <=
                    sizeof(plt_group_slabs) + sizeof(plt_group_rays),
                "a beam fits where the groups of a packet do, of any size");
 
-/* Starts a frame of a scene of thesis nodes or a list; `b` is the front of
- * plt_beam_bytes(side). */
+/* Triangles of compact blocks become records when a pixel may have them. The store has more of
+ * them than there are pixels, so some can be used again. */
+static inline uint32_t plt_beam_store_records(unsigned side) {
+    return side * side + side * side / 2;
+}
+
+/* Bytes of a beam over compact blocks. */
+static inline size_t plt_beam_blocks_bytes(unsigned side) {
+    return plt_beam_bytes(side) + plt_beam_store_records(side) * sizeof(plt_record);
+}
+
+/* Where there are groups, too, a beam over compact blocks is of so many rays along a side at
+ * least, else it would take more than they do. */
+#define PLT_BEAM_BLOCKS_LEAST 4
+
+_Static_assert(sizeof(plt_beam) + 16 * sizeof(plt_pixel) + 24 * sizeof(plt_record) <=
+                   4 * (sizeof(plt_group_slabs) + sizeof(plt_group_rays)),
+               "it fits where the groups do");
+
+/* Sets up what the format keeps from square to square; where there are groups, plt_state_init
+ * does. */
+void plt_beam_state_init(plt_traversal *t);
+
+/* Starts a frame; `b` is the front of plt_beam_bytes(side), or plt_beam_blocks_bytes(side). */
 void plt_beam_init(plt_beam *b, const plt_view *view, const plt_frame *frame,
                    const plt_scene *scene, uint32_t side);
 
@@ -101,8 +138,51 @@ void plt_beam_shade(const plt_beam *b, const plt_frame *frame, const uint8_t *sk
 /* Puts the root on the stack. */
 void plt_beam_push_root(plt_beam *b, plt_traversal *t);
 
+/* What is counted while stack entries are worked off. */
+typedef struct plt_beam_counts {
+    uint32_t nodes, triangles;
+} plt_beam_counts;
+
+/* Works off stack entries; of thesis nodes, of compact blocks. */
+plt_beam_counts plt_beam_trace_nodes(plt_beam *b, plt_traversal *t, uint32_t visits);
+plt_beam_counts plt_beam_trace_blocks(plt_beam *b, plt_traversal *t, uint32_t visits);
+
+/* No pixel is open any more: sets `far` to the greatest t. */
+void plt_beam_update_far(plt_beam *b);
+
 /* Tests the triangles of so many lists in a row, and gives their hits to the pixels. Returns how
  * many there were. `single`: 1 if every triangle counts as a list, 0. */
 uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t single);
+
+/* Tests triangles first .. first + count - 1 of a block, at most PLT_LEAF_TRIANGLES_MOST. */
+void plt_beam_strips(plt_beam *b, const plt_geometry *geometry, uint32_t first, uint32_t count);
+
+/* Makes a triangle of a leaf, `index` in the image, a record of the store. It stays one until the
+ * next is made, and as long as a pixel has it. */
+const plt_record *plt_beam_store(plt_beam *b, const plt_leaf *leaf, uint32_t triangle,
+                                 uint32_t index);
+
+/* Tests a triangle exactly: for a pixel of the square, or for all that it is not surely outside
+ * of, as planes through the eye and its edges tell. */
+void plt_beam_test_pixel(plt_beam *b, const plt_record *record, uint32_t x, uint32_t y);
+void plt_beam_test_planes(plt_beam *b, const plt_record *record);
+
+static inline void plt_beam_take(plt_beam *b, plt_pixel *pixel, float t, uint32_t record) {
+    b->open -= pixel->record == PLT_MISS;
+    b->is_stored = 1;
+    pixel->t = t;
+    pixel->record = record;
+}
+
+/* Moves one end of the interval of an entry to a plane at `at`. */
+static inline void plt_beam_bound(plt_beam_entry *e, const plt_beam_plane *plane, float at) {
+    const float t = (at - plane->org) * plane->factor;
+    float *to = plane->leaves ? &e->minus_leave : &e->enter;
+    *to = t > *to ? t : *to;
+}
+
+static inline int plt_beam_meets(const plt_beam *b, float enter, float minus_leave) {
+    return enter <= -minus_leave && enter <= b->far;
+}
 
 #endif

@@ -27,12 +27,13 @@ void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t pa
     *r = idle;
 }
 
-/* Beams read thesis records, and keep to the depth-first order. They take the fewest instructions,
- * but depend on one another: where four lanes are one register, groups are faster on large
- * meshes (DESIGN.md, section 6). */
-static int has_beams(const plt_traversal *t) {
+/* Beams keep to the depth-first order. They take the fewest instructions, but depend on one
+ * another: where four lanes are one register, groups are faster on large meshes (DESIGN.md,
+ * section 6). */
+static int has_beams(const plt_rendering *r, const plt_traversal *t) {
     return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST &&
-           t->scene->format != PLT_FORMAT_COMPACT;
+           t->scene->format != PLT_FORMAT_STREAMED &&
+           (t->scene->format != PLT_FORMAT_COMPACT || r->side >= PLT_BEAM_BLOCKS_LEAST);
 }
 
 static uint32_t tiles_in(uint32_t pixels) {
@@ -56,7 +57,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
     r->frame = *frame;
     const int status = plt_view_set(&r->view, frame);
     if (status == PLT_OK) {
-        r->beams = (uint8_t)has_beams(t);
+        r->beams = (uint8_t)has_beams(r, t);
         if (HAS_BEAMS(r)) {
             plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
         }

@@ -11,29 +11,21 @@
  *   blocks_tree(t)                  the tree that its leaves are read by
  *   void blocks_prefetch(tree, b, node)          asks for the blocks behind the node's edges
  *   float blocks_root_end(tree)     where the whole tree ends
- *   float blocks_edge_end(o, rank)  where the subtree behind an edge of the block ends
+ *   float blocks_edge_end(o, link)  where the subtree behind an edge of the block ends
  *   void blocks_set_end(hi, end)    notes it in a place; here nobody needs it
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_BLOCKS_RESIDENT_H
 #define PLT_TRACE_BLOCKS_RESIDENT_H
 
-#include "engine/memory/block_cache.h"
-#include "engine/memory/traffic.h"
-#include "engine/trace/traversal.h"
+#include "engine/trace/block_entry.h"
 
 #define PLT_BLOCKS_RESIDENT 1
 
-typedef struct format_state {
-    plt_opened_block *current; /* NULL: none */
-    uint8_t geometry_counted;  /* its geometry part is in the statistics */
-    plt_opened_block cache[PLT_BLOCK_CACHE_SLOTS];
-} format_state;
+typedef plt_block_state format_state;
 
 static inline void format_state_init(plt_traversal *t) {
-    format_state *state = (format_state *)t->state;
-    state->current = NULL;
-    plt_block_cache_clear(state->cache);
+    plt_block_state_init((format_state *)t->state);
 }
 
 static inline void blocks_leave(format_state *state) {
@@ -49,36 +41,13 @@ static inline const plt_block_tree *blocks_tree(const plt_traversal *t) {
 }
 
 static inline int blocks_open(plt_traversal *t, uint32_t link, float end) {
-    format_state *c = (format_state *)t->state;
     (void)end;
-    if (c->current != NULL && link == c->current->link) {
-        return PLT_OK;
-    }
-    c->current = plt_block_cache_find(c->cache, &t->scene->compact, link);
-    c->geometry_counted = 0;
-    t->stats.treelet_fetches++;
-    plt_traffic_count(&t->stats, t->touched, plt_block_address(link) / 8,
-                      c->current->block.node_bytes);
+    plt_block_enter(t, link);
     return PLT_OK;
 }
 
-/* The current block, its geometry part opened, too, but not counted. */
-static inline plt_opened_block *blocks_with_geometry(const plt_traversal *t) {
-    plt_opened_block *o = blocks_current(t);
-    if (!o->geometry_open) {
-        plt_opened_block_geometry(o, &t->scene->compact);
-    }
-    return o;
-}
-
 static inline int blocks_open_geometry(plt_traversal *t) {
-    format_state *c = (format_state *)t->state;
-    const plt_opened_block *o = blocks_with_geometry(t);
-    if (!c->geometry_counted) {
-        c->geometry_counted = 1; /* beside the bit of the nodes part */
-        plt_traffic_count(&t->stats, t->touched, plt_block_address(o->link) / 8 + 1,
-                          o->block.geometry_bytes);
-    }
+    plt_block_enter_geometry(t);
     return PLT_OK;
 }
 
@@ -100,9 +69,9 @@ static inline float blocks_root_end(const plt_block_tree *tree) {
     return 0.0f;
 }
 
-static inline float blocks_edge_end(const plt_opened_block *o, uint32_t rank) {
+static inline float blocks_edge_end(const plt_opened_block *o, uint32_t link) {
     (void)o;
-    (void)rank;
+    (void)link;
     return 0.0f;
 }
 

@@ -65,9 +65,9 @@ static inline float blocks_root_end(const plt_block_tree *tree) {
     return plt_stream_end(tree->used);
 }
 
-static inline float blocks_edge_end(const plt_opened_block *o, uint32_t rank) {
+static inline float blocks_edge_end(const plt_opened_block *o, uint32_t link) {
     /* `opened` is the first member. */
-    return plt_stream_edge_end((const plt_stream_block *)(const void *)o, rank);
+    return plt_stream_edge_end((const plt_stream_block *)(const void *)o, link);
 }
 
 static inline void blocks_set_end(float hi[4], float end) {

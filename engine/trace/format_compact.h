@@ -12,6 +12,7 @@
 #ifndef PLT_TRACE_FORMAT_COMPACT_H
 #define PLT_TRACE_FORMAT_COMPACT_H
 
+#include "engine/trace/block_target.h"
 #include "engine/trace/format.h"
 #include "engine/trace/leaf_compact.h"
 
@@ -22,26 +23,8 @@ typedef struct format_place {
                          * the subtree of the place's block ends (plt_stream_end), else it
                          * means nothing, as that of lo does */
     uint32_t link;      /* of its block; of an edge the block behind it */
-    uint32_t target;    /* see below */
+    uint32_t target;    /* block_target.h */
 } format_place;
-
-/* `target`, four bytes: enum plt_slot_kind, the index of the node or leaf in its block,
- * and of a leaf the pairs before it, and whether it is a pair. */
-static inline uint32_t kind_of(const format_place *place) {
-    return place->target & 0xFFu;
-}
-
-static inline uint32_t index_of(const format_place *place) {
-    return place->target >> 8 & 0xFFu;
-}
-
-static inline uint32_t pairs_before(const format_place *place) {
-    return place->target >> 16 & 0xFFu;
-}
-
-static inline int is_pair(const format_place *place) {
-    return (int)(place->target >> 24);
-}
 
 /* Boxes in scene units, written four lanes at once: the fourth of a store is
  * overwritten by the next. */
@@ -70,11 +53,11 @@ static inline int format_root(plt_traversal *t, format_place *place) {
 }
 
 static inline int format_is_leaf(const format_place *place) {
-    return kind_of(place) == PLT_SLOT_LEAF;
+    return plt_target_kind(place->target) == PLT_SLOT_LEAF;
 }
 
 static inline int format_is_edge(const format_place *place) {
-    return kind_of(place) == PLT_SLOT_EDGE;
+    return plt_target_kind(place->target) == PLT_SLOT_EDGE;
 }
 
 /* Seven floats from `to` on; the last means nothing. */
@@ -154,7 +137,7 @@ static inline void format_decode(const plt_traversal *t, const format_place *pla
                                  format_children *c) {
     const plt_block_tree *tree = &t->scene->compact;
     c->opened = blocks_current(t);
-    c->node = index_of(place);
+    c->node = plt_target_index(place->target);
     c->end = place->hi[3];
     blocks_prefetch(tree, &c->opened->block, c->node);
     c->lattice = &tree->lattice;
@@ -173,37 +156,16 @@ static inline void format_child_bounds(const format_children *c, unsigned child,
     *hi = plt_lattice_planes(c->lattice, c->hi[child]);
 }
 
-/* What slot `slot` of the block leads to. */
-static inline void set_target(const format_children *c, uint32_t slot, format_place *place) {
-    const plt_opened_block *o = c->opened;
-    const plt_block *b = &o->block;
-    const uint32_t word = slot >> 5, bit = 1u << (slot & 31), below = bit - 1u;
-    const uint32_t inner = b->mask[PLT_SLOT_INNER][word], edge = b->mask[PLT_SLOT_EDGE][word];
-    const uint32_t inners = b->before[PLT_SLOT_INNER][word] + plt_count_bits(inner & below);
-    place->link = o->link;
-    if (inner & bit) {
-        place->target = PLT_SLOT_INNER | (inners + 1) << 8;
-        return;
-    }
-    const uint32_t edges = b->before[PLT_SLOT_EDGE][word] + plt_count_bits(edge & below);
-    if (edge & bit) {
-        place->link = plt_block_edge(b, edges);
-        blocks_set_end(place->hi, blocks_edge_end(o, edges));
-        place->target = PLT_SLOT_EDGE;
-        return;
-    }
-    const uint32_t pair = b->pair[word];
-    const uint32_t pairs = b->pairs_before[word] + plt_count_bits(pair & below);
-    place->target = PLT_SLOT_LEAF | (slot - inners - edges) << 8 | pairs << 16 |
-                    (uint32_t)((pair & bit) != 0) << 24;
-}
-
 /* A child is asked what it is only when it is met. */
 static inline void format_child(const format_children *c, unsigned child, format_place *place) {
     f4_store(place->lo, c->lo[child]);
     f4_store(place->hi, c->hi[child]);
-    blocks_set_end(place->hi, c->end);
-    set_target(c, 2 * c->node + child, place);
+    const plt_block_target to = plt_block_target_of(c->opened, 2 * c->node + child);
+    place->link = to.link;
+    place->target = to.target;
+    blocks_set_end(place->hi, plt_target_kind(to.target) == PLT_SLOT_EDGE
+                                  ? blocks_edge_end(c->opened, to.link)
+                                  : c->end);
 }
 
 /* Floats of corners were rounded, so a step is added. */
@@ -226,8 +188,7 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
     const plt_opened_block *o = blocks_current(t);
     plt_leaf_run run;
     run.longest = longest_side(&tree->lattice, place);
-    run.first = plt_leaf_find(&o->geometry, index_of(place), pairs_before(place), is_pair(place),
-                              &run.count);
+    run.first = plt_block_leaf(o, place->target, &run.count);
     t->stats.triangle_tests += (uint64_t)run.count * plt_mask_count(groups);
     plt_leaf_groups(tree, &o->geometry, &run, p, groups);
     return PLT_OK;
@@ -236,19 +197,18 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
 #ifdef PLT_BLOCKS_RESIDENT /* which alone are collapsed */
 static inline plt_leaf_run run_of(const plt_opened_block *o, const format_place *place) {
     plt_leaf_run run = {0, 0, 0.0f};
-    run.first = plt_leaf_find(&o->geometry, index_of(place), pairs_before(place), is_pair(place),
-                              &run.count);
+    run.first = plt_block_leaf(o, place->target, &run.count);
     return run;
 }
 
 static inline uint32_t format_count(const plt_traversal *t, const format_place *place) {
-    return run_of(blocks_with_geometry(t), place).count;
+    return run_of(plt_block_with_geometry(t), place).count;
 }
 
 #if PLT_WITH_WAVE
 static inline void format_triangle(const plt_traversal *t, const format_place *place,
                                    uint32_t index, plt_triangle *to) {
-    const plt_opened_block *o = blocks_with_geometry(t);
+    const plt_opened_block *o = plt_block_with_geometry(t);
     const plt_leaf_run run = run_of(o, place);
     plt_leaf_triangle(&t->scene->compact, &o->geometry, &run, index, to);
 }

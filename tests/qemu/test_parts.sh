@@ -2,8 +2,8 @@
 # test_parts.sh - firmware with parts of the engine left out (engine/engine.mk)
 #
 # A render-only engine of one format gives the whole engine's frame in less code, and
-# refuses, in a sentence, what needs a part that it does not have. Of thesis nodes it has groups
-# alone, for frames beams alone, the whole engine both: the frames are the same.
+# refuses, in a sentence, what needs a part that it does not have. It has groups alone, for frames
+# beams alone, the whole engine both: the frames are the same.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 planelet=$BUILD/host/planelet
@@ -65,6 +65,7 @@ part() {
 scene thesis
 scene list --build none
 scene compact --nodes compact --geometry lattice:14
+scene floats --nodes compact --geometry float
 scene device --build device
 scene compact_device --nodes compact --geometry lattice:14 --build device
 
@@ -94,9 +95,18 @@ if part "render thesis frames" "$frames" 28672; then
     refuses "$frames" compact PLT_WITH_COMPACT
     refuses "$frames" device PLT_WITH_BUILDER
 fi
-trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render compact frames' 2>&1)
-verdict "frames of compact blocks have no part of their own" "$(
-    echo "$trouble" | grep -q 'PARTS with frames has thesis, and no wave' || echo "$trouble")"
+frames=$BUILD/mps2_an386-compact-frames-render
+if part "render compact frames" "$frames" 36864; then
+    renders "$frames" compact
+    renders "$frames" floats
+    refuses "$frames" thesis PLT_WITH_THESIS
+    refuses "$frames" compact_device PLT_WITH_BUILDER
+fi
+for parts in 'render frames' 'render compact frames wave'; do
+    trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
+    verdict "PARTS='$parts' is refused, with what it may be" "$(
+        echo "$trouble" | grep -q "PARTS with frames has .*: make PARTS='" || echo "$trouble")"
+done
 wave=$BUILD/mps2_an386-render-thesis-wave
 if part "render thesis wave" "$wave" 73728; then
     renders "$wave" thesis

@@ -1,0 +1,243 @@
+/* footprint - the pixels of a square that a triangle may cover
+ *
+ * A triangle whose corners are all in front of the eye, and not too far beside the square, is
+ * projected: three edge functions, linear in the pixel, over the pixels of its rectangle. Of
+ * any other the edge functions are planes through the eye and an edge, which need no
+ * division; they are looked at in all pixels. What is not surely outside is tested exactly.
+ *
+ * Inline for those who project triangles: footprint.c has records, beam_strips.c the strips of
+ * compact blocks.
+ *
+ * Source: Pineda, "A parallel algorithm for polygon rasterization", 1988 (edge functions).
+ * Margins: DESIGN.md, section 7.7.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_SHADE_FOOTPRINT_H
+#define PLT_SHADE_FOOTPRINT_H
+
+#include "engine/lanes/unroll.h"
+#include "engine/shade/beam.h"
+
+/* Apart, as it would take registers from the others; static, as the compiler then knows which ones
+ * it leaves alone. */
+#ifdef __GNUC__
+#define PLT_RARELY __attribute__((noinline)) static
+#else
+#define PLT_RARELY static
+#endif
+
+#define PLT_DEPTH_LEAST 7.8886090522101181e-31f /* 2^-100: below, products may underflow */
+
+#define PLT_SLACK_MOST (0.49f * PLT_PIXEL_SLACK)
+#define PLT_NEARER (1.0f - PLT_PIXEL_SLACK)
+#define PLT_ALMOST_ONE 0.9999f /* x + this, cut off, is at most ceil(x) */
+
+/* ---- projection -------------------------------------------------------------------------- */
+
+/* A triangle in a square of pixels: its corners, and the pixels that may be in it, both ends
+ * included. */
+typedef struct projected {
+    float x[3], y[3]; /* pixels from the square's first */
+    float over[3];    /* 1 / depth */
+    float size;       /* width and height together */
+    uint32_t left, right, top, bottom;
+} projected;
+
+typedef struct range {
+    float least, most;
+} range;
+
+static inline range range_of(const float v[3]) {
+    range r = {v[0], v[1]};
+    if (v[0] > v[1]) {
+        r.least = v[1];
+        r.most = v[0];
+    }
+    r.least = v[2] < r.least ? v[2] : r.least;
+    r.most = v[2] > r.most ? v[2] : r.most;
+    return r;
+}
+
+/* Whether there is a pixel of 0 .. end between two coordinates. */
+static inline int has_pixel(float from, float to, float end) {
+    return to >= 0.0f && from <= end &&
+           (from <= 0.0f || (float)(int32_t)(from + PLT_ALMOST_ONE) <= to);
+}
+
+/* Which ones, if there are any. */
+static inline void set_pixels(float from, float to, float end, uint32_t *first, uint32_t *last) {
+    *first = from > 0.0f ? (uint32_t)(int32_t)(from + PLT_ALMOST_ONE) : 0;
+    *last = (uint32_t)(int32_t)(to < end ? to : end);
+}
+
+/* What all triangles are projected by; of a square, in registers. */
+typedef struct projector {
+    float org[3], row_w[3], row_x[3], row_y[3];
+    float margin, end_x, end_y;
+} projector;
+
+static inline void set_projector(projector *k, const plt_beam *b) {
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        k->org[a] = b->origin.org[a];
+        k->row_w[a] = b->margins.row_w[a];
+        k->row_x[a] = b->row_x[a];
+        k->row_y[a] = b->row_y[a];
+    }
+    k->margin = b->margins.pixels;
+    k->end_x = b->end_x;
+    k->end_y = b->end_y;
+}
+
+static inline int all_at_least(const float v[3], float limit) {
+    return v[0] >= limit && v[1] >= limit && v[2] >= limit;
+}
+
+static inline int are_near(range r, float limit) {
+    return r.least >= -limit && r.most <= limit;
+}
+
+enum projection { OUTSIDE, PROJECTED, NOT_PROJECTED };
+
+/* After columns and rows: the rectangle of pixels, if the triangle meets any and is not too large
+ * to be projected. */
+static inline enum projection set_rectangle(const plt_margins *m, const projector *k, range x,
+                                            range y, int meets, projected *p) {
+    p->size = (x.most - x.least) + (y.most - y.least);
+    if (meets) {
+        set_pixels(x.least - k->margin, x.most + k->margin, k->end_x, &p->left, &p->right);
+        set_pixels(y.least - k->margin, y.most + k->margin, k->end_y, &p->top, &p->bottom);
+    }
+    if ((meets && p->size <= m->size) || (are_near(x, m->corner) && are_near(y, m->corner))) {
+        return meets ? PROJECTED : OUTSIDE;
+    }
+    return NOT_PROJECTED;
+}
+
+/* ---- pixels --------------------------------------------------------------------------------- */
+
+/* Edge functions: of corner c the one across from it, at `at` in the rectangle's first pixel;
+ * positive inside, as the area is. */
+typedef struct footprint {
+    float at[3];
+    float sign;  /* of the area that the corners have */
+    float error; /* of each function */
+    float area;  /* their sum */
+    float slack; /* of the sum of their products with `over`; negative: not known yet */
+} footprint;
+
+/* An error that leaves no pixel out, and a slack that hides nothing, behind no t: infinity times
+ * 0 is a NaN. */
+#define PLT_UNKNOWN __builtin_inff()
+
+/* What the sum of edge functions times 1 / depth, which is area / t, may be off by, and t itself
+ * as the exact test computes it. `over`: the range of 1 / depth. */
+PLT_RARELY float slack_of(const plt_margins *m, range over, float size, float error, float area) {
+    const float length = over.most - over.least;
+    const float wide = size * m->step;
+    const float side = over.most * wide + (0.34f * m->direction + wide) * length;
+    const float slack =
+        11.0f * error * length + m->t * over.most * area + m->shape * side * side / over.most;
+    const int is_known = area > 16.0f * error && length <= over.least && slack <= over.most * area;
+    return is_known ? slack : PLT_UNKNOWN;
+}
+
+/* The triangle that is looked at. */
+typedef struct candidate {
+    const plt_record *record; /* NULL: it becomes one if a pixel may have it */
+    const plt_leaf *leaf;     /* which triangle of a compact block it is, then */
+    uint32_t triangle, index; /* in the leaf, in the image */
+} candidate;
+
+/* Its record: one of the scene's, or one that is made now. */
+static inline const plt_record *record_of(plt_beam *b, candidate *c) {
+#if PLT_WITH_COMPACT
+    if (c->leaf != NULL && c->record == NULL) {
+        c->record = plt_beam_store(b, c->leaf, c->triangle, c->index);
+    }
+#else
+    (void)b;
+#endif
+    return c->record;
+}
+
+/* Surely inside and surely nearer: takes the pixel, with the greatest t it may have. What is not
+ * surely beside or behind either is tested exactly. */
+static inline void test_inside(plt_beam *b, candidate *c, const projected *p, footprint *f,
+                               const float e[3], uint32_t x, uint32_t y) {
+    const float in = f->error, out = -in;
+    if (!(e[0] >= out && e[1] >= out && e[2] >= out)) {
+        return;
+    }
+    plt_pixel *pixel = &b->pixel[y * b->square.side + x];
+    if (f->slack < 0.0f) {
+        f->slack = slack_of(&b->margins, range_of(p->over), p->size, f->error, f->area);
+    }
+    const float over = e[0] * p->over[0] + e[1] * p->over[1] + e[2] * p->over[2];
+    if ((over + f->slack) * pixel->t < f->area) {
+        return;
+    }
+    const float least = over - f->slack;
+    if (e[0] >= in && e[1] >= in && e[2] >= in && f->slack <= PLT_SLACK_MOST * over &&
+        least * (pixel->t * PLT_NEARER) > f->area) {
+        const uint32_t record = (uint32_t)(record_of(b, c) - b->records);
+        plt_beam_take(b, pixel, f->area / least, record | PLT_PIXEL_BOUND);
+    } else {
+        plt_beam_test_pixel(b, record_of(b, c), x, y);
+    }
+}
+
+static inline void test_all(plt_beam *b, candidate *c, const projected *p, footprint *f) {
+    float right[3], down[3];
+    PLT_UNROLLED for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        right[k] = (p->y[i] - p->y[j]) * f->sign;
+        down[k] = (p->x[j] - p->x[i]) * f->sign;
+    }
+    for (uint32_t y = p->top; y <= p->bottom; y++) {
+        float e[3] = {f->at[0], f->at[1], f->at[2]};
+        for (uint32_t x = p->left; x <= p->right; x++) {
+            test_inside(b, c, p, f, e, x, y);
+            PLT_UNROLLED for (int k = 0; k < 3; k++) {
+                e[k] += right[k];
+            }
+        }
+        PLT_UNROLLED for (int k = 0; k < 3; k++) {
+            f->at[k] += down[k];
+        }
+    }
+}
+
+static inline void set_edges(footprint *f, const projected *p, float margin) {
+    const float x0 = (float)(int32_t)p->left, y0 = (float)(int32_t)p->top;
+    const float x[3] = {p->x[0] - x0, p->x[1] - x0, p->x[2] - x0};
+    const float y[3] = {p->y[0] - y0, p->y[1] - y0, p->y[2] - y0};
+    f->at[0] = x[1] * y[2] - x[2] * y[1];
+    f->at[1] = x[2] * y[0] - x[0] * y[2];
+    f->at[2] = x[0] * y[1] - x[1] * y[0];
+    f->area = f->at[0] + f->at[1] + f->at[2];
+    f->error = 4.0f * margin * (p->size + 2.0f * margin);
+    f->slack = -1.0f;
+    f->sign = 1.0f;
+    if (__builtin_fabsf(f->area) <= 4.0f * f->error) { /* its sign is open: no pixel is left out */
+        f->error = f->slack = PLT_UNKNOWN;
+    } else if (f->area < 0.0f) {
+        f->sign = -1.0f;
+        f->area = -f->area;
+        PLT_UNROLLED for (int c = 0; c < 3; c++) {
+            f->at[c] = -f->at[c];
+        }
+    }
+}
+
+/* The pixels of a triangle that is projected. */
+static inline void test_footprint(plt_beam *b, candidate *c, const projected *p) {
+    footprint f;
+    set_edges(&f, p, b->margins.pixels);
+    if (p->left == p->right && p->top == p->bottom) {
+        test_inside(b, c, p, &f, f.at, p->left, p->top);
+    } else {
+        test_all(b, c, p, &f);
+    }
+}
+
+#endif
