@@ -29,8 +29,7 @@
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
 #ifndef PLT_WITH_GROUPS
-#define PLT_WITH_GROUPS                                                                            \
-    1 /* rays in groups of four: plt_trace, compact blocks, the two-stage order */
+#define PLT_WITH_GROUPS 1 /* rays in groups of four: plt_trace, the two-stage order */
 #endif
 #ifndef PLT_WITH_BEAMS
 #define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */

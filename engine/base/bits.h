@@ -62,6 +62,11 @@ static inline uint32_t plt_bits_get(const unsigned char *bytes, uint32_t at, uin
     return plt_bits_word(bytes, at) & plt_low_bits(width);
 }
 
+/* `width` (0 .. 25) bits from bit `at`: they are in one word from the byte that they begin in. */
+static inline uint32_t plt_bits_short(const unsigned char *bytes, uint32_t at, uint32_t width) {
+    return plt_get_u32(bytes + (at >> 3)) >> (at & 7) & ((1u << width) - 1u);
+}
+
 /* Ones among the bits begin .. end - 1; begin <= end. */
 static inline uint32_t plt_bits_count(const unsigned char *bytes, uint32_t begin, uint32_t end) {
     if (end - begin <= PLT_BITS_LONG) {

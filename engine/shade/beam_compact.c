@@ -30,7 +30,7 @@ static inline void decode(children *c, const plt_beam *b, const plt_block *block
                           const plt_beam_block_entry *parent) {
     const plt_lattice *l = &b->tree->lattice;
     const unsigned char *plane = block->planes + 6 * node;
-    c->owners = plt_bits_get(block->owners, 5 * node, 5) << 1 | 1u;
+    c->owners = plt_bits_short(block->owners, 5 * node, 5) << 1 | 1u;
     c->at[0][0] = c->at[1][0] = parent->enter;
     c->at[0][1] = c->at[1][1] = parent->minus_leave;
     PLT_UNROLLED for (int a = 0; a < 3; a++) {

@@ -6,6 +6,7 @@
  * over from another square, or are what the memory happened to hold, only make it happen sooner.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/lanes/unroll.h"
 #include "engine/shade/beam.h"
 #include "engine/tree/canonical.h"
 
@@ -41,13 +42,13 @@ const plt_record *plt_beam_store(plt_beam *b, const plt_leaf *leaf, uint32_t tri
     plt_record *r = free_record(b);
     const uint32_t *position[3];
     uint64_t key[3];
-    for (unsigned c = 0; c < 3; c++) {
+    PLT_UNROLLED for (unsigned c = 0; c < 3; c++) {
         position[c] = leaf->vertex[plt_leaf_corner(leaf, triangle, c)].number;
         key[c] = plt_lattice_key(position[c]);
     }
     uint32_t from = plt_canonical_first(key[1] < key[0], key[2] < key[0], key[2] < key[1]);
     for (unsigned c = 0; c < 3; c++) {
-        for (int a = 0; a < 3; a++) {
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
             plt_put_float(&r->word[3 * c + (unsigned)a],
                           plt_lattice_float(&b->tree->lattice, a, position[from][a]));
         }

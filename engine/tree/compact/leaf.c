@@ -60,11 +60,13 @@ uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int
     for (uint32_t s = 0; s < plt_geometry_count_strings(g->k); s++) {
         const uint32_t at = g->counts + s * g->leaves;
         first += plt_bits_count(g->bytes, at, at + leaf) << s;
-        *count += plt_bits_get(g->bytes, at + leaf, 1) << s;
+        *count += plt_bits_short(g->bytes, at + leaf, 1) << s;
     }
     return first;
 }
 
+/* Positions of `count` vertices. */
+#if UINTPTR_MAX > 0xFFFFFFFFu
 static void wide_vertex(const plt_geometry *g, uint32_t at, uint32_t position[3]) {
     for (int a = 0; a < 3; a++) {
         position[a] = g->base[a] + plt_bits_get(g->bytes, at, g->axis_bits[a]);
@@ -72,7 +74,7 @@ static void wide_vertex(const plt_geometry *g, uint32_t at, uint32_t position[3]
     }
 }
 
-/* Positions of `count` vertices; one load each for all three axes if they fit. */
+/* One load each for all three axes if they fit. */
 static void read_vertices(const plt_geometry *g, const uint32_t index[], uint32_t count,
                           plt_vertex *restrict vertex) {
     const u4 mask = u4_load(g->axis_mask), base = u4_load(g->base);
@@ -90,6 +92,26 @@ static void read_vertices(const plt_geometry *g, const uint32_t index[], uint32_
     }
 }
 
+#else
+/* A coordinate has at most 21 bits, so a word from the byte that it begins in has all of them:
+ * fewer instructions than shifts by 64. */
+static inline uint32_t coordinate(const plt_geometry *g, int axis, uint32_t at) {
+    return g->base[axis] + (plt_get_u32(g->bytes + (at >> 3)) >> (at & 7) & g->axis_mask[axis]);
+}
+
+static void read_vertices(const plt_geometry *g, const uint32_t index[], uint32_t count,
+                          plt_vertex *restrict vertex) {
+    const uint32_t y_at = g->axis_bits[0], z_at = y_at + g->axis_bits[1];
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t at = g->positions + index[i] * g->vertex_bits;
+        vertex[i].number[0] = coordinate(g, 0, at);
+        vertex[i].number[1] = coordinate(g, 1, at + y_at);
+        vertex[i].number[2] = coordinate(g, 2, at + z_at);
+        vertex[i].number[3] = 0;
+    }
+}
+#endif
+
 void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3]) {
     plt_vertex v;
     read_vertices(g, &vertex, 1, &v);
@@ -100,12 +122,12 @@ void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3
  * rank. Which slots are new cannot be predicted, so there is no branch; the bits of a
  * reference are read either way. */
 static void read_slots(const plt_geometry *g, uint32_t slot, uint32_t slots, uint32_t index[]) {
-    uint32_t news = plt_bits_get(g->bytes, g->news + slot, slots);
+    uint32_t news = plt_bits_short(g->bytes, g->news + slot, slots);
     uint32_t rank = plt_ranks_find(g->bytes, g->news, g->news_before, slot);
     uint32_t ref_at = g->refs + (slot - rank) * g->ref_bits;
     for (uint32_t i = 0; i < slots; i++, news >>= 1) {
         const uint32_t is_old = (news & 1u) - 1u; /* all ones, or 0 */
-        const uint32_t old = plt_bits_get(g->bytes, ref_at, g->ref_bits);
+        const uint32_t old = plt_bits_short(g->bytes, ref_at, g->ref_bits);
         index[i] = rank ^ ((rank ^ old) & is_old);
         rank += 1 + is_old;
         ref_at += g->ref_bits & is_old;
@@ -129,8 +151,8 @@ static void run_strips(plt_leaf *leaf, uint32_t count, uint32_t starts, uint32_t
 
 void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *leaf) {
     const uint32_t slot = first + 2 * plt_ranks_find(g->bytes, g->starts, g->starts_before, first);
-    const uint32_t starts = plt_bits_get(g->bytes, g->starts + first, count) | 1u;
-    const uint32_t swaps = plt_bits_get(g->bytes, g->swaps + first, count);
+    const uint32_t starts = plt_bits_short(g->bytes, g->starts + first, count) | 1u;
+    const uint32_t swaps = plt_bits_short(g->bytes, g->swaps + first, count);
     uint32_t index[PLT_LEAF_VERTICES_MOST];
     leaf->vertices = count + 2 * plt_count_bits(starts);
     read_slots(g, slot, leaf->vertices, index);
