@@ -192,11 +192,13 @@ static uint64_t wave_bytes(const subject *s) {
 #if PLT_WITH_WAVE
     const plt_options *o = s->options;
     if (has_wide_form(s)) {
-        return larger(plt_wave_bytes(o->rays_in_flight, 1, plt_wide_depth_bound(s->sized_for)),
-                      plt_wide_scratch_bytes(s->sized_for));
+        return larger(
+            plt_wave_bytes(o->rays_in_flight, PLT_WAVE_BVH4, plt_wide_depth_bound(s->sized_for)),
+            plt_wide_scratch_bytes(s->sized_for));
     }
-    if (o->rays_in_flight > 0 && s->format == PLT_FORMAT_THESIS) {
-        return plt_wave_bytes(o->rays_in_flight, 0, s->sized_for->depth_stack_entries);
+    if (o->rays_in_flight > 0 && plt_wave_supports(s->format)) {
+        return plt_wave_bytes(o->rays_in_flight, plt_wave_tree_of(s->format),
+                              s->sized_for->depth_stack_entries);
     }
 #endif
     (void)s;

@@ -75,14 +75,15 @@ static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[
     e->scene.bvh4 =
         plt_wide_make(&e->traversal, part[PLT_PART_WIDE_FORM], part[PLT_PART_WAVE], &form_bytes);
     const size_t wave_bytes =
-        (size_t)plt_wave_bytes(e->options.rays_in_flight, 1, e->scene.bvh4->depth);
+        (size_t)plt_wave_bytes(e->options.rays_in_flight, PLT_WAVE_BVH4, e->scene.bvh4->depth);
     plt_arena_release(&e->arena, e->arena.used - (size_t)room);
     plt_arena_cut(&e->arena, form_bytes);
     e->traversal.wave = plt_arena_cut(&e->arena, wave_bytes);
     if (e->traversal.wave == NULL) {
         return plt_opening_arena_error(o);
     }
-    plt_wave_init(e->traversal.wave, e->options.rays_in_flight, 1, e->scene.bvh4->depth);
+    plt_wave_init(e->traversal.wave, e->options.rays_in_flight, PLT_WAVE_BVH4,
+                  e->scene.bvh4->depth);
     return PLT_OK;
 }
 
@@ -92,7 +93,8 @@ static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_
     }
     if (o->layout->bytes[PLT_PART_WAVE] > 0) {
         e->traversal.wave = part[PLT_PART_WAVE];
-        plt_wave_init(e->traversal.wave, e->options.rays_in_flight, 0,
+        plt_wave_init(e->traversal.wave, e->options.rays_in_flight,
+                      plt_wave_tree_of((enum plt_format)e->scene.format),
                       e->scene.info.depth_stack_entries);
     }
     return PLT_OK;

@@ -125,8 +125,10 @@ typedef struct plt_options {
     uint8_t count_touched;  /* 1: count plt_stats.bytes_touched_once, for a bit per treelet
                              * block, of compact blocks a bit per 8 bytes */
     uint8_t rays_in_flight; /* of a wave for incoherent rays: 16 .. 64, or 0: plt_trace has
-                             * packets alone. Of thesis nodes, or with a wide form; others
-                             * are traced in packets. DESIGN.md, section 6, has the bytes */
+                             * packets alone. Scenes without a tree are traced in packets,
+                             * and so are compact blocks without a wide form where
+                             * PLT_WITH_WAVE_COMPACT is 0. DESIGN.md, section 6, has the
+                             * bytes */
     uint8_t wide;           /* 1: the wave has a wide form of the tree, made when the scene is
                              * opened: faster, for some 75 bytes per triangle (arena need: the
                              * bound, some 120). Scenes without a tree, or of more than 8

@@ -35,6 +35,16 @@
 #define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */
 #endif
 
+/* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
+ * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
+#ifndef PLT_WITH_WAVE_COMPACT
+#if PLT_WITH_WAVE && PLT_WITH_COMPACT && (defined(PLT_LANES) || UINTPTR_MAX > 0xFFFFFFFFu)
+#define PLT_WITH_WAVE_COMPACT 1
+#else
+#define PLT_WITH_WAVE_COMPACT 0
+#endif
+#endif
+
 /* Packets as trees of hulls (trace/hulls.h), where four lanes are one register; elsewhere they
  * cost more code than they save work. */
 #ifndef PLT_WITH_HULLS
@@ -127,6 +137,10 @@
 #endif
 #if (PLT_WITH_STREAMED != 0 && PLT_WITH_STREAMED != 1) || (PLT_WITH_STREAMED && !PLT_WITH_COMPACT)
 #error "PLT_WITH_STREAMED is the digit 0, or with PLT_WITH_COMPACT 1"
+#endif
+#if (PLT_WITH_WAVE_COMPACT != 0 && PLT_WITH_WAVE_COMPACT != 1) ||                                  \
+    (PLT_WITH_WAVE_COMPACT && !(PLT_WITH_WAVE && PLT_WITH_COMPACT))
+#error "PLT_WITH_WAVE_COMPACT is the digit 0, or with PLT_WITH_WAVE and PLT_WITH_COMPACT 1"
 #endif
 #if PLT_WITH_WAVE && !PLT_WITH_GROUPS
 #error "PLT_WITH_WAVE is for PLT_WITH_GROUPS"

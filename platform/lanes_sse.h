@@ -45,11 +45,20 @@ static inline f4 f4_load_16(const float *from) {
     return _mm_load_ps(from);
 }
 
+static inline f4 f4_load_pair(const float *from) {
+    const __m128 pair = _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)from));
+    return _mm_movelh_ps(pair, pair);
+}
+
 static inline void f4_store(float *to, f4 a) {
     _mm_storeu_ps(to, a);
 }
 
 static inline u4 u4_load(const uint32_t *from) {
+    return plt_u4(_mm_loadu_si128((const __m128i *)(const void *)from));
+}
+
+static inline u4 u4_load_bytes(const unsigned char *from) {
     return plt_u4(_mm_loadu_si128((const __m128i *)(const void *)from));
 }
 
@@ -85,6 +94,20 @@ static inline u4 u4_add(u4 a, u4 b) {
 
 static inline u4 u4_and(u4 a, u4 b) {
     return plt_u4(_mm_and_si128(a.v, b.v));
+}
+
+static inline uint32_t u4_ones(u4 a) {
+    const __m128i twos = _mm_set1_epi8(0x33), fours = _mm_set1_epi8(0x0F);
+    __m128i x = a.v;
+    x = _mm_sub_epi8(x, _mm_and_si128(_mm_srli_epi32(x, 1), _mm_set1_epi8(0x55)));
+    x = _mm_add_epi8(_mm_and_si128(x, twos), _mm_and_si128(_mm_srli_epi32(x, 2), twos));
+    x = _mm_and_si128(_mm_add_epi8(x, _mm_srli_epi32(x, 4)), fours);
+    x = _mm_sad_epu8(x, _mm_setzero_si128());
+    return (uint32_t)_mm_cvtsi128_si32(_mm_add_epi32(x, _mm_unpackhi_epi64(x, x)));
+}
+
+static inline u4 u4_andnot(u4 a, u4 b) {
+    return plt_u4(_mm_andnot_si128(b.v, a.v));
 }
 
 static inline f4 f4_of_u4(u4 a) {

@@ -34,6 +34,19 @@ static inline uint32_t plt_count_bits_long(uint64_t x) {
 #endif
 }
 
+/* Of both words. */
+static inline uint32_t plt_count_bits_two(uint64_t x, uint64_t y) {
+#if !defined(__POPCNT__) && UINTPTR_MAX > 0xFFFFFFFFu
+    const uint64_t twos = 0x3333333333333333u, fours = 0x0F0F0F0F0F0F0F0Fu;
+    x -= x >> 1 & 0x5555555555555555u;
+    y -= y >> 1 & 0x5555555555555555u;
+    x = (x & twos) + (x >> 2 & twos) + (y & twos) + (y >> 2 & twos); /* at most 8 in four bits */
+    return (uint32_t)(((x & fours) + (x >> 4 & fours)) * 0x0101010101010101u >> 56);
+#else
+    return plt_count_bits_long(x) + plt_count_bits_long(y);
+#endif
+}
+
 /* The lowest `count` bits of a word (0 .. 32). */
 static inline uint32_t plt_low_bits(uint32_t count) {
     return count >= 32 ? 0xFFFFFFFFu : (1u << count) - 1u;
@@ -119,11 +132,15 @@ static inline void plt_bits_put(unsigned char *bytes, uint32_t at, uint32_t widt
 
 /* Bits that numbers 0 .. most take. */
 static inline uint32_t plt_bits_for(uint32_t most) {
+#ifdef __GNUC__
+    return most == 0 ? 0 : 32 - (uint32_t)__builtin_clz(most);
+#else
     uint32_t bits = 0;
     for (; most != 0; most >>= 1) {
         bits++;
     }
     return bits;
+#endif
 }
 
 #endif

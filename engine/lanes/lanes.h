@@ -20,6 +20,8 @@
  * load / store      f4_load(const float[4]) f4_store(float[4], f4)  any
  *                   u4_load u4_store                     4-byte alignment
  *                   f4_load_16(const float[4])           16-byte alignment
+ *                   f4_load_pair(const float[2]) both, and both again
+ *                   u4_load_bytes(const unsigned char[16]) as they lie; any alignment
  * make              f4_all(float) u4_all(uint32) f4_zero()
  *                   u4_three(uint32_t, uint32_t, uint32_t), the fourth is 0
  *                   m4_bits(unsigned) lane i from bit i
@@ -28,7 +30,8 @@
  *                   f4_of_bytes(const unsigned char[4]) of 8 bits each
  *                   f4_of_halves(const unsigned char[8]) of 16 bits each, little-endian
  * arithmetic        f4_add f4_sub f4_mul f4_div f4_min f4_max
- *                   f4_abs f4_neg (sign bit alone) u4_add u4_and
+ *                   f4_abs f4_neg (sign bit alone) u4_add u4_and u4_andnot (a and not b)
+ *                   u4_ones(u4) -> how many of all 128 bits are ones
  * compare           f4_lt f4_le f4_eq u4_lt u4_eq -> m4
  * masks             m4_and m4_or m4_andnot (a and not b) -> m4
  *                   m4_mask(m4) -> bit i from lane i, 0 .. 15

@@ -57,11 +57,22 @@ static inline f4 f4_load_16(const float *from) {
     return f4_load(from);
 }
 
+static inline f4 f4_load_pair(const float *from) {
+    const f4 r = {{from[0], from[1], from[0], from[1]}};
+    return r;
+}
+
 static inline void f4_store(float *to, f4 a) {
     memcpy(to, a.lane, sizeof a.lane);
 }
 
 static inline u4 u4_load(const uint32_t *from) {
+    u4 r;
+    memcpy(r.lane, from, sizeof r.lane);
+    return r;
+}
+
+static inline u4 u4_load_bytes(const unsigned char *from) {
     u4 r;
     memcpy(r.lane, from, sizeof r.lane);
     return r;
@@ -98,6 +109,21 @@ static inline u4 u4_add(u4 a, u4 b) {
 
 static inline u4 u4_and(u4 a, u4 b) {
     PLT_EACH_LANE(u4, a.lane[i] & b.lane[i]);
+}
+
+static inline u4 u4_andnot(u4 a, u4 b) {
+    PLT_EACH_LANE(u4, a.lane[i] & ~b.lane[i]);
+}
+
+static inline uint32_t u4_ones(u4 a) {
+    uint32_t ones = 0;
+    PLT_UNROLLED for (int i = 0; i < 4; i++) {
+        uint32_t x = a.lane[i];
+        x -= x >> 1 & 0x55555555u;
+        x = (x & 0x33333333u) + (x >> 2 & 0x33333333u);
+        ones += ((x + (x >> 4)) & 0x0F0F0F0Fu) * 0x01010101u >> 24;
+    }
+    return ones;
 }
 
 static inline f4 f4_of_u4(u4 a) {

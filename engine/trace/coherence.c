@@ -5,11 +5,6 @@
 
 #include "engine/lanes/lanes.h"
 
-/* Width of the beam above which rays are incoherent: origins by the scene's longest side, and
- * directions by their largest component. Windows of primary rays measured 0.01 to 0.02, of
- * shadow rays mostly up to 0.2, of bounces 0.8 to 1.6 when they are sorted, 2 to 3 when not. */
-#define NARROW 0.5f
-
 /* One ray of so many is looked at; odd, so that no pattern of 2, 4, 8 rays hides from it. */
 #define SAMPLED 5
 
@@ -31,7 +26,7 @@ static float largest3(f4 v) {
     return xy > lane[2] ? xy : lane[2];
 }
 
-int plt_rays_are_coherent(const plt_ray *rays, uint32_t count, const plt_box *scene) {
+int plt_rays_are_narrow(const plt_ray *rays, uint32_t count, const plt_box *scene, float narrow) {
     const f4 far = f4_all(PLT_BOX_FAR);
     extent org = {far, f4_neg(far)}, dir = org;
     for (uint32_t i = 0; i < count; i += SAMPLED) {
@@ -43,5 +38,5 @@ int plt_rays_are_coherent(const plt_ray *rays, uint32_t count, const plt_box *sc
     const float length = largest3(f4_max(f4_abs(dir.lo), f4_abs(dir.hi)));
     const float apart = largest3(f4_sub(org.hi, org.lo)), wide = largest3(f4_sub(dir.hi, dir.lo));
     /* apart / size + wide / length, without a division by 0; infinite ones are in any packet */
-    return apart * length + wide * size <= NARROW * size * length;
+    return apart * length + wide * size <= narrow * size * length;
 }

@@ -8,30 +8,17 @@
 #include "engine/trace/frustum.h"
 #include "engine/trace/leaf_records.h"
 #include "engine/trace/triangle.h"
-#include "engine/tree/canonical.h"
 
 /* Strips of this many triangles per list share enough vertices for frustum culling to
  * pay; those of shorter lists do not. */
 enum { CULLING_FROM = 4 };
 
-/* Vertices from lattice numbers to floats, and the keys that order them. */
-static void set_positions(plt_leaf *leaf, const plt_lattice *l, uint64_t key[]) {
-    for (uint32_t i = 0; i < leaf->vertices; i++) {
-        plt_vertex *v = &leaf->vertex[i];
-        key[i] = plt_lattice_key(v->number);
-        f4_store(v->scene, plt_lattice_planes(l, f4_of_u4(u4_load(v->number))));
-    }
-}
-
 /* Corners in canonical order. */
 static void set_corners(const plt_leaf *leaf, const uint64_t key[], uint32_t triangle,
                         float to[3][3]) {
-    const uint32_t corner = leaf->corner[triangle];
-    const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
-    const uint32_t first = plt_canonical_first(b < a, c < a, c < b);
-    const uint64_t rotated = ((uint64_t)corner << 24 | corner) >> 8 * first;
+    const uint64_t ordered = plt_leaf_ordered(leaf, key, triangle);
     PLT_UNROLLED for (unsigned i = 0; i < 3; i++) {
-        memcpy(to[i], leaf->vertex[rotated >> 8 * i & 0xFFu].scene, sizeof to[i]);
+        memcpy(to[i], leaf->vertex[ordered >> 8 * i & 0xFFu].scene, sizeof to[i]);
     }
 }
 
@@ -61,7 +48,7 @@ static void set_strip_triangle(const plt_block_tree *tree, const plt_geometry *g
     plt_leaf leaf;
     uint64_t key[PLT_LEAF_VERTICES_MOST];
     plt_leaf_read(g, run->first, run->count, &leaf);
-    set_positions(&leaf, &tree->lattice, key);
+    plt_leaf_positions(&leaf, &tree->lattice, key);
     set_corners(&leaf, key, index, to->corner);
     to->word = g->first_triangle + run->first + index;
     to->ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
@@ -90,7 +77,7 @@ static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const
     t.longest = run->longest;
     t.ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
     plt_leaf_read(g, run->first, run->count, &leaf);
-    set_positions(&leaf, &tree->lattice, key);
+    plt_leaf_positions(&leaf, &tree->lattice, key);
     if (culling) {
         set_outcodes(&leaf, p, groups, code);
     }

@@ -10,6 +10,7 @@
 #include "engine/lanes/lanes.h"
 #include "engine/trace/packet.h"
 #include "engine/trace/triangle.h"
+#include "engine/tree/canonical.h"
 #include "engine/tree/compact/block_tree.h"
 
 /* Triangles in a row. */
@@ -22,6 +23,24 @@ typedef struct plt_leaf_run {
  * The fourth lane means nothing. */
 static inline f4 plt_lattice_planes(const plt_lattice *l, f4 numbers) {
     return f4_add(f4_load(l->origin), f4_mul(f4_all(l->step), numbers));
+}
+
+/* Vertices from lattice numbers to floats, and the keys that order them. */
+static inline void plt_leaf_positions(plt_leaf *leaf, const plt_lattice *l, uint64_t key[]) {
+    for (uint32_t i = 0; i < leaf->vertices; i++) {
+        plt_vertex *v = &leaf->vertex[i];
+        key[i] = plt_lattice_key(v->number);
+        f4_store(v->scene, plt_lattice_planes(l, f4_of_u4(u4_load(v->number))));
+    }
+}
+
+/* The indices of a triangle's vertices in canonical order, 8 bits each; above may be more. */
+static inline uint64_t plt_leaf_ordered(const plt_leaf *leaf, const uint64_t key[],
+                                        uint32_t triangle) {
+    const uint32_t corner = leaf->corner[triangle];
+    const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
+    const uint32_t first = plt_canonical_first(b < a, c < a, c < b);
+    return ((uint64_t)corner << 24 | corner) >> 8 * first;
 }
 
 /* Triangle `index` of the run, as the test gets it; but for `longest`, which is not set. */

@@ -5,6 +5,7 @@
 
 #include "engine/trace/coherence.h"
 #include "engine/trace/wave_bvh4.h"
+#include "engine/trace/wave_compact.h"
 #include "engine/trace/wave_thesis.h"
 
 int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int looks,
@@ -19,12 +20,12 @@ int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int look
                         .hits = hits,
                         .count = count,
                         .any = any};
-#if PLT_WITH_THESIS
-    if (t->scene->bvh4 == NULL) {
-        plt_wave_thesis(&job);
-        return job.status;
+    if (t->scene->bvh4 != NULL) {
+        plt_wave_bvh4(&job);
+    } else if (t->scene->format == PLT_FORMAT_COMPACT) {
+        PLT_IF(PLT_WITH_WAVE_COMPACT, plt_wave_compact(&job);)
+    } else {
+        PLT_IF(PLT_WITH_THESIS, plt_wave_thesis(&job);)
     }
-#endif
-    plt_wave_bvh4(&job);
     return job.status;
 }

@@ -121,14 +121,18 @@ static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
 }
 
 static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
+    const plt_scene *scene = job->traversal->scene;
     if (job->window == 0) {
         return 0;
+    }
+    if (scene->bvh4 == NULL && scene->format == PLT_FORMAT_COMPACT) { /* dense or not */
+        return plt_rays_are_narrow(rays, count, &scene->box, PLT_COHERENCE_NARROW_IN_BLOCKS);
     }
     if (job->wave->dense > 0) {
         job->wave->dense--;
         return 0;
     }
-    return plt_rays_are_coherent(rays, count, &job->traversal->scene->box);
+    return plt_rays_are_coherent(rays, count, &scene->box);
 }
 
 /* Traces windows of coherent rays in packets, up to one that is not, which it counts. Called
@@ -183,32 +187,36 @@ static size_t rounded(size_t bytes) {
     return (bytes + 15) / 16 * 16;
 }
 
-static uint32_t ray_bytes(int wide, uint32_t depth) {
-    return (uint32_t)rounded(sizeof(plt_wave_ray) + plt_wave_stack_bytes(wide, depth));
+static uint32_t ray_bytes(enum plt_wave_tree tree, uint32_t depth) {
+    return (uint32_t)rounded(sizeof(plt_wave_ray) + plt_wave_stack_bytes(tree, depth));
+}
+
+static unsigned lists_of(enum plt_wave_tree tree) {
+    return tree == PLT_WAVE_COMPACT ? PLT_WAVE_COMPACT_STEPS : PLT_WAVE_STEPS;
 }
 
 /* Bytes of a wave without its rays. */
-static size_t lists_bytes(unsigned rays_in_flight) {
+static size_t lists_bytes(unsigned rays_in_flight, enum plt_wave_tree tree) {
     return rounded(sizeof(plt_wave)) +
            rounded(rays_in_flight *
-                   (sizeof(plt_wave_found) + PLT_WAVE_STEPS * sizeof(plt_wave_ray *)));
+                   (sizeof(plt_wave_found) + lists_of(tree) * sizeof(plt_wave_ray *)));
 }
 
-uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth) {
-    return lists_bytes(rays_in_flight) + (uint64_t)rays_in_flight * ray_bytes(wide, depth);
+uint64_t plt_wave_bytes(unsigned rays_in_flight, enum plt_wave_tree tree, uint32_t depth) {
+    return lists_bytes(rays_in_flight, tree) + (uint64_t)rays_in_flight * ray_bytes(tree, depth);
 }
 
-void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t depth) {
+void plt_wave_init(void *memory, unsigned rays_in_flight, enum plt_wave_tree tree, uint32_t depth) {
     plt_wave *w = memory;
     unsigned char *at = (unsigned char *)memory + rounded(sizeof(plt_wave));
     w->rays_in_flight = rays_in_flight;
-    w->ray_bytes = ray_bytes(wide, depth);
+    w->ray_bytes = ray_bytes(tree, depth);
     w->visits = w->dense = 0;
     w->found = (plt_wave_found *)(void *)at;
     at += rays_in_flight * sizeof *w->found;
-    for (int i = 0; i < PLT_WAVE_STEPS; i++) {
+    for (unsigned i = 0; i < lists_of(tree); i++) {
         w->list[i] = (plt_wave_ray **)(void *)at;
         at += rays_in_flight * sizeof *w->list[i];
     }
-    w->first = (unsigned char *)memory + lists_bytes(rays_in_flight);
+    w->first = (unsigned char *)memory + lists_bytes(rays_in_flight, tree);
 }

@@ -10,9 +10,22 @@
 /* Rays in flight: PLT_WAVE_LEAST .. PLT_WAVE_MOST, or 0: there is no wave. */
 enum { PLT_WAVE_LEAST = 16, PLT_WAVE_MOST = 64 };
 
-/* Bytes of a wave of so many rays, with stacks for scenes whose tree or wide form has at most
- * `depth` nodes on a path. */
-uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth);
+/* What a wave goes over. */
+enum plt_wave_tree { PLT_WAVE_BVH4, PLT_WAVE_THESIS, PLT_WAVE_COMPACT };
+
+/* Whether there is one over scenes of a format, without a wide form. */
+static inline int plt_wave_supports(enum plt_format format) {
+    return format == PLT_FORMAT_THESIS || (format == PLT_FORMAT_COMPACT && PLT_WITH_WAVE_COMPACT);
+}
+
+/* And over what it goes. */
+static inline enum plt_wave_tree plt_wave_tree_of(enum plt_format format) {
+    return format == PLT_FORMAT_COMPACT ? PLT_WAVE_COMPACT : PLT_WAVE_THESIS;
+}
+
+/* Bytes of a wave of so many rays, with stacks for trees that have at most `depth` nodes on a
+ * path. */
+uint64_t plt_wave_bytes(unsigned rays_in_flight, enum plt_wave_tree tree, uint32_t depth);
 
 /* Before a loop over a list that has no branch but its own: apart, so that its jumps can be
  * counted (tests/check/check_branches.sh). */
@@ -23,10 +36,18 @@ uint64_t plt_wave_bytes(unsigned rays_in_flight, int wide, uint32_t depth);
 #endif
 
 /* Lays one out in `memory`. */
-void plt_wave_init(void *memory, unsigned rays_in_flight, int wide, uint32_t depth);
+void plt_wave_init(void *memory, unsigned rays_in_flight, enum plt_wave_tree tree, uint32_t depth);
 
 /* What is next for a ray in flight, and so which list it is on. */
-enum plt_wave_step { PLT_WAVE_VISIT, PLT_WAVE_TEST, PLT_WAVE_DONE, PLT_WAVE_STEPS };
+enum plt_wave_step {
+    PLT_WAVE_VISIT,
+    PLT_WAVE_TEST,
+    PLT_WAVE_DONE,
+    PLT_WAVE_STEPS,
+    PLT_WAVE_CROSS = PLT_WAVE_STEPS, /* over compact blocks: it is at an edge */
+    PLT_WAVE_ENTER,                  /* and at a block */
+    PLT_WAVE_COMPACT_STEPS
+};
 
 enum { PLT_WAVE_AHEAD = 16 }; /* rays are asked for so many before they are taken */
 
@@ -49,7 +70,7 @@ typedef struct plt_wave_found {
 /* Arrays of rays_in_flight each lie behind it, and the rays behind those. */
 typedef struct plt_wave {
     plt_wave_staged staged;
-    plt_wave_ray **list[PLT_WAVE_STEPS];
+    plt_wave_ray **list[PLT_WAVE_COMPACT_STEPS];
     plt_wave_found *found; /* as on the list that is worked off */
     unsigned char *first;  /* ray in flight */
     uint32_t ray_bytes;    /* of a ray in flight and its stack */
@@ -114,12 +135,27 @@ static inline plt_wave_ray *plt_wave_slot(const plt_wave *w, uint32_t index) {
     return (plt_wave_ray *)(void *)(w->first + (size_t)index * w->ray_bytes);
 }
 
-/* What a ray over thesis nodes takes beside plt_wave_ray. */
-enum { PLT_WAVE_THESIS_BYTES = 96 };
+/* What a ray takes beside plt_wave_ray, and what an entry of its stack does: see wave_bvh4.c,
+ * wave_thesis.c, wave_compact.c. */
+enum {
+    PLT_WAVE_BVH4_ENTRY_BYTES = 8,
+    PLT_WAVE_BINARY_BYTES = 80,
+    PLT_WAVE_THESIS_ENTRY_BYTES = 16,
+    PLT_WAVE_COMPACT_BYTES = PLT_WAVE_BINARY_BYTES + 64,
+    PLT_WAVE_COMPACT_ENTRY_BYTES = 40
+};
 
-/* Bytes of a ray's stack: see wave_bvh4.c, wave_thesis.c. */
-static inline uint32_t plt_wave_stack_bytes(int wide, uint32_t depth) {
-    return wide ? 8 * (3 * depth + 2) : PLT_WAVE_THESIS_BYTES + 16 * (depth + 2);
+/* Bytes of a ray behind its plt_wave_ray, its stack among them. */
+static inline uint32_t plt_wave_stack_bytes(enum plt_wave_tree tree, uint32_t depth) {
+    switch (tree) {
+    case PLT_WAVE_BVH4:
+        return PLT_WAVE_BVH4_ENTRY_BYTES * (3 * depth + 2);
+    case PLT_WAVE_THESIS:
+        return PLT_WAVE_BINARY_BYTES + PLT_WAVE_THESIS_ENTRY_BYTES * (depth + 2);
+    case PLT_WAVE_COMPACT:
+        break;
+    }
+    return PLT_WAVE_COMPACT_BYTES + PLT_WAVE_COMPACT_ENTRY_BYTES * (depth + 2);
 }
 
 /* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */

@@ -155,12 +155,13 @@ static void add_mode(mode_list *list, const plt_info *info, plt_options options,
     }
 }
 
-/* Compact blocks have no wave but over a wide form. */
+/* A build may have no wave over compact blocks but with a wide form. */
 static void add_waves(mode_list *list, const bench *b, const plt_info *info) {
     plt_options o = {.packet_side = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8,
                      .rays_in_flight = RAYS_IN_FLIGHT,
                      .rays = PLT_RAYS_INCOHERENT};
-    if ((b->walks >> BENCH_WAVE & 1u) && info->nodes_format == PLT_NODES_THESIS) {
+    if ((b->walks >> BENCH_WAVE & 1u) &&
+        (info->nodes_format == PLT_NODES_THESIS || PLT_WITH_WAVE_COMPACT)) {
         add_mode(list, info, o, BENCH_WAVE);
     }
     o.wide = 1;

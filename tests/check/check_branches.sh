@@ -31,7 +31,7 @@ x86_64-* | amd64-* | i?86-*) x86=1 ;;
 *) x86= ;;
 esac
 if [ -n "$x86" ] && needs objdump; then
-    for tree in bvh4 thesis; do
+    for tree in bvh4 thesis compact; do
         count=$(inside "$BUILD/host/engine/trace/wave_$tree.o" visit_all)
         verdict "a visit of a node of the wave over $tree has no branch" "$(
             case $count in

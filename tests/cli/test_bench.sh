@@ -44,6 +44,7 @@ verdict "... every kind, hit, structure, packet and order once" "$(
             done
             echo " thesis $kind $hit 0 wave"
             echo " thesis $kind $hit 0 wide"
+            echo " compact $kind $hit 0 wave"
             echo " compact $kind $hit 0 wide"
         done
     done | sort >wanted

@@ -256,9 +256,14 @@ static void test_whole_numbers(void) {
         CHECK(scalar(OP_f4_of_halves, a, 0, 0) == as_bits((float)(a & 0xFFFFu)), "%08x", a);
         CHECK(scalar(OP_u4_add, a, b, 0) == (uint32_t)((uint64_t)a + b), "%08x %08x", a, b);
         CHECK(scalar(OP_u4_and, a, b, 0) == ~(~a | ~b), "%08x %08x", a, b);
+        CHECK(scalar(OP_u4_andnot, a, b, 0) == ~(~a | b), "%08x %08x", a, b);
     }
     const lanes_in in = {.row = {{1, 2, 3, 4}}};
     uint32_t out[16] = {0};
+    lanes_probe_scalar.run(OP_u4_ones, &in, out);
+    CHECK(out[0] == 5, "ones of 1, 2, 3 and 4");
+    lanes_probe_scalar.run(OP_f4_load_pair, &in, out);
+    CHECK(out[0] == 1 && out[1] == 2 && out[2] == 1 && out[3] == 2, "a pair twice");
     lanes_probe_scalar.run(OP_u4_three, &in, out);
     CHECK(out[0] == 1 && out[1] == 2 && out[2] == 3 && out[3] == 0, "three words and 0");
 }

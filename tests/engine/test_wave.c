@@ -217,7 +217,8 @@ static void worker_open(worker *w, plt_engine *e, plt_options options) {
     plt_packet_init(&w->packet, w->packets, options.packet_side);
     const int wide = e->scene.bvh4 != NULL;
     w->traversal.wave = w->part[PLT_PART_WAVE];
-    plt_wave_init(w->traversal.wave, options.rays_in_flight, wide,
+    plt_wave_init(w->traversal.wave, options.rays_in_flight,
+                  wide ? PLT_WAVE_BVH4 : plt_wave_tree_of((enum plt_format)e->scene.format),
                   wide ? e->scene.bvh4->depth : e->scene.info.depth_stack_entries);
 }
 
@@ -235,19 +236,11 @@ static void *work(void *argument) {
     return NULL;
 }
 
-static void workers(int wide) {
+static void workers_of(const char *name, rig wave, plt_options run) {
     static worker w[WORKERS];
     pthread_t thread[WORKERS];
-    mesh m = {0};
-    rig wave;
-    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    const char *name = make_any(0, &m);
-    set_wave(&config.run, wide, 16);
-    config.run.packet_side = 2;
-    set_rays(&m, 3);
-    CHECK(rig_open(&wave, &m, &config) == PLT_OK, "%s", wave.fault.message);
     for (int i = 0; i < WORKERS && wave.engine != NULL; i++) {
-        worker_open(&w[i], wave.engine, config.run);
+        worker_open(&w[i], wave.engine, run);
     }
     for (int i = 0; i < WORKERS && wave.engine != NULL; i++) {
         pthread_create(&thread[i], NULL, work, &w[i]);
@@ -259,8 +252,35 @@ static void workers(int wide) {
         worker_close(&w[i]);
     }
     rig_close(&wave);
+}
+
+static void workers(int wide) {
+    mesh m = {0};
+    rig wave;
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const char *name = make_any(0, &m);
+    set_wave(&config.run, wide, 16);
+    config.run.packet_side = 2;
+    set_rays(&m, 3);
+    CHECK(rig_open(&wave, &m, &config) == PLT_OK, "%s", wave.fault.message);
+    workers_of(name, wave, config.run);
     mesh_free(&m);
 }
+
+#if PLT_WITH_WAVE_COMPACT
+static void workers_over_compact(void) {
+    mesh m = {0};
+    rig wave;
+    compact_config config = compact_config_of(2, 14, PLT_BUILD_HOST, 0);
+    const char *name = make_any(0, &m);
+    set_wave(&config.run, 0, 16);
+    config.run.packet_side = 2;
+    set_rays(&m, 3);
+    CHECK(compact_open(&wave, &m, &config) == PLT_OK, "%s", wave.fault.message);
+    workers_of(name, wave, config.run);
+    mesh_free(&m);
+}
+#endif
 
 /* ---- the wide form itself ------------------------------------------------------------------ */
 
@@ -386,23 +406,26 @@ static void with_thesis(int number, uint32_t k, uint8_t build, int wide) {
     mesh_free(&m);
 }
 
-static void with_compact(int number, uint32_t k, uint8_t bits, int floats, int numbers) {
+static void with_compact(int number, uint32_t k, uint8_t bits, int floats, int numbers,
+                         uint8_t build, int wide) {
     mesh m = {0};
     rig packets, wave;
     const char *name = make(number, k, &m);
-    compact_config config = compact_config_of(k, bits, PLT_BUILD_HOST, (uint8_t)(number & 1));
+    compact_config config = compact_config_of(k, bits, build, (uint8_t)(number & 1));
     config.pack.floats = (uint8_t)floats;
     config.pack.numbers = (uint8_t)numbers;
     set_rays(&m, 100u * (uint64_t)number + k);
     const int status = compact_open(&packets, &m, &config);
-    set_wave(&config.run, 1, 32);
+    set_wave(&config.run, wide, wide ? 32 : (uint8_t)(PLT_WAVE_LEAST + 7 * number % 48));
     const int other = compact_open(&wave, &m, &config);
     CHECK(status == other, "%s, %s: %d and %d, %s", name, compact_name(&config), status, other,
           wave.fault.message);
     if (status == PLT_OK && other == PLT_OK) {
         expect(packets.engine);
         trace(name, wave.engine);
-        check_form(name, wave.engine, m.triangles);
+        if (wide) {
+            check_form(name, wave.engine, m.triangles);
+        }
     }
     rig_close(&packets);
     rig_close(&wave);
@@ -433,11 +456,26 @@ static void over_thesis(void) {
 
 static void wide_over_compact(void) {
     for (int scene = 0; scene < 9; scene++) {
-        with_compact(scene, 2, 14, 0, 1);
-        with_compact(scene, 4, 21, 0, 0);
-        with_compact(scene, 1, 12, 1, 1);
+        with_compact(scene, 2, 14, 0, 1, PLT_BUILD_HOST, 1);
+        with_compact(scene, 4, 21, 0, 0, PLT_BUILD_HOST, 1);
+        with_compact(scene, 1, 12, 1, 1, PLT_BUILD_HOST, 1);
     }
 }
+
+#if PLT_WITH_WAVE_COMPACT
+/* Strips with ids and without, records; bounds of 12 bytes and of 16. */
+static void over_compact(void) {
+    for (int scene = 0; scene < 9; scene++) {
+        for (uint32_t k = 1; k <= 4; k *= 2) {
+            with_compact(scene, k, 14, 0, 1, PLT_BUILD_HOST, 0);
+            with_compact(scene, k, 21, 1, 1, PLT_BUILD_HOST, 0);
+        }
+        with_compact(scene, 4, 21, 0, 0, PLT_BUILD_HOST, 0);
+        with_compact(scene, 1, 12, 1, 0, PLT_BUILD_HOST, 0);
+        with_compact(scene, 2, 16, 0, 1, PLT_BUILD_DEVICE, 0);
+    }
+}
+#endif
 
 /* Lists as long as there are triangles: runs of blocks, and leaves too long for a link. */
 static void long_lists(void) {
@@ -503,6 +541,17 @@ static void nothing_to_widen(void) {
     }
     rig_close(&list);
     rig_close(&empty);
+    compact_config blocks = compact_config_of(2, 14, PLT_BUILD_HOST, 0);
+    for (int wide = 0; wide < 2; wide++) {
+        set_wave(&blocks.run, wide, 32);
+        CHECK(compact_open(&empty, &none, &blocks) == PLT_OK, "%s", empty.fault.message);
+        if (empty.engine != NULL) {
+            hit.triangle = 0;
+            CHECK(plt_trace(empty.engine, &ray, &hit, 1, 0) == PLT_OK && hit.triangle == PLT_MISS,
+                  "nothing is hit in blocks, wide %d", wide);
+        }
+        rig_close(&empty);
+    }
     mesh_free(&m);
 }
 
@@ -712,6 +761,11 @@ int main(void) {
     one_triangle_anywhere();
     test("so is that of compact blocks, of strips and of records");
     wide_over_compact();
+#if PLT_WITH_WAVE_COMPACT
+    test("over compact blocks as they are the wave has the hits of packets, bit for bit");
+    over_compact();
+    workers_over_compact();
+#endif
     test("and lists of any length");
     long_lists();
     test("an image that is fetched has the same hits, in exactly its need, and no less");

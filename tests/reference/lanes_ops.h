@@ -37,6 +37,10 @@
     X(f4_neg, EXACT, 1)                                                                            \
     X(u4_add, EXACT, 2)                                                                            \
     X(u4_and, EXACT, 2)                                                                            \
+    X(u4_andnot, EXACT, 2)                                                                         \
+    X(u4_ones, EXACT, 1)                                                                           \
+    X(f4_load_pair, EXACT, 1)                                                                      \
+    X(u4_load_bytes, EXACT, 1)                                                                     \
     X(f4_lt, EXACT, 2)                                                                             \
     X(f4_le, EXACT, 2)                                                                             \
     X(f4_eq, EXACT, 2)                                                                             \

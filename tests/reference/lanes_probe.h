@@ -111,6 +111,20 @@ static void run_halves(const lanes_in *in, uint32_t *out) {
     put_f4(out, f4_of_halves(hidden(&p)->bytes + 5));
 }
 
+/* At an odd address. */
+static void run_load_bytes(const lanes_in *in, uint32_t *out) {
+    unsigned char bytes[17];
+    memcpy(&bytes[1], in->row[0], 16);
+    put_u4(out, u4_load_bytes(&bytes[1]));
+}
+
+/* At a multiple of 4 alone, like the pairs of entries on a stack. */
+static void run_pair(const lanes_in *in, uint32_t *out) {
+    float pair[3];
+    memcpy(&pair[1], in->row[0], sizeof(float[2]));
+    put_f4(out, f4_load_pair(&pair[1]));
+}
+
 static void run_words_to_mask(const lanes_in *in, uint32_t *out) {
     uint32_t word[4];
     for (int i = 0; i < 4; i++) {
@@ -156,6 +170,7 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         F_F(f4_neg);
         U_UU(u4_add);
         U_UU(u4_and);
+        U_UU(u4_andnot);
         M_FF(f4_lt);
         M_FF(f4_le);
         M_FF(f4_eq);
@@ -171,6 +186,15 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
     case OP_u4_load:
     case OP_u4_store:
         put_u4(out, u4_of(in->row[0]));
+        break;
+    case OP_u4_ones:
+        out[0] = u4_ones(u4_of(in->row[0]));
+        break;
+    case OP_u4_load_bytes:
+        run_load_bytes(in, out);
+        break;
+    case OP_f4_load_pair:
+        run_pair(in, out);
         break;
     case OP_f4_all:
         put_f4(out, f4_all(float_of(in->row[0])));

@@ -45,9 +45,9 @@ void plt_block_open(plt_block *b, const unsigned char *bytes, uint32_t bits) {
     b->geometry = bytes + b->node_bytes;
 }
 
-void plt_block_bounds(const plt_block *b, uint32_t bits, plt_lattice_box *bounds) {
+void plt_block_bounds_at(const unsigned char *bytes, uint32_t bits, plt_lattice_box *bounds) {
     const uint32_t width = plt_block_bounds_width(bits);
-    const unsigned char *at = b->bytes + PLT_BLOCK_HEADER_BYTES;
+    const unsigned char *at = bytes + PLT_BLOCK_HEADER_BYTES;
     for (uint32_t a = 0; a < 3; a++) {
         bounds->lo[a] = plt_bits_get(at, a * width, width);
         bounds->hi[a] = plt_bits_get(at, (a + 3) * width, width);

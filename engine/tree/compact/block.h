@@ -82,7 +82,14 @@ static inline uint32_t plt_block_bytes(const plt_block *b) {
 }
 
 void plt_block_open(plt_block *block, const unsigned char *bytes, uint32_t bits);
-void plt_block_bounds(const plt_block *block, uint32_t bits, plt_lattice_box *bounds);
+
+/* The exact box of the root of the block that lies there. */
+void plt_block_bounds_at(const unsigned char *bytes, uint32_t bits, plt_lattice_box *bounds);
+
+static inline void plt_block_bounds(const plt_block *block, uint32_t bits,
+                                    plt_lattice_box *bounds) {
+    plt_block_bounds_at(block->bytes, bits, bounds);
+}
 
 /* What slot `slot` is, and its index among those of its kind (an inner child is the
  * node of that index plus 1). */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "engine/lanes/lanes.h"
+#include "engine/planelet_config.h"
 
 void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     const uint32_t word0 = plt_get_u32(b->geometry), word1 = plt_get_u32(b->geometry + 4);
@@ -25,6 +26,20 @@ void plt_geometry_open_counts(plt_geometry *g, const plt_block *b, uint32_t k) {
     }
 }
 
+/* What follows from the counts of slots and of new vertices. */
+static void set_strings(plt_geometry *g, const plt_lattice_box *bounds) {
+    g->refs = g->news + g->slots;
+    g->ref_bits = plt_geometry_ref_bits(g->vertices);
+    g->positions = g->refs + (g->slots - g->vertices) * g->ref_bits;
+    g->vertex_bits = g->base[3] = g->axis_mask[3] = 0;
+    for (int a = 0; a < 3; a++) {
+        g->base[a] = bounds->lo[a];
+        g->axis_bits[a] = plt_bits_for(bounds->hi[a] - bounds->lo[a]);
+        g->axis_mask[a] = plt_low_bits(g->axis_bits[a]);
+        g->vertex_bits += g->axis_bits[a];
+    }
+}
+
 void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_box *bounds,
                        uint32_t k) {
     const uint32_t bits = 8 * b->geometry_bytes;
@@ -37,21 +52,28 @@ void plt_geometry_open(plt_geometry *g, const plt_block *b, const plt_lattice_bo
     if (fits) {
         g->slots += 2 * plt_ranks_open(g->bytes, g->starts, g->swaps, g->starts_before);
     }
-    g->refs = g->news + g->slots;
+    set_strings(g, bounds);
     g->news_ones = 0;
     if (fits && g->refs <= bits) {
         g->news_ones = plt_ranks_open(g->bytes, g->news, g->refs, g->news_before);
     }
-    g->ref_bits = plt_geometry_ref_bits(g->vertices);
-    g->positions = g->refs + (g->slots - g->vertices) * g->ref_bits;
-    g->vertex_bits = g->base[3] = g->axis_mask[3] = 0;
-    for (int a = 0; a < 3; a++) {
-        g->base[a] = bounds->lo[a];
-        g->axis_bits[a] = plt_bits_for(bounds->hi[a] - bounds->lo[a]);
-        g->axis_mask[a] = plt_low_bits(g->axis_bits[a]);
-        g->vertex_bits += g->axis_bits[a];
-    }
 }
+
+#if PLT_WITH_WAVE_COMPACT
+void plt_geometry_open_leaf(plt_geometry *g, const plt_block *b, const plt_lattice_box *bounds,
+                            uint32_t k, const plt_leaf_rank *rank, plt_leaf_place *at) {
+    plt_geometry_open_counts(g, b, k);
+    at->first = plt_leaf_find(g, rank->leaf, rank->pairs, rank->pair, &at->count);
+    g->swaps = g->starts + g->triangles;
+    g->news = g->swaps + g->triangles;
+    const uint32_t begin = g->starts + at->first;
+    const uint32_t before = plt_bits_count(g->bytes, g->starts, begin);
+    g->slots = g->triangles + 2 * (before + plt_bits_count(g->bytes, begin, g->swaps));
+    set_strings(g, bounds);
+    at->slot = at->first + 2 * before;
+    at->news = plt_bits_count(g->bytes, g->news, g->news + at->slot);
+}
+#endif
 
 uint32_t plt_leaf_find(const plt_geometry *g, uint32_t leaf, uint32_t pairs, int pair,
                        uint32_t *count) {
@@ -118,12 +140,12 @@ void plt_leaf_vertex(const plt_geometry *g, uint32_t vertex, uint32_t position[3
     memcpy(position, v.number, sizeof(uint32_t[3]));
 }
 
-/* Indices of the vertices of `slots` slots from `slot` on. A new vertex has the running
- * rank. Which slots are new cannot be predicted, so there is no branch; the bits of a
- * reference are read either way. */
-static void read_slots(const plt_geometry *g, uint32_t slot, uint32_t slots, uint32_t index[]) {
+/* Indices of the vertices of `slots` slots from `slot` on, with `rank` new vertices before. A new
+ * vertex has the running rank. Which slots are new cannot be predicted, so there is no branch; the
+ * bits of a reference are read either way. */
+static void read_slots(const plt_geometry *g, uint32_t slot, uint32_t rank, uint32_t slots,
+                       uint32_t index[]) {
     uint32_t news = plt_bits_short(g->bytes, g->news + slot, slots);
-    uint32_t rank = plt_ranks_find(g->bytes, g->news, g->news_before, slot);
     uint32_t ref_at = g->refs + (slot - rank) * g->ref_bits;
     for (uint32_t i = 0; i < slots; i++, news >>= 1) {
         const uint32_t is_old = (news & 1u) - 1u; /* all ones, or 0 */
@@ -149,13 +171,19 @@ static void run_strips(plt_leaf *leaf, uint32_t count, uint32_t starts, uint32_t
     }
 }
 
-void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *leaf) {
-    const uint32_t slot = first + 2 * plt_ranks_find(g->bytes, g->starts, g->starts_before, first);
-    const uint32_t starts = plt_bits_short(g->bytes, g->starts + first, count) | 1u;
-    const uint32_t swaps = plt_bits_short(g->bytes, g->swaps + first, count);
+void plt_leaf_read_at(const plt_geometry *g, const plt_leaf_place *at, plt_leaf *leaf) {
+    const uint32_t starts = plt_bits_short(g->bytes, g->starts + at->first, at->count) | 1u;
+    const uint32_t swaps = plt_bits_short(g->bytes, g->swaps + at->first, at->count);
     uint32_t index[PLT_LEAF_VERTICES_MOST];
-    leaf->vertices = count + 2 * plt_count_bits(starts);
-    read_slots(g, slot, leaf->vertices, index);
+    leaf->vertices = at->count + 2 * plt_count_bits(starts);
+    read_slots(g, at->slot, at->news, leaf->vertices, index);
     read_vertices(g, index, leaf->vertices, leaf->vertex);
-    run_strips(leaf, count, starts, swaps);
+    run_strips(leaf, at->count, starts, swaps);
+}
+
+void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *leaf) {
+    plt_leaf_place at = {.first = first, .count = count};
+    at.slot = first + 2 * plt_ranks_find(g->bytes, g->starts, g->starts_before, first);
+    at.news = plt_ranks_find(g->bytes, g->news, g->news_before, at.slot);
+    plt_leaf_read_at(g, &at, leaf);
 }

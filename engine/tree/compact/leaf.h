@@ -44,9 +44,26 @@ typedef struct plt_geometry {
     uint16_t news_before[PLT_RANKS(3 * PLT_BLOCK_TRIANGLES_MOST)];
 } plt_geometry;
 
+/* Triangles first .. first + count - 1 (count <= 8), and what was counted before them. */
+typedef struct plt_leaf_place {
+    uint32_t first, count;
+    uint32_t slot; /* references before them */
+    uint32_t news; /* new vertices among those */
+} plt_leaf_place;
+
+/* A leaf among those of its block, and the pairs before it. */
+typedef struct plt_leaf_rank {
+    uint32_t leaf, pairs;
+    int pair; /* it is one */
+} plt_leaf_rank;
+
 /* Opens the geometry part of a block that has one. */
 void plt_geometry_open(plt_geometry *g, const plt_block *block, const plt_lattice_box *bounds,
                        uint32_t k);
+
+/* For one leaf alone, whose place it finds: there are no ranks for others. */
+void plt_geometry_open_leaf(plt_geometry *g, const plt_block *block, const plt_lattice_box *bounds,
+                            uint32_t k, const plt_leaf_rank *rank, plt_leaf_place *at);
 
 /* Only header and counts: all there is when the triangles are float records. */
 void plt_geometry_open_counts(plt_geometry *g, const plt_block *block, uint32_t k);
@@ -77,6 +94,8 @@ typedef struct plt_leaf {
 static inline uint32_t plt_leaf_corner(const plt_leaf *leaf, uint32_t triangle, unsigned corner) {
     return leaf->corner[triangle] >> 8 * corner & 0xFFu;
 }
+
+void plt_leaf_read_at(const plt_geometry *g, const plt_leaf_place *at, plt_leaf *leaf);
 
 /* Triangles first .. first + count - 1 (count <= 8), their corners as strips give them. */
 void plt_leaf_read(const plt_geometry *g, uint32_t first, uint32_t count, plt_leaf *leaf);
