@@ -66,7 +66,7 @@ static void add_lattice_triangle(engine_scan *scan, const scan_source *source,
                                  uint32_t corner[3][3]) {
     const uint32_t index = scan->triangles++;
     engine_triangle *triangle = &scan->triangle[index];
-    const plt_primitive_ids numbers = {source->second, source->header->primitive_id_bits};
+    const plt_primitive_ids numbers = {source->second, source->header->primitive_id_bits, 0};
     const uint32_t word = plt_primitive_word_find(numbers.bits != 0 ? &numbers : NULL, index);
     triangle->primitive_id = plt_primitive_id(word);
     triangle->rotation = plt_primitive_rotation(word);
