@@ -366,7 +366,8 @@ void plt_stats_reset(plt_engine *engine);
 /* Rays along a packet's side: as asked for, or as there was room for. */
 unsigned plt_packet_side(const plt_engine *engine);
 
-/* Bytes of the arena in use, and the most that ever were. */
+/* Bytes of the arena in use, and the most that ever were. Opening lends some that are free: they
+ * make it faster, and do not count. */
 size_t plt_arena_used(const plt_engine *engine);
 size_t plt_arena_peak(const plt_engine *engine);
 

@@ -9,8 +9,12 @@
 
 #include "engine/base/between.h"
 #include "engine/base/crc32_long.h"
+#include "engine/engine.h"
 #include "engine/planelet_crc32.h"
+#include "tests/hostile/images.h"
+#include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
+#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 /* Bit by bit, as in ISO 3309. */
@@ -68,6 +72,84 @@ static void long_sums(void) {
     }
 }
 
+/* ---- whether opening has scratch for the fast sum ------------------------------------- */
+
+enum { SCRATCH_LEAST = 455 * 4, LONG = 4800 };
+
+static uint32_t sums_tried;
+
+/* In an arena of exactly the need, of whose bytes none is written but the engine, a copy of the
+ * section and scratch: its sum is wrong, and nothing else is done. */
+static void sum_is_long(const char *name, const packed *image, unsigned char *copy,
+                        uint32_t section_bytes, unsigned packet_side, int mapped) {
+    const plt_options options = {.packet_side = (uint8_t)packet_side};
+    const size_t need = plt_arena_need(&image->info, mapped, &options);
+    hostile_stream stream = {copy, (uint32_t)image->size, 0};
+    const plt_source source = {mapped ? copy : NULL, (uint32_t)image->size, &stream, hostile_start,
+                               hostile_wait};
+    const size_t from =
+        plt_arena_cut_bytes(sizeof(plt_engine)) +
+        (mapped && image->info.build != PLT_BUILD_DEVICE ? 0 : plt_arena_cut_bytes(section_bytes));
+    unsigned char *arena = aligned_alloc(PLT_ALIGN, need);
+    plt_engine *engine;
+    plt_fault fault;
+    uint32_t written = 0;
+    memset(arena, 0x5A, need);
+    const int status = plt_open(&engine, arena, need, &source, &options, &fault);
+    for (size_t i = from; i < need; i++) {
+        written += arena[i] != 0x5A;
+    }
+    CHECK(status == PLT_ERR_IMAGE && fault.rule == 13, "%s: %s", name, fault.message);
+    CHECK(written > SCRATCH_LEAST / 2, "%s, mapped %d, packets of %u: %u bytes are written", name,
+          mapped, packet_side, written);
+    sums_tried++;
+    free(arena);
+}
+
+static void sums_are_long(const char *name, packed *image) {
+    static const uint8_t sides[] = {0, 2, 4, 8, 16};
+    unsigned char *copy = aligned_alloc(64, (image->size + 63) / 64 * 64);
+    memcpy(copy, image->bytes, image->size);
+    unsigned char *section = copy + HOSTILE_SECTION; /* the first that is not empty */
+    section += plt_get_u32(section + 8) == 0 ? 16 : 0;
+    const uint32_t section_bytes = plt_get_u32(section + 8);
+    section[12] ^= 1;
+    hostile_seal_header(copy, (uint32_t)image->size);
+    for (unsigned i = 0; i < 2 * sizeof sides; i++) {
+        if (sides[i / 2] <= PLT_PACKET_SIDE_MAX && section_bytes >= LONG) {
+            sum_is_long(name, image, copy, section_bytes, sides[i / 2], (int)(i & 1));
+        }
+    }
+    free(copy);
+    pack_free(image);
+}
+
+static packed thesis_image(uint32_t triangles, uint8_t build) {
+    const pack_options options = {PLT_SPLIT_SAH, build, 2, 8};
+    packed image = {NULL, 0, {0}};
+    fail f = {""};
+    mesh m = {0};
+    shape_soup(&m, triangles, 0.1f, 1);
+    CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
+    mesh_free(&m);
+    return image;
+}
+
+static void scratch_of_openings(void) {
+    compact_config config = compact_config_of(2, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    mesh m = {0};
+    packed list = thesis_image(300, PLT_BUILD_NONE);
+    packed nodes = thesis_image(rig_triangles(1000, 2), PLT_BUILD_HOST);
+    packed device = thesis_image(rig_triangles(1000, 2), PLT_BUILD_DEVICE);
+    sums_are_long("a list", &list);
+    sums_are_long("thesis nodes", &nodes);
+    sums_are_long("thesis nodes, built here", &device);
+    shape_soup(&m, compact_triangles(1000, 2), 0.1f, 1);
+    packed blocks = compact_packed(&m, &config);
+    sums_are_long("compact blocks", &blocks);
+    CHECK(sums_tried >= (rig_is_tiny() ? 4 : 40), "%u sums", sums_tried);
+}
+
 static void one_range(float lo, float hi, float x) {
     const float l[3] = {lo, hi, lo}, h[3] = {hi, lo, hi};
     plt_between b[3];
@@ -111,6 +193,8 @@ int main(void) {
     short_sums();
     test("... of many bytes, whatever the scratch: the same, and no more scratch is used");
     long_sums();
+    test("opening has the scratch for it in any arena that is large enough, of any packets");
+    scratch_of_openings();
     test("floats are in a range by their bits where they are as floats; a NaN never");
     ranges();
     return test_done();
