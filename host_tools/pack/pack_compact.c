@@ -96,9 +96,10 @@ static int improve(compacting *c, fail *f) {
         return 0;
     }
     c->levels = malloc(c->s.count * sizeof *c->levels);
-    const int status = c->levels == NULL ? PLT_ERR_ARENA
-                                         : quality_order(&c->s, o->leaf_triangles, o->floats,
-                                                         o->quality_seconds, o->quality, c->levels);
+    const int status = c->levels == NULL
+                           ? PLT_ERR_ARENA
+                           : quality_order(&c->s, o->splits, o->leaf_triangles, o->floats,
+                                           o->quality_seconds, o->quality, c->levels);
     if (status == PLT_ERR_LIMIT) { /* the builder of blocks says so, or does without */
         free(c->levels);
         c->levels = NULL;

@@ -98,8 +98,8 @@ static int improve(plt_build_job *job, plt_record **records, uint32_t seconds, q
     return PLT_OK;
 }
 
-int quality_order(snapped *s, uint32_t leaf_triangles, int are_boxes, uint32_t seconds,
-                  quality_stats *stats, uint16_t *levels) {
+int quality_order(snapped *s, uint8_t splits, uint32_t leaf_triangles, int are_boxes,
+                  uint32_t seconds, quality_stats *stats, uint16_t *levels) {
     const uint32_t nodes = plt_build_nodes_bound(s->count);
     plt_record *records = malloc(s->count * sizeof *records + 1);
     uint32_t *order = malloc(s->count * sizeof *order + 1);
@@ -108,7 +108,7 @@ int quality_order(snapped *s, uint32_t leaf_triangles, int are_boxes, uint32_t s
                          .room = plt_build_slots_bound(nodes, TREELET),
                          .leaf_triangles = leaf_triangles,
                          .treelet_nodes = TREELET,
-                         .splits = PLT_SPLIT_SAH,
+                         .splits = splits,
                          .scratch_bytes = plt_build_scratch_bytes(nodes, TREELET)};
     job.nodes = malloc((size_t)job.room * sizeof *job.nodes + 1);
     job.scratch = malloc(job.scratch_bytes);

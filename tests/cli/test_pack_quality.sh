@@ -50,6 +50,15 @@ for geometry in lattice:16 float; do
     done
     same compact.ppm better.ppm "... and the frame is the same, triangle by triangle"
 done
+run pack room.ply -o median.plt --nodes compact --geometry float --splits median --quality high \
+    --json compact_median.json
+verdict "compact blocks of a median tree begin with that, not with the other" "$(
+    [ "$status" -eq 0 ] || cat err
+    sah=$(member .quality.boxes_per_line_before better.json)
+    median=$(member .quality.boxes_per_line_before compact_median.json)
+    after=$(member .quality.boxes_per_line compact_median.json)
+    echo "$sah $median $after" | awk '{ exit !($2 > 1.2 * $1 && $3 < 0.6 * $2) }' ||
+        echo "$sah with sah; $median to $after with median")"
 works "compact blocks of several meshes" pack room.ply room.ply -o two.plt --nodes compact \
     --geometry float --quality high
 works "... are an image" info two.plt
