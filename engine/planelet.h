@@ -112,7 +112,8 @@ enum plt_geometry_format {
 
 /* How plt_trace traces: hits are the same, bit for bit. */
 enum plt_rays {
-    PLT_RAYS_AUTO = 0,      /* looks at each packet's worth of rays */
+    PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
+                             * been of little use, most go by the wave unseen */
     PLT_RAYS_COHERENT = 1,  /* neighbours point alike: in packets */
     PLT_RAYS_INCOHERENT = 2 /* each for itself: in a wave */
 };
@@ -357,7 +358,8 @@ typedef struct plt_stats {
     uint64_t wave_rays; /* of `rays`, those that went by the wave. Each visits nodes for itself:
                          * a visit tests its children's boxes at once, one group_test; up to four
                          * triangles at once are one triangle_test. No treelets are counted.
-                         * How many they are depends on the calls before, too; hits do not. */
+                         * How many they are depends on the calls before, too, whether or not
+                         * statistics were reset between them; hits do not. */
 } plt_stats;
 
 void plt_stats_get(const plt_engine *engine, plt_stats *stats);

@@ -106,21 +106,25 @@ static uint32_t visits_most(uint32_t packet_rays) {
     while (side * side < packet_rays) {
         side *= 2;
     }
-    return 16 * (12 + 64 / side);
+    return PLT_WAVE_VISIT_ONE / 16 * (12 + 64 / side);
 }
 
-/* On average of some 32 windows, each counted as 4 times the limit at most; then so many go by the
- * wave until one is tried again. */
+/* On a moving average, to which a window adds 1/32, a shorter one the share of its rays, and none
+ * more than 4 times the limit. Above the limit the rays of so many windows go by the wave, until
+ * packets are tried again. */
 enum { DENSE_WINDOWS = 15 };
 
 static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
     plt_wave *w = job->wave;
-    const uint64_t now = 256 * visits / rays, most = visits_most(job->packet_rays);
-    w->visits = (uint32_t)((31 * (uint64_t)w->visits + (now < 4 * most ? now : 4 * most)) / 32);
-    w->dense = w->visits > most ? DENSE_WINDOWS : 0;
+    const uint64_t limit = visits_most(job->packet_rays), most = 4 * limit * rays;
+    const uint64_t now = visits < most / PLT_WAVE_VISIT_ONE ? visits * PLT_WAVE_VISIT_ONE : most;
+    const uint64_t windows = 32 * (uint64_t)job->window;
+    w->visits = (uint32_t)(((windows - rays) * w->visits + now) / windows);
+    w->dense = w->visits > limit ? DENSE_WINDOWS * job->window : 0;
 }
 
 static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
+    plt_wave *w = job->wave;
     const plt_scene *scene = job->traversal->scene;
     if (job->window == 0) {
         return 0;
@@ -128,8 +132,8 @@ static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t coun
     if (scene->bvh4 == NULL && scene->format == PLT_FORMAT_COMPACT) { /* dense or not */
         return plt_rays_are_narrow(rays, count, &scene->box, PLT_COHERENCE_NARROW_IN_BLOCKS);
     }
-    if (job->wave->dense > 0) {
-        job->wave->dense--;
+    if (w->dense > 0) {
+        w->dense -= count < w->dense ? count : w->dense;
         return 0;
     }
     return plt_rays_are_coherent(rays, count, &scene->box);

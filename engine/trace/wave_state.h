@@ -67,6 +67,8 @@ typedef struct plt_wave_found {
     uint32_t row; /* of children, by which they are sorted */
 } plt_wave_found;
 
+enum { PLT_WAVE_VISIT_ONE = 65536 }; /* one visit: so fine that single rays count */
+
 /* Arrays of rays_in_flight each lie behind it, and the rays behind those. */
 typedef struct plt_wave {
     plt_wave_staged staged;
@@ -75,8 +77,8 @@ typedef struct plt_wave {
     unsigned char *first;  /* ray in flight */
     uint32_t ray_bytes;    /* of a ray in flight and its stack */
     uint32_t rays_in_flight;
-    uint32_t visits; /* per 256 rays of packets, on average of the last windows */
-    uint32_t dense;  /* windows that go by the wave, whether they are coherent or not */
+    uint32_t visits; /* per ray of packets, a moving average, in PLT_WAVE_VISIT_ONE */
+    uint32_t dense;  /* rays that go by the wave, whether they are coherent or not */
 } plt_wave;
 
 /* One call's rays. */

@@ -653,6 +653,88 @@ static void by_their_looks(void) {
     mesh_free(&m);
 }
 
+/* ---- where packets are dense ------------------------------------------------------------- */
+
+/* Packets of 2x2 are dense above 2.75 visits per ray; a window counts as 11 at most. */
+enum { WINDOW = 64, WINDOWS = 220, DENSE = 11, PACKETS = WINDOW / 4 };
+
+static plt_ray many[2][WINDOWS * WINDOW]; /* dense; those that visit the root alone */
+
+static void set_many(void) {
+    random_state r = {7};
+    for (int coarse = 0; coarse < 2; coarse++) {
+        for (uint32_t i = 0; i < WINDOWS * WINDOW; i++) {
+            const float org[3] = {0.0f, 0.0f, -4.0f};
+            const float dir[3] = {random_float(&r, -0.2f, 0.2f), random_float(&r, -0.2f, 0.2f),
+                                  coarse ? -1.0f : 1.0f};
+            many[coarse][i] = ray_make(org, dir, 0.0f, RAYS_FAR);
+        }
+    }
+}
+
+/* Traces `calls` times `count` rays: so many packets, and so many rays by the wave. */
+static void expect_ways(plt_engine *e, const char *what, int coarse, uint32_t calls, uint32_t count,
+                        uint64_t packets, uint64_t wave_rays) {
+    static plt_hit hits[WINDOWS * WINDOW];
+    plt_stats s;
+    plt_stats_reset(e);
+    for (uint32_t i = 0; i < calls; i++) {
+        plt_trace(e, many[coarse] + i * count, hits, count, 0);
+    }
+    plt_stats_get(e, &s);
+    CHECK(s.packets == packets && s.wave_rays == wave_rays && s.rays == (uint64_t)calls * count,
+          "%s: %llu packets and %llu rays by the wave, not %llu and %llu", what,
+          (unsigned long long)s.packets, (unsigned long long)s.wave_rays,
+          (unsigned long long)packets, (unsigned long long)wave_rays);
+    CHECK(wave_rays > 0 || (coarse ? s.node_visits == packets : s.node_visits > DENSE * s.rays),
+          "%s: %llu visits", what, (unsigned long long)s.node_visits);
+}
+
+static void open_dense(rig *r) {
+    mesh m = {0};
+    rig_config config = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    shape_soup(&m, 20000, 0.05f, 3);
+    set_wave(&config.run, 1, 32);
+    config.run.packet_side = 2;
+    config.run.rays = PLT_RAYS_AUTO;
+    CHECK(rig_open(r, &m, &config) == PLT_OK, "%s", r->fault.message);
+    mesh_free(&m);
+}
+
+/* The average is 4 - 4 (31/32)^n times the limit after n dense windows: above it for n >= 10, and
+ * then one window of 16 is tried. After 14 it is 1.435. Coarse ones count 1/11 of the limit each,
+ * so that it is 1/11 + 1.344 (31/32)^n after n of them: below the limit for n >= 13. */
+static void dense_windows(void) {
+    rig r;
+    open_dense(&r);
+    if (r.engine != NULL) {
+        expect_ways(r.engine, "dense", 0, 1, 10 * WINDOW, 10 * PACKETS, 0);
+        expect_ways(r.engine, "still", 0, 1, 64 * WINDOW, 4 * PACKETS, 60 * WINDOW);
+        expect_ways(r.engine, "coarse", 1, 1, 220 * WINDOW, 25 * PACKETS, 195 * WINDOW);
+        expect_ways(r.engine, "still", 1, 1, 100 * WINDOW, 100 * PACKETS, 0);
+    }
+    rig_close(&r);
+}
+
+/* 64 calls of one ray count as a window, and take as much of those that go by the wave. */
+static void short_windows(void) {
+    rig r;
+    open_dense(&r);
+    if (r.engine != NULL) {
+        expect_ways(r.engine, "single rays", 0, 40, 1, 40, 0);
+        expect_ways(r.engine, "packets stay", 1, 1, 100 * WINDOW, 100 * PACKETS, 0);
+    }
+    rig_close(&r);
+    open_dense(&r);
+    if (r.engine != NULL) {
+        expect_ways(r.engine, "a window of them", 0, WINDOW, 1, WINDOW, 0);
+        expect_ways(r.engine, "nine more", 0, 1, 9 * WINDOW, 9 * PACKETS, 0);
+        expect_ways(r.engine, "half a window", 0, WINDOW / 2, 1, 0, WINDOW / 2);
+        expect_ways(r.engine, "14 and a half", 0, 1, 16 * WINDOW, PACKETS, 15 * WINDOW);
+    }
+    rig_close(&r);
+}
+
 /* Beams of any width and length, and with rays in them that are none. */
 static void beams(void) {
     const plt_box scene = {{-1, -1, -1}, {1, 1, 1}};
@@ -753,6 +835,13 @@ int main(void) {
     beams();
     test("windows of coherent rays go in packets, all others by the wave, and hits are the same");
     by_their_looks();
+    if (!rig_is_tiny()) {
+        set_many();
+        test("where packets are dense one window of 16 is tried, until they are coarse again");
+        dense_windows();
+        test("... short windows count by their rays");
+        short_windows();
+    }
     test("over thesis nodes the wave has the hits of packets, bit for bit");
     over_thesis();
     test("the wide form of thesis nodes is a tree of all triangles; hits are those of packets");
