@@ -16,11 +16,18 @@
 const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow", "bounce", "random",
                                                    "outside", "inside", NULL};
 
-enum { TILE_SIDE = 16 };
+enum {
+    TILE_SIDE = 16,
+    FROM_HITS = 1 << RAYS_SHADOW | 1 << RAYS_BOUNCE,
+    OF_THE_VIEW = 1 << RAYS_PRIMARY | FROM_HITS
+};
+
+#define SEED UINT64_C(88172645463325252)
 
 /* What the rays are made from. */
 typedef struct making {
     ray_kinds *to;
+    unsigned kinds; /* to be made, a bit each */
     const plt_info *info;
     const plt_frame *frame;
     double diagonal, light[3];
@@ -92,6 +99,10 @@ static void cosine_direction(making *m, const double normal[3], double dir[3]) {
     }
 }
 
+static int is_wanted(const making *m, enum ray_kind kind) {
+    return (int)(m->kinds >> kind & 1u);
+}
+
 static void make_secondary(making *m) {
     const ray_set *primary = &m->to->of[RAYS_PRIMARY];
     for (uint32_t i = 0; i < primary->count; i++) {
@@ -106,9 +117,13 @@ static void make_secondary(making *m) {
                      1e-4 * m->diagonal * normal[a];
             to_light[a] = m->light[a] - org[a];
         }
-        ray_set_add(&m->to->of[RAYS_SHADOW], org, to_light, 1.0f);
-        cosine_direction(m, normal, dir);
-        ray_set_add(&m->to->of[RAYS_BOUNCE], org, dir, INFINITY);
+        if (is_wanted(m, RAYS_SHADOW)) {
+            ray_set_add(&m->to->of[RAYS_SHADOW], org, to_light, 1.0f);
+        }
+        if (is_wanted(m, RAYS_BOUNCE)) {
+            cosine_direction(m, normal, dir);
+            ray_set_add(&m->to->of[RAYS_BOUNCE], org, dir, INFINITY);
+        }
     }
 }
 
@@ -137,47 +152,100 @@ static void measure_box(making *m) {
     }
 }
 
-static int make_room(making *m, size_t pixels, fail *f) {
-    m->pixel = malloc(pixels * sizeof *m->pixel);
-    m->hits = malloc(pixels * sizeof *m->hits);
-    int enough = m->pixel != NULL && m->hits != NULL;
-    for (int k = 0; k < RAY_KINDS; k++) {
-        m->to->of[k].rays = malloc(pixels * sizeof *m->to->of[k].rays);
-        enough &= m->to->of[k].rays != NULL;
-    }
-    if (!enough) {
-        return fail_set(f, "rays", "out of memory; choose a smaller --size");
-    }
-    return picture_make(&m->normals, m->frame->width, m->frame->height, f);
+static void ray_set_free(ray_set *s) {
+    free(s->rays);
+    *s = (ray_set){NULL, 0};
 }
 
-static int make(making *m, plt_engine *engine, const char *name, fail *f) {
-    const uint32_t pixels = (uint32_t)m->frame->width * m->frame->height;
-    if (make_room(m, pixels, f) != 0 || make_primary(m, f) != 0) {
+static int out_of_memory(fail *f) {
+    return fail_set(f, "rays", "out of memory; choose a smaller --size");
+}
+
+static int make_room(making *m, enum ray_kind kind, size_t pixels, fail *f) {
+    ray_set *s = &m->to->of[kind];
+    s->rays = malloc(pixels * sizeof *s->rays);
+    return s->rays != NULL ? 0 : out_of_memory(f);
+}
+
+/* Primary rays and their hits. */
+static int look(making *m, plt_engine *engine, size_t pixels, const char *name, fail *f) {
+    m->pixel = malloc(pixels * sizeof *m->pixel);
+    m->hits = malloc(pixels * sizeof *m->hits);
+    if (m->pixel == NULL || m->hits == NULL) {
+        return out_of_memory(f);
+    }
+    if (make_room(m, RAYS_PRIMARY, pixels, f) != 0 || make_primary(m, f) != 0) {
         return -1;
     }
-    plt_trace(engine, m->to->of[RAYS_PRIMARY].rays, m->hits, pixels, 0);
-    if (make_normals(m, engine, f) != 0) {
+    plt_trace(engine, m->to->of[RAYS_PRIMARY].rays, m->hits, (uint32_t)pixels, 0);
+    for (size_t i = 0; i < pixels; i++) {
+        if (m->hits[i].triangle != PLT_MISS) {
+            return 0;
+        }
+    }
+    return fail_set(f, name, "no primary ray hits it; choose another --eye or --look");
+}
+
+/* From where primary rays hit. */
+static int make_from_hits(making *m, plt_engine *engine, size_t pixels, fail *f) {
+    for (int kind = RAYS_SHADOW; kind <= RAYS_BOUNCE; kind++) {
+        if (is_wanted(m, (enum ray_kind)kind) &&
+            make_room(m, (enum ray_kind)kind, pixels, f) != 0) {
+            return -1;
+        }
+    }
+    if (picture_make(&m->normals, m->frame->width, m->frame->height, f) != 0 ||
+        make_normals(m, engine, f) != 0) {
         return -1;
     }
     make_secondary(m);
-    if (m->to->of[RAYS_SHADOW].count == 0) {
-        return fail_set(f, name, "no primary ray hits it; choose another --eye or --look");
-    }
     shuffle(m, &m->to->of[RAYS_BOUNCE]);
-    ray_box_sides(&m->to->of[RAYS_RANDOM], m->info, pixels, &m->random);
-    ray_box_outside(&m->to->of[RAYS_OUTSIDE], m->info, pixels, &m->random);
-    ray_box_inside(&m->to->of[RAYS_INSIDE], m->info, pixels, &m->random);
     return 0;
 }
 
-int ray_kinds_make(ray_kinds *r, plt_engine *engine, const plt_frame *frame, const char *name,
-                   fail *f) {
-    making m = {.to = r, .info = plt_engine_info(engine), .frame = frame};
+static int make_of_the_view(making *m, plt_engine *engine, size_t pixels, const char *name,
+                            fail *f) {
+    if (look(m, engine, pixels, name, f) != 0 ||
+        ((m->kinds & FROM_HITS) != 0 && make_from_hits(m, engine, pixels, f) != 0)) {
+        return -1;
+    }
+    if (!is_wanted(m, RAYS_PRIMARY)) {
+        ray_set_free(&m->to->of[RAYS_PRIMARY]);
+    }
+    return 0;
+}
+
+/* The last three kinds, each from a seed of its own: the same whichever others are made. */
+static int make_of_the_box(making *m, size_t pixels, fail *f) {
+    static void (*const make[])(ray_set *, const plt_info *, uint32_t,
+                                uint64_t *) = {ray_box_sides, ray_box_outside, ray_box_inside};
+    for (int kind = RAYS_RANDOM; kind <= RAYS_INSIDE; kind++) {
+        uint64_t random = SEED * (2 * (uint64_t)kind + 1);
+        if (!is_wanted(m, (enum ray_kind)kind)) {
+            continue;
+        }
+        if (make_room(m, (enum ray_kind)kind, pixels, f) != 0) {
+            return -1;
+        }
+        make[kind - RAYS_RANDOM](&m->to->of[kind], m->info, (uint32_t)pixels, &random);
+    }
+    return 0;
+}
+
+int ray_kinds_make(ray_kinds *r, unsigned kinds, plt_engine *engine, const plt_frame *frame,
+                   const char *name, fail *f) {
+    const size_t pixels = (size_t)frame->width * frame->height;
+    making m = {
+        .to = r, .kinds = kinds, .info = plt_engine_info(engine), .frame = frame, .random = SEED};
+    int status = 0;
     memset(r, 0, sizeof *r);
-    m.random = UINT64_C(88172645463325252);
     measure_box(&m);
-    const int status = make(&m, engine, name, f);
+    if ((kinds & OF_THE_VIEW) != 0) {
+        status = make_of_the_view(&m, engine, pixels, name, f);
+    }
+    if (status == 0) {
+        status = make_of_the_box(&m, pixels, f);
+    }
     picture_free(&m.normals);
     free(m.pixel);
     free(m.hits);
@@ -186,7 +254,6 @@ int ray_kinds_make(ray_kinds *r, plt_engine *engine, const plt_frame *frame, con
 
 void ray_kinds_free(ray_kinds *r) {
     for (int k = 0; k < RAY_KINDS; k++) {
-        free(r->of[k].rays);
-        r->of[k] = (ray_set){NULL, 0};
+        ray_set_free(&r->of[k]);
     }
 }

@@ -11,9 +11,10 @@
  *   inside   from random points of the middle of the box, half as long, wide and high, in random
  *            directions: in a closed room all of them hit
  *
- * Of each of the last three there are as many as of primary rays, without any order. *
+ * Of each of the last three there are as many as of primary rays, without any order.
  * Shadow and bounce rays start 1e-4 of the box's diagonal above their surface. The same scene
- * and view give the same rays: random numbers are xorshift's, from a fixed seed.
+ * and view give the same rays, whichever kinds are made: random numbers are xorshift's, from
+ * fixed seeds.
  *
  * Source: Malley's method for the cosine law (Pharr, Jakob,
  * Humphreys, "Physically Based Rendering", 2016, section 13.6.3).
@@ -42,11 +43,12 @@ typedef struct ray_kinds {
     ray_set of[RAY_KINDS];
 } ray_kinds;
 
-/* Makes all of them with an open engine, whose frame and statistics are lost. `frame` has a
- * camera that the engine takes and at most 2^24 pixels. Fails when no primary ray hits, or memory
- * is out; `name` is for errors. `r` is freed by ray_kinds_free also after that. */
-int ray_kinds_make(ray_kinds *r, plt_engine *engine, const plt_frame *frame, const char *name,
-                   fail *f);
+/* Makes some of them, `kinds` (a bit each, enum ray_kind), with an open engine, whose frame and
+ * statistics are lost. `frame` has a camera that the engine takes and at most 2^24 pixels. Fails
+ * when memory is out or, for the first three kinds, no primary ray hits; `name` is for errors.
+ * `r` is freed by ray_kinds_free also after that. */
+int ray_kinds_make(ray_kinds *r, unsigned kinds, plt_engine *engine, const plt_frame *frame,
+                   const char *name, fail *f);
 void ray_kinds_free(ray_kinds *r);
 
 #endif

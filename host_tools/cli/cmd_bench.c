@@ -90,7 +90,7 @@ static int make_rays(bench *b, plt_engine *engine, const char *name, fail *f) {
     if (b->meter.hits == NULL) {
         return fail_set(f, "rays", "out of memory; choose a smaller --size");
     }
-    return ray_kinds_make(&b->rays, engine, &b->frame, name, f);
+    return ray_kinds_make(&b->rays, b->kinds, engine, &b->frame, name, f);
 }
 
 static void free_rays(bench *b) {
@@ -296,18 +296,22 @@ static int is_image(const char *path) {
 }
 
 static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
-    const ray_set *of = b->rays.of;
+    const char *before = ";";
     if (b->table == NULL) {
         return 0;
     }
     fail name = {""}; /* hides control characters */
     fail_set(&name, NULL, "%s", scene_name(path));
-    output_print(b->table, f,
-                 "%s%s: %" PRIu32 " triangles; %" PRIu32 " primary, %" PRIu32 " shadow, %" PRIu32
-                 " bounce, %" PRIu32 " random, %" PRIu32 " outside, %" PRIu32 " inside rays\n",
-                 first > 0 ? "\n" : "", name.text, b->rows.row[first].triangles,
-                 of[RAYS_PRIMARY].count, of[RAYS_SHADOW].count, of[RAYS_BOUNCE].count,
-                 of[RAYS_RANDOM].count, of[RAYS_OUTSIDE].count, of[RAYS_INSIDE].count);
+    output_print(b->table, f, "%s%s: %" PRIu32 " triangles", first > 0 ? "\n" : "", name.text,
+                 b->rows.row[first].triangles);
+    for (unsigned kind = 0; kind < RAY_KINDS; kind++) {
+        if (b->kinds >> kind & 1u) {
+            output_print(b->table, f, "%s %" PRIu32 " %s", before, b->rays.of[kind].count,
+                         ray_kind_names[kind]);
+            before = ",";
+        }
+    }
+    output_print(b->table, f, " rays\n");
     return bench_rows_print(&b->rows, first, &b->meter.counters, b->table, f);
 }
 

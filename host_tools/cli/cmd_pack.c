@@ -33,7 +33,7 @@ static const arg_flag flags[] = {
     {"--quality", "fast|high",
      "high: nodes of --build host are moved to where the boxes are smallest, which takes "
      "four times as long and more, and gives up to a third fewer visits where triangles differ "
-     "in size (default fast)"},
+     "in size; where many overlap, twice the triangles take four times as long (default fast)"},
     {"--quality-time", "N", "of --quality high: stop after N seconds, 1 to 86400"},
     {"--leaf", "1|2|4", "most triangles per list (default 2)"},
     {"--nodes", "thesis|compact",

@@ -131,6 +131,14 @@ verdict "no figure of the table is wider than its column" "$(
         grep -q '"scene": "standard input"' piped || cat piped)"
     works "lists choose what is measured" bench knot.ply $small --json - --kinds random,shadow \
         --hits any --nodes compact --packets 16,2 --walks depth
+    verdict "... the same rays as among all kinds" "$(
+        for kind in random shadow; do
+            for figures in stats out; do
+                rows $figures | grep "nodes=compact kind=$kind hit=any packet=16 " |
+                    sed 's/.*\( rays=[0-9]* hits=[0-9]* hits_hash=[0-9a-f]*\).*/\1/' >one.$figures
+            done
+            [ -s one.out ] && diff one.stats one.out
+        done)"
     verdict "... that and nothing else" "$(
         for kind in random shadow; do
             for packet in 2 16; do
@@ -174,6 +182,10 @@ verdict "... every ray hits but those from outside in random directions" "$(
     refused "an image that is damaged" short.plt "byte" bench short.plt $small
     refused "no ray hits" knot.plt "no primary ray hits it" bench knot.plt $small --eye 0,0,50 \
         --look 0,0,99
+    works "... but rays through the box need none" bench knot.plt $small --eye 0,0,50 \
+        --look 0,0,99 --kinds random,inside --packets 8
+    verdict "... and only they are made" "$(
+        grep -q '^knot.plt: [0-9]* triangles; 1850 random, 1850 inside rays$' out || cat out)"
     refused "no such mode" compact.plt "no such mode" bench compact.plt $small --walks two-stage
     cp knot.plt kept.plt
     refused "an output that is a scene" kept.plt "same file" bench kept.plt $small --json kept.plt

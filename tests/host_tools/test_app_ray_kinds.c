@@ -10,7 +10,7 @@
 #include "tests/reference/rig.h"
 #include "tests/test.h"
 
-enum { WIDTH = 100, HEIGHT = 52, ARENA = 1 << 16 };
+enum { WIDTH = 100, HEIGHT = 52, ARENA = 1 << 16, ALL_KINDS = (1 << RAY_KINDS) - 1 };
 static _Alignas(PLT_ALIGN) unsigned char arena[ARENA];
 
 static double dot(const float a[3], const float b[3]) {
@@ -172,6 +172,25 @@ static void check_inside(const ray_set *s, const plt_info *info) {
     }
 }
 
+/* Of every set: those that are asked for, as they are among all; of the others nothing is kept. */
+static void check_sets(const ray_kinds *all, plt_engine *engine) {
+    test("each set of kinds is made alone, of the same rays");
+    for (unsigned kinds = 0; kinds <= ALL_KINDS; kinds++) {
+        ray_kinds r;
+        fail f = {""};
+        CHECK(ray_kinds_make(&r, kinds, engine, &frame, "ground", &f) == 0, "%s", f.text);
+        for (int k = 0; k < RAY_KINDS; k++) {
+            const ray_set *s = &r.of[k];
+            const uint32_t count = kinds >> k & 1u ? all->of[k].count : 0;
+            CHECK(s->count == count && (s->rays == NULL) == (count == 0), "set %u, %s: %u rays",
+                  kinds, ray_kind_names[k], (unsigned)s->count);
+            CHECK(count == 0 || memcmp(s->rays, all->of[k].rays, count * sizeof(plt_ray)) == 0,
+                  "set %u, %s", kinds, ray_kind_names[k]);
+        }
+        ray_kinds_free(&r);
+    }
+}
+
 static void check_closed_room(void) {
     mesh m = {0};
     packed image = {0};
@@ -189,7 +208,7 @@ static void check_closed_room(void) {
     const plt_source source = {.mapped = image.bytes, .bytes = image.size};
     CHECK(plt_open(&engine, arena, sizeof arena, &source, &run, &fault) == PLT_OK, "%s",
           fault.message);
-    CHECK(ray_kinds_make(&r, engine, &inside, "room", &f) == 0, "%s", f.text);
+    CHECK(ray_kinds_make(&r, ALL_KINDS, engine, &inside, "room", &f) == 0, "%s", f.text);
     plt_hit *hits = malloc(WIDTH * HEIGHT * sizeof *hits);
     for (int kind = RAYS_PRIMARY; kind <= RAYS_INSIDE; kind += RAYS_INSIDE - RAYS_PRIMARY) {
         uint32_t missed = 0;
@@ -212,7 +231,7 @@ int main(void) {
     fail f = {""};
     test("all kinds are made");
     plt_engine *engine = open_ground(&image);
-    CHECK(ray_kinds_make(&one, engine, &frame, "ground", &f) == 0, "%s", f.text);
+    CHECK(ray_kinds_make(&one, ALL_KINDS, engine, &frame, "ground", &f) == 0, "%s", f.text);
     check_primary(&one.of[RAYS_PRIMARY]);
     check_shadow(&one);
     check_bounce(&one);
@@ -220,18 +239,26 @@ int main(void) {
     check_outside(&one.of[RAYS_OUTSIDE], plt_engine_info(engine));
     check_inside(&one.of[RAYS_INSIDE], plt_engine_info(engine));
     test("the same scene and view give the same rays");
-    CHECK(ray_kinds_make(&two, engine, &frame, "ground", &f) == 0, "%s", f.text);
+    CHECK(ray_kinds_make(&two, ALL_KINDS, engine, &frame, "ground", &f) == 0, "%s", f.text);
     for (int k = 0; k < RAY_KINDS; k++) {
         CHECK(one.of[k].count == two.of[k].count &&
                   memcmp(one.of[k].rays, two.of[k].rays, one.of[k].count * sizeof(plt_ray)) == 0,
               "%s", ray_kind_names[k]);
     }
     ray_kinds_free(&two);
+    check_sets(&one, engine);
     test("no hit, no rays from hits: refused");
     plt_frame away = frame;
     away.camera.look[1] = 99.0f;
-    CHECK(ray_kinds_make(&two, engine, &away, "ground", &f) == -1, "made");
+    CHECK(ray_kinds_make(&two, ALL_KINDS, engine, &away, "ground", &f) == -1, "made");
     CHECK(strstr(f.text, "no primary ray") != NULL, "%s", f.text);
+    for (unsigned kind = RAYS_PRIMARY; kind <= RAYS_INSIDE; kind++) {
+        fail g = {""};
+        ray_kinds_free(&two);
+        CHECK((ray_kinds_make(&two, 1u << kind, engine, &away, "ground", &g) == -1) ==
+                  (kind <= RAYS_BOUNCE),
+              "%s alone: %s", ray_kind_names[kind], g.text);
+    }
     ray_kinds_free(&one);
     ray_kinds_free(&two);
     pack_free(&image);
