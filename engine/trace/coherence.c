@@ -37,6 +37,7 @@ int plt_rays_are_narrow(const plt_ray *rays, uint32_t count, const plt_box *scen
     const float size = plt_box_longest_side(scene);
     const float length = largest3(f4_max(f4_abs(dir.lo), f4_abs(dir.hi)));
     const float apart = largest3(f4_sub(org.hi, org.lo)), wide = largest3(f4_sub(dir.hi, dir.lo));
-    /* apart / size + wide / length, without a division by 0; infinite ones are in any packet */
+    /* apart / size + wide / length, without a division by 0. Infinite origins or directions
+     * (also 0 * infinity) make them incoherent; of both it may say either: hits are the same. */
     return apart * length + wide * size <= narrow * size * length;
 }

@@ -756,6 +756,9 @@ static void beams(void) {
     rays[12].tmax = rays[13].tmax = INFINITY;
     CHECK(plt_rays_are_coherent(rays, 64, &scene), "what is not a number counts");
     CHECK(plt_rays_are_coherent(rays, 1, &scene), "a single ray");
+    rays[5].dir[0] = INFINITY; /* 0 * infinity, of one origin */
+    CHECK(!plt_rays_are_coherent(rays, 64, &scene), "an infinite direction from one origin");
+    rays[5].dir[0] = 0.1f;
     rays[5].org[2] += 3.0f;
     CHECK(!plt_rays_are_coherent(rays, 64, &scene), "an origin elsewhere does not");
 }
