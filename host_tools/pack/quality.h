@@ -1,8 +1,8 @@
 /* quality - a finished tree made better, in passes over all its nodes
  *
  * A pass takes out every node in turn, the largest first, and puts it back where it is best
- * (reinsert.h). Passes go on while they gain 1/1000 of the cost, 20 at most. The result depends on the
- * tree alone, unless the time runs out.
+ * (reinsert.h). Passes go on while they gain 1/1000 of the cost, 20 at most. The result depends on
+ * the tree alone, unless the time runs out.
  *
  * Memory: 72 bytes per node of list_tree, of which there are 2 per list less one, and a second
  * array of records; nothing else is allocated. Time: a pass is a search per node, of some 20
