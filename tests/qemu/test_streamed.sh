@@ -1,0 +1,75 @@
+#!/bin/sh
+# test_streamed.sh - a Cortex-M4F renders scenes that are larger than its memory, in QEMU
+#
+# The image stays in a file of the host, which the firmware reads by semihosting, block by block.
+# Pictures are the host's.
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+planelet=$BUILD/host/planelet
+folder=$BUILD/mps2_an386-compact-render-stream
+out=$folder/tests
+mkdir -p "$out"
+needs arm-none-eabi-gcc qemu-system-arm && make_board mps2_an386 PARTS='render compact stream' ||
+    { finish; exit; }
+
+value() { # NAME: of the first NAME=value in the text
+    echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | head -n 1
+}
+
+bytes=$(find "$folder/engine" -name '*.o' | xargs arm-none-eabi-size |
+    awk 'NR > 1 { s += $1 } END { print s }')
+verdict "PARTS='render compact stream': $bytes bytes of engine, at most 55296" "$(
+    [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le 55296 ] || echo "$bytes bytes")"
+
+"$planelet" make terrain --triangles 400000 -o "$out/terrain.ply" >/dev/null 2>&1
+"$planelet" pack "$out/terrain.ply" -o "$out/terrain.plt" --nodes compact \
+    --geometry lattice:14 --leaf 2 >/dev/null 2>&1
+image=$(wc -c <"$out/terrain.plt" | tr -d ' ')
+verdict "an image of $image bytes, eight times 256 KiB or more, is there" "$(
+    [ "$image" -ge 2097152 ] || echo "$image bytes")"
+view=$(sh board/tools/host_view.sh "$out/terrain.plt" 160x120 "$out/host.ppm")
+
+run() { # KEY=VALUE ...
+    # shellcheck disable=SC2086
+    text=$(SOURCE=file FIRMWARE=$folder sh board/mps2_an386/run.sh "$out/terrain.plt" \
+        size=160x120 ${view#* } "$@" 2>&1)
+    status=$?
+}
+
+for arena in 65536 262144; do
+    run residency=streamed packet=8 arena=$arena "frame=$out/device.ppm"
+    verdict "it is rendered in $arena bytes" "$(
+        [ "$status" -eq 0 ] && [ "$(value peak)" -le $arena ] || echo "status $status: $text")"
+    verdict "... hash and picture are the host's" "$(
+        [ "$(value frame_hash)" = "${view%% *}" ] ||
+            echo "$(value frame_hash) on the device, ${view%% *} on the host"
+        [ "$(tail -c 57600 "$out/host.ppm" | cksum)" = \
+            "$(tail -c 57600 "$out/device.ppm" | cksum)" ] || echo "the pixels differ")"
+    verdict "... $(value bytes_fetched) bytes were fetched, and the stack stays below its bound" "$(
+        [ "$(value bytes_fetched)" -gt 262144 ] || echo "little is fetched: $text"
+        [ "$(value painted)" -gt 0 ] && [ "$(value painted)" -le "$(value worst)" ] ||
+            echo "painted $(value painted), bound $(value worst)")"
+done
+
+run residency=resident packet=8
+verdict "a whole scene does not fit" "$(
+    [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*need_bytes' || echo "$text")"
+run residency=streamed packet=8 arena=30000
+verdict "an arena without room for the least store is refused" "$(
+    [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*need_bytes' || echo "$text")"
+run residency=stream
+verdict "an unknown residency is wrong usage" "$(
+    [ "$status" -eq 2 ] && echo "$text" | grep -q '^error: .*residency' || echo "$text")"
+
+# A byte in every so many is wrong: the place is told.
+cp "$out/terrain.plt" "$out/whole.plt"
+at=1000
+while [ "$at" -lt "$image" ]; do
+    printf '\377\000' | dd of="$out/terrain.plt" bs=1 seek="$at" conv=notrunc 2>/dev/null
+    at=$((at + 9001))
+done
+run residency=streamed packet=8
+verdict "damaged blocks are refused when they come, with rule and place" "$(
+    [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*rule=I.* offset=' || echo "$text")"
+mv "$out/whole.plt" "$out/terrain.plt"
+finish
