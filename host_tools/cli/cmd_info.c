@@ -44,6 +44,7 @@ typedef struct derived {
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
     double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
+    size_t arena_streamed; /* 0: it cannot be */
     int lists_packets; /* no size was asked for */
     double shift[3];   /* what pack subtracted from the meshes */
 } derived;
@@ -66,6 +67,9 @@ static derived derive(const plt_info *i, const plt_options *o) {
     d.geometry_each = (double)d.geometry_bytes / n;
     d.arena_mapped = plt_arena_need(i, 1, o);
     d.arena_fetched = plt_arena_need(i, 0, o);
+    plt_options streamed = *o;
+    streamed.residency = PLT_RESIDENCY_STREAMED;
+    d.arena_streamed = plt_arena_need(i, 0, &streamed);
     return d;
 }
 
@@ -141,9 +145,13 @@ static void print_arena_json(const plt_info *i, const plt_options *o, const deri
     printf("  \"local_stack_entries\": %" PRIu32 ",\n  \"global_stack_entries\": %" PRIu32
            ",\n  \"depth_stack_entries\": %" PRIu32
            ",\n  \"arena_bytes_needed\": %zu,\n"
-           "  \"arena_bytes_needed_fetched\": %zu,\n  \"arena_parts\": ",
+           "  \"arena_bytes_needed_fetched\": %zu,\n",
            i->local_stack_entries, i->global_stack_entries, i->depth_stack_entries, d->arena_mapped,
            d->arena_fetched);
+    if (d->arena_streamed > 0) {
+        printf("  \"arena_bytes_needed_streamed\": %zu,\n", d->arena_streamed);
+    }
+    printf("  \"arena_parts\": ");
     arena_parts_print_json(i, 1, o);
     printf(",\n  \"arena_bytes_by_packet\": [");
     for (unsigned side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
@@ -258,6 +266,10 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     print_packets(i, o, d);
     if (i->build != PLT_BUILD_DEVICE) {
         printf("arena if fetched   %zu bytes\n", d->arena_fetched);
+    }
+    if (d->arena_streamed > 0) {
+        printf("arena if streamed  %zu bytes, and all that is more goes to blocks\n",
+               d->arena_streamed);
     }
 }
 

@@ -41,6 +41,17 @@ for any in '' --any; do
     same whole.hits streamed.hits "... the hits are the same"
 done
 
+for packet in 2 4; do
+    run info t.plt --json --packet $packet
+    least=$(number arena_bytes_needed_streamed <out)
+    works "info says what arena is enough for $packet x $packet: $least bytes" \
+        render t.plt -o x.png --size 20x15 --residency streamed --packet $packet --arena "$least"
+    rm x.png
+    refused "... and no byte less" t.plt "use --arena $least" render t.plt -o x.png \
+        --residency streamed --packet $packet --arena $((least - 1))
+done
+run info thesis.plt --json
+verdict "... nothing of a scene that cannot be streamed" "$(grep streamed out)"
 refused "thesis nodes cannot be streamed" thesis.plt "only finished compact blocks" \
     render thesis.plt -o x.png --residency streamed
 refused "an arena without room for the least store is refused" t.plt "use --arena" \
