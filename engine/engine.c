@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/engine.h"
 
+#include "engine/base/fault.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/wave.h"
 
@@ -47,15 +48,14 @@ void plt_render_tile(const plt_engine *e, plt_tile *tile) {
 }
 
 void plt_fault_get(const plt_engine *e, plt_fault *fault) {
-    const plt_fault none = {0, 0, 0, 0, "no fault"};
-    *fault = none;
 #if PLT_WITH_STREAMED
-    if (e->scene.format == PLT_FORMAT_STREAMED) {
+    if (plt_is_streamed(e->scene.format)) {
         *fault = ((const plt_stream *)e->traversal.state)->fault;
+        return;
     }
-#else
-    (void)e;
 #endif
+    (void)e;
+    plt_fault_set(fault, PLT_OK, 0, "no fault");
 }
 
 void plt_stats_get(const plt_engine *e, plt_stats *stats) {

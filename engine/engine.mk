@@ -20,7 +20,7 @@ builder_files := $(wildcard engine/builder/*.c engine/scene/build_*.c engine/sce
     engine/tree/thesis/treelets.c engine/image/record_cache.c)
 compact_files := $(wildcard engine/tree/compact/*.c engine/memory/*.c \
     engine/image/record_cache.c engine/scene/*_compact.c engine/scene/*_streamed.c \
-    engine/trace/*_compact.c engine/trace/*_streamed.c \
+    engine/trace/*_compact.c engine/trace/*_streamed.c engine/shade/tile_order.c \
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
     engine/builder/split_lattice.c engine/builder/split_given.c engine/shade/beam_compact.c \
     engine/shade/beam_store.c engine/shade/beam_strips.c)
@@ -31,7 +31,7 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
 stream_files := engine/memory/store.c engine/memory/stream.c engine/scene/open_streamed.c \
-    engine/trace/traverse_streamed.c
+    engine/trace/traverse_streamed.c engine/shade/tile_order.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
     rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
@@ -82,7 +82,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
-    engine/shade/margins.c engine/shade/camera.c engine/shade/rendering.c)
+    engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c engine/shade/rendering.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

@@ -39,7 +39,7 @@ static uint64_t larger(uint64_t a, uint64_t b) {
 static uint64_t section_bytes(const subject *s) {
     uint32_t kind[PLT_SECTIONS_MOST];
     uint64_t bytes = 0;
-    if (s->format == PLT_FORMAT_STREAMED) {
+    if (plt_is_streamed(s->format)) {
         return 0;
     }
     if (s->builds) {
@@ -62,8 +62,7 @@ static uint64_t tree_bytes(const subject *s) {
 
 /* Blocks built from mapped corners are not validated again. */
 static uint64_t validation_bytes(const subject *s) {
-    if ((s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) ||
-        s->format == PLT_FORMAT_STREAMED) {
+    if ((s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) || plt_is_streamed(s->format)) {
         return 0;
     }
     return s->format == PLT_FORMAT_COMPACT ? PLT_DEPTH_MAX * sizeof(plt_blocks_validate_level)
@@ -96,8 +95,7 @@ static uint64_t record_cache_bytes(const subject *s) {
 static size_t beam_entry_bytes(enum plt_format format, unsigned order) {
     const size_t bytes =
         format == PLT_FORMAT_COMPACT ? sizeof(plt_beam_block_entry) : sizeof(plt_beam_entry);
-    return PLT_WITH_BEAMS && order == PLT_ORDER_DEPTH_FIRST && format != PLT_FORMAT_STREAMED ? bytes
-                                                                                             : 0;
+    return PLT_WITH_BEAMS && order == PLT_ORDER_DEPTH_FIRST && !plt_is_streamed(format) ? bytes : 0;
 }
 
 /* Bytes of a stack entry; 0: not in this order. Beams and groups share the stack. */
@@ -131,7 +129,7 @@ static uint64_t stack_bytes(const subject *s) {
     const int two_stage = s->options->order == PLT_ORDER_TWO_STAGE;
     const uint32_t need =
         two_stage ? s->sized_for->global_stack_entries : s->sized_for->depth_stack_entries;
-    const uint64_t slack = s->format == PLT_FORMAT_STREAMED ? PLT_STACK_SLACK : 0;
+    const uint64_t slack = plt_is_streamed(s->format) ? PLT_STACK_SLACK : 0;
     const uint64_t entries = (need > 0 ? need : 1) + slack;
     const uint64_t hulls = entries + plt_hull_levels(packet_side(s)) + 1;
     return larger(entries * entry_bytes(s->format, s->options->order),
@@ -168,7 +166,7 @@ static uint64_t state_bytes(const subject *s) {
 /* Unless it is said how large it is, the least; opening adds what there is room for. */
 static uint64_t store_bytes(const subject *s) {
     const uint32_t asked = s->options->store_bytes;
-    return s->format == PLT_FORMAT_STREAMED ? (asked > 0 ? asked : PLT_STORE_LEAST) : 0;
+    return plt_is_streamed(s->format) ? (asked > 0 ? asked : PLT_STORE_LEAST) : 0;
 }
 
 #if PLT_WITH_WAVE
@@ -302,13 +300,9 @@ static int is_wave_valid(const plt_options *o) {
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
-           o->residency <= PLT_RESIDENCY_STREAMED &&
-           (o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
+           o->residency <= PLT_WITH_STREAMED &&
+           (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
-}
-
-int plt_layout_residency_valid(const plt_info *info, const plt_options *o) {
-    return o->residency != PLT_RESIDENCY_STREAMED || plt_can_stream(info);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

@@ -4,12 +4,18 @@
 #ifndef PLT_LAYOUT_H
 #define PLT_LAYOUT_H
 
+#include "engine/scene/formats.h"
 #include "engine/scene/parts.h"
 
 /* The options are in range, and this build can open such an image with them. */
 int plt_layout_options_valid(const plt_options *options);
-int plt_layout_residency_valid(const plt_info *info, const plt_options *options);
 int plt_layout_order_valid(const plt_info *info, const plt_options *options);
+
+/* Where the engine has no streamed scenes, options ask for none. */
+static inline int plt_layout_residency_valid(const plt_info *info, const plt_options *options) {
+    return !PLT_WITH_STREAMED || options->residency != PLT_RESIDENCY_STREAMED ||
+           plt_can_stream(info);
+}
 
 /* Fills in every part. `info`: what the image says; `sized_for`: counts of the tree that
  * will be traversed: the image's, the worst that may be built (plt_worst_tree), or those of

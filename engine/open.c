@@ -47,7 +47,7 @@ static plt_opening opening_of(plt_engine *e, const plt_layout *layout, plt_fault
                            .arena = &e->arena,
                            .layout = layout,
                            .fault = fault,
-                           .residency = e->options.residency};
+                           .residency = PLT_WITH_STREAMED ? e->options.residency : 0};
     return o;
 }
 
@@ -118,10 +118,12 @@ static uint32_t store_bytes_in(uint64_t room) {
 static void set_layout(plt_engine *e, plt_layout *layout) {
     const plt_info *info = &e->scene.info;
     const int mapped = e->source.mapped != NULL, chooses = e->options.packet_side == 0;
-    const int grows = e->scene.format == PLT_FORMAT_STREAMED && e->options.store_bytes == 0;
+    const int grows = plt_is_streamed(e->scene.format) && e->options.store_bytes == 0;
     const size_t room = e->arena.bytes - e->arena.used;
     unsigned side = chooses ? PLT_PACKET_SIDE_MAX : e->options.packet_side;
-    e->options.store_bytes = grows ? store_bytes_in(room / 2) : e->options.store_bytes;
+    if (grows) {
+        e->options.store_bytes = store_bytes_in(room / 2);
+    }
     do {
         e->options.packet_side = (uint8_t)side;
         plt_layout_set(layout, info, info, mapped, &e->options);

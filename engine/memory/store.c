@@ -44,7 +44,7 @@ void plt_store_init(plt_store *s, void *memory, uint32_t bytes) {
     const uint32_t from = (table + 7) & ~7u;
     s->memory = (unsigned char *)memory + from;
     s->bytes = (bytes - from - BEHIND) & ~7u;
-    memset(s->memory, 0, s->bytes + BEHIND);
+    memset(s->memory + s->bytes, 0, BEHIND);
     set_empty(s);
 }
 

@@ -222,7 +222,10 @@ static int is_there(plt_stream *s, const plt_stream_block *b, uint32_t kind) {
 static int open_nodes(plt_stream *s, plt_stream_block *b, uint32_t link, float end) {
     b->opened.link = PLT_LINK_NONE;
     b->end = end;
-    const uint32_t address = plt_block_address(link);
+    const uint32_t address = plt_block_address(link), last = end_bytes(s, end);
+    if (address >= last || plt_block_node_bytes(link) > last - address) {
+        return refuse(s, PLT_I17_LINKS, s->image.blocks_at); /* before anything is fetched */
+    }
     const arrival a = {
         b, link, s->image.blocks_at + address, plt_block_node_bytes(link), PLT_STREAM_NODES, 0};
     const int status = need_part(s, &a);
@@ -232,12 +235,35 @@ static int open_nodes(plt_stream *s, plt_stream_block *b, uint32_t link, float e
     const unsigned char *bytes = plt_store_bytes(&s->store, b->part[PLT_STREAM_NODES]);
     plt_opened_block_set(&b->opened, bytes, &s->tree, link);
     const plt_block *block = &b->opened.block;
-    if (block->node_bytes != a.count || !links_are_below(block, address, end_bytes(s, end))) {
+    if (block->node_bytes != a.count || !links_are_below(block, address, last)) {
         b->opened.link = PLT_LINK_NONE;
         return refuse(s, PLT_I17_LINKS, a.offset);
     }
     b->part[PLT_STREAM_GEOMETRY] = b->part[PLT_STREAM_IDS] = PLT_STORE_NONE;
     return PLT_OK;
+}
+
+/* Of the leaf of that index: is it a pair, and how many pairs are before it? */
+static int is_leaf(const plt_block *b, uint32_t leaf, uint32_t pairs, uint32_t pair) {
+    uint32_t leaves_before = 0, pairs_before = 0;
+    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
+        if (plt_block_kind(b, slot) == PLT_SLOT_LEAF) {
+            const uint32_t is_pair = b->pair[slot >> 5] >> (slot & 31) & 1u;
+            if (leaves_before++ == leaf) {
+                return pairs_before == pairs && is_pair == pair;
+            }
+            pairs_before += is_pair;
+        }
+    }
+    return 0;
+}
+
+int plt_stream_has_node(const plt_stream *s, uint32_t node) {
+    return node < s->current->opened.block.nodes;
+}
+
+int plt_stream_has_leaf(const plt_stream *s, uint32_t leaf, uint32_t pairs, uint32_t pair) {
+    return is_leaf(&s->current->opened.block, leaf, pairs, pair);
 }
 
 int plt_stream_open(plt_stream *s, uint32_t link, float end) {
@@ -262,6 +288,7 @@ static int open_geometry(plt_stream *s, plt_stream_block *b) {
                        o->block.geometry_bytes,
                        PLT_STREAM_GEOMETRY,
                        serial_of(s, b, PLT_STREAM_NODES)};
+    b->part[PLT_STREAM_IDS] = PLT_STORE_NONE; /* are checked against it again */
     const int status = a.count > 0 ? need_part(s, &a) : refuse(s, PLT_I14_GEOMETRY, a.offset);
     if (status == PLT_OK) {
         o->block.geometry = plt_store_bytes(&s->store, b->part[PLT_STREAM_GEOMETRY]);

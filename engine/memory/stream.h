@@ -8,7 +8,9 @@
  *
  * Every block knows where its subtree ends: blocks lie depth first, so what is below an edge
  * lies between its block and that of the next edge by address. Links that leave this
- * range are refused, and so no image, nor one that changes, can lead a packet in a circle.
+ * range are refused, and so no image can lead a packet in a circle. A source that returns
+ * other bytes when it is asked again is outside the contract; it gets no further than to wrong hits,
+ * more visits, or a refusal.
  *
  * One stream per traversal. Source: Karrenberg 2007, section 4.3, SPEs that fetch treelets.
  *
@@ -60,6 +62,11 @@ static inline float plt_stream_end(uint32_t address) {
  * at `end`. PLT_OK, PLT_ERR_SOURCE, or PLT_ERR_IMAGE: what came breaks a rule; the fault says
  * which, and there is no current block. */
 int plt_stream_open(plt_stream *stream, uint32_t link, float end);
+
+/* Does the current block have the node, or the leaf, a pair or not, with so many pairs before? A
+ * place that has waited asks, as its block may have come anew meanwhile, and be another. */
+int plt_stream_has_node(const plt_stream *stream, uint32_t node);
+int plt_stream_has_leaf(const plt_stream *stream, uint32_t leaf, uint32_t pairs, uint32_t pair);
 
 /* Fetches and opens the current block's geometry part, and ids, likewise. */
 int plt_stream_open_geometry(plt_stream *stream);

@@ -32,10 +32,15 @@ enum plt_format {
 #define PLT_IF_JOINED(with, ...) PLT_IF_##with(__VA_ARGS__)
 #define PLT_IF(with, ...) PLT_IF_JOINED(with, __VA_ARGS__)
 
-/* A finished tree of compact blocks with lattice geometry can be streamed. */
+/* A finished tree of compact blocks with lattice geometry can be streamed, if anything can. */
 static inline int plt_can_stream(const plt_info *info) {
-    return info->nodes_format == PLT_NODES_COMPACT &&
+    return PLT_WITH_STREAMED && info->nodes_format == PLT_NODES_COMPACT &&
            info->geometry_format == PLT_GEOMETRY_LATTICE && info->build == PLT_BUILD_HOST;
+}
+
+/* 0, known when it is compiled, where the engine has no streamed scenes. */
+static inline int plt_is_streamed(unsigned format) {
+    return PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED;
 }
 
 /* `residency`: enum plt_residency. */

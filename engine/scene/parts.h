@@ -31,7 +31,7 @@
     ROW(LOCAL_STACK, RUNS, "local stack")                                                          \
     ROW(LEAVES, RUNS, "leaves that wait")                                                          \
     ROW(FORMAT, RUNS, "state of the format")                                                       \
-    ROW(STORE, RUNS, "store of streamed blocks")                                                   \
+    ROW(STORE, RUNS, "streamed blocks")                                                            \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")
 

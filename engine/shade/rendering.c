@@ -22,6 +22,12 @@ static uint32_t tile_height(const plt_rendering *r) {
 /* A constant where there is no choice, and the compiler leaves the other way out. */
 #define HAS_BEAMS(r) (PLT_WITH_BEAMS && (!PLT_WITH_GROUPS || (r)->beams))
 
+#if PLT_WITH_STREAMED
+#define HAS_CURVES(r) ((r)->curves)
+#else
+#define HAS_CURVES(r) 0
+#endif
+
 void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t packet_side) {
     const plt_rendering idle = {.beam = beam, .tile = tile, .side = packet_side, .done = 1};
     *r = idle;
@@ -32,21 +38,21 @@ void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t pa
  * section 6). */
 static int has_beams(const plt_rendering *r, const plt_traversal *t) {
     return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST &&
-           t->scene->format != PLT_FORMAT_STREAMED &&
+           !plt_is_streamed(t->scene->format) &&
            (t->scene->format != PLT_FORMAT_COMPACT || r->side >= PLT_BEAM_BLOCKS_LEAST);
 }
 
-static uint32_t tiles_in(uint32_t pixels) {
-    return (pixels + PLT_TILE_SIDE - 1) / PLT_TILE_SIDE;
-}
-
-/* The tile that the order is at; if there is none, the frame is done. */
-static void start_tile(plt_rendering *r) {
-    uint32_t column = 0, row = 0;
-    r->px = r->py = 0;
-    r->done = (uint8_t)!plt_tile_order_find(&r->order, &column, &row);
-    r->x = PLT_TILE_SIDE * column;
-    r->y = PLT_TILE_SIDE * row;
+/* Both orders begin with the first tile of the first row. */
+static void set_order(plt_rendering *r, int curves) {
+#if PLT_WITH_STREAMED
+    const plt_tile_order order = {.columns = (r->frame.width + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE,
+                                  .rows = (r->frame.height + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE};
+    r->order = order;
+    r->curves = (uint8_t)curves;
+#else
+    (void)r;
+    (void)curves;
+#endif
 }
 
 int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
@@ -61,12 +67,9 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         if (HAS_BEAMS(r)) {
             plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
         }
-        const plt_tile_order order = {.columns = tiles_in(frame->width),
-                                      .rows = tiles_in(frame->height),
-                                      .curves = t->scene->format == PLT_FORMAT_STREAMED};
-        r->order = order;
-        r->tracing = 0;
-        start_tile(r);
+        set_order(r, plt_is_streamed(t->scene->format));
+        r->x = r->y = r->px = r->py = 0;
+        r->tracing = r->done = 0;
     }
     return status;
 }
@@ -84,7 +87,7 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
     const uint32_t rays =
         least(r->side, r->frame.width - pixels.x) * least(r->side, r->frame.height - pixels.y);
     r->tracing = 1;
-    if ((pixels.x == 0 || r->order.curves) && r->px == 0 && r->py == 0) {
+    if ((HAS_CURVES(r) ? r->px == 0 : pixels.x == 0) && r->py == 0) {
         set_sky(r);
     }
     if (HAS_BEAMS(r)) {
@@ -144,10 +147,30 @@ static int next_packet(plt_rendering *r) {
     return r->py < tile_height(r);
 }
 
+static void follow_curve(plt_rendering *r) {
+#if PLT_WITH_STREAMED
+    uint32_t column = 0, row = 0;
+    r->done = (uint8_t)!plt_tile_order_next(&r->order, &column, &row);
+    r->x = PLT_TILE_SIDE * column;
+    r->y = PLT_TILE_SIDE * row;
+#else
+    (void)r;
+#endif
+}
+
 /* The tile was fetched: to the next one, or to the end. */
 static void next_tile(plt_rendering *r) {
-    r->order.at++;
-    start_tile(r);
+    r->px = r->py = 0;
+    if (HAS_CURVES(r)) {
+        follow_curve(r);
+        return;
+    }
+    r->x += PLT_TILE_SIDE;
+    if (r->x >= r->frame.width) {
+        r->x = 0;
+        r->y += PLT_TILE_SIDE;
+    }
+    r->done = r->y >= r->frame.height;
 }
 
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {

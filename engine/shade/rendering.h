@@ -19,12 +19,15 @@ typedef struct plt_rendering {
     uint8_t *tile;                  /* PLT_TILE_BUFFER_BYTES, rows as wide as the current tile */
     uint8_t sky[3 * PLT_TILE_SIDE]; /* colour of the sky in each row of the tile */
     uint32_t side;                  /* of a packet */
-    plt_tile_order order;           /* of the tiles */
-    uint32_t x, y;                  /* current tile, pixels */
-    uint32_t px, py;                /* current packet, pixels within the tile */
-    uint8_t tracing;                /* the packet is set up and its traversal is not over */
-    uint8_t beams;                  /* packets are beams, not groups of rays */
-    uint8_t done;                   /* nothing left, or no frame begun */
+#if PLT_WITH_STREAMED
+    plt_tile_order order; /* of the tiles of a streamed scene */
+    uint8_t curves;       /* the scene is one */
+#endif
+    uint32_t x, y;   /* current tile, pixels */
+    uint32_t px, py; /* current packet, pixels within the tile */
+    uint8_t tracing; /* the packet is set up and its traversal is not over */
+    uint8_t beams;   /* packets are beams, not groups of rays */
+    uint8_t done;    /* nothing left, or no frame begun */
 } plt_rendering;
 
 /* No frame is begun; `tile` is the buffer that finished tiles lie in, `beam` where a beam may

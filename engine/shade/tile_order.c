@@ -19,8 +19,8 @@ static void on_curve(uint32_t step, uint32_t *x, uint32_t *y) {
     }
 }
 
-/* Curves begin and end at the same edge of their squares, so every square begins next to where
- * the one before has ended. */
+/* Curves begin and end at the same edge of their squares, so every square of a row begins next to
+ * where the one before has ended. */
 static void place_of(const plt_tile_order *o, uint32_t *column, uint32_t *row) {
     const uint32_t steps = PLT_TILE_SQUARE * PLT_TILE_SQUARE;
     const uint32_t across = (o->columns + PLT_TILE_SQUARE - 1) / PLT_TILE_SQUARE;
@@ -34,16 +34,11 @@ static void place_of(const plt_tile_order *o, uint32_t *column, uint32_t *row) {
     *row = square_row * PLT_TILE_SQUARE + y;
 }
 
-int plt_tile_order_find(plt_tile_order *o, uint32_t *column, uint32_t *row) {
-    if (!o->curves) {
-        *column = o->at % o->columns;
-        *row = o->at / o->columns;
-        return *row < o->rows;
-    }
+int plt_tile_order_next(plt_tile_order *o, uint32_t *column, uint32_t *row) {
     const uint32_t square_rows = (o->rows + PLT_TILE_SQUARE - 1) / PLT_TILE_SQUARE;
     const uint32_t across = (o->columns + PLT_TILE_SQUARE - 1) / PLT_TILE_SQUARE;
     const uint32_t steps = PLT_TILE_SQUARE * PLT_TILE_SQUARE * across * square_rows;
-    for (; o->at < steps; o->at++) {
+    while (++o->at < steps) {
         place_of(o, column, row);
         if (*column < o->columns && *row < o->rows) {
             return 1;

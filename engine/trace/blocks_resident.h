@@ -6,6 +6,7 @@
  *   void blocks_leave(state)        no block is the current one
  *   int blocks_open(t, link, end)   the block behind `link` becomes the current one; `end` is where
  *                                   its subtree ends
+ *   int blocks_return(t, link, end, target)      the same, to a place that has waited in it
  *   blocks_current(t)               the current block, opened
  *   int blocks_open_geometry(t)     ... and its geometry part; PLT_OK, or as blocks_open
  *   blocks_tree(t)                  the tree that its leaves are read by
@@ -44,6 +45,11 @@ static inline int blocks_open(plt_traversal *t, uint32_t link, float end) {
     (void)end;
     plt_block_enter(t, link);
     return PLT_OK;
+}
+
+static inline int blocks_return(plt_traversal *t, uint32_t link, float end, uint32_t target) {
+    (void)target;
+    return blocks_open(t, link, end);
 }
 
 static inline int blocks_open_geometry(plt_traversal *t) {

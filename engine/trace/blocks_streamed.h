@@ -12,6 +12,7 @@
 
 #include "engine/base/rules.h"
 #include "engine/memory/stream.h"
+#include "engine/trace/block_target.h"
 #include "engine/trace/traversal.h"
 
 typedef plt_stream format_state;
@@ -48,6 +49,20 @@ static inline int blocks_open(plt_traversal *t, uint32_t link, float end) {
         return plt_stream_refuse(s, PLT_I18_COUNTS);
     }
     return status;
+}
+
+/* To a place that has waited in a block: that of `link` now, and the place is there. */
+static inline int blocks_return(plt_traversal *t, uint32_t link, float end, uint32_t target) {
+    format_state *s = (format_state *)t->state;
+    const uint32_t index = plt_target_index(target);
+    const int status = blocks_open(t, link, end);
+    if (status != PLT_OK) {
+        return status;
+    }
+    const int is_there = plt_target_kind(target) == PLT_SLOT_LEAF
+                             ? plt_stream_has_leaf(s, index, target >> 16 & 0xFFu, target >> 24)
+                             : plt_stream_has_node(s, index);
+    return is_there ? PLT_OK : plt_stream_refuse(s, PLT_I11_KINDS);
 }
 
 static inline int blocks_open_geometry(plt_traversal *t) {

@@ -103,7 +103,7 @@ static inline int format_return(plt_traversal *t, format_place *place) {
     if (format_is_edge(place)) {
         return format_enter(t, place);
     }
-    return blocks_open(t, place->link, place->hi[3]);
+    return blocks_return(t, place->link, place->hi[3], place->target);
 }
 
 /* max(1, (e + 254) / 255 rounded down), three axes at once: the quotient is at

@@ -7,7 +7,7 @@
 
 /* Blocks of thesis nodes have an index; compact blocks lie at multiples of 8. */
 uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
-    if (format == PLT_FORMAT_COMPACT || format == PLT_FORMAT_STREAMED) {
+    if (format == PLT_FORMAT_COMPACT || plt_is_streamed(format)) {
         return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
     }
     return info->node_slots / info->treelet_nodes / 32 + 1;
@@ -24,8 +24,10 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
     t->leaves = part[PLT_PART_LEAVES];
 #endif
     t->state = part[PLT_PART_FORMAT];
+#if PLT_WITH_STREAMED
     t->store = part[PLT_PART_STORE];
     t->store_bytes = options->store_bytes;
+#endif
     if (options->count_touched) {
         t->touched = part[PLT_PART_TOUCHED];
         t->touched_words = plt_touched_words((enum plt_format)scene->format, &scene->info);

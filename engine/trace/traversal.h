@@ -25,11 +25,13 @@ typedef struct plt_traversal {
     void *leaves;            /* hulls only: they wait to be tested */
     unsigned leaves_waiting; /* PLT_LEAVES_WAITING and two at most */
 #endif
+#if PLT_WITH_STREAMED
     void *store;          /* of streamed blocks */
     uint32_t store_bytes; /* of it */
-    void *wave;           /* rays in flight (wave_state.h); NULL: not asked for */
-    void *state;          /* what the format keeps from visit to visit */
-    uint32_t *touched;    /* a bit per block that was counted once; NULL: not asked for */
+#endif
+    void *wave;        /* rays in flight (wave_state.h); NULL: not asked for */
+    void *state;       /* what the format keeps from visit to visit */
+    uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
     uint32_t touched_words;
     plt_stats stats;
 } plt_traversal;
@@ -39,8 +41,9 @@ typedef struct plt_traversal {
 
 /* Entries that the stack of a streamed scene has beyond depth_stack_entries, which nobody has
  * counted: what its blocks say of themselves is tested with this to spare, for the levels of
- * hulls (blocks_streamed.h). */
-#define PLT_STACK_SLACK 4u
+ * hulls, and for what a block has pushed itself when a packet comes back to it
+ * (blocks_streamed.h). */
+#define PLT_STACK_SLACK (4u + PLT_BLOCK_NODES_MOST)
 
 /* Depth first, for packets with hulls (order_hulls.h); follows enum plt_order. */
 #define PLT_ORDER_HULLS 2u

@@ -306,6 +306,150 @@ static void forged_images(uint32_t seeds) {
     CHECK(refused > tried / 8 && refused < tried * 9 / 10, "%u of %u refused", refused, tried);
 }
 
+/* A link to the last block that says that it is longer than the image: it is refused before
+ * anything is asked for. close_run counts reads beyond the end. */
+static void link_beyond_the_end(void) {
+    static subject s;
+    fill_subject(&s, 700, 2, 14, 0);
+    unsigned char *section = s.image.bytes + PLT_HEADER_BYTES;
+    const uint32_t used = s.image.info.node_bytes + s.image.info.triangle_bytes;
+    plt_block b;
+    plt_block_open(&b, section, 14);
+    CHECK(b.edges > 0, "the root has no edges");
+    for (uint32_t edge = 0; edge < b.edges; edge++) {
+        unsigned char *link = (unsigned char *)(uintptr_t)b.links + 4 * edge;
+        const uint32_t was = plt_get_u32(link);
+        plt_put_u32(link, plt_block_link((used - 8) & ~7u, 1020));
+        compact_seal(s.image.bytes, s.image.size, 1);
+        run x = {0};
+        plt_hit hits[RAYS];
+        const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+        CHECK(open_run(&x, &s.image, &o) == PLT_OK, "%s", x.fault.message);
+        const int status = trace_all(&x, &s, hits);
+        plt_fault_get(x.engine, &x.fault);
+        /* I10: a sibling met before has lost the room of its subtree. */
+        CHECK(status == PLT_ERR_IMAGE &&
+                  (x.fault.rule == PLT_I17_LINKS || x.fault.rule == PLT_I10_SIZES),
+              "edge %u: status %d, rule %u", edge, status, x.fault.rule);
+        close_run(&x);
+        plt_put_u32(link, was);
+    }
+    pack_free(&s.image);
+}
+
+static void add_triangle(mesh *m, const float corner[3][3]) {
+    fail f = {""};
+    const uint32_t first = 3 * (uint32_t)m->triangles;
+    for (int i = 0; i < 3; i++) {
+        mesh_add_vertex(m, corner[i][0], corner[i][1], corner[i][2], &f);
+    }
+    CHECK(mesh_add_triangle(m, first, first + 1, first + 2, &f) == 0, "%s", f.text);
+}
+
+/* Clusters at ever smaller distances: a tree that is a chain, so that blocks are as deep as they
+ * can be, and packets come back to them again and again. It is a valid scene. */
+static void deep_blocks(uint8_t side) {
+    mesh m = {0};
+    random_state r = {side};
+    static plt_ray rays[RAYS];
+    static plt_hit due[RAYS], hits[RAYS];
+    float at = 1.0f;
+    for (unsigned level = 0; level < 18; level++, at *= 0.5f) {
+        for (unsigned i = 0; i < 3; i++) {
+            const float x = at * random_float(&r, 0.9f, 1.0f), y = at * random_float(&r, 0, 1);
+            const float z = at * random_float(&r, 0, 1), e = at * 0.05f;
+            const float corner[3][3] = {{x, y, z}, {x + e, y, z}, {x, y + e, z + e}};
+            add_triangle(&m, corner);
+        }
+    }
+    rays_mixed(rays, RAYS, &m, &r);
+    compact_config c = compact_config_of(1, 21, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    packed image = compact_packed(&m, &c);
+    for (unsigned residency = 0; image.size > 0 && residency < 2; residency++) {
+        run x = {0};
+        const plt_options o = options_of((uint8_t)residency, side, 0);
+        CHECK(open_run(&x, &image, &o) == PLT_OK, "%s", x.fault.message);
+        const int status = plt_trace(x.engine, rays, residency ? hits : due, RAYS, 0);
+        plt_fault_get(x.engine, &x.fault);
+        CHECK(status == PLT_OK, "side %u: status %d: %s", side, status, x.fault.message);
+        CHECK(!residency || memcmp(hits, due, sizeof hits) == 0, "side %u: hits", side);
+        close_run(&x);
+    }
+    pack_free(&image);
+}
+
+/* ---- a source that changes --------------------------------------------------- */
+
+enum { VERSIONS = 6 };
+
+typedef struct changing {
+    plt_source source; /* of the link */
+    fake_link *link;
+    unsigned char *version[VERSIONS];
+    random_state random;
+} changing;
+
+static int change_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
+    changing *c = context;
+    c->link->image = c->version[offset < PLT_HEADER_BYTES ? 0 : random_below(&c->random, VERSIONS)];
+    return c->source.start(c->source.context, tag, offset, to, count);
+}
+
+static int change_wait(void *context, uint32_t tags) {
+    changing *c = context;
+    return c->source.wait(c->source.context, tags);
+}
+
+/* Every part comes from one of several versions, forged with right checks. */
+static void changes(const subject *s, uint8_t side, uint32_t seed, uint32_t *ended) {
+    run x = {.link = {.bytes = s->image.size, .at_once = 1}};
+    changing c = {.link = &x.link, .random = {seed}};
+    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, side, 0);
+    const uint32_t blocks = s->image.info.node_bytes + s->image.info.triangle_bytes;
+    plt_hit hits[RAYS];
+    for (unsigned i = 0; i < VERSIONS; i++) {
+        packed copy = s->image;
+        copy.bytes = c.version[i] = malloc(s->image.size);
+        memcpy(copy.bytes, s->image.bytes, s->image.size);
+        for (unsigned times = 0; i > 0 && times < 6; times++) {
+            forge(&copy, blocks, &c.random);
+        }
+        compact_seal(copy.bytes, copy.size, 1);
+    }
+    x.bytes = plt_arena_need(&s->image.info, 0, &o);
+    x.arena = aligned_alloc(PLT_ALIGN, x.bytes + GUARD);
+    memset(x.arena, 0x5A, x.bytes + GUARD);
+    x.link.arena = x.arena;
+    x.link.arena_bytes = x.bytes;
+    x.link.image = c.version[0];
+    c.source = fake_source(&x.link);
+    const plt_source source = {
+        .bytes = s->image.size, .context = &c, .start = change_start, .wait = change_wait};
+    CHECK(plt_open(&x.engine, x.arena, x.bytes, &source, &o, &x.fault) == PLT_OK, "%s",
+          x.fault.message);
+    for (int tries = 0; tries < 20; tries++) {
+        const int status = trace_all(&x, s, hits);
+        *ended += status == PLT_OK;
+        CHECK(status == PLT_OK || status == PLT_ERR_IMAGE, "status %d", status);
+    }
+    close_run(&x);
+    for (unsigned i = 0; i < VERSIONS; i++) {
+        free(c.version[i]);
+    }
+}
+
+static void changing_sources(uint32_t seeds) {
+    static subject s;
+    uint32_t ended = 0;
+    fill_subject(&s, 2500, 2, 14, 1);
+    for (uint32_t seed = 0; seed < seeds; seed++) {
+        for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
+            changes(&s, side, seed, &ended);
+        }
+    }
+    pack_free(&s.image);
+}
+
 /* A header that claims a shallower tree, and so a smaller stack, than its blocks are. */
 static void claims_of_depth(void) {
     static subject s;
@@ -325,8 +469,15 @@ static void claims_of_depth(void) {
             CHECK(status == PLT_OK ? memcmp(hits, s.due[0], sizeof hits) == 0
                                    : status == PLT_ERR_IMAGE && x.fault.rule == PLT_I18_COUNTS,
                   "claim %u of %u: status %d", claim, depth, status);
-            CHECK(claim > 1 || status == PLT_ERR_IMAGE, "a claim of one level is believed");
             CHECK(claim < depth || status == PLT_OK, "the depth itself is refused");
+            /* The stack has room for more than a scene of this depth; as if it had less. */
+            x.engine->scene.info.depth_stack_entries = claim - PLT_STACK_SLACK;
+            const int less = trace_all(&x, &s, hits);
+            plt_fault_get(x.engine, &x.fault);
+            CHECK(less == PLT_OK ? memcmp(hits, s.due[0], sizeof hits) == 0
+                                 : less == PLT_ERR_IMAGE && x.fault.rule == PLT_I18_COUNTS,
+                  "room for %u of %u: status %d", claim, depth, less);
+            CHECK(claim > 1 || less == PLT_ERR_IMAGE, "one entry is enough for %u", depth);
             close_run(&x);
         }
     }
@@ -394,6 +545,14 @@ int main(void) {
     pack_free(&s.image);
     test("images that lie are refused when it shows, or are traced without harm");
     forged_images(soak != NULL && soak[0] == '1' ? 100000 : 700);
+    test("a link that says more than the image has is refused before it is followed");
+    link_beyond_the_end();
+    test("packets come back to blocks that are as deep as they can be");
+    for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
+        deep_blocks(side);
+    }
+    test("a source that returns other bytes each time does no harm");
+    changing_sources(soak != NULL && soak[0] == '1' ? 300 : 8);
     test("a tree that is deeper than its header claims does not overflow the stack");
     claims_of_depth();
     test("what cannot be streamed is refused");
