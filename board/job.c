@@ -98,8 +98,8 @@ static int read_words(const char *all, job *j) {
     static const char *const shaders[] = {"eyelight", "normal", "triangle"};
     static const char *const residencies[] = {"resident", "streamed"};
     if (read_word(all, "walk", walks, 2, &j->options.order) < 0 ||
-        read_word(all, "residency", residencies, PLT_WITH_STREAMED ? 2 : 1,
-                  &j->options.residency) < 0) {
+        read_word(all, "residency", residencies, PLT_WITH_STREAMED ? 2 : 1, &j->options.residency) <
+            0) {
         return -1;
     }
     return read_word(all, "shader", shaders, 3, &j->frame.shader);

@@ -9,8 +9,8 @@
  * Every block knows where its subtree ends: blocks lie depth first, so what is below an edge
  * lies between its block and that of the next edge by address. Links that leave this
  * range are refused, and so no image can lead a packet in a circle. A source that returns
- * other bytes when it is asked again is outside the contract; it gets no further than to wrong hits,
- * more visits, or a refusal.
+ * other bytes when it is asked again is outside the contract; it gets no further than to wrong
+ * hits, more visits, or a refusal.
  *
  * One stream per traversal. Source: Karrenberg 2007, section 4.3, SPEs that fetch treelets.
  *

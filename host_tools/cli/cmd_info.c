@@ -45,8 +45,8 @@ typedef struct derived {
     double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
     size_t arena_streamed; /* 0: it cannot be */
-    int lists_packets; /* no size was asked for */
-    double shift[3];   /* what pack subtracted from the meshes */
+    int lists_packets;     /* no size was asked for */
+    double shift[3];       /* what pack subtracted from the meshes */
 } derived;
 
 static derived derive(const plt_info *i, const plt_options *o) {
