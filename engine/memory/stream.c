@@ -198,21 +198,19 @@ static int need_part(plt_stream *s, const arrival *a) {
         s->store.part[part].against = a->against;
         a->to->part[a->kind] = part;
         a->to->at[a->kind] = s->store.part[part].at;
+        a->to->serial[a->kind] = s->store.part[part].serial;
     }
     return status;
 }
 
-static uint32_t serial_of(const plt_stream *s, const plt_stream_block *b, uint32_t kind) {
-    return s->store.part[b->part[kind]].serial;
-}
-
-/* It is in the store still, and has not moved. */
+/* It is in the store still, has not moved, and has not come anew. */
 static int is_there(plt_stream *s, const plt_stream_block *b, uint32_t kind) {
     if (b->part[kind] == PLT_STORE_NONE) {
         return 0;
     }
     plt_store_part *p = &s->store.part[b->part[kind]];
-    const int there = p->key == plt_block_address(b->opened.link) + kind && p->at == b->at[kind];
+    const int there = p->key == plt_block_address(b->opened.link) + kind && p->at == b->at[kind] &&
+                      p->serial == b->serial[kind];
     p->found |= (uint8_t)there;
     return there;
 }
@@ -287,7 +285,7 @@ static int open_geometry(plt_stream *s, plt_stream_block *b) {
                        s->image.blocks_at + at,
                        o->block.geometry_bytes,
                        PLT_STREAM_GEOMETRY,
-                       serial_of(s, b, PLT_STREAM_NODES)};
+                       b->serial[PLT_STREAM_NODES]};
     b->part[PLT_STREAM_IDS] = PLT_STORE_NONE; /* are checked against it again */
     const int status = a.count > 0 ? need_part(s, &a) : refuse(s, PLT_I14_GEOMETRY, a.offset);
     if (status == PLT_OK) {
@@ -306,7 +304,7 @@ static int open_ids(plt_stream *s, plt_stream_block *b) {
                        s->image.ids_at + from,
                        (uint32_t)((bits + 7) >> 3) - from,
                        PLT_STREAM_IDS,
-                       serial_of(s, b, PLT_STREAM_GEOMETRY)};
+                       b->serial[PLT_STREAM_GEOMETRY]};
     return need_part(s, &a);
 }
 

@@ -32,9 +32,10 @@ enum plt_stream_part { PLT_STREAM_NODES, PLT_STREAM_GEOMETRY, PLT_STREAM_IDS, PL
 
 typedef struct plt_stream_block {
     plt_opened_block opened;
-    float end;                       /* of its subtree (plt_stream_end) */
-    uint16_t part[PLT_STREAM_PARTS]; /* in the store; PLT_STORE_NONE: not fetched yet */
-    uint32_t at[PLT_STREAM_PARTS];   /* where the part was when it was opened */
+    float end;                         /* of its subtree (plt_stream_end) */
+    uint16_t part[PLT_STREAM_PARTS];   /* in the store; PLT_STORE_NONE: not fetched yet */
+    uint32_t at[PLT_STREAM_PARTS];     /* where the part was when it was opened, ... */
+    uint32_t serial[PLT_STREAM_PARTS]; /* ... and which arrival it was */
 } plt_stream_block;
 
 typedef struct plt_stream {
