@@ -4,6 +4,7 @@
 #include "engine/engine.h"
 
 #include "engine/base/fault.h"
+#include "engine/schedule/batch_rays.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/wave.h"
 
@@ -15,6 +16,11 @@ const plt_info *plt_engine_info(const plt_engine *e) {
 int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
     const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
     e->rendering.done = 1;
+#if PLT_WITH_BATCH
+    if (e->batch.most > 0) {
+        return plt_batch_trace_rays(&e->batch, &e->traversal, most, rays, hits, count, any);
+    }
+#endif
 #if PLT_WITH_WAVE
     if (e->traversal.wave != NULL && e->options.rays != PLT_RAYS_COHERENT) {
         const int looks = e->options.rays == PLT_RAYS_AUTO;
@@ -69,6 +75,12 @@ void plt_stats_reset(plt_engine *e) {
 unsigned plt_packet_side(const plt_engine *e) {
     return e->options.packet_side;
 }
+
+#if PLT_WITH_BATCH
+unsigned plt_batch_packets(const plt_engine *e) {
+    return e->batch.most;
+}
+#endif
 
 size_t plt_arena_used(const plt_engine *e) {
     return e->arena.used;

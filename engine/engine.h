@@ -9,6 +9,7 @@
 
 #include "engine/base/arena.h"
 #include "engine/scene/open.h"
+#include "engine/schedule/batch.h"
 #include "engine/shade/rendering.h"
 #include "engine/trace/traversal.h"
 
@@ -18,6 +19,9 @@ struct plt_engine {
     plt_options options;
     plt_scene scene;
     plt_packet packet;
+#if PLT_WITH_BATCH
+    plt_batch batch; /* most 0: none */
+#endif
     plt_traversal traversal;
     plt_rendering rendering;
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */

@@ -7,6 +7,7 @@
 #   wave     with the wave for incoherent rays, which firmware is without unless it asks for it
 #   stream   with scenes that stay in their source, block by block, which firmware is without,
 #            too
+#   batch    with packets that meet at the blocks of such scenes
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
 # `thesis` and `compact` have groups, with `frames` beams.
@@ -32,8 +33,9 @@ wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/tr
     engine/trace/ray_block.c engine/trace/coherence.c)
 stream_files := engine/memory/store.c engine/memory/stream.c engine/scene/open_streamed.c \
     engine/trace/traverse_streamed.c engine/shade/tile_order.c
+batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
-    rays.c leaf_compact.c frustum.c) \
+    rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c
@@ -45,21 +47,24 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave stream frames,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, and wave, stream or frames; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave stream batch frames,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, wave, stream, batch, frames; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave stream frames,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave stream batch frames,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
 ifeq ($(sort $(filter thesis stream,$(PARTS))),stream thesis)
 $(error PARTS with stream has compact blocks: make PARTS='render compact stream')
 endif
+ifeq ($(filter stream,$(PARTS))$(filter batch,$(PARTS)),batch)
+$(error PARTS with batch has stream: make PARTS='render compact stream batch')
+endif
 ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave stream,$(PARTS)),)
-$(error PARTS with frames has no wave and no stream: make PARTS='render thesis frames')
+ifneq ($(filter wave stream batch,$(PARTS)),)
+$(error PARTS with frames has no wave, stream or batch: make PARTS='render thesis frames')
 endif
 left_out_frames := $(groups_files)
 flags_frames := -DPLT_WITH_GROUPS=0
@@ -70,17 +75,22 @@ left_out_compact += $(beams_files)
 flags_compact += -DPLT_WITH_BEAMS=0
 endif
 without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
+without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
-    $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)),$(ENGINE_ALL))
+    $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
+    $(if $(without_batch),$(batch_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
-    $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0)
+    $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
+    $(if $(without_batch),-DPLT_WITH_BATCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
     engine/base/between.c engine/scene/*.c engine/tree/*/validate*.c \
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
-    engine/trace/triangle_seldom.c engine/trace/exact.c engine/trace/wide.c \
+    engine/base/arena.c engine/trace/traversal.c engine/trace/rays.c \
+    engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \
+    engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c engine/shade/rendering.c)
 # In the names of folders: -render, -render-thesis.

@@ -146,9 +146,35 @@ static uint64_t local_stack_bytes(const subject *s) {
                                                     : 0;
 }
 
+#if PLT_WITH_BATCH
+/* 0: packets come one by one. */
+static uint32_t batch_packets(const subject *s) {
+    const plt_options *o = s->options;
+    const int meets = plt_is_streamed(s->format) && o->schedule == PLT_SCHEDULE_BATCH;
+    return !meets ? 0 : o->batch > 0 ? o->batch : 1;
+}
+
+static uint64_t batch_bytes(const subject *s) {
+    return plt_batch_packets_bytes(batch_packets(s), packet_side(s));
+}
+
+static uint64_t tasks_bytes(const subject *s) {
+    const uint32_t packets = batch_packets(s);
+    return packets > 0 ? plt_batch_tasks_bytes(packets, packet_side(s)) : 0;
+}
+#else
+static uint32_t batch_packets(const subject *s) {
+    (void)s;
+    return 0;
+}
+#endif
+
 /* Pixels of a beam take less than rays in groups, and lie where those do. */
 static uint64_t packet_bytes(const subject *s) {
     const unsigned side = packet_side(s);
+    if (batch_packets(s) > 0) {
+        return 0;
+    }
     if (PLT_WITH_GROUPS) {
         return plt_packet_bytes(side);
     }
@@ -222,6 +248,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return s->options->count_touched ? 4ull * plt_touched_words(s->format, s->sized_for) : 0;
     case PLT_PART_PACKET:
         return packet_bytes(s);
+#if PLT_WITH_BATCH
+    case PLT_PART_BATCH:
+        return batch_bytes(s);
+    case PLT_PART_TASKS:
+        return tasks_bytes(s);
+#endif
     case PLT_PART_TILE_BUFFER:
         return PLT_TILE_BUFFER_BYTES;
     case PLT_PART_STACK:
@@ -297,12 +329,20 @@ static int is_wave_valid(const plt_options *o) {
            o->rays <= PLT_RAYS_INCOHERENT;
 }
 
+static int is_batch_valid(const plt_options *o) {
+    if (!PLT_WITH_BATCH || o->schedule != PLT_SCHEDULE_BATCH) {
+        return o->schedule == PLT_SCHEDULE_BRANCH && (!PLT_WITH_BATCH || o->batch == 0);
+    }
+    return o->residency == PLT_RESIDENCY_STREAMED && o->batch <= PLT_BATCH_MOST;
+}
+
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
            o->residency <= PLT_WITH_STREAMED &&
            (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
-           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
+           is_batch_valid(o) && o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 &&
+           is_wave_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

@@ -11,6 +11,9 @@
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 
+/* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1). */
+enum { BATCH_USUAL = 256 };
+
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 
 static int valid_source(const plt_source *s) {
@@ -113,27 +116,68 @@ static uint32_t store_bytes_in(uint64_t room) {
     return most > PLT_STORE_LEAST ? (uint32_t)most : PLT_STORE_LEAST;
 }
 
-/* Bytes of all that runs; if it was not said, with the largest packets that there is room for,
- * beside a store of half of it; and a store as large as the rest. */
-static void set_layout(plt_engine *e, plt_layout *layout) {
+/* Bytes of all that runs, with the options as they are. 1: there is room for it. */
+static int lay_out(const plt_engine *e, plt_layout *layout) {
     const plt_info *info = &e->scene.info;
-    const int mapped = e->source.mapped != NULL, chooses = e->options.packet_side == 0;
+    plt_layout_set(layout, info, info, e->source.mapped != NULL, &e->options);
+    return plt_layout_running(layout) <= e->arena.bytes - e->arena.used;
+}
+
+/* The most packets that there is room for, if it was not said how many meet. */
+static void choose_batch(plt_engine *e, plt_layout *layout) {
+#if PLT_WITH_BATCH
+    if (e->options.schedule != PLT_SCHEDULE_BATCH || e->options.batch > 0 ||
+        !plt_is_streamed(e->scene.format)) {
+        return;
+    }
+    e->options.batch = BATCH_USUAL;
+    while (!lay_out(e, layout) && e->options.batch > 1) {
+        e->options.batch--;
+    }
+#else
+    (void)e;
+    (void)layout;
+#endif
+}
+
+/* Bytes of all that runs. What was not said is chosen: packets, beside a store of half the room,
+ * and a store as large as the rest. */
+static void set_layout(plt_engine *e, plt_layout *layout) {
+    const int chooses = e->options.packet_side == 0;
     const int grows = plt_is_streamed(e->scene.format) && e->options.store_bytes == 0;
     const size_t room = e->arena.bytes - e->arena.used;
     unsigned side = chooses ? PLT_PACKET_SIDE_MAX : e->options.packet_side;
+    int fits;
     if (grows) {
         e->options.store_bytes = store_bytes_in(room / 2);
     }
     do {
         e->options.packet_side = (uint8_t)side;
-        plt_layout_set(layout, info, info, mapped, &e->options);
+        fits = lay_out(e, layout);
         side /= 2;
-    } while (chooses && side > 1 && plt_layout_running(layout) > room);
+    } while (chooses && side > 1 && !fits);
+    choose_batch(e, layout);
     if (grows) {
         const uint64_t others = plt_layout_running(layout) - layout->bytes[PLT_PART_STORE];
         e->options.store_bytes = store_bytes_in(room > others ? room - others : 0);
-        plt_layout_set(layout, info, info, mapped, &e->options);
+        lay_out(e, layout);
     }
+}
+
+static void start_batch(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
+#if PLT_WITH_BATCH
+    const unsigned side = e->options.packet_side;
+    const int meets = plt_is_streamed(e->scene.format) && e->options.schedule != 0;
+    e->batch.most = 0;
+    if (meets) {
+        plt_batch_init(&e->batch, e->options.batch, side, part[PLT_PART_BATCH],
+                       part[PLT_PART_TASKS]);
+        e->rendering.batch = &e->batch;
+    }
+#else
+    (void)e;
+    (void)part;
+#endif
 }
 
 /* The scene is open: a traversal, a packet and a tile buffer over it. */
@@ -152,6 +196,7 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
 #endif
         plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], part[PLT_PART_PACKET],
                            e->options.packet_side);
+        start_batch(e, part);
         status = start_wave(e, &o, part);
     }
     return status;

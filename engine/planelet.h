@@ -84,6 +84,17 @@ enum plt_residency {
                                 * with lattice geometry; the source may be mapped, too */
 };
 
+/* Who goes where, when a scene is streamed. Hits and frames are the same, bit for bit. */
+enum plt_schedule {
+    PLT_SCHEDULE_BRANCH = 0, /* packet after packet: each fetches what it comes to (thesis, 4.3) */
+    PLT_SCHEDULE_BATCH = 1   /* many packets are alive at once and meet at a block before it is
+                              * fetched: fewer bytes, for some 137 per ray and a pool of
+                              * those that wait; nearest block first */
+};
+
+/* Packets of a batch at most. */
+#define PLT_BATCH_MOST 1024u
+
 /* Least bytes of a store, its table included: the largest parts that a block can have fit it
  * together, wherever they lie: 739 (nodes), 8,184 (geometry) and 1,886 (primitive ids). */
 #define PLT_STORE_LEAST 28672u
@@ -139,6 +150,10 @@ typedef struct plt_options {
     uint32_t store_bytes; /* streamed: bytes for blocks, PLT_STORE_LEAST (28,672) at least; 0:
                            * all the room that the arena has (a need is then that of the
                            * least). Bytes fetched depend on it, hits do not */
+    uint8_t schedule;     /* enum plt_schedule; batches are of streamed scenes */
+    uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST, or 0: as many as there is
+                           * room for, if no store_bytes are given beside a store of half of it, 256
+                           * at most (a need is then that of 1). PLT_SCHEDULE_BRANCH: 0 */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -367,6 +382,9 @@ void plt_stats_reset(plt_engine *engine);
 
 /* Rays along a packet's side: as asked for, or as there was room for. */
 unsigned plt_packet_side(const plt_engine *engine);
+
+/* Packets of a batch, likewise; 0: there are no batches. Not there without PLT_WITH_BATCH. */
+unsigned plt_batch_packets(const plt_engine *engine);
 
 /* Bytes of the arena in use, and the most that ever were. Opening lends some that are free: they
  * make it faster, and do not count. */

@@ -48,11 +48,20 @@ void plt_store_init(plt_store *s, void *memory, uint32_t bytes) {
     set_empty(s);
 }
 
-uint16_t plt_store_find(plt_store *s, uint32_t key) {
+static uint16_t find(const plt_store *s, uint32_t key) {
     uint16_t i = *bucket_of(s, key);
     while (i != PLT_STORE_NONE && s->part[i].key != key) {
         i = s->part[i].chain;
     }
+    return i;
+}
+
+int plt_store_has(const plt_store *s, uint32_t key) {
+    return find(s, key) != PLT_STORE_NONE;
+}
+
+uint16_t plt_store_find(plt_store *s, uint32_t key) {
+    const uint16_t i = find(s, key);
     if (i != PLT_STORE_NONE) {
         s->part[i].found = 1;
     }

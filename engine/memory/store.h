@@ -49,6 +49,9 @@ void plt_store_init(plt_store *store, void *memory, uint32_t bytes);
 /* The part of that key, or PLT_STORE_NONE. */
 uint16_t plt_store_find(plt_store *store, uint32_t key);
 
+/* There is one. */
+int plt_store_has(const plt_store *store, uint32_t key);
+
 /* Room for a part of `bytes`, which the caller fills in. PLT_STORE_NONE: parts that are held
  * leave none. Other parts may move or be given up. */
 uint16_t plt_store_take(plt_store *store, uint32_t key, uint32_t bytes);

@@ -264,6 +264,10 @@ int plt_stream_has_leaf(const plt_stream *s, uint32_t leaf, uint32_t pairs, uint
     return is_leaf(&s->current->opened.block, leaf, pairs, pair);
 }
 
+int plt_stream_has(const plt_stream *s, uint32_t link) {
+    return plt_store_has(&s->store, plt_block_address(link));
+}
+
 int plt_stream_open(plt_stream *s, uint32_t link, float end) {
     plt_stream_block *b = &s->cache[plt_block_cache_slot(link)];
     if (b->opened.link != link || b->end != end || !is_there(s, b, PLT_STREAM_NODES)) {

@@ -64,6 +64,9 @@ static inline float plt_stream_end(uint32_t address) {
  * which, and there is no current block. */
 int plt_stream_open(plt_stream *stream, uint32_t link, float end);
 
+/* The nodes of the block behind `link` are in the store. Asking does not count as finding. */
+int plt_stream_has(const plt_stream *stream, uint32_t link);
+
 /* Does the current block have the node, or the leaf, a pair or not, with so many pairs before? A
  * place that has waited asks, as its block may have come anew meanwhile, and be another. */
 int plt_stream_has_node(const plt_stream *stream, uint32_t node);

@@ -16,6 +16,14 @@
 
 #include "engine/planelet.h"
 
+#if PLT_WITH_BATCH
+#define PLT_PARTS_OF_BATCHES(ROW)                                                                  \
+    ROW(BATCH, RUNS, "packets of a batch")                                                         \
+    ROW(TASKS, RUNS, "packets that wait at blocks")
+#else
+#define PLT_PARTS_OF_BATCHES(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -26,6 +34,7 @@
     ROW(RECORD_CACHE, BUILDS, "cached corners")                                                    \
     ROW(TOUCHED, RUNS, "touched blocks, a bit each")                                               \
     ROW(PACKET, RUNS, "packet of rays")                                                            \
+    PLT_PARTS_OF_BATCHES(ROW)                                                                      \
     ROW(TILE_BUFFER, RUNS, "tile buffer")                                                          \
     ROW(STACK, RUNS, "traversal stack")                                                            \
     ROW(LOCAL_STACK, RUNS, "local stack")                                                          \

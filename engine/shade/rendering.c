@@ -11,12 +11,12 @@ static uint32_t least(uint32_t a, uint32_t b) {
     return a < b ? a : b;
 }
 
-static uint32_t tile_width(const plt_rendering *r) {
-    return least(PLT_TILE_SIDE, r->frame.width - r->x);
+static uint32_t tile_width(const plt_frame *f, const plt_frame_place *at) {
+    return least(PLT_TILE_SIDE, f->width - at->x);
 }
 
-static uint32_t tile_height(const plt_rendering *r) {
-    return least(PLT_TILE_SIDE, r->frame.height - r->y);
+static uint32_t tile_height(const plt_frame *f, const plt_frame_place *at) {
+    return least(PLT_TILE_SIDE, f->height - at->y);
 }
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
@@ -47,7 +47,7 @@ static void set_order(plt_rendering *r, int curves) {
 #if PLT_WITH_STREAMED
     const plt_tile_order order = {.columns = (r->frame.width + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE,
                                   .rows = (r->frame.height + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE};
-    r->order = order;
+    r->at.order = order;
     r->curves = (uint8_t)curves;
 #else
     (void)r;
@@ -55,39 +55,26 @@ static void set_order(plt_rendering *r, int curves) {
 #endif
 }
 
-int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
-    r->done = 1;
-    if (frame->width == 0 || frame->height == 0 || frame->shader > PLT_SHADE_TRIANGLE) {
-        return PLT_ERR_ARGUMENT;
-    }
-    r->frame = *frame;
-    const int status = plt_view_set(&r->view, frame);
-    if (status == PLT_OK) {
-        r->beams = (uint8_t)has_beams(r, t);
-        if (HAS_BEAMS(r)) {
-            plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
-        }
-        set_order(r, plt_is_streamed(t->scene->format));
-        r->x = r->y = r->px = r->py = 0;
-        r->tracing = r->done = 0;
-    }
-    return status;
-}
-
 /* Of the rows of a tile; rows of tiles that go from left to right share it. */
 static void set_sky(plt_rendering *r) {
-    for (uint32_t y = 0; y < tile_height(r); y++) {
-        plt_surface_sky(&r->frame, r->y + y, &r->sky[3 * y]);
+    for (uint32_t y = 0; y < tile_height(&r->frame, &r->at); y++) {
+        plt_surface_sky(&r->frame, r->at.y + y, &r->sky[3 * y]);
     }
+}
+
+/* The pixels of a packet, and how many of them lie in the frame. */
+static uint32_t pixels_at(const plt_rendering *r, const plt_frame_place *at, plt_pixels *pixels) {
+    const plt_pixels all = {r->side, at->x + at->px, at->y + at->py, r->frame.width,
+                            r->frame.height};
+    *pixels = all;
+    return least(r->side, r->frame.width - all.x) * least(r->side, r->frame.height - all.y);
 }
 
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
-    const plt_pixels pixels = {r->side, r->x + r->px, r->y + r->py, r->frame.width,
-                               r->frame.height};
-    const uint32_t rays =
-        least(r->side, r->frame.width - pixels.x) * least(r->side, r->frame.height - pixels.y);
+    plt_pixels pixels;
+    const uint32_t rays = pixels_at(r, &r->at, &pixels);
     r->tracing = 1;
-    if ((HAS_CURVES(r) ? r->px == 0 : pixels.x == 0) && r->py == 0) {
+    if ((HAS_CURVES(r) ? r->at.px == 0 : pixels.x == 0) && r->at.py == 0) {
         set_sky(r);
     }
     if (HAS_BEAMS(r)) {
@@ -116,9 +103,9 @@ static void shade_lane(const plt_frame *frame, const plt_group_rays *g, unsigned
 }
 
 static void shade_packet(const plt_rendering *r, const plt_packet *p) {
-    const uint32_t width = tile_width(r), height = tile_height(r);
+    const uint32_t width = tile_width(&r->frame, &r->at), height = tile_height(&r->frame, &r->at);
     for (uint32_t k = 0; k < r->side * r->side; k++) {
-        const uint32_t x = r->px + plt_z_order_x(k), y = r->py + plt_z_order_y(k);
+        const uint32_t x = r->at.px + plt_z_order_x(k), y = r->at.py + plt_z_order_y(k);
         if (x < width && y < height) {
             shade_lane(&r->frame, &p->rays[k / 4], k % 4, &r->sky[3 * y],
                        &r->tile[3 * (y * width + x)]);
@@ -128,62 +115,162 @@ static void shade_packet(const plt_rendering *r, const plt_packet *p) {
 
 static void shade_square(const plt_rendering *r) {
 #if PLT_WITH_BEAMS
-    const uint32_t width = tile_width(r);
-    plt_beam_shade(r->beam, &r->frame, &r->sky[3 * r->py], &r->tile[3 * (r->py * width + r->px)],
-                   3 * width);
+    const uint32_t width = tile_width(&r->frame, &r->at);
+    plt_beam_shade(r->beam, &r->frame, &r->sky[3 * r->at.py],
+                   &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
 #else
     (void)r;
 #endif
 }
 
-/* To the next packet of the tile; 0 when the tile is complete. */
-static int next_packet(plt_rendering *r) {
-    r->tracing = 0;
-    r->px += r->side;
-    if (r->px >= tile_width(r)) {
-        r->px = 0;
-        r->py += r->side;
+/* To the next packet of the tile; 0 when there is none. */
+static int next_packet(const plt_rendering *r, plt_frame_place *at) {
+    at->px += r->side;
+    if (at->px >= tile_width(&r->frame, at)) {
+        at->px = 0;
+        at->py += r->side;
     }
-    return r->py < tile_height(r);
+    return at->py < tile_height(&r->frame, at);
 }
 
-static void follow_curve(plt_rendering *r) {
+static int follow_curve(plt_frame_place *at) {
 #if PLT_WITH_STREAMED
     uint32_t column = 0, row = 0;
-    r->done = (uint8_t)!plt_tile_order_next(&r->order, &column, &row);
-    r->x = PLT_TILE_SIDE * column;
-    r->y = PLT_TILE_SIDE * row;
+    const int there = plt_tile_order_next(&at->order, &column, &row);
+    at->x = PLT_TILE_SIDE * column;
+    at->y = PLT_TILE_SIDE * row;
+    return there;
 #else
-    (void)r;
+    (void)at;
+    return 0;
 #endif
 }
 
-/* The tile was fetched: to the next one, or to the end. */
-static void next_tile(plt_rendering *r) {
-    r->px = r->py = 0;
+/* To the next tile; 0 at the end of the frame. */
+static int next_tile(const plt_rendering *r, plt_frame_place *at) {
+    at->px = at->py = 0;
     if (HAS_CURVES(r)) {
-        follow_curve(r);
-        return;
+        return follow_curve(at);
     }
-    r->x += PLT_TILE_SIDE;
-    if (r->x >= r->frame.width) {
-        r->x = 0;
-        r->y += PLT_TILE_SIDE;
+    at->x += PLT_TILE_SIDE;
+    if (at->x >= r->frame.width) {
+        at->x = 0;
+        at->y += PLT_TILE_SIDE;
     }
-    r->done = r->y >= r->frame.height;
+    return at->y < r->frame.height;
+}
+
+#if PLT_WITH_BATCH
+/* ---- many packets at a time ------------------------------------------------ */
+
+enum { BATCH_ADDS, BATCH_TRACES, BATCH_SHADES };
+
+static void begin_batches(plt_rendering *r) {
+    r->ahead = r->at;
+    r->all_added = 0;
+    r->phase = BATCH_ADDS;
+    if (r->batch != NULL) {
+        plt_batch_clear(r->batch);
+    }
+}
+
+static int add_packet(plt_rendering *r, plt_traversal *t) {
+    plt_pixels pixels;
+    plt_batch *b = r->batch;
+    const uint32_t rays = pixels_at(r, &r->ahead, &pixels);
+    plt_view_packet(&r->view, &t->scene->box, &b->packet[b->count], &pixels);
+    plt_batch_add(b, t, rays);
+    r->all_added = (uint8_t)(!next_packet(r, &r->ahead) && !next_tile(r, &r->ahead));
+    if (r->all_added || b->count == b->most) {
+        r->phase = BATCH_TRACES;
+    }
+    return PLT_MORE;
+}
+
+static int trace_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
+    const int status = plt_batch_trace(r->batch, t, visits);
+    if (status == PLT_OK) {
+        r->phase = BATCH_SHADES;
+        r->shaded = 0;
+        return PLT_MORE;
+    }
+    r->done = status < 0;
+    return status;
+}
+
+static int shade_next(plt_rendering *r) {
+    plt_batch *b = r->batch;
+    if (r->at.px == 0 && r->at.py == 0) {
+        set_sky(r);
+    }
+    shade_packet(r, &b->packet[r->shaded++]);
+    if (r->shaded == b->count) {
+        plt_batch_clear(b);
+        r->phase = BATCH_ADDS;
+    }
+    return next_packet(r, &r->at) ? PLT_MORE : PLT_TILE;
+}
+
+static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
+    switch (r->phase) {
+    case BATCH_ADDS:
+        return add_packet(r, t);
+    case BATCH_TRACES:
+        return trace_batch(r, t, visits);
+    default:
+        return shade_next(r);
+    }
+}
+
+#define HAS_BATCHES(r) ((r)->batch != NULL)
+#else
+#define HAS_BATCHES(r) 0
+
+static void begin_batches(plt_rendering *r) {
+    (void)r;
+}
+
+static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
+    (void)r;
+    (void)t;
+    return (int)visits;
+}
+#endif
+
+int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
+    r->done = 1;
+    if (frame->width == 0 || frame->height == 0 || frame->shader > PLT_SHADE_TRIANGLE) {
+        return PLT_ERR_ARGUMENT;
+    }
+    r->frame = *frame;
+    const int status = plt_view_set(&r->view, frame);
+    if (status == PLT_OK) {
+        r->beams = (uint8_t)has_beams(r, t);
+        if (HAS_BEAMS(r)) {
+            plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
+        }
+        set_order(r, plt_is_streamed(t->scene->format));
+        r->at.x = r->at.y = r->at.px = r->at.py = 0;
+        r->tracing = r->done = 0;
+        begin_batches(r);
+    }
+    return status;
 }
 
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
-    if (!r->done && r->py >= tile_height(r)) {
-        next_tile(r);
+    if (!r->done && r->at.py >= tile_height(&r->frame, &r->at)) {
+        r->done = (uint8_t)!next_tile(r, &r->at);
     }
     if (r->done) {
         return PLT_OK;
     }
+    visits = visits > 0 ? visits : 1;
+    if (HAS_BATCHES(r)) {
+        return step_batch(r, t, visits);
+    }
     if (!r->tracing) {
         begin_packet(r, t, p);
     }
-    visits = visits > 0 ? visits : 1;
     const int status =
         HAS_BEAMS(r) ? plt_beam_trace(r->beam, t, visits) : plt_traverse(t, p, visits);
     if (status < 0) {
@@ -197,13 +284,14 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     } else {
         shade_packet(r, p);
     }
-    return next_packet(r) ? PLT_MORE : PLT_TILE;
+    r->tracing = 0;
+    return next_packet(r, &r->at) ? PLT_MORE : PLT_TILE;
 }
 
 void plt_rendering_tile(const plt_rendering *r, plt_tile *tile) {
     tile->rgb = r->tile;
-    tile->x = (uint16_t)r->x;
-    tile->y = (uint16_t)r->y;
-    tile->width = (uint16_t)tile_width(r);
-    tile->height = (uint16_t)tile_height(r);
+    tile->x = (uint16_t)r->at.x;
+    tile->y = (uint16_t)r->at.y;
+    tile->width = (uint16_t)tile_width(&r->frame, &r->at);
+    tile->height = (uint16_t)tile_height(&r->frame, &r->at);
 }

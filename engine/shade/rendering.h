@@ -7,10 +7,19 @@
 #ifndef PLT_SHADE_RENDERING_H
 #define PLT_SHADE_RENDERING_H
 
+#include "engine/schedule/batch.h"
 #include "engine/shade/beam.h"
 #include "engine/shade/tile_order.h"
 
 #define PLT_TILE_BUFFER_BYTES (3 * PLT_TILE_SIDE * PLT_TILE_SIDE)
+
+/* Where in a frame, pixels: a tile, and a packet within it. */
+typedef struct plt_frame_place {
+    uint32_t x, y, px, py;
+#if PLT_WITH_STREAMED
+    plt_tile_order order; /* of the tiles of a streamed scene */
+#endif
+} plt_frame_place;
 
 typedef struct plt_rendering {
     plt_frame frame;
@@ -19,12 +28,17 @@ typedef struct plt_rendering {
     uint8_t *tile;                  /* PLT_TILE_BUFFER_BYTES, rows as wide as the current tile */
     uint8_t sky[3 * PLT_TILE_SIDE]; /* colour of the sky in each row of the tile */
     uint32_t side;                  /* of a packet */
-#if PLT_WITH_STREAMED
-    plt_tile_order order; /* of the tiles of a streamed scene */
-    uint8_t curves;       /* the scene is one */
+    plt_frame_place at;             /* the current packet */
+#if PLT_WITH_BATCH
+    plt_batch *batch;      /* NULL: packets come one by one */
+    plt_frame_place ahead; /* the next packet of the batch; `at` is the next to be shaded */
+    uint32_t shaded;       /* packets of the batch */
+    uint8_t phase;         /* enum batch_phase of rendering_batch.h */
+    uint8_t all_added;     /* there is none ahead */
 #endif
-    uint32_t x, y;   /* current tile, pixels */
-    uint32_t px, py; /* current packet, pixels within the tile */
+#if PLT_WITH_STREAMED
+    uint8_t curves; /* tiles go along curves */
+#endif
     uint8_t tracing; /* the packet is set up and its traversal is not over */
     uint8_t beams;   /* packets are beams, not groups of rays */
     uint8_t done;    /* nothing left, or no frame begun */

@@ -13,7 +13,10 @@
 #include "engine/base/rules.h"
 #include "engine/memory/stream.h"
 #include "engine/trace/block_target.h"
+#include "engine/trace/tasks.h"
 #include "engine/trace/traversal.h"
+
+#define FORMAT_MEETS PLT_WITH_BATCH
 
 typedef plt_stream format_state;
 

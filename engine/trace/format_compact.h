@@ -14,6 +14,7 @@
 
 #include "engine/trace/block_target.h"
 #include "engine/trace/format.h"
+#include "engine/trace/format_meets.h"
 #include "engine/trace/leaf_compact.h"
 
 enum { FORMAT_TIGHTENS = 1, FORMAT_LEAVES_WAIT = 0 };
@@ -98,6 +99,13 @@ static inline int format_enter(plt_traversal *t, format_place *place) {
 static inline int format_cross(plt_traversal *t, format_place *place) {
     return format_is_edge(place) ? format_enter(t, place) : PLT_OK;
 }
+
+#if FORMAT_MEETS
+static inline int format_wait(plt_traversal *t, const format_place *place, float distance,
+                              const void *entry, size_t bytes) {
+    return plt_tasks_wait(t->tasks, place->link, distance, entry, bytes, sizeof *place);
+}
+#endif
 
 static inline int format_return(plt_traversal *t, format_place *place) {
     if (format_is_edge(place)) {

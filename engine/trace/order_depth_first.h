@@ -14,11 +14,43 @@
 
 #include "engine/base/small_stack.h"
 #include "engine/trace/boxes.h"
+#include "engine/trace/format_meets.h"
 
 typedef struct depth_first_entry {
     format_place place;
     plt_mask groups;
 } depth_first_entry;
+
+#if FORMAT_MEETS
+/* From where the packet's first ray begins to the entry's box, squared. */
+PLT_APART_ON_SMALL_STACKS static float distance_to(const plt_traversal *t, const plt_packet *p,
+                                                   const depth_first_entry *e) {
+    format_room room;
+    const plt_box *box = format_box(t, &e->place, &room);
+    float square = 0.0f;
+    for (int a = 0; a < 3; a++) {
+        const float from = p->rays[0].org[a][0];
+        const float above = box->lo[a] - from, below = from - box->hi[a];
+        const float side = above > below ? above : below;
+        square += side > 0.0f ? side * side : 0.0f;
+    }
+    return square;
+}
+#endif
+
+/* The entry waits at its edge for other packets (format_meets.h). 0: it is to go on. */
+static inline int depth_first_waits(plt_traversal *t, const plt_packet *p,
+                                    const depth_first_entry *e) {
+#if FORMAT_MEETS
+    return t->tasks != NULL && !format_is_leaf(&e->place) && format_is_edge(&e->place) &&
+           format_wait(t, &e->place, distance_to(t, p, e), e, sizeof *e);
+#else
+    (void)t;
+    (void)p;
+    (void)e;
+    return 0;
+#endif
+}
 
 /* Groups of the entry that meet its box. */
 PLT_APART_ON_SMALL_STACKS static plt_mask meet(const plt_traversal *t, const plt_packet *p,
@@ -72,6 +104,9 @@ static int descend(plt_traversal *t, plt_packet *p, depth_first_entry *at, uint3
             return PLT_OK;
         }
         if (!format_is_leaf(&at->place) && format_is_edge(&at->place)) {
+            if (depth_first_waits(t, p, at)) {
+                return PLT_OK;
+            }
             const int status = cross_edge(t, p, at);
             if (status != PLT_OK || at->groups == 0) {
                 return status;
@@ -86,19 +121,27 @@ static int descend(plt_traversal *t, plt_packet *p, depth_first_entry *at, uint3
 static inline int resume(plt_traversal *t, const plt_packet *p, depth_first_entry *at) {
     const int crosses =
         FORMAT_TIGHTENS && !format_is_leaf(&at->place) && format_is_edge(&at->place);
+#if FORMAT_MEETS
+    if (t->tasks != NULL && crosses) { /* what has waited long is hidden often */
+        at->groups = meet(t, p, at);
+    }
+#endif
     if (crosses && at->groups != 0) {
         const int status = format_enter(t, &at->place);
         if (status != PLT_OK) {
             return status;
         }
     }
-    at->groups = meet(t, p, at);
+    at->groups = at->groups != 0 ? meet(t, p, at) : 0;
     return at->groups == 0 || crosses ? PLT_OK : format_return(t, &at->place);
 }
 
 static int pop_depth_first(plt_traversal *t, plt_packet *p, uint32_t *visits) {
     depth_first_entry at = ((depth_first_entry *)t->stack)[--t->waiting];
     at.groups &= p->active;
+    if (depth_first_waits(t, p, &at)) {
+        return PLT_OK;
+    }
     const int status = resume(t, p, &at);
     return status != PLT_OK || at.groups == 0 ? status : descend(t, p, &at, visits);
 }
@@ -107,6 +150,10 @@ static int push_root_depth_first(plt_traversal *t, const plt_packet *p) {
     depth_first_entry *root = (depth_first_entry *)t->stack;
     root->groups = p->active;
     return format_root(t, &root->place);
+}
+
+static inline int root_waits_depth_first(plt_traversal *t, const plt_packet *p) {
+    return depth_first_waits(t, p, (const depth_first_entry *)t->stack);
 }
 
 #endif

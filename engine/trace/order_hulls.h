@@ -18,6 +18,7 @@
 
 #if PLT_WITH_HULLS
 
+#include "engine/trace/format_meets.h"
 #include "engine/trace/hull_test.h"
 
 /* Leaves are tested when so many wait, if they do. */
@@ -29,6 +30,24 @@ typedef struct hulls_entry {
     uint8_t lanes;
     f4 enter; /* depth of each lane at which it meets the box */
 } hulls_entry;
+
+/* The entry waits at its edge for other packets (format_meets.h). 0: it is to go on. */
+static inline int hulls_wait(plt_traversal *t, const hulls_entry *e) {
+#if FORMAT_MEETS
+    if (t->tasks == NULL || format_is_leaf(&e->place) || !format_is_edge(&e->place)) {
+        return 0;
+    }
+    const f4 enter = f4_select(m4_bits(e->lanes), e->enter, f4_all(0x1p127f));
+    const f4 two = f4_min(f4_lane(enter, 0), f4_lane(enter, 1));
+    float distance[4];
+    f4_store(distance, f4_min(two, f4_min(f4_lane(enter, 2), f4_lane(enter, 3))));
+    return format_wait(t, &e->place, distance[0], e, sizeof *e);
+#else
+    (void)t;
+    (void)e;
+    return 0;
+#endif
+}
 
 /* Groups of the lanes of a hull that meet a box, hulls above the groups' first. */
 PLT_INLINED plt_mask groups_below(const plt_packet *p, const plt_planes *planes, unsigned hull,
@@ -223,6 +242,9 @@ PLT_INLINED int descend_hulls(plt_traversal *t, plt_packet *p, hulls_entry *at, 
         if (at->hull < p->first_group && !refine(t, p, at, kind)) {
             break;
         }
+        if (hulls_wait(t, at)) {
+            break;
+        }
         const int crossed = format_cross(t, &at->place);
         if (crossed != PLT_OK) {
             return crossed;
@@ -246,10 +268,11 @@ PLT_INLINED int pop_kind(plt_traversal *t, plt_packet *p, uint32_t *visits,
     hulls_entry at = ((hulls_entry *)t->stack)[--t->waiting];
     int status = PLT_OK;
     at.lanes = (uint8_t)still_open(p, &at);
-    if (at.lanes != 0) {
+    const int goes_on = at.lanes != 0 && !hulls_wait(t, &at);
+    if (goes_on) {
         status = format_return(t, &at.place);
     }
-    if (at.lanes != 0 && status == PLT_OK) {
+    if (goes_on && status == PLT_OK) {
         status = descend_hulls(t, p, &at, visits, kind);
     }
     if (status == PLT_OK && ((int)t->leaves_waiting >= HULLS_LEAVES || t->waiting == 0)) {
@@ -279,6 +302,11 @@ static int push_root_hulls(plt_traversal *t, plt_packet *p) {
         plt_group_make_ready(p, 0);
     }
     return format_root(t, &root->place);
+}
+
+static inline int root_waits_hulls(plt_traversal *t, const plt_packet *p) {
+    (void)p;
+    return hulls_wait(t, (const hulls_entry *)t->stack);
 }
 
 #endif

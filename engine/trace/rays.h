@@ -4,11 +4,8 @@
 #ifndef PLT_TRACE_RAYS_H
 #define PLT_TRACE_RAYS_H
 
+#include "engine/trace/packet_rays.h"
 #include "engine/trace/traversal.h"
-
-/* The next four of `count` rays, or as many as there are, as group `index`
- * (plt_packet_set_group). */
-void plt_packet_load_rays(plt_packet *packet, unsigned index, const plt_ray *rays, uint32_t count);
 
 /* Traces `count` rays, at most those of `packet`, of side^2 rays. PLT_OK, or what a
  * fetch failed with: then the hits are left as they were. */

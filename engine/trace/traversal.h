@@ -29,6 +29,9 @@ typedef struct plt_traversal {
     void *store;          /* of streamed blocks */
     uint32_t store_bytes; /* of it */
 #endif
+#if PLT_WITH_BATCH
+    struct plt_tasks *tasks; /* where packets wait at edges (tasks.h); NULL: they cross them */
+#endif
     void *wave;        /* rays in flight (wave_state.h); NULL: not asked for */
     void *state;       /* what the format keeps from visit to visit */
     uint32_t *touched; /* a bit per block that was counted once; NULL: not asked for */
@@ -84,5 +87,10 @@ void plt_traversal_begin(plt_traversal *t, plt_packet *packet, uint32_t rays);
  * done. PLT_OK: it is done; PLT_MORE; or what a fetch failed with: then nothing
  * waits any more, and hits so far may not be the nearest. */
 int plt_traverse(plt_traversal *t, plt_packet *packet, uint32_t visits);
+
+#if PLT_WITH_BATCH
+/* The treelet, as its edges name it, need not be fetched. */
+int plt_treelet_at_hand(const plt_traversal *t, uint32_t treelet);
+#endif
 
 #endif

@@ -59,6 +59,12 @@ void plt_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
     }
 }
 
+#if PLT_WITH_BATCH
+int plt_treelet_at_hand(const plt_traversal *t, uint32_t treelet) {
+    return plt_streamed_at_hand(t, treelet);
+}
+#endif
+
 int plt_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
     switch (t->scene->format) {
 #define TRAVERSE(NAME, name, with, text)                                                           \

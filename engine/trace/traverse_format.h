@@ -48,6 +48,29 @@ void PLT_JOINED(FORMAT_NAME, state_init)(plt_traversal *t) {
     format_state_init(t);
 }
 
+#if FORMAT_MEETS
+_Static_assert(sizeof(format_place) <= PLT_TASK_PLACE_BYTES, "places fit queues of tasks");
+#define REST_FITS(ORDER, order)                                                                    \
+    _Static_assert(offsetof(order##_entry, place) == 0 &&                                          \
+                       sizeof(order##_entry) - sizeof(format_place) <= PLT_TASK_REST_BYTES,        \
+                   "entries begin with a place, and the rest of them fits a task");
+FORMAT_ORDERS(REST_FITS)
+#undef REST_FITS
+
+/* At the root, where all packets meet first. */
+static int PLT_JOINED(FORMAT_NAME, root_waits)(plt_traversal *t, const plt_packet *p) {
+    switch (FORMAT_ORDER(plt_order_for(t, p))) {
+#define ROOT_WAITS(ORDER, order)                                                                   \
+    case PLT_ORDER_##ORDER:                                                                        \
+        return root_waits_##order(t, p);
+        FORMAT_ORDERS(ROOT_WAITS)
+#undef ROOT_WAITS
+    default:
+        return 0;
+    }
+}
+#endif
+
 void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {
     int there = 0;
     switch (FORMAT_ORDER(plt_order_for(t, p))) {
@@ -61,6 +84,11 @@ void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {
         break;
     }
     t->waiting = there && p->active != 0;
+#if FORMAT_MEETS
+    if (t->tasks != NULL && t->waiting > 0) {
+        t->waiting = !PLT_JOINED(FORMAT_NAME, root_waits)(t, p);
+    }
+#endif
 }
 
 /* Pops until the visits are used up, nothing waits, every ray of an any-hit packet has

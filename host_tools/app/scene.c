@@ -18,7 +18,7 @@ static const char *const packets[] = {"auto", "2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", NULL};
 static const char *const residencies[] = {"resident", "streamed", NULL};
-static const char *const branch[] = {"branch", NULL};
+static const char *const schedules[] = {"branch", "batch", NULL};
 
 /* Rules 1 and 2 of SPEC.md: too short for a header, or no header of ours. */
 static const char *image_remedy(const plt_fault *fault) {
@@ -124,7 +124,15 @@ static void read_flags(scene *s, args *a, int *fetched) {
     if (args_has(a, "--store") && s->options.residency != PLT_RESIDENCY_STREAMED) {
         args_complain(a, "--store is for --residency streamed");
     }
-    args_choice(a, "--schedule", branch, 0);
+    s->options.schedule = (uint8_t)args_choice(a, "--schedule", schedules, PLT_SCHEDULE_BRANCH);
+    s->options.batch = (uint16_t)args_number(a, "--batch", 0, 1, PLT_BATCH_MOST);
+    if (s->options.schedule == PLT_SCHEDULE_BATCH &&
+        s->options.residency != PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--schedule batch is for --residency streamed");
+    }
+    if (args_has(a, "--batch") && s->options.schedule != PLT_SCHEDULE_BATCH) {
+        args_complain(a, "--batch is for --schedule batch");
+    }
     args_number(a, "--workers", 1, 1, 1);
     s->arena_is_given = args_has(a, "--arena");
     s->arena_bytes = (size_t)args_number(a, "--arena", host_arena_bytes(), 1, host_arena_bytes());
@@ -284,10 +292,12 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
                  ",\n"
                  "  \"store_evictions\": %" PRIu64 ",\n  \"fetch_retries\": %" PRIu64
                  ",\n"
+                 "  \"schedule\": \"%s\",\n  \"batch\": %u,\n"
                  "  \"arena_bytes\": %zu,\n  \"arena_peak_bytes\": %zu",
                  q.rays, seconds, seconds > 0.0 ? (double)q.rays / seconds * 1e-6 : 0.0,
                  q.wave_rays, plt_packet_side(s->engine), q.packets, q.mixed_packets, q.node_visits,
                  q.group_tests, q.triangle_tests, q.treelet_fetches, q.bytes_fetched,
-                 q.bytes_touched_once, q.store_evictions, q.fetch_retries, s->arena_bytes,
+                 q.bytes_touched_once, q.store_evictions, q.fetch_retries,
+                 schedules[s->options.schedule], plt_batch_packets(s->engine), s->arena_bytes,
                  plt_arena_peak(s->engine));
 }

@@ -43,7 +43,11 @@ typedef struct scene {
          "need them (default resident)"},                                                          \
         {"--store", "BYTES",                                                                       \
          "streamed: memory for blocks, from 28672 (default all that the arena has room for)"},     \
-        {"--schedule", "branch", "each packet traverses its branches alone"},                      \
+        {"--schedule", "branch|batch",                                                             \
+         "streamed: packet after packet, or many packets that meet at a block before it is "       \
+         "fetched (default branch)"},                                                              \
+        {"--batch", "PACKETS",                                                                     \
+         "packets that meet, 1 to 1024 (default as many as there is room for, 256 at most)"},      \
         {"--workers", "1", "threads that trace"},                                                  \
         {"--source", "map|read",                                                                   \
          "the image is mapped like flash, or fetched into the arena (default map)"},               \

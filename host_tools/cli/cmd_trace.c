@@ -20,7 +20,8 @@
 #include "host_tools/cli/commands.h"
 
 enum { RAY_BYTES = 32, HIT_BYTES = 16 };
-enum { RAYS_PER_BATCH = 65536 }; /* a whole number of packets of every size */
+/* Rays per call: a whole number of batches, if they are of all 1024 packets or fewer by halves. */
+enum { RAYS_PER_CALL = 262144 };
 
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
@@ -91,14 +92,14 @@ static int read_rays(tracing *t, const char *path, fail *f) {
     return status;
 }
 
-/* All rays once, in batches of whole packets; adds the seconds of tracing. A status of the
+/* All rays once; adds the seconds of tracing. A status of the
  * engine. */
 static int trace_once(tracing *t, int any, progress *bar, uint64_t before, double *seconds) {
     plt_engine *engine = t->s.engine;
     int status = PLT_OK;
     plt_stats_reset(engine);
     for (uint32_t at = 0; at < t->count && status == PLT_OK;) {
-        const uint32_t left = t->count - at, now = left < RAYS_PER_BATCH ? left : RAYS_PER_BATCH;
+        const uint32_t left = t->count - at, now = left < RAYS_PER_CALL ? left : RAYS_PER_CALL;
         const double began = clock_processor_seconds();
         status = plt_trace(engine, t->rays + at, t->hits + at, now, any);
         *seconds += clock_processor_seconds() - began;

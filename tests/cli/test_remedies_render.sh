@@ -88,6 +88,8 @@ cured render thesis.plt -o x.png --residency resident
 run pack knot.ply -o compact.plt --nodes compact --geometry lattice:14
 cured render compact.plt -o x.png --residency streamed
 says "--store is for --residency streamed" render compact.plt -o x.png --store 65536
+says "--schedule batch is for --residency streamed" render compact.plt -o x.png --schedule batch
+says "--batch is for --schedule batch" render compact.plt -o x.png --residency streamed --batch 2
 cured render compact.plt -o x.png --residency streamed --store 65536
 run pack knot.ply -o compact.plt --nodes compact
 says "%s; leave out --walk two-stage" render compact.plt -o x.png --walk two-stage

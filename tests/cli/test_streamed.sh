@@ -30,6 +30,31 @@ works "a film, too" render t.plt -o streamed.y4m --size 64x48 --orbit 3 --reside
 works "... of the whole scene" render t.plt -o whole.y4m --size 64x48 --orbit 3
 same whole.y4m streamed.y4m "... is the same"
 
+works "packets that meet at blocks" render t.plt -o batch.ppm --size 200x150 --residency streamed \
+    --store 28672 --schedule batch --json batch.json
+same whole.ppm batch.ppm "... the picture is the same"
+verdict "... and less is fetched than packet after packet" "$(
+    [ "$(value batch.json bytes_fetched)" -lt "$(value small.json bytes_fetched)" ] &&
+        [ "$(value batch.json schedule)" = batch ] || cat batch.json small.json)"
+for batch in 1 3 1024; do
+    works "$batch packets of 4 x 4 at a time" render t.plt -o batch.ppm --size 200x150 \
+        --residency streamed --schedule batch --batch $batch --packet 4 --json batch.json
+    same whole.ppm batch.ppm "... the picture is the same"
+    verdict "... so many, it says" "$([ "$(value batch.json batch)" = $batch ] || cat batch.json)"
+done
+works "a small arena has fewer packets" render t.plt -o batch.ppm --size 200x150 \
+    --residency streamed --schedule batch --arena 131072 --json batch.json
+same whole.ppm batch.ppm "... the picture is the same"
+verdict "... but more than one" "$([ "$(value batch.json batch)" -gt 1 ] || cat batch.json)"
+misused "batches of a resident scene are wrong usage" "--residency streamed" \
+    render t.plt -o x.png --schedule batch
+misused "a batch for no batches is wrong usage" "--schedule batch" \
+    render t.plt -o x.png --residency streamed --batch 4
+misused "a batch of none is wrong usage" "--batch" \
+    render t.plt -o x.png --residency streamed --schedule batch --batch 0
+misused "a batch above the most is wrong usage" "--batch" \
+    render t.plt -o x.png --residency streamed --schedule batch --batch 1025
+
 awk 'BEGIN { for (i = 0; i < 300; i++)
     print i % 17 / 17 - 0.5, 3, i % 23 / 23 - 0.5, 0, 0.1 * (i % 3), -1, 0.05 * (i % 5), 100 }' |
     rays rays
@@ -39,6 +64,9 @@ for any in '' --any; do
     # shellcheck disable=SC2086
     works "... streamed" trace t.plt rays streamed.hits $any --residency streamed --arena 100000
     same whole.hits streamed.hits "... the hits are the same"
+    # shellcheck disable=SC2086
+    works "... by batches" trace t.plt rays batch.hits $any --residency streamed --schedule batch
+    same whole.hits batch.hits "... the hits are the same"
 done
 
 for packet in 2 4; do

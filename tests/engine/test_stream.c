@@ -32,11 +32,18 @@ typedef struct subject {
     uint8_t frame[3 * WIDTH * HEIGHT];
 } subject;
 
+/* How what follows is traced: packets of a batch, 0: none; and with no more tasks than that. */
+static uint16_t batch;
+static int has_few_tasks;
+
 static plt_options options_of(uint8_t residency, uint8_t packet_side, uint32_t store_bytes) {
+    const int meets = batch > 0 && residency == PLT_RESIDENCY_STREAMED;
     const plt_options o = {.packet_side = packet_side,
                            .count_touched = 1,
                            .residency = residency,
-                           .store_bytes = store_bytes};
+                           .store_bytes = store_bytes,
+                           .schedule = meets ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH,
+                           .batch = meets ? batch : 0};
     return o;
 }
 
@@ -49,7 +56,12 @@ static int open_run(run *x, const packed *image, const plt_options *o) {
     x->link.arena = x->arena;
     x->link.arena_bytes = x->bytes;
     const plt_source source = fake_source(&x->link);
-    return plt_open(&x->engine, x->arena, x->bytes, &source, o, &x->fault);
+    const int status = plt_open(&x->engine, x->arena, x->bytes, &source, o, &x->fault);
+    if (status == PLT_OK && has_few_tasks && o->batch > 0) {
+        plt_tasks *tasks = &x->engine->batch.tasks;
+        plt_tasks_init(tasks, tasks->queue, o->batch, 1 + o->batch / 2);
+    }
+    return status;
 }
 
 static void close_run(run *x) {
@@ -483,7 +495,9 @@ static void claims_of_depth(void) {
             CHECK(less == PLT_OK ? memcmp(hits, s.due[0], sizeof hits) == 0
                                  : less == PLT_ERR_IMAGE && x.fault.rule == PLT_I18_COUNTS,
                   "room for %u of %u: status %d", claim, depth, less);
-            CHECK(claim > 1 || less == PLT_ERR_IMAGE, "one entry is enough for %u", depth);
+            /* Packets that wait at edges are on no stack. */
+            CHECK(claim > 1 || batch > 0 || less == PLT_ERR_IMAGE, "one entry is enough for %u",
+                  depth);
             close_run(&x);
         }
     }
@@ -501,6 +515,21 @@ static void refusals(void) {
     o.store_bytes = 0;
     o.residency = 2;
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "an unknown residency");
+    o.residency = PLT_RESIDENCY_STREAMED;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) > 0, "a streamed scene");
+    o.schedule = PLT_SCHEDULE_BATCH + 1;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "an unknown schedule");
+    o.schedule = PLT_SCHEDULE_BATCH;
+    o.batch = PLT_BATCH_MOST + 1;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "a batch above the most");
+    o.batch = PLT_BATCH_MOST;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) > 0, "the largest batch");
+    o.residency = PLT_RESIDENCY_WHOLE;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "batches of a resident scene");
+    o.residency = PLT_RESIDENCY_STREAMED;
+    o.schedule = PLT_SCHEDULE_BRANCH;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "a batch that nobody asked for");
+    o.batch = 0;
     shape_soup(&m, 50, 0.5f, 3);
     config.run.residency = PLT_RESIDENCY_STREAMED;
     CHECK(plt_can_stream(&s.image.info), "compact blocks can be streamed");
@@ -511,11 +540,41 @@ static void refusals(void) {
     pack_free(&s.image);
 }
 
-int main(void) {
-    const char *soak = getenv("PLANELET_SOAK");
+/* Of batches: fewer bytes than packets one by one, and never a block twice in one batch. */
+static void batches_save(void) {
+    enum { SIDE = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8 };
     static subject s;
+    uint64_t bytes[3];
+    const uint16_t packets[3] = {0, 4, RAYS / SIDE / SIDE};
+    fill_subject(&s, 12000, 2, 14, 1);
+    for (unsigned i = 0; i < 3; i++) {
+        run x = {0};
+        plt_hit hits[RAYS];
+        plt_stats q;
+        batch = packets[i];
+        const plt_options o = options_of(PLT_RESIDENCY_STREAMED, SIDE, 0);
+        CHECK(open_run(&x, &s.image, &o) == PLT_OK, "%s", x.fault.message);
+        CHECK(trace_all(&x, &s, hits) == PLT_OK, "%u packets", packets[i]);
+        plt_stats_get(x.engine, &q);
+        bytes[i] = q.bytes_fetched;
+        if (packets[i] * SIDE * SIDE >= RAYS) {
+            CHECK(bytes[i] < q.bytes_touched_once * 21 / 20, "%u bytes of %u, all at once",
+                  (unsigned)bytes[i], (unsigned)q.bytes_touched_once);
+        }
+        close_run(&x);
+    }
+    CHECK(bytes[1] < bytes[0] / 2 && bytes[2] < bytes[1] / 2, "%u, %u and %u bytes",
+          (unsigned)bytes[0], (unsigned)bytes[1], (unsigned)bytes[2]);
+    batch = 0;
+    pack_free(&s.image);
+}
+
+/* All that depends on the schedule. */
+static void schedule(const char *sentence, int is_soak) {
+    static subject s;
+    const uint32_t step = batch > 0 ? 101 : 17;
     int cuts = 0;
-    test("hits and frames are those of the resident scene, whatever the store");
+    test(sentence);
     all_stores(12000, 1, 14, 1);
     all_stores(12000, 2, 18, 0);
     all_stores(9000, 4, 21, 1);
@@ -538,21 +597,21 @@ int main(void) {
     takes_the_rest();
     fill_subject(&s, 2500, 2, 14, 1);
     test("a transfer that fails, is short or wrong once is got over");
-    every_call_fails_once(&s, FAKE_FAILS_AT_START, 17);
-    every_call_fails_once(&s, FAKE_SHORT_AT_START, 17);
-    every_call_fails_once(&s, FAKE_SILENT_AT_START, 17);
+    every_call_fails_once(&s, FAKE_FAILS_AT_START, step);
+    every_call_fails_once(&s, FAKE_SHORT_AT_START, step);
+    every_call_fails_once(&s, FAKE_SILENT_AT_START, step);
     test("of a source that fails for good the place is told, and all goes on when it is mended");
-    for (uint32_t call = 1; call < 200; call += call < 40 ? 1 : 7) {
+    for (uint32_t call = 1; call < 200; call += call < 40 ? 1 : batch > 0 ? 40 : 7) {
         cuts += is_cut_and_mended(&s, call);
     }
     CHECK(cuts > 40, "%d cuts", cuts);
     pack_free(&s.image);
     test("a wrong bit of nodes or geometry is noticed, and they are fetched again");
     fill_subject(&s, 2500, 2, 14, 0); /* primitive ids have no check: SPEC.md, 5.5 */
-    every_call_fails_once(&s, FAKE_GARBLED_AT_START, 17);
+    every_call_fails_once(&s, FAKE_GARBLED_AT_START, step);
     pack_free(&s.image);
     test("images that lie are refused when it shows, or are traced without harm");
-    forged_images(soak != NULL && soak[0] == '1' ? 100000 : 700);
+    forged_images(is_soak ? 100000 : batch > 0 ? 300 : 700);
     test("a link that says more than the image has is refused before it is followed");
     link_beyond_the_end();
     test("packets come back to blocks that are as deep as they can be");
@@ -560,9 +619,22 @@ int main(void) {
         deep_blocks(side);
     }
     test("a source that returns other bytes each time does no harm");
-    changing_sources(soak != NULL && soak[0] == '1' ? 300 : 8);
+    changing_sources(is_soak ? 300 : 8);
     test("a tree that is deeper than its header claims does not overflow the stack");
     claims_of_depth();
+}
+
+int main(void) {
+    const char *soak = getenv("PLANELET_SOAK");
+    const int is_soak = soak != NULL && soak[0] == '1';
+    schedule("hits and frames are those of the resident scene, whatever the store", is_soak);
+    batch = 5;
+    schedule("the same of five packets at a time", is_soak);
+    has_few_tasks = 1;
+    schedule("the same when there are no more tasks than packets", is_soak);
+    has_few_tasks = 0;
+    test("packets that meet fetch less than packets one by one");
+    batches_save();
     test("what cannot be streamed is refused");
     refusals();
     return test_done();

@@ -113,6 +113,10 @@ if part "render thesis wave" "$wave" 73728; then
     verdict "... the whole engine is without a wave" "$(
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
 fi
+batch=$BUILD/mps2_an386-batch-compact-render-stream
+if part "render compact stream batch" "$batch" 57344; then
+    renders "$batch" compact
+fi
 wave=$BUILD/mps2_an386-compact-render-wave
 if part "render compact wave" "$wave" 77824; then
     renders "$wave" compact

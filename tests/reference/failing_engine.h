@@ -53,7 +53,7 @@ static int failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
 #define FAILING_DECLARE(name) extern __typeof__(plt_##name) failing_##name
 FAILING_DECLARE(trace_packet);
 FAILING_DECLARE(trace_packets);
-FAILING_DECLARE(packet_load_rays);
+FAILING_DECLARE(batch_packets);
 FAILING_DECLARE(rendering_init);
 FAILING_DECLARE(rendering_begin);
 FAILING_DECLARE(rendering_step);
@@ -75,9 +75,9 @@ FAILING_DECLARE(arena_peak);
 #define PLT_WITH_BEAMS 0
 #define plt_traversal_begin failing_traversal_begin
 #define plt_traverse failing_traverse
+#define plt_batch_packets failing_batch_packets
 #define plt_trace_packet failing_trace_packet
 #define plt_trace_packets failing_trace_packets
-#define plt_packet_load_rays failing_packet_load_rays
 #define plt_rendering_init failing_rendering_init
 #define plt_rendering_begin failing_rendering_begin
 #define plt_rendering_step failing_rendering_step
@@ -100,9 +100,9 @@ FAILING_DECLARE(arena_peak);
 
 #undef plt_traversal_begin
 #undef plt_traverse
+#undef plt_batch_packets
 #undef plt_trace_packet
 #undef plt_trace_packets
-#undef plt_packet_load_rays
 #undef plt_rendering_init
 #undef plt_rendering_begin
 #undef plt_rendering_step

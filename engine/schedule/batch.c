@@ -1,0 +1,72 @@
+/* batch - see batch.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/schedule/batch.h"
+
+#include "engine/schedule/nearest.h"
+
+void plt_batch_init(plt_batch *b, uint32_t most, unsigned side, void *packets, void *tasks) {
+    unsigned char *memory = (unsigned char *)packets + plt_batch_heads_bytes(most);
+    b->packet = packets;
+    b->most = most;
+    b->count = 0;
+    for (uint32_t i = 0; i < most; i++) {
+        plt_packet_init(&b->packet[i], memory + i * plt_packet_bytes(side), side);
+    }
+    plt_tasks_init(&b->tasks, tasks, plt_batch_tasks(most, side), plt_batch_queues(most));
+}
+
+void plt_batch_clear(plt_batch *b) {
+    plt_tasks_clear(&b->tasks);
+    b->count = 0;
+}
+
+/* There is a task for every packet, so none goes on before all have come. */
+void plt_batch_add(plt_batch *b, plt_traversal *t, uint32_t rays) {
+    b->tasks.packet = (uint16_t)b->count;
+    t->tasks = &b->tasks;
+    plt_traversal_begin(t, &b->packet[b->count++], rays);
+    t->tasks = NULL;
+}
+
+/* The next packet that has rays left, its entry on the stack. 0: all are done. */
+static int resume_next(plt_batch *b, plt_traversal *t) {
+    for (;;) {
+        while (plt_tasks_next(&b->tasks, t)) {
+            if (b->packet[b->tasks.packet].active != 0) {
+                return 1;
+            }
+            t->waiting = 0;
+        }
+        if (!plt_nearest_begin(&b->tasks, t)) {
+            return 0;
+        }
+    }
+}
+
+/* A task that turns out to be hidden counts as a visit, so that a call ends. */
+static int trace(plt_batch *b, plt_traversal *t, uint32_t visits) {
+    while (t->waiting > 0 || resume_next(b, t)) {
+        const uint64_t before = t->stats.node_visits;
+        const int status = plt_traverse(t, &b->packet[b->tasks.packet], visits);
+        const uint64_t used = t->stats.node_visits - before + 1;
+        if (status < 0) {
+            return status;
+        }
+        if (used >= visits) {
+            return PLT_MORE;
+        }
+        visits -= (uint32_t)used;
+    }
+    return PLT_OK;
+}
+
+int plt_batch_trace(plt_batch *b, plt_traversal *t, uint32_t visits) {
+    t->tasks = &b->tasks;
+    const int status = trace(b, t, visits);
+    t->tasks = NULL;
+    if (status < 0) {
+        plt_batch_clear(b);
+    }
+    return status;
+}

@@ -1,0 +1,124 @@
+/* tasks - see tasks.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/trace/tasks.h"
+
+#include <string.h>
+
+void plt_tasks_init(plt_tasks *tasks, void *memory, uint32_t most, uint32_t queues) {
+    tasks->queue = memory;
+    tasks->task = (plt_task *)(void *)(tasks->queue + queues);
+    tasks->most = most < PLT_TASK_NONE ? most : PLT_TASK_NONE - 1;
+    tasks->queues_most = queues < PLT_TASK_NONE ? queues : PLT_TASK_NONE - 1;
+    tasks->packet = 0;
+    plt_tasks_clear(tasks);
+}
+
+void plt_tasks_clear(plt_tasks *tasks) {
+    for (uint32_t i = 0; i < tasks->most; i++) {
+        tasks->task[i].next = (uint16_t)(i + 1 < tasks->most ? i + 1 : PLT_TASK_NONE);
+    }
+    for (uint32_t i = 0; i < tasks->queues_most; i++) {
+        tasks->queue[i].after = (uint16_t)(i + 1 < tasks->queues_most ? i + 1 : PLT_TASK_NONE);
+    }
+    tasks->unused = tasks->unused_queue = 0;
+    tasks->first = tasks->before = tasks->here = PLT_TASK_NONE;
+    tasks->count = tasks->queues = 0;
+}
+
+/* PLT_TASK_NONE: nobody waits there. Only treelets that were met since `here` was begun can be
+ * the same. */
+static uint16_t find_queue(const plt_tasks *tasks, uint32_t treelet) {
+    uint16_t i = tasks->first;
+    while (i != tasks->before && i != PLT_TASK_NONE && tasks->queue[i].treelet != treelet) {
+        i = tasks->queue[i].after;
+    }
+    return i != tasks->before ? i : PLT_TASK_NONE;
+}
+
+/* PLT_TASK_NONE: there is no room. */
+static uint16_t add_queue(plt_tasks *tasks, uint32_t treelet, const void *place) {
+    const uint16_t i = tasks->unused_queue;
+    if (i == PLT_TASK_NONE) {
+        return i;
+    }
+    plt_task_queue *q = &tasks->queue[i];
+    tasks->unused_queue = q->after;
+    tasks->queues++;
+    q->treelet = treelet;
+    q->is_far = 0;
+    q->nearest = 0x1p127f;
+    q->task = PLT_TASK_NONE;
+    q->after = tasks->first;
+    tasks->first = i;
+    memcpy(q->place, place, tasks->place_bytes);
+    return i;
+}
+
+static void add_task(plt_tasks *tasks, plt_task_queue *q, const void *rest, size_t bytes) {
+    const uint16_t i = tasks->unused;
+    plt_task *task = &tasks->task[i];
+    tasks->unused = task->next;
+    tasks->count++;
+    task->packet = tasks->packet;
+    memcpy(task->rest, rest, bytes);
+    task->next = q->task;
+    q->task = i;
+}
+
+int plt_tasks_wait(plt_tasks *tasks, uint32_t treelet, float distance, const void *entry,
+                   size_t bytes, size_t place_bytes) {
+    const int is_here =
+        tasks->here != PLT_TASK_NONE && tasks->queue[tasks->here].treelet == treelet;
+    if (is_here || tasks->unused == PLT_TASK_NONE) {
+        return 0;
+    }
+    tasks->place_bytes = place_bytes;
+    uint16_t i = find_queue(tasks, treelet);
+    if (i == PLT_TASK_NONE) {
+        i = add_queue(tasks, treelet, entry);
+    }
+    if (i == PLT_TASK_NONE) {
+        return 0;
+    }
+    plt_task_queue *q = &tasks->queue[i];
+    q->nearest = distance < q->nearest ? distance : q->nearest;
+    add_task(tasks, q, (const unsigned char *)entry + place_bytes, bytes - place_bytes);
+    return 1;
+}
+
+void plt_tasks_begin(plt_tasks *tasks, uint16_t *at) {
+    tasks->here = *at;
+    *at = tasks->queue[tasks->here].after;
+    tasks->before = tasks->first;
+}
+
+static void end_queue(plt_tasks *tasks) {
+    tasks->queue[tasks->here].after = tasks->unused_queue;
+    tasks->unused_queue = tasks->here;
+    tasks->queues--;
+    tasks->here = PLT_TASK_NONE;
+}
+
+int plt_tasks_next(plt_tasks *tasks, plt_traversal *traversal) {
+    if (tasks->here == PLT_TASK_NONE) {
+        return 0;
+    }
+    if (tasks->queue[tasks->here].task == PLT_TASK_NONE) {
+        end_queue(tasks);
+        return 0;
+    }
+    plt_task_queue *q = &tasks->queue[tasks->here];
+    const uint16_t i = q->task;
+    plt_task *task = &tasks->task[i];
+    unsigned char *entry = traversal->stack;
+    q->task = task->next;
+    tasks->packet = task->packet;
+    memcpy(entry, q->place, tasks->place_bytes);
+    memcpy(entry + tasks->place_bytes, task->rest, sizeof task->rest);
+    traversal->waiting = 1;
+    task->next = tasks->unused;
+    tasks->unused = i;
+    tasks->count--;
+    return 1;
+}
