@@ -8,6 +8,7 @@
 #   stream   with scenes that stay in their source, block by block, which firmware is without,
 #            too
 #   batch    with packets that meet at the blocks of such scenes
+#   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
 # `thesis` and `compact` have groups, with `frames` beams.
@@ -31,6 +32,7 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
+seek_files := engine/seek.c engine/shade/seek.c
 stream_files := engine/memory/store.c engine/memory/stream.c engine/scene/open_streamed.c \
     engine/trace/traverse_streamed.c engine/shade/tile_order.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
@@ -47,10 +49,11 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave stream batch frames,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, wave, stream, batch, frames; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave stream batch seek frames,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave, stream, batch, seek or frames; \
+    it has $(PARTS))
 endif
-ifeq ($(filter-out render wave stream batch frames,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave stream batch seek frames,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
 ifeq ($(sort $(filter thesis stream,$(PARTS))),stream thesis)
@@ -76,10 +79,11 @@ flags_compact += -DPLT_WITH_BEAMS=0
 endif
 without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
 without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
+without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
-    $(if $(without_batch),$(batch_files)),$(ENGINE_ALL))
+    $(if $(without_batch),$(batch_files)) $(if $(without_seek),$(seek_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0)
@@ -92,7 +96,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \
     engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
-    engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c engine/shade/rendering.c)
+    engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c engine/shade/rendering.c \
+    engine/seek.c engine/shade/seek.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

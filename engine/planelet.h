@@ -345,6 +345,31 @@ int plt_render_begin(plt_engine *engine, const plt_frame *frame);
 int plt_render_step(plt_engine *engine, uint32_t visits);
 void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 
+/* Engines over one image can share a frame, each with a thread, a core or a machine of its own. All
+ * begin the same frame. Each is then told which tile it goes on with, and counts the tiles
+ * that come: as many of them as are its own, and no step after the last.
+ *
+ *     plt_render_begin(engine, &frame);
+ *     while (take_run(&first, &count)) { // some tiles that nobody else has taken
+ *         plt_render_seek(engine, first);
+ *         while (count > 0 && (status = plt_render_step(engine, 1000)) > PLT_OK) {
+ *             count -= status == PLT_TILE; // and fetch it
+ *         }
+ *     }
+ *
+ * plt_render_tiles: how many tiles the frame has, or 0 when none is in progress. They are
+ * numbered from 0 in the order in which they come without a seek: of a resident scene row by
+ * row; of a streamed one along curves that make neighbours follow each other, so each engine
+ * fetches least when its runs are long (64 tiles are a square of them, where it lies
+ * within the frame; from multiples of 64 if the frame's sides are of 8 tiles, too).
+ *
+ * plt_render_seek: the next step begins tile `tile`; one that is not finished is dropped. What the
+ * frame's pixels are does not depend on the order of tiles. PLT_ERR_ARGUMENT: there is no such
+ * tile, or no frame is in progress; nothing has changed. Cost: some 20 operations, of a streamed
+ * scene up to 64 steps along a curve. Firmware has both where PARTS says `seek` (engine.mk). */
+uint32_t plt_render_tiles(const plt_engine *engine);
+int plt_render_seek(plt_engine *engine, uint32_t tile);
+
 /* Why the last plt_trace or plt_render_step of a streamed scene failed: the byte of the image,
  * and the rule of SPEC.md that is broken, if one is. */
 void plt_fault_get(const plt_engine *engine, plt_fault *fault);

@@ -1,0 +1,14 @@
+/* seek - the public calls for a frame that several engines share
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/shade/seek.h"
+
+#include "engine/engine.h"
+
+uint32_t plt_render_tiles(const plt_engine *e) {
+    return plt_rendering_tiles(&e->rendering);
+}
+
+int plt_render_seek(plt_engine *e, uint32_t tile) {
+    return plt_rendering_seek(&e->rendering, tile);
+}
