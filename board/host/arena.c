@@ -1,4 +1,4 @@
-/* arena - the host's one arena, which the system gives when it is asked for
+/* arena - the host's arenas, which the system gives when it is asked for
  *
  * SPDX-License-Identifier: MIT */
 #define _DEFAULT_SOURCE  /* MAP_ANONYMOUS, MAP_NORESERVE, madvise: POSIX has none of them yet */
@@ -14,7 +14,9 @@
 #define MAP_NORESERVE 0
 #endif
 
-static void *arena;
+enum { ARENA_STEP = 1 << 16 }; /* bytes: a whole number of pages of every size in use */
+
+static void *arena; /* all of them */
 static size_t arena_bytes;
 
 /* In large pages where the system has them to spare: rays that point anywhere touch more small
@@ -31,19 +33,29 @@ static void *map(size_t bytes) {
     return p;
 }
 
-void *host_arena(size_t bytes) {
-    if (bytes > PLT_BOARD_ARENA_BYTES) {
+size_t host_arena_stride(size_t bytes) {
+    return (bytes + ARENA_STEP - 1) / ARENA_STEP * ARENA_STEP;
+}
+
+void *host_arenas(unsigned count, size_t bytes) {
+    const size_t stride = host_arena_stride(bytes);
+    if (bytes > PLT_BOARD_ARENA_BYTES || (count > 1 && stride > SIZE_MAX / count)) {
         return NULL;
     }
-    if (arena != NULL && bytes > arena_bytes) {
+    const size_t all = count > 1 ? count * stride : bytes;
+    if (arena != NULL && all > arena_bytes) {
         munmap(arena, arena_bytes); /* before: there may be no room for both */
         arena = NULL;
     }
     if (arena == NULL) {
-        arena_bytes = bytes > 0 ? bytes : 1;
+        arena_bytes = all > 0 ? all : 1;
         arena = map(arena_bytes);
     }
     return arena;
+}
+
+void *host_arena(size_t bytes) {
+    return host_arenas(1, bytes);
 }
 
 size_t host_arena_bytes(void) {

@@ -46,7 +46,7 @@ $(OUT)/libplanelet.a: $(ENGINE_OBJECTS)
 
 $(OUT)/planelet: $(call objects,$(CLI)) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 
 $(OUT)/engine/%.o: engine/%.c $(OUT)/flags
 	$(call compile,$(ENGINE_COMMAND))

@@ -1,7 +1,7 @@
 /* host - a computer with an operating system, as a board
  *
- * One arena, of which a caller asks for as much as the device has that it plays; and scene
- * images in files or in memory, mapped or fetched piece by piece.
+ * One arena, or one for each of several workers, of which a caller asks for as much as the device
+ * has that it plays; and scene images in files or in memory, mapped or fetched piece by piece.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_BOARD_HOST_H
@@ -17,6 +17,9 @@
  * host_arena_bytes, or the system does not give so much (ulimit -v); untouched pages cost
  * nothing but room. A program that never asks takes none. */
 void *host_arena(size_t bytes);
+/* The same for `count` arenas of `bytes` each, one every host_arena_stride(bytes). */
+void *host_arenas(unsigned count, size_t bytes);
+size_t host_arena_stride(size_t bytes);
 size_t host_arena_bytes(void); /* the most there can be: PLT_BOARD_ARENA_BYTES, 1 GiB */
 
 enum { HOST_TRANSFERS = 64 };
@@ -50,6 +53,10 @@ int host_scene_fetch(host_scene *scene, const char *path);
 /* A scene in memory, aligned to PLT_ALIGN, as if it were a mapped or a fetched file. The bytes
  * are the caller's, until the scene is closed. */
 void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int fetched);
+
+/* What `of` has open, for another thread: with transfers of its own, without a lock. Never closed,
+ * as it is `of`'s, which stays open longer. */
+void host_scene_share(host_scene *scene, const host_scene *of);
 
 /* After an open, failed or not; more than once does no harm. */
 void host_scene_close(host_scene *scene);

@@ -145,6 +145,18 @@ void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int f
     }
 }
 
+void host_scene_share(host_scene *scene, const host_scene *of) {
+    memset(scene, 0, sizeof *scene);
+    scene->file = of->file;
+    scene->memory = of->memory;
+    scene->source.bytes = of->source.bytes;
+    if (of->source.mapped) {
+        scene->source.mapped = of->source.mapped;
+    } else {
+        set_fetched(scene);
+    }
+}
+
 void host_scene_close(host_scene *scene) {
     if (scene->source.mapped && !scene->memory) {
         munmap((void *)(uintptr_t)scene->source.mapped, scene->source.bytes);

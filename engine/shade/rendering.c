@@ -165,7 +165,7 @@ static int next_tile(const plt_rendering *r, plt_frame_place *at) {
 
 enum { BATCH_ADDS, BATCH_TRACES, BATCH_SHADES };
 
-static void begin_batches(plt_rendering *r) {
+void plt_rendering_begin_batches(plt_rendering *r) {
     r->ahead = r->at;
     r->all_added = 0;
     r->phase = BATCH_ADDS;
@@ -226,10 +226,6 @@ static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
 #else
 #define HAS_BATCHES(r) 0
 
-static void begin_batches(plt_rendering *r) {
-    (void)r;
-}
-
 static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
     (void)r;
     (void)t;
@@ -252,7 +248,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         set_order(r, plt_is_streamed(t->scene->format));
         r->at.x = r->at.y = r->at.px = r->at.py = 0;
         r->tracing = r->done = 0;
-        begin_batches(r);
+        plt_rendering_begin_batches(r);
     }
     return status;
 }

@@ -53,4 +53,13 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *packet, uint32_t visits);
 void plt_rendering_tile(const plt_rendering *r, plt_tile *tile);
 
+#if PLT_WITH_BATCH
+/* The next batch, if there are any, begins with the packet at `at`. */
+void plt_rendering_begin_batches(plt_rendering *r);
+#else
+static inline void plt_rendering_begin_batches(const plt_rendering *r) {
+    (void)r;
+}
+#endif
+
 #endif

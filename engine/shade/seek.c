@@ -40,26 +40,27 @@ static uint32_t find_square(const plt_tile_order *o, uint32_t *tile) {
 /* At most the steps of one square. */
 static void seek_on_curve(plt_rendering *r, uint32_t tile) {
     uint32_t column = 0, row = 0;
-    r->order.at = find_square(&r->order, &tile) - 1; /* of the first square: all ones, and back */
+    r->at.order.at =
+        find_square(&r->at.order, &tile) - 1; /* of the first square: all ones, and back */
     do {
-        (void)plt_tile_order_next(&r->order, &column, &row);
+        (void)plt_tile_order_next(&r->at.order, &column, &row);
     } while (tile-- > 0);
-    r->x = PLT_TILE_SIDE * column;
-    r->y = PLT_TILE_SIDE * row;
+    r->at.x = PLT_TILE_SIDE * column;
+    r->at.y = PLT_TILE_SIDE * row;
 }
 #endif
 
 static void seek_in_rows(plt_rendering *r, uint32_t tile) {
     const uint32_t columns = tiles_along(r->frame.width);
-    r->x = tile % columns * PLT_TILE_SIDE;
-    r->y = tile / columns * PLT_TILE_SIDE;
+    r->at.x = tile % columns * PLT_TILE_SIDE;
+    r->at.y = tile / columns * PLT_TILE_SIDE;
 }
 
 /* What the first tile of a row sets for all of them. */
 static void set_sky(plt_rendering *r) {
-    const uint32_t height = least(PLT_TILE_SIDE, r->frame.height - r->y);
+    const uint32_t height = least(PLT_TILE_SIDE, r->frame.height - r->at.y);
     for (uint32_t y = 0; y < height; y++) {
-        plt_surface_sky(&r->frame, r->y + y, &r->sky[3 * y]);
+        plt_surface_sky(&r->frame, r->at.y + y, &r->sky[3 * y]);
     }
 }
 
@@ -76,8 +77,9 @@ int plt_rendering_seek(plt_rendering *r, uint32_t tile) {
 #else
     seek_in_rows(r, tile);
 #endif
-    r->px = r->py = 0;
+    r->at.px = r->at.py = 0;
     r->tracing = 0;
+    plt_rendering_begin_batches(r);
     set_sky(r);
     return PLT_OK;
 }

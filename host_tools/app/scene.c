@@ -4,11 +4,13 @@
 #include "host_tools/app/scene.h"
 
 #include <inttypes.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "host_tools/app/phase.h"
+#include "host_tools/base/clock.h"
 #include "host_tools/base/files.h"
 #include "host_tools/pack/c_array.h"
 
@@ -45,6 +47,12 @@ static int arena_refused(const scene *s, const char *name, size_t need, fail *f)
     if (!s->arena_is_missing && s->arena_bytes < enough) {
         return fail_set(f, name, "needs an arena of %zu bytes and has %zu; use --arena %zu", need,
                         s->arena_bytes, enough);
+    }
+    if (s->arena_is_missing && s->workers > 1) {
+        return fail_set(f, name,
+                        "this machine has no room for %u arenas of %zu bytes, one per worker; use "
+                        "--workers 1",
+                        s->workers, s->arena_bytes);
     }
     if (!s->arena_is_missing) {
         return fail_set(f, name,
@@ -99,7 +107,7 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
 
 int scene_failed(const scene *s, const char *path, int status, fail *f) {
     plt_fault fault;
-    plt_fault_get(s->engine, &fault);
+    plt_fault_get(s->crew.worker[s->crew.first].engine, &fault);
     return scene_refused(s, path, status, &fault, f);
 }
 
@@ -133,7 +141,12 @@ static void read_flags(scene *s, args *a, int *fetched) {
     if (args_has(a, "--batch") && s->options.schedule != PLT_SCHEDULE_BATCH) {
         args_complain(a, "--batch is for --schedule batch");
     }
-    args_number(a, "--workers", 1, 1, 1);
+    s->workers = (unsigned)args_number(a, "--workers", 1, 0, CREW_MOST);
+    s->crew.in_turns = args_has(a, "--turns");
+    if (s->workers == 0) {
+        const unsigned processors = clock_processors();
+        s->workers = processors < CREW_MOST ? processors : CREW_MOST;
+    }
     s->arena_is_given = args_has(a, "--arena");
     s->arena_bytes = (size_t)args_number(a, "--arena", host_arena_bytes(), 1, host_arena_bytes());
 }
@@ -204,7 +217,7 @@ int scene_attach(scene *s, args *a, const char *path, fail *f) {
 static void *get_most(const scene *s) {
     const uint64_t spare_bytes = s->spare_bytes + SMALL_THINGS;
     void *volatile spare = spare_bytes < SIZE_MAX ? malloc((size_t)spare_bytes) : NULL;
-    void *arena = spare != NULL ? host_arena(s->arena_bytes) : NULL;
+    void *arena = spare != NULL ? host_arenas(s->workers, s->arena_bytes) : NULL;
     free(spare);
     return arena;
 }
@@ -230,17 +243,30 @@ static int do_without(scene *s) {
 static void *get_arena(scene *s, const plt_info *info) {
     while (need_of(s, info) > s->arena_bytes && do_without(s)) {
     }
-    void *arena = s->arena_is_given ? host_arena(s->arena_bytes) : get_most(s);
+    void *arena = s->arena_is_given ? host_arenas(s->workers, s->arena_bytes) : get_most(s);
     while (arena == NULL && !s->arena_is_given) {
         const size_t need = need_of(s, info);
         s->arena_bytes = need > 0 ? need : 1; /* 0: plt_open says why */
-        arena = host_arena(s->arena_bytes);
+        arena = host_arenas(s->workers, s->arena_bytes);
         if (arena != NULL || !do_without(s)) {
             break;
         }
     }
     s->arena_is_missing = arena == NULL;
     return arena;
+}
+
+/* What the first refuses, none needs to try. */
+static int open_engines(scene *s, void *arenas, plt_fault *fault) {
+    int status = plt_open(&s->engine, arenas, s->arena_bytes, &s->file.source, &s->options, fault);
+    if (status == PLT_OK) {
+        status = crew_open(&s->crew, s->workers, s->engine, &s->file, &s->options, arenas,
+                           s->arena_bytes);
+        if (status != PLT_OK) {
+            *fault = s->crew.worker[s->crew.first].fault;
+        }
+    }
+    return status;
 }
 
 int scene_start(scene *s, const char *path, plt_fault *fault) {
@@ -255,8 +281,7 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
         return PLT_ERR_ARENA;
     }
     phase_begin("opening", scene_name(path));
-    const int opened =
-        plt_open(&s->engine, arena, s->arena_bytes, &s->file.source, &s->options, fault);
+    const int opened = open_engines(s, arena, fault);
     phase_end();
     return opened;
 }
@@ -275,9 +300,53 @@ void scene_close(scene *s) {
     input_free(&s->stream);
 }
 
-void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
+static size_t peak_of(const crew *c) {
+    size_t most = 0;
+    for (unsigned i = 0; i < c->count; i++) {
+        const size_t peak = plt_arena_peak(c->worker[i].engine);
+        most = peak > most ? peak : most;
+    }
+    return most;
+}
+
+static void print_own(output *o, const crew *c, const char *name, size_t at, fail *f) {
+    output_print(o, f, ",\n  \"%s\": [", name);
+    for (unsigned i = 0; i < c->count; i++) {
+        plt_stats q;
+        uint64_t number;
+        plt_stats_get(c->worker[i].engine, &q);
+        memcpy(&number, (const char *)&q + at, sizeof number);
+        output_print(o, f, "%s%" PRIu64, i > 0 ? ", " : "", number);
+    }
+    output_print(o, f, "]");
+}
+
+/* Of each worker; and how much faster crews would be if every node visit took equally long. */
+static void print_crew(output *o, const crew *c, const crew_times *took, fail *f) {
+    output_print(o, f, ",\n  \"workers\": %u,\n  \"elapsed_seconds\": %.9f", c->count,
+                 took->elapsed);
+    print_own(o, c, "worker_rays", offsetof(plt_stats, rays), f);
+    print_own(o, c, "worker_node_visits", offsetof(plt_stats, node_visits), f);
+    print_own(o, c, "worker_bytes_fetched", offsetof(plt_stats, bytes_fetched), f);
+    output_print(o, f, ",\n  \"worker_seconds\": [");
+    for (unsigned i = 0; i < c->count; i++) {
+        output_print(o, f, "%s%.9f", i > 0 ? ", " : "", took->worker[i]);
+    }
+    output_print(o, f, "]");
+    if (took->visits > 0) {
+        output_print(o, f, ",\n  \"simulated_workers\": [1, 2, 4, 8],\n  \"simulated_speedup\": [");
+        for (unsigned i = 0; i < CREW_MODELS; i++) {
+            output_print(o, f, "%s%.3f", i > 0 ? ", " : "",
+                         (double)took->visits / (double)took->longest[i]);
+        }
+        output_print(o, f, "]");
+    }
+}
+
+void scene_print_stats(output *o, const scene *s, const crew_times *took, fail *f) {
     plt_stats q;
-    plt_stats_get(s->engine, &q);
+    const double seconds = took->seconds;
+    crew_stats(&s->crew, &q);
     output_print(o, f,
                  "  \"rays\": %" PRIu64
                  ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n"
@@ -299,5 +368,6 @@ void scene_print_stats(output *o, const scene *s, double seconds, fail *f) {
                  q.group_tests, q.triangle_tests, q.treelet_fetches, q.bytes_fetched,
                  q.bytes_touched_once, q.store_evictions, q.fetch_retries,
                  schedules[s->options.schedule], plt_batch_packets(s->engine), s->arena_bytes,
-                 plt_arena_peak(s->engine));
+                 peak_of(&s->crew));
+    print_crew(o, &s->crew, took, f);
 }

@@ -7,18 +7,21 @@
 #include "board/host/host.h"
 #include "engine/planelet.h"
 #include "host_tools/app/args.h"
+#include "host_tools/app/crew.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 
 typedef struct scene {
     host_scene file;
-    input stream;        /* standard input, in memory */
-    plt_options options; /* by the flags; count_touched and the wave by the command, before
-                          * scene_attach; scene_start leaves out the wide form, and then the
-                          * wave, where the arena has no room for them */
-    plt_engine *engine;  /* NULL: not opened */
-    size_t arena_bytes;
+    input stream;         /* standard input, in memory */
+    plt_options options;  /* by the flags; count_touched and the wave by the command, before
+                           * scene_attach; scene_start leaves out the wide form, and then the
+                           * wave, where the arena has no room for them */
+    plt_engine *engine;   /* NULL: not opened; else the first worker's */
+    unsigned workers;     /* by --workers; 0 is 1 */
+    crew crew;            /* all of them */
+    size_t arena_bytes;   /* of each */
     int arena_is_given;   /* by --arena */
     uint64_t spare_bytes; /* what the command takes from the system after scene_start */
     int arena_is_missing; /* the system does not give it */
@@ -48,7 +51,6 @@ typedef struct scene {
          "fetched (default branch)"},                                                              \
         {"--batch", "PACKETS",                                                                     \
          "packets that meet, 1 to 1024 (default as many as there is room for, 256 at most)"},      \
-        {"--workers", "1", "threads that trace"},                                                  \
         {"--source", "map|read",                                                                   \
          "the image is mapped like flash, or fetched into the arena (default map)"},               \
     {                                                                                              \
@@ -57,12 +59,23 @@ typedef struct scene {
             "there is less)"                                                                       \
     }
 
+/* For commands whose work a crew can share. */
+#define SCENE_WORKERS_FLAGS                                                                        \
+    {"--workers", "N",                                                                             \
+     "threads that trace, 1 to 64, each with an arena and a store of its own, for the same "       \
+     "result; 0 is one per processor (default 1)"},                                                \
+    {                                                                                              \
+        "--turns", NULL,                                                                           \
+            "workers take turns on one thread, as if all were equally fast: for statistics that "  \
+            "are the same every time"                                                              \
+    }
+
 /* Opens the file as the flags say, without reading it, or reads standard input for "-"; a
  * wrong flag sets a->wrong. */
 int scene_attach(scene *s, args *a, const char *path, fail *f);
-/* Asks for the arena, and plt_open on that file: its status. Unless --arena says how much, that
- * is all of host_arena_bytes, or, where the system does not give it beside spare_bytes,
- * plt_arena_need. */
+/* Asks for the arenas, one per worker, and plt_open on that file: its status. Unless --arena says
+ * how much, each is all of host_arena_bytes, or, where the system does not give it beside
+ * spare_bytes, plt_arena_need. */
 int scene_start(scene *s, const char *path, plt_fault *fault);
 /* Both. */
 int scene_open(scene *s, args *a, const char *path, fail *f);
@@ -81,6 +94,6 @@ const char *scene_name(const char *path);
 int scene_read(input *in, const char *path, fail *f);
 
 /* The members that `trace` and `render` statistics share, without braces. */
-void scene_print_stats(output *o, const scene *s, double seconds, fail *f);
+void scene_print_stats(output *o, const scene *s, const crew_times *took, fail *f);
 
 #endif

@@ -4,6 +4,7 @@
 #include "host_tools/base/clock.h"
 
 #include <time.h>
+#include <unistd.h>
 
 static uint64_t read_ns(clockid_t id) {
     struct timespec t;
@@ -27,6 +28,15 @@ void clock_sleep(double seconds) {
 
 double clock_processor_seconds(void) {
     return 1e-9 * (double)read_ns(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+double clock_thread_seconds(void) {
+    return 1e-9 * (double)read_ns(CLOCK_THREAD_CPUTIME_ID);
+}
+
+unsigned clock_processors(void) {
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count > 0 ? (unsigned)count : 1;
 }
 
 uint64_t clock_day_us(void) {

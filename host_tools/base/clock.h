@@ -14,6 +14,11 @@ void clock_sleep(double seconds);
 
 /* What this process has used of all processors. */
 double clock_processor_seconds(void);
+/* What the calling thread has. */
+double clock_thread_seconds(void);
+
+/* How many processors run at once, at least 1. */
+unsigned clock_processors(void);
 
 /* Microseconds since 1970. May be set back: good for numbers that no earlier run
  * of the program has used, not for durations. */

@@ -12,7 +12,6 @@
 #include "host_tools/app/note.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
-#include "host_tools/base/clock.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
@@ -34,6 +33,7 @@ static const arg_flag flags[] = {
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
+    SCENE_WORKERS_FLAGS,
     {NULL, NULL, NULL}};
 
 const arg_command command_render = {
@@ -49,7 +49,6 @@ const arg_command command_render = {
 enum { FRAMES_PER_SECOND = 25 };
 /* What writing a PNG takes: the filtered rows, and the packed ones in memory that doubles. */
 enum { PNG_PICTURES = 3 };
-
 typedef struct rendering {
     scene s;
     const char *path; /* of the scene */
@@ -60,23 +59,51 @@ typedef struct rendering {
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
-    double seconds;   /* in the engine, of the best run: from the first ray to the last tile */
+    crew_times took;  /* in the engines, of the best run: from the first ray to the last tile */
 } rendering;
 
-/* `done` rows are there already. Adds to `seconds`. */
-static int render_frame(rendering *r, progress *bar, uint64_t done, double *seconds, fail *f) {
-    const double began = clock_processor_seconds();
-    int status = plt_render_begin(r->s.engine, &r->frame); /* view_refused has not refused it */
+/* Tiles first .. first + count - 1. Without a seek comes the one behind the last. */
+static int render_tiles(void *context, crew_worker *w, uint32_t first, uint32_t count) {
+    rendering *r = context;
+    int status = first == w->next ? PLT_OK : plt_render_seek(w->engine, first);
+    if (status != PLT_OK) {
+        return status;
+    }
+    while (count > 0 && (status = plt_render_step(w->engine, FRAME_STEP_VISITS)) > PLT_OK) {
+        if (status == PLT_TILE) {
+            frame_copy_tile(w->engine, &r->shown);
+            crew_done(w, 1);
+            count--;
+        }
+    }
+    return status < PLT_OK ? status : PLT_OK;
+}
+
+/* Tiles that a worker takes at once: those of a batch, as an engine begins whole batches. */
+static uint32_t tiles_per_run(const plt_engine *e) {
+    const uint32_t side = plt_packet_side(e), across = PLT_TILE_SIDE / side;
+    const uint32_t tiles = plt_batch_packets(e) / (across * across);
+    return tiles > 0 ? tiles : 1;
+}
+
+/* `before` frames are there already. */
+static int render_frame(rendering *r, progress *bar, uint64_t before, crew_times *took, fail *f) {
+    crew *c = &r->s.crew;
+    int status = PLT_OK;
+    for (unsigned i = 0; i < c->count && status == PLT_OK; i++) {
+        status = plt_render_begin(c->worker[i].engine, &r->frame); /* view_refused has looked */
+    }
     if (status != PLT_OK) {
         return fail_set(f, "engine", "status %d; please report this", status);
     }
-    while ((status = plt_render_step(r->s.engine, FRAME_STEP_VISITS)) > PLT_OK) {
-        if (status == PLT_TILE) {
-            const unsigned rows = frame_copy_tile(r->s.engine, &r->shown);
-            progress_show(bar, done + rows);
-        }
-    }
-    *seconds += clock_processor_seconds() - began;
+    const uint32_t tiles = plt_render_tiles(r->s.engine);
+    const crew_work work = {.items = tiles,
+                            .run = c->count > 1 ? tiles_per_run(r->s.engine) : tiles,
+                            .work = render_tiles,
+                            .context = r,
+                            .bar = bar,
+                            .before = before * tiles};
+    status = crew_do(c, &work, took);
     return status == PLT_OK ? 0 : scene_failed(&r->s, r->path, status, f);
 }
 
@@ -87,28 +114,32 @@ static int keep_frame(rendering *r, fail *f) {
 
 /* All frames once: the first run's are kept. */
 static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
-    double seconds = 0.0;
+    crew_times took = {.seconds = 0.0};
     int status = 0;
-    plt_stats_reset(r->s.engine);
+    crew_stats_reset(&r->s.crew);
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
-        const uint64_t before = (uint64_t)run * r->frames + i;
         r->frame.camera = r->first;
         if (i > 0) {
             view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }
-        status = render_frame(r, bar, before * r->frame.height, &seconds, f);
+        status = render_frame(r, bar, (uint64_t)run * r->frames + i, &took, f);
         if (status == 0 && run == 0) {
             status = keep_frame(r, f);
         }
     }
-    r->seconds = run == 0 || seconds < r->seconds ? seconds : r->seconds;
+    crew_times_keep(&r->took, &took, run == 0);
     return status;
+}
+
+static uint64_t tiles_of(const plt_frame *f) {
+    const uint64_t columns = (f->width + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE;
+    return columns * ((f->height + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE);
 }
 
 static int render_frames(rendering *r, fail *f) {
     progress bar;
     int status = 0;
-    progress_begin(&bar, "rendering", (uint64_t)r->repeat * r->frames * r->frame.height);
+    progress_begin(&bar, "rendering", (uint64_t)r->repeat * r->frames * tiles_of(&r->frame));
     for (unsigned i = 0; i < r->repeat && status == 0; i++) {
         status = render_run(r, &bar, i, f);
     }
@@ -135,7 +166,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     print_bits(o, "look", r->first.look, 3, f);
     print_bits(o, "up", r->first.up, 3, f);
     print_bits(o, "tan", &r->first.tan_half_fov, 1, f);
-    scene_print_stats(o, &r->s, r->seconds, f);
+    scene_print_stats(o, &r->s, &r->took, f);
     return output_print(o, f, "\n}\n");
 }
 
@@ -223,7 +254,7 @@ static void read_flags(rendering *r, args *a) {
 static void say_done(const rendering *r) {
     if (r->to.out != NULL) {
         note("%s: %u frame%s of %u x %u, %.3g s", r->to.out, r->frames, r->frames == 1 ? "" : "s",
-             r->frame.width, r->frame.height, r->seconds);
+             r->frame.width, r->frame.height, r->took.seconds);
     }
     destination_note(&r->to, r->frame.width, r->frame.height);
 }

@@ -13,15 +13,14 @@
 #include "host_tools/app/destination.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/scene.h"
-#include "host_tools/base/clock.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
 
 enum { RAY_BYTES = 32, HIT_BYTES = 16 };
-/* Rays per call: a whole number of batches, if they are of all 1024 packets or fewer by halves. */
-enum { RAYS_PER_CALL = 262144 };
+/* That a worker takes at once: whole numbers of packets of every size. */
+enum { RUN_SHARED = 1024, RUN_ALONE = 65536 };
 
 static const arg_flag flags[] = {
     {"--any", NULL, "whether anything is hit, instead of the nearest hit"},
@@ -32,6 +31,7 @@ static const arg_flag flags[] = {
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
+    SCENE_WORKERS_FLAGS,
     {NULL, NULL, NULL}};
 
 const arg_command command_trace = {
@@ -57,7 +57,8 @@ typedef struct tracing {
     plt_ray *rays;
     plt_hit *hits;
     uint32_t count;
-    double seconds; /* of the best run */
+    int any;
+    crew_times took; /* of the best run */
 } tracing;
 
 /* Decodes the little-endian rays into floats of this machine. */
@@ -92,31 +93,36 @@ static int read_rays(tracing *t, const char *path, fail *f) {
     return status;
 }
 
-/* All rays once; adds the seconds of tracing. A status of the
- * engine. */
-static int trace_once(tracing *t, int any, progress *bar, uint64_t before, double *seconds) {
-    plt_engine *engine = t->s.engine;
-    int status = PLT_OK;
-    plt_stats_reset(engine);
-    for (uint32_t at = 0; at < t->count && status == PLT_OK;) {
-        const uint32_t left = t->count - at, now = left < RAYS_PER_CALL ? left : RAYS_PER_CALL;
-        const double began = clock_processor_seconds();
-        status = plt_trace(engine, t->rays + at, t->hits + at, now, any);
-        *seconds += clock_processor_seconds() - began;
-        at += now;
-        progress_show(bar, before + at);
-    }
+/* Whole batches, where there are any. */
+static uint32_t rays_per_run(const scene *s) {
+    const uint32_t side = plt_packet_side(s->engine);
+    const uint32_t batch = plt_batch_packets(s->engine) * side * side;
+    const uint32_t run = s->crew.count > 1 ? RUN_SHARED : RUN_ALONE;
+    return batch > 0 ? (run + batch - 1) / batch * batch : run;
+}
+
+static int trace_rays(void *context, crew_worker *w, uint32_t first, uint32_t count) {
+    const tracing *t = context;
+    const int status = plt_trace(w->engine, t->rays + first, t->hits + first, count, t->any);
+    crew_done(w, count);
     return status;
 }
 
-static int trace_all(tracing *t, const char *path, int any, unsigned repeat, fail *f) {
+static int trace_all(tracing *t, const char *path, unsigned repeat, fail *f) {
     progress bar;
     int status = PLT_OK;
+    crew_work work = {.items = t->count,
+                      .run = rays_per_run(&t->s),
+                      .work = trace_rays,
+                      .context = t,
+                      .bar = &bar};
     progress_begin(&bar, "tracing", (uint64_t)repeat * t->count);
     for (unsigned i = 0; i < repeat && status == PLT_OK; i++) {
-        double took = 0.0;
-        status = trace_once(t, any, &bar, (uint64_t)i * t->count, &took);
-        t->seconds = i == 0 || took < t->seconds ? took : t->seconds;
+        crew_times took = {.seconds = 0.0};
+        crew_stats_reset(&t->s.crew);
+        status = crew_do(&t->s.crew, &work, &took);
+        crew_times_keep(&t->took, &took, i == 0);
+        work.before += t->count;
     }
     progress_end(&bar);
     return status == PLT_OK ? 0 : scene_failed(&t->s, path, status, f);
@@ -137,7 +143,7 @@ static int write_hits(const tracing *t, output *o, fail *f) {
 
 static int write_stats(const tracing *t, output *o, fail *f) {
     output_print(o, f, "{\n");
-    scene_print_stats(o, &t->s, t->seconds, f);
+    scene_print_stats(o, &t->s, &t->took, f);
     return output_print(o, f, "\n}\n");
 }
 
@@ -201,7 +207,8 @@ int run_trace(args *a) {
     fail f = {""};
     int status = a->wrong ? -1 : open_all(&t, a, json, &f);
     if (status == 0) {
-        status = trace_all(&t, a->file[0], args_has(a, "--any"), repeat, &f);
+        t.any = args_has(a, "--any");
+        status = trace_all(&t, a->file[0], repeat, &f);
     }
     status = status == 0 ? write_all(&t, &f) : status;
     close_all(&t);
@@ -212,6 +219,7 @@ int run_trace(args *a) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    note("%s: %" PRIu32 " ray%s, %.3g s", a->file[2], t.count, t.count == 1 ? "" : "s", t.seconds);
+    note("%s: %" PRIu32 " ray%s, %.3g s", a->file[2], t.count, t.count == 1 ? "" : "s",
+         t.took.seconds);
     return 0;
 }

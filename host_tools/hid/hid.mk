@@ -16,7 +16,7 @@ $(OUT)/libhid.a: $(HID_TEST_OBJECTS)
 $(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/libhid.a \
         $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 
 # Only port.c includes hidapi.h. For the tests it is compiled with the fake one, for
 # each program apart from that.
@@ -39,7 +39,7 @@ $(OUT)/planelet-hid: $(OUT)/planelet-hid-hidraw
 
 $(HID_BACKENDS:%=$(OUT)/planelet-hid-%): $(OUT)/planelet-hid-%: $(OUT)/hid-%/device/port.o \
         $(HID_SHARED)
-	$(CC) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
+	$(CC) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm -pthread
 
 $(HID_BACKENDS:%=$(OUT)/hid-%/device/port.o): $(OUT)/hid-%/device/port.o: $(HID_PORT) $(OUT)/flags
 	@$(PKG_CONFIG) --exists hidapi-$* || { echo 'planelet-hid: $(HID_MISSING)' >&2; exit 1; }
@@ -58,7 +58,7 @@ hid-bench: $(HID_BACKENDS:%=$(OUT)/planelet-hid-%) $(HID_BACKENDS:%=$(OUT)/hid-s
 # Static: the guest they run in has next to nothing.
 $(OUT)/hid-bench/device: $(call objects,$(HID_DEVICE)) $(ENGINE_OBJECTS)
 	@mkdir -p $(@D)
-	$(CC) -static $(LDFLAGS) -o $@ $^ -lm
+	$(CC) -static $(LDFLAGS) -o $@ $^ -lm -pthread
 
 $(OUT)/hid-bench/make_pattern: $(call objects,tests/hid/make_pattern.c tests/hid/model_pattern.c)
 	@mkdir -p $(@D)
@@ -71,7 +71,7 @@ HID_PLAIN := $(filter-out $(call objects,$(HID_WIRE)),$(TOOL_OBJECTS)) $(ENGINE_
 $(HID_BACKENDS:%=$(OUT)/hid-sanitize/%): $(OUT)/hid-sanitize/%: \
         $(OUT)/hid-sanitize/device/port-%.o $(HID_SANITIZED:%.c=$(OUT)/hid-sanitize/%.o) \
         $(HID_PLAIN)
-	$(CC) $(SANITIZERS) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm
+	$(CC) $(SANITIZERS) $(LDFLAGS) -o $@ $^ $$($(PKG_CONFIG) --libs hidapi-$*) -lm -pthread
 
 $(HID_BACKENDS:%=$(OUT)/hid-sanitize/device/port-%.o): $(OUT)/hid-sanitize/device/port-%.o: \
         $(HID_PORT) $(OUT)/flags
@@ -88,7 +88,7 @@ $(OUT)/hid-emulated/main.o: $(HID_MAIN) $(OUT)/flags
 $(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \
         $(call objects,tests/hid/emulated_main.c tests/reference/fake_hidapi.c) $(OUT)/libhid.a \
         $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 
 ##try demo-hid: a scene on a USB display, or, without one, on an emulated panel in the terminal
 .PHONY: demo-hid

@@ -87,7 +87,8 @@ verdict "pack --geometry: the help states its range" \
 for command in "render quad.plt -o x.ppm" "trace quad.plt ray x.hits"; do
     # shellcheck disable=SC2086
     {
-        range --workers 1 "0 1 1 2" $command
+        range --workers "1 to 64" "-1 1 64 65" $command
+        range --workers "0 is one per processor" "-1 0 - -" $command
         range --arena "1 to 1073741824" "0 - 1073741824 1073741825" $command
         refused "${command%% *} --arena 1 is in range, and too small" quad.plt "use --arena" \
             $command --arena 1

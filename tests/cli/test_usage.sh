@@ -45,7 +45,8 @@ flags() {
     misused "planelet $command refuses a flag that it does not have" --frobnicate \
         "$command" quad.ply --frobnicate
 }
-scene_flags='--packet --walk --residency --store --schedule --batch --workers --source --arena'
+scene_flags='--packet --walk --residency --store --schedule --batch --source --arena --workers \
+    --turns'
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
@@ -107,8 +108,8 @@ for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
     --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
-for pair in --packet=3 --walk=wide --residency=cached --store=64K --store=28671 --schedule=task --batch=0 \
-    --workers=2 --source=net --arena=0 --arena=64K --arena=1073741825; do
+for pair in --packet=3 --walk=wide --residency=cached --store=64K --store=28671 --schedule=task \
+    --batch=0 --workers=65 --source=net --arena=0 --arena=64K --arena=1073741825; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
     misused "trace refuses $pair" "${pair%=*}" trace quad.plt rays x "$pair"
 done

@@ -54,6 +54,7 @@ static int failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
 FAILING_DECLARE(trace_packet);
 FAILING_DECLARE(trace_packets);
 FAILING_DECLARE(batch_packets);
+FAILING_DECLARE(rendering_begin_batches);
 FAILING_DECLARE(rendering_init);
 FAILING_DECLARE(rendering_begin);
 FAILING_DECLARE(rendering_step);
@@ -76,6 +77,7 @@ FAILING_DECLARE(arena_peak);
 #define plt_traversal_begin failing_traversal_begin
 #define plt_traverse failing_traverse
 #define plt_batch_packets failing_batch_packets
+#define plt_rendering_begin_batches failing_rendering_begin_batches
 #define plt_trace_packet failing_trace_packet
 #define plt_trace_packets failing_trace_packets
 #define plt_rendering_init failing_rendering_init
@@ -101,6 +103,7 @@ FAILING_DECLARE(arena_peak);
 #undef plt_traversal_begin
 #undef plt_traverse
 #undef plt_batch_packets
+#undef plt_rendering_begin_batches
 #undef plt_trace_packet
 #undef plt_trace_packets
 #undef plt_rendering_init
