@@ -29,17 +29,30 @@ static void block_signals(sigset_t *before) {
     pthread_sigmask(SIG_BLOCK, &set, before);
 }
 
+static void start_threads(crew *c, void *(*routine)(void *worker), pthread_t *thread,
+                          int *started) {
+    pthread_attr_t small;
+    sigset_t before;
+    if (pthread_attr_init(&small) != 0) {
+        return;
+    }
+    (void)pthread_attr_setstacksize(&small, CREW_STACK_BYTES); /* else the usual ones */
+    block_signals(&before);
+    for (unsigned i = 1; i < c->count; i++) {
+        started[i] = pthread_create(&thread[i], &small, routine, &c->worker[i]) == 0;
+    }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    pthread_attr_destroy(&small);
+}
+
 /* Calls `routine` for every worker, each on a thread of its own but the first. Where the system has
  * no thread, the caller's does it, when it is done with the first. */
 static void on_threads(crew *c, void *(*routine)(void *worker)) {
     pthread_t thread[CREW_MOST];
     int started[CREW_MOST] = {0};
-    sigset_t before;
-    block_signals(&before);
-    for (unsigned i = 1; i < c->count; i++) {
-        started[i] = pthread_create(&thread[i], NULL, routine, &c->worker[i]) == 0;
+    if (c->count > 1) {
+        start_threads(c, routine, thread, started);
     }
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
     routine(&c->worker[0]);
     for (unsigned i = 1; i < c->count; i++) {
         if (started[i]) {

@@ -21,6 +21,9 @@ enum { CREW_MOST = SHARES_MOST };
 /* Crews that are simulated besides: 1, 2, 4 and 8 workers. */
 enum { CREW_MODELS = 4 };
 
+/* Of each thread: the engine's, some KB, and whatever the system puts there. */
+enum { CREW_STACK_BYTES = 1 << 20 };
+
 struct crew_shift;
 
 typedef struct crew_worker {

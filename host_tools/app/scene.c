@@ -213,9 +213,10 @@ int scene_attach(scene *s, args *a, const char *path, fail *f) {
     return files_read(s->file.file, path, f);
 }
 
-/* All of host_arena_bytes, if what the command takes later fits beside it; else NULL. */
+/* All of host_arena_bytes for each, if what the command takes later fits beside them; else NULL. */
 static void *get_most(const scene *s) {
-    const uint64_t spare_bytes = s->spare_bytes + SMALL_THINGS;
+    const uint64_t stacks = (uint64_t)(s->workers - 1) * CREW_STACK_BYTES;
+    const uint64_t spare_bytes = s->spare_bytes + SMALL_THINGS + stacks;
     void *volatile spare = spare_bytes < SIZE_MAX ? malloc((size_t)spare_bytes) : NULL;
     void *arena = spare != NULL ? host_arenas(s->workers, s->arena_bytes) : NULL;
     free(spare);

@@ -169,6 +169,43 @@ static void test_arena(void) {
     arena = host_arena(host_arena_bytes());
     CHECK(arena && arena[0] == 0 && arena[host_arena_bytes() - 1] == 0, "not zero");
     CHECK(host_arena(host_arena_bytes()) == arena && host_arena(5) == arena, "moved");
+    test("several arenas lie side by side, each aligned and as large as asked for");
+    CHECK(!host_arenas(2, host_arena_bytes() + 1), "too much for each");
+    CHECK(!host_arenas(UINT32_MAX, SIZE_MAX / UINT32_MAX / 2 < host_arena_bytes()
+                                       ? SIZE_MAX / UINT32_MAX / 2
+                                       : host_arena_bytes()),
+          "too much for all");
+    for (size_t bytes = 1; bytes < 1000000; bytes = 9 * bytes + 5) {
+        arena = host_arenas(3, bytes);
+        const size_t stride = host_arena_stride(bytes);
+        CHECK(arena && stride >= bytes && stride % 4096 == 0, "%zu: %zu", bytes, stride);
+        arena[2 * stride + bytes - 1] = 1;
+    }
+}
+
+static void test_share(void) {
+    host_scene scene, mine;
+    unsigned char to[2] = {0, 0};
+    test("a shared scene has transfers of its own, over the same bytes");
+    CHECK(host_scene_fetch(&scene, make_file("scene", 4999)) == 0, "%s", scene.why);
+    host_scene_share(&mine, &scene);
+    const plt_source *s = &scene.source, *m = &mine.source;
+    CHECK(m->bytes == 4999 && !m->mapped, "source");
+    CHECK(s->start(s->context, 3, 10, &to[0], 1) == 0, "start");
+    CHECK(m->start(m->context, 3, 20, &to[1], 1) == 0, "start");
+    CHECK(m->wait(m->context, 1u << 3) == 0, "wait");
+    CHECK(to[0] == 0 && to[1] == 20 * 7, "%u %u", to[0], to[1]);
+    CHECK(s->wait(s->context, 1u << 3) == 0 && to[0] == 10 * 7, "the other's");
+    CHECK(scene.transfers == 1 && mine.transfers == 1, "counts");
+    host_scene_close(&scene);
+    CHECK(host_scene_map(&scene, make_file("scene", 4999)) == 0, "%s", scene.why);
+    host_scene_share(&mine, &scene);
+    CHECK(mine.source.mapped == scene.source.mapped && mine.source.bytes == 4999, "mapped");
+    host_scene_close(&scene);
+    host_scene_hold(&scene, "planelet", 8, 1);
+    host_scene_share(&mine, &scene);
+    CHECK(m->start(m->context, 0, 2, to, 2) == 0 && m->wait(m->context, 1) == 0, "in memory");
+    CHECK(to[0] == 'a' && to[1] == 'n', "%c%c", to[0], to[1]);
 }
 
 int main(void) {
@@ -180,6 +217,7 @@ int main(void) {
     test_map();
     test_fetch();
     test_hold();
+    test_share();
     test_arena();
     static const char *const names[] = {"empty", "large", "pipe", "secret", "scene"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

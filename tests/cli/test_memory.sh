@@ -43,6 +43,13 @@ for kib in 1000000 800000 50000 20000; do
         same x.ppm $build.ppm "... the same picture"
     done
 done
+for kib in 4000000 1100000 50000 20000; do
+    for workers in 2 64; do
+        within $kib render host.plt -o x.ppm --size 32x32 --workers $workers
+        enough "$workers workers, or as many as there is room for, in $kib KiB"
+        same x.ppm host.ppm "... the same picture"
+    done
+done
 run info host.plt --json
 need=$(number arena_bytes_needed <out)
 within 20000 render host.plt -o x.ppm --size 32x32 --json stats

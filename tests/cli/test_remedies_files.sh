@@ -262,6 +262,11 @@ says_by "this machine has no room for an arena of %zu bytes; use --arena %zu" \
     limited v 800000 "$PLANELET" render quad.plt -o x.png --size 8x8 --arena 1073741824
 cured_by limited v 800000 "$PLANELET" render quad.plt -o x.png --size 8x8 \
     --arena "$(sed 's/.*use --arena //' err)"
+says_by "this machine has no room for %u arenas of %zu bytes, one per worker; use --workers 1" \
+    limited v 1500000 "$PLANELET" render quad.plt -o x.png --size 8x8 --arena 1073741824 \
+    --workers 2
+cured_by limited v 1500000 "$PLANELET" render quad.plt -o x.png --size 8x8 --arena 1073741824 \
+    --workers 1
 # An image of 15 MiB that asks for 41 of arena, where there are 58 for all.
 for remedy in 'unlimited' '60000 --arena 30000000'; do
     message="this machine has no room for an arena of %zu bytes; raise the limit with ulimit -v, \
