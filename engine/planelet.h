@@ -358,10 +358,9 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
  *     }
  *
  * plt_render_tiles: how many tiles the frame has, or 0 when none is in progress. They are
- * numbered from 0 in the order in which they come without a seek: of a resident scene row by
- * row; of a streamed one along curves that make neighbours follow each other, so each engine
- * fetches least when its runs are long (64 tiles are a square of them, where it lies
- * within the frame; from multiples of 64 if the frame's sides are of 8 tiles, too).
+ * numbered from 0 in the order in which they come without a seek: row by row, but those of a
+ * streamed scene along curves, so that neighbours follow each other. An engine fetches least when
+ * most of its tiles are consecutive.
  *
  * plt_render_seek: the next step begins tile `tile`; one that is not finished is dropped. What the
  * frame's pixels are does not depend on the order of tiles. PLT_ERR_ARGUMENT: there is no such
