@@ -96,8 +96,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \
     engine/trace/wide.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
-    engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c engine/shade/rendering.c \
-    engine/seek.c engine/shade/seek.c)
+    engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
+    engine/shade/rendering.c engine/seek.c engine/shade/seek.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

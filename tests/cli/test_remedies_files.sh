@@ -265,8 +265,8 @@ cured_by limited v 800000 "$PLANELET" render quad.plt -o x.png --size 8x8 \
 says_by "this machine has no room for %u arenas of %zu bytes, one per worker; use --workers 1" \
     limited v 1500000 "$PLANELET" render quad.plt -o x.png --size 8x8 --arena 1073741824 \
     --workers 2
-cured_by limited v 1500000 "$PLANELET" render quad.plt -o x.png --size 8x8 --arena 1073741824 \
-    --workers 1
+cured_by limited v 1500000 "$PLANELET" render quad.plt --size 8x8 --workers 1 \
+    --arena 1073741824 -o x.png
 # An image of 15 MiB that asks for 41 of arena, where there are 58 for all.
 for remedy in 'unlimited' '60000 --arena 30000000'; do
     message="this machine has no room for an arena of %zu bytes; raise the limit with ulimit -v, \

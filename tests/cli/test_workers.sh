@@ -54,7 +54,8 @@ several "two stages, fetched into each arena" x.ppm render thesis.plt -o x.ppm -
     --walk two-stage --source read
 several "a tree that each builds" x.ppm render device.plt -o x.ppm --size 100x80 --shader triangle
 # shellcheck disable=SC2086
-several "a film, twice" x.y4m render compact.plt -o x.y4m --size 70x50 --orbit 4 --repeat 2 $streamed
+several "a film, twice" x.y4m render compact.plt -o x.y4m --size 70x50 --orbit 4 --repeat 2 \
+    $streamed
 works "a scene on standard input" render thesis.plt -o one.ppm --size 60x50
 "$PLANELET" render - -o x.ppm --size 60x50 --workers 3 <thesis.plt >out 2>err
 same one.ppm x.ppm "... for three workers"

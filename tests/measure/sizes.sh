@@ -47,9 +47,11 @@ totals() {
     echo
 }
 
-# All public functions, as declared in planelet.h.
+# All public functions, as declared in planelet.h, but those of engine/seek.c, which firmware has
+# only where PARTS says so.
 public() {
-    awk '/^[a-z].*[ *]plt_[a-z_]+\(/ {
+    awk '/^[a-z].*[ *]plt_render_(tiles|seek)\(/ { next }
+        /^[a-z].*[ *]plt_[a-z_]+\(/ {
         sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
 }
 
