@@ -79,10 +79,11 @@ static int render_tiles(void *context, crew_worker *w, uint32_t first, uint32_t 
     return status < PLT_OK ? status : PLT_OK;
 }
 
-/* Tiles that a worker takes at once: those of a batch, as an engine begins whole batches. */
+/* Tiles that a worker takes at once: those of whole batches, as an engine begins no others. */
 static uint32_t tiles_per_run(const plt_engine *e) {
-    const uint32_t side = plt_packet_side(e), across = PLT_TILE_SIDE / side;
-    const uint32_t tiles = plt_batch_packets(e) / (across * across);
+    const uint32_t across = PLT_TILE_SIDE / plt_packet_side(e), per_tile = across * across;
+    const uint32_t batch = plt_batch_packets(e);
+    const uint32_t tiles = batch % per_tile == 0 ? batch / per_tile : batch;
     return tiles > 0 ? tiles : 1;
 }
 

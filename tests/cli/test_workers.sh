@@ -46,6 +46,9 @@ for size in 203x151 16x16 1x300; do
     several "compact blocks, $size" x.ppm render compact.plt -o x.ppm --size $size --packet 4
     # shellcheck disable=SC2086
     several "streamed, $size" x.ppm render compact.plt -o x.ppm --size $size $streamed
+    # shellcheck disable=SC2086
+    several "by batches, $size" x.ppm render compact.plt -o x.ppm --size $size $streamed \
+        --schedule batch --batch 7 --packet 4
     cp one.x.ppm "streamed.$size"
     works "... resident" render compact.plt -o x.ppm --size $size
     same "streamed.$size" x.ppm "... is the same"
@@ -72,6 +75,9 @@ for any in '' --any; do
     done
     # shellcheck disable=SC2086
     several "rays $any, streamed" hits trace compact.plt rays hits $streamed $any
+    # shellcheck disable=SC2086
+    several "rays $any, by batches" hits trace compact.plt rays hits $streamed $any \
+        --schedule batch --batch 3 --packet 4
 done
 
 # ---- turns, and what is simulated ----------------------------------------------------------

@@ -47,10 +47,10 @@ totals() {
     echo
 }
 
-# All public functions, as declared in planelet.h, but those of engine/seek.c, which firmware has
+# All public functions, as declared in planelet.h, but those which firmware has
 # only where PARTS says so.
 public() {
-    awk '/^[a-z].*[ *]plt_render_(tiles|seek)\(/ { next }
+    awk '/^[a-z].*[ *]plt_(render_tiles|render_seek|batch_packets)\(/ { next }
         /^[a-z].*[ *]plt_[a-z_]+\(/ {
         sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
 }
