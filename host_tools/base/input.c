@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "host_tools/base/files.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/base/standard.h"
 
 /* A stream may never end: it gets this many bytes at most. */
@@ -54,12 +55,21 @@ static int fail_open(const char *path, int error, fail *f) {
     return fail_set(f, shown(path), "cannot open: %s; %s", strerror(error), remedy);
 }
 
+/* The file counts as memory of the program, which may be limited. */
+static int count(input *in, size_t bytes) {
+    if (heap_count(bytes - in->counted) != 0) {
+        return -1;
+    }
+    in->counted = bytes;
+    return 0;
+}
+
 static int grow(input *in, size_t *room, uint64_t limit, fail *f) {
     if (*room >= limit) {
         return fail_memory(in, *room, f);
     }
     const size_t more = *room > limit / 2 ? (size_t)limit : *room * 2;
-    unsigned char *bytes = realloc(in->bytes, more + 1);
+    unsigned char *bytes = count(in, more + 1) == 0 ? realloc(in->bytes, more + 1) : NULL;
     if (!bytes) {
         return fail_memory(in, more, f);
     }
@@ -119,7 +129,7 @@ static int read_open(input *in, int fd, int is_stream, fail *f) {
     } else {
         limit = limit / 2 < STREAM_BYTES_MAX ? limit / 2 : STREAM_BYTES_MAX;
     }
-    in->bytes = malloc(room + 1);
+    in->bytes = count(in, room + 1) == 0 ? malloc(room + 1) : NULL;
     if (!in->bytes) {
         return fail_memory(in, room, f);
     }
@@ -155,6 +165,7 @@ int input_read(input *in, const char *path, fail *f) {
 
 void input_free(input *in) {
     free(in->bytes);
+    heap_uncount(in->counted);
     in->bytes = NULL;
-    in->size = 0;
+    in->size = in->counted = 0;
 }

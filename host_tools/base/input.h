@@ -11,6 +11,7 @@ typedef struct input {
     const char *path;     /* not owned */
     unsigned char *bytes; /* owned; one zero byte follows the last */
     size_t size;
+    size_t counted; /* bytes, in base/heap.h */
 } input;
 
 /* Reads `path` ("-": standard input). Refuses directories, empty files, files that cannot

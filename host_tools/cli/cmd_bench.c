@@ -250,7 +250,7 @@ static int pack_as(packed *image, const pack_meshes *in, unsigned nodes, const c
 /* A mesh, packed as pack does by default. */
 static int measure_mesh(bench *b, char *path, fail *f) {
     pack_meshes in = {0};
-    int status = pack_meshes_read(&in, &path, 1, f);
+    int status = pack_meshes_read(&in, &path, 1, f) == 0 ? pack_meshes_prepare(&in, f) : -1;
     for (unsigned nodes = 0; bench_nodes_names[nodes] != NULL && status == 0; nodes++) {
         packed image = {0};
         scene s = SCENE_CLOSED;

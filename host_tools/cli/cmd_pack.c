@@ -12,10 +12,12 @@
 #include "host_tools/app/phase.h"
 #include "host_tools/app/quote.h"
 #include "host_tools/base/clock.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/pack_json.h"
 #include "host_tools/cli/pack_lines.h"
+#include "host_tools/cli/pack_memory.h"
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/c_array.h"
 #include "host_tools/pack/lattice.h"
@@ -62,6 +64,9 @@ static const arg_flag flags[] = {
     {"--origin", "X,Y,Z", "move the meshes so that this point becomes 0, likewise"},
     {"--weld", "EPS", "make vertices of a file that are as near as EPS one, to close seams"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
+    {"--memory", "BYTES",
+     "take no more memory than that for meshes and image, 1048576 to 1125899906842624: the image "
+     "is the same, or nothing is packed; --json says what it takes (default: any)"},
     {"--json", "STATS", "write what was read, lost and packed to this file; - is standard output"},
     {NULL, NULL, NULL}};
 
@@ -97,6 +102,7 @@ typedef struct pack_job {
     int is_high;              /* --quality */
     uint32_t quality_seconds; /* 0: no limit */
     quality_stats quality;
+    pack_memory memory;
     const char *out, *json; /* `json` NULL: none */
     output *image_out, *json_out;
     char *command; /* owned; for a C array */
@@ -150,14 +156,12 @@ static void say_what_is_never_hit(const pack_meshes *in) {
 static int build(pack_job *job, packed *image, fail *f) {
     const char *name = pack_shown(&job->in.file[0]);
     char what[64];
-    snprintf(what, sizeof what, "of %zu triangles", job->in.m.triangles);
+    snprintf(what, sizeof what, "of %zu triangles", job->in.triangles);
     phase_begin("building the tree", what);
     const int compact = job->compact.lattice_bits > 0;
     const mesh *m = &job->in.m;
     int status;
     if (compact) {
-        job->compact.quality = job->is_high ? &job->quality : NULL;
-        job->compact.quality_seconds = job->quality_seconds;
         status = pack_compact(image, m, &job->compact, name, &job->loss, f);
     } else if (job->is_high) {
         status =
@@ -178,8 +182,9 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
                      ? c_array_write(job->image_out, job->out, image, job->command, f)
                      : output_write(job->image_out, image->bytes, image->size, f);
     if (status == 0 && job->json_out != NULL) {
-        status = pack_json_write(job->json_out, &job->in, image,
-                                 moves_vertices(job) ? &job->loss : NULL, &job->quality, f);
+        status =
+            pack_json_write(job->json_out, &job->in, image, moves_vertices(job) ? &job->loss : NULL,
+                            &job->quality, &job->memory, f);
     }
     if (status == 0 && job->json_out != NULL) {
         status = output_finish(job->json_out, f); /* before the other gets its name */
@@ -210,8 +215,17 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     if (pack_meshes_read(&job->in, a->file, a->files, f) != 0) {
         return -1;
     }
-    job->compact.mesh_end = job->in.mesh_end;
+    const pack_plan plan = {&job->options, &job->compact, job->is_high};
+    job->options.spend = job->compact.spend = &job->in.m;
     job->compact.meshes = (unsigned)a->files;
+    if (pack_memory_plan(&job->memory, &job->in, &plan, f) != 0) {
+        return -1;
+    }
+    pack_memory_note(&job->memory, pack_shown(&job->in.file[0]));
+    if (pack_meshes_prepare(&job->in, f) != 0) {
+        return -1;
+    }
+    job->compact.mesh_end = job->in.mesh_end;
     if (open_outputs(job, f) != 0 || build(job, image, f) != 0) {
         return -1;
     }
@@ -323,6 +337,8 @@ static void read_quality(pack_job *job, args *a) {
     } else if (!job->is_high && args_has(a, "--quality-time")) {
         args_complain(a, "--quality-time is for --quality high");
     }
+    job->compact.quality = job->is_high ? &job->quality : NULL;
+    job->compact.quality_seconds = job->quality_seconds;
 }
 
 static void read_mesh_flags(pack_meshes *in, args *a) {
@@ -355,6 +371,7 @@ static void read_flags(pack_job *job, args *a) {
     job->compact.build = job->options.build;
     job->compact.leaf_triangles = job->options.leaf_triangles;
     read_mesh_flags(&job->in, a);
+    heap_limit(args_number(a, "--memory", UINT64_MAX, PACK_MEMORY_LEAST, PACK_MEMORY_MOST));
     job->json = args_text(a, "--json", NULL);
     job->out = args_text(a, "-o", NULL);
     if (job->out == NULL) {
@@ -379,6 +396,7 @@ int run_pack(args *a) {
         say_quality(&job.quality);
         say_done(&job, &image, clock_seconds() - began);
     } else {
+        pack_memory_explain(a->file[0], &f);
         fprintf(stderr, "%s\n", f.text);
     }
     output_abandon(job.image_out);

@@ -17,6 +17,7 @@ typedef struct pack_file {
     weld_near_result welded;
     uint64_t open_edges, open_left; /* left: with this distance welded; 0: none helps */
     double open_distance;
+    int edges_unknown;     /* memory for them was not given */
     uint64_t without_area; /* triangles */
 } pack_file;
 

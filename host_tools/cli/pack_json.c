@@ -6,14 +6,42 @@
 #include <inttypes.h>
 
 #include "host_tools/app/json_string.h"
+#include "host_tools/base/heap.h"
 
 /* Whether a line names --centre. */
 static int centre_would_help(const pack_file *file) {
     return file->centre_helps || file->report.moved > REPORT_MOVED_MOST;
 }
 
-static int write_file(output *o, const pack_file *file, fail *f) {
+static int write_moved(output *o, const pack_file *file, fail *f) {
+    return output_print(o, f,
+                        ",\n     \"moved_by_single_precision\": %.6g,\n"
+                        "     \"moved_in_edges\": %.6g,\n"
+                        "     \"triangles_that_lose_an_edge\": %" PRIu64
+                        ",\n     \"moved_in_edges_before_placing\": %.6g,\n"
+                        "     \"triangles_that_lost_an_edge_before_placing\": %" PRIu64
+                        ",\n     \"centre_would_help\": %s",
+                        file->moved.moved, file->moved.relative, file->moved.vanished,
+                        file->report.moved, file->report.vanished,
+                        centre_would_help(file) ? "true" : "false");
+}
+
+static int write_edges(output *o, const pack_file *file, fail *f) {
     const uint64_t closed = file->open_distance > 0 ? file->open_edges - file->open_left : 0;
+    if (file->edges_unknown) {
+        return output_print(
+            o, f,
+            ",\n     \"open_edges\": null,\n     \"weld_that_closes_edges\": null,\n"
+            "     \"open_edges_it_closes\": null");
+    }
+    return output_print(o, f,
+                        ",\n     \"open_edges\": %" PRIu64
+                        ",\n     \"weld_that_closes_edges\": %.0e,\n"
+                        "     \"open_edges_it_closes\": %" PRIu64,
+                        file->open_edges, file->open_distance, closed);
+}
+
+static int write_file(output *o, const pack_file *file, fail *f) {
     int status = output_print(o, f, "    {\"file\": ");
     if (status == 0) {
         status = json_write_string(o, file->path, f);
@@ -26,32 +54,19 @@ static int write_file(output *o, const pack_file *file, fail *f) {
         status = output_print(o, f, ",\n     \"%s\": %" PRIu64, report_key((report_item)i),
                               file->report.count[i]);
     }
-    return status != 0 ? -1
-                       : output_print(o, f,
-                                      ",\n     \"moved_by_single_precision\": %.6g,\n"
-                                      "     \"moved_in_edges\": %.6g,\n"
-                                      "     \"triangles_that_lose_an_edge\": %" PRIu64
-                                      ",\n"
-                                      "     \"moved_in_edges_before_placing\": %.6g,\n"
-                                      "     \"triangles_that_lost_an_edge_before_placing\": "
-                                      "%" PRIu64
-                                      ",\n"
-                                      "     \"centre_would_help\": %s,\n"
-                                      "     \"open_edges\": %" PRIu64
-                                      ",\n"
-                                      "     \"weld_that_closes_edges\": %.0e,\n"
-                                      "     \"open_edges_it_closes\": %" PRIu64
-                                      ",\n"
-                                      "     \"welded_positions\": %" PRIu64
-                                      ",\n"
-                                      "     \"welded_triangles_without_area\": %" PRIu64
-                                      ",\n"
-                                      "     \"triangles_without_area\": %" PRIu64 "}",
-                                      file->moved.moved, file->moved.relative, file->moved.vanished,
-                                      file->report.moved, file->report.vanished,
-                                      centre_would_help(file) ? "true" : "false", file->open_edges,
-                                      file->open_distance, closed, file->welded.moved,
-                                      file->welded.collapsed, file->without_area);
+    if (status == 0) {
+        status = write_moved(o, file, f);
+    }
+    if (status == 0) {
+        status = write_edges(o, file, f);
+    }
+    return status != 0
+               ? -1
+               : output_print(o, f,
+                              ",\n     \"welded_positions\": %" PRIu64
+                              ",\n     \"welded_triangles_without_area\": %" PRIu64
+                              ",\n     \"triangles_without_area\": %" PRIu64 "}",
+                              file->welded.moved, file->welded.collapsed, file->without_area);
 }
 
 static int write_loss(output *o, const lattice_loss *l, fail *f) {
@@ -85,14 +100,16 @@ static int write_quality(output *o, const quality_stats *q, fail *f) {
 }
 
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
-                    const quality_stats *quality, fail *f) {
-    int status = output_print(o, f,
-                              "{\n  \"triangles\": %" PRIu32
-                              ",\n  \"triangles_after_reduce\": %zu"
-                              ",\n  \"image_bytes\": %" PRIu32
-                              ",\n  \"shift\": [%.17g, %.17g, %.17g],\n  \"files\": [\n",
-                              image->info.triangles, in->m.triangles, image->size, in->shift[0],
-                              in->shift[1], in->shift[2]);
+                    const quality_stats *quality, const pack_memory *memory, fail *f) {
+    int status =
+        output_print(o, f,
+                     "{\n  \"triangles\": %" PRIu32
+                     ",\n  \"triangles_after_reduce\": %zu"
+                     ",\n  \"image_bytes\": %" PRIu32 ",\n  \"memory_bytes_needed\": %" PRIu64
+                     ",\n  \"memory_peak_bytes\": %" PRIu64
+                     ",\n  \"shift\": [%.17g, %.17g, %.17g],\n  \"files\": [\n",
+                     image->info.triangles, in->triangles, image->size, memory->needed, heap_peak(),
+                     in->shift[0], in->shift[1], in->shift[2]);
     for (int i = 0; i < in->files && status == 0; i++) {
         status = write_file(o, &in->file[i], f);
         if (status == 0) {

@@ -70,6 +70,13 @@ static void say_open(const pack_file *file) {
     print(&line);
 }
 
+static void say_unknown(const pack_file *file) {
+    fail line = {""};
+    fail_set(&line, pack_shown(file),
+             "not looked at for holes and seams; use a larger --memory to have that done");
+    print(&line);
+}
+
 void pack_say_lines(const pack_file *file) {
     fail line = {""};
     say_report(file);
@@ -83,7 +90,9 @@ void pack_say_lines(const pack_file *file) {
     if (file->welded.moved > 0) {
         say_welded(file);
     }
-    if (file->open_edges > 0) {
+    if (file->edges_unknown) {
+        say_unknown(file);
+    } else if (file->open_edges > 0) {
         say_open(file);
     }
 }

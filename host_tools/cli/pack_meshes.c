@@ -3,9 +3,11 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/cli/pack_meshes.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 
 #include "host_tools/app/phase.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/mesh/extent.h"
 #include "host_tools/mesh/open_edges.h"
@@ -13,6 +15,20 @@
 
 static int out_of_memory(const char *path, fail *f) {
     return fail_set(f, path, "out of memory; use a larger machine");
+}
+
+/* A mesh in memory, with the file, is below eight times the file: OBJ's quadrangles, of 10 bytes,
+ * are two triangles of 12, in arrays that grow by half, and a face. */
+static void explain_reading(const pack_file *file, fail *f) {
+    if (heap_refused() > 0) {
+        f->text[0] = '\0';
+        fail_set(f, pack_shown(file),
+                 "reading it takes more than the %" PRIu64
+                 " bytes that --memory gives; use "
+                 "--memory %" PRIu64 ", which is enough for it",
+                 heap_limit_bytes(), 8 * heap_refused());
+        heap_forget_refusal(); /* it has been said */
+    }
 }
 
 static int read_file(pack_meshes *p, pack_file *file, fail *f) {
@@ -23,6 +39,9 @@ static int read_file(pack_meshes *p, pack_file *file, fail *f) {
     phase_begin("reading", pack_shown(file));
     const int status = mesh_read(&p->m, file->path, p->frame, &file->report, f);
     phase_end();
+    if (status != 0) {
+        explain_reading(file, f);
+    }
     file->end = p->m.triangles;
     file->vertices = p->m.vertices - vertices;
     return status;
@@ -46,6 +65,18 @@ static int settle(pack_meshes *p, fail *f) {
     return precision_settle(&p->m, p->shift, pack_shown(&p->file[0]), f);
 }
 
+/* What is beside the point when memory is short. */
+static int do_without_edges(pack_file *file) {
+    if (heap_refused() == 0) {
+        return -1;
+    }
+    heap_forget_refusal();
+    file->edges_unknown = 1;
+    file->open_edges = file->open_left = 0;
+    file->open_distance = 0;
+    return 0;
+}
+
 static int find_open(const pack_meshes *p, pack_file *file) {
     open_edges o;
     int status = open_edges_find(&o, &p->m, file->first, file->end);
@@ -55,7 +86,7 @@ static int find_open(const pack_meshes *p, pack_file *file) {
                                    &file->open_left);
     }
     open_edges_free(&o);
-    return status;
+    return status == 0 ? 0 : do_without_edges(file);
 }
 
 static int join_seams(pack_meshes *p, pack_file *file) {
@@ -113,10 +144,22 @@ int pack_meshes_read(pack_meshes *p, char **path, int files, fail *f) {
     if (status == 0 && p->m.triangles == 0) {
         return pack_nothing_to_trace(&p->file[0], f);
     }
-    if (status != 0 || settle(p, f) != 0 || look_at_files(p, f) != 0) {
+    if (status != 0 || settle(p, f) != 0) {
         return -1;
     }
-    return p->most > 0 ? reduce(p, f) : 0;
+    mesh_fit(&p->m);
+    p->triangles = p->m.triangles;
+    return 0;
+}
+
+int pack_meshes_prepare(pack_meshes *p, fail *f) {
+    int status = look_at_files(p, f);
+    if (status == 0 && p->most > 0) {
+        status = reduce(p, f);
+        mesh_fit(&p->m);
+        p->triangles = p->m.triangles;
+    }
+    return status;
 }
 
 void pack_meshes_say(const pack_meshes *p) {

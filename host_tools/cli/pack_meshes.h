@@ -18,11 +18,15 @@ typedef struct pack_meshes {
     pack_file *file;
     size_t *mesh_end; /* first triangle after each file; NULL when there are fewer triangles now */
     int files;
+    size_t triangles; /* of the mesh that is packed, whose arrays may be gone by then */
 } pack_meshes;
 
-/* Reads the files, moves, welds and reduces as asked for. Fails when nothing is left to
- * trace. */
+/* Reads the files and moves them as asked for. Fails when there is nothing to trace. */
 int pack_meshes_read(pack_meshes *p, char **path, int files, fail *f);
+
+/* Then welds, looks for open edges and reduces, as asked for. Where --memory does not suffice
+ * for the edges, the files say so. Fails when nothing is left to trace. */
+int pack_meshes_prepare(pack_meshes *p, fail *f);
 
 /* Says on standard error what was lost on the way: one line each. For a pack that succeeded:
  * a failure has one line of its own. */

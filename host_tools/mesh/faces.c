@@ -6,9 +6,9 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/faces.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/polygon.h"
 
 typedef struct outline {
@@ -22,7 +22,7 @@ typedef struct outline {
 int faces_add_fan(mesh_faces *f, size_t first, uint32_t corners) {
     if (f->fans == f->room) {
         const size_t room = f->room * 2 + 16;
-        face_fan *fan = realloc(f->fan, room * sizeof *fan);
+        face_fan *fan = heap_resize(f->fan, room * sizeof *fan);
         if (!fan) {
             return -1;
         }
@@ -37,7 +37,7 @@ int faces_mark_bad(mesh_faces *f, size_t vertex) {
     const size_t byte = vertex / 8;
     if (byte >= f->bad_bytes) {
         const size_t bytes = byte * 2 + 64;
-        unsigned char *bad = realloc(f->bad, bytes);
+        unsigned char *bad = heap_resize(f->bad, bytes);
         if (!bad) {
             return -1;
         }
@@ -50,8 +50,8 @@ int faces_mark_bad(mesh_faces *f, size_t vertex) {
 }
 
 void faces_free(mesh_faces *f) {
-    free(f->bad);
-    free(f->fan);
+    heap_drop(f->bad);
+    heap_drop(f->fan);
     *f = (mesh_faces){0};
 }
 
@@ -84,11 +84,11 @@ static int make_room(outline *o, uint32_t corners) {
         return 0;
     }
     const size_t room = (size_t)corners + corners / 2;
-    uint32_t *vertex = realloc(o->vertex, room * sizeof *vertex);
+    uint32_t *vertex = heap_resize(o->vertex, room * sizeof *vertex);
     o->vertex = vertex ? vertex : o->vertex;
-    double(*corner)[3] = realloc(o->corner, room * sizeof *corner);
+    double(*corner)[3] = heap_resize(o->corner, room * sizeof *corner);
     o->corner = corner ? corner : o->corner;
-    uint32_t *triangle = realloc(o->triangle, 3 * room * sizeof *triangle);
+    uint32_t *triangle = heap_resize(o->triangle, 3 * room * sizeof *triangle);
     o->triangle = triangle ? triangle : o->triangle;
     if (!vertex || !corner || !triangle) {
         return -1;
@@ -169,8 +169,8 @@ int faces_resolve(const mesh_faces *f, mesh *m, uint64_t count[REPORT_ITEMS]) {
         m->triangles = r.kept;
     }
     polygon_free(&r.o.scratch);
-    free(r.o.vertex);
-    free(r.o.corner);
-    free(r.o.triangle);
+    heap_drop(r.o.vertex);
+    heap_drop(r.o.corner);
+    heap_drop(r.o.triangle);
     return status;
 }

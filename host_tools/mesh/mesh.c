@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/mesh.h"
-
-#include <stdlib.h>
+#include "host_tools/base/heap.h"
 
 static const size_t VERTICES_MAX = UINT32_MAX - 1;
 static const size_t TRIANGLES_MAX = UINT32_MAX - 1;
@@ -20,7 +19,7 @@ static void *grow(void *items, size_t *room, size_t needed, size_t item_bytes) {
     if (more > SIZE_MAX / item_bytes) {
         return NULL;
     }
-    void *grown = realloc(items, more * item_bytes);
+    void *grown = heap_resize(items, more * item_bytes);
     if (grown) {
         *room = more;
     }
@@ -45,7 +44,7 @@ static int reserve_vertices(mesh *m, size_t more, fail *f) {
     }
     m->vertex = vertex;
     if (m->wide) {
-        double *wide = room > SIZE_MAX / 24 ? NULL : realloc(m->wide, room * 24);
+        double *wide = room > SIZE_MAX / 24 ? NULL : heap_resize(m->wide, room * 24);
         if (!wide) {
             return fail_memory(m, f);
         }
@@ -93,7 +92,7 @@ int mesh_widen(mesh *m, fail *f) {
     if (m->wide) {
         return 0;
     }
-    if (m->vertex_room > SIZE_MAX / 24 || !(m->wide = malloc(m->vertex_room * 24))) {
+    if (m->vertex_room > SIZE_MAX / 24 || !(m->wide = heap_get(m->vertex_room * 24))) {
         return fail_memory(m, f);
     }
     for (size_t i = 0; i < 3 * m->vertices; i++) {
@@ -131,9 +130,36 @@ int mesh_add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, fail *f) {
     return 0;
 }
 
+static void shrink(void **items, uint64_t bytes) {
+    void *fewer = bytes > 0 && *items != NULL ? heap_resize(*items, bytes) : NULL;
+    *items = fewer != NULL ? fewer : *items;
+}
+
+void mesh_fit(mesh *m) {
+    void *vertex = m->vertex, *wide = m->wide, *triangle = m->triangle;
+    shrink(&vertex, 12 * (uint64_t)m->vertices);
+    shrink(&wide, 24 * (uint64_t)m->vertices);
+    shrink(&triangle, 12 * (uint64_t)m->triangles);
+    m->vertex = vertex;
+    m->wide = wide;
+    m->triangle = triangle;
+    m->vertex_room = m->vertices;
+    m->triangle_room = m->triangles;
+}
+
+vertex_range mesh_vertices_of(const mesh *m, size_t first, size_t end) {
+    size_t low = m->vertices, high = 0;
+    for (size_t i = 3 * first; i < 3 * end; i++) {
+        const size_t v = m->triangle[i];
+        low = v < low ? v : low;
+        high = v >= high ? v + 1 : high;
+    }
+    return (vertex_range){low, high > low ? high - low : 0};
+}
+
 void mesh_free(mesh *m) {
-    free(m->vertex);
-    free(m->wide);
-    free(m->triangle);
+    heap_drop(m->vertex);
+    heap_drop(m->wide);
+    heap_drop(m->triangle);
     *m = (mesh){0};
 }

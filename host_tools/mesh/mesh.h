@@ -38,6 +38,8 @@ int mesh_widen(mesh *m, fail *f);
 /* Makes room for that many more: adding them then cannot fail, but for the first vertex
  * that is not exact in single precision. */
 int mesh_reserve(mesh *m, size_t vertices, size_t triangles, fail *f);
+/* Gives back what growing took in advance. */
+void mesh_fit(mesh *m);
 void mesh_free(mesh *m);
 
 /* A coordinate as the file has it. */
@@ -45,6 +47,13 @@ static inline double mesh_wide(const mesh *m, size_t vertex, int axis) {
     const size_t at = 3 * vertex + (size_t)axis;
     return m->wide != NULL ? m->wide[at] : (double)m->vertex[at];
 }
+
+/* Vertices that some triangles use, from the first to the last: those of one file lie together. */
+typedef struct vertex_range {
+    size_t first, count;
+} vertex_range;
+
+vertex_range mesh_vertices_of(const mesh *m, size_t first, size_t end);
 
 /* Writes binary little-endian PLY, float x y z and uchar/int lists. */
 int mesh_write_ply(const mesh *m, const char *path, fail *f);

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/near_grid.h"
+#include "host_tools/base/heap.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,21 +17,30 @@ typedef struct cell {
     int around[3]; /* neighbours on either side that may hold a near point: 1, or 0 */
 } cell;
 
-int near_grid_begin(near_grid *g, const float *vertex, double distance, size_t most) {
-    *g = (near_grid){.vertex = vertex, .distance = distance, .slots = 64};
-    while (g->slots < 2 * most) {
-        g->slots *= 2;
+static size_t slots_for(uint64_t most) {
+    size_t slots = 64;
+    while (slots < 2 * most && slots <= SIZE_MAX / 2) {
+        slots *= 2;
     }
-    g->first = calloc(g->slots, sizeof *g->first);
-    g->next = malloc(most * sizeof *g->next + 1);
-    g->point = malloc(most * sizeof *g->point + 1);
+    return slots;
+}
+
+uint64_t near_grid_bytes(uint64_t most) {
+    return 4 * (uint64_t)slots_for(most) + 8 * most + 3 * heap_cost(0);
+}
+
+int near_grid_begin(near_grid *g, const float *vertex, double distance, size_t most) {
+    *g = (near_grid){.vertex = vertex, .distance = distance, .slots = slots_for(most)};
+    g->first = heap_get_zeroed((uint64_t)g->slots * sizeof *g->first);
+    g->next = heap_get((uint64_t)most * sizeof *g->next);
+    g->point = heap_get((uint64_t)most * sizeof *g->point);
     return g->first == NULL || g->next == NULL || g->point == NULL ? -1 : 0;
 }
 
 void near_grid_free(near_grid *g) {
-    free(g->first);
-    free(g->next);
-    free(g->point);
+    heap_drop(g->first);
+    heap_drop(g->next);
+    heap_drop(g->point);
     *g = (near_grid){0};
 }
 

@@ -31,4 +31,7 @@ void near_grid_add(near_grid *g, uint32_t vertex);
 uint32_t near_grid_find(near_grid *g, uint32_t vertex, double *far);
 void near_grid_free(near_grid *g);
 
+/* Bytes of a grid for so many points. */
+uint64_t near_grid_bytes(uint64_t most);
+
 #endif

@@ -7,9 +7,9 @@
  * byte or fails.
  *
  * SPDX-License-Identifier: MIT */
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/ply_attributes.h"
 #include "host_tools/mesh/ply_body.h"
 #include "host_tools/mesh/ply_value.h"
@@ -222,7 +222,7 @@ int ply_is(const input *in) {
 }
 
 int ply_read(mesh *m, const input *in, mesh_report *report, fail *f) {
-    ply_header *header = malloc(sizeof *header);
+    ply_header *header = heap_get(sizeof *header);
     if (!header) {
         return fail_set(f, in->path, "out of memory; close other programs");
     }
@@ -238,6 +238,6 @@ int ply_read(mesh *m, const input *in, mesh_report *report, fail *f) {
             intake_undo(&r.in);
         }
     }
-    free(header);
+    heap_drop(header);
     return result;
 }

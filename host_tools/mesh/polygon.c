@@ -13,9 +13,9 @@
 #include "host_tools/mesh/polygon.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/orient2.h"
 #include "host_tools/mesh/polygon_plane.h"
 
@@ -133,9 +133,9 @@ static int reserve(polygon *p, uint32_t n) {
     if (room <= p->room) {
         return 0;
     }
-    free(p->point);
+    heap_drop(p->point);
     p->room = 0;
-    p->point = room <= SIZE_MAX / sizeof *p->point ? malloc(room * sizeof *p->point) : NULL;
+    p->point = room <= SIZE_MAX / sizeof *p->point ? heap_get(room * sizeof *p->point) : NULL;
     if (!p->point) {
         return -1;
     }
@@ -239,7 +239,7 @@ int polygon_triangulate(polygon *p, const double (*corner)[3], uint32_t n, uint3
 }
 
 void polygon_free(polygon *p) {
-    free(p->point);
+    heap_drop(p->point);
     polygon_sweep_free(&p->sweep);
     polygon_ears_free(&p->ears);
     *p = (polygon){.wide = p->wide};

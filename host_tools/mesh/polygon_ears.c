@@ -15,8 +15,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/polygon_ears.h"
 
-#include <stdlib.h>
-
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/orient2.h"
 
 static const uint64_t WORK_MIN = 1u << 25, WORK_PER_CORNER = 160;
@@ -270,9 +269,9 @@ static int reserve(polygon_ears *e, size_t n) {
     if (n <= e->room) {
         return 0;
     }
-    free(e->corner);
+    heap_drop(e->corner);
     e->room = 0;
-    e->corner = n <= SIZE_MAX / sizeof *e->corner ? malloc(n * sizeof *e->corner) : NULL;
+    e->corner = n <= SIZE_MAX / sizeof *e->corner ? heap_get(n * sizeof *e->corner) : NULL;
     if (!e->corner) {
         return -1;
     }
@@ -337,7 +336,7 @@ int polygon_ears_cut(polygon_ears *e, const double (*point)[2], uint32_t n, doub
 }
 
 void polygon_ears_free(polygon_ears *e) {
-    free(e->corner);
+    heap_drop(e->corner);
     polygon_tree_free(&e->tree);
     *e = (polygon_ears){0};
 }

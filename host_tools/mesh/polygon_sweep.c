@@ -15,6 +15,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/orient2.h"
 
 static uint32_t next_of(const polygon_sweep *s, uint32_t i) {
@@ -258,10 +259,10 @@ static int reserve(polygon_sweep *s, size_t n) {
     if (n > SIZE_MAX / (2 * sizeof *s->event)) {
         return -1;
     }
-    s->event = malloc(n * sizeof *s->event);
-    s->edge = malloc(n * sizeof *s->edge);
-    s->gap = malloc(n * sizeof *s->gap);
-    s->link = malloc(2 * n * sizeof *s->link); /* 3 at a split, which begins 2 edges, else 1 */
+    s->event = heap_get(n * sizeof *s->event);
+    s->edge = heap_get(n * sizeof *s->edge);
+    s->gap = heap_get(n * sizeof *s->gap);
+    s->link = heap_get(2 * n * sizeof *s->link); /* 3 at a split, which begins 2 edges, else 1 */
     if (!s->event || !s->edge || !s->gap || !s->link) {
         polygon_sweep_free(s);
         return -1;
@@ -271,10 +272,10 @@ static int reserve(polygon_sweep *s, size_t n) {
 }
 
 void polygon_sweep_free(polygon_sweep *s) {
-    free(s->event);
-    free(s->edge);
-    free(s->gap);
-    free(s->link);
+    heap_drop(s->event);
+    heap_drop(s->edge);
+    heap_drop(s->gap);
+    heap_drop(s->link);
     *s = (polygon_sweep){0};
 }
 

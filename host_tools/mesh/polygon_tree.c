@@ -6,9 +6,9 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/polygon_tree.h"
+#include "host_tools/base/heap.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -33,10 +33,10 @@ static int grow(polygon_tree *t, size_t n) {
     if (n > SIZE_MAX / (2 * sizeof *t->key) || leaves > SIZE_MAX / (2 * sizeof *t->box)) {
         return -1;
     }
-    t->key = malloc(2 * n * sizeof *t->key);
-    t->place = malloc(n * sizeof *t->place);
-    t->box = malloc(2 * leaves * sizeof *t->box);
-    t->marked = malloc(2 * leaves * sizeof *t->marked);
+    t->key = heap_get(2 * n * sizeof *t->key);
+    t->place = heap_get(n * sizeof *t->place);
+    t->box = heap_get(2 * leaves * sizeof *t->box);
+    t->marked = heap_get(2 * leaves * sizeof *t->marked);
     if (!t->key || !t->place || !t->box || !t->marked) {
         polygon_tree_free(t);
         return -1;
@@ -46,10 +46,10 @@ static int grow(polygon_tree *t, size_t n) {
 }
 
 void polygon_tree_free(polygon_tree *t) {
-    free(t->key);
-    free(t->place);
-    free(t->box);
-    free(t->marked);
+    heap_drop(t->key);
+    heap_drop(t->place);
+    heap_drop(t->box);
+    heap_drop(t->marked);
     *t = (polygon_tree){0};
 }
 

@@ -4,8 +4,8 @@
 #include "host_tools/mesh/precision.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/position.h"
 
 typedef struct corner {
@@ -86,7 +86,7 @@ void precision_centre(const mesh *m, double centre[3]) {
 }
 
 static void drop_wide(mesh *m) {
-    free(m->wide);
+    heap_drop(m->wide);
     m->wide = NULL;
 }
 

@@ -11,9 +11,9 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/mesh_single.h"
 #include "host_tools/mesh/placement.h"
 #include "host_tools/mesh/precision.h"
@@ -86,7 +86,7 @@ static int read_source(reader *r, word whole, source *s) {
 static char *path_of(const reader *r, const source *s) {
     const size_t directory = s->name.text[0] == '/' ? 0 : r->directory_length;
     const size_t room = directory + s->name.length + FRAME_DIGITS_BYTES;
-    char *path = malloc(room);
+    char *path = heap_get(room);
     if (!path) {
         return NULL;
     }
@@ -150,7 +150,7 @@ static int add_mesh(reader *r, const source *s, const placement *p) {
         result = placement_apply(p, r->m, first_vertex, first_triangle, r->report->centred, path,
                                  &inner);
     }
-    free(path);
+    heap_drop(path);
     return result == 0 ? 0 : fail_line(r, inner.text);
 }
 

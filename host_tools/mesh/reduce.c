@@ -5,9 +5,9 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/extent.h"
 
 #define NOWHERE UINT32_MAX
@@ -127,7 +127,7 @@ static double coarse_grid(clustering *c, size_t most, size_t *least) {
 }
 
 static int rebuild(const clustering *c, mesh *to, fail *f) {
-    double *sum = calloc(c->clusters * 4 + 1, sizeof *sum);
+    double *sum = heap_get_zeroed((uint64_t)c->clusters * 4 * sizeof *sum);
     int status = sum == NULL ? -1 : 0;
     for (size_t i = 0; i < c->used && status == 0; i++) {
         const float *p = c->m->vertex + 3 * (size_t)c->vertex[i];
@@ -148,7 +148,7 @@ static int rebuild(const clustering *c, mesh *to, fail *f) {
             status = mesh_add_triangle(to, c->cluster[t[0]], c->cluster[t[1]], c->cluster[t[2]], f);
         }
     }
-    free(sum);
+    heap_drop(sum);
     return status;
 }
 
@@ -179,10 +179,10 @@ static int find_clusters(clustering *c, size_t most, const char *name, fail *f) 
 }
 
 static int reduce(clustering *c, mesh *to, size_t most, const char *name, fail *f) {
-    c->vertex = malloc(c->m->vertices * sizeof *c->vertex + 1);
-    c->cell = malloc(c->m->vertices * sizeof *c->cell + 1);
-    c->hash = malloc((2 * c->m->vertices + 1) * sizeof *c->hash);
-    c->cluster = malloc(c->m->vertices * sizeof *c->cluster + 1);
+    c->vertex = heap_get((uint64_t)c->m->vertices * sizeof *c->vertex);
+    c->cell = heap_get((uint64_t)c->m->vertices * sizeof *c->cell);
+    c->hash = heap_get((2 * (uint64_t)c->m->vertices + 1) * sizeof *c->hash);
+    c->cluster = heap_get((uint64_t)c->m->vertices * sizeof *c->cluster);
     if (c->vertex != NULL && c->cell != NULL && c->hash != NULL && c->cluster != NULL) {
         find_used(c);
         if (find_clusters(c, most, name, f) != 0) {
@@ -193,6 +193,12 @@ static int reduce(clustering *c, mesh *to, size_t most, const char *name, fail *
         }
     }
     return fail_set(f, name, "out of memory while reducing; use a larger machine");
+}
+
+/* Beside the mesh: four lists by vertex, the sums of clusters, and the reduced mesh, whose arrays
+ * grow by half. */
+uint64_t mesh_reduce_bytes(uint64_t vertices, uint64_t most) {
+    return 24 * vertices + 32 * vertices + 18 * (vertices + most) + 4096;
 }
 
 int mesh_reduce(mesh *m, size_t most, const char *name, fail *f) {
@@ -208,9 +214,9 @@ int mesh_reduce(mesh *m, size_t most, const char *name, fail *f) {
     } else {
         mesh_free(&reduced);
     }
-    free(c.vertex);
-    free(c.cell);
-    free(c.hash);
-    free(c.cluster);
+    heap_drop(c.vertex);
+    heap_drop(c.cell);
+    heap_drop(c.hash);
+    heap_drop(c.cluster);
     return status;
 }

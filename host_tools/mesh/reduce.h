@@ -17,4 +17,7 @@
  * and says how many triangles it can leave; the mesh is then as it was. */
 int mesh_reduce(mesh *m, size_t most, const char *name, fail *f);
 
+/* The most bytes it takes beside a mesh of so many vertices. */
+uint64_t mesh_reduce_bytes(uint64_t vertices, uint64_t most);
+
 #endif

@@ -4,8 +4,8 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/vertex_table.h"
+#include "host_tools/base/heap.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { FIRST_SLOTS = 1024 };
@@ -50,7 +50,7 @@ static uint32_t *probe(const mesh *m, uint32_t *slot, size_t slots, const key *k
 
 static int grow(vertex_table *t) {
     const size_t slots = t->slots ? t->slots * 2 : FIRST_SLOTS;
-    uint32_t *slot = slots > t->slots ? calloc(slots, sizeof *slot) : NULL;
+    uint32_t *slot = slots > t->slots ? heap_get_zeroed((slots) * sizeof *slot) : NULL;
     if (!slot) {
         return -1;
     }
@@ -60,7 +60,7 @@ static int grow(vertex_table *t) {
             *probe(t->m, slot, slots, &k) = t->slot[i];
         }
     }
-    free(t->slot);
+    heap_drop(t->slot);
     t->slot = slot;
     t->slots = slots;
     return 0;
@@ -75,6 +75,6 @@ uint32_t *vertex_table_find(vertex_table *t, const real position[3]) {
 }
 
 void vertex_table_free(vertex_table *t) {
-    free(t->slot);
+    heap_drop(t->slot);
     *t = (vertex_table){0};
 }

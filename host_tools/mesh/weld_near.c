@@ -4,9 +4,9 @@
 #include "host_tools/mesh/weld_near.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/near_grid.h"
 #include "host_tools/mesh/position.h"
 
@@ -25,27 +25,15 @@ static int is_collapsed(const mesh *m, size_t triangle) {
 
 typedef struct welding {
     size_t first, end; /* triangles */
-    size_t vertex;     /* the first of the vertices that they use, */
-    size_t vertices;   /* and how many there are up to the last: those of one file lie together */
-    uint32_t *to;      /* by vertex: where it goes; owned */
+    vertex_range range;
+    uint32_t *to; /* by vertex of the range: where it goes; owned */
 } welding;
-
-static void find_vertices(welding *w, const mesh *m) {
-    size_t low = m->vertices, high = 0;
-    for (size_t i = 3 * w->first; i < 3 * w->end; i++) {
-        const size_t v = m->triangle[i];
-        low = v < low ? v : low;
-        high = v >= high ? v + 1 : high;
-    }
-    w->vertex = low;
-    w->vertices = high > low ? high - low : 0;
-}
 
 /* Where each used vertex goes, in the order in which triangles use them. */
 static void find_targets(welding *w, const mesh *m, near_grid *g, weld_near_result *result) {
     for (size_t i = 3 * w->first; i < 3 * w->end; i++) {
         const uint32_t v = m->triangle[i];
-        uint32_t *to = &w->to[v - w->vertex];
+        uint32_t *to = &w->to[v - w->range.first];
         double far;
         if (*to == NEAR_GRID_NONE) {
             *to = near_grid_find(g, v, &far);
@@ -62,7 +50,7 @@ static void go(const welding *w, mesh *m, weld_near_result *result) {
     for (size_t i = w->first; i < w->end; i++) {
         const int before = is_collapsed(m, i);
         for (size_t k = 0; k < 3; k++) {
-            m->triangle[3 * i + k] = w->to[m->triangle[3 * i + k] - w->vertex];
+            m->triangle[3 * i + k] = w->to[m->triangle[3 * i + k] - w->range.first];
         }
         result->collapsed += (uint64_t)(!before && is_collapsed(m, i));
     }
@@ -70,21 +58,20 @@ static void go(const welding *w, mesh *m, weld_near_result *result) {
 
 int weld_near(mesh *m, size_t first, size_t end, double distance, weld_near_result *result) {
     near_grid g;
-    welding w = {.first = first, .end = end};
+    welding w = {.first = first, .end = end, .range = mesh_vertices_of(m, first, end)};
     *result = (weld_near_result){0, 0};
-    find_vertices(&w, m);
-    w.to = malloc(w.vertices * sizeof *w.to + 1);
-    int status = near_grid_begin(&g, m->vertex, distance, w.vertices);
+    w.to = heap_get((uint64_t)w.range.count * sizeof *w.to);
+    int status = near_grid_begin(&g, m->vertex, distance, w.range.count);
     if (w.to == NULL) {
         status = -1;
     }
     if (status == 0) {
-        memset(w.to, 0xff, w.vertices * sizeof *w.to);
+        memset(w.to, 0xff, w.range.count * sizeof *w.to);
         find_targets(&w, m, &g, result);
         go(&w, m, result);
     }
     near_grid_free(&g);
-    free(w.to);
+    heap_drop(w.to);
     return status;
 }
 
@@ -106,28 +93,14 @@ static int is_too_dense(const near_grid *g) {
     return g->steps > 256 * (uint64_t)g->points + 1000000;
 }
 
-/* Each end once, however many edges end there. */
-static void add_ends(near_grid *g, const open_edges *o, unsigned char *is_there) {
-    for (size_t i = 0; i < 2 * o->count; i++) {
-        if (!is_there[o->vertex[i]]) {
-            is_there[o->vertex[i]] = 1;
-            near_grid_add(g, o->vertex[i]);
-        }
-    }
-}
-
 /* The greatest distance from an open edge's end to the one nearest to it, of those within
  * `most`; 0 where ends lie so densely that this would take long. */
 static int greatest_gap(const mesh *m, const open_edges *o, double most, double *gap) {
     near_grid g;
     *gap = 0;
-    unsigned char *is_there = calloc(m->vertices + 1, 1);
-    int status = near_grid_begin(&g, m->vertex, most, 2 * (size_t)o->count);
-    if (is_there == NULL) {
-        status = -1;
-    }
-    if (status == 0) {
-        add_ends(&g, o, is_there);
+    int status = near_grid_begin(&g, m->vertex, most, o->ends);
+    for (size_t i = 0; i < o->ends && status == 0; i++) {
+        near_grid_add(&g, o->end[i]);
     }
     for (size_t i = 0; i < g.points && status == 0 && !is_too_dense(&g); i++) {
         double far;
@@ -137,7 +110,6 @@ static int greatest_gap(const mesh *m, const open_edges *o, double most, double 
     }
     *gap = is_too_dense(&g) ? 0 : *gap;
     near_grid_free(&g);
-    free(is_there);
     return status;
 }
 
@@ -151,9 +123,9 @@ static double round_up(double x) {
 static int try_distance(const mesh *m, size_t first, size_t end, double distance, uint64_t *left,
                         weld_near_result *result) {
     mesh copy = *m; /* the vertices are shared: they stay */
-    open_edges o = {0, NULL};
+    open_edges o = {0, NULL, 0};
     copy.triangles = end - first;
-    copy.triangle = malloc(3 * copy.triangles * sizeof *copy.triangle + 1);
+    copy.triangle = heap_get(3 * (uint64_t)copy.triangles * sizeof *copy.triangle);
     if (copy.triangle == NULL) {
         return -1;
     }
@@ -164,8 +136,20 @@ static int try_distance(const mesh *m, size_t first, size_t end, double distance
     }
     *left = o.count;
     open_edges_free(&o);
-    free(copy.triangle);
+    heap_drop(copy.triangle);
     return status;
+}
+
+uint64_t weld_near_bytes(uint64_t vertices) {
+    return 4 * vertices + heap_cost(0) + near_grid_bytes(vertices);
+}
+
+/* The ends of all edges, and beside them: their grid, or a copy of the triangles that is welded
+ * and looked at. */
+uint64_t weld_near_suggest_bytes(uint64_t vertices, uint64_t triangles) {
+    const uint64_t moving = weld_near_bytes(vertices);
+    const uint64_t looking = open_edges_bytes(vertices, triangles) + 4 * vertices;
+    return 4 * vertices + 12 * triangles + 3 * heap_cost(0) + (moving > looking ? moving : looking);
 }
 
 int weld_near_suggest(const mesh *m, size_t first, size_t end, const open_edges *o,

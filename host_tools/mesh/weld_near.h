@@ -26,4 +26,9 @@ int weld_near(mesh *m, size_t first, size_t end, double distance, weld_near_resu
 int weld_near_suggest(const mesh *m, size_t first, size_t end, const open_edges *o,
                       double *distance, uint64_t *left);
 
+/* The most bytes that each takes beside the mesh, for a file of so many vertices and triangles;
+ * the ends of the open edges are among those of weld_near_suggest. */
+uint64_t weld_near_bytes(uint64_t vertices);
+uint64_t weld_near_suggest_bytes(uint64_t vertices, uint64_t triangles);
+
 #endif

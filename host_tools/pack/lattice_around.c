@@ -3,42 +3,23 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/lattice_around.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/extent.h"
-
-typedef struct vertex_at {
-    float p[3];
-    uint32_t vertex;
-} vertex_at;
-
-static int compare_positions(const void *a, const void *b) {
-    const vertex_at *x = a, *y = b;
-    const int order = memcmp(x->p, y->p, sizeof x->p);
-    return order != 0 ? order : (x->vertex > y->vertex) - (x->vertex < y->vertex);
-}
+#include "host_tools/mesh/position_table.h"
 
 static int find_first(lattice_around *r, const mesh *m, const lattice_position *moved) {
-    vertex_at *v = malloc(m->vertices * sizeof *v + 1);
-    if (v == NULL) {
+    position_table t;
+    if (position_table_begin(&t, m->vertex, m->vertices) != 0) {
         return -1;
     }
-    size_t used = 0;
-    for (size_t i = 0; i < m->vertices; i++) {
+    for (uint32_t i = 0; i < m->vertices; i++) {
         if (moved[i].q[0] != LATTICE_UNUSED) {
-            for (size_t a = 0; a < 3; a++) {
-                v[used].p[a] = m->vertex[3 * i + a] + 0.0f; /* -0 is 0 */
-            }
-            v[used++].vertex = (uint32_t)i;
+            r->first[i] = position_table_first(&t, i);
         }
     }
-    qsort(v, used, sizeof *v, compare_positions);
-    for (size_t i = 0; i < used; i++) {
-        const int same = i > 0 && memcmp(v[i].p, v[i - 1].p, sizeof v[i].p) == 0;
-        r->first[v[i].vertex] = same ? r->first[v[i - 1].vertex] : v[i].vertex;
-    }
-    free(v);
+    position_table_free(&t);
     return 0;
 }
 
@@ -64,11 +45,13 @@ static void find_triangles(lattice_around *r, const snapped *s, const mesh *m) {
 
 int lattice_around_find(lattice_around *r, const snapped *s, const mesh *m,
                         const lattice_position *moved) {
-    r->first = malloc(m->vertices * sizeof *r->first + 1);
-    r->begin = malloc((m->vertices + 1) * sizeof *r->begin);
-    r->triangle = malloc(3 * m->triangles * sizeof *r->triangle + 1);
-    if (r->first == NULL || r->begin == NULL || r->triangle == NULL ||
-        find_first(r, m, moved) != 0) {
+    r->first = heap_get((uint64_t)m->vertices * sizeof *r->first);
+    if (r->first == NULL || find_first(r, m, moved) != 0) {
+        return -1;
+    }
+    r->begin = heap_get(((uint64_t)m->vertices + 1) * sizeof *r->begin);
+    r->triangle = heap_get(3 * (uint64_t)m->triangles * sizeof *r->triangle);
+    if (r->begin == NULL || r->triangle == NULL) {
         return -1;
     }
     find_triangles(r, s, m);
@@ -76,7 +59,7 @@ int lattice_around_find(lattice_around *r, const snapped *s, const mesh *m,
 }
 
 void lattice_around_free(lattice_around *r) {
-    free(r->first);
-    free(r->begin);
-    free(r->triangle);
+    heap_drop(r->first);
+    heap_drop(r->begin);
+    heap_drop(r->triangle);
 }

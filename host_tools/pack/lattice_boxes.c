@@ -34,8 +34,11 @@ static void add_box(snapped *s, const mesh *m, size_t i) {
 }
 
 int lattice_boxes(snapped *s, const mesh *m, const lattice_wish *wish, const char *name, fail *f) {
-    if (snapped_begin(s, m, wish, 2, name, f) != 0) {
+    if (snapped_begin(s, m, wish, 1, name, f) != 0) {
         return -1;
+    }
+    if (snapped_make_room(s, m->triangles, 2) != 0) {
+        return fail_set(f, name, "out of memory; pack on a larger machine");
     }
     for (size_t i = 0; i < m->triangles; i++) {
         add_box(s, m, i);

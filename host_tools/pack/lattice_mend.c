@@ -10,8 +10,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/lattice_mend.h"
 
-#include <stdlib.h>
-
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/extent.h"
 #include "host_tools/pack/lattice_area.h"
 #include "host_tools/pack/lattice_tally.h"
@@ -93,14 +92,14 @@ int lattice_mend(snapped *s, const mesh *m, lattice_position *moved) {
     if (!any_line(s, m, moved)) {
         return 0;
     }
-    d.tally_of = calloc(m->vertices + 1, sizeof *d.tally_of);
+    d.tally_of = heap_get_zeroed((m->vertices + 1) * sizeof *d.tally_of);
     const int status =
         d.tally_of == NULL || lattice_around_find(&d.around, s, m, moved) != 0 ? -1 : 0;
     if (status == 0) {
         s->loss.mended = mend_all(&d);
     }
     lattice_around_free(&d.around);
-    free(d.tally_of);
-    free(d.tally);
+    heap_drop(d.tally_of);
+    heap_drop(d.tally);
     return status;
 }

@@ -4,11 +4,11 @@
 #include "host_tools/pack/lattice_snap.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "engine/tree/canonical.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/extent.h"
+#include "host_tools/mesh/position_table.h"
 #include "host_tools/pack/lattice_area.h"
 #include "host_tools/pack/lattice_mend.h"
 
@@ -49,19 +49,19 @@ static void add_if_area(snapped *s, const mesh *m, const lattice_position *moved
     snapped_add(s, p, 3, (uint32_t)i);
 }
 
-/* Counts positions, before or after: sorts keys and steps over equals. */
-static int compare_positions(const void *a, const void *b) {
-    return memcmp(a, b, 12);
-}
-
-static uint64_t count_different(void *keys, size_t count) {
-    uint64_t different = count > 0;
-    const unsigned char *k = keys;
-    qsort(keys, count, 12, compare_positions);
-    for (size_t i = 1; i < count; i++) {
-        different += memcmp(k + 12 * i, k + 12 * (i - 1), 12) != 0;
+/* Counts the positions of those vertices that have one on the lattice. */
+static int count_different(const lattice_position *moved, size_t vertices, const void *positions,
+                           uint64_t *different) {
+    position_table t;
+    *different = 0;
+    if (position_table_begin(&t, positions, vertices) != 0) {
+        return -1;
     }
-    return different;
+    for (uint32_t i = 0; i < vertices; i++) {
+        *different += moved[i].q[0] != LATTICE_UNUSED && position_table_first(&t, i) == i;
+    }
+    position_table_free(&t);
+    return 0;
 }
 
 /* The square of how far a vertex moved: what is traced is the lattice coordinate's float. */
@@ -75,33 +75,22 @@ static double move_of(const snapped *s, const float p[3], const lattice_position
 }
 
 static int measure(snapped *s, const mesh *m, const lattice_position *moved) {
-    uint32_t(*before)[3] = malloc(m->vertices * 12 + 1), (*after)[3] = malloc(m->vertices * 12 + 1);
     double largest = 0.0;
-    if (before == NULL || after == NULL) {
-        free(before);
-        free(after);
+    uint64_t before, after;
+    for (size_t i = 0; i < m->vertices; i++) {
+        if (moved[i].q[0] != LATTICE_UNUSED) {
+            const double far2 = move_of(s, m->vertex + 3 * i, &moved[i]);
+            largest = fmax(largest, far2);
+            s->loss.unmoved += far2 == 0.0;
+            s->loss.vertices++;
+        }
+    }
+    s->loss.largest_move = largest > 0.0 ? sqrt(largest) / lattice_longest(&s->mesh_box) : 0.0;
+    if (count_different(moved, m->vertices, m->vertex, &before) != 0 ||
+        count_different(moved, m->vertices, moved, &after) != 0) {
         return -1;
     }
-    size_t used = 0;
-    for (size_t i = 0; i < m->vertices; i++) {
-        if (moved[i].q[0] == LATTICE_UNUSED) {
-            continue;
-        }
-        for (size_t a = 0; a < 3; a++) {
-            const float p = m->vertex[3 * i + a] + 0.0f; /* -0 is 0 */
-            memcpy(&before[used][a], &p, 4);
-            after[used][a] = moved[i].q[a];
-        }
-        const double far2 = move_of(s, m->vertex + 3 * i, &moved[i]);
-        largest = fmax(largest, far2);
-        s->loss.unmoved += far2 == 0.0;
-        used++;
-    }
-    s->loss.vertices = used;
-    s->loss.largest_move = largest > 0.0 ? sqrt(largest) / lattice_longest(&s->mesh_box) : 0.0;
-    s->loss.merged = count_different(before, used) - count_different(after, used);
-    free(before);
-    free(after);
+    s->loss.merged = before - after;
     return 0;
 }
 
@@ -122,23 +111,25 @@ static void snap_all(const snapped *s, const mesh *m, lattice_position *moved) {
 
 int lattice_snap_as(snapped *s, const mesh *m, const lattice_wish *wish, const char *name,
                     fail *f) {
-    if (snapped_begin(s, m, wish, 3, name, f) != 0) {
+    if (snapped_begin(s, m, wish, 0, name, f) != 0) {
         return -1;
     }
-    s->rotation = malloc(m->triangles + 1);
-    lattice_position *moved = malloc(m->vertices * sizeof *moved + 1);
-    int status = s->rotation == NULL || moved == NULL ? -1 : 0;
+    lattice_position *moved = heap_get((uint64_t)m->vertices * sizeof *moved);
+    int status = moved == NULL ? -1 : 0;
     if (status == 0) {
         snap_all(s, m, moved);
         status = lattice_mend(s, m, moved);
     }
-    for (size_t i = 0; i < m->triangles && status == 0; i++) {
-        add_if_area(s, m, moved, i);
-    }
     if (status == 0) {
         status = measure(s, m, moved);
     }
-    free(moved);
+    if (status == 0) { /* only now: what mending and measuring take is free again */
+        status = snapped_make_room(s, m->triangles, 3);
+    }
+    for (size_t i = 0; i < m->triangles && status == 0; i++) {
+        add_if_area(s, m, moved, i);
+    }
+    heap_drop(moved);
     return status == 0 ? 0 : fail_set(f, name, "out of memory; pack on a larger machine");
 }
 

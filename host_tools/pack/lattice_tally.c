@@ -4,8 +4,8 @@
 #include "host_tools/pack/lattice_tally.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/extent.h"
 #include "host_tools/pack/lattice_area.h"
 
@@ -66,7 +66,7 @@ lattice_tally *lattice_tally_for(lattice_moving *d, uint32_t vertex) {
     if (d->tally_of[vertex] == 0) {
         if (d->tallies == d->tally_room) {
             const uint32_t room = 2 * d->tally_room + 16;
-            lattice_tally *grown = realloc(d->tally, room * sizeof *grown);
+            lattice_tally *grown = heap_resize(d->tally, room * sizeof *grown);
             if (grown == NULL) {
                 return NULL;
             }

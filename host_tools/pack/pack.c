@@ -6,7 +6,6 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/pack.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "engine/builder/build.h"
@@ -14,28 +13,25 @@
 #include "engine/planelet_crc32.h"
 #include "engine/tree/canonical.h"
 #include "engine/tree/thesis/validate.h"
+#include "host_tools/base/heap.h"
+#include "host_tools/pack/image_size.h"
 
 typedef struct packing {
     const mesh *m;
     const pack_options *options;
     const char *name;
+    size_t triangles;
     plt_header header;
+    plt_node *nodes; /* in the image, and behind them the records */
+    uint32_t node_room;
     plt_record *records;
-    plt_node *nodes;
     quality_stats *quality; /* NULL: the tree stays as it is built */
     uint32_t seconds;
 } packing;
 
 static int out_of_memory(const packing *p, fail *f) {
     return fail_set(f, p->name, "%zu triangles: out of memory; pack on a larger machine",
-                    p->m->triangles);
-}
-
-int pack_too_large(const mesh *m, const char *name, fail *f) {
-    return fail_set(f, name,
-                    "%zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; "
-                    "leave some out",
-                    m->triangles);
+                    p->triangles);
 }
 
 /* By x, then y, then z. */
@@ -82,27 +78,25 @@ static int leave_unbuilt(packing *p) {
 
 static int build(packing *p, fail *f) {
     plt_info *info = &p->header.info;
-    const uint32_t nodes = plt_build_nodes_bound(info->triangles);
     plt_build_job job = {.records = p->records,
                          .count = info->triangles,
-                         .room = plt_build_slots_bound(nodes, info->treelet_nodes),
+                         .nodes = p->nodes,
+                         .room = p->node_room,
                          .leaf_triangles = info->leaf_triangles,
                          .treelet_nodes = info->treelet_nodes,
                          .splits = info->splits,
-                         .scratch_bytes = plt_build_scratch_bytes(nodes, info->treelet_nodes)};
-    p->nodes = malloc((size_t)job.room * sizeof *p->nodes + 1);
-    job.nodes = p->nodes;
-    job.scratch = malloc(job.scratch_bytes);
-    if (p->nodes == NULL || job.scratch == NULL) {
-        free(job.scratch);
+                         .scratch_bytes = plt_build_scratch_bytes(
+                             plt_build_nodes_bound(info->triangles), info->treelet_nodes)};
+    job.scratch = heap_get_aligned(job.scratch_bytes);
+    if (job.scratch == NULL) {
         return out_of_memory(p, f);
     }
     int status = plt_build(&job);
     const int was_built = status == PLT_OK;
     if (was_built && p->quality != NULL) {
-        status = quality_improve(&job, &p->records, p->seconds, p->quality);
+        status = quality_improve(&job, p->seconds, p->quality);
     }
-    free(job.scratch);
+    heap_drop(job.scratch);
     if (was_built && status != PLT_OK) {
         return out_of_memory(p, f);
     }
@@ -111,7 +105,7 @@ static int build(packing *p, fail *f) {
             f, p->name,
             "%zu triangles need more than %d levels; use a larger --leaf, or build with a "
             "larger PLT_DEPTH_MAX",
-            p->m->triangles, PLT_DEPTH_MAX);
+            p->triangles, PLT_DEPTH_MAX);
     }
     info->node_slots = job.node_slots;
     p->header.root = job.root;
@@ -138,47 +132,67 @@ static int validate(packing *p, fail *f) {
     return 0;
 }
 
+/* Room for the most nodes that the triangles can take, and behind it the records. */
+static int make_room(packing *p, packed *image, fail *f) {
+    const plt_info *info = &p->header.info;
+    const uint32_t bound = plt_build_nodes_bound(info->triangles);
+    p->node_room = info->build == PLT_BUILD_HOST && info->triangles > 0
+                       ? plt_build_slots_bound(bound, info->treelet_nodes)
+                       : 0;
+    const uint64_t nodes = plt_section_bytes(p->node_room, PLT_NODE_BYTES);
+    const uint64_t records = plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
+    image->bytes = heap_get_aligned(PLT_HEADER_BYTES + nodes + records);
+    if (image->bytes == NULL) {
+        return out_of_memory(p, f);
+    }
+    p->nodes = (plt_node *)(void *)(image->bytes + PLT_HEADER_BYTES);
+    p->records = (plt_record *)(void *)(image->bytes + PLT_HEADER_BYTES + nodes);
+    return 0;
+}
+
+/* Makes `used` bytes a section of `bytes`; returns its CRC. */
+static uint32_t close_section(unsigned char *section, uint64_t used, uint64_t bytes) {
+    memset(section + used, 0, (size_t)(bytes - used));
+    return plt_crc32(0, section, (size_t)bytes);
+}
+
+/* Brings the records up to the nodes that there are. */
 static int assemble(packing *p, packed *image, fail *f) {
     plt_info *info = &p->header.info;
     const uint64_t nodes = plt_section_bytes(info->node_slots, PLT_NODE_BYTES);
     const uint64_t records = plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
     const uint64_t size = PLT_HEADER_BYTES + nodes + records;
-    if (size > UINT32_MAX) {
-        return pack_too_large(p->m, p->name, f);
+    if (image_size_check(p->name, p->triangles, size, 0, image_size_remedy_thesis(p->options), f) !=
+        0) {
+        return -1;
     }
-    image->bytes = aligned_alloc(PLT_SECTION_ALIGN, (size_t)size);
-    if (image->bytes == NULL) {
-        return out_of_memory(p, f);
-    }
-    memset(image->bytes, 0, (size_t)size);
-    image->size = (uint32_t)size;
     unsigned char *node_section = image->bytes + PLT_HEADER_BYTES;
     unsigned char *record_section = node_section + nodes;
-    if (info->node_slots > 0) {
-        memcpy(node_section, p->nodes, (size_t)info->node_slots * PLT_NODE_BYTES);
-    }
-    if (info->triangles > 0) {
-        memcpy(record_section, p->records, (size_t)info->triangles * PLT_RECORD_BYTES);
-    }
-    p->header.section[0].crc = plt_crc32(0, node_section, (size_t)nodes);
-    p->header.section[1].crc = plt_crc32(0, record_section, (size_t)records);
+    const uint64_t record_bytes = (uint64_t)info->triangles * PLT_RECORD_BYTES;
+    memmove(record_section, p->records, (size_t)record_bytes);
+    p->header.section[0].crc =
+        close_section(node_section, (uint64_t)info->node_slots * PLT_NODE_BYTES, nodes);
+    p->header.section[1].crc = close_section(record_section, record_bytes, records);
     plt_header_write(image->bytes, &p->header);
+    image->size = (uint32_t)size;
     image->info = *info;
     return 0;
 }
 
 static int pack(packing *p, packed *image, fail *f) {
     plt_info *info = &p->header.info;
-    info->triangles = info->source_triangles = (uint32_t)p->m->triangles;
+    info->triangles = info->source_triangles = (uint32_t)p->triangles;
     info->leaf_triangles = p->options->leaf_triangles;
     info->treelet_nodes = p->options->treelet_nodes;
     info->splits = p->options->splits;
     info->build = p->options->build;
-    p->records = malloc(p->m->triangles * sizeof *p->records + 1);
-    if (p->records == NULL) {
-        return out_of_memory(p, f);
+    if (make_room(p, image, f) != 0) {
+        return -1;
     }
     fill_records(p);
+    if (p->options->spend != NULL) {
+        mesh_free(p->options->spend);
+    }
     const plt_box box = plt_records_box(p->records, 0, info->triangles);
     for (int a = 0; a < 3 && info->triangles > 0; a++) {
         info->lo[a] = box.lo[a];
@@ -194,12 +208,16 @@ static int pack(packing *p, packed *image, fail *f) {
 static int pack_all(packing *p, packed *image, fail *f) {
     const packed nothing = {NULL, 0, {0}};
     *image = nothing;
-    if (p->m->triangles > PLT_INDEX_MAX) {
-        return pack_too_large(p->m, p->name, f);
+    p->triangles = p->m->triangles;
+    const uint64_t least = image_size_least_thesis(p->triangles, p->options);
+    if (image_size_check(p->name, p->triangles, least, 1, image_size_remedy_thesis(p->options),
+                         f) != 0) {
+        return -1;
     }
     const int status = pack(p, image, f);
-    free(p->records);
-    free(p->nodes);
+    if (status != 0) {
+        pack_free(image);
+    }
     return status;
 }
 
@@ -217,6 +235,6 @@ int pack_mesh_better(packed *image, const mesh *m, const pack_options *options, 
 }
 
 void pack_free(packed *image) {
-    free(image->bytes);
+    heap_drop(image->bytes);
     image->bytes = NULL;
 }

@@ -18,6 +18,8 @@ typedef struct pack_options {
     uint8_t build;           /* enum plt_build */
     uint32_t leaf_triangles; /* K */
     uint32_t treelet_nodes;  /* N */
+    mesh *spend;             /* the mesh itself: its arrays are freed as soon as they are of no
+                              * use, so that others fit; NULL: it stays */
 } pack_options;
 
 /* A whole image in memory; aligned to PLT_ALIGN, freed by pack_free. */
@@ -38,9 +40,6 @@ void pack_free(packed *image);
 /* Triangle `triangle` of the mesh as a float record, with its primitive id and rotation. */
 void pack_record(plt_record *record, const mesh *m, size_t triangle);
 
-/* Says that no image holds so much; returns -1. */
-int pack_too_large(const mesh *m, const char *name, fail *f);
-
 typedef struct compact_options {
     uint8_t splits, build;    /* as above, but not PLT_BUILD_NONE */
     uint8_t lattice_bits;     /* 12 .. 21 */
@@ -53,6 +52,7 @@ typedef struct compact_options {
     double tolerance;         /* take more bits, or fewer, to keep this; 0: the bits as given */
     quality_stats *quality;   /* NULL: the tree stays as it is built; of PLT_BUILD_HOST alone */
     uint32_t quality_seconds; /* as of pack_mesh_better */
+    mesh *spend;              /* as above */
 } compact_options;
 
 /* The same as compact blocks on a lattice; says what the lattice cost. */

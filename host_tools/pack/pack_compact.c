@@ -4,7 +4,6 @@
  * blocks from the corners that --build device packs.
  *
  * SPDX-License-Identifier: MIT */
-#include <stdlib.h>
 #include <string.h>
 
 #include "engine/base/bits.h"
@@ -14,6 +13,8 @@
 #include "engine/planelet_crc32.h"
 #include "engine/tree/compact/block.h"
 #include "engine/tree/primitive_id.h"
+#include "host_tools/base/heap.h"
+#include "host_tools/pack/image_size.h"
 #include "host_tools/pack/lattice_boxes.h"
 #include "host_tools/pack/lattice_snap.h"
 #include "host_tools/pack/pack.h"
@@ -25,15 +26,17 @@ typedef struct compacting {
     const char *name;
     snapped s;
     plt_header header;
-    unsigned char *blocks; /* owned */
-    uint32_t *order;       /* index in `s` of each triangle in image order; owned */
-    uint32_t triangles;    /* in image order */
-    uint16_t *levels;      /* of a better tree; owned; NULL: there is none */
+    size_t source_triangles;
+    packed *image;      /* blocks are built where they stay in it */
+    uint64_t room;      /* of image->bytes */
+    uint32_t *order;    /* index in `s` of each triangle in image order; owned; NULL: of no use */
+    uint32_t triangles; /* in image order */
+    uint16_t *levels;   /* of a better tree; owned; NULL: there is none */
 } compacting;
 
 static int out_of_memory(const compacting *c, fail *f) {
     return fail_set(f, c->name, "%zu triangles: out of memory; pack on a larger machine",
-                    c->m->triangles);
+                    c->source_triangles);
 }
 
 /* The mesh of each triangle on the lattice; NULL when there is nothing to say. */
@@ -42,7 +45,7 @@ static uint16_t *mesh_indices(const compacting *c) {
     if (o->mesh_end == NULL || o->meshes < 2 || o->meshes > 1022) {
         return NULL;
     }
-    uint16_t *of = malloc((size_t)c->s.count * sizeof *of + 1);
+    uint16_t *of = heap_get((uint64_t)c->s.count * sizeof *of);
     unsigned at = 0;
     for (uint32_t i = 0; i < c->s.count && of != NULL; i++) { /* sources ascend, or are near */
         while (at > 0 && c->s.source[i] < o->mesh_end[at - 1]) {
@@ -68,14 +71,33 @@ static int over_limit(const compacting *c, const plt_blocks_job *job, fail *f) {
                     plt_blocks_limit_message(job));
 }
 
+/* Room for the header, the blocks while they are built, and what comes behind them. */
+static int make_room(compacting *c, uint64_t blocks, fail *f) {
+    const plt_info *info = &c->header.info;
+    uint32_t kind[PLT_SECTIONS_MOST];
+    const unsigned count = plt_header_kinds(info, kind);
+    c->room = PLT_HEADER_BYTES + blocks;
+    for (unsigned i = 0; i < count; i++) {
+        c->room += plt_header_section_bytes(info, kind[i]) + PLT_SECTION_ALIGN;
+    }
+    c->image->bytes = heap_get_aligned(c->room);
+    return c->image->bytes == NULL ? out_of_memory(c, f) : 0;
+}
+
+/* Whether anything is written in image order behind the blocks. */
+static int needs_order(const compacting *c) {
+    return c->options->floats || c->header.info.primitive_id_bits > 0;
+}
+
 static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
-    /* Worst case: nine corners of `bits` bits, references and a node each. */
-    job->bytes = ((size_t)c->s.count * 40 + 65536) & ~(size_t)7;
-    job->memory = malloc(job->bytes);
-    job->scratch = malloc(plt_blocks_scratch_bytes(c->s.count));
-    c->blocks = job->memory;
-    c->order = malloc(((size_t)c->s.count + 2) * sizeof *c->order);
-    if (job->memory == NULL || job->scratch == NULL || c->order == NULL) {
+    job->bytes = (size_t)image_size_room_blocks(c->s.count);
+    if (make_room(c, job->bytes, f) != 0) {
+        return -1;
+    }
+    job->memory = c->image->bytes + PLT_HEADER_BYTES;
+    job->scratch = heap_get(plt_blocks_scratch_bytes(c->s.count));
+    c->order = needs_order(c) ? heap_get(((uint64_t)c->s.count + 2) * sizeof *c->order) : NULL;
+    if (job->scratch == NULL || (c->order == NULL && needs_order(c))) {
         return out_of_memory(c, f);
     }
     int status = plt_blocks_begin(job);
@@ -83,10 +105,7 @@ static int run_job(compacting *c, plt_blocks_job *job, fail *f) {
     for (status = status == PLT_OK ? PLT_MORE : status; status == PLT_MORE;) {
         status = plt_blocks_step(job);
     }
-    if (status != PLT_OK) {
-        return over_limit(c, job, f);
-    }
-    return 0;
+    return status == PLT_OK ? 0 : over_limit(c, job, f);
 }
 
 /* A better tree, if it is asked for: triangles come into its order. */
@@ -95,13 +114,13 @@ static int improve(compacting *c, fail *f) {
     if (o->quality == NULL || c->s.count == 0) {
         return 0;
     }
-    c->levels = malloc(c->s.count * sizeof *c->levels);
+    c->levels = heap_get((uint64_t)c->s.count * sizeof *c->levels);
     const int status = c->levels == NULL
                            ? PLT_ERR_ARENA
                            : quality_order(&c->s, o->splits, o->leaf_triangles, o->floats,
                                            o->quality_seconds, o->quality, c->levels);
     if (status == PLT_ERR_LIMIT) { /* the builder of blocks says so, or does without */
-        free(c->levels);
+        heap_drop(c->levels);
         c->levels = NULL;
         return 0;
     }
@@ -121,8 +140,10 @@ static int build(compacting *c, fail *f) {
     uint16_t *meshes = mesh_indices(c);
     job.mesh = meshes;
     const int status = run_job(c, &job, f);
-    free(job.scratch);
-    free(meshes);
+    heap_drop(job.scratch);
+    heap_drop(meshes);
+    heap_drop(c->s.corners); /* ids and records come of the others */
+    c->s.corners = NULL;
     info->nodes = info->node_slots = job.nodes;
     info->treelets = job.blocks;
     info->leaf_lists = job.leaves - job.pairs;
@@ -155,7 +176,7 @@ static void describe(compacting *c) {
     info->build = c->options->build;
     info->leaf_triangles = c->options->leaf_triangles;
     info->treelet_nodes = PLT_BLOCK_NODES_MOST;
-    info->source_triangles = (uint32_t)c->m->triangles;
+    info->source_triangles = (uint32_t)c->source_triangles;
     info->triangles = c->s.count;
     if (c->options->numbers && !c->options->floats && info->build == PLT_BUILD_HOST &&
         c->s.count > 0) {
@@ -182,44 +203,59 @@ static void write_records(const compacting *c, unsigned char *to) {
     }
 }
 
-static void fill_section(compacting *c, uint32_t kind, unsigned char *to) {
+/* Blocks are there already. Returns the bytes that have been filled. */
+static uint64_t fill_section(const compacting *c, uint32_t kind, unsigned char *to) {
     const plt_info *info = &c->header.info;
-    if (kind == PLT_SECTION_BLOCKS && c->blocks != NULL) {
-        memcpy(to, c->blocks, (size_t)info->node_bytes + info->triangle_bytes);
-    } else if (kind == PLT_SECTION_CORNERS && c->s.count > 0) {
-        memcpy(to, c->s.corners, (size_t)c->s.count * 9 * c->s.width);
-    } else if (kind == PLT_SECTION_TRIANGLES) {
+    const uint64_t blocks = (uint64_t)info->node_bytes + info->triangle_bytes;
+    const uint64_t corners = (uint64_t)c->s.count * 9 * c->s.width;
+    switch (kind) {
+    case PLT_SECTION_CORNERS:
+        memcpy(to, c->s.corners, (size_t)corners);
+        return corners;
+    case PLT_SECTION_TRIANGLES:
         write_records(c, to);
-    } else if (kind == PLT_SECTION_PRIMITIVE_IDS) {
+        return (uint64_t)c->triangles * PLT_RECORD_BYTES;
+    case PLT_SECTION_PRIMITIVE_IDS:
         write_primitive_ids(c, to);
+        return plt_header_section_bytes(info, kind);
+    default:
+        return blocks;
     }
 }
 
-static int assemble(compacting *c, packed *image, fail *f) {
+static uint64_t image_bytes(const compacting *c) {
     uint32_t kind[PLT_SECTIONS_MOST];
     const unsigned count = plt_header_kinds(&c->header.info, kind);
     uint64_t size = PLT_HEADER_BYTES;
     for (unsigned i = 0; i < count; i++) {
         size += plt_header_section_bytes(&c->header.info, kind[i]);
     }
-    if (size > UINT32_MAX) {
-        return pack_too_large(c->m, c->name, f);
+    return size;
+}
+
+static int assemble(compacting *c, fail *f) {
+    uint32_t kind[PLT_SECTIONS_MOST];
+    const unsigned count = plt_header_kinds(&c->header.info, kind);
+    const uint64_t size = image_bytes(c);
+    if (image_size_check(c->name, c->source_triangles, size, 0,
+                         image_size_remedy_compact(c->options), f) != 0 ||
+        (c->image->bytes == NULL && make_room(c, 0, f) != 0)) {
+        return -1;
     }
-    image->bytes = aligned_alloc(PLT_SECTION_ALIGN, (size_t)size);
-    if (image->bytes == NULL) {
-        return out_of_memory(c, f);
-    }
-    memset(image->bytes, 0, (size_t)size);
-    image->size = (uint32_t)size;
-    unsigned char *at = image->bytes + PLT_HEADER_BYTES;
+    unsigned char *at = c->image->bytes + PLT_HEADER_BYTES;
     for (unsigned i = 0; i < count; i++) {
         const size_t bytes = (size_t)plt_header_section_bytes(&c->header.info, kind[i]);
-        fill_section(c, kind[i], at);
+        if (kind[i] == PLT_SECTION_PRIMITIVE_IDS) { /* bits are put into zeros */
+            memset(at, 0, bytes);
+        }
+        const size_t used = (size_t)fill_section(c, kind[i], at);
+        memset(at + used, 0, bytes - used);
         c->header.section[i].crc = plt_crc32(0, at, bytes);
         at += bytes;
     }
-    plt_header_write(image->bytes, &c->header);
-    image->info = c->header.info;
+    plt_header_write(c->image->bytes, &c->header);
+    c->image->size = (uint32_t)size;
+    c->image->info = c->header.info;
     return 0;
 }
 
@@ -274,34 +310,52 @@ static int put_on_lattice(compacting *c, fail *f) {
                               : lattice_snap_as(&c->s, c->m, &wish, c->name, f);
 }
 
+/* What so many triangles take at best is known before they are built. */
+static int check_size(const compacting *c, uint64_t triangles, fail *f) {
+    const compact_options *o = c->options;
+    return image_size_check(c->name, triangles, image_size_least_compact(triangles, o, c->s.width),
+                            1, image_size_remedy_compact(o), f) == 0
+               ? image_size_check_blocks(c->name, triangles, image_size_least_blocks(triangles, o),
+                                         f)
+               : -1;
+}
+
+static int pack(compacting *c, fail *f) {
+    const compact_options *o = c->options;
+    if (image_size_check(c->name, c->source_triangles, 0, 1, "", f) != 0 ||
+        (o->floats && check_size(c, c->source_triangles, f) != 0) || put_on_lattice(c, f) != 0 ||
+        check_size(c, c->s.count, f) != 0) {
+        return -1;
+    }
+    describe(c);
+    if (o->spend != NULL && !o->floats) {
+        mesh_free(o->spend);
+    }
+    if (o->build == PLT_BUILD_HOST) {
+        if (build(c, f) != 0) {
+            return -1;
+        }
+        c->header.info.triangles = c->triangles;
+    }
+    return assemble(c, f);
+}
+
 int pack_compact(packed *image, const mesh *m, const compact_options *options, const char *name,
                  lattice_loss *loss, fail *f) {
     const packed nothing = {NULL, 0, {0}};
-    const lattice_loss none = {0};
-    compacting c = {.m = m, .options = options, .name = name};
+    compacting c = {
+        .m = m, .options = options, .name = name, .source_triangles = m->triangles, .image = image};
     if (options->quality != NULL) {
         *options->quality = (quality_stats){.passes = 0};
     }
     *image = nothing;
-    *loss = none;
-    if (m->triangles > PLT_INDEX_MAX) {
-        return pack_too_large(m, name, f);
-    }
-    int status = put_on_lattice(&c, f);
-    if (status == 0) {
-        describe(&c);
-        if (options->build == PLT_BUILD_HOST) {
-            status = build(&c, f);
-            c.header.info.triangles = c.triangles;
-        }
-    }
-    if (status == 0) {
-        status = assemble(&c, image, f);
+    const int status = pack(&c, f);
+    if (status != 0) {
+        pack_free(image);
     }
     *loss = c.s.loss;
     snapped_free(&c.s);
-    free(c.blocks);
-    free(c.order);
-    free(c.levels);
+    heap_drop(c.order);
+    heap_drop(c.levels);
     return status;
 }

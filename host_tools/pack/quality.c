@@ -4,8 +4,10 @@
 #include "host_tools/pack/quality.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/pack/list_tree.h"
 #include "host_tools/pack/reinsert.h"
@@ -73,19 +75,24 @@ static void improve(improving *w) {
     progress_end(&w->bar);
 }
 
-static int write_back(const improving *w, plt_build_job *job, plt_record **records) {
-    plt_record *ordered = malloc(job->count * sizeof *ordered);
+static int write_back(const improving *w, plt_build_job *job) {
+    const size_t bytes = job->count * sizeof *job->records;
+    plt_record *ordered = heap_get(bytes);
     if (ordered == NULL) {
         return PLT_ERR_ARENA;
     }
     const int status = list_tree_write(&w->tree, job, ordered);
-    free(*records);
-    *records = job->records = ordered;
+    memcpy(job->records, ordered, bytes);
+    heap_drop(ordered);
     return status;
 }
 
-int quality_improve(plt_build_job *job, plt_record **records, uint32_t seconds,
-                    quality_stats *stats) {
+uint64_t quality_bytes(uint64_t triangles) {
+    return triangles * (2 * (sizeof(list_tree_node) + sizeof(turn)) + sizeof(plt_record)) +
+           3 * heap_cost(0);
+}
+
+int quality_improve(plt_build_job *job, uint32_t seconds, quality_stats *stats) {
     const uint32_t nodes = list_tree_nodes(job);
     improving w = {.began = clock_seconds(), .seconds = seconds, .stats = stats};
     int status = PLT_OK;
@@ -93,17 +100,17 @@ int quality_improve(plt_build_job *job, plt_record **records, uint32_t seconds,
     if (job->nodes_used == 0) {
         return PLT_OK;
     }
-    w.tree.node = malloc(nodes * sizeof *w.tree.node);
-    w.turns = malloc(nodes * sizeof *w.turns);
+    w.tree.node = heap_get((uint64_t)nodes * sizeof *w.tree.node);
+    w.turns = heap_get((uint64_t)nodes * sizeof *w.turns);
     if (w.tree.node == NULL || w.turns == NULL) {
         status = PLT_ERR_ARENA;
     } else {
         list_tree_read(&w.tree, job);
         improve(&w);
-        status = stats->after < stats->before ? write_back(&w, job, records) : PLT_OK;
+        status = stats->after < stats->before ? write_back(&w, job) : PLT_OK;
     }
     stats->seconds = clock_seconds() - w.began;
-    free(w.tree.node);
-    free(w.turns);
+    heap_drop(w.tree.node);
+    heap_drop(w.turns);
     return status;
 }

@@ -22,11 +22,11 @@ typedef struct quality_stats {
     int out_of_time;
 } quality_stats;
 
-/* Improves what the job has built, for so many seconds at most; 0: as long as it takes.
- * `*records`, which are the job's, may be replaced by others, from malloc as they have to be,
- * too. The cost never gets worse. PLT_OK, or PLT_ERR_ARENA: out of memory, and all is as it
- * was. */
-int quality_improve(plt_build_job *job, plt_record **records, uint32_t seconds,
-                    quality_stats *stats);
+/* Improves what the job has built, for so many seconds at most; 0: as long as it takes. The
+ * cost never gets worse. PLT_OK, or PLT_ERR_ARENA: out of memory, and all is as it was. */
+int quality_improve(plt_build_job *job, uint32_t seconds, quality_stats *stats);
+
+/* The most bytes it takes for so many triangles. */
+uint64_t quality_bytes(uint64_t triangles);
 
 #endif

@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/quality_order.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "engine/builder/lattice_triangles.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/pack/list_tree.h"
 
 enum { IN_A_LIST = UINT16_MAX, TREELET = 64 };
@@ -75,17 +75,17 @@ static void reorder(snapped *s, int are_boxes, const uint32_t *order, unsigned c
 }
 
 /* `records` become the tree's; afterwards they are room for moving what they stand for. */
-static int improve(plt_build_job *job, plt_record **records, uint32_t seconds, quality_stats *stats,
-                   uint32_t *order, uint16_t *levels) {
+static int improve(plt_build_job *job, uint32_t seconds, quality_stats *stats, uint32_t *order,
+                   uint16_t *levels) {
     list_tree t = {NULL, 0};
     int status = plt_build(job);
     if (status == PLT_OK) {
-        status = quality_improve(job, records, seconds, stats);
+        status = quality_improve(job, seconds, stats);
     }
     if (status != PLT_OK) {
         return status;
     }
-    t.node = malloc(list_tree_nodes(job) * sizeof *t.node + 1);
+    t.node = heap_get((uint64_t)list_tree_nodes(job) * sizeof *t.node);
     if (t.node == NULL) {
         return PLT_ERR_ARENA;
     }
@@ -94,15 +94,15 @@ static int improve(plt_build_job *job, plt_record **records, uint32_t seconds, q
     for (uint32_t i = 0; i < job->count; i++) {
         order[i] = plt_get_u32(&job->records[order[i]].word[9]) & ~PLT_RECORD_LAST;
     }
-    free(t.node);
+    heap_drop(t.node);
     return PLT_OK;
 }
 
 int quality_order(snapped *s, uint8_t splits, uint32_t leaf_triangles, int are_boxes,
                   uint32_t seconds, quality_stats *stats, uint16_t *levels) {
     const uint32_t nodes = plt_build_nodes_bound(s->count);
-    plt_record *records = malloc(s->count * sizeof *records + 1);
-    uint32_t *order = malloc(s->count * sizeof *order + 1);
+    plt_record *records = heap_get((uint64_t)s->count * sizeof *records);
+    uint32_t *order = heap_get((uint64_t)s->count * sizeof *order);
     plt_build_job job = {.records = records,
                          .count = s->count,
                          .room = plt_build_slots_bound(nodes, TREELET),
@@ -110,19 +110,19 @@ int quality_order(snapped *s, uint8_t splits, uint32_t leaf_triangles, int are_b
                          .treelet_nodes = TREELET,
                          .splits = splits,
                          .scratch_bytes = plt_build_scratch_bytes(nodes, TREELET)};
-    job.nodes = malloc((size_t)job.room * sizeof *job.nodes + 1);
-    job.scratch = malloc(job.scratch_bytes);
+    job.nodes = heap_get((uint64_t)job.room * sizeof *job.nodes);
+    job.scratch = heap_get_aligned(job.scratch_bytes);
     int status = PLT_ERR_ARENA;
     if (records != NULL && order != NULL && job.nodes != NULL && job.scratch != NULL) {
         box_records(s, are_boxes, records);
-        status = improve(&job, &records, seconds, stats, order, levels);
+        status = improve(&job, seconds, stats, order, levels);
     }
     if (status == PLT_OK) {
         reorder(s, are_boxes, order, (unsigned char *)records);
     }
-    free(records);
-    free(order);
-    free(job.nodes);
-    free(job.scratch);
+    heap_drop(records);
+    heap_drop(order);
+    heap_drop(job.nodes);
+    heap_drop(job.scratch);
     return status;
 }

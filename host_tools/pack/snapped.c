@@ -3,11 +3,11 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/snapped.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "engine/base/bytes.h"
 #include "engine/image/items.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/mesh/extent.h"
 
 /* The grain of the corners of triangles that count (extent.h), or of all. */
@@ -32,10 +32,10 @@ static lattice_ground ground_of(const mesh *m, int all) {
     return g;
 }
 
-int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, uint32_t positions,
+int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, int are_boxes,
                   const char *name, fail *f) {
     const plt_lattice_box empty = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
-    const lattice_ground ground = ground_of(m, positions == 2);
+    const lattice_ground ground = ground_of(m, are_boxes);
     memset(s, 0, sizeof *s);
     s->box = empty;
     s->mesh_box = ground.box;
@@ -45,12 +45,15 @@ int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, uint32_t 
     s->loss.bits = s->lattice.bits;
     s->loss.step = s->lattice.step;
     s->width = plt_corner_width(s->lattice.bits);
-    s->corners = malloc(m->triangles * 3 * positions * s->width + 1);
-    s->source = malloc(m->triangles * sizeof *s->source + 1);
-    if (s->corners == NULL || s->source == NULL) {
-        return fail_set(f, name, "out of memory; pack on a larger machine");
-    }
     return 0;
+}
+
+int snapped_make_room(snapped *s, size_t triangles, uint32_t positions) {
+    s->corners = heap_get((uint64_t)triangles * 3 * positions * s->width);
+    s->source = heap_get((uint64_t)triangles * sizeof *s->source);
+    s->rotation = positions == 3 ? heap_get(triangles) : NULL;
+    return s->corners == NULL || s->source == NULL || (positions == 3 && s->rotation == NULL) ? -1
+                                                                                              : 0;
 }
 
 static void put(const snapped *s, unsigned char *at, uint32_t q) {
@@ -74,9 +77,9 @@ void snapped_add(snapped *s, const lattice_position *p, uint32_t positions, uint
 }
 
 void snapped_free(snapped *s) {
-    free(s->corners);
-    free(s->source);
-    free(s->rotation);
+    heap_drop(s->corners);
+    heap_drop(s->source);
+    heap_drop(s->rotation);
     s->corners = NULL;
     s->source = NULL;
     s->rotation = NULL;

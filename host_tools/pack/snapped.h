@@ -63,11 +63,13 @@ static inline uint32_t lattice_most(const snapped *s, int axis) {
     return most;
 }
 
-/* Empty, with the lattice for the mesh, and room for `positions` per triangle: 3, corners of
- * triangles that count, or 2, boxes of all. What it allocates snapped_free frees, also after
- * a failure. */
-int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, uint32_t positions,
+/* Empty, with the lattice for the mesh: for triangles that count, or for boxes of all. */
+int snapped_begin(snapped *s, const mesh *m, const lattice_wish *wish, int are_boxes,
                   const char *name, fail *f);
+
+/* Room for so many triangles of 3 positions, the corners, or 2, of boxes. -1 when memory is out;
+ * snapped_free frees it in either case. */
+int snapped_make_room(snapped *s, size_t triangles, uint32_t positions);
 
 /* One more triangle, of so many positions, made of the mesh's triangle `source`. */
 void snapped_add(snapped *s, const lattice_position *p, uint32_t positions, uint32_t source);

@@ -12,8 +12,9 @@ static uint64_t count_open(const mesh *m) {
     open_edges o;
     CHECK(open_edges_find(&o, m, 0, m->triangles) == 0, "out of memory");
     const uint64_t count = o.count;
-    for (size_t i = 0; i < 2 * count; i++) {
-        CHECK(o.vertex[i] < m->vertices, "vertex %u", o.vertex[i]);
+    CHECK((o.ends == 0) == (count == 0) && o.ends <= 2 * count, "%zu ends", o.ends);
+    for (size_t i = 0; i < o.ends; i++) {
+        CHECK(o.end[i] < m->vertices && (i == 0 || o.end[i] > o.end[i - 1]), "vertex %u", o.end[i]);
     }
     open_edges_free(&o);
     return count;
