@@ -116,6 +116,10 @@ uint64_t heap_peak(void) {
     return peak;
 }
 
+void heap_forget_peak(void) {
+    peak = used;
+}
+
 uint64_t heap_refused(void) {
     return refused;
 }

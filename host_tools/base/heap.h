@@ -29,6 +29,7 @@ uint64_t heap_cost(uint64_t bytes);
 
 uint64_t heap_used(void);
 uint64_t heap_peak(void);
+void heap_forget_peak(void); /* it is what is in use */
 
 void heap_limit(uint64_t bytes); /* UINT64_MAX, as in the beginning: none */
 uint64_t heap_limit_bytes(void);

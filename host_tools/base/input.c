@@ -36,6 +36,11 @@ static uint64_t memory_bytes(void) {
 }
 
 static int fail_memory(const input *in, uint64_t bytes, fail *f) {
+    if (bytes == STREAM_BYTES_MAX) {
+        return fail_set(f, shown(in->path),
+                        "more than %llu bytes, the most that is read of a stream; name the file",
+                        (unsigned long long)bytes);
+    }
     return fail_set(f, shown(in->path),
                     "%llu bytes do not fit into memory; split the file or use a larger machine",
                     (unsigned long long)bytes);

@@ -20,6 +20,7 @@
 #include "host_tools/cli/pack_memory.h"
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/c_array.h"
+#include "host_tools/pack/image_size.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/pack.h"
 #include "host_tools/pack/shift.h"
@@ -211,6 +212,18 @@ static int open_outputs(pack_job *job, fail *f) {
     return job->image_out != NULL ? 0 : -1;
 }
 
+/* Before any long work: --reduce leaves so many, and may leave fewer. */
+static int check_size(const pack_job *job, fail *f) {
+    const pack_meshes *in = &job->in;
+    const char *name = pack_shown(&in->file[0]);
+    if (in->most > 0 && in->m.triangles > in->most) {
+        return 0;
+    }
+    return job->compact.lattice_bits > 0
+               ? image_size_check_compact(name, in->m.triangles, &job->compact, f)
+               : image_size_check_thesis(name, in->m.triangles, &job->options, f);
+}
+
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     if (pack_meshes_read(&job->in, a->file, a->files, f) != 0) {
         return -1;
@@ -218,7 +231,7 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     const pack_plan plan = {&job->options, &job->compact, job->is_high};
     job->options.spend = job->compact.spend = &job->in.m;
     job->compact.meshes = (unsigned)a->files;
-    if (pack_memory_plan(&job->memory, &job->in, &plan, f) != 0) {
+    if (check_size(job, f) != 0 || pack_memory_plan(&job->memory, &job->in, &plan, f) != 0) {
         return -1;
     }
     pack_memory_note(&job->memory, pack_shown(&job->in.file[0]));

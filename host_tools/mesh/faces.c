@@ -22,7 +22,7 @@ typedef struct outline {
 int faces_add_fan(mesh_faces *f, size_t first, uint32_t corners) {
     if (f->fans == f->room) {
         const size_t room = f->room * 2 + 16;
-        face_fan *fan = heap_resize(f->fan, room * sizeof *fan);
+        face_fan *fan = heap_resize(f->fan, (uint64_t)room * sizeof *fan);
         if (!fan) {
             return -1;
         }
@@ -84,11 +84,11 @@ static int make_room(outline *o, uint32_t corners) {
         return 0;
     }
     const size_t room = (size_t)corners + corners / 2;
-    uint32_t *vertex = heap_resize(o->vertex, room * sizeof *vertex);
+    uint32_t *vertex = heap_resize(o->vertex, (uint64_t)room * sizeof *vertex);
     o->vertex = vertex ? vertex : o->vertex;
-    double(*corner)[3] = heap_resize(o->corner, room * sizeof *corner);
+    double(*corner)[3] = heap_resize(o->corner, (uint64_t)room * sizeof *corner);
     o->corner = corner ? corner : o->corner;
-    uint32_t *triangle = heap_resize(o->triangle, 3 * room * sizeof *triangle);
+    uint32_t *triangle = heap_resize(o->triangle, 3 * (uint64_t)room * sizeof *triangle);
     o->triangle = triangle ? triangle : o->triangle;
     if (!vertex || !corner || !triangle) {
         return -1;

@@ -19,7 +19,7 @@ static void *grow(void *items, size_t *room, size_t needed, size_t item_bytes) {
     if (more > SIZE_MAX / item_bytes) {
         return NULL;
     }
-    void *grown = heap_resize(items, more * item_bytes);
+    void *grown = heap_resize(items, (uint64_t)more * item_bytes);
     if (grown) {
         *room = more;
     }
@@ -44,7 +44,7 @@ static int reserve_vertices(mesh *m, size_t more, fail *f) {
     }
     m->vertex = vertex;
     if (m->wide) {
-        double *wide = room > SIZE_MAX / 24 ? NULL : heap_resize(m->wide, room * 24);
+        double *wide = room > SIZE_MAX / 24 ? NULL : heap_resize(m->wide, (uint64_t)room * 24);
         if (!wide) {
             return fail_memory(m, f);
         }

@@ -135,7 +135,8 @@ static int reserve(polygon *p, uint32_t n) {
     }
     heap_drop(p->point);
     p->room = 0;
-    p->point = room <= SIZE_MAX / sizeof *p->point ? heap_get(room * sizeof *p->point) : NULL;
+    p->point =
+        room <= SIZE_MAX / sizeof *p->point ? heap_get((uint64_t)room * sizeof *p->point) : NULL;
     if (!p->point) {
         return -1;
     }

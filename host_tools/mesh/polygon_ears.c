@@ -271,7 +271,8 @@ static int reserve(polygon_ears *e, size_t n) {
     }
     heap_drop(e->corner);
     e->room = 0;
-    e->corner = n <= SIZE_MAX / sizeof *e->corner ? heap_get(n * sizeof *e->corner) : NULL;
+    e->corner =
+        n <= SIZE_MAX / sizeof *e->corner ? heap_get((uint64_t)n * sizeof *e->corner) : NULL;
     if (!e->corner) {
         return -1;
     }

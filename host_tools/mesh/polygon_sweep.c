@@ -259,10 +259,11 @@ static int reserve(polygon_sweep *s, size_t n) {
     if (n > SIZE_MAX / (2 * sizeof *s->event)) {
         return -1;
     }
-    s->event = heap_get(n * sizeof *s->event);
-    s->edge = heap_get(n * sizeof *s->edge);
-    s->gap = heap_get(n * sizeof *s->gap);
-    s->link = heap_get(2 * n * sizeof *s->link); /* 3 at a split, which begins 2 edges, else 1 */
+    s->event = heap_get((uint64_t)n * sizeof *s->event);
+    s->edge = heap_get((uint64_t)n * sizeof *s->edge);
+    s->gap = heap_get((uint64_t)n * sizeof *s->gap);
+    s->link = heap_get(2 * (uint64_t)n *
+                       sizeof *s->link); /* 3 at a split, which begins 2 edges, else 1 */
     if (!s->event || !s->edge || !s->gap || !s->link) {
         polygon_sweep_free(s);
         return -1;

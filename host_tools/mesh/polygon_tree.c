@@ -33,10 +33,10 @@ static int grow(polygon_tree *t, size_t n) {
     if (n > SIZE_MAX / (2 * sizeof *t->key) || leaves > SIZE_MAX / (2 * sizeof *t->box)) {
         return -1;
     }
-    t->key = heap_get(2 * n * sizeof *t->key);
-    t->place = heap_get(n * sizeof *t->place);
-    t->box = heap_get(2 * leaves * sizeof *t->box);
-    t->marked = heap_get(2 * leaves * sizeof *t->marked);
+    t->key = heap_get(2 * (uint64_t)n * sizeof *t->key);
+    t->place = heap_get((uint64_t)n * sizeof *t->place);
+    t->box = heap_get(2 * (uint64_t)leaves * sizeof *t->box);
+    t->marked = heap_get(2 * (uint64_t)leaves * sizeof *t->marked);
     if (!t->key || !t->place || !t->box || !t->marked) {
         polygon_tree_free(t);
         return -1;

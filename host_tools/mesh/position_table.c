@@ -23,7 +23,7 @@ uint64_t position_table_bytes(uint64_t most) {
 
 int position_table_begin(position_table *t, const void *positions, size_t most) {
     *t = (position_table){.positions = positions, .slots = slots_for(most)};
-    t->slot = heap_get_zeroed(t->slots * sizeof *t->slot);
+    t->slot = heap_get_zeroed((uint64_t)t->slots * sizeof *t->slot);
     return t->slot == NULL ? -1 : 0;
 }
 

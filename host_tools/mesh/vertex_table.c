@@ -50,7 +50,7 @@ static uint32_t *probe(const mesh *m, uint32_t *slot, size_t slots, const key *k
 
 static int grow(vertex_table *t) {
     const size_t slots = t->slots ? t->slots * 2 : FIRST_SLOTS;
-    uint32_t *slot = slots > t->slots ? heap_get_zeroed((slots) * sizeof *slot) : NULL;
+    uint32_t *slot = slots > t->slots ? heap_get_zeroed((uint64_t)slots * sizeof *slot) : NULL;
     if (!slot) {
         return -1;
     }

@@ -15,7 +15,7 @@ static uint64_t least_nodes(uint64_t triangles, uint32_t leaf_triangles) {
     return triangles > most ? (triangles + most - 1) / most - 1 : 0;
 }
 
-uint64_t image_size_least_thesis(uint64_t triangles, const pack_options *o) {
+static uint64_t least_thesis(uint64_t triangles, const pack_options *o) {
     const uint64_t nodes =
         o->build == PLT_BUILD_HOST ? least_nodes(triangles, o->leaf_triangles) : 0;
     return PLT_HEADER_BYTES + triangles * PLT_RECORD_BYTES + nodes * PLT_NODE_BYTES;
@@ -23,13 +23,13 @@ uint64_t image_size_least_thesis(uint64_t triangles, const pack_options *o) {
 
 /* A node has six planes and nine bits; a triangle on the lattice three bits (SPEC.md, 4.9 and
  * 4.10). */
-uint64_t image_size_least_blocks(uint64_t triangles, const compact_options *o) {
+static uint64_t least_blocks(uint64_t triangles, const compact_options *o) {
     const uint64_t nodes = least_nodes(triangles, o->leaf_triangles);
     return o->build == PLT_BUILD_HOST ? nodes * 57 / 8 + (o->floats ? 0 : triangles * 3 / 8) : 0;
 }
 
-uint64_t image_size_least_compact(uint64_t triangles, const compact_options *o, uint32_t width) {
-    const uint64_t blocks = PLT_HEADER_BYTES + image_size_least_blocks(triangles, o);
+static uint64_t least_compact(uint64_t triangles, const compact_options *o, uint32_t width) {
+    const uint64_t blocks = PLT_HEADER_BYTES + least_blocks(triangles, o);
     return o->build == PLT_BUILD_DEVICE ? PLT_HEADER_BYTES + triangles * 9 * width
            : o->floats                  ? blocks + triangles * PLT_RECORD_BYTES
                                         : blocks;
@@ -73,7 +73,7 @@ int image_size_check(const char *name, uint64_t triangles, uint64_t bytes, int a
     return 0;
 }
 
-int image_size_check_blocks(const char *name, uint64_t triangles, uint64_t bytes, fail *f) {
+static int check_blocks(const char *name, uint64_t triangles, uint64_t bytes, fail *f) {
     if (bytes > PLT_BLOCKS_BYTES_MAX) {
         return fail_set(f, name,
                         "%" PRIu64 " triangles: the blocks would have at least %" PRIu64
@@ -82,4 +82,23 @@ int image_size_check_blocks(const char *name, uint64_t triangles, uint64_t bytes
                         triangles, bytes, PLT_BLOCKS_BYTES_MAX);
     }
     return 0;
+}
+
+int image_size_check_thesis(const char *name, uint64_t triangles, const pack_options *o, fail *f) {
+    return image_size_check(name, triangles, least_thesis(triangles, o), 1,
+                            image_size_remedy_thesis(o), f);
+}
+
+int image_size_check_lattice(const char *name, uint64_t triangles, const compact_options *o,
+                             uint32_t width, fail *f) {
+    return image_size_check(name, triangles, least_compact(triangles, o, width), 1,
+                            image_size_remedy_compact(o), f) == 0
+               ? check_blocks(name, triangles, least_blocks(triangles, o), f)
+               : -1;
+}
+
+int image_size_check_compact(const char *name, uint64_t triangles, const compact_options *o,
+                             fail *f) {
+    return o->floats ? image_size_check_lattice(name, triangles, o, 0, f)
+                     : image_size_check(name, triangles, 0, 1, "", f);
 }

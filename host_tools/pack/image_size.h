@@ -9,15 +9,18 @@
 #define IMAGE_SIZE_H
 #include <stdint.h>
 
-#include "host_tools/pack/pack.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/pack/pack_options.h"
 
-/* The least bytes of a thesis image of so many triangles. */
-uint64_t image_size_least_thesis(uint64_t triangles, const pack_options *options);
-/* The least bytes of blocks, and of a compact image, of so many triangles on the lattice, of
- * coordinates of `width` bytes. */
-uint64_t image_size_least_blocks(uint64_t triangles, const compact_options *options);
-uint64_t image_size_least_compact(uint64_t triangles, const compact_options *options,
-                                  uint32_t width);
+/* -1, and says so, when no image holds so many triangles of a mesh, whatever their tree is. What a
+ * lattice leaves of them is not known then: that is checked when it is. */
+int image_size_check_thesis(const char *name, uint64_t triangles, const pack_options *options,
+                            fail *f);
+int image_size_check_compact(const char *name, uint64_t triangles, const compact_options *options,
+                             fail *f);
+/* The same of triangles on the lattice, with coordinates of `width` bytes. */
+int image_size_check_lattice(const char *name, uint64_t triangles, const compact_options *options,
+                             uint32_t width, fail *f);
 
 /* Room in which the blocks of so many triangles are always built. */
 uint64_t image_size_room_blocks(uint64_t triangles);
@@ -30,7 +33,4 @@ const char *image_size_remedy_compact(const compact_options *options);
  * would have at best. */
 int image_size_check(const char *name, uint64_t triangles, uint64_t bytes, int at_least,
                      const char *remedy, fail *f);
-/* The same of the bytes of compact blocks. */
-int image_size_check_blocks(const char *name, uint64_t triangles, uint64_t bytes, fail *f);
-
 #endif

@@ -92,7 +92,7 @@ int lattice_mend(snapped *s, const mesh *m, lattice_position *moved) {
     if (!any_line(s, m, moved)) {
         return 0;
     }
-    d.tally_of = heap_get_zeroed((m->vertices + 1) * sizeof *d.tally_of);
+    d.tally_of = heap_get_zeroed(((uint64_t)m->vertices + 1) * sizeof *d.tally_of);
     const int status =
         d.tally_of == NULL || lattice_around_find(&d.around, s, m, moved) != 0 ? -1 : 0;
     if (status == 0) {

@@ -66,7 +66,7 @@ lattice_tally *lattice_tally_for(lattice_moving *d, uint32_t vertex) {
     if (d->tally_of[vertex] == 0) {
         if (d->tallies == d->tally_room) {
             const uint32_t room = 2 * d->tally_room + 16;
-            lattice_tally *grown = heap_resize(d->tally, room * sizeof *grown);
+            lattice_tally *grown = heap_resize(d->tally, (uint64_t)room * sizeof *grown);
             if (grown == NULL) {
                 return NULL;
             }

@@ -150,7 +150,7 @@ static int make_room(packing *p, packed *image, fail *f) {
     return 0;
 }
 
-/* Makes `used` bytes a section of `bytes`; returns its CRC. */
+/* Fills a section up from `used` bytes to `bytes`; returns its CRC. */
 static uint32_t close_section(unsigned char *section, uint64_t used, uint64_t bytes) {
     memset(section + used, 0, (size_t)(bytes - used));
     return plt_crc32(0, section, (size_t)bytes);
@@ -209,9 +209,7 @@ static int pack_all(packing *p, packed *image, fail *f) {
     const packed nothing = {NULL, 0, {0}};
     *image = nothing;
     p->triangles = p->m->triangles;
-    const uint64_t least = image_size_least_thesis(p->triangles, p->options);
-    if (image_size_check(p->name, p->triangles, least, 1, image_size_remedy_thesis(p->options),
-                         f) != 0) {
+    if (image_size_check_thesis(p->name, p->triangles, p->options, f) != 0) {
         return -1;
     }
     const int status = pack(p, image, f);

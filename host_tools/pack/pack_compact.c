@@ -67,6 +67,13 @@ static int over_limit(const compacting *c, const plt_blocks_job *job, fail *f) {
             "larger PLT_DEPTH_MAX",
             c->s.count, PLT_DEPTH_MAX);
     }
+    if (job->limit == PLT_BLOCKS_LIMIT_BYTES) {
+        return fail_set(f, c->name,
+                        "%u triangles: compact blocks have at most %u bytes, and %u of the "
+                        "triangles fill them; use %s--nodes thesis, or --reduce",
+                        c->s.count, PLT_BLOCKS_BYTES_MAX, job->written,
+                        c->options->leaf_triangles < 4 ? "a larger --leaf, " : "");
+    }
     return fail_set(f, c->name, "%u triangles: %s; use --nodes thesis", c->s.count,
                     plt_blocks_limit_message(job));
 }
@@ -310,21 +317,11 @@ static int put_on_lattice(compacting *c, fail *f) {
                               : lattice_snap_as(&c->s, c->m, &wish, c->name, f);
 }
 
-/* What so many triangles take at best is known before they are built. */
-static int check_size(const compacting *c, uint64_t triangles, fail *f) {
-    const compact_options *o = c->options;
-    return image_size_check(c->name, triangles, image_size_least_compact(triangles, o, c->s.width),
-                            1, image_size_remedy_compact(o), f) == 0
-               ? image_size_check_blocks(c->name, triangles, image_size_least_blocks(triangles, o),
-                                         f)
-               : -1;
-}
-
 static int pack(compacting *c, fail *f) {
     const compact_options *o = c->options;
-    if (image_size_check(c->name, c->source_triangles, 0, 1, "", f) != 0 ||
-        (o->floats && check_size(c, c->source_triangles, f) != 0) || put_on_lattice(c, f) != 0 ||
-        check_size(c, c->s.count, f) != 0) {
+    if (image_size_check_compact(c->name, c->source_triangles, o, f) != 0 ||
+        put_on_lattice(c, f) != 0 ||
+        image_size_check_lattice(c->name, c->s.count, o, c->s.width, f) != 0) {
         return -1;
     }
     describe(c);

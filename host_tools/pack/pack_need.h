@@ -8,7 +8,7 @@
 #define PACK_NEED_H
 #include <stdint.h>
 
-#include "host_tools/pack/pack.h"
+#include "host_tools/pack/pack_options.h"
 
 typedef struct pack_counts {
     uint64_t vertices, triangles;

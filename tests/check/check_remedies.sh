@@ -11,6 +11,7 @@ mkdir -p "$out"
 # MESSAGE | why no test does what it says. A line may end in a backslash.
 few='so few bytes do not run out before others do'
 size='a file of that size does not fit into a test'
+large="of a mesh that large as well; test_pack_need asks for the sizes"
 reasons="
 out of memory; close other programs | $few
 %s %s: out of memory; close other programs | $few
@@ -27,7 +28,21 @@ more than 2^32 - 1 rays; split the file | $size
 more than 2^32 - 2 vertices; split the mesh | $size
 more than 2^32 - 2 triangles; split the mesh | $size
 PLY numbers only 2^31 vertices with int; split the mesh | $size
-%zu triangles: an image holds at most 2^27 - 1 triangles and 4 GiB; leave some out | $size
+more than %llu bytes, the most that is read of a stream; name the file | $size
+%llu triangles: an image holds at most %u; use --reduce, or pack parts of it | $large
+use --nodes compact, a larger --leaf, or --reduce | $large
+use --nodes compact, or --reduce | $large
+use --build host, at most 16 bits, or --reduce | $large
+use --geometry lattice, or --reduce | $large
+use --numbers none, or --reduce | $large
+use --reduce | $large
+at least  | no remedy
+%llu triangles: the blocks would have at least %llu bytes, and must have at most %u; use a larger \
+--leaf, --nodes thesis, or --reduce | $large
+%u triangles: compact blocks have at most %u bytes, and %u of the triangles fill them; use \
+%s--nodes thesis, or --reduce | 128 MiB of blocks: $size
+takes more than the %llu bytes that --memory gives; use --memory %llu or more | pack knows before; \
+but for vertices of many slivers
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
 hits of %s rays differ between modes; please report this | likewise

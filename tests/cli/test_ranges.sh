@@ -64,6 +64,8 @@ refused "make --triangles 10000000 is in range" missing/x "create" \
 range --treelet "1 to 1000000" "0 1 1000000 1000001" pack quad.ply -o x.plt
 range --quality-time "1 to 86400" "0 1 86400 86401" pack quad.ply -o x.plt --quality high
 range --reduce "1 to 1000000000" "0 1000000000 1000000000 1000000001" pack quad.ply -o x.plt
+range --memory "1048576 to 1125899906842624" "1048575 1048576 1125899906842624 1125899906842625" \
+    pack quad.ply -o x.plt
 range --frame "0 to 99999" "-1 0 99999 100000" pack recipe.txt -o x.plt
 # On compact nodes pack says what the lattice cost.
 for bits in 12 21; do

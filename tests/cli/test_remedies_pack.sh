@@ -146,10 +146,56 @@ run make knot --triangles 1000 -o part.ply
 run make knot --triangles 400000 -o large.ply
 grown "$PLANELET" pack large.ply -o x.plt
 larger "%llu bytes do not fit into memory; split the file or use a larger machine"
-larger "out of memory; use a larger machine"
 smaller "%llu bytes do not fit into memory; split the file or use a larger machine" \
     pack part.ply -o x.plt
 smaller "out of memory at triangle %zu; split the mesh" pack part.ply -o x.plt
+# soup TRIANGLES FILE: triangles that share no vertex. Their edges take more than the file and they.
+soup() {
+    awk -v triangles="$1" 'BEGIN {
+        for (i = 0; i < triangles; i++) {
+            x = i % 40; y = int(i / 40) % 40; z = int(i / 1600)
+            printf "v %d %d %d\nv %d.5 %d %d\nv %d %d.5 %d\nf -3 -2 -1\n", \
+                x, y, z, x, y, z, x, y, z
+        }
+    }' >"$2"
+}
+soup 88000 edges.obj
+grown "$PLANELET" pack edges.obj -o x.plt --build device
+larger "out of memory; use a larger machine"
+
+# ---- --memory: host_tools/cli/pack_memory.c, pack_meshes.c ---------------------------------
+
+# stated: the bytes that the last failure says to give.
+stated() {
+    sed -n 's/.*; use --memory \([0-9]*\).*/\1/p' err
+}
+run make knot --triangles 40000 -o much.ply
+says "reading it takes more than the %llu bytes that --memory gives; use --memory %llu, which is \
+enough for it" pack much.ply -o x.plt --memory 1048576 --nodes compact
+packs 39952 much.ply --nodes compact --memory "$(stated)"
+takes="%zu triangles take up to %llu bytes of memory to pack, and --memory gives %llu; use \
+--memory %llu%s"
+says "$takes" pack much.ply -o x.plt --memory 3000000
+packs 39952 much.ply --memory "$(stated)"
+says "$takes" pack much.ply -o x.plt --memory 3000000
+packs 39952 much.ply --nodes compact --memory 3000000
+says "$takes" pack much.ply -o x.plt --memory 6000000 --quality high
+packs 39952 much.ply --quality fast --memory 6000000
+verdict "... which the message names" "$(
+    run pack much.ply -o x.plt --memory 6000000 --quality high
+    grep -q ', or --quality fast$' err || cat err
+    run pack much.ply -o x.plt --memory 3000000
+    grep -q ', or --nodes compact$' err || cat err)"
+soup 11000 soup.obj
+for less in 1420000 1400000 1380000 1360000; do # reading takes some less
+    message="not looked at for holes and seams; use a larger --memory to have that done"
+    run pack soup.obj -o x.plt --build device --memory $less
+    said=$(grep -q -- "$message" err || cat err)
+    [ -n "$said" ] || break
+done
+packs 11000 soup.obj --build device --memory 2000000
+verdict "... and then it is done" "$(grep -q '33000 open edges' err || cat err)"
+
 # Of many files the edges of one are looked at: the tree takes more.
 run make knot --triangles 10000 -o part.ply
 set -- part.ply part.ply part.ply part.ply part.ply

@@ -51,7 +51,7 @@ view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
     --geometry --tolerance --step --numbers --reduce --frame --centre --origin --weld --repair \
-    --json
+    --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --repeat --chroma --json $view_flags $scene_flags

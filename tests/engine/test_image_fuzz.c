@@ -51,7 +51,7 @@ static input seed_input(int seed) {
     packed image;
     fail f = {""};
     const pack_options options = {(uint8_t)(seed & 1), (uint8_t)(seed % 3), 1u + (uint32_t)seed % 2,
-                                  1u + (uint32_t)seed};
+                                  1u + (uint32_t)seed, NULL};
     shape_soup(&m, seed == 8 ? 0 : 3u + 5u * (uint32_t)seed, 0.7f, (uint64_t)seed);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     return input_of(&image, &m);

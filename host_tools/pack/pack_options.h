@@ -1,0 +1,35 @@
+/* pack_options - how an image is to be made of a mesh
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PACK_OPTIONS_H
+#define PACK_OPTIONS_H
+#include <stdint.h>
+
+#include "host_tools/mesh/mesh.h"
+#include "host_tools/pack/quality.h"
+
+typedef struct pack_options {
+    uint8_t splits;          /* enum plt_splits */
+    uint8_t build;           /* enum plt_build */
+    uint32_t leaf_triangles; /* K */
+    uint32_t treelet_nodes;  /* N */
+    mesh *spend;             /* the mesh itself: its arrays are freed as soon as they are of no
+                              * use, so that others fit; NULL: it stays */
+} pack_options;
+
+typedef struct compact_options {
+    uint8_t splits, build;    /* as above, but not PLT_BUILD_NONE */
+    uint8_t lattice_bits;     /* 12 .. 21 */
+    uint8_t numbers;          /* keep primitive ids in a section */
+    uint8_t floats;           /* float records, bit exact; the lattice is for boxes alone */
+    uint32_t leaf_triangles;  /* K: 1, 2 or 4 */
+    const size_t *mesh_end;   /* first triangle after each mesh; NULL: one mesh */
+    unsigned meshes;          /* from 1,023 on blocks do not say which mesh they are of */
+    uint8_t power;            /* the lattice's step is a power of two */
+    double tolerance;         /* take more bits, or fewer, to keep this; 0: the bits as given */
+    quality_stats *quality;   /* NULL: the tree stays as it is built; of PLT_BUILD_HOST alone */
+    uint32_t quality_seconds; /* as of pack_mesh_better */
+    mesh *spend;              /* as above */
+} compact_options;
+
+#endif
