@@ -30,6 +30,11 @@ FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) $(wildcard board/$(BOARD)/*.c
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
 FIRMWARE_OBJECTS := $(call objects,$(ENGINE) $(FIRMWARE))
 
+# Where calls by pointer lead, beyond the board's SOURCE_FUNCTIONS: what a wired board streams
+# comes by the wire, which waits for reports.
+POINTERS_wired := $(if $(without_stream),,plt_fetch>wire_source_start plt_fetch>wire_source_wait \
+                  wire_source_wait>pump_held pump_held>await_reports)
+
 OPTIMISE_FOR := -O2
 $(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
 
@@ -57,7 +62,7 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 # unknown size.
 $(OUT)/stack.txt: $(FIRMWARE_OBJECTS) board/tools/stack.awk board/$(BOARD)/board.mk
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
-	    -v indirect='$(SOURCE_FUNCTIONS)' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
+	    -v indirect='$(SOURCE_FUNCTIONS) $(POINTERS_$(PROGRAM))' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
 	    -v entry='$(INTERRUPT_FRAME)' -f board/tools/stack.awk \
 	    $(FIRMWARE_OBJECTS:.o=.ci) - >$@ || { cat $@ >&2; exit 1; }
 

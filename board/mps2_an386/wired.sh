@@ -4,7 +4,10 @@
 # Waits for SOCKET, which `planelet serve --socket SOCKET` makes, and joins it to
 # the second UART; tries again every second when the host has gone. Prints what
 # the firmware prints. Replaces the shell, so that its process id is QEMU's.
+# FIRMWARE is the folder that it was built in (build/mps2_an386-wired). PROFILE=PATH writes
+# a count for every instruction there when it ends.
 # SPDX-License-Identifier: MIT
+folder=${FIRMWARE:-${BUILD:-build}/mps2_an386-wired}
 socket=$1
 shift
 until [ -S "$socket" ]; do
@@ -13,8 +16,11 @@ done
 # A comma ends an option of QEMU unless it is doubled.
 path=$(printf '%s' "$socket" | sed 's/,/,,/g')
 parameters=$(printf '%s' "$*" | sed 's/,/,,/g')
+set --
+[ -z "$PROFILE" ] ||
+    set -- -plugin "$folder/libcount.so,out=/dev/null,code=0:0x100000,profile=$PROFILE"
 exec qemu-system-arm -M mps2-an386 -display none -monitor none -serial null \
     -chardev "socket,id=wire,path=$path,reconnect=1" -serial chardev:wire \
     -chardev stdio,id=text,signal=off \
     -semihosting-config "enable=on,target=native,chardev=text,arg=firmware,arg=$parameters" \
-    -kernel "${BUILD:-build}/mps2_an386-wired/firmware.elf" </dev/null
+    "$@" -kernel "$folder/firmware.elf" </dev/null

@@ -1,6 +1,6 @@
 # stack - worst C stack from the call graphs that GCC writes
 #
-#   objdump -d FILE.o ... | awk -v root='NAME ...' [-v indirect='NAME ...'] \
+#   objdump -d FILE.o ... | awk -v root='NAME ...' [-v indirect='[CALLER>]NAME ...'] \
 #       [-v interrupt='NAME ...' -v entry=BYTES] [-v limit=BYTES] [-v out=FOLDER/] \
 #       -f stack.awk FILE.ci ... -
 #
@@ -15,7 +15,8 @@
 # CPU stacks before it. What would make the bound wrong is an error, printed, with
 # exit status 1: recursion, a frame whose size is only
 # known at run time, a function without a call graph, a call by pointer when
-# `indirect` does not say where it may lead, a frame above `limit`.
+# `indirect` does not say where it may lead, a frame above `limit`. A call by pointer may lead to
+# every NAME; but those of a CALLER that is named only to the names behind it.
 # SPDX-License-Identifier: MIT
 
 function field(name,    text) { # the quoted text behind NAME: "
@@ -82,6 +83,22 @@ function depth(title,    i, n, called, best, below, targets) {
     return done[title]
 }
 
+# By pointer: where it may lead from this function.
+function add_indirect(title,    i, count, names, pair, own, any) {
+    count = split(indirect, names, " ")
+    for (i = 1; i <= count; i++) {
+        if (split(names[i], pair, ">") < 2) {
+            any = any SUBSEP names[i]
+        } else if (pair[1] == bare(title)) {
+            own = own SUBSEP pair[2]
+        }
+    }
+    calls[title] = calls[title] (own == "" ? any : own)
+    if (own any == "" && !outward) {
+        complain(bare(title) " calls by a pointer; where to is not known")
+    }
+}
+
 /^node:/ {
     title = field("title")
     label = field("label")
@@ -100,13 +117,8 @@ function depth(title,    i, n, called, best, below, targets) {
     target = field("targetname")
     if (target != "__indirect_call") {
         calls[source] = calls[source] SUBSEP target
-    } else if (indirect != "") {
-        count = split(indirect, names, " ")
-        for (k = 1; k <= count; k++) {
-            calls[source] = calls[source] SUBSEP names[k]
-        }
-    } else if (!outward) {
-        complain(bare(source) " calls by a pointer; where to is not known")
+    } else {
+        add_indirect(source)
     }
 }
 

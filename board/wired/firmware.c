@@ -3,7 +3,8 @@
  * Replaces board/firmware.c; the board calls it in the same manner. Image and
  * arena share board_arena(), reports travel as bytes over board_serial
  * (platform/WIRE.md), and the host is `planelet serve`. It never ends: hosts come
- * and go, and the scene stays. The only parameter is report=BYTES,
+ * and go, and the scene stays; one that has no room in the arena stays with the host, in a build
+ * that has streamed scenes, and comes block by block. The only parameter is report=BYTES,
  * the size of a report, 8 to 1024 (64), the same as the host's.
  *
  * SPDX-License-Identifier: MIT */
@@ -95,6 +96,16 @@ static void move_reports(void) {
     }
 }
 
+#if PLT_WITH_STREAMED
+/* While the engine waits for a block of the scene. */
+static int await_reports(void *context) {
+    (void)context;
+    move_reports();
+    wire_poll(&device.peer, now_ms());
+    return 0;
+}
+#endif
+
 /* ---- events, on the board's log ------------------------------------------ */
 
 static unsigned scene_said;
@@ -117,29 +128,41 @@ static void say_scene(void) {
         line_start(&l);
         line_text(&l, state == WIRE_SCENE_OPEN ? "scene opened" : "scene refused");
         line_item(&l, "image_bytes", bytes);
+        line_item(&l, "streamed", device.is_streamed);
         line_print(&l);
     }
     scene_said = state;
 }
 
-/* A line for every frame that was sent whole. Each byte that the serial line loses
- * is a lost report. */
+/* A line for every frame that was sent whole, with what was fetched for it and all before. Each
+ * byte that the serial line loses is a lost report. */
+static void print_frame(uint32_t number) {
+    uint32_t painted, size;
+    plt_stats stats;
+    line l;
+    board_stack(&painted, &size);
+    plt_stats_get(device.engine, &stats);
+    line_start(&l);
+    line_text(&l, "frame");
+    line_item(&l, "number", number);
+    line_item(&l, "ms", now_ms());
+    line_item(&l, "arena", plt_arena_peak(device.engine));
+    line_item(&l, "painted", painted);
+    line_item(&l, "lost_bytes", board_serial_lost());
+    line_item(&l, "lost_reports", device.peer.stats.reports_lost);
+    line_item(&l, "rays", stats.rays);
+    if (device.is_streamed) {
+        line_item(&l, "fetched", stats.bytes_fetched);
+        line_item(&l, "retries", stats.fetch_retries);
+    }
+    line_print(&l);
+}
+
 static void say_frame(void) {
     static uint32_t said;
-    uint32_t painted, size;
-    line l;
     if (device.frames != said) {
         said = device.frames;
-        board_stack(&painted, &size);
-        line_start(&l);
-        line_text(&l, "frame");
-        line_item(&l, "number", said);
-        line_item(&l, "ms", now_ms());
-        line_item(&l, "arena", plt_arena_peak(device.engine));
-        line_item(&l, "painted", painted);
-        line_item(&l, "lost_bytes", board_serial_lost());
-        line_item(&l, "lost_reports", device.peer.stats.reports_lost);
-        line_print(&l);
+        print_frame(said);
     }
 }
 
@@ -166,7 +189,13 @@ static int open_device(uint16_t report_bytes) {
     size_t bytes;
     unsigned char *memory = board_arena(&bytes);
     last_ticks = board_ticks();
-    return wire_device_open(&device, &setup, &options, memory, bytes, now_ms());
+    if (wire_device_open(&device, &setup, &options, memory, bytes, now_ms()) != WIRE_OK) {
+        return -1;
+    }
+#if PLT_WITH_STREAMED
+    wire_device_stream(&device, await_reports, NULL);
+#endif
+    return 0;
 }
 
 static int read_report_size(const char *parameters, uint32_t *bytes) {
@@ -187,7 +216,7 @@ int firmware(const char *parameters) {
     if (read_report_size(parameters, &report_bytes) < 0) {
         return FIRMWARE_USAGE;
     }
-    if (open_device((uint16_t)report_bytes) != WIRE_OK) {
+    if (open_device((uint16_t)report_bytes) < 0) {
         board_print("error: this build's tiles are not those of the wire\n");
         return FIRMWARE_FAILED;
     }

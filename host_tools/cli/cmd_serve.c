@@ -42,9 +42,9 @@ const arg_command command_serve = {
     .synopsis = "SCENE.plt --pty|--socket PATH|--listen PORT|--emulate BYTES [-o OUT] [--show]",
     .about =
         "Gives a scene to a device over a link and receives the frames it renders; the "
-        "protocol is platform/WIRE.md, reports are separated by COBS. SCENE.plt may be - for "
-        "standard "
-        "input.",
+        "protocol is platform/WIRE.md, reports are separated by COBS. A scene that the device has "
+        "no room for is streamed, if it is of compact blocks with lattice geometry: the device "
+        "asks for blocks of it as it needs them. SCENE.plt may be - for standard input.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -140,6 +140,14 @@ static void print_stats(const serve_result *r, uint32_t image_bytes) {
         h->reports_late, h->reports_bad, h->payload_in, h->tiles_in, h->sessions);
 }
 
+/* A scene that the device had no room for. */
+static void print_blocks(const serve_result *r, uint32_t image_bytes) {
+    if (r->blocks > 0) {
+        fprintf(stderr, "serve: streamed %llu of the image's %u bytes, in %u blocks\n",
+                (unsigned long long)r->block_bytes, image_bytes, r->blocks);
+    }
+}
+
 static void read_size(args *a, serve_job *job) {
     job->width = 320, job->height = 240;
     if (args_size(a, "--size", PICTURE_SIDE_MAX, &job->width, &job->height) &&
@@ -197,6 +205,7 @@ static int serve(serving *s, args *a, serve_job *job, fail *f) {
     }
     const transport t = link_transport(&s->link);
     const int status = serve_run(job, &t, &result, f);
+    print_blocks(&result, job->image_bytes);
     if (job->verbose) {
         print_stats(&result, job->image_bytes);
     }

@@ -15,22 +15,49 @@
 
 enum { VISITS = 20000, STEPS = 8 }; /* node visits per step; steps between reports */
 
-/* Sends all reports that are due; -1: the link is down. With a busy link the report stays
- * in `held`. */
-static int send_reports(wire_device *d, const transport *t, uint8_t *report, size_t *held) {
+typedef struct emulated {
+    wire_device device;
+    const transport *t;
+    uint8_t report[WIRE_REPORT_BYTES_MAX]; /* that goes out next, if `held` bytes are in it */
+    size_t held;
+    void *memory;
+} emulated;
+
+/* Sends all reports that are due; -1: the link is down. */
+static int send_reports(emulated *e) {
+    const transport *t = e->t;
     for (;;) {
-        if (*held == 0) {
-            *held = wire_next_report(&d->peer, report, clock_ms());
+        if (e->held == 0) {
+            e->held = wire_next_report(&e->device.peer, e->report, clock_ms());
         }
-        const int sent = *held > 0 ? t->send(t->context, report, *held) : 0;
+        const int sent = e->held > 0 ? t->send(t->context, e->report, e->held) : 0;
         if (sent <= 0) {
             return sent;
         }
-        *held = 0;
+        e->held = 0;
     }
 }
 
-int emulated_device(const transport *t, unsigned report_bytes, size_t memory_bytes) {
+/* Waits at most `ms` for reports, and lets those leave that can; -1: the link is down. */
+static int exchange(emulated *e, int ms) {
+    uint8_t in[WIRE_REPORT_BYTES_MAX];
+    int n;
+    while ((n = e->t->receive(e->t->context, in, ms)) > 0) {
+        wire_on_report(&e->device.peer, in, (size_t)n, clock_ms());
+        ms = 0;
+    }
+    wire_poll(&e->device.peer, clock_ms());
+    return n < 0 ? n : send_reports(e);
+}
+
+#if PLT_WITH_STREAMED
+/* What is asked for leaves before the answer is waited for. */
+static int pump(void *context) {
+    return send_reports(context) < 0 ? -1 : exchange(context, 1);
+}
+#endif
+
+static int open_device(emulated *e, unsigned report_bytes, size_t memory_bytes) {
     static const plt_options options = {.packet_side =
                                             PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8};
     const wire_setup setup = {.role = WIRE_DEVICE,
@@ -38,31 +65,33 @@ int emulated_device(const transport *t, unsigned report_bytes, size_t memory_byt
                                        .in_bytes = (uint16_t)report_bytes,
                                        .out_bytes = (uint16_t)report_bytes,
                                        .credits = 16}};
-    uint8_t in[WIRE_REPORT_BYTES_MAX], out[WIRE_REPORT_BYTES_MAX];
-    size_t held = 0;
-    wire_device *d = malloc(sizeof *d);
-    void *memory = aligned_alloc(PLT_ALIGN, (memory_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
-    int n =
-        d == NULL || memory == NULL ||
-                wire_device_open(d, &setup, &options, memory, memory_bytes, clock_ms()) != WIRE_OK
-            ? -1
-            : 0;
-    const int status = n;
-    while (n >= 0) {
+    e->memory = aligned_alloc(PLT_ALIGN, (memory_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
+    if (e->memory == NULL || wire_device_open(&e->device, &setup, &options, e->memory,
+                                              memory_bytes, clock_ms()) != WIRE_OK) {
+        return -1;
+    }
+#if PLT_WITH_STREAMED
+    wire_device_stream(&e->device, pump, e);
+#endif
+    return 0;
+}
+
+int emulated_device(const transport *t, unsigned report_bytes, size_t memory_bytes) {
+    emulated *e = calloc(1, sizeof *e);
+    int status = -1;
+    if (e != NULL) {
+        e->t = t;
+        status = open_device(e, report_bytes, memory_bytes);
+    }
+    for (int n = status; n >= 0;) {
         int works = 0;
         for (int i = 0; i < STEPS; i++) {
-            works |= wire_device_run(d, VISITS);
+            works |= wire_device_run(&e->device, VISITS);
         }
-        while ((n = t->receive(t->context, in, works ? 0 : 2)) > 0) {
-            wire_on_report(&d->peer, in, (size_t)n, clock_ms());
-        }
-        wire_poll(&d->peer, clock_ms());
-        if (n == 0) {
-            n = send_reports(d, t, out, &held);
-        }
+        n = exchange(e, works ? 0 : 2);
     }
-    free(d);
-    free(memory);
+    free(e != NULL ? e->memory : NULL);
+    free(e);
     return status;
 }
 

@@ -135,18 +135,36 @@ static void update_link(serving *s, int is_there) {
     }
 }
 
+/* A device that streams has looked at the scene, and cannot. */
+static int refuse_size(const serving *s, fail *f) {
+    const wire_caps *device = wire_other(&s->peer);
+    return fail_set(f, "device", "the image of %u bytes does not fit in its %u; pack it %s",
+                    s->job->image_bytes, device->arena_bytes,
+                    device->features & WIRE_STREAMS
+                        ? "with --nodes compact --geometry lattice:14, and it can be streamed"
+                        : "smaller");
+}
+
 /* Fails with a sentence for the device's error, or when the scene does not fit; else 0. */
 static int refusal(serving *s, fail *f) {
     uint32_t detail, has;
     const unsigned state = wire_scene_out_state(&s->scene, &has);
     const unsigned code = wire_error_read(&s->peer, &detail);
+    char kind;
+    const uint32_t place = wire_error_place(&s->peer, &kind);
     if (code == WIRE_E_ARENA) {
         return fail_set(f, "device", "the scene needs %u bytes there, it has %u; pack it smaller",
                         detail, wire_other(&s->peer)->arena_bytes);
     }
     if (code == WIRE_E_SCENE) {
-        return fail_set(f, "device", "the scene was refused: rule R%u at byte %u; pack it again",
-                        detail >> 24, detail & 0xFFFFFFu);
+        return fail_set(f, "device", "the scene was refused: rule %c%u at byte %u; pack it again",
+                        kind, detail >> 24, place);
+    }
+    if (code == WIRE_E_SOURCE) {
+        return fail_set(f, "device",
+                        "bytes of the scene did not come, from byte %u on; check the link and "
+                        "serve it again",
+                        place);
     }
     if (code == WIRE_E_VERSION) {
         return fail_set(
@@ -155,9 +173,7 @@ static int refusal(serving *s, fail *f) {
             detail, WIRE_VERSION);
     }
     if (state == WIRE_SCENE_LARGE) {
-        return fail_set(f, "device",
-                        "the image of %u bytes does not fit in its %u; pack it smaller",
-                        s->job->image_bytes, wire_other(&s->peer)->arena_bytes);
+        return refuse_size(s, f);
     }
     if (code == WIRE_E_VIEW) {
         return fail_set(f, "device",
@@ -225,7 +241,11 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     if (s != NULL) {
         end_progress(s);
         *result = (serve_result){
-            .host = s->peer.stats, .frames = s->number, .ms = clock_ms() - s->began_ms};
+            .host = s->peer.stats,
+            .block_bytes = s->blocks.sent,
+            .blocks = s->blocks.asked,
+            .frames = s->number,
+            .ms = clock_ms() - s->began_ms};
         free(s->panel);
         picture_free(&s->shown);
     }

@@ -26,6 +26,8 @@ typedef struct serve_job {
 
 typedef struct serve_result {
     wire_stats host;
+    uint64_t block_bytes; /* of the image, that a device which streams it asked for; else 0 */
+    uint32_t blocks;      /* requests for them */
     unsigned frames;
     uint32_t ms;
 } serve_result;

@@ -1,12 +1,12 @@
 /* blocks_in - asks for pieces of an image and puts them where they belong
  *
  * Invariant: the first `has` bytes of a request are in `to`; nothing is written
- * outside to[0 .. count - 1].
+ * outside to[0 .. count - 1], and nothing at all once the request is forgotten.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/services.h"
 
-enum want_state { FREE, TO_ASK, ASKED, DONE, REFUSED };
+enum want_state { FREE, TO_ASK, ASKED, DONE, FAILED };
 
 void wire_blocks_in_open(wire_blocks_in *in, wire_peer *peer, int (*pump)(void *), void *context) {
     memset(in, 0, sizeof *in);
@@ -16,27 +16,43 @@ void wire_blocks_in_open(wire_blocks_in *in, wire_peer *peer, int (*pump)(void *
     peer->blocks_in = in;
 }
 
+void wire_blocks_in_image(wire_blocks_in *in, uint32_t crc) {
+    in->crc = crc;
+    in->is_named = 1;
+}
+
 static void ask(wire_blocks_in *in, wire_block_want *w) {
     w->state = TO_ASK;
     wire_queue_control(in->peer, WIRE_BLOCK_ASK);
+}
+
+static int is_asked(const wire_block_want *w) {
+    return w->state == TO_ASK || w->state == ASKED;
+}
+
+/* No request is on the way. */
+static int is_silent(const wire_blocks_in *in) {
+    int asked = 0;
+    for (int i = 0; i < WIRE_BLOCKS; i++) {
+        asked |= is_asked(&in->want[i]);
+    }
+    return !asked;
 }
 
 int wire_block_ask(wire_blocks_in *in, unsigned tag, uint32_t offset, void *to, uint32_t count) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_want *w = &in->want[i];
         if (w->state == FREE) {
-            *w = (wire_block_want){to, offset, count, 0, 0, (uint8_t)tag, DONE};
+            const uint32_t now = in->peer->now_ms;
+            *w = (wire_block_want){to, offset, count, 0, now, now, (uint8_t)tag, DONE};
             if (count > 0) {
+                in->moved_ms = is_silent(in) ? now : in->moved_ms;
                 ask(in, w);
             }
             return WIRE_OK;
         }
     }
     return WIRE_BUSY;
-}
-
-static int is_asked(const wire_block_want *w) {
-    return w->state == TO_ASK || w->state == ASKED;
 }
 
 void wire_blocks_in_begin(wire_blocks_in *in) {
@@ -72,7 +88,8 @@ uint32_t wire_blocks_in_write(wire_blocks_in *in, uint8_t *body) {
         wire_put32(body + 5, w->count - w->has);
         w->state = ASKED;
         w->asked_ms = in->peer->now_ms;
-        made = 9;
+        wire_put32(body + 9, in->crc);
+        made = in->is_named ? 13 : 9;
     }
     return made;
 }
@@ -81,7 +98,7 @@ void wire_blocks_in_receive(wire_blocks_in *in, const uint8_t *body) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_want *w = &in->want[i];
         if (is_asked(w) && w->tag == body[0] && w->offset + w->has == wire_get32(body + 1)) {
-            w->state = REFUSED;
+            w->state = FAILED;
         }
     }
 }
@@ -92,7 +109,7 @@ void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset) {
 }
 
 /* Copies the part of the bytes that this request lacks next. */
-static void copy_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
+static void copy_for(wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
                      uint32_t count) {
     const uint32_t next = w->offset + w->has, skip = next - in->at;
     if (w->tag != in->coming || in->at > next || skip >= count) {
@@ -102,7 +119,7 @@ static void copy_for(const wire_blocks_in *in, wire_block_want *w, const uint8_t
     const uint32_t n = count - skip < left ? count - skip : left;
     memcpy(w->to + w->has, bytes + skip, n);
     w->has += n;
-    w->asked_ms = in->peer->now_ms;
+    w->asked_ms = in->moved_ms = in->peer->now_ms;
     w->state = w->has == w->count ? DONE : w->state;
 }
 
@@ -115,32 +132,39 @@ void wire_blocks_in_bytes(wire_blocks_in *in, const uint8_t *bytes, uint32_t cou
     in->at += count;
 }
 
+static int is_of(const wire_block_want *w, uint32_t tags) {
+    return w->state != FREE && tags >> (w->tag & 31) & 1;
+}
+
+void wire_block_forget(wire_blocks_in *in, uint32_t tags) {
+    for (int i = 0; i < WIRE_BLOCKS; i++) {
+        wire_block_want *w = &in->want[i];
+        w->state = is_of(w, tags) ? FREE : w->state;
+    }
+}
+
+static int is_late(const wire_blocks_in *in, const wire_block_want *w) {
+    const uint32_t now = in->peer->now_ms;
+    return now - in->moved_ms >= WIRE_BLOCK_DEAD_MS || now - w->begun_ms >= WIRE_BLOCK_MOST_MS;
+}
+
 int wire_block_state(wire_blocks_in *in, uint32_t tags) {
     int status = WIRE_OK;
     for (int i = 0; i < WIRE_BLOCKS; i++) {
-        const wire_block_want *w = &in->want[i];
-        if (w->state != FREE && tags >> (w->tag & 31) & 1) {
-            if (is_asked(w)) {
+        wire_block_want *w = &in->want[i];
+        if (is_of(w, tags)) {
+            if (is_asked(w) && !is_late(in, w)) {
                 return WIRE_BUSY;
             }
-            status = w->state == REFUSED ? WIRE_ERR_DOWN : status;
+            status = w->state == DONE ? status : WIRE_ERR_DOWN;
         }
     }
-    for (int i = 0; i < WIRE_BLOCKS; i++) {
-        wire_block_want *w = &in->want[i];
-        w->state = w->state != FREE && tags >> (w->tag & 31) & 1 ? FREE : w->state;
-    }
+    wire_block_forget(in, tags);
     return status;
 }
 
 int wire_source_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
-    wire_blocks_in *in = context;
-    while (wire_block_ask(in, tag, offset, to, count) == WIRE_BUSY) {
-        if (in->pump(in->pump_context) < 0) {
-            return -1;
-        }
-    }
-    return 0;
+    return wire_block_ask(context, tag, offset, to, count) == WIRE_OK ? 0 : -1;
 }
 
 int wire_source_wait(void *context, uint32_t tags) {
@@ -148,6 +172,7 @@ int wire_source_wait(void *context, uint32_t tags) {
     int status;
     while ((status = wire_block_state(in, tags)) == WIRE_BUSY) {
         if (in->pump(in->pump_context) < 0) {
+            wire_block_forget(in, tags);
             return -1;
         }
     }

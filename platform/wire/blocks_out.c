@@ -5,6 +5,7 @@
  * other peer knows best what it still lacks.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/planelet_crc32.h"
 #include "platform/wire/report.h"
 #include "platform/wire/services.h"
 
@@ -16,6 +17,7 @@ void wire_blocks_out_open(wire_blocks_out *out, wire_peer *peer, const void *ima
     out->peer = peer;
     out->image = image;
     out->bytes = bytes;
+    out->crc = plt_crc32(0, image, image != NULL ? bytes : 0);
     if (peer->queue == NULL) {
         peer->queue = &out->own_queue;
     }
@@ -34,8 +36,13 @@ static wire_block_order *order_for(wire_blocks_out *out, unsigned tag, uint32_t 
     return unused;
 }
 
-/* Tag, offset, count. An order too many is dropped; it will be asked again. */
-void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body) {
+/* Tag, offset, count, and the image's checksum if it is named. An order too many is dropped; it
+ * will be asked again. One for another image is not refused: its peer does not know yet
+ * that another is offered, and will. */
+void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body, uint32_t body_bytes) {
+    if (body_bytes >= 13 && wire_get32(body + 9) != out->crc) {
+        return;
+    }
     const uint32_t offset = wire_get32(body + 1), count = wire_get32(body + 5);
     if (count == 0 || offset > out->bytes || count > out->bytes - offset) {
         out->refused_tag = body[0];
@@ -46,6 +53,7 @@ void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body) {
     wire_block_order *o = order_for(out, body[0], offset + count);
     if (o != NULL) {
         *o = (wire_block_order){offset, count, body[0], 1};
+        out->asked++;
     }
 }
 
@@ -71,6 +79,7 @@ static void send_chunk(wire_blocks_out *out, wire_block_order *o) {
     wire_put32(to + head + 1, o->offset);
     memcpy(to + head + 5, out->image + o->offset, count);
     q->used = (uint16_t)(q->used + head + 5 + count);
+    out->sent += count;
     o->offset += count;
     o->count -= count;
     o->live = o->count > 0;

@@ -63,12 +63,17 @@ static void receive_set(wire_peer *peer, const uint8_t *body) {
 static uint32_t write_error(const wire_peer *peer, uint8_t *body) {
     body[0] = peer->error;
     wire_put32(body + 1, peer->error_detail);
-    return 5;
+    wire_put32(body + 5, peer->error_place);
+    body[9] = peer->error_kind;
+    return 10;
 }
 
-static void receive_error(wire_peer *peer, const uint8_t *body) {
+/* Older peers send no place: of a refused image it is in the detail, as far as it fits there. */
+static void receive_error(wire_peer *peer, const uint8_t *body, uint32_t bytes) {
     peer->other_error = body[0];
     peer->other_detail = wire_get32(body + 1);
+    peer->other_place = bytes >= 10 ? wire_get32(body + 5) : peer->other_detail & 0xFFFFFFu;
+    peer->other_kind = bytes >= 10 && body[9] == 'I' ? 'I' : 'R';
 }
 
 /* ---- all -------------------------------------------------------------------------------- */
@@ -143,7 +148,7 @@ static uint32_t bytes_wanted(const wire_peer *peer, unsigned type) {
     }
 }
 
-static void receive(wire_peer *peer, unsigned type, const uint8_t *body) {
+static void receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_t bytes) {
     switch (type) {
     case WIRE_ACK:
         receive_ack(peer, body);
@@ -172,13 +177,13 @@ static void receive(wire_peer *peer, unsigned type, const uint8_t *body) {
         wire_view_out_receive(peer->view_out, body);
         break;
     case WIRE_BLOCK_ASK:
-        wire_blocks_out_receive(peer->blocks_out, body);
+        wire_blocks_out_receive(peer->blocks_out, body, bytes);
         break;
     case WIRE_BLOCK_REFUSE:
         wire_blocks_in_receive(peer->blocks_in, body);
         break;
     case WIRE_ERROR:
-        receive_error(peer, body);
+        receive_error(peer, body, bytes);
         break;
     default: /* WIRE_SET */
         receive_set(peer, body);
@@ -193,6 +198,6 @@ void wire_control_receive(wire_peer *peer, unsigned type, const uint8_t *body, u
     }
     const uint32_t wanted = bytes_wanted(peer, type);
     if (wanted > 0 && bytes >= wanted) { /* later versions may append to a body */
-        receive(peer, type, body);
+        receive(peer, type, body, bytes);
     }
 }

@@ -1,14 +1,18 @@
 /* device - see wire_device.h
  *
  * A state machine; wire_device_run does one step of it. The image lies at the
- * front of the memory, the engine's arena behind it.
+ * front of the memory, the engine's arena behind it; of a streamed scene all is arena.
  *
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
 #include "platform/wire/wire_device.h"
 
-enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS };
+enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS, HAS_FAILED };
+
+/* No view has it whose frame is waited for: of a frame that is given up. */
+enum { MARK_FAILED = 0x80 };
+
 
 int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options *options,
                      void *memory, size_t memory_bytes, uint32_t now_ms) {
@@ -29,38 +33,104 @@ int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options 
     return status;
 }
 
-/* Why the engine refused the image, for the host. */
-static void report_refusal(wire_device *d, int status, const plt_fault *fault) {
+/* ---- streamed scenes ---- */
+
+#if PLT_WITH_STREAMED
+/* Meanwhile the engine is at work in the memory: the image of another host must wait, and ends
+ * the work. */
+static int pump_held(void *context) {
+    wire_device *d = context;
+    d->scene.is_held = 1;
+    const int status = d->pump(d->pump_context);
+    d->scene.is_held = 0;
+    return d->scene.is_replaced ? -1 : status;
+}
+
+void wire_device_stream(wire_device *d, int (*pump)(void *context), void *context) {
+    d->pump = pump;
+    d->pump_context = context;
+    wire_blocks_in_open(&d->blocks, &d->peer, pump_held, d);
+    wire_scene_in_blocks(&d->scene);
+    d->peer.own.features |= WIRE_STREAMS;
+}
+
+static int open_streamed(wire_device *d, uint32_t bytes, plt_fault *fault) {
+    plt_options options = d->options;
+    options.residency = PLT_RESIDENCY_STREAMED;
+    wire_blocks_in_image(&d->blocks, d->scene.crc);
+    d->source = (plt_source){.bytes = bytes,
+                             .context = &d->blocks,
+                             .start = wire_source_start,
+                             .wait = wire_source_wait};
+    wire_scene_in_verdict(&d->scene, WIRE_SCENE_BLOCKS);
+    const int status =
+        plt_open(&d->engine, d->memory, d->memory_bytes, &d->source, &options, fault);
+    d->is_streamed = status == PLT_OK;
+    return status;
+}
+#endif
+
+/* ---- the scene ---- */
+
+/* Why there is no scene or no frame, for the host; but not for one that offers another scene. */
+static void report_fault(wire_device *d, int status, const plt_fault *fault) {
+    if (d->scene.is_replaced) {
+        return;
+    }
     if (status == PLT_ERR_ARENA) {
-        wire_error_send(&d->peer, WIRE_E_ARENA, (uint32_t)fault->need_bytes + d->source.bytes);
+        wire_error_send(&d->peer, WIRE_E_ARENA, (uint32_t)fault->need_bytes);
     } else {
-        wire_error_send(&d->peer, WIRE_E_SCENE,
-                        (uint32_t)fault->rule << 24 | (fault->offset & 0xFFFFFFu));
+        wire_fault_send(&d->peer, status == PLT_ERR_SOURCE ? WIRE_E_SOURCE : WIRE_E_SCENE,
+                        fault->rule, fault->offset, fault->kind);
     }
 }
 
-static void open_scene(wire_device *d) {
-    plt_fault fault = {0};
-    uint32_t bytes;
-    wire_scene_in_state(&d->scene, &bytes);
+static int open_whole(wire_device *d, uint32_t bytes, plt_fault *fault) {
     const size_t front = ((size_t)bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN;
     const size_t rest = front < d->memory_bytes ? d->memory_bytes - front : 0;
     d->source = (plt_source){.mapped = d->memory, .bytes = bytes};
     const int status = plt_open(&d->engine, rest > 0 ? d->memory + front : d->memory, rest,
-                                &d->source, &d->options, &fault);
-    if (status < 0) {
-        d->engine = NULL;
-        report_refusal(d, status, &fault);
+                                &d->source, &d->options, fault);
+    fault->need_bytes += status == PLT_ERR_ARENA ? bytes : 0;
+    return status;
+}
+
+/* What has no room is streamed, if it can be; if not, there is no room. */
+static unsigned open_somehow(wire_device *d, unsigned state, uint32_t bytes) {
+    plt_fault fault = {0};
+    int status = state == WIRE_SCENE_HERE ? open_whole(d, bytes, &fault) : PLT_ERR_ARENA;
+#if PLT_WITH_STREAMED
+    if (status == PLT_ERR_ARENA && d->scene.takes_blocks) {
+        plt_fault other = {0};
+        const int streams = open_streamed(d, bytes, &other);
+        const int can_be = streams != PLT_ERR_ARGUMENT && streams != PLT_ERR_LIMIT;
+        if (!can_be && state != WIRE_SCENE_HERE) {
+            return WIRE_SCENE_LARGE;
+        }
+        status = can_be ? streams : status;
+        fault = can_be ? other : fault;
     }
-    wire_scene_in_verdict(&d->scene, status < 0 ? WIRE_SCENE_REFUSED : WIRE_SCENE_OPEN);
+#endif
+    if (status < 0) {
+        report_fault(d, status, &fault);
+        return status == PLT_ERR_SOURCE ? WIRE_SCENE_NONE : WIRE_SCENE_REFUSED;
+    }
+    return WIRE_SCENE_OPEN;
+}
+
+static void open_scene(wire_device *d, unsigned state, uint32_t bytes) {
+    d->is_streamed = d->is_failed = 0;
+    const unsigned verdict = open_somehow(d, state, bytes);
+    d->engine = verdict == WIRE_SCENE_OPEN ? d->engine : NULL;
+    wire_scene_in_verdict(&d->scene, verdict);
 }
 
 /* The host may replace the scene at any time; then there is no engine any more. */
 static int check_scene(wire_device *d) {
     uint32_t bytes;
     const unsigned state = wire_scene_in_state(&d->scene, &bytes);
-    if (state == WIRE_SCENE_HERE) {
-        open_scene(d);
+    if (state == WIRE_SCENE_HERE || state == WIRE_SCENE_BLOCKS) {
+        open_scene(d, state, bytes);
         d->step = d->engine != NULL ? NEEDS_VIEW : NEEDS_SCENE;
         d->is_viewed = 0;
         return 1;
@@ -77,14 +147,23 @@ static int has_view(wire_device *d) {
     return d->view.view.number != 0 || d->is_viewed;
 }
 
+/* A frame whose scene went away before it was whole ends here. */
+static void end_orphan(wire_device *d) {
+    if (d->out.in_frame) {
+        d->out.mark = (uint8_t)(d->view.view.number ^ MARK_FAILED);
+        wire_frame_end(&d->out);
+    }
+}
+
 static int begin(wire_device *d) {
     const wire_view *v = &d->view.view;
+    end_orphan(d);
     plt_frame frame = {.width = d->out.width, .height = d->out.height, .shader = v->shader};
     memcpy(frame.camera.eye, v->eye, sizeof v->eye);
     memcpy(frame.camera.look, v->look, sizeof v->look);
     memcpy(frame.camera.up, v->up, sizeof v->up);
     frame.camera.tan_half_fov = v->tan_half_fov;
-    d->is_viewed = 0;
+    d->is_viewed = d->is_failed = 0;
     const int sent = wire_frame_begin(&d->out, v->number);
     if (sent != WIRE_OK) {
         d->is_viewed = 1;
@@ -98,8 +177,22 @@ static int begin(wire_device *d) {
     return 1;
 }
 
+/* A block did not come, or is not valid: the frame ends, unfit to be shown. */
+static void fail(wire_device *d, int status) {
+    plt_fault fault = {0};
+    plt_fault_get(d->engine, &fault);
+    report_fault(d, status, &fault);
+    d->failed_session = d->peer.stats.sessions;
+    d->failed_ms = d->peer.now_ms;
+    d->out.mark ^= MARK_FAILED;
+    d->is_failed = 1;
+}
+
 static int render(wire_device *d, uint32_t visits) {
     const int status = plt_render_step(d->engine, visits);
+    if (status < 0) {
+        fail(d, status);
+    }
     if (status == PLT_TILE) {
         plt_render_tile(d->engine, &d->tile);
         d->step = HAS_TILE;
@@ -128,9 +221,24 @@ static int send_tile(wire_device *d) {
 }
 
 static int end_frame(wire_device *d) {
-    const int went = after(d, wire_frame_end(&d->out), RESTS);
-    d->frames += went > 0;
+    const int went = after(d, wire_frame_end(&d->out), d->is_failed ? HAS_FAILED : RESTS);
+    d->frames += went > 0 && !d->is_failed;
     return went;
+}
+
+/* The host that was there then hears of it again, as one message may be lost; a view, which also
+ * every new session brings, is tried anew. */
+static int stay_failed(wire_device *d) {
+    if (has_view(d) && d->is_viewed) {
+        d->step = BEGINS;
+        return 1;
+    }
+    if (d->peer.stats.sessions == d->failed_session && !d->scene.is_replaced &&
+        d->peer.now_ms - d->failed_ms >= WIRE_IDLE_MS) {
+        d->failed_ms = d->peer.now_ms;
+        wire_error_repeat(&d->peer);
+    }
+    return 0;
 }
 
 /* Begins again for a new view, or when something of this one was lost. */
@@ -163,6 +271,8 @@ int wire_device_run(wire_device *d, uint32_t visits) {
         return send_tile(d);
     case ENDS:
         return end_frame(d);
+    case HAS_FAILED:
+        return stay_failed(d);
     default:
         return rest(d);
     }

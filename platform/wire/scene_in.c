@@ -18,6 +18,10 @@ void wire_scene_in_open(wire_scene_in *in, wire_peer *peer, void *to, uint32_t r
     peer->scene_in = in;
 }
 
+void wire_scene_in_blocks(wire_scene_in *in) {
+    in->takes_blocks = 1;
+}
+
 unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes) {
     *bytes = in->bytes;
     return in->state;
@@ -39,12 +43,26 @@ static void start_over(wire_scene_in *in) {
     in->is_missed = 1;
 }
 
+static unsigned state_for(const wire_scene_in *in, uint32_t bytes) {
+    if (bytes > 0 && bytes <= in->room) {
+        return WIRE_SCENE_GOING;
+    }
+    const int has_blocks = in->takes_blocks && in->peer->other.features & WIRE_SCENES;
+    return bytes > 0 && has_blocks ? WIRE_SCENE_BLOCKS : WIRE_SCENE_LARGE;
+}
+
+/* While the memory is in use, another image waits: it is offered again. */
 void wire_scene_in_receive(wire_scene_in *in, const uint8_t *body) {
     const uint32_t bytes = wire_get32(body), crc = wire_get32(body + 4);
-    if (in->state == WIRE_SCENE_NONE || bytes != in->bytes || crc != in->crc) {
+    const int is_other = in->state == WIRE_SCENE_NONE || bytes != in->bytes || crc != in->crc;
+    in->is_replaced = (uint8_t)(is_other && in->is_held);
+    if (in->is_replaced) {
+        return;
+    }
+    if (is_other) {
         in->bytes = bytes;
         in->crc = crc;
-        in->state = bytes == 0 || bytes > in->room ? WIRE_SCENE_LARGE : WIRE_SCENE_GOING;
+        in->state = (uint8_t)state_for(in, bytes);
         start_over(in);
     }
     report_state(in);

@@ -47,7 +47,7 @@ void wire_view_in_receive(wire_view_in *in, const uint8_t *body);
 
 int wire_blocks_out_fill(wire_blocks_out *out);
 uint32_t wire_blocks_out_write(wire_blocks_out *out, uint8_t *body);
-void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body);
+void wire_blocks_out_receive(wire_blocks_out *out, const uint8_t *body, uint32_t body_bytes);
 
 void wire_blocks_in_begin(wire_blocks_in *in);
 void wire_blocks_in_poll(wire_blocks_in *in);

@@ -20,6 +20,19 @@ uint32_t wire_unacked(const wire_peer *peer) {
 void wire_error_send(wire_peer *peer, unsigned code, uint32_t detail) {
     peer->error = (uint8_t)code;
     peer->error_detail = detail;
+    peer->error_place = detail & 0xFFFFFFu;
+    peer->error_kind = 'R';
+    wire_queue_control(peer, WIRE_ERROR);
+}
+
+void wire_fault_send(wire_peer *peer, unsigned code, unsigned rule, uint32_t place, char kind) {
+    const uint32_t low = place & 0xFFFFFFu;
+    wire_error_send(peer, code, code == WIRE_E_SCENE ? (uint32_t)rule << 24 | low : place);
+    peer->error_place = place;
+    peer->error_kind = (uint8_t)kind;
+}
+
+void wire_error_repeat(wire_peer *peer) {
     wire_queue_control(peer, WIRE_ERROR);
 }
 
@@ -28,6 +41,11 @@ unsigned wire_error_read(wire_peer *peer, uint32_t *detail) {
     *detail = peer->other_detail;
     peer->other_error = WIRE_FINE;
     return code;
+}
+
+uint32_t wire_error_place(const wire_peer *peer, char *kind) {
+    *kind = (char)peer->other_kind;
+    return peer->other_place;
 }
 
 void wire_setting_send(wire_peer *peer, unsigned key, unsigned value) {

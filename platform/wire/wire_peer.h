@@ -52,7 +52,8 @@ enum wire_feature {
     WIRE_RENDERS = 4,     /* receives a scene image and views, and renders them */
     WIRE_SCENES = 8,      /* sends a scene image, and blocks of it on request */
     WIRE_BRIGHTNESS = 16, /* obeys WIRE_SET_BRIGHTNESS */
-    WIRE_READS = 32       /* its panel can be read: tiles may say only what differs */
+    WIRE_READS = 32,      /* its panel can be read: tiles may say only what differs */
+    WIRE_STREAMS = 64     /* renders scenes larger than its memory, of which it asks for blocks */
 };
 
 typedef struct wire_caps {
@@ -96,7 +97,7 @@ enum wire_code {
     WIRE_E_PANEL = 2,   /* the panel has more tiles than the sender can keep */
     WIRE_E_SCENE = 3,   /* the image was refused: rule << 24 | offset & 0xFFFFFF */
     WIRE_E_ARENA = 4,   /* `detail`: bytes it would need */
-    WIRE_E_SOURCE = 5,  /* a block could not be read: its offset */
+    WIRE_E_SOURCE = 5,  /* a block did not come: its offset */
     WIRE_E_VIEW = 6,    /* the camera has no direction */
     WIRE_E_BLOCK = 7    /* a request outside the image: its offset */
 };
@@ -146,9 +147,9 @@ typedef struct wire_peer {
     uint32_t out_asks;   /* reports below want an acknowledgement */
     uint32_t in_number;  /* the report expected next */
     uint32_t heard_ms, asked_ms, set_ms, now_ms;
-    uint32_t error_detail, other_detail;
+    uint32_t error_detail, error_place, other_detail, other_place;
     uint32_t pending; /* control messages to send: bits of base.h */
-    uint8_t role, state, has_next, error, other_error;
+    uint8_t role, state, has_next, error, error_kind, other_error, other_kind;
     uint8_t setting[2], other_setting[2], settings_to_go;
     uint8_t unacked_in, hello_number, hello_in, hello_used;
     uint8_t control_used, control_gone; /* of a control message being sent */
@@ -189,8 +190,18 @@ uint32_t wire_unacked(const wire_peer *peer);
 /* Reports an error to the other peer; the latest counts. */
 void wire_error_send(wire_peer *peer, unsigned code, uint32_t detail);
 
+/* The same for an image that was refused or did not come: rule (0: none is broken), byte, and
+ * whether the rule is a refusal, 'R', or an invariant, 'I' (plt_fault). */
+void wire_fault_send(wire_peer *peer, unsigned code, unsigned rule, uint32_t place, char kind);
+
+/* Sends the last error again, as one may be lost. */
+void wire_error_repeat(wire_peer *peer);
+
 /* The latest error that the other peer reported; read once. WIRE_FINE: none. */
 unsigned wire_error_read(wire_peer *peer, uint32_t *detail);
+
+/* Of that error: the byte of the image, and the kind of the rule. */
+uint32_t wire_error_place(const wire_peer *peer, char *kind);
 
 /* Sends a setting; the latest counts. At the other peer wire_setting_read
  * returns its key once, 0 when there is none. */

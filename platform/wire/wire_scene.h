@@ -19,8 +19,9 @@ enum wire_scene_state {
     WIRE_SCENE_GOING = 1,  /* bytes are coming */
     WIRE_SCENE_HERE = 2,   /* all bytes are there and the checksum is right */
     WIRE_SCENE_LARGE = 3,  /* it does not fit */
-    WIRE_SCENE_OPEN = 4,   /* the engine opened it */
-    WIRE_SCENE_REFUSED = 5 /* the engine refused it: wire_error_read says why */
+    WIRE_SCENE_OPEN = 4,    /* the engine opened it */
+    WIRE_SCENE_REFUSED = 5, /* the engine refused it: wire_error_read says why */
+    WIRE_SCENE_BLOCKS = 6   /* it stays with its peer, which is asked for blocks of it */
 };
 
 /* ---- out ----------------------------------------------------------------------- */
@@ -48,15 +49,23 @@ typedef struct wire_scene_in {
     uint32_t room, bytes, crc, has, sum;
     uint32_t at, said_ms; /* offset of the bytes that come next */
     uint8_t state, is_missed, is_deaf;
+    uint8_t takes_blocks; /* what does not fit may stay out */
+    uint8_t is_held;      /* `to` is in use: no other image may come now ... */
+    uint8_t is_replaced;  /* ... and one was offered */
 } wire_scene_in;
 
 /* Receives an image of at most `room` bytes into `to`. */
 void wire_scene_in_open(wire_scene_in *in, wire_peer *peer, void *to, uint32_t room);
 
+/* Images that have no room are taken all the same, as WIRE_SCENE_BLOCKS, from peers that can be
+ * asked for blocks (wire_block.h). Nothing of them comes by itself. */
+void wire_scene_in_blocks(wire_scene_in *in);
+
 /* WIRE_SCENE_HERE: the image lies whole in `to`, `*bytes` of it. */
 unsigned wire_scene_in_state(const wire_scene_in *in, uint32_t *bytes);
 
-/* After HERE: says what became of it (WIRE_SCENE_OPEN or _REFUSED). The
+/* After HERE or BLOCKS: says what became of it (WIRE_SCENE_OPEN, _REFUSED, _LARGE; _BLOCKS after
+ * HERE, and _NONE: let it be offered again). The
  * memory may be used from REFUSED on; a new offer then overwrites it. */
 void wire_scene_in_verdict(wire_scene_in *in, unsigned state);
 

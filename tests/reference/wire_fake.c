@@ -17,6 +17,40 @@ static int happens(fake_cable *c, uint32_t chance) {
     return chance > 0 && random_below(&c->random, 65536) < chance;
 }
 
+static void strike(const fake_cable *c, fake_report *r) {
+    switch (c->strike.blow) {
+    case FAKE_DAMAGES:
+        r->data[r->bytes / 2] ^= 0x10;
+        break;
+    case FAKE_SHORTENS:
+        r->bytes /= 2;
+        break;
+    case FAKE_DELAYS:
+        r->due_ms += 3 * WIRE_BLOCK_AGAIN_MS / 2;
+        break;
+    case FAKE_SWAPS:
+        r->due_ms += 3;
+        break;
+    default:
+        break;
+    }
+}
+
+static int is_struck(const fake_cable *c, int to_host) {
+    return c->strike.blow != FAKE_NOTHING && to_host == c->strike.to_host &&
+           c->carried[to_host] == c->strike.at;
+}
+
+/* Whether this report is lost, or repeated, by the strike. */
+static int is_lost(fake_cable *c, int to_host) {
+    c->is_dead |= is_struck(c, to_host) && c->strike.blow == FAKE_ENDS;
+    return c->is_dead || (is_struck(c, to_host) && c->strike.blow == FAKE_LOSES);
+}
+
+static int is_repeated(const fake_cable *c, int to_host) {
+    return is_struck(c, to_host) && c->strike.blow == FAKE_REPEATS;
+}
+
 static void launch(fake_cable *c, const uint8_t *data, size_t bytes, int to_host) {
     for (int i = 0; i < FAKE_IN_FLIGHT; i++) {
         fake_report *r = &c->flight[i];
@@ -32,6 +66,9 @@ static void launch(fake_cable *c, const uint8_t *data, size_t bytes, int to_host
                            .is_used = 1,
                            .to_host = (uint8_t)to_host};
         memcpy(r->data, data, bytes);
+        if (is_struck(c, to_host)) {
+            strike(c, r);
+        }
         if (happens(c, c->faults.truncate)) {
             r->bytes = (uint16_t)random_below(&c->random, (uint32_t)bytes);
         }
@@ -52,11 +89,11 @@ static void carry(fake_cable *c, wire_peer *from, int to_host) {
             return;
         }
         c->carried[to_host]++;
-        if (c->plugged_at_ms != 0 || happens(c, c->faults.lose)) {
+        if (is_lost(c, to_host) || c->plugged_at_ms != 0 || happens(c, c->faults.lose)) {
             continue;
         }
         launch(c, report, bytes, to_host);
-        if (happens(c, c->faults.repeat)) {
+        if (is_repeated(c, to_host) || happens(c, c->faults.repeat)) {
             launch(c, report, bytes, to_host);
         }
     }

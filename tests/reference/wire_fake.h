@@ -3,7 +3,7 @@
  * A cable carries reports both ways, each with its own delay; when
  * `paced`, at most one report per step and direction. Faults come with the chances of
  * `faults`, in 1/65536 per report, from a seed, so that a run that fails once
- * fails always. The clock is the cable's own.
+ * fails always; or one report, the one of a `strike`, meets one. The clock is the cable's own.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef REFERENCE_WIRE_FAKE_H
@@ -20,6 +20,24 @@ typedef struct fake_faults {
     uint32_t unplug;                                  /* chance per millisecond */
 } fake_faults;
 
+/* What happens to the report that is the `at`-th (from 1) of its direction. */
+enum fake_blow {
+    FAKE_NOTHING,
+    FAKE_LOSES,
+    FAKE_DAMAGES,
+    FAKE_SHORTENS,
+    FAKE_REPEATS,
+    FAKE_DELAYS,  /* by more than a repeated request waits */
+    FAKE_SWAPS,   /* with those of the next milliseconds */
+    FAKE_ENDS,    /* lost, and all behind it in both directions */
+    FAKE_BLOWS
+};
+
+typedef struct fake_strike {
+    uint32_t at;
+    uint8_t blow, to_host;
+} fake_strike;
+
 typedef struct fake_report {
     uint32_t due_ms, order;
     uint16_t bytes;
@@ -30,6 +48,8 @@ typedef struct fake_report {
 typedef struct fake_cable {
     wire_peer *host, *device;
     fake_faults faults;
+    fake_strike strike;
+    int is_dead; /* after FAKE_ENDS: cleared, the cable is whole again */
     random_state random;
     uint32_t now_ms, order, plugged_at_ms; /* 0: in; else the time it comes back */
     int paced; /* one report per millisecond and direction, as full-speed USB */
