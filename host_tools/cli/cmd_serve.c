@@ -205,7 +205,9 @@ static int serve(serving *s, args *a, serve_job *job, fail *f) {
     }
     const transport t = link_transport(&s->link);
     const int status = serve_run(job, &t, &result, f);
-    print_blocks(&result, job->image_bytes);
+    if (status == 0) {
+        print_blocks(&result, job->image_bytes);
+    }
     if (job->verbose) {
         print_stats(&result, job->image_bytes);
     }

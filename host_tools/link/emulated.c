@@ -66,8 +66,8 @@ static int open_device(emulated *e, unsigned report_bytes, size_t memory_bytes) 
                                        .out_bytes = (uint16_t)report_bytes,
                                        .credits = 16}};
     e->memory = aligned_alloc(PLT_ALIGN, (memory_bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN);
-    if (e->memory == NULL || wire_device_open(&e->device, &setup, &options, e->memory,
-                                              memory_bytes, clock_ms()) != WIRE_OK) {
+    if (e->memory == NULL || wire_device_open(&e->device, &setup, &options, e->memory, memory_bytes,
+                                              clock_ms()) != WIRE_OK) {
         return -1;
     }
 #if PLT_WITH_STREAMED

@@ -240,12 +240,11 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     }
     if (s != NULL) {
         end_progress(s);
-        *result = (serve_result){
-            .host = s->peer.stats,
-            .block_bytes = s->blocks.sent,
-            .blocks = s->blocks.asked,
-            .frames = s->number,
-            .ms = clock_ms() - s->began_ms};
+        *result = (serve_result){.host = s->peer.stats,
+                                 .block_bytes = s->blocks.sent,
+                                 .blocks = s->blocks.asked,
+                                 .frames = s->number,
+                                 .ms = clock_ms() - s->began_ms};
         free(s->panel);
         picture_free(&s->shown);
     }

@@ -109,8 +109,7 @@ void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset) {
 }
 
 /* Copies the part of the bytes that this request lacks next. */
-static void copy_for(wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes,
-                     uint32_t count) {
+static void copy_for(wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes, uint32_t count) {
     const uint32_t next = w->offset + w->has, skip = next - in->at;
     if (w->tag != in->coming || in->at > next || skip >= count) {
         return;

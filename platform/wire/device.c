@@ -13,7 +13,6 @@ enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS, HAS
 /* No view has it whose frame is waited for: of a frame that is given up. */
 enum { MARK_FAILED = 0x80 };
 
-
 int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options *options,
                      void *memory, size_t memory_bytes, uint32_t now_ms) {
     wire_setup own = *setup;

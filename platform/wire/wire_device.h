@@ -56,9 +56,10 @@ void wire_device_stream(wire_device *device, int (*pump)(void *context), void *c
 /* Does some work: about `visits` node visits of rendering at most, or a scene
  * opened. Call it in the main loop beside wire_poll(&device->peer). Returns 1
  * when it did something, 0 when it waits for reports to leave or to come. While a streamed block
- * comes, the call lasts: five seconds after the last byte that came, thirty in all, and three
- * times as long at most, as the engine tries a block three times. A frame that fails so is given
- * up, and the host told why, four times a second; the next view, or session, begins another. */
+ * comes, the call lasts: for each five seconds after the last byte that came and thirty in all, at
+ * most, and three times as long, as the engine tries a block three times. A frame that fails so is
+ * given up, and the host told why, four times per second; the next view, or session, begins
+ * another. */
 int wire_device_run(wire_device *device, uint32_t visits);
 
 #ifdef __cplusplus

@@ -15,10 +15,10 @@ extern "C" {
 #endif
 
 enum wire_scene_state {
-    WIRE_SCENE_NONE = 0,   /* nothing offered yet */
-    WIRE_SCENE_GOING = 1,  /* bytes are coming */
-    WIRE_SCENE_HERE = 2,   /* all bytes are there and the checksum is right */
-    WIRE_SCENE_LARGE = 3,  /* it does not fit */
+    WIRE_SCENE_NONE = 0,    /* nothing offered yet */
+    WIRE_SCENE_GOING = 1,   /* bytes are coming */
+    WIRE_SCENE_HERE = 2,    /* all bytes are there and the checksum is right */
+    WIRE_SCENE_LARGE = 3,   /* it does not fit */
     WIRE_SCENE_OPEN = 4,    /* the engine opened it */
     WIRE_SCENE_REFUSED = 5, /* the engine refused it: wire_error_read says why */
     WIRE_SCENE_BLOCKS = 6   /* it stays with its peer, which is asked for blocks of it */

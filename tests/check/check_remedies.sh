@@ -53,6 +53,8 @@ eye and look coincide, up runs along the view, or one of them is beyond 2^40; ch
 picture of %u x %u pixels: a side is 1 to %u; choose such a size | no command asks for it
 video at 0 frames per second; choose 1 or more | likewise; test_picture_frames does
 the mesh has %zu vertices already; start with an empty one | likewise; test_scenes does
+bytes of the scene did not come, from byte %u on; check the link and serve it again | no link \
+here fails so; test_wire_streamed provokes it
 speaks version %u of the protocol, this program %d; build both from the same source | \
 there is one version; test_wire_hello provokes it
 no permission to use %04x:%04x; install the udev rule: planelet-hid rules | sudo tee \

@@ -158,14 +158,16 @@ small='-o x.ppm --size 64x48'
     run pack ground.ply -o bad.plt
     cured serve bad.plt $small --emulate 400000
     { head -c 300 knot.plt; printf 'damage'; tail -c +307 knot.plt; } >bad.plt
-    says "the scene was refused: rule R%u at byte %u; pack it again" \
+    says "the scene was refused: rule %c%u at byte %u; pack it again" \
         serve bad.plt $small --emulate 4000000
     run pack knot.ply -o bad.plt
     cured serve bad.plt $small --emulate 4000000
     run pack knot.ply -o smaller.plt --nodes compact --leaf 4
-    says "the image of %u bytes does not fit in its %u; pack it smaller" \
+    run pack knot.ply -o blocks.plt --nodes compact --geometry lattice:14
+    says "the image of %u bytes does not fit in its %u; pack it %s" \
         serve knot.plt $small --emulate 60000
     cured serve smaller.plt $small --emulate 60000
+    cured serve blocks.plt $small --emulate 60000
     says "the scene needs %u bytes there, it has %u; pack it smaller" \
         serve knot.plt $small --emulate "$(wc -c <knot.plt)"
     cured serve smaller.plt $small --emulate "$(wc -c <knot.plt)"

@@ -61,6 +61,17 @@ same piped.ppm rendered.ppm "... also of a scene on standard input"
 works "serve --orbit" serve knot.plt --emulate 600000 -o served.y4m --orbit 3 --size 48x32
 run render knot.plt -o rendered.y4m --orbit 3 --size 48x32
 same served.y4m rendered.y4m "... gives the film of render"
+run make knot --triangles 20000 -o blocks.ply
+run pack blocks.ply -o blocks.plt --nodes compact --geometry lattice:14
+run render blocks.plt -o rendered.ppm --size 48x32
+image=$(wc -c <blocks.plt | tr -d ' ')
+works "serve of a scene that the device has no room for" \
+    serve blocks.plt --emulate 60000 -o served.ppm --size 48x32
+verdict "... says how much of it was streamed" "$(
+    grep -q "^serve: streamed [0-9]* of the image's $image bytes, in [0-9]* blocks$" err || cat err
+    [ "$image" -gt 60000 ] || echo "$image bytes have room")"
+same served.ppm rendered.ppm "... and gives the picture of render"
+run render knot.plt -o rendered.ppm --size 48x32
 run serve knot.plt --emulate 600000 -o - --size 48x32
 same out rendered.ppm "... and -o - the picture on standard output"
 at_once "two different files" --socket x.png -o x.png

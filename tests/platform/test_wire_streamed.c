@@ -84,8 +84,8 @@ static void run_device(void) {
     e.longest_ms = lasted > e.longest_ms ? lasted : e.longest_ms;
 }
 
-/* As `planelet serve`: 1 a frame of the view came, -1 the device reported an error (in *code), 0
- * neither within `most` milliseconds. */
+/* As `planelet serve`: 1 when a frame of the view came, -1 when the device reported an error (in
+ * *code), 0 when neither did within `most` milliseconds. */
 static int frame_comes(uint32_t most, unsigned *code) {
     const uint32_t seen = wire_frames_shown(&e.frames), until = e.cable.now_ms + most;
     uint32_t detail;
@@ -180,7 +180,7 @@ static void test_good(void) {
 /* ---- one report -------------------------------------------------------------------------- */
 
 static void test_strikes(void) {
-    static const char *const names[FAKE_BLOWS] = {"nothing", "lost", "damaged", "short",
+    static const char *const names[FAKE_BLOWS] = {"nothing", "lost", "damaged",  "short",
                                                   "again",   "late", "overtaken"};
     test("every report of either direction may be lost, damaged, short, repeated or out of order");
     for (unsigned blow = FAKE_LOSES; blow <= FAKE_SWAPS; blow++) {
@@ -220,7 +220,6 @@ static void expect_error(unsigned wanted, uint32_t at, const char *how) {
     CHECK(came == -1 && code == wanted, "%s %u: %d, code %u", how, at, came, code);
     CHECK(place < direct.image.size && (at == 1 || place > 0), "%s %u: byte %u", how, at, place);
 }
-
 
 static uint32_t fail_at; /* request from which on the host fails */
 static unsigned fails;   /* how */

@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_wired_streamed.sh - a Cortex-M4F renders a scene that stays at the other end of its serial line
+# test_wired_streamed.sh - a Cortex-M4F renders a scene that stays with the host of its serial line
 #
 # In QEMU: the image is eight times the board's memory, and the host serves blocks of it as they
 # are asked for. Pictures are the host's own; a host that lies is told where.

@@ -27,9 +27,9 @@ enum fake_blow {
     FAKE_DAMAGES,
     FAKE_SHORTENS,
     FAKE_REPEATS,
-    FAKE_DELAYS,  /* by more than a repeated request waits */
-    FAKE_SWAPS,   /* with those of the next milliseconds */
-    FAKE_ENDS,    /* lost, and all behind it in both directions */
+    FAKE_DELAYS, /* by more than a repeated request waits */
+    FAKE_SWAPS,  /* with those of the next milliseconds */
+    FAKE_ENDS,   /* lost, and all behind it in both directions */
     FAKE_BLOWS
 };
 
