@@ -83,7 +83,8 @@ ifeq ($(PROGRAM),wired)
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BOARD='$(BOARD)' SCENE='$(SCENE)' \
-	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' sh board/tools/demo.sh
+	    FRAMES='$(FRAMES)' SIZE='$(SIZE)' PARTS='$(PARTS)' FIRMWARE='$(OUT)' \
+	    sh board/tools/demo.sh
 
 profile:
 	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))

@@ -4,8 +4,8 @@
 # The board starts empty: scene and views go to it over its serial line, frames
 # come back over the same line. BUILD, MAKE as in the Makefile; BOARD: one that has a
 # wired.sh (the first); SCENE: a packed scene (marbles); FRAMES: how many, once
-# around it (25); SIZE: of a frame (320x240); BOARD_LOG: keeps what the firmware
-# prints. Without options the frames are drawn in the terminal.
+# around it (25); SIZE: of a frame (320x240); PARTS: of the engine, and FIRMWARE: the folder
+# where it is built then; BOARD_LOG: keeps what the firmware prints. Without options the frames are drawn in the terminal.
 # SPDX-License-Identifier: MIT
 build=${BUILD:-build}
 name=$BOARD
@@ -26,7 +26,7 @@ set -e
 scene=$SCENE
 planelet=$build/host/planelet
 demo=$build/demo
-${MAKE:-make} -s BUILD="$build" BOARD="$name" PROGRAM=wired
+${MAKE:-make} -s BUILD="$build" BOARD="$name" PROGRAM=wired PARTS="$PARTS"
 if [ -z "$scene" ]; then
     scene=$demo/marbles-compact.plt
     mkdir -p "$demo"

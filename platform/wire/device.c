@@ -53,6 +53,10 @@ void wire_device_stream(wire_device *d, int (*pump)(void *context), void *contex
     d->peer.own.features |= WIRE_STREAMS;
 }
 
+static int has_blocks(const wire_device *d) {
+    return d->scene.takes_blocks && d->peer.other.features & WIRE_SCENES;
+}
+
 static int open_streamed(wire_device *d, uint32_t bytes, plt_fault *fault) {
     plt_options options = d->options;
     options.residency = PLT_RESIDENCY_STREAMED;
@@ -99,7 +103,7 @@ static unsigned open_somehow(wire_device *d, unsigned state, uint32_t bytes) {
     plt_fault fault = {0};
     int status = state == WIRE_SCENE_HERE ? open_whole(d, bytes, &fault) : PLT_ERR_ARENA;
 #if PLT_WITH_STREAMED
-    if (status == PLT_ERR_ARENA && d->scene.takes_blocks) {
+    if (status == PLT_ERR_ARENA && has_blocks(d)) {
         plt_fault other = {0};
         const int streams = open_streamed(d, bytes, &other);
         const int can_be = streams != PLT_ERR_ARGUMENT && streams != PLT_ERR_LIMIT;
