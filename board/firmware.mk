@@ -62,7 +62,8 @@ $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
 # unknown size.
 $(OUT)/stack.txt: $(FIRMWARE_OBJECTS) board/tools/stack.awk board/$(BOARD)/board.mk
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
-	    -v indirect='$(SOURCE_FUNCTIONS) $(POINTERS_$(PROGRAM))' -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
+	    -v indirect='$(SOURCE_FUNCTIONS) $(POINTERS_$(PROGRAM))' \
+	    -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
 	    -v entry='$(INTERRUPT_FRAME)' -f board/tools/stack.awk \
 	    $(FIRMWARE_OBJECTS:.o=.ci) - >$@ || { cat $@ >&2; exit 1; }
 

@@ -5,7 +5,8 @@
 # come back over the same line. BUILD, MAKE as in the Makefile; BOARD: one that has a
 # wired.sh (the first); SCENE: a packed scene (marbles); FRAMES: how many, once
 # around it (25); SIZE: of a frame (320x240); PARTS: of the engine, and FIRMWARE: the folder
-# where it is built then; BOARD_LOG: keeps what the firmware prints. Without options the frames are drawn in the terminal.
+# where it is built then; BOARD_LOG: keeps what the firmware prints. Without options the frames
+# are drawn in the terminal.
 # SPDX-License-Identifier: MIT
 build=${BUILD:-build}
 name=$BOARD
