@@ -351,7 +351,7 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
  *
  *     plt_render_begin(engine, &frame);
  *     while (take_run(&first, &count)) { // some tiles that nobody else has taken
- *         plt_render_seek(engine, first);
+ *         plt_render_seek(engine, first, count);
  *         while (count > 0 && (status = plt_render_step(engine, 1000)) > PLT_OK) {
  *             count -= status == PLT_TILE; // and fetch it
  *         }
@@ -362,12 +362,13 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
  * streamed scene along curves, so that neighbours follow each other. An engine fetches least when
  * most of its tiles are consecutive.
  *
- * plt_render_seek: the next step begins tile `tile`; one that is not finished is dropped. What the
+ * plt_render_seek: the next step begins tile `tile`; one that is not finished is dropped. `count`:
+ * so many are wanted, at least 1; batches end there, and begin anew if the caller goes on. What the
  * frame's pixels are does not depend on the order of tiles. PLT_ERR_ARGUMENT: there is no such
- * tile, or no frame is in progress; nothing has changed. Cost: some 20 operations, of a streamed
+ * tile, count is 0, or no frame is in progress; nothing has changed. Cost: some 20 operations, of a streamed
  * scene up to 64 steps along a curve. Firmware has both where PARTS says `seek` (engine.mk). */
 uint32_t plt_render_tiles(const plt_engine *engine);
-int plt_render_seek(plt_engine *engine, uint32_t tile);
+int plt_render_seek(plt_engine *engine, uint32_t tile, uint32_t count);
 
 /* Why the last plt_trace or plt_render_step of a streamed scene failed: the byte of the image,
  * and the rule of SPEC.md that is broken, if one is. */

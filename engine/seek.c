@@ -9,6 +9,6 @@ uint32_t plt_render_tiles(const plt_engine *e) {
     return plt_rendering_tiles(&e->rendering);
 }
 
-int plt_render_seek(plt_engine *e, uint32_t tile) {
-    return plt_rendering_seek(&e->rendering, tile);
+int plt_render_seek(plt_engine *e, uint32_t tile, uint32_t count) {
+    return plt_rendering_seek(&e->rendering, tile, count);
 }

@@ -165,8 +165,9 @@ static int next_tile(const plt_rendering *r, plt_frame_place *at) {
 
 enum { BATCH_ADDS, BATCH_TRACES, BATCH_SHADES };
 
-void plt_rendering_begin_batches(plt_rendering *r) {
+void plt_rendering_begin_batches(plt_rendering *r, uint32_t tiles) {
     r->ahead = r->at;
+    r->tiles_ahead = tiles;
     r->all_added = 0;
     r->phase = BATCH_ADDS;
     if (r->batch != NULL) {
@@ -174,13 +175,21 @@ void plt_rendering_begin_batches(plt_rendering *r) {
     }
 }
 
+/* To the next packet that is wanted; 0: there is none. */
+static int go_ahead(plt_rendering *r) {
+    return next_packet(r, &r->ahead) || (--r->tiles_ahead > 0 && next_tile(r, &r->ahead));
+}
+
 static int add_packet(plt_rendering *r, plt_traversal *t) {
     plt_pixels pixels;
     plt_batch *b = r->batch;
+    if (r->all_added) { /* of what was wanted; the caller goes on */
+        plt_rendering_begin_batches(r, UINT32_MAX);
+    }
     const uint32_t rays = pixels_at(r, &r->ahead, &pixels);
     plt_view_packet(&r->view, &t->scene->box, &b->packet[b->count], &pixels);
     plt_batch_add(b, t, rays);
-    r->all_added = (uint8_t)(!next_packet(r, &r->ahead) && !next_tile(r, &r->ahead));
+    r->all_added = (uint8_t)!go_ahead(r);
     if (r->all_added || b->count == b->most) {
         r->phase = BATCH_TRACES;
     }
@@ -248,7 +257,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         set_order(r, plt_is_streamed(t->scene->format));
         r->at.x = r->at.y = r->at.px = r->at.py = 0;
         r->tracing = r->done = 0;
-        plt_rendering_begin_batches(r);
+        plt_rendering_begin_batches(r, UINT32_MAX);
     }
     return status;
 }

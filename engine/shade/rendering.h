@@ -34,6 +34,7 @@ typedef struct plt_rendering {
     plt_frame_place ahead; /* the next packet of the batch; `at` is the next to be shaded */
     uint32_t shaded;       /* packets of the batch */
     uint8_t phase;         /* enum batch_phase of rendering_batch.h */
+    uint32_t tiles_ahead;  /* are wanted, with that of `ahead` */
     uint8_t all_added;     /* there is none ahead */
 #endif
 #if PLT_WITH_STREAMED
@@ -54,11 +55,13 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *packet, u
 void plt_rendering_tile(const plt_rendering *r, plt_tile *tile);
 
 #if PLT_WITH_BATCH
-/* The next batch, if there are any, begins with the packet at `at`. */
-void plt_rendering_begin_batches(plt_rendering *r);
+/* The next batch, if there are any, begins with the packet at `at`; they end after `tiles` tiles.
+ */
+void plt_rendering_begin_batches(plt_rendering *r, uint32_t tiles);
 #else
-static inline void plt_rendering_begin_batches(const plt_rendering *r) {
+static inline void plt_rendering_begin_batches(const plt_rendering *r, uint32_t tiles) {
     (void)r;
+    (void)tiles;
 }
 #endif
 

@@ -64,8 +64,8 @@ static void set_sky(plt_rendering *r) {
     }
 }
 
-int plt_rendering_seek(plt_rendering *r, uint32_t tile) {
-    if (tile >= plt_rendering_tiles(r)) {
+int plt_rendering_seek(plt_rendering *r, uint32_t tile, uint32_t count) {
+    if (count == 0 || tile >= plt_rendering_tiles(r)) {
         return PLT_ERR_ARGUMENT;
     }
 #if PLT_WITH_STREAMED
@@ -79,7 +79,7 @@ int plt_rendering_seek(plt_rendering *r, uint32_t tile) {
 #endif
     r->at.px = r->at.py = 0;
     r->tracing = 0;
-    plt_rendering_begin_batches(r);
+    plt_rendering_begin_batches(r, count);
     set_sky(r);
     return PLT_OK;
 }

@@ -10,6 +10,6 @@
 
 /* As plt_render_tiles and plt_render_seek. */
 uint32_t plt_rendering_tiles(const plt_rendering *r);
-int plt_rendering_seek(plt_rendering *r, uint32_t tile);
+int plt_rendering_seek(plt_rendering *r, uint32_t tile, uint32_t count);
 
 #endif

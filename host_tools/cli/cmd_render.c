@@ -62,10 +62,15 @@ typedef struct rendering {
     crew_times took;  /* in the engines, of the best run: from the first ray to the last tile */
 } rendering;
 
-/* Tiles first .. first + count - 1. Without a seek comes the one behind the last. */
+/* The tile comes without a seek. Batches want to know where a run ends. */
+static int goes_on(const crew_worker *w, uint32_t first) {
+    return first == w->next && plt_batch_packets(w->engine) == 0;
+}
+
+/* Tiles first .. first + count - 1. */
 static int render_tiles(void *context, crew_worker *w, uint32_t first, uint32_t count) {
     rendering *r = context;
-    int status = first == w->next ? PLT_OK : plt_render_seek(w->engine, first);
+    int status = goes_on(w, first) ? PLT_OK : plt_render_seek(w->engine, first, count);
     if (status != PLT_OK) {
         return status;
     }

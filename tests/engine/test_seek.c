@@ -60,7 +60,7 @@ static void expect(plt_engine *e, const kept *due, uint32_t tile) {
 static void every_tile(plt_engine *e, const plt_frame *frame, const kept *due, uint32_t count) {
     CHECK(plt_render_begin(e, frame) == PLT_OK, "begin");
     for (uint32_t i = count; i-- > 0;) {
-        CHECK(plt_render_seek(e, i) == PLT_OK, "tile %u of %u", i, count);
+        CHECK(plt_render_seek(e, i, 1) == PLT_OK, "tile %u of %u", i, count);
         expect(e, &due[i], i);
         if (i + 1 < count && i % 3 == 0) {
             expect(e, &due[i + 1], i + 1);
@@ -77,15 +77,16 @@ static void refused(plt_engine *e, const plt_frame *frame, const kept *due, uint
     kept last;
     CHECK(plt_render_begin(e, frame) == PLT_OK && plt_render_tiles(e) == count, "%u tiles",
           plt_render_tiles(e));
-    CHECK(plt_render_seek(e, count) == PLT_ERR_ARGUMENT, "no tile of that number");
-    CHECK(plt_render_seek(e, UINT32_MAX) == PLT_ERR_ARGUMENT, "no tile of that number");
+    CHECK(plt_render_seek(e, count, 1) == PLT_ERR_ARGUMENT, "no tile of that number");
+    CHECK(plt_render_seek(e, UINT32_MAX, 1) == PLT_ERR_ARGUMENT, "no tile of that number");
     expect(e, &due[0], 0);
-    CHECK(plt_render_seek(e, count - 1) == PLT_OK, "the last");
+    CHECK(plt_render_seek(e, count - 1, 1) == PLT_OK, "the last");
     CHECK(next(e, &last) && !next(e, &last), "something comes behind the last tile");
-    CHECK(plt_render_tiles(e) == 0 && plt_render_seek(e, 0) == PLT_ERR_ARGUMENT, "it is complete");
+    CHECK(plt_render_tiles(e) == 0 && plt_render_seek(e, 0, 1) == PLT_ERR_ARGUMENT,
+          "it is complete");
     plt_render_begin(e, frame);
     plt_trace(e, &ray, &hit, 1, 0);
-    CHECK(plt_render_tiles(e) == 0 && plt_render_seek(e, 0) == PLT_ERR_ARGUMENT, "it was ended");
+    CHECK(plt_render_tiles(e) == 0 && plt_render_seek(e, 0, 1) == PLT_ERR_ARGUMENT, "it was ended");
 }
 
 static void frame_of_engine(plt_engine *e, uint16_t width, uint16_t height) {
