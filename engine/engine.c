@@ -56,7 +56,7 @@ void plt_render_tile(const plt_engine *e, plt_tile *tile) {
 void plt_fault_get(const plt_engine *e, plt_fault *fault) {
 #if PLT_WITH_STREAMED
     if (plt_is_streamed(e->scene.format)) {
-        *fault = ((const plt_stream *)e->traversal.state)->fault;
+        *fault = ((const plt_stream *)e->traversal.state)->fetcher.fault;
         return;
     }
 #endif

@@ -33,8 +33,8 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
 seek_files := engine/seek.c engine/shade/seek.c
-stream_files := engine/memory/store.c engine/memory/stream.c engine/scene/open_streamed.c \
-    engine/trace/traverse_streamed.c engine/shade/tile_order.c
+stream_files := $(addprefix engine/memory/,store.c fetcher.c stream.c) \
+    engine/scene/open_streamed.c engine/trace/traverse_streamed.c engine/shade/tile_order.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
     rays.c packet_rays.c leaf_compact.c frustum.c) \

@@ -4,26 +4,23 @@
 #include "engine/memory/stream.h"
 
 #include "engine/base/fault.h"
-#include "engine/image/fetch.h"
-#include "engine/memory/traffic.h"
 #include "engine/tree/compact/validate_block.h"
 
-/* A part on its way: of which block, which of its parts, and where that lies in the image. */
-typedef struct arrival {
-    plt_stream_block *to;
+/* A part that is needed: of which block, which of its parts, and where that lies in the image. */
+typedef struct part_of {
+    plt_stream *stream;
+    plt_stream_block *block;
     uint32_t link, offset, count;
     enum plt_stream_part kind;
     uint32_t against; /* serial of the part that it is validated against; 0: none */
-} arrival;
+} part_of;
 
 void plt_stream_init(plt_stream *s, void *memory, uint32_t bytes) {
-    plt_store_init(&s->store, memory, bytes);
+    plt_fetcher_init(&s->fetcher, memory, bytes);
     s->current = NULL;
-    s->serial = 0;
     for (unsigned i = 0; i < PLT_BLOCK_CACHE_SLOTS; i++) {
         s->cache[i].opened.link = PLT_LINK_NONE;
     }
-    plt_fault_set(&s->fault, PLT_OK, 0, "no fault");
 }
 
 static uint32_t end_bytes(const plt_stream *s, float end) {
@@ -44,7 +41,7 @@ float plt_stream_edge_end(const plt_stream_block *block, uint32_t link) {
 }
 
 static int refuse(plt_stream *s, int rule, uint32_t offset) {
-    return plt_broken(&s->fault, (uint8_t)rule, offset, plt_block_rule_message(rule));
+    return plt_broken(&s->fetcher.fault, (uint8_t)rule, offset, plt_block_rule_message(rule));
 }
 
 int plt_stream_refuse(plt_stream *s, uint8_t rule) {
@@ -77,22 +74,22 @@ static int links_are_below(const plt_block *b, uint32_t address, uint32_t end) {
     return below;
 }
 
-static int nodes_rule(plt_stream *s, const arrival *a, uint16_t part) {
+static int nodes_rule(plt_stream *s, const part_of *a, uint16_t part) {
     plt_block b;
     uint16_t depth[PLT_BLOCK_NODES_MOST];
-    const uint32_t address = plt_block_address(a->link), end = end_bytes(s, a->to->end);
-    const int rule = plt_block_validate_nodes(&b, plt_store_bytes(&s->store, part), a->count,
-                                              end - address, &s->tree);
+    const uint32_t address = plt_block_address(a->link), end = end_bytes(s, a->block->end);
+    const int rule = plt_block_validate_nodes(&b, plt_store_bytes(&s->fetcher.store, part),
+                                              a->count, end - address, &s->tree);
     if (rule != PLT_BLOCK_VALID) {
         return rule;
     }
-    s->store.part[part].depth = (uint8_t)plt_block_depths(&b, depth);
+    s->fetcher.store.part[part].depth = (uint8_t)plt_block_depths(&b, depth);
     return links_differ(&b) ? PLT_BLOCK_VALID : PLT_I17_LINKS;
 }
 
-static int geometry_rule(const plt_stream *s, const arrival *a, uint16_t part) {
-    plt_block b = a->to->opened.block;
-    b.geometry = plt_store_bytes(&s->store, part);
+static int geometry_rule(const plt_stream *s, const part_of *a, uint16_t part) {
+    plt_block b = a->block->opened.block;
+    b.geometry = plt_store_bytes(&s->fetcher.store, part);
     const int rule = plt_block_validate_geometry(&b, &s->tree);
     if (rule != PLT_BLOCK_VALID) {
         return rule;
@@ -109,9 +106,9 @@ static uint32_t first_id_byte(const plt_stream *s, const plt_geometry *g) {
     return (uint32_t)((uint64_t)g->first_triangle * s->tree.ids.bits >> 3);
 }
 
-static int ids_rule(const plt_stream *s, const arrival *a, uint16_t part) {
-    const plt_geometry *g = &a->to->opened.geometry;
-    const plt_primitive_ids ids = {plt_store_bytes(&s->store, part), s->tree.ids.bits,
+static int ids_rule(const plt_stream *s, const part_of *a, uint16_t part) {
+    const plt_geometry *g = &a->block->opened.geometry;
+    const plt_primitive_ids ids = {plt_store_bytes(&s->fetcher.store, part), s->tree.ids.bits,
                                    first_id_byte(s, g)};
     int valid = 1;
     for (uint32_t i = 0; i < g->triangles; i++) {
@@ -122,97 +119,47 @@ static int ids_rule(const plt_stream *s, const arrival *a, uint16_t part) {
     return valid ? PLT_BLOCK_VALID : PLT_I19_IDS;
 }
 
-static int rule_of(plt_stream *s, const arrival *a, uint16_t part) {
+static int rule_of(const part_of *a, uint16_t part) {
     switch (a->kind) {
     case PLT_STREAM_NODES:
-        return nodes_rule(s, a, part);
+        return nodes_rule(a->stream, a, part);
     case PLT_STREAM_GEOMETRY:
-        return geometry_rule(s, a, part);
+        return geometry_rule(a->stream, a, part);
     default:
-        return ids_rule(s, a, part);
+        return ids_rule(a->stream, a, part);
     }
 }
 
-/* ---- what comes ------------------------------------------------------- */
-
-/* Once: PLT_OK, or why it did not come or is not valid. */
-static int fetch_once(plt_stream *s, const arrival *a, uint16_t part) {
-    const int status = plt_fetch(s->image.source, a->offset, plt_store_bytes(&s->store, part),
-                                 a->count, &s->fault);
-    const uint32_t bit = plt_block_address(a->link) / 8 + a->kind;
-    plt_traffic_count(s->stats, s->touched, bit, a->count);
-    if (status != PLT_OK) {
-        return status;
-    }
-    const int rule = rule_of(s, a, part);
-    return rule == PLT_BLOCK_VALID ? PLT_OK : refuse(s, rule, a->offset);
+static int check_part(const void *context, uint16_t part) {
+    const part_of *a = context;
+    const int rule = rule_of(a, part);
+    return rule == PLT_BLOCK_VALID ? PLT_OK : refuse(a->stream, rule, a->offset);
 }
 
 /* Parts have their names by where their blocks lie, which are multiples of 8. */
-static uint32_t key_of(const arrival *a) {
-    return plt_block_address(a->link) + a->kind;
+static uint32_t key_of(uint32_t link, uint32_t kind) {
+    return plt_block_address(link) + kind;
 }
 
-static int fetch_part(plt_stream *s, const arrival *a, uint16_t *part) {
-    const uint64_t before = s->store.given_up;
-    int status = PLT_OK;
-    *part = plt_store_take(&s->store, key_of(a), a->count);
-    if (*part == PLT_STORE_NONE) {
-        return plt_limit(&s->fault, "the parts of a block do not fit the store together");
-    }
-    s->stats->store_evictions += s->store.given_up - before;
-    s->stats->treelet_fetches += a->kind == PLT_STREAM_NODES;
-    s->store.part[*part].serial = ++s->serial;
-    for (unsigned tries = 0; tries < PLT_FETCH_TRIES; tries++) {
-        s->stats->fetch_retries += tries > 0;
-        status = fetch_once(s, a, *part);
-        if (status == PLT_OK) {
-            return PLT_OK;
-        }
-    }
-    plt_store_forget(&s->store, *part);
-    return status;
+static int need_part(const part_of *a) {
+    const plt_wanted w = {.key = key_of(a->link, a->kind),
+                          .offset = a->offset,
+                          .count = a->count,
+                          .against = a->against,
+                          .bit = plt_block_address(a->link) / 8 + a->kind,
+                          .is_treelet = a->kind == PLT_STREAM_NODES,
+                          .check = check_part,
+                          .context = a};
+    return plt_fetcher_need(&a->stream->fetcher, &w, &a->block->found[a->kind]);
 }
 
-/* It is as long as it shall be, and valid. What it is validated against may have come anew, from
- * a source that has changed: then it is validated again. */
-static int is_valid(plt_stream *s, const arrival *a, uint16_t part) {
-    const plt_store_part *p = &s->store.part[part];
-    return p->bytes == plt_store_rounded(a->count) &&
-           (p->against == a->against || rule_of(s, a, part) == PLT_BLOCK_VALID);
+static int is_there(plt_stream *s, const plt_stream_block *b, enum plt_stream_part kind) {
+    return plt_fetcher_has(&s->fetcher, key_of(b->opened.link, kind), &b->found[kind]);
 }
 
-/* Finds the part, or fetches it. */
-static int need_part(plt_stream *s, const arrival *a) {
-    uint16_t part = plt_store_find(&s->store, key_of(a));
-    int status = PLT_OK;
-    if (part != PLT_STORE_NONE && !is_valid(s, a, part)) {
-        plt_store_forget(&s->store, part);
-        part = PLT_STORE_NONE;
-    }
-    if (part == PLT_STORE_NONE) {
-        status = fetch_part(s, a, &part);
-    }
-    a->to->part[a->kind] = PLT_STORE_NONE;
-    if (status == PLT_OK) {
-        s->store.part[part].against = a->against;
-        a->to->part[a->kind] = part;
-        a->to->at[a->kind] = s->store.part[part].at;
-        a->to->serial[a->kind] = s->store.part[part].serial;
-    }
-    return status;
-}
-
-/* It is in the store still, has not moved, and has not come anew. */
-static int is_there(plt_stream *s, const plt_stream_block *b, uint32_t kind) {
-    if (b->part[kind] == PLT_STORE_NONE) {
-        return 0;
-    }
-    plt_store_part *p = &s->store.part[b->part[kind]];
-    const int there = p->key == plt_block_address(b->opened.link) + kind && p->at == b->at[kind] &&
-                      p->serial == b->serial[kind];
-    p->found |= (uint8_t)there;
-    return there;
+static const unsigned char *bytes_of(const plt_stream *s, const plt_stream_block *b,
+                                     enum plt_stream_part kind) {
+    return plt_fetcher_bytes(&s->fetcher, &b->found[kind]);
 }
 
 /* ---- blocks ------------------------------------------------------------ */
@@ -224,20 +171,19 @@ static int open_nodes(plt_stream *s, plt_stream_block *b, uint32_t link, float e
     if (address >= last || plt_block_node_bytes(link) > last - address) {
         return refuse(s, PLT_I17_LINKS, s->image.blocks_at); /* before anything is fetched */
     }
-    const arrival a = {
-        b, link, s->image.blocks_at + address, plt_block_node_bytes(link), PLT_STREAM_NODES, 0};
-    const int status = need_part(s, &a);
+    const part_of a = {
+        s, b, link, s->image.blocks_at + address, plt_block_node_bytes(link), PLT_STREAM_NODES, 0};
+    const int status = need_part(&a);
     if (status != PLT_OK) {
         return status;
     }
-    const unsigned char *bytes = plt_store_bytes(&s->store, b->part[PLT_STREAM_NODES]);
-    plt_opened_block_set(&b->opened, bytes, &s->tree, link);
+    plt_opened_block_set(&b->opened, bytes_of(s, b, PLT_STREAM_NODES), &s->tree, link);
     const plt_block *block = &b->opened.block;
     if (block->node_bytes != a.count || !links_are_below(block, address, last)) {
         b->opened.link = PLT_LINK_NONE;
         return refuse(s, PLT_I17_LINKS, a.offset);
     }
-    b->part[PLT_STREAM_GEOMETRY] = b->part[PLT_STREAM_IDS] = PLT_STORE_NONE;
+    b->found[PLT_STREAM_GEOMETRY].part = b->found[PLT_STREAM_IDS].part = PLT_STORE_NONE;
     return PLT_OK;
 }
 
@@ -265,7 +211,7 @@ int plt_stream_has_leaf(const plt_stream *s, uint32_t leaf, uint32_t pairs, uint
 }
 
 int plt_stream_has(const plt_stream *s, uint32_t link) {
-    return plt_store_has(&s->store, plt_block_address(link));
+    return plt_store_has(&s->fetcher.store, plt_block_address(link));
 }
 
 int plt_stream_open(plt_stream *s, uint32_t link, float end) {
@@ -284,16 +230,17 @@ int plt_stream_open(plt_stream *s, uint32_t link, float end) {
 static int open_geometry(plt_stream *s, plt_stream_block *b) {
     plt_opened_block *o = &b->opened;
     const uint32_t at = plt_block_address(o->link) + o->block.node_bytes;
-    const arrival a = {b,
+    const part_of a = {s,
+                       b,
                        o->link,
                        s->image.blocks_at + at,
                        o->block.geometry_bytes,
                        PLT_STREAM_GEOMETRY,
-                       b->serial[PLT_STREAM_NODES]};
-    b->part[PLT_STREAM_IDS] = PLT_STORE_NONE; /* are checked against it again */
-    const int status = a.count > 0 ? need_part(s, &a) : refuse(s, PLT_I14_GEOMETRY, a.offset);
+                       b->found[PLT_STREAM_NODES].serial};
+    b->found[PLT_STREAM_IDS].part = PLT_STORE_NONE; /* are checked against it again */
+    const int status = a.count > 0 ? need_part(&a) : refuse(s, PLT_I14_GEOMETRY, a.offset);
     if (status == PLT_OK) {
-        o->block.geometry = plt_store_bytes(&s->store, b->part[PLT_STREAM_GEOMETRY]);
+        o->block.geometry = bytes_of(s, b, PLT_STREAM_GEOMETRY);
         plt_opened_block_geometry(o, &s->tree);
     }
     return status;
@@ -303,13 +250,14 @@ static int open_ids(plt_stream *s, plt_stream_block *b) {
     const plt_geometry *g = &b->opened.geometry;
     const uint32_t from = first_id_byte(s, g);
     const uint64_t bits = ((uint64_t)g->first_triangle + g->triangles) * s->tree.ids.bits;
-    const arrival a = {b,
+    const part_of a = {s,
+                       b,
                        b->opened.link,
                        s->image.ids_at + from,
                        (uint32_t)((bits + 7) >> 3) - from,
                        PLT_STREAM_IDS,
-                       b->serial[PLT_STREAM_GEOMETRY]};
-    return need_part(s, &a);
+                       b->found[PLT_STREAM_GEOMETRY].serial};
+    return need_part(&a);
 }
 
 /* Parts that are open already are not fetched again. Those of the same block are held meanwhile,
@@ -317,7 +265,7 @@ static int open_ids(plt_stream *s, plt_stream_block *b) {
 static int open_both(plt_stream *s, plt_stream_block *b) {
     int status = is_there(s, b, PLT_STREAM_GEOMETRY) ? PLT_OK : open_geometry(s, b);
     if (status == PLT_OK && s->tree.ids.bits > 0 && !is_there(s, b, PLT_STREAM_IDS)) {
-        plt_store_part *geometry = &s->store.part[b->part[PLT_STREAM_GEOMETRY]];
+        plt_store_part *geometry = plt_fetcher_part(&s->fetcher, &b->found[PLT_STREAM_GEOMETRY]);
         geometry->held = 1;
         status = open_ids(s, b);
         geometry->held = 0;
@@ -327,13 +275,13 @@ static int open_both(plt_stream *s, plt_stream_block *b) {
 
 int plt_stream_open_geometry(plt_stream *s) {
     plt_stream_block *b = s->current;
-    plt_store_part *nodes = &s->store.part[b->part[PLT_STREAM_NODES]];
+    plt_store_part *nodes = plt_fetcher_part(&s->fetcher, &b->found[PLT_STREAM_NODES]);
     nodes->held = 1;
     const int status = open_both(s, b);
     nodes->held = 0;
     s->current = status == PLT_OK ? b : NULL;
     if (status == PLT_OK && s->tree.ids.bits > 0) {
-        s->tree.ids.bytes = plt_store_bytes(&s->store, b->part[PLT_STREAM_IDS]);
+        s->tree.ids.bytes = bytes_of(s, b, PLT_STREAM_IDS);
         s->tree.ids.first = first_id_byte(s, &b->opened.geometry);
     }
     return status;

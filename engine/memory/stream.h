@@ -1,10 +1,9 @@
 /* stream - compact blocks that come from a source when a ray needs them
  *
- * A block has three parts, each fetched when it is needed first: its nodes; the geometry of its
- * leaves; and, if the image has them, the primitive ids of its triangles. Parts lie in
- * a store (store.h); a few blocks are open, as those of a resident scene are
- * (block_cache.h). What arrives is validated before it is used (SPEC.md, section 5.5), and is
- * fetched PLT_FETCH_TRIES times at most if it is late, short or wrong.
+ * A block has three parts, each fetched when it is needed first (fetcher.h): its nodes; the
+ * geometry of its leaves; and, if the image has them, the primitive ids of its triangles. A few
+ * blocks are open, as those of a resident scene are (block_cache.h). What arrives is validated
+ * before it is used (SPEC.md, section 5.5).
  *
  * Every block knows where its subtree ends: blocks lie depth first, so what is below an edge
  * lies between its block and that of the next edge by address. Links that leave this
@@ -19,7 +18,7 @@
 #define PLT_MEMORY_STREAM_H
 
 #include "engine/memory/block_cache.h"
-#include "engine/memory/store.h"
+#include "engine/memory/fetcher.h"
 
 /* Where the image lies, and what its header says of the parts. */
 typedef struct plt_stream_image {
@@ -33,24 +32,19 @@ enum plt_stream_part { PLT_STREAM_NODES, PLT_STREAM_GEOMETRY, PLT_STREAM_IDS, PL
 typedef struct plt_stream_block {
     plt_opened_block opened;
     float end;                         /* of its subtree (plt_stream_end) */
-    uint16_t part[PLT_STREAM_PARTS];   /* in the store; PLT_STORE_NONE: not fetched yet */
-    uint32_t at[PLT_STREAM_PARTS];     /* where the part was when it was opened, ... */
-    uint32_t serial[PLT_STREAM_PARTS]; /* ... and which arrival it was */
+    plt_found found[PLT_STREAM_PARTS]; /* its parts, as they were when they were opened */
 } plt_stream_block;
 
 typedef struct plt_stream {
     plt_stream_image image;
     plt_block_tree tree; /* the scene's, but that `ids` are those of the current block */
-    plt_stats *stats;
-    uint32_t *touched; /* bits as of plt_traversal; NULL: not asked for */
-    plt_fault fault;   /* why the last call failed */
-    plt_store store;
-    uint32_t serial;           /* of the part that came last */
+    plt_fetcher fetcher;
     plt_stream_block *current; /* NULL: none */
     plt_stream_block cache[PLT_BLOCK_CACHE_SLOTS];
 } plt_stream;
 
-/* `memory`: of the store, `bytes` of it. Image, tree, stats and touched are set by the caller. */
+/* `memory`: of the store, `bytes` of it. Image and tree, and what plt_fetcher_init leaves to the
+ * caller, are set by the caller. */
 void plt_stream_init(plt_stream *stream, void *memory, uint32_t bytes);
 
 /* Blocks are at multiples of 8 bytes, and so are the ends of their subtrees. A float holds such a
@@ -77,7 +71,7 @@ int plt_stream_open_geometry(plt_stream *stream);
 
 /* How deep the current block is, in nodes. */
 static inline uint32_t plt_stream_depth(const plt_stream *s) {
-    return s->store.part[s->current->part[PLT_STREAM_NODES]].depth;
+    return s->fetcher.store.part[s->current->found[PLT_STREAM_NODES].part].depth;
 }
 
 /* Where the subtree ends that edge `link` of the block leads to. */

@@ -24,8 +24,9 @@ static inline void format_state_init(plt_traversal *t) {
     plt_stream *s = (plt_stream *)t->state;
     s->image = t->scene->stream;
     s->tree = t->scene->compact;
-    s->stats = &t->stats;
-    s->touched = t->touched;
+    s->fetcher.source = s->image.source;
+    s->fetcher.stats = &t->stats;
+    s->fetcher.touched = t->touched;
     plt_stream_init(s, t->store, t->store_bytes);
 }
 

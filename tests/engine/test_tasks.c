@@ -121,7 +121,7 @@ static void are_at_hand_first(void) {
     wait_at(&r, treelet_at(1), 0, 5.0f);
     wait_at(&r, treelet_at(2), 0, 50.0f);
     wait_at(&r, treelet_at(3), 0, 9.0f);
-    CHECK(plt_store_take(&r.stream.store, 16, 64) != PLT_STORE_NONE, "the store has room");
+    CHECK(plt_store_take(&r.stream.fetcher.store, 16, 64) != PLT_STORE_NONE, "the store has room");
     CHECK(next(&r) == treelet_at(2), "the treelet that is there comes first");
     CHECK(next(&r) == treelet_at(1) && next(&r) == treelet_at(3), "then the nearest");
     free(r.memory);
