@@ -7,7 +7,7 @@
 #include "board/parameters.h"
 
 static const char keys[] =
-    "size eye look up tan packet walk shader visits arena residency store schedule batch "
+    "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
     "scene bytes frame";
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
@@ -109,7 +109,7 @@ static int read_words(const char *all, job *j) {
 
 int job_read(job *j, const char *parameters, size_t *arena_bytes) {
     uint32_t arena = (uint32_t)*arena_bytes;
-    uint32_t packet = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, batch = 0;
+    uint32_t packet = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, batch = 0, prefetch = 0;
     parameter item;
     *j = (job){.visits = 20000};
     if (parameter_unknown(parameters, keys, &item)) {
@@ -120,12 +120,14 @@ int job_read(job *j, const char *parameters, size_t *arena_bytes) {
         read_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
         read_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
         read_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||
+        read_u32(parameters, "prefetch", 0, PLT_PREFETCH_MOST, &prefetch) < 0 ||
         read_u32(parameters, "visits", 1, UINT32_MAX, &j->visits) < 0 ||
         read_u32(parameters, "arena", 0, arena, &arena) < 0) {
         return -1;
     }
     j->options.packet_side = (uint8_t)packet;
     j->options.batch = (uint16_t)batch;
+    j->options.prefetch = (uint8_t)prefetch;
     *arena_bytes = arena;
     return 0;
 }

@@ -9,6 +9,7 @@
 #            too
 #   batch    with packets that meet at the blocks of such scenes
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
+#   prefetch  ... whose blocks may be on their way before they are needed, likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
 # `thesis` and `compact` have groups, with `frames` beams.
@@ -33,7 +34,7 @@ thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine
 wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/trace/collapse_*.c \
     engine/trace/ray_block.c engine/trace/coherence.c)
 seek_files := engine/seek.c engine/shade/seek.c
-stream_files := $(addprefix engine/memory/,store.c fetcher.c stream.c) \
+stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c stream.c) \
     engine/scene/open_streamed.c engine/trace/traverse_streamed.c engine/shade/tile_order.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
@@ -49,11 +50,11 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave stream batch seek frames,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, and wave, stream, batch, seek or frames; \
-    it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave stream batch prefetch seek frames,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave, stream, batch, prefetch, seek or \
+    frames; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave stream batch seek frames,$(sort $(PARTS))),compact thesis)
+ifeq ($(filter-out render wave stream batch prefetch seek frames,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
 ifeq ($(sort $(filter thesis stream,$(PARTS))),stream thesis)
@@ -61,6 +62,9 @@ $(error PARTS with stream has compact blocks: make PARTS='render compact stream'
 endif
 ifeq ($(filter stream,$(PARTS))$(filter batch,$(PARTS)),batch)
 $(error PARTS with batch has stream: make PARTS='render compact stream batch')
+endif
+ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
+$(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
 ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
@@ -80,13 +84,15 @@ endif
 without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
 without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
+without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
     $(if $(without_batch),$(batch_files)) $(if $(without_seek),$(seek_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
-    $(if $(without_batch),-DPLT_WITH_BATCH=0)
+    $(if $(without_batch),-DPLT_WITH_BATCH=0) \
+    $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \

@@ -341,8 +341,8 @@ int plt_layout_options_valid(const plt_options *o) {
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
            o->residency <= PLT_WITH_STREAMED &&
            (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
-           is_batch_valid(o) && o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 &&
-           is_wave_valid(o);
+           (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
+           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

@@ -99,6 +99,9 @@ enum plt_schedule {
  * together, wherever they lie: 739 (nodes), 8,184 (geometry) and 1,886 (primitive ids). */
 #define PLT_STORE_LEAST 28672u
 
+/* Most parts on their way at once (plt_options.prefetch). */
+#define PLT_PREFETCH_MOST 8u
+
 enum plt_splits {
     PLT_SPLIT_SAH = 0,   /* binned surface area heuristic (Wald 2007) */
     PLT_SPLIT_MEDIAN = 1 /* spatial median of the longest axis (the thesis) */
@@ -147,6 +150,11 @@ typedef struct plt_options {
                              * million triangles, have none */
     uint8_t rays;           /* enum plt_rays; without a wave all are coherent */
     uint8_t residency;    /* enum plt_residency; a streamed scene has neither wave nor wide form */
+    uint8_t prefetch;     /* streamed: parts of blocks that may be on their way before a ray needs
+                           * them, at most PLT_PREFETCH_MOST, under tags 2 to 9 of the source; 4 is
+                           * a good choice if bytes move while the processor works. 0: none, nor
+                           * if the source is mapped, or PLT_WITH_PREFETCH is 0. When a call
+                           * returns, nothing is on its way */
     uint32_t store_bytes; /* streamed: bytes for blocks, PLT_STORE_LEAST (28,672) at least; 0:
                            * all the room that the arena has (a need is then that of the
                            * least). Bytes fetched depend on it, hits do not */
@@ -400,6 +408,8 @@ typedef struct plt_stats {
                          * triangles at once are one triangle_test. No treelets are counted.
                          * How many they are depends on the calls before, too, whether or not
                          * statistics were reset between them; hits do not. */
+    uint64_t bytes_validated; /* streamed: of parts that were validated, which is when they are
+                               * needed, and again when what they belong to has come anew */
 } plt_stats;
 
 void plt_stats_get(const plt_engine *engine, plt_stats *stats);

@@ -29,6 +29,10 @@
 #define PLT_WITH_BATCH PLT_WITH_STREAMED /* packets that meet at streamed blocks (schedule/) */
 #endif
 
+#ifndef PLT_WITH_PREFETCH
+#define PLT_WITH_PREFETCH PLT_WITH_STREAMED /* ... or before (plt_options.prefetch) */
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -144,6 +148,9 @@
 #endif
 #if (PLT_WITH_BATCH != 0 && PLT_WITH_BATCH != 1) || (PLT_WITH_BATCH && !PLT_WITH_STREAMED)
 #error "PLT_WITH_BATCH is the digit 0, or with PLT_WITH_STREAMED 1"
+#endif
+#if (PLT_WITH_PREFETCH != 0 && PLT_WITH_PREFETCH != 1) || (PLT_WITH_PREFETCH && !PLT_WITH_STREAMED)
+#error "PLT_WITH_PREFETCH is the digit 0, or with PLT_WITH_STREAMED 1"
 #endif
 #if (PLT_WITH_WAVE_COMPACT != 0 && PLT_WITH_WAVE_COMPACT != 1) ||                                  \
     (PLT_WITH_WAVE_COMPACT && !(PLT_WITH_WAVE && PLT_WITH_COMPACT))

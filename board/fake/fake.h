@@ -45,6 +45,7 @@ typedef struct fake_link {
     int at_once;      /* bytes come at start; else at wait, garbage before */
 
     uint32_t starts, waits, failed; /* what happened */
+    uint32_t pending_most;          /* transfers at once */
     uint64_t bytes_moved;
     uint32_t broken;
     const char *sentence;

@@ -90,6 +90,8 @@ static int start(void *context, unsigned tag, uint32_t offset, void *to, uint32_
         return break_contract(link, "more transfers at a time than the fake holds");
     }
     *t = (fake_transfer){UINT32_C(1) << tag, offset, count, link->starts, to};
+    const uint32_t pending = fake_unfinished(link);
+    link->pending_most = pending > link->pending_most ? pending : link->pending_most;
     memset(to, GARBAGE, count);
     if (link->at_once && !is_ordered(link, t, FAKE_SHORT_AT_START)) {
         deliver(link, t);

@@ -11,28 +11,7 @@
 #ifndef PLT_MEMORY_FETCHER_H
 #define PLT_MEMORY_FETCHER_H
 
-#include "engine/memory/store.h"
-
-typedef struct plt_fetcher {
-    const plt_source *source;
-    plt_stats *stats;
-    uint32_t *touched; /* bits as of plt_traversal; NULL: not asked for */
-    plt_fault fault;   /* why the last call failed */
-    plt_store store;
-    uint32_t serial; /* of the part that came last */
-} plt_fetcher;
-
-/* A part that is wanted. */
-typedef struct plt_wanted {
-    uint32_t key;           /* its name in the store */
-    uint32_t offset, count; /* bytes of the image */
-    uint32_t against;       /* serial of the part that it is validated against; 0: none */
-    uint32_t bit;           /* of `touched` */
-    uint8_t is_treelet;     /* its arrival is one of plt_stats.treelet_fetches */
-    /* Is the part valid, which lies in the store? PLT_OK, or PLT_ERR_IMAGE with the fault set. */
-    int (*check)(const void *context, uint16_t part);
-    const void *context;
-} plt_wanted;
+#include "engine/memory/wanted.h"
 
 /* A part that was found, as it was then. */
 typedef struct plt_found {
@@ -40,7 +19,8 @@ typedef struct plt_found {
     uint16_t part; /* in the store; PLT_STORE_NONE: there is none */
 } plt_found;
 
-/* `memory`: of the store, `bytes` of it. Source, stats and touched are set by the caller. */
+/* `memory`: of the store, `bytes` of it. Source, stats and touched are set by the caller. Nothing
+ * is prefetched (plt_prefetch_begin). */
 void plt_fetcher_init(plt_fetcher *fetcher, void *memory, uint32_t bytes);
 
 /* Finds the part, or fetches it. Parts that are not held may move or be given up. PLT_OK,

@@ -26,7 +26,8 @@ typedef struct plt_store_part {
     uint16_t chain;     /* in its bucket */
     uint8_t found;      /* since the queue came by */
     uint8_t held;       /* so often; not moved, not given up */
-    uint8_t depth;      /* this and the next two are the caller's */
+    uint8_t depth;      /* this and the next three are the caller's */
+    uint8_t fresh;      /* nobody has validated it yet */
     uint32_t serial, against;
 } plt_store_part;
 

@@ -4,6 +4,7 @@
 #include "engine/memory/stream.h"
 
 #include "engine/base/fault.h"
+#include "engine/memory/prefetch.h"
 #include "engine/tree/compact/validate_block.h"
 
 /* A part that is needed: of which block, which of its parts, and where that lies in the image. */
@@ -50,6 +51,49 @@ int plt_stream_refuse(plt_stream *s, uint8_t rule) {
     return refuse(s, rule, s->image.blocks_at + address);
 }
 
+/* ---- parts ------------------------------------------------------------- */
+
+/* The byte of the ids section that holds the first of the block's ids. */
+static uint32_t first_id_byte(const plt_stream *s, const plt_geometry *g) {
+    return (uint32_t)((uint64_t)g->first_triangle * s->tree.ids.bits >> 3);
+}
+
+static part_of nodes_of(plt_stream *s, plt_stream_block *b, uint32_t link) {
+    const part_of a = {.stream = s,
+                       .block = b,
+                       .link = link,
+                       .offset = s->image.blocks_at + plt_block_address(link),
+                       .count = plt_block_node_bytes(link),
+                       .kind = PLT_STREAM_NODES};
+    return a;
+}
+
+static part_of geometry_of(plt_stream *s, plt_stream_block *b) {
+    const plt_opened_block *o = &b->opened;
+    const part_of a = {.stream = s,
+                       .block = b,
+                       .link = o->link,
+                       .offset =
+                           s->image.blocks_at + plt_block_address(o->link) + o->block.node_bytes,
+                       .count = o->block.geometry_bytes,
+                       .kind = PLT_STREAM_GEOMETRY,
+                       .against = b->found[PLT_STREAM_NODES].serial};
+    return a;
+}
+
+static part_of ids_of(plt_stream *s, plt_stream_block *b, const plt_geometry *g) {
+    const uint32_t from = first_id_byte(s, g);
+    const uint64_t bits = ((uint64_t)g->first_triangle + g->triangles) * s->tree.ids.bits;
+    const part_of a = {.stream = s,
+                       .block = b,
+                       .link = b->opened.link,
+                       .offset = s->image.ids_at + from,
+                       .count = (uint32_t)((bits + 7) >> 3) - from,
+                       .kind = PLT_STREAM_IDS,
+                       .against = b->found[PLT_STREAM_GEOMETRY].serial};
+    return a;
+}
+
 /* ---- what is valid ---------------------------------------------------- */
 
 static int links_differ(const plt_block *b) {
@@ -87,6 +131,12 @@ static int nodes_rule(plt_stream *s, const part_of *a, uint16_t part) {
     return links_differ(&b) ? PLT_BLOCK_VALID : PLT_I17_LINKS;
 }
 
+/* Its triangles are some of the scene's. */
+static int counts_are_inside(const plt_stream *s, const plt_geometry *g) {
+    const uint32_t left = s->image.triangles - g->triangles;
+    return g->triangles <= s->image.triangles && g->first_triangle <= left;
+}
+
 static int geometry_rule(const plt_stream *s, const part_of *a, uint16_t part) {
     plt_block b = a->block->opened.block;
     b.geometry = plt_store_bytes(&s->fetcher.store, part);
@@ -96,14 +146,7 @@ static int geometry_rule(const plt_stream *s, const part_of *a, uint16_t part) {
     }
     plt_geometry g;
     plt_geometry_open_counts(&g, &b, s->tree.leaf_triangles);
-    const uint32_t left = s->image.triangles - g.triangles;
-    return g.triangles <= s->image.triangles && g.first_triangle <= left ? PLT_BLOCK_VALID
-                                                                         : PLT_I18_COUNTS;
-}
-
-/* The byte of the ids section that holds the first of the block's ids. */
-static uint32_t first_id_byte(const plt_stream *s, const plt_geometry *g) {
-    return (uint32_t)((uint64_t)g->first_triangle * s->tree.ids.bits >> 3);
+    return counts_are_inside(s, &g) ? PLT_BLOCK_VALID : PLT_I18_COUNTS;
 }
 
 static int ids_rule(const plt_stream *s, const part_of *a, uint16_t part) {
@@ -130,18 +173,14 @@ static int rule_of(const part_of *a, uint16_t part) {
     }
 }
 
-static int check_part(const void *context, uint16_t part) {
-    const part_of *a = context;
-    const int rule = rule_of(a, part);
-    return rule == PLT_BLOCK_VALID ? PLT_OK : refuse(a->stream, rule, a->offset);
-}
+static int check_part(const void *context, uint16_t part);
 
 /* Parts have their names by where their blocks lie, which are multiples of 8. */
 static uint32_t key_of(uint32_t link, uint32_t kind) {
     return plt_block_address(link) + kind;
 }
 
-static int need_part(const part_of *a) {
+static plt_wanted wanted(const part_of *a) {
     const plt_wanted w = {.key = key_of(a->link, a->kind),
                           .offset = a->offset,
                           .count = a->count,
@@ -150,6 +189,52 @@ static int need_part(const part_of *a) {
                           .is_treelet = a->kind == PLT_STREAM_NODES,
                           .check = check_part,
                           .context = a};
+    return w;
+}
+
+#if PLT_WITH_PREFETCH
+static void ask_for(const part_of *a) {
+    const plt_wanted w = wanted(a);
+    plt_prefetch_ask(&a->stream->fetcher, &w);
+}
+
+/* Ids come while the triangles that they belong to are validated: where they lie is known, if
+ * nobody lies. The triangles must not move meanwhile. */
+static void expect_ids(const part_of *triangles, uint16_t part) {
+    plt_stream *s = triangles->stream;
+    plt_block b = triangles->block->opened.block;
+    plt_geometry g;
+    if (s->fetcher.ahead == 0 || s->tree.ids.bits == 0 || b.leaves == 0 ||
+        b.geometry_bytes < PLT_GEOMETRY_HEADER_BYTES) {
+        return;
+    }
+    b.geometry = plt_store_bytes(&s->fetcher.store, part);
+    plt_geometry_open_counts(&g, &b, s->tree.leaf_triangles);
+    if (counts_are_inside(s, &g)) {
+        const part_of a = ids_of(s, triangles->block, &g);
+        s->fetcher.store.part[part].held = 1;
+        ask_for(&a);
+        s->fetcher.store.part[part].held = 0;
+    }
+}
+#else
+static void expect_ids(const part_of *triangles, uint16_t part) {
+    (void)triangles;
+    (void)part;
+}
+#endif
+
+static int check_part(const void *context, uint16_t part) {
+    const part_of *a = context;
+    if (a->kind == PLT_STREAM_GEOMETRY) {
+        expect_ids(a, part);
+    }
+    const int rule = rule_of(a, part);
+    return rule == PLT_BLOCK_VALID ? PLT_OK : refuse(a->stream, rule, a->offset);
+}
+
+static int need_part(const part_of *a) {
+    const plt_wanted w = wanted(a);
     return plt_fetcher_need(&a->stream->fetcher, &w, &a->block->found[a->kind]);
 }
 
@@ -164,28 +249,53 @@ static const unsigned char *bytes_of(const plt_stream *s, const plt_stream_block
 
 /* ---- blocks ------------------------------------------------------------ */
 
+/* May be fetched: it lies within its subtree. */
+static int is_within(const plt_stream *s, uint32_t link, float end) {
+    const uint32_t address = plt_block_address(link), last = end_bytes(s, end);
+    return address < last && plt_block_node_bytes(link) <= last - address;
+}
+
 static int open_nodes(plt_stream *s, plt_stream_block *b, uint32_t link, float end) {
     b->opened.link = PLT_LINK_NONE;
     b->end = end;
-    const uint32_t address = plt_block_address(link), last = end_bytes(s, end);
-    if (address >= last || plt_block_node_bytes(link) > last - address) {
+    if (!is_within(s, link, end)) {
         return refuse(s, PLT_I17_LINKS, s->image.blocks_at); /* before anything is fetched */
     }
-    const part_of a = {
-        s, b, link, s->image.blocks_at + address, plt_block_node_bytes(link), PLT_STREAM_NODES, 0};
+    const part_of a = nodes_of(s, b, link);
     const int status = need_part(&a);
     if (status != PLT_OK) {
         return status;
     }
     plt_opened_block_set(&b->opened, bytes_of(s, b, PLT_STREAM_NODES), &s->tree, link);
     const plt_block *block = &b->opened.block;
-    if (block->node_bytes != a.count || !links_are_below(block, address, last)) {
+    if (block->node_bytes != a.count ||
+        !links_are_below(block, plt_block_address(link), end_bytes(s, end))) {
         b->opened.link = PLT_LINK_NONE;
         return refuse(s, PLT_I17_LINKS, a.offset);
     }
     b->found[PLT_STREAM_GEOMETRY].part = b->found[PLT_STREAM_IDS].part = PLT_STORE_NONE;
     return PLT_OK;
 }
+
+#if PLT_WITH_PREFETCH
+void plt_stream_expect(plt_stream *s, uint32_t link, float end) {
+    if (is_within(s, link, end)) {
+        const part_of a = nodes_of(s, NULL, link);
+        ask_for(&a);
+    }
+}
+
+void plt_stream_expect_geometry(plt_stream *s) {
+    plt_store_part *nodes = plt_fetcher_part(&s->fetcher, &s->current->found[PLT_STREAM_NODES]);
+    const part_of a = geometry_of(s, s->current);
+    s->expects = 1;
+    if (a.count > 0) {
+        nodes->held = 1;
+        ask_for(&a);
+        nodes->held = 0;
+    }
+}
+#endif
 
 /* Of the leaf of that index: is it a pair, and how many pairs are before it? */
 static int is_leaf(const plt_block *b, uint32_t leaf, uint32_t pairs, uint32_t pair) {
@@ -224,19 +334,15 @@ int plt_stream_open(plt_stream *s, uint32_t link, float end) {
         }
     }
     s->current = b;
+#if PLT_WITH_PREFETCH
+    s->expects = 0;
+#endif
     return PLT_OK;
 }
 
 static int open_geometry(plt_stream *s, plt_stream_block *b) {
     plt_opened_block *o = &b->opened;
-    const uint32_t at = plt_block_address(o->link) + o->block.node_bytes;
-    const part_of a = {s,
-                       b,
-                       o->link,
-                       s->image.blocks_at + at,
-                       o->block.geometry_bytes,
-                       PLT_STREAM_GEOMETRY,
-                       b->found[PLT_STREAM_NODES].serial};
+    const part_of a = geometry_of(s, b);
     b->found[PLT_STREAM_IDS].part = PLT_STORE_NONE; /* are checked against it again */
     const int status = a.count > 0 ? need_part(&a) : refuse(s, PLT_I14_GEOMETRY, a.offset);
     if (status == PLT_OK) {
@@ -246,20 +352,6 @@ static int open_geometry(plt_stream *s, plt_stream_block *b) {
     return status;
 }
 
-static int open_ids(plt_stream *s, plt_stream_block *b) {
-    const plt_geometry *g = &b->opened.geometry;
-    const uint32_t from = first_id_byte(s, g);
-    const uint64_t bits = ((uint64_t)g->first_triangle + g->triangles) * s->tree.ids.bits;
-    const part_of a = {s,
-                       b,
-                       b->opened.link,
-                       s->image.ids_at + from,
-                       (uint32_t)((bits + 7) >> 3) - from,
-                       PLT_STREAM_IDS,
-                       b->found[PLT_STREAM_GEOMETRY].serial};
-    return need_part(&a);
-}
-
 /* Parts that are open already are not fetched again. Those of the same block are held meanwhile,
  * as they must not move. */
 static int open_both(plt_stream *s, plt_stream_block *b) {
@@ -267,7 +359,8 @@ static int open_both(plt_stream *s, plt_stream_block *b) {
     if (status == PLT_OK && s->tree.ids.bits > 0 && !is_there(s, b, PLT_STREAM_IDS)) {
         plt_store_part *geometry = plt_fetcher_part(&s->fetcher, &b->found[PLT_STREAM_GEOMETRY]);
         geometry->held = 1;
-        status = open_ids(s, b);
+        const part_of ids = ids_of(s, b, &b->opened.geometry);
+        status = need_part(&ids);
         geometry->held = 0;
     }
     return status;

@@ -39,6 +39,9 @@ typedef struct plt_stream {
     plt_stream_image image;
     plt_block_tree tree; /* the scene's, but that `ids` are those of the current block */
     plt_fetcher fetcher;
+#if PLT_WITH_PREFETCH
+    uint8_t expects; /* the current block's geometry, or has it */
+#endif
     plt_stream_block *current; /* NULL: none */
     plt_stream_block cache[PLT_BLOCK_CACHE_SLOTS];
 } plt_stream;
@@ -60,6 +63,15 @@ int plt_stream_open(plt_stream *stream, uint32_t link, float end);
 
 /* The nodes of the block behind `link` are in the store. Asking does not count as finding. */
 int plt_stream_has(const plt_stream *stream, uint32_t link);
+
+#if PLT_WITH_PREFETCH
+/* The block behind `link` will be needed soon: its nodes are asked for (prefetch.h). The current
+ * block may move, and is opened again before it is used. */
+void plt_stream_expect(plt_stream *stream, uint32_t link, float end);
+
+/* The current block's geometry will be. */
+void plt_stream_expect_geometry(plt_stream *stream);
+#endif
 
 /* Does the current block have the node, or the leaf, a pair or not, with so many pairs before? A
  * place that has waited asks, as its block may have come anew meanwhile, and be another. */

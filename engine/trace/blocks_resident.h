@@ -10,7 +10,7 @@
  *   blocks_current(t)               the current block, opened
  *   int blocks_open_geometry(t)     ... and its geometry part; PLT_OK, or as blocks_open
  *   blocks_tree(t)                  the tree that its leaves are read by
- *   void blocks_prefetch(tree, b, node)          asks for the blocks behind the node's edges
+ *   void blocks_prefetch(t, b, node)             asks for the blocks behind the node's edges
  *   float blocks_root_end(tree)     where the whole tree ends
  *   float blocks_edge_end(o, link)  where the subtree behind an edge of the block ends
  *   void blocks_set_end(hi, end)    notes it in a place; here nobody needs it
@@ -58,7 +58,7 @@ static inline int blocks_open_geometry(plt_traversal *t) {
 }
 
 /* Before it is known whether they are met. */
-static inline void blocks_prefetch(const plt_block_tree *tree, const plt_block *b, uint32_t node) {
+static inline void blocks_prefetch(const plt_traversal *t, const plt_block *b, uint32_t node) {
     const uint32_t word = node >> 4, shift = node << 1 & 31, edge = b->mask[PLT_SLOT_EDGE][word];
     if ((edge >> shift & 3u) == 0) {
         return;
@@ -66,7 +66,7 @@ static inline void blocks_prefetch(const plt_block_tree *tree, const plt_block *
     const uint32_t edges =
         b->before[PLT_SLOT_EDGE][word] + plt_count_bits(edge & plt_low_bits(shift));
     for (uint32_t i = 0; i < plt_count_bits(edge >> shift & 3u); i++) {
-        plt_prefetch(tree->bytes + plt_block_address(plt_block_edge(b, edges + i)));
+        plt_prefetch(t->scene->compact.bytes + plt_block_address(plt_block_edge(b, edges + i)));
     }
 }
 

@@ -11,7 +11,9 @@
 #define PLT_TRACE_BLOCKS_STREAMED_H
 
 #include "engine/base/rules.h"
+#include "engine/memory/prefetch.h"
 #include "engine/memory/stream.h"
+#include "engine/trace/block_place.h"
 #include "engine/trace/block_target.h"
 #include "engine/trace/tasks.h"
 #include "engine/trace/traversal.h"
@@ -28,6 +30,7 @@ static inline void format_state_init(plt_traversal *t) {
     s->fetcher.stats = &t->stats;
     s->fetcher.touched = t->touched;
     plt_stream_init(s, t->store, t->store_bytes);
+    plt_prefetch_begin(&s->fetcher, t->prefetch);
 }
 
 static inline void blocks_leave(format_state *state) {
@@ -42,11 +45,33 @@ static inline const plt_block_tree *blocks_tree(const plt_traversal *t) {
     return &((const format_state *)t->state)->tree;
 }
 
+#if PLT_WITH_PREFETCH
+/* The block behind `link` is asked for, then those of what waits, the next one first. An entry of
+ * every order begins with its place. */
+static inline void look_ahead(plt_traversal *t, uint32_t link, float end) {
+    format_state *s = (format_state *)t->state;
+    const unsigned char *top = (const unsigned char *)t->stack + t->waiting * t->entry_bytes;
+    const uint32_t most = t->waiting < s->fetcher.ahead ? t->waiting : s->fetcher.ahead;
+    plt_stream_expect(s, link, end);
+    for (uint32_t i = 0; i < most; i++) {
+        top -= t->entry_bytes;
+        const plt_block_place *next = (const plt_block_place *)(const void *)top;
+        plt_stream_expect(s, next->link, next->hi[3]);
+    }
+}
+
+#endif
+
 static inline int blocks_open(plt_traversal *t, uint32_t link, float end) {
     format_state *s = (format_state *)t->state;
     if (s->current != NULL && s->current->opened.link == link && s->current->end == end) {
         return PLT_OK;
     }
+#if PLT_WITH_PREFETCH
+    if (s->fetcher.ahead > 0 && !plt_meets(t)) { /* edges on the stack wait, where packets meet */
+        look_ahead(t, link, end);
+    }
+#endif
     const int status = plt_stream_open(s, link, end);
     if (status == PLT_OK &&
         t->waiting + plt_stream_depth(s) > t->scene->info.depth_stack_entries + PLT_STACK_SLACK) {
@@ -73,11 +98,25 @@ static inline int blocks_open_geometry(plt_traversal *t) {
     return plt_stream_open_geometry((format_state *)t->state);
 }
 
-/* Blocks behind edges are fetched when they are entered. */
-static inline void blocks_prefetch(const plt_block_tree *tree, const plt_block *b, uint32_t node) {
-    (void)tree;
+/* A child of the node is a leaf. */
+static inline int has_leaf(const plt_block *b, uint32_t node) {
+    const uint32_t word = node >> 4, shift = node << 1 & 31;
+    const uint32_t inner = b->mask[PLT_SLOT_INNER][word] | b->mask[PLT_SLOT_EDGE][word];
+    return (~inner >> shift & 3u) != 0;
+}
+
+/* Triangles are probably needed next; blocks behind the node's edges only if they are met. */
+static inline void blocks_prefetch(const plt_traversal *t, const plt_block *b, uint32_t node) {
+#if PLT_WITH_PREFETCH
+    format_state *s = (format_state *)t->state;
+    if (s->fetcher.ahead > 0 && !s->expects && has_leaf(b, node)) {
+        plt_stream_expect_geometry(s);
+    }
+#else
+    (void)t;
     (void)b;
     (void)node;
+#endif
 }
 
 static inline float blocks_root_end(const plt_block_tree *tree) {

@@ -12,6 +12,7 @@
 #ifndef PLT_TRACE_FORMAT_COMPACT_H
 #define PLT_TRACE_FORMAT_COMPACT_H
 
+#include "engine/trace/block_place.h"
 #include "engine/trace/block_target.h"
 #include "engine/trace/format.h"
 #include "engine/trace/format_meets.h"
@@ -19,13 +20,7 @@
 
 enum { FORMAT_TIGHTENS = 1, FORMAT_LEAVES_WAIT = 0 };
 
-typedef struct format_place {
-    float lo[4], hi[4]; /* lattice coordinates; of a streamed scene the fourth of hi is where
-                         * the subtree of the place's block ends (plt_stream_end), else it
-                         * means nothing, as that of lo does */
-    uint32_t link;      /* of its block; of an edge the block behind it */
-    uint32_t target;    /* block_target.h */
-} format_place;
+typedef plt_block_place format_place;
 
 /* Boxes in scene units, written four lanes at once: the fourth of a store is
  * overwritten by the next. */
@@ -147,7 +142,7 @@ static inline void format_decode(const plt_traversal *t, const format_place *pla
     c->opened = blocks_current(t);
     c->node = plt_target_index(place->target);
     c->end = place->hi[3];
-    blocks_prefetch(tree, &c->opened->block, c->node);
+    blocks_prefetch(t, &c->opened->block, c->node);
     c->lattice = &tree->lattice;
     decode_boxes(&c->opened->block, c->node, place, c->lo, c->hi);
 }

@@ -42,7 +42,7 @@ PLT_APART_ON_SMALL_STACKS static float distance_to(const plt_traversal *t, const
 static inline int depth_first_waits(plt_traversal *t, const plt_packet *p,
                                     const depth_first_entry *e) {
 #if FORMAT_MEETS
-    return t->tasks != NULL && !format_is_leaf(&e->place) && format_is_edge(&e->place) &&
+    return plt_meets(t) && !format_is_leaf(&e->place) && format_is_edge(&e->place) &&
            format_wait(t, &e->place, distance_to(t, p, e), e, sizeof *e);
 #else
     (void)t;
@@ -122,7 +122,7 @@ static inline int resume(plt_traversal *t, const plt_packet *p, depth_first_entr
     const int crosses =
         FORMAT_TIGHTENS && !format_is_leaf(&at->place) && format_is_edge(&at->place);
 #if FORMAT_MEETS
-    if (t->tasks != NULL && crosses) { /* what has waited long is hidden often */
+    if (plt_meets(t) && crosses) { /* what has waited long is hidden often */
         at->groups = meet(t, p, at);
     }
 #endif

@@ -34,7 +34,7 @@ typedef struct hulls_entry {
 /* The entry waits at its edge for other packets (format_meets.h). 0: it is to go on. */
 static inline int hulls_wait(plt_traversal *t, const hulls_entry *e) {
 #if FORMAT_MEETS
-    if (t->tasks == NULL || format_is_leaf(&e->place) || !format_is_edge(&e->place)) {
+    if (!plt_meets(t) || format_is_leaf(&e->place) || !format_is_edge(&e->place)) {
         return 0;
     }
     const f4 enter = f4_select(m4_bits(e->lanes), e->enter, f4_all(0x1p127f));

@@ -27,6 +27,7 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
 #if PLT_WITH_STREAMED
     t->store = part[PLT_PART_STORE];
     t->store_bytes = options->store_bytes;
+    t->prefetch = options->prefetch;
 #endif
     if (options->count_touched) {
         t->touched = part[PLT_PART_TOUCHED];

@@ -17,7 +17,11 @@
 
 typedef struct plt_traversal {
     const plt_scene *scene;
-    uint8_t order;    /* enum plt_order */
+    uint8_t order; /* enum plt_order */
+#if PLT_WITH_STREAMED
+    uint8_t prefetch;     /* as plt_options */
+    uint16_t entry_bytes; /* of the stack */
+#endif
     void *stack;      /* entries: depth first, or the global stack */
     uint32_t waiting; /* entries on it; 0: the packet is done */
     void *local;      /* two-stage only */
@@ -50,6 +54,16 @@ typedef struct plt_traversal {
 
 /* Depth first, for packets with hulls (order_hulls.h); follows enum plt_order. */
 #define PLT_ORDER_HULLS 2u
+
+/* Packets wait at edges (tasks.h). */
+static inline int plt_meets(const plt_traversal *t) {
+#if PLT_WITH_BATCH
+    return t->tasks != NULL;
+#else
+    (void)t;
+    return 0;
+#endif
+}
 
 /* The order that a packet is traced in. */
 static inline unsigned plt_order_for(const plt_traversal *t, const plt_packet *p) {

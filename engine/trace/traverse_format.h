@@ -4,6 +4,8 @@
  *   FORMAT_NAME              as in scene/formats.h
  *   FORMAT_ORDERS(ROW)       ROW(ORDER, order) for each order
  *   FORMAT_ORDER(order)      optional: the order that stands for the one asked for
+ *   FORMAT_STACK(t, bytes)   optional: learns how large entries of the packet's stack are
+ *   FORMAT_PAUSE(t)          ... and ends what must not go on when a traversal returns
  * It gives the functions of traverse_formats.h. An order gives
  *   order_entry                            what lies on its stacks
  *   int push_root_order(t, p)              0: there is nothing to hit
@@ -23,6 +25,11 @@
 #define FORMAT_ORDER_HULLS(ROW) ROW(HULLS, hulls)
 #else
 #define FORMAT_ORDER_HULLS(ROW)
+#endif
+
+#ifndef FORMAT_STACK
+#define FORMAT_STACK(t, bytes)
+#define FORMAT_PAUSE(t)
 #endif
 
 #define PLT_JOINED_AGAIN(name, what) plt_##name##_##what
@@ -77,6 +84,7 @@ void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {
 #define PUSH_ROOT(ORDER, order)                                                                    \
     case PLT_ORDER_##ORDER:                                                                        \
         there = push_root_##order(t, p);                                                           \
+        FORMAT_STACK(t, sizeof(order##_entry));                                                    \
         break;
         FORMAT_ORDERS(PUSH_ROOT)
 #undef PUSH_ROOT
@@ -99,6 +107,7 @@ void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {
             uint32_t used = 1;                                                                     \
             const int status = pop_##order(t, p, &used);                                           \
             if (status != PLT_OK) {                                                                \
+                FORMAT_PAUSE(t);                                                                   \
                 t->waiting = 0;                                                                    \
                 return status;                                                                     \
             }                                                                                      \
@@ -107,6 +116,7 @@ void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {
                 t->waiting = 0;                                                                    \
             }                                                                                      \
         }                                                                                          \
+        FORMAT_PAUSE(t);                                                                           \
         return t->waiting > 0 ? PLT_MORE : PLT_OK;                                                 \
     }
 FORMAT_ORDERS(TRAVERSE)
@@ -116,6 +126,7 @@ int PLT_JOINED(FORMAT_NAME, traverse)(plt_traversal *t, plt_packet *p, uint32_t 
     switch (FORMAT_ORDER(plt_order_for(t, p))) {
 #define CHOOSE(ORDER, order)                                                                       \
     case PLT_ORDER_##ORDER:                                                                        \
+        FORMAT_STACK(t, sizeof(order##_entry)); /* packets of a batch may differ */                \
         return traverse_##order(t, p, visits);
         FORMAT_ORDERS(CHOOSE)
 #undef CHOOSE

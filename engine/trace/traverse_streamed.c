@@ -6,6 +6,11 @@
 #include "engine/trace/order_depth_first.h"
 #include "engine/trace/order_hulls.h"
 
+#if PLT_WITH_PREFETCH
+#define FORMAT_STACK(t, bytes) (t)->entry_bytes = (uint16_t)(bytes)
+#define FORMAT_PAUSE(t) plt_prefetch_end(&((plt_stream *)(t)->state)->fetcher)
+#endif
+
 #define FORMAT_NAME streamed
 #define FORMAT_ORDERS(ROW) ROW(DEPTH_FIRST, depth_first) FORMAT_ORDER_HULLS(ROW)
 #include "engine/trace/traverse_format.h"

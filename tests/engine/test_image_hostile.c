@@ -17,7 +17,8 @@ static packed image_of(uint32_t triangles, uint8_t build, uint32_t k, uint32_t n
     mesh m = {0};
     packed image;
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, build, k, n};
+    const pack_options options = {
+        .splits = PLT_SPLIT_SAH, .build = build, .leaf_triangles = k, .treelet_nodes = n};
     shape_soup(&m, triangles, 0.8f, triangles);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);

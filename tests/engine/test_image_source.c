@@ -16,7 +16,8 @@ static packed image_of(uint32_t triangles, uint8_t build) {
     mesh m = {0};
     packed image;
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, build, 2, 3};
+    const pack_options options = {
+        .splits = PLT_SPLIT_SAH, .build = build, .leaf_triangles = 2, .treelet_nodes = 3};
     shape_soup(&m, triangles, 0.6f, 17);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);

@@ -9,6 +9,7 @@
 #include "board/fake/fake.h"
 #include "engine/base/rules.h"
 #include "engine/engine.h"
+#include "engine/memory/prefetch.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/rays.h"
@@ -35,12 +36,14 @@ typedef struct subject {
 /* How what follows is traced: packets of a batch, 0: none; and with no more tasks than that. */
 static uint16_t batch;
 static int has_few_tasks;
+static uint8_t parts_ahead; /* plt_options.prefetch of all that follows */
 
 static plt_options options_of(uint8_t residency, uint8_t packet_side, uint32_t store_bytes) {
     const int meets = batch > 0 && residency == PLT_RESIDENCY_STREAMED;
     const plt_options o = {.packet_side = packet_side,
                            .count_touched = 1,
                            .residency = residency,
+                           .prefetch = parts_ahead,
                            .store_bytes = store_bytes,
                            .schedule = meets ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH,
                            .batch = meets ? batch : 0};
@@ -129,6 +132,9 @@ static void same(const subject *s, uint8_t side, uint32_t store) {
     plt_stats_get(x.engine, &q);
     CHECK(q.bytes_fetched + PLT_HEADER_BYTES == x.link.bytes_moved, "bytes are not those moved");
     CHECK(q.fetch_retries == 0 && q.bytes_touched_once <= q.bytes_fetched, "statistics");
+    CHECK(q.bytes_validated >= (parts_ahead > 0 ? q.bytes_touched_once / 2 : q.bytes_fetched),
+          "bytes that came were not validated");
+    CHECK(fake_unfinished(&x.link) == 0, "something is on its way still");
     const uint64_t tree = s->image.info.node_bytes + s->image.info.triangle_bytes;
     CHECK(q.bytes_touched_once > tree / 4, "little was touched: the test is weak");
     if (store >= 2 * s->image.size) {
@@ -137,6 +143,43 @@ static void same(const subject *s, uint8_t side, uint32_t store) {
         CHECK(q.store_evictions > 100, "%u evictions", (unsigned)q.store_evictions);
     }
     close_run(&x);
+}
+
+/* How many bytes came with those parts ahead, and, in *most, transfers at once. */
+static uint64_t fetched_ahead(const subject *s, uint8_t ahead, uint32_t *most) {
+    run x = {.link = {.at_once = 0}};
+    plt_hit hits[RAYS];
+    plt_stats q;
+    plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 40000);
+    o.prefetch = ahead;
+    CHECK(open_run(&x, &s->image, &o) == PLT_OK, "%s", x.fault.message);
+    CHECK(plt_trace(x.engine, s->rays, hits, RAYS, 0) == PLT_OK &&
+              memcmp(hits, s->due[0], sizeof hits) == 0,
+          "%u ahead: hits", ahead);
+    plt_stats_get(x.engine, &q);
+    *most = x.link.pending_most;
+    close_run(&x);
+    return q.bytes_fetched;
+}
+
+/* What comes ahead is mostly wanted, and several parts are on their way at once. */
+static void ahead_of_rays(void) {
+    static subject s;
+    uint32_t most = 0;
+    fill_subject(&s, 9000, 2, 14, 1);
+    const uint64_t bytes = fetched_ahead(&s, 0, &most);
+    CHECK(most <= 2, "%u transfers at once without prefetch", most);
+    for (uint8_t ahead = 1; ahead <= PLT_PREFETCH_MOST; ahead++) {
+        const uint64_t more = fetched_ahead(&s, ahead, &most);
+        CHECK(more < bytes + bytes / 8, "%u ahead: %u bytes, without %u", ahead, (unsigned)more,
+              (unsigned)bytes);
+        CHECK(most >= ahead || most >= 3, "%u ahead: %u at once", ahead, most);
+        CHECK(most <= 2 + ahead * PLT_PREFETCH_TRANSFERS, "%u ahead: %u at once", ahead, most);
+    }
+    plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+    o.prefetch = PLT_PREFETCH_MOST + 1;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "more parts ahead than there are tags");
+    pack_free(&s.image);
 }
 
 static void all_stores(uint32_t triangles, uint32_t k, uint8_t bits, int ids) {
@@ -190,14 +233,21 @@ static uint32_t fails_once(const subject *s, enum fake_failure kind, uint32_t ca
     CHECK(trace_all(&x, s, hits) == PLT_OK, "kind %d, call %u", (int)kind, call);
     CHECK(memcmp(hits, s->due[0], sizeof hits) == 0, "kind %d, call %u: hits", (int)kind, call);
     plt_stats_get(x.engine, &q);
-    const uint32_t retries = (uint32_t)q.fetch_retries, starts = x.link.starts;
+    const uint32_t retries = (uint32_t)q.fetch_retries;
+    const uint32_t calls = kind == FAKE_FAILS_AT_WAIT ? x.link.waits : x.link.starts;
     close_run(&x);
-    return call > starts ? 0 : retries;
+    if (call > calls) {
+        return 0;
+    }
+    /* What came ahead and was not needed is not looked at. */
+    const int is_unseen = parts_ahead > 0 && retries == 0 &&
+                          (kind == FAKE_SILENT_AT_START || kind == FAKE_GARBLED_AT_START);
+    return is_unseen ? 1 : retries;
 }
 
 static void every_call_fails_once(const subject *s, enum fake_failure kind, uint32_t step) {
     uint32_t call = 1, failed = 0;
-    for (; call < 100000; call += call < 40 ? 1 : step) {
+    for (; call < 100000; call += call < 40 ? 1 : call < 100 ? 17 : step) {
         const uint32_t retries = fails_once(s, kind, call);
         if (retries == 0) {
             break;
@@ -540,6 +590,33 @@ static void refusals(void) {
     pack_free(&s.image);
 }
 
+/* All of it with parts that are on their way while rays are traced. */
+static void prefetched(uint8_t ahead, int soak) {
+    static subject s;
+    static const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
+                                              FAKE_SHORT_AT_START, FAKE_SILENT_AT_START};
+    parts_ahead = ahead;
+    all_stores(6000, 2, 14, 1);
+    fill_subject(&s, 2500, 2, 14, 1);
+    for (unsigned i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        every_call_fails_once(&s, kinds[i], 67);
+    }
+    for (uint32_t call = 1; call < 200; call += call < 20 ? 1 : 17) {
+        is_cut_and_mended(&s, call);
+    }
+    pack_free(&s.image);
+    fill_subject(&s, 2500, 2, 14, 0);
+    every_call_fails_once(&s, FAKE_GARBLED_AT_START, 67);
+    pack_free(&s.image);
+    forged_images(soak ? 30000 : 100);
+    changing_sources(soak ? 100 : 3);
+    claims_of_depth();
+    for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
+        deep_blocks(side);
+    }
+    parts_ahead = 0;
+}
+
 /* Of batches: fewer bytes than packets one by one, and never a block twice in one batch. */
 static void batches_save(void) {
     enum { SIDE = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8 };
@@ -635,6 +712,12 @@ int main(void) {
     has_few_tasks = 0;
     test("packets that meet fetch less than packets one by one");
     batches_save();
+    test("parts that come ahead of the rays: most are wanted");
+    ahead_of_rays();
+    test("... one at a time, hits are the same, and failures and lies are got over");
+    prefetched(1, is_soak);
+    test("... as many as may be");
+    prefetched(PLT_PREFETCH_MOST, is_soak);
     test("what cannot be streamed is refused");
     refusals();
     return test_done();

@@ -72,4 +72,17 @@ run residency=streamed packet=8
 verdict "damaged blocks are refused when they come, with rule and place" "$(
     [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*rule=I.* offset=' || echo "$text")"
 mv "$out/whole.plt" "$out/terrain.plt"
+
+folder=$BUILD/mps2_an386-compact-prefetch-render-stream
+make_board mps2_an386 PARTS='render compact stream prefetch' || { finish; exit; }
+bytes=$(find "$folder/engine" -name '*.o' | xargs arm-none-eabi-size |
+    awk 'NR > 1 { s += $1 } END { print s }')
+verdict "... and prefetch: $bytes bytes of engine, at most 57344" "$(
+    [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le 57344 ] || echo "$bytes bytes")"
+run residency=streamed packet=8 arena=65536 prefetch=4
+verdict "with parts on their way the hash is the host's, too" "$(
+    [ "$status" -eq 0 ] && [ "$(value frame_hash)" = "${view%% *}" ] || echo "$text")"
+run residency=streamed packet=8 prefetch=9
+verdict "more parts than there are tags are wrong usage" "$(
+    [ "$status" -eq 2 ] && echo "$text" | grep -q '^error: .*prefetch' || echo "$text")"
 finish
