@@ -289,6 +289,7 @@ static void add(plt_stats *sum, const plt_stats *q) {
     sum->bytes_touched_once += q->bytes_touched_once;
     sum->store_evictions += q->store_evictions;
     sum->fetch_retries += q->fetch_retries;
+    sum->bytes_validated += q->bytes_validated;
     sum->mixed_packets += q->mixed_packets;
     sum->packets += q->packets;
     sum->wave_rays += q->wave_rays;

@@ -5,10 +5,12 @@
 
 #include <inttypes.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "host_tools/app/note.h"
 #include "host_tools/app/phase.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/base/files.h"
@@ -18,7 +20,7 @@ enum { SMALL_THINGS = 1 << 22 }; /* bytes: buffers of outputs and of the C libra
 
 static const char *const packets[] = {"auto", "2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
-static const char *const sources[] = {"map", "read", NULL};
+static const char *const sources[] = {"map", "read", "dma:LATENCY_US,MB_PER_S[,OUTSTANDING]", NULL};
 static const char *const residencies[] = {"resident", "streamed", NULL};
 static const char *const schedules[] = {"branch", "batch", NULL};
 
@@ -36,8 +38,7 @@ const char *scene_name(const char *path) {
 static int is_worst(const scene *s) {
     plt_info info;
     plt_fault fault;
-    return plt_image_info(&s->file.source, &info, &fault) == PLT_OK &&
-           info.build == PLT_BUILD_DEVICE;
+    return plt_image_info(&s->source, &info, &fault) == PLT_OK && info.build == PLT_BUILD_DEVICE;
 }
 
 /* An arena that is too small, that the system does not give, or for which this program is too
@@ -121,10 +122,40 @@ static uint8_t read_packet(args *a) {
     return (uint8_t)side;
 }
 
+/* What stands behind "dma:". */
+static void read_board(args *a, const char *text, dma_config *c) {
+    int length = 0;
+    c->outstanding = DMA_OUTSTANDING_USUAL;
+    int read = sscanf(text, "%9lf,%9lf%n", &c->latency_us, &c->mb_per_s, &length);
+    if (read == 2 && text[length] == ',') {
+        int more = 0;
+        read += sscanf(text + length, ",%3u%n", &c->outstanding, &more) - 1;
+        length += more;
+    }
+    /* Not what is a number to scanf alone, as nan. */
+    if (read != 2 || text[length] != '\0' || strspn(text, "0123456789.,") != strlen(text) ||
+        c->latency_us > 1000 || c->mb_per_s < 0.1 || c->mb_per_s > 10000 || c->outstanding < 1 ||
+        c->outstanding > DMA_OUTSTANDING_MOST) {
+        args_complain(a,
+                      "--source dma:LATENCY_US,MB_PER_S[,OUTSTANDING] takes 0 to 1000, 0.1 to "
+                      "10000 and 1 to %d, not 'dma:%s'",
+                      DMA_OUTSTANDING_MOST, text);
+    }
+}
+
+static int read_source(scene *s, args *a) {
+    const char *text = args_text(a, "--source", "");
+    if (strncmp(text, "dma:", 4) != 0) {
+        return args_choice(a, "--source", sources, 0) == 1;
+    }
+    read_board(a, text + 4, &s->board.config);
+    return 1;
+}
+
 static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
     s->options.order = (uint8_t)args_choice(a, "--walk", orders, PLT_ORDER_DEPTH_FIRST);
-    *fetched = args_choice(a, "--source", sources, 0) == 1;
+    *fetched = read_source(s, a);
     s->options.residency = (uint8_t)args_choice(a, "--residency", residencies, 0);
     *fetched |= s->options.residency == PLT_RESIDENCY_STREAMED;
     s->options.store_bytes =
@@ -146,6 +177,16 @@ static void read_flags(scene *s, args *a, int *fetched) {
     if (s->workers == 0) {
         const unsigned processors = clock_processors();
         s->workers = processors < CREW_MOST ? processors : CREW_MOST;
+    }
+    s->options.prefetch = (uint8_t)args_number(a, "--prefetch", 0, 0, PLT_PREFETCH_MOST);
+    if (args_has(a, "--prefetch") && s->options.residency != PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--prefetch is for --residency streamed");
+    }
+    if (s->board.config.outstanding > 0 && s->options.residency != PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--source dma is for --residency streamed");
+    }
+    if (s->board.config.outstanding > 0 && s->workers > 1) {
+        args_complain(a, "--source dma is for one worker; leave out --workers");
     }
     s->arena_is_given = args_has(a, "--arena");
     s->arena_bytes = (size_t)args_number(a, "--arena", host_arena_bytes(), 1, host_arena_bytes());
@@ -195,6 +236,13 @@ static int attach_stream(scene *s, int fetched, fail *f) {
     return 0;
 }
 
+static int attach_file(scene *s, const char *path, int fetched, fail *f) {
+    if ((fetched ? host_scene_fetch(&s->file, path) : host_scene_map(&s->file, path)) != 0) {
+        return fail_set(f, path, "%s", s->file.why);
+    }
+    return files_read(s->file.file, path, f);
+}
+
 int scene_attach(scene *s, args *a, const char *path, fail *f) {
     int fetched = 0;
     read_flags(s, a, &fetched);
@@ -204,13 +252,14 @@ int scene_attach(scene *s, args *a, const char *path, fail *f) {
     if (path[0] == '\0') {
         return fail_set(f, NULL, "the scene has no name; give the file that planelet pack wrote");
     }
-    if (strcmp(path, "-") == 0) {
-        return attach_stream(s, fetched, f);
+    const int status =
+        strcmp(path, "-") == 0 ? attach_stream(s, fetched, f) : attach_file(s, path, fetched, f);
+    const dma_config board = s->board.config;
+    s->source = s->file.source;
+    if (board.outstanding > 0) {
+        s->source = dma_source(&s->board, &s->file.source, &board);
     }
-    if ((fetched ? host_scene_fetch(&s->file, path) : host_scene_map(&s->file, path)) != 0) {
-        return fail_set(f, path, "%s", s->file.why);
-    }
-    return files_read(s->file.file, path, f);
+    return status;
 }
 
 /* All of host_arena_bytes for each, if what the command takes later fits beside them; else NULL. */
@@ -227,7 +276,7 @@ static void *get_most(const scene *s) {
 static size_t need_of(const scene *s, const plt_info *info) {
     plt_options o = s->options;
     o.packet_side = o.packet_side > 0 ? o.packet_side : SCENE_USUAL_PACKET;
-    return plt_arena_need(info, s->file.source.mapped != NULL, &o);
+    return plt_arena_need(info, s->source.mapped != NULL, &o);
 }
 
 /* Does without the wide form, or without the wave. 0: it does without both already. */
@@ -259,7 +308,7 @@ static void *get_arena(scene *s, const plt_info *info) {
 
 /* What the first refuses, none needs to try. */
 static int open_engines(scene *s, void *arenas, plt_fault *fault) {
-    int status = plt_open(&s->engine, arenas, s->arena_bytes, &s->file.source, &s->options, fault);
+    int status = plt_open(&s->engine, arenas, s->arena_bytes, &s->source, &s->options, fault);
     if (status == PLT_OK) {
         status = crew_open(&s->crew, s->workers, s->engine, &s->file, &s->options, arenas,
                            s->arena_bytes);
@@ -272,7 +321,7 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
 
 int scene_start(scene *s, const char *path, plt_fault *fault) {
     plt_info info;
-    const int status = plt_image_info(&s->file.source, &info, fault);
+    const int status = plt_image_info(&s->source, &info, fault);
     if (status != PLT_OK) {
         return status;
     }
@@ -284,6 +333,9 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
     phase_begin("opening", scene_name(path));
     const int opened = open_engines(s, arena, fault);
     phase_end();
+    if (opened == PLT_OK && s->board.config.outstanding > 0) {
+        dma_reset(&s->board, s->engine);
+    }
     return opened;
 }
 
@@ -296,7 +348,19 @@ int scene_open(scene *s, args *a, const char *path, fail *f) {
     return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
 }
 
+/* For a person; --json has it for scripts. */
+static void note_board(const dma *board) {
+    dma d = *board;
+    dma_settle(&d);
+    const double cycles = (double)(d.worked + d.stalled);
+    note("the board of --source dma: %.3g million cycles at %d MHz, %.2f %% of them stalled",
+         1e-6 * cycles, DMA_CLOCK_MHZ, cycles > 0 ? 100.0 * (double)d.stalled / cycles : 0.0);
+}
+
 void scene_close(scene *s) {
+    if (s->engine != NULL && s->board.config.outstanding > 0) {
+        note_board(&s->board);
+    }
     host_scene_close(&s->file);
     input_free(&s->stream);
 }
@@ -344,6 +408,26 @@ static void print_crew(output *o, const crew *c, const crew_times *took, fail *f
     }
 }
 
+void scene_reset_stats(scene *s) {
+    crew_stats_reset(&s->crew);
+    if (s->board.config.outstanding > 0) {
+        dma_reset(&s->board, s->engine);
+    }
+}
+
+/* All of it has been counted: after the last call of the engine nothing is left. */
+static void print_board(output *o, const dma *board, fail *f) {
+    dma d = *board;
+    dma_settle(&d);
+    const uint64_t cycles = d.worked + d.stalled;
+    output_print(o, f,
+                 ",\n  \"dma_cycles_worked\": %" PRIu64 ",\n  \"dma_cycles_stalled\": %" PRIu64
+                 ",\n  \"dma_share_stalled\": %.4f,\n  \"dma_transfers\": %" PRIu64
+                 ",\n  \"dma_bytes\": %" PRIu64,
+                 d.worked, d.stalled, cycles > 0 ? (double)d.stalled / (double)cycles : 0.0,
+                 d.transfers, d.bytes);
+}
+
 void scene_print_stats(output *o, const scene *s, const crew_times *took, fail *f) {
     plt_stats q;
     const double seconds = took->seconds;
@@ -362,13 +446,18 @@ void scene_print_stats(output *o, const scene *s, const crew_times *took, fail *
                  ",\n"
                  "  \"store_evictions\": %" PRIu64 ",\n  \"fetch_retries\": %" PRIu64
                  ",\n"
+                 "  \"bytes_validated\": %" PRIu64
+                 ",\n"
                  "  \"schedule\": \"%s\",\n  \"batch\": %u,\n"
                  "  \"arena_bytes\": %zu,\n  \"arena_peak_bytes\": %zu",
                  q.rays, seconds, seconds > 0.0 ? (double)q.rays / seconds * 1e-6 : 0.0,
                  q.wave_rays, plt_packet_side(s->engine), q.packets, q.mixed_packets, q.node_visits,
                  q.group_tests, q.triangle_tests, q.treelet_fetches, q.bytes_fetched,
-                 q.bytes_touched_once, q.store_evictions, q.fetch_retries,
+                 q.bytes_touched_once, q.store_evictions, q.fetch_retries, q.bytes_validated,
                  schedules[s->options.schedule], plt_batch_packets(s->engine), s->arena_bytes,
                  peak_of(&s->crew));
     print_crew(o, &s->crew, took, f);
+    if (s->board.config.outstanding > 0) {
+        print_board(o, &s->board, f);
+    }
 }

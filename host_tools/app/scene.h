@@ -8,12 +8,15 @@
 #include "engine/planelet.h"
 #include "host_tools/app/args.h"
 #include "host_tools/app/crew.h"
+#include "host_tools/app/dma.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 
 typedef struct scene {
     host_scene file;
+    plt_source source;    /* of the file, or of a simulated board over it */
+    dma board;            /* with --source dma:...; outstanding 0: there is none */
     input stream;         /* standard input, in memory */
     plt_options options;  /* by the flags; count_touched and the wave by the command, before
                            * scene_attach; scene_start leaves out the wide form, and then the
@@ -51,8 +54,13 @@ typedef struct scene {
          "fetched (default branch)"},                                                              \
         {"--batch", "PACKETS",                                                                     \
          "packets that meet, 1 to 1024 (default as many as there is room for, 256 at most)"},      \
-        {"--source", "map|read",                                                                   \
-         "the image is mapped like flash, or fetched into the arena (default map)"},               \
+        {"--prefetch", "PARTS",                                                                    \
+         "streamed: parts of blocks that may be on their way before rays need them, 0 to 8 "       \
+         "(default 0)"},                                                                           \
+        {"--source", "map|read|dma:LATENCY_US,MB_PER_S[,OUTSTANDING]",                             \
+         "the image is mapped like flash, or fetched into the arena (default map); streamed, dma " \
+         "counts the cycles that a board works and stalls whose memory has that latency, 0 to "    \
+         "1000, and bandwidth, 0.1 to 10000, and takes 1 to 64 transfers at once (default 4)"},    \
     {                                                                                              \
         "--arena", "BYTES",                                                                        \
             "memory of the engine, 1 to 1073741824 (default 1 GiB, or what the scene needs where " \
@@ -92,6 +100,9 @@ const char *scene_name(const char *path);
 
 /* Reads a whole image, "-" is standard input, to where it may be taken for mapped (PLT_ALIGN). */
 int scene_read(input *in, const char *path, fail *f);
+
+/* Resets the statistics, and what a simulated board counts. */
+void scene_reset_stats(scene *s);
 
 /* The members that `trace` and `render` statistics share, without braces. */
 void scene_print_stats(output *o, const scene *s, const crew_times *took, fail *f);

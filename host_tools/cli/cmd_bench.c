@@ -260,6 +260,7 @@ static int measure_mesh(bench *b, char *path, fail *f) {
         status = pack_as(&image, &in, nodes, path, f);
         if (status == 0) {
             host_scene_hold(&s.file, image.bytes, image.size, 0);
+            s.source = s.file.source;
             s.arena_bytes = host_arena_bytes();
             status = measure_image(b, &s, path, f);
         }

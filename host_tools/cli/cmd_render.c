@@ -122,7 +122,7 @@ static int keep_frame(rendering *r, fail *f) {
 static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
     crew_times took = {.seconds = 0.0};
     int status = 0;
-    crew_stats_reset(&r->s.crew);
+    scene_reset_stats(&r->s);
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
         r->frame.camera = r->first;
         if (i > 0) {

@@ -119,7 +119,7 @@ static int trace_all(tracing *t, const char *path, unsigned repeat, fail *f) {
     progress_begin(&bar, "tracing", (uint64_t)repeat * t->count);
     for (unsigned i = 0; i < repeat && status == PLT_OK; i++) {
         crew_times took = {.seconds = 0.0};
-        crew_stats_reset(&t->s.crew);
+        scene_reset_stats(&t->s);
         status = crew_do(&t->s.crew, &work, &took);
         crew_times_keep(&t->took, &took, i == 0);
         work.before += t->count;

@@ -91,6 +91,15 @@ says "--store is for --residency streamed" render compact.plt -o x.png --store 6
 says "--schedule batch is for --residency streamed" render compact.plt -o x.png --schedule batch
 says "--batch is for --schedule batch" render compact.plt -o x.png --residency streamed --batch 2
 cured render compact.plt -o x.png --residency streamed --store 65536
+says "--prefetch is for --residency streamed" render compact.plt -o x.png --prefetch 4
+cured render compact.plt -o x.png --residency streamed --prefetch 4
+says "--source dma is for --residency streamed" render compact.plt -o x.png --source dma:1,20
+says "--source dma is for one worker; leave out --workers" render compact.plt -o x.png \
+    --residency streamed --source dma:1,20 --workers 2
+cured render compact.plt -o x.png --residency streamed --source dma:1,20
+says "--source dma:LATENCY_US,MB_PER_S[,OUTSTANDING] takes 0 to 1000, 0.1 to 10000 and 1 to %d, \
+not 'dma:%s'" render compact.plt -o x.png --residency streamed --source dma:1
+cured render compact.plt -o x.png --residency streamed --source dma:1000,0.1,64
 run pack knot.ply -o compact.plt --nodes compact
 says "%s; leave out --walk two-stage" render compact.plt -o x.png --walk two-stage
 cured render compact.plt -o x.png

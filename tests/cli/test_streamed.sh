@@ -89,6 +89,56 @@ misused "a store without a stream is wrong usage" "--residency streamed" \
 misused "a store below the least is wrong usage" "--store" \
     render t.plt -o x.png --residency streamed --store 28671
 
+# A board that is simulated: it counts cycles of work and stalls, and nothing else changes.
+works "a simulated board renders" render t.plt -o streamed.ppm --size 200x150 --residency streamed \
+    --store 40000 --source dma:1,20 --json slow.json
+same whole.ppm streamed.ppm "... the same picture"
+works "... with parts on their way" render t.plt -o streamed.ppm --size 200x150 \
+    --residency streamed --store 40000 --source dma:1,20 --prefetch 4 --json ahead.json
+same whole.ppm streamed.ppm "... the same picture"
+count() {
+    sed -n "s/^ *\"$2\": \([0-9.]*\).*/\1/p" "$1"
+}
+# less A B KEY PERCENT: trouble, unless KEY is in A at most so many percent of what it is in B.
+less() {
+    awk -v a="$(count "$1" "$3")" -v b="$(count "$2" "$3")" -v most="$4" 'BEGIN {
+        if (a <= 0 || b <= 0 || a > b * most / 100) print a " of " b }'
+}
+verdict "... it stalls for less than three quarters of the cycles" \
+    "$(less ahead.json slow.json dma_cycles_stalled 75)"
+verdict "... for a few more bytes" "$(less ahead.json slow.json bytes_fetched 108)"
+works "a faster memory" render t.plt -o streamed.ppm --size 200x150 --residency streamed \
+    --store 40000 --source dma:0.2,100,1 --json fast.json
+verdict "... stalls less, works and fetches the same" "$(
+    less fast.json slow.json dma_share_stalled 25
+    for key in dma_cycles_worked dma_bytes dma_transfers bytes_validated; do
+        [ "$(count fast.json $key)" = "$(count slow.json $key)" ] || echo "$key differs"
+    done)"
+verdict "... all bytes are those of the statistics" "$(
+    [ "$(count fast.json dma_bytes)" = "$(count fast.json bytes_fetched)" ] || cat fast.json)"
+for prefetch in 0 8; do
+    works "rays are traced over it, prefetch $prefetch" trace t.plt rays streamed.hits --any \
+        --residency streamed --arena 100000 --source dma:0,0.1,64 --prefetch $prefetch --json x.json
+    same whole.hits streamed.hits "... the hits are the same"
+    verdict "... they stall" "$(less x.json x.json dma_cycles_stalled 100)"
+done
+works "prefetch from the file itself" render t.plt -o streamed.ppm --size 200x150 \
+    --residency streamed --prefetch 8
+same whole.ppm streamed.ppm "... the same picture"
+misused "a board without a stream is wrong usage" "--residency streamed" \
+    render t.plt -o x.png --source dma:1,20
+misused "prefetch without a stream is wrong usage" "--residency streamed" \
+    render t.plt -o x.png --prefetch 1
+for least in dma:0,0.1,1 dma:1000,10000,64; do
+    works "--source $least is in range" render t.plt -o streamed.ppm --size 2x2 \
+        --residency streamed --source $least
+done
+for wrong in dma: dma:1 dma:1,0.09 dma:1,10001 dma:1001,20 dma:-1,20 dma:nan,20 dma:1,20,0 \
+    dma:1,20,65 dma:1,20, dma:1,20,4,4 dma:1,2e1 dma:1,20x; do
+    misused "--source $wrong is out of range" "--source" \
+        render t.plt -o x.png --residency streamed --source $wrong
+done
+
 # A byte in the middle of the blocks: opening a whole scene finds it, a streamed one when a ray
 # comes there. The message has file, byte and rule, and no picture is left.
 cp t.plt damaged.plt

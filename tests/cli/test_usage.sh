@@ -45,7 +45,7 @@ flags() {
     misused "planelet $command refuses a flag that it does not have" --frobnicate \
         "$command" quad.ply --frobnicate
 }
-scene_flags='--packet --walk --residency --store --schedule --batch --source --arena'
+scene_flags='--packet --walk --residency --store --schedule --batch --prefetch --source --arena'
 scene_flags="$scene_flags --workers --turns"
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
@@ -109,7 +109,9 @@ for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
 for pair in --packet=3 --walk=wide --residency=cached --store=64K --store=28671 --schedule=task \
-    --batch=0 --workers=65 --source=net --arena=0 --arena=64K --arena=1073741825; do
+    --batch=0 --workers=65 --prefetch=9 --source=net --source=dma --source=dma:1 \
+    --source=dma:1,20,0 \
+    --arena=0 --arena=64K --arena=1073741825; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
     misused "trace refuses $pair" "${pair%=*}" trace quad.plt rays x "$pair"
 done
