@@ -373,8 +373,9 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
  * plt_render_seek: the next step begins tile `tile`; one that is not finished is dropped. `count`:
  * so many are wanted, at least 1; batches end there, and begin anew if the caller goes on. What the
  * frame's pixels are does not depend on the order of tiles. PLT_ERR_ARGUMENT: there is no such
- * tile, count is 0, or no frame is in progress; nothing has changed. Cost: some 20 operations, of a streamed
- * scene up to 64 steps along a curve. Firmware has both where PARTS says `seek` (engine.mk). */
+ * tile, count is 0, or no frame is in progress; nothing has changed. Cost: some 20 operations, of a
+ * streamed scene up to 64 steps along a curve. Firmware has both where PARTS says `seek`
+ * (engine.mk). */
 uint32_t plt_render_tiles(const plt_engine *engine);
 int plt_render_seek(plt_engine *engine, uint32_t tile, uint32_t count);
 
