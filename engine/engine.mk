@@ -37,8 +37,8 @@ seek_files := engine/seek.c engine/shade/seek.c
 stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c stream.c) \
     engine/scene/open_streamed.c engine/trace/traverse_streamed.c engine/shade/tile_order.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
-groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c boxes.c \
-    rays.c packet_rays.c leaf_compact.c frustum.c) \
+groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
+    packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c

@@ -16,7 +16,7 @@ static uint32_t add_packets(plt_batch *b, plt_traversal *t, uint32_t most, const
     plt_batch_clear(b);
     while (b->count < b->most && taken < count) {
         const uint32_t now = least(most, count - taken);
-        plt_packet_load(&b->packet[b->count], &t->scene->box, rays + taken, now, any);
+        plt_packet_set_rays(&b->packet[b->count], &t->scene->box, rays + taken, now, any);
         plt_batch_add(b, t, now);
         taken += now;
     }

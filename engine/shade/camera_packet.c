@@ -25,6 +25,7 @@ void plt_view_packet(const plt_view *v, const plt_box *scene, plt_packet *p,
                      const plt_pixels *pixels) {
     const uint32_t rays = pixels->side * pixels->side;
     plt_packet_begin(p, scene, rays / 4, 0);
+    plt_packet_want_normals(p);
     for (uint32_t k = 0; k < rays; k += 4) {
         const uint32_t x = pixels->x + plt_z_order_x(k), y = pixels->y + plt_z_order_y(k);
         const unsigned columns = (x < pixels->x_end ? 5u : 0u) | (x + 1 < pixels->x_end ? 10u : 0u);

@@ -60,7 +60,8 @@ static inline f4 shallowest(const plt_packet *p, unsigned first) {
 }
 
 /* Lanes from groups that all have rays. */
-static inline void collect_groups(const plt_packet *p, plt_hull *h, unsigned first) {
+PLT_INLINED void collect_groups(const plt_packet *p, plt_hull *h, unsigned first,
+                                enum plt_coherence kind) {
     const plt_group_rays *g = &p->rays[first];
     const int x = plt_axis_after[p->axis], y = plt_axis_after[x];
     f4 row[4];
@@ -72,16 +73,18 @@ static inline void collect_groups(const plt_packet *p, plt_hull *h, unsigned fir
         row[i] = f4_load(g[i].slope[1]);
     }
     collect(row, h->far_rate[y], h->slabs.rdir[y]);
-    if (p->slabs.coherence != PLT_ONE_ORIGIN) {
-        for (int a = 0; a < 3; a++) {
+    if (kind != PLT_ONE_ORIGIN) {
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
             PLT_UNROLLED for (int i = 0; i < 4; i++) {
                 row[i] = f4_load(g[i].org[a]);
             }
             collect(row, h->slabs.far_org[a], h->slabs.near_org[a]);
         }
     }
-    f4_store(h->slabs.tmin, shallowest(p, first));
-    f4_store(h->slabs.tmax, deepest(p, first));
+    if (!p->unbounded) {
+        f4_store(h->slabs.tmin, shallowest(p, first));
+        f4_store(h->slabs.tmax, deepest(p, first));
+    }
 }
 
 /* A group without a ray: nothing that a hull would have to reach around. */
@@ -104,41 +107,45 @@ static void set_nothing(plt_packet *p, unsigned group) {
        f4_load((hull)[3].row))
 
 /* Lanes from the four hulls below. */
-static inline void collect_hulls(const plt_packet *p, plt_hull *h, const plt_hull *below) {
+PLT_INLINED void collect_hulls(const plt_packet *p, plt_hull *h, const plt_hull *below,
+                               enum plt_coherence kind) {
     for (int a = 0; a < 3; a++) {
         if (a != p->axis) {
             f4_store(h->far_rate[a], OF_FOUR(least_of, below, far_rate[a]));
             f4_store(h->slabs.rdir[a], OF_FOUR(most_of, below, slabs.rdir[a]));
         }
-        if (p->slabs.coherence != PLT_ONE_ORIGIN) {
+        if (kind != PLT_ONE_ORIGIN) {
             f4_store(h->slabs.far_org[a], OF_FOUR(least_of, below, slabs.far_org[a]));
             f4_store(h->slabs.near_org[a], OF_FOUR(most_of, below, slabs.near_org[a]));
         }
     }
-    f4_store(h->slabs.tmin, OF_FOUR(least_of, below, slabs.tmin));
-    f4_store(h->slabs.tmax, OF_FOUR(most_of, below, slabs.tmax));
+    if (!p->unbounded) {
+        f4_store(h->slabs.tmin, OF_FOUR(least_of, below, slabs.tmin));
+        f4_store(h->slabs.tmax, OF_FOUR(most_of, below, slabs.tmax));
+    }
 }
 
-static inline f4 rate(f4 slope, float least) {
-    return f4_div(f4_all(1.0f), f4_max(slope, f4_all(least)));
+static inline f4 rate(float sign, f4 slope, float least) {
+    return f4_div(f4_all(sign), f4_max(slope, f4_all(least)));
 }
 
-/* Rates along an axis across the packet's, from the interval of slopes. */
+/* Rates along an axis across the packet's, from the interval of slopes, whose signs are equal. */
 static inline void convert_slopes(const plt_packet *p, plt_hull *h, int axis) {
+    const f4 lo = f4_abs(f4_load(h->far_rate[axis])), hi = f4_abs(f4_load(h->slabs.rdir[axis]));
+    const float sign = p->slabs.negative[axis] ? -1.0f : 1.0f;
+    f4_store(h->slabs.rdir[axis], rate(sign, f4_max(lo, hi), SLOPE_FLAT));
+    f4_store(h->far_rate[axis], rate(sign, f4_min(lo, hi), SLOPE_LEAST));
+}
+
+/* ... whatever their signs are. */
+static void convert_mixed_slopes(const plt_packet *p, plt_hull *h, int axis) {
     const int back = p->slabs.negative[p->axis];
     const f4 lo = f4_load(h->far_rate[axis]), hi = f4_load(h->slabs.rdir[axis]);
     const f4 from = back ? f4_neg(hi) : lo, to = back ? f4_neg(lo) : hi;
-    if (p->slabs.coherence != PLT_MIXED) {
-        const int down = p->slabs.negative[axis];
-        const f4 near = rate(down ? f4_neg(from) : to, SLOPE_FLAT);
-        const f4 far = rate(down ? f4_neg(to) : from, SLOPE_LEAST);
-        f4_store(h->slabs.rdir[axis], down ? f4_neg(near) : near);
-        f4_store(h->far_rate[axis], down ? f4_neg(far) : far);
-        return;
-    }
     const m4 ups = f4_le(f4_zero(), to), downs = f4_lt(from, f4_zero());
-    const f4 up = rate(to, SLOPE_FLAT), down = f4_neg(rate(f4_neg(from), SLOPE_FLAT));
-    const f4 up_far = rate(from, SLOPE_LEAST), down_far = f4_neg(rate(f4_neg(to), SLOPE_LEAST));
+    const f4 up = rate(1.0f, to, SLOPE_FLAT), down = rate(-1.0f, f4_neg(from), SLOPE_FLAT);
+    const f4 up_far = rate(1.0f, from, SLOPE_LEAST);
+    const f4 down_far = rate(-1.0f, f4_neg(to), SLOPE_LEAST);
     f4_store(h->slabs.rdir[axis], f4_select(ups, up, f4_zero()));
     f4_store(h->back_rate[axis], f4_select(downs, down, f4_zero()));
     f4_store(h->far_rate[axis],
@@ -146,18 +153,21 @@ static inline void convert_slopes(const plt_packet *p, plt_hull *h, int axis) {
 }
 
 /* Along the packet's axis depth is distance. */
-static inline void set_along(const plt_packet *p, plt_hull *h) {
-    const f4 along = f4_all(p->slabs.negative[p->axis] ? -1.0f : 1.0f);
-    const int mixed = p->slabs.coherence == PLT_MIXED, back = p->slabs.negative[p->axis];
-    f4_store(h->slabs.rdir[p->axis], mixed && back ? f4_zero() : along);
+PLT_INLINED void set_along(const plt_packet *p, plt_hull *h, enum plt_coherence kind) {
+    const int back = p->slabs.negative[p->axis];
+    const f4 along = f4_all(back ? -1.0f : 1.0f);
+    f4_store(h->slabs.rdir[p->axis], kind == PLT_MIXED && back ? f4_zero() : along);
     f4_store(h->far_rate[p->axis], along);
-    f4_store(h->back_rate[p->axis], back ? along : f4_zero());
+    if (kind == PLT_MIXED) {
+        f4_store(h->back_rate[p->axis], back ? along : f4_zero());
+    }
 }
 
-static inline void convert_origins(const plt_packet *p, plt_hull *h, int axis, float error) {
+PLT_INLINED void convert_origins(const plt_packet *p, plt_hull *h, int axis, float error,
+                                 enum plt_coherence kind) {
     const f4 up = f4_add(f4_load(h->slabs.near_org[axis]), f4_all(error));
     const f4 down = f4_sub(f4_load(h->slabs.far_org[axis]), f4_all(error));
-    const int swap = p->slabs.coherence != PLT_MIXED && p->slabs.negative[axis];
+    const int swap = kind != PLT_MIXED && p->slabs.negative[axis];
     f4_store(h->slabs.near_org[axis], swap ? down : up);
     f4_store(h->slabs.far_org[axis], swap ? up : down);
 }
@@ -166,23 +176,33 @@ static inline f4 extent(const float to[4], const float from[4]) {
     return f4_sub(f4_load(to), f4_load(from));
 }
 
-static inline void convert(const plt_packet *p, plt_hull *h, const float error[3]) {
+PLT_INLINED void convert(const plt_packet *p, plt_hull *h, const float error[3],
+                         enum plt_coherence kind) {
     const int z = p->axis, x = plt_axis_after[z], y = plt_axis_after[x];
     const f4 slopes =
         f4_max(extent(h->slabs.rdir[x], h->far_rate[x]), extent(h->slabs.rdir[y], h->far_rate[y]));
     f4_store(h->narrow[0], f4_mul(slopes, f4_all(SMALL)));
-    convert_slopes(p, h, x);
-    convert_slopes(p, h, y);
-    set_along(p, h);
-    if (p->slabs.coherence == PLT_ONE_ORIGIN) {
+    if (p->unbounded) {
+        f4_store(h->slabs.tmin, f4_zero());
+        f4_store(h->slabs.tmax, f4_all(__builtin_inff()));
+    }
+    if (kind == PLT_MIXED) {
+        convert_mixed_slopes(p, h, x);
+        convert_mixed_slopes(p, h, y);
+    } else {
+        convert_slopes(p, h, x);
+        convert_slopes(p, h, y);
+    }
+    set_along(p, h, kind);
+    if (kind == PLT_ONE_ORIGIN) {
         f4_store(h->narrow[1], f4_zero());
         return;
     }
     const f4 origins = f4_max(extent(h->slabs.near_org[x], h->slabs.far_org[x]),
                               extent(h->slabs.near_org[y], h->slabs.far_org[y]));
     f4_store(h->narrow[1], f4_mul(origins, f4_all(SMALL)));
-    for (int a = 0; a < 3; a++) {
-        convert_origins(p, h, a, error[a]);
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        convert_origins(p, h, a, error[a], kind);
     }
 }
 
@@ -204,15 +224,31 @@ static void set_reach(plt_packet *p, float error[3]) {
         }
         furthest[a] = larger(-end[0], end[1]);
     }
-    p->reach = reach * PLT_REACH_ROUNDING;
-    p->least_slack = p->reach * p->reach * PLT_CLOSE_ERROR;
+    plt_packet_set_reach(p, reach * PLT_REACH_ROUNDING,
+                         larger(larger(furthest[0], furthest[1]), furthest[2]));
     for (int a = 0; a < 3; a++) {
         error[a] = larger(p->reach * PLT_BOX_ERROR, furthest[a] * PLT_ORIGIN_ERROR);
     }
 }
 
-void plt_hulls_set(plt_packet *p) {
+PLT_INLINED void set_kind(plt_packet *p, enum plt_coherence kind) {
+    const unsigned lowest = (p->first_group - 1) / 4; /* hulls of groups begin here */
     float error[3] = {0.0f, 0.0f, 0.0f};
+    for (unsigned i = 0; i < p->capacity; i += 4) {
+        collect_groups(p, &p->hull[lowest + i / 4], i, kind);
+    }
+    for (unsigned i = lowest; i-- > 0;) {
+        collect_hulls(p, &p->hull[i], &p->hull[plt_hull_below(i, 0)], kind);
+    }
+    if (kind != PLT_ONE_ORIGIN) {
+        set_reach(p, error);
+    }
+    for (unsigned i = 0; i < p->first_group; i++) {
+        convert(p, &p->hull[i], error, kind);
+    }
+}
+
+void plt_hulls_set(plt_packet *p) {
     p->changed = 0;
     for (int a = 0; a < 4; a++) {
         p->across[a] = a < 3 && a != p->axis ? 1.0f : 0.0f;
@@ -222,21 +258,20 @@ void plt_hulls_set(plt_packet *p) {
         return;
     }
     const plt_mask all = ~(plt_mask)0 >> (8 * sizeof(plt_mask) - p->capacity);
+    p->unbounded &= p->active == all;
     for (plt_mask m = all & ~p->active; m != 0; m &= m - 1) {
         set_nothing(p, plt_mask_first(m));
     }
-    const unsigned lowest = (p->first_group - 1) / 4; /* hulls of groups begin here */
-    for (unsigned i = 0; i < p->capacity; i += 4) {
-        collect_groups(p, &p->hull[lowest + i / 4], i);
-    }
-    for (unsigned i = lowest; i-- > 0;) {
-        collect_hulls(p, &p->hull[i], &p->hull[plt_hull_below(i, 0)]);
-    }
-    if (p->slabs.coherence != PLT_ONE_ORIGIN) {
-        set_reach(p, error);
-    }
-    for (unsigned i = 0; i < p->first_group; i++) {
-        convert(p, &p->hull[i], error);
+    switch (p->slabs.coherence) {
+    case PLT_ONE_ORIGIN:
+        set_kind(p, PLT_ONE_ORIGIN);
+        break;
+    case PLT_ONE_SIGN:
+        set_kind(p, PLT_ONE_SIGN);
+        break;
+    default:
+        set_kind(p, PLT_MIXED);
+        break;
     }
 }
 

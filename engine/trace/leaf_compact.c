@@ -67,28 +67,59 @@ void plt_leaf_triangle(const plt_block_tree *tree, const plt_geometry *g, const 
 }
 #endif
 
+/* Tests those of a leaf's triangles that are not culled: all at a time where groups are listed. */
+#if PLT_WITH_HULLS
+_Static_assert((int)PLT_TRIANGLES_MOST >= (int)PLT_LEAF_TRIANGLES_MOST, "all of a leaf at a time");
+
+static void test_triangles(const plt_leaf *leaf, const uint64_t key[], const uint8_t code[],
+                           const plt_triangle *common, uint32_t count, plt_packet *p,
+                           plt_mask groups) {
+    plt_triangle_rows rows[PLT_TRIANGLES_MOST];
+    unsigned kept = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (code != NULL && is_culled(leaf, code, i)) {
+            continue;
+        }
+        const uint64_t ordered = plt_leaf_ordered(leaf, key, i);
+        PLT_UNROLLED for (unsigned c = 0; c < 3; c++) {
+            rows[kept].corner[c] = f4_load(leaf->vertex[ordered >> 8 * c & 0xFFu].scene);
+        }
+        rows[kept++].word = common->word + i;
+    }
+    plt_triangles_groups(p, rows, kept, common->ids, common->longest, groups);
+}
+#else
+static void test_triangles(const plt_leaf *leaf, const uint64_t key[], const uint8_t code[],
+                           const plt_triangle *common, uint32_t count, plt_packet *p,
+                           plt_mask groups) {
+    plt_triangle t = *common;
+    for (uint32_t i = 0; i < count; i++) {
+        if (code != NULL && is_culled(leaf, code, i)) {
+            continue;
+        }
+        t.word = common->word + i;
+        set_corners(leaf, key, i, t.corner);
+        plt_triangle_groups(p, &t, p->any ? groups & p->active : groups);
+    }
+}
+#endif
+
 static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
                         plt_packet *p, plt_mask groups) {
     plt_leaf leaf;
     uint64_t key[PLT_LEAF_VERTICES_MOST];
     uint8_t code[PLT_LEAF_VERTICES_MOST];
     const int culling = g->k >= CULLING_FROM;
-    plt_triangle t;
-    t.longest = run->longest;
-    t.ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
+    plt_triangle common; /* but for its corners */
+    common.longest = run->longest;
+    common.ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
+    common.word = g->first_triangle + run->first;
     plt_leaf_read(g, run->first, run->count, &leaf);
     plt_leaf_positions(&leaf, &tree->lattice, key);
     if (culling) {
         set_outcodes(&leaf, p, groups, code);
     }
-    for (uint32_t i = 0; i < run->count; i++) {
-        if (culling && is_culled(&leaf, code, i)) {
-            continue;
-        }
-        t.word = g->first_triangle + run->first + i;
-        set_corners(&leaf, key, i, t.corner);
-        plt_triangle_groups(p, &t, p->any ? groups & p->active : groups);
-    }
+    test_triangles(&leaf, key, culling ? code : NULL, &common, run->count, p, groups);
 }
 
 void plt_leaf_groups(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,

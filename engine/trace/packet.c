@@ -45,7 +45,9 @@ static void set_origins(plt_group_slabs *s, plt_group_rays *g, const plt_box *sc
     }
     reach = f4_mul(reach, f4_all(PLT_REACH_ROUNDING));
     f4_store(g->reach, reach);
+#if !PLT_WITH_HULLS
     f4_store(g->least_slack, f4_mul(f4_mul(reach, reach), f4_all(PLT_CLOSE_ERROR)));
+#endif
     const f4 box_error = f4_mul(reach, f4_all(PLT_BOX_ERROR));
     for (int a = 0; a < 3; a++) {
         const f4 e = f4_max(box_error, f4_mul(f4_abs(org[a]), f4_all(PLT_ORIGIN_ERROR)));
@@ -105,6 +107,17 @@ static inline void set_slabs(plt_packet *p, unsigned index, const f4 org[3], con
 }
 
 #if PLT_WITH_HULLS
+static inline float larger(float a, float b) {
+    return a > b ? a : b;
+}
+
+void plt_packet_set_reach(plt_packet *p, float reach, float furthest) {
+    const float moved = larger(reach * PLT_BOX_ERROR, furthest * PLT_ORIGIN_ERROR);
+    p->reach = reach;
+    p->least_slack = reach * reach * PLT_CLOSE_ERROR;
+    p->least_sure = reach * moved * PLT_SURE_ERROR;
+}
+
 void plt_group_set_slabs(plt_packet *p, unsigned index) {
     const plt_group_rays *g = &p->rays[index];
     f4 org[3], dir[3];
@@ -117,13 +130,15 @@ void plt_group_set_slabs(plt_packet *p, unsigned index) {
 }
 
 void plt_packet_make_ready(plt_packet *p) {
-    f4 reach = f4_zero();
+    f4 reach = f4_zero(), furthest = f4_zero();
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
+        const plt_group_rays *g = &p->rays[plt_mask_first(m)];
+        const f4 org[3] = {f4_load(g->org[0]), f4_load(g->org[1]), f4_load(g->org[2])};
         plt_group_make_ready(p, plt_mask_first(m));
-        reach = f4_max(reach, f4_load(p->rays[plt_mask_first(m)].reach));
+        reach = f4_max(reach, f4_load(g->reach));
+        furthest = f4_max(furthest, largest_of(org));
     }
-    p->reach = -f4_min_lane(f4_neg(reach));
-    p->least_slack = p->reach * p->reach * PLT_CLOSE_ERROR;
+    plt_packet_set_reach(p, -f4_min_lane(f4_neg(reach)), -f4_min_lane(f4_neg(furthest)));
 }
 #endif
 
@@ -147,6 +162,7 @@ void plt_packet_set_group(plt_packet *p, unsigned index, const f4 org[3], const 
     const m4 ok = m4_and(valid_lanes(org, dir, tmin, tmax), m4_bits((1u << count) - 1u));
     f4 o[3], d[3];
     g->valid = (uint8_t)m4_mask(ok);
+    u4_store(g->id, u4_all(PLT_MISS));
     if (g->valid == 0) {
         return;
     }
@@ -173,7 +189,6 @@ void plt_packet_set_group(plt_packet *p, unsigned index, const f4 org[3], const 
     set_shear(g, d, g->valid);
     f4_store(s->tmin, f4_select(ok, f4_max(tmin, f4_zero()), f4_all(1.0f)));
     f4_store(s->tmax, f4_select(ok, tmax, f4_all(-1.0f)));
-    u4_store(g->id, u4_all(PLT_MISS));
     p->active |= plt_mask_of(index, 1);
 }
 
@@ -183,6 +198,7 @@ void plt_packet_begin(plt_packet *packet, const plt_box *scene, unsigned groups,
     packet->active = 0;
 #if PLT_WITH_HULLS
     packet->ready = packet->changed = 0;
+    packet->unbounded = packet->surfaces = 0;
 #endif
     packet->any = (uint8_t)(any != 0);
 }
@@ -201,20 +217,18 @@ static void copy_ray(plt_packet *p, unsigned group, unsigned lane) {
     }
     p->org[3] = p->slabs.near_org[3] = p->slabs.far_org[3] = 0.0f;
     p->slabs.backwards[3] = 0;
+#if PLT_WITH_HULLS
+    const float *o = p->org;
+    plt_packet_set_reach(
+        p, g->reach[lane],
+        larger(larger(__builtin_fabsf(o[0]), __builtin_fabsf(o[1])), __builtin_fabsf(o[2])));
+#else
     p->reach = g->reach[lane];
     p->least_slack = g->least_slack[lane];
+#endif
 }
 
-/* What the groups compared so far have in common with the ray that was copied, and the sum of
- * their directions. */
-typedef struct common {
-    unsigned is_apart;      /* 0: all have its origin */
-    unsigned axes;          /* a bit per axis that is the largest of some ray */
-    unsigned other_sign[3]; /* lanes that run the other way along an axis */
-    f4 forward[3];
-} common;
-
-static inline void compare_group(const plt_packet *p, const plt_group_rays *g, common *c) {
+static inline void compare_group(const plt_packet *p, const plt_group_rays *g, plt_common *c) {
     m4 same = m4_bits(15);
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 dir = f4_load(g->dir[a]);
@@ -227,20 +241,45 @@ static inline void compare_group(const plt_packet *p, const plt_group_rays *g, c
     c->is_apart |= g->valid & ~m4_mask(same);
 }
 
-static common compare_groups(const plt_packet *p) {
-    common c = {0, 0, {0, 0, 0}, {f4_zero(), f4_zero(), f4_zero()}};
+static plt_common compare_groups(const plt_packet *p) {
+    plt_common c = {0, 0, {0, 0, 0}, {f4_zero(), f4_zero(), f4_zero()}};
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
         compare_group(p, &p->rays[plt_mask_first(m)], &c);
     }
     return c;
 }
 
-void plt_packet_finish(plt_packet *p) {
+static inline void share(plt_packet *p, const plt_common *c) {
+    for (int a = 0; a < 3; a++) {
+        float sum[4];
+        f4_store(sum, c->forward[a]);
+        p->forward[a] = sum[0];
+    }
+    p->forward[3] = 0.0f;
+    if ((c->axes & (c->axes - 1)) == 0) {
+        p->axis = (uint8_t)(c->axes >> 1); /* 1, 2, 4 to 0, 1, 2 */
+    }
+    /* One origin needs one sign, too: moved origins follow the sign. */
+    if ((c->other_sign[0] | c->other_sign[1] | c->other_sign[2]) != 0) {
+        p->slabs.coherence = PLT_MIXED;
+    } else if (c->is_apart != 0) {
+        p->slabs.coherence = PLT_ONE_SIGN;
+    }
+#if PLT_WITH_HULLS
+    p->along = p->axis != PLT_AXES_DIFFER && c->other_sign[p->axis] == 0;
+#endif
+}
+
+static void share_nothing(plt_packet *p) {
     p->slabs.coherence = PLT_ONE_ORIGIN;
     p->axis = PLT_AXES_DIFFER;
 #if PLT_WITH_HULLS
     p->along = 0;
 #endif
+}
+
+void plt_packet_finish(plt_packet *p) {
+    share_nothing(p);
     if (p->active == 0) {
         return;
     }
@@ -250,23 +289,14 @@ void plt_packet_finish(plt_packet *p) {
         lane++;
     }
     copy_ray(p, first, lane);
-    const common c = compare_groups(p);
-    for (int a = 0; a < 3; a++) {
-        float sum[4];
-        f4_store(sum, c.forward[a]);
-        p->forward[a] = sum[0];
-    }
-    p->forward[3] = 0.0f;
-    if ((c.axes & (c.axes - 1)) == 0) {
-        p->axis = (uint8_t)(c.axes >> 1); /* 1, 2, 4 to 0, 1, 2 */
-    }
-    /* One origin needs one sign, too: moved origins follow the sign. */
-    if ((c.other_sign[0] | c.other_sign[1] | c.other_sign[2]) != 0) {
-        p->slabs.coherence = PLT_MIXED;
-    } else if (c.is_apart != 0) {
-        p->slabs.coherence = PLT_ONE_SIGN;
-    }
-#if PLT_WITH_HULLS
-    p->along = p->axis != PLT_AXES_DIFFER && c.other_sign[p->axis] == 0;
-#endif
+    const plt_common c = compare_groups(p);
+    share(p, &c);
 }
+
+#if PLT_WITH_HULLS
+void plt_packet_share(plt_packet *p, const plt_common *c) {
+    share_nothing(p);
+    copy_ray(p, 0, 0);
+    share(p, c);
+}
+#endif

@@ -20,19 +20,29 @@
 /* A group: four rays and their hits, beside their slabs; [axis][lane]. 68 bytes per ray. */
 typedef struct plt_group_rays {
     float org[3][4], dir[3][4];
-    float slope[2][4];     /* shear towards the axis of the largest component */
-    float reach[4];        /* largest distance on any axis from org to the scene's box */
-    float least_slack[4];  /* of edge functions (triangle.c): 320 u^2 reach^2 */
-    float u[4], v[4];      /* of the nearest hit, whose t is tmax of the slabs */
+    float slope[2][4]; /* shear towards the axis of the largest component */
+    float reach[4];    /* largest distance on any axis from org to the scene's box */
+#if PLT_WITH_HULLS
+    union { /* of the nearest hit, whose t is tmax of the slabs */
+        struct {
+            float u[4], v[4];
+        };
+        float normal[3][4]; /* plt_packet.surfaces: its normal, not normalised */
+    };
+#else
+    float least_slack[4]; /* of edge functions (triangle.c): 320 u^2 reach^2 */
+    float u[4], v[4];     /* of the nearest hit, whose t is tmax of the slabs */
+    float normal[3][4];   /* its normal, not normalised */
+#endif
     uint32_t id[4];        /* its primitive id, PLT_MISS: none */
-    float normal[3][4];    /* its normal, not normalised */
     uint8_t axis_lanes[3]; /* per axis, the lanes whose largest component it is */
     uint8_t valid;         /* lanes that hold a ray */
     uint8_t pad[12];       /* to a multiple of 16 */
 } plt_group_rays;
 
-_Static_assert(sizeof(plt_group_slabs) == 176 && sizeof(plt_group_rays) == 272,
-               "112 bytes per ray, and both multiples of 16");
+_Static_assert(sizeof(plt_group_slabs) == 176 &&
+                   sizeof(plt_group_rays) == (PLT_WITH_HULLS ? 224 : 272),
+               "100 or 112 bytes per ray, and both multiples of 16");
 
 /* plt_packet.axis when rays differ in the axis of their largest component. */
 #define PLT_AXES_DIFFER 3
@@ -55,6 +65,9 @@ typedef struct plt_packet {
     unsigned first_group, capacity; /* hulls before the first group; groups that fit */
     plt_mask ready;                 /* groups whose reach and slabs are set */
     plt_mask changed;               /* groups with hits that the hulls do not know yet */
+    float least_sure;               /* of edge functions: 128 u reach times how far origins move */
+    uint8_t surfaces;               /* hits have normals, or 0: u and v */
+    uint8_t unbounded;              /* all groups seek hits from 0 to infinity, or 0: unknown */
     uint8_t along;                  /* hulls can be set: one axis, one direction along it */
     float across[4];                /* 1 on the two axes across the packet's, else 0 */
 #endif
@@ -85,13 +98,37 @@ void plt_packet_init(plt_packet *packet, void *memory, unsigned side);
 void plt_packet_begin(plt_packet *packet, const plt_box *scene, unsigned groups, int any);
 void plt_packet_finish(plt_packet *packet);
 
+/* After plt_packet_begin: hits are to have normals. Without it u and v are sure, and where there
+ * are hulls normals are not there, or the other way round. */
+static inline void plt_packet_want_normals(plt_packet *packet) {
+#if PLT_WITH_HULLS
+    packet->surfaces = 1;
+#else
+    (void)packet;
+#endif
+}
+
 /* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. */
 void plt_packet_set_group(plt_packet *packet, unsigned index, const f4 org[3], const f4 dir[3],
                           f4 tmin, f4 tmax, unsigned count);
 
 /* A group's reach and slabs, which few groups of a packet with hulls need, are set when they
  * are asked for; without hulls, with the group. */
+/* What groups have in common with the ray that was copied, and the sum of their directions. */
+typedef struct plt_common {
+    unsigned is_apart;      /* 0: all have its origin */
+    unsigned axes;          /* a bit per axis that is the largest of some ray */
+    unsigned other_sign[3]; /* lanes that run the other way along an axis */
+    f4 forward[3];
+} plt_common;
+
 #if PLT_WITH_HULLS
+/* Instead of plt_packet_finish where that is known, and all groups have four rays. */
+void plt_packet_share(plt_packet *packet, const plt_common *common);
+
+/* Bounds for all rays: none has a larger reach, or an origin further from 0 on any axis. */
+void plt_packet_set_reach(plt_packet *packet, float reach, float furthest);
+
 void plt_group_set_slabs(plt_packet *packet, unsigned index);
 
 static inline void plt_group_make_ready(plt_packet *packet, unsigned index) {

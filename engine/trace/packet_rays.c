@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#include "engine/trace/packet_plain.h"
+
 _Static_assert(sizeof(plt_ray) == 32 && sizeof(plt_hit) == 16, "as in ray and hit files");
 
 void plt_packet_load_rays(plt_packet *p, unsigned index, const plt_ray *rays, uint32_t count) {
@@ -28,35 +30,54 @@ void plt_packet_load_rays(plt_packet *p, unsigned index, const plt_ray *rays, ui
     plt_packet_set_group(p, index, o, d, o[3], d[3], count);
 }
 
-/* Four hits: rows of t, u, v and id, as they lie in a hit file. Lanes without a
- * ray may hold garbage; it is masked out. */
-static void store_group(const plt_packet *p, unsigned index, plt_hit hits[4]) {
-    const plt_group_rays *g = &p->rays[index];
-    const u4 miss = u4_all(PLT_MISS), id = u4_load(g->id);
-    const m4 found = m4_andnot(m4_bits(g->valid), u4_eq(id, miss));
-    const m4 wanted = p->any ? m4_bits(0) : found;
-    const u4 name = p->any ? u4_select(found, u4_all(1), u4_all(0)) : u4_select(found, id, miss);
-    f4 row[4] = {f4_select(wanted, f4_load(p->slabs.group[index].tmax), f4_zero()),
-                 f4_select(wanted, f4_load(g->u), f4_zero()),
-                 f4_select(wanted, f4_load(g->v), f4_zero())};
-    uint32_t bits[4];
-    u4_store(bits, name);
-    row[3] = f4_load((const float *)(const void *)bits); /* bits are moved, not computed with */
+/* Code of its own for hits and for any hit, where that is short. */
+#if PLT_LANES_REGISTERS
+#define FOR_EACH_KIND PLT_INLINED
+#else
+#define FOR_EACH_KIND static
+#endif
+
+/* Four hits: rows of t, u, v and id, as they lie in a hit file, but of any hit 1 for its id, and
+ * nothing else. Lanes without a ray have missed. */
+FOR_EACH_KIND void store_group(const plt_group_slabs *s, const plt_group_rays *g, int any,
+                               plt_hit hits[4]) {
+    const u4 id = u4_load(g->id);
+    const m4 missed = u4_eq(id, u4_all(PLT_MISS));
+    f4 row[4] = {f4_zero(), f4_zero(), f4_zero(), f4_zero()};
+    uint32_t name[4];
+    u4_store(name, any ? u4_select(missed, u4_all(0), u4_all(1)) : id);
+    row[3] = f4_load((const float *)(const void *)name); /* bits are moved, not computed with */
+    if (!any) {
+        row[0] = f4_select(missed, f4_zero(), f4_load(s->tmax));
+        row[1] = f4_select(missed, f4_zero(), f4_load(g->u));
+        row[2] = f4_select(missed, f4_zero(), f4_load(g->v));
+    }
     f4_transpose(&row[0], &row[1], &row[2], &row[3]);
-    for (int i = 0; i < 4; i++) {
+    PLT_UNROLLED for (int i = 0; i < 4; i++) {
         f4_store((float *)(void *)&hits[i], row[i]);
     }
 }
 
-void plt_packet_store(const plt_packet *p, plt_hit *hits, uint32_t count) {
-    plt_hit last[4];
-    uint32_t i = 0;
-    for (; i + 4 <= count; i += 4) {
-        store_group(p, i / 4, hits + i);
+FOR_EACH_KIND void store_kind(const plt_packet *p, plt_hit *hits, uint32_t count, int any) {
+    const plt_group_slabs *s = p->slabs.group;
+    const plt_group_rays *g = p->rays;
+    uint32_t left = count;
+    for (; left > 4; left -= 4) {
+        store_group(s++, g++, any, hits);
+        hits += 4;
     }
-    if (i < count) {
-        store_group(p, i / 4, last);
-        memcpy(hits + i, last, (count - i) * sizeof *hits);
+    plt_hit last[4];
+    store_group(s, g, any, last);
+    memcpy(hits, last, left * sizeof *hits);
+}
+
+void plt_packet_store(const plt_packet *p, plt_hit *hits, uint32_t count) {
+    if (!PLT_LANES_REGISTERS) {
+        store_kind(p, hits, count, p->any);
+    } else if (p->any) {
+        store_kind(p, hits, count, 1);
+    } else {
+        store_kind(p, hits, count, 0);
     }
 }
 
@@ -69,9 +90,14 @@ static void ask_ahead(const plt_ray *rays, uint32_t count) {
     }
 }
 
-void plt_packet_load(plt_packet *p, const plt_box *scene, const plt_ray *rays, uint32_t count,
-                     int any) {
+void plt_packet_set_rays(plt_packet *p, const plt_box *scene, const plt_ray *rays, uint32_t count,
+                         int any) {
     plt_packet_begin(p, scene, (count + 3) / 4, any);
+#if PLT_WITH_HULLS
+    if (plt_packet_set_plain(p, rays, count)) {
+        return; /* it asks ahead itself */
+    }
+#endif
     for (unsigned i = 0; i < p->groups; i++) {
         plt_packet_load_rays(p, i, rays + 4 * i, count - 4 * i);
     }

@@ -10,9 +10,9 @@
  * (plt_packet_set_group). */
 void plt_packet_load_rays(plt_packet *packet, unsigned index, const plt_ray *rays, uint32_t count);
 
-/* Sets a packet up with `count` rays, at most those that it has room for. */
-void plt_packet_load(plt_packet *packet, const plt_box *scene, const plt_ray *rays, uint32_t count,
-                     int any);
+/* Starts a packet of `count` rays, and finishes it. `scene`: as for plt_packet_begin. */
+void plt_packet_set_rays(plt_packet *packet, const plt_box *scene, const plt_ray *rays,
+                         uint32_t count, int any);
 
 /* The hits of a packet whose traversal is done, in the order of its `count` rays. */
 void plt_packet_store(const plt_packet *packet, plt_hit *hits, uint32_t count);

@@ -20,5 +20,6 @@
 #define PLT_REACH_LEAST 8.8817841970012523e-16f /* 2^-50 */
 #define PLT_REACH_ROUNDING 1.000001f            /* the differences were rounded */
 #define PLT_CLOSE_ERROR 1.1368683772161603e-12f /* 320 u^2, of reach^2: triangle_common.h */
+#define PLT_SURE_ERROR 7.62939453125e-6f /* 128 u, of reach times e: DESIGN.md, section 7.8 */
 
 #endif

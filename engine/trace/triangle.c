@@ -6,9 +6,10 @@
 #include "engine/trace/triangle.h"
 
 #include "engine/base/small_stack.h"
-#include "engine/trace/triangle_record.h"
 
 #if !PLT_WITH_HULLS
+
+#include "engine/trace/triangle_record.h"
 
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {

@@ -28,6 +28,20 @@ typedef struct plt_triangle {
     const plt_primitive_ids *ids; /* or NULL */
 } plt_triangle;
 
+#if PLT_WITH_HULLS
+/* The same in registers: x, y, z; the fourth lane means nothing, but should not be subnormal. */
+typedef struct plt_triangle_rows {
+    f4 corner[3];
+    uint32_t word;
+} plt_triangle_rows;
+
+enum { PLT_TRIANGLES_MOST = 8 }; /* at a time */
+
+/* Tests `count` triangles for groups, as plt_triangle_groups does each. */
+void plt_triangles_groups(plt_packet *packet, const plt_triangle_rows *triangles, unsigned count,
+                          const plt_primitive_ids *ids, float longest, plt_mask groups);
+#endif
+
 /* Tests a triangle for `groups`; records hits in the groups. For any-hit
  * packets, groups whose rays have all hit leave packet->active. */
 void plt_triangle_groups(plt_packet *packet, const plt_triangle *triangle, plt_mask groups);

@@ -186,6 +186,8 @@ static m4 nearer(const plt_group_slabs *s, const plt_group_rays *g, f4 t, u4 id)
     return m4_and(f4_le(f4_load(s->tmin), t), m4_or(f4_lt(t, tmax), tie));
 }
 
+#if !PLT_WITH_HULLS
+
 /* u and v count from the corner that came first in the packed mesh. */
 static void store_weights(plt_group_rays *g, m4 hit, const edges *e, uint32_t rotation) {
     const f4 sum = f4_add(f4_add(e->weight[0], e->weight[1]), e->weight[2]);
@@ -232,6 +234,8 @@ static inline unsigned record_passing(passing *t, plt_packet *p, unsigned index,
     }
     return hits;
 }
+
+#endif
 
 /* Any hit: a group whose rays have all hit something leaves the packet. */
 static inline void retire_group(plt_packet *p, unsigned index) {

@@ -4,6 +4,7 @@
 #include "engine/trace/wave_state.h"
 
 #include "engine/trace/coherence.h"
+#include "engine/trace/ray_bounds.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/triangle_common.h"
 
@@ -39,6 +40,12 @@ static f4 along_of(const plt_group_rays *g) {
     return f4_select(is_x, x, f4_select(is_y, y, z));
 }
 
+/* Of edge functions: 320 u^2 reach^2. */
+static f4 least_slack_of(const plt_group_rays *g) {
+    const f4 reach = f4_load(g->reach);
+    return f4_mul(f4_mul(reach, reach), f4_all(PLT_CLOSE_ERROR));
+}
+
 static void stage_offsets(plt_wave_staged *to, const plt_group_slabs *s, const plt_group_rays *g) {
     unsigned negative[3];
     for (int a = 0; a < 3; a++) {
@@ -67,7 +74,7 @@ static void stage(plt_wave_job *job) {
     plt_group_make_ready(p, 0);
     store_rows(f4_load(g->org[0]), f4_load(g->org[1]), f4_load(g->org[2]), f4_load(g->reach),
                to->org);
-    store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), f4_load(g->least_slack), along_of(g),
+    store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), least_slack_of(g), along_of(g),
                to->shear);
     stage_offsets(to, s, g);
 }

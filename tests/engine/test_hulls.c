@@ -20,6 +20,7 @@
 #if PLT_WITH_HULLS && PLT_PACKET_SIDE_MAX >= 4
 
 #include "engine/trace/hull_test.h"
+#include "engine/trace/packet_plain.h"
 #include "engine/trace/rays.h"
 
 enum { RAYS_MOST = 256, PACKETS = 600, BOXES = 60 };
@@ -38,7 +39,7 @@ typedef struct counts {
 } counts;
 
 /* Through a plane at depth 1 before the eye, in Z order or nearly so; some are odd. */
-static void make_rays(subject *s, random_state *r, int apart, int mixed) {
+static void make_rays(subject *s, random_state *r, int apart, int mixed, int odd) {
     const int axis = (int)random_below(r, 3), x = (axis + 1) % 3, y = (axis + 2) % 3;
     const float back = random_below(r, 2) ? -s->scale : s->scale,
                 spread = random_float(r, 0.01f, 0.3f);
@@ -55,7 +56,10 @@ static void make_rays(subject *s, random_state *r, int apart, int mixed) {
             ray->org[a] = a == axis ? -back * 1.5f : far * random_float(r, -1.0f, 1.0f);
         }
         ray->tmin = apart ? 0.25f : 0.0f;
-        ray->tmax = random_below(r, 4) == 0 ? random_float(r, 0.3f, 3.0f) : INFINITY;
+        ray->tmax = odd && random_below(r, 4) == 0 ? random_float(r, 0.3f, 3.0f) : INFINITY;
+        if (!odd) {
+            continue;
+        }
         if (random_below(r, 40) == 0) {
             ray->dir[random_below(r, 3)] = random_below(r, 2) ? NAN : 0.0f;
         }
@@ -68,7 +72,7 @@ static void make_rays(subject *s, random_state *r, int apart, int mixed) {
     }
 }
 
-static int make_packet(subject *s, random_state *r, int apart, int mixed) {
+static void make_subject(subject *s, random_state *r, int apart, int mixed, int odd) {
     s->side = 4u << random_below(r, plt_hull_levels(PLT_PACKET_SIDE_MAX));
     s->count = random_below(r, 3) == 0 ? 1 + random_below(r, s->side * s->side) : s->side * s->side;
     s->scale = ldexpf(1.0f, (int)random_below(r, 3) * 30 - 30);
@@ -76,13 +80,14 @@ static int make_packet(subject *s, random_state *r, int apart, int mixed) {
         s->scene.lo[a] = -s->scale;
         s->scene.hi[a] = s->scale;
     }
-    make_rays(s, r, apart, mixed);
+    make_rays(s, r, apart, mixed, odd);
+}
+
+/* A packet without an odd ray now and then. */
+static int make_packet(subject *s, random_state *r, int apart, int mixed) {
+    make_subject(s, r, apart, mixed, random_below(r, 4) != 0);
     plt_packet_init(&s->packet, s->memory, s->side);
-    plt_packet_begin(&s->packet, &s->scene, (s->count + 3) / 4, 0);
-    for (uint32_t i = 0; i < s->packet.groups; i++) {
-        plt_packet_load_rays(&s->packet, i, s->rays + 4 * i, s->count - 4 * i);
-    }
-    plt_packet_finish(&s->packet);
+    plt_packet_set_rays(&s->packet, &s->scene, s->rays, s->count, 0);
     if (s->packet.along) {
         plt_hulls_set(&s->packet);
     }
@@ -206,6 +211,96 @@ static void test_boxes(int apart, int mixed, double spare) {
     CHECK(n.lanes < spare * n.lanes_of_rays, "hulls let too much through");
 }
 
+/* ---- packets that are set up at a glance, and group by group ------------------------ */
+
+static void set_groups(const subject *s, plt_packet *p, void *memory) {
+    plt_packet_init(p, memory, s->side);
+    plt_packet_begin(p, &s->scene, (s->count + 3) / 4, 0);
+    for (uint32_t i = 0; i < p->groups; i++) {
+        plt_packet_load_rays(p, i, s->rays + 4 * i, s->count - 4 * i);
+    }
+    plt_packet_finish(p);
+}
+
+/* u, v and normals are not set before there is a hit. */
+static void check_groups(const plt_packet *p, const plt_packet *q) {
+    for (plt_mask m = p->active; m != 0; m &= m - 1) {
+        const unsigned i = plt_mask_first(m);
+        const plt_group_rays *a = &p->rays[i], *b = &q->rays[i];
+        const plt_group_slabs *s = &p->slabs.group[i], *t = &q->slabs.group[i];
+        CHECK(memcmp(a->org, b->org, sizeof a->org) == 0 &&
+                  memcmp(a->dir, b->dir, sizeof a->dir) == 0 &&
+                  memcmp(a->slope, b->slope, sizeof a->slope) == 0 &&
+                  memcmp(a->axis_lanes, b->axis_lanes, sizeof a->axis_lanes) == 0,
+              "rays of group %u", i);
+        CHECK(a->valid == b->valid && memcmp(a->id, b->id, sizeof a->id) == 0, "lanes of %u", i);
+        CHECK(memcmp(s->tmin, t->tmin, sizeof s->tmin) == 0 &&
+                  memcmp(s->tmax, t->tmax, sizeof s->tmax) == 0,
+              "interval of group %u", i);
+    }
+}
+
+static void check_alike(const plt_packet *p, const plt_packet *q) {
+    const plt_slab_array *a = &p->slabs, *b = &q->slabs;
+    CHECK(p->active == q->active && p->axis == q->axis && p->along == q->along &&
+              a->coherence == b->coherence,
+          "axis %u, coherence %u; by groups %u, %u", p->axis, a->coherence, q->axis, b->coherence);
+    CHECK(memcmp(a->near_org, b->near_org, sizeof a->near_org) == 0 &&
+              memcmp(a->far_org, b->far_org, sizeof a->far_org) == 0 &&
+              memcmp(a->backwards, b->backwards, sizeof a->backwards) == 0 &&
+              memcmp(a->negative, b->negative, sizeof a->negative) == 0 &&
+              memcmp(p->org, q->org, sizeof p->org) == 0 && p->reach == q->reach &&
+              p->least_slack == q->least_slack && p->least_sure == q->least_sure,
+          "what the first ray decides");
+    check_groups(p, q);
+}
+
+/* One ray of a packet made odd, or of two signs, or of another axis; or none. */
+static void make_one_odd(subject *s, random_state *r) {
+    static const float odd[] = {NAN, INFINITY, -INFINITY, 3e38f, -0.0f, 1e-30f, -1e-3f};
+    plt_ray *ray = &s->rays[random_below(r, s->count)];
+    const float value = odd[random_below(r, sizeof odd / sizeof odd[0])];
+    switch (random_below(r, 5)) {
+    case 0:
+        ray->org[random_below(r, 3)] = value;
+        break;
+    case 1:
+        ray->dir[random_below(r, 3)] = value;
+        break;
+    case 2:
+        ray->tmin = value;
+        break;
+    case 3:
+        ray->tmax = value;
+        break;
+    default:
+        break;
+    }
+}
+
+static void test_plain(void) {
+    static subject s;
+    static plt_packet groups, glance;
+    static _Alignas(16) unsigned char memory[sizeof s.memory];
+    random_state r = {77};
+    unsigned plain = 0, unbounded = 0;
+    for (int i = 0; i < 4 * PACKETS; i++) {
+        make_subject(&s, &r, i & 1, i >> 1 & 1, 0);
+        make_one_odd(&s, &r);
+        set_groups(&s, &groups, memory);
+        plt_packet_init(&glance, s.memory, s.side);
+        plt_packet_begin(&glance, &s.scene, (s.count + 3) / 4, 0);
+        if (plt_packet_set_plain(&glance, s.rays, s.count)) {
+            check_alike(&glance, &groups);
+            plain++;
+            unbounded += glance.unbounded;
+        }
+    }
+    printf("    %u of %d packets are plain, %u seek hits anywhere\n", plain, 4 * PACKETS,
+           unbounded);
+    CHECK(plain > PACKETS && unbounded > PACKETS / 2 && plain > unbounded + PACKETS / 2, "too few");
+}
+
 static void check_narrowed(const subject *s) {
     const plt_packet *p = &s->packet;
     for (unsigned i = 0; i < p->first_group; i++) {
@@ -264,6 +359,8 @@ int main(void) {
     test_boxes(1, 0, 3.5);
     test("... and of mixed signs");
     test_boxes(1, 1, 3.5);
+    test("packets that are set up at a glance are as they are group by group");
+    test_plain();
     test("after hits hulls reach as far as the rays of each lane do, and no further");
     test_narrowed();
     return test_done();

@@ -54,7 +54,8 @@ static void make_rays(four *f, random_state *r, float scale) {
     }
 }
 
-static void set_group(four *f) {
+/* Where there are hulls hits have normals, or u and v. */
+static void set_group(four *f, int normals) {
     f4 o[3], d[3];
     for (int a = 0; a < 3; a++) {
         const float lanes[4] = {f->dir[0][a], f->dir[1][a], f->dir[2][a], f->dir[3][a]};
@@ -66,6 +67,9 @@ static void set_group(four *f) {
     f->packet.slabs.group = &f->slabs;
     f->packet.rays = &f->rays;
     plt_packet_begin(&f->packet, &f->scene, 1, 0);
+    if (normals) {
+        plt_packet_want_normals(&f->packet);
+    }
     plt_packet_set_group(&f->packet, 0, o, d, f4_zero(), f4_all(3.0e38f), 4);
     plt_packet_finish(&f->packet);
 }
@@ -175,21 +179,29 @@ static void with_one(const plt_ray_origin *o, const float dir[3], const float c[
     }
 }
 
-static void compare(const four *f, unsigned lane, const found *one, enum kind kind) {
-    found g = {.t = f->slabs.tmax[lane], .id = f->rays.id[lane]};
+/* What a lane has: u and v, or the normal; t and id both times. */
+static void take(const four *f, unsigned lane, int normals, found *g) {
+    const found none = {.t = 3.0e38f, .id = PLT_MISS}, before = normals ? *g : none;
+    *g = before;
     if (!(f->rays.valid >> lane & 1u)) {
-        g.t = 3.0e38f;
-        g.id = PLT_MISS;
-    } else if (g.id != PLT_MISS) {
-        g.u = f->rays.u[lane];
-        g.v = f->rays.v[lane];
-        for (int a = 0; a < 3; a++) {
-            g.normal[a] = f->rays.normal[a][lane];
-        }
+        return;
     }
-    CHECK(memcmp(&g, one, sizeof g) == 0, "kind %d: %a %a %a of %u, and in a group %a %a %a of %u",
-          kind, (double)one->t, (double)one->u, (double)one->v, one->id, (double)g.t, (double)g.u,
-          (double)g.v, g.id);
+    g->t = f->slabs.tmax[lane];
+    g->id = f->rays.id[lane];
+    CHECK(!normals || (g->t == before.t && g->id == before.id), "the same hits with normals");
+    for (int a = 0; normals && g->id != PLT_MISS && a < 3; a++) {
+        g->normal[a] = f->rays.normal[a][lane];
+    }
+    if (!normals && g->id != PLT_MISS) {
+        g->u = f->rays.u[lane];
+        g->v = f->rays.v[lane];
+    }
+}
+
+static void compare(const found *g, const found *one, enum kind kind) {
+    CHECK(memcmp(g, one, sizeof *g) == 0, "kind %d: %a %a %a of %u, and in a group %a %a %a of %u",
+          kind, (double)one->t, (double)one->u, (double)one->v, one->id, (double)g->t, (double)g->u,
+          (double)g->v, g->id);
 }
 
 static void one_group(random_state *r, enum kind kind, float scale) {
@@ -197,7 +209,6 @@ static void one_group(random_state *r, enum kind kind, float scale) {
     float c[2][3][3];
     plt_ray_origin o;
     make_rays(&f, r, scale);
-    set_group(&f);
     plt_ray_origin_set(&o, &f.scene, f.org);
     make_triangle(&f, r, kind, scale, c[0]);
     make_triangle(&f, r, kind, scale, c[1]);
@@ -212,15 +223,21 @@ static void one_group(random_state *r, enum kind kind, float scale) {
     const uint32_t first = random_below(r, 2);
     const uint32_t word[2] = {first | random_below(r, 3) << 29, (1 - first) | random_below(r, 3)
                                                                                   << 29};
-    for (int i = 0; i < 2; i++) {
-        with_four(&f, c[i], word[i]);
+    found four_found[4];
+    for (int normals = 0; normals < 2; normals++) {
+        set_group(&f, normals);
+        with_four(&f, c[0], word[0]);
+        with_four(&f, c[1], word[1]);
+        for (unsigned lane = 0; lane < 4; lane++) {
+            take(&f, lane, normals, &four_found[lane]);
+        }
     }
     for (unsigned lane = 0; lane < 4; lane++) {
         found one = {.t = 3.0e38f, .id = PLT_MISS};
         for (int i = 0; i < 2; i++) {
             with_one(&o, f.dir[lane], c[i], word[i], &one);
         }
-        compare(&f, lane, &one, kind);
+        compare(&four_found[lane], &one, kind);
     }
 }
 
