@@ -56,7 +56,10 @@ void plt_render_tile(const plt_engine *e, plt_tile *tile) {
 void plt_fault_get(const plt_engine *e, plt_fault *fault) {
 #if PLT_WITH_STREAMED
     if (plt_is_streamed(e->scene.format)) {
-        *fault = ((const plt_stream *)e->traversal.state)->fetcher.fault;
+        const void *state = e->traversal.state;
+        *fault = e->scene.format == PLT_FORMAT_STREAMED
+                     ? ((const plt_stream *)state)->fetcher.fault
+                     : ((const plt_treelet_stream *)state)->fetcher.fault;
         return;
     }
 #endif

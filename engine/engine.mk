@@ -5,7 +5,7 @@
 #   thesis   thesis nodes and lists, no compact blocks
 #   compact  compact blocks alone
 #   wave     with the wave for incoherent rays, which firmware is without unless it asks for it
-#   stream   with scenes that stay in their source, block by block, which firmware is without,
+#   stream   with scenes that stay in their source, part by part, which firmware is without,
 #            too
 #   batch    with packets that meet at the blocks of such scenes
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
@@ -21,13 +21,14 @@ ENGINE_ALL := $(sort $(wildcard engine/*.c engine/*/*.c engine/*/*/*.c))
 
 builder_files := $(wildcard engine/builder/*.c engine/scene/build_*.c engine/scene/worst_tree.c \
     engine/tree/thesis/treelets.c engine/image/record_cache.c)
-compact_files := $(wildcard engine/tree/compact/*.c engine/memory/*.c \
-    engine/image/record_cache.c engine/scene/*_compact.c engine/scene/*_streamed.c \
-    engine/trace/*_compact.c engine/trace/*_streamed.c engine/shade/tile_order.c \
+compact_files := $(wildcard engine/tree/compact/*.c engine/memory/block_cache.c \
+    engine/memory/stream.c engine/image/record_cache.c engine/scene/*_compact.c \
+    engine/scene/*_streamed.c engine/trace/*_compact.c engine/trace/*_streamed.c \
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
     engine/builder/split_lattice.c engine/builder/split_given.c engine/shade/beam_compact.c \
     engine/shade/beam_store.c engine/shade/beam_strips.c)
-thesis_files := $(wildcard engine/tree/thesis/*.c engine/scene/*_thesis.c engine/scene/*_list.c \
+thesis_files := $(wildcard engine/tree/thesis/*.c engine/memory/treelet_stream.c \
+    engine/scene/*_thesis.c engine/scene/*_list.c \
     engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
     engine/builder/split_records.c engine/shade/beam_thesis.c)
 
@@ -35,7 +36,9 @@ wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/tr
     engine/trace/ray_block.c engine/trace/coherence.c)
 seek_files := engine/seek.c engine/shade/seek.c
 stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c stream.c) \
-    engine/scene/open_streamed.c engine/trace/traverse_streamed.c engine/shade/tile_order.c
+    engine/memory/treelet_stream.c engine/tree/thesis/validate_treelet.c \
+    $(wildcard engine/scene/open_streamed*.c engine/trace/traverse_streamed*.c) \
+    engine/shade/tile_order.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
@@ -56,9 +59,6 @@ $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, 
 endif
 ifeq ($(filter-out render wave stream batch prefetch seek frames,$(sort $(PARTS))),compact thesis)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
-endif
-ifeq ($(sort $(filter thesis stream,$(PARTS))),stream thesis)
-$(error PARTS with stream has compact blocks: make PARTS='render compact stream')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter batch,$(PARTS)),batch)
 $(error PARTS with batch has stream: make PARTS='render compact stream batch')

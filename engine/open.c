@@ -225,12 +225,15 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_residency_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "only finished compact blocks with lattice geometry are streamed");
+                             "only finished trees are streamed, of compact blocks with lattice "
+                             "geometry or of treelets of at most 256 nodes");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             PLT_WITH_GROUPS ? "compact blocks are traversed depth first"
-                                             : "beams are traversed depth first");
+                             !PLT_WITH_GROUPS ? "beams are traversed depth first"
+                             : PLT_WITH_STREAMED
+                                 ? "compact blocks and streamed scenes are traversed depth first"
+                                 : "compact blocks are traversed depth first");
     }
     return PLT_OK;
 }

@@ -73,7 +73,7 @@ typedef struct plt_source {
 
 enum plt_order {
     PLT_ORDER_DEPTH_FIRST = 0, /* resident scenes: one stack, near child first */
-    PLT_ORDER_TWO_STAGE = 1    /* not of compact blocks: local and global stack (section 4.2) */
+    PLT_ORDER_TWO_STAGE = 1    /* of resident thesis nodes: local and global stack (section 4.2) */
 };
 
 /* Where the tree and the triangles of a finished image are while rays are traced. */
@@ -81,7 +81,9 @@ enum plt_residency {
     PLT_RESIDENCY_WHOLE = 0,   /* mapped, or fetched whole into the arena, and validated whole */
     PLT_RESIDENCY_STREAMED = 1 /* in the source: blocks are fetched into a store when a packet
                                 * needs them, and validated then (SPEC.md, 5.5). Compact blocks
-                                * with lattice geometry; the source may be mapped, too */
+                                * with lattice geometry, or thesis nodes in treelets of
+                                * PLT_STREAMED_TREELET_MOST at most; the source may be mapped,
+                                * too */
 };
 
 /* Who goes where, when a scene is streamed. Hits and frames are the same, bit for bit. */
@@ -96,8 +98,10 @@ enum plt_schedule {
 #define PLT_BATCH_MOST 1024u
 
 /* Least bytes of a store, its table included: the largest parts that a block can have fit it
- * together, wherever they lie: 739 (nodes), 8,184 (geometry) and 1,886 (primitive ids). */
+ * together, wherever they lie: 739 (nodes), 8,184 (geometry) and 1,886 (primitive ids); of thesis
+ * nodes 8,192, and 640 of records. */
 #define PLT_STORE_LEAST 28672u
+#define PLT_STREAMED_TREELET_MOST 256u
 
 /* Most parts on their way at once (plt_options.prefetch). */
 #define PLT_PREFETCH_MOST 8u

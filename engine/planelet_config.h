@@ -21,8 +21,24 @@
 #define PLT_WITH_BUILDER 1 /* images whose tree is built in the arena */
 #endif
 
+/* Scenes that stay in their source, part by part fetched when a ray needs it; of both formats, or
+ * of one. */
 #ifndef PLT_WITH_STREAMED
-#define PLT_WITH_STREAMED PLT_WITH_COMPACT /* compact blocks, fetched when a ray needs them */
+#define PLT_WITH_STREAMED 1
+#endif
+#ifndef PLT_WITH_STREAMED_THESIS
+#if PLT_WITH_STREAMED && PLT_WITH_THESIS
+#define PLT_WITH_STREAMED_THESIS 1
+#else
+#define PLT_WITH_STREAMED_THESIS 0
+#endif
+#endif
+#ifndef PLT_WITH_STREAMED_COMPACT
+#if PLT_WITH_STREAMED && PLT_WITH_COMPACT
+#define PLT_WITH_STREAMED_COMPACT 1
+#else
+#define PLT_WITH_STREAMED_COMPACT 0
+#endif
 #endif
 
 #ifndef PLT_WITH_BATCH
@@ -143,8 +159,16 @@
 #if !PLT_WITH_GROUPS && !PLT_WITH_BEAMS
 #error "without PLT_WITH_GROUPS there are beams alone: PLT_WITH_BEAMS"
 #endif
-#if (PLT_WITH_STREAMED != 0 && PLT_WITH_STREAMED != 1) || (PLT_WITH_STREAMED && !PLT_WITH_COMPACT)
-#error "PLT_WITH_STREAMED is the digit 0, or with PLT_WITH_COMPACT 1"
+#if PLT_WITH_STREAMED != 0 && PLT_WITH_STREAMED != 1
+#error "PLT_WITH_STREAMED is the digit 0 or 1"
+#endif
+#if (PLT_WITH_STREAMED_THESIS != 0 && PLT_WITH_STREAMED_THESIS != 1) ||                            \
+    (PLT_WITH_STREAMED_THESIS && !(PLT_WITH_STREAMED && PLT_WITH_THESIS))
+#error "PLT_WITH_STREAMED_THESIS is the digit 0, or with PLT_WITH_STREAMED and PLT_WITH_THESIS 1"
+#endif
+#if (PLT_WITH_STREAMED_COMPACT != 0 && PLT_WITH_STREAMED_COMPACT != 1) ||                          \
+    (PLT_WITH_STREAMED_COMPACT && !(PLT_WITH_STREAMED && PLT_WITH_COMPACT))
+#error "PLT_WITH_STREAMED_COMPACT is the digit 0, or with PLT_WITH_STREAMED and PLT_WITH_COMPACT 1"
 #endif
 #if (PLT_WITH_BATCH != 0 && PLT_WITH_BATCH != 1) || (PLT_WITH_BATCH && !PLT_WITH_STREAMED)
 #error "PLT_WITH_BATCH is the digit 0, or with PLT_WITH_STREAMED 1"

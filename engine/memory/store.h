@@ -26,8 +26,9 @@ typedef struct plt_store_part {
     uint16_t chain;     /* in its bucket */
     uint8_t found;      /* since the queue came by */
     uint8_t held;       /* so often; not moved, not given up */
-    uint8_t depth;      /* this and the next three are the caller's */
+    uint8_t depth;      /* this and what follows are the caller's */
     uint8_t fresh;      /* nobody has validated it yet */
+    uint8_t more;
     uint32_t serial, against;
 } plt_store_part;
 

@@ -1,7 +1,7 @@
 /* formats - the one list of what a scene can be
  *
- * A format is a row here, a member of plt_scene (scene.h; streamed scenes have that of compact
- * ones), and files of its own:
+ * A format is a row here, a member of plt_scene (scene.h; streamed scenes have those of
+ * resident ones), and files of its own:
  * scene/open_NAME.c opens it, trace/format_NAME.h and trace/traverse_NAME.c traverse it.
  * Declarations and switches over formats are made from this list; engine/layout.c says
  * what each takes of an arena.
@@ -16,7 +16,10 @@
 #define PLT_FORMATS(ROW)                                                                           \
     ROW(THESIS, thesis, PLT_WITH_THESIS, "thesis nodes (PLT_WITH_THESIS)")                         \
     ROW(COMPACT, compact, PLT_WITH_COMPACT, "compact blocks (PLT_WITH_COMPACT)")                   \
-    ROW(STREAMED, streamed, PLT_WITH_STREAMED, "streamed scenes (PLT_WITH_STREAMED)")              \
+    ROW(STREAMED, streamed, PLT_WITH_STREAMED_COMPACT,                                             \
+        "streamed compact blocks (PLT_WITH_STREAMED_COMPACT)")                                     \
+    ROW(STREAMED_THESIS, streamed_thesis, PLT_WITH_STREAMED_THESIS,                                \
+        "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")
 
 enum plt_format {
@@ -32,15 +35,19 @@ enum plt_format {
 #define PLT_IF_JOINED(with, ...) PLT_IF_##with(__VA_ARGS__)
 #define PLT_IF(with, ...) PLT_IF_JOINED(with, __VA_ARGS__)
 
-/* A finished tree of compact blocks with lattice geometry can be streamed, if anything can. */
+/* A finished tree can be streamed, if anything can: compact blocks with lattice geometry, and
+ * thesis nodes in treelets that are not too large. */
 static inline int plt_can_stream(const plt_info *info) {
-    return PLT_WITH_STREAMED && info->nodes_format == PLT_NODES_COMPACT &&
-           info->geometry_format == PLT_GEOMETRY_LATTICE && info->build == PLT_BUILD_HOST;
+    return PLT_WITH_STREAMED && info->build == PLT_BUILD_HOST &&
+           (info->nodes_format == PLT_NODES_COMPACT
+                ? info->geometry_format == PLT_GEOMETRY_LATTICE
+                : info->treelet_nodes <= PLT_STREAMED_TREELET_MOST);
 }
 
 /* 0, known when it is compiled, where the engine has no streamed scenes. */
 static inline int plt_is_streamed(unsigned format) {
-    return PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED;
+    return PLT_WITH_STREAMED &&
+           (format == PLT_FORMAT_STREAMED || format == PLT_FORMAT_STREAMED_THESIS);
 }
 
 /* `residency`: enum plt_residency. */
@@ -49,7 +56,8 @@ static inline enum plt_format plt_format_of(const plt_info *info, unsigned resid
         return PLT_FORMAT_LIST;
     }
     if (residency == PLT_RESIDENCY_STREAMED && plt_can_stream(info)) {
-        return PLT_FORMAT_STREAMED;
+        return info->nodes_format == PLT_NODES_COMPACT ? PLT_FORMAT_STREAMED
+                                                       : PLT_FORMAT_STREAMED_THESIS;
     }
     return info->nodes_format == PLT_NODES_COMPACT ? PLT_FORMAT_COMPACT : PLT_FORMAT_THESIS;
 }

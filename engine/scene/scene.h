@@ -10,6 +10,7 @@
 
 #include "engine/base/box.h"
 #include "engine/memory/stream.h"
+#include "engine/memory/treelet_stream.h"
 #include "engine/scene/formats.h"
 #include "engine/tree/bvh4.h"
 #include "engine/tree/compact/block_tree.h"
@@ -30,8 +31,11 @@ typedef struct plt_scene {
         plt_block_tree compact;
         plt_list list;
     };
-    plt_stream_image stream; /* of a streamed scene: where its blocks come from */
-    const plt_bvh4 *bvh4;    /* the tree again, as the wave wants it; NULL: not asked for */
+    union { /* of a streamed scene: where its parts come from */
+        plt_stream_image stream;
+        plt_treelet_image treelets;
+    };
+    const plt_bvh4 *bvh4; /* the tree again, as the wave wants it; NULL: not asked for */
 } plt_scene;
 
 #endif

@@ -82,6 +82,10 @@ static inline void format_decode(const plt_traversal *t, const format_place *pla
     children_decode(c, node, place);
 }
 
+static inline void format_child(const format_children *c, unsigned child, format_place *place) {
+    children_place(c, child, place);
+}
+
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {
     const plt_record *record = &t->scene->thesis.records[plt_link_index(place->link)];

@@ -152,8 +152,12 @@ static int push_root_depth_first(plt_traversal *t, const plt_packet *p) {
     return format_root(t, &root->place);
 }
 
-static inline int root_waits_depth_first(plt_traversal *t, const plt_packet *p) {
-    return depth_first_waits(t, p, (const depth_first_entry *)t->stack);
+#if FORMAT_MEETS
+/* Where all packets meet first, be it an edge or not. */
+static int root_waits_depth_first(plt_traversal *t) {
+    const depth_first_entry *root = (const depth_first_entry *)t->stack;
+    return format_wait(t, &root->place, 0.0f, root, sizeof *root);
 }
+#endif
 
 #endif

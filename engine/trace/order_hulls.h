@@ -304,10 +304,13 @@ static int push_root_hulls(plt_traversal *t, plt_packet *p) {
     return format_root(t, &root->place);
 }
 
-static inline int root_waits_hulls(plt_traversal *t, const plt_packet *p) {
-    (void)p;
-    return hulls_wait(t, (const hulls_entry *)t->stack);
+#if FORMAT_MEETS
+/* Where all packets meet first, be it an edge or not. */
+static int root_waits_hulls(plt_traversal *t) {
+    const hulls_entry *root = (const hulls_entry *)t->stack;
+    return format_wait(t, &root->place, 0.0f, root, sizeof *root);
 }
+#endif
 
 #endif
 

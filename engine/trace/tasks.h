@@ -22,7 +22,7 @@
 #define PLT_TASK_NONE 0xFFFFu
 
 /* Bytes of a place, and of what may follow it in an entry, at most (traverse_format.h). */
-enum { PLT_TASK_PLACE_BYTES = 40, PLT_TASK_REST_BYTES = PLT_WITH_HULLS ? 28 : 12 };
+enum { PLT_TASK_PLACE_BYTES = 48, PLT_TASK_REST_BYTES = PLT_WITH_HULLS ? 32 : 12 };
 
 typedef struct plt_task {
     uint16_t next; /* of the same treelet; or of those that are unused */

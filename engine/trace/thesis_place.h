@@ -3,6 +3,9 @@
  * In two ways: for machines that hold four lanes in a register, where a box is two of them and
  * all axes are decoded at once, and for all others, float by float. Both give the same numbers.
  *
+ * With PLT_TREELETS_STREAMED a place has the scope of its treelet, too; of an edge that of the one
+ * behind it (memory/treelet_stream.h).
+ *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_THESIS_PLACE_H
 #define PLT_TRACE_THESIS_PLACE_H
@@ -16,6 +19,9 @@
 typedef struct format_place {
     f4 lo, hi; /* x, y, z, and a number that means nothing */
     uint32_t link;
+#ifdef PLT_TREELETS_STREAMED
+    uint32_t scope;
+#endif
 } format_place;
 
 /* Written four lanes at once: the fourth of a store is overwritten by the next. */
@@ -28,6 +34,10 @@ typedef struct format_children {
     const plt_node *node;
     f4 lo[2], hi[2];
     format_room room;
+#ifdef PLT_TREELETS_STREAMED
+    plt_treelet_stream *stream;
+    uint32_t scope;
+#endif
 } format_children;
 
 static inline void place_set_box(format_place *place, const plt_box *box) {
@@ -93,7 +103,7 @@ static inline void format_child_bounds(const format_children *c, unsigned child,
     *hi = c->hi[child];
 }
 
-static inline void format_child(const format_children *c, unsigned child, format_place *place) {
+static inline void children_place(const format_children *c, unsigned child, format_place *place) {
     place->lo = c->lo[child];
     place->hi = c->hi[child];
     place->link = plt_node_link(c->node, (int)child);
@@ -111,6 +121,9 @@ static inline float place_longest_side(const format_place *place) {
 typedef struct format_place {
     plt_box box;
     uint32_t link;
+#ifdef PLT_TREELETS_STREAMED
+    uint32_t scope;
+#endif
 } format_place;
 
 typedef struct format_room {
@@ -120,6 +133,10 @@ typedef struct format_room {
 typedef struct format_children {
     const plt_node *node;
     plt_box box[2];
+#ifdef PLT_TREELETS_STREAMED
+    plt_treelet_stream *stream;
+    uint32_t scope;
+#endif
 } format_children;
 
 static inline void place_set_box(format_place *place, const plt_box *box) {
@@ -143,7 +160,7 @@ static inline const plt_box *format_boxes(const format_children *c) {
     return c->box;
 }
 
-static inline void format_child(const format_children *c, unsigned child, format_place *place) {
+static inline void children_place(const format_children *c, unsigned child, format_place *place) {
     place->box = c->box[child];
     place->link = plt_node_link(c->node, (int)child);
 }

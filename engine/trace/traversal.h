@@ -30,7 +30,7 @@ typedef struct plt_traversal {
     unsigned leaves_waiting; /* PLT_LEAVES_WAITING and two at most */
 #endif
 #if PLT_WITH_STREAMED
-    void *store;          /* of streamed blocks */
+    void *store;          /* of a streamed scene's parts */
     uint32_t store_bytes; /* of it */
 #endif
 #if PLT_WITH_BATCH
@@ -49,7 +49,7 @@ typedef struct plt_traversal {
 /* Entries that the stack of a streamed scene has beyond depth_stack_entries, which nobody has
  * counted: what its blocks say of themselves is tested with this to spare, for the levels of
  * hulls, and for what a block has pushed itself when a packet comes back to it
- * (blocks_streamed.h). */
+ * (blocks_streamed.h, format_streamed_thesis.h). */
 #define PLT_STACK_SLACK (4u + PLT_BLOCK_NODES_MOST)
 
 /* Depth first, for packets with hulls (order_hulls.h); follows enum plt_order. */

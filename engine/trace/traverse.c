@@ -61,7 +61,14 @@ void plt_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
 
 #if PLT_WITH_BATCH
 int plt_treelet_at_hand(const plt_traversal *t, uint32_t treelet) {
+#if PLT_WITH_STREAMED_THESIS
+    if (!PLT_WITH_STREAMED_COMPACT || t->scene->format == PLT_FORMAT_STREAMED_THESIS) {
+        return plt_streamed_thesis_at_hand(t, treelet);
+    }
+#endif
+#if PLT_WITH_STREAMED_COMPACT
     return plt_streamed_at_hand(t, treelet);
+#endif
 }
 #endif
 

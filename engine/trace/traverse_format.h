@@ -69,7 +69,7 @@ static int PLT_JOINED(FORMAT_NAME, root_waits)(plt_traversal *t, const plt_packe
     switch (FORMAT_ORDER(plt_order_for(t, p))) {
 #define ROOT_WAITS(ORDER, order)                                                                   \
     case PLT_ORDER_##ORDER:                                                                        \
-        return root_waits_##order(t, p);
+        return root_waits_##order(t);
         FORMAT_ORDERS(ROOT_WAITS)
 #undef ROOT_WAITS
     default:

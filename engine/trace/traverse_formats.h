@@ -17,7 +17,8 @@
 PLT_FORMATS(PLT_TRAVERSE_DECLARED)
 #undef PLT_TRAVERSE_DECLARED
 
-/* plt_treelet_at_hand, of the format that is streamed. */
+/* plt_treelet_at_hand, of the formats that are streamed. */
 int plt_streamed_at_hand(const plt_traversal *t, uint32_t treelet);
+int plt_streamed_thesis_at_hand(const plt_traversal *t, uint32_t treelet);
 
 #endif

@@ -15,7 +15,7 @@
 #define FORMAT_ORDERS(ROW) ROW(DEPTH_FIRST, depth_first) FORMAT_ORDER_HULLS(ROW)
 #include "engine/trace/traverse_format.h"
 
-#if PLT_WITH_BATCH
+#if PLT_WITH_BATCH && PLT_WITH_STREAMED_COMPACT
 int plt_streamed_at_hand(const plt_traversal *t, uint32_t treelet) {
     return plt_stream_has((const plt_stream *)t->state, treelet);
 }

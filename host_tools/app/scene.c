@@ -41,6 +41,16 @@ static int is_worst(const scene *s) {
     return plt_image_info(&s->source, &info, &fault) == PLT_OK && info.build == PLT_BUILD_DEVICE;
 }
 
+/* In that order all else that was asked for can be had. */
+static int goes_depth_first(const scene *s) {
+    plt_info info;
+    plt_fault fault;
+    plt_options options = s->options;
+    options.order = PLT_ORDER_DEPTH_FIRST;
+    return plt_image_info(&s->file.source, &info, &fault) == PLT_OK &&
+           plt_arena_need(&info, 0, &options) > 0;
+}
+
 /* An arena that is too small, that the system does not give, or for which this program is too
  * small. */
 static int arena_refused(const scene *s, const char *name, size_t need, fail *f) {
@@ -99,9 +109,9 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
                         fault->message);
     default:
         return fail_set(f, name,
-                        s->options.residency == PLT_RESIDENCY_STREAMED
-                            ? "%s; pack it with --nodes compact, or use --residency resident"
-                            : "%s; leave out --walk two-stage",
+                        goes_depth_first(s)
+                            ? "%s; leave out --walk two-stage"
+                            : "%s; pack it with --nodes compact, or use --residency resident",
                         fault->message);
     }
 }

@@ -45,8 +45,8 @@ typedef struct scene {
      "auto)"},                                                                                     \
         {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
         {"--residency", "resident|streamed",                                                       \
-         "the whole scene is in memory, or compact blocks are fetched from the file when rays "    \
-         "need them (default resident)"},                                                          \
+         "the whole scene is in memory, or blocks are fetched from the file when rays need them "  \
+         "(default resident)"},                                                                    \
         {"--store", "BYTES",                                                                       \
          "streamed: memory for blocks, from 28672 (default all that the arena has room for)"},     \
         {"--schedule", "branch|batch",                                                             \

@@ -81,12 +81,16 @@ for remedy in '--eye 5e11,5e11,1e12' '--fov 150'; do
     cured render huge.plt -o x.png --size 64x48 $remedy
 done
 
-run pack knot.ply -o thesis.plt
+run pack knot.ply -o thesis.plt --treelet 257
 says "%s; pack it with --nodes compact, or use --residency resident" \
     render thesis.plt -o x.png --residency streamed
 cured render thesis.plt -o x.png --residency resident
 run pack knot.ply -o compact.plt --nodes compact --geometry lattice:14
 cured render compact.plt -o x.png --residency streamed
+run pack knot.ply -o thesis.plt
+says "%s; leave out --walk two-stage" \
+    render thesis.plt -o x.png --residency streamed --walk two-stage
+cured render thesis.plt -o x.png --residency streamed
 says "--store is for --residency streamed" render compact.plt -o x.png --store 65536
 says "--schedule batch is for --residency streamed" render compact.plt -o x.png --schedule batch
 says "--batch is for --schedule batch" render compact.plt -o x.png --residency streamed --batch 2

@@ -8,6 +8,9 @@ begin streamed
 works "a terrain is made" make terrain -o t.ply --triangles 60000
 run pack t.ply -o t.plt --nodes compact --geometry lattice:14 --leaf 2 # says what moved
 works "... and as thesis nodes" pack t.ply -o thesis.plt
+works "... in small treelets" pack t.ply -o thesis16.plt --treelet 16 --quality high
+works "... in large ones" pack t.ply -o large.plt --treelet 257
+run pack t.ply -o floats.plt --nodes compact --geometry float
 value() {
     sed -n "s/^ *\"$2\": \"\{0,1\}\([^\",]*\).*/\1/p" "$1"
 }
@@ -78,10 +81,40 @@ for packet in 2 4; do
     refused "... and no byte less" t.plt "use --arena $least" render t.plt -o x.png \
         --residency streamed --packet $packet --arena $((least - 1))
 done
-run info thesis.plt --json
-verdict "... nothing of a scene that cannot be streamed" "$(grep streamed out)"
-refused "thesis nodes cannot be streamed" thesis.plt "only finished compact blocks" \
-    render thesis.plt -o x.png --residency streamed
+for scene in large floats; do
+    run info $scene.plt --json
+    verdict "... nothing of a scene that cannot be streamed" "$(grep streamed out)"
+    refused "$scene.plt cannot be streamed" $scene.plt "only finished trees are .*resident" \
+        render $scene.plt -o x.png --residency streamed
+done
+refused "nor in two stages" thesis.plt "streamed .* depth first; leave out --walk" \
+    render thesis.plt -o x.png --residency streamed --walk two-stage
+
+works "the whole scene of thesis nodes is rendered" render thesis.plt -o whole.ppm --size 200x150
+works "... and its rays are traced" trace thesis.plt rays whole.hits
+for scene in thesis thesis16; do
+    for store in 28672 98304; do
+        works "$scene.plt streamed through a store of $store bytes" render $scene.plt \
+            -o streamed.ppm --size 200x150 --residency streamed --store $store --json s.$store.json
+        same whole.ppm streamed.ppm "... the picture is the same"
+        works "... rays are traced" trace $scene.plt rays streamed.hits --residency streamed \
+            --store $store
+        same whole.hits streamed.hits "... the hits are the same"
+    done
+    verdict "... a larger store makes fetching less" "$(
+        [ "$(value s.28672.json bytes_fetched)" -gt "$(value s.98304.json bytes_fetched)" ] &&
+            [ "$(value s.98304.json bytes_fetched)" -ge \
+                "$(value s.98304.json bytes_touched_once)" ] || cat s.28672.json s.98304.json)"
+    run info $scene.plt --json --packet 4
+    least=$(number arena_bytes_needed_streamed <out)
+    works "info says what arena is enough: $least bytes" render $scene.plt -o x.png --size 20x15 \
+        --residency streamed --packet 4 --arena "$least"
+    rm x.png
+    refused "... and no byte less" $scene.plt "use --arena $least" render $scene.plt -o x.png \
+        --residency streamed --packet 4 --arena $((least - 1))
+done
+run info thesis.plt
+verdict "info has a line for it" "$(grep -q '^arena if streamed  [0-9]* bytes' out || cat out)"
 refused "an arena without room for the least store is refused" t.plt "use --arena" \
     render t.plt -o x.png --residency streamed --arena 20000
 misused "a store without a stream is wrong usage" "--residency streamed" \
@@ -141,17 +174,19 @@ done
 
 # A byte in the middle of the blocks: opening a whole scene finds it, a streamed one when a ray
 # comes there. The message has file, byte and rule, and no picture is left.
-cp t.plt damaged.plt
-size=$(wc -c <t.plt)
-at=1000
-while [ $at -lt $((size / 2)) ]; do # many, so that any view meets one
-    printf '\377\000\377' | dd of=damaged.plt bs=1 seek=$at conv=notrunc 2>/dev/null
-    at=$((at + 3001))
+for scene in t thesis; do
+    cp $scene.plt damaged.plt
+    size=$(wc -c <$scene.plt)
+    at=1000
+    while [ $at -lt $((size / 2)) ]; do # many, so that any view meets one
+        printf '\377\377\377\377' | dd of=damaged.plt bs=1 seek=$at conv=notrunc 2>/dev/null
+        at=$((at + 3004))
+    done
+    refused "a damaged block of $scene.plt is refused when it comes" damaged.plt \
+        "byte [0-9]*: .*(I" render damaged.plt -o x.png --residency streamed
+    verdict "... nothing is left of the picture" "$([ ! -e x.png ] || echo x.png)"
+    refused "... and when rays are traced" damaged.plt "byte [0-9]*: .*(I" \
+        trace damaged.plt rays x.hits --residency streamed
+    verdict "... nothing is left of the hits" "$([ ! -e x.hits ] || echo x.hits)"
 done
-refused "a damaged block is refused when it comes" damaged.plt "byte [0-9]*: .*(I" \
-    render damaged.plt -o x.png --residency streamed
-verdict "... nothing is left of the picture" "$([ ! -e x.png ] || echo x.png)"
-refused "... and when rays are traced" damaged.plt "byte [0-9]*: .*(I" \
-    trace damaged.plt rays x.hits --residency streamed
-verdict "... nothing is left of the hits" "$([ ! -e x.hits ] || echo x.hits)"
 finish

@@ -6,94 +6,12 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "board/fake/fake.h"
 #include "engine/base/rules.h"
-#include "engine/engine.h"
 #include "engine/memory/prefetch.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
-#include "tests/reference/rays.h"
 #include "tests/reference/shapes.h"
-#include "tests/test.h"
-
-enum { RAYS = 1024, WIDTH = 40, HEIGHT = 28, GUARD = 64 };
-
-typedef struct run {
-    unsigned char *arena;
-    size_t bytes;
-    plt_engine *engine;
-    plt_fault fault;
-    fake_link link;
-} run;
-
-typedef struct subject {
-    packed image;
-    plt_ray rays[RAYS];
-    plt_hit due[2][RAYS]; /* nearest, any */
-    uint8_t frame[3 * WIDTH * HEIGHT];
-} subject;
-
-/* How what follows is traced: packets of a batch, 0: none; and with no more tasks than that. */
-static uint16_t batch;
-static int has_few_tasks;
-static uint8_t parts_ahead; /* plt_options.prefetch of all that follows */
-
-static plt_options options_of(uint8_t residency, uint8_t packet_side, uint32_t store_bytes) {
-    const int meets = batch > 0 && residency == PLT_RESIDENCY_STREAMED;
-    const plt_options o = {.packet_side = packet_side,
-                           .count_touched = 1,
-                           .residency = residency,
-                           .prefetch = parts_ahead,
-                           .store_bytes = store_bytes,
-                           .schedule = meets ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH,
-                           .batch = meets ? batch : 0};
-    return o;
-}
-
-static int open_run(run *x, const packed *image, const plt_options *o) {
-    x->bytes = plt_arena_need(&image->info, 0, o);
-    x->arena = aligned_alloc(PLT_ALIGN, x->bytes + GUARD);
-    memset(x->arena, 0x5A, x->bytes + GUARD);
-    x->link.image = image->bytes;
-    x->link.bytes = image->size;
-    x->link.arena = x->arena;
-    x->link.arena_bytes = x->bytes;
-    const plt_source source = fake_source(&x->link);
-    const int status = plt_open(&x->engine, x->arena, x->bytes, &source, o, &x->fault);
-    if (status == PLT_OK && has_few_tasks && o->batch > 0) {
-        plt_tasks *tasks = &x->engine->batch.tasks;
-        plt_tasks_init(tasks, tasks->queue, o->batch, 1 + o->batch / 2);
-    }
-    return status;
-}
-
-static void close_run(run *x) {
-    CHECK(x->link.broken == 0, "%s", x->link.sentence);
-    CHECK(fake_unfinished(&x->link) == 0, "transfers are pending");
-    for (unsigned i = 0; i < GUARD; i++) {
-        CHECK(x->arena[x->bytes + i] == 0x5A, "written behind the arena");
-    }
-    free(x->arena);
-}
-
-static int render(plt_engine *e, uint8_t frame[3 * WIDTH * HEIGHT]) {
-    const plt_info *info = plt_engine_info(e);
-    plt_frame f = {.width = WIDTH, .height = HEIGHT, .camera = {{0}, {0}, {0, 1, 0}, 0.6f}};
-    for (int a = 0; a < 3; a++) {
-        f.camera.look[a] = 0.5f * (info->lo[a] + info->hi[a]);
-        f.camera.eye[a] = f.camera.look[a] + (a == 2 ? 1.8f : 0.4f) * (info->hi[2] - info->lo[2]);
-    }
-    int status = plt_render_begin(e, &f);
-    while (status >= PLT_OK && (status = plt_render_step(e, 50)) > PLT_OK) {
-        plt_tile tile;
-        plt_render_tile(e, &tile);
-        for (unsigned y = 0; status == PLT_TILE && y < tile.height; y++) {
-            memcpy(frame + 3 * ((tile.y + y) * WIDTH + tile.x), tile.rgb + 3 * y * tile.width,
-                   3u * tile.width);
-        }
-    }
-    return status;
-}
+#include "tests/reference/stream_rig.h"
 
 static void fill_subject(subject *s, uint32_t triangles, uint32_t k, uint8_t bits, int ids) {
     mesh m = {0};
@@ -103,13 +21,7 @@ static void fill_subject(subject *s, uint32_t triangles, uint32_t k, uint8_t bit
     compact_config c = compact_config_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     c.pack.numbers = (uint8_t)ids;
     s->image = compact_packed(&m, &c);
-    run x = {0};
-    const plt_options o = options_of(PLT_RESIDENCY_WHOLE, 2, 0);
-    CHECK(open_run(&x, &s->image, &o) == PLT_OK, "%s", x.fault.message);
-    plt_trace(x.engine, s->rays, s->due[0], RAYS, 0);
-    plt_trace(x.engine, s->rays, s->due[1], RAYS, 1);
-    CHECK(render(x.engine, s->frame) == PLT_OK, "the frame");
-    close_run(&x);
+    set_due(s);
 }
 
 /* ---- the same from every store --------------------------------------------- */
@@ -211,89 +123,6 @@ static void takes_the_rest(void) {
         free(x.arena);
     }
     pack_free(&s.image);
-}
-
-/* ---- sources that fail ------------------------------------------------------ */
-
-static int trace_all(run *x, const subject *s, plt_hit hits[RAYS]) {
-    return plt_trace(x->engine, s->rays, hits, RAYS, 0);
-}
-
-/* One failure is got over: the same hits, one retry. */
-static uint32_t fails_once(const subject *s, enum fake_failure kind, uint32_t call) {
-    run x = {.link = {.failure = kind, .at_call = call, .at_once = call % 2}};
-    plt_hit hits[RAYS];
-    plt_stats q;
-    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
-    const int status = open_run(&x, &s->image, &o);
-    if (status != PLT_OK) { /* of the header: nothing is tried again */
-        free(x.arena);
-        return 1;
-    }
-    CHECK(trace_all(&x, s, hits) == PLT_OK, "kind %d, call %u", (int)kind, call);
-    CHECK(memcmp(hits, s->due[0], sizeof hits) == 0, "kind %d, call %u: hits", (int)kind, call);
-    plt_stats_get(x.engine, &q);
-    const uint32_t retries = (uint32_t)q.fetch_retries;
-    const uint32_t calls = kind == FAKE_FAILS_AT_WAIT ? x.link.waits : x.link.starts;
-    close_run(&x);
-    if (call > calls) {
-        return 0;
-    }
-    /* What came ahead and was not needed is not looked at. */
-    const int is_unseen = parts_ahead > 0 && retries == 0 &&
-                          (kind == FAKE_SILENT_AT_START || kind == FAKE_GARBLED_AT_START);
-    return is_unseen ? 1 : retries;
-}
-
-static void every_call_fails_once(const subject *s, enum fake_failure kind, uint32_t step) {
-    uint32_t call = 1, failed = 0;
-    for (; call < 100000; call += call < 40 ? 1 : call < 100 ? 17 : step) {
-        const uint32_t retries = fails_once(s, kind, call);
-        if (retries == 0) {
-            break;
-        }
-        CHECK(retries == 1, "kind %d, call %u: %u retries", (int)kind, call, retries);
-        failed++;
-    }
-    CHECK(failed > 40, "kind %d: %u failures", (int)kind, failed);
-}
-
-/* A link that is cut: the status says so, the fault where; and when it is mended all goes on. */
-static int is_cut_and_mended(const subject *s, uint32_t call) {
-    run x = {.link = {.failure = FAKE_FAILS_FROM_CALL, .at_call = call}};
-    plt_hit hits[RAYS];
-    uint8_t frame[3 * WIDTH * HEIGHT];
-    plt_fault fault;
-    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
-    if (open_run(&x, &s->image, &o) == PLT_OK) {
-        memset(hits, 0x77, sizeof hits);
-        const int status = call % 2 ? trace_all(&x, s, hits) : render(x.engine, frame);
-        plt_fault_get(x.engine, &fault);
-        if (x.link.failed == 0) { /* there were fewer calls */
-            CHECK(status == PLT_OK, "call %u: status %d", call, status);
-            close_run(&x);
-            return 0;
-        }
-        CHECK(status == PLT_ERR_SOURCE, "call %u: status %d", call, status);
-        CHECK(fault.offset >= PLT_HEADER_BYTES && fault.offset < s->image.size &&
-                  strstr(fault.message, "source") != NULL,
-              "call %u: byte %u, %s", call, (unsigned)fault.offset, fault.message);
-        int ended = 0;
-        for (uint32_t i = 0; i < RAYS && call % 2; i++) {
-            ended |= hits[i].triangle == 0x77777777u;
-            CHECK(ended || memcmp(&hits[i], &s->due[0][i], sizeof hits[i]) == 0,
-                  "call %u: hit %u before the failure is wrong", call, i);
-        }
-        x.link.failure = FAKE_WORKS;
-        CHECK(trace_all(&x, s, hits) == PLT_OK && memcmp(hits, s->due[0], sizeof hits) == 0,
-              "call %u: hits after it was mended", call);
-        CHECK(render(x.engine, frame) == PLT_OK && memcmp(frame, s->frame, sizeof frame) == 0,
-              "call %u: the frame after it was mended", call);
-        close_run(&x);
-        return 1;
-    }
-    free(x.arena);
-    return 0;
 }
 
 /* ---- images that lie --------------------------------------------------------- */
@@ -554,11 +383,20 @@ static void claims_of_depth(void) {
     pack_free(&s.image);
 }
 
-static void refusals(void) {
-    static subject s;
+static void refuses_config(const compact_config *config) {
     mesh m = {0};
     rig r;
-    rig_config config = rig_config_of(2, 3, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    compact_config c = *config;
+    c.run.residency = PLT_RESIDENCY_STREAMED;
+    shape_soup(&m, 50, 0.5f, 3);
+    CHECK(compact_open(&r, &m, &c) == PLT_ERR_ARGUMENT && strstr(r.fault.message, "lattice"),
+          "%s: %s", compact_name(&c), r.fault.message);
+    rig_close(&r);
+    mesh_free(&m);
+}
+
+static void refusals(void) {
+    static subject s;
     fill_subject(&s, 300, 2, 14, 1);
     plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, PLT_STORE_LEAST - 16);
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "a store below the least");
@@ -580,13 +418,12 @@ static void refusals(void) {
     o.schedule = PLT_SCHEDULE_BRANCH;
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "a batch that nobody asked for");
     o.batch = 0;
-    shape_soup(&m, 50, 0.5f, 3);
-    config.run.residency = PLT_RESIDENCY_STREAMED;
     CHECK(plt_can_stream(&s.image.info), "compact blocks can be streamed");
-    CHECK(rig_open(&r, &m, &config) == PLT_ERR_ARGUMENT && strstr(r.fault.message, "compact"),
-          "thesis nodes: %s", r.fault.message);
-    rig_close(&r);
-    mesh_free(&m);
+    compact_config floats = compact_config_of(2, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    floats.pack.floats = 1;
+    refuses_config(&floats);
+    const compact_config device = compact_config_of(2, 14, PLT_BUILD_DEVICE, PLT_SPLIT_SAH);
+    refuses_config(&device);
     pack_free(&s.image);
 }
 

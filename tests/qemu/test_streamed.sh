@@ -8,6 +8,7 @@
 planelet=$BUILD/host/planelet
 folder=$BUILD/mps2_an386-compact-render-stream
 out=$folder/tests
+scene=$out/terrain.plt
 mkdir -p "$out"
 needs arm-none-eabi-gcc qemu-system-arm && make_board mps2_an386 PARTS='render compact stream' ||
     { finish; exit; }
@@ -16,10 +17,14 @@ value() { # NAME: of the first NAME=value in the text
     echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | head -n 1
 }
 
-bytes=$(find "$folder/engine" -name '*.o' | xargs arm-none-eabi-size |
-    awk 'NR > 1 { s += $1 } END { print s }')
-verdict "PARTS='render compact stream': $bytes bytes of engine, at most 55296" "$(
-    [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le 55296 ] || echo "$bytes bytes")"
+# is_small WORDS MOST: the engine in $folder.
+is_small() {
+    bytes=$(find "$folder/engine" -name '*.o' | xargs arm-none-eabi-size |
+        awk 'NR > 1 { s += $1 } END { print s }')
+    verdict "PARTS='$1': $bytes bytes of engine, at most $2" "$(
+        [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le "$2" ] || echo "$bytes bytes")"
+}
+is_small "render compact stream" 55296
 
 "$planelet" make terrain --triangles 400000 -o "$out/terrain.ply" >/dev/null 2>&1
 "$planelet" pack "$out/terrain.ply" -o "$out/terrain.plt" --nodes compact \
@@ -31,25 +36,28 @@ view=$(sh board/tools/host_view.sh "$out/terrain.plt" 160x120 "$out/host.ppm")
 
 run() { # KEY=VALUE ...
     # shellcheck disable=SC2086
-    text=$(SOURCE=file FIRMWARE=$folder sh board/mps2_an386/run.sh "$out/terrain.plt" \
+    text=$(SOURCE=file FIRMWARE=$folder sh board/mps2_an386/run.sh "$scene" \
         size=160x120 ${view#* } "$@" 2>&1)
     status=$?
 }
 
-for arena in 65536 262144; do
-    run residency=streamed packet=8 arena=$arena "frame=$out/device.ppm"
-    verdict "it is rendered in $arena bytes" "$(
-        [ "$status" -eq 0 ] && [ "$(value peak)" -le $arena ] || echo "status $status: $text")"
-    verdict "... hash and picture are the host's" "$(
-        [ "$(value frame_hash)" = "${view%% *}" ] ||
-            echo "$(value frame_hash) on the device, ${view%% *} on the host"
-        [ "$(tail -c 57600 "$out/host.ppm" | cksum)" = \
-            "$(tail -c 57600 "$out/device.ppm" | cksum)" ] || echo "the pixels differ")"
-    verdict "... $(value bytes_fetched) bytes were fetched, and the stack stays below its bound" "$(
-        [ "$(value bytes_fetched)" -gt 262144 ] || echo "little is fetched: $text"
-        [ "$(value painted)" -gt 0 ] && [ "$(value painted)" -le "$(value worst)" ] ||
-            echo "painted $(value painted), bound $(value worst)")"
-done
+renders() {
+    for arena in 65536 262144; do
+        run residency=streamed packet=8 arena=$arena "frame=$out/device.ppm"
+        verdict "it is rendered in $arena bytes" "$(
+            [ "$status" -eq 0 ] && [ "$(value peak)" -le $arena ] || echo "status $status: $text")"
+        verdict "... hash and picture are the host's" "$(
+            [ "$(value frame_hash)" = "${view%% *}" ] ||
+                echo "$(value frame_hash) on the device, ${view%% *} on the host"
+            [ "$(tail -c 57600 "$out/host.ppm" | cksum)" = \
+                "$(tail -c 57600 "$out/device.ppm" | cksum)" ] || echo "the pixels differ")"
+        verdict "... $(value bytes_fetched) bytes fetched, and the stack stays below its bound" "$(
+            [ "$(value bytes_fetched)" -gt 262144 ] || echo "little is fetched: $text"
+            [ "$(value painted)" -gt 0 ] && [ "$(value painted)" -le "$(value worst)" ] ||
+                echo "painted $(value painted), bound $(value worst)")"
+    done
+}
+renders
 
 run residency=resident packet=8
 verdict "a whole scene does not fit" "$(
@@ -85,4 +93,16 @@ verdict "with parts on their way the hash is the host's, too" "$(
 run residency=streamed packet=8 prefetch=9
 verdict "more parts than there are tags are wrong usage" "$(
     [ "$status" -eq 2 ] && echo "$text" | grep -q '^error: .*prefetch' || echo "$text")"
+folder=$BUILD/mps2_an386-render-stream-thesis scene=$out/thesis.plt
+if make_board mps2_an386 PARTS='render thesis stream'; then
+    is_small "render thesis stream" 49152
+    "$planelet" pack "$out/terrain.ply" -o "$scene" --treelet 16 >/dev/null 2>&1
+    view=$(sh board/tools/host_view.sh "$scene" 160x120 "$out/host.ppm")
+    renders
+    scene=$out/terrain.plt
+    run residency=streamed
+    verdict "compact blocks are refused, and their part is named" "$(
+        [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*PLT_WITH_STREAMED_COMPACT' ||
+            echo "$text")"
+fi
 finish

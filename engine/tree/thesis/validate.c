@@ -13,11 +13,10 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/thesis/validate.h"
 
-#include "engine/base/between.h"
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/image/header_at.h"
-#include "engine/lanes/unroll.h"
+#include "engine/tree/thesis/node_planes.h"
 
 static uint32_t larger(uint32_t a, uint32_t b) {
     return a > b ? a : b;
@@ -183,25 +182,12 @@ int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info
     return status;
 }
 
-/* Of the planes of a node the first that is neither in the box nor 0, or NULL. */
-static inline const uint32_t *outside(const plt_between box[3], const plt_node *node) {
-    PLT_UNROLLED for (uint32_t k = 0; k < 6; k += 3) {
-        PLT_UNROLLED for (uint32_t a = 0; a < 3; a++) {
-            const uint32_t *plane = &node->word[k + a];
-            if (!plt_is_between(&box[a], plane) && plt_get_float(plane) != 0.0f) {
-                return plane;
-            }
-        }
-    }
-    return NULL;
-}
-
 int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault) {
     const uint32_t offset = plt_header_section(header, PLT_SECTION_NODES)->offset;
     plt_between box[3];
     plt_between_set(box, header->info.lo, header->info.hi);
     for (const plt_node *node = nodes, *end = nodes + header->info.node_slots; node < end; node++) {
-        const uint32_t *plane = outside(box, node);
+        const uint32_t *plane = plt_node_outside(box, node);
         if (plane != NULL) {
             return plt_broken(fault, PLT_I6_PLANES, offset + 4 * (uint32_t)(plane - nodes->word),
                               "a plane lies outside the scene's box");
