@@ -478,10 +478,9 @@ static void sources_that_fail(void) {
     pack_free(&s.image);
 }
 
-int main(void) {
-    const char *soak = getenv("PLANELET_SOAK");
-    const int soaks = soak != NULL && soak[0] == '1';
-    test("hits and frames are those of the resident scene, whatever treelets and store");
+/* All that depends on the schedule. */
+static void schedule(const char *sentence, int soaks) {
+    test(sentence);
     for (uint32_t n = 1; n <= PLT_STREAMED_TREELET_MOST; n *= 2) {
         all_stores(n == 16 || n == 64 ? 9000 : 4000, 1 + n % 3, n);
     }
@@ -498,6 +497,21 @@ int main(void) {
     sources_that_fail();
     test("images that lie are refused when it shows, or are traced without harm");
     forged_images(soaks ? 50000 : 500);
+    test("a source that returns other bytes each time does no harm");
+    changing_sources(soaks ? 200 : 4);
+    test("a tree that is deeper than its header claims does not overflow the stack");
+    claims_of_depth();
+}
+
+int main(void) {
+    const char *soak = getenv("PLANELET_SOAK");
+    const int soaks = soak != NULL && soak[0] == '1';
+    schedule("hits and frames are those of the resident scene, whatever treelets and store", soaks);
+    batch = 5;
+    schedule("the same of five packets at a time", soaks);
+    has_few_tasks = 1;
+    schedule("the same when there are no more tasks than packets", soaks);
+    has_few_tasks = batch = 0;
     test("links that would lead to a treelet in countless ways are refused");
     ways_without_number(1, 1);
     ways_without_number(1, 0);
@@ -507,10 +521,6 @@ int main(void) {
     test("one wrong word is refused by its rule");
     one_word_wrong();
     list_without_end();
-    test("a source that returns other bytes each time does no harm");
-    changing_sources(soaks ? 200 : 4);
-    test("a tree that is deeper than its header claims does not overflow the stack");
-    claims_of_depth();
     test("what cannot be streamed is refused");
     refusals();
     return test_done();
