@@ -11,8 +11,9 @@
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 
-/* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1). */
-enum { BATCH_USUAL = 256 };
+/* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1), and
+ * of fewer than the least the next smaller ones are better. */
+enum { BATCH_LEAST = 4, BATCH_USUAL = 256 };
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 
@@ -123,27 +124,24 @@ static int lay_out(const plt_engine *e, plt_layout *layout) {
     return plt_layout_running(layout) <= e->arena.bytes - e->arena.used;
 }
 
-/* The most packets that there is room for, if it was not said how many meet. */
+/* Batches are asked for, but not of how many packets. */
+static int chooses_batch(const plt_engine *e) {
+    return PLT_WITH_BATCH && plt_is_streamed(e->scene.format) &&
+           e->options.schedule == PLT_SCHEDULE_BATCH && e->options.batch == 0;
+}
+
+/* The most packets that there is room for. */
 static void choose_batch(plt_engine *e, plt_layout *layout) {
-#if PLT_WITH_BATCH
-    if (e->options.schedule != PLT_SCHEDULE_BATCH || e->options.batch > 0 ||
-        !plt_is_streamed(e->scene.format)) {
-        return;
-    }
     e->options.batch = BATCH_USUAL;
     while (!lay_out(e, layout) && e->options.batch > 1) {
         e->options.batch--;
     }
-#else
-    (void)e;
-    (void)layout;
-#endif
 }
 
 /* Bytes of all that runs. What was not said is chosen: packets, beside a store of half the room,
  * and a store as large as the rest. */
 static void set_layout(plt_engine *e, plt_layout *layout) {
-    const int chooses = e->options.packet_side == 0;
+    const int chooses = e->options.packet_side == 0, meets = chooses_batch(e);
     const int grows = plt_is_streamed(e->scene.format) && e->options.store_bytes == 0;
     const size_t room = e->arena.bytes - e->arena.used;
     unsigned side = chooses ? PLT_PACKET_SIDE_MAX : e->options.packet_side;
@@ -151,12 +149,15 @@ static void set_layout(plt_engine *e, plt_layout *layout) {
     if (grows) {
         e->options.store_bytes = store_bytes_in(room / 2);
     }
+    e->options.batch = meets ? BATCH_LEAST : e->options.batch;
     do {
         e->options.packet_side = (uint8_t)side;
         fits = lay_out(e, layout);
         side /= 2;
     } while (chooses && side > 1 && !fits);
-    choose_batch(e, layout);
+    if (meets) {
+        choose_batch(e, layout);
+    }
     if (grows) {
         const uint64_t others = plt_layout_running(layout) - layout->bytes[PLT_PART_STORE];
         e->options.store_bytes = store_bytes_in(room > others ? room - others : 0);

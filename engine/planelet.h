@@ -163,9 +163,9 @@ typedef struct plt_options {
                            * all the room that the arena has (a need is then that of the
                            * least). Bytes fetched depend on it, hits do not */
     uint8_t schedule;     /* enum plt_schedule; batches are of streamed scenes */
-    uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST, or 0: as many as there is
-                           * room for, if no store_bytes are given beside a store of half of it, 256
-                           * at most (a need is then that of 1). PLT_SCHEDULE_BRANCH: 0 */
+    uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST; 0: as many as there is room
+                           * for beside the store, 256 at most, smaller ones if fewer than four
+                           * fit (a need is then that of 1). PLT_SCHEDULE_BRANCH: 0 */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */

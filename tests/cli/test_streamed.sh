@@ -90,16 +90,16 @@ done
 refused "nor in two stages" thesis.plt "streamed .* depth first; leave out --walk" \
     render thesis.plt -o x.png --residency streamed --walk two-stage
 
-works "the whole scene of thesis nodes is rendered" render thesis.plt -o whole.ppm --size 200x150
-works "... and its rays are traced" trace thesis.plt rays whole.hits
+works "the whole scene of thesis nodes is rendered" render thesis.plt -o thesis.ppm --size 200x150
+works "... and its rays are traced" trace thesis.plt rays thesis.hits
 for scene in thesis thesis16; do
     for store in 28672 98304; do
         works "$scene.plt streamed through a store of $store bytes" render $scene.plt \
             -o streamed.ppm --size 200x150 --residency streamed --store $store --json s.$store.json
-        same whole.ppm streamed.ppm "... the picture is the same"
+        same thesis.ppm streamed.ppm "... the picture is the same"
         works "... rays are traced" trace $scene.plt rays streamed.hits --residency streamed \
             --store $store
-        same whole.hits streamed.hits "... the hits are the same"
+        same thesis.hits streamed.hits "... the hits are the same"
     done
     verdict "... a larger store makes fetching less" "$(
         [ "$(value s.28672.json bytes_fetched)" -gt "$(value s.98304.json bytes_fetched)" ] &&
