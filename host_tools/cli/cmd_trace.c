@@ -12,6 +12,7 @@
 #include "engine/base/bytes.h"
 #include "host_tools/app/destination.h"
 #include "host_tools/app/note.h"
+#include "host_tools/app/ray_order.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
@@ -27,6 +28,9 @@ static const arg_flag flags[] = {
     {"--rays", "auto|coherent|incoherent",
      "in packets if neighbours point alike, one by one in a wave if not, or as the rays look; "
      "hits are the same (default auto)"},
+    {"--order", "file|sorted",
+     "rays are traced as they come, or sorted by where they begin and point, so that neighbours "
+     "meet the same parts of the scene; hits are written as the rays came (default file)"},
     {"--repeat", "N", "trace N times, report the best time; 1 to 1000000 (default 1)"},
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
@@ -46,6 +50,7 @@ const arg_command command_trace = {
     .files_least = 3,
     .files_most = 3};
 
+static const char *const orders[] = {"file", "sorted", NULL};
 static const char *const kinds[] = {"auto", "coherent", "incoherent", NULL};
 
 /* Where the arena has room for it, rays that are not coherent go by a wave. */
@@ -58,6 +63,7 @@ typedef struct tracing {
     plt_hit *hits;
     uint32_t count;
     int any;
+    uint32_t *order; /* ray i is number order[i] of the file; NULL: number i */
     crew_times took; /* of the best run */
 } tracing;
 
@@ -91,6 +97,32 @@ static int read_rays(tracing *t, const char *path, fail *f) {
     const int status = decode_rays(t, &in, strcmp(path, "-") == 0 ? "standard input" : path, f);
     input_free(&in);
     return status;
+}
+
+/* Sorts the rays, and keeps where each was. */
+static int sort_rays(tracing *t, const char *name, fail *f) {
+    plt_ray *sorted = malloc((size_t)t->count * sizeof *sorted + 1);
+    t->order = malloc((size_t)t->count * sizeof *t->order + 1);
+    if (sorted == NULL || t->order == NULL || ray_order_sort(t->rays, t->count, t->order) != 0) {
+        free(sorted);
+        return fail_set(f, name, "out of memory to sort %" PRIu32 " rays; leave out --order sorted",
+                        t->count);
+    }
+    for (uint32_t i = 0; i < t->count; i++) {
+        sorted[i] = t->rays[t->order[i]];
+    }
+    free(t->rays);
+    t->rays = sorted;
+    return 0;
+}
+
+/* Hits in the order of the file; the rays are not needed any more. */
+static void unsort_hits(tracing *t) {
+    plt_hit *hits = (plt_hit *)(void *)t->rays; /* a ray is larger than a hit */
+    for (uint32_t i = 0; i < t->count; i++) {
+        hits[t->order[i]] = t->hits[i];
+    }
+    memcpy(t->hits, hits, (size_t)t->count * sizeof *hits);
 }
 
 /* Whole batches, where there are any. */
@@ -149,9 +181,11 @@ static int write_stats(const tracing *t, output *o, fail *f) {
 
 /* The rays before the arena, which is as large as there is room for. Both outputs are opened
  * first: a path that cannot be written fails before the long run. */
-static int open_all(tracing *t, args *a, const char *json, fail *f) {
+static int open_all(tracing *t, args *a, const char *json, int sorts, fail *f) {
     plt_fault fault;
-    if (scene_attach(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0) {
+    const char *rays = strcmp(a->file[1], "-") == 0 ? "standard input" : a->file[1];
+    if (scene_attach(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0 ||
+        (sorts && sort_rays(t, rays, f) != 0)) {
         return -1;
     }
     const int status = scene_start(&t->s, a->file[0], &fault);
@@ -167,6 +201,9 @@ static int open_all(tracing *t, args *a, const char *json, fail *f) {
 }
 
 static int write_all(tracing *t, fail *f) {
+    if (t->order != NULL) {
+        unsort_hits(t);
+    }
     if (write_hits(t, t->hits_out, f) != 0 ||
         (t->stats_out != NULL &&
          (write_stats(t, t->stats_out, f) != 0 || output_finish(t->stats_out, f) != 0))) {
@@ -188,11 +225,13 @@ static void close_all(tracing *t) {
     scene_close(&t->s);
     free(t->rays);
     free(t->hits);
+    free(t->order);
 }
 
 int run_trace(args *a) {
     const unsigned repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     const char *json = args_text(a, "--json", NULL);
+    const int sorts = args_choice(a, "--order", orders, 0) == 1;
     destination_differ(a, "HITS and --json", a->file[2], json);
     if (strcmp(a->file[0], "-") == 0 && strcmp(a->file[1], "-") == 0) {
         args_complain(a, "SCENE.plt and RAYS are not both on standard input; name a file");
@@ -205,7 +244,7 @@ int run_trace(args *a) {
         t.s.options.wide = 1;
     }
     fail f = {""};
-    int status = a->wrong ? -1 : open_all(&t, a, json, &f);
+    int status = a->wrong ? -1 : open_all(&t, a, json, sorts, &f);
     if (status == 0) {
         t.any = args_has(a, "--any");
         status = trace_all(&t, a->file[0], repeat, &f);

@@ -54,6 +54,10 @@ truncate -s 64000000 large.ray
 says_by "out of memory for %u rays; split the file" \
     limited v 100000 "$PLANELET" trace quad.plt large.ray x.hits
 cured_by limited v 100000 "$PLANELET" trace quad.plt part.ray x.hits
+truncate -s 35200000 large.ray
+says_by "out of memory to sort %u rays; leave out --order sorted" \
+    limited v 100000 "$PLANELET" trace quad.plt large.ray x.hits --order sorted
+cured_by limited v 100000 "$PLANELET" trace quad.plt large.ray x.hits
 rm large.ray
 
 # ---- outputs: host_tools/base/output.c -----------------------------------------------

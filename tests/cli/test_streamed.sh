@@ -70,7 +70,15 @@ for any in '' --any; do
     # shellcheck disable=SC2086
     works "... by batches" trace t.plt rays batch.hits $any --residency streamed --schedule batch
     same whole.hits batch.hits "... the hits are the same"
+    # shellcheck disable=SC2086
+    works "... sorted" trace t.plt rays sorted.hits $any --order sorted
+    same whole.hits sorted.hits "... the hits are the same, in the order of the file"
+    # shellcheck disable=SC2086
+    works "... sorted, by batches of several workers" trace t.plt rays sorted.hits $any \
+        --order sorted --residency streamed --schedule batch --batch 2 --packet 4 --workers 3
+    same whole.hits sorted.hits "... the hits are the same"
 done
+misused "an unknown order of rays is wrong usage" "--order" trace t.plt rays x --order random
 
 for packet in 2 4; do
     run info t.plt --json --packet $packet

@@ -56,7 +56,7 @@ flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --repeat --chroma --json $view_flags $scene_flags
 # shellcheck disable=SC2086
-flags trace --any --rays --repeat --json $scene_flags
+flags trace --any --rays --order --repeat --json $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags
 
