@@ -24,7 +24,7 @@ lanes_scalar :=
 
 include engine/engine.mk
 
-.PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact \
+.PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact streamed \
         against sanitize tiny scalar fuzz exporters run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
@@ -151,6 +151,10 @@ peers: all
 ##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
 compact: all $(OUT)/tests/engine/test_compact_topology
 	@sh tests/measure/compact.sh "$(SCENES)" "$(PEER)"
+
+##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
+streamed: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/streamed.sh "$(SCENES)" "$(PEER)"
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
 against: all

@@ -11,6 +11,7 @@
 #include "engine/image/header.h"
 #include "engine/planelet_crc32.h"
 #include "engine/tree/thesis/validate.h"
+#include "host_tools/base/heap.h"
 #include "tests/reference/leaf_corners.h"
 
 typedef struct converting {
@@ -114,7 +115,7 @@ static packed assemble(const converting *c, plt_header *h) {
     unsigned char header[PLT_HEADER_BYTES];
     plt_header_write(header, h);
     image.size = h->info.image_bytes;
-    image.bytes = aligned_alloc(PLT_SECTION_ALIGN, image.size);
+    image.bytes = heap_get_aligned(image.size);
     memset(image.bytes, 0, image.size);
     unsigned char *nodes = image.bytes + h->section[0].offset;
     unsigned char *records = image.bytes + h->section[1].offset;
