@@ -331,6 +331,7 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
 
 int scene_start(scene *s, const char *path, plt_fault *fault) {
     plt_info info;
+    s->workers = s->workers > 0 ? s->workers : 1;
     const int status = plt_image_info(&s->source, &info, fault);
     if (status != PLT_OK) {
         return status;

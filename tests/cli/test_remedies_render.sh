@@ -177,12 +177,13 @@ small='-o x.ppm --size 64x48'
     cured serve bad.plt $small --emulate 4000000
     run pack knot.ply -o smaller.plt --nodes compact --leaf 4
     run pack knot.ply -o blocks.plt --nodes compact --geometry lattice:14
+    run pack knot.ply -o device.plt --build device # is not streamed
     says "the image of %u bytes does not fit in its %u; pack it %s" \
-        serve knot.plt $small --emulate 60000
+        serve device.plt $small --emulate 60000
     cured serve smaller.plt $small --emulate 60000
     cured serve blocks.plt $small --emulate 60000
     says "the scene needs %u bytes there, it has %u; pack it smaller" \
-        serve knot.plt $small --emulate "$(wc -c <knot.plt)"
+        serve knot.plt $small --emulate 20000
     cured serve smaller.plt $small --emulate "$(wc -c <knot.plt)"
     says "up has no direction; change --up" serve ground.plt $small --emulate 400000 --up 0,0,0
     cured serve ground.plt $small --emulate 400000 --up 0,1,0
