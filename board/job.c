@@ -120,7 +120,8 @@ int job_read(job *j, const char *parameters, size_t *arena_bytes) {
         read_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
         read_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
         read_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||
-        read_u32(parameters, "prefetch", 0, PLT_PREFETCH_MOST, &prefetch) < 0 ||
+        read_u32(parameters, "prefetch", 0, PLT_WITH_PREFETCH ? PLT_PREFETCH_MOST : 0, &prefetch) <
+            0 ||
         read_u32(parameters, "visits", 1, UINT32_MAX, &j->visits) < 0 ||
         read_u32(parameters, "arena", 0, arena, &arena) < 0) {
         return -1;

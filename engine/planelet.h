@@ -154,11 +154,11 @@ typedef struct plt_options {
                              * million triangles, have none */
     uint8_t rays;           /* enum plt_rays; without a wave all are coherent */
     uint8_t residency;    /* enum plt_residency; a streamed scene has neither wave nor wide form */
-    uint8_t prefetch;     /* streamed: parts of blocks that may be on their way before a ray needs
-                           * them, at most PLT_PREFETCH_MOST, under tags 2 to 9 of the source; 4 is
-                           * a good choice if bytes move while the processor works. 0: none, nor
-                           * if the source is mapped, or PLT_WITH_PREFETCH is 0. When a call
-                           * returns, nothing is on its way */
+    uint8_t prefetch;     /* streamed compact blocks: parts that may be on their way before a ray
+                           * needs them, at most PLT_PREFETCH_MOST, under tags 2 to 9 of the
+                           * source; 4 is a good choice if bytes move while the processor works.
+                           * 0: none, nor if the source is mapped, or PLT_WITH_PREFETCH is 0. When
+                           * a call returns, nothing is on its way */
     uint32_t store_bytes; /* streamed: bytes for blocks, PLT_STORE_LEAST (28,672) at least; 0:
                            * all the room that the arena has (a need is then that of the
                            * least). Bytes fetched depend on it, hits do not */
@@ -378,8 +378,8 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
  * so many are wanted, at least 1; batches end there, and begin anew if the caller goes on. What the
  * frame's pixels are does not depend on the order of tiles. PLT_ERR_ARGUMENT: there is no such
  * tile, count is 0, or no frame is in progress; nothing has changed. Cost: some 20 operations, of a
- * streamed scene up to 64 steps along a curve. Firmware has both where PARTS says `seek`
- * (engine.mk). */
+ * streamed scene up to 64 steps along a curve; one that drops a batch lays its pools out anew.
+ * Firmware has both where PARTS says `seek` (engine.mk). */
 uint32_t plt_render_tiles(const plt_engine *engine);
 int plt_render_seek(plt_engine *engine, uint32_t tile, uint32_t count);
 

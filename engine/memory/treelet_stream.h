@@ -8,8 +8,9 @@
  * known where the blocks of a treelet's subtree end: what is below an edge lies in front of the
  * block of the next edge. An edge that leads elsewhere leads to a treelet *alone*, without edges:
  * one of those that share blocks, of a few nodes each. So no image can lead a packet in a circle,
- * or to a subtree twice. A source that returns other bytes when it is asked again is outside the
- * contract; it gets no further than to wrong hits, more visits, or a refusal.
+ * or to a subtree with edges twice; to a treelet alone each edge leads once. A source that returns
+ * other bytes when it is asked again is outside the contract; it gets no further than to wrong
+ * hits, more visits, or a refusal.
  *
  * One stream per traversal. Source: Karrenberg 2007, section 4.3, SPEs that fetch treelets.
  *

@@ -37,6 +37,12 @@ int plt_open_streamed_thesis(const plt_opening *o, const plt_header *header,
     if (rule != 0) {
         return plt_broken(o->fault, (uint8_t)rule, PLT_AT_ROOT, "the root link leads astray");
     }
+    if (PLT_DEPTH_MAX > PLT_TREELET_DEPTH_MOST &&
+        header->info.treelet_nodes > PLT_TREELET_DEPTH_MOST) {
+        return plt_limit(o->fault,
+                         "streamed treelets of more than 64 nodes may be deeper than "
+                         "64, which this build allows");
+    }
     return header->info.depth_stack_entries <= PLT_DEPTH_MAX
                ? PLT_OK
                : plt_limit(o->fault, "the tree is deeper than PLT_DEPTH_MAX");

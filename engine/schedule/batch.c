@@ -16,8 +16,11 @@ void plt_batch_init(plt_batch *b, uint32_t most, unsigned side, void *packets, v
     plt_tasks_init(&b->tasks, tasks, plt_batch_tasks(most, side), plt_batch_queues(most));
 }
 
+/* After a batch that was worked off the pools are whole: nothing has to be laid out anew. */
 void plt_batch_clear(plt_batch *b) {
-    plt_tasks_clear(&b->tasks);
+    if (b->tasks.count > 0 || b->tasks.queues > 0) {
+        plt_tasks_clear(&b->tasks);
+    }
     b->count = 0;
 }
 

@@ -98,7 +98,8 @@ static inline int format_cross(plt_traversal *t, format_place *place) {
 #if FORMAT_MEETS
 static inline int format_wait(plt_traversal *t, const format_place *place, float distance,
                               const void *entry, size_t bytes) {
-    return plt_tasks_wait(t->tasks, place->link, distance, entry, bytes, sizeof *place);
+    const uint32_t end = (uint32_t)place->hi[3]; /* of its subtree, in eights of bytes */
+    return plt_tasks_wait(t->tasks, place->link, end, distance, entry, bytes, sizeof *place);
 }
 #endif
 

@@ -74,7 +74,8 @@ static inline int format_cross(plt_traversal *t, const format_place *place) {
 #if FORMAT_MEETS
 static inline int format_wait(plt_traversal *t, const format_place *place, float distance,
                               const void *entry, size_t bytes) {
-    return plt_tasks_wait(t->tasks, place->link, distance, entry, bytes, sizeof *place);
+    return plt_tasks_wait(t->tasks, place->link, place->scope, distance, entry, bytes,
+                          sizeof *place);
 }
 #endif
 

@@ -22,14 +22,15 @@ typedef struct depth_first_entry {
 } depth_first_entry;
 
 #if FORMAT_MEETS
-/* From where the packet's first ray begins to the entry's box, squared. */
+/* From where a ray of the packet begins to the entry's box, squared. */
 PLT_APART_ON_SMALL_STACKS static float distance_to(const plt_traversal *t, const plt_packet *p,
                                                    const depth_first_entry *e) {
     format_room room;
     const plt_box *box = format_box(t, &e->place, &room);
+    const plt_group_rays *g = &p->rays[plt_mask_first(e->groups)];
     float square = 0.0f;
     for (int a = 0; a < 3; a++) {
-        const float from = p->rays[0].org[a][0];
+        const float from = g->org[a][0];
         const float above = box->lo[a] - from, below = from - box->hi[a];
         const float side = above > below ? above : below;
         square += side > 0.0f ? side * side : 0.0f;
@@ -42,7 +43,8 @@ PLT_APART_ON_SMALL_STACKS static float distance_to(const plt_traversal *t, const
 static inline int depth_first_waits(plt_traversal *t, const plt_packet *p,
                                     const depth_first_entry *e) {
 #if FORMAT_MEETS
-    return plt_meets(t) && !format_is_leaf(&e->place) && format_is_edge(&e->place) &&
+    return plt_meets(t) && e->groups != 0 && !format_is_leaf(&e->place) &&
+           format_is_edge(&e->place) &&
            format_wait(t, &e->place, distance_to(t, p, e), e, sizeof *e);
 #else
     (void)t;

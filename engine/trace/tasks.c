@@ -28,16 +28,17 @@ void plt_tasks_clear(plt_tasks *tasks) {
 
 /* PLT_TASK_NONE: nobody waits there. Only treelets that were met since `here` was begun can be
  * the same. */
-static uint16_t find_queue(const plt_tasks *tasks, uint32_t treelet) {
+static uint16_t find_queue(const plt_tasks *tasks, uint32_t treelet, uint32_t scope) {
     uint16_t i = tasks->first;
-    while (i != tasks->before && i != PLT_TASK_NONE && tasks->queue[i].treelet != treelet) {
+    while (i != tasks->before && i != PLT_TASK_NONE &&
+           (tasks->queue[i].treelet != treelet || tasks->queue[i].scope != scope)) {
         i = tasks->queue[i].after;
     }
     return i != tasks->before ? i : PLT_TASK_NONE;
 }
 
 /* PLT_TASK_NONE: there is no room. */
-static uint16_t add_queue(plt_tasks *tasks, uint32_t treelet, const void *place) {
+static uint16_t add_queue(plt_tasks *tasks, uint32_t treelet, uint32_t scope, const void *place) {
     const uint16_t i = tasks->unused_queue;
     if (i == PLT_TASK_NONE) {
         return i;
@@ -46,6 +47,7 @@ static uint16_t add_queue(plt_tasks *tasks, uint32_t treelet, const void *place)
     tasks->unused_queue = q->after;
     tasks->queues++;
     q->treelet = treelet;
+    q->scope = scope;
     q->is_far = 0;
     q->nearest = 0x1p127f;
     q->task = PLT_TASK_NONE;
@@ -66,17 +68,17 @@ static void add_task(plt_tasks *tasks, plt_task_queue *q, const void *rest, size
     q->task = i;
 }
 
-int plt_tasks_wait(plt_tasks *tasks, uint32_t treelet, float distance, const void *entry,
-                   size_t bytes, size_t place_bytes) {
+int plt_tasks_wait(plt_tasks *tasks, uint32_t treelet, uint32_t scope, float distance,
+                   const void *entry, size_t bytes, size_t place_bytes) {
     const int is_here =
         tasks->here != PLT_TASK_NONE && tasks->queue[tasks->here].treelet == treelet;
     if (is_here || tasks->unused == PLT_TASK_NONE) {
         return 0;
     }
     tasks->place_bytes = place_bytes;
-    uint16_t i = find_queue(tasks, treelet);
+    uint16_t i = find_queue(tasks, treelet, scope);
     if (i == PLT_TASK_NONE) {
-        i = add_queue(tasks, treelet, entry);
+        i = add_queue(tasks, treelet, scope, entry);
     }
     if (i == PLT_TASK_NONE) {
         return 0;

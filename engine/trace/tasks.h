@@ -33,6 +33,7 @@ typedef struct plt_task {
 /* All tasks of a treelet. */
 typedef struct plt_task_queue {
     uint32_t treelet; /* as its edges name it */
+    uint32_t scope;   /* the format's: what else is the same of all who meet there */
     float nearest;    /* the least distance of all there */
     uint16_t task;    /* the first */
     uint16_t after;   /* the next queue; or of those that are unused */
@@ -63,11 +64,11 @@ void plt_tasks_init(plt_tasks *tasks, void *memory, uint32_t most, uint32_t queu
 /* No packet waits. */
 void plt_tasks_clear(plt_tasks *tasks);
 
-/* tasks->packet waits at `treelet`, `distance` away, with an entry of `bytes` that begins with a
- * place of `place_bytes`. 0: it has to go on, as the treelet is the one that is worked off, or
- * there is no room. */
-int plt_tasks_wait(plt_tasks *tasks, uint32_t treelet, float distance, const void *entry,
-                   size_t bytes, size_t place_bytes);
+/* tasks->packet waits at `treelet` of that scope, `distance` away, with an entry of `bytes` that
+ * begins with a place of `place_bytes`. 0: it has to go on, as the treelet is the one that is
+ * worked off, or there is no room. */
+int plt_tasks_wait(plt_tasks *tasks, uint32_t treelet, uint32_t scope, float distance,
+                   const void *entry, size_t bytes, size_t place_bytes);
 
 /* The queue whose index stands at `at`, which is `first` or the `after` of a queue, is worked off
  * from now on. The last one is. */

@@ -136,7 +136,7 @@ static uint8_t read_packet(args *a) {
 static void read_board(args *a, const char *text, dma_config *c) {
     int length = 0;
     c->outstanding = DMA_OUTSTANDING_USUAL;
-    int read = sscanf(text, "%9lf,%9lf%n", &c->latency_us, &c->mb_per_s, &length);
+    int read = sscanf(text, "%99lf,%99lf%n", &c->latency_us, &c->mb_per_s, &length);
     if (read == 2 && text[length] == ',') {
         int more = 0;
         read += sscanf(text + length, ",%3u%n", &c->outstanding, &more) - 1;

@@ -55,7 +55,7 @@ typedef struct scene {
         {"--batch", "PACKETS",                                                                     \
          "packets that meet, 1 to 1024 (default as many as there is room for, 256 at most)"},      \
         {"--prefetch", "PARTS",                                                                    \
-         "streamed: parts of blocks that may be on their way before rays need them, 0 to 8 "       \
+         "streamed compact blocks: parts that may be on their way before rays need them, 0 to 8 "  \
          "(default 0)"},                                                                           \
         {"--source", "map|read|dma:LATENCY_US,MB_PER_S[,OUTSTANDING]",                             \
          "the image is mapped like flash, or fetched into the arena (default map); streamed, dma " \

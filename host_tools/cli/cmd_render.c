@@ -28,7 +28,9 @@ static const arg_flag flags[] = {
      "default eyelight"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
-    {"--repeat", "N", "render all that N times, report the best time; 1 to 1000000 (default 1)"},
+    {"--repeat", "N",
+     "render all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
+     "1)"},
     DESTINATION_CHROMA_FLAG,
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},

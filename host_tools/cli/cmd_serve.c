@@ -43,8 +43,9 @@ const arg_command command_serve = {
     .about =
         "Gives a scene to a device over a link and receives the frames it renders; the "
         "protocol is platform/WIRE.md, reports are separated by COBS. A scene that the device has "
-        "no room for is streamed, if it is of compact blocks with lattice geometry: the device "
-        "asks for blocks of it as it needs them. SCENE.plt may be - for standard input.",
+        "no room for is streamed, if its tree is finished, of thesis nodes or of compact blocks "
+        "with a lattice: the device asks for parts of it as it needs them. SCENE.plt may be - for "
+        "standard input.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -143,8 +144,8 @@ static void print_stats(const serve_result *r, uint32_t image_bytes) {
 /* A scene that the device had no room for. */
 static void print_blocks(const serve_result *r, uint32_t image_bytes) {
     if (r->blocks > 0) {
-        fprintf(stderr, "serve: streamed %llu of the image's %u bytes, in %u blocks\n",
-                (unsigned long long)r->block_bytes, image_bytes, r->blocks);
+        fprintf(stderr, "serve: streamed %llu bytes for %u requests (the image has %u)\n",
+                (unsigned long long)r->block_bytes, r->blocks, image_bytes);
     }
 }
 

@@ -31,7 +31,8 @@ static const arg_flag flags[] = {
     {"--order", "file|sorted",
      "rays are traced as they come, or sorted by where they begin and point, so that neighbours "
      "meet the same parts of the scene; hits are written as the rays came (default file)"},
-    {"--repeat", "N", "trace N times, report the best time; 1 to 1000000 (default 1)"},
+    {"--repeat", "N",
+     "trace N times, report the best time, and counts of the last; 1 to 1000000 (default 1)"},
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,

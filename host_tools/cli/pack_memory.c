@@ -64,7 +64,9 @@ static const char *other_way(const pack_plan *plan, const pack_counts *counts) {
                                 .spend = plan->compact->spend,
                                 .meshes = plan->compact->meshes,
                                 .leaf_triangles = 2};
-    return plan->compact->lattice_bits == 0 && pack_need_compact(&compact, counts) <= limit
+    return plan->compact->lattice_bits == 0 && plan->thesis->treelet_nodes == 64 &&
+                   plan->thesis->build != PLT_BUILD_NONE &&
+                   pack_need_compact(&compact, counts) <= limit
                ? ", or --nodes compact"
                : "";
 }

@@ -17,15 +17,15 @@ static int out_of_memory(const char *path, fail *f) {
     return fail_set(f, path, "out of memory; use a larger machine");
 }
 
-/* A mesh in memory, with the file, is below eight times the file: OBJ's quadrangles, of 10 bytes,
- * are two triangles of 12, in arrays that grow by half, and a face. */
+/* A mesh in memory, with the file, is mostly below eight times the file: OBJ's quadrangles, of 10
+ * bytes, are two triangles of 12, in arrays that grow by half, and a face. */
 static void explain_reading(const pack_file *file, fail *f) {
     if (heap_refused() > 0) {
         f->text[0] = '\0';
         fail_set(f, pack_shown(file),
                  "reading it takes more than the %" PRIu64
                  " bytes that --memory gives; use "
-                 "--memory %" PRIu64 ", which is enough for it",
+                 "--memory %" PRIu64 " or more",
                  heap_limit_bytes(), 8 * heap_refused());
         heap_forget_refusal(); /* it has been said */
     }

@@ -47,9 +47,9 @@ int wire_device_open(wire_device *device, const wire_setup *setup, const plt_opt
 
 #if PLT_WITH_STREAMED
 /* Scenes for which the memory is too small are streamed from now on (PLT_RESIDENCY_STREAMED:
- * compact blocks with lattice geometry). `pump`, called while the engine waits for a block, moves
- * reports that come and go for some milliseconds at most and calls wire_poll, or returns
- * -1 to give up; it does not call wire_device_run. */
+ * thesis nodes, or compact blocks with lattice geometry). `pump`, called while the engine waits for
+ * a block, moves reports that come and go for some milliseconds at most and calls wire_poll, or
+ * returns -1 to give up; it does not call wire_device_run. */
 void wire_device_stream(wire_device *device, int (*pump)(void *context), void *context);
 #endif
 

@@ -268,7 +268,8 @@ for command in "render knot.plt -o x.png" "trace knot.plt ray hit"; do
     verdict "${command%% *} refuses the two-stage order for compact blocks in one line" "$(
         [ "$status" -eq 1 ] || echo "status $status"
         one_line
-        grep -q '^knot.plt: compact blocks and streamed scenes are traversed depth first' err || cat err
+        grep -q '^knot.plt: compact blocks and streamed scenes are traversed depth first' err ||
+            cat err
         ls x.png hit 2>/dev/null)"
 done
 

@@ -170,8 +170,8 @@ stated() {
     sed -n 's/.*; use --memory \([0-9]*\).*/\1/p' err
 }
 run make knot --triangles 40000 -o much.ply
-says "reading it takes more than the %llu bytes that --memory gives; use --memory %llu, which is \
-enough for it" pack much.ply -o x.plt --memory 1048576 --nodes compact
+says "reading it takes more than the %llu bytes that --memory gives; use --memory %llu or \
+more" pack much.ply -o x.plt --memory 1048576 --nodes compact
 packs 39952 much.ply --nodes compact --memory "$(stated)"
 takes="%zu triangles take up to %llu bytes of memory to pack, and --memory gives %llu; use \
 --memory %llu%s"

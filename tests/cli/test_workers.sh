@@ -47,6 +47,8 @@ for size in 203x151 16x16 1x300; do
     # shellcheck disable=SC2086
     several "streamed, $size" x.ppm render compact.plt -o x.ppm --size $size $streamed
     # shellcheck disable=SC2086
+    several "streamed thesis nodes, $size" x.ppm render thesis.plt -o x.ppm --size $size $streamed
+    # shellcheck disable=SC2086
     several "by batches, $size" x.ppm render compact.plt -o x.ppm --size $size $streamed \
         --schedule batch --batch 7 --packet 4
     cp one.x.ppm "streamed.$size"

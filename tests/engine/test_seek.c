@@ -60,7 +60,7 @@ static void expect(plt_engine *e, const kept *due, uint32_t tile) {
 static void every_tile(plt_engine *e, const plt_frame *frame, const kept *due, uint32_t count) {
     CHECK(plt_render_begin(e, frame) == PLT_OK, "begin");
     for (uint32_t i = count; i-- > 0;) {
-        CHECK(plt_render_seek(e, i, 1) == PLT_OK, "tile %u of %u", i, count);
+        CHECK(plt_render_seek(e, i, 1 + i % 3) == PLT_OK, "tile %u of %u", i, count);
         expect(e, &due[i], i);
         if (i + 1 < count && i % 3 == 0) {
             expect(e, &due[i + 1], i + 1);
@@ -79,6 +79,7 @@ static void refused(plt_engine *e, const plt_frame *frame, const kept *due, uint
           plt_render_tiles(e));
     CHECK(plt_render_seek(e, count, 1) == PLT_ERR_ARGUMENT, "no tile of that number");
     CHECK(plt_render_seek(e, UINT32_MAX, 1) == PLT_ERR_ARGUMENT, "no tile of that number");
+    CHECK(plt_render_seek(e, 0, 0) == PLT_ERR_ARGUMENT, "no tile is wanted");
     expect(e, &due[0], 0);
     CHECK(plt_render_seek(e, count - 1, 1) == PLT_OK, "the last");
     CHECK(next(e, &last) && !next(e, &last), "something comes behind the last tile");
@@ -115,14 +116,15 @@ static void frames(plt_engine *e) {
     }
 }
 
-static void compact(uint8_t residency) {
+static void compact(uint8_t residency, uint16_t batch) {
     mesh m = {0};
     shape_soup(&m, compact_triangles(300, 2), 0.1f, 7);
     compact_config c = compact_config_of(2, 14, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     packed image = compact_packed(&m, &c); /* frees it */
     hostile_stream stream = {image.bytes, image.size, 0};
     const plt_source source = {NULL, image.size, &stream, hostile_start, hostile_wait};
-    const plt_options options = {.packet_side = 2, .residency = residency};
+    const plt_options options = {
+        .packet_side = 2, .residency = residency, .schedule = batch > 0, .batch = batch};
     const size_t need = plt_arena_need(&image.info, 0, &options);
     void *arena = aligned_alloc(PLT_ALIGN, need);
     plt_engine *e;
@@ -150,8 +152,12 @@ int main(void) {
     thesis(2);
     thesis(PLT_PACKET_SIDE_MAX);
     test("tiles of compact blocks, row by row");
-    compact(PLT_RESIDENCY_WHOLE);
+    compact(PLT_RESIDENCY_WHOLE, 0);
     test("tiles of a streamed scene, along the curves");
-    compact(PLT_RESIDENCY_STREAMED);
+    compact(PLT_RESIDENCY_STREAMED, 0);
+    test("... by batches, which a seek drops, and which end where the tiles that are wanted do");
+    compact(PLT_RESIDENCY_STREAMED, 1);
+    compact(PLT_RESIDENCY_STREAMED, 7);
+    compact(PLT_RESIDENCY_STREAMED, 200);
     return test_done();
 }

@@ -55,7 +55,8 @@ static int wait_at(rig *r, uint32_t treelet, uint16_t packet, float distance) {
     memset(e.rest, 0, REST);
     memcpy(e.rest, &r->names, sizeof r->names);
     r->tasks.packet = packet;
-    const int waits = plt_tasks_wait(&r->tasks, treelet, distance, &e, sizeof e, PLACE);
+    const int waits =
+        plt_tasks_wait(&r->tasks, treelet, treelet % 7, distance, &e, sizeof e, PLACE);
     if (waits) {
         const waiting w = {treelet, packet, r->names};
         r->model[r->count++] = w;

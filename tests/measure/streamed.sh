@@ -3,12 +3,12 @@
 #
 # SCENES is a folder of binary PLY meshes. Every mesh, as compact blocks and as thesis nodes in
 # treelets of 16, 32 and 64, is streamed through stores of 32 and 96 KB: a frame of 512x512, and
-# with PEER, a program that makes ray files ("rays"), shadow rays as they come and bounce
-# rays, shuffled, as they come and sorted. A row says the bytes that were fetched over each part that
+# with PEER, a program that makes ray files ("rays"), shadow rays as they come and bounce rays,
+# shuffled, as they come and sorted. A row says the bytes that were fetched over each part that
 # was touched once, for packets one after the other (branch) and packets that meet (batch).
-# Pictures and hits must be those of the resident scene; frames and shadow rays by batches must fetch
-# at most 1.25 of each part with 96 KB and 1.7 with 32. Set MESHES, NODES, STORES or PACKET for
-# less. SPDX-License-Identifier: MIT
+# Pictures and hits must be those of the resident scene; frames and shadow rays by batches must
+# fetch at most 1.25 of each part with 96 KB and 1.7 with 32. Set MESHES, NODES, STORES or PACKET
+# for less. SPDX-License-Identifier: MIT
 set -u
 scenes=${1:-} peer=${2:-}
 planelet=${PLANELET:-build/host/planelet}
@@ -52,7 +52,7 @@ pack() {
     }
 }
 
-# ratio SCHEDULE STORE COMMAND...: of what the command fetches; its output is compared with $work/due.
+# ratio SCHEDULE STORE COMMAND...: of what the command fetches; its output is to be $work/due.
 ratio() {
     schedule=$1 store=$2
     shift 2
@@ -88,8 +88,8 @@ rays() { # MESH NODES
     [ -f "$work/$1.shadow" ] || "$peer" rays "$scenes/$1.ply" "$work/$1" >/dev/null || return 1
     row "$1" "$2" "shadow rays" 1 trace "$work/scene.plt" "$work/$1.shadow" "$work/out.ppm" --any
     row "$1" "$2" "bounce rays" 0 trace "$work/scene.plt" "$work/$1.bounce" "$work/out.ppm"
-    row "$1" "$2" "bounce rays, sorted" 0 trace "$work/scene.plt" "$work/$1.bounce" "$work/out.ppm" \
-        --order sorted
+    row "$1" "$2" "bounce rays, sorted" 0 trace "$work/scene.plt" "$work/$1.bounce" \
+        "$work/out.ppm" --order sorted
 }
 
 head="| mesh | nodes | rays |" rule="|---|---|---|"

@@ -55,7 +55,7 @@ serve "$out/terrain.plt" $view
 verdict "the frame that comes back is the host's direct render, bit for bit" "$(
     [ "$status" -eq 0 ] || echo "status $status: $text"
     cmp "$out/served.ppm" "$out/host.ppm" 2>&1)"
-sent=$(echo "$text" | sed -n 's/.*streamed \([0-9]*\) of the image.*/\1/p')
+sent=$(echo "$text" | sed -n 's/.*streamed \([0-9]*\) bytes for.*/\1/p')
 verdict "... the host says how much of the image that took: ${sent:-nothing} of $image bytes" "$(
     [ "${sent:-0}" -ge "$(value fetched)" ] && [ "$sent" -lt "$image" ] || echo "$text")"
 verdict "... $(value fetched) bytes were fetched into $(value memory) bytes of memory" "$(
