@@ -293,6 +293,54 @@ static void test_engine(void) {
     mesh_free(&m);
 }
 
+/* ---- a scene that is replaced in the middle of a frame ----------------------------------------
+ */
+
+/* Steps until some tiles of the first frame have left, and others have not. */
+static int is_begun(void) {
+    for (int i = 0; i < 20000 && e.device.out.sent < 3; i++) {
+        fake_cable_step(&e.cable);
+        wire_device_run(&e.device, 20);
+    }
+    return e.device.out.in_frame && e.device.out.sent < e.device.out.tiles;
+}
+
+/* The hash of the panel at the first frame that has the mark of the view. */
+static uint64_t marked_frame(void) {
+    const uint32_t seen = wire_frames_shown(&e.frames);
+    for (int i = 0; i < 20000; i++) {
+        fake_cable_step(&e.cable);
+        wire_device_run(&e.device, 2000);
+        if (wire_frames_shown(&e.frames) != seen &&
+            wire_frames_mark(&e.frames) == e.view.view.number) {
+            return hash_bytes(e.panel, sizeof e.panel);
+        }
+    }
+    return 0;
+}
+
+static void test_orphan(void) {
+    mesh m[2] = {{0}};
+    rig of[2];
+    const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    test("a frame whose scene is replaced before it is whole never has the mark of its view");
+    for (unsigned i = 0; i < 2; i++) {
+        shape_icosphere(&m[i], i);
+        CHECK(rig_open(&of[i], &m[i], &config) == PLT_OK, "%s", of[i].fault.message);
+    }
+    open_engine(&of[0].image, 1);
+    wire_view_send(&e.view, &views[0]);
+    CHECK(is_begun(), "%u tiles, no frame that is not whole", e.device.out.sent);
+    wire_scene_out_open(&e.scene, &e.host, of[1].image.bytes, (uint32_t)of[1].image.size);
+    const uint64_t hash = marked_frame();
+    CHECK(hash == direct_frame(of[1].engine, &views[0]), "%016llx", (unsigned long long)hash);
+    CHECK(e.host.stats.frames_in > 1, "the frame that is not whole did not end");
+    for (unsigned i = 0; i < 2; i++) {
+        rig_close(&of[i]);
+        mesh_free(&m[i]);
+    }
+}
+
 static void test_other_tiles(void) {
     static const plt_options options = {.packet_side = PLT_PACKET_SIDE_MAX};
     test("an engine whose tiles are not those of the wire is refused as a device");
@@ -306,6 +354,7 @@ int main(void) {
     test_blocks();
     if (PLT_TILE_SIDE == WIRE_TILE_SIDE) {
         test_engine();
+        test_orphan();
     } else {
         test_other_tiles();
     }

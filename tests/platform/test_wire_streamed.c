@@ -292,6 +292,18 @@ static void test_hosts(void) {
         CHECK(stats.fetch_retries >= 1, "%u: %llu retries", at,
               (unsigned long long)stats.fetch_retries);
     }
+    test("a frame that fails is not counted as a whole one, and never has the mark of its view");
+    for (uint32_t at = 1; at <= requests; at++) {
+        unsigned code;
+        open_failing(at, REFUSES);
+        expect_error(WIRE_E_SOURCE, at, "refused");
+        frame_comes(200, &code);
+        CHECK(e.device.frames == 0 && !e.device.out.in_frame, "%u: counted", at);
+        CHECK(wire_frames_mark(&e.frames) != e.view.view.number, "%u: shown", at);
+        mend();
+        check_frame(1, "after one that fails", at);
+        CHECK(e.device.frames == 1, "%u: %u frames", at, e.device.frames);
+    }
     test("the error is told again until the host has heard it");
     open_failing(requests / 2, REFUSES);
     expect_error(WIRE_E_SOURCE, 2, "again");
