@@ -141,7 +141,8 @@ static int refuse_size(const serving *s, fail *f) {
     return fail_set(f, "device", "the image of %u bytes does not fit in its %u; pack it %s",
                     s->job->image_bytes, device->arena_bytes,
                     device->features & WIRE_STREAMS
-                        ? "with --build host, compact with a lattice, and it can be streamed"
+                        ? "with --nodes compact --geometry lattice:14 --build host, and it can "
+                          "be streamed"
                         : "smaller");
 }
 

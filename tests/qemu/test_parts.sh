@@ -114,7 +114,7 @@ if part "render thesis wave" "$wave" 73728; then
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
 fi
 batch=$BUILD/mps2_an386-batch-compact-render-stream
-if part "render compact stream batch" "$batch" 57344; then
+if part "render compact stream batch" "$batch" 58368; then
     renders "$batch" compact
 fi
 wave=$BUILD/mps2_an386-compact-render-wave
