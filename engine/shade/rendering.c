@@ -5,19 +5,7 @@
 
 #include <string.h>
 
-#include "engine/shade/surface.h"
-
-static uint32_t least(uint32_t a, uint32_t b) {
-    return a < b ? a : b;
-}
-
-static uint32_t tile_width(const plt_frame *f, const plt_frame_place *at) {
-    return least(PLT_TILE_SIDE, f->width - at->x);
-}
-
-static uint32_t tile_height(const plt_frame *f, const plt_frame_place *at) {
-    return least(PLT_TILE_SIDE, f->height - at->y);
-}
+#include "engine/shade/rendering_sky.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
 #define HAS_BEAMS(r) (PLT_WITH_BEAMS && (!PLT_WITH_GROUPS || (r)->beams))
@@ -45,8 +33,8 @@ static int has_beams(const plt_rendering *r, const plt_traversal *t) {
 /* Both orders begin with the first tile of the first row. */
 static void set_order(plt_rendering *r, int curves) {
 #if PLT_WITH_STREAMED
-    const plt_tile_order order = {.columns = (r->frame.width + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE,
-                                  .rows = (r->frame.height + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE};
+    const plt_tile_order order = {.columns = plt_tiles_along(r->frame.width),
+                                  .rows = plt_tiles_along(r->frame.height)};
     r->at.order = order;
     r->curves = (uint8_t)curves;
 #else
@@ -55,19 +43,12 @@ static void set_order(plt_rendering *r, int curves) {
 #endif
 }
 
-/* Of the rows of a tile; rows of tiles that go from left to right share it. */
-static void set_sky(plt_rendering *r) {
-    for (uint32_t y = 0; y < tile_height(&r->frame, &r->at); y++) {
-        plt_surface_sky(&r->frame, r->at.y + y, &r->sky[3 * y]);
-    }
-}
-
 /* The pixels of a packet, and how many of them lie in the frame. */
 static uint32_t pixels_at(const plt_rendering *r, const plt_frame_place *at, plt_pixels *pixels) {
     const plt_pixels all = {r->side, at->x + at->px, at->y + at->py, r->frame.width,
                             r->frame.height};
     *pixels = all;
-    return least(r->side, r->frame.width - all.x) * least(r->side, r->frame.height - all.y);
+    return plt_least(r->side, r->frame.width - all.x) * plt_least(r->side, r->frame.height - all.y);
 }
 
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
@@ -75,7 +56,7 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
     const uint32_t rays = pixels_at(r, &r->at, &pixels);
     r->tracing = 1;
     if ((HAS_CURVES(r) ? r->at.px == 0 : pixels.x == 0) && r->at.py == 0) {
-        set_sky(r);
+        plt_rendering_set_sky(r);
     }
     if (HAS_BEAMS(r)) {
         plt_beam_begin(r->beam, &pixels, t, rays);
@@ -103,7 +84,8 @@ static void shade_lane(const plt_frame *frame, const plt_group_rays *g, unsigned
 }
 
 static void shade_packet(const plt_rendering *r, const plt_packet *p) {
-    const uint32_t width = tile_width(&r->frame, &r->at), height = tile_height(&r->frame, &r->at);
+    const uint32_t width = plt_tile_width(&r->frame, &r->at),
+                   height = plt_tile_height(&r->frame, &r->at);
     for (uint32_t k = 0; k < r->side * r->side; k++) {
         const uint32_t x = r->at.px + plt_z_order_x(k), y = r->at.py + plt_z_order_y(k);
         if (x < width && y < height) {
@@ -115,7 +97,7 @@ static void shade_packet(const plt_rendering *r, const plt_packet *p) {
 
 static void shade_square(const plt_rendering *r) {
 #if PLT_WITH_BEAMS
-    const uint32_t width = tile_width(&r->frame, &r->at);
+    const uint32_t width = plt_tile_width(&r->frame, &r->at);
     plt_beam_shade(r->beam, &r->frame, &r->sky[3 * r->at.py],
                    &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
 #else
@@ -126,11 +108,11 @@ static void shade_square(const plt_rendering *r) {
 /* To the next packet of the tile; 0 when there is none. */
 static int next_packet(const plt_rendering *r, plt_frame_place *at) {
     at->px += r->side;
-    if (at->px >= tile_width(&r->frame, at)) {
+    if (at->px >= plt_tile_width(&r->frame, at)) {
         at->px = 0;
         at->py += r->side;
     }
-    return at->py < tile_height(&r->frame, at);
+    return at->py < plt_tile_height(&r->frame, at);
 }
 
 static int follow_curve(plt_frame_place *at) {
@@ -210,7 +192,7 @@ static int trace_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
 static int shade_next(plt_rendering *r) {
     plt_batch *b = r->batch;
     if (r->at.px == 0 && r->at.py == 0) {
-        set_sky(r);
+        plt_rendering_set_sky(r);
     }
     shade_packet(r, &b->packet[r->shaded++]);
     if (r->shaded == b->count) {
@@ -263,7 +245,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
 }
 
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
-    if (!r->done && r->at.py >= tile_height(&r->frame, &r->at)) {
+    if (!r->done && r->at.py >= plt_tile_height(&r->frame, &r->at)) {
         r->done = (uint8_t)!next_tile(r, &r->at);
     }
     if (r->done) {
@@ -297,6 +279,6 @@ void plt_rendering_tile(const plt_rendering *r, plt_tile *tile) {
     tile->rgb = r->tile;
     tile->x = (uint16_t)r->at.x;
     tile->y = (uint16_t)r->at.y;
-    tile->width = (uint16_t)tile_width(&r->frame, &r->at);
-    tile->height = (uint16_t)tile_height(&r->frame, &r->at);
+    tile->width = (uint16_t)plt_tile_width(&r->frame, &r->at);
+    tile->height = (uint16_t)plt_tile_height(&r->frame, &r->at);
 }

@@ -9,17 +9,9 @@
 
 #include "engine/schedule/batch.h"
 #include "engine/shade/beam.h"
-#include "engine/shade/tile_order.h"
+#include "engine/shade/frame_place.h"
 
 #define PLT_TILE_BUFFER_BYTES (3 * PLT_TILE_SIDE * PLT_TILE_SIDE)
-
-/* Where in a frame, pixels: a tile, and a packet within it. */
-typedef struct plt_frame_place {
-    uint32_t x, y, px, py;
-#if PLT_WITH_STREAMED
-    plt_tile_order order; /* of the tiles of a streamed scene */
-#endif
-} plt_frame_place;
 
 typedef struct plt_rendering {
     plt_frame frame;

@@ -3,18 +3,10 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/seek.h"
 
-#include "engine/shade/surface.h"
-
-static uint32_t least(uint32_t a, uint32_t b) {
-    return a < b ? a : b;
-}
-
-static uint32_t tiles_along(uint32_t pixels) {
-    return (pixels + PLT_TILE_SIDE - 1) / PLT_TILE_SIDE;
-}
+#include "engine/shade/rendering_sky.h"
 
 uint32_t plt_rendering_tiles(const plt_rendering *r) {
-    return r->done ? 0 : tiles_along(r->frame.width) * tiles_along(r->frame.height);
+    return r->done ? 0 : plt_tiles_along(r->frame.width) * plt_tiles_along(r->frame.height);
 }
 
 #if PLT_WITH_STREAMED
@@ -24,7 +16,7 @@ uint32_t plt_rendering_tiles(const plt_rendering *r) {
 static uint32_t find_square(const plt_tile_order *o, uint32_t *tile) {
     const uint32_t side = PLT_TILE_SQUARE, across = (o->columns + side - 1) / side;
     const uint32_t square_row = *tile / (side * o->columns);
-    const uint32_t height = least(side, o->rows - side * square_row);
+    const uint32_t height = plt_least(side, o->rows - side * square_row);
     const uint32_t narrow = (o->columns - side * (across - 1)) * height;
     uint32_t in_row = 0;
     *tile %= side * o->columns;
@@ -51,17 +43,9 @@ static void seek_on_curve(plt_rendering *r, uint32_t tile) {
 #endif
 
 static void seek_in_rows(plt_rendering *r, uint32_t tile) {
-    const uint32_t columns = tiles_along(r->frame.width);
+    const uint32_t columns = plt_tiles_along(r->frame.width);
     r->at.x = tile % columns * PLT_TILE_SIDE;
     r->at.y = tile / columns * PLT_TILE_SIDE;
-}
-
-/* What the first tile of a row sets for all of them. */
-static void set_sky(plt_rendering *r) {
-    const uint32_t height = least(PLT_TILE_SIDE, r->frame.height - r->at.y);
-    for (uint32_t y = 0; y < height; y++) {
-        plt_surface_sky(&r->frame, r->at.y + y, &r->sky[3 * y]);
-    }
 }
 
 int plt_rendering_seek(plt_rendering *r, uint32_t tile, uint32_t count) {
@@ -80,6 +64,6 @@ int plt_rendering_seek(plt_rendering *r, uint32_t tile, uint32_t count) {
     r->at.px = r->at.py = 0;
     r->tracing = 0;
     plt_rendering_begin_batches(r, count);
-    set_sky(r);
+    plt_rendering_set_sky(r); /* as the first tile of a row does for all of them */
     return PLT_OK;
 }

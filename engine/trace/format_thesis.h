@@ -27,14 +27,6 @@ static inline int format_root(plt_traversal *t, format_place *place) {
     return tree->root != PLT_LINK_NONE;
 }
 
-static inline int format_is_leaf(const format_place *place) {
-    return plt_link_is_leaf(place->link);
-}
-
-static inline int format_is_edge(const format_place *place) {
-    return !plt_link_is_inner(place->link);
-}
-
 static inline int format_enter(plt_traversal *t, const format_place *place) {
     plt_treelet_enter(t, place->link);
     return PLT_OK;

@@ -171,4 +171,12 @@ static inline float place_longest_side(const format_place *place) {
 
 #endif
 
+static inline int format_is_leaf(const format_place *place) {
+    return plt_link_is_leaf(place->link);
+}
+
+static inline int format_is_edge(const format_place *place) {
+    return !plt_link_is_inner(place->link);
+}
+
 #endif
