@@ -153,7 +153,7 @@ compact: all $(OUT)/tests/engine/test_compact_topology
 	@sh tests/measure/compact.sh "$(SCENES)" "$(PEER)"
 
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
-streamed: all
+streamed: all $(OUT)/tests/measure/test_node_bytes
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/streamed.sh "$(SCENES)" "$(PEER)"
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program

@@ -33,8 +33,10 @@ extern "C" {
  * PLT_BLOCK_CACHE_SLOTS; touched blocks
  * are counted only if plt_options.count_touched asks for it; incoherent rays can go by a wave
  * (plt_options.rays_in_flight, wide, rays; plt_stats.wave_rays); packets may be as large as there
- * is room for (plt_options.packet_side 0, plt_packet_side); plt_trace and
- * plt_render_step report a source that fails. Images are those of 1.0. */
+ * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
+ * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
+ * (plt_render_seek); plt_trace and plt_render_step report a source that fails. Images are those
+ * of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
@@ -90,7 +92,7 @@ enum plt_residency {
 enum plt_schedule {
     PLT_SCHEDULE_BRANCH = 0, /* packet after packet: each fetches what it comes to (thesis, 4.3) */
     PLT_SCHEDULE_BATCH = 1   /* many packets are alive at once and meet at a block before it is
-                              * fetched: fewer bytes, for some 137 per ray and a pool of
+                              * fetched: fewer bytes, for some 125 per ray and a pool of
                               * those that wait; nearest block first */
 };
 

@@ -328,64 +328,18 @@ static void list_without_end(void) {
 
 /* ---- a source that changes --------------------------------------------------- */
 
-enum { VERSIONS = 6 };
-
-typedef struct changing {
-    plt_source source; /* of the link */
-    fake_link *link;
-    unsigned char *version[VERSIONS];
-    random_state random;
-} changing;
-
-static int change_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
-    changing *c = context;
-    c->link->image = c->version[offset < PLT_HEADER_BYTES ? 0 : random_below(&c->random, VERSIONS)];
-    return c->source.start(c->source.context, tag, offset, to, count);
-}
-
-static int change_wait(void *context, uint32_t tags) {
-    changing *c = context;
-    return c->source.wait(c->source.context, tags);
-}
-
-static void make_versions(changing *c, const subject *s) {
-    for (unsigned i = 0; i < VERSIONS; i++) {
-        packed copy = s->image;
-        copy.bytes = c->version[i] = malloc(s->image.size);
-        memcpy(copy.bytes, s->image.bytes, s->image.size);
-        for (unsigned times = 0; i > 0 && times < 3; times++) {
-            forge(&copy, &c->random);
-        }
-    }
-}
-
 /* Every part comes from one of several versions. */
 static void changes(const subject *s, uint8_t side, uint32_t seed, uint32_t *ended) {
-    run x = {.link = {.bytes = s->image.size, .at_once = 1}};
-    changing c = {.link = &x.link, .random = {seed}};
-    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, side, 0);
-    plt_hit hits[RAYS];
-    make_versions(&c, s);
-    x.bytes = plt_arena_need(&s->image.info, 0, &o);
-    x.arena = aligned_alloc(PLT_ALIGN, x.bytes + GUARD);
-    memset(x.arena, 0x5A, x.bytes + GUARD);
-    x.link.arena = x.arena;
-    x.link.arena_bytes = x.bytes;
-    x.link.image = c.version[0];
-    c.source = fake_source(&x.link);
-    const plt_source source = {
-        .bytes = s->image.size, .context = &c, .start = change_start, .wait = change_wait};
-    CHECK(plt_open(&x.engine, x.arena, x.bytes, &source, &o, &x.fault) == PLT_OK, "%s",
-          x.fault.message);
-    for (int tries = 0; tries < 20; tries++) {
-        const int status = trace_all(&x, s, hits);
-        *ended += status == PLT_OK;
-        CHECK(status == PLT_OK || status == PLT_ERR_IMAGE, "status %d", status);
-    }
-    close_run(&x);
+    changing c = {.random = {seed}};
     for (unsigned i = 0; i < VERSIONS; i++) {
-        free(c.version[i]);
+        packed copy = s->image;
+        copy.bytes = c.version[i] = malloc(s->image.size);
+        memcpy(copy.bytes, s->image.bytes, s->image.size);
+        for (unsigned times = 0; i > 0 && times < 3; times++) {
+            forge(&copy, &c.random);
+        }
     }
+    trace_changing(&c, s, side, ended);
 }
 
 static void changing_sources(uint32_t seeds) {
@@ -507,12 +461,9 @@ static void schedule(const char *sentence, int soaks) {
 int main(void) {
     const char *soak = getenv("PLANELET_SOAK");
     const int soaks = soak != NULL && soak[0] == '1';
-    schedule("hits and frames are those of the resident scene, whatever treelets and store", soaks);
-    batch = 5;
-    schedule("the same of five packets at a time", soaks);
-    has_few_tasks = 1;
-    schedule("the same when there are no more tasks than packets", soaks);
-    has_few_tasks = batch = 0;
+    every_schedule(schedule,
+                   "hits and frames are those of the resident scene, whatever treelets and store",
+                   soaks);
     test("links that would lead to a treelet in countless ways are refused");
     ways_without_number(1, 1);
     ways_without_number(1, 0);

@@ -5,13 +5,15 @@
 # treelets of 16, 32 and 64, is streamed through stores of 32 and 96 KB: a frame of 512x512, and
 # with PEER, a program that makes ray files ("rays"), shadow rays as they come and bounce rays,
 # shuffled, as they come and sorted. A row says the bytes that were fetched over each part that
-# was touched once, for packets one after the other (branch) and packets that meet (batch).
+# was touched once, for packets one after the other (branch) and packets that meet (batch). Beside
+# it, of compact blocks, the bytes of nodes that the primary rays touch.
 # Pictures and hits must be those of the resident scene; frames and shadow rays by batches must
 # fetch at most 1.25 of each part with 96 KB and 1.7 with 32. Set MESHES, NODES, STORES or PACKET
 # for less. SPDX-License-Identifier: MIT
 set -u
 scenes=${1:-} peer=${2:-}
 planelet=${PLANELET:-build/host/planelet}
+node_bytes=${NODE_BYTES:-build/host/tests/measure/test_node_bytes}
 work=${BUILD:-build}/streamed
 meshes=${MESHES:-bunny dragon statues diorama}
 nodes=${NODES:-compact 16 32 64}
@@ -86,6 +88,7 @@ row() {
 rays() { # MESH NODES
     [ -n "$peer" ] || return 0
     [ -f "$work/$1.shadow" ] || "$peer" rays "$scenes/$1.ply" "$work/$1" >/dev/null || return 1
+    [ "$2" != compact ] || "$node_bytes" "$work/scene.plt" "$work/$1.primary" | grep "of nodes in"
     row "$1" "$2" "shadow rays" 1 trace "$work/scene.plt" "$work/$1.shadow" "$work/out.ppm" --any
     row "$1" "$2" "bounce rays" 0 trace "$work/scene.plt" "$work/$1.bounce" "$work/out.ppm"
     row "$1" "$2" "bounce rays, sorted" 0 trace "$work/scene.plt" "$work/$1.bounce" \

@@ -26,12 +26,7 @@ is_small() {
 }
 is_small "render compact stream" 55296
 
-"$planelet" make terrain --triangles 400000 -o "$out/terrain.ply" >/dev/null 2>&1
-"$planelet" pack "$out/terrain.ply" -o "$out/terrain.plt" --nodes compact \
-    --geometry lattice:14 --leaf 2 >/dev/null 2>&1
-image=$(wc -c <"$out/terrain.plt" | tr -d ' ')
-verdict "an image of $image bytes, eight times 256 KiB or more, is there" "$(
-    [ "$image" -ge 2097152 ] || echo "$image bytes")"
+. tests/qemu/terrain.sh
 view=$(sh board/tools/host_view.sh "$out/terrain.plt" 160x120 "$out/host.ppm")
 
 run() { # KEY=VALUE ...
@@ -69,17 +64,12 @@ run residency=stream
 verdict "an unknown residency is wrong usage" "$(
     [ "$status" -eq 2 ] && echo "$text" | grep -q '^error: .*residency' || echo "$text")"
 
-# A byte in every so many is wrong: the place is told.
-cp "$out/terrain.plt" "$out/whole.plt"
-at=1000
-while [ "$at" -lt "$image" ]; do
-    printf '\377\000' | dd of="$out/terrain.plt" bs=1 seek="$at" conv=notrunc 2>/dev/null
-    at=$((at + 9001))
-done
+damage "$out/damaged.plt"
+scene=$out/damaged.plt
 run residency=streamed packet=8
 verdict "damaged blocks are refused when they come, with rule and place" "$(
     [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*rule=I.* offset=' || echo "$text")"
-mv "$out/whole.plt" "$out/terrain.plt"
+scene=$out/terrain.plt
 
 folder=$BUILD/mps2_an386-compact-prefetch-render-stream
 make_board mps2_an386 PARTS='render compact stream prefetch' || { finish; exit; }

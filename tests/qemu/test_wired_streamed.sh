@@ -15,12 +15,7 @@ needs arm-none-eabi-gcc qemu-system-arm && make_board mps2_an386 PROGRAM=wired P
 verdict "gcc compiles the firmware without a warning" "$(
     find "$folder" -name '*.log' -size +0 -exec cat {} +)"
 
-"$planelet" make terrain --triangles 400000 -o "$out/terrain.ply" >/dev/null 2>&1
-"$planelet" pack "$out/terrain.ply" -o "$out/terrain.plt" --nodes compact \
-    --geometry lattice:14 --leaf 2 >/dev/null 2>&1
-image=$(wc -c <"$out/terrain.plt" | tr -d ' ')
-verdict "an image of $image bytes, eight times 256 KiB or more, is there" "$(
-    [ "$image" -ge 2097152 ] || echo "$image bytes")"
+. tests/qemu/terrain.sh
 view='--size 32x24 --fov 30'
 # shellcheck disable=SC2086
 "$planelet" render "$out/terrain.plt" -o "$out/host.ppm" $view >/dev/null
@@ -81,13 +76,7 @@ verdict "... in $per_ray instructions of the engine per ray" "$(
 sed -n 's/^frame/    &/p' "$out/log.txt"
 echo "    while it waited: wire $(counted wire) instructions, rest $(counted rest)"
 
-# The header and the first blocks are right, the rest is noise.
-cp "$out/terrain.plt" "$out/damaged.plt"
-at=1000
-while [ "$at" -lt "$image" ]; do
-    printf '\377\000' | dd of="$out/damaged.plt" bs=1 seek="$at" conv=notrunc 2>/dev/null
-    at=$((at + 9001))
-done
+damage "$out/damaged.plt"
 start
 serve "$out/damaged.plt"
 verdict "a block that is not valid: the host is told the rule and the byte, and ends" "$(

@@ -187,4 +187,68 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
     return 0;
 }
 
+/* ---- a source that changes --------------------------------------------------- */
+
+enum { VERSIONS = 6 };
+
+typedef struct changing {
+    plt_source source; /* of the link */
+    fake_link *link;
+    unsigned char *version[VERSIONS]; /* of the image, each from malloc */
+    random_state random;
+} changing;
+
+static inline int change_start(void *context, unsigned tag, uint32_t offset, void *to,
+                               uint32_t count) {
+    changing *c = context;
+    c->link->image = c->version[offset < PLT_HEADER_BYTES ? 0 : random_below(&c->random, VERSIONS)];
+    return c->source.start(c->source.context, tag, offset, to, count);
+}
+
+static inline int change_wait(void *context, uint32_t tags) {
+    changing *c = context;
+    return c->source.wait(c->source.context, tags);
+}
+
+/* Every part comes from one of the versions, which are freed. */
+static inline void trace_changing(changing *c, const subject *s, uint8_t side, uint32_t *ended) {
+    run x = {.link = {.bytes = s->image.size, .at_once = 1, .image = c->version[0]}};
+    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, side, 0);
+    plt_hit hits[RAYS];
+    x.bytes = plt_arena_need(&s->image.info, 0, &o);
+    x.arena = aligned_alloc(PLT_ALIGN, x.bytes + GUARD);
+    memset(x.arena, 0x5A, x.bytes + GUARD);
+    x.link.arena = x.arena;
+    x.link.arena_bytes = x.bytes;
+    c->link = &x.link;
+    c->source = fake_source(&x.link);
+    const plt_source source = {
+        .bytes = s->image.size, .context = c, .start = change_start, .wait = change_wait};
+    CHECK(plt_open(&x.engine, x.arena, x.bytes, &source, &o, &x.fault) == PLT_OK, "%s",
+          x.fault.message);
+    for (int tries = 0; tries < 20; tries++) {
+        const int status = trace_all(&x, s, hits);
+        *ended += status == PLT_OK;
+        CHECK(status == PLT_OK || status == PLT_ERR_IMAGE, "status %d", status);
+    }
+    close_run(&x);
+    for (unsigned i = 0; i < VERSIONS; i++) {
+        free(c->version[i]);
+    }
+}
+
+/* ---- schedules --------------------------------------------------------------- */
+
+/* Runs all that depends on the schedule: packet after packet, by batches, and by batches that have
+ * no more tasks than packets. Each run begins with a sentence of its own. */
+static inline void every_schedule(void (*all)(const char *sentence, int is_soak),
+                                  const char *sentence, int is_soak) {
+    all(sentence, is_soak);
+    batch = 5;
+    all("the same of five packets at a time", is_soak);
+    has_few_tasks = 1;
+    all("the same when there are no more tasks than packets", is_soak);
+    has_few_tasks = batch = 0;
+}
+
 #endif
