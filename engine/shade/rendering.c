@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "engine/shade/rendering_sky.h"
+#include "engine/shade/tile_sky.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
 #define HAS_BEAMS(r) (PLT_WITH_BEAMS && (!PLT_WITH_GROUPS || (r)->beams))
@@ -56,7 +56,7 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
     const uint32_t rays = pixels_at(r, &r->at, &pixels);
     r->tracing = 1;
     if ((HAS_CURVES(r) ? r->at.px == 0 : pixels.x == 0) && r->at.py == 0) {
-        plt_rendering_set_sky(r);
+        plt_tile_sky(&r->frame, &r->at, r->sky);
     }
     if (HAS_BEAMS(r)) {
         plt_beam_begin(r->beam, &pixels, t, rays);
@@ -192,7 +192,7 @@ static int trace_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
 static int shade_next(plt_rendering *r) {
     plt_batch *b = r->batch;
     if (r->at.px == 0 && r->at.py == 0) {
-        plt_rendering_set_sky(r);
+        plt_tile_sky(&r->frame, &r->at, r->sky);
     }
     shade_packet(r, &b->packet[r->shaded++]);
     if (r->shaded == b->count) {

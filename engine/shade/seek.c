@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/seek.h"
 
-#include "engine/shade/rendering_sky.h"
+#include "engine/shade/tile_sky.h"
 
 uint32_t plt_rendering_tiles(const plt_rendering *r) {
     return r->done ? 0 : plt_tiles_along(r->frame.width) * plt_tiles_along(r->frame.height);
@@ -64,6 +64,6 @@ int plt_rendering_seek(plt_rendering *r, uint32_t tile, uint32_t count) {
     r->at.px = r->at.py = 0;
     r->tracing = 0;
     plt_rendering_begin_batches(r, count);
-    plt_rendering_set_sky(r); /* as the first tile of a row does for all of them */
+    plt_tile_sky(&r->frame, &r->at, r->sky); /* as the first tile of a row does for all of them */
     return PLT_OK;
 }
