@@ -25,7 +25,7 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact streamed \
-        against sanitize tiny scalar fuzz exporters run profile clean help FORCE
+        workers against sanitize tiny scalar fuzz exporters run profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -151,6 +151,10 @@ peers: all
 ##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
 compact: all $(OUT)/tests/engine/test_compact_topology
 	@sh tests/measure/compact.sh "$(SCENES)" "$(PEER)"
+
+##measure workers: what several workers make of a frame: make workers SCENES=folder
+workers: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/workers.sh "$(SCENES)"
 
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
 streamed: all $(OUT)/tests/measure/test_node_bytes

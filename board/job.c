@@ -97,11 +97,12 @@ static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
     static const char *const shaders[] = {"eyelight", "normal", "triangle"};
     static const char *const residencies[] = {"resident", "streamed"};
-    static const char *const schedules[] = {"branch", "batch"};
+    static const char *const schedules[] = {"branch", "batch", "task"};
     if (read_word(all, "walk", walks, 2, &j->options.order) < 0 ||
         read_word(all, "residency", residencies, PLT_WITH_STREAMED ? 2 : 1, &j->options.residency) <
             0 ||
-        read_word(all, "schedule", schedules, PLT_WITH_BATCH ? 2 : 1, &j->options.schedule) < 0) {
+        read_word(all, "schedule", schedules, 1 + PLT_WITH_BATCH + PLT_WITH_TASK,
+                  &j->options.schedule) < 0) {
         return -1;
     }
     return read_word(all, "shader", shaders, 3, &j->frame.shader);

@@ -10,8 +10,19 @@
 #include "engine/base/arena.h"
 #include "engine/scene/open.h"
 #include "engine/schedule/batch.h"
+#include "engine/schedule/dispatch.h"
 #include "engine/shade/rendering.h"
 #include "engine/trace/traversal.h"
+
+#if PLT_WITH_TASK
+/* An array of rays that workers share. */
+typedef struct plt_task_rays {
+    const plt_ray *rays;
+    plt_hit *hits;        /* NULL: there is none */
+    uint32_t count, next; /* next: the first that no packet has */
+    int any;
+} plt_task_rays;
+#endif
 
 struct plt_engine {
     plt_arena arena;
@@ -21,6 +32,13 @@ struct plt_engine {
     plt_packet packet;
 #if PLT_WITH_BATCH
     plt_batch batch; /* most 0: none */
+#endif
+#if PLT_WITH_TASK
+    plt_dispatch dispatch; /* most 0: none */
+    plt_worker worker;     /* if is_worker */
+    uint8_t is_worker;
+    uint8_t *colours;     /* of the dispatcher's packets that are done; packet_side rows each */
+    plt_task_rays shared; /* rays that workers share; hits NULL: a frame, or nothing */
 #endif
     plt_traversal traversal;
     plt_rendering rendering;

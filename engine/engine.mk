@@ -8,6 +8,7 @@
 #   stream   with scenes that stay in their source, part by part, which firmware is without,
 #            too
 #   batch    with packets that meet at the blocks of such scenes
+#   task     ... and go from there to workers, on other cores (plt_task_next)
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
 #   prefetch  ... whose blocks may be on their way before they are needed, likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`
@@ -39,6 +40,8 @@ stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c
     engine/memory/treelet_stream.c engine/tree/thesis/validate_treelet.c \
     $(wildcard engine/scene/open_streamed*.c engine/trace/traverse_streamed*.c) \
     engine/shade/tile_order.c
+task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c \
+    engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
@@ -53,15 +56,19 @@ flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave stream batch prefetch seek frames,$(PARTS)),)
-$(error PARTS is a list of render, thesis and compact, and wave, stream, batch, prefetch, seek or \
-    frames; it has $(PARTS))
+ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek frames,$(PARTS)),)
+$(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
+    seek or frames; it has $(PARTS))
 endif
-ifeq ($(filter-out render wave stream batch prefetch seek frames,$(sort $(PARTS))),compact thesis)
+both_formats := $(filter thesis compact,$(PARTS))
+ifeq ($(words $(both_formats)),2)
 $(error PARTS=thesis leaves compact out and PARTS=compact thesis: leave both away for all)
 endif
 ifeq ($(filter stream,$(PARTS))$(filter batch,$(PARTS)),batch)
 $(error PARTS with batch has stream: make PARTS='render compact stream batch')
+endif
+ifeq ($(filter batch,$(PARTS))$(filter task,$(PARTS)),task)
+$(error PARTS with task has stream and batch: make PARTS='render compact stream batch task')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
@@ -83,19 +90,21 @@ flags_compact += -DPLT_WITH_BEAMS=0
 endif
 without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
 without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
+without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
-    $(if $(without_batch),$(batch_files)) $(if $(without_seek),$(seek_files)),$(ENGINE_ALL))
+    $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
+    $(if $(without_seek),$(seek_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
-    $(if $(without_batch),-DPLT_WITH_BATCH=0) \
+    $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
-ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/engine.c \
+ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/calls.c \
     engine/base/between.c engine/scene/*.c engine/tree/*/validate*.c \
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/base/arena.c engine/trace/traversal.c engine/trace/rays.c \

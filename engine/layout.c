@@ -150,18 +150,42 @@ static uint64_t local_stack_bytes(const subject *s) {
 /* 0: packets come one by one. */
 static uint32_t batch_packets(const subject *s) {
     const plt_options *o = s->options;
-    const int meets = plt_is_streamed(s->format) && o->schedule == PLT_SCHEDULE_BATCH;
-    return !meets ? 0 : o->batch > 0 ? o->batch : 1;
+    const int has_many =
+        o->schedule == PLT_SCHEDULE_BATCH || (PLT_WITH_TASK && o->schedule == PLT_SCHEDULE_TASK);
+    return !plt_is_streamed(s->format) || !has_many ? 0 : o->batch > 0 ? o->batch : 1;
 }
 
 static uint64_t batch_bytes(const subject *s) {
-    return plt_batch_packets_bytes(batch_packets(s), packet_side(s));
+    const uint32_t packets = batch_packets(s);
+#if PLT_WITH_TASK
+    if (s->options->schedule == PLT_SCHEDULE_TASK) {
+        return plt_dispatch_bytes(packets, packet_side(s));
+    }
+#endif
+    return plt_packets_bytes(packets, packet_side(s));
 }
 
 static uint64_t tasks_bytes(const subject *s) {
     const uint32_t packets = batch_packets(s);
+#if PLT_WITH_TASK
+    if (s->options->schedule == PLT_SCHEDULE_TASK && packets > 0) {
+        return plt_dispatch_edges_bytes(packets, packet_side(s));
+    }
+#endif
     return packets > 0 ? plt_batch_tasks_bytes(packets, packet_side(s)) : 0;
 }
+
+#if PLT_WITH_TASK
+/* A byte for red, green and blue of each pixel that is finished before its turn. */
+static uint64_t colours_bytes(const subject *s) {
+    const uint64_t side = packet_side(s);
+    return s->options->schedule == PLT_SCHEDULE_TASK ? 3 * side * side * batch_packets(s) : 0;
+}
+
+static uint64_t edges_bytes(const subject *s) {
+    return s->options->schedule >= PLT_SCHEDULE_TASK ? plt_worker_bytes() : 0;
+}
+#endif
 #else
 static uint32_t batch_packets(const subject *s) {
     (void)s;
@@ -172,7 +196,7 @@ static uint32_t batch_packets(const subject *s) {
 /* Pixels of a beam take less than rays in groups, and lie where those do. */
 static uint64_t packet_bytes(const subject *s) {
     const unsigned side = packet_side(s);
-    if (batch_packets(s) > 0) {
+    if (batch_packets(s) > 0 || (PLT_WITH_TASK && s->options->schedule == PLT_SCHEDULE_WORKER)) {
         return 0;
     }
     if (PLT_WITH_GROUPS) {
@@ -254,6 +278,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_TASKS:
         return tasks_bytes(s);
 #endif
+#if PLT_WITH_TASK
+    case PLT_PART_COLOURS:
+        return colours_bytes(s);
+    case PLT_PART_EDGES:
+        return edges_bytes(s);
+#endif
     case PLT_PART_TILE_BUFFER:
         return PLT_TILE_BUFFER_BYTES;
     case PLT_PART_STACK:
@@ -330,10 +360,12 @@ static int is_wave_valid(const plt_options *o) {
 }
 
 static int is_batch_valid(const plt_options *o) {
-    if (!PLT_WITH_BATCH || o->schedule != PLT_SCHEDULE_BATCH) {
+    if (!PLT_WITH_BATCH || o->schedule == PLT_SCHEDULE_BRANCH) {
         return o->schedule == PLT_SCHEDULE_BRANCH && (!PLT_WITH_BATCH || o->batch == 0);
     }
-    return o->residency == PLT_RESIDENCY_STREAMED && o->batch <= PLT_BATCH_MOST;
+    const unsigned last = PLT_WITH_TASK ? PLT_SCHEDULE_WORKER : PLT_SCHEDULE_BATCH;
+    return o->schedule <= last && o->residency == PLT_RESIDENCY_STREAMED &&
+           o->batch <= (o->schedule == PLT_SCHEDULE_WORKER ? 0 : PLT_BATCH_MOST);
 }
 
 int plt_layout_options_valid(const plt_options *o) {

@@ -13,7 +13,7 @@
 
 /* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1), and
  * of fewer than the least the next smaller ones are better. */
-enum { BATCH_LEAST = 4, BATCH_USUAL = 256 };
+enum { BATCH_LEAST = 4, BATCH_USUAL = 256, DISPATCH_USUAL = 64 };
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 
@@ -124,15 +124,17 @@ static int lay_out(const plt_engine *e, plt_layout *layout) {
     return plt_layout_running(layout) <= e->arena.bytes - e->arena.used;
 }
 
-/* Batches are asked for, but not of how many packets. */
+/* Batches or a dispatcher are asked for, but not of how many packets. */
 static int chooses_batch(const plt_engine *e) {
     return PLT_WITH_BATCH && plt_is_streamed(e->scene.format) &&
-           e->options.schedule == PLT_SCHEDULE_BATCH && e->options.batch == 0;
+           (e->options.schedule == PLT_SCHEDULE_BATCH ||
+            e->options.schedule == PLT_SCHEDULE_TASK) &&
+           e->options.batch == 0;
 }
 
 /* The most packets that there is room for. */
 static void choose_batch(plt_engine *e, plt_layout *layout) {
-    e->options.batch = BATCH_USUAL;
+    e->options.batch = e->options.schedule == PLT_SCHEDULE_TASK ? DISPATCH_USUAL : BATCH_USUAL;
     while (!lay_out(e, layout) && e->options.batch > 1) {
         e->options.batch--;
     }
@@ -168,12 +170,32 @@ static void set_layout(plt_engine *e, plt_layout *layout) {
 static void start_batch(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 #if PLT_WITH_BATCH
     const unsigned side = e->options.packet_side;
-    const int meets = plt_is_streamed(e->scene.format) && e->options.schedule != 0;
+    const int meets = plt_is_streamed(e->scene.format) && e->options.schedule == PLT_SCHEDULE_BATCH;
     e->batch.most = 0;
     if (meets) {
         plt_batch_init(&e->batch, e->options.batch, side, part[PLT_PART_BATCH],
                        part[PLT_PART_TASKS]);
         e->rendering.batch = &e->batch;
+    }
+#else
+    (void)e;
+    (void)part;
+#endif
+}
+
+/* What a dispatcher has, and what a worker has: a dispatcher is both. */
+static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
+#if PLT_WITH_TASK
+    const uint32_t packets = e->options.batch;
+    const unsigned side = e->options.packet_side;
+    e->dispatch.most = 0;
+    e->is_worker = e->options.schedule >= PLT_SCHEDULE_TASK;
+    if (e->is_worker) {
+        plt_worker_init(&e->worker, part[PLT_PART_EDGES]);
+    }
+    if (e->options.schedule == PLT_SCHEDULE_TASK) {
+        plt_dispatch_init(&e->dispatch, packets, side, part[PLT_PART_BATCH], part[PLT_PART_TASKS]);
+        e->colours = part[PLT_PART_COLOURS];
     }
 #else
     (void)e;
@@ -198,6 +220,7 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
         plt_rendering_init(&e->rendering, part[PLT_PART_TILE_BUFFER], part[PLT_PART_PACKET],
                            e->options.packet_side);
         start_batch(e, part);
+        start_tasks(e, part);
         status = start_wave(e, &o, part);
     }
     return status;

@@ -47,6 +47,7 @@ enum plt_status {
     PLT_OK = 0,
     PLT_MORE = 1,         /* a step did its work and more is left */
     PLT_TILE = 2,         /* a step finished a tile: fetch it before the next */
+    PLT_WAIT = 3,         /* plt_task_next: nothing to do until another worker comes back */
     PLT_ERR_ARENA = -1,   /* the arena is too small: plt_fault.need_bytes */
     PLT_ERR_IMAGE = -2,   /* the image breaks a rule of SPEC.md: .rule, .offset */
     PLT_ERR_SOURCE = -3,  /* the source failed to deliver: .offset */
@@ -91,9 +92,12 @@ enum plt_residency {
 /* Who goes where, when a scene is streamed. Hits and frames are the same, bit for bit. */
 enum plt_schedule {
     PLT_SCHEDULE_BRANCH = 0, /* packet after packet: each fetches what it comes to (thesis, 4.3) */
-    PLT_SCHEDULE_BATCH = 1   /* many packets are alive at once and meet at a block before it is
+    PLT_SCHEDULE_BATCH = 1,  /* many packets are alive at once and meet at a block before it is
                               * fetched: fewer bytes, for some 125 per ray and a pool of
                               * those that wait; nearest block first */
+    PLT_SCHEDULE_TASK = 2,   /* a dispatcher: it has many packets, too, and hands each on, block by
+                              * block, to the workers that ask (plt_task_next); it is one itself */
+    PLT_SCHEDULE_WORKER = 3  /* a worker of such a dispatcher, of no use alone */
 };
 
 /* Packets of a batch at most. */
@@ -164,10 +168,11 @@ typedef struct plt_options {
     uint32_t store_bytes; /* streamed: bytes for blocks, PLT_STORE_LEAST (28,672) at least; 0:
                            * all the room that the arena has (a need is then that of the
                            * least). Bytes fetched depend on it, hits do not */
-    uint8_t schedule;     /* enum plt_schedule; batches are of streamed scenes */
-    uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST; 0: as many as there is room
-                           * for beside the store, 256 at most, smaller ones if fewer than four
-                           * fit (a need is then that of 1). PLT_SCHEDULE_BRANCH: 0 */
+    uint8_t schedule;     /* enum plt_schedule; of streamed scenes, but for PLT_SCHEDULE_BRANCH */
+    uint16_t batch;       /* packets of a batch, or of a dispatcher, 1 .. PLT_BATCH_MOST; 0: as many
+                           * as there is room for beside the store, 256 at most (a dispatcher:
+                           * 64), smaller ones if fewer than four fit (a need is then that of 1).
+                           * Other schedules: 0 */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -385,6 +390,65 @@ void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 uint32_t plt_render_tiles(const plt_engine *engine);
 int plt_render_seek(plt_engine *engine, uint32_t tile, uint32_t count);
 
+/* ---- tasks --------------------------------------------------------------------- */
+
+/* Engines can also share the packets of a frame, or of an array of rays, treelet by treelet, as
+ * the SPEs of the thesis do (section 4.3). One is the dispatcher (PLT_SCHEDULE_TASK): it has the
+ * packets, and the edges that they wait at. The others (PLT_SCHEDULE_WORKER) have a store and a
+ * traversal, over the same image and with packets of the dispatcher's size (options.packet_side =
+ * plt_packet_side(dispatcher)). All ask for tasks, the dispatcher too, each on its own thread or
+ * core, or in turns:
+ *
+ *     plt_render_begin(dispatcher, &frame); // or plt_trace_begin
+ *     // each worker:
+ *     do {
+ *         lock();
+ *         while ((status = plt_task_next(dispatcher, worker)) == PLT_TILE) {
+ *             // plt_render_tile(dispatcher, ...)
+ *         }
+ *         unlock();
+ *         if (status == PLT_MORE) {
+ *             while (plt_task_run(dispatcher, worker, 1000) == PLT_MORE) {
+ *             }
+ *         }
+ *     } while (status == PLT_MORE || status == PLT_WAIT);
+ *
+ * Tiles come in the same order as without workers, and pictures and hits are the same. While one
+ * of them has a task, nothing else is called with either engine but these two. An engine of
+ * PLT_SCHEDULE_TASK alone is its own worker in plt_render_step and plt_trace.
+ *
+ * plt_task_next: gives back what the worker's last task was for, and takes another. One call at a
+ * time per dispatcher. PLT_MORE: plt_task_run has to be called until it is done. PLT_TILE: a tile
+ * of the dispatcher's frame is finished, the worker has no task yet. PLT_WAIT: ask again when
+ * another worker has. PLT_OK: frame or rays are done, or another worker's task has failed.
+ * PLT_ERR_SOURCE, PLT_ERR_IMAGE: this worker's task has failed (plt_fault_get(worker)), and with it
+ * frame or rays are over. PLT_ERR_ARGUMENT: not a dispatcher, or not a worker of its kind.
+ *
+ * plt_task_run: goes on with the task for about `visits` node visits, at the same time as other
+ * workers. PLT_MORE, or PLT_OK: it is done, well or not.
+ *
+ * plt_trace_begin: plt_trace with workers; rays and hits must live until it is done, and hits of
+ * a run that failed are of no use. PLT_ERR_ARGUMENT: not a dispatcher.
+ *
+ * Not there without PLT_WITH_TASK. */
+int plt_trace_begin(plt_engine *dispatcher, const plt_ray *rays, plt_hit *hits, uint32_t count,
+                    int any);
+int plt_task_next(plt_engine *dispatcher, plt_engine *worker);
+int plt_task_run(const plt_engine *dispatcher, plt_engine *worker, uint32_t visits);
+
+/* What has passed between a dispatcher and its workers since plt_stats_reset, itself included. The
+ * host's workers share its memory: bytes are what memories of their own would have to exchange. */
+typedef struct plt_task_stats {
+    uint64_t packets;       /* that are done */
+    uint64_t tasks;         /* handed out; as many have come back */
+    uint64_t edges;         /* given back: treelets that packets are to go on to */
+    uint64_t packets_moved; /* from one worker to another */
+    uint64_t bytes_out;     /* to workers: places, entries, packets that another had before */
+    uint64_t bytes_back;    /* from workers: places, entries, those packets; hits, or pixels */
+} plt_task_stats;
+
+void plt_task_stats_get(const plt_engine *dispatcher, plt_task_stats *stats);
+
 /* Why the last plt_trace or plt_render_step of a streamed scene failed: the byte of the image,
  * and the rule of SPEC.md that is broken, if one is. */
 void plt_fault_get(const plt_engine *engine, plt_fault *fault);
@@ -425,7 +489,8 @@ void plt_stats_reset(plt_engine *engine);
 /* Rays along a packet's side: as asked for, or as there was room for. */
 unsigned plt_packet_side(const plt_engine *engine);
 
-/* Packets of a batch, likewise; 0: there are no batches. Not there without PLT_WITH_BATCH. */
+/* Packets of a batch or of a dispatcher, likewise; 0: there are none. Not there without
+ * PLT_WITH_BATCH. */
 unsigned plt_batch_packets(const plt_engine *engine);
 
 /* Bytes of the arena in use, and the most that ever were. Opening lends some that are free: they

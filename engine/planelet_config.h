@@ -45,6 +45,10 @@
 #define PLT_WITH_BATCH PLT_WITH_STREAMED /* packets that meet at streamed blocks (schedule/) */
 #endif
 
+#ifndef PLT_WITH_TASK
+#define PLT_WITH_TASK PLT_WITH_BATCH /* ... and go to workers from there (plt_task_next) */
+#endif
+
 #ifndef PLT_WITH_PREFETCH
 #define PLT_WITH_PREFETCH PLT_WITH_STREAMED /* ... or before (plt_options.prefetch) */
 #endif
@@ -175,6 +179,9 @@
 #endif
 #if (PLT_WITH_BATCH != 0 && PLT_WITH_BATCH != 1) || (PLT_WITH_BATCH && !PLT_WITH_STREAMED)
 #error "PLT_WITH_BATCH is the digit 0, or with PLT_WITH_STREAMED 1"
+#endif
+#if (PLT_WITH_TASK != 0 && PLT_WITH_TASK != 1) || (PLT_WITH_TASK && !PLT_WITH_BATCH)
+#error "PLT_WITH_TASK is the digit 0, or with PLT_WITH_BATCH 1"
 #endif
 #if (PLT_WITH_PREFETCH != 0 && PLT_WITH_PREFETCH != 1) || (PLT_WITH_PREFETCH && !PLT_WITH_STREAMED)
 #error "PLT_WITH_PREFETCH is the digit 0, or with PLT_WITH_STREAMED 1"

@@ -3,12 +3,18 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/seek.h"
 
-#include "engine/engine.h"
+#include "engine/task.h"
 
 uint32_t plt_render_tiles(const plt_engine *e) {
     return plt_rendering_tiles(&e->rendering);
 }
 
 int plt_render_seek(plt_engine *e, uint32_t tile, uint32_t count) {
-    return plt_rendering_seek(&e->rendering, tile, count);
+    const int status = plt_rendering_seek(&e->rendering, tile, count);
+#if PLT_WITH_TASK
+    if (status == PLT_OK) {
+        plt_task_drop(e);
+    }
+#endif
+    return status;
 }

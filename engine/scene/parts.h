@@ -16,10 +16,19 @@
 
 #include "engine/planelet.h"
 
+#if PLT_WITH_TASK
+#define PLT_PARTS_OF_WORKERS(ROW)                                                                  \
+    ROW(COLOURS, RUNS, "finished packets, colours")                                                \
+    ROW(EDGES, RUNS, "edges of a task")
+#else
+#define PLT_PARTS_OF_WORKERS(ROW)
+#endif
+
 #if PLT_WITH_BATCH
 #define PLT_PARTS_OF_BATCHES(ROW)                                                                  \
     ROW(BATCH, RUNS, "packets of a batch")                                                         \
-    ROW(TASKS, RUNS, "packets that wait at blocks")
+    ROW(TASKS, RUNS, "packets that wait at blocks")                                                \
+    PLT_PARTS_OF_WORKERS(ROW)
 #else
 #define PLT_PARTS_OF_BATCHES(ROW)
 #endif

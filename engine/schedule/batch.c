@@ -6,13 +6,9 @@
 #include "engine/schedule/nearest.h"
 
 void plt_batch_init(plt_batch *b, uint32_t most, unsigned side, void *packets, void *tasks) {
-    unsigned char *memory = (unsigned char *)packets + plt_batch_heads_bytes(most);
-    b->packet = packets;
+    b->packet = plt_packets_init(most, side, packets);
     b->most = most;
     b->count = 0;
-    for (uint32_t i = 0; i < most; i++) {
-        plt_packet_init(&b->packet[i], memory + i * plt_packet_bytes(side), side);
-    }
     plt_tasks_init(&b->tasks, tasks, plt_batch_tasks(most, side), plt_batch_queues(most));
 }
 

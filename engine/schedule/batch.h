@@ -15,6 +15,7 @@
 #ifndef PLT_SCHEDULE_BATCH_H
 #define PLT_SCHEDULE_BATCH_H
 
+#include "engine/schedule/packets.h"
 #include "engine/trace/tasks.h"
 #include "engine/trace/traversal.h"
 
@@ -40,17 +41,7 @@ static inline uint64_t plt_batch_tasks_bytes(uint32_t packets, unsigned side) {
     return plt_tasks_bytes(plt_batch_tasks(packets, side), plt_batch_queues(packets));
 }
 
-/* What `packets` packets take without their rays, a multiple of 16. */
-static inline uint64_t plt_batch_heads_bytes(uint32_t packets) {
-    return ((uint64_t)packets * sizeof(plt_packet) + 15) & ~(uint64_t)15;
-}
-
-/* Bytes of `packets` packets of side^2 rays. */
-static inline uint64_t plt_batch_packets_bytes(uint32_t packets, unsigned side) {
-    return plt_batch_heads_bytes(packets) + (uint64_t)packets * plt_packet_bytes(side);
-}
-
-/* `packets`, plt_batch_packets_bytes of it, and `tasks`, plt_batch_tasks_bytes of it. */
+/* `packets`, plt_packets_bytes of it, and `tasks`, plt_batch_tasks_bytes of it. */
 void plt_batch_init(plt_batch *batch, uint32_t most, unsigned side, void *packets, void *tasks);
 
 /* Drops what the batch has, and begins anew. */

@@ -3,8 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/rendering.h"
 
-#include <string.h>
-
+#include "engine/shade/packet_shade.h"
 #include "engine/shade/tile_sky.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
@@ -70,29 +69,10 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
 #endif
 }
 
-static void shade_lane(const plt_frame *frame, const plt_group_rays *g, unsigned lane,
-                       const uint8_t sky[3], uint8_t rgb[3]) {
-    if (!(g->valid >> lane & 1u) || g->id[lane] == PLT_MISS) {
-        memcpy(rgb, sky, 3);
-        return;
-    }
-    const float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
-    const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
-    plt_surface surface;
-    plt_surface_set(&surface, normal);
-    plt_surface_colour(&surface, frame->shader, g->id[lane], dir, rgb);
-}
-
 static void shade_packet(const plt_rendering *r, const plt_packet *p) {
-    const uint32_t width = plt_tile_width(&r->frame, &r->at),
-                   height = plt_tile_height(&r->frame, &r->at);
-    for (uint32_t k = 0; k < r->side * r->side; k++) {
-        const uint32_t x = r->at.px + plt_z_order_x(k), y = r->at.py + plt_z_order_y(k);
-        if (x < width && y < height) {
-            shade_lane(&r->frame, &p->rays[k / 4], k % 4, &r->sky[3 * y],
-                       &r->tile[3 * (y * width + x)]);
-        }
-    }
+    const plt_square square = {r->side, r->at.px, r->at.py, plt_tile_width(&r->frame, &r->at),
+                               plt_tile_height(&r->frame, &r->at)};
+    plt_packet_shade(p, &r->frame, &square, r->sky, r->tile);
 }
 
 static void shade_square(const plt_rendering *r) {
@@ -103,43 +83,6 @@ static void shade_square(const plt_rendering *r) {
 #else
     (void)r;
 #endif
-}
-
-/* To the next packet of the tile; 0 when there is none. */
-static int next_packet(const plt_rendering *r, plt_frame_place *at) {
-    at->px += r->side;
-    if (at->px >= plt_tile_width(&r->frame, at)) {
-        at->px = 0;
-        at->py += r->side;
-    }
-    return at->py < plt_tile_height(&r->frame, at);
-}
-
-static int follow_curve(plt_frame_place *at) {
-#if PLT_WITH_STREAMED
-    uint32_t column = 0, row = 0;
-    const int there = plt_tile_order_next(&at->order, &column, &row);
-    at->x = PLT_TILE_SIDE * column;
-    at->y = PLT_TILE_SIDE * row;
-    return there;
-#else
-    (void)at;
-    return 0;
-#endif
-}
-
-/* To the next tile; 0 at the end of the frame. */
-static int next_tile(const plt_rendering *r, plt_frame_place *at) {
-    at->px = at->py = 0;
-    if (HAS_CURVES(r)) {
-        return follow_curve(at);
-    }
-    at->x += PLT_TILE_SIDE;
-    if (at->x >= r->frame.width) {
-        at->x = 0;
-        at->y += PLT_TILE_SIDE;
-    }
-    return at->y < r->frame.height;
 }
 
 #if PLT_WITH_BATCH
@@ -157,9 +100,9 @@ void plt_rendering_begin_batches(plt_rendering *r, uint32_t tiles) {
     }
 }
 
-/* To the next packet that is wanted; 0: there is none. */
-static int go_ahead(plt_rendering *r) {
-    return next_packet(r, &r->ahead) || (--r->tiles_ahead > 0 && next_tile(r, &r->ahead));
+int plt_rendering_ahead(plt_rendering *r) {
+    return plt_place_next_packet(&r->ahead, &r->frame, r->side) ||
+           (--r->tiles_ahead > 0 && plt_place_next_tile(&r->ahead, &r->frame, HAS_CURVES(r)));
 }
 
 static int add_packet(plt_rendering *r, plt_traversal *t) {
@@ -171,7 +114,7 @@ static int add_packet(plt_rendering *r, plt_traversal *t) {
     const uint32_t rays = pixels_at(r, &r->ahead, &pixels);
     plt_view_packet(&r->view, &t->scene->box, &b->packet[b->count], &pixels);
     plt_batch_add(b, t, rays);
-    r->all_added = (uint8_t)!go_ahead(r);
+    r->all_added = (uint8_t)!plt_rendering_ahead(r);
     if (r->all_added || b->count == b->most) {
         r->phase = BATCH_TRACES;
     }
@@ -199,7 +142,7 @@ static int shade_next(plt_rendering *r) {
         plt_batch_clear(b);
         r->phase = BATCH_ADDS;
     }
-    return next_packet(r, &r->at) ? PLT_MORE : PLT_TILE;
+    return plt_place_next_packet(&r->at, &r->frame, r->side) ? PLT_MORE : PLT_TILE;
 }
 
 static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
@@ -246,7 +189,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
 
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
     if (!r->done && r->at.py >= plt_tile_height(&r->frame, &r->at)) {
-        r->done = (uint8_t)!next_tile(r, &r->at);
+        r->done = (uint8_t)!plt_place_next_tile(&r->at, &r->frame, HAS_CURVES(r));
     }
     if (r->done) {
         return PLT_OK;
@@ -272,7 +215,7 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
         shade_packet(r, p);
     }
     r->tracing = 0;
-    return next_packet(r, &r->at) ? PLT_MORE : PLT_TILE;
+    return plt_place_next_packet(&r->at, &r->frame, r->side) ? PLT_MORE : PLT_TILE;
 }
 
 void plt_rendering_tile(const plt_rendering *r, plt_tile *tile) {

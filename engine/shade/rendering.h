@@ -50,6 +50,9 @@ void plt_rendering_tile(const plt_rendering *r, plt_tile *tile);
 /* The next batch, if there are any, begins with the packet at `at`; they end after `tiles` tiles.
  */
 void plt_rendering_begin_batches(plt_rendering *r, uint32_t tiles);
+
+/* `ahead` goes to the next packet that is wanted; 0: there is none. */
+int plt_rendering_ahead(plt_rendering *r);
 #else
 static inline void plt_rendering_begin_batches(const plt_rendering *r, uint32_t tiles) {
     (void)r;

@@ -124,3 +124,60 @@ int plt_tasks_next(plt_tasks *tasks, plt_traversal *traversal) {
     tasks->count--;
     return 1;
 }
+
+uint32_t plt_tasks_of(const plt_tasks *tasks, uint16_t queue) {
+    uint32_t count = 0;
+    for (uint16_t i = tasks->queue[queue].task; i != PLT_TASK_NONE; i = tasks->task[i].next) {
+        count++;
+    }
+    return count;
+}
+
+void plt_tasks_drop(plt_tasks *tasks, uint16_t *at) {
+    const uint16_t i = *at;
+    plt_task_queue *q = &tasks->queue[i];
+    while (q->task != PLT_TASK_NONE) {
+        plt_task *task = &tasks->task[q->task];
+        const uint16_t next = task->next;
+        task->next = tasks->unused;
+        tasks->unused = q->task;
+        tasks->count--;
+        q->task = next;
+    }
+    *at = q->after;
+    q->after = tasks->unused_queue;
+    tasks->unused_queue = i;
+    tasks->queues--;
+}
+
+/* The first of the unused takes what `task` has. */
+static void copy_task(plt_tasks *to, plt_task_queue *q, const plt_task *task) {
+    const uint16_t i = to->unused;
+    plt_task *copy = &to->task[i];
+    to->unused = copy->next;
+    to->count++;
+    *copy = *task;
+    copy->next = q->task;
+    q->task = i;
+}
+
+int plt_tasks_move(plt_tasks *to, uint16_t *at, plt_tasks *from, uint16_t *from_at) {
+    const plt_task_queue *q = &from->queue[*from_at];
+    const uint16_t i = to->unused_queue;
+    if (i == PLT_TASK_NONE || plt_tasks_of(from, *from_at) > to->most - to->count) {
+        return 0;
+    }
+    plt_task_queue *copy = &to->queue[i];
+    to->unused_queue = copy->after;
+    to->queues++;
+    to->place_bytes = from->place_bytes;
+    *copy = *q;
+    copy->task = PLT_TASK_NONE;
+    for (uint16_t k = q->task; k != PLT_TASK_NONE; k = from->task[k].next) {
+        copy_task(to, copy, &from->task[k]);
+    }
+    copy->after = *at;
+    *at = i;
+    plt_tasks_drop(from, from_at);
+    return 1;
+}

@@ -78,4 +78,14 @@ void plt_tasks_begin(plt_tasks *tasks, uint16_t *at);
  * queue is worked off, or none was begun. */
 int plt_tasks_next(plt_tasks *tasks, plt_traversal *traversal);
 
+/* Between pools: the queue whose index stands at `from_at` goes to `to`, with all its tasks, in
+ * front of the one whose index stands at `at`. 0: `to` has no room, and nothing has changed. */
+int plt_tasks_move(plt_tasks *to, uint16_t *at, plt_tasks *from, uint16_t *from_at);
+
+/* The queue whose index stands at `at` is dropped, with all its tasks. */
+void plt_tasks_drop(plt_tasks *tasks, uint16_t *at);
+
+/* How many tasks a queue has. */
+uint32_t plt_tasks_of(const plt_tasks *tasks, uint16_t queue);
+
 #endif

@@ -29,8 +29,19 @@ static void block_signals(sigset_t *before) {
     pthread_sigmask(SIG_BLOCK, &set, before);
 }
 
-static void start_threads(crew *c, void *(*routine)(void *worker), pthread_t *thread,
-                          int *started) {
+typedef struct errand {
+    void (*routine)(void *context, crew_worker *w);
+    void *context;
+    crew_worker *worker;
+} errand;
+
+static void *go(void *e) {
+    const errand *mine = e;
+    mine->routine(mine->context, mine->worker);
+    return NULL;
+}
+
+static void start_threads(unsigned count, errand *errands, pthread_t *thread, int *started) {
     pthread_attr_t small;
     sigset_t before;
     if (pthread_attr_init(&small) != 0) {
@@ -38,27 +49,29 @@ static void start_threads(crew *c, void *(*routine)(void *worker), pthread_t *th
     }
     (void)pthread_attr_setstacksize(&small, CREW_STACK_BYTES); /* else the usual ones */
     block_signals(&before);
-    for (unsigned i = 1; i < c->count; i++) {
-        started[i] = pthread_create(&thread[i], &small, routine, &c->worker[i]) == 0;
+    for (unsigned i = 1; i < count; i++) {
+        started[i] = pthread_create(&thread[i], &small, go, &errands[i]) == 0;
     }
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     pthread_attr_destroy(&small);
 }
 
-/* Calls `routine` for every worker, each on a thread of its own but the first. Where the system has
- * no thread, the caller's does it, when it is done with the first. */
-static void on_threads(crew *c, void *(*routine)(void *worker)) {
+void crew_on_threads(crew *c, void (*routine)(void *context, crew_worker *w), void *context) {
     pthread_t thread[CREW_MOST];
+    errand errands[CREW_MOST];
     int started[CREW_MOST] = {0};
-    if (c->count > 1) {
-        start_threads(c, routine, thread, started);
+    for (unsigned i = 0; i < c->count; i++) {
+        errands[i] = (errand){routine, context, &c->worker[i]};
     }
-    routine(&c->worker[0]);
+    if (c->count > 1) {
+        start_threads(c->count, errands, thread, started);
+    }
+    go(&errands[0]);
     for (unsigned i = 1; i < c->count; i++) {
         if (started[i]) {
             pthread_join(thread[i], NULL);
         } else {
-            routine(&c->worker[i]);
+            go(&errands[i]);
         }
     }
 }
@@ -81,16 +94,26 @@ typedef struct crew_shift {
     atomic_uint_fast64_t done;
 } crew_shift;
 
-static void *open_own(void *context) {
-    crew_worker *w = context;
-    const crew_shift *s = w->shift;
+/* The first hands out tasks, if there are any, to all others. */
+static plt_options options_of_others(const crew_shift *s) {
+    plt_options o = *s->open.options;
+    if (o.schedule == PLT_SCHEDULE_TASK) {
+        o.schedule = PLT_SCHEDULE_WORKER;
+        o.batch = 0;
+        o.packet_side = (uint8_t)plt_packet_side(s->c->worker[0].engine);
+    }
+    return o;
+}
+
+static void open_own(void *context, crew_worker *w) {
+    const crew_shift *s = context;
     const size_t number = (size_t)(w - s->c->worker);
     if (number > 0) {
         unsigned char *arena = s->open.arenas + number * host_arena_stride(s->open.arena_bytes);
-        w->status = plt_open(&w->engine, arena, s->open.arena_bytes, &w->file.source,
-                             s->open.options, &w->fault);
+        const plt_options options = options_of_others(s);
+        w->status =
+            plt_open(&w->engine, arena, s->open.arena_bytes, &w->file.source, &options, &w->fault);
     }
-    return NULL;
 }
 
 static void give_shift(crew *c, crew_shift *shift) {
@@ -108,9 +131,7 @@ int crew_open(crew *c, unsigned count, plt_engine *engine, const host_scene *fil
     for (unsigned i = 1; i < count; i++) {
         host_scene_share(&c->worker[i].file, file);
     }
-    give_shift(c, &shift);
-    on_threads(c, open_own);
-    give_shift(c, NULL);
+    crew_on_threads(c, open_own, &shift);
     for (unsigned i = count; i-- > 0;) {
         c->first = c->worker[i].status != PLT_OK ? i : c->first;
     }
@@ -156,13 +177,12 @@ static int next_run(crew_worker *w) {
     return run > 0 && w->status == PLT_OK;
 }
 
-static void *work_shift(void *context) {
-    crew_worker *w = context;
+static void work_shift(void *context, crew_worker *w) {
+    (void)context;
     const double began = clock_thread_seconds();
     while (next_run(w)) {
     }
     w->seconds = clock_thread_seconds() - began;
-    return NULL;
 }
 
 /* Of those that have not ended. */
@@ -196,7 +216,7 @@ void crew_done(crew_worker *w, uint32_t items) {
 
 /* ---- what it took ---------------------------------------------------------------------- */
 
-static void add_times(const crew *c, crew_times *took, double elapsed) {
+void crew_add_times(const crew *c, crew_times *took, double elapsed) {
     double longest = 0.0, all = 0.0;
     for (unsigned i = 0; i < c->count; i++) {
         const double seconds = c->worker[i].seconds;
@@ -252,26 +272,30 @@ static int first_failure(crew *c) {
     return c->worker[c->first].status;
 }
 
+void crew_prepare(crew *c) {
+    for (unsigned i = 0; i < c->count; i++) {
+        c->worker[i].status = PLT_OK;
+        c->worker[i].next = 0;
+        c->worker[i].seconds = 0.0;
+    }
+}
+
 int crew_do(crew *c, const crew_work *work, crew_times *took) {
     crew_shift shift = {.c = c, .work = work};
     const double began = clock_seconds();
     if (c->count > 1) {
         shift.visits = calloc(entries_of(work), sizeof *shift.visits);
     }
-    for (unsigned i = 0; i < c->count; i++) {
-        c->worker[i].status = PLT_OK;
-        c->worker[i].next = 0;
-        c->worker[i].seconds = 0.0;
-    }
+    crew_prepare(c);
     shares_split(&shift.shares, work->items, work->run, c->count);
     give_shift(c, &shift);
     if (c->in_turns) {
         take_turns(c);
     } else {
-        on_threads(c, work_shift);
+        crew_on_threads(c, work_shift, &shift);
     }
     give_shift(c, NULL);
-    add_times(c, took, clock_seconds() - began);
+    crew_add_times(c, took, clock_seconds() - began);
     add_models(&shift, took);
     free(shift.visits);
     return first_failure(c);

@@ -70,7 +70,8 @@ typedef struct crew_times {
     double worker[CREW_MOST];
     uint64_t visits;               /* node visits */
     uint64_t longest[CREW_MODELS]; /* ... of the worker that has most, had runs been dealt to 1, 2,
-                                    * 4 or 8, each to the one with fewest so far */
+                                    * 4 or 8, each to the one with fewest so far; by tasks, in
+                                    * turns, the first: when the last of this crew was done */
 } crew_times;
 
 /* Keeps what was faster: the shifts so far, or those that `took` was added to. */
@@ -79,6 +80,16 @@ void crew_times_keep(crew_times *best, const crew_times *took, int is_first);
 /* All of the work, shared by the crew; adds to `took`. PLT_OK, or the status of the run that
  * failed, of several the first in the work: c->first had it. */
 int crew_do(crew *c, const crew_work *work, crew_times *took);
+
+/* For other ways to share work (crew_tasks.h): calls `routine` for every worker, each on a thread
+ * of its own but the first; where the system has no thread, the caller's does it, when it is done
+ * with the first. */
+void crew_on_threads(crew *c, void (*routine)(void *context, crew_worker *w), void *context);
+
+/* ... before: no worker has failed or worked; and after: adds what each took, and all, on the
+ * wall. */
+void crew_prepare(crew *c);
+void crew_add_times(const crew *c, crew_times *took, double elapsed);
 
 /* A worker has done `items` more of its run: the first shows the progress of all. */
 void crew_done(crew_worker *w, uint32_t items);

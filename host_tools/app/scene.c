@@ -22,7 +22,7 @@ static const char *const packets[] = {"auto", "2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
 static const char *const sources[] = {"map", "read", "dma:LATENCY_US,MB_PER_S[,OUTSTANDING]", NULL};
 static const char *const residencies[] = {"resident", "streamed", NULL};
-static const char *const schedules[] = {"branch", "batch", NULL};
+static const char *const schedules[] = {"branch", "batch", "task", NULL};
 
 /* Rules 1 and 2 of SPEC.md: too short for a header, or no header of ours. */
 static const char *image_remedy(const plt_fault *fault) {
@@ -175,12 +175,13 @@ static void read_flags(scene *s, args *a, int *fetched) {
     }
     s->options.schedule = (uint8_t)args_choice(a, "--schedule", schedules, PLT_SCHEDULE_BRANCH);
     s->options.batch = (uint16_t)args_number(a, "--batch", 0, 1, PLT_BATCH_MOST);
-    if (s->options.schedule == PLT_SCHEDULE_BATCH &&
+    if (s->options.schedule != PLT_SCHEDULE_BRANCH &&
         s->options.residency != PLT_RESIDENCY_STREAMED) {
-        args_complain(a, "--schedule batch is for --residency streamed");
+        args_complain(a, "--schedule %s is for --residency streamed",
+                      schedules[s->options.schedule]);
     }
-    if (args_has(a, "--batch") && s->options.schedule != PLT_SCHEDULE_BATCH) {
-        args_complain(a, "--batch is for --schedule batch");
+    if (args_has(a, "--batch") && s->options.schedule == PLT_SCHEDULE_BRANCH) {
+        args_complain(a, "--batch is for --schedule batch or task");
     }
     s->workers = (unsigned)args_number(a, "--workers", 1, 0, CREW_MOST);
     s->crew.in_turns = args_has(a, "--turns");
@@ -398,7 +399,8 @@ static void print_own(output *o, const crew *c, const char *name, size_t at, fai
 }
 
 /* Of each worker; and how much faster crews would be if every node visit took equally long. */
-static void print_crew(output *o, const crew *c, const crew_times *took, fail *f) {
+static void print_crew(output *o, const scene *s, const crew_times *took, fail *f) {
+    const crew *c = &s->crew;
     output_print(o, f, ",\n  \"workers\": %u,\n  \"elapsed_seconds\": %.9f", c->count,
                  took->elapsed);
     print_own(o, c, "worker_rays", offsetof(plt_stats, rays), f);
@@ -409,7 +411,10 @@ static void print_crew(output *o, const crew *c, const crew_times *took, fail *f
         output_print(o, f, "%s%.9f", i > 0 ? ", " : "", took->worker[i]);
     }
     output_print(o, f, "]");
-    if (took->visits > 0) {
+    if (took->visits > 0 && s->options.schedule == PLT_SCHEDULE_TASK) {
+        output_print(o, f, ",\n  \"simulated_workers\": [%u],\n  \"simulated_speedup\": [%.3f]",
+                     c->count, (double)took->visits / (double)took->longest[0]);
+    } else if (took->visits > 0) {
         output_print(o, f, ",\n  \"simulated_workers\": [1, 2, 4, 8],\n  \"simulated_speedup\": [");
         for (unsigned i = 0; i < CREW_MODELS; i++) {
             output_print(o, f, "%s%.3f", i > 0 ? ", " : "",
@@ -417,6 +422,17 @@ static void print_crew(output *o, const crew *c, const crew_times *took, fail *f
         }
         output_print(o, f, "]");
     }
+}
+
+/* Each task goes out and comes back. */
+static void print_tasks(output *o, const plt_engine *dispatcher, fail *f) {
+    plt_task_stats q;
+    plt_task_stats_get(dispatcher, &q);
+    output_print(o, f,
+                 ",\n  \"tasks\": %" PRIu64 ",\n  \"task_messages\": %" PRIu64
+                 ",\n  \"task_edges\": %" PRIu64 ",\n  \"task_packets_moved\": %" PRIu64
+                 ",\n  \"task_bytes_out\": %" PRIu64 ",\n  \"task_bytes_back\": %" PRIu64,
+                 q.tasks, 2 * q.tasks, q.edges, q.packets_moved, q.bytes_out, q.bytes_back);
 }
 
 void scene_reset_stats(scene *s) {
@@ -467,7 +483,10 @@ void scene_print_stats(output *o, const scene *s, const crew_times *took, fail *
                  q.bytes_touched_once, q.store_evictions, q.fetch_retries, q.bytes_validated,
                  schedules[s->options.schedule], plt_batch_packets(s->engine), s->arena_bytes,
                  peak_of(&s->crew));
-    print_crew(o, &s->crew, took, f);
+    print_crew(o, s, took, f);
+    if (s->options.schedule == PLT_SCHEDULE_TASK) {
+        print_tasks(o, s->engine, f);
+    }
     if (s->board.config.outstanding > 0) {
         print_board(o, &s->board, f);
     }

@@ -49,11 +49,12 @@ typedef struct scene {
          "(default resident)"},                                                                    \
         {"--store", "BYTES",                                                                       \
          "streamed: memory for blocks, from 28672 (default all that the arena has room for)"},     \
-        {"--schedule", "branch|batch",                                                             \
-         "streamed: packet after packet, or many packets that meet at a block before it is "       \
-         "fetched (default branch)"},                                                              \
+        {"--schedule", "branch|batch|task",                                                        \
+         "streamed: packet after packet; many packets that meet at a block before it is "          \
+         "fetched; or block by block, whichever worker is free (default branch)"},                 \
         {"--batch", "PACKETS",                                                                     \
-         "packets that meet, 1 to 1024 (default as many as there is room for, 256 at most)"},      \
+         "packets that meet or that workers share, 1 to 1024 (default as many as there is room "   \
+         "for, 256 at most, of task 64)"},                                                         \
         {"--prefetch", "PARTS",                                                                    \
          "streamed compact blocks: parts that may be on their way before rays need them, 0 to 8 "  \
          "(default 0)"},                                                                           \

@@ -7,6 +7,7 @@
 
 #include "board/hash.h"
 #include "engine/base/bytes.h"
+#include "host_tools/app/crew_tasks.h"
 #include "host_tools/app/destination.h"
 #include "host_tools/app/frame.h"
 #include "host_tools/app/note.h"
@@ -86,6 +87,11 @@ static int render_tiles(void *context, crew_worker *w, uint32_t first, uint32_t 
     return status < PLT_OK ? status : PLT_OK;
 }
 
+static void copy_tile(void *context, const plt_engine *dispatcher) {
+    rendering *r = context;
+    frame_copy_tile(dispatcher, &r->shown);
+}
+
 /* Tiles that a worker takes at once: those of whole batches, as an engine begins no others. */
 static uint32_t tiles_per_run(const plt_engine *e) {
     const uint32_t across = PLT_TILE_SIDE / plt_packet_side(e), per_tile = across * across;
@@ -98,13 +104,19 @@ static uint32_t tiles_per_run(const plt_engine *e) {
 static int render_frame(rendering *r, progress *bar, uint64_t before, crew_times *took, fail *f) {
     crew *c = &r->s.crew;
     int status = PLT_OK;
-    for (unsigned i = 0; i < c->count && status == PLT_OK; i++) {
+    const unsigned beginners = r->s.options.schedule == PLT_SCHEDULE_TASK ? 1 : c->count;
+    for (unsigned i = 0; i < beginners && status == PLT_OK; i++) {
         status = plt_render_begin(c->worker[i].engine, &r->frame); /* view_refused has looked */
     }
     if (status != PLT_OK) {
         return fail_set(f, "engine", "status %d; please report this", status);
     }
     const uint32_t tiles = plt_render_tiles(r->s.engine);
+    if (r->s.options.schedule == PLT_SCHEDULE_TASK) {
+        const crew_tasks tasks = {copy_tile, r, bar, before * tiles, tiles};
+        status = crew_do_tasks(c, &tasks, took);
+        return status == PLT_OK ? 0 : scene_failed(&r->s, r->path, status, f);
+    }
     const crew_work work = {.items = tiles,
                             .run = c->count > 1 ? tiles_per_run(r->s.engine) : tiles,
                             .work = render_tiles,

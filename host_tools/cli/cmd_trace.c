@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "engine/base/bytes.h"
+#include "host_tools/app/crew_tasks.h"
 #include "host_tools/app/destination.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/ray_order.h"
@@ -141,6 +142,12 @@ static int trace_rays(void *context, crew_worker *w, uint32_t first, uint32_t co
     return status;
 }
 
+static int trace_by_tasks(tracing *t, const crew_work *work, crew_times *took) {
+    const crew_tasks tasks = {.bar = work->bar, .before = work->before, .items = t->count};
+    const int status = plt_trace_begin(t->s.engine, t->rays, t->hits, t->count, t->any);
+    return status == PLT_OK ? crew_do_tasks(&t->s.crew, &tasks, took) : status;
+}
+
 static int trace_all(tracing *t, const char *path, unsigned repeat, fail *f) {
     progress bar;
     int status = PLT_OK;
@@ -153,7 +160,8 @@ static int trace_all(tracing *t, const char *path, unsigned repeat, fail *f) {
     for (unsigned i = 0; i < repeat && status == PLT_OK; i++) {
         crew_times took = {.seconds = 0.0};
         scene_reset_stats(&t->s);
-        status = crew_do(&t->s.crew, &work, &took);
+        status = t->s.options.schedule == PLT_SCHEDULE_TASK ? trace_by_tasks(t, &work, &took)
+                                                            : crew_do(&t->s.crew, &work, &took);
         crew_times_keep(&t->took, &took, i == 0);
         work.before += t->count;
     }

@@ -93,7 +93,9 @@ says "%s; leave out --walk two-stage" \
 cured render thesis.plt -o x.png --residency streamed
 says "--store is for --residency streamed" render compact.plt -o x.png --store 65536
 says "--schedule batch is for --residency streamed" render compact.plt -o x.png --schedule batch
-says "--batch is for --schedule batch" render compact.plt -o x.png --residency streamed --batch 2
+says "--schedule task is for --residency streamed" render compact.plt -o x.png --schedule task
+says "--batch is for --schedule batch or task" \
+    render compact.plt -o x.png --residency streamed --batch 2
 cured render compact.plt -o x.png --residency streamed --store 65536
 says "--prefetch is for --residency streamed" render compact.plt -o x.png --prefetch 4
 cured render compact.plt -o x.png --residency streamed --prefetch 4

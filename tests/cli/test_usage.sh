@@ -108,7 +108,7 @@ for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
     --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
-for pair in --packet=3 --walk=wide --residency=cached --store=64K --store=28671 --schedule=task \
+for pair in --packet=3 --walk=wide --residency=cached --store=64K --store=28671 --schedule=tasks \
     --batch=0 --workers=65 --prefetch=9 --source=net --source=dma --source=dma:1 \
     --source=dma:1,20,0 \
     --arena=0 --arena=64K --arena=1073741825; do

@@ -51,6 +51,12 @@ for size in 203x151 16x16 1x300; do
     # shellcheck disable=SC2086
     several "by batches, $size" x.ppm render compact.plt -o x.ppm --size $size $streamed \
         --schedule batch --batch 7 --packet 4
+    # shellcheck disable=SC2086
+    several "by tasks of thesis nodes, $size" x.ppm render thesis.plt -o x.ppm --size $size \
+        $streamed --schedule task --batch 3
+    # shellcheck disable=SC2086
+    several "by tasks, $size" x.ppm render compact.plt -o x.ppm --size $size $streamed \
+        --schedule task --packet 4
     cp one.x.ppm "streamed.$size"
     works "... resident" render compact.plt -o x.ppm --size $size
     same "streamed.$size" x.ppm "... is the same"
@@ -80,7 +86,13 @@ for any in '' --any; do
     # shellcheck disable=SC2086
     several "rays $any, by batches" hits trace compact.plt rays hits $streamed $any \
         --schedule batch --batch 3 --packet 4
+    # shellcheck disable=SC2086
+    several "rays $any, by tasks" hits trace compact.plt rays hits $streamed $any \
+        --schedule task
 done
+# shellcheck disable=SC2086
+several "a film by tasks, twice" x.y4m render compact.plt -o x.y4m --size 70x50 --orbit 3 \
+    --repeat 2 $streamed --schedule task
 
 # ---- turns, and what is simulated ----------------------------------------------------------
 
@@ -108,6 +120,33 @@ verdict "the speed-up of other crews is simulated: at most as many times, and no
 # shellcheck disable=SC2086
 works "one worker in turns" trace compact.plt rays x.hits $streamed --turns --json one.json
 verdict "... nothing is simulated" "$(grep simulated one.json)"
+
+# ---- tasks ---------------------------------------------------------------------------------
+
+for workers in 1 2 4 8; do
+    # shellcheck disable=SC2086
+    works "$workers workers by tasks, in turns" render compact.plt -o x.ppm --size 203x151 \
+        $streamed --packet 4 --schedule task --workers $workers --turns --json tasks.json
+    same streamed.203x151 x.ppm "... the same picture"
+    verdict "... as fast as $workers, or nearly, and all messages are counted" "$(
+        list simulated_speedup tasks.json | awk -v n=$workers \
+            '$1 > n + 0.001 || $1 < 0.9 * n { print $1 }'
+        [ "$(list simulated_workers tasks.json)" = $workers ] || echo "of other workers"
+        tasks=$(number tasks <tasks.json) edges=$(number task_edges <tasks.json)
+        packets=$(number packets <tasks.json)
+        [ "$(number task_messages <tasks.json)" -eq $((2 * tasks)) ] || echo "messages"
+        [ "$tasks" -ge "$packets" ] && [ "$tasks" -le $((packets + edges)) ] ||
+            echo "$tasks tasks, $packets packets, $edges edges"
+        [ "$(number task_bytes_out <tasks.json)" -gt $((32 * (tasks - packets))) ] &&
+            [ "$(number task_bytes_back <tasks.json)" -gt $((3 * 203 * 151 + 32 * edges)) ] ||
+            cat tasks.json)"
+    grep -v 'seconds\|mrays_per_s' tasks.json >still.$workers
+done
+# shellcheck disable=SC2086
+works "in turns again" render compact.plt -o x.ppm --size 203x151 $streamed --packet 4 \
+    --schedule task --workers 8 --turns --json tasks.json
+grep -v 'seconds\|mrays_per_s' tasks.json >still.again
+same still.8 still.again "... the same statistics every time"
 
 # ---- failures -------------------------------------------------------------------------------
 
@@ -144,6 +183,17 @@ for places in 100000 "20000 40000 60000 80000 100000"; do
     refused "... in turns" broken.plt "byte [0-9]*: " \
         render broken.plt -o x.png --size 203x151 $streamed --workers 5 --turns
     same one.err err "... the message of one worker"
+done
+# Which of several failures comes first is not known: one of them is said.
+for workers in 1 2 8; do
+    rm -f x.png
+    # shellcheck disable=SC2086
+    refused "broken blocks by tasks, $workers workers" broken.plt "byte [0-9]*: .*pack the scene" \
+        render broken.plt -o x.png --size 203x151 $streamed --schedule task --workers $workers
+    verdict "... no file is left" "$(ls x.png 2>/dev/null; left_behind)"
+    # shellcheck disable=SC2086
+    refused "... of rays" broken.plt "byte [0-9]*: .*pack the scene" \
+        trace broken.plt grid x.hits $streamed --schedule task --workers $workers
 done
 refused "an arena that is too small is so for all" thesis.plt "use --arena" \
     render thesis.plt -o x.png --workers 3 --arena 1000

@@ -363,7 +363,7 @@ static void refusals(void) {
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "an unknown residency");
     o.residency = PLT_RESIDENCY_STREAMED;
     CHECK(plt_arena_need(&s.image.info, 0, &o) > 0, "a streamed scene");
-    o.schedule = PLT_SCHEDULE_BATCH + 1;
+    o.schedule = PLT_SCHEDULE_WORKER + 1;
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "an unknown schedule");
     o.schedule = PLT_SCHEDULE_BATCH;
     o.batch = PLT_BATCH_MOST + 1;
@@ -373,6 +373,8 @@ static void refusals(void) {
     o.residency = PLT_RESIDENCY_WHOLE;
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "batches of a resident scene");
     o.residency = PLT_RESIDENCY_STREAMED;
+    o.schedule = PLT_SCHEDULE_WORKER;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "a worker with packets of its own");
     o.schedule = PLT_SCHEDULE_BRANCH;
     CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "a batch that nobody asked for");
     o.batch = 0;

@@ -117,6 +117,19 @@ batch=$BUILD/mps2_an386-batch-compact-render-stream
 if part "render compact stream batch" "$batch" 58368; then
     renders "$batch" compact
 fi
+tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
+if part "render compact stream batch task" "$tasks" 62464; then
+    renders "$tasks" compact
+    view=$(sh board/tools/host_view.sh "$out/compact.plt" 80x60 "$out/host.ppm")
+    # shellcheck disable=SC2086
+    firmware "$tasks" "$out/compact.plt" size=80x60 residency=streamed schedule=task batch=3 \
+        packet=4 ${view#* }
+    verdict "... by tasks, on one core: the same frame" "$(
+        [ "$status" -eq 0 ] && [ "$(value frame_hash)" = "${view%% *}" ] || echo "$text")"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render compact stream task' 2>&1)
+verdict "PARTS with task and without batch is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with task has .*: make PARTS='" || echo "$trouble")"
 wave=$BUILD/mps2_an386-compact-render-wave
 if part "render compact wave" "$wave" 77824; then
     renders "$wave" compact

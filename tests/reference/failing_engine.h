@@ -1,6 +1,6 @@
 /* failing_engine - the engine's calls that trace, over format_failing.h
  *
- * rays.c, rendering.c and engine.c are compiled once more, with failing_ for plt_ in the
+ * rays.c, rendering.c and calls.c are compiled once more, with failing_ for plt_ in the
  * names of what they define, and with a traversal of the tests' format. The engine itself
  * stays beside them under its own names. For one source file per program.
  *
@@ -55,6 +55,7 @@ FAILING_DECLARE(trace_packet);
 FAILING_DECLARE(trace_packets);
 FAILING_DECLARE(batch_packets);
 FAILING_DECLARE(rendering_begin_batches);
+FAILING_DECLARE(rendering_ahead);
 FAILING_DECLARE(rendering_init);
 FAILING_DECLARE(rendering_begin);
 FAILING_DECLARE(rendering_step);
@@ -78,6 +79,7 @@ FAILING_DECLARE(arena_peak);
 #define plt_traverse failing_traverse
 #define plt_batch_packets failing_batch_packets
 #define plt_rendering_begin_batches failing_rendering_begin_batches
+#define plt_rendering_ahead failing_rendering_ahead
 #define plt_trace_packet failing_trace_packet
 #define plt_trace_packets failing_trace_packets
 #define plt_rendering_init failing_rendering_init
@@ -96,7 +98,7 @@ FAILING_DECLARE(arena_peak);
 #define plt_arena_used failing_arena_used
 #define plt_arena_peak failing_arena_peak
 
-#include "engine/engine.c"
+#include "engine/calls.c"
 #include "engine/shade/rendering.c"
 #include "engine/trace/rays.c"
 
@@ -104,6 +106,7 @@ FAILING_DECLARE(arena_peak);
 #undef plt_traverse
 #undef plt_batch_packets
 #undef plt_rendering_begin_batches
+#undef plt_rendering_ahead
 #undef plt_trace_packet
 #undef plt_trace_packets
 #undef plt_rendering_init

@@ -29,8 +29,10 @@ typedef struct subject {
     uint8_t frame[3 * WIDTH * HEIGHT];
 } subject;
 
-/* How what follows is traced: packets of a batch, 0: none; and with no more tasks than that. */
+/* How what follows is traced: packets of a batch, 0: none; handed out one by one instead; and with
+ * no more tasks than that. */
 static uint16_t batch;
+static int are_handed_out;
 static int has_few_tasks;
 static uint8_t parts_ahead; /* plt_options.prefetch of all that follows */
 
@@ -41,7 +43,9 @@ static inline plt_options options_of(uint8_t residency, uint8_t packet_side, uin
                            .residency = residency,
                            .prefetch = parts_ahead,
                            .store_bytes = store_bytes,
-                           .schedule = meets ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH,
+                           .schedule = !meets           ? PLT_SCHEDULE_BRANCH
+                                       : are_handed_out ? PLT_SCHEDULE_TASK
+                                                        : PLT_SCHEDULE_BATCH,
                            .batch = meets ? batch : 0};
     return o;
 }
@@ -57,7 +61,7 @@ static inline int open_run(run *x, const packed *image, const plt_options *o) {
     const plt_source source = fake_source(&x->link);
     const int status = plt_open(&x->engine, x->arena, x->bytes, &source, o, &x->fault);
     if (status == PLT_OK && has_few_tasks && o->batch > 0) {
-        plt_tasks *tasks = &x->engine->batch.tasks;
+        plt_tasks *tasks = are_handed_out ? &x->engine->dispatch.edges : &x->engine->batch.tasks;
         plt_tasks_init(tasks, tasks->queue, o->batch, 1 + o->batch / 2);
     }
     return status;
@@ -72,13 +76,17 @@ static inline void close_run(run *x) {
     free(x->arena);
 }
 
-static inline int render(plt_engine *e, uint8_t frame[3 * WIDTH * HEIGHT]) {
-    const plt_info *info = plt_engine_info(e);
+static inline plt_frame frame_of(const plt_info *info) {
     plt_frame f = {.width = WIDTH, .height = HEIGHT, .camera = {{0}, {0}, {0, 1, 0}, 0.6f}};
     for (int a = 0; a < 3; a++) {
         f.camera.look[a] = 0.5f * (info->lo[a] + info->hi[a]);
         f.camera.eye[a] = f.camera.look[a] + (a == 2 ? 1.8f : 0.4f) * (info->hi[2] - info->lo[2]);
     }
+    return f;
+}
+
+static inline int render(plt_engine *e, uint8_t frame[3 * WIDTH * HEIGHT]) {
+    const plt_frame f = frame_of(plt_engine_info(e));
     int status = plt_render_begin(e, &f);
     while (status >= PLT_OK && (status = plt_render_step(e, 50)) > PLT_OK) {
         plt_tile tile;
@@ -239,8 +247,9 @@ static inline void trace_changing(changing *c, const subject *s, uint8_t side, u
 
 /* ---- schedules --------------------------------------------------------------- */
 
-/* Runs all that depends on the schedule: packet after packet, by batches, and by batches that have
- * no more tasks than packets. Each run begins with a sentence of its own. */
+/* Runs all that depends on the schedule: packet after packet, by batches, by tasks, and by batches
+ * and tasks where no more can wait than there are packets. Each run begins with a sentence of its
+ * own. */
 static inline void every_schedule(void (*all)(const char *sentence, int is_soak),
                                   const char *sentence, int is_soak) {
     all(sentence, is_soak);
@@ -248,7 +257,11 @@ static inline void every_schedule(void (*all)(const char *sentence, int is_soak)
     all("the same of five packets at a time", is_soak);
     has_few_tasks = 1;
     all("the same when there are no more tasks than packets", is_soak);
-    has_few_tasks = batch = 0;
+    are_handed_out = 1;
+    all("the same of packets that are handed out, edge by edge, of which few can wait", is_soak);
+    has_few_tasks = 0;
+    all("the same of packets that are handed out", is_soak);
+    are_handed_out = batch = 0;
 }
 
 #endif

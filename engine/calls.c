@@ -1,10 +1,11 @@
-/* engine - the public calls on an engine that is open
+/* calls - the public calls on an engine that is open
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/engine.h"
 
 #include "engine/base/fault.h"
 #include "engine/schedule/batch_rays.h"
+#include "engine/task.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/wave.h"
 
@@ -16,6 +17,11 @@ const plt_info *plt_engine_info(const plt_engine *e) {
 int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
     const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
     e->rendering.done = 1;
+#if PLT_WITH_TASK
+    if (e->is_worker) {
+        return plt_task_trace(e, rays, hits, count, any);
+    }
+#endif
 #if PLT_WITH_BATCH
     if (e->batch.most > 0) {
         return plt_batch_trace_rays(&e->batch, &e->traversal, most, rays, hits, count, any);
@@ -42,10 +48,21 @@ int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count,
 #endif
 
 int plt_render_begin(plt_engine *e, const plt_frame *frame) {
+#if PLT_WITH_TASK
+    if (e->is_worker && e->dispatch.most == 0) {
+        return PLT_ERR_ARGUMENT;
+    }
+    plt_task_drop(e);
+#endif
     return plt_rendering_begin(&e->rendering, frame, &e->traversal);
 }
 
 int plt_render_step(plt_engine *e, uint32_t visits) {
+#if PLT_WITH_TASK
+    if (e->is_worker) {
+        return e->rendering.done ? PLT_OK : plt_task_step(e, visits);
+    }
+#endif
     return plt_rendering_step(&e->rendering, &e->traversal, &e->packet, visits);
 }
 
@@ -73,6 +90,10 @@ void plt_stats_get(const plt_engine *e, plt_stats *stats) {
 
 void plt_stats_reset(plt_engine *e) {
     plt_traversal_reset_stats(&e->traversal);
+#if PLT_WITH_TASK
+    const plt_task_stats none = {0};
+    e->dispatch.stats = none;
+#endif
 }
 
 unsigned plt_packet_side(const plt_engine *e) {
@@ -81,7 +102,11 @@ unsigned plt_packet_side(const plt_engine *e) {
 
 #if PLT_WITH_BATCH
 unsigned plt_batch_packets(const plt_engine *e) {
+#if PLT_WITH_TASK
+    return e->dispatch.most > 0 ? e->dispatch.most : e->batch.most;
+#else
     return e->batch.most;
+#endif
 }
 #endif
 
