@@ -45,7 +45,8 @@ task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c 
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
-    $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c
+    $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
+    engine/shade/packet_shade.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c
 

@@ -114,6 +114,10 @@ static inline f4 f4_of_u4(u4 a) {
     return _mm_cvtepi32_ps(a.v);
 }
 
+static inline u4 u4_of_f4(f4 a) {
+    return plt_u4(_mm_cvttps_epi32(a));
+}
+
 static inline f4 f4_of_bytes(const unsigned char *from) {
     int four;
     memcpy(&four, from, sizeof four);
@@ -141,6 +145,10 @@ static inline f4 f4_mul(f4 a, f4 b) {
 
 static inline f4 f4_div(f4 a, f4 b) {
     return _mm_div_ps(a, b);
+}
+
+static inline f4 f4_sqrt(f4 a) {
+    return _mm_sqrt_ps(a);
 }
 
 static inline f4 f4_min(f4 a, f4 b) {

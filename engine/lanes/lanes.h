@@ -10,7 +10,7 @@
  *         u4  four uint32
  *
  * Rules   Every operation is IEEE single precision, round to nearest even,
- *         subnormals kept; div is exact. No operation is fused.
+ *         subnormals kept; div and sqrt are exact. No operation is fused.
  *         min(a,b) is a < b ? a : b and max(a,b) is a > b ? a : b in every
  *         lane: of a NaN and anything, or of two zeros, the SECOND operand
  *         comes back. Comparisons with a NaN are false. NaN payloads of
@@ -27,9 +27,10 @@
  *                   m4_bits(unsigned) lane i from bit i
  *                   m4_of_u4(u4) of lanes that are all ones or zero
  *                   f4_of_u4(u4) of numbers below 2^31; exact below 2^24
+ *                   u4_of_f4(f4) of 0 and above, below 2^31; cut off
  *                   f4_of_bytes(const unsigned char[4]) of 8 bits each
  *                   f4_of_halves(const unsigned char[8]) of 16 bits each, little-endian
- * arithmetic        f4_add f4_sub f4_mul f4_div f4_min f4_max
+ * arithmetic        f4_add f4_sub f4_mul f4_div f4_sqrt f4_min f4_max
  *                   f4_abs f4_neg (sign bit alone) u4_add u4_and u4_andnot (a and not b)
  *                   u4_ones(u4) -> how many of all 128 bits are ones
  * compare           f4_lt f4_le f4_eq u4_lt u4_eq -> m4

@@ -130,6 +130,10 @@ static inline f4 f4_of_u4(u4 a) {
     PLT_EACH_LANE(f4, (float)(int32_t)a.lane[i]);
 }
 
+static inline u4 u4_of_f4(f4 a) {
+    PLT_EACH_LANE(u4, (uint32_t)(int32_t)a.lane[i]);
+}
+
 static inline f4 f4_of_bytes(const unsigned char *from) {
     PLT_EACH_LANE(f4, (float)from[i]);
 }
@@ -152,6 +156,10 @@ static inline f4 f4_mul(f4 a, f4 b) {
 
 static inline f4 f4_div(f4 a, f4 b) {
     PLT_EACH_LANE(f4, a.lane[i] / b.lane[i]);
+}
+
+static inline f4 f4_sqrt(f4 a) {
+    PLT_EACH_LANE(f4, __builtin_sqrtf(a.lane[i]));
 }
 
 static inline f4 f4_min(f4 a, f4 b) {

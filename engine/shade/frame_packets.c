@@ -24,10 +24,15 @@ void plt_frame_go_on(plt_rendering *r) {
     }
 }
 
+static plt_pixels pixels_at(const plt_rendering *r, const uint32_t pixel[2]) {
+    const plt_pixels pixels = {r->side, pixel[0], pixel[1], r->frame.width, r->frame.height};
+    return pixels;
+}
+
 uint32_t plt_frame_packet(const plt_rendering *r, const plt_box *scene, const uint32_t pixel[2],
                           plt_packet *packet) {
     const plt_frame *f = &r->frame;
-    const plt_pixels pixels = {r->side, pixel[0], pixel[1], f->width, f->height};
+    const plt_pixels pixels = pixels_at(r, pixel);
     plt_view_packet(&r->view, scene, packet, &pixels);
     return plt_least(r->side, f->width - pixel[0]) * plt_least(r->side, f->height - pixel[1]);
 }
@@ -36,12 +41,12 @@ void plt_frame_shade(const plt_rendering *r, const uint32_t pixel[2], const plt_
                      uint8_t *rgb) {
     uint8_t sky[3 * PLT_PACKET_SIDE_MAX];
     const plt_frame *f = &r->frame;
-    const plt_square square = {r->side, 0, 0, plt_least(r->side, f->width - pixel[0]),
-                               plt_least(r->side, f->height - pixel[1])};
-    for (uint32_t y = 0; y < square.height; y++) {
+    const plt_pixels pixels = pixels_at(r, pixel);
+    const uint32_t width = plt_least(r->side, f->width - pixel[0]);
+    for (uint32_t y = 0; y < plt_least(r->side, f->height - pixel[1]); y++) {
         plt_surface_sky(f, pixel[1] + y, &sky[3 * y]);
     }
-    plt_packet_shade(packet, f, &square, sky, rgb);
+    plt_packet_shade(packet, f, &pixels, sky, rgb, 3 * width);
 }
 
 int plt_frame_take(plt_rendering *r, const uint8_t *rgb) {

@@ -50,29 +50,34 @@ static uint32_t pixels_at(const plt_rendering *r, const plt_frame_place *at, plt
     return plt_least(r->side, r->frame.width - all.x) * plt_least(r->side, r->frame.height - all.y);
 }
 
-static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p) {
-    plt_pixels pixels;
-    const uint32_t rays = pixels_at(r, &r->at, &pixels);
+static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
+                         const plt_pixels *pixels, uint32_t rays) {
     r->tracing = 1;
-    if ((HAS_CURVES(r) ? r->at.px == 0 : pixels.x == 0) && r->at.py == 0) {
+    if ((HAS_CURVES(r) ? r->at.px == 0 : pixels->x == 0) && r->at.py == 0) {
         plt_tile_sky(&r->frame, &r->at, r->sky);
     }
     if (HAS_BEAMS(r)) {
-        plt_beam_begin(r->beam, &pixels, t, rays);
+        plt_beam_begin(r->beam, pixels, t, rays);
         return;
     }
 #if PLT_WITH_GROUPS
-    plt_view_packet(&r->view, &t->scene->box, p, &pixels);
+    plt_view_packet(&r->view, &t->scene->box, p, pixels);
     plt_traversal_begin(t, p, rays);
 #else
     (void)p;
 #endif
 }
 
-static void shade_packet(const plt_rendering *r, const plt_packet *p) {
-    const plt_square square = {r->side, r->at.px, r->at.py, plt_tile_width(&r->frame, &r->at),
-                               plt_tile_height(&r->frame, &r->at)};
-    plt_packet_shade(p, &r->frame, &square, r->sky, r->tile);
+static void shade_packet(const plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
+#if PLT_WITH_GROUPS
+    const uint32_t width = plt_tile_width(&r->frame, &r->at);
+    plt_packet_shade(p, &r->frame, pixels, &r->sky[3 * r->at.py],
+                     &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
+#else
+    (void)r;
+    (void)p;
+    (void)pixels;
+#endif
 }
 
 static void shade_square(const plt_rendering *r) {
@@ -137,7 +142,9 @@ static int shade_next(plt_rendering *r) {
     if (r->at.px == 0 && r->at.py == 0) {
         plt_tile_sky(&r->frame, &r->at, r->sky);
     }
-    shade_packet(r, &b->packet[r->shaded++]);
+    plt_pixels pixels;
+    pixels_at(r, &r->at, &pixels);
+    shade_packet(r, &b->packet[r->shaded++], &pixels);
     if (r->shaded == b->count) {
         plt_batch_clear(b);
         r->phase = BATCH_ADDS;
@@ -198,8 +205,10 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (HAS_BATCHES(r)) {
         return step_batch(r, t, visits);
     }
+    plt_pixels pixels;
+    const uint32_t rays = pixels_at(r, &r->at, &pixels);
     if (!r->tracing) {
-        begin_packet(r, t, p);
+        begin_packet(r, t, p, &pixels, rays);
     }
     const int status =
         HAS_BEAMS(r) ? plt_beam_trace(r->beam, t, visits) : plt_traverse(t, p, visits);
@@ -212,7 +221,7 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (HAS_BEAMS(r)) {
         shade_square(r);
     } else {
-        shade_packet(r, p);
+        shade_packet(r, p, &pixels);
     }
     r->tracing = 0;
     return plt_place_next_packet(&r->at, &r->frame, r->side) ? PLT_MORE : PLT_TILE;

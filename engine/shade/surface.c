@@ -50,7 +50,7 @@ static void flat_colour(uint32_t id, float facing, uint8_t rgb[3]) {
 
 /* Rounding may leave a facing some ulp above 1: only where clay is 1 that would show. */
 static void clay_colour(float facing, uint8_t rgb[3]) {
-    static const float clay[3] = {1.0f, 0.93f, 0.84f};
+    static const float clay[3] = {PLT_CLAY_RED, PLT_CLAY_GREEN, PLT_CLAY_BLUE};
     const float limited = facing > 1.0f ? 1.0f : facing; /* never below 0 */
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         rgb[c] = (uint8_t)(int32_t)(limited * clay[c] * 255.0f + 0.5f);

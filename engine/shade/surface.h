@@ -6,6 +6,11 @@
 
 #include "engine/planelet.h"
 
+/* The colour of clay that faces the eye. */
+#define PLT_CLAY_RED 1.0f
+#define PLT_CLAY_GREEN 0.93f
+#define PLT_CLAY_BLUE 0.84f
+
 /* What the colours of all hits of a triangle have in common. */
 typedef struct plt_surface {
     float normal[3]; /* its largest component is 1; or 0: a sliver */

@@ -67,7 +67,7 @@ typedef struct plt_packet {
     plt_mask changed;               /* groups with hits that the hulls do not know yet */
     float least_sure;               /* of edge functions: 128 u reach times how far origins move */
     uint8_t surfaces;               /* hits have normals, or 0: u and v */
-    uint8_t unbounded;              /* all groups seek hits from 0 to infinity, or 0: unknown */
+    uint8_t unbounded;              /* all groups seek hits from 0 on, without an end; 0: unknown */
     uint8_t along;                  /* hulls can be set: one axis, one direction along it */
     float across[4];                /* 1 on the two axes across the packet's, else 0 */
 #endif

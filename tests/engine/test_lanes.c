@@ -8,6 +8,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <ctype.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "tests/reference/lanes_ops.h"
@@ -184,6 +185,8 @@ static uint32_t by_double(enum lanes_op op, double a, double b) {
         return as_bits((float)(a - b));
     case OP_f4_mul:
         return as_bits((float)(a * b));
+    case OP_f4_sqrt:
+        return as_bits((float)sqrt(a));
     default:
         return as_bits((float)(a / b));
     }
@@ -252,6 +255,9 @@ static void test_whole_numbers(void) {
     for (uint32_t i = 0; i < 100000; i++) {
         const uint32_t a = random_word(), b = random_word(), below = a & 0x7FFFFFFFu;
         CHECK(scalar(OP_f4_of_u4, below, 0, 0) == as_bits((float)(double)below), "%08x", below);
+        const float share = (float)below / 64.0f;
+        CHECK(scalar(OP_u4_of_f4, as_bits(share), 0, 0) == (uint32_t)floor((double)share),
+              "%08x / 64", below);
         CHECK(scalar(OP_f4_of_bytes, a, 0, 0) == as_bits((float)(a & 0xFFu)), "%08x", a);
         CHECK(scalar(OP_f4_of_halves, a, 0, 0) == as_bits((float)(a & 0xFFFFu)), "%08x", a);
         CHECK(scalar(OP_u4_add, a, b, 0) == (uint32_t)((uint64_t)a + b), "%08x %08x", a, b);
@@ -374,7 +380,7 @@ int main(void) {
     test("lanes.h lists exactly the operations that the probes run");
     check_names("engine/lanes/lanes.h");
     test_complete(&lanes_probe_scalar);
-    for (int op = OP_f4_add; op <= OP_f4_div; op++) {
+    for (int op = OP_f4_add; op <= OP_f4_sqrt; op++) {
         test_rounding((enum lanes_op)op);
     }
     test_nan_rule(OP_f4_min, -1);

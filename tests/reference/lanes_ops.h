@@ -23,6 +23,7 @@
     X(u4_all, EXACT, 1)                                                                            \
     X(u4_three, EXACT, 1)                                                                          \
     X(f4_of_u4, EXACT, 1)                                                                          \
+    X(u4_of_f4, EXACT, 1)                                                                          \
     X(f4_of_bytes, EXACT, 1)                                                                       \
     X(f4_of_halves, EXACT, 1)                                                                      \
     X(f4_zero, EXACT, 0)                                                                           \
@@ -31,6 +32,7 @@
     X(f4_sub, ARITHMETIC, 2)                                                                       \
     X(f4_mul, ARITHMETIC, 2)                                                                       \
     X(f4_div, ARITHMETIC, 2)                                                                       \
+    X(f4_sqrt, ARITHMETIC, 1)                                                                      \
     X(f4_min, EXACT, 2)                                                                            \
     X(f4_max, EXACT, 2)                                                                            \
     X(f4_abs, EXACT, 1)                                                                            \

@@ -125,6 +125,12 @@ static void run_pair(const lanes_in *in, uint32_t *out) {
     put_f4(out, f4_load_pair(&pair[1]));
 }
 
+/* Of numbers that the operation is for: of others nothing is said. */
+static void run_cut_off(const lanes_in *in, uint32_t *out) {
+    const f4 most = f4_all(2147483520.0f); /* the greatest below 2^31 */
+    put_u4(out, u4_of_f4(f4_min(f4_abs(f4_of(in->row[0])), most)));
+}
+
 static void run_words_to_mask(const lanes_in *in, uint32_t *out) {
     uint32_t word[4];
     for (int i = 0; i < 4; i++) {
@@ -168,6 +174,7 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         F_FF(f4_max);
         F_F(f4_abs);
         F_F(f4_neg);
+        F_F(f4_sqrt);
         U_UU(u4_add);
         U_UU(u4_and);
         U_UU(u4_andnot);
@@ -207,6 +214,9 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         break;
     case OP_f4_of_u4:
         put_f4(out, f4_of_u4(u4_of(in->row[0])));
+        break;
+    case OP_u4_of_f4:
+        run_cut_off(in, out);
         break;
     case OP_f4_of_bytes:
         run_bytes(in, out);
