@@ -42,6 +42,9 @@ struct plt_engine {
 #endif
     plt_traversal traversal;
     plt_rendering rendering;
+#if PLT_WITH_MOTION
+    struct plt_refit_level *refit_levels; /* of a movable scene */
+#endif
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
     int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */
 };

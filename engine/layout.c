@@ -5,6 +5,7 @@
 
 #include "engine/engine.h"
 #include "engine/image/record_cache.h"
+#include "engine/motion/refit.h"
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/block_entry.h"
@@ -34,6 +35,10 @@ static uint64_t larger(uint64_t a, uint64_t b) {
     return a > b ? a : b;
 }
 
+static int is_movable(const subject *s) {
+    return PLT_WITH_MOTION && s->options->movable;
+}
+
 /* Thesis records are copied even if they are mapped when a builder orders them; corners
  * stay where they are. */
 static uint64_t section_bytes(const subject *s) {
@@ -45,7 +50,8 @@ static uint64_t section_bytes(const subject *s) {
     if (s->builds) {
         return s->format == PLT_FORMAT_THESIS ? s->info->triangle_bytes : 0;
     }
-    for (unsigned i = s->mapped ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
+    const int stays = s->mapped && !is_movable(s);
+    for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
         bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
     }
     return bytes;
@@ -296,6 +302,11 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return state_bytes(s);
     case PLT_PART_STORE:
         return store_bytes(s);
+#if PLT_WITH_MOTION
+    case PLT_PART_REFIT:
+        return is_movable(s) ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
+                             : 0;
+#endif
     case PLT_PART_WIDE_FORM:
         return wide_bytes(s);
     case PLT_PART_WAVE:
@@ -368,13 +379,20 @@ static int is_batch_valid(const plt_options *o) {
            o->batch <= (o->schedule == PLT_SCHEDULE_WORKER ? 0 : PLT_BATCH_MOST);
 }
 
+/* A wide form is made once, when a scene is opened. */
+static int is_motion_valid(const plt_options *o) {
+    return !PLT_WITH_MOTION || o->movable == 0 ||
+           (o->movable == 1 && o->wide == 0 && o->residency == 0);
+}
+
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
            o->residency <= PLT_WITH_STREAMED &&
            (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
-           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o);
+           o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
+           is_motion_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
@@ -383,8 +401,8 @@ int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
 
 static int valid(const plt_info *info, const plt_options *o) {
     return plt_layout_options_valid(o) && plt_scene_left_out(info, o->residency) == NULL &&
-           plt_layout_residency_valid(info, o) && plt_layout_order_valid(info, o) &&
-           info->treelet_nodes > 0;
+           plt_layout_residency_valid(info, o) && plt_layout_motion_valid(info, o) &&
+           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

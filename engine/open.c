@@ -51,7 +51,8 @@ static plt_opening opening_of(plt_engine *e, const plt_layout *layout, plt_fault
                            .arena = &e->arena,
                            .layout = layout,
                            .fault = fault,
-                           .residency = PLT_WITH_STREAMED ? e->options.residency : 0};
+                           .residency = PLT_WITH_STREAMED ? e->options.residency : 0,
+                           .movable = PLT_WITH_MOTION ? e->options.movable : 0};
     return o;
 }
 
@@ -221,6 +222,9 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
                            e->options.packet_side);
         start_batch(e, part);
         start_tasks(e, part);
+#if PLT_WITH_MOTION
+        e->refit_levels = part[PLT_PART_REFIT];
+#endif
         status = start_wave(e, &o, part);
     }
     return status;
@@ -251,6 +255,10 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "only finished trees are streamed, of compact blocks with lattice "
                              "geometry or of treelets of at most 256 nodes");
+    }
+    if (!plt_layout_motion_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "triangles of compact blocks cannot be moved");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

@@ -53,6 +53,10 @@
 #define PLT_WITH_PREFETCH PLT_WITH_STREAMED /* ... or before (plt_options.prefetch) */
 #endif
 
+#ifndef PLT_WITH_MOTION
+#define PLT_WITH_MOTION PLT_WITH_THESIS /* triangles that move (plt_move) */
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -189,6 +193,9 @@
 #if (PLT_WITH_WAVE_COMPACT != 0 && PLT_WITH_WAVE_COMPACT != 1) ||                                  \
     (PLT_WITH_WAVE_COMPACT && !(PLT_WITH_WAVE && PLT_WITH_COMPACT))
 #error "PLT_WITH_WAVE_COMPACT is the digit 0, or with PLT_WITH_WAVE and PLT_WITH_COMPACT 1"
+#endif
+#if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) || (PLT_WITH_MOTION && !PLT_WITH_THESIS)
+#error "PLT_WITH_MOTION is the digit 0, or with PLT_WITH_THESIS 1"
 #endif
 #if PLT_WITH_WAVE && !PLT_WITH_GROUPS
 #error "PLT_WITH_WAVE is for PLT_WITH_GROUPS"

@@ -46,7 +46,7 @@ int plt_opening_copy(const plt_opening *o, const plt_section *s, void **bytes) {
 }
 
 int plt_opening_section(const plt_opening *o, const plt_section *s, const void **bytes) {
-    if (o->source->mapped != NULL) {
+    if (o->source->mapped != NULL && !(PLT_WITH_MOTION && o->movable)) {
         *bytes = (const unsigned char *)o->source->mapped + s->offset;
         return check_sum(o, s, *bytes);
     }

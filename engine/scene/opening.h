@@ -16,6 +16,7 @@ typedef struct plt_opening {
     const plt_layout *layout;
     plt_fault *fault;
     uint8_t residency; /* enum plt_residency */
+    uint8_t movable;   /* sections are copied, mapped or not */
 } plt_opening;
 
 /* PLT_ERR_ARENA. need_bytes stays 0 here; engine/open.c sets it. */

@@ -33,6 +33,12 @@
 #define PLT_PARTS_OF_BATCHES(ROW)
 #endif
 
+#if PLT_WITH_MOTION
+#define PLT_PARTS_OF_MOTION(ROW) ROW(REFIT, RUNS, "levels of a refit")
+#else
+#define PLT_PARTS_OF_MOTION(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -50,6 +56,7 @@
     ROW(LEAVES, RUNS, "leaves that wait")                                                          \
     ROW(FORMAT, RUNS, "state of the format")                                                       \
     ROW(STORE, RUNS, "streamed blocks")                                                            \
+    PLT_PARTS_OF_MOTION(ROW)                                                                       \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")
 

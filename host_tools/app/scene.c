@@ -108,6 +108,10 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         return fail_set(f, name, "%s; build with a larger one (engine/planelet_config.h)",
                         fault->message);
     default:
+        if (s->options.movable) {
+            return fail_set(f, name, "%s; pack it with --nodes thesis, or leave out --moved",
+                            fault->message);
+        }
         return fail_set(f, name,
                         goes_depth_first(s)
                             ? "%s; leave out --walk two-stage"
@@ -182,6 +186,9 @@ static void read_flags(scene *s, args *a, int *fetched) {
     }
     if (args_has(a, "--batch") && s->options.schedule == PLT_SCHEDULE_BRANCH) {
         args_complain(a, "--batch is for --schedule batch or task");
+    }
+    if (s->options.movable && s->options.residency == PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--moved is for --residency resident");
     }
     s->workers = (unsigned)args_number(a, "--workers", 1, 0, CREW_MOST);
     s->crew.in_turns = args_has(a, "--turns");

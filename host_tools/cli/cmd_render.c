@@ -10,6 +10,7 @@
 #include "host_tools/app/crew_tasks.h"
 #include "host_tools/app/destination.h"
 #include "host_tools/app/frame.h"
+#include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
@@ -29,6 +30,7 @@ static const arg_flag flags[] = {
      "default eyelight"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
+    MOVED_FLAGS,
     {"--repeat", "N",
      "render all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
      "1)"},
@@ -59,6 +61,7 @@ typedef struct rendering {
     picture shown;
     destination to;
     unsigned frames, repeat;
+    moved moved;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
@@ -139,10 +142,14 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
     scene_reset_stats(&r->s);
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
         r->frame.camera = r->first;
-        if (i > 0) {
+        if (r->moved.mesh != NULL) {
+            status = moved_to(&r->moved, &r->s, i, f);
+        } else if (i > 0) {
             view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }
-        status = render_frame(r, bar, (uint64_t)run * r->frames + i, &took, f);
+        if (status == 0) {
+            status = render_frame(r, bar, (uint64_t)run * r->frames + i, &took, f);
+        }
         if (status == 0 && run == 0) {
             status = keep_frame(r, f);
         }
@@ -186,6 +193,10 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     print_bits(o, "look", r->first.look, 3, f);
     print_bits(o, "up", r->first.up, 3, f);
     print_bits(o, "tan", &r->first.tan_half_fov, 1, f);
+    if (r->moved.mesh != NULL) {
+        output_print(o, f, "  \"move_seconds\": %.9f,\n  \"mesh_seconds\": %.9f,\n",
+                     r->moved.move_seconds / r->repeat, r->moved.read_seconds / r->repeat);
+    }
     scene_print_stats(o, &r->s, &r->took, f);
     return output_print(o, f, "\n}\n");
 }
@@ -217,7 +228,7 @@ static int open_all(rendering *r, args *a, fail *f) {
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
     r->first = frame->camera;
-    if (a->wrong || view_refused(a, frame, r->frames, f) != 0 ||
+    if (a->wrong || view_refused(a, frame, r->moved.mesh != NULL ? 1 : r->frames, f) != 0 ||
         picture_make(&r->shown, frame->width, frame->height, f) != 0 || open_outputs(r, f) != 0) {
         return -1;
     }
@@ -264,6 +275,10 @@ static void read_flags(rendering *r, args *a) {
     r->frame.height = (uint16_t)height;
     r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
+    moved_read(&r->moved, &r->s, a);
+    if (r->moved.mesh != NULL) {
+        r->frames = r->moved.count;
+    }
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;

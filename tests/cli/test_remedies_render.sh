@@ -92,8 +92,10 @@ says "%s; leave out --walk two-stage" \
     render thesis.plt -o x.png --residency streamed --walk two-stage
 cured render thesis.plt -o x.png --residency streamed
 says "--store is for --residency streamed" render compact.plt -o x.png --store 65536
-says "--schedule batch is for --residency streamed" render compact.plt -o x.png --schedule batch
-says "--schedule task is for --residency streamed" render compact.plt -o x.png --schedule task
+for schedule in batch task; do
+    says "--schedule %s is for --residency streamed" \
+        render compact.plt -o x.png --schedule $schedule
+done
 says "--batch is for --schedule batch or task" \
     render compact.plt -o x.png --residency streamed --batch 2
 cured render compact.plt -o x.png --residency streamed --store 65536
@@ -106,6 +108,26 @@ cured render compact.plt -o x.png --residency streamed --source dma:1,20
 says "--source dma:LATENCY_US,MB_PER_S[,OUTSTANDING] takes 0 to 1000, 0.1 to 10000 and 1 to %d, \
 not 'dma:%s'" render compact.plt -o x.png --residency streamed --source dma:1
 cured render compact.plt -o x.png --residency streamed --source dma:1000,0.1,64
+says "--moved is for --residency resident" \
+    render compact.plt -o x.png --residency streamed --moved knot.ply
+says "%s; pack it with --nodes thesis, or leave out --moved" \
+    render compact.plt -o x.png --moved knot.ply
+run pack knot.ply -o thesis.plt --nodes thesis
+cured render thesis.plt -o x.png --moved knot.ply
+cured render compact.plt -o x.png
+says "--frames takes A:B, 0 to %d, A below B, not '%s'" \
+    render thesis.plt -o x.png --moved knot.ply --frames 2
+cured render thesis.plt -o x.png --moved knot.ply --frames 2:3
+says "--frames is for --moved MESH" render thesis.plt -o x.png --frames 0:1
+cured render thesis.plt -o x.png --moved knot.ply --frames 0:1
+says "--moved and --orbit are two films; leave out one of them" \
+    render thesis.plt -o x.y4m --moved knot.ply --orbit 2
+cured render thesis.plt -o x.y4m --orbit 2
+run make knot -o other.ply --triangles 100
+says "has %zu triangles, the scene %u; pack the scene from frame 0 of the same mesh" \
+    render thesis.plt -o x.png --moved other.ply
+run pack other.ply --frame 0 -o other.plt
+cured render other.plt -o x.png --moved other.ply
 run pack knot.ply -o compact.plt --nodes compact
 says "%s; leave out --walk two-stage" render compact.plt -o x.png --walk two-stage
 cured render compact.plt -o x.png

@@ -107,6 +107,15 @@ for parts in 'render frames' 'render compact frames wave'; do
     verdict "PARTS='$parts' is refused, with what it may be" "$(
         echo "$trouble" | grep -q "PARTS with frames has .*: make PARTS='" || echo "$trouble")"
 done
+motion=$BUILD/mps2_an386-motion-render-thesis
+if part "render thesis motion" "$motion" 44032; then
+    renders "$motion" thesis
+fi
+for parts in 'render compact motion' 'motion compact'; do
+    trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
+    verdict "PARTS='$parts' is refused, with what it may be" "$(
+        echo "$trouble" | grep -q "PARTS with motion has .*: make PARTS='" || echo "$trouble")"
+done
 wave=$BUILD/mps2_an386-render-thesis-wave
 if part "render thesis wave" "$wave" 73728; then
     renders "$wave" thesis

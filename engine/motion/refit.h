@@ -1,0 +1,34 @@
+/* refit - new boxes for an old tree
+ *
+ * Nodes and lists stay what they are; each node's planes and owner bits become those of the
+ * records as they are now. So hits are those of a tree that is built anew, however far triangles
+ * have moved; only how fast they are found may suffer.
+ *
+ * Source: Karrenberg 2007, section 3.6.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_MOTION_REFIT_H
+#define PLT_MOTION_REFIT_H
+
+#include "engine/tree/record.h"
+#include "engine/tree/thesis/node.h"
+
+/* A node whose left child is done, or not yet. */
+typedef struct plt_refit_level {
+    float lo[4], hi[4]; /* of the left child, if it is done */
+    uint32_t node;
+    uint32_t is_done;
+} plt_refit_level;
+
+typedef struct plt_refit_job {
+    plt_node *nodes;
+    const plt_record *records;
+    uint32_t root;           /* link, not PLT_LINK_NONE */
+    plt_refit_level *levels; /* as many as there are nodes on the longest path */
+    plt_box box;             /* result: of all records */
+} plt_refit_job;
+
+/* Of a tree that is valid. A plane that has not moved keeps its bytes. */
+void plt_refit(plt_refit_job *job);
+
+#endif

@@ -1,0 +1,33 @@
+/* moved - the frames of a sequence of meshes, put into a scene one after the other
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef MOVED_H
+#define MOVED_H
+
+#include "host_tools/app/args.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/base/fail.h"
+
+#define MOVED_FLAGS                                                                                \
+    {"--moved", "MESH",                                                                            \
+     "a film of the scene in motion: its triangles go where those of MESH are, the mesh or the "   \
+     "recipe that the scene was packed from, whose sequences have a frame for each of --frames "   \
+     "(thesis nodes, resident)"},                                                                  \
+    {                                                                                              \
+        "--frames", "A:B", "frames A to B - 1 of --moved, 0 to 99999 (default 0:1)"                \
+    }
+
+typedef struct moved {
+    const char *mesh; /* NULL: nothing moves */
+    unsigned first, count;
+    double read_seconds, move_seconds; /* of all so far: the second without reading */
+} moved;
+
+/* Reads the flags, and sets what the scene's options need. Refuses through args_complain. */
+void moved_read(moved *m, scene *s, args *a);
+
+/* The triangles of all of the scene's engines go where those of frame m->first + `index` are. -1:
+ * `f` names the frame, and nothing has moved. */
+int moved_to(moved *m, scene *s, unsigned index, fail *f);
+
+#endif

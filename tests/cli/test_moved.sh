@@ -1,0 +1,110 @@
+#!/bin/sh
+# test_moved.sh - render --moved: a sequence of meshes as a film, by one tree that is refitted
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin moved
+
+# wave FRAME [SIDE]: a sheet of two triangles per square, which ripples, as PLY.
+wave() {
+    awk -v frame="$1" -v side="${2:-9}" 'BEGIN {
+        print "ply\nformat ascii 1.0\nelement vertex " side * side
+        print "property float x\nproperty float y\nproperty float z"
+        print "element face " 2 * (side - 1) * (side - 1)
+        print "property list uchar int vertex_indices\nend_header"
+        for (y = 0; y < side; y++) for (x = 0; x < side; x++)
+            print x / side, 0.2 * sin(1.3 * x + frame), y / side + 0.05 * frame
+        for (y = 0; y + 1 < side; y++) for (x = 0; x + 1 < side; x++) {
+            at = y * side + x
+            print 3, at, at + 1, at + side
+            print 3, at + 1, at + side + 1, at + side
+        } }'
+}
+for frame in 0 1 2 3 4 5; do
+    wave $frame >wave_00$frame.ply
+done
+echo 'wave_{}.ply*6 1 0 0 0' >wave.txt
+view='--size 61x47 --eye 1,1.5,3 --look 0.2,0,0.2'
+run pack wave.txt -o wave.plt # says what is open
+film() { # FILE: of pictures of the frames, each packed anew
+    : >frames
+    for frame in 1 2 3 4 5; do
+        "$PLANELET" pack wave.txt --frame $frame -o fresh.plt 2>/dev/null
+        # shellcheck disable=SC2086
+        "$PLANELET" render fresh.plt -o fresh.y4m $view "$@" 2>/dev/null
+        tail -n +2 fresh.y4m >>frames
+    done
+}
+for kind in '' '--packet 2' '--walk two-stage' '--shader triangle' '--source read' '--workers 3'; do
+    # shellcheck disable=SC2086
+    works "frames 1 to 5 of a sequence $kind" render wave.plt -o moved.y4m $view --moved wave.txt \
+        --frames 1:6 $kind --json moved.json
+    # shellcheck disable=SC2086
+    film $kind
+    tail -n +2 moved.y4m >moved.frames
+    same frames moved.frames "... are those of scenes that are packed anew"
+    verdict "... what moving took is told apart" "$(
+        flat_json moved.json frames seconds move_seconds mesh_seconds
+        [ "$(number frames <moved.json)" -eq 5 ] || echo "not five frames")"
+done
+# shellcheck disable=SC2086
+works "one frame is a picture" render wave.plt -o moved.ppm $view --moved wave.txt --frames 3:4
+"$PLANELET" pack wave.txt --frame 3 -o fresh.plt 2>/dev/null
+# shellcheck disable=SC2086
+run render fresh.plt -o fresh.ppm $view
+same fresh.ppm moved.ppm "... that of the scene packed anew"
+# shellcheck disable=SC2086
+works "without --frames the first frame moves to itself" render wave.plt -o moved.ppm $view \
+    --moved wave.txt
+# shellcheck disable=SC2086
+run render wave.plt -o fresh.ppm $view
+same fresh.ppm moved.ppm "... and is the scene's picture"
+# shellcheck disable=SC2086
+works "all of it twice" render wave.plt -o moved.y4m $view --moved wave.txt --frames 1:6 --repeat 2
+tail -n +2 moved.y4m >moved.frames
+film
+same frames moved.frames "... is the same film"
+"$PLANELET" pack wave_000.ply --build device -o device.plt 2>/dev/null
+# shellcheck disable=SC2086
+works "a tree that the engine builds is refitted, too" render device.plt -o device.ppm $view \
+    --moved wave_002.ply
+"$PLANELET" pack wave_002.ply -o fresh.plt 2>/dev/null
+# shellcheck disable=SC2086
+run render fresh.plt -o fresh.ppm $view
+same fresh.ppm device.ppm "... and gives the picture of the scene packed anew"
+
+# ---- what goes wrong --------------------------------------------------------------------
+
+none_left() {
+    verdict "... and leaves no file" "$(ls x.y4m x.json 2>/dev/null; left_behind)"
+}
+mv wave_003.ply hidden.ply
+refused "a frame that is missing" "frame 3" "wave_003.ply" \
+    render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8
+none_left
+wave 3 8 >wave_003.ply
+refused "a frame of other triangles" "frame 3" "has 98 triangles, the scene 128" \
+    render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8 --json x.json
+none_left
+sed '12s/^[^ ]*/nan/' hidden.ply >wave_003.ply
+refused "a frame with a corner that is no number" "frame 3" "line 12" \
+    render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8
+none_left
+mv hidden.ply wave_003.ply
+"$PLANELET" pack wave.txt --nodes compact -o compact.plt 2>/dev/null
+refused "compact blocks" compact.plt "cannot be moved; pack it with --nodes thesis" \
+    render compact.plt -o x.y4m --moved wave.txt --frames 0:2 --size 8x8
+none_left
+for frames in 1 5:5 6:5 0:100001 -1:3 1:2:3 a:b ''; do
+    misused "--frames '$frames' is wrong usage" "--frames takes A:B" \
+        render wave.plt -o x.y4m --moved wave.txt --frames "$frames" --size 8x8
+done
+misused "--frames without --moved" "--frames is for --moved" \
+    render wave.plt -o x.y4m --frames 0:2 --size 8x8
+misused "two films at once" "--moved and --orbit" \
+    render wave.plt -o x.y4m --moved wave.txt --orbit 3 --size 8x8
+misused "a film in a picture" "give -o a name that ends in .y4m" \
+    render wave.plt -o x.png --moved wave.txt --frames 0:2 --size 8x8
+misused "a streamed scene" "--moved is for --residency resident" \
+    render wave.plt -o x.ppm --moved wave.txt --residency streamed --size 8x8
+finish
