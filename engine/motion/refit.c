@@ -115,12 +115,13 @@ static uint32_t ascend(const plt_refit_job *job, box4 *box, plt_refit_level **to
 
 void plt_refit(plt_refit_job *job) {
     plt_refit_level *top = job->levels;
+    uint32_t link = job->root;
     box4 box;
-    for (uint32_t link = job->root; link != PLT_LINK_NONE;) {
+    do {
         link = descend(job, link, &top);
         box = leaf_box(job->records, link);
         link = ascend(job, &box, &top);
-    }
+    } while (link != PLT_LINK_NONE);
     float lo[4], hi[4];
     f4_store(lo, box.lo);
     f4_store(hi, box.hi);
