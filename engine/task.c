@@ -60,7 +60,7 @@ static void keep_result(const plt_engine *d, const plt_worker *w) {
 
 int plt_task_run(const plt_engine *d, plt_engine *w, uint32_t visits) {
     plt_worker *worker = &w->worker;
-    if (!w->is_worker || !worker->has) {
+    if (!w->is_worker || !worker->has || worker->is_done) {
         return PLT_OK;
     }
     if (worker->is_new) {
@@ -150,6 +150,7 @@ int plt_task_next(plt_engine *d, plt_engine *w) {
     if (status != PLT_OK) {
         return status;
     }
+    plt_traversal_drop(&w->traversal); /* of a task that was dropped, or failed */
     if (!is_of_rays(d) && plt_frame_ended(&d->rendering)) {
         return PLT_OK;
     }

@@ -215,7 +215,6 @@ static uint32_t choose_new(plt_dispatch *d, const plt_worker *w) {
 static void take_new(plt_dispatch *d, plt_worker *w) {
     w->slot = slot_at(d, choose_new(d, w));
     d->begun++;
-    w->is_new = 1;
 }
 
 int plt_dispatch_take(plt_dispatch *d, plt_worker *w, const plt_traversal *t) {
@@ -228,6 +227,7 @@ int plt_dispatch_take(plt_dispatch *d, plt_worker *w, const plt_traversal *t) {
         return d->out > 0 ? PLT_WAIT : PLT_OK;
     }
     plt_packet_slot *slot = &d->slot[w->slot];
+    w->is_new = slot->state == PLT_PACKET_NEW;
     slot->state = PLT_PACKET_OUT;
     slot->holder = w;
     w->has = 1;

@@ -97,6 +97,14 @@ void plt_traversal_reset_stats(plt_traversal *t);
 /* Starts a packet that is set up, and counts it and its `rays`. */
 void plt_traversal_begin(plt_traversal *t, plt_packet *packet, uint32_t rays);
 
+/* Nothing waits, whatever was under way: what comes next need not begin at the root. */
+static inline void plt_traversal_drop(plt_traversal *t) {
+    t->waiting = 0;
+#if PLT_WITH_HULLS
+    t->leaves_waiting = 0;
+#endif
+}
+
 /* Works off stack entries until about `visits` nodes were visited or the packet is
  * done. PLT_OK: it is done; PLT_MORE; or what a fetch failed with: then nothing
  * waits any more, and hits so far may not be the nearest. */

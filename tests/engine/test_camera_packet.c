@@ -33,6 +33,19 @@ static float of_few(random_state *r) {
     return (float)((int)random_below(r, 5) - 2);
 }
 
+/* Directions of few values and of all lengths, none among them: some are largest along two axes,
+ * some are no directions. */
+static void make_plain_view(subject *s, random_state *r) {
+    const float scale = ldexpf(1.0f, (int)random_below(r, 4) ? 0 : (int)random_below(r, 126) - 63);
+    plt_view *v = &s->view;
+    for (int a = 0; a < 3; a++) {
+        v->eye[a] = of_few(r);
+        v->corner[a] = scale * of_few(r);
+        v->right[a] = scale * of_few(r) / 16;
+        v->down[a] = scale * of_few(r) / 16;
+    }
+}
+
 /* PLT_ERR_ARGUMENT now and then. */
 static int make_view(subject *s, random_state *r) {
     plt_camera *c = &s->frame.camera;
@@ -48,7 +61,11 @@ static int make_view(subject *s, random_state *r) {
     s->frame.width = (uint16_t)(1 + random_below(r, 700));
     s->frame.height = (uint16_t)(1 + random_below(r, 700));
     s->frame.shader = (uint8_t)(random_below(r, 4) == 0 ? random_below(r, 3) : PLT_SHADE_EYELIGHT);
-    return plt_view_set(&s->view, &s->frame);
+    const int status = plt_view_set(&s->view, &s->frame);
+    if (status == PLT_OK && random_below(r, 4) == 0) {
+        make_plain_view(s, r);
+    }
+    return status;
 }
 
 static void make_square(subject *s, random_state *r) {

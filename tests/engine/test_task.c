@@ -84,27 +84,50 @@ static void keep_tile(const plt_engine *d, uint8_t frame[3 * WIDTH * HEIGHT]) {
     }
 }
 
+static uint64_t tasks_of(const team *t) {
+    plt_task_stats q;
+    plt_task_stats_get(t->worker[0].engine, &q);
+    return q.tasks;
+}
+
+/* No edge of the list that begins there is nearer than what the worker has. */
+static void expect_nearest(const plt_worker *own, const plt_tasks *tasks, uint16_t first) {
+    const float distance = own->edges.queue[own->edges.here].nearest;
+    for (uint16_t i = first; i != PLT_TASK_NONE; i = tasks->queue[i].after) {
+        CHECK(tasks->queue[i].nearest >= distance, "an edge at %g, and then one at %g",
+              (double)distance, (double)tasks->queue[i].nearest);
+    }
+}
+
+/* A worker was given a task, or goes on with one of the edges that there was no room for. */
+static void expect_task(const plt_dispatch *d, const plt_worker *own, int is_given) {
+    if (!own->is_new) {
+        CHECK(d->packet[own->slot].active != 0, "a packet that is done goes out");
+        expect_nearest(own, is_given ? &d->edges : &own->edges,
+                       is_given ? d->slot[own->slot].edges : own->edges.first);
+    }
+}
+
 /* One worker does something: goes on for a while, or comes for the next task. PLT_MORE: it is not
  * over for it. */
 static int take_turn(team *t, unsigned i, int running[WORKERS], uint8_t *frame) {
     plt_engine *d = t->worker[0].engine, *w = t->worker[i].engine;
     if (running[i]) {
         running[i] = plt_task_run(d, w, 1 + random_below(&t->random, 60)) == PLT_MORE;
+        CHECK(running[i] || plt_task_run(d, w, 60) == PLT_OK, "a task that is done stays so");
         return PLT_MORE;
     }
+    const uint64_t before = tasks_of(t);
     const int status = plt_task_next(d, w);
     if (status == PLT_TILE) {
         CHECK(frame != NULL, "a tile of rays");
         keep_tile(d, frame);
     }
     running[i] = status == PLT_MORE;
+    if (status == PLT_MORE) {
+        expect_task(&d->dispatch, &w->worker, tasks_of(t) > before);
+    }
     return status == PLT_OK || status < 0 ? status : PLT_MORE;
-}
-
-static uint64_t tasks_of(const team *t) {
-    plt_task_stats q;
-    plt_task_stats_get(t->worker[0].engine, &q);
-    return q.tasks;
 }
 
 /* All take turns until it is over for all. PLT_OK, or what failed. */
@@ -146,6 +169,19 @@ static int team_render(team *t, uint8_t frame[3 * WIDTH * HEIGHT]) {
     return status == PLT_OK ? work(t, frame) : status;
 }
 
+/* Nothing is left, neither of a run that went well nor of one that failed. */
+static void expect_whole(const team *t) {
+    const plt_dispatch *d = &t->worker[0].engine->dispatch;
+    CHECK(d->count == 0 && d->out == 0 && d->edges.count == 0 && d->edges.queues == 0,
+          "%u packets, %u out, %u entries at %u edges are left", d->count, d->out, d->edges.count,
+          d->edges.queues);
+    for (unsigned i = 0; i < t->count; i++) {
+        const plt_tasks *own = &t->worker[i].engine->worker.edges;
+        CHECK(own->count == 0 && own->queues == 0, "worker %u has %u entries at %u edges", i,
+              own->count, own->queues);
+    }
+}
+
 static void expect_due(team *t, const subject *s) {
     plt_hit hits[RAYS];
     uint8_t frame[3 * WIDTH * HEIGHT];
@@ -153,9 +189,11 @@ static void expect_due(team *t, const subject *s) {
         CHECK(team_trace(t, s, hits, any) == PLT_OK, "any %d", any);
         CHECK(memcmp(hits, s->due[any], sizeof hits) == 0, "%u workers, any %d: hits", t->count,
               any);
+        expect_whole(t);
     }
     CHECK(team_render(t, frame) == PLT_OK, "the frame");
     CHECK(memcmp(frame, s->frame, sizeof frame) == 0, "%u workers: frame", t->count);
+    expect_whole(t);
 }
 
 /* What came in is what was sent; all rays are counted once. */
@@ -173,7 +211,12 @@ static void expect_counts(const team *t, uint8_t side) {
     CHECK(packets == q.packets, "%u packets of %u", (unsigned)q.packets, (unsigned)packets);
     CHECK(q.tasks >= packets && q.tasks <= packets + q.edges, "%u tasks, %u packets, %u edges",
           (unsigned)q.tasks, (unsigned)packets, (unsigned)q.edges);
-    CHECK(q.bytes_back >= (2 * RAYS) * sizeof(plt_hit) + 3u * WIDTH * HEIGHT, "results");
+    const plt_tasks *edges = &t->worker[0].engine->dispatch.edges;
+    const uint64_t least = /* a place, and at least one entry */
+        offsetof(plt_task_queue, place) + edges->place_bytes + sizeof(plt_task);
+    const uint64_t results = (2 * RAYS) * sizeof(plt_hit) + 3u * WIDTH * HEIGHT;
+    CHECK(q.bytes_back >= results + q.edges * least, "results, and edges that come back");
+    CHECK(q.bytes_out >= (q.tasks - packets) * least, "edges that go out");
     CHECK(q.packets_moved == 0 || q.bytes_out > q.packets_moved * plt_packet_bytes(side),
           "packets that move have bytes");
     CHECK(t->count > 1 || q.packets_moved == 0, "packets move from one worker to itself");
@@ -222,6 +265,7 @@ static void one_fails(const subject *s) {
             CHECK(fault.offset >= PLT_HEADER_BYTES && fault.offset < s->image.size, "byte %u: %s",
                   (unsigned)fault.offset, fault.message);
             failures += status < 0;
+            expect_whole(&t);
             t.worker[who].link.failure = FAKE_WORKS;
             expect_due(&t, s);
             close_team(&t);
@@ -265,6 +309,37 @@ static void dropped(const subject *s) {
               "the frame after %d steps", steps);
     }
     close_team(&t);
+}
+
+/* A worker whose task was dropped, before it had begun or in the middle, takes on a packet that
+ * another has begun: nothing of its own is in the way. */
+static void left_over(const subject *s) {
+    for (uint32_t visits = 0; visits < 40; visits++) {
+        team t = {0};
+        plt_hit hits[RAYS];
+        open_team(&t, s, 2, 4 < PLT_PACKET_SIDE_MAX ? 4 : PLT_PACKET_SIDE_MAX, 16, 0);
+        plt_engine *d = t.worker[0].engine, *w = t.worker[1].engine;
+        CHECK(plt_trace_begin(d, s->rays, hits, RAYS, 0) == PLT_OK &&
+                  plt_task_next(d, w) == PLT_MORE,
+              "a task that will be dropped");
+        for (uint32_t i = 0; i < visits && plt_task_run(d, w, 1) == PLT_MORE; i++) {
+        }
+        memset(hits, 0x77, sizeof hits);
+        CHECK(plt_trace_begin(d, s->rays, hits, RAYS, 0) == PLT_OK &&
+                  plt_task_next(d, d) == PLT_MORE,
+              "all anew");
+        while (plt_task_run(d, d, 100) == PLT_MORE) {
+        }
+        CHECK(plt_dispatch_give(&d->dispatch, &d->worker) == PLT_OK, "one packet comes back");
+        CHECK(d->dispatch.newest != PLT_TASK_NONE, "it waits at an edge");
+        CHECK(plt_task_next(d, w) == PLT_MORE, "the other worker has it");
+        CHECK(!w->worker.is_new && w->traversal.waiting == 0, "after %u visits something is left",
+              (unsigned)visits);
+        CHECK(work(&t, NULL) == PLT_OK && memcmp(hits, s->due[0], sizeof hits) == 0,
+              "hits after %u visits", (unsigned)visits);
+        expect_whole(&t);
+        close_team(&t);
+    }
 }
 
 static void misuse(const subject *s, const subject *other) {
@@ -371,6 +446,7 @@ static void everything(subject *s, const char *sentence) {
     one_fails(s);
     test("what is under way is dropped for something else");
     dropped(s);
+    left_over(s);
 }
 
 int main(void) {
