@@ -10,7 +10,8 @@
  *
  * Nothing here allocates, prints, recurses or keeps static data: an engine
  * lives wholly inside the arena it was given, and any number of engines may
- * live side by side. Calls on one engine come from one thread at a time.
+ * live side by side. Calls on one engine come from one thread at a time (but for plt_task_run,
+ * which reads a dispatcher that others call meanwhile).
  *
  * Every function that can fail returns a negative PLT_ERR_ value; DESIGN.md
  * says why things are as they are, SPEC.md what an image is made of.
@@ -35,8 +36,8 @@ extern "C" {
  * (plt_options.rays_in_flight, wide, rays; plt_stats.wave_rays); packets may be as large as there
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
- * (plt_render_seek); plt_trace and plt_render_step report a source that fails. Images are those
- * of 1.0. */
+ * (plt_render_seek), or by tasks that workers ask for (plt_task_next); plt_trace and
+ * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
@@ -324,7 +325,8 @@ typedef struct plt_hit {
  * box alone: packet size, tree and order never change it. Ends a frame that was
  * being rendered. PLT_OK, or PLT_ERR_SOURCE: the source failed, or PLT_ERR_IMAGE: what came is not
  * valid (both of streamed scenes; plt_fault_get says where); hits before those of
- * the current packet are right, that packet's and later ones are as they were.
+ * the current packet, or batch, are right, its own and later ones are as they were; by tasks, hits
+ * of a run that failed are of no use.
  * PLT_ERR_LIMIT: this build has no rays in groups (PLT_WITH_GROUPS). Cost: see DESIGN.md,
  * section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);

@@ -123,18 +123,15 @@ static int finish_packets(plt_engine *d) {
     return status;
 }
 
+/* As far as their headers say, without the padding at the end. */
 static int is_same_image(const plt_info *a, const plt_info *b) {
-    return a->image_bytes == b->image_bytes && a->nodes == b->nodes &&
-           a->triangles == b->triangles && a->node_bytes == b->node_bytes &&
-           a->depth_stack_entries == b->depth_stack_entries && memcmp(a->lo, b->lo, 12) == 0 &&
-           memcmp(a->hi, b->hi, 12) == 0;
+    return memcmp(a, b, offsetof(plt_info, primitive_id_bits) + 1) == 0;
 }
 
 /* Workers trace the dispatcher's packets in the dispatcher's scene. */
 static int fits(const plt_engine *d, const plt_engine *w) {
     return d->dispatch.most > 0 && w->is_worker &&
-           w->options.packet_side == d->options.packet_side &&
-           w->options.order == d->options.order && w->scene.format == d->scene.format &&
+           w->options.packet_side == d->options.packet_side && w->scene.format == d->scene.format &&
            is_same_image(&w->scene.info, &d->scene.info);
 }
 

@@ -38,6 +38,7 @@ static float of_few(random_state *r) {
 static void make_plain_view(subject *s, random_state *r) {
     const float scale = ldexpf(1.0f, (int)random_below(r, 4) ? 0 : (int)random_below(r, 126) - 63);
     plt_view *v = &s->view;
+    s->frame.width = s->frame.height = 20;
     for (int a = 0; a < 3; a++) {
         v->eye[a] = of_few(r);
         v->corner[a] = scale * of_few(r);

@@ -372,6 +372,12 @@ static void misuse(const subject *s, const subject *other) {
     CHECK(open_run(&x, &other->image, &same) == PLT_OK, "%s", x.fault.message);
     CHECK(plt_task_next(d, x.engine) == PLT_ERR_ARGUMENT, "another image");
     close_run(&x);
+    memset(&x, 0, sizeof x);
+    CHECK(open_run(&x, &s->image, &same) == PLT_OK && plt_task_next(d, x.engine) == PLT_WAIT,
+          "a third of the same kind");
+    x.engine->scene.info.primitive_id_bits ^= 1;
+    CHECK(plt_task_next(d, x.engine) == PLT_ERR_ARGUMENT, "an image that is like it");
+    close_run(&x);
     close_team(&t);
 }
 
