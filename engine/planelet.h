@@ -161,11 +161,11 @@ typedef struct plt_options {
                              * million triangles, have none */
     uint8_t rays;           /* enum plt_rays; without a wave all are coherent */
     uint8_t residency;    /* enum plt_residency; a streamed scene has neither wave nor wide form */
-    uint8_t prefetch;     /* streamed compact blocks: parts that may be on their way before a ray
-                           * needs them, at most PLT_PREFETCH_MOST, under tags 2 to 9 of the
-                           * source; 4 is a good choice if bytes move while the processor works.
-                           * 0: none, nor if the source is mapped, or PLT_WITH_PREFETCH is 0. When
-                           * a call returns, nothing is on its way */
+    uint8_t prefetch;     /* streamed scenes: parts that may be on their way before a ray needs
+                           * them, at most PLT_PREFETCH_MOST, under tags 2 to 9 of the source; 4 is
+                           * a good choice if bytes move while the processor works. 0: none, nor if
+                           * the source is mapped, or PLT_WITH_PREFETCH is 0. When a call returns,
+                           * nothing is on its way */
     uint32_t store_bytes; /* streamed: bytes for blocks, PLT_STORE_LEAST (28,672) at least; 0:
                            * all the room that the arena has (a need is then that of the
                            * least). Bytes fetched depend on it, hits do not */

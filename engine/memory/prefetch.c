@@ -62,8 +62,13 @@ static int start(const plt_fetcher *f, const plt_wanted *w, unsigned char *to, u
     return status >= 0;
 }
 
+/* One that would take more than a quarter of the store takes too much from what is there. */
+static int is_too_large(const plt_fetcher *f, uint32_t count) {
+    return count > PLT_PREFETCH_TRANSFERS * PLT_TRANSFER_BYTES || count > f->store.bytes / 4;
+}
+
 void plt_prefetch_ask(plt_fetcher *f, const plt_wanted *w) {
-    if (f->ahead == 0 || w->count > PLT_PREFETCH_TRANSFERS * PLT_TRANSFER_BYTES ||
+    if (f->ahead == 0 || is_too_large(f, w->count) ||
         plt_store_find(&f->store, w->key) != PLT_STORE_NONE) {
         return;
     }
@@ -80,7 +85,9 @@ void plt_prefetch_ask(plt_fetcher *f, const plt_wanted *w) {
     }
 }
 
+/* Its first use is what it came for, and not a reason to keep it. */
 int plt_prefetch_arrive(plt_fetcher *f, uint16_t part) {
+    f->store.part[part].found = 0;
     for (unsigned i = 0; i < f->ahead; i++) {
         if (f->coming[i] == part) {
             return end_slot(f, i);

@@ -2,9 +2,9 @@
  *
  * A part that will be needed soon is asked for, and comes while the rays go on: its place in the
  * store is held until it is waited for. It is waited for when it is needed, when its tag is wanted
- * for another part, when parts that are on their way leave too little room, or when the traversal
- * returns. What has come is validated when it is needed. One that fails is forgotten, and fetched
- * like any other when it is needed.
+ * for another part, when parts that are on their way leave too little room, or when the call that
+ * traces returns. What has come is validated when it is needed. One that fails is forgotten, and
+ * fetched like any other when it is needed.
  *
  * A source that is mapped has nothing to wait for, and nothing is asked of it.
  *
@@ -22,11 +22,12 @@
  * has its source. */
 void plt_prefetch_begin(plt_fetcher *fetcher, unsigned parts);
 
-/* Asks for a part, if it is not there and is no more than PLT_PREFETCH_TRANSFERS transfers. Other
- * parts may move or be given up. */
+/* Asks for a part, if it is not there and is no more than PLT_PREFETCH_TRANSFERS transfers, or a
+ * quarter of the store. Other parts may move or be given up. */
 void plt_prefetch_ask(plt_fetcher *fetcher, const plt_wanted *wanted);
 
-/* Waits for a part, if it is on its way. 0: it has failed, and is forgotten. */
+/* Waits for a part that nobody has used yet, if it is on its way. 0: it has failed, and is
+ * forgotten. */
 int plt_prefetch_arrive(plt_fetcher *fetcher, uint16_t part);
 
 /* Waits for all parts that are on their way. */

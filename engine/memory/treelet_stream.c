@@ -5,6 +5,7 @@
 
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
+#include "engine/memory/prefetch.h"
 #include "engine/tree/record_ranges.h"
 
 /* Of a part in the store that has nodes, `depth` is that of the treelet, with this bit if edges
@@ -83,12 +84,6 @@ static int nodes_rule(plt_treelet_stream *s, const part_of *of, uint16_t part) {
                : PLT_I2_TREE;
 }
 
-static int check_nodes(const void *context, uint16_t part) {
-    const part_of *of = context;
-    const int rule = nodes_rule(of->stream, of, part);
-    return rule == PLT_TREELET_VALID ? PLT_OK : refuse(of->stream, rule, of->offset);
-}
-
 static int check_records(const void *context, uint16_t part) {
     const part_of *of = context;
     plt_treelet_stream *s = of->stream;
@@ -106,27 +101,87 @@ static int check_records(const void *context, uint16_t part) {
 
 /* ---- nodes ------------------------------------------------------------- */
 
-static int need_nodes(plt_treelet_stream *s, uint32_t first, uint32_t count, uint32_t length) {
-    const part_of of = {s, first, node_at(s, first), count};
-    const plt_wanted wanted = {.key = KEY_STEP * first + length,
-                               .offset = of.offset,
-                               .count = count * PLT_NODE_BYTES,
-                               .bit = first + (length > 0 ? length - 1 : 0),
-                               .is_treelet = length <= 1,
-                               .check = check_nodes,
-                               .context = &of};
-    return plt_fetcher_need(&s->fetcher, &wanted, &s->found);
+/* A treelet alone does not say how many nodes it has before they are there. Most have few; one that
+ * turns out to go on comes again, longer, up to LENGTHS. (Its bit of `touched` is then that of its
+ * next node, which is no other's.) Of other treelets there is one length, 0. */
+enum { LENGTHS = 3 };
+
+static int check_nodes(const void *context, uint16_t part);
+
+/* So many of a treelet alone, whose length is i + 1. */
+static inline uint32_t nodes_of(const plt_treelet_stream *s, uint32_t first, uint32_t i) {
+    static const uint16_t nodes[LENGTHS] = {PLT_ALONE_NODES, 4 * PLT_ALONE_NODES, UINT16_MAX};
+    const uint32_t rest = s->scene.treelet_nodes - first % s->scene.treelet_nodes;
+    return nodes[i] < rest ? nodes[i] : rest;
 }
 
-/* A treelet alone does not say how many nodes it has before they are there. Most have few; one that
- * turns out to go on comes again, longer. (Its bit of `touched` is then that of its next node,
- * which is no other's.) */
+static inline void want_nodes(plt_wanted *w, const part_of *of, uint32_t length) {
+    *w = (plt_wanted){.key = KEY_STEP * of->first + length,
+                      .offset = of->offset,
+                      .count = of->count * PLT_NODE_BYTES,
+                      .bit = of->first + (length > 0 ? length - 1 : 0),
+                      .is_treelet = length <= 1,
+                      .check = check_nodes,
+                      .context = of};
+}
+
+#if PLT_WITH_PREFETCH
+static void ask_for_nodes(plt_treelet_stream *s, uint32_t first, uint32_t length) {
+    const uint32_t count = length > 0 ? nodes_of(s, first, length - 1) : s->scene.treelet_nodes;
+    const part_of of = {s, first, node_at(s, first), count};
+    plt_wanted w;
+    want_nodes(&w, &of, length);
+    plt_prefetch_ask(&s->fetcher, &w);
+}
+
+/* Has the treelet more nodes than those, if what they say is true? */
+static int goes_on(const plt_node *nodes, uint32_t count) {
+    uint32_t next = 1, i = 0;
+    for (; i < count && i < next; i++) {
+        next += (uint32_t)plt_link_is_inner(plt_node_link(&nodes[i], 0));
+        next += (uint32_t)plt_link_is_inner(plt_node_link(&nodes[i], 1));
+    }
+    return next > i;
+}
+
+/* What a treelet alone has more comes while its first nodes are validated: that there is more they
+ * say, if they do not lie. They must not move meanwhile. */
+static void expect_longer(const part_of *of, uint16_t part) {
+    plt_treelet_stream *s = of->stream;
+    plt_store_part *p = &s->fetcher.store.part[part];
+    const uint32_t length = p->key % KEY_STEP;
+    if (s->fetcher.ahead > 0 && length > 0 && length < LENGTHS &&
+        goes_on((const void *)plt_store_bytes(&s->fetcher.store, part), of->count)) {
+        p->held = 1;
+        ask_for_nodes(s, of->first, length + 1);
+        p->held = 0;
+    }
+}
+#else
+static void expect_longer(const part_of *of, uint16_t part) {
+    (void)of;
+    (void)part;
+}
+#endif
+
+static int check_nodes(const void *context, uint16_t part) {
+    const part_of *of = context;
+    expect_longer(of, part);
+    const int rule = nodes_rule(of->stream, of, part);
+    return rule == PLT_TREELET_VALID ? PLT_OK : refuse(of->stream, rule, of->offset);
+}
+
+static int need_nodes(plt_treelet_stream *s, uint32_t first, uint32_t count, uint32_t length) {
+    const part_of of = {s, first, node_at(s, first), count};
+    plt_wanted w;
+    want_nodes(&w, &of, length);
+    return plt_fetcher_need(&s->fetcher, &w, &s->found);
+}
+
 static int need_alone(plt_treelet_stream *s, uint32_t first) {
-    static const uint16_t nodes[] = {PLT_ALONE_NODES, 4 * PLT_ALONE_NODES, UINT16_MAX};
-    const uint32_t rest = s->scene.treelet_nodes - first % s->scene.treelet_nodes;
     int status = PLT_OK;
-    for (uint32_t i = 0; i < 3; i++) {
-        status = need_nodes(s, first, nodes[i] < rest ? nodes[i] : rest, i + 1);
+    for (uint32_t i = 0; i < LENGTHS; i++) {
+        status = need_nodes(s, first, nodes_of(s, first, i), i + 1);
         if (status != PLT_OK || plt_fetcher_part(&s->fetcher, &s->found)->depth != 0) {
             break;
         }
@@ -155,15 +210,39 @@ static int open_treelet(plt_treelet_stream *s, uint32_t first, uint32_t scope) {
 /* A place that has waited may find that its treelet has come anew, and is another. */
 int plt_treelet_stream_has(const plt_treelet_stream *s, uint32_t slot) {
     uint32_t length = 0;
-    while (length < 3 && !plt_store_has(&s->fetcher.store, KEY_STEP * slot + length)) {
+    while (length < LENGTHS && !plt_store_has(&s->fetcher.store, KEY_STEP * slot + length)) {
         length++;
     }
-    return length < 3;
+    return length < LENGTHS;
 }
 
+static uint32_t first_of(const plt_treelet_stream *s, uint32_t slot, uint32_t scope) {
+    return (scope & PLT_TREELET_ALONE) != 0 ? scope & ~PLT_TREELET_ALONE
+                                            : slot - slot % s->scene.treelet_nodes;
+}
+
+#if PLT_WITH_PREFETCH
+/* Of a treelet alone the length that will be needed, as far as it is known. */
+static uint32_t length_ahead(plt_treelet_stream *s, uint32_t first) {
+    for (uint32_t length = 1; length < LENGTHS; length++) {
+        const uint16_t i = plt_store_find(&s->fetcher.store, KEY_STEP * first + length);
+        if (i == PLT_STORE_NONE || s->fetcher.store.part[i].fresh ||
+            s->fetcher.store.part[i].depth != 0) {
+            return length;
+        }
+    }
+    return LENGTHS;
+}
+
+void plt_treelet_stream_expect(plt_treelet_stream *s, uint32_t slot, uint32_t scope) {
+    const uint32_t first = first_of(s, slot, scope);
+    s->first = PLT_MISS; /* it may move */
+    ask_for_nodes(s, first, (scope & PLT_TREELET_ALONE) != 0 ? length_ahead(s, first) : 0);
+}
+#endif
+
 int plt_treelet_stream_open(plt_treelet_stream *s, uint32_t slot, uint32_t scope) {
-    const uint32_t first = (scope & PLT_TREELET_ALONE) != 0 ? scope & ~PLT_TREELET_ALONE
-                                                            : slot - slot % s->scene.treelet_nodes;
+    const uint32_t first = first_of(s, slot, scope);
     if (first != s->first || scope != s->scope) {
         const int status = open_treelet(s, first, scope);
         if (status != PLT_OK) {
@@ -197,24 +276,77 @@ static uint32_t record_at(const plt_treelet_stream *s, uint32_t record) {
 }
 
 /* The page that begins with record `first`. */
-static int need_page(plt_treelet_stream *s, uint32_t first, plt_found *found) {
-    const uint32_t page = first / PLT_PAGE_RECORDS, left = s->scene.triangles - first;
+static part_of page_of(plt_treelet_stream *s, uint32_t first) {
+    const uint32_t left = s->scene.triangles - first;
     const part_of of = {s, first, record_at(s, first),
                         left < PLT_PAGE_RECORDS ? left : PLT_PAGE_RECORDS};
-    const plt_wanted wanted = {.key = KEY_STEP * page + KEY_PAGE,
-                               .offset = of.offset,
-                               .count = of.count * PLT_RECORD_BYTES,
-                               .bit = s->scene.node_slots + page,
-                               .check = check_records,
-                               .context = &of};
+    return of;
+}
+
+static inline void want_page(plt_wanted *w, const part_of *of) {
+    const uint32_t page = of->first / PLT_PAGE_RECORDS;
+    *w = (plt_wanted){.key = KEY_STEP * page + KEY_PAGE,
+                      .offset = of->offset,
+                      .count = of->count * PLT_RECORD_BYTES,
+                      .bit = of->stream->scene.node_slots + page,
+                      .check = check_records,
+                      .context = of};
+}
+
+/* The current treelet, if there is one, must not move until it is let go. */
+static inline plt_store_part *hold_current(plt_treelet_stream *s) {
     plt_store_part *nodes = s->first != PLT_MISS ? plt_fetcher_part(&s->fetcher, &s->found) : NULL;
-    if (nodes != NULL) { /* it must not move */
+    if (nodes != NULL) {
         nodes->held = 1;
     }
-    const int status = plt_fetcher_need(&s->fetcher, &wanted, found);
+    return nodes;
+}
+
+static inline void let_go(plt_store_part *nodes) {
     if (nodes != NULL) {
         nodes->held = 0;
     }
+}
+
+#if PLT_WITH_PREFETCH
+void plt_treelet_stream_expect_records(plt_treelet_stream *s, uint32_t record) {
+    if (record < s->scene.triangles) {
+        const part_of of = page_of(s, record - record % PLT_PAGE_RECORDS);
+        plt_wanted w;
+        want_page(&w, &of);
+        plt_store_part *nodes = hold_current(s);
+        plt_prefetch_ask(&s->fetcher, &w);
+        let_go(nodes);
+    }
+}
+
+/* A list goes on in the next page, which comes while the records of this one, which stay where they
+ * are, are tested. */
+static void expect_next_page(plt_treelet_stream *s, const plt_lists_left *left,
+                             const plt_found *found) {
+    if (left->lists > 0) {
+        plt_store_part *page = plt_fetcher_part(&s->fetcher, found);
+        page->held = 1;
+        plt_treelet_stream_expect_records(s, left->record);
+        page->held = 0;
+    }
+}
+#else
+static void expect_next_page(plt_treelet_stream *s, const plt_lists_left *left,
+                             const plt_found *found) {
+    (void)s;
+    (void)left;
+    (void)found;
+}
+#endif
+
+static int need_page(plt_treelet_stream *s, uint32_t first, plt_found *found) {
+    const part_of of = page_of(s, first);
+    plt_wanted w;
+    want_page(&w, &of);
+    plt_store_part *nodes = hold_current(s);
+    const int status = plt_fetcher_need(&s->fetcher, &w, found);
+    let_go(nodes);
     return status;
 }
 
@@ -247,7 +379,9 @@ int plt_treelet_stream_read(plt_treelet_stream *s, plt_lists_left *left) {
     const uint32_t rest = s->scene.triangles - record, to_end = first + PLT_PAGE_RECORDS - record;
     left->at =
         (const plt_record *)(const void *)plt_fetcher_bytes(&s->fetcher, &found) + (record - first);
-    return find_ends(s, left, rest < to_end ? rest : to_end)
-               ? PLT_OK
-               : refuse(s, PLT_I8_COUNTS, record_at(s, first));
+    if (!find_ends(s, left, rest < to_end ? rest : to_end)) {
+        return refuse(s, PLT_I8_COUNTS, record_at(s, first));
+    }
+    expect_next_page(s, left, &found);
+    return PLT_OK;
 }

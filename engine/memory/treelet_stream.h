@@ -83,8 +83,23 @@ uint32_t plt_treelet_stream_edge(plt_treelet_stream *stream, uint32_t slot);
  * The current treelet stays the current one. */
 int plt_treelet_stream_read(plt_treelet_stream *stream, plt_lists_left *left);
 
+#if PLT_WITH_PREFETCH
+/* The treelet will be needed soon, and is asked for (prefetch.h). There is no current one any more
+ * until it is opened again. */
+void plt_treelet_stream_expect(plt_treelet_stream *stream, uint32_t slot, uint32_t scope);
+
+/* The page of that record will be. The current treelet stays the current one. */
+void plt_treelet_stream_expect_records(plt_treelet_stream *stream, uint32_t record);
+#endif
+
 /* Breaks off: the current treelet breaks rule `rule`. */
 int plt_treelet_stream_refuse(plt_treelet_stream *stream, uint8_t rule);
+
+/* The node in `slot`, of that scope, is one of the current treelet. */
+static inline int plt_treelet_stream_is_in(const plt_treelet_stream *s, uint32_t slot,
+                                           uint32_t scope) {
+    return s->first != PLT_MISS && scope == s->scope && slot - s->first < s->count;
+}
 
 static inline const plt_node *plt_treelet_stream_node(const plt_treelet_stream *s, uint32_t slot) {
     return &s->nodes[slot - s->first];

@@ -40,6 +40,7 @@ static int resume_next(plt_batch *b, plt_traversal *t) {
         if (!plt_nearest_begin(&b->tasks, t)) {
             return 0;
         }
+        plt_nearest_expect(&b->tasks, b->packet, t);
     }
 }
 
@@ -63,6 +64,7 @@ static int trace(plt_batch *b, plt_traversal *t, uint32_t visits) {
 int plt_batch_trace(plt_batch *b, plt_traversal *t, uint32_t visits) {
     t->tasks = &b->tasks;
     const int status = trace(b, t, visits);
+    plt_traversal_pause(t);
     t->tasks = NULL;
     if (status < 0) {
         plt_batch_clear(b);

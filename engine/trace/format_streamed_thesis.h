@@ -15,6 +15,7 @@
 #define FORMAT_MEETS PLT_WITH_BATCH
 
 #include "engine/base/rules.h"
+#include "engine/memory/prefetch.h"
 #include "engine/memory/treelet_stream.h"
 #include "engine/trace/format.h"
 #include "engine/trace/format_meets.h"
@@ -39,6 +40,7 @@ static inline void format_state_init(plt_traversal *t) {
     s->scene.triangles = scene->thesis.records_count;
     s->longest_list = scene->info.leaf_triangles;
     plt_treelet_stream_init(s, t->store, t->store_bytes);
+    plt_prefetch_begin(&s->fetcher, t->prefetch);
 }
 
 static inline int format_root(plt_traversal *t, format_place *place) {
@@ -50,8 +52,38 @@ static inline int format_root(plt_traversal *t, format_place *place) {
     return tree->root != PLT_LINK_NONE;
 }
 
+#if PLT_WITH_PREFETCH
+/* What a place leads to is asked for. */
+static inline void expect_place(format_state *s, const format_place *place) {
+    if (format_is_leaf(place)) {
+        plt_treelet_stream_expect_records(s, plt_link_index(place->link));
+    } else {
+        plt_treelet_stream_expect(s, plt_link_index(place->link), place->scope);
+    }
+}
+
+/* The treelet is asked for, then what waits on the stack, the next one first. An entry of every
+ * order begins with its place. */
+static inline void look_ahead(plt_traversal *t, const format_place *place) {
+    format_state *s = (format_state *)t->state;
+    const unsigned char *top = (const unsigned char *)t->stack + t->waiting * t->entry_bytes;
+    const uint32_t most = t->waiting < s->fetcher.ahead ? t->waiting : s->fetcher.ahead;
+    expect_place(s, place);
+    for (uint32_t i = 0; i < most; i++) {
+        top -= t->entry_bytes;
+        expect_place(s, (const format_place *)(const void *)top);
+    }
+}
+#endif
+
 static inline int format_enter(plt_traversal *t, const format_place *place) {
     format_state *s = (format_state *)t->state;
+#if PLT_WITH_PREFETCH
+    if (s->fetcher.ahead > 0 && !plt_meets(t) &&
+        !plt_treelet_stream_is_in(s, plt_link_index(place->link), place->scope)) {
+        look_ahead(t, place);
+    }
+#endif
     const int status = plt_treelet_stream_open(s, plt_link_index(place->link), place->scope);
     const uint32_t room = t->scene->info.depth_stack_entries + PLT_STACK_SLACK;
     return status == PLT_OK && t->waiting + plt_treelet_stream_depth(s) > room
@@ -75,10 +107,26 @@ static inline int format_return(plt_traversal *t, const format_place *place) {
     return format_is_leaf(place) ? PLT_OK : format_enter(t, place);
 }
 
+/* Lists of a node's leaves are probably needed next. */
+static inline void expect_lists(format_state *s, const plt_node *node) {
+#if PLT_WITH_PREFETCH
+    for (int i = 0; s->fetcher.ahead > 0 && i < 2; i++) {
+        const uint32_t link = plt_node_link(node, i);
+        if (plt_link_is_leaf(link)) {
+            plt_treelet_stream_expect_records(s, plt_link_index(link));
+        }
+    }
+#else
+    (void)s;
+    (void)node;
+#endif
+}
+
 static inline void format_decode(const plt_traversal *t, const format_place *place,
                                  format_children *c) {
     c->stream = (format_state *)t->state;
     c->scope = place->scope;
+    expect_lists(c->stream, plt_treelet_stream_node(c->stream, plt_link_index(place->link)));
     children_decode(c, plt_treelet_stream_node(c->stream, plt_link_index(place->link)), place);
 }
 

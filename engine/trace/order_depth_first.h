@@ -160,6 +160,13 @@ static int root_waits_depth_first(plt_traversal *t) {
     const depth_first_entry *root = (const depth_first_entry *)t->stack;
     return format_wait(t, &root->place, 0.0f, root, sizeof *root);
 }
+
+/* What waits at an edge, the entry on the stack, is not hidden by hits found meanwhile. */
+static inline int is_open_depth_first(const plt_traversal *t, const plt_packet *p) {
+    depth_first_entry e = *(const depth_first_entry *)t->stack;
+    e.groups &= p->active;
+    return e.groups != 0 && meet(t, p, &e) != 0;
+}
 #endif
 
 #endif

@@ -310,6 +310,11 @@ static int root_waits_hulls(plt_traversal *t) {
     const hulls_entry *root = (const hulls_entry *)t->stack;
     return format_wait(t, &root->place, 0.0f, root, sizeof *root);
 }
+
+/* What waits at an edge, the entry on the stack, is not hidden by hits found meanwhile. */
+static inline int is_open_hulls(const plt_traversal *t, const plt_packet *p) {
+    return p->active != 0 && still_open(p, (const hulls_entry *)t->stack) != 0;
+}
 #endif
 
 #endif

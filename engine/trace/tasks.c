@@ -95,33 +95,43 @@ void plt_tasks_begin(plt_tasks *tasks, uint16_t *at) {
     tasks->before = tasks->first;
 }
 
-static void end_queue(plt_tasks *tasks) {
-    tasks->queue[tasks->here].after = tasks->unused_queue;
-    tasks->unused_queue = tasks->here;
+/* It is in no list. */
+static inline void free_queue(plt_tasks *tasks, uint16_t queue) {
+    tasks->queue[queue].after = tasks->unused_queue;
+    tasks->unused_queue = queue;
     tasks->queues--;
-    tasks->here = PLT_TASK_NONE;
+}
+
+/* Puts the first entry of the queue on the packet's stack. */
+static inline void put_first(plt_tasks *tasks, const plt_task_queue *q, plt_traversal *traversal) {
+    const plt_task *task = &tasks->task[q->task];
+    unsigned char *entry = traversal->stack;
+    tasks->packet = task->packet;
+    memcpy(entry, q->place, tasks->place_bytes);
+    memcpy(entry + tasks->place_bytes, task->rest, sizeof task->rest);
+}
+
+static inline void drop_first(plt_tasks *tasks, plt_task_queue *q) {
+    const uint16_t i = q->task;
+    q->task = tasks->task[i].next;
+    tasks->task[i].next = tasks->unused;
+    tasks->unused = i;
+    tasks->count--;
 }
 
 int plt_tasks_next(plt_tasks *tasks, plt_traversal *traversal) {
     if (tasks->here == PLT_TASK_NONE) {
         return 0;
     }
-    if (tasks->queue[tasks->here].task == PLT_TASK_NONE) {
-        end_queue(tasks);
+    plt_task_queue *q = &tasks->queue[tasks->here];
+    if (q->task == PLT_TASK_NONE) {
+        free_queue(tasks, tasks->here);
+        tasks->here = PLT_TASK_NONE;
         return 0;
     }
-    plt_task_queue *q = &tasks->queue[tasks->here];
-    const uint16_t i = q->task;
-    plt_task *task = &tasks->task[i];
-    unsigned char *entry = traversal->stack;
-    q->task = task->next;
-    tasks->packet = task->packet;
-    memcpy(entry, q->place, tasks->place_bytes);
-    memcpy(entry + tasks->place_bytes, task->rest, sizeof task->rest);
+    put_first(tasks, q, traversal);
+    drop_first(tasks, q);
     traversal->waiting = 1;
-    task->next = tasks->unused;
-    tasks->unused = i;
-    tasks->count--;
     return 1;
 }
 
@@ -135,19 +145,11 @@ uint32_t plt_tasks_of(const plt_tasks *tasks, uint16_t queue) {
 
 void plt_tasks_drop(plt_tasks *tasks, uint16_t *at) {
     const uint16_t i = *at;
-    plt_task_queue *q = &tasks->queue[i];
-    while (q->task != PLT_TASK_NONE) {
-        plt_task *task = &tasks->task[q->task];
-        const uint16_t next = task->next;
-        task->next = tasks->unused;
-        tasks->unused = q->task;
-        tasks->count--;
-        q->task = next;
+    while (tasks->queue[i].task != PLT_TASK_NONE) {
+        drop_first(tasks, &tasks->queue[i]);
     }
-    *at = q->after;
-    q->after = tasks->unused_queue;
-    tasks->unused_queue = i;
-    tasks->queues--;
+    *at = tasks->queue[i].after;
+    free_queue(tasks, i);
 }
 
 /* The first of the unused takes what `task` has. */
@@ -181,3 +183,20 @@ int plt_tasks_move(plt_tasks *to, uint16_t *at, plt_tasks *from, uint16_t *from_
     plt_tasks_drop(from, from_at);
     return 1;
 }
+
+#if PLT_WITH_PREFETCH
+void plt_tasks_peek(plt_tasks *tasks, const plt_task_queue *queue, plt_traversal *traversal) {
+    put_first(tasks, queue, traversal);
+}
+
+void plt_tasks_drop_one(plt_tasks *tasks, uint16_t *at) {
+    const uint16_t i = *at;
+    plt_task_queue *q = &tasks->queue[i];
+    drop_first(tasks, q);
+    if (q->task == PLT_TASK_NONE) {
+        *at = q->after;
+        tasks->before = tasks->before == i ? q->after : tasks->before;
+        free_queue(tasks, i);
+    }
+}
+#endif

@@ -88,4 +88,14 @@ void plt_tasks_drop(plt_tasks *tasks, uint16_t *at);
 /* How many tasks a queue has. */
 uint32_t plt_tasks_of(const plt_tasks *tasks, uint16_t queue);
 
+#if PLT_WITH_PREFETCH
+/* The first packet that waits in a queue: sets tasks->packet, and puts its entry on its stack,
+ * where nothing is. It goes on waiting. */
+void plt_tasks_peek(plt_tasks *tasks, const plt_task_queue *queue, plt_traversal *traversal);
+
+/* The first packet of the queue whose index stands at `at`, which has not been begun, waits no
+ * longer. If it was the last, the next queue stands there. */
+void plt_tasks_drop_one(plt_tasks *tasks, uint16_t *at);
+#endif
+
 #endif

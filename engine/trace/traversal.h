@@ -113,6 +113,22 @@ int plt_traverse(plt_traversal *t, plt_packet *packet, uint32_t visits);
 #if PLT_WITH_BATCH
 /* The treelet, as its edges name it, need not be fetched. */
 int plt_treelet_at_hand(const plt_traversal *t, uint32_t treelet);
+
+#if PLT_WITH_PREFETCH
+/* Packets wait at the treelet, of that scope, and will be worked off soon: it is asked for. */
+void plt_treelet_expect(plt_traversal *t, uint32_t treelet, uint32_t scope);
+
+/* The edge that is the only entry on the stack is not hidden from the packet by hits that were
+ * found while it waited there. */
+int plt_edge_is_open(const plt_traversal *t, const plt_packet *packet);
+
+/* Waits for all that is on its way: where packets meet, plt_traverse does not. */
+void plt_traversal_pause(plt_traversal *t);
+#else
+static inline void plt_traversal_pause(const plt_traversal *t) {
+    (void)t;
+}
+#endif
 #endif
 
 #endif

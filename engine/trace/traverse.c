@@ -60,16 +60,35 @@ void plt_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
 }
 
 #if PLT_WITH_BATCH
+/* plt_streamed_CALL, or plt_streamed_thesis_CALL, as the scene's format is. */
+#if PLT_WITH_STREAMED_COMPACT && PLT_WITH_STREAMED_THESIS
+#define STREAMED(t, call)                                                                          \
+    ((t)->scene->format == PLT_FORMAT_STREAMED_THESIS ? plt_streamed_thesis_##call                 \
+                                                      : plt_streamed_##call)
+#elif PLT_WITH_STREAMED_THESIS
+#define STREAMED(t, call) plt_streamed_thesis_##call
+#else
+#define STREAMED(t, call) plt_streamed_##call
+#endif
+
 int plt_treelet_at_hand(const plt_traversal *t, uint32_t treelet) {
-#if PLT_WITH_STREAMED_THESIS
-    if (!PLT_WITH_STREAMED_COMPACT || t->scene->format == PLT_FORMAT_STREAMED_THESIS) {
-        return plt_streamed_thesis_at_hand(t, treelet);
-    }
-#endif
-#if PLT_WITH_STREAMED_COMPACT
-    return plt_streamed_at_hand(t, treelet);
-#endif
+    return STREAMED(t, at_hand(t, treelet));
 }
+
+#if PLT_WITH_PREFETCH
+void plt_treelet_expect(plt_traversal *t, uint32_t treelet, uint32_t scope) {
+    STREAMED(t, expect(t, treelet, scope));
+}
+
+int plt_edge_is_open(const plt_traversal *t, const plt_packet *p) {
+    return STREAMED(t, is_open(t, p));
+}
+
+void plt_traversal_pause(plt_traversal *t) {
+    STREAMED(t, pause(t));
+}
+#endif
+#undef STREAMED
 #endif
 
 int plt_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {

@@ -4,12 +4,14 @@
  *   FORMAT_NAME              as in scene/formats.h
  *   FORMAT_ORDERS(ROW)       ROW(ORDER, order) for each order
  *   FORMAT_ORDER(order)      optional: the order that stands for the one asked for
- *   FORMAT_STACK(t, bytes)   optional: learns how large entries of the packet's stack are
- *   FORMAT_PAUSE(t)          ... and ends what must not go on when a traversal returns
+ *   FORMAT_FETCHES           optional, 1: format_state has a fetcher (memory/fetcher.h)
  * It gives the functions of traverse_formats.h. An order gives
  *   order_entry                            what lies on its stacks
  *   int push_root_order(t, p)              0: there is nothing to hit
  *   int pop_order(t, p, &visits)           works one entry off; adds nodes visited
+ * and where packets meet (format_meets.h)
+ *   int root_waits_order(t)                waits at the root
+ *   int is_open_order(t, p)                the one entry on the stack, an edge, is still met
  *
  * SPDX-License-Identifier: MIT */
 #ifdef FORMAT_NAME /* else there is nothing to make */
@@ -27,7 +29,21 @@
 #define FORMAT_ORDER_HULLS(ROW)
 #endif
 
-#ifndef FORMAT_STACK
+/* FORMAT_STACK learns how large entries of the packet's stack are, FORMAT_PAUSE waits for what is
+ * on its way when a traversal returns; where packets meet, it is on its way for all of them. */
+#if PLT_WITH_PREFETCH && defined(FORMAT_FETCHES)
+#define FORMAT_STACK(t, bytes) (t)->entry_bytes = (uint16_t)(bytes)
+#define FORMAT_PAUSE(t) pause_alone(t)
+static void pause_all(plt_traversal *t) {
+    plt_prefetch_end(&((format_state *)t->state)->fetcher);
+}
+
+static void pause_alone(plt_traversal *t) {
+    if (!plt_meets(t)) {
+        pause_all(t);
+    }
+}
+#else
 #define FORMAT_STACK(t, bytes)
 #define FORMAT_PAUSE(t)
 #endif
@@ -76,6 +92,24 @@ static int PLT_JOINED(FORMAT_NAME, root_waits)(plt_traversal *t, const plt_packe
         return 0;
     }
 }
+
+#if PLT_WITH_PREFETCH
+int PLT_JOINED(FORMAT_NAME, is_open)(const plt_traversal *t, const plt_packet *p) {
+    switch (FORMAT_ORDER(plt_order_for(t, p))) {
+#define IS_OPEN(ORDER, order)                                                                      \
+    case PLT_ORDER_##ORDER:                                                                        \
+        return is_open_##order(t, p);
+        FORMAT_ORDERS(IS_OPEN)
+#undef IS_OPEN
+    default:
+        return 0;
+    }
+}
+
+void PLT_JOINED(FORMAT_NAME, pause)(plt_traversal *t) {
+    pause_all(t);
+}
+#endif
 #endif
 
 void PLT_JOINED(FORMAT_NAME, begin)(plt_traversal *t, plt_packet *p) {

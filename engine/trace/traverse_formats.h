@@ -17,8 +17,15 @@
 PLT_FORMATS(PLT_TRAVERSE_DECLARED)
 #undef PLT_TRAVERSE_DECLARED
 
-/* plt_treelet_at_hand, of the formats that are streamed. */
-int plt_streamed_at_hand(const plt_traversal *t, uint32_t treelet);
-int plt_streamed_thesis_at_hand(const plt_traversal *t, uint32_t treelet);
+/* plt_treelet_at_hand, plt_treelet_expect, plt_edge_is_open and plt_traversal_pause, of the formats
+ * that are streamed. */
+#define PLT_STREAMED_DECLARED(name)                                                                \
+    int plt_##name##_at_hand(const plt_traversal *t, uint32_t treelet);                            \
+    void plt_##name##_expect(plt_traversal *t, uint32_t treelet, uint32_t scope);                  \
+    int plt_##name##_is_open(const plt_traversal *t, const plt_packet *p);                         \
+    void plt_##name##_pause(plt_traversal *t);
+PLT_STREAMED_DECLARED(streamed)
+PLT_STREAMED_DECLARED(streamed_thesis)
+#undef PLT_STREAMED_DECLARED
 
 #endif

@@ -6,11 +6,7 @@
 #include "engine/trace/order_depth_first.h"
 #include "engine/trace/order_hulls.h"
 
-#if PLT_WITH_PREFETCH
-#define FORMAT_STACK(t, bytes) (t)->entry_bytes = (uint16_t)(bytes)
-#define FORMAT_PAUSE(t) plt_prefetch_end(&((plt_stream *)(t)->state)->fetcher)
-#endif
-
+#define FORMAT_FETCHES 1
 #define FORMAT_NAME streamed
 #define FORMAT_ORDERS(ROW) ROW(DEPTH_FIRST, depth_first) FORMAT_ORDER_HULLS(ROW)
 #include "engine/trace/traverse_format.h"
@@ -19,4 +15,11 @@
 int plt_streamed_at_hand(const plt_traversal *t, uint32_t treelet) {
     return plt_stream_has((const plt_stream *)t->state, treelet);
 }
+
+#if PLT_WITH_PREFETCH
+void plt_streamed_expect(plt_traversal *t, uint32_t treelet, uint32_t scope) {
+    blocks_leave((format_state *)t->state); /* it may move */
+    plt_stream_expect((format_state *)t->state, treelet, (float)scope);
+}
+#endif
 #endif

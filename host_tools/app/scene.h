@@ -56,7 +56,7 @@ typedef struct scene {
          "packets that meet or that workers share, 1 to 1024 (default as many as there is room "   \
          "for, 256 at most, of task 64)"},                                                         \
         {"--prefetch", "PARTS",                                                                    \
-         "streamed compact blocks: parts that may be on their way before rays need them, 0 to 8 "  \
+         "streamed scenes: parts that may be on their way before rays need them, 0 to 8 "          \
          "(default 0)"},                                                                           \
         {"--source", "map|read|dma:LATENCY_US,MB_PER_S[,OUTSTANDING]",                             \
          "the image is mapped like flash, or fetched into the arena (default map); streamed, dma " \

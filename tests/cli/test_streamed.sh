@@ -148,6 +148,34 @@ less() {
 verdict "... it stalls for less than three quarters of the cycles" \
     "$(less ahead.json slow.json dma_cycles_stalled 75)"
 verdict "... for a few more bytes" "$(less ahead.json slow.json bytes_fetched 108)"
+# expects SCENE WHOLE PERCENT BYTES [option ...]: with parts on their way SCENE stalls for at most
+# so many percent of the cycles, for at most so many percent of the bytes.
+expects() {
+    scene=$1 whole=$2 percent=$3 bytes=$4
+    shift 4
+    for prefetch in 0 1 4; do
+        works "$scene.plt $* over the board, prefetch $prefetch" render $scene.plt -o streamed.ppm \
+            --size 200x150 --residency streamed --store 40000 --source dma:1,20 \
+            --prefetch $prefetch --json ahead.$prefetch.json "$@"
+        same "$whole.ppm" streamed.ppm "... the same picture"
+    done
+    verdict "... stalls for at most $percent % of the cycles" \
+        "$(less ahead.4.json ahead.0.json dma_cycles_stalled "$percent")"
+    verdict "... for at most $bytes % of the bytes" \
+        "$(less ahead.4.json ahead.0.json bytes_fetched "$bytes")"
+    for any in '' --any; do
+        # shellcheck disable=SC2086
+        works "... rays are traced $any" trace $scene.plt rays streamed.hits $any "$@" \
+            --residency streamed --store 28672 --source dma:1,20 --prefetch 8
+        # shellcheck disable=SC2086
+        run trace $scene.plt rays due.hits $any
+        same due.hits streamed.hits "... the hits are the same"
+    done
+}
+expects t whole 40 104 --schedule batch --batch 64 --packet 8
+expects thesis thesis 50 115
+expects thesis16 thesis 50 115
+expects thesis16 thesis 25 110 --schedule batch --batch 64 --packet 8
 works "a faster memory" render t.plt -o streamed.ppm --size 200x150 --residency streamed \
     --store 40000 --source dma:0.2,100,1 --json fast.json
 verdict "... stalls less, works and fetches the same" "$(

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "engine/base/rules.h"
-#include "engine/memory/prefetch.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/shapes.h"
@@ -55,43 +54,6 @@ static void same(const subject *s, uint8_t side, uint32_t store) {
         CHECK(q.store_evictions > 100, "%u evictions", (unsigned)q.store_evictions);
     }
     close_run(&x);
-}
-
-/* How many bytes came with those parts ahead, and, in *most, transfers at once. */
-static uint64_t fetched_ahead(const subject *s, uint8_t ahead, uint32_t *most) {
-    run x = {.link = {.at_once = 0}};
-    plt_hit hits[RAYS];
-    plt_stats q;
-    plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 40000);
-    o.prefetch = ahead;
-    CHECK(open_run(&x, &s->image, &o) == PLT_OK, "%s", x.fault.message);
-    CHECK(plt_trace(x.engine, s->rays, hits, RAYS, 0) == PLT_OK &&
-              memcmp(hits, s->due[0], sizeof hits) == 0,
-          "%u ahead: hits", ahead);
-    plt_stats_get(x.engine, &q);
-    *most = x.link.pending_most;
-    close_run(&x);
-    return q.bytes_fetched;
-}
-
-/* What comes ahead is mostly wanted, and several parts are on their way at once. */
-static void ahead_of_rays(void) {
-    static subject s;
-    uint32_t most = 0;
-    fill_subject(&s, 9000, 2, 14, 1);
-    const uint64_t bytes = fetched_ahead(&s, 0, &most);
-    CHECK(most <= 2, "%u transfers at once without prefetch", most);
-    for (uint8_t ahead = 1; ahead <= PLT_PREFETCH_MOST; ahead++) {
-        const uint64_t more = fetched_ahead(&s, ahead, &most);
-        CHECK(more < bytes + bytes / 8, "%u ahead: %u bytes, without %u", ahead, (unsigned)more,
-              (unsigned)bytes);
-        CHECK(most >= ahead || most >= 3, "%u ahead: %u at once", ahead, most);
-        CHECK(most <= 2 + ahead * PLT_PREFETCH_TRANSFERS, "%u ahead: %u at once", ahead, most);
-    }
-    plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
-    o.prefetch = PLT_PREFETCH_MOST + 1;
-    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "more parts ahead than there are tags");
-    pack_free(&s.image);
 }
 
 static void all_stores(uint32_t triangles, uint32_t k, uint8_t bits, int ids) {
@@ -387,23 +349,35 @@ static void refusals(void) {
     pack_free(&s.image);
 }
 
+/* How far ahead may be. */
+static void ahead_of_rays(void) {
+    static subject s;
+    fill_subject(&s, 9000, 2, 14, 1);
+    every_distance(&s, 12);
+    plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+    o.prefetch = PLT_PREFETCH_MOST + 1;
+    CHECK(plt_arena_need(&s.image.info, 0, &o) == 0, "more parts ahead than there are tags");
+    pack_free(&s.image);
+}
+
 /* All of it with parts that are on their way while rays are traced. */
-static void prefetched(uint8_t ahead, int soak) {
+static void prefetched(const char *sentence, int soak) {
     static subject s;
     static const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
                                               FAKE_SHORT_AT_START, FAKE_SILENT_AT_START};
-    parts_ahead = ahead;
+    const uint32_t step = soak ? 1 : batch > 0 ? 101 : 67;
+    test(sentence);
     all_stores(6000, 2, 14, 1);
     fill_subject(&s, 2500, 2, 14, 1);
     for (unsigned i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        every_call_fails_once(&s, kinds[i], 67);
+        every_call_fails_once(&s, kinds[i], step);
     }
     for (uint32_t call = 1; call < 200; call += call < 20 ? 1 : 17) {
         is_cut_and_mended(&s, call);
     }
     pack_free(&s.image);
     fill_subject(&s, 2500, 2, 14, 0);
-    every_call_fails_once(&s, FAKE_GARBLED_AT_START, 67);
+    every_call_fails_once(&s, FAKE_GARBLED_AT_START, step);
     pack_free(&s.image);
     forged_images(soak ? 30000 : 100);
     changing_sources(soak ? 100 : 3);
@@ -411,7 +385,6 @@ static void prefetched(uint8_t ahead, int soak) {
     for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
         deep_blocks(side);
     }
-    parts_ahead = 0;
 }
 
 /* Of batches: fewer bytes than packets one by one, and never a block twice in one batch. */
@@ -509,10 +482,11 @@ int main(void) {
     batches_save();
     test("parts that come ahead of the rays: most are wanted");
     ahead_of_rays();
-    test("... one at a time, hits are the same, and failures and lies are got over");
-    prefetched(1, is_soak);
-    test("... as many as may be");
-    prefetched(PLT_PREFETCH_MOST, is_soak);
+    parts_ahead = 1;
+    every_schedule(prefetched, "... one at a time, failures and lies are got over", is_soak);
+    parts_ahead = PLT_PREFETCH_MOST;
+    every_schedule(prefetched, "... as many as may be", is_soak);
+    parts_ahead = 0;
     test("what cannot be streamed is refused");
     refusals();
     return test_done();

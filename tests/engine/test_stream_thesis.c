@@ -458,12 +458,57 @@ static void schedule(const char *sentence, int soaks) {
     claims_of_depth();
 }
 
+/* All of it with parts that are on their way while rays are traced. */
+static void prefetched(const char *sentence, int soaks) {
+    static subject s;
+    static const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
+                                              FAKE_SHORT_AT_START};
+    test(sentence);
+    for (uint32_t n = 1; n <= PLT_STREAMED_TREELET_MOST; n *= 4) {
+        all_stores(n == 16 ? 9000 : 3000, 1 + n % 3, n);
+    }
+    all_stores(3000, 40, 16); /* lists of more than a page */
+    for (uint32_t few = 0; few < 12; few++) {
+        few_triangles(few, 1 + few % 3);
+    }
+    for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
+        deep_treelets(side);
+    }
+    fill_subject(&s, 2500, 2, 16);
+    for (unsigned i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        every_call_fails_once(&s, kinds[i], soaks ? 1 : 101);
+    }
+    for (uint32_t call = 1; call < 200; call += call < 20 ? 1 : 17) {
+        is_cut_and_mended(&s, call);
+    }
+    pack_free(&s.image);
+    forged_images(soaks ? 20000 : 100);
+    changing_sources(soaks ? 100 : 2);
+    claims_of_depth();
+}
+
+static void ahead_of_rays(void) {
+    static subject s;
+    for (uint32_t n = 4; n <= 64; n *= 4) {
+        fill_subject(&s, 9000, 2, n);
+        every_distance(&s, 30); /* leaves of a soup lie in each other: many are not met */
+        pack_free(&s.image);
+    }
+}
+
 int main(void) {
     const char *soak = getenv("PLANELET_SOAK");
     const int soaks = soak != NULL && soak[0] == '1';
     every_schedule(schedule,
                    "hits and frames are those of the resident scene, whatever treelets and store",
                    soaks);
+    test("parts that come ahead of the rays: most are wanted");
+    ahead_of_rays();
+    parts_ahead = 1;
+    every_schedule(prefetched, "... one at a time, failures and lies are got over", soaks);
+    parts_ahead = PLT_PREFETCH_MOST;
+    every_schedule(prefetched, "... as many as may be", soaks);
+    parts_ahead = 0;
     test("links that would lead to a treelet in countless ways are refused");
     ways_without_number(1, 1);
     ways_without_number(1, 0);

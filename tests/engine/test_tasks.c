@@ -91,6 +91,19 @@ static int64_t next(rig *r) {
     return NOWHERE;
 }
 
+/* The first of a queue waits no longer. */
+static void drop(rig *r, uint16_t *at) {
+    uint32_t name, i = 0;
+    plt_tasks_peek(&r->tasks, &r->tasks.queue[*at], &r->traversal);
+    memcpy(&name, r->stack + PLACE, sizeof name);
+    while (i < r->count && r->model[i].name != name) {
+        i++;
+    }
+    CHECK(i < r->count && r->tasks.packet == r->model[i].packet, "an entry that nobody left");
+    r->model[i] = r->model[--r->count];
+    plt_tasks_drop(&r->tasks, at);
+}
+
 static uint32_t waiting_at(const rig *r, int64_t treelet) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < r->count; i++) {
@@ -192,6 +205,40 @@ static void is_walked_through(uint32_t seed, uint32_t most, uint32_t queues) {
     free(r.memory);
 }
 
+/* The same walk, but wherever a treelet is begun some of those that wait elsewhere are let go. */
+static void some_are_let_go(uint32_t seed) {
+    static rig r;
+    random_state random = {seed};
+    int64_t last = NOWHERE;
+    uint32_t dropped = 0;
+    set_up(&r, 3000, 1024);
+    for (uint16_t i = 0; i < 8; i++) {
+        wait_at(&r, treelet_at(1), i, 0.0f);
+    }
+    for (int64_t at; (at = next(&r)) != NOWHERE; last = at) {
+        const uint32_t address = plt_block_address((uint32_t)at) / 8;
+        CHECK(at == last || last == NOWHERE || waiting_at(&r, last) == 0, "left before its end");
+        for (uint32_t i = 0; at != last && i < random_below(&random, 4); i++) {
+            uint16_t *queue = &r.tasks.first;
+            for (uint32_t k = random_below(&random, 9); k > 0 && *queue != PLT_TASK_NONE; k--) {
+                queue = &r.tasks.queue[*queue].after;
+            }
+            if (*queue != PLT_TASK_NONE) {
+                drop(&r, queue);
+                dropped++;
+            }
+        }
+        for (uint32_t child = 4 * address; child < 4 * address + 4 && child < 1 << 10; child++) {
+            CHECK(r.count == MODEL || wait_at(&r, treelet_at(child), (uint16_t)(child % 8),
+                                              random_float(&random, 0.0f, 9.0f)),
+                  "seed %u: no room", seed);
+        }
+    }
+    CHECK(dropped > 20 && r.tasks.count == 0 && r.tasks.queues == 0, "seed %u: %u let go", seed,
+          dropped);
+    free(r.memory);
+}
+
 int main(void) {
     test("the nearest treelet comes first, with all that wait there");
     are_nearest_first();
@@ -207,6 +254,10 @@ int main(void) {
     for (uint32_t seed = 0; seed < 200; seed++) {
         is_walked_through(seed, 3000, 1024);
         is_walked_through(seed, 8 + seed % 20, 8 + seed % 3);
+    }
+    test("whoever need not wait any longer is let go, and nobody else");
+    for (uint32_t seed = 0; seed < 200; seed++) {
+        some_are_let_go(seed);
     }
     return test_done();
 }

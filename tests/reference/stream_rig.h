@@ -8,6 +8,7 @@
 
 #include "board/fake/fake.h"
 #include "engine/engine.h"
+#include "engine/memory/prefetch.h"
 #include "host_tools/pack/pack.h"
 #include "tests/reference/rays.h"
 #include "tests/test.h"
@@ -168,8 +169,10 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
         memset(hits, 0x77, sizeof hits);
         const int status = call % 2 ? trace_all(&x, s, hits) : render(x.engine, frame);
         plt_fault_get(x.engine, &fault);
-        if (x.link.failed == 0) { /* there were fewer calls */
+        const int was_needed = parts_ahead == 0 || status != PLT_OK; /* what failed */
+        if (x.link.failed == 0 || !was_needed) { /* there were fewer calls that matter */
             CHECK(status == PLT_OK, "call %u: status %d", call, status);
+            CHECK(call % 2 == 0 || memcmp(hits, s->due[0], sizeof hits) == 0, "call %u", call);
             close_run(&x);
             return 0;
         }
@@ -243,6 +246,47 @@ static inline void trace_changing(changing *c, const subject *s, uint8_t side, u
     for (unsigned i = 0; i < VERSIONS; i++) {
         free(c->version[i]);
     }
+}
+
+/* ---- parts on their way ------------------------------------------------------- */
+
+/* How many bytes came with those parts ahead, and, in *most, transfers at once. */
+static inline uint64_t fetched_ahead(const subject *s, uint8_t ahead, uint32_t *most) {
+    run x = {.link = {.at_once = 0}};
+    plt_hit hits[RAYS];
+    plt_stats q;
+    plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 40000);
+    o.prefetch = ahead;
+    CHECK(open_run(&x, &s->image, &o) == PLT_OK, "%s", x.fault.message);
+    CHECK(trace_all(&x, s, hits) == PLT_OK && memcmp(hits, s->due[0], sizeof hits) == 0,
+          "%u ahead: hits", ahead);
+    plt_stats_get(x.engine, &q);
+    *most = x.link.pending_most;
+    close_run(&x);
+    return q.bytes_fetched;
+}
+
+/* What comes ahead is wanted but for so many per cent, and several parts are on their way at once.
+ */
+static inline void all_distances(const subject *s, unsigned percent) {
+    uint32_t most = 0;
+    const uint64_t bytes = fetched_ahead(s, 0, &most);
+    CHECK(most <= 2, "%u transfers at once without prefetch", most);
+    for (uint8_t ahead = 1; ahead <= PLT_PREFETCH_MOST; ahead++) {
+        const uint64_t more = fetched_ahead(s, ahead, &most);
+        CHECK(more < bytes + bytes * percent / 100, "%u ahead: %u bytes, without %u", ahead,
+              (unsigned)more, (unsigned)bytes);
+        CHECK(most >= ahead || most >= 3, "%u ahead: %u at once", ahead, most);
+        CHECK(most <= 2 + ahead * PLT_PREFETCH_TRANSFERS, "%u ahead: %u at once", ahead, most);
+    }
+}
+
+/* Packet after packet, and by batches. */
+static inline void every_distance(const subject *s, unsigned percent) {
+    all_distances(s, percent);
+    batch = 64;
+    all_distances(s, percent);
+    batch = 0;
 }
 
 /* ---- schedules --------------------------------------------------------------- */
