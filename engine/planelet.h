@@ -452,6 +452,8 @@ int plt_render_seek(plt_engine *engine, uint32_t tile, uint32_t count);
  * plt_trace_begin: plt_trace with workers; rays and hits must live until it is done, and hits of
  * a run that failed are of no use. PLT_ERR_ARGUMENT: not a dispatcher.
  *
+ * A worker comes to one dispatcher until it has no task of it.
+ *
  * Not there without PLT_WITH_TASK. */
 int plt_trace_begin(plt_engine *dispatcher, const plt_ray *rays, plt_hit *hits, uint32_t count,
                     int any);

@@ -188,12 +188,16 @@ done
 for workers in 1 2 8; do
     rm -f x.png
     # shellcheck disable=SC2086
-    refused "broken blocks by tasks, $workers workers" broken.plt "byte [0-9]*: .*pack the scene" \
+    refused "broken blocks by tasks, $workers workers" broken.plt "byte [1-9][0-9]*: .*pack the scene" \
         render broken.plt -o x.png --size 203x151 $streamed --schedule task --workers $workers
     verdict "... no file is left" "$(ls x.png 2>/dev/null; left_behind)"
     # shellcheck disable=SC2086
-    refused "... of rays" broken.plt "byte [0-9]*: .*pack the scene" \
+    refused "... of rays" broken.plt "byte [1-9][0-9]*: .*pack the scene" \
         trace broken.plt grid x.hits $streamed --schedule task --workers $workers
+    # shellcheck disable=SC2086
+    refused "... in turns" broken.plt "byte [1-9][0-9]*: .*pack the scene" \
+        render broken.plt -o x.png --size 203x151 $streamed --schedule task --workers $workers \
+        --turns
 done
 refused "an arena that is too small is so for all" thesis.plt "use --arena" \
     render thesis.plt -o x.png --workers 3 --arena 1000

@@ -101,7 +101,7 @@ static void drop(rig *r, uint16_t *at) {
     }
     CHECK(i < r->count && r->tasks.packet == r->model[i].packet, "an entry that nobody left");
     r->model[i] = r->model[--r->count];
-    plt_tasks_drop(&r->tasks, at);
+    plt_tasks_drop_one(&r->tasks, at);
 }
 
 static uint32_t waiting_at(const rig *r, int64_t treelet) {
