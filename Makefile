@@ -84,7 +84,8 @@ setup:
 ##measure sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
 sizes: all
 	@for parts in '' render thesis compact 'render thesis' 'render compact' \
-	    'render thesis frames' 'render compact frames' wave; do \
+	    'render thesis frames' 'render compact frames' \
+	    'render compact frames stream' wave; do \
 	    $(MAKE) --no-print-directory BOARD=mps2_an386 PARTS="$$parts" >/dev/null || exit 1; \
 	done
 	@BUILD='$(BUILD)' CC='$(CC)' sh tests/measure/sizes.sh

@@ -12,7 +12,8 @@
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
 #   prefetch  ... whose blocks may be on their way before they are needed, likewise
 #   motion   with plt_move, for triangles of thesis nodes; other firmware is without
-#   frames   nothing but frames, no plt_trace: with `thesis` or `compact`
+#   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
+#            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
 # `thesis` and `compact` have groups, with `frames` beams.
 # Whatever a part leaves out is refused when an image asks for it (planelet_config.h).
@@ -28,7 +29,8 @@ compact_files := $(wildcard engine/tree/compact/*.c engine/memory/block_cache.c 
     engine/scene/*_streamed.c engine/trace/*_compact.c engine/trace/*_streamed.c \
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
     engine/builder/split_lattice.c engine/builder/split_given.c engine/shade/beam_compact.c \
-    engine/shade/beam_store.c engine/shade/beam_strips.c)
+    engine/shade/beam_streamed.c engine/shade/beam_sight.c engine/shade/beam_store.c \
+    engine/shade/beam_strips.c)
 thesis_files := $(wildcard engine/tree/thesis/*.c engine/memory/treelet_stream.c \
     engine/scene/*_thesis.c engine/scene/*_list.c \
     engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
@@ -40,7 +42,7 @@ seek_files := engine/seek.c engine/shade/seek.c
 stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c stream.c) \
     engine/memory/treelet_stream.c engine/tree/thesis/validate_treelet.c \
     $(wildcard engine/scene/open_streamed*.c engine/trace/traverse_streamed*.c) \
-    engine/shade/tile_order.c
+    engine/shade/tile_order.c engine/shade/beam_streamed.c
 task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c \
     engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
@@ -84,8 +86,11 @@ ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave stream batch,$(PARTS)),)
-$(error PARTS with frames has no wave, stream or batch: make PARTS='render thesis frames')
+ifneq ($(filter wave batch,$(PARTS)),)
+$(error PARTS with frames has no wave or batch: make PARTS='render thesis frames')
+endif
+ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
+$(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')
 endif
 left_out_frames := $(groups_files)
 flags_frames := -DPLT_WITH_GROUPS=0

@@ -5,6 +5,7 @@
 
 #include "engine/engine.h"
 #include "engine/image/record_cache.h"
+#include "engine/memory/stream.h"
 #include "engine/motion/refit.h"
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
@@ -100,8 +101,8 @@ static uint64_t record_cache_bytes(const subject *s) {
 /* Of a beam; 0: there are none. */
 static size_t beam_entry_bytes(enum plt_format format, unsigned order) {
     const size_t bytes =
-        format == PLT_FORMAT_COMPACT ? sizeof(plt_beam_block_entry) : sizeof(plt_beam_entry);
-    return PLT_WITH_BEAMS && order == PLT_ORDER_DEPTH_FIRST && !plt_is_streamed(format) ? bytes : 0;
+        plt_has_blocks(format) ? sizeof(plt_beam_block_entry) : sizeof(plt_beam_entry);
+    return order == PLT_ORDER_DEPTH_FIRST && plt_has_beams(format) ? bytes : 0;
 }
 
 /* Bytes of a stack entry; 0: not in this order. Beams and groups share the stack. */
@@ -208,14 +209,16 @@ static uint64_t packet_bytes(const subject *s) {
     if (PLT_WITH_GROUPS) {
         return plt_packet_bytes(side);
     }
-    return s->format == PLT_FORMAT_COMPACT ? plt_beam_blocks_bytes(side) : plt_beam_bytes(side);
+    return plt_has_blocks(s->format) ? plt_beam_blocks_bytes(side) : plt_beam_bytes(side);
 }
 
 static uint64_t state_bytes(const subject *s) {
 #if PLT_WITH_GROUPS
     return plt_state_bytes(s->format);
 #else
-    return s->format == PLT_FORMAT_COMPACT ? sizeof(plt_block_state) : sizeof(plt_treelet_state);
+    return plt_is_streamed(s->format) ? sizeof(plt_stream)
+           : plt_has_blocks(s->format) ? sizeof(plt_block_state)
+                                       : sizeof(plt_treelet_state);
 #endif
 }
 

@@ -197,6 +197,7 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
     if (e->options.schedule == PLT_SCHEDULE_TASK) {
         plt_dispatch_init(&e->dispatch, packets, side, part[PLT_PART_BATCH], part[PLT_PART_TASKS]);
         e->colours = part[PLT_PART_COLOURS];
+        e->rendering.by_tasks = 1;
     }
 #else
     (void)e;

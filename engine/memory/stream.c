@@ -299,15 +299,19 @@ void plt_stream_expect_geometry(plt_stream *s) {
 
 /* Of the leaf of that index: is it a pair, and how many pairs are before it? */
 static int is_leaf(const plt_block *b, uint32_t leaf, uint32_t pairs, uint32_t pair) {
-    uint32_t leaves_before = 0, pairs_before = 0;
-    for (uint32_t slot = 0; slot < 2 * b->nodes; slot++) {
-        if (plt_block_kind(b, slot) == PLT_SLOT_LEAF) {
-            const uint32_t is_pair = b->pair[slot >> 5] >> (slot & 31) & 1u;
-            if (leaves_before++ == leaf) {
-                return pairs_before == pairs && is_pair == pair;
+    for (uint32_t w = 0; 32 * w < 2 * b->nodes; w++) {
+        uint32_t leaves = ~(b->mask[PLT_SLOT_INNER][w] | b->mask[PLT_SLOT_EDGE][w]) &
+                          plt_low_bits(2 * b->nodes - 32 * w);
+        const uint32_t count = plt_count_bits(leaves);
+        if (leaf < count) {
+            for (; leaf > 0; leaf--) {
+                leaves &= leaves - 1;
             }
-            pairs_before += is_pair;
+            const uint32_t bit = leaves & (0u - leaves);
+            const uint32_t before = plt_count_bits(b->pair[w] & (bit - 1));
+            return b->pairs_before[w] + before == pairs && ((b->pair[w] & bit) != 0) == pair;
         }
+        leaf -= count;
     }
     return 0;
 }
@@ -322,6 +326,10 @@ int plt_stream_has_leaf(const plt_stream *s, uint32_t leaf, uint32_t pairs, uint
 
 int plt_stream_has(const plt_stream *s, uint32_t link) {
     return plt_store_has(&s->fetcher.store, plt_block_address(link));
+}
+
+int plt_stream_has_geometry(const plt_stream *s) {
+    return plt_store_has(&s->fetcher.store, key_of(s->current->opened.link, PLT_STREAM_GEOMETRY));
 }
 
 int plt_stream_open(plt_stream *s, uint32_t link, float end) {

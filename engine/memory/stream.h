@@ -64,6 +64,9 @@ int plt_stream_open(plt_stream *stream, uint32_t link, float end);
 /* The nodes of the block behind `link` are in the store. Asking does not count as finding. */
 int plt_stream_has(const plt_stream *stream, uint32_t link);
 
+/* And so is the current block's geometry. */
+int plt_stream_has_geometry(const plt_stream *stream);
+
 #if PLT_WITH_PREFETCH
 /* The block behind `link` will be needed soon: its nodes are asked for (prefetch.h). The current
  * block may move, and is opened again before it is used. */

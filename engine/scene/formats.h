@@ -50,6 +50,16 @@ static inline int plt_is_streamed(unsigned format) {
            (format == PLT_FORMAT_STREAMED || format == PLT_FORMAT_STREAMED_THESIS);
 }
 
+/* Compact blocks, resident or streamed. */
+static inline int plt_has_blocks(unsigned format) {
+    return format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED);
+}
+
+/* Frames of all formats but streamed thesis nodes may go by beams. */
+static inline int plt_has_beams(unsigned format) {
+    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS);
+}
+
 /* `residency`: enum plt_residency. */
 static inline enum plt_format plt_format_of(const plt_info *info, unsigned residency) {
     if (info->build == PLT_BUILD_NONE) {

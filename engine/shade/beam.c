@@ -3,15 +3,14 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/beam.h"
 
-#include "engine/trace/ray_bounds.h"
 #include "engine/trace/triangle_common.h"
 
 static void set_records(plt_beam *b, const plt_scene *scene, uint32_t side) {
 #if PLT_WITH_COMPACT
-    if (scene->format == PLT_FORMAT_COMPACT) {
-        b->tree = &scene->compact;
+    if (plt_has_blocks(scene->format)) {
         b->store = (plt_record *)(void *)(b->pixel + (size_t)side * side);
-        b->records = b->tree->leaf_kind == PLT_LEAF_STRIPS ? b->store : b->tree->records;
+        b->records =
+            scene->compact.leaf_kind == PLT_LEAF_STRIPS ? b->store : scene->compact.records;
         return;
     }
 #endif
@@ -23,23 +22,20 @@ void plt_beam_init(plt_beam *b, const plt_view *view, const plt_frame *frame,
                    const plt_scene *scene, uint32_t side) {
     b->view = view;
     b->pixel = (plt_pixel *)(void *)(b + 1);
+    b->node_doubt = b->leaf_doubt = 0;
     set_records(b, scene, side);
     plt_ray_origin_set(&b->origin, &scene->box, view->eye);
     plt_margins_set(&b->margins, view, frame, side, &scene->box, b->origin.reach);
 }
 
-typedef struct range {
-    float least, most;
-} range;
-
-static void widen(range *r, float x) {
+static void widen(plt_beam_range *r, float x) {
     r->least = x < r->least ? x : r->least;
     r->most = x > r->most ? x : r->most;
 }
 
 /* The box of all directions: rounding is monotone, so its corners are directions of the
  * pixels at the square's corners. */
-static void set_ranges(const plt_beam *b, range r[3]) {
+static void set_ranges(const plt_beam *b, plt_beam_range r[3]) {
     const plt_view *v = b->view;
     const uint32_t x_last = b->square.x + b->columns - 1, y_last = b->square.y + b->rows - 1;
     for (int a = 0; a < 3; a++) {
@@ -53,32 +49,14 @@ static void set_ranges(const plt_beam *b, range r[3]) {
     }
 }
 
-/* `tiny`: as packet.c makes components that are less, at most. Rays on both sides of 0 enter
- * a box by either plane, and leave it no one knows where. */
-static void set_planes(plt_beam *b, int axis, const range *r, float tiny) {
-    plt_beam_plane *lo = &b->plane[axis], *hi = &b->plane[3 + axis];
-    lo->org = b->origin.up[axis];
-    hi->org = b->origin.down[axis];
-    lo->leaves = r->most <= -tiny;
-    hi->leaves = r->least >= tiny;
-    lo->factor = lo->leaves ? -1.0f / r->most : 1.0f / (r->most > tiny ? r->most : tiny);
-    hi->factor = hi->leaves ? -1.0f / r->least : 1.0f / (r->least < -tiny ? r->least : -tiny);
-}
-
 static int set_beam(plt_beam *b) {
-    range r[3];
-    float largest = 0.0f;
+    plt_beam_range r[3];
     set_ranges(b, r);
     b->is_mixed = 0;
     for (int a = 0; a < 3; a++) {
-        const float size = r[a].most > -r[a].least ? r[a].most : -r[a].least;
-        largest = size > largest ? size : largest;
         b->is_mixed |= r[a].least < 0.0f && r[a].most >= 0.0f;
     }
-    for (int a = 0; a < 3; a++) {
-        set_planes(b, a, &r[a], largest * PLT_DIR_LEAST);
-    }
-    return largest >= PLT_DIR_LEAST;
+    return plt_beam_planes(b->plane, &b->origin, r);
 }
 
 static void set_rows(plt_beam *b) {

@@ -40,11 +40,16 @@ typedef struct plt_beam_entry {
 } plt_beam_entry;
 
 /* The same of compact blocks, whose planes are relative to the box: in lattice coordinates.
- * 40 bytes. */
+ * 40 bytes; where scenes are streamed, 44. */
 typedef struct plt_beam_block_entry {
-    float enter, minus_leave;
+    uint32_t lo[3];
+    float enter;
+    uint32_t hi[3];
+#if PLT_WITH_STREAMED_COMPACT
+    float end; /* of a streamed scene: where the subtree of its block ends (plt_stream_end) */
+#endif
     uint32_t link, target; /* plt_block_target */
-    uint32_t lo[3], hi[3];
+    float minus_leave;
 } plt_beam_block_entry;
 
 /* A plane of a box bounds where rays enter it or where they leave it: t = (plane - org) *
@@ -62,17 +67,19 @@ typedef struct plt_beam {
     plt_ray_origin origin;
     /* of the current square */
     plt_pixels square;
-    uint32_t columns, rows;      /* inside the frame */
-    float first[3];              /* direction of its first pixel */
-    float row_x[3], row_y[3];    /* x, y: of q = corner - eye, times w, in pixels */
-    float end_x, end_y;          /* its last column and row */
-    plt_beam_plane plane[6];     /* lo x, y, z, hi x, y, z */
-    float far;                   /* no pixel has a hit behind it */
-    uint32_t open;               /* pixels without a hit */
-    uint8_t is_mixed, is_stored; /* rays differ in sign; a pixel has a new hit */
+    uint32_t columns, rows;   /* inside the frame */
+    float first[3];           /* direction of its first pixel */
+    float row_x[3], row_y[3]; /* x, y: of q = corner - eye, times w, in pixels */
+    float end_x, end_y;       /* its last column and row */
+    plt_beam_plane plane[6];  /* lo x, y, z, hi x, y, z */
+    int8_t doubt, doubt_leaf;
+    float far;                     /* no pixel has a hit behind it */
+    uint32_t open;                 /* pixels without a hit */
+    uint8_t is_mixed, is_stored;   /* rays differ in sign; a pixel has a new hit */
+    int8_t node_doubt, leaf_doubt; /* plt_beam_hides */
 #if PLT_WITH_COMPACT
     /* of strips: `records` is the store, behind the pixels */
-    const plt_block_tree *tree;
+    const plt_block_tree *tree; /* that leaves of the current block are read by */
     plt_record *store;
     uint32_t next; /* where to look for a record of it that no pixel has */
 #endif
@@ -117,7 +124,7 @@ void plt_beam_init(plt_beam *b, const plt_view *view, const plt_frame *frame,
 /* Starts a square, and counts it and its `rays`. */
 void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uint32_t rays);
 
-/* Works off stack entries, as plt_traverse. */
+/* Works off stack entries, as plt_traverse; of a streamed scene a fetch may fail. */
 int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits);
 
 /* Makes the t of a pixel that has a hit exact. */
@@ -135,6 +142,16 @@ void plt_beam_shade(const plt_beam *b, const plt_frame *frame, const uint8_t *sk
 
 /* ---- between the files of the beam --------------------------------------------- */
 
+/* Of components of directions. */
+typedef struct plt_beam_range {
+    float least, most;
+} plt_beam_range;
+
+/* How rays from `origin` with directions in a box meet planes. 0: the directions have no length,
+ * and the rays meet nothing. */
+int plt_beam_planes(plt_beam_plane plane[6], const plt_ray_origin *origin,
+                    const plt_beam_range range[3]);
+
 /* Puts the root on the stack. */
 void plt_beam_push_root(plt_beam *b, plt_traversal *t);
 
@@ -143,9 +160,27 @@ typedef struct plt_beam_counts {
     uint32_t nodes, triangles;
 } plt_beam_counts;
 
-/* Works off stack entries; of thesis nodes, of compact blocks. */
+/* May some pixel have a hit in the box of an entry, no farther than what it has? The beam as a
+ * whole meets boxes that none of its rays does. */
+int plt_beam_sees(const plt_beam *b, const plt_beam_block_entry *entry);
+
+/* Surely not: asked where it pays. `doubt` learns how often boxes are hidden. */
+int plt_beam_hides(const plt_beam *b, int8_t *doubt, const plt_beam_block_entry *entry);
+
+/* Works off stack entries of thesis nodes. */
 plt_beam_counts plt_beam_trace_nodes(plt_beam *b, plt_traversal *t, uint32_t visits);
-plt_beam_counts plt_beam_trace_blocks(plt_beam *b, plt_traversal *t, uint32_t visits);
+
+/* Of compact blocks, resident and streamed (beam_blocks.h): sets up what is kept from square to
+ * square; puts the root on the stack, if there is one; works off stack entries, with PLT_OK or what
+ * a fetch failed with. */
+#define PLT_BEAM_BLOCKS_DECLARED(name)                                                             \
+    void plt_beam_##name##_init(plt_traversal *t);                                                 \
+    void plt_beam_##name##_push(plt_beam *b, plt_traversal *t, const plt_beam_entry *root);        \
+    int plt_beam_##name##_trace(plt_beam *b, plt_traversal *t, uint32_t visits,                    \
+                                plt_beam_counts *counts);
+PLT_BEAM_BLOCKS_DECLARED(resident)
+PLT_BEAM_BLOCKS_DECLARED(streamed)
+#undef PLT_BEAM_BLOCKS_DECLARED
 
 /* No pixel is open any more: sets `far` to the greatest t. */
 void plt_beam_update_far(plt_beam *b);

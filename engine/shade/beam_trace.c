@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/beam.h"
-#include "engine/trace/block_entry.h"
 #include "engine/trace/treelet_entry.h"
 
 /* Where the beam is inside the scene's box. */
@@ -16,32 +15,31 @@ static plt_beam_entry root_entry(const plt_beam *b, const plt_box *box) {
 }
 
 void plt_beam_state_init(plt_traversal *t) {
+    switch (t->scene->format) {
 #if PLT_WITH_COMPACT
-    if (t->scene->format == PLT_FORMAT_COMPACT) {
-        plt_block_state_init((plt_block_state *)t->state);
-    }
-#else
-    (void)t;
+    case PLT_FORMAT_COMPACT:
+        plt_beam_resident_init(t);
+        break;
 #endif
+#if PLT_WITH_STREAMED_COMPACT
+    case PLT_FORMAT_STREAMED:
+        plt_beam_streamed_init(t);
+        break;
+#endif
+    default: /* nodes: plt_beam_push_root */
+        break;
+    }
 }
 
-static int push_nodes(plt_traversal *t, const plt_beam_entry *root) {
+#if PLT_WITH_THESIS
+static void push_nodes(plt_traversal *t, const plt_beam_entry *root) {
     plt_beam_entry *to = (plt_beam_entry *)t->stack;
     *to = *root;
     to->link = t->scene->thesis.root;
     plt_treelet_state_init(t);
-    return to->link != PLT_LINK_NONE;
+    t->waiting = to->link != PLT_LINK_NONE;
 }
-
-static int push_blocks(plt_traversal *t, const plt_beam_entry *root) {
-    plt_beam_block_entry *to = (plt_beam_block_entry *)t->stack;
-    to->enter = root->enter;
-    to->minus_leave = root->minus_leave;
-    to->link = t->scene->compact.root;
-    to->target = PLT_SLOT_EDGE;
-    ((plt_block_state *)t->state)->current = NULL;
-    return to->link != PLT_LINK_NONE;
-}
+#endif
 
 void plt_beam_push_root(plt_beam *b, plt_traversal *t) {
     const plt_beam_entry root = root_entry(b, &t->scene->box);
@@ -50,12 +48,21 @@ void plt_beam_push_root(plt_beam *b, plt_traversal *t) {
         return;
     }
     switch (t->scene->format) {
+#if PLT_WITH_THESIS
     case PLT_FORMAT_THESIS:
-        t->waiting = (uint32_t)push_nodes(t, &root);
+        push_nodes(t, &root);
         break;
+#endif
+#if PLT_WITH_COMPACT
     case PLT_FORMAT_COMPACT:
-        t->waiting = (uint32_t)push_blocks(t, &root);
+        plt_beam_resident_push(b, t, &root);
         break;
+#endif
+#if PLT_WITH_STREAMED_COMPACT
+    case PLT_FORMAT_STREAMED:
+        plt_beam_streamed_push(b, t, &root);
+        break;
+#endif
     default:
         t->waiting = t->scene->list.count > 0;
         break;
@@ -70,6 +77,7 @@ static void count(plt_stats *s, const plt_beam_counts *c) {
 
 int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
     plt_beam_counts c = {0, 0};
+    int status = PLT_OK;
     switch (t->scene->format) {
 #if PLT_WITH_THESIS
     case PLT_FORMAT_THESIS:
@@ -84,12 +92,17 @@ int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
 #endif
 #if PLT_WITH_COMPACT
     case PLT_FORMAT_COMPACT:
-        c = plt_beam_trace_blocks(b, t, visits);
+        status = plt_beam_resident_trace(b, t, visits, &c);
+        break;
+#endif
+#if PLT_WITH_STREAMED_COMPACT
+    case PLT_FORMAT_STREAMED:
+        status = plt_beam_streamed_trace(b, t, visits, &c);
         break;
 #endif
     default:
         break;
     }
     count(&t->stats, &c);
-    return t->waiting > 0 ? PLT_MORE : PLT_OK;
+    return t->waiting > 0 ? PLT_MORE : status;
 }

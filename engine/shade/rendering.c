@@ -15,6 +15,19 @@
 #define HAS_CURVES(r) 0
 #endif
 
+#if PLT_WITH_BATCH
+#define HAS_BATCHES(r) ((r)->batch != NULL)
+#else
+#define HAS_BATCHES(r) 0
+#endif
+
+/* Packets are traced elsewhere (frame_packets.h). */
+#if PLT_WITH_TASK
+#define HAS_TASKS(r) ((r)->by_tasks)
+#else
+#define HAS_TASKS(r) 0
+#endif
+
 void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t packet_side) {
     const plt_rendering idle = {.beam = beam, .tile = tile, .side = packet_side, .done = 1};
     *r = idle;
@@ -24,9 +37,10 @@ void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t pa
  * another: where four lanes are one register, groups are faster on large meshes (DESIGN.md,
  * section 6). */
 static int has_beams(const plt_rendering *r, const plt_traversal *t) {
-    return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST &&
-           !plt_is_streamed(t->scene->format) &&
-           (t->scene->format != PLT_FORMAT_COMPACT || r->side >= PLT_BEAM_BLOCKS_LEAST);
+    const unsigned format = t->scene->format;
+    return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST && !HAS_BATCHES(r) &&
+           !HAS_TASKS(r) && plt_has_beams(format) &&
+           (!plt_has_blocks(format) || r->side >= PLT_BEAM_BLOCKS_LEAST);
 }
 
 /* Both orders begin with the first tile of the first row. */
@@ -163,10 +177,7 @@ static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
     }
 }
 
-#define HAS_BATCHES(r) ((r)->batch != NULL)
 #else
-#define HAS_BATCHES(r) 0
-
 static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
     (void)r;
     (void)t;

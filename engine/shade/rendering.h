@@ -25,9 +25,12 @@ typedef struct plt_rendering {
     plt_batch *batch;      /* NULL: packets come one by one */
     plt_frame_place ahead; /* the next packet of the batch; `at` is the next to be shaded */
     uint32_t shaded;       /* packets of the batch */
-    uint8_t phase;         /* enum batch_phase of rendering_batch.h */
+    uint8_t phase;         /* enum batch_phase of rendering.c */
     uint32_t tiles_ahead;  /* are wanted, with that of `ahead` */
     uint8_t all_added;     /* there is none ahead */
+#endif
+#if PLT_WITH_TASK
+    uint8_t by_tasks; /* packets are a dispatcher's: no beams */
 #endif
 #if PLT_WITH_STREAMED
     uint8_t curves; /* tiles go along curves */

@@ -9,6 +9,8 @@
  *   int blocks_return(t, link, end, target)      the same, to a place that has waited in it
  *   blocks_current(t)               the current block, opened
  *   int blocks_open_geometry(t)     ... and its geometry part; PLT_OK, or as blocks_open
+ *   int blocks_at_hand(t, link)     the block behind `link` need not be fetched
+ *   int blocks_geometry_at_hand(t)  nor the current block's geometry part
  *   blocks_tree(t)                  the tree that its leaves are read by
  *   void blocks_prefetch(t, b, node)             asks for the blocks behind the node's edges
  *   float blocks_root_end(tree)     where the whole tree ends
@@ -55,6 +57,17 @@ static inline int blocks_return(plt_traversal *t, uint32_t link, float end, uint
 static inline int blocks_open_geometry(plt_traversal *t) {
     plt_block_enter_geometry(t);
     return PLT_OK;
+}
+
+static inline int blocks_at_hand(const plt_traversal *t, uint32_t link) {
+    (void)t;
+    (void)link;
+    return 1;
+}
+
+static inline int blocks_geometry_at_hand(const plt_traversal *t) {
+    (void)t;
+    return 1;
 }
 
 /* Before it is known whether they are met. */

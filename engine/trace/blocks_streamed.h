@@ -47,7 +47,7 @@ static inline const plt_block_tree *blocks_tree(const plt_traversal *t) {
 
 #if PLT_WITH_PREFETCH
 /* The block behind `link` is asked for, then those of what waits, the next one first. An entry of
- * every order begins with its place. */
+ * every order begins with its place, and one of a beam has link and end where that has them. */
 static inline void look_ahead(plt_traversal *t, uint32_t link, float end) {
     format_state *s = (format_state *)t->state;
     const unsigned char *top = (const unsigned char *)t->stack + t->waiting * t->entry_bytes;
@@ -96,6 +96,14 @@ static inline int blocks_return(plt_traversal *t, uint32_t link, float end, uint
 
 static inline int blocks_open_geometry(plt_traversal *t) {
     return plt_stream_open_geometry((format_state *)t->state);
+}
+
+static inline int blocks_at_hand(const plt_traversal *t, uint32_t link) {
+    return plt_stream_has((const format_state *)t->state, link);
+}
+
+static inline int blocks_geometry_at_hand(const plt_traversal *t) {
+    return plt_stream_has_geometry((const format_state *)t->state);
 }
 
 /* A child of the node is a leaf. */

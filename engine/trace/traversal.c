@@ -8,7 +8,7 @@
 /* Blocks of thesis nodes have an index; if they are streamed, slots have, and pages of records;
  * compact blocks lie at multiples of 8. */
 uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
-    if (format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED)) {
+    if (plt_has_blocks(format)) {
         return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
     }
     if (plt_is_streamed(format)) {

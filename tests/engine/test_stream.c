@@ -7,21 +7,7 @@
 #include <stdlib.h>
 
 #include "engine/base/rules.h"
-#include "tests/reference/compact_hostile.h"
-#include "tests/reference/compact_rig.h"
-#include "tests/reference/shapes.h"
-#include "tests/reference/stream_rig.h"
-
-static void fill_subject(subject *s, uint32_t triangles, uint32_t k, uint8_t bits, int ids) {
-    mesh m = {0};
-    random_state r = {triangles + k};
-    shape_soup(&m, compact_triangles(triangles, k), 0.1f, 3 + k);
-    rays_mixed(s->rays, RAYS, &m, &r);
-    compact_config c = compact_config_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    c.pack.numbers = (uint8_t)ids;
-    s->image = compact_packed(&m, &c);
-    set_due(s);
-}
+#include "tests/reference/stream_compact.h"
 
 /* ---- the same from every store --------------------------------------------- */
 
@@ -123,26 +109,6 @@ static const char *try_forged(const packed *image, uint32_t *refused) {
     return wrong;
 }
 
-static void forge(packed *image, uint32_t blocks, random_state *r) {
-    unsigned char *section = image->bytes + PLT_HEADER_BYTES;
-    for (uint32_t times = 1 + random_below(r, 3); times > 0; times--) {
-        const uint32_t at = random_below(r, blocks);
-        switch (random_below(r, 4)) {
-        case 0:
-            section[at] ^= (unsigned char)(1u << random_below(r, 8));
-            break;
-        case 1:
-            section[at] = (unsigned char)random_bits(r);
-            break;
-        case 2: /* a word that may be a link, from elsewhere */
-            memcpy(section + (at & ~3u), section + (random_below(r, blocks) & ~3u), 4);
-            break;
-        default:
-            section[at] = random_below(r, 2) ? 0 : 0xFF;
-        }
-    }
-}
-
 static void forged_images(uint32_t seeds) {
     static subject s;
     uint32_t refused = 0, tried = 0;
@@ -196,34 +162,11 @@ static void link_beyond_the_end(void) {
     pack_free(&s.image);
 }
 
-static void add_triangle(mesh *m, const float corner[3][3]) {
-    fail f = {""};
-    const uint32_t first = 3 * (uint32_t)m->triangles;
-    for (int i = 0; i < 3; i++) {
-        mesh_add_vertex(m, corner[i][0], corner[i][1], corner[i][2], &f);
-    }
-    CHECK(mesh_add_triangle(m, first, first + 1, first + 2, &f) == 0, "%s", f.text);
-}
-
-/* Clusters at ever smaller distances: a tree that is a chain, so that blocks are as deep as they
- * can be, and packets come back to them again and again. It is a valid scene. */
+/* Packets come back to blocks again and again. */
 static void deep_blocks(uint8_t side) {
-    mesh m = {0};
-    random_state r = {side};
     static plt_ray rays[RAYS];
     static plt_hit due[RAYS], hits[RAYS];
-    float at = 1.0f;
-    for (unsigned level = 0; level < 18; level++, at *= 0.5f) {
-        for (unsigned i = 0; i < 3; i++) {
-            const float x = at * random_float(&r, 0.9f, 1.0f), y = at * random_float(&r, 0, 1);
-            const float z = at * random_float(&r, 0, 1), e = at * 0.05f;
-            const float corner[3][3] = {{x, y, z}, {x + e, y, z}, {x, y + e, z + e}};
-            add_triangle(&m, corner);
-        }
-    }
-    rays_mixed(rays, RAYS, &m, &r);
-    compact_config c = compact_config_of(1, 21, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    packed image = compact_packed(&m, &c);
+    packed image = deep_image(side, rays);
     for (unsigned residency = 0; image.size > 0 && residency < 2; residency++) {
         run x = {0};
         const plt_options o = options_of((uint8_t)residency, side, 0);
@@ -239,19 +182,10 @@ static void deep_blocks(uint8_t side) {
 
 /* ---- a source that changes --------------------------------------------------- */
 
-/* Every part comes from one of several versions, forged with right checks. */
+/* Every part comes from one of several versions. */
 static void changes(const subject *s, uint8_t side, uint32_t seed, uint32_t *ended) {
     changing c = {.random = {seed}};
-    const uint32_t blocks = s->image.info.node_bytes + s->image.info.triangle_bytes;
-    for (unsigned i = 0; i < VERSIONS; i++) {
-        packed copy = s->image;
-        copy.bytes = c.version[i] = malloc(s->image.size);
-        memcpy(copy.bytes, s->image.bytes, s->image.size);
-        for (unsigned times = 0; i > 0 && times < 6; times++) {
-            forge(&copy, blocks, &c.random);
-        }
-        compact_seal(copy.bytes, copy.size, 1);
-    }
+    forge_versions(&c, s);
     trace_changing(&c, s, side, ended);
 }
 

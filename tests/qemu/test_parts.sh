@@ -102,10 +102,17 @@ if part "render compact frames" "$frames" 36864; then
     refuses "$frames" thesis PLT_WITH_THESIS
     refuses "$frames" compact_device PLT_WITH_BUILDER
 fi
-for parts in 'render frames' 'render compact frames wave'; do
+frames=$BUILD/mps2_an386-compact-frames-render-stream
+if part "render compact frames stream" "$frames" 45056; then
+    renders "$frames" compact
+    firmware "$frames" "$out/compact.plt" size=80x60 residency=streamed
+    verdict "... streamed, too" "$([ "$status" -eq 0 ] && echo "$text" | grep -q '^streamed ' ||
+        echo "status $status: $text")"
+fi
+for parts in 'render frames' 'render compact frames wave' 'render thesis frames stream'; do
     trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
     verdict "PARTS='$parts' is refused, with what it may be" "$(
-        echo "$trouble" | grep -q "PARTS with frames has .*: make PARTS='" || echo "$trouble")"
+        echo "$trouble" | grep -q "PARTS with frames .*has .*: make PARTS='" || echo "$trouble")"
 done
 motion=$BUILD/mps2_an386-motion-render-thesis
 if part "render thesis motion" "$motion" 44032; then

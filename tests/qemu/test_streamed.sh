@@ -53,6 +53,24 @@ renders() {
     done
 }
 renders
+bytes_by_groups=$(value bytes_fetched)
+folder=$BUILD/mps2_an386-compact-frames-render-stream
+if make_board mps2_an386 PARTS='render compact frames stream'; then
+    renders
+    most=$((bytes_by_groups + bytes_by_groups / 8))
+    verdict "... by beams hardly more is fetched than by groups, $bytes_by_groups bytes" "$(
+        [ "$(value bytes_fetched)" -lt "$most" ] || echo "$text")"
+    run residency=streamed packet=2 arena=65536
+    verdict "... in packets of 2x2 the hash is the host's, too" "$(
+        [ "$status" -eq 0 ] && [ "$(value frame_hash)" = "${view%% *}" ] || echo "$text")"
+    damage "$out/damaged.plt"
+    scene=$out/damaged.plt
+    run residency=streamed packet=8
+    verdict "... and damaged blocks are refused, with rule and place" "$(
+        [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: .*rule=I.* offset=' || echo "$text")"
+    scene=$out/terrain.plt
+fi
+folder=$BUILD/mps2_an386-compact-render-stream
 
 run residency=resident packet=8
 verdict "a whole scene does not fit" "$(

@@ -36,6 +36,7 @@ static uint16_t batch;
 static int are_handed_out;
 static int has_few_tasks;
 static uint8_t parts_ahead; /* plt_options.prefetch of all that follows */
+static int by_beams;        /* frames that follow, also where they would go by groups of rays */
 
 static inline plt_options options_of(uint8_t residency, uint8_t packet_side, uint32_t store_bytes) {
     const int meets = batch > 0 && residency == PLT_RESIDENCY_STREAMED;
@@ -89,6 +90,10 @@ static inline plt_frame frame_of(const plt_info *info) {
 static inline int render(plt_engine *e, uint8_t frame[3 * WIDTH * HEIGHT]) {
     const plt_frame f = frame_of(plt_engine_info(e));
     int status = plt_render_begin(e, &f);
+    if (by_beams && status == PLT_OK && e->rendering.side >= PLT_BEAM_BLOCKS_LEAST) {
+        plt_beam_init(e->rendering.beam, &e->rendering.view, &f, &e->scene, e->rendering.side);
+        e->rendering.beams = 1;
+    }
     while (status >= PLT_OK && (status = plt_render_step(e, 50)) > PLT_OK) {
         plt_tile tile;
         plt_render_tile(e, &tile);
@@ -119,19 +124,38 @@ static inline int trace_all(run *x, const subject *s, plt_hit hits[RAYS]) {
     return plt_trace(x->engine, s->rays, hits, RAYS, 0);
 }
 
+/* Of packets that fail: beams over blocks are of 4x4 rays at least. */
+static inline uint8_t least_side(void) {
+    return by_beams ? PLT_BEAM_BLOCKS_LEAST : 2;
+}
+
+/* Traces all rays, or renders the frame by beams; *same: what came of it is what is due. */
+static inline int trace_or_render(run *x, const subject *s, int *same) {
+    plt_hit hits[RAYS];
+    uint8_t frame[3 * WIDTH * HEIGHT];
+    if (by_beams) {
+        const int status = render(x->engine, frame);
+        *same = status == PLT_OK && memcmp(frame, s->frame, sizeof frame) == 0;
+        return status;
+    }
+    const int status = trace_all(x, s, hits);
+    *same = status == PLT_OK && memcmp(hits, s->due[0], sizeof hits) == 0;
+    return status;
+}
+
 /* One failure is got over: the same hits, one retry. */
 static inline uint32_t fails_once(const subject *s, enum fake_failure kind, uint32_t call) {
     run x = {.link = {.failure = kind, .at_call = call, .at_once = call % 2}};
-    plt_hit hits[RAYS];
+    int same = 0;
     plt_stats q;
-    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, least_side(), 0);
     const int status = open_run(&x, &s->image, &o);
     if (status != PLT_OK) { /* of the header: nothing is tried again */
         free(x.arena);
         return 1;
     }
-    CHECK(trace_all(&x, s, hits) == PLT_OK, "kind %d, call %u", (int)kind, call);
-    CHECK(memcmp(hits, s->due[0], sizeof hits) == 0, "kind %d, call %u: hits", (int)kind, call);
+    CHECK(trace_or_render(&x, s, &same) == PLT_OK, "kind %d, call %u", (int)kind, call);
+    CHECK(same, "kind %d, call %u: hits", (int)kind, call);
     plt_stats_get(x.engine, &q);
     const uint32_t retries = (uint32_t)q.fetch_retries;
     const uint32_t calls = kind == FAKE_FAILS_AT_WAIT ? x.link.waits : x.link.starts;
@@ -164,10 +188,11 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
     plt_hit hits[RAYS];
     uint8_t frame[3 * WIDTH * HEIGHT];
     plt_fault fault;
-    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+    const int traces = call % 2 && !by_beams;
+    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, least_side(), 0);
     if (open_run(&x, &s->image, &o) == PLT_OK) {
         memset(hits, 0x77, sizeof hits);
-        const int status = call % 2 ? trace_all(&x, s, hits) : render(x.engine, frame);
+        const int status = traces ? trace_all(&x, s, hits) : render(x.engine, frame);
         plt_fault_get(x.engine, &fault);
         const int was_needed = parts_ahead == 0 || status != PLT_OK; /* what failed */
         if (x.link.failed == 0 || !was_needed) { /* there were fewer calls that matter */
@@ -181,7 +206,7 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
                   strstr(fault.message, "source") != NULL,
               "call %u: byte %u, %s", call, (unsigned)fault.offset, fault.message);
         int ended = 0;
-        for (uint32_t i = 0; i < RAYS && call % 2; i++) {
+        for (uint32_t i = 0; i < RAYS && traces; i++) {
             ended |= hits[i].triangle == 0x77777777u;
             CHECK(ended || memcmp(&hits[i], &s->due[0][i], sizeof hits[i]) == 0,
                   "call %u: hit %u before the failure is wrong", call, i);
@@ -225,7 +250,7 @@ static inline int change_wait(void *context, uint32_t tags) {
 static inline void trace_changing(changing *c, const subject *s, uint8_t side, uint32_t *ended) {
     run x = {.link = {.bytes = s->image.size, .at_once = 1, .image = c->version[0]}};
     const plt_options o = options_of(PLT_RESIDENCY_STREAMED, side, 0);
-    plt_hit hits[RAYS];
+    int same;
     x.bytes = plt_arena_need(&s->image.info, 0, &o);
     x.arena = aligned_alloc(PLT_ALIGN, x.bytes + GUARD);
     memset(x.arena, 0x5A, x.bytes + GUARD);
@@ -238,7 +263,7 @@ static inline void trace_changing(changing *c, const subject *s, uint8_t side, u
     CHECK(plt_open(&x.engine, x.arena, x.bytes, &source, &o, &x.fault) == PLT_OK, "%s",
           x.fault.message);
     for (int tries = 0; tries < 20; tries++) {
-        const int status = trace_all(&x, s, hits);
+        const int status = trace_or_render(&x, s, &same);
         *ended += status == PLT_OK;
         CHECK(status == PLT_OK || status == PLT_ERR_IMAGE, "status %d", status);
     }
