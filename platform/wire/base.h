@@ -51,8 +51,17 @@ enum wire_type {
 /* Of a peer. */
 enum wire_state { WIRE_IS_DOWN, WIRE_IS_ASKING, WIRE_IS_UP };
 
+/* A session is up, be the other peer silent or not. */
+static inline int wire_has_session(const wire_peer *peer) {
+    return peer->state == WIRE_IS_UP;
+}
+
 /* Of the message that ends a frame: body, and body with its head. */
 enum { WIRE_FRAME_END_BODY = 9, WIRE_FRAME_END_BYTES = 11 };
+
+/* Reports without an acknowledgement after which a session does not outlive silence: of numbers
+ * 128 apart nobody knows which is meant. */
+enum { WIRE_UNACKED_MOST = 64 };
 
 /* Numbers of frames go round: 0 .. 5. */
 enum { WIRE_NUMBERS = 6 };

@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "platform/wire/base.h"
 #include "platform/wire/wire_device.h"
 
 enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS, HAS_FAILED };
@@ -75,9 +76,15 @@ static int open_streamed(wire_device *d, uint32_t bytes, plt_fault *fault) {
 
 /* ---- the scene ---- */
 
-/* Why there is no scene or no frame, for the host; but not for one that offers another scene. */
+/* Bytes did not come, as the host is silent. When it is heard again, so are requests. */
+static int is_deserted(const wire_device *d, int status) {
+    return status == PLT_ERR_SOURCE && !wire_is_up(&d->peer);
+}
+
+/* Why there is no scene or no frame, for the host; but not for one that offers another scene, or is
+ * silent. */
 static void report_fault(wire_device *d, int status, const plt_fault *fault) {
-    if (d->scene.is_replaced) {
+    if (d->scene.is_replaced || is_deserted(d, status)) {
         return;
     }
     if (status == PLT_ERR_ARENA) {
@@ -185,6 +192,7 @@ static void fail(wire_device *d, int status) {
     plt_fault fault = {0};
     plt_fault_get(d->engine, &fault);
     report_fault(d, status, &fault);
+    d->is_deserted = (uint8_t)is_deserted(d, status);
     d->failed_session = d->peer.stats.sessions;
     d->failed_ms = d->peer.now_ms;
     d->out.mark ^= MARK_FAILED;
@@ -232,11 +240,11 @@ static int end_frame(wire_device *d) {
 /* The host that was there then hears of it again, as one message may be lost; a view, which also
  * every new session brings, is tried anew. */
 static int stay_failed(wire_device *d) {
-    if (has_view(d) && d->is_viewed) {
+    if ((has_view(d) && d->is_viewed) || (d->is_deserted && wire_is_up(&d->peer))) {
         d->step = BEGINS;
         return 1;
     }
-    if (d->peer.stats.sessions == d->failed_session && !d->scene.is_replaced &&
+    if (!d->is_deserted && d->peer.stats.sessions == d->failed_session && !d->scene.is_replaced &&
         d->peer.now_ms - d->failed_ms >= WIRE_IDLE_MS) {
         d->failed_ms = d->peer.now_ms;
         wire_error_repeat(&d->peer);
@@ -247,7 +255,8 @@ static int stay_failed(wire_device *d) {
 /* Begins again for a new view, or when something of this one was lost. */
 static int rest(wire_device *d) {
     const int is_lost = d->out.unanswered == 0 && !wire_frames_out_done(&d->out);
-    if (!wire_is_up(&d->peer) || d->out.tiles == 0 || (has_view(d) && d->is_viewed) || is_lost) {
+    if (!wire_has_session(&d->peer) || d->out.tiles == 0 || (has_view(d) && d->is_viewed) ||
+        is_lost) {
         d->step = BEGINS;
         return 1;
     }

@@ -102,7 +102,7 @@ int wire_frames_out_fill(wire_frames_out *out) {
 }
 
 static int is_ready(const wire_frames_out *out) {
-    return wire_is_up(out->peer) && out->tiles > 0;
+    return wire_has_session(out->peer) && out->tiles > 0;
 }
 
 int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride) {
@@ -116,7 +116,7 @@ int wire_frames_show(wire_frames_out *out, const uint8_t *rgb, uint32_t stride) 
         out->rgb = NULL;
         return WIRE_OK;
     }
-    if (!is_ready(out)) {
+    if (!is_ready(out) || !wire_is_up(out->peer)) {
         return WIRE_ERR_DOWN;
     }
     out->is_cut = out->in_frame;

@@ -50,7 +50,8 @@ uint32_t wire_hello_write(const wire_peer *peer, uint8_t *body) {
 }
 
 /* Device: a session is offered. It begins with the first report under its
- * key, so an old hello that comes late ends nothing. */
+ * key, so an old hello that comes late ends nothing. A host that was silent, or thinks that this
+ * device was, may know the session that is up: it is told first. */
 static void offer_session(wire_peer *peer, uint32_t host_half, const wire_caps *caps) {
     const int is_known = host_half == peer->host_half;
     if (!(is_known && (peer->has_next || peer->state == WIRE_IS_UP))) {
@@ -61,6 +62,9 @@ static void offer_session(wire_peer *peer, uint32_t host_half, const wire_caps *
         peer->next_key = wire_session_key(host_half, peer->own.session);
         peer->next_other = *caps;
         peer->has_next = peer->state != WIRE_IS_UP || peer->next_key != peer->key;
+    }
+    if (wire_has_session(peer) && wire_unacked(peer) <= WIRE_UNACKED_MOST) {
+        wire_queue_control(peer, WIRE_ACK);
     }
     wire_queue_control(peer, WIRE_WELCOME);
 }
@@ -79,8 +83,8 @@ void wire_hello_receive(wire_peer *peer, unsigned type, const uint8_t *body, uin
     }
     if (type == WIRE_HELLO && peer->role == WIRE_DEVICE) {
         offer_session(peer, host_half, &caps);
-    } else if (type == WIRE_WELCOME && peer->state == WIRE_IS_ASKING &&
-               host_half == peer->own.session) {
+    } else if (type == WIRE_WELCOME && !wire_is_up(peer) && peer->role == WIRE_HOST &&
+               peer->state != WIRE_IS_DOWN && host_half == peer->own.session) {
         peer->other = caps;
         peer->key = wire_session_key(host_half, caps.session);
         wire_session_begin(peer);

@@ -1,6 +1,9 @@
 /* peer - sessions: how a peer comes up, stays up, and notices that it is down
  *
- * Invariant: outside WIRE_IS_UP nothing but hellos is sent or accepted.
+ * Invariants: outside WIRE_IS_UP nothing but hellos is sent or accepted. Of a session in which the
+ * other peer is silent reports are accepted, and all that it needs to go on is kept; but nothing
+ * leaves, so that numbers do not run away, but hellos of the host, who asks for this or another
+ * session, and the acknowledgement by which a device says that it is in this one.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/wire/report.h"
@@ -49,22 +52,50 @@ static void forget(wire_peer *peer) {
     }
 }
 
+static void say_hello(wire_peer *peer) {
+    peer->hello_number = 0;
+    peer->asked_ms = peer->now_ms;
+    wire_queue_control(peer, WIRE_HELLO);
+}
+
 static void session_end(wire_peer *peer) {
     forget(peer);
     renew_session(peer);
     peer->state = WIRE_IS_DOWN;
+    peer->is_silent = 0;
     if (peer->role == WIRE_HOST) {
         peer->state = WIRE_IS_ASKING;
-        peer->hello_number = 0;
-        peer->asked_ms = peer->now_ms;
-        wire_queue_control(peer, WIRE_HELLO);
+        say_hello(peer);
+    }
+}
+
+/* The session stays, unless too many reports may have been lost to tell their numbers later. */
+static void fall_silent(wire_peer *peer) {
+    if (wire_unacked(peer) > WIRE_UNACKED_MOST) {
+        session_end(peer);
+        return;
+    }
+    peer->is_silent = 1;
+    if (peer->role == WIRE_HOST) {
+        renew_session(peer);
+        say_hello(peer);
+    }
+}
+
+/* The host pings, so that the device hears it, too. */
+void wire_session_resume(wire_peer *peer) {
+    peer->is_silent = 0;
+    peer->asked_ms = peer->now_ms;
+    if (peer->role == WIRE_HOST) {
+        peer->pending &= ~wire_bit(WIRE_HELLO);
+        wire_queue_control(peer, WIRE_PING);
     }
 }
 
 void wire_session_begin(wire_peer *peer) {
     forget(peer);
     peer->state = WIRE_IS_UP;
-    peer->has_next = 0;
+    peer->is_silent = peer->has_next = 0;
     peer->heard_ms = peer->asked_ms = peer->now_ms;
     peer->stats.sessions++;
     if (peer->frames_out != NULL) {
@@ -103,7 +134,7 @@ static int is_over(uint32_t now, uint32_t since, uint32_t most) {
 
 static void poll_session(wire_peer *peer, uint32_t now) {
     if (is_over(now, peer->heard_ms, WIRE_DEAD_MS)) {
-        session_end(peer);
+        fall_silent(peer);
         return;
     }
     const int is_stalled = (int32_t)(peer->out_asks - peer->out_acked) > 0 &&
@@ -136,9 +167,10 @@ static void poll_session(wire_peer *peer, uint32_t now) {
 
 void wire_poll(wire_peer *peer, uint32_t now_ms) {
     peer->now_ms = now_ms;
-    if (peer->state == WIRE_IS_UP) {
+    const int asks = peer->state == WIRE_IS_ASKING || (peer->is_silent && peer->role == WIRE_HOST);
+    if (wire_is_up(peer)) {
         poll_session(peer, now_ms);
-    } else if (peer->state == WIRE_IS_ASKING && is_over(now_ms, peer->asked_ms, WIRE_HELLO_MS)) {
+    } else if (asks && is_over(now_ms, peer->asked_ms, WIRE_HELLO_MS)) {
         peer->asked_ms = now_ms;
         wire_queue_control(peer, WIRE_HELLO);
     }

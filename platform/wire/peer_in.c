@@ -162,6 +162,9 @@ static void receive_payload(wire_peer *peer, const wire_report_view *r) {
 static int receive_report(wire_peer *peer, const wire_report_view *r, uint32_t number) {
     const int32_t ahead = (int32_t)(number - peer->in_number);
     peer->heard_ms = peer->now_ms;
+    if (peer->is_silent) {
+        wire_session_resume(peer);
+    }
     if (ahead < 0) {
         peer->stats.reports_late++;
         return 0;

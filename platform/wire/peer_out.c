@@ -34,10 +34,12 @@ static int is_hello(unsigned type) {
  * of the same kind (hello or not), as one report has one key; -1: any. */
 static int next_control(wire_peer *peer, int like) {
     const uint32_t hellos = wire_bit(WIRE_HELLO) | wire_bit(WIRE_WELCOME);
-    uint32_t may = peer->state == WIRE_IS_UP ? UINT32_MAX : hellos;
+    const uint32_t silent = peer->role == WIRE_DEVICE ? hellos | wire_bit(WIRE_ACK) : hellos;
+    uint32_t may = wire_is_up(peer) ? UINT32_MAX : wire_has_session(peer) ? silent : hellos;
     may &= like < 0 ? UINT32_MAX : like ? hellos : ~hellos;
     while (peer->pending & may) {
-        unsigned type = WIRE_HELLO;
+        /* An acknowledgement says that this session is up, before another one is offered. */
+        unsigned type = peer->pending & may & wire_bit(WIRE_ACK) ? WIRE_ACK : WIRE_HELLO;
         while (!(peer->pending & may & wire_bit(type))) {
             type++;
         }
@@ -137,7 +139,7 @@ size_t wire_next_report(wire_peer *peer, uint8_t *report, uint32_t now_ms) {
     if (peer->control_gone < peer->control_used || next_control(peer, -1)) {
         return control_report(peer, &w);
     }
-    if (peer->state != WIRE_IS_UP || peer->queue == NULL ||
+    if (!wire_is_up(peer) || peer->queue == NULL ||
         peer->out_number - peer->out_acked >= peer->other.credits) {
         return 0;
     }

@@ -11,6 +11,9 @@
 /* A session is up (peer.c): numbers begin at 0, every service begins anew. */
 void wire_session_begin(wire_peer *peer);
 
+/* The other peer of the session was silent and is heard again. */
+void wire_session_resume(wire_peer *peer);
+
 /* Body of a HELLO or WELCOME (hello.c). */
 uint32_t wire_hello_write(const wire_peer *peer, uint8_t *body);
 void wire_hello_receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_t bytes);

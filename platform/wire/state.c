@@ -6,7 +6,7 @@
 #include "platform/wire/base.h"
 
 int wire_is_up(const wire_peer *peer) {
-    return peer->state == WIRE_IS_UP;
+    return wire_has_session(peer) && !peer->is_silent;
 }
 
 const wire_caps *wire_other(const wire_peer *peer) {

@@ -37,6 +37,7 @@ typedef struct wire_device {
     uint8_t step, is_viewed;
     uint8_t is_streamed; /* the scene that is open stays with the host */
     uint8_t is_failed;   /* the frame that is being sent will not be whole */
+    uint8_t is_deserted; /* ... as the host was silent: it begins again when that is heard */
 } wire_device;
 
 /* `memory` (aligned to PLT_ALIGN) holds image and arena. `setup`: role

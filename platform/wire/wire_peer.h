@@ -33,7 +33,7 @@ enum {
     WIRE_PING_MS = 40,   /* waiting for an acknowledgement before asking */
     WIRE_IDLE_MS = 250,  /* host: nothing heard before asking; repeats of what may be lost */
     WIRE_HELLO_MS = 100, /* between hellos while nobody answers */
-    WIRE_DEAD_MS = 800   /* nothing valid heard: the session is over */
+    WIRE_DEAD_MS = 800   /* nothing valid heard: the other peer is silent */
 };
 
 enum wire_role { WIRE_DEVICE = 0, WIRE_HOST = 1 };
@@ -150,6 +150,7 @@ typedef struct wire_peer {
     uint32_t error_detail, error_place, other_detail, other_place;
     uint32_t pending; /* control messages to send: bits of base.h */
     uint8_t role, state, has_next, error, error_kind, other_error, other_kind;
+    uint8_t is_silent; /* the session is up, but nothing was heard for WIRE_DEAD_MS */
     uint8_t setting[2], other_setting[2], settings_to_go;
     uint8_t unacked_in, hello_number, hello_in, hello_used;
     uint8_t control_used, control_gone; /* of a control message being sent */
@@ -180,7 +181,8 @@ void wire_poll(wire_peer *peer, uint32_t now_ms);
  * returned, the report counts as sent. */
 size_t wire_next_report(wire_peer *peer, uint8_t *report, uint32_t now_ms);
 
-/* Whether a session is up; what the other peer said it is (while up). */
+/* Whether a session is up and the other peer is heard; what it said it is (while up). A session
+ * outlives silence: when the other peer is heard again, it goes on where it was. */
 int wire_is_up(const wire_peer *peer);
 const wire_caps *wire_other(const wire_peer *peer);
 
