@@ -34,12 +34,18 @@ static size_t used, gone;
 
 /* ---- a clock in milliseconds ----------------------------------------------- */
 
+/* The clock is read more often than this. If it was not, the processor stood still, as an emulator
+ * does when its host has other things to do: nobody could be heard in that time, and nobody is late
+ * for it. */
+enum { STOOD_STILL_MS = 250 };
+
 static uint32_t last_ticks, spare_ticks, clock_ms;
 
 /* Adds up differences, so that the counter may wrap between any two calls. */
 static uint32_t now_ms(void) {
     const uint32_t ticks = board_ticks(), ticks_per_ms = board_ticks_per_second() / 1000;
-    spare_ticks += ticks - last_ticks;
+    const uint32_t passed = ticks - last_ticks, most = STOOD_STILL_MS * ticks_per_ms;
+    spare_ticks += passed < most ? passed : most;
     last_ticks = ticks;
     clock_ms += spare_ticks / ticks_per_ms;
     spare_ticks %= ticks_per_ms;

@@ -31,7 +31,8 @@ static const arg_flag flags[] = {
     {"--report", "BYTES", "size of a report, 8 to 1024 (default 64)"},
     {"--orbit", "N", "a film: N frames once around the scene, 1 to 100000 (default 1)"},
     {"--timeout", "SECONDS",
-     "give up after so long without a frame, up to 1000000; 0: never (default 60)"},
+     "give up after so long without a part of a frame, or a request for one of the scene, up to "
+     "1000000; 0: never (default 60)"},
     VIEW_FLAGS,
     {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
     {"--verbose", NULL, "say what the link does, and statistics at the end"},

@@ -25,8 +25,10 @@ typedef struct serving {
     picture shown;
     unsigned number; /* frames received */
     uint32_t seen;   /* whole frames received when the view was sent */
-    uint32_t began_ms, frame_ms;
-    int is_up;
+    uint32_t began_ms;
+    uint32_t moved_ms; /* when a frame came, or a part of one, or bytes of the scene were sent */
+    uint64_t moved;    /* such things, until then */
+    int is_up, is_heard;
     progress bar;
     enum phase phase;
     uint32_t tiles; /* received when the frame began */
@@ -128,6 +130,10 @@ static void show_progress(serving *s) {
 }
 
 static void update_link(serving *s, int is_there) {
+    if (wire_is_up(&s->peer) != s->is_heard) {
+        s->is_heard = !s->is_heard;
+        say(s, s->is_heard ? "the device is heard" : "the device is silent, waiting");
+    }
     if (is_there != s->is_up) {
         s->is_up = is_there;
         wire_on_link(&s->peer, is_there, clock_ms());
@@ -198,7 +204,6 @@ static int receive_frame(serving *s, fail *f) {
         wire_row_to_rgb(s->shown.rgb + 3 * (size_t)y * job->width, job->format,
                         s->panel + (size_t)y * stride, job->width);
     }
-    s->frame_ms = clock_ms();
     end_progress(s);
     const int status = job->frame(job->context, s->number, &s->shown, f);
     s->number++;
@@ -206,6 +211,18 @@ static int receive_frame(serving *s, fail *f) {
         send_view(s);
     }
     return status;
+}
+
+/* A frame may take long: whoever sends a part of it, or asks for parts of the scene, is at work. */
+static int is_out_of_patience(serving *s) {
+    uint32_t has;
+    wire_scene_out_state(&s->scene, &has);
+    const uint64_t moved = (uint64_t)s->number + s->peer.stats.tiles_in + s->blocks.sent + has;
+    if (moved != s->moved) {
+        s->moved = moved;
+        s->moved_ms = clock_ms();
+    }
+    return s->job->patience_ms > 0 && clock_ms() - s->moved_ms > s->job->patience_ms;
 }
 
 /* A whole frame of the view that was sent: the device marks it with the
@@ -220,7 +237,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
     if (status == 0) {
         s->job = job;
         s->t = t;
-        s->began_ms = s->frame_ms = clock_ms();
+        s->began_ms = s->moved_ms = clock_ms();
         status = open_end(s, f);
     }
     if (status == 0) {
@@ -233,7 +250,7 @@ int serve_run(const serve_job *job, const transport *t, serve_result *result, fa
         if (status == 0 && has_frame(s)) {
             status = receive_frame(s, f);
         }
-        if (status == 0 && job->patience_ms > 0 && clock_ms() - s->frame_ms > job->patience_ms) {
+        if (status == 0 && is_out_of_patience(s)) {
             status =
                 fail_set(f, "device", "%s; is it connected, and does it render?",
                          wire_is_up(&s->peer) ? "sent no frame in time" : "did not answer in time");

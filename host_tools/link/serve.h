@@ -16,7 +16,7 @@ typedef struct serve_job {
     unsigned width, height, format; /* enum wire_format */
     unsigned report_bytes;          /* in both directions */
     unsigned frames;                /* to receive; 0: without end */
-    uint32_t patience_ms;           /* without a frame; 0: for ever */
+    uint32_t patience_ms;           /* with nothing of a frame, nor a request; 0: for ever */
     /* Fill the view of frame `number`; receive that frame (nonzero ends the run). */
     void (*view)(void *context, unsigned number, wire_view *view);
     int (*frame)(void *context, unsigned number, const picture *p, fail *f);

@@ -63,10 +63,14 @@ void wire_blocks_in_begin(wire_blocks_in *in) {
     }
 }
 
+static uint32_t again_ms(const wire_blocks_in *in) {
+    return WIRE_BLOCK_AGAIN_MS + in->more_ms;
+}
+
 void wire_blocks_in_poll(wire_blocks_in *in) {
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         wire_block_want *w = &in->want[i];
-        if (w->state == ASKED && in->peer->now_ms - w->asked_ms >= WIRE_BLOCK_AGAIN_MS) {
+        if (w->state == ASKED && in->peer->now_ms - w->asked_ms >= again_ms(in)) {
             ask(in, w);
         }
     }
@@ -108,11 +112,21 @@ void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset) {
     in->coming = (uint8_t)tag;
 }
 
-/* Copies the part of the bytes that this request lacks next. */
-static void copy_for(wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes, uint32_t count) {
+/* Bytes came that were there already, or not. If they were, they had been asked for again too
+ * soon. */
+static void learn(wire_blocks_in *in, int was_in_vain) {
+    const uint32_t most = WIRE_BLOCK_SLOW_MS - WIRE_BLOCK_AGAIN_MS;
+    const uint32_t more =
+        was_in_vain ? in->more_ms + WIRE_BLOCK_AGAIN_MS / 4u : in->more_ms - in->more_ms / 32u;
+    in->more_ms = (uint16_t)(more < most ? more : most);
+}
+
+/* Copies the part of the bytes that this request lacks next. 0: it has had them, or never wanted
+ * them. */
+static int copy_for(wire_blocks_in *in, wire_block_want *w, const uint8_t *bytes, uint32_t count) {
     const uint32_t next = w->offset + w->has, skip = next - in->at;
     if (w->tag != in->coming || in->at > next || skip >= count) {
-        return;
+        return w->tag == in->coming && in->at > next && in->at < w->offset + w->count;
     }
     const uint32_t left = w->count - w->has;
     const uint32_t n = count - skip < left ? count - skip : left;
@@ -120,14 +134,17 @@ static void copy_for(wire_blocks_in *in, wire_block_want *w, const uint8_t *byte
     w->has += n;
     w->asked_ms = in->moved_ms = in->peer->now_ms;
     w->state = w->has == w->count ? DONE : w->state;
+    return 1;
 }
 
 void wire_blocks_in_bytes(wire_blocks_in *in, const uint8_t *bytes, uint32_t count) {
+    int is_wanted = 0;
     for (int i = 0; i < WIRE_BLOCKS; i++) {
         if (is_asked(&in->want[i])) {
-            copy_for(in, &in->want[i], bytes, count);
+            is_wanted |= copy_for(in, &in->want[i], bytes, count);
         }
     }
+    learn(in, !is_wanted);
     in->at += count;
 }
 

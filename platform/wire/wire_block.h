@@ -14,11 +14,13 @@
 extern "C" {
 #endif
 
-/* Requests at a time. One is repeated after AGAIN_MS without a byte, and given up when no request
- * has had a byte for DEAD_MS, or it has lasted MOST_MS: after 300 repeats at most. */
+/* Requests at a time. One is repeated after AGAIN_MS without a byte, or later, up to SLOW_MS, where
+ * bytes are seen to come twice for that; and given up when no request has had a byte for DEAD_MS,
+ * or it has lasted MOST_MS: after 300 repeats at most. */
 enum {
     WIRE_BLOCKS = 8,
     WIRE_BLOCK_AGAIN_MS = 100,
+    WIRE_BLOCK_SLOW_MS = 1000,
     WIRE_BLOCK_DEAD_MS = 5000,
     WIRE_BLOCK_MOST_MS = 30000
 };
@@ -62,6 +64,7 @@ typedef struct wire_blocks_in {
     uint32_t crc;      /* of the image that is asked for */
     uint32_t moved_ms; /* when a byte of any request came last */
     uint8_t coming, is_named;
+    uint16_t more_ms; /* than AGAIN_MS until a request is repeated */
     /* For wire_source_wait: moves reports until something happens, or returns
      * -1 to give up. */
     int (*pump)(void *context);
