@@ -116,8 +116,8 @@ void wire_blocks_in_head(wire_blocks_in *in, unsigned tag, uint32_t offset) {
  * soon. */
 static void learn(wire_blocks_in *in, int was_in_vain) {
     const uint32_t most = WIRE_BLOCK_SLOW_MS - WIRE_BLOCK_AGAIN_MS;
-    const uint32_t more =
-        was_in_vain ? in->more_ms + WIRE_BLOCK_AGAIN_MS / 4u : in->more_ms - in->more_ms / 32u;
+    const uint32_t now = in->more_ms, less = now > 0 ? now - 1 : 0;
+    const uint32_t more = was_in_vain ? now + WIRE_BLOCK_AGAIN_MS / 4u : less;
     in->more_ms = (uint16_t)(more < most ? more : most);
 }
 

@@ -354,11 +354,55 @@ static void test_images(void) {
           "tag %u, %u bytes from %u", body[0], wire_get32(body + 5), wire_get32(body + 1));
 }
 
+/* Requests whose replies come `late_ms` after they were asked for, once for each time that they
+ * were; how often that was. */
+static uint32_t times_asked(uint32_t requests, uint32_t late_ms) {
+    uint8_t body[WIRE_CONTROL_BYTES];
+    uint32_t asked = 0;
+    for (uint32_t i = 0; i < requests; i++) {
+        uint32_t times = 0;
+        ask(TAG, FROM, 0, BYTES);
+        for (uint32_t ms = 0; ms < late_ms; ms++) {
+            wire_blocks_in_poll(&b.in);
+            times += wire_blocks_in_write(&b.in, body) > 0;
+            b.peer.now_ms++;
+        }
+        for (uint32_t reply_of = 0; reply_of < times; reply_of++) {
+            reply(TAG, FROM, BYTES);
+        }
+        CHECK(state() == WIRE_OK, "request %u", i);
+        asked += times;
+    }
+    return asked;
+}
+
+static void test_pace(void) {
+    test("where bytes come twice, requests are repeated later, up to a second; and then sooner");
+    open_at(7);
+    CHECK(times_asked(50, WIRE_BLOCK_AGAIN_MS) == 50, "asked twice in time");
+    uint32_t asked = times_asked(50, 750);
+    CHECK(asked > 50 + 5 && asked < 50 + 60, "%u for 50", asked);
+    asked = times_asked(50, 750);
+    CHECK(asked < 50 + 5, "%u for 50 more", asked);
+    times_asked(20, 4000);
+    CHECK(b.in.more_ms <= WIRE_BLOCK_SLOW_MS - WIRE_BLOCK_AGAIN_MS, "%u ms", b.in.more_ms);
+    times_asked(1000, 20);
+    CHECK(b.in.more_ms == 0, "%u ms more still", b.in.more_ms);
+    test("bytes that come out of order teach nothing");
+    open_at(7);
+    ask(TAG, FROM, 0, BYTES);
+    for (uint32_t i = 0; i < 100; i++) {
+        reply(TAG, FROM + 20, 5);
+    }
+    CHECK(b.in.more_ms == 0, "%u ms", b.in.more_ms);
+}
+
 int main(void) {
     test_places();
     test_tags();
     test_too_many();
     test_time();
+    test_pace();
     test_after();
     test_images();
     return test_done();

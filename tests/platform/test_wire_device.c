@@ -3,28 +3,12 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
+enum { WIDTH = 75, HEIGHT = 52, MEMORY = 1 << 18, IMAGE_MOST = 40000 };
+
 #include "board/hash.h"
-#include "platform/wire/wire_device.h"
 #include "tests/reference/rig.h"
 #include "tests/reference/shapes.h"
-#include "tests/reference/wire_fake.h"
-#include "tests/test.h"
-
-enum { WIDTH = 75, HEIGHT = 52, IMAGE_MOST = 40000, ARENA = 1 << 18 };
-
-static const wire_setup host_setup = {.role = WIRE_HOST,
-                                      .caps = {.session = 1,
-                                               .in_bytes = 64,
-                                               .out_bytes = 64,
-                                               .width = WIDTH,
-                                               .height = HEIGHT,
-                                               .format = WIRE_RGB888,
-                                               .credits = 16,
-                                               .features = WIRE_SHOWS | WIRE_SCENES}};
-static const wire_setup device_setup = {
-    .role = WIRE_DEVICE,
-    .caps = {
-        .session = 2, .in_bytes = 64, .out_bytes = 64, .credits = 16, .features = WIRE_RENDERS}};
+#include "tests/reference/wire_device_rig.h"
 
 /* ---- a scene image ------------------------------------------------------------------ */
 
@@ -174,17 +158,6 @@ static void test_blocks(void) {
 
 /* ---- the engine as a device -------------------------------------------------------------- */
 
-static struct {
-    wire_peer host;
-    wire_frames_in frames;
-    wire_scene_out scene;
-    wire_view_out view;
-    wire_device device;
-    fake_cable cable;
-    uint8_t panel[WIDTH * HEIGHT * 3];
-    _Alignas(PLT_ALIGN) uint8_t memory[ARENA];
-} e;
-
 static const wire_view views[2] = {
     {.eye = {3, 2, 4}, .look = {0, 0, 0}, .up = {0, 1, 0}, .tan_half_fov = 0.4f},
     {.eye = {-3, 1, 4},
@@ -194,16 +167,7 @@ static const wire_view views[2] = {
      .shader = PLT_SHADE_NORMAL}};
 
 static void open_engine(const packed *image, uint64_t seed) {
-    static const plt_options options = {.packet_side =
-                                            PLT_PACKET_SIDE_MAX < 4 ? PLT_PACKET_SIDE_MAX : 4};
-    const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
-    memset(&e, 0, sizeof e);
-    fake_cable_open(&e.cable, &e.host, &e.device.peer, seed);
-    wire_peer_open(&e.host, &host_setup, e.cable.now_ms);
-    wire_frames_in_open(&e.frames, &e.host, &panel);
-    wire_scene_out_open(&e.scene, &e.host, image->bytes, (uint32_t)image->size);
-    wire_view_out_open(&e.view, &e.host);
-    wire_device_open(&e.device, &device_setup, &options, e.memory, sizeof e.memory, e.cable.now_ms);
+    open_rig(image->bytes, (uint32_t)image->size, 4, seed);
 }
 
 /* The hash of the panel when `frames` more frames came whole. */
@@ -223,25 +187,7 @@ static uint64_t engine_frame(uint32_t most) {
 
 static uint64_t direct_frame(plt_engine *engine, const wire_view *v) {
     static uint8_t rgb[WIDTH * HEIGHT * 3];
-    plt_frame frame = {.width = WIDTH, .height = HEIGHT, .shader = v->shader};
-    memcpy(frame.camera.eye, v->eye, sizeof v->eye);
-    memcpy(frame.camera.look, v->look, sizeof v->look);
-    memcpy(frame.camera.up, v->up, sizeof v->up);
-    frame.camera.tan_half_fov = v->tan_half_fov;
-    uint32_t pixels = 0;
-    CHECK(plt_render_begin(engine, &frame) == PLT_OK, "the camera");
-    for (int status = PLT_MORE; status > 0;) {
-        status = plt_render_step(engine, 10000);
-        if (status == PLT_TILE) {
-            plt_tile t;
-            plt_render_tile(engine, &t);
-            for (unsigned y = 0; y < t.height; y++) {
-                memcpy(rgb + 3 * ((t.y + y) * WIDTH + t.x), t.rgb + 3u * y * t.width, 3u * t.width);
-            }
-            pixels += (uint32_t)t.width * t.height;
-        }
-    }
-    CHECK(pixels == WIDTH * HEIGHT, "%u pixels rendered", pixels);
+    render_direct(engine, v, rgb);
     return hash_bytes(rgb, sizeof rgb);
 }
 

@@ -1,37 +1,25 @@
 /* test_wire_streamed - a device whose scene stays with its host, over cables that fail
  *
  * Every report of a frame is lost, damaged, cut short, repeated, late or overtaken, one at a
- * time: the frame is that of a direct render. The cable dies at every report, the host falls
+ * time: the frame is that of a direct render. Either peer stands still at every report, or the
+ * cable is dead for a while: the frame goes on. The cable dies at every report, the host falls
  * silent, refuses or lies from every request on: the device gives up after a time that is bounded,
  * says why, and renders the next frame.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "platform/wire/wire_device.h"
+enum { WIDTH = 28, HEIGHT = 20, MEMORY = 1 << 17, IMAGE_MOST = 1 << 20 };
+
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/shapes.h"
-#include "tests/reference/wire_fake.h"
-#include "tests/test.h"
-
-enum { WIDTH = 28, HEIGHT = 20, MEMORY = 1 << 17, GUARD = 64, IMAGE_MOST = 1 << 20 };
+#include "tests/reference/wire_device_rig.h"
 
 /* The engine tries a block three times, and each try ends: wire_block.h. */
 enum { CALL_MS_MOST = 3 * WIRE_BLOCK_DEAD_MS + 1000 };
 
-static struct {
-    wire_peer host;
-    wire_frames_in frames;
-    wire_scene_out scene;
-    wire_view_out view;
-    wire_blocks_out blocks;
-    wire_device device;
-    fake_cable cable;
-    uint32_t longest_ms; /* call of wire_device_run */
-    uint8_t image[IMAGE_MOST];
-    uint8_t panel[WIDTH * HEIGHT * 3];
-    _Alignas(PLT_ALIGN) uint8_t memory[MEMORY + GUARD];
-} e;
+static uint32_t longest_ms; /* call of wire_device_run */
+static uint8_t served[IMAGE_MOST];
 
 static rig direct;
 static uint8_t due[2][WIDTH * HEIGHT * 3];
@@ -47,41 +35,22 @@ static int pump(void *context) {
 
 /* `room`: images above it are streamed. */
 static void open_pair(uint64_t seed, uint32_t room) {
-    static const wire_setup host_setup = {.role = WIRE_HOST,
-                                          .caps = {.session = 1,
-                                                   .in_bytes = 64,
-                                                   .out_bytes = 64,
-                                                   .width = WIDTH,
-                                                   .height = HEIGHT,
-                                                   .format = WIRE_RGB888,
-                                                   .credits = 16,
-                                                   .features = WIRE_SHOWS | WIRE_SCENES}};
-    static const wire_setup device_setup = {
-        .role = WIRE_DEVICE,
-        .caps = {.session = 2, .in_bytes = 64, .out_bytes = 64, .credits = 16}};
-    static const plt_options options = {.packet_side =
-                                            PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8};
-    const wire_panel panel = {e.panel, WIDTH * 3, NULL, NULL};
     const uint32_t bytes = (uint32_t)direct.image.size;
-    memset(&e, 0, sizeof e);
-    memset(e.memory + MEMORY, 0x5A, GUARD);
-    memcpy(e.image, direct.image.bytes, bytes);
-    fake_cable_open(&e.cable, &e.host, &e.device.peer, seed);
-    wire_peer_open(&e.host, &host_setup, e.cable.now_ms);
-    wire_frames_in_open(&e.frames, &e.host, &panel);
-    wire_scene_out_open(&e.scene, &e.host, e.image, bytes);
-    wire_blocks_out_open(&e.blocks, &e.host, e.image, bytes);
-    wire_view_out_open(&e.view, &e.host);
-    wire_device_open(&e.device, &device_setup, &options, e.memory, MEMORY, e.cable.now_ms);
+    memcpy(served, direct.image.bytes, bytes);
+    open_rig(served, bytes, 8, seed);
     wire_device_stream(&e.device, pump, &e.cable);
     e.device.scene.room = room;
+    longest_ms = 0;
 }
 
 static void run_device(void) {
+    if (e.cable.stopped == &e.device.peer) {
+        return;
+    }
     const uint32_t before = e.cable.now_ms;
     wire_device_run(&e.device, 2000);
     const uint32_t lasted = e.cable.now_ms - before;
-    e.longest_ms = lasted > e.longest_ms ? lasted : e.longest_ms;
+    longest_ms = lasted > longest_ms ? lasted : longest_ms;
 }
 
 /* As `planelet serve`: 1 when a frame of the view came, -1 when the device reported an error (in
@@ -118,25 +87,7 @@ static void check_bounds(const char *how, uint32_t at) {
     for (unsigned i = 0; i < GUARD; i++) {
         CHECK(e.memory[MEMORY + i] == 0x5A, "%s %u: written behind the memory", how, at);
     }
-    CHECK(e.longest_ms <= CALL_MS_MOST, "%s %u: a call of %u ms", how, at, e.longest_ms);
-}
-
-static void render_direct(unsigned view) {
-    const wire_view *v = &views[view];
-    plt_frame frame = {.width = WIDTH, .height = HEIGHT, .shader = v->shader};
-    memcpy(frame.camera.eye, v->eye, sizeof v->eye);
-    memcpy(frame.camera.up, v->up, sizeof v->up);
-    frame.camera.tan_half_fov = v->tan_half_fov;
-    CHECK(plt_render_begin(direct.engine, &frame) == PLT_OK, "the camera");
-    for (int status = PLT_MORE; status > 0;) {
-        status = plt_render_step(direct.engine, 10000);
-        plt_tile t;
-        plt_render_tile(direct.engine, &t);
-        for (unsigned y = 0; status == PLT_TILE && y < t.height; y++) {
-            memcpy(due[view] + 3 * ((t.y + y) * WIDTH + t.x), t.rgb + 3u * y * t.width,
-                   3u * t.width);
-        }
-    }
+    CHECK(longest_ms <= CALL_MS_MOST, "%s %u: a call of %u ms", how, at, longest_ms);
 }
 
 /* ---- a good cable ------------------------------------------------------------------------ */
@@ -188,7 +139,7 @@ static void test_strikes(void) {
             const int to_host = i > reports[0];
             open_pair(i, 0);
             e.cable.strike =
-                (fake_strike){to_host ? i - reports[0] : i, (uint8_t)blow, (uint8_t)to_host};
+                (fake_strike){to_host ? i - reports[0] : i, (uint8_t)blow, (uint8_t)to_host, 0};
             check_frame(0, names[blow], i);
             check_bounds(names[blow], i);
         }
@@ -198,7 +149,8 @@ static void test_strikes(void) {
         const int to_host = i > reports[0];
         unsigned code;
         open_pair(i, 0);
-        e.cable.strike = (fake_strike){to_host ? i - reports[0] : i, FAKE_ENDS, (uint8_t)to_host};
+        e.cable.strike =
+            (fake_strike){to_host ? i - reports[0] : i, FAKE_ENDS, (uint8_t)to_host, 0};
         wire_view_send(&e.view, &views[0]);
         const int came = frame_comes(20000, &code);
         CHECK(came == 0 || (i >= reports[0] && came == 1), "%u: %d", i, came);
@@ -207,6 +159,52 @@ static void test_strikes(void) {
         check_frame(1, "after its end", i);
         check_bounds("dead", i);
     }
+}
+
+/* ---- silence ------------------------------------------------------------------------------- */
+
+/* How often the frame was rendered, to the pixel. */
+static uint64_t rays_cast(void) {
+    plt_stats stats = {0};
+    if (e.device.engine != NULL) {
+        plt_stats_get(e.device.engine, &stats);
+    }
+    return stats.rays;
+}
+
+/* With every report an outage of `ms` begins. Returns after how many the frame was rendered once,
+ * in one session. */
+static uint32_t outages(unsigned blow, uint32_t ms, const char *how) {
+    uint32_t once = 0;
+    for (uint32_t i = 1; i <= reports[0] + reports[1]; i++) {
+        const int to_host = i > reports[0];
+        open_pair(i, 0);
+        e.cable.strike =
+            (fake_strike){to_host ? i - reports[0] : i, (uint8_t)blow, (uint8_t)to_host, ms};
+        check_frame(0, how, i);
+        longest_ms = blow == FAKE_STOPS_DEVICE ? 0 : longest_ms; /* it stood still in a call */
+        check_bounds(how, i);
+        once += rays_cast() == WIDTH * HEIGHT && e.device.peer.stats.sessions == 1 &&
+                e.host.stats.sessions == 1;
+    }
+    return once;
+}
+
+static void test_silence(void) {
+    const uint32_t all = reports[0] + reports[1];
+    test("a device that stands still at any report costs time, and no pixel is rendered twice");
+    uint32_t once = outages(FAKE_STOPS_DEVICE, 2000, "device stops");
+    CHECK(once == all, "%u of %u", once, all);
+    once = outages(FAKE_STOPS_DEVICE, 30000, "device stops for long");
+    CHECK(once == all, "%u of %u", once, all);
+    test("so does a host; after 15 s the device begins the frame again, and tells of no error");
+    once = outages(FAKE_STOPS_HOST, 2000, "host stops");
+    CHECK(once == all, "%u of %u", once, all);
+    outages(FAKE_STOPS_HOST, 30000, "host stops for long");
+    test("a cable that dies at any report and comes back: the frame goes on, in the same session");
+    once = outages(FAKE_ENDS, 1500, "the cable comes back");
+    CHECK(once > all * 3 / 4, "%u of %u", once, all);
+    outages(FAKE_ENDS, 30000, "... after long");
 }
 
 /* ---- a host that fails ------------------------------------------------------------------- */
@@ -237,7 +235,7 @@ static void mend(void) {
     fail_at = UINT32_MAX;
     e.host.blocks_out = &e.blocks;
     e.blocks.bytes = (uint32_t)direct.image.size;
-    memcpy(e.image, direct.image.bytes, direct.image.size);
+    memcpy(served, direct.image.bytes, direct.image.size);
 }
 
 /* What the host does is looked at after each step of the cable. */
@@ -248,7 +246,7 @@ static int failing_pump(void *context) {
         e.blocks.bytes = 0;
     } else if (e.blocks.asked + 1 >= fail_at) {
         for (uint32_t i = 0; i < direct.image.size; i++) {
-            e.image[i] = (uint8_t)~direct.image.bytes[i];
+            served[i] = (uint8_t)~direct.image.bytes[i];
         }
     }
     if (e.blocks.asked >= fail_at && fails == LIES_ONCE && !is_serving()) {
@@ -316,8 +314,8 @@ static void test_hosts(void) {
 static int replacing_pump(void *context) {
     if (e.blocks.asked == fail_at) {
         fail_at = UINT32_MAX;
-        wire_scene_out_open(&e.scene, &e.host, e.image, 1000); /* no whole image any more */
-        wire_blocks_out_open(&e.blocks, &e.host, e.image, 1000);
+        wire_scene_out_open(&e.scene, &e.host, served, 1000); /* no whole image any more */
+        wire_blocks_out_open(&e.blocks, &e.host, served, 1000);
     }
     fake_cable_step(context);
     return 0;
@@ -334,8 +332,8 @@ static void test_replaced(void) {
         CHECK(frame_comes(3000, &code) == -1 && code == WIRE_E_SCENE, "%u: code %u", at, code);
         CHECK(e.device.scene.bytes == 1000, "%u: not taken", at);
         e.blocks.asked = 0;
-        wire_scene_out_open(&e.scene, &e.host, e.image, (uint32_t)direct.image.size);
-        wire_blocks_out_open(&e.blocks, &e.host, e.image, (uint32_t)direct.image.size);
+        wire_scene_out_open(&e.scene, &e.host, served, (uint32_t)direct.image.size);
+        wire_blocks_out_open(&e.blocks, &e.host, served, (uint32_t)direct.image.size);
         check_frame(1, "after another", at);
         check_bounds("replaced", at);
     }
@@ -352,10 +350,11 @@ static void test_streaming(void) {
     shape_icosphere(&m, 3);
     CHECK(compact_open(&direct, &m, &config) == PLT_OK, "%s", direct.fault.message);
     CHECK(direct.image.size < IMAGE_MOST, "%u bytes", direct.image.size);
-    render_direct(0);
-    render_direct(1);
+    render_direct(direct.engine, &views[0], due[0]);
+    render_direct(direct.engine, &views[1], due[1]);
     test_good();
     test_strikes();
+    test_silence();
     test_hosts();
     test_replaced();
     rig_close(&direct);

@@ -76,6 +76,28 @@ verdict "... in $per_ray instructions of the engine per ray" "$(
 sed -n 's/^frame/    &/p' "$out/log.txt"
 echo "    while it waited: wire $(counted wire) instructions, rest $(counted rest)"
 
+# A session used to end after 0.8 s of silence, and the frame with it.
+start
+(
+    until grep -q '^scene opened' "$out/log.txt"; do sleep 0.1; done
+    for pause in 1 2 3; do
+        sleep 2
+        kill -STOP "$board" && sleep "$pause"
+        kill -CONT "$board"
+    done
+) 2>/dev/null &
+stops=$!
+# shellcheck disable=SC2086
+serve "$out/terrain.plt" $view --verbose
+wait $stops
+verdict "a board that stands still for seconds, three times: the frame is the host's" "$(
+    [ "$status" -eq 0 ] || echo "status $status: $text"
+    cmp "$out/served.ppm" "$out/host.ppm" 2>&1)"
+verdict "... in one session, each of $(value rays) rays cast once" "$(
+    [ "$(value rays)" -eq 768 ] && echo "$text" | grep -q ', 1 sessions' &&
+        echo "$text" | grep -q 'is silent' || echo "$text")"
+end
+
 damage "$out/damaged.plt"
 start
 serve "$out/damaged.plt"

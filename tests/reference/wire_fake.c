@@ -41,9 +41,28 @@ static int is_struck(const fake_cable *c, int to_host) {
            c->carried[to_host] == c->strike.at;
 }
 
+/* Something ends or stops with this report. */
+static void begin_outage(fake_cable *c, int to_host) {
+    if (is_struck(c, to_host) && c->strike.blow >= FAKE_ENDS) {
+        c->struck_ms = c->now_ms;
+        c->is_dead |= c->strike.blow == FAKE_ENDS;
+        c->stopped = c->strike.blow == FAKE_STOPS_HOST     ? c->host
+                     : c->strike.blow == FAKE_STOPS_DEVICE ? c->device
+                                                           : c->stopped;
+    }
+}
+
+static void end_outage(fake_cable *c) {
+    if ((c->is_dead || c->stopped != NULL) && c->strike.lasts_ms > 0 &&
+        c->now_ms - c->struck_ms >= c->strike.lasts_ms) {
+        c->is_dead = 0;
+        c->stopped = NULL;
+        c->strike.blow = FAKE_NOTHING;
+    }
+}
+
 /* Whether this report is lost, or repeated, by the strike. */
-static int is_lost(fake_cable *c, int to_host) {
-    c->is_dead |= is_struck(c, to_host) && c->strike.blow == FAKE_ENDS;
+static int is_lost(const fake_cable *c, int to_host) {
     return c->is_dead || (is_struck(c, to_host) && c->strike.blow == FAKE_LOSES);
 }
 
@@ -83,12 +102,13 @@ static void launch(fake_cable *c, const uint8_t *data, size_t bytes, int to_host
 
 static void carry(fake_cable *c, wire_peer *from, int to_host) {
     uint8_t report[WIRE_REPORT_BYTES_MAX];
-    for (int sent = 0; sent < (c->paced ? 1 : 8); sent++) {
+    for (int sent = 0; sent < (c->paced ? 1 : 8) && from != c->stopped; sent++) {
         const size_t bytes = wire_next_report(from, report, c->now_ms);
         if (bytes == 0) {
             return;
         }
         c->carried[to_host]++;
+        begin_outage(c, to_host);
         if (is_lost(c, to_host) || c->plugged_at_ms != 0 || happens(c, c->faults.lose)) {
             continue;
         }
@@ -105,6 +125,7 @@ static fake_report *next_due(fake_cable *c) {
     for (int i = 0; i < FAKE_IN_FLIGHT; i++) {
         fake_report *r = &c->flight[i];
         if (r->is_used && (int32_t)(c->now_ms - r->due_ms) >= 0 &&
+            (r->to_host ? c->host : c->device) != c->stopped &&
             (best == NULL || r->order < best->order)) {
             best = r;
         }
@@ -133,13 +154,18 @@ static void step_plug(fake_cable *c) {
 void fake_cable_step(fake_cable *c) {
     c->now_ms++;
     step_plug(c);
+    end_outage(c);
     for (fake_report *r = next_due(c); r != NULL; r = next_due(c)) {
         /* In a block of just its size, so that sanitizers see a byte too many. */
         wire_on_report(r->to_host ? c->host : c->device, r->data, r->bytes, c->now_ms);
         r->is_used = 0;
     }
-    wire_poll(c->host, c->now_ms);
-    wire_poll(c->device, c->now_ms);
+    if (c->stopped != c->host) {
+        wire_poll(c->host, c->now_ms);
+    }
+    if (c->stopped != c->device) {
+        wire_poll(c->device, c->now_ms);
+    }
     carry(c, c->host, 0);
     carry(c, c->device, 1);
 }

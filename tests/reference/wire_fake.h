@@ -27,15 +27,18 @@ enum fake_blow {
     FAKE_DAMAGES,
     FAKE_SHORTENS,
     FAKE_REPEATS,
-    FAKE_DELAYS, /* by more than a repeated request waits */
-    FAKE_SWAPS,  /* with those of the next milliseconds */
-    FAKE_ENDS,   /* lost, and all behind it in both directions */
+    FAKE_DELAYS,       /* by more than a repeated request waits */
+    FAKE_SWAPS,        /* with those of the next milliseconds */
+    FAKE_ENDS,         /* lost, and all behind it in both directions */
+    FAKE_STOPS_HOST,   /* carried; but the host stands still, and what comes for it waits */
+    FAKE_STOPS_DEVICE, /* likewise */
     FAKE_BLOWS
 };
 
 typedef struct fake_strike {
     uint32_t at;
     uint8_t blow, to_host;
+    uint32_t lasts_ms; /* of those that end or stop something; 0: for ever */
 } fake_strike;
 
 typedef struct fake_report {
@@ -49,7 +52,9 @@ typedef struct fake_cable {
     wire_peer *host, *device;
     fake_faults faults;
     fake_strike strike;
-    int is_dead; /* after FAKE_ENDS: cleared, the cable is whole again */
+    int is_dead;              /* after FAKE_ENDS: cleared, the cable is whole again */
+    const wire_peer *stopped; /* stands still; NULL: none does */
+    uint32_t struck_ms;       /* when that began */
     random_state random;
     uint32_t now_ms, order, plugged_at_ms; /* 0: in; else the time it comes back */
     int paced; /* one report per millisecond and direction, as full-speed USB */
