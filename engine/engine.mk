@@ -50,6 +50,7 @@ motion_files := engine/move.c $(wildcard engine/motion/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
+    engine/shade/camera_ranges.c \
     engine/shade/packet_shade.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c

@@ -37,6 +37,7 @@
  * masks             m4_and m4_or m4_andnot (a and not b) -> m4
  *                   m4_mask(m4) -> bit i from lane i, 0 .. 15
  * choose            f4_select(m4, a, b) u4_select: a where set, else b
+ *                   f4_swap(m4, f4*, f4*): exchanged where set
  * cross lanes       f4_min_lane(f4) least lane, -0 before +0 not promised,
  *                   NaN lanes not allowed
  *                   f4_transpose(f4*, f4*, f4*, f4*): 4 rows to 4 columns

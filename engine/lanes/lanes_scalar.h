@@ -218,6 +218,14 @@ static inline f4 f4_select(m4 m, f4 a, f4 b) {
     PLT_EACH_LANE(f4, plt_float_of(m.lane[i] ? plt_bits_of(a.lane[i]) : plt_bits_of(b.lane[i])));
 }
 
+static inline void f4_swap(m4 m, f4 *a, f4 *b) {
+    PLT_UNROLLED for (int i = 0; i < 4; i++) {
+        const float x = a->lane[i], y = b->lane[i];
+        a->lane[i] = m.lane[i] ? y : x;
+        b->lane[i] = m.lane[i] ? x : y;
+    }
+}
+
 static inline u4 u4_select(m4 m, u4 a, u4 b) {
     PLT_EACH_LANE(u4, m.lane[i] ? a.lane[i] : b.lane[i]);
 }

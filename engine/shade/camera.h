@@ -29,6 +29,20 @@ static inline void plt_view_direction(const plt_view *v, uint32_t px, uint32_t p
     }
 }
 
+/* The same in lanes, first along the row, then down the column. Whole numbers this small are
+ * exact. */
+static inline f4 plt_view_along(const plt_view *v, int a, f4 px) {
+    return f4_add(f4_all(v->corner[a]), f4_mul(px, f4_all(v->right[a])));
+}
+
+static inline f4 plt_view_below(const plt_view *v, int a, f4 py) {
+    return f4_mul(py, f4_all(v->down[a]));
+}
+
+static inline f4 plt_view_directions(const plt_view *v, int a, f4 px, f4 py) {
+    return f4_add(plt_view_along(v, a, px), plt_view_below(v, a, py));
+}
+
 /* A square of pixels, its top left one, and the first column and row behind the frame. */
 typedef struct plt_pixels {
     uint32_t side, x, y, x_end, y_end;

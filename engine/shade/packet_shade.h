@@ -16,7 +16,7 @@ void plt_packet_shade(const plt_packet *packet, const plt_frame *frame, const pl
 static inline void plt_packet_shade(const plt_packet *packet, const plt_frame *frame,
                                     const plt_pixels *pixels, const uint8_t *sky, uint8_t *rgb,
                                     uint32_t row_bytes) {
-    plt_shade_pixels(packet, frame, pixels, sky, rgb, row_bytes);
+    plt_shade_pixels(packet, 0, frame, pixels, sky, rgb, row_bytes);
 }
 #endif
 

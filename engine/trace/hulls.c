@@ -250,6 +250,7 @@ PLT_INLINED void set_kind(plt_packet *p, enum plt_coherence kind) {
 
 void plt_hulls_set(plt_packet *p) {
     p->changed = 0;
+    p->moved = p->slabs.coherence == PLT_ONE_ORIGIN;
     for (int a = 0; a < 4; a++) {
         p->across[a] = a < 3 && a != p->axis ? 1.0f : 0.0f;
     }

@@ -29,6 +29,15 @@ static m4 valid_lanes(const f4 org[3], const f4 dir[3], f4 tmin, f4 tmax) {
 
 static void set_reciprocals(plt_group_slabs *s, const f4 dir[3]) {
     const f4 tiny = f4_mul(largest_of(dir), f4_all(PLT_DIR_LEAST));
+    if (PLT_LANES_REGISTERS) { /* hardly any is tiny */
+        const f4 least = f4_min(f4_min(f4_abs(dir[0]), f4_abs(dir[1])), f4_abs(dir[2]));
+        if (m4_mask(f4_lt(least, tiny)) == 0) {
+            PLT_UNROLLED for (int a = 0; a < 3; a++) {
+                f4_store(s->rdir[a], f4_div(f4_all(1.0f), dir[a]));
+            }
+            return;
+        }
+    }
     for (int a = 0; a < 3; a++) {
         const f4 signed_tiny = f4_select(f4_lt(dir[a], f4_zero()), f4_neg(tiny), tiny);
         const f4 d = f4_select(f4_lt(f4_abs(dir[a]), tiny), signed_tiny, dir[a]);
@@ -125,7 +134,12 @@ void plt_group_set_slabs(plt_packet *p, unsigned index) {
         org[a] = f4_load(g->org[a]);
         dir[a] = f4_load(g->dir[a]);
     }
-    set_slabs(p, index, org, dir);
+    if (p->moved) {
+        set_reciprocals(&p->slabs.group[index], dir);
+        f4_store(p->rays[index].reach, f4_all(p->reach));
+    } else {
+        set_slabs(p, index, org, dir);
+    }
     p->ready |= plt_mask_of(index, 1);
 }
 
@@ -198,7 +212,7 @@ void plt_packet_begin(plt_packet *packet, const plt_box *scene, unsigned groups,
     packet->active = 0;
 #if PLT_WITH_HULLS
     packet->ready = packet->changed = 0;
-    packet->unbounded = packet->surfaces = 0;
+    packet->unbounded = packet->surfaces = packet->moved = 0;
 #endif
     packet->any = (uint8_t)(any != 0);
 }

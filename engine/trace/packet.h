@@ -69,7 +69,8 @@ typedef struct plt_packet {
     uint8_t surfaces;               /* hits have normals, or 0: u and v */
     uint8_t unbounded;              /* all groups seek hits from 0 on, without an end; 0: unknown */
     uint8_t along;                  /* hulls can be set: one axis, one direction along it */
-    float across[4];                /* 1 on the two axes across the packet's, else 0 */
+    uint8_t moved;   /* hulls of one origin, which is moved for all: groups need rates alone */
+    float across[4]; /* 1 on the two axes across the packet's, else 0 */
 #endif
 } plt_packet;
 

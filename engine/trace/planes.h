@@ -20,8 +20,7 @@ PLT_INLINED void plt_planes_set(plt_planes *to, const plt_slab_array *slabs, f4 
     f4 near = lo, far = hi;
     if (kind != PLT_MIXED) {
         const m4 negative = m4_of_u4(u4_load(slabs->backwards));
-        near = f4_select(negative, hi, lo);
-        far = f4_select(negative, lo, hi);
+        f4_swap(negative, &near, &far);
     }
     if (kind == PLT_ONE_ORIGIN) {
         near = f4_sub(near, f4_load(slabs->near_org));

@@ -81,13 +81,12 @@ static inline void children_decode(format_children *c, const plt_node *node,
     const u4 owners_lo = u4_and(u4_all(plt_node_link(node, 0)), owner);
     const u4 owners_hi = u4_and(u4_all(plt_node_link(node, 1)), owner);
     const m4 right_lo = u4_eq(owners_lo, owner), right_hi = u4_eq(owners_hi, owner);
-    f4 lo, hi;
-    load_planes(node, &lo, &hi);
     c->node = node;
-    c->lo[0] = f4_select(right_lo, place->lo, lo);
-    c->lo[1] = f4_select(right_lo, lo, place->lo);
-    c->hi[0] = f4_select(right_hi, place->hi, hi);
-    c->hi[1] = f4_select(right_hi, hi, place->hi);
+    load_planes(node, &c->lo[0], &c->hi[0]);
+    c->lo[1] = place->lo;
+    c->hi[1] = place->hi;
+    f4_swap(right_lo, &c->lo[0], &c->lo[1]);
+    f4_swap(right_hi, &c->hi[0], &c->hi[1]);
 }
 
 static inline const plt_box *format_boxes(format_children *c) {

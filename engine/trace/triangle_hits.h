@@ -24,8 +24,8 @@ typedef struct prepared {
     float longest;
     uint32_t word;
     const plt_primitive_ids *ids;
-    int has_surface; /* what only candidates for a hit need, set for the first of them: */
-    float corner_floats[3][3];
+    int has_surface;           /* what only candidates for a hit need, set for the first of them: */
+    float corner_floats[3][3]; /* as integers want them, or groups of many origins */
     float normal[4];
     f4 along[3];         /* its components along the axes of `across`, in all lanes */
     f4 numerator;        /* PER_PACKET: normal . (corner 0 - origin) */
@@ -88,28 +88,35 @@ PLT_INLINED m4 own_box(const prepared *t, const plt_group_slabs *s, enum plt_coh
 }
 
 /* PER_PACKET, normal . (corner 0 - origin). */
-static f4 packet_numerator(const prepared *t, const plt_packet *p) {
-    float from[4], numerator = 0.0f;
-    f4_store(from, f4_sub(t->corner[0], f4_load(p->org)));
-    for (int a = 0; a < 3; a++) {
-        numerator = numerator + t->normal[a] * from[a];
+static inline f4 packet_numerator(const prepared *t, const plt_packet *p, f4 normal) {
+    const f4 terms = f4_mul(normal, f4_sub(t->corner[0], f4_load(p->org)));
+    return f4_add(f4_add(f4_add(f4_zero(), f4_lane(terms, 0)), f4_lane(terms, 1)),
+                  f4_lane(terms, 2));
+}
+
+static void set_corner_floats(prepared *t) {
+    for (int c = 0; c < 3; c++) {
+        float at[4];
+        f4_store(at, t->corner[c]);
+        memcpy(t->corner_floats[c], at, sizeof t->corner_floats[c]);
     }
-    return f4_all(numerator);
 }
 
 /* Planes of its own box, and of one origin the plane that it lies in. */
-static void set_planes(prepared *t, const plt_packet *p) {
+static inline void set_planes(prepared *t, const plt_packet *p, f4 normal) {
     const f4 lo = f4_min(f4_min(t->corner[0], t->corner[1]), t->corner[2]);
     const f4 hi = larger3(t->corner[0], t->corner[1], t->corner[2]);
     switch (p->slabs.coherence) {
     case PLT_ONE_ORIGIN:
         plt_planes_set(&t->planes, &p->slabs, lo, hi, PLT_ONE_ORIGIN);
-        t->numerator = packet_numerator(t, p);
+        t->numerator = packet_numerator(t, p, normal);
         break;
     case PLT_ONE_SIGN:
+        set_corner_floats(t);
         plt_planes_set(&t->planes, &p->slabs, lo, hi, PLT_ONE_SIGN);
         break;
     default:
+        set_corner_floats(t);
         plt_planes_set(&t->planes, &p->slabs, lo, hi, PLT_MIXED);
         break;
     }
@@ -128,14 +135,11 @@ RARELY void set_surface(prepared *t, const plt_packet *p, int z) {
     spread(t->along, normal, z);
     t->open = f4_all(plt_open_limit(t->longest));
     t->id = u4_all(plt_primitive_id(word));
-    t->u_at = plt_axis_after[plt_primitive_rotation(word)];
-    t->v_at = plt_axis_after[t->u_at];
-    for (int c = 0; c < 3; c++) {
-        float at[4];
-        f4_store(at, t->corner[c]);
-        memcpy(t->corner_floats[c], at, sizeof t->corner_floats[c]);
+    if (!p->surfaces) {
+        t->u_at = plt_axis_after[plt_primitive_rotation(word)];
+        t->v_at = plt_axis_after[t->u_at];
     }
-    set_planes(t, p);
+    set_planes(t, p, normal);
 }
 
 /* Four rays that pass a triangle. */
@@ -148,8 +152,9 @@ typedef struct passed {
 } passed;
 
 /* As triangle_record.h wants it. */
-static passing passing_of(const prepared *t, const passed *at) {
+static passing passing_of(prepared *t, const passed *at) {
     passing to;
+    set_corner_floats(t);
     to.corner = t->corner_floats;
     to.longest = t->longest;
     to.enter = at->enter;
@@ -159,7 +164,7 @@ static passing passing_of(const prepared *t, const passed *at) {
 }
 
 /* Of lanes some of which it may not cover those that it covers. */
-RARELY unsigned decide(const prepared *t, const plt_group_rays *g, passed *at, unsigned lanes) {
+RARELY unsigned decide(prepared *t, const plt_group_rays *g, passed *at, unsigned lanes) {
     const int ax = plt_axis_after[at->z], ay = plt_axis_after[ax];
     const passing with = passing_of(t, at);
     edges e;
@@ -178,7 +183,7 @@ RARELY unsigned decide(const prepared *t, const plt_group_rays *g, passed *at, u
 }
 
 /* Lanes of `lanes` that need integers for t. */
-RARELY unsigned find_open(const prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
+RARELY unsigned find_open(prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
                           passed *at, unsigned lanes) {
     passing with = passing_of(t, at);
     const unsigned open = lanes & open_lanes(&with, s, g, at->z, &at->distance);
@@ -186,15 +191,14 @@ RARELY unsigned find_open(const prepared *t, const plt_group_slabs *s, const plt
     return open;
 }
 
-RARELY f4 distance_of_open(const prepared *t, const plt_group_rays *g, const passed *at,
-                           unsigned lanes) {
+RARELY f4 distance_of_open(prepared *t, const plt_group_rays *g, const passed *at, unsigned lanes) {
     const passing with = passing_of(t, at);
     return exact_distance(&with, g, lanes, at->distance);
 }
 
 /* Sets t where the rays pass the plane, held within the triangle's box. Returns those of `lanes`
  * that pass the box. */
-PLT_INLINED unsigned pass(const prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
+PLT_INLINED unsigned pass(prepared *t, const plt_group_slabs *s, const plt_group_rays *g,
                           passed *at, unsigned lanes, enum plt_coherence kind) {
     const f4 along = f4_add(t->along[2], f4_add(f4_mul(t->along[0], f4_load(g->slope[0])),
                                                 f4_mul(t->along[1], f4_load(g->slope[1]))));
@@ -243,8 +247,8 @@ static inline void store_any(plt_packet *p, unsigned index, m4 hit, u4 id) {
 }
 
 /* The rays of `lanes` are those that can meet the triangle; which is a hit? */
-PLT_INLINED void record_kind(const prepared *t, plt_packet *p, unsigned index, passed *at,
-                             unsigned lanes, enum plt_coherence kind) {
+PLT_INLINED void record_kind(prepared *t, plt_packet *p, unsigned index, passed *at, unsigned lanes,
+                             enum plt_coherence kind) {
     plt_group_slabs *s = &p->slabs.group[index];
     plt_group_rays *g = &p->rays[index];
     memcpy(at->normal, t->normal, sizeof at->normal);
@@ -290,6 +294,17 @@ RARELY void record_per_packet(prepared *t, plt_packet *p, unsigned index, passed
 RARELY void record_per_group(prepared *t, plt_packet *p, unsigned index, passed *at,
                              unsigned lanes) {
     record_hits(t, p, index, at, lanes, PER_GROUP);
+}
+
+/* A candidate of a packet whose hits have normals; `lanes` as they passed the sieve. */
+PLT_INLINED void test_surface(prepared *t, plt_packet *p, unsigned index, int z, unsigned lanes) {
+    passed at;
+    at.z = z;
+    at.sure = lanes >> 4 & 15u;
+    lanes &= p->rays[index].axis_lanes[z];
+    if (lanes != 0) {
+        record_per_packet(t, p, index, &at, lanes);
+    }
 }
 
 PLT_INLINED void test_candidate(prepared *t, plt_packet *p, unsigned index, int z,

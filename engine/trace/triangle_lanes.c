@@ -64,17 +64,17 @@ static inline uint32_t ends_list(const batch *b, unsigned k, enum source source)
 }
 
 /* Candidates: a triangle and a group that may meet it. */
-enum { PER_TRIANGLE = 256 };
+enum { PER_TRIANGLE = 256 * SIFTED_LANES };
 
 typedef struct found {
     unsigned count;
-    uint16_t pair[PLT_TRIANGLES_MOST * PLT_GROUPS_MAX + 1]; /* PER_TRIANGLE * triangle + group */
+    uint32_t pair[PLT_TRIANGLES_MOST * PLT_GROUPS_MAX + 1]; /* PER_TRIANGLE * triangle + group */
 } found;
 
 /* Of as many triangles as there is room for. Where a list ends is asked after its triangle was
  * dealt with: the answer may be late, and a wrong guess should cost what lies behind it alone. */
 PLT_INLINED void find_candidates(batch *b, const plt_packet *p, int z, enum sharing sharing,
-                                 enum source source, found *f) {
+                                 enum source source, int surely, found *f) {
     unsigned count = 0, k = 0;
     uint32_t lists = 0;
     sieve s;
@@ -83,7 +83,8 @@ PLT_INLINED void find_candidates(batch *b, const plt_packet *p, int z, enum shar
         f4 corner[3];
         get_corners(b, k, source, corner);
         set_sieve(&s, corner, p, z, sharing);
-        count += sift(&s, p->rays, b->groups, z, sharing, PER_TRIANGLE * k, &f->pair[count]);
+        count +=
+            sift(&s, p->rays, b->groups, z, sharing, surely, PER_TRIANGLE * k, &f->pair[count]);
         lists += ends_list(b, k, source);
     }
     f->count = count;
@@ -91,21 +92,29 @@ PLT_INLINED void find_candidates(batch *b, const plt_packet *p, int z, enum shar
     b->lists_tested = lists;
 }
 
+/* `surely`, of one origin: hits have normals, and want no edge functions but where the sieve leaves
+ * open whether a lane is covered. */
 PLT_INLINED void test_batch(prepared *t, plt_packet *p, batch *b, int z, enum sharing sharing,
-                            enum source source) {
+                            enum source source, int surely) {
     found f;
     unsigned ready = PLT_TRIANGLES_MOST; /* none */
-    find_candidates(b, p, z, sharing, source, &f);
+    find_candidates(b, p, z, sharing, source, surely, &f);
     for (unsigned i = 0; i < f.count; i++) {
-        const unsigned k = f.pair[i] / PER_TRIANGLE;
+        const unsigned k = f.pair[i] / PER_TRIANGLE, index = f.pair[i] % SIFTED_LANES;
         if (k != ready) {
             ready = k;
             get_corners(b, k, source, t->corner);
             t->word = word_of(b, k, source);
             t->has_surface = 0;
-            prepare(t, p, z, sharing);
+            if (!surely) {
+                prepare(t, p, z, sharing);
+            }
         }
-        test_candidate(t, p, f.pair[i] % PER_TRIANGLE, z, sharing);
+        if (surely) {
+            test_surface(t, p, index, z, f.pair[i] / SIFTED_LANES);
+        } else {
+            test_candidate(t, p, index, z, sharing);
+        }
     }
 }
 
@@ -118,7 +127,7 @@ PLT_INLINED void test_axes(prepared *t, plt_packet *p, batch *b, plt_mask groups
             const unsigned index = plt_mask_first(m);
             b->groups |= plt_mask_of(index, p->rays[index].axis_lanes[z] != 0);
         }
-        test_batch(t, p, b, z, PER_GROUP, source);
+        test_batch(t, p, b, z, PER_GROUP, source, 0);
     }
 }
 
@@ -137,25 +146,22 @@ PLT_INLINED void test_groups(plt_packet *p, batch *b, const plt_primitive_ids *i
     t.ids = ids;
     set_slacks(&t, b, p, longest);
     b->groups = groups;
-    switch ((p->slabs.coherence == PLT_ONE_ORIGIN ? 0 : 4) + p->axis) {
-    case 0:
-        test_batch(&t, p, b, 0, PER_PACKET, source);
+    const int one = p->slabs.coherence == PLT_ONE_ORIGIN;
+    switch ((one ? p->surfaces ? 8 : 4 : 0) + p->axis) {
+#define TEST_BATCH(kind, sharing, surely)                                                          \
+    case (kind):                                                                                   \
+        test_batch(&t, p, b, 0, sharing, source, surely);                                          \
+        break;                                                                                     \
+    case (kind) + 1:                                                                               \
+        test_batch(&t, p, b, 1, sharing, source, surely);                                          \
+        break;                                                                                     \
+    case (kind) + 2:                                                                               \
+        test_batch(&t, p, b, 2, sharing, source, surely);                                          \
         break;
-    case 1:
-        test_batch(&t, p, b, 1, PER_PACKET, source);
-        break;
-    case 2:
-        test_batch(&t, p, b, 2, PER_PACKET, source);
-        break;
-    case 4:
-        test_batch(&t, p, b, 0, PER_GROUP, source);
-        break;
-    case 5:
-        test_batch(&t, p, b, 1, PER_GROUP, source);
-        break;
-    case 6:
-        test_batch(&t, p, b, 2, PER_GROUP, source);
-        break;
+        TEST_BATCH(0, PER_GROUP, 0)
+        TEST_BATCH(4, PER_PACKET, 0)
+        TEST_BATCH(8, PER_PACKET, 1)
+#undef TEST_BATCH
     default:
         test_axes(&t, p, b, groups, source);
         break;

@@ -47,20 +47,23 @@ PLT_INLINED void set_sieve(sieve *s, const f4 c[3], const plt_packet *p, int z,
     set_plane(s->row[2], f4_sub(c[1], org), f4_sub(c[0], c[1]), z);
 }
 
-static inline unsigned passes(const sieve *s, f4 v, f4 w, f4 x) {
-    const f4 least = f4_min(f4_min(v, w), x), most = larger3(v, w, x);
-    return m4_mask(m4_or(f4_le(f4_neg(s->slack), least), f4_le(most, s->slack)));
+/* Lanes that may meet the triangle; with `surely` in the next four bits those that surely do, in
+ * front or behind: no edge function is as close to 0 as its error. */
+PLT_INLINED unsigned passes(const sieve *s, f4 v, f4 w, f4 x, int surely) {
+    const f4 least = f4_min(f4_min(v, w), x), most = larger3(v, w, x), below = f4_neg(s->slack);
+    const unsigned may = m4_mask(m4_or(f4_le(below, least), f4_le(most, s->slack)));
+    return surely ? may | m4_mask(m4_or(f4_lt(s->slack, least), f4_lt(most, below))) << 4 : may;
 }
 
 /* Lanes of one origin that may meet the triangle. */
-PLT_INLINED unsigned sift_packet(const sieve *s, const plt_group_rays *g) {
+PLT_INLINED unsigned sift_packet(const sieve *s, const plt_group_rays *g, int surely) {
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     f4 weight[3];
     PLT_UNROLLED for (int i = 0; i < 3; i++) {
         weight[i] = f4_add(f4_mul(slope_x, s->row[i][0]),
                            f4_add(f4_mul(slope_y, s->row[i][1]), s->row[i][2]));
     }
-    return passes(s, weight[0], weight[1], weight[2]);
+    return passes(s, weight[0], weight[1], weight[2], surely);
 }
 
 /* ... of any origins: corner 0 and both edges are sheared; the edge functions follow from their
@@ -77,22 +80,25 @@ PLT_INLINED unsigned sift_group(const sieve *s, const plt_group_rays *g, int z) 
         y[i] = f4_sub(s->row[i][1], f4_mul(slope_y, s->row[i][2]));
     }
     const f4 v = cross(x[0], y[0], x[2], y[2]), w = cross(x[1], y[1], x[0], y[0]);
-    return passes(s, v, w, f4_sub(f4_sub(cross(x[2], y[2], x[1], y[1]), v), w));
+    return passes(s, v, w, f4_sub(f4_sub(cross(x[2], y[2], x[1], y[1]), v), w), 0);
 }
 
-/* Writes `tag` + the number of each group that may meet it from `to` on. Returns how many there
- * are; one more may have been written. Nothing depends on which they are but what is written: a
- * jump that is taken for one group in three is mostly foreseen wrong. */
+/* What it writes of a group: its number, and above that lanes as they passed. */
+enum { SIFTED_LANES = 64 };
+
+/* Writes `tag` + what each group that may meet it is, from `to` on. Returns how many there are; one
+ * more may have been written. Nothing depends on which they are but what is written: a jump that
+ * is taken for one group in three is mostly foreseen wrong. */
 PLT_INLINED unsigned sift(const sieve *s, const plt_group_rays *rays, plt_mask groups, int z,
-                          enum sharing sharing, unsigned tag, uint16_t *to) {
+                          enum sharing sharing, int surely, unsigned tag, uint32_t *to) {
     const sieve kept = *s;
     unsigned count = 0;
     for (; groups != 0; groups &= groups - 1) {
         const unsigned index = plt_mask_first(groups);
         const plt_group_rays *g = &rays[index];
         const unsigned lanes =
-            sharing == PER_PACKET ? sift_packet(&kept, g) : sift_group(&kept, g, z);
-        to[count] = (uint16_t)(tag + index);
+            sharing == PER_PACKET ? sift_packet(&kept, g, surely) : sift_group(&kept, g, z);
+        to[count] = tag + index + (surely ? SIFTED_LANES * lanes : 0);
         count += lanes != 0;
     }
     return count;

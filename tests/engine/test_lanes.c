@@ -162,7 +162,7 @@ static void test_against_scalar(const lanes_probe *p) {
         } else if (operands[op] > 0) {
             compare_pairs(p, (enum lanes_op)op);
         }
-        if (operands[op] == 0 || op == OP_f4_select || op == OP_u4_select) {
+        if (operands[op] == 0 || op == OP_f4_select || op == OP_u4_select || op == OP_f4_swap) {
             compare_masks(p, (enum lanes_op)op);
         }
     }
@@ -278,11 +278,16 @@ static void test_whole_numbers(void) {
 static void test_crossing(void) {
     test("scalar: lanes rotate by one; pairs go where they are told, in the order of lanes");
     const lanes_in in = {.row = {{1, 2, 3, 4}, {5, 6, 7, 8}, {6, 0, 6, 3}}};
+    const lanes_in halves = {.row = {{1, 2, 3, 4}, {5, 6, 7, 8}}, .mask = {5, 0}};
     uint32_t out[16] = {0};
     lanes_probe_scalar.run(OP_f4_rotate, &in, out);
     CHECK(out[0] == 2 && out[1] == 3 && out[2] == 4 && out[3] == 1, "rotated");
     lanes_probe_scalar.run(OP_f4_turn, &in, out);
     CHECK(out[0] == 2 && out[1] == 3 && out[2] == 1 && out[3] == 4, "turned");
+    lanes_probe_scalar.run(OP_f4_swap, &halves, out);
+    CHECK(out[0] == 5 && out[1] == 2 && out[2] == 7 && out[3] == 4 && out[4] == 1 && out[5] == 6 &&
+              out[6] == 3 && out[7] == 8,
+          "swapped");
     lanes_probe_scalar.run(OP_f4_lane, &in, out);
     for (uint32_t i = 0; i < 16; i++) {
         CHECK(out[i] == 1 + i / 4, "lane %u in all", i / 4);

@@ -54,6 +54,7 @@
     X(m4_mask, EXACT, 0)                                                                           \
     X(f4_select, EXACT, 2)                                                                         \
     X(u4_select, EXACT, 2)                                                                         \
+    X(f4_swap, EXACT, 2)                                                                           \
     X(f4_min_lane, VALUE, 1)                                                                       \
     X(f4_transpose, EXACT, 4)                                                                      \
     X(f4_load_16, EXACT, 1)                                                                        \

@@ -131,6 +131,13 @@ static void run_cut_off(const lanes_in *in, uint32_t *out) {
     put_u4(out, u4_of_f4(f4_min(f4_abs(f4_of(in->row[0])), most)));
 }
 
+static void run_swap(const lanes_in *in, uint32_t *out) {
+    f4 a = f4_of(in->row[0]), b = f4_of(in->row[1]);
+    f4_swap(m4_bits(in->mask[0]), &a, &b);
+    put_f4(out, a);
+    put_f4(out + 4, b);
+}
+
 static void run_words_to_mask(const lanes_in *in, uint32_t *out) {
     uint32_t word[4];
     for (int i = 0; i < 4; i++) {
@@ -238,6 +245,9 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         break;
     case OP_u4_select:
         put_u4(out, u4_select(m4_bits(in->mask[0]), u4_of(in->row[0]), u4_of(in->row[1])));
+        break;
+    case OP_f4_swap:
+        run_swap(in, out);
         break;
     case OP_f4_min_lane:
         put_float(out, f4_min_lane(f4_of(in->row[0])));
