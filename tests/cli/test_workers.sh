@@ -189,7 +189,8 @@ for workers in 1 2 8; do
     rm -f x.png
     # shellcheck disable=SC2086
     refused "broken blocks by tasks, $workers workers" broken.plt \
-        "byte [1-9][0-9]*: .*pack the scene" render broken.plt -o x.png --size 203x151 $streamed --schedule task --workers $workers
+        "byte [1-9][0-9]*: .*pack the scene" \
+        render broken.plt -o x.png --size 203x151 $streamed --schedule task --workers $workers
     verdict "... no file is left" "$(ls x.png 2>/dev/null; left_behind)"
     # shellcheck disable=SC2086
     refused "... of rays" broken.plt "byte [1-9][0-9]*: .*pack the scene" \
