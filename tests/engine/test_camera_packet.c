@@ -24,6 +24,7 @@ typedef struct subject {
     plt_pixels pixels;
     plt_box scene;
     plt_packet got, due;
+    int is_plain; /* a view of few values: how many packets are left out is not counted */
     _Alignas(16) unsigned char got_memory[64 * 1024], due_memory[64 * 1024];
 } subject;
 
@@ -65,7 +66,8 @@ static int make_view(subject *s, random_state *r) {
     s->frame.height = (uint16_t)(1 + random_below(r, 700));
     s->frame.shader = (uint8_t)(random_below(r, 4) == 0 ? random_below(r, 3) : PLT_SHADE_EYELIGHT);
     const int status = plt_view_set(&s->view, &s->frame);
-    if (status == PLT_OK && random_below(r, 4) == 0) {
+    s->is_plain = random_below(r, 4) == 0;
+    if (status == PLT_OK && s->is_plain) {
         make_plain_view(s, r);
     }
     return status;
@@ -147,7 +149,7 @@ static void check_packet(subject *s, counts *c) {
     if (PLT_WITH_HULLS && s->got.active == 0) {
         CHECK(s->due.active == 0 || !meets(s), "a packet of side %u at %u, %u may not be left out",
               s->pixels.side, s->pixels.x, s->pixels.y);
-        c->missed++;
+        c->missed += !s->is_plain;
         return;
     }
     CHECK(same_packet(s), "a packet of side %u at %u, %u differs", s->pixels.side, s->pixels.x,
@@ -157,7 +159,7 @@ static void check_packet(subject *s, counts *c) {
               s->pixels.x, s->pixels.y);
     }
     c->packets++;
-    c->in_vain += !meets(s);
+    c->in_vain += !s->is_plain && !meets(s);
     c->at_axis[s->due.axis]++;
     c->mixed += s->due.slabs.coherence == PLT_MIXED;
     c->cut += s->pixels.x + s->pixels.side > s->pixels.x_end;
