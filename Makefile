@@ -128,9 +128,13 @@ demo: all
 	$(PLANELET) pack $(DEMO)/knot.ply -o $(DEMO)/knot.plt
 	$(PLANELET) render $(DEMO)/knot.plt -o $(DEMO)/knot.y4m --arena 262144 --size 320x240 \
 	    --shader normal --orbit 50
+	$(PLANELET) make marbles -o '$(DEMO)/marbles_{}.ply' --frames 75
+	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.y4m --size 480x240 \
+	    --moved '$(DEMO)/marbles_{}.ply' --frames 0:75 --eye 9,17,30 --look 0,-1.5,0.5 --fov 33
+	@rm -f $(DEMO)/marbles_???.ply
 	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
 	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
-	@echo "the picture is $(DEMO)/marbles.png, the film $(DEMO)/knot.y4m"
+	@echo "the picture is $(DEMO)/marbles.png, the films $(DEMO)/knot.y4m and marbles.y4m"
 
 ##try demo-firmware: a board in QEMU gets a scene over a serial line, and shows frames (FRAMES=25)
 demo-firmware: all

@@ -84,14 +84,37 @@ static int move_mesh(moved *m, const scene *s, const mesh *frame, const char *na
     return status;
 }
 
+/* The file of that frame: a '{}' in the name becomes its number. NULL: out of memory. */
+static char *file_of(const moved *m, unsigned frame) {
+    const char *at = strstr(m->mesh, "{}");
+    const size_t room = strlen(m->mesh) + 16;
+    char *name = malloc(room);
+    if (name != NULL && at != NULL) {
+        snprintf(name, room, "%.*s%03u%s", (int)(at - m->mesh), m->mesh, frame, at + 2);
+    } else if (name != NULL) {
+        snprintf(name, room, "%s", m->mesh);
+    }
+    return name;
+}
+
+static int read_mesh(mesh *to, const moved *m, unsigned frame, fail *f) {
+    mesh_report report = {0};
+    char *name = file_of(m, frame);
+    if (name == NULL) {
+        return fail_set(f, m->mesh, "out of memory; close other programs");
+    }
+    const int status = mesh_read(to, name, frame, &report, f);
+    free(name);
+    return status;
+}
+
 int moved_to(moved *m, scene *s, unsigned index, fail *f) {
     mesh frame = {0};
-    mesh_report report = {0};
     fail why = {""};
     char name[64];
     const double began = clock_thread_seconds();
     snprintf(name, sizeof name, "frame %u", m->first + index);
-    int status = mesh_read(&frame, m->mesh, m->first + index, &report, &why);
+    int status = read_mesh(&frame, m, m->first + index, &why);
     m->read_seconds += clock_thread_seconds() - began;
     if (status != 0) {
         status = fail_set(f, name, "%s", why.text);

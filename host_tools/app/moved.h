@@ -10,9 +10,9 @@
 
 #define MOVED_FLAGS                                                                                \
     {"--moved", "MESH",                                                                            \
-     "a film of the scene in motion: its triangles go where those of MESH are, the mesh or the "   \
-     "recipe that the scene was packed from, whose sequences have a frame for each of --frames "   \
-     "(thesis nodes, resident)"},                                                                  \
+     "a film of the scene in motion: its triangles go where those of MESH are in each of "         \
+     "--frames, a recipe with sequences, or files with the frame's number for a '{}' in their "    \
+     "name: 000, 001 ...; the scene was packed from one of them (thesis nodes, resident)"},        \
     {                                                                                              \
         "--frames", "A:B", "frames A to B - 1 of --moved, 0 to 99999 (default 0:1)"                \
     }

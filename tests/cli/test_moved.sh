@@ -60,6 +60,17 @@ works "without --frames the first frame moves to itself" render wave.plt -o move
 run render wave.plt -o fresh.ppm $view
 same fresh.ppm moved.ppm "... and is the scene's picture"
 # shellcheck disable=SC2086
+works "frames by the files' names" render wave.plt -o moved.y4m $view --moved 'wave_{}.ply' \
+    --frames 2:4
+for frame in 2 3; do
+    run pack wave_00$frame.ply -o fresh.plt
+    # shellcheck disable=SC2086
+    run render fresh.plt -o fresh.y4m $view
+    tail -n +2 fresh.y4m
+done >fresh.frames
+tail -n +2 moved.y4m >moved.frames
+same fresh.frames moved.frames "... are those of the files"
+# shellcheck disable=SC2086
 works "all of it twice" render wave.plt -o moved.y4m $view --moved wave.txt --frames 1:6 --repeat 2
 tail -n +2 moved.y4m >moved.frames
 film
@@ -79,6 +90,9 @@ none_left() {
     verdict "... and leaves no file" "$(ls x.y4m x.json 2>/dev/null; left_behind)"
 }
 mv wave_003.ply hidden.ply
+refused "a file that is missing" "frame 3" "wave_003.ply" \
+    render wave.plt -o x.y4m --moved 'wave_{}.ply' --frames 1:6 --size 8x8
+none_left
 refused "a frame that is missing" "frame 3" "wave_003.ply" \
     render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8
 none_left
