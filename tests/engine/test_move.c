@@ -26,6 +26,11 @@ typedef struct mover {
     plt_fault fault;
 } mover;
 
+/* Nodes of a treelet: with tiny limits of few stack entries one. */
+static uint32_t treelet(uint32_t nodes) {
+    return rig_is_tiny() ? 1 : nodes;
+}
+
 static int open_mover(mover *v, const mesh *m, const rig_config *config, int is_mapped) {
     fail f = {""};
     plt_options o = config->run;
@@ -212,7 +217,7 @@ static void every_tree(void) {
         for (unsigned n = 0; n < 4; n++) {
             for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
                 for (uint8_t splits = 0; splits < 2; splits++) {
-                    rig_config c = rig_config_of(k, rig_is_tiny() ? 1 : sizes[n], build, splits);
+                    rig_config c = rig_config_of(k, treelet(sizes[n]), build, splits);
                     c.run.packet_side =
                         (uint8_t)(2u << (k + n) % (PLT_PACKET_SIDE_MAX < 16 ? 1 : 4));
                     c.run.order = (uint8_t)((k + n) % 2);
@@ -227,7 +232,8 @@ static void every_tree(void) {
 static void small_scenes(void) {
     for (uint32_t triangles = 0; triangles < 6; triangles++) {
         for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_NONE; build++) {
-            const rig_config c = rig_config_of(1 + triangles % 3, 16, build, PLT_SPLIT_SAH);
+            const rig_config c =
+                rig_config_of(1 + triangles % 3, treelet(16), build, PLT_SPLIT_SAH);
             mesh m = {0};
             mover v;
             shape_soup(&m, triangles, 0.5f, 1);
@@ -253,7 +259,7 @@ static void small_scenes(void) {
 
 /* With a wave, which has no wide form then. */
 static void in_waves(void) {
-    rig_config c = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    rig_config c = rig_config_of(2, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH);
     c.run.rays_in_flight = 32;
     c.run.rays = PLT_RAYS_INCOHERENT;
     all_ways(&c, 900, 1);
@@ -264,7 +270,7 @@ static void unchanged(void) {
     for (unsigned scene = 0; scene < 6; scene++) {
         mesh m = {0};
         mover v;
-        const rig_config c = rig_config_of(1 + scene % 3, 16, PLT_BUILD_HOST, scene % 2);
+        const rig_config c = rig_config_of(1 + scene % 3, treelet(16), PLT_BUILD_HOST, scene % 2);
         switch (scene) {
         case 0:
             shape_icosphere(&m, rig_is_tiny() ? 0 : 3);
@@ -304,7 +310,7 @@ static void unchanged(void) {
 
 static void bad_corners(void) {
     static const float bad[] = {NAN, INFINITY, -INFINITY, 1.2e12f, -1.2e12f};
-    const rig_config c = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const rig_config c = rig_config_of(2, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH);
     mesh m = {0};
     mover v;
     rig fresh;
@@ -336,7 +342,7 @@ static void bad_corners(void) {
 static void refusals(void) {
     mesh m = {0};
     rig r;
-    rig_config c = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    rig_config c = rig_config_of(2, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH);
     shape_soup(&m, rig_triangles(50, 2), 0.3f, 3);
     float(*corners)[9] = corners_of(&m);
     CHECK(rig_open(&r, &m, &c) == PLT_OK, "%s", r.fault.message);
