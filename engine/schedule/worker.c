@@ -54,6 +54,7 @@ static int run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t vis
 int plt_worker_run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
     t->tasks = &w->edges;
     const int status = run(w, t, packet, visits > 0 ? visits : 1);
+    plt_traversal_pause(t);
     t->tasks = NULL;
     if (status == PLT_MORE) {
         return PLT_MORE;
