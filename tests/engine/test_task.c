@@ -448,6 +448,11 @@ static void everything(subject *s, const char *sentence) {
     every_team(s);
     test("... and when there is room for few tasks");
     few_tasks(s);
+    test("... and with parts that come ahead");
+    parts_ahead = 4;
+    few_tasks(s);
+    every_team(s);
+    parts_ahead = 0;
     test("when the source of one worker fails, it says where, the others end, and all go on later");
     one_fails(s);
     test("what is under way is dropped for something else");
