@@ -33,7 +33,8 @@ static void choose_format(destination *d, args *a, unsigned frames, int is_strea
         args_complain(a, "%s", f.text);
     } else if (frames > 1 && !picture_is_film(d->format) &&
                !(is_stream && d->format == PICTURE_PPM)) {
-        args_complain(a, "several frames make a film: give -o a name that ends in .y4m");
+        args_complain(a, "%s makes a film: give -o a name that ends in .y4m",
+                      args_has(a, "--frames") ? "--frames" : "--orbit");
     }
 }
 
