@@ -5,7 +5,7 @@
 
 #include "engine/lanes/lanes.h"
 #include "engine/planelet.h"
-#include "engine/tree/canonical.h"
+#include "engine/tree/record_put.h"
 
 /* Triangles whose corners are asked for before their turn: records lie in the order of the tree. */
 enum { AHEAD = 12 };
@@ -40,25 +40,6 @@ uint32_t plt_corners_refused(const float (*corners)[9], uint32_t count) {
     return i;
 }
 
-/* Which it is cannot be predicted, so there is no jump. */
-static inline int is_below(const float a[3], const float b[3]) {
-    const int y = (a[1] < b[1]) | ((a[1] == b[1]) & (a[2] < b[2]));
-    return (a[0] < b[0]) | ((a[0] == b[0]) & y);
-}
-
-static inline void put(plt_record *r, const float corner[9]) {
-    const uint32_t first =
-        plt_canonical_first(is_below(corner + 3, corner), is_below(corner + 6, corner),
-                            is_below(corner + 6, corner + 3));
-    const uint32_t second = first < 2 ? first + 1 : 0, third = second < 2 ? second + 1 : 0;
-    const uint32_t word = plt_get_u32(&r->word[9]) & ~(3u << PLT_PRIMITIVE_ROTATION_SHIFT);
-    unsigned char *at = (unsigned char *)r->word;
-    plt_put_floats(at, corner + 3 * first, 3);
-    plt_put_floats(at + 12, corner + 3 * second, 3);
-    plt_put_floats(at + 24, corner + 3 * third, 3);
-    plt_put_u32(&r->word[9], word | plt_canonical_rotation(first) << PLT_PRIMITIVE_ROTATION_SHIFT);
-}
-
 static inline uint32_t id_of(const plt_record *r) {
     return plt_primitive_id(plt_get_u32(&r->word[9]));
 }
@@ -69,6 +50,6 @@ void plt_corners_put(plt_record *records, uint32_t count, const float (*corners)
         const float *next = corners[id_of(&records[ahead])];
         plt_prefetch(next);
         plt_prefetch(next + 8);
-        put(&records[i], corners[id_of(&records[i])]);
+        plt_record_put(&records[i], corners[id_of(&records[i])]);
     }
 }

@@ -11,7 +11,7 @@
 #include "engine/builder/build.h"
 #include "engine/image/header.h"
 #include "engine/planelet_crc32.h"
-#include "engine/tree/canonical.h"
+#include "engine/tree/record_put.h"
 #include "engine/tree/thesis/validate.h"
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/image_size.h"
@@ -34,28 +34,14 @@ static int out_of_memory(const packing *p, fail *f) {
                     p->triangles);
 }
 
-/* By x, then y, then z. */
-static int is_below(const float p[3], const float q[3]) {
-    int a = 0;
-    while (a < 2 && p[a] == q[a]) {
-        a++;
-    }
-    return p[a] < q[a];
-}
-
 void pack_record(plt_record *r, const mesh *m, size_t triangle) {
-    float corner[3][3];
+    float corner[9];
     for (size_t c = 0; c < 3; c++) {
-        memcpy(corner[c], m->vertex + 3 * (size_t)m->triangle[3 * triangle + c], sizeof corner[c]);
+        memcpy(&corner[3 * c], m->vertex + 3 * (size_t)m->triangle[3 * triangle + c],
+               3 * sizeof corner[0]);
     }
-    const uint32_t first =
-        plt_canonical_first(is_below(corner[1], corner[0]), is_below(corner[2], corner[0]),
-                            is_below(corner[2], corner[1]));
-    for (unsigned c = 0; c < 3; c++) {
-        plt_put_floats((unsigned char *)&r->word[3 * c], corner[(first + c) % 3], 3);
-    }
-    plt_put_u32(&r->word[9], (uint32_t)triangle | plt_canonical_rotation(first)
-                                                      << PLT_PRIMITIVE_ROTATION_SHIFT);
+    plt_put_u32(&r->word[9], (uint32_t)triangle);
+    plt_record_put(r, corner);
 }
 
 static void fill_records(packing *p) {

@@ -1,0 +1,31 @@
+/* record_put - the corners of a triangle into its record
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TREE_RECORD_PUT_H
+#define PLT_TREE_RECORD_PUT_H
+
+#include "engine/tree/canonical.h"
+#include "engine/tree/record.h"
+
+/* By x, then y, then z. Which it is cannot be predicted, so there is no jump. */
+static inline int plt_corner_below(const float a[3], const float b[3]) {
+    const int y = (a[1] < b[1]) | ((a[1] == b[1]) & (a[2] < b[2]));
+    return (a[0] < b[0]) | ((a[0] == b[0]) & y);
+}
+
+/* Nine floats, x, y and z of three corners, in canonical order; the id word keeps what it has but
+ * for the rotation. */
+static inline void plt_record_put(plt_record *r, const float corner[9]) {
+    const uint32_t first = plt_canonical_first(plt_corner_below(corner + 3, corner),
+                                               plt_corner_below(corner + 6, corner),
+                                               plt_corner_below(corner + 6, corner + 3));
+    const uint32_t second = first < 2 ? first + 1 : 0, third = second < 2 ? second + 1 : 0;
+    const uint32_t word = plt_get_u32(&r->word[9]) & ~(3u << PLT_PRIMITIVE_ROTATION_SHIFT);
+    unsigned char *at = (unsigned char *)r->word;
+    plt_put_floats(at, corner + 3 * first, 3);
+    plt_put_floats(at + 12, corner + 3 * second, 3);
+    plt_put_floats(at + 24, corner + 3 * third, 3);
+    plt_put_u32(&r->word[9], word | plt_canonical_rotation(first) << PLT_PRIMITIVE_ROTATION_SHIFT);
+}
+
+#endif
