@@ -3,13 +3,14 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/schedule/batch.h"
 
+#include "engine/schedule/counted.h"
 #include "engine/schedule/nearest.h"
 
 void plt_batch_init(plt_batch *b, uint32_t most, unsigned side, void *packets, void *tasks) {
     b->packet = plt_packets_init(most, side, packets);
     b->most = most;
     b->count = 0;
-    plt_tasks_init(&b->tasks, tasks, plt_batch_tasks(most, side), plt_batch_queues(most));
+    plt_tasks_init(&b->tasks, tasks, plt_packets_tasks(most, side), plt_batch_queues(most));
 }
 
 /* After a batch that was worked off the pools are whole: nothing has to be laid out anew. */
@@ -44,19 +45,12 @@ static int resume_next(plt_batch *b, plt_traversal *t) {
     }
 }
 
-/* A task that turns out to be hidden counts as a visit, so that a call ends. */
 static int trace(plt_batch *b, plt_traversal *t, uint32_t visits) {
     while (t->waiting > 0 || resume_next(b, t)) {
-        const uint64_t before = t->stats.node_visits;
-        const int status = plt_traverse(t, &b->packet[b->tasks.packet], visits);
-        const uint64_t used = t->stats.node_visits - before + 1;
-        if (status < 0) {
+        const int status = plt_traverse_counted(t, &b->packet[b->tasks.packet], &visits);
+        if (status != PLT_OK) {
             return status;
         }
-        if (used >= visits) {
-            return PLT_MORE;
-        }
-        visits -= (uint32_t)used;
     }
     return PLT_OK;
 }

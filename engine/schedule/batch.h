@@ -26,19 +26,13 @@ typedef struct plt_batch {
     plt_tasks tasks;
 } plt_batch;
 
-/* Tasks that there is room for: 64 per packet, which unrelated rays have seldom more of (fewer for
- * those so small that tasks would take more than rays), and a few. */
-static inline uint32_t plt_batch_tasks(uint32_t packets, unsigned side) {
-    return (side < 8 ? 8 * side : 64) * packets + 64;
-}
-
 /* Treelets that packets wait at. */
 static inline uint32_t plt_batch_queues(uint32_t packets) {
     return 8 * packets + 128;
 }
 
 static inline uint64_t plt_batch_tasks_bytes(uint32_t packets, unsigned side) {
-    return plt_tasks_bytes(plt_batch_tasks(packets, side), plt_batch_queues(packets));
+    return plt_tasks_bytes(plt_packets_tasks(packets, side), plt_batch_queues(packets));
 }
 
 /* `packets`, plt_packets_bytes of it, and `tasks`, plt_batch_tasks_bytes of it. */

@@ -18,7 +18,7 @@ void plt_dispatch_init(plt_dispatch *d, uint32_t most, unsigned side, void *pack
     d->packet = plt_packets_init(most, side, packets);
     d->slot = (plt_packet_slot *)(void *)((unsigned char *)packets + plt_packets_bytes(most, side));
     d->packet_bytes = sizeof(plt_packet) + plt_packet_bytes(side);
-    plt_tasks_init(&d->edges, edges, plt_dispatch_tasks(most, side), plt_dispatch_queues(most));
+    plt_tasks_init(&d->edges, edges, plt_packets_tasks(most, side), plt_dispatch_queues(most));
     plt_dispatch_clear(d);
 }
 

@@ -58,18 +58,14 @@ static inline uint64_t plt_dispatch_bytes(uint32_t packets, unsigned side) {
     return plt_packets_bytes(packets, side) + packets * (uint64_t)sizeof(plt_packet_slot);
 }
 
-/* Entries and edges that there is room for: few packets wait at once, but their edges may be many
- * (DESIGN.md, section 3.1). */
-static inline uint32_t plt_dispatch_tasks(uint32_t packets, unsigned side) {
-    return (side < 8 ? 8 * side : 64) * packets + 64;
-}
-
+/* Edges that there is room for: few packets wait at once, but theirs may be many (DESIGN.md,
+ * section 3.1). */
 static inline uint32_t plt_dispatch_queues(uint32_t packets) {
     return 32 * packets + 64;
 }
 
 static inline uint64_t plt_dispatch_edges_bytes(uint32_t packets, unsigned side) {
-    return plt_tasks_bytes(plt_dispatch_tasks(packets, side), plt_dispatch_queues(packets));
+    return plt_tasks_bytes(plt_packets_tasks(packets, side), plt_dispatch_queues(packets));
 }
 
 /* `packets`: plt_dispatch_bytes of it; `edges`: plt_dispatch_edges_bytes. */

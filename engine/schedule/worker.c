@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/schedule/worker.h"
 
+#include "engine/schedule/counted.h"
+
 void plt_worker_init(plt_worker *w, void *memory) {
     plt_tasks_init(&w->edges, memory, PLT_WORKER_TASKS, PLT_WORKER_QUEUES);
     w->has = 0;
@@ -37,16 +39,10 @@ static int resume_next(plt_worker *w, plt_traversal *t, const plt_packet *packet
 
 static int run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
     while (t->waiting > 0 || resume_next(w, t, packet)) {
-        const uint64_t before = t->stats.node_visits;
-        const int status = plt_traverse(t, packet, visits);
-        const uint64_t used = t->stats.node_visits - before + 1;
-        if (status < 0) {
+        const int status = plt_traverse_counted(t, packet, &visits);
+        if (status != PLT_OK) {
             return status;
         }
-        if (used >= visits) {
-            return PLT_MORE;
-        }
-        visits -= (uint32_t)used;
     }
     return PLT_OK;
 }
