@@ -53,32 +53,34 @@ static float (*corners_of(const mesh *m))[9] {
     return corners;
 }
 
-static int move_engines(const scene *s, const float (*corners)[9], const char *name, fail *f) {
+/* `frame`: its number, for messages. */
+static int move_engines(const moved *m, const scene *s, const float (*corners)[9], unsigned frame,
+                        fail *f) {
     for (unsigned i = 0; i < s->crew.count; i++) {
         plt_fault fault;
         if (plt_move(s->crew.worker[i].engine, corners, &fault) != PLT_OK) {
-            return fail_set(f, name, "triangle %" PRIu32 ": %s; bring the mesh nearer to 0,0,0",
-                            fault.offset, fault.message);
+            return fail_set(f, m->mesh,
+                            "frame %u: triangle %" PRIu32 ": %s; bring the mesh nearer to 0,0,0",
+                            frame, fault.offset, fault.message);
         }
     }
     return 0;
 }
 
-static int move_mesh(moved *m, const scene *s, const mesh *frame, const char *name, fail *f) {
+static int move_mesh(moved *m, const scene *s, const mesh *to, unsigned frame, fail *f) {
     const uint32_t due = plt_engine_info(s->engine)->triangles;
-    if (frame->triangles != due) {
-        return fail_set(f, name,
-                        "has %zu triangles, the scene %" PRIu32
-                        "; pack the scene from frame 0 of "
-                        "the same mesh",
-                        frame->triangles, due);
+    if (to->triangles != due) {
+        return fail_set(f, m->mesh,
+                        "frame %u: has %zu triangles, the scene %" PRIu32
+                        "; pack the scene from frame 0 of the same mesh",
+                        frame, to->triangles, due);
     }
-    float(*corners)[9] = corners_of(frame);
+    float(*corners)[9] = corners_of(to);
     if (corners == NULL) {
-        return fail_set(f, name, "out of memory; close other programs");
+        return fail_set(f, m->mesh, "out of memory; close other programs");
     }
     const double began = clock_thread_seconds();
-    const int status = move_engines(s, (const float(*)[9])corners, name, f);
+    const int status = move_engines(m, s, (const float(*)[9])corners, frame, f);
     m->move_seconds += clock_thread_seconds() - began;
     free(corners);
     return status;
@@ -109,17 +111,18 @@ static int read_mesh(mesh *to, const moved *m, unsigned frame, fail *f) {
 }
 
 int moved_to(moved *m, scene *s, unsigned index, fail *f) {
+    const unsigned number = m->first + index;
     mesh frame = {0};
     fail why = {""};
-    char name[64];
     const double began = clock_thread_seconds();
-    snprintf(name, sizeof name, "frame %u", m->first + index);
-    int status = read_mesh(&frame, m, m->first + index, &why);
+    int status = read_mesh(&frame, m, number, &why);
     m->read_seconds += clock_thread_seconds() - began;
     if (status != 0) {
-        status = fail_set(f, name, "%s", why.text);
+        char name[16];
+        snprintf(name, sizeof name, "frame %u", number);
+        status = fail_set(f, name, "%s", why.text); /* which names the file */
     } else {
-        status = move_mesh(m, s, &frame, name, f);
+        status = move_mesh(m, s, &frame, number, f);
     }
     mesh_free(&frame);
     return status;

@@ -15,7 +15,7 @@ large="of a mesh that large as well; test_pack_need asks for the sizes"
 reasons="
 out of memory; close other programs | $few
 %s %s: out of memory; close other programs | $few
-triangle %u: %s; bring the mesh nearer to 0,0,0 | readers refuse such meshes before
+frame %u: triangle %u: %s; bring the mesh nearer to 0,0,0 | readers refuse such meshes before
 out of memory; choose a smaller --size | a frame of 1,200 tiles is less than one MiB
 close other programs | a system without memory for two sockets cannot be had here
 cannot read at byte %zu: %s; check the disk | no disk fails when asked to

@@ -97,7 +97,7 @@ refused "a frame that is missing" "frame 3" "wave_003.ply" \
     render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8
 none_left
 wave 3 8 >wave_003.ply
-refused "a frame of other triangles" "frame 3" "has 98 triangles, the scene 128" \
+refused "a frame of other triangles" wave.txt "frame 3: has 98 triangles, the scene 128" \
     render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8 --json x.json
 none_left
 sed '12s/^[^ ]*/nan/' hidden.ply >wave_003.ply

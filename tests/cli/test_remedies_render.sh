@@ -124,7 +124,7 @@ says "--moved and --orbit are two films; leave out one of them" \
     render thesis.plt -o x.y4m --moved knot.ply --orbit 2
 cured render thesis.plt -o x.y4m --orbit 2
 run make knot -o other.ply --triangles 100
-says "has %zu triangles, the scene %u; pack the scene from frame 0 of the same mesh" \
+says "frame %u: has %zu triangles, the scene %u; pack the scene from frame 0 of the same mesh" \
     render thesis.plt -o x.png --moved other.ply
 run pack other.ply --frame 0 -o other.plt
 cured render other.plt -o x.png --moved other.ply
