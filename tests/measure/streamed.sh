@@ -26,6 +26,7 @@ passed=0 failed=0
     exit 2
 }
 mkdir -p "$work"
+. tests/measure/streamed_scene.sh
 
 verdict() { # CONDITION-FOR-AWK SENTENCE
     if awk "BEGIN { exit !($1) }"; then
@@ -38,20 +39,6 @@ verdict() { # CONDITION-FOR-AWK SENTENCE
 
 field() { # NAME: of JSON on standard input
     sed -n "s/^ *\"$1\": \([0-9.]*\),*$/\1/p"
-}
-
-# pack MESH NODES
-pack() {
-    case $2 in
-    compact) set -- "$1" --nodes compact --geometry lattice:14 --leaf 2 ;;
-    *) set -- "$1" --treelet "$2" ;;
-    esac
-    mesh=$1
-    shift
-    "$planelet" pack "$scenes/$mesh.ply" -o "$work/scene.plt" "$@" 2>"$work/said" || {
-        cat "$work/said" >&2
-        return 1
-    }
 }
 
 # ratio SCHEDULE STORE COMMAND...: of what the command fetches; its output is to be $work/due.

@@ -29,6 +29,7 @@ passed=0 failed=0
     exit 2
 }
 mkdir -p "$work"
+. tests/measure/streamed_scene.sh
 processors=$(getconf _NPROCESSORS_ONLN)
 
 verdict() { # STATUS SENTENCE
@@ -42,20 +43,6 @@ verdict() { # STATUS SENTENCE
 
 field() { # NAME: of JSON on standard input; of a list the first
     sed -n "s/^ *\"$1\": \[*\([0-9.]*\).*$/\1/p"
-}
-
-# pack MESH NODES
-pack() {
-    case $2 in
-    compact) set -- "$1" --nodes compact --geometry lattice:14 --leaf 2 ;;
-    *) set -- "$1" --treelet "$2" ;;
-    esac
-    mesh=$1
-    shift
-    "$planelet" pack "$scenes/$mesh.ply" -o "$work/scene.plt" "$@" 2>"$work/said" || {
-        cat "$work/said" >&2
-        return 1
-    }
 }
 
 # frame SCHEDULE WORKERS OPTION...: its statistics are in $work/json.
