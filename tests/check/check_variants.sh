@@ -14,7 +14,7 @@ programs_pass() {
     "$@" >"$file" 2>&1
     verdict "$sentence ($(tail -n 1 "$file"))" "$(
         tail -n 1 "$file" | grep -q '^[1-9][0-9]* passed, 0 failed$' ||
-            grep -E '^FAIL|error|failed' "$file" | head -n 12)"
+            grep -E '^FAIL|error|[1-9][0-9]* failed' "$file" | head -n 12)"
 }
 
 tests=$BUILD/host-scalar/tests/engine
