@@ -186,7 +186,9 @@ static uint64_t tasks_bytes(const subject *s) {
 /* A byte for red, green and blue of each pixel that is finished before its turn. */
 static uint64_t colours_bytes(const subject *s) {
     const uint64_t side = packet_side(s);
-    return s->options->schedule == PLT_SCHEDULE_TASK ? 3 * side * side * batch_packets(s) : 0;
+    return s->options->schedule == PLT_SCHEDULE_TASK
+               ? 3 * side * side * plt_dispatch_slots(batch_packets(s))
+               : 0;
 }
 
 static uint64_t edges_bytes(const subject *s) {

@@ -175,10 +175,10 @@ typedef struct plt_options {
                            * their tree, are copied into the arena even if they are mapped. Not
                            * of streamed scenes or compact blocks, not with a wide form.
                            * Without PLT_WITH_MOTION it is not looked at */
-    uint16_t batch;       /* packets of a batch, or of a dispatcher, 1 .. PLT_BATCH_MOST; 0: as many
-                           * as there is room for beside the store, 256 at most (a dispatcher:
-                           * 64), smaller ones if fewer than four fit (a need is then that of 1).
-                           * Other schedules: 0 */
+    uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST, or those that a dispatcher has
+                           * begun at once: at least one per worker. 0: as many as there is room
+                           * for beside the store, 256 at most (a dispatcher: 16), smaller ones if
+                           * fewer than four fit (a need is then that of 1). Other schedules: 0 */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
