@@ -53,7 +53,8 @@ static uint64_t section_bytes(const subject *s) {
     }
     const int stays = s->mapped && !is_movable(s);
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
+        const int is_read = kind[i] != PLT_SECTION_CHECKS; /* they are for streamed scenes */
+        bytes += is_read ? rounded(plt_header_section_bytes(s->info, kind[i])) : 0;
     }
     return bytes;
 }

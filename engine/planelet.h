@@ -204,6 +204,7 @@ typedef struct plt_info {
     uint8_t nodes_format, geometry_format; /* enum plt_nodes, plt_geometry_format */
     uint8_t lattice_bits;                  /* 12 .. 21; 0 without a lattice */
     uint8_t primitive_id_bits;             /* bits per primitive id, 0 without */
+    uint8_t has_checks; /* 1: all that streaming fetches is checked (SPEC.md, 4.14) */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */

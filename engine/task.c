@@ -123,7 +123,7 @@ static int finish_packets(plt_engine *d) {
 
 /* As far as their headers say, without the padding at the end. */
 static int is_same_image(const plt_info *a, const plt_info *b) {
-    return memcmp(a, b, offsetof(plt_info, primitive_id_bits) + 1) == 0;
+    return memcmp(a, b, offsetof(plt_info, has_checks) + 1) == 0;
 }
 
 /* Workers trace the dispatcher's packets in the dispatcher's scene. */

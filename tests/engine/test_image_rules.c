@@ -15,7 +15,7 @@ static packed image;
 static void make_image(void) {
     mesh m = {0};
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 0};
     shape_soup(&m, 20, 0.8f, 1);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);
@@ -73,7 +73,7 @@ static const change changes[] = {
 };
 
 static hostile_result changed(const change *c) {
-    const hostile_config config = {(uint8_t)(c->at & 1), 0, 2};
+    const hostile_config config = {(uint8_t)(c->at & 1), 0, 2, 0};
     unsigned char *bytes = malloc(image.size);
     memcpy(bytes, image.bytes, image.size);
     if (c->bytes == 1) {
@@ -101,7 +101,7 @@ static void every_change(void) {
 
 static void refused(const unsigned char *bytes, uint32_t size, unsigned rule, uint32_t offset) {
     for (uint8_t streamed = 0; streamed < 2; streamed++) {
-        const hostile_config config = {streamed, 0, 2};
+        const hostile_config config = {streamed, 0, 2, 0};
         const hostile_result r = hostile_try(bytes, size, config);
         CHECK(r.status == PLT_ERR_IMAGE && r.fault.kind == 'R' && r.fault.rule == rule &&
                   r.fault.offset == offset,

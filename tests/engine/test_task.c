@@ -35,7 +35,8 @@ static void fill_thesis(subject *s, uint32_t triangles) {
     const pack_options o = {.splits = PLT_SPLIT_SAH,
                             .build = PLT_BUILD_HOST,
                             .leaf_triangles = 2,
-                            .treelet_nodes = rig_is_tiny() ? 1 : 16};
+                            .treelet_nodes = rig_is_tiny() ? 1 : 16,
+                            .checks = 1};
     shape_soup(&m, rig_triangles(triangles, 2), 0.1f, 6);
     rays_mixed(s->rays, RAYS, &m, &r);
     CHECK(pack_mesh(&s->image, &m, &o, "test", &f) == 0, "%s", f.text);
