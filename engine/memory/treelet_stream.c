@@ -6,8 +6,8 @@
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/memory/prefetch.h"
-#include "engine/tree/thesis/checks.h"
 #include "engine/tree/record_ranges.h"
+#include "engine/tree/thesis/checks.h"
 
 /* Of a part in the store that has nodes, `depth` is that of the treelet, with this bit if edges
  * leave it, or 0 if it has more nodes than came; `more` is the number of its nodes, less 1. */
@@ -117,8 +117,7 @@ static int check_records(const void *context, uint16_t part) {
         if (plt_record_outside(s->scene.box, r) != NULL) {
             return refuse(s, PLT_I5_CORNERS, of->offset);
         }
-        if (!plt_is_id_word(plt_get_u32(&r->word[9]), s->scene.triangles,
-                            s->image.checks_at > 0)) {
+        if (!plt_is_id_word(plt_get_u32(&r->word[9]), s->scene.triangles, s->image.checks_at > 0)) {
             return refuse(s, PLT_I7_ID_WORDS, of->offset);
         }
     }

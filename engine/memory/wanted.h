@@ -28,9 +28,9 @@ typedef struct plt_wanted {
 #if PLT_WITH_THESIS
     uint32_t beside_at, beside; /* bytes that come from elsewhere, and lie behind those */
 #endif
-    uint32_t against;       /* serial of the part that it is validated against; 0: none */
-    uint32_t bit;           /* of `touched` */
-    uint8_t is_treelet;     /* its arrival is one of plt_stats.treelet_fetches */
+    uint32_t against;   /* serial of the part that it is validated against; 0: none */
+    uint32_t bit;       /* of `touched` */
+    uint8_t is_treelet; /* its arrival is one of plt_stats.treelet_fetches */
     /* Is the part valid, which lies in the store? PLT_OK, or PLT_ERR_IMAGE with the fault set. */
     int (*check)(const void *context, uint16_t part);
     const void *context;

@@ -117,7 +117,7 @@ static const char *checks_of(const plt_info *i) {
     if (!plt_can_stream(i)) {
         return "none";
     }
-    return i->has_checks                          ? "all"
+    return i->has_checks                         ? "all"
            : i->nodes_format == PLT_NODES_THESIS ? "none"
            : has_ids                             ? "all but primitive ids"
                                                  : "all";

@@ -51,8 +51,12 @@ static input seed_input(int seed) {
     mesh m = {0};
     packed image;
     fail f = {""};
-    const pack_options options = {(uint8_t)(seed & 1), (uint8_t)(seed % 3), 1u + (uint32_t)seed % 2,
-                                  1u + (uint32_t)seed, NULL, seed < 6};
+    const pack_options options = {(uint8_t)(seed & 1),
+                                  (uint8_t)(seed % 3),
+                                  1u + (uint32_t)seed % 2,
+                                  1u + (uint32_t)seed,
+                                  NULL,
+                                  seed < 6};
     shape_soup(&m, seed == 8 ? 0 : 3u + 5u * (uint32_t)seed, 0.7f, (uint64_t)seed);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     return input_of(&image, &m);

@@ -478,9 +478,9 @@ static void schedule(const char *sentence, int soaks) {
 /* All of it with parts that are on their way while rays are traced. */
 static void prefetched(const char *sentence, int soaks) {
     static subject s;
-    static const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
-                                              FAKE_SHORT_AT_START, FAKE_SILENT_AT_START,
-                                              FAKE_GARBLED_AT_START};
+    const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
+                                       parts_ahead == 1 ? FAKE_SHORT_AT_START
+                                                        : FAKE_GARBLED_AT_START};
     test(sentence);
     for (uint32_t n = 1; n <= PLT_STREAMED_TREELET_MOST; n *= 4) {
         all_stores(n == 16 ? 9000 : 3000, 1 + n % 3, n);

@@ -33,10 +33,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (data[0] & 16) {
         hostile_seal(bytes, count);
     }
-    const hostile_result r =
-        hostile_try_by(bytes, count, config,
-                       config.residency == PLT_RESIDENCY_STREAMED ? hostile_trace_streamed
-                                                                  : hostile_trace);
+    const hostile_result r = hostile_try_by(
+        bytes, count, config,
+        config.residency == PLT_RESIDENCY_STREAMED ? hostile_trace_streamed : hostile_trace);
     free(bytes);
     images_opened += r.status == PLT_OK;
     if (r.sentence != NULL) {

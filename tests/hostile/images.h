@@ -246,8 +246,7 @@ static inline const char *hostile_trace_streamed(plt_engine *e) {
     plt_hit hits[HOSTILE_RAYS];
     plt_fault fault;
     const plt_info *info = plt_engine_info(e);
-    const uint32_t ids_end =
-        info->primitive_id_bits > 0 ? info->source_triangles : info->triangles;
+    const uint32_t ids_end = info->primitive_id_bits > 0 ? info->source_triangles : info->triangles;
     hostile_rays(rays, info);
     for (int any = 0; any < 2; any++) {
         const int status = plt_trace(e, rays, hits, HOSTILE_RAYS, any);

@@ -265,9 +265,9 @@ static int check_part(decoded_image *image, decoder_part *part, size_t strings_e
     const size_t bytes = block->geometry_bytes, at = part->end / 8;
     const size_t room_end = part->end + 8 * bytes - 16 * (size_t)image->header.id_checks;
     const int lattice = image->header.geometry_format == 1;
-    if (part->in.overrun || strings_end > room_end ||
-        lattice != (block->vertices > 0) || block->triangles > WORST_BLOCK_TRIANGLES ||
-        block->vertices > WORST_BLOCK_VERTICES || block->first_triangle != image->triangles) {
+    if (part->in.overrun || strings_end > room_end || lattice != (block->vertices > 0) ||
+        block->triangles > WORST_BLOCK_TRIANGLES || block->vertices > WORST_BLOCK_VERTICES ||
+        block->first_triangle != image->triangles) {
         return part_wrong(image, part, "counts of the geometry part");
     }
     if (!decoder_is_zero(&part->in, strings_end, room_end)) {

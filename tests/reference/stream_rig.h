@@ -225,8 +225,8 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
 }
 
 /* A link that garbles every transfer from one on: the status says so, the fault where, and by which
- * rule; and when it is mended all goes on. Returns which section's part it was that came wrong, from
- * 0; -1: there were fewer transfers. */
+ * rule; and when it is mended all goes on. Returns which section's part it was that came wrong,
+ * from 0; -1: there were fewer transfers. */
 static inline int is_garbled_and_mended(const subject *s, uint32_t call) {
     run x = {.link = {.failure = FAKE_GARBLED_FROM_START, .at_call = call, .at_once = call % 2}};
     int same = 0, section = -1;

@@ -1,8 +1,8 @@
 /* checks - of thesis nodes and of float records, which may come part by part
  *
  * A treelet may begin in any slot, and is fetched up to where it is not known to end. So nodes have
- * a check of 8 bits each, in a section of their own. Records are fetched by pages, whose check of 16
- * bits lies in two bits of each id word that are unused otherwise (primitive_id.h): it takes no
+ * a check of 8 bits each, in a section of their own. Records are fetched by pages, whose check of
+ * 16 bits lies in two bits of each id word that are unused otherwise (primitive_id.h): it takes no
  * bytes and no transfer. Scenes that are read whole are checked by the CRC of each section alone.
  *
  * Both are bits of the CRC-32, chosen so that one wrong bit is always noticed (test_tree_node), and
