@@ -425,17 +425,17 @@ static void refusals(void) {
 
 /* ---- all ----------------------------------------------------------------------- */
 
-static void sources_that_fail(void) {
+static void sources_that_fail(int soaks) {
     static subject s;
-    const uint32_t step = batch > 0 ? 101 : 17;
+    const uint32_t step = soaks ? 17 : batch > 0 ? 211 : 101;
     int cuts = 0;
     fill_subject(&s, 2501, 2, 16); /* the last page is not full */
     test("a transfer that fails or is short once is got over");
     every_call_fails_once(&s, FAKE_FAILS_AT_START, step);
     every_call_fails_once(&s, FAKE_SHORT_AT_START, step);
-    every_call_fails_once(&s, FAKE_SILENT_AT_START, 101);
+    every_call_fails_once(&s, FAKE_SILENT_AT_START, step);
     test("a wrong bit of any transfer is noticed; what is wrong whenever it comes is told");
-    every_transfer_is_garbled(&s, 2, 211);
+    every_transfer_is_garbled(&s, 2, 2 * step);
     test("of a source that fails for good the place is told, and all goes on when it is mended");
     for (uint32_t call = 1; call < 200; call += call < 40 ? 1 : 7) {
         cuts += is_cut_and_mended(&s, call);
@@ -443,8 +443,8 @@ static void sources_that_fail(void) {
     CHECK(cuts > 40, "%d cuts", cuts);
     pack_free(&s.image);
     if (batch == 0) { /* whatever asks for a part, it is checked by the same code */
-        test("... be it the first, the last or any between");
-        fill_subject(&s, 701, 2, 16);
+        test("... be it the first transfer, the last or any between");
+        fill_subject(&s, 401, 2, 16);
         every_transfer_is_garbled(&s, 2, 1);
         pack_free(&s.image);
     }
@@ -466,7 +466,7 @@ static void schedule(const char *sentence, int soaks) {
     for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
         deep_treelets(side);
     }
-    sources_that_fail();
+    sources_that_fail(soaks);
     test("images that lie are refused when it shows, or are traced without harm");
     forged_images(soaks ? 50000 : 500);
     test("a source that returns other bytes each time does no harm");
