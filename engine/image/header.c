@@ -65,9 +65,8 @@ static int check_identity(const unsigned char *bytes, uint32_t image_bytes, plt_
 enum { ID_CHECKS = 0x100 };
 
 static void read_id_bits(plt_info *info, uint32_t field) {
-    info->has_checks = field >= ID_CHECKS && field < 2 * ID_CHECKS;
-    field -= info->has_checks ? ID_CHECKS : 0;
-    info->primitive_id_bits = (uint8_t)(field <= 255 ? field : 255);
+    info->has_checks = field / ID_CHECKS == 1;
+    info->primitive_id_bits = (uint8_t)(field < 2 * ID_CHECKS ? field % ID_CHECKS : 255);
 }
 
 static void read_lattice(plt_header *h, const unsigned char *bytes) {
