@@ -53,7 +53,7 @@ static uint64_t section_bytes(const subject *s) {
     }
     const int stays = s->mapped && !is_movable(s);
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        const int is_read = kind[i] != PLT_SECTION_CHECKS; /* they are for streamed scenes */
+        const int is_read = !PLT_WITH_THESIS || kind[i] != PLT_SECTION_CHECKS; /* streams do */
         bytes += is_read ? rounded(plt_header_section_bytes(s->info, kind[i])) : 0;
     }
     return bytes;

@@ -96,7 +96,7 @@ static void write_lattice(unsigned char *bytes, const plt_header *h) {
     }
     plt_put_u32(bytes + PLT_AT_SOURCE_TRIANGLES, h->info.source_triangles);
     plt_put_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS,
-                h->info.primitive_id_bits + (h->info.has_checks ? ID_CHECKS : 0u));
+                h->info.primitive_id_bits + ID_CHECKS * h->info.has_checks);
     plt_put_u32(bytes + PLT_AT_NODE_BYTES, h->info.node_bytes);
     plt_put_u32(bytes + PLT_AT_TRIANGLE_BYTES, h->info.triangle_bytes);
 }

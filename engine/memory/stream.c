@@ -152,8 +152,8 @@ static int geometry_rule(const plt_stream *s, const part_of *a, uint16_t part) {
 /* The check is the geometry part's, which is there and held. */
 static int ids_are_right(const part_of *a, const unsigned char *ids) {
     const plt_block *b = &a->block->opened.block;
-    const unsigned char *check = b->geometry + b->geometry_bytes - PLT_IDS_CHECK_BYTES;
-    return plt_block_ids_check(ids, a->count) == (check[0] | check[1] << 8);
+    const uint32_t last = plt_get_u32(b->geometry + b->geometry_bytes - 4);
+    return plt_block_ids_check(ids, a->count) == last >> 16;
 }
 
 static int ids_rule(const plt_stream *s, const part_of *a, uint16_t part) {
@@ -161,7 +161,7 @@ static int ids_rule(const plt_stream *s, const part_of *a, uint16_t part) {
     const plt_primitive_ids ids = {plt_store_bytes(&s->fetcher.store, part), s->tree.ids.bits,
                                    first_id_byte(s, g)};
     int valid = 1;
-    if (s->tree.ids_are_checked && !ids_are_right(a, ids.bytes)) {
+    if (s->tree.ids_check_bytes > 0 && !ids_are_right(a, ids.bytes)) {
         return PLT_I13_CHECK;
     }
     for (uint32_t i = 0; i < g->triangles; i++) {

@@ -16,7 +16,7 @@ static inline void plt_compact_describe(plt_block_tree *t, const plt_header *hea
     t->lattice = header->lattice;
     t->box = header->lattice_box;
     t->ids.bits = header->info.primitive_id_bits;
-    t->ids_are_checked = header->info.has_checks;
+    t->ids_check_bytes = (uint8_t)(PLT_IDS_CHECK_BYTES * header->info.has_checks);
 }
 
 #endif

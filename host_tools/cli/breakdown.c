@@ -45,7 +45,7 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
     to->bytes[PART_STRIPS] += (g.refs - g.starts) / 8.0;
     to->bytes[PART_REFERENCES] += (g.positions - g.refs) / 8.0;
     to->bytes[PART_POSITIONS] += (double)g.vertices * g.vertex_bits / 8.0;
-    const double check = tree->ids_are_checked ? PLT_IDS_CHECK_BYTES : 0;
+    const double check = tree->ids_check_bytes;
     to->bytes[PART_ID_CHECKS] += check;
     to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - check - end / 8.0;
 }

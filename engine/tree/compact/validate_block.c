@@ -96,7 +96,7 @@ static int strings_rule(const plt_block *b, const plt_lattice_box *bounds,
                         const plt_block_tree *tree) {
     plt_geometry g;
     plt_geometry_open(&g, b, bounds, tree->leaf_triangles);
-    if (!geometry_fits(&g, b, tree->ids_are_checked ? PLT_IDS_CHECK_BYTES : 0)) {
+    if (!geometry_fits(&g, b, tree->ids_check_bytes)) {
         return PLT_I14_GEOMETRY;
     }
     if (!leaves_are_valid(&g, b)) {
