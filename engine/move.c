@@ -2,18 +2,17 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
-#include "engine/engine.h"
 #include "engine/motion/corners.h"
 #include "engine/motion/refit.h"
+#include "engine/move.h"
 
-/* Records of a movable scene lie in the arena. */
-static plt_record *records_of(plt_engine *e) {
+plt_record *plt_engine_records(plt_engine *e) {
     const plt_record *r =
         e->scene.format == PLT_FORMAT_LIST ? e->scene.list.records : e->scene.thesis.records;
     return (plt_record *)(uintptr_t)r;
 }
 
-static plt_box refit(plt_engine *e, plt_record *records) {
+static plt_box refit(plt_engine *e, const plt_record *records) {
     const plt_tree *tree = &e->scene.thesis;
     if (e->scene.format == PLT_FORMAT_LIST || tree->root == PLT_LINK_NONE) {
         return plt_records_box(records, 0, e->scene.info.triangles);
@@ -24,6 +23,15 @@ static plt_box refit(plt_engine *e, plt_record *records) {
                          .levels = e->refit_levels};
     plt_refit(&job);
     return job.box;
+}
+
+void plt_engine_moved(plt_engine *e) {
+    e->rendering.done = 1;
+    e->scene.box = refit(e, plt_engine_records(e));
+    if (e->scene.info.triangles > 0) {
+        memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
+        memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
+    }
 }
 
 int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
@@ -37,13 +45,7 @@ int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
                              "a corner is not a number, or beyond 2^40");
     }
-    e->rendering.done = 1;
-    plt_record *records = records_of(e);
-    plt_corners_put(records, count, corners);
-    e->scene.box = refit(e, records);
-    if (count > 0) {
-        memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
-        memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
-    }
+    plt_corners_put(plt_engine_records(e), count, corners);
+    plt_engine_moved(e);
     return PLT_OK;
 }
