@@ -1,10 +1,10 @@
 /* move - the public call by which triangles move
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/move.h"
 #include "engine/base/fault.h"
 #include "engine/motion/corners.h"
 #include "engine/motion/refit.h"
-#include "engine/move.h"
 
 plt_record *plt_engine_records(plt_engine *e) {
     const plt_record *r =

@@ -37,8 +37,8 @@ extern "C" {
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
- * (plt_options.movable, plt_move), as an image's sequence says, too (plt_sequence_show); plt_trace and plt_render_step report a source that fails.
- * Images without a sequence are those of 1.0. */
+ * (plt_options.movable, plt_move), as an image's sequence says, too (plt_sequence_show); plt_trace
+ * and plt_render_step report a source that fails. Images without a sequence are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 

@@ -70,7 +70,8 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
 }
 
 #if PLT_WITH_SEQUENCE
-/* All coordinates that a sequence's lattice has are in range; without one there is nothing of it. */
+/* All coordinates that a sequence's lattice has are in range; without one there is nothing of it.
+ */
 static int is_sequence_lattice(const plt_header *h) {
     const plt_lattice *l = &h->lattice;
     int good = l->bits >= PLT_LATTICE_BITS_LEAST && l->bits <= PLT_LATTICE_BITS_MOST &&

@@ -64,8 +64,7 @@ static int fetch_block(plt_sequence *s, uint32_t vertices, const unsigned char *
 static int apply_block(plt_sequence *s, const unsigned char *block, uint32_t vertices,
                        plt_fault *fault) {
     plt_frame_vertex *vertex = s->vertex + (size_t)s->block * PLT_FRAME_BLOCK;
-    plt_frame_block_apply(block, vertex, vertices, s->word_bits,
-                          s->next % s->key_every == 0);
+    plt_frame_block_apply(block, vertex, vertices, s->word_bits, s->next % s->key_every == 0);
     if (s->word_bits == PLT_FRAME_FLOAT_BITS && !plt_frame_floats_valid(vertex, vertices)) {
         return plt_broken(fault, PLT_I25_POSITIONS, s->reader.offset,
                           "a position of a frame is not a number, or beyond 2^40");

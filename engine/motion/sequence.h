@@ -16,8 +16,8 @@
 
 typedef struct plt_sequence {
     plt_vertices vertices;
-    plt_frame_vertex *vertex;            /* those of `vertices`, for writing */
-    const unsigned char *offsets;  /* of each frame in the section, and behind the last one */
+    plt_frame_vertex *vertex;     /* those of `vertices`, for writing */
+    const unsigned char *offsets; /* of each frame in the section, and behind the last one */
     plt_frame_reader reader;
     uint32_t count, frames, key_every; /* count: of vertices */
     uint32_t section;                  /* where frames lie in the image */

@@ -69,8 +69,7 @@ static int check_offsets(const plt_sequence *s, const plt_info *info, plt_fault 
 static int check_topology(const plt_sequence *s, const plt_section *section, const plt_info *info,
                           plt_fault *fault) {
     const uint32_t bits = s->vertices.index_bits;
-    const uint32_t at =
-        plt_topology_refused(s->vertices.topology, info->triangles, info->vertices);
+    const uint32_t at = plt_topology_refused(s->vertices.topology, info->triangles, info->vertices);
     return at == info->triangles
                ? PLT_OK
                : plt_broken(fault, PLT_I23_TOPOLOGY,

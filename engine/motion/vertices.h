@@ -9,10 +9,10 @@
 #include "engine/tree/record.h"
 
 typedef struct plt_vertices {
-    const plt_frame_vertex *vertex;      /* four bytes more can be read behind the last one */
-    const unsigned char *topology; /* SPEC.md, section 4.14 */
-    uint32_t index_bits;           /* of a vertex's number there */
-    plt_lattice lattice;           /* bits 0: vertices are floats */
+    const plt_frame_vertex *vertex; /* four bytes more can be read behind the last one */
+    const unsigned char *topology;  /* SPEC.md, section 4.14 */
+    uint32_t index_bits;            /* of a vertex's number there */
+    plt_lattice lattice;            /* bits 0: vertices are floats */
 } plt_vertices;
 
 /* The first of `count` triangles that has a vertex that is not there; `count`: there is none. */

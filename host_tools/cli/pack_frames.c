@@ -57,8 +57,7 @@ void pack_frames_read(pack_frames *p, args *a) {
         return;
     }
     p->path = a->file;
-    p->options.frame_rate =
-        (uint32_t)args_number(a, "--rate", 25, 1, PLT_FRAME_RATE_MOST);
+    p->options.frame_rate = (uint32_t)args_number(a, "--rate", 25, 1, PLT_FRAME_RATE_MOST);
     p->options.key_every = (uint32_t)args_number(a, "--key", 16, 1, 100000);
     read_range(p, a);
     refuse_others(a);
@@ -114,8 +113,8 @@ static int read_file(const pack_meshes *in, mesh *m, const char *file, unsigned 
 /* Frame `i` of the sequence, 1 and on. */
 static int read_frame(const pack_frames *p, const pack_meshes *in, unsigned i, mesh *m, fail *f) {
     char *file = frame_range_file(p->path[p->is_numbered ? 0 : i], number_of(p, i));
-    const int status = file == NULL ? out_of_memory(p->path[0], f)
-                                    : read_file(in, m, file, number_of(p, i), f);
+    const int status =
+        file == NULL ? out_of_memory(p->path[0], f) : read_file(in, m, file, number_of(p, i), f);
     free(file);
     return status;
 }
@@ -146,8 +145,9 @@ static int choose_lattice(pack_frames *p, const lattice_ground *g, const char *n
     }
     for (int a = 0; a < 3; a++) {
         if (!(plt_lattice_float(l, a, (1u << l->bits) - 1u) <= PLT_COORD_MAX)) {
-            return fail_set(f, name, "a lattice over all frames would reach beyond 2^40; use "
-                                     "--geometry float");
+            return fail_set(f, name,
+                            "a lattice over all frames would reach beyond 2^40; use "
+                            "--geometry float");
         }
     }
     return 0;

@@ -18,8 +18,7 @@
         {"--frames", "A:B",                                                                        \
          "of --sequence with one MESH, a recipe with sequences or a name with '{}' for 000, 001 "  \
          "...: frames A to B - 1, 0 to 99999"},                                                    \
-        {"--rate", "N", "of --sequence: frames per second, 1 to 1000 (default 25)"},               \
-    {                                                                                              \
+        {"--rate", "N", "of --sequence: frames per second, 1 to 1000 (default 25)"}, {             \
         "--key", "N",                                                                              \
             "of --sequence: every N-th frame does not depend on others, so that any frame takes N" \
             " at most, 1 to 100000 (default 16)"                                                   \

@@ -94,7 +94,8 @@ static uint32_t write_block(const sequence *s, unsigned char *to, size_t first, 
         widths += r.width;
     }
     const uint32_t bytes = plt_frame_bytes_for(count, s->word_bits, widths);
-    plt_put_u32(to, plt_frame_block_check(to, bytes, s->frames, (uint32_t)(first / PLT_FRAME_BLOCK)));
+    plt_put_u32(to,
+                plt_frame_block_check(to, bytes, s->frames, (uint32_t)(first / PLT_FRAME_BLOCK)));
     return bytes;
 }
 
