@@ -278,7 +278,34 @@ static void exact_range(void) {
     mesh_free(&m);
 }
 
+/* SPEC.md, section 4.14, the example. */
+static void example(void) {
+    static const unsigned char due[] = {0x0c, 0,    0,    0,    0x1c, 0,    0,    0,    0x28, 0,
+                                        0,    0,    0x28, 0xa7, 0x25, 0x9c, 0x03, 0x20, 0x14, 0,
+                                        0,    0x10, 0,    0xc2, 0x01, 0,    0,    0,    0x61, 0xcb,
+                                        0xf8, 0x60, 0x02, 0,    0xfc, 0x7f, 0,    0,    0,    0x09};
+    static const float at[2][9] = {{5, 0, 7, 6, 0, 4, 9, 0, 4}, {4, 1, 7, 6, 1, 4, 10, 1, 4}};
+    const sequence_options o = {2, 25, 2, {{0, 0, 0, 0}, 1.0f, 12}};
+    mesh m = {0};
+    fail f = {""};
+    sequence s;
+    for (unsigned i = 0; i < 3; i++) {
+        mesh_add_vertex(&m, at[0][3 * i], at[0][3 * i + 1], at[0][3 * i + 2], &f);
+    }
+    mesh_add_triangle(&m, 0, 1, 2, &f);
+    CHECK(sequence_begin(&s, &m, &o, "test", &f) == 0 && sequence_add(&s, &m, "test", &f) == 0,
+          "%s", f.text);
+    memcpy(m.vertex, at[1], sizeof at[1]);
+    CHECK(sequence_add(&s, &m, "test", &f) == 0, "%s", f.text);
+    CHECK(s.size == sizeof due && memcmp(s.bytes, due, sizeof due) == 0, "%u bytes",
+          (unsigned)s.size);
+    sequence_free(&s);
+    mesh_free(&m);
+}
+
 int main(void) {
+    test("the example of the specification is what the packer writes");
+    example();
     test("each refusal of a header with a sequence names its rule and offset");
     every_header_word();
     test("an offset that does not lie behind the one before it is refused");
