@@ -259,6 +259,9 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
         return -1;
     }
     job->compact.mesh_end = job->in.mesh_end;
+    if (job->frames.wanted) {
+        job->in.file[0].open_distance = 0; /* seams are not closed in a sequence */
+    }
     if (open_outputs(job, f) != 0 ||
         (job->frames.wanted && pack_frames_scan(&job->frames, &job->in, f) != 0) ||
         build(job, image, f) != 0) {

@@ -13,6 +13,10 @@
 
 enum { NO_NUMBER = -1 };
 
+static const char *size_remedy(void) {
+    return "use fewer frames, or --geometry lattice of fewer bits";
+}
+
 static int out_of_memory(const char *name, fail *f) {
     return fail_set(f, name, "out of memory for its frames; pack on a larger machine");
 }
@@ -160,8 +164,7 @@ int sequence_add(sequence *s, const mesh *frame, const char *name, fail *f) {
         }
         s->size += write_block(s, s->bytes + s->size, first, count);
     }
-    if (image_size_check(name, frame->triangles, s->size, 1,
-                         "use fewer frames, or --geometry lattice of fewer bits", f) != 0) {
+    if (image_size_check(name, frame->triangles, s->size, 1, size_remedy(), f) != 0) {
         return -1;
     }
     plt_frame_vertex *was = s->before;
@@ -221,8 +224,7 @@ int sequence_finish(sequence *s, packed *image, const mesh *first, const char *n
     describe(s, &h);
     const uint64_t size = image->size + plt_header_section_bytes(&h.info, PLT_SECTION_TOPOLOGY) +
                           plt_header_section_bytes(&h.info, PLT_SECTION_FRAMES);
-    if (image_size_check(name, first->triangles, size, 0,
-                         "use fewer frames, or --geometry lattice of fewer bits", f) != 0) {
+    if (image_size_check(name, first->triangles, size, 0, size_remedy(), f) != 0) {
         return -1;
     }
     unsigned char *bytes = heap_get_aligned(size);
