@@ -31,9 +31,9 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
             kind[count++] = PLT_SECTION_TRIANGLES;
         }
-    }
-    if (info->primitive_id_bits > 0) {
-        kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
+        if (info->primitive_id_bits > 0) {
+            kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
+        }
     }
     return count;
 }
