@@ -40,8 +40,8 @@ cured pack --sequence wave_00?.ply --step power -o x.plt
 
 mv wave_002.ply whole.ply
 wave 2 8 >wave_002.ply
-says "%s: has %zu vertices and %zu triangles, the first frame %zu and %zu; write all frames from one \
-mesh" pack --sequence wave_00?.ply -o x.plt
+says "%s: has %zu vertices and %zu triangles, the first frame %zu and %zu; write all frames from \
+one mesh" pack --sequence wave_00?.ply -o x.plt
 cp whole.ply wave_002.ply
 cured pack --sequence wave_00?.ply -o x.plt
 sed '$s/^3 \([0-9]*\) \([0-9]*\)/3 \2 \1/' whole.ply >wave_002.ply

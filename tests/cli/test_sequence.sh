@@ -83,7 +83,8 @@ verdict "... is the default, and info tells it all" "$(
     [ "$(number vertices <json)" = 81 ] && [ "$(number key_every <json)" = 4 ] || cat json)"
 # shellcheck disable=SC2086
 works "... its pictures" render lattice.plt -o lattice.y4m --frames 0:9 $view
-verdict "... come at that rate" "$(head -n 1 lattice.y4m | grep -q 'F30:1' || head -n 1 lattice.y4m)"
+verdict "... come at that rate" "$(
+    head -n 1 lattice.y4m | grep -q 'F30:1' || head -n 1 lattice.y4m)"
 # On a lattice of powers of two, that all coordinates are on, no vertex moves.
 for frame in 0 1 2 3; do
     awk 'NF == 3 && $1 ~ /^[-.0-9]/ {
@@ -107,8 +108,8 @@ verdict "... are what was asked for" "$(
     [ "$("$PLANELET" info fine.plt --json | number lattice_bits)" = 20 ] || echo fine
     [ "$("$PLANELET" info coarse.plt --json | number lattice_bits)" = 14 ] || {
         echo coarse; "$PLANELET" info coarse.plt; })"
-works "meshes far from the origin" pack --sequence wave_00?.ply --geometry float --origin 0.5,0,0.25 \
-    -o moved.plt
+works "meshes far from the origin" pack --sequence wave_00?.ply --geometry float \
+    --origin 0.5,0,0.25 -o moved.plt
 verdict "... are all moved" "$(
     "$PLANELET" info moved.plt | grep -q '^shift  *(0.5, 0, 0.25)' || "$PLANELET" info moved.plt)"
 works "... and shown" render moved.plt -o x.ppm --frames 8:9 --size 8x8
@@ -124,14 +125,29 @@ same all.y4m high.y4m "... as they are"
 
 # ---- machines that share the frames -------------------------------------------------------
 
+# joined: the parts as README joins them.
+joined() {
+    { head -n 1 part_000.y4m; tail -q -n +2 part_???.y4m; } >joined.y4m
+    rm -f part_*
+}
+PATH=${PLANELET%/*}:$PATH
 if needs parallel; then
     # shellcheck disable=SC2086
     verdict "two GNU parallel jobs" "$(
-        parallel --will-cite -j 2 "$PLANELET" render list.plt -o part_{1}.y4m --frames {1}:{2} \
-            $view ::: 0 3 6 :::+ 3 6 9 2>&1)"
-    { head -n 1 part_0.y4m; tail -q -n +2 part_0.y4m part_3.y4m part_6.y4m; } >joined.y4m
+        parallel --will-cite -j 2 planelet render list.plt $view \
+            --frames {1}:{2} -o part_{1}.y4m ::: 000 003 006 :::+ 003 006 009 2>&1)"
+    joined
     same all.y4m joined.y4m "... give parts that are joined to what one run gives"
 fi
+job='a=$(printf %03d $((3 * SLURM_ARRAY_TASK_ID))) && planelet render list.plt '$view'
+    --frames $a:$((3 * SLURM_ARRAY_TASK_ID + 3)) -o part_$a.y4m'
+verdict "the tasks of a Slurm array" "$(
+    for SLURM_ARRAY_TASK_ID in 2 0 1; do
+        export SLURM_ARRAY_TASK_ID
+        echo "$job" | tr '\n' ' ' | sh 2>&1
+    done)"
+joined
+same all.y4m joined.y4m "... likewise"
 
 # ---- what goes wrong ----------------------------------------------------------------------
 
