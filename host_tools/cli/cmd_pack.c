@@ -442,6 +442,7 @@ int run_pack(args *a) {
     pack_job job = {0};
     read_flags(&job, a);
     if (a->wrong) {
+        pack_frames_free(&job.frames);
         return 2;
     }
     job.command = command_line(a);

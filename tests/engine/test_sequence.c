@@ -78,6 +78,21 @@ static void check_tree(const sequence_rig *s, const char *name) {
     CHECK(facts.broken == 0, "%s: %s", name, facts.sentence);
 }
 
+/* Each record has its triangle's corners in canonical order, bit for bit. */
+static void check_records(const sequence_rig *s, uint32_t k, const char *name) {
+    const plt_engine *e = s->engine;
+    const plt_record *records =
+        e->scene.format == PLT_FORMAT_LIST ? e->scene.list.records : e->scene.thesis.records;
+    for (uint32_t i = 0; i < e->scene.info.triangles; i++) {
+        const uint32_t word = plt_get_u32(&records[i].word[9]);
+        plt_record due;
+        pack_record(&due, &s->frame[k], plt_primitive_id(word));
+        CHECK(memcmp(&due, &records[i], 36) == 0 &&
+                  plt_primitive_rotation(word) == plt_primitive_rotation(plt_get_u32(&due.word[9])),
+              "%s: record %u", name, i);
+    }
+}
+
 /* The scene shows frame `k`, as it is when that frame is packed alone. */
 static void shows(sequence_rig *s, const sequence_config *c, uint32_t k, const char *what) {
     char name[200];
@@ -85,6 +100,7 @@ static void shows(sequence_rig *s, const sequence_config *c, uint32_t k, const c
     snprintf(name, sizeof name, "%s, bits %u, key %u, %s, frame %u: %s", rig_name(&c->scene),
              c->lattice_bits, c->key_every, c->is_mapped ? "mapped" : "fetched", k, what);
     check_tree(s, name);
+    check_records(s, k, name);
     CHECK(rig_open(&fresh, &s->frame[k], &c->scene) == PLT_OK, "%s: %s", name, fresh.fault.message);
     const plt_info *now = plt_engine_info(s->engine), *due = plt_engine_info(fresh.engine);
     CHECK(memcmp(&s->engine->scene.box, &fresh.engine->scene.box, sizeof(plt_box)) == 0 ||
@@ -174,6 +190,27 @@ static void unused_vertices(void) {
     mesh_free(&m);
 }
 
+/* Corners of equal x, and of equal x and y; zeros of either sign. */
+static void ties(void) {
+    for (unsigned axis = 0; axis < 3; axis++) {
+        for (uint32_t bits = 0; bits <= 16; bits += 16) {
+            const sequence_config c = config_of(2, PLT_BUILD_HOST, bits, 2, 1);
+            mesh m = {0};
+            sequence_rig s;
+            shape_sheet(&m, rig_is_tiny() ? 2 : 6, (int)axis);
+            for (size_t i = 0; i < 3 * m.vertices; i += 2) {
+                m.vertex[i] = m.vertex[i] == 0 ? -0.0f : m.vertex[i];
+            }
+            if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+                show(&s, &c, 1);
+                show(&s, &c, 0);
+            }
+            CHECK(sequence_rig_close(&s), "arena or source");
+            mesh_free(&m);
+        }
+    }
+}
+
 /* ---- how much is read ------------------------------------------------------------- */
 
 /* Of frames alone. */
@@ -187,7 +224,11 @@ static void bounded_work(void) {
     const sequence_config c = config_of(1, PLT_BUILD_HOST, 14, 4, 0);
     mesh m = {0};
     sequence_rig s;
-    make_mesh(&m, 1);
+    if (rig_is_tiny()) {
+        make_mesh(&m, 1);
+    } else {
+        shape_icosphere(&m, 4); /* 2562 vertices: frames of several halves of the window */
+    }
     if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
         const unsigned char *at = s.image.bytes + plt_get_u32(s.image.bytes + 104 + 16 * 3 + 4);
         for (uint32_t from = 0; from < c.frames; from++) {
@@ -246,6 +287,11 @@ static void beside_rendering(void) {
                 const uint64_t due = frame_hash(s.engine, &view, 500);
                 CHECK(render_beside(&s, &view, (k + 1) % c.frames) == due, "frame %u", k);
             }
+            const plt_frame view = view_of(s.engine);
+            CHECK(plt_render_begin(s.engine, &view) == PLT_OK &&
+                      plt_sequence_show(s.engine, 2, &s.fault) == PLT_OK &&
+                      plt_render_step(s.engine, 100) == PLT_OK,
+                  "a picture that was begun has ended");
             /* Begun and not shown; another one is asked for. */
             CHECK(plt_sequence_begin(s.engine, 3, &s.fault) == PLT_OK &&
                       plt_sequence_step(s.engine, 1, &s.fault) == PLT_MORE,
@@ -375,6 +421,8 @@ int main(void) {
     every_image();
     test("... of one vertex to a few blocks");
     sizes();
+    test("... whose corners share coordinates");
+    ties();
     test("... without vertices that no triangle uses");
     unused_vertices();
     test("a frame takes the bytes of those since the last key frame at most, the next one its own");

@@ -113,6 +113,40 @@ static void cut(void) {
     mesh_free(&m);
 }
 
+static int start_well(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
+    const sequence_rig *s = context;
+    (void)tag;
+    memcpy(to, s->image.bytes + offset, count / 2); /* and the rest never */
+    return 0;
+}
+
+static int wait_in_vain(void *context, uint32_t tags) {
+    (void)context;
+    (void)tags;
+    return -1;
+}
+
+/* Transfers begin, and none ends: it is the source that is to blame. */
+static void no_end(void) {
+    const sequence_config c = config_of(14, 4);
+    mesh m = {0};
+    sequence_rig s;
+    make_mesh(&m);
+    if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+        const plt_source working = s.engine->source;
+        CHECK(plt_sequence_show(s.engine, FIRST, &s.fault) == PLT_OK, "%s", s.fault.message);
+        s.engine->source = (plt_source){NULL, s.image.size, &s, start_well, wait_in_vain};
+        CHECK(plt_sequence_show(s.engine, WANTED, &s.fault) == PLT_ERR_SOURCE, "%s",
+              s.fault.message);
+        s.engine->source = working;
+        CHECK(plt_sequence_show(s.engine, WANTED, &s.fault) == PLT_OK &&
+                  shows(s.engine, &s.frame[WANTED], &c),
+              "%s", s.fault.message);
+    }
+    CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
+    mesh_free(&m);
+}
+
 /* As the image itself is damaged there: every attempt finds it so. */
 static void damaged_source(void) {
     const sequence_config c = config_of(16, 4);
@@ -173,6 +207,7 @@ int main(void) {
     every_failure_once();
     test("a link that is cut: the last frame stays, the error names one, and frames come again");
     cut();
+    no_end();
     test("a frame that is damaged takes those that depend on it along, and no others");
     damaged_source();
     test("opening an image with frames fails with each of its transfers");

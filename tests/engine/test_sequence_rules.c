@@ -230,6 +230,22 @@ static void forged_blocks(void) {
     pack_free(&image);
 }
 
+/* All bits of the three widths to x, which has no room for so many: the block is as long as it was.
+ */
+static void forged_widths(void) {
+    packed image = make_image(14, 1);
+    const uint32_t at = frame_at(image.bytes, 2);
+    const uint32_t widths = plt_get_u32(image.bytes + at + 4);
+    const uint32_t sum = (widths & 63) + (widths >> 6 & 63) + (widths >> 12 & 63);
+    CHECK(sum > 14 && sum < 64, "%u bits", sum);
+    plt_put_u32(image.bytes + at + 4, (widths & ~0x3FFFFu) | sum);
+    plt_put_u32(image.bytes + at, /* the check: sealing would leave it alone */
+                plt_frame_block_check(image.bytes + at, frame_at(image.bytes, 3) - at, 2, 0));
+    hostile_seal_header(image.bytes, image.size);
+    breaks(image.bytes, image.size, 2, 24, at, "a width above that of a coordinate");
+    pack_free(&image);
+}
+
 /* Least values of x are moved by so much that some float is none. */
 static void forged_floats(void) {
     static const uint32_t bad[] = {NAN_BITS,
@@ -319,6 +335,7 @@ int main(void) {
     exchanged();
     test("blocks that do not fill their frame are refused, whatever their checks say");
     forged_blocks();
+    forged_widths();
     test("positions that are no numbers, or beyond 2^40, are refused");
     forged_floats();
     test("... and those at 2^40 are not");
