@@ -6,28 +6,28 @@
 #include "engine/motion/corners.h"
 #include "engine/motion/refit.h"
 
-plt_record *plt_engine_records(plt_engine *e) {
+/* Records of a movable scene lie in the arena. */
+plt_record *plt_records_of(plt_engine *e) {
     const plt_record *r =
         e->scene.format == PLT_FORMAT_LIST ? e->scene.list.records : e->scene.thesis.records;
     return (plt_record *)(uintptr_t)r;
 }
 
-static plt_box refit(plt_engine *e, const plt_record *records) {
+void plt_refit_all(plt_engine *e) {
     const plt_tree *tree = &e->scene.thesis;
     if (e->scene.format == PLT_FORMAT_LIST || tree->root == PLT_LINK_NONE) {
-        return plt_records_box(records, 0, e->scene.info.triangles);
+        e->scene.box = plt_records_box(plt_records_of(e), 0, e->scene.info.triangles);
+        return;
     }
     plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)tree->nodes,
-                         .records = records,
+                         .records = tree->records,
                          .root = tree->root,
                          .levels = e->refit_levels};
     plt_refit(&job);
-    return job.box;
+    e->scene.box = job.box;
 }
 
-void plt_engine_moved(plt_engine *e) {
-    e->rendering.done = 1;
-    e->scene.box = refit(e, plt_engine_records(e));
+void plt_moved(plt_engine *e) {
     if (e->scene.info.triangles > 0) {
         memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
         memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
@@ -45,7 +45,9 @@ int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
                              "a corner is not a number, or beyond 2^40");
     }
-    plt_corners_put(plt_engine_records(e), count, corners);
-    plt_engine_moved(e);
+    e->rendering.done = 1;
+    plt_corners_put(plt_records_of(e), count, corners);
+    plt_refit_all(e);
+    plt_moved(e);
     return PLT_OK;
 }

@@ -1,4 +1,4 @@
-/* move - what is left to do when triangles have moved
+/* move - what all ways to move triangles share
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_MOVE_H
@@ -6,10 +6,12 @@
 
 #include "engine/engine.h"
 
-/* Records of a movable scene, which lie in the arena. */
-plt_record *plt_engine_records(plt_engine *e);
+plt_record *plt_records_of(plt_engine *e);
 
-/* Records have new corners: refits the tree, and takes over the new box. */
-void plt_engine_moved(plt_engine *e);
+/* New boxes for all nodes; the scene's. */
+void plt_refit_all(plt_engine *e);
+
+/* What all moves do at their end: the scene has its new box. */
+void plt_moved(plt_engine *e);
 
 #endif

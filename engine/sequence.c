@@ -34,8 +34,10 @@ int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
         return PLT_ERR_LIMIT;
     }
     if (status == PLT_OK) {
-        plt_vertices_put(plt_engine_records(e), e->scene.info.triangles, &e->sequence.vertices);
-        plt_engine_moved(e);
+        e->rendering.done = 1;
+        plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
+        plt_refit_all(e);
+        plt_moved(e);
     }
     return status;
 }

@@ -78,10 +78,11 @@ static void take_frames(plt_engine *e, speeds *best, int round) {
     best->decode = best_of(best->decode, began, round);
     CHECK(status == PLT_OK, "%s", fault.message);
     began = clock_processor_seconds();
-    plt_vertices_put(plt_engine_records(e), e->scene.info.triangles, &e->sequence.vertices);
+    plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
     best->records = best_of(best->records, began, round);
     began = clock_processor_seconds();
-    plt_engine_moved(e);
+    plt_refit_all(e);
+    plt_moved(e);
     best->bounds = best_of(best->bounds, began, round);
 }
 
