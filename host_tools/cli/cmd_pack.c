@@ -188,6 +188,9 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
     int status = c_array_wanted(job->out)
                      ? c_array_write(job->image_out, job->out, image, job->command, f)
                      : output_write(job->image_out, image->bytes, image->size, f);
+    if (job->frames.wanted && heap_peak() > job->memory.needed) {
+        job->memory.needed = heap_peak(); /* frames are not in the plan: what they took */
+    }
     if (status == 0 && job->json_out != NULL) {
         status =
             pack_json_write(job->json_out, &job->in, image, moves_vertices(job) ? &job->loss : NULL,

@@ -123,6 +123,18 @@ works "a better tree" pack --sequence wave_00?.ply --geometry float --quality hi
 works "... shows them" render high.plt -o high.y4m --frames 0:9 $view
 same all.y4m high.y4m "... as they are"
 
+# ---- memory -------------------------------------------------------------------------------
+
+# peak FRAMES: bytes that packing so many marbles takes, of which each frame's mesh has 161,040.
+run make marbles -o 'marbles_{}.ply' --frames 12
+peak() {
+    "$PLANELET" pack --sequence 'marbles_{}.ply' --frames 0:"$1" -o marbles.plt --json - \
+        2>/dev/null | number memory_peak_bytes
+}
+verdict "ten frames more take their code, and not their meshes" "$(
+    more=$(($(peak 12) - $(peak 2)))
+    [ "$more" -gt 100000 ] && [ "$more" -lt 800000 ] || echo "$more bytes")"
+
 # ---- machines that share the frames -------------------------------------------------------
 
 # joined: the parts as README joins them.
