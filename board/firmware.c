@@ -8,6 +8,7 @@
  *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle
  *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
+ *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE
  *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
  *
  * Prints one line per topic, each a word and name=value items, or one line that
@@ -182,6 +183,18 @@ static int run(plt_engine *engine, const job *j, const char *parameters) {
     return FIRMWARE_DONE;
 }
 
+/* Of a sequence; else nothing. */
+static int show_frame(plt_engine *engine, const job *j, plt_fault *fault) {
+#if PLT_WITH_SEQUENCE
+    return j->options.movable ? plt_sequence_show(engine, j->shown, fault) : PLT_OK;
+#else
+    (void)engine;
+    (void)j;
+    (void)fault;
+    return PLT_OK;
+#endif
+}
+
 int firmware(const char *parameters) {
     plt_source source = {0};
     plt_fault fault = {0};
@@ -202,6 +215,10 @@ int firmware(const char *parameters) {
         status = plt_open_step(engine, 16, &fault);
     }
     firmware_open_end();
+    if (status < 0) {
+        return print_fault(&fault, status, arena_bytes);
+    }
+    status = show_frame(engine, &j, &fault);
     if (status < 0) {
         return print_fault(&fault, status, arena_bytes);
     }

@@ -6,9 +6,15 @@
 #include "board/line.h"
 #include "board/parameters.h"
 
+#if PLT_WITH_SEQUENCE
+#define KEYS_OF_SEQUENCES " show"
+#else
+#define KEYS_OF_SEQUENCES ""
+#endif
+
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame";
+    "scene bytes frame" KEYS_OF_SEQUENCES;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -108,6 +114,19 @@ static int read_words(const char *all, job *j) {
     return read_word(all, "shader", shaders, 3, &j->frame.shader);
 }
 
+/* show=K: whether it is there. */
+static int read_shown(const char *all, job *j) {
+#if PLT_WITH_SEQUENCE
+    const int is_given = read_u32(all, "show", 0, UINT32_MAX, &j->shown);
+    j->options.movable = is_given > 0;
+    return is_given;
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
 int job_read(job *j, const char *parameters, size_t *arena_bytes) {
     uint32_t arena = (uint32_t)*arena_bytes;
     uint32_t packet = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, batch = 0, prefetch = 0;
@@ -117,7 +136,7 @@ int job_read(job *j, const char *parameters, size_t *arena_bytes) {
         return complain("unknown parameter", &item, "KEY=VALUE is wanted");
     }
     if (read_size(parameters, &j->frame) < 0 || read_camera(parameters, j) < 0 ||
-        read_words(parameters, j) < 0 ||
+        read_words(parameters, j) < 0 || read_shown(parameters, j) < 0 ||
         read_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
         read_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
         read_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||

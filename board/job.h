@@ -10,6 +10,7 @@ typedef struct job {
     plt_frame frame;
     plt_options options;
     uint32_t visits; /* per step of the main loop */
+    uint32_t shown;  /* if options.movable: the frame of the image's sequence */
     unsigned given;  /* bit 0 eye, 1 look, 2 up, 3 tan: in the parameters */
 } job;
 

@@ -8,6 +8,7 @@
 #define PLT_ENGINE_H
 
 #include "engine/base/arena.h"
+#include "engine/motion/sequence.h"
 #include "engine/scene/open.h"
 #include "engine/schedule/batch.h"
 #include "engine/schedule/dispatch.h"
@@ -38,6 +39,9 @@ struct plt_engine {
 #endif
 #if PLT_WITH_MOTION
     struct plt_refit_level *refit_levels; /* of a movable scene */
+#endif
+#if PLT_WITH_SEQUENCE
+    plt_sequence sequence; /* frames 0: the image has none, or is not opened to be moved */
 #endif
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
     int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */

@@ -7,6 +7,7 @@
 #include "engine/image/record_cache.h"
 #include "engine/memory/stream.h"
 #include "engine/motion/refit.h"
+#include "engine/motion/sequence.h"
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/block_entry.h"
@@ -53,8 +54,9 @@ static uint64_t section_bytes(const subject *s) {
     }
     const int stays = s->mapped && !is_movable(s);
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        const int is_read = !PLT_WITH_THESIS || kind[i] != PLT_SECTION_CHECKS; /* streams do */
-        bytes += is_read ? rounded(plt_header_section_bytes(s->info, kind[i])) : 0;
+        if (kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
+            bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
+        }
     }
     return bytes;
 }
@@ -265,6 +267,16 @@ static uint64_t wave_bytes(const subject *s) {
     return 0;
 }
 
+#if PLT_WITH_SEQUENCE
+static int has_frames(const subject *s) {
+    return is_movable(s) && s->info->frames > 0;
+}
+
+static int fetches_frames(const subject *s) {
+    return has_frames(s) && !s->mapped;
+}
+#endif
+
 /* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
@@ -312,6 +324,16 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_REFIT:
         return is_movable(s) ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
                              : 0;
+#endif
+#if PLT_WITH_SEQUENCE
+    case PLT_PART_TOPOLOGY:
+        return fetches_frames(s) ? plt_sequence_topology_bytes(s->info) : 0;
+    case PLT_PART_OFFSETS:
+        return fetches_frames(s) ? plt_sequence_offsets_bytes(s->info) : 0;
+    case PLT_PART_VERTICES:
+        return has_frames(s) ? plt_sequence_vertices_bytes(s->info) : 0;
+    case PLT_PART_WINDOW:
+        return fetches_frames(s) ? PLT_FRAME_WINDOW_BYTES : 0;
 #endif
     case PLT_PART_WIDE_FORM:
         return wide_bytes(s);

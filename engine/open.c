@@ -205,8 +205,29 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 #endif
 }
 
-/* The scene is open: a traversal, a packet and a tile buffer over it. */
-static int start_worker(plt_engine *e, plt_fault *fault) {
+/* Once its parts are cut. */
+static int open_sequence(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
+                         plt_fault *fault) {
+#if PLT_WITH_SEQUENCE
+    if (e->options.movable && header != NULL && header->info.frames > 0) {
+        const int is_mapped = e->source.mapped != NULL;
+        const plt_sequence_room room = {.topology = is_mapped ? NULL : part[PLT_PART_TOPOLOGY],
+                                        .offsets = is_mapped ? NULL : part[PLT_PART_OFFSETS],
+                                        .window = is_mapped ? NULL : part[PLT_PART_WINDOW],
+                                        .vertex = part[PLT_PART_VERTICES]};
+        return plt_sequence_open(&e->sequence, header, &e->source, &room, fault);
+    }
+#endif
+    (void)e;
+    (void)header;
+    (void)part;
+    (void)fault;
+    return PLT_OK;
+}
+
+/* The scene is open: a traversal, a packet and a tile buffer over it. `header`: of an image that
+ * is opened in one step, as all that have a sequence are. */
+static int start_worker(plt_engine *e, const plt_header *header, plt_fault *fault) {
     plt_layout layout;
     void *part[PLT_PARTS_COUNT];
     set_layout(e, &layout);
@@ -228,7 +249,7 @@ static int start_worker(plt_engine *e, plt_fault *fault) {
 #endif
         status = start_wave(e, &o, part);
     }
-    return status;
+    return status == PLT_OK ? open_sequence(e, header, part, fault) : status;
 }
 
 /* An arena that is too small: how many bytes would do. */
@@ -302,7 +323,7 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     e->rendering.done = 1;
     status = open_scene(e, &header, fault);
     if (status == PLT_OK) {
-        status = start_worker(e, fault);
+        status = start_worker(e, &header, fault);
     }
     if (status >= PLT_OK) {
         *engine = e;
@@ -324,7 +345,7 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     const plt_opening o = opening_of(e, &layout, fault);
     int status = plt_scene_build_step(&o, e->build, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
-        status = start_worker(e, fault);
+        status = start_worker(e, NULL, fault);
     }
     if (status == PLT_OK) {
         e->build = NULL;

@@ -37,8 +37,8 @@ extern "C" {
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
- * (plt_options.movable, plt_move); plt_trace and plt_render_step report a source that fails.
- * Images are those of 1.0. */
+ * (plt_options.movable, plt_move), as an image's sequence says, too (plt_sequence_show); plt_trace
+ * and plt_render_step report a source that fails. Images without a sequence are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
@@ -174,12 +174,17 @@ typedef struct plt_options {
     uint8_t movable;      /* 1: triangles can be moved (plt_move): float records, and the nodes of
                            * their tree, are copied into the arena even if they are mapped. Not
                            * of streamed scenes or compact blocks, not with a wide form.
-                           * Without PLT_WITH_MOTION it is not looked at */
+                           * Of an image with a sequence, its frames can be shown as well
+                           * (plt_sequence_show), for some 12 bytes per vertex and 2 to 10 per
+                           * triangle. Without PLT_WITH_MOTION it is not looked at */
     uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST, or those that a dispatcher has
                            * begun at once: at least one per worker. 0: as many as there is room
                            * for beside the store, 256 at most (a dispatcher: 16), smaller ones if
                            * fewer than four fit (a need is then that of 1). Other schedules: 0 */
 } plt_options;
+
+/* Frames of a sequence per second at most. */
+#define PLT_FRAME_RATE_MOST 1000u
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
 typedef struct plt_info {
@@ -204,7 +209,12 @@ typedef struct plt_info {
     uint8_t nodes_format, geometry_format; /* enum plt_nodes, plt_geometry_format */
     uint8_t lattice_bits;                  /* 12 .. 21; 0 without a lattice */
     uint8_t primitive_id_bits;             /* bits per primitive id, 0 without */
-    uint8_t has_checks; /* 1: all that streaming fetches is checked (SPEC.md, 4.14) */
+    uint8_t has_checks;   /* 1: all that streaming fetches is checked (SPEC.md, 4.14) */
+    uint32_t frames;      /* of a sequence (plt_sequence_show), the first is 0; 0: there is none */
+    uint32_t vertices;    /* of each of them */
+    uint32_t frame_rate;  /* frames per second, 1 .. PLT_FRAME_RATE_MOST */
+    uint32_t key_every;   /* frames that are multiples of it do not depend on others */
+    uint32_t frame_bytes; /* all frames, with 4 bytes of offset each and 4 more */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
@@ -348,6 +358,33 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
  *
  * Not there without PLT_WITH_MOTION. */
 int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
+
+/* An image may hold a sequence: positions of all vertices, frame by frame, mostly as differences
+ * from the frame before (SPEC.md, 4.15). An engine that is open with plt_options.movable shows any
+ * of its info's frames, 0 .. frames - 1, in any order; frame 0 is what it shows first. The tree is
+ * refitted as by plt_move, and hits and pictures are likewise those of the frame packed alone.
+ *
+ * plt_sequence_show: `frame` from now on, until plt_move or the next one. Ends a picture that was
+ * being rendered. Cost: what is left of the steps below, then each triangle and node once.
+ *
+ * plt_sequence_begin and plt_sequence_step read a frame beforehand, while the last one is still
+ * rendered: about `blocks` blocks, of 64 vertices each, per call. Frames follow each other for one
+ * frame's work; any other takes those from the last frame that is a multiple of key_every, so that
+ * many at most. Two transfers at a time, under tags 0 and 1 of a source that is not mapped; when a
+ * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown.
+ *
+ * Errors of all three: PLT_ERR_ARGUMENT: the image has no such frame, or is not open for it (or,
+ * of a step, no frame was begun). PLT_ERR_SOURCE, PLT_ERR_IMAGE: a frame did not come, or is not
+ * valid, after PLT_FETCH_TRIES attempts; `fault` says where, plt_sequence_failed which frame: it,
+ * or one that it depends on. Then the last frame shown stays, and any other can be asked for.
+ *
+ * Not there without PLT_WITH_SEQUENCE. */
+int plt_sequence_show(plt_engine *engine, uint32_t frame, plt_fault *fault);
+int plt_sequence_begin(plt_engine *engine, uint32_t frame, plt_fault *fault);
+int plt_sequence_step(plt_engine *engine, uint32_t blocks, plt_fault *fault);
+
+/* The frame that could not be had when one of them failed last. */
+uint32_t plt_sequence_failed(const plt_engine *engine);
 
 /* ---- frames ---------------------------------------------------------- */
 

@@ -57,6 +57,10 @@
 #define PLT_WITH_MOTION PLT_WITH_THESIS /* triangles that move (plt_move) */
 #endif
 
+#ifndef PLT_WITH_SEQUENCE
+#define PLT_WITH_SEQUENCE PLT_WITH_MOTION /* ... as an image's frames say (plt_sequence_show) */
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -196,6 +200,9 @@
 #endif
 #if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) || (PLT_WITH_MOTION && !PLT_WITH_THESIS)
 #error "PLT_WITH_MOTION is the digit 0, or with PLT_WITH_THESIS 1"
+#endif
+#if (PLT_WITH_SEQUENCE != 0 && PLT_WITH_SEQUENCE != 1) || (PLT_WITH_SEQUENCE && !PLT_WITH_MOTION)
+#error "PLT_WITH_SEQUENCE is the digit 0, or with PLT_WITH_MOTION 1"
 #endif
 #if PLT_WITH_STREAMED_THESIS && !PLT_WITH_GROUPS
 #error "PLT_WITH_STREAMED_THESIS is for PLT_WITH_GROUPS"

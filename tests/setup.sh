@@ -19,7 +19,8 @@ assimp:assimp-utils
 xz:xz-utils
 bzip2:bzip2
 zstd:zstd
-unzip:unzip'
+unzip:unzip
+parallel:parallel'
 PATH=$PATH:/usr/sbin:/sbin
 
 missing() {

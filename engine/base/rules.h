@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R14 refuse an image by its header and checksums, I1 to I22 are invariants of
+ * R1 to R15 refuse an image by its header and checksums, I1 to I26 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -21,7 +21,8 @@ enum plt_refusal {
     PLT_R11_SECTION = 11,     /* kind, offset and size of each */
     PLT_R12_RESERVED = 12,    /* bytes that must be zero */
     PLT_R13_SECTION_CRC = 13, /* checksum of a section */
-    PLT_R14_LATTICE = 14      /* the lattice and what a compact image may hold */
+    PLT_R14_LATTICE = 14,     /* the lattice and what a compact image may hold */
+    PLT_R15_SEQUENCE = 15     /* counts and lattice of a sequence */
 };
 
 enum plt_invariant {
@@ -45,7 +46,11 @@ enum plt_invariant {
     PLT_I19_IDS = 19,        /* entries of the primitive ids are in range */
     PLT_I20_CORNERS = 20,    /* lattice corners lie in the lattice's box */
     PLT_I21_VERTICES = 21,   /* vertices lie inside the bounds */
-    PLT_I22_CHECKS = 22      /* checks of nodes and records that come part by part are right */
+    PLT_I22_CHECKS = 22,     /* checks of nodes and records that come part by part are right */
+    PLT_I23_OFFSETS = 23,    /* frames of a sequence follow each other within the section */
+    PLT_I24_TOPOLOGY = 24,   /* triangles of a sequence have vertices that are there */
+    PLT_I25_FRAME = 25,      /* blocks of a frame fill it, and their checks are right */
+    PLT_I26_POSITIONS = 26   /* positions of a frame are within 2^40 */
 };
 
 #endif

@@ -86,6 +86,30 @@ static void read_lattice(plt_header *h, const unsigned char *bytes) {
     info->triangle_bytes = plt_get_u32(bytes + PLT_AT_TRIANGLE_BYTES);
 }
 
+#if PLT_WITH_SEQUENCE
+static void read_sequence(plt_info *info, const unsigned char *bytes) {
+    info->vertices = plt_get_u32(bytes + PLT_AT_VERTICES);
+    info->frames = plt_get_u32(bytes + PLT_AT_FRAMES);
+    info->frame_rate = plt_get_u32(bytes + PLT_AT_FRAME_RATE);
+    info->key_every = plt_get_u32(bytes + PLT_AT_KEY_EVERY);
+    info->frame_bytes = plt_get_u32(bytes + PLT_AT_FRAME_BYTES);
+}
+
+static void write_sequence(unsigned char *bytes, const plt_header *h) {
+    const plt_info *info = &h->info;
+    if (info->lattice_bits > 0) {
+        plt_put_floats(bytes + PLT_AT_ORIGIN, h->lattice.origin, 3);
+        plt_put_float(bytes + PLT_AT_STEP, h->lattice.step);
+        plt_put_u32(bytes + PLT_AT_BITS, h->lattice.bits);
+    }
+    plt_put_u32(bytes + PLT_AT_VERTICES, info->vertices);
+    plt_put_u32(bytes + PLT_AT_FRAMES, info->frames);
+    plt_put_u32(bytes + PLT_AT_FRAME_RATE, info->frame_rate);
+    plt_put_u32(bytes + PLT_AT_KEY_EVERY, info->key_every);
+    plt_put_u32(bytes + PLT_AT_FRAME_BYTES, info->frame_bytes);
+}
+#endif
+
 static void write_lattice(unsigned char *bytes, const plt_header *h) {
     plt_put_floats(bytes + PLT_AT_ORIGIN, h->lattice.origin, 3);
     plt_put_float(bytes + PLT_AT_STEP, h->lattice.step);
@@ -108,6 +132,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         return status;
     }
     plt_info *info = &header->info;
+    info->vertices = info->frames = info->frame_rate = info->key_every = info->frame_bytes = 0;
     for (int i = 0; i < COUNTS; i++) {
         *count_field(info, i) = plt_get_u32(bytes + PLT_AT_COUNTS + 4 * i);
     }
@@ -134,7 +159,11 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         info->node_bytes = header->section[0].bytes;
         info->triangle_bytes = header->section[1].bytes;
         info->source_triangles = info->triangles;
-        info->has_checks = plt_get_u32(bytes + PLT_AT_SECTIONS) == THESIS_SECTIONS_CHECKED;
+#if PLT_WITH_SEQUENCE
+        read_sequence(info, bytes);
+#endif
+        info->has_checks =
+            info->frames == 0 && plt_get_u32(bytes + PLT_AT_SECTIONS) == THESIS_SECTIONS_CHECKED;
     }
     info->primitive_id_bytes =
         info->primitive_id_bits > 0
@@ -185,6 +214,11 @@ void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header)
     if (info->nodes_format == PLT_NODES_COMPACT) {
         write_lattice(bytes, header);
     }
+#if PLT_WITH_SEQUENCE
+    if (info->frames > 0) {
+        write_sequence(bytes, header);
+    }
+#endif
     for (int i = 0; i < PLT_SECTIONS_MOST; i++) {
         unsigned char *at = bytes + PLT_AT_SECTION + 16 * i;
         const plt_section *s = &header->section[i];

@@ -23,6 +23,12 @@ enum plt_header_at {
     PLT_AT_STEP = 180,
     PLT_AT_BITS = 184,
     PLT_AT_LATTICE_BOX = 188,
+    PLT_AT_VERTICES = 188, /* of a sequence, in thesis images; there is no lattice box there */
+    PLT_AT_FRAMES = 192,
+    PLT_AT_FRAME_RATE = 196,
+    PLT_AT_KEY_EVERY = 200,
+    PLT_AT_FRAME_BYTES = 204,
+    PLT_AT_SEQUENCE_END = 208,
     PLT_AT_SOURCE_TRIANGLES = 212,
     PLT_AT_PRIMITIVE_ID_BITS = 216,
     PLT_AT_NODE_BYTES = 220,

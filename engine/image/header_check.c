@@ -69,7 +69,38 @@ static int check_lattice(const plt_header *h, plt_fault *fault) {
     return PLT_OK;
 }
 
-/* R7 to R9: values whose range does not depend on the rest of the image. */
+#if PLT_WITH_SEQUENCE
+/* All coordinates that a sequence's lattice has are in range; without one there is nothing of it.
+ */
+static int is_sequence_lattice(const plt_header *h) {
+    const plt_lattice *l = &h->lattice;
+    int good = l->bits >= PLT_LATTICE_BITS_LEAST && l->bits <= PLT_LATTICE_BITS_MOST &&
+               is_number_between(l->step, 1.0e-30f, PLT_COORD_MAX);
+    if (l->bits == 0) {
+        return l->step == 0 && l->origin[0] == 0 && l->origin[1] == 0 && l->origin[2] == 0;
+    }
+    for (int a = 0; a < 3 && good; a++) {
+        good = is_number_between(l->origin[a], -PLT_COORD_MAX, PLT_COORD_MAX) &&
+               plt_lattice_float(l, a, (1u << l->bits) - 1) <= PLT_COORD_MAX;
+    }
+    return good;
+}
+
+/* R15, of images with a sequence. */
+static int check_sequence(const plt_header *h, plt_fault *fault) {
+    const plt_info *info = &h->info;
+    const int counts = info->triangles > 0 && info->vertices > 0 &&
+                       info->vertices <= PLT_INDEX_MAX && info->key_every > 0 &&
+                       info->frame_rate > 0 && info->frame_rate <= PLT_FRAME_RATE_MOST &&
+                       info->frame_bytes / 4 > info->frames;
+    return counts && is_sequence_lattice(h)
+               ? PLT_OK
+               : plt_refused(fault, PLT_R15_SEQUENCE, PLT_AT_VERTICES,
+                             "a count of the sequence, or its lattice, is out of range");
+}
+#endif
+
+/* R7 to R9, R14 and R15: values whose range does not depend on the rest of the image. */
 static int check_values(const plt_header *h, plt_fault *fault) {
     const plt_info *info = &h->info;
     if (info->triangles > PLT_INDEX_MAX || info->node_slots > PLT_INDEX_MAX) {
@@ -104,6 +135,11 @@ static int check_values(const plt_header *h, plt_fault *fault) {
             return plt_refused(fault, PLT_R9_BOX, PLT_AT_LO, "the scene's box is not a box");
         }
     }
+#if PLT_WITH_SEQUENCE
+    if (info->frames > 0) {
+        return check_sequence(h, fault);
+    }
+#endif
     return PLT_OK;
 }
 
@@ -129,9 +165,11 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
         return plt_refused(fault, PLT_R11_SECTION, PLT_AT_IMAGE_BYTES,
                            "the sections do not fill the image");
     }
-    const int lattice = h->info.nodes_format == PLT_NODES_COMPACT;
+    const unsigned used_end = h->info.nodes_format == PLT_NODES_COMPACT ? PLT_AT_RESERVED
+                              : h->info.frames > 0                      ? PLT_AT_SEQUENCE_END
+                                                                        : 0;
     for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_AT_SHIFT; i++) {
-        const int used = lattice && i >= PLT_AT_ORIGIN && i < PLT_AT_RESERVED;
+        const int used = i >= PLT_AT_ORIGIN && i < used_end;
         if (!used && bytes[i] != 0) {
             return plt_refused(fault, PLT_R12_RESERVED, i, "a reserved byte is not zero");
         }

@@ -23,14 +23,20 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         if (info->has_checks && info->build == PLT_BUILD_HOST) {
             kind[count++] = PLT_SECTION_CHECKS;
         }
+#if PLT_WITH_SEQUENCE
+        if (info->frames > 0 && !info->has_checks) { /* there are not both */
+            kind[count++] = PLT_SECTION_TOPOLOGY;
+            kind[count++] = PLT_SECTION_FRAMES;
+        }
+#endif
     } else {
         kind[count++] = info->build == PLT_BUILD_DEVICE ? PLT_SECTION_CORNERS : PLT_SECTION_BLOCKS;
         if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
             kind[count++] = PLT_SECTION_TRIANGLES;
         }
-    }
-    if (info->primitive_id_bits > 0) {
-        kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
+        if (info->primitive_id_bits > 0) {
+            kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
+        }
     }
     return count;
 }
@@ -52,6 +58,13 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
         return plt_section_bytes(info->node_slots, 1);
     case PLT_SECTION_CORNERS:
         return plt_section_bytes(info->triangles, plt_corners_bytes(info->lattice_bits));
+#if PLT_WITH_SEQUENCE
+    case PLT_SECTION_TOPOLOGY:
+        return padded(((uint64_t)info->triangles * 3 * plt_index_bits(info->vertices) + 7) / 8 +
+                      PLT_BITS_BEHIND);
+    case PLT_SECTION_FRAMES:
+        return padded((uint64_t)info->frame_bytes + PLT_BITS_BEHIND);
+#endif
     case PLT_SECTION_PRIMITIVE_IDS:
         return padded(((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 +
                       PLT_BITS_BEHIND);

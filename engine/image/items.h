@@ -8,6 +8,8 @@
 
 #include <stdint.h>
 
+#include "engine/base/bits.h"
+
 #define PLT_NODE_BYTES 32                     /* a thesis node */
 #define PLT_RECORD_BYTES 40                   /* a float record */
 #define PLT_PAGE_RECORDS 8u                   /* records that are streamed, and checked, together */
@@ -15,6 +17,13 @@
 #define PLT_LINK_NONE 0xFFFFFFFFu             /* no link: the root of a scene without triangles */
 #define PLT_BLOCK_NODES_MOST 64               /* of a compact block */
 #define PLT_BLOCKS_BYTES_MAX (8u * 0xFFFFFFu) /* of all blocks: addresses are 24 bits, times 8 */
+
+#define PLT_FRAME_BLOCK 64u /* vertices of a frame that are coded together */
+
+/* Bits of a vertex's number in the topology of a sequence. */
+static inline uint32_t plt_index_bits(uint32_t vertices) {
+    return plt_bits_for(vertices - 1);
+}
 
 /* Bytes of a coordinate in a section of lattice corners. */
 static inline uint32_t plt_corner_width(uint32_t lattice_bits) {

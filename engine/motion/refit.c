@@ -6,25 +6,12 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/motion/refit.h"
 
-#include "engine/lanes/lanes.h"
+#include "engine/motion/words.h"
 
 /* Lane 3 has no meaning. */
 typedef struct box4 {
     f4 lo, hi;
 } box4;
-
-/* Four words of an image as floats. */
-static inline f4 load_words(const uint32_t *word) {
-    float v[4];
-    plt_get_floats(v, (const unsigned char *)word, 4);
-    return f4_load(v);
-}
-
-static inline void store_words(uint32_t *word, f4 a) {
-    float v[4];
-    f4_store(v, a);
-    plt_put_floats((unsigned char *)word, v, 4);
-}
 
 static inline box4 join(box4 a, box4 b) {
     const box4 both = {f4_min(a.lo, b.lo), f4_max(a.hi, b.hi)};
@@ -32,7 +19,8 @@ static inline box4 join(box4 a, box4 b) {
 }
 
 static inline box4 record_box(const plt_record *r) {
-    const f4 p = load_words(&r->word[0]), q = load_words(&r->word[3]), s = load_words(&r->word[6]);
+    const f4 p = plt_words_load(&r->word[0]), q = plt_words_load(&r->word[3]),
+             s = plt_words_load(&r->word[6]);
     const box4 b = {f4_min(f4_min(p, q), s), f4_max(f4_max(p, q), s)};
     return b;
 }
@@ -60,14 +48,14 @@ static inline uint32_t owner_bits(unsigned own) {
 static inline uint32_t put_planes(uint32_t *word, f4 old, f4 parent, f4 left, f4 right) {
     const m4 shared = f4_eq(right, parent);
     const f4 plane = f4_select(shared, left, right);
-    store_words(word, f4_select(f4_eq(old, plane), old, plane));
+    plt_words_store(word, f4_select(f4_eq(old, plane), old, plane));
     return owner_bits(~m4_mask(shared));
 }
 
 /* Both children's boxes into the node; its own. */
 static inline box4 encode(plt_node *node, box4 left, box4 right) {
     const box4 parent = join(left, right);
-    const f4 old_lo = load_words(&node->word[0]), old_hi = load_words(&node->word[3]);
+    const f4 old_lo = plt_words_load(&node->word[0]), old_hi = plt_words_load(&node->word[3]);
     const uint32_t link[2] = {plt_node_link(node, 0), plt_node_link(node, 1)};
     const uint32_t owners_lo = put_planes(&node->word[0], old_lo, parent.lo, left.lo, right.lo);
     const uint32_t owners_hi = put_planes(&node->word[3], old_hi, parent.hi, left.hi, right.hi);

@@ -33,8 +33,20 @@
 #define PLT_PARTS_OF_BATCHES(ROW)
 #endif
 
+#if PLT_WITH_SEQUENCE
+#define PLT_PARTS_OF_SEQUENCES(ROW)                                                                \
+    ROW(TOPOLOGY, RUNS, "vertices of each triangle")                                               \
+    ROW(OFFSETS, RUNS, "offsets of frames")                                                        \
+    ROW(VERTICES, RUNS, "vertices of a frame")                                                     \
+    ROW(WINDOW, RUNS, "window onto frames")
+#else
+#define PLT_PARTS_OF_SEQUENCES(ROW)
+#endif
+
 #if PLT_WITH_MOTION
-#define PLT_PARTS_OF_MOTION(ROW) ROW(REFIT, RUNS, "levels of a refit")
+#define PLT_PARTS_OF_MOTION(ROW)                                                                   \
+    ROW(REFIT, RUNS, "levels of a refit")                                                          \
+    PLT_PARTS_OF_SEQUENCES(ROW)
 #else
 #define PLT_PARTS_OF_MOTION(ROW)
 #endif

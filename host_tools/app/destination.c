@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "host_tools/app/frame_range.h"
 #include "host_tools/app/note.h"
 
 static int is_standard(const char *path) {
@@ -31,9 +32,14 @@ static void choose_format(destination *d, args *a, unsigned frames, int is_strea
         d->format = frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
     } else if (picture_format_of(d->out, &d->format, &f) != 0) {
         args_complain(a, "%s", f.text);
+    } else if (frames > 1 && !is_stream && !picture_is_film(d->format) &&
+               frame_range_is_pattern(d->out)) {
+        d->is_numbered = 1;
     } else if (frames > 1 && !picture_is_film(d->format) &&
                !(is_stream && d->format == PICTURE_PPM)) {
-        args_complain(a, "%s makes a film: give -o a name that ends in .y4m",
+        args_complain(a,
+                      "%s makes a film: give -o a name that ends in .y4m, or NAME_{}.png for a "
+                      "picture per frame",
                       args_has(a, "--frames") ? "--frames" : "--orbit");
     }
 }

@@ -13,6 +13,7 @@ typedef struct destination {
     const char *out, *json; /* NULL: not given */
     picture_format format;  /* of `out`; of "-": PPM, or Y4M for several frames */
     int show;
+    int is_numbered; /* a picture per frame, its number for the '{}' in `out` */
 } destination;
 
 /* For a command whose -o may be a film. */

@@ -8,40 +8,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/app/played.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/mesh/mesh.h"
-
-enum { FRAMES_END = 100000 };
-
-/* "A:B" with A < B. */
-static int read_range(const char *text, moved *m) {
-    unsigned end = 0;
-    int length = 0;
-    if (strspn(text, "0123456789:") != strlen(text) ||
-        sscanf(text, "%6u:%6u%n", &m->first, &end, &length) != 2 || text[length] != '\0' ||
-        m->first >= end || end > FRAMES_END) {
-        return -1;
-    }
-    m->count = end - m->first;
-    return 0;
-}
 
 void moved_read(moved *m, scene *s, args *a) {
     const char *frames = args_text(a, "--frames", NULL);
     m->mesh = args_text(a, "--moved", NULL);
-    m->first = 0;
-    m->count = 1;
-    if (frames != NULL && read_range(frames, m) != 0) {
-        args_complain(a, "--frames takes A:B, 0 to %d, A below B, not '%s'", FRAMES_END - 1,
+    m->is_played = frames != NULL && m->mesh == NULL;
+    m->range = (frame_range){0, 1};
+    if (frames != NULL && frame_range_read(&m->range, frames) != 0) {
+        args_complain(a, "--frames takes A:B, 0 to %d, A below B, not '%s'", FRAME_RANGE_END - 1,
                       frames);
     }
-    if (frames != NULL && m->mesh == NULL) {
-        args_complain(a, "--frames is for --moved MESH");
+    if (moved_is(m) && args_has(a, "--orbit")) {
+        args_complain(a, "%s and --orbit are two films; leave out one of them",
+                      m->mesh != NULL ? "--moved" : "--frames");
     }
-    if (m->mesh != NULL && args_has(a, "--orbit")) {
-        args_complain(a, "--moved and --orbit are two films; leave out one of them");
-    }
-    s->options.movable = m->mesh != NULL;
+    s->options.movable = (uint8_t)moved_is(m);
 }
 
 /* Nine floats per triangle; NULL: out of memory. */
@@ -86,22 +70,9 @@ static int move_mesh(moved *m, const scene *s, const mesh *to, unsigned frame, f
     return status;
 }
 
-/* The file of that frame: a '{}' in the name becomes its number. NULL: out of memory. */
-static char *file_of(const moved *m, unsigned frame) {
-    const char *at = strstr(m->mesh, "{}");
-    const size_t room = strlen(m->mesh) + 16;
-    char *name = malloc(room);
-    if (name != NULL && at != NULL) {
-        snprintf(name, room, "%.*s%03u%s", (int)(at - m->mesh), m->mesh, frame, at + 2);
-    } else if (name != NULL) {
-        snprintf(name, room, "%s", m->mesh);
-    }
-    return name;
-}
-
 static int read_mesh(mesh *to, const moved *m, unsigned frame, fail *f) {
     mesh_report report = {0};
-    char *name = file_of(m, frame);
+    char *name = frame_range_file(m->mesh, frame);
     if (name == NULL) {
         return fail_set(f, m->mesh, "out of memory; close other programs");
     }
@@ -110,8 +81,7 @@ static int read_mesh(mesh *to, const moved *m, unsigned frame, fail *f) {
     return status;
 }
 
-int moved_to(moved *m, scene *s, unsigned index, fail *f) {
-    const unsigned number = m->first + index;
+static int move_to_mesh(moved *m, scene *s, unsigned number, fail *f) {
     mesh frame = {0};
     fail why = {""};
     const double began = clock_thread_seconds();
@@ -125,5 +95,16 @@ int moved_to(moved *m, scene *s, unsigned index, fail *f) {
         status = move_mesh(m, s, &frame, number, f);
     }
     mesh_free(&frame);
+    return status;
+}
+
+int moved_to(moved *m, scene *s, const char *path, unsigned index, fail *f) {
+    const unsigned number = m->range.first + index;
+    if (!m->is_played) {
+        return move_to_mesh(m, s, number, f);
+    }
+    const double began = clock_thread_seconds();
+    const int status = played_to(s, path, number, f);
+    m->move_seconds += clock_thread_seconds() - began;
     return status;
 }

@@ -5,6 +5,7 @@
 #define MOVED_H
 
 #include "host_tools/app/args.h"
+#include "host_tools/app/frame_range.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/base/fail.h"
 
@@ -14,20 +15,28 @@
      "--frames, a recipe with sequences, or files with the frame's number for a '{}' in their "    \
      "name: 000, 001 ...; the scene was packed from one of them (thesis nodes, resident)"},        \
     {                                                                                              \
-        "--frames", "A:B", "frames A to B - 1 of --moved, 0 to 99999 (default 0:1)"                \
+        "--frames", "A:B",                                                                         \
+            "frames A to B - 1 of --moved (default 0:1), or of the sequence in the image, 0 to "   \
+            "99999"                                                                                \
     }
 
 typedef struct moved {
-    const char *mesh; /* NULL: nothing moves */
-    unsigned first, count;
+    const char *mesh; /* NULL: the frames are the image's, or nothing moves */
+    int is_played;    /* they are the image's */
+    frame_range range;
     double read_seconds, move_seconds; /* of all so far: the second without reading */
 } moved;
 
 /* Reads the flags, and sets what the scene's options need. Refuses through args_complain. */
 void moved_read(moved *m, scene *s, args *a);
 
-/* The triangles of all of the scene's engines go where those of frame m->first + `index` are. -1:
- * `f` names the frame, and nothing has moved. */
-int moved_to(moved *m, scene *s, unsigned index, fail *f);
+/* 1: there are frames, of meshes or of the image. */
+static inline int moved_is(const moved *m) {
+    return m->mesh != NULL || m->is_played;
+}
+
+/* The triangles of all of the scene's engines, open on `path`, go where those of frame
+ * m->range.first + `index` are. -1: `f` names the frame. */
+int moved_to(moved *m, scene *s, const char *path, unsigned index, fail *f);
 
 #endif

@@ -109,7 +109,8 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
                         fault->message);
     default:
         if (s->options.movable) {
-            return fail_set(f, name, "%s; pack it with --nodes thesis, or leave out --moved",
+            return fail_set(f, name,
+                            "%s; pack it with --nodes thesis, or leave out --moved and --frames",
                             fault->message);
         }
         return fail_set(f, name,
@@ -188,7 +189,7 @@ static void read_flags(scene *s, args *a, int *fetched) {
         args_complain(a, "--batch is for --schedule batch or task");
     }
     if (s->options.movable && s->options.residency == PLT_RESIDENCY_STREAMED) {
-        args_complain(a, "--moved is for --residency resident");
+        args_complain(a, "--moved and --frames are for --residency resident");
     }
     s->workers = (unsigned)args_number(a, "--workers", 1, 0, CREW_MOST);
     s->crew.in_turns = args_has(a, "--turns");

@@ -6,9 +6,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "engine/image/header.h"
 #include "engine/scene/formats.h"
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
+#include "host_tools/app/played.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/cli/arena_parts.h"
@@ -45,9 +47,10 @@ typedef struct derived {
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
     double tree_each, geometry_each; /* per triangle */
     size_t arena_mapped, arena_fetched;
-    size_t arena_streamed; /* 0: it cannot be */
-    int lists_packets;     /* no size was asked for */
-    double shift[3];       /* what pack subtracted from the meshes */
+    size_t arena_streamed;                   /* 0: it cannot be */
+    size_t arena_moved, arena_moved_fetched; /* to show frames */
+    int lists_packets;                       /* no size was asked for */
+    double shift[3];                         /* what pack subtracted from the meshes */
 } derived;
 
 static derived derive(const plt_info *i, const plt_options *o) {
@@ -71,6 +74,10 @@ static derived derive(const plt_info *i, const plt_options *o) {
     plt_options streamed = *o;
     streamed.residency = PLT_RESIDENCY_STREAMED;
     d.arena_streamed = plt_arena_need(i, 0, &streamed);
+    plt_options moved = *o;
+    moved.movable = 1;
+    d.arena_moved = plt_arena_need(i, 1, &moved);
+    d.arena_moved_fetched = plt_arena_need(i, 0, &moved);
     return d;
 }
 
@@ -88,6 +95,26 @@ static void print_shift_json(const derived *d) {
     const int shifted = is_shifted(d);
     printf("  \"shift\": [%.17g, %.17g, %.17g],\n", shifted ? d->shift[0] : 0.0,
            shifted ? d->shift[1] : 0.0, shifted ? d->shift[2] : 0.0);
+}
+
+/* Of a vertex, in a frame: offsets included. */
+static double frame_each(const plt_info *i) {
+    return (double)i->frame_bytes / ((double)i->frames * i->vertices);
+}
+
+static uint64_t topology_bytes(const plt_info *i) {
+    return plt_header_section_bytes(i, PLT_SECTION_TOPOLOGY);
+}
+
+static void print_sequence_json(const plt_info *i) {
+    printf("  \"frames\": %" PRIu32 ",\n", i->frames);
+    if (i->frames > 0) {
+        printf("  \"vertices\": %" PRIu32 ",\n  \"frame_rate\": %" PRIu32
+               ",\n  \"key_every\": %" PRIu32 ",\n  \"frame_bytes\": %" PRIu32
+               ",\n  \"frame_bytes_per_vertex\": %.4f,\n  \"topology_bytes\": %" PRIu64 ",\n",
+               i->vertices, i->frame_rate, i->key_every, i->frame_bytes, frame_each(i),
+               topology_bytes(i));
+    }
 }
 
 static void print_parts_json(const plt_info *i, const derived *d) {
@@ -189,6 +216,7 @@ static void print_json(const plt_info *i, const plt_options *o, const derived *d
     print_counts_json(i);
     print_format_json(i, d);
     print_arena_json(i, o, d);
+    print_sequence_json(i);
     print_shift_json(d);
     print_box_json(i);
     print_parts_json(i, d);
@@ -265,6 +293,24 @@ static void print_compact(const plt_info *i, const derived *d) {
     print_parts_text(i, d);
 }
 
+static void print_sequence(const plt_info *i, const derived *d) {
+    printf("sequence           %" PRIu32 " frame%s, %" PRIu32 " per second, of %" PRIu32
+           " vertices, ",
+           i->frames, i->frames == 1 ? "" : "s", i->frame_rate, i->vertices);
+    if (i->lattice_bits > 0) {
+        printf("on a lattice of %u bits\n", (unsigned)i->lattice_bits);
+    } else {
+        printf("floats\n");
+    }
+    printf("key frames         every %" PRIu32 "\n", i->key_every);
+    printf("frame bytes        %" PRIu32 ", %.2f per vertex and frame\n", i->frame_bytes,
+           frame_each(i));
+    printf("topology bytes     %" PRIu64 ", %.2f per triangle\n", topology_bytes(i),
+           (double)topology_bytes(i) / i->triangles);
+    printf("arena with frames  %zu bytes when the image is mapped, %zu if fetched\n",
+           d->arena_moved, d->arena_moved_fetched);
+}
+
 static void print_text(const plt_info *i, const plt_options *o, const derived *d) {
     print_scene(i, d);
     print_tree(i, d);
@@ -272,6 +318,9 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
            d->geometry_each);
     if (i->nodes_format == PLT_NODES_COMPACT) {
         print_compact(i, d);
+    }
+    if (i->frames > 0) {
+        print_sequence(i, d);
     }
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);
     printf("arena needed       %zu bytes%s\n", d->arena_mapped,
@@ -288,12 +337,13 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     }
 }
 
-/* Checks the whole image. The tree of --build device is built here to count it, unless
- * the arena is too small. */
+/* Checks the whole image, each frame of a sequence, too. The tree of --build device is built here
+ * to count it, unless the arena is too small. */
 static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     plt_fault fault;
     int status = plt_image_info(&s->file.source, info, &fault);
     if (status == PLT_OK) {
+        s->options.movable = info->frames > 0;
         status = scene_start(s, path, &fault);
     }
     if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE || status == PLT_ERR_ARGUMENT) {
@@ -302,7 +352,12 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     if (s->engine != NULL) {
         *info = *plt_engine_info(s->engine);
     }
-    return 0;
+    status = 0;
+    for (uint32_t i = 0; s->engine != NULL && i < info->frames && status == 0; i++) {
+        status = played_to(s, path, i, f);
+    }
+    s->options.movable = 0;
+    return status;
 }
 
 int run_info(args *a) {

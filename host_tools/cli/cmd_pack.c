@@ -15,6 +15,7 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/pack_frames.h"
 #include "host_tools/cli/pack_json.h"
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/cli/pack_memory.h"
@@ -45,8 +46,8 @@ static const arg_flag flags[] = {
     {"--fill", "bfs", "how treelets fill: breadth first"},
     {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
     {"--geometry", "float|lattice[:BITS]",
-     "float, 40 bytes per triangle, bit exact; compact also: a lattice of 12 to 21 bits per axis "
-     "(default lattice:16)"},
+     "float, 40 bytes per triangle, bit exact; compact and --sequence also: a lattice of 12 to 21 "
+     "bits per axis (default lattice:16)"},
     {"--tolerance", "F",
      "compact: the lattice that moves no vertex by more than F times the longest side, 5.2e-7 and "
      "more"},
@@ -62,6 +63,7 @@ static const arg_flag flags[] = {
      "positions in the image (default keep)"},
     {"--reduce", "N", "leave at most N triangles, 1 to 1000000000, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe, 0 to 99999 (default 0)"},
+    PACK_FRAMES_FLAGS,
     {"--centre", NULL,
      "move the middle of the meshes to 0, in double precision, before they are narrowed to "
      "single: for coordinates far from the origin; planelet info prints the shift"},
@@ -100,6 +102,7 @@ const arg_command command_pack = {
 
 typedef struct pack_job {
     pack_meshes in;
+    pack_frames frames; /* --sequence */
     pack_options options;
     compact_options compact; /* lattice_bits 0: thesis nodes */
     lattice_loss loss;
@@ -174,6 +177,9 @@ static int build(pack_job *job, packed *image, fail *f) {
         status = pack_mesh(image, m, &job->options, name, f);
     }
     phase_end();
+    if (status == 0 && job->frames.wanted) {
+        status = pack_frames_add(&job->frames, &job->in, image, f);
+    }
     if (status == 0) {
         shift_write(image->bytes, job->in.shift);
     }
@@ -185,6 +191,9 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
     int status = c_array_wanted(job->out)
                      ? c_array_write(job->image_out, job->out, image, job->command, f)
                      : output_write(job->image_out, image->bytes, image->size, f);
+    if (job->frames.wanted && heap_peak() > job->memory.needed) {
+        job->memory.needed = heap_peak(); /* frames are not in the plan: what they took */
+    }
     if (status == 0 && job->json_out != NULL) {
         status =
             pack_json_write(job->json_out, &job->in, image, moves_vertices(job) ? &job->loss : NULL,
@@ -227,12 +236,26 @@ static int check_size(const pack_job *job, fail *f) {
                : image_size_check_thesis(name, in->m.triangles, &job->options, f);
 }
 
+static int read_meshes(pack_job *job, const args *a, fail *f) {
+    fail why = {""};
+    if (!job->frames.wanted) {
+        return pack_meshes_read(&job->in, a->file, a->files, f);
+    }
+    job->in.frame = job->frames.range.first;
+    if (pack_meshes_read(&job->in, &job->frames.first, 1, &why) != 0) {
+        char name[24];
+        snprintf(name, sizeof name, "frame %u", job->in.frame);
+        return fail_set(f, name, "%s", why.text); /* which names the file */
+    }
+    return 0;
+}
+
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
-    if (pack_meshes_read(&job->in, a->file, a->files, f) != 0) {
+    if (read_meshes(job, a, f) != 0) {
         return -1;
     }
     const pack_plan plan = {&job->options, &job->compact, job->is_high};
-    job->options.spend = job->compact.spend = &job->in.m;
+    job->options.spend = job->compact.spend = job->frames.wanted ? NULL : &job->in.m;
     job->compact.meshes = (unsigned)a->files;
     if (check_size(job, f) != 0 || pack_memory_plan(&job->memory, &job->in, &plan, f) != 0) {
         return -1;
@@ -242,7 +265,12 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
         return -1;
     }
     job->compact.mesh_end = job->in.mesh_end;
-    if (open_outputs(job, f) != 0 || build(job, image, f) != 0) {
+    if (job->frames.wanted) {
+        job->in.file[0].open_distance = 0; /* seams are not closed in a sequence */
+    }
+    if (open_outputs(job, f) != 0 ||
+        (job->frames.wanted && pack_frames_scan(&job->frames, &job->in, f) != 0) ||
+        build(job, image, f) != 0) {
         return -1;
     }
     return write_all(job, image, f);
@@ -315,11 +343,29 @@ static uint8_t read_lattice(pack_job *job, args *a, int floats) {
 
 static void read_checks(pack_job *job, args *a) {
     static const char *const checks[] = {"on", "off", NULL};
-    const int are_on = args_choice(a, "--checks", checks, 0) == 0;
+    const int are_on = args_choice(a, "--checks", checks, job->frames.wanted ? 1 : 0) == 0;
     job->options.checks = job->compact.checks = (uint8_t)are_on;
     if (are_on && args_has(a, "--checks") && job->options.build != PLT_BUILD_HOST) {
         args_complain(a, "--checks on is for --build host: only finished trees are streamed");
     }
+    if (are_on && job->frames.wanted) {
+        args_complain(a, "--checks on is not for --sequence: what moves is not streamed");
+    }
+}
+
+/* --geometry of a sequence: its lattice, or none. */
+static void read_sequence_format(pack_job *job, args *a) {
+    const int floats = strcmp(args_text(a, "--geometry", ""), "float") == 0;
+    const uint8_t bits = read_lattice(job, a, floats);
+    if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0) {
+        args_complain(a, "--sequence takes --nodes thesis: compact blocks do not move");
+    }
+    if (args_has(a, "--numbers") || (floats && args_has(a, "--step"))) {
+        args_complain(a, "--sequence takes no --numbers, and --step with a lattice alone");
+    }
+    job->frames.wish = (lattice_wish){.bits = floats ? 0 : bits,
+                                      .power = job->compact.power,
+                                      .fewest = args_has(a, "--tolerance")};
 }
 
 static void read_format(pack_job *job, args *a) {
@@ -328,6 +374,10 @@ static void read_format(pack_job *job, args *a) {
     static const char *const steps[] = {"auto", "power", NULL};
     job->compact.numbers = args_choice(a, "--numbers", numbers, 0) == 0;
     job->compact.power = args_choice(a, "--step", steps, 0) == 1;
+    if (job->frames.wanted) {
+        read_sequence_format(job, a);
+        return;
+    }
     if (args_choice(a, "--nodes", nodes, 0) == 1) {
         job->compact.floats = strcmp(args_text(a, "--geometry", ""), "float") == 0;
         job->compact.lattice_bits = read_lattice(job, a, job->compact.floats);
@@ -390,6 +440,7 @@ static void read_flags(pack_job *job, args *a) {
     job->options.treelet_nodes = (uint32_t)args_number(a, "--treelet", 64, 1, 1000000);
     args_choice(a, "--fill", bfs, 0);
     args_choice(a, "--slots", thesis, 0);
+    pack_frames_read(&job->frames, a);
     read_format(job, a);
     read_checks(job, a);
     read_quality(job, a);
@@ -410,6 +461,7 @@ int run_pack(args *a) {
     pack_job job = {0};
     read_flags(&job, a);
     if (a->wrong) {
+        pack_frames_free(&job.frames);
         return 2;
     }
     job.command = command_line(a);
@@ -428,6 +480,7 @@ int run_pack(args *a) {
     output_abandon(job.image_out);
     output_abandon(job.json_out);
     pack_free(&image);
+    pack_frames_free(&job.frames);
     pack_meshes_free(&job.in);
     free(job.command);
     return status == 0 ? 0 : 1;

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "board/hash.h"
@@ -12,6 +13,7 @@
 #include "host_tools/app/frame.h"
 #include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
+#include "host_tools/app/played.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/output.h"
@@ -21,7 +23,8 @@
 
 static const arg_flag flags[] = {
     {"-o", "OUT",
-     "a picture (.png .ppm) or a film (.y4m); - is standard output, PPM or with --orbit Y4M"},
+     "a picture (.png .ppm) or a film (.y4m); - is standard output, PPM or with --orbit Y4M; of "
+     "several frames a picture each, with its number for a '{}' in the name: 000, 001 ..."},
     {"--show", NULL, "draw the picture (of --orbit the last) in the terminal: " TERMINAL_INK_HELP},
     {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
@@ -130,8 +133,39 @@ static int render_frame(rendering *r, progress *bar, uint64_t before, crew_times
     return status == PLT_OK ? 0 : scene_failed(&r->s, r->path, status, f);
 }
 
-static int keep_frame(rendering *r, fail *f) {
+/* An image with a sequence says how fast its frames follow each other. */
+static int begin_picture(const rendering *r, fail *f) {
+    const uint32_t rate = r->moved.is_played ? plt_engine_info(r->s.engine)->frame_rate : 0;
+    return picture_begin(r->picture_out, r->to.format, r->frame.width, r->frame.height,
+                         rate > 0 ? rate : FRAMES_PER_SECOND, f);
+}
+
+static int commit_output(output **o, fail *f) {
+    const int status = *o == NULL ? 0 : output_commit(*o, f);
+    *o = NULL;
+    return status;
+}
+
+/* A picture of its own for frame `index`, with its number for the '{}' in the name. */
+static int keep_numbered(rendering *r, unsigned index, fail *f) {
+    char *file = frame_range_file(r->to.out, r->moved.range.first + index);
+    if (file == NULL) {
+        return fail_set(f, r->to.out, "out of memory; close other programs");
+    }
+    r->picture_out = output_open(file, f);
+    free(file);
+    if (r->picture_out == NULL || begin_picture(r, f) != 0 ||
+        picture_frame(r->picture_out, r->to.format, &r->shown, f) != 0) {
+        return -1;
+    }
+    return commit_output(&r->picture_out, f);
+}
+
+static int keep_frame(rendering *r, unsigned index, fail *f) {
     r->hash = hash_update(r->hash, r->shown.rgb, 3 * (size_t)r->shown.width * r->shown.height);
+    if (r->to.is_numbered) {
+        return keep_numbered(r, index, f);
+    }
     return r->picture_out == NULL ? 0 : picture_frame(r->picture_out, r->to.format, &r->shown, f);
 }
 
@@ -142,8 +176,8 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
     scene_reset_stats(&r->s);
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
         r->frame.camera = r->first;
-        if (r->moved.mesh != NULL) {
-            status = moved_to(&r->moved, &r->s, i, f);
+        if (moved_is(&r->moved)) {
+            status = moved_to(&r->moved, &r->s, r->path, i, f);
         } else if (i > 0) {
             view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }
@@ -151,7 +185,7 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
             status = render_frame(r, bar, (uint64_t)run * r->frames + i, &took, f);
         }
         if (status == 0 && run == 0) {
-            status = keep_frame(r, f);
+            status = keep_frame(r, i, f);
         }
     }
     crew_times_keep(&r->took, &took, run == 0);
@@ -193,7 +227,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     print_bits(o, "look", r->first.look, 3, f);
     print_bits(o, "up", r->first.up, 3, f);
     print_bits(o, "tan", &r->first.tan_half_fov, 1, f);
-    if (r->moved.mesh != NULL) {
+    if (moved_is(&r->moved)) {
         output_print(o, f, "  \"move_seconds\": %.9f,\n  \"mesh_seconds\": %.9f,\n",
                      r->moved.move_seconds / r->repeat, r->moved.read_seconds / r->repeat);
     }
@@ -201,19 +235,14 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     return output_print(o, f, "\n}\n");
 }
 
-static int commit_output(output **o, fail *f) {
-    const int status = *o == NULL ? 0 : output_commit(*o, f);
-    *o = NULL;
-    return status;
-}
-
 /* All outputs are opened first: one that cannot be written fails before the long run. */
 static int open_outputs(rendering *r, fail *f) {
     if (r->to.show && output_print_standard(f) != 0) {
         return -1;
     }
-    r->picture_out = r->to.out == NULL ? NULL : output_open(r->to.out, f);
-    if (r->to.out != NULL && r->picture_out == NULL) {
+    const int is_one = r->to.out != NULL && !r->to.is_numbered;
+    r->picture_out = is_one ? output_open(r->to.out, f) : NULL;
+    if (is_one && r->picture_out == NULL) {
         return -1;
     }
     r->stats_out = r->to.json == NULL ? NULL : output_open_text(r->to.json, f);
@@ -223,18 +252,17 @@ static int open_outputs(rendering *r, fail *f) {
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     r->path = a->file[0];
-    if (scene_open(&r->s, a, a->file[0], f) != 0) {
+    if (scene_open(&r->s, a, a->file[0], f) != 0 ||
+        (r->moved.is_played && played_refused(&r->s, r->path, &r->moved.range, f) != 0)) {
         return -1;
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
     r->first = frame->camera;
-    if (a->wrong || view_refused(a, frame, r->moved.mesh != NULL ? 1 : r->frames, f) != 0 ||
+    if (a->wrong || view_refused(a, frame, moved_is(&r->moved) ? 1 : r->frames, f) != 0 ||
         picture_make(&r->shown, frame->width, frame->height, f) != 0 || open_outputs(r, f) != 0) {
         return -1;
     }
-    return r->picture_out == NULL ? 0
-                                  : picture_begin(r->picture_out, r->to.format, frame->width,
-                                                  frame->height, FRAMES_PER_SECOND, f);
+    return r->picture_out == NULL ? 0 : begin_picture(r, f);
 }
 
 static int show(const picture *p, fail *f) {
@@ -276,8 +304,8 @@ static void read_flags(rendering *r, args *a) {
     r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
-    if (r->moved.mesh != NULL) {
-        r->frames = r->moved.count;
+    if (moved_is(&r->moved)) {
+        r->frames = r->moved.range.count;
     }
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);

@@ -103,13 +103,13 @@ int pack_json_write(output *o, const pack_meshes *in, const packed *image, const
                     const quality_stats *quality, const pack_memory *memory, fail *f) {
     int status =
         output_print(o, f,
-                     "{\n  \"triangles\": %" PRIu32
+                     "{\n  \"triangles\": %" PRIu32 ",\n  \"frames\": %" PRIu32
                      ",\n  \"triangles_after_reduce\": %zu"
                      ",\n  \"image_bytes\": %" PRIu32 ",\n  \"memory_bytes_needed\": %" PRIu64
                      ",\n  \"memory_peak_bytes\": %" PRIu64
                      ",\n  \"shift\": [%.17g, %.17g, %.17g],\n  \"files\": [\n",
-                     image->info.triangles, in->triangles, image->size, memory->needed, heap_peak(),
-                     in->shift[0], in->shift[1], in->shift[2]);
+                     image->info.triangles, image->info.frames, in->triangles, image->size,
+                     memory->needed, heap_peak(), in->shift[0], in->shift[1], in->shift[2]);
     for (int i = 0; i < in->files && status == 0; i++) {
         status = write_file(o, &in->file[i], f);
         if (status == 0) {

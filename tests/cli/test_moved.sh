@@ -3,26 +3,10 @@
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
+. tests/cli/wave.sh
 begin moved
 
-# wave FRAME [SIDE]: a sheet of two triangles per square, which ripples, as PLY.
-wave() {
-    awk -v frame="$1" -v side="${2:-9}" 'BEGIN {
-        print "ply\nformat ascii 1.0\nelement vertex " side * side
-        print "property float x\nproperty float y\nproperty float z"
-        print "element face " 2 * (side - 1) * (side - 1)
-        print "property list uchar int vertex_indices\nend_header"
-        for (y = 0; y < side; y++) for (x = 0; x < side; x++)
-            print x / side, 0.2 * sin(1.3 * x + frame), y / side + 0.05 * frame
-        for (y = 0; y + 1 < side; y++) for (x = 0; x + 1 < side; x++) {
-            at = y * side + x
-            print 3, at, at + 1, at + side
-            print 3, at + 1, at + side + 1, at + side
-        } }'
-}
-for frame in 0 1 2 3 4 5; do
-    wave $frame >wave_00$frame.ply
-done
+waves 6
 echo 'wave_{}.ply*6 1 0 0 0' >wave.txt
 view='--size 61x47 --eye 1,1.5,3 --look 0.2,0,0.2'
 run pack wave.txt -o wave.plt # says what is open
@@ -113,12 +97,12 @@ for frames in 1 5:5 6:5 0:100001 -1:3 1:2:3 a:b ''; do
     misused "--frames '$frames' is wrong usage" "--frames takes A:B" \
         render wave.plt -o x.y4m --moved wave.txt --frames "$frames" --size 8x8
 done
-misused "--frames without --moved" "--frames is for --moved" \
+refused "--frames without --moved, of an image without frames" wave.plt "has no frames" \
     render wave.plt -o x.y4m --frames 0:2 --size 8x8
 misused "two films at once" "--moved and --orbit" \
     render wave.plt -o x.y4m --moved wave.txt --orbit 3 --size 8x8
 misused "a film in a picture" "--frames makes a film: give -o a name that ends in .y4m" \
     render wave.plt -o x.png --moved wave.txt --frames 0:2 --size 8x8
-misused "a streamed scene" "--moved is for --residency resident" \
+misused "a streamed scene" "--moved and --frames are for --residency resident" \
     render wave.plt -o x.ppm --moved wave.txt --residency streamed --size 8x8
 finish

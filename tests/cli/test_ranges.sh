@@ -67,6 +67,16 @@ range --reduce "1 to 1000000000" "0 1000000000 1000000000 1000000001" pack quad.
 range --memory "1048576 to 1125899906842624" "1048575 1048576 1125899906842624 1125899906842625" \
     pack quad.ply -o x.plt
 range --frame "0 to 99999" "-1 0 99999 100000" pack recipe.txt -o x.plt
+range --rate "1 to 1000" "0 1 1000 1001" pack --sequence quad.ply quad.ply -o x.plt
+range --key "1 to 100000" "0 1 100000 100001" pack --sequence quad.ply quad.ply -o x.plt
+for frames in 0:1 99999:100000; do
+    works "pack --frames $frames works" pack --sequence recipe.txt --frames $frames -o x.plt
+done
+for frames in 99999:100001 -1:1 1:1; do
+    misused "pack --frames $frames is out of range" --frames \
+        pack --sequence recipe.txt --frames $frames -o x.plt
+done
+verdict "pack --frames: the help states its range" "$(states pack --frames "0 to 99999")"
 # On compact nodes pack says what the lattice cost.
 for bits in 12 21; do
     run pack quad.ply -o x.plt --nodes compact --geometry lattice:$bits

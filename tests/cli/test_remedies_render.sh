@@ -108,9 +108,9 @@ cured render compact.plt -o x.png --residency streamed --source dma:1,20
 says "--source dma:LATENCY_US,MB_PER_S[,OUTSTANDING] takes 0 to 1000, 0.1 to 10000 and 1 to %d, \
 not 'dma:%s'" render compact.plt -o x.png --residency streamed --source dma:1
 cured render compact.plt -o x.png --residency streamed --source dma:1000,0.1,64
-says "--moved is for --residency resident" \
+says "--moved and --frames are for --residency resident" \
     render compact.plt -o x.png --residency streamed --moved knot.ply
-says "%s; pack it with --nodes thesis, or leave out --moved" \
+says "%s; pack it with --nodes thesis, or leave out --moved and --frames" \
     render compact.plt -o x.png --moved knot.ply
 run pack knot.ply -o thesis.plt --nodes thesis
 cured render thesis.plt -o x.png --moved knot.ply
@@ -118,9 +118,10 @@ cured render compact.plt -o x.png
 says "--frames takes A:B, 0 to %d, A below B, not '%s'" \
     render thesis.plt -o x.png --moved knot.ply --frames 2
 cured render thesis.plt -o x.png --moved knot.ply --frames 2:3
-says "--frames is for --moved MESH" render thesis.plt -o x.png --frames 0:1
+says "has no frames; pack it with --sequence, or give --moved MESH" \
+    render thesis.plt -o x.png --frames 0:1
 cured render thesis.plt -o x.png --moved knot.ply --frames 0:1
-says "--moved and --orbit are two films; leave out one of them" \
+says "%s and --orbit are two films; leave out one of them" \
     render thesis.plt -o x.y4m --moved knot.ply --orbit 2
 cured render thesis.plt -o x.y4m --orbit 2
 run make knot -o other.ply --triangles 100

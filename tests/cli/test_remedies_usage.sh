@@ -149,7 +149,7 @@ says "no picture format has this ending; use .png, .ppm or .y4m" render quad.plt
 for ending in png ppm y4m; do
     cured render quad.plt -o x.$ending
 done
-says "%s makes a film: give -o a name that ends in .y4m" \
+says "%s makes a film: give -o a name that ends in .y4m, or NAME_{}.png for a picture per frame" \
     render quad.plt -o x.png --orbit 2 --size 8x8
 cured render quad.plt -o x.y4m --orbit 2 --size 8x8
 says "-o OUT says where the picture goes, --show draws it here" render quad.plt

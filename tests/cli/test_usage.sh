@@ -50,8 +50,8 @@ scene_flags="$scene_flags --workers --turns"
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
-    --geometry --tolerance --step --checks --numbers --reduce --frame --centre --origin --weld --repair \
-    --memory --json
+    --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames --rate \
+    --key --centre --origin --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --repeat --chroma --json \

@@ -247,8 +247,21 @@ seeds_png() { # FOLDER
     printf 'abcabcabcabcabcdefabcdefabc' | gzip -nc | tail -c +11 >"$1/stream"
 }
 
+# The first byte asks for right checksums.
+seeds_sequence() { # FOLDER
+    for k in 0 1 2; do
+        printf 'v %s\n' "0 0 0.$k" "1 0.$k 0" "0 1 0" "1 1 0.$k" >"$work/frame_$k.obj"
+        printf 'f 1 2 3\nf 2 4 3\n' >>"$work/frame_$k.obj"
+    done
+    for geometry in float lattice:12 lattice:21; do
+        "$PLANELET" pack --sequence "$work"/frame_?.obj --geometry $geometry --key 2 \
+            -o "$work/frames.plt" 2>/dev/null
+        { printf '\020'; cat "$work/frames.plt"; } >"$1/$geometry"
+    done
+}
+
 seeds() { # TARGET FOLDER
     case $1 in
-    ply | obj | stl | recipe | png) "seeds_$1" "$2" ;;
+    ply | obj | stl | recipe | png | sequence) "seeds_$1" "$2" ;;
     esac
 }

@@ -290,9 +290,9 @@ static inline size_t hostile_arena_bytes(const plt_source *source, const plt_opt
 
 /* Opens a copy of exactly its size in exactly the arena it needs and, if that works, calls
  * `trace`. The copy must not be changed by that. */
-static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t size,
-                                            hostile_config config,
-                                            const char *(*trace)(plt_engine *e)) {
+static inline hostile_result hostile_try_with(const unsigned char *bytes, uint32_t size,
+                                              hostile_config config, int is_movable,
+                                              const char *(*trace)(plt_engine *e)) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
     unsigned char *copy = malloc(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
@@ -304,7 +304,8 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
     const plt_options options = {.packet_side = config.packet_side,
                                  .order = config.order,
                                  .residency = config.residency,
-                                 .count_touched = 1};
+                                 .count_touched = 1,
+                                 .movable = (uint8_t)is_movable};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }
@@ -322,6 +323,12 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
     free(arena);
     free(copy);
     return r;
+}
+
+static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t size,
+                                            hostile_config config,
+                                            const char *(*trace)(plt_engine *e)) {
+    return hostile_try_with(bytes, size, config, 0, trace);
 }
 
 static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,

@@ -6,6 +6,7 @@
 # beams alone, the whole engine both: the frames are the same.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
+. tests/cli/wave.sh
 planelet=$BUILD/host/planelet
 out=$BUILD/mps2_an386/tests
 mkdir -p "$out"
@@ -118,6 +119,39 @@ motion=$BUILD/mps2_an386-motion-render-thesis
 if part "render thesis motion" "$motion" 44032; then
     renders "$motion" thesis
 fi
+sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
+# shows GEOMETRY [SOURCE=file]: frames of a sequence, which come by semihosting or are mapped.
+shows() {
+    "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --key 4 -o "$out/wave.plt" \
+        >/dev/null 2>&1
+    for frame in 0 3 5; do
+        view=$(sh board/tools/host_view.sh "$out/wave.plt" 80x60 "$out/host.ppm" \
+            --frames $frame:$((frame + 1)))
+        # shellcheck disable=SC2086
+        text=$(FIRMWARE=$sequence SOURCE=$2 sh board/mps2_an386/run.sh "$out/wave.plt" size=80x60 \
+            show=$frame ${view#* } 2>&1)
+        verdict "frame $frame of a sequence, $1 $2: that of the host" "$(
+            [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                echo "$text")"
+    done
+}
+if part "render thesis motion sequence" "$sequence" 49152; then
+    renders "$sequence" thesis
+    for k in 0 1 2 3 4 5; do
+        wave $k >"$out/wave_00$k.ply"
+    done
+    shows lattice:14
+    shows float file
+    firmware "$sequence" "$out/wave.plt" size=80x60 show=6
+    verdict "... a frame that is not there is refused" "$(
+        echo "$text" | grep -q '^error: the image has no such frame' || echo "$text")"
+    firmware "$motion" "$out/wave.plt" size=80x60
+    verdict "... and the image where there is no part for it" "$(
+        echo "$text" | grep -q '^error: .*number of sections' || echo "$text")"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
+verdict "PARTS with sequence and without motion is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with sequence has .*: make PARTS='" || echo "$trouble")"
 for parts in 'render compact motion' 'motion compact'; do
     trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
     verdict "PARTS='$parts' is refused, with what it may be" "$(

@@ -1,13 +1,15 @@
 /* frames_scene - a packed scene, rendered while it is shown
  *
- * The camera's position follows the clock: a slow display shows fewer pictures
- * of the same motion, each the latest.
+ * The camera's position follows the clock, and so does the frame of a sequence, over and over: a
+ * slow display shows fewer pictures of the same motion, each the latest. A frame that cannot be
+ * had ends it, and what was shown last stays on the display.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 #include <unistd.h>
 
 #include "host_tools/app/frame.h"
+#include "host_tools/app/played.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/clock.h"
@@ -18,7 +20,23 @@ typedef struct live {
     plt_frame frame;
     plt_camera start;
     double began, orbit; /* seconds; orbit 0: the camera stands still */
+    uint32_t shown;      /* frame of the image's sequence */
 } live;
+
+/* The frame of a sequence that the clock is at. */
+static int show_frame(live *l, const char *path, fail *f) {
+    const plt_info *info = plt_engine_info(l->scene.engine);
+    if (info->frames == 0 || !l->scene.options.movable) {
+        return 0;
+    }
+    const double gone = (clock_seconds() - l->began) * info->frame_rate;
+    const uint32_t frame = (uint32_t)((uint64_t)gone % info->frames);
+    if (frame == l->shown) {
+        return 0;
+    }
+    l->shown = frame;
+    return played_to(&l->scene, path, frame, f);
+}
 
 static int live_next(frames *s, picture *p, fail *f) {
     live *l = s->state;
@@ -27,6 +45,9 @@ static int live_next(frames *s, picture *p, fail *f) {
         view_orbit(&l->start, (clock_seconds() - l->began) / l->orbit, &l->frame.camera);
     }
     if (picture_resize(p, l->frame.width, l->frame.height, f) != 0) {
+        return FRAMES_FAILED;
+    }
+    if (show_frame(l, s->path, f) != 0) {
         return FRAMES_FAILED;
     }
     if (plt_render_begin(engine, &l->frame) != PLT_OK) {
@@ -64,6 +85,21 @@ static void read_flags(live *l, args *a) {
     l->orbit = (double)orbit;
 }
 
+/* Of an image with a sequence, to show its frames. */
+static int open_scene(scene *s, args *a, const char *path, fail *f) {
+    plt_info info;
+    plt_fault fault;
+    if (scene_attach(s, a, path, f) != 0) {
+        return -1;
+    }
+    if (s->options.residency == PLT_RESIDENCY_WHOLE &&
+        plt_image_info(&s->source, &info, &fault) == PLT_OK) {
+        s->options.movable = info.frames > 0;
+    }
+    const int status = scene_start(s, path, &fault);
+    return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
+}
+
 int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     live *l = calloc(1, sizeof *l);
     s->next = live_next;
@@ -76,7 +112,7 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     }
     l->scene.file.file = -1;
     read_flags(l, a);
-    if (scene_open(&l->scene, a, s->path, f) != 0) {
+    if (open_scene(&l->scene, a, s->path, f) != 0) {
         return -1;
     }
     l->frame.width = (uint16_t)width;

@@ -1,0 +1,22 @@
+/* words - four words of an image as four lanes
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_MOTION_WORDS_H
+#define PLT_MOTION_WORDS_H
+
+#include "engine/base/bytes.h"
+#include "engine/lanes/lanes.h"
+
+static inline f4 plt_words_load(const uint32_t *word) {
+    float v[4];
+    plt_get_floats(v, (const unsigned char *)word, 4);
+    return f4_load(v);
+}
+
+static inline void plt_words_store(uint32_t *word, f4 a) {
+    float v[4];
+    f4_store(v, a);
+    plt_put_floats((unsigned char *)word, v, 4);
+}
+
+#endif

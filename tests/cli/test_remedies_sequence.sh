@@ -1,0 +1,68 @@
+#!/bin/sh
+# test_remedies_sequence.sh - what the tools say of frames of a sequence helps
+#
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+. tests/cli/remedies.sh
+. tests/cli/wave.sh
+begin remedies_sequence
+waves 4
+echo 'wave_{}.ply*4 1 0 0 0' >wave.txt
+
+# ---- how it is asked for: pack_frames.c, cmd_pack.c ----------------------------------------
+
+says "--frames, --rate and --key go with --sequence" pack wave.txt --frames 0:2 -o x.plt
+cured pack --sequence wave.txt --frames 0:2 -o x.plt
+says "--sequence of one MESH takes --frames A:B, too" pack --sequence wave.txt -o x.plt
+cured pack --sequence wave.txt --frames 0:2 -o x.plt
+says "--frames A:B is for one MESH: a recipe, or a name with '{}'" \
+    pack --sequence wave_000.ply wave_001.ply --frames 0:2 -o x.plt
+cured pack --sequence 'wave_{}.ply' --frames 0:2 -o x.plt
+cured pack --sequence wave_000.ply wave_001.ply -o x.plt
+says "--frames takes A:B, 0 to %d, A below B, not '%s'" \
+    pack --sequence wave.txt --frames 2 -o x.plt
+cured pack --sequence wave.txt --frames 0:2 -o x.plt
+says "%s is for one mesh, not for --sequence" pack --sequence wave_00?.ply --weld 1 -o x.plt
+cured pack --sequence wave_00?.ply -o x.plt
+cured pack wave_000.ply --weld 0.001 -o x.plt
+says "--sequence reads its files twice, and standard input cannot be" \
+    pack --sequence - wave_001.ply -o x.plt
+cured pack --sequence wave_00?.ply -o x.plt
+says "--sequence takes --nodes thesis: compact blocks do not move" \
+    pack --sequence wave_00?.ply --nodes compact -o x.plt
+cured pack --sequence wave_00?.ply --nodes thesis -o x.plt
+says "--checks on is not for --sequence: what moves is not streamed" \
+    pack --sequence wave_00?.ply --checks on -o x.plt
+cured pack --sequence wave_00?.ply --checks off -o x.plt
+says "--sequence takes no --numbers, and --step with a lattice alone" \
+    pack --sequence wave_00?.ply --geometry float --step power -o x.plt
+cured pack --sequence wave_00?.ply --step power -o x.plt
+
+# ---- frames that do not fit: pack_frames.c --------------------------------------------------
+
+mv wave_002.ply whole.ply
+wave 2 8 >wave_002.ply
+says "%s: has %zu vertices and %zu triangles, the first frame %zu and %zu; write all frames from \
+one mesh" pack --sequence wave_00?.ply -o x.plt
+cp whole.ply wave_002.ply
+cured pack --sequence wave_00?.ply -o x.plt
+sed '$s/^3 \([0-9]*\) \([0-9]*\)/3 \2 \1/' whole.ply >wave_002.ply
+says "%s: triangle %zu has other vertices than in the first frame; write all frames from one mesh" \
+    pack --sequence wave_00?.ply -o x.plt
+mv whole.ply wave_002.ply
+cured pack --sequence wave_00?.ply -o x.plt
+# Some 2^41 long: single precision has no finer steps there than the lattice.
+printf 'v %s\n' '-1099511627776 -1099511627776 0' '1099511627776 0 0' '0 1099511627776 0' >far.obj
+echo 'f 1 2 3' >>far.obj
+says "a lattice over all frames would reach beyond 2^40; use --geometry float" \
+    pack --sequence far.obj far.obj -o x.plt
+cured pack --sequence far.obj far.obj --geometry float -o x.plt
+
+# ---- frames that are not there: played.c ------------------------------------------------------
+
+run pack --sequence wave_00?.ply -o wave.plt
+says "has %u frame%s; use --frames 0:%u or less" render wave.plt -o x.y4m --frames 2:5 --size 8x8
+# shellcheck disable=SC2046
+cured render wave.plt -o x.y4m --size 8x8 $(sed -n 's/.*use \(--frames [0-9:]*\) or less$/\1/p' err)
+finish

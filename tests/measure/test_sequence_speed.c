@@ -1,0 +1,138 @@
+/* test_sequence_speed [MESH...] - triangles per second of frames that an image holds
+ *
+ * Of thesis nodes, on one core: the best of ten. Blocks decoded and checked; records written from
+ * vertices and indices; bounds and nodes; the last two together, which is what is compared with
+ * corners that a caller gives (test_refit_speed). Without a mesh it takes a small one and is one
+ * test more; the figures are for people.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "engine/move.h"
+#include "host_tools/base/clock.h"
+#include "host_tools/mesh/mesh.h"
+#include "host_tools/pack/lattice.h"
+#include "host_tools/pack/sequence.h"
+#include "host_tools/scenes/scenes.h"
+#include "tests/reference/rig.h"
+#include "tests/reference/shapes.h"
+#include "tests/test.h"
+
+enum { ROUNDS = 10 };
+
+typedef struct speeds {
+    double decode, records, bounds, corners; /* seconds, the best */
+} speeds;
+
+static double best_of(double best, double began, int round) {
+    const double took = clock_processor_seconds() - began;
+    return round == 0 || took < best ? took : best;
+}
+
+/* Two frames: the mesh, and the mesh half as large again. */
+static void pack_frames(packed *image, const mesh *m, uint32_t k, uint32_t bits) {
+    sequence_options o = {2, 25, 2, {{0}, 0, 0}};
+    mesh frame = *m;
+    sequence s;
+    fail f = {""};
+    lattice_ground ground = {plt_box_empty(), LATTICE_NO_GRAIN};
+    const rig_config c = rig_config_of(k, rig_is_tiny() ? 1 : 64, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    shape_box(m, ground.box.lo, ground.box.hi);
+    for (int a = 0; a < 3; a++) {
+        ground.box.lo[a] *= ground.box.lo[a] < 0 ? 1.5f : 1.0f;
+        ground.box.hi[a] *= ground.box.hi[a] > 0 ? 1.5f : 1.0f;
+    }
+    const lattice_wish wish = {.bits = bits, .power = 1};
+    CHECK(bits == 0 || lattice_over(&o.lattice, &ground, &wish, "test", &f) == 0, "%s", f.text);
+    CHECK(pack_mesh(image, m, &c.pack, "test", &f) == 0 &&
+              sequence_begin(&s, m, &o, "test", &f) == 0 && sequence_add(&s, m, "test", &f) == 0,
+          "%s", f.text);
+    frame.vertex = malloc(3 * m->vertices * sizeof(float));
+    for (size_t i = 0; i < 3 * m->vertices; i++) {
+        frame.vertex[i] = 1.5f * m->vertex[i];
+    }
+    CHECK(sequence_add(&s, &frame, "test", &f) == 0 &&
+              sequence_finish(&s, image, m, "test", &f) == 0,
+          "%s", f.text);
+    free(frame.vertex);
+    sequence_free(&s);
+}
+
+static void take_corners(plt_engine *e, const mesh *m, speeds *best, int round) {
+    float(*corners)[9] = malloc(m->triangles * sizeof *corners);
+    plt_fault fault;
+    for (size_t i = 0; i < 9 * m->triangles; i++) {
+        ((float *)corners)[i] = m->vertex[3 * (size_t)m->triangle[i / 3] + i % 3];
+    }
+    const double began = clock_processor_seconds();
+    CHECK(plt_move(e, (const float(*)[9])corners, &fault) == PLT_OK, "%s", fault.message);
+    best->corners = best_of(best->corners, began, round);
+    free(corners);
+}
+
+static void take_frames(plt_engine *e, speeds *best, int round) {
+    plt_fault fault;
+    int status = plt_sequence_show(e, 0, &fault);
+    double began = clock_processor_seconds();
+    status += plt_sequence_begin(e, 1, &fault) + plt_sequence_step(e, UINT32_MAX, &fault);
+    best->decode = best_of(best->decode, began, round);
+    CHECK(status == PLT_OK, "%s", fault.message);
+    began = clock_processor_seconds();
+    plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
+    best->records = best_of(best->records, began, round);
+    began = clock_processor_seconds();
+    plt_refit_all(e);
+    plt_moved(e);
+    best->bounds = best_of(best->bounds, began, round);
+}
+
+static void run(const packed *image, const mesh *m, const char *name, uint32_t k, uint32_t bits) {
+    const plt_options o = {.packet_side = 2, .movable = 1};
+    const plt_source source = rig_source(image);
+    const size_t bytes = plt_arena_need(&image->info, 1, &o);
+    const double millions = 1e-6 * (double)m->triangles;
+    void *arena = aligned_alloc(PLT_ALIGN, bytes);
+    plt_engine *e;
+    plt_fault fault;
+    speeds best = {0, 0, 0, 0};
+    CHECK(plt_open(&e, arena, bytes, &source, &o, &fault) == PLT_OK, "%s", fault.message);
+    for (int i = 0; i < ROUNDS && e != NULL; i++) {
+        take_frames(e, &best, i);
+        take_corners(e, m, &best, i);
+    }
+    free(arena);
+    printf(
+        "    %s, K = %u, %s%.0u: million triangles per second: decoded %.1f, records %.1f, bounds "
+        "and nodes %.1f, the last two %.1f, from corners %.1f\n",
+        name, k, bits > 0 ? "lattice:" : "float", bits, millions / best.decode,
+        millions / best.records, millions / best.bounds, millions / (best.records + best.bounds),
+        millions / best.corners);
+}
+
+static void measure(const mesh *m, const char *name) {
+    for (uint32_t k = 1; k <= 4; k *= 2) {
+        for (uint32_t bits = 0; bits <= 16; bits += 16) {
+            packed image;
+            pack_frames(&image, m, k, bits);
+            run(&image, m, name, k, bits);
+            pack_free(&image);
+        }
+    }
+}
+
+int main(int argc, char **argv) {
+    test("frames of an image, triangles per second on one core");
+    for (int i = 1; i < argc || i == 1; i++) {
+        mesh m = {0};
+        mesh_report report = {0};
+        fail f = {""};
+        const int status = i < argc ? mesh_read(&m, argv[i], 0, &report, &f)
+                                    : scene_knot(&m, rig_is_tiny() ? 100 : 20000, &f);
+        CHECK(status == 0, "%s", f.text);
+        if (status == 0) {
+            measure(&m, i < argc ? argv[i] : "knot");
+        }
+        mesh_free(&m);
+    }
+    return test_done();
+}

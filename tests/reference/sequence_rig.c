@@ -1,0 +1,109 @@
+/* sequence_rig - see sequence_rig.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "tests/reference/sequence_rig.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/reference/random.h"
+#include "tests/test.h"
+
+enum { GUARD = 64 };
+
+static mesh copy_of(const mesh *m) {
+    mesh copy = {0};
+    fail f = {""};
+    for (size_t i = 0; i < m->vertices; i++) {
+        mesh_add_vertex(&copy, m->vertex[3 * i], m->vertex[3 * i + 1], m->vertex[3 * i + 2], &f);
+    }
+    for (size_t i = 0; i < m->triangles; i++) {
+        const uint32_t *t = m->triangle + 3 * i;
+        mesh_add_triangle(&copy, t[0], t[1], t[2], &f);
+    }
+    return copy;
+}
+
+/* A twist that grows, a drift, and a shiver of one vertex in three. */
+void sequence_deform(mesh *m, const mesh *first, uint32_t k) {
+    random_state r = {k};
+    *m = copy_of(first);
+    for (size_t i = 0; i < m->vertices && k > 0; i++) {
+        float *p = m->vertex + 3 * i;
+        const float c = cosf(0.3f * (float)k * p[1]), s = sinf(0.3f * (float)k * p[1]), x = p[0];
+        if (i % 7 == 3) {
+            continue; /* it stays where it was */
+        }
+        p[0] = c * x - s * p[2] + 0.05f * (float)k;
+        p[2] = s * x + c * p[2];
+        p[1] += i % 3 == 0 ? random_float(&r, -0.1f, 0.1f) : 0.0f;
+        p[1] = i % 11 == 0 && k % 2 ? -0.0f : p[1];
+    }
+}
+
+plt_lattice sequence_lattice(uint32_t bits) {
+    plt_lattice l = {{0}, 0, 0};
+    if (bits > 0) {
+        l = (plt_lattice){{-4.0f, -4.0f, -4.0f, 0}, ldexpf(8.0f, -(int)bits), bits};
+    }
+    return l;
+}
+
+void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config *config) {
+    const sequence_options o = {config->frames, 25, config->key_every,
+                                sequence_lattice(config->lattice_bits)};
+    sequence s;
+    fail f = {""};
+    memset(r, 0, sizeof *r);
+    r->frames = config->frames;
+    for (uint32_t k = 0; k < r->frames; k++) {
+        sequence_deform(&r->frame[k], first, k);
+        if (o.lattice.bits > 0) {
+            sequence_snap(&r->frame[k], &o.lattice);
+        }
+    }
+    int status = pack_mesh(&r->image, &r->frame[0], &config->scene.pack, "test", &f);
+    status = status == 0 ? sequence_begin(&s, &r->frame[0], &o, "test", &f) : status;
+    for (uint32_t k = 0; k < r->frames && status == 0; k++) {
+        status = sequence_add(&s, &r->frame[k], "test", &f);
+    }
+    status = status == 0 ? sequence_finish(&s, &r->image, &r->frame[0], "test", &f) : status;
+    CHECK(status == 0, "%s", f.text);
+    sequence_free(&s);
+}
+
+int sequence_rig_open(sequence_rig *r, const sequence_config *config, size_t short_by) {
+    plt_options o = config->scene.run;
+    o.movable = 1;
+    r->link.image = r->image.bytes;
+    r->link.bytes = r->image.size;
+    const plt_source source = config->is_mapped ? rig_source(&r->image) : fake_source(&r->link);
+    r->arena_bytes = plt_arena_need(&r->image.info, config->is_mapped, &o) - short_by;
+    free(r->arena);
+    r->arena = aligned_alloc(PLT_ALIGN, r->arena_bytes + GUARD);
+    memset(r->arena, 0x5A, r->arena_bytes + GUARD);
+    r->link.arena = r->arena;
+    r->link.arena_bytes = r->arena_bytes;
+    return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &o, &r->fault);
+}
+
+int sequence_rig_start(sequence_rig *r, const mesh *first, const sequence_config *config) {
+    sequence_rig_pack(r, first, config);
+    const int status = sequence_rig_open(r, config, 0);
+    CHECK(status == PLT_OK, "%s: %s", rig_name(&config->scene), r->fault.message);
+    return status;
+}
+
+int sequence_rig_close(sequence_rig *r) {
+    int good = 1;
+    for (unsigned i = 0; i < GUARD && r->arena != NULL; i++) {
+        good &= r->arena[r->arena_bytes + i] == 0x5A;
+    }
+    for (uint32_t k = 0; k < r->frames; k++) {
+        mesh_free(&r->frame[k]);
+    }
+    free(r->arena);
+    pack_free(&r->image);
+    return good && r->link.broken == 0 && fake_unfinished(&r->link) == 0;
+}
