@@ -54,7 +54,8 @@ static uint64_t section_bytes(const subject *s) {
     }
     const int stays = s->mapped && !is_movable(s);
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        if (kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
+        if (!PLT_WITH_THESIS ||
+            kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
             bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
         }
     }

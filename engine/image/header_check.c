@@ -166,7 +166,7 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
                            "the sections do not fill the image");
     }
     const unsigned used_end = h->info.nodes_format == PLT_NODES_COMPACT ? PLT_AT_RESERVED
-                              : h->info.frames > 0                      ? PLT_AT_SEQUENCE_END
+                              : PLT_WITH_SEQUENCE && h->info.frames > 0 ? PLT_AT_SEQUENCE_END
                                                                         : 0;
     for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_AT_SHIFT; i++) {
         const int used = i >= PLT_AT_ORIGIN && i < used_end;

@@ -27,7 +27,7 @@ verdict "... what is packed is told" "$(
     [ "$(number frames <pack.json)" = 9 ] || cat pack.json)"
 works "a name with {}" pack --sequence 'wave_{}.ply' --frames 0:9 --geometry float -o name.plt
 same list.plt name.plt "... is the same image"
-"$PLANELET" pack wave_000.ply -o plain.plt 2>/dev/null
+"$PLANELET" pack wave_000.ply --checks off -o plain.plt 2>/dev/null
 verdict "... which has the sections of the first frame packed alone" "$(
     size=$(($(wc -c <plain.plt) - 256))
     tail -c +257 plain.plt >one

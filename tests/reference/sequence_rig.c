@@ -63,7 +63,9 @@ void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config
             sequence_snap(&r->frame[k], &o.lattice);
         }
     }
-    int status = pack_mesh(&r->image, &r->frame[0], &config->scene.pack, "test", &f);
+    pack_options plain = config->scene.pack;
+    plain.checks = 0; /* what moves is not streamed */
+    int status = pack_mesh(&r->image, &r->frame[0], &plain, "test", &f);
     status = status == 0 ? sequence_begin(&s, &r->frame[0], &o, "test", &f) : status;
     for (uint32_t k = 0; k < r->frames && status == 0; k++) {
         status = sequence_add(&s, &r->frame[k], "test", &f);
