@@ -8,6 +8,7 @@
 #define PLT_ENGINE_H
 
 #include "engine/base/arena.h"
+#include "engine/motion/moving.h"
 #include "engine/scene/open.h"
 #include "engine/schedule/batch.h"
 #include "engine/schedule/dispatch.h"
@@ -43,7 +44,7 @@ struct plt_engine {
     plt_traversal traversal;
     plt_rendering rendering;
 #if PLT_WITH_MOTION
-    struct plt_refit_level *refit_levels; /* of a movable scene */
+    plt_moving moving; /* of a movable scene */
 #endif
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
     int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */

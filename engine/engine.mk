@@ -11,7 +11,8 @@
 #   task     ... and go from there to workers, on other cores (plt_task_next)
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
 #   prefetch  ... whose blocks may be on their way before they are needed, likewise
-#   motion   with plt_move, for triangles of thesis nodes; other firmware is without
+#   motion   with plt_move, for triangles of thesis nodes, and, unless it is `render`, with
+#            plt_rebuild_begin; other firmware is without
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -46,7 +47,8 @@ stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c
 task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c \
     engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
-motion_files := engine/move.c $(wildcard engine/motion/*.c)
+rebuild_files := engine/rebuild.c engine/motion/rebuild.c
+motion_files := engine/move.c engine/rebuild.c $(wildcard engine/motion/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
@@ -55,7 +57,7 @@ groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c pa
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
-left_out_render := $(builder_files)
+left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
 left_out_compact := $(thesis_files) $(motion_files)
 flags_render := -DPLT_WITH_BUILDER=0

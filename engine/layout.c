@@ -262,6 +262,34 @@ static uint64_t wave_bytes(const subject *s) {
     return 0;
 }
 
+#if PLT_WITH_MOTION
+static uint64_t dirty_bytes(const subject *s) {
+    return is_movable(s) && s->options->moves_some
+               ? rounded(plt_dirty_bytes(s->info->triangles)) +
+                     (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_dirty_level)
+               : 0;
+}
+#endif
+
+#if PLT_WITH_REBUILD
+/* Behind the nodes that are there; before they are built, the tree has that room already. */
+static uint64_t room_bytes(const subject *s) {
+    const uint32_t slots = s->info->node_slots, room = s->sized_for->node_slots;
+    return plt_layout_rebuilds(s->info, s->options) && room > slots && (slots > 0 || !s->builds)
+               ? (uint64_t)(room - slots) * PLT_NODE_BYTES
+               : 0;
+}
+
+static uint64_t rebuild_bytes(const subject *s) {
+    const uint64_t records = rounded((uint64_t)s->info->triangles * PLT_RECORD_BYTES);
+    const uint64_t nodes = (uint64_t)s->sized_for->node_slots * PLT_NODE_BYTES;
+    return plt_layout_rebuilds(s->info, s->options)
+               ? records + nodes +
+                     plt_build_scratch_bytes(s->sized_for->nodes, s->info->treelet_nodes)
+               : 0;
+}
+#endif
+
 /* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
@@ -309,6 +337,14 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_REFIT:
         return is_movable(s) ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
                              : 0;
+    case PLT_PART_DIRTY:
+        return dirty_bytes(s);
+#endif
+#if PLT_WITH_REBUILD
+    case PLT_PART_ROOM:
+        return room_bytes(s);
+    case PLT_PART_REBUILD:
+        return rebuild_bytes(s);
 #endif
     case PLT_PART_WIDE_FORM:
         return wide_bytes(s);
@@ -336,7 +372,12 @@ void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *si
 void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
                          const plt_options *options) {
 #if PLT_WITH_BUILDER
-    const plt_info worst = plt_worst_tree(info);
+    plt_info worst = plt_worst_tree(info);
+#if PLT_WITH_REBUILD
+    if (plt_layout_rebuilds(info, options)) {
+        worst = plt_rebuilt_tree(info, plt_rebuilt_room(info));
+    }
+#endif
     plt_layout_set(layout, info, &worst, mapped, options);
 #else
     plt_layout_set(layout, info, info, mapped, options);
@@ -384,8 +425,9 @@ static int is_batch_valid(const plt_options *o) {
 
 /* A wide form is made once, when a scene is opened. */
 static int is_motion_valid(const plt_options *o) {
-    return !PLT_WITH_MOTION || o->movable == 0 ||
-           (o->movable == 1 && o->wide == 0 && o->residency == 0);
+    return !PLT_WITH_MOTION || (o->movable == 0 && o->moves_some == 0 && o->rebuild == 0) ||
+           (o->movable == 1 && o->moves_some <= 1 && o->rebuild <= PLT_WITH_REBUILD &&
+            o->wide == 0 && o->residency == 0);
 }
 
 int plt_layout_options_valid(const plt_options *o) {

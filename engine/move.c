@@ -1,49 +1,136 @@
-/* move - the public call by which triangles move
+/* move - the public calls by which triangles move
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/move.h"
+
 #include "engine/base/fault.h"
 #include "engine/engine.h"
 #include "engine/motion/corners.h"
-#include "engine/motion/refit.h"
+#include "engine/tree/record_put.h"
 
 /* Records of a movable scene lie in the arena. */
-static plt_record *records_of(plt_engine *e) {
+plt_record *plt_records_of(plt_engine *e) {
     const plt_record *r =
         e->scene.format == PLT_FORMAT_LIST ? e->scene.list.records : e->scene.thesis.records;
     return (plt_record *)(uintptr_t)r;
 }
 
-static plt_box refit(plt_engine *e, plt_record *records) {
-    const plt_tree *tree = &e->scene.thesis;
-    if (e->scene.format == PLT_FORMAT_LIST || tree->root == PLT_LINK_NONE) {
-        return plt_records_box(records, 0, e->scene.info.triangles);
-    }
-    plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)tree->nodes,
-                         .records = records,
-                         .root = tree->root,
-                         .levels = e->refit_levels};
-    plt_refit(&job);
-    return job.box;
+static int has_nodes(const plt_engine *e) {
+    return e->scene.format == PLT_FORMAT_THESIS && e->scene.thesis.node_slots > 0 &&
+           !plt_link_is_leaf(e->scene.thesis.root);
 }
 
-int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
-    const uint32_t count = e->scene.info.triangles;
+void plt_refit_all(plt_engine *e) {
+    plt_moving *m = &e->moving;
+    if (!has_nodes(e)) {
+        m->box = plt_records_box(plt_records_of(e), 0, e->scene.info.triangles);
+        return;
+    }
+    plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)e->scene.thesis.nodes,
+                         .records = e->scene.thesis.records,
+                         .root = e->scene.thesis.root,
+                         .levels = m->levels};
+    plt_refit(&job);
+    m->box = job.box;
+    m->spread = job.spread;
+    m->spread_built = m->is_new ? job.spread : m->spread_built;
+    m->is_new = 0;
+}
+
+static void set_box(plt_engine *e) {
+    e->moving.moves++;
+    if (e->scene.info.triangles > 0) {
+        e->scene.box = e->moving.box;
+        memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
+        memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
+    }
+}
+
+static int refuse(const plt_engine *e, const float (*corners)[9], uint32_t count,
+                  plt_fault *fault) {
     plt_fault_set(fault, PLT_OK, 0, "no fault");
     if (!e->options.movable) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "the scene was not opened to be moved");
     }
     const uint32_t refused = plt_corners_refused(corners, count);
-    if (refused < count) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
-                             "a corner is not a number, or beyond 2^40");
+    return refused == count ? PLT_OK
+                            : plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
+                                            "a corner is not a number, or beyond 2^40");
+}
+
+int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
+    const uint32_t count = e->scene.info.triangles;
+    const int status = refuse(e, corners, count, fault);
+    if (status == PLT_OK) {
+        e->rendering.done = 1;
+        plt_rebuild_before_move(e, 0);
+        plt_corners_put(plt_records_of(e), count, corners);
+        plt_refit_all(e);
+        set_box(e);
+    }
+    return status;
+}
+
+/* Of more triangles than this a refit of all is faster. */
+static uint32_t few(uint32_t count) {
+    return count / 4;
+}
+
+static void put_some(plt_engine *e, const uint32_t *ids, const float (*corners)[9],
+                     uint32_t count) {
+    plt_dirty *d = &e->moving.dirty;
+    plt_record *records = plt_records_of(e);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t place = d->places[ids[i]];
+        plt_record_put(&records[place], corners[i]);
+        plt_dirty_set(d, place);
+    }
+}
+
+static void clear_bits(plt_dirty *d, const uint32_t *ids, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        d->bits[d->places[ids[i]] / 32] = 0;
+    }
+}
+
+int plt_move_some(plt_engine *e, const uint32_t *ids, const float (*corners)[9], uint32_t count,
+                  plt_fault *fault) {
+    int status = refuse(e, corners, count, fault);
+    if (status == PLT_OK && e->moving.dirty.places == NULL) {
+        status = plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                               "the scene was not opened for some triangles to be moved");
+    }
+    for (uint32_t i = 0; i < count && status == PLT_OK; i++) {
+        if (ids[i] >= e->scene.info.triangles) {
+            status = plt_fault_set(fault, PLT_ERR_ARGUMENT, i, "there is no such triangle");
+        }
+    }
+    if (status != PLT_OK || count == 0) {
+        return status;
     }
     e->rendering.done = 1;
-    plt_record *records = records_of(e);
-    plt_corners_put(records, count, corners);
-    e->scene.box = refit(e, records);
-    if (count > 0) {
-        memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
-        memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
+    plt_rebuild_before_move(e, 1);
+    put_some(e, ids, corners, count);
+    if (has_nodes(e) && count <= few(e->scene.info.triangles)) {
+        plt_dirty_refit(&e->moving.dirty, &e->scene.thesis, &e->moving.box, &e->moving.spread);
+    } else {
+        plt_refit_all(e);
     }
+    clear_bits(&e->moving.dirty, ids, count);
+    set_box(e);
     return PLT_OK;
+}
+
+void plt_motion_get(const plt_engine *e, plt_motion *to) {
+    const plt_moving *m = &e->moving;
+    const plt_motion none = {0};
+    *to = none;
+    to->degradation = plt_degradation(m);
+    to->moves = m->moves;
+#if PLT_WITH_REBUILD
+    to->rebuilds = m->rebuilds;
+    to->is_building = m->rebuild.phase != PLT_REBUILD_IDLE;
+    to->excess_work = plt_rebuild_excess(e);
+    to->build_work = plt_rebuild_cost(&e->scene.info);
+#endif
 }

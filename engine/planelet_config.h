@@ -57,6 +57,14 @@
 #define PLT_WITH_MOTION PLT_WITH_THESIS /* triangles that move (plt_move) */
 #endif
 
+#ifndef PLT_WITH_REBUILD
+#if PLT_WITH_MOTION && PLT_WITH_BUILDER
+#define PLT_WITH_REBUILD 1 /* ... whose tree is built anew when it has become slow */
+#else
+#define PLT_WITH_REBUILD 0
+#endif
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -146,6 +154,16 @@
 #define PLT_FETCH_TRIES 3
 #endif
 
+/* What rebuilding a tree costs, in group tests per triangle: 1 .. 10000; and how much more work rays
+ * are than in a new tree, for each part that the sum of area ratios has grown by: 1 .. 100
+ * (plt_rebuild_due; DESIGN.md, section 5.2). Cost: none. */
+#ifndef PLT_REBUILD_WORK
+#define PLT_REBUILD_WORK 100
+#endif
+#ifndef PLT_DEGRADATION_WORK
+#define PLT_DEGRADATION_WORK 5
+#endif
+
 /* Coordinates reach from -PLT_COORD_MAX to PLT_COORD_MAX (2^40), so that no
  * product of the ray/triangle test can overflow. Not a knob. */
 #define PLT_COORD_MAX 1099511627776.0f
@@ -197,6 +215,10 @@
 #if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) || (PLT_WITH_MOTION && !PLT_WITH_THESIS)
 #error "PLT_WITH_MOTION is the digit 0, or with PLT_WITH_THESIS 1"
 #endif
+#if (PLT_WITH_REBUILD != 0 && PLT_WITH_REBUILD != 1) ||                                            \
+    (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER))
+#error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION and PLT_WITH_BUILDER 1"
+#endif
 #if PLT_WITH_STREAMED_THESIS && !PLT_WITH_GROUPS
 #error "PLT_WITH_STREAMED_THESIS is for PLT_WITH_GROUPS"
 #endif
@@ -234,6 +256,12 @@
 #endif
 #if PLT_FETCH_TRIES < 1 || PLT_FETCH_TRIES > 255
 #error "PLT_FETCH_TRIES is 1 .. 255"
+#endif
+#if PLT_REBUILD_WORK < 1 || PLT_REBUILD_WORK > 10000
+#error "PLT_REBUILD_WORK is 1 .. 10000"
+#endif
+#if PLT_DEGRADATION_WORK < 1 || PLT_DEGRADATION_WORK > 100
+#error "PLT_DEGRADATION_WORK is 1 .. 100"
 #endif
 #if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
 #error "PLT_TRANSFER_BYTES is 64 .. 1048576"

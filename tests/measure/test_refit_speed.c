@@ -32,7 +32,7 @@ static double refit_seconds(plt_engine *e, int round, double best) {
     plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)e->scene.thesis.nodes,
                          .records = e->scene.thesis.records,
                          .root = e->scene.thesis.root,
-                         .levels = e->refit_levels};
+                         .levels = e->moving.levels};
     const double began = clock_processor_seconds();
     plt_refit(&job);
     return best_of(best, began, round);

@@ -1,0 +1,34 @@
+/* move - what the public calls of motion share
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_MOVE_H
+#define PLT_MOVE_H
+
+#include "engine/planelet.h"
+#include "engine/tree/record.h"
+
+/* Of a movable scene. */
+plt_record *plt_records_of(plt_engine *engine);
+
+/* Boxes of all nodes and of the root, and their spread. The scene's box stays. */
+void plt_refit_all(plt_engine *engine);
+
+#if PLT_WITH_REBUILD
+/* Records are about to change: the work of the tree as it is counts, and a new tree that has
+ * collected corners becomes the scene's. `some`: not all records, so it has to be refitted. */
+void plt_rebuild_before_move(plt_engine *engine, int some);
+
+/* Work since the last rebuild that a new tree would have saved, and what such a tree costs. */
+uint64_t plt_rebuild_excess(const plt_engine *engine);
+uint64_t plt_rebuild_cost(const plt_info *info);
+
+/* Statistics are about to become 0. */
+void plt_rebuild_before_reset(plt_engine *engine);
+#else
+static inline void plt_rebuild_before_move(const plt_engine *engine, int some) {
+    (void)engine;
+    (void)some;
+}
+#endif
+
+#endif
