@@ -252,12 +252,13 @@ static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part
 #if PLT_WITH_REBUILD
     plt_rebuild *r = &e->moving.rebuild;
     if (o->layout->bytes[PLT_PART_REBUILD] > 0) {
-        const size_t records = plt_arena_cut_bytes((size_t)e->scene.info.triangles * PLT_RECORD_BYTES);
+        const size_t records =
+            plt_arena_cut_bytes((size_t)e->scene.info.triangles * PLT_RECORD_BYTES);
         const size_t nodes = (size_t)r->room * PLT_NODE_BYTES;
         r->records = part[PLT_PART_REBUILD];
         r->nodes = (plt_node *)(void *)((char *)part[PLT_PART_REBUILD] + records);
-        r->old_room = e->scene.info.node_slots +
-                      (uint32_t)(o->layout->bytes[PLT_PART_ROOM] / PLT_NODE_BYTES);
+        r->old_room =
+            e->scene.info.node_slots + (uint32_t)(o->layout->bytes[PLT_PART_ROOM] / PLT_NODE_BYTES);
         r->build.scratch = (char *)part[PLT_PART_REBUILD] + records + nodes;
         r->build.scratch_bytes = (size_t)o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
         r->refit.levels = e->moving.levels;

@@ -37,8 +37,8 @@ extern "C" {
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
- * (plt_options.movable, plt_move, plt_move_some), and their tree be built anew (plt_rebuild_begin); plt_trace and plt_render_step report a source that fails.
- * Images are those of 1.0. */
+ * (plt_options.movable, plt_move, plt_move_some), and their tree be built anew (plt_rebuild_begin);
+ * plt_trace and plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
@@ -179,14 +179,14 @@ typedef struct plt_options {
                            * as there is room for beside the store, 256 at most (a dispatcher:
                            * 64), smaller ones if fewer than four fit (a need is then that of 1).
                            * Other schedules: 0 */
-    uint8_t moves_some;  /* movable scenes: 1: some triangles can be moved, too (plt_move_some), for
-                          * 4 bytes and a bit per triangle, and 80 per level of the tree. No two
-                          * records may have one id */
-    uint8_t rebuild;     /* movable scenes: 1: there is room for a second tree (plt_rebuild_begin): 40
-                          * bytes per triangle, 36 per node slot and the builder's bins; and for
-                          * growth 32 per node slot more. A need is that of the largest tree; an
-                          * arena of less has fewer slots, down to those of the image. Stacks
-                          * are as deep as PLT_DEPTH_MAX. Not looked at without PLT_WITH_REBUILD */
+    uint8_t moves_some; /* movable scenes: 1: some triangles can be moved, too (plt_move_some), for
+                         * 4 bytes and a bit per triangle, and 80 per level of the tree. No two
+                         * records may have one id */
+    uint8_t rebuild; /* movable scenes: 1: there is room for a second tree (plt_rebuild_begin): 40
+                      * bytes per triangle, 36 per node slot and the builder's bins; and for
+                      * growth 32 per node slot more. A need is that of the largest tree; an
+                      * arena of less has fewer slots, down to those of the image. Stacks
+                      * are as deep as PLT_DEPTH_MAX. Not looked at without PLT_WITH_REBUILD */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -385,9 +385,9 @@ int plt_move_some(plt_engine *engine, const uint32_t *ids, const float (*corners
  * looks at all: the longest takes some three quarters of a plt_move. PLT_MORE, or PLT_OK: the tree
  * is the new one, or none had begun. The last step waits until the frame that is being rendered is
  * complete; a plt_move when the new tree is nearly whole puts it in its place, too. plt_engine_info
- * has the new counts then, and hits are what they were, bit for bit. PLT_ERR_ARENA: the new tree has
- * more nodes than there is room for (fault->need_bytes: an arena for any), PLT_ERR_LIMIT: it needs
- * more than this build allows; it is given up, and the old tree goes on.
+ * has the new counts then, and hits are what they were, bit for bit. PLT_ERR_ARENA: the new tree
+ * has more nodes than there is room for (fault->need_bytes: an arena for any), PLT_ERR_LIMIT: it
+ * needs more than this build allows; it is given up, and the old tree goes on.
  *
  * plt_rebuild_due: 1: time to begin, by `when`; 0: not, or one has begun, or there is no room.
  * `percent`: of PLT_REBUILD_THRESHOLD, 1 and up.

@@ -154,8 +154,8 @@
 #define PLT_FETCH_TRIES 3
 #endif
 
-/* What rebuilding a tree costs, in group tests per triangle: 1 .. 10000; and how much more work rays
- * are than in a new tree, for each part that the sum of area ratios has grown by: 1 .. 100
+/* What rebuilding a tree costs, in group tests per triangle: 1 .. 10000; and how much more work
+ * rays are than in a new tree, for each part that the sum of area ratios has grown by: 1 .. 100
  * (plt_rebuild_due; DESIGN.md, section 5.2). Cost: none. */
 #ifndef PLT_REBUILD_WORK
 #define PLT_REBUILD_WORK 100

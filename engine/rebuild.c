@@ -88,7 +88,8 @@ int plt_rebuild_begin(plt_engine *e, plt_fault *fault) {
 
 static int failed(const plt_engine *e, int status, plt_fault *fault) {
     if (status == PLT_ERR_ARENA) {
-        plt_fault_set(fault, status, 0, "the arena has no room for the new tree, the old one stays");
+        plt_fault_set(fault, status, 0,
+                      "the arena has no room for the new tree, the old one stays");
         fault->need_bytes = plt_arena_need(&e->scene.info, e->source.mapped != NULL, &e->options);
         return status;
     }

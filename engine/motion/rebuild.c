@@ -91,7 +91,8 @@ static int count(plt_rebuild *r) {
     return PLT_MORE;
 }
 
-/* Corners and ids of the old records, which nobody asks for by their ids from now on; which is the last of its list is the new tree's. */
+/* Corners and ids of the old records, which nobody asks for by their ids from now on; which is the
+ * last of its list is the new tree's. */
 static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
     const uint32_t end = step_end(r, triangles);
     for (uint32_t i = r->at; i < end; i++) {
