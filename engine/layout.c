@@ -272,10 +272,11 @@ static uint64_t dirty_bytes(const subject *s) {
 #endif
 
 #if PLT_WITH_REBUILD
-/* Behind the nodes that are there; before they are built, the tree has that room already. */
+/* Behind the nodes that are there; until they are built, the tree has that room already. */
 static uint64_t room_bytes(const subject *s) {
     const uint32_t slots = s->info->node_slots, room = s->sized_for->node_slots;
-    return plt_layout_rebuilds(s->info, s->options) && room > slots && (slots > 0 || !s->builds)
+    return plt_layout_rebuilds(s->info, s->options) && room > slots &&
+                   s->info->depth_stack_entries > 0
                ? (uint64_t)(room - slots) * PLT_NODE_BYTES
                : 0;
 }
@@ -372,13 +373,16 @@ void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *si
 void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
                          const plt_options *options) {
 #if PLT_WITH_BUILDER
-    plt_info worst = plt_worst_tree(info);
+    plt_info worst = plt_worst_tree(info), image = *info;
+    if (info->build == PLT_BUILD_DEVICE) { /* it may be open: its image has no nodes */
+        image.node_slots = image.depth_stack_entries = 0;
+    }
 #if PLT_WITH_REBUILD
     if (plt_layout_rebuilds(info, options)) {
-        worst = plt_rebuilt_tree(info, plt_rebuilt_room(info));
+        worst = plt_rebuilt_tree(&image, plt_rebuilt_room(&image));
     }
 #endif
-    plt_layout_set(layout, info, &worst, mapped, options);
+    plt_layout_set(layout, &image, &worst, mapped, options);
 #else
     plt_layout_set(layout, info, info, mapped, options);
 #endif

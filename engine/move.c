@@ -29,11 +29,12 @@ void plt_refit_all(plt_engine *e) {
     plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)e->scene.thesis.nodes,
                          .records = e->scene.thesis.records,
                          .root = e->scene.thesis.root,
-                         .levels = m->levels};
+                         .levels = m->levels,
+                         .areas = m->areas};
     plt_refit(&job);
     m->box = job.box;
-    m->spread = job.spread;
-    m->spread_built = m->is_new ? job.spread : m->spread_built;
+    m->areas = job.areas;
+    m->areas_built = m->is_new ? job.areas : m->areas_built;
     m->is_new = 0;
 }
 
@@ -112,7 +113,7 @@ int plt_move_some(plt_engine *e, const uint32_t *ids, const float (*corners)[9],
     plt_rebuild_before_move(e, 1);
     put_some(e, ids, corners, count);
     if (has_nodes(e) && count <= few(e->scene.info.triangles)) {
-        plt_dirty_refit(&e->moving.dirty, &e->scene.thesis, &e->moving.box, &e->moving.spread);
+        plt_dirty_refit(&e->moving.dirty, &e->scene.thesis, &e->moving.box, &e->moving.areas);
     } else {
         plt_refit_all(e);
     }
@@ -126,6 +127,7 @@ void plt_motion_get(const plt_engine *e, plt_motion *to) {
     const plt_motion none = {0};
     *to = none;
     to->degradation = plt_degradation(m);
+    to->growth = plt_growth(m);
     to->moves = m->moves;
 #if PLT_WITH_REBUILD
     to->rebuilds = m->rebuilds;

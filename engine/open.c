@@ -292,6 +292,7 @@ static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PL
     }
     start_rebuilds(e, o, part);
     m->is_new = 1;
+    m->areas.scale = plt_areas_scale(&e->scene.box);
     plt_refit_all(e);
 #else
     (void)e;

@@ -412,6 +412,7 @@ typedef struct plt_motion {
     float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
                            * all nodes, is 10 % above what it was when the tree was built (RT-DEFORM);
                            * below 0: it is less */
+    float growth;         /* likewise of the sum of all nodes' areas */
     uint8_t is_building;  /* a rebuild has begun */
     uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved:
                            * of each frame's work w, w d / (1 + d), d being

@@ -55,7 +55,7 @@ static void swap(plt_engine *e) {
     count_work(e);
     plt_rebuild_swap(&m->rebuild, &e->scene.thesis);
     set_info(e);
-    m->spread = m->spread_built = m->rebuild.refit.spread;
+    m->areas = m->areas_built = m->rebuild.refit.areas;
     m->box = m->rebuild.refit.box;
     m->excess = 0;
     m->rebuilds++;

@@ -26,7 +26,7 @@ typedef struct refitting {
     const plt_record *records;
     uint32_t count;
     uint32_t next; /* the first record whose bit is set; count: there is none */
-    uint64_t spread;
+    plt_areas areas;
     plt_dirty_level *top; /* behind the path from the root */
 } refitting;
 
@@ -107,9 +107,9 @@ static plt_box4 fit(refitting *r, const plt_dirty_level *l, plt_box4 right) {
     const plt_box4 left = {f4_load(l->lo), f4_load(l->hi)};
     plt_box4 was[2];
     old_children(node, l, was);
-    r->spread -= plt_spread(old, was[0], was[1]);
+    plt_areas_add(&r->areas, -1, old, was[0], was[1]);
     const plt_box4 box = plt_node_fit(node, left, right);
-    r->spread += plt_spread(box, left, right);
+    plt_areas_add(&r->areas, 1, box, left, right);
     return box;
 }
 
@@ -136,12 +136,12 @@ static plt_box4 box4_of(const plt_box *b) {
     return box;
 }
 
-void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, uint64_t *spread) {
+void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, plt_areas *areas) {
     refitting r = {.d = d,
                    .nodes = (plt_node *)(uintptr_t)tree->nodes,
                    .records = tree->records,
                    .count = tree->records_count,
-                   .spread = *spread,
+                   .areas = *areas,
                    .top = d->levels};
     plt_box4 now = box4_of(box);
     go_on(&r, 0);
@@ -149,5 +149,5 @@ void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, uint64_t 
     while (!child_box(&r, &now) || ascend(&r, &now)) {
     }
     plt_box4_store(now, box);
-    *spread = r.spread;
+    *areas = r.areas;
 }

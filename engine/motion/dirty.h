@@ -10,6 +10,7 @@
 #ifndef PLT_MOTION_DIRTY_H
 #define PLT_MOTION_DIRTY_H
 
+#include "engine/motion/node_box.h"
 #include "engine/tree/thesis/tree.h"
 
 /* A node above a record that has changed. */
@@ -39,8 +40,8 @@ static inline void plt_dirty_set(plt_dirty *d, uint32_t record) {
 int plt_dirty_find(plt_dirty *d, const plt_record *records, uint32_t count);
 
 /* Refits what is above records whose bit is set, one at least. `box`: the
- * root's, before and after; `spread`: the sum of all nodes', likewise. The tree has a node, and its
+ * root's, before and after; `areas`: of all nodes, likewise. The tree has a node, and its
  * boxes are those of its records but for these. */
-void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, uint64_t *spread);
+void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, plt_areas *areas);
 
 #endif

@@ -8,14 +8,18 @@ static float float_of(uint64_t x) {
     return (float)(uint32_t)(x >> 32) * 4294967296.0f + (float)(uint32_t)x;
 }
 
+static float change_of(uint64_t now, uint64_t built) {
+    const uint64_t change = now >= built ? now - built : built - now;
+    const float size = built == 0 ? 0.0f : float_of(change) / float_of(built);
+    return now >= built ? size : -size;
+}
+
 float plt_degradation(const plt_moving *m) {
-    const int grown = m->spread >= m->spread_built;
-    const uint64_t change = grown ? m->spread - m->spread_built : m->spread_built - m->spread;
-    if (m->spread_built == 0) {
-        return 0.0f;
-    }
-    const float size = float_of(change) / float_of(m->spread_built);
-    return grown ? size : -size;
+    return change_of(m->areas.ratios, m->areas_built.ratios);
+}
+
+float plt_growth(const plt_moving *m) {
+    return change_of(m->areas.sum, m->areas_built.sum);
 }
 
 #if PLT_WITH_REBUILD

@@ -14,12 +14,11 @@
 
 typedef struct plt_moving {
     plt_refit_level *levels;
-    uint64_t spread; /* of the tree as it is, and as it was when it was built (node_box.h) */
-    uint64_t spread_built;
-    plt_box box;     /* of its root */
-    plt_dirty dirty; /* places NULL: all triangles move or none */
+    plt_areas areas, areas_built; /* of the tree as it is, and as it was when it was built */
+    plt_box box;                  /* of its root */
+    plt_dirty dirty;              /* places NULL: all triangles move or none */
     uint32_t moves;
-    uint8_t is_new; /* the next refit of all says what spread_built is */
+    uint8_t is_new; /* the next refit of all says what areas_built are */
 #if PLT_WITH_REBUILD
     plt_rebuild rebuild; /* records NULL: there is no room for a tree */
     uint32_t rebuilds;
@@ -28,9 +27,10 @@ typedef struct plt_moving {
 #endif
 } plt_moving;
 
-/* How much the sum of all spreads has grown since the tree was built, of itself; below 0: it is
- * less. */
+/* How much the sum of all ratios has grown since the tree was built, of itself; below 0: it is
+ * less. Likewise the sum of all areas. */
 float plt_degradation(const plt_moving *m);
+float plt_growth(const plt_moving *m);
 
 #if PLT_WITH_REBUILD
 /* `work` has been done by the tree as it is. */

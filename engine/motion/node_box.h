@@ -93,23 +93,40 @@ static inline plt_box4 plt_node_fit(plt_node *node, plt_box4 left, plt_box4 righ
     return parent;
 }
 
-/* The ratio of a node's area to its children's together, at most this: a node of children without
- * area has no more to say. */
-#define PLT_SPREAD_MOST 16.0f
+/* What the areas of nodes say of a tree, in integers, so that sums are exact in any order. */
+typedef struct plt_areas {
+    uint64_t ratios; /* of each node's area to its children's together, in 1/65,536 */
+    uint64_t sum;    /* of all nodes' areas, in units of 1 / scale */
+    float scale;
+} plt_areas;
 
-/* ... in 1/65,536, so that sums are exact in any order; 1 of children that are points, or lines
- * in a row. */
-static inline uint32_t plt_spread(plt_box4 parent, plt_box4 left, plt_box4 right) {
+/* A ratio is at most this: a node of children without area has no more to say. And an area that
+ * is beyond its unit's range is as large as that. */
+#define PLT_RATIO_MOST 16.0f
+#define PLT_AREA_MOST 1073741824.0f
+
+/* Of a node that comes, or goes (`sign` 1 or -1). */
+static inline void plt_areas_add(plt_areas *to, int sign, plt_box4 parent, plt_box4 left,
+                                 plt_box4 right) {
     f4 x = f4_sub(parent.hi, parent.lo), y = f4_sub(left.hi, left.lo),
        z = f4_sub(right.hi, right.lo), none = z;
     f4_transpose(&x, &y, &z, &none);
     float half_area[4];
     f4_store(half_area, f4_add(f4_add(f4_mul(x, y), f4_mul(y, z)), f4_mul(z, x)));
     const float own = half_area[0], children = half_area[1] + half_area[2];
-    const float ratio = own < PLT_SPREAD_MOST * children ? own / children
-                        : own > 0.0f                     ? PLT_SPREAD_MOST
-                                                         : 1.0f;
-    return (uint32_t)(int32_t)(ratio * 65536.0f);
+    const float ratio = own < PLT_RATIO_MOST * children ? own / children
+                        : own > 0.0f                    ? PLT_RATIO_MOST
+                                                        : 1.0f;
+    const float scaled = own * to->scale;
+    const float area = scaled < PLT_AREA_MOST ? scaled : PLT_AREA_MOST;
+    to->ratios += (uint64_t)((int64_t)sign * (int32_t)(ratio * 65536.0f));
+    to->sum += (uint64_t)((int64_t)sign * (int32_t)area);
+}
+
+/* Boxes around that area have 24 bits of it, and seven above. */
+static inline float plt_areas_scale(const plt_box *box) {
+    const float half_area = plt_box_half_area(box);
+    return half_area > 0.0f ? 16777216.0f / half_area : 0.0f;
 }
 
 #endif

@@ -112,6 +112,7 @@ static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
         r->refit.nodes = r->nodes;
         r->refit.records = r->records;
         r->refit.root = r->build.root;
+        r->refit.areas.scale = plt_areas_scale(&r->build.box);
         plt_refit_begin(&r->refit);
     }
     return PLT_MORE;

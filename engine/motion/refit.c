@@ -42,7 +42,7 @@ static uint32_t ascend(plt_refit_job *job, plt_box4 *box, plt_refit_level **top)
         }
         const plt_box4 left = kept(l), right = *box;
         *box = plt_node_fit(&job->nodes[l->node], left, right);
-        job->spread += plt_spread(*box, left, right);
+        plt_areas_add(&job->areas, 1, *box, left, right);
         --*top;
     }
     return PLT_LINK_NONE;
@@ -51,7 +51,7 @@ static uint32_t ascend(plt_refit_job *job, plt_box4 *box, plt_refit_level **top)
 void plt_refit_begin(plt_refit_job *job) {
     job->top = job->levels;
     job->link = job->root;
-    job->spread = 0;
+    job->areas.ratios = job->areas.sum = 0;
 }
 
 int plt_refit_step(plt_refit_job *job, uint32_t lists) {

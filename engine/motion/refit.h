@@ -10,6 +10,7 @@
 #ifndef PLT_MOTION_REFIT_H
 #define PLT_MOTION_REFIT_H
 
+#include "engine/motion/node_box.h"
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
 
@@ -27,7 +28,7 @@ typedef struct plt_refit_job {
     plt_refit_level *levels; /* as many as there are nodes on the longest path */
     plt_refit_level *top;    /* between steps: the path so far ... */
     uint32_t link;           /* ... and where it goes on */
-    uint64_t spread;         /* result: of all nodes (node_box.h) */
+    plt_areas areas;         /* scale, and results: of all nodes */
     plt_box box;             /* result: of all records */
 } plt_refit_job;
 
