@@ -26,6 +26,14 @@ int scene_ground(mesh *m, fail *f);
  * for two threads at once. */
 int scene_marbles(mesh *m, unsigned frame, fail *f);
 
+/* A city of 169 houses, 260 x 260, and 64 people, who stand in the lift of a skyscraper in frame 0,
+ * are in the street 25 frames later and go to street corners all over the city, one to a roof
+ * and one below the ground, until frame 120; 25 frames per second. SCENE_CITY_TRIANGLES, of
+ * which the last SCENE_CITY_MOVING move. Vertices and indices keep their order. */
+#define SCENE_CITY_TRIANGLES 46560u
+#define SCENE_CITY_MOVING 15360u
+int scene_city(mesh *m, unsigned frame, fail *f);
+
 /* A height field of mountains and valleys over 20 x 20 of about `triangles`
  * (2 .. SCENE_TRIANGLES_MAX) triangles. With c = floor(sqrt(triangles / 2))
  * columns and r = floor(triangles / 2 / c) rows they are 2 c r: never more
