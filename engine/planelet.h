@@ -410,13 +410,14 @@ typedef struct plt_motion {
     uint32_t moves;       /* calls of plt_move and plt_move_some */
     uint32_t rebuilds;    /* that have become the scene's tree */
     float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
-                           * all nodes, is 10 % above what it was when the tree was built (RT-DEFORM);
-                           * below 0: it is less */
-    float growth;         /* likewise of the sum of all nodes' areas */
+                           * all nodes, is 10 % above what it was when the tree was built
+                           * (RT-DEFORM); below 0: it is less */
+    float growth;         /* likewise of the sum of all nodes' areas, which says more of what rays
+                           * cost: DESIGN.md, section 5.2 */
     uint8_t is_building;  /* a rebuild has begun */
-    uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved:
-                           * of each frame's work w, w d / (1 + d), d being
-                           * PLT_DEGRADATION_WORK times the degradation, if above 0 */
+    uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved: of work w,
+                           * w d / (1 + d), d being PLT_GROWTH_WORK percent of the growth, if
+                           * above 0 */
     uint64_t build_work;  /* what a rebuild costs: PLT_REBUILD_WORK per triangle */
 } plt_motion;
 

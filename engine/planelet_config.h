@@ -155,13 +155,13 @@
 #endif
 
 /* What rebuilding a tree costs, in group tests per triangle: 1 .. 10000; and how much more work
- * rays are than in a new tree, for each part that the sum of area ratios has grown by: 1 .. 100
+ * rays are than in a new tree, in percent of the growth of its nodes' areas: 1 .. 10000
  * (plt_rebuild_due; DESIGN.md, section 5.2). Cost: none. */
 #ifndef PLT_REBUILD_WORK
-#define PLT_REBUILD_WORK 100
+#define PLT_REBUILD_WORK 24
 #endif
-#ifndef PLT_DEGRADATION_WORK
-#define PLT_DEGRADATION_WORK 5
+#ifndef PLT_GROWTH_WORK
+#define PLT_GROWTH_WORK 50
 #endif
 
 /* Coordinates reach from -PLT_COORD_MAX to PLT_COORD_MAX (2^40), so that no
@@ -260,8 +260,8 @@
 #if PLT_REBUILD_WORK < 1 || PLT_REBUILD_WORK > 10000
 #error "PLT_REBUILD_WORK is 1 .. 10000"
 #endif
-#if PLT_DEGRADATION_WORK < 1 || PLT_DEGRADATION_WORK > 100
-#error "PLT_DEGRADATION_WORK is 1 .. 100"
+#if PLT_GROWTH_WORK < 1 || PLT_GROWTH_WORK > 10000
+#error "PLT_GROWTH_WORK is 1 .. 10000"
 #endif
 #if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
 #error "PLT_TRANSFER_BYTES is 64 .. 1048576"

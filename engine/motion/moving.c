@@ -25,7 +25,7 @@ float plt_growth(const plt_moving *m) {
 #if PLT_WITH_REBUILD
 /* Excess is a share of the work that was done, in 1/65,536. */
 void plt_moving_count(plt_moving *m, uint64_t work) {
-    const float worse = (float)PLT_DEGRADATION_WORK * plt_degradation(m);
+    const float worse = 0.01f * (float)PLT_GROWTH_WORK * plt_growth(m);
     if (worse > 0.0f) {
         const float share = worse / (1.0f + worse);
         m->excess += (work * (uint32_t)(int32_t)(share * 65536.0f)) >> 16;

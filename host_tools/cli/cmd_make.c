@@ -29,7 +29,7 @@ const arg_command command_make = {
     .synopsis = "ground|marbles|city|terrain|knot|room -o FILE.ply",
     .about =
         "Writes a mesh that is the same on every machine: ground (12 triangles), marbles "
-        "rolling in a tray (8,800), people who leave a lift for all parts of a city (46,560), a "
+        "rolling in a tray (8,800), people who leave a lift for all parts of a city (44,844), a "
         "height-field terrain, a closed knot, or a closed room with furniture.",
     .flags = flags,
     .files_least = 1,

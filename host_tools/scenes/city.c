@@ -1,8 +1,8 @@
 /* city - people leave the lift of a skyscraper for all parts of a city
  *
  * The case that a refitted tree is worst at: in frame 0 the people stand so close that they are a
- * small part of any tree; then their boxes grow over the whole city. One goes to the roof of a
- * skyscraper, one down below the ground.
+ * small part of any tree; then their boxes grow over the whole city. One in three
+ * goes up to a roof, one stays in a street, one goes down to the subway.
  *
  * Source: Karrenberg 2007, section 6.2.
  *
@@ -14,7 +14,7 @@
 enum {
     SEED = 71,
     SIDE = 13, /* blocks of houses */
-    ROW = 8,   /* people, ROW x ROW of them */
+    ROW = 24,  /* people, ROW x ROW of them */
     PEOPLE = ROW * ROW,
     LIFT_FRAMES = 25, /* from the roof to the street */
     DETAIL = 32
@@ -23,10 +23,10 @@ enum {
 #define PITCH 20.0 /* from block to block */
 #define HOUSE 7.0  /* half of a house's side */
 #define TOWER 72.0 /* height of the skyscraper in the middle */
-#define SPACE 0.7  /* between people in the lift */
+#define SPACE 0.6  /* between people in the lift */
 #define SPEED 3.0  /* that people walk per frame: minutes pass like seconds */
 #define SUBWAY_Y (-6.0)
-#define LIFT_Z (0.5 * PITCH) /* in the street before the skyscraper */
+#define LIFT_Z PITCH /* in the square before the skyscraper */
 
 typedef struct point {
     double x, y, z;
@@ -42,9 +42,11 @@ static void stretch(const void *how, double p[3]) {
     }
 }
 
+/* 0: the square. */
 static double height_of(int column, int row) {
     const double chance = noise_unit((uint32_t)(column + SIDE), (uint32_t)(row + SIDE), SEED);
-    return column == 0 && row == 0 ? TOWER : 8.0 + 40.0 * chance * chance;
+    const double height = 8.0 + 40.0 * chance * chance;
+    return column != 0 || row < 0 || row > 1 ? height : row == 0 ? TOWER : 0.0;
 }
 
 static void add_houses(solids *s) {
@@ -54,7 +56,9 @@ static void add_houses(solids *s) {
             const double height = height_of(column, row);
             const double half[3] = {HOUSE, 0.5 * height, HOUSE};
             const place at = place_at(PITCH * column, half[1], PITCH * row);
-            solid_block(s, &at, cells, stretch, half);
+            if (height > 0.0) {
+                solid_block(s, &at, cells, stretch, half);
+            }
         }
     }
 }
@@ -76,17 +80,21 @@ static double go(double from, double to, double *left) {
     return to > from ? from + part : from - part;
 }
 
-/* A street corner, each another one: those of a grid of ROW x ROW over the city. */
+/* The nearest of the streets between rows of houses. */
+static double street_near(double x) {
+    const int column = (int)(x / PITCH);
+    return PITCH * (column + (x < 0.0 ? -0.5 : 0.5));
+}
+
+/* Each another place in a street, spread over the city. */
 static point goal_of(unsigned person) {
-    const int column = 2 * (int)(person % ROW) - (ROW - 1),
-              row = 2 * (int)(person / ROW) - (ROW - 1);
-    point goal = {0.8 * PITCH * column, 0.0, 0.8 * PITCH * row};
-    const int corner_x = (int)(goal.x / PITCH), corner_z = (int)(goal.z / PITCH);
-    goal.x = PITCH * (corner_x + (column > 0 ? 0.5 : -0.5));
-    goal.z = PITCH * (corner_z + (row > 0 ? 0.5 : -0.5));
-    if (person == 0) { /* up the front of the house at its corner */
-        goal.y = height_of(corner_x, corner_z);
-    } else if (person == PEOPLE - 1) {
+    const double reach = 0.5 * PITCH * (SIDE - 2);
+    point goal = {reach * (2.0 * (person % ROW) / (ROW - 1) - 1.0), 0.0,
+                  reach * (2.0 * (person / ROW) / (ROW - 1) - 1.0)};
+    goal.x = street_near(goal.x);
+    if (person % 3 == 1) {
+        goal.y = height_of((int)(goal.x / PITCH), (int)(goal.z / PITCH));
+    } else if (person % 3 == 2) {
         goal.y = SUBWAY_Y;
     }
     return goal;
@@ -95,7 +103,7 @@ static point goal_of(unsigned person) {
 /* Down with the lift, out one after the other, along the streets, up or down last. */
 static point where_is(unsigned person, unsigned frame) {
     const unsigned rides = frame < LIFT_FRAMES ? frame : LIFT_FRAMES;
-    const unsigned leaves = LIFT_FRAMES + person / 4;
+    const unsigned leaves = LIFT_FRAMES + person / 32;
     const point goal = goal_of(person);
     point p = {SPACE * (person % ROW - 0.5 * (ROW - 1)),
                TOWER * (double)(LIFT_FRAMES - rides) / LIFT_FRAMES,
@@ -114,8 +122,8 @@ static void add_people(solids *s, unsigned frame) {
         const place feet = place_at(p.x, p.y, p.z);
         const place chest = place_moved(&feet, 0.0, 0.72, 0.0);
         const place face = place_moved(&feet, 0.0, 1.62, 0.0);
-        solid_ball(s, &chest, body, 2);
-        solid_ball(s, &face, head, 1);
+        solid_box(s, &chest, body[0], body[1], body[2]);
+        solid_box(s, &face, head[0], head[1], head[2]);
     }
 }
 

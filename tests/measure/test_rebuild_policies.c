@@ -21,7 +21,7 @@
 #include "tests/reference/mover.h"
 #include "tests/test.h"
 
-enum { FRAMES_MOST = 100, SIDE = 128, PRICES = 6, CAMERAS = 2 };
+enum { FRAMES_MOST = 100, SIDE = 128, PRICES = 6, CAMERAS = 3 };
 
 /* What a refit of all costs against a build, K = 4 (test_refit_speed, test_build_speed). */
 #define REFIT 0.08
@@ -68,15 +68,18 @@ static int read_frame(mesh *m, const sequence *s, unsigned frame) {
     return status;
 }
 
-/* From outside, or for a city from above a street. */
-static plt_frame view_of(const float lo[3], const float hi[3], double circles, unsigned which) {
-    const cos_sin c = cos_sin_of((uint64_t)(1000000.0 * (circles + 0.13 + 0.41 * which)), 1000000);
+/* Cameras: one stands, one goes around, one comes near; two views of each. `time`: 0 to 1. */
+static plt_frame view_of(const float lo[3], const float hi[3], double time, unsigned camera,
+                         unsigned which) {
+    const double circles = (camera == 1 ? time : 0.0) + 0.13 + 0.41 * which;
+    const cos_sin c = cos_sin_of((uint64_t)(1000000.0 * circles), 1000000);
     float eye[3], look[3], size = 0;
     for (int a = 0; a < 3; a++) {
         look[a] = 0.5f * (lo[a] + hi[a]);
         size = hi[a] - lo[a] > size ? hi[a] - lo[a] : size;
     }
-    const float far = which ? 0.7f : 1.3f;
+    const float near = camera == 2 ? 1.6f - 1.2f * (float)time : 1.0f;
+    const float far = (which ? 0.7f : 1.3f) * near;
     eye[0] = look[0] + far * size * (float)c.cosine;
     eye[1] = look[1] + 0.4f * far * size;
     eye[2] = look[2] + far * size * (float)c.sine;
@@ -93,11 +96,11 @@ static double work_of(plt_engine *e, const plt_frame *frame) {
 }
 
 static void trace(table *t, cell *c, plt_engine *e, const float lo[3], const float hi[3],
-                  double circles) {
+                  double time) {
     const double began = clock_processor_seconds();
     for (unsigned camera = 0; camera < CAMERAS; camera++) {
         for (unsigned view = 0; view < 2; view++) {
-            const plt_frame f = view_of(lo, hi, camera ? circles : 0.0, view);
+            const plt_frame f = view_of(lo, hi, time, camera, view);
             c->work[camera] += work_of(e, &f);
         }
         t->traced += c->work[camera];
@@ -219,18 +222,20 @@ static double regret(const table *t, const choice *c, unsigned camera) {
 
 static void print_regrets(const table *t) {
     for (unsigned i = 0; i < CHOICES; i++) {
-        printf("    %-22s regret %.3f, moving camera %.3f\n", choices[i].name,
-               regret(t, &choices[i], 0), regret(t, &choices[i], 1));
+        printf("    %-22s regret %.3f, camera that goes around %.3f, comes near %.3f\n",
+               choices[i].name, regret(t, &choices[i], 0), regret(t, &choices[i], 1),
+               regret(t, &choices[i], 2));
     }
 }
 
 static void print_trees(const table *t) {
     for (unsigned f = 1; f<t->frames; f += t->frames> 8 ? t->frames / 6 : 1) {
+        const cell *old = &t->at[0][f], *anew = &t->at[f][f];
         printf(
-            "    frame %u, tree of frame 0: %.2f and %.2f times the work, degradation %.3f, "
-            "growth %.3f\n",
-            f, t->at[0][f].work[0] / t->at[f][f].work[0], t->at[0][f].work[1] / t->at[f][f].work[1],
-            t->at[0][f].degradation, t->at[0][f].growth);
+            "    frame %u, tree of frame 0: %.2f, %.2f and %.2f times the work, degradation "
+            "%.3f, growth %.3f\n",
+            f, old->work[0] / anew->work[0], old->work[1] / anew->work[1],
+            old->work[2] / anew->work[2], old->degradation, old->growth);
     }
 }
 
