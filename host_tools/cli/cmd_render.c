@@ -12,6 +12,7 @@
 #include "host_tools/app/frame.h"
 #include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
+#include "host_tools/app/rebuilds.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/output.h"
@@ -31,6 +32,7 @@ static const arg_flag flags[] = {
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
     MOVED_FLAGS,
+    REBUILDS_FLAGS,
     {"--repeat", "N",
      "render all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
      "1)"},
@@ -62,6 +64,7 @@ typedef struct rendering {
     destination to;
     unsigned frames, repeat;
     moved moved;
+    rebuilds rebuilds;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
@@ -144,6 +147,7 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
         r->frame.camera = r->first;
         if (r->moved.mesh != NULL) {
             status = moved_to(&r->moved, &r->s, i, f);
+            rebuilds_go_on(&r->rebuilds, &r->s);
         } else if (i > 0) {
             view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }
@@ -196,6 +200,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     if (r->moved.mesh != NULL) {
         output_print(o, f, "  \"move_seconds\": %.9f,\n  \"mesh_seconds\": %.9f,\n",
                      r->moved.move_seconds / r->repeat, r->moved.read_seconds / r->repeat);
+        rebuilds_print(o, &r->rebuilds, &r->s, r->repeat, f);
     }
     scene_print_stats(o, &r->s, &r->took, f);
     return output_print(o, f, "\n}\n");
@@ -276,6 +281,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.shader = view_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
+    rebuilds_read(&r->rebuilds, &r->s, a, r->moved.mesh != NULL);
     if (r->moved.mesh != NULL) {
         r->frames = r->moved.count;
     }
