@@ -96,12 +96,12 @@ static inline plt_box4 plt_node_fit(plt_node *node, plt_box4 left, plt_box4 righ
 /* What the areas of nodes say of a tree, in integers, so that sums are exact in any order. */
 typedef struct plt_areas {
     uint64_t ratios; /* of each node's area to its children's together, in 1/65,536 */
-    uint64_t sum;    /* of all nodes' areas, in units of 1 / scale */
+    uint64_t sum;    /* of all nodes' areas, times scale */
     float scale;
 } plt_areas;
 
 /* A ratio is at most this: a node of children without area has no more to say. And an area that
- * is beyond its unit's range is as large as that. */
+ * is beyond its range is as large as that. */
 #define PLT_RATIO_MOST 16.0f
 #define PLT_AREA_MOST 1073741824.0f
 

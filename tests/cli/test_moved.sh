@@ -138,9 +138,9 @@ for frames in 1 5:5 6:5 0:100001 -1:3 1:2:3 a:b ''; do
     misused "--frames '$frames' is wrong usage" "--frames takes A:B" \
         render wave.plt -o x.y4m --moved wave.txt --frames "$frames" --size 8x8
 done
-for rebuild in sometimes threshold threshold: threshold:0 threshold:1001 threshold:3x threshold:-3 \
-    cost:3 ''; do
-    misused "--rebuild '$rebuild' is wrong usage" "--rebuild takes never, always, threshold:PERCENT" \
+for rebuild in sometimes threshold threshold: threshold:0 threshold:1001 threshold:3x \
+    threshold:-3 cost:3 ''; do
+    misused "--rebuild '$rebuild' is wrong usage" "--rebuild takes never, always, threshold:" \
         render wave.plt -o x.y4m --moved wave.txt --frames 0:2 --rebuild "$rebuild" --size 8x8
 done
 misused "--rebuild without --moved" "--rebuild is for --moved" \

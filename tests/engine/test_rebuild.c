@@ -219,7 +219,7 @@ static void at_every_phase(void) {
 }
 
 /* A frame that is being rendered is completed by the old tree. */
-static void during_a_frame(void) {
+static void while_rendering(void) {
     static const float eye[3] = {0.5f, 0.4f, 3.0f}, look[3] = {0.5f, 0.5f, 0.5f};
     const plt_frame f = frame_of(eye, look, 33, 27, PLT_SHADE_TRIANGLE);
     const rig_config c = config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
@@ -411,7 +411,7 @@ int main(void) {
     test("... at every phase");
     at_every_phase();
     test("a frame that is being rendered keeps its tree");
-    during_a_frame();
+    while_rendering();
     test(
         "an arena of less than the need: fewer slots, and a tree that does not fit changes "
         "nothing");
