@@ -262,7 +262,7 @@ static uint64_t wave_bytes(const subject *s) {
     return 0;
 }
 
-#if PLT_WITH_MOTION
+#if PLT_WITH_MOVE_SOME
 static uint64_t dirty_bytes(const subject *s) {
     return is_movable(s) && s->options->moves_some
                ? rounded(plt_dirty_bytes(s->info->triangles)) +
@@ -338,6 +338,8 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_REFIT:
         return is_movable(s) ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
                              : 0;
+#endif
+#if PLT_WITH_MOVE_SOME
     case PLT_PART_DIRTY:
         return dirty_bytes(s);
 #endif
@@ -430,8 +432,8 @@ static int is_batch_valid(const plt_options *o) {
 /* A wide form is made once, when a scene is opened. */
 static int is_motion_valid(const plt_options *o) {
     return !PLT_WITH_MOTION || (o->movable == 0 && o->moves_some == 0 && o->rebuild == 0) ||
-           (o->movable == 1 && o->moves_some <= 1 && o->rebuild <= PLT_WITH_REBUILD &&
-            o->wide == 0 && o->residency == 0);
+           (o->movable == 1 && o->moves_some <= PLT_WITH_MOVE_SOME &&
+            o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 && o->residency == 0);
 }
 
 int plt_layout_options_valid(const plt_options *o) {

@@ -1,4 +1,4 @@
-/* move - the public calls by which triangles move
+/* move - the public call by which triangles move
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/move.h"
@@ -6,7 +6,6 @@
 #include "engine/base/fault.h"
 #include "engine/engine.h"
 #include "engine/motion/corners.h"
-#include "engine/tree/record_put.h"
 
 /* Records of a movable scene lie in the arena. */
 plt_record *plt_records_of(plt_engine *e) {
@@ -15,14 +14,14 @@ plt_record *plt_records_of(plt_engine *e) {
     return (plt_record *)(uintptr_t)r;
 }
 
-static int has_nodes(const plt_engine *e) {
+int plt_has_nodes(const plt_engine *e) {
     return e->scene.format == PLT_FORMAT_THESIS && e->scene.thesis.node_slots > 0 &&
            !plt_link_is_leaf(e->scene.thesis.root);
 }
 
 void plt_refit_all(plt_engine *e) {
     plt_moving *m = &e->moving;
-    if (!has_nodes(e)) {
+    if (!plt_has_nodes(e)) {
         m->box = plt_records_box(plt_records_of(e), 0, e->scene.info.triangles);
         return;
     }
@@ -38,7 +37,7 @@ void plt_refit_all(plt_engine *e) {
     m->is_new = 0;
 }
 
-static void set_box(plt_engine *e) {
+void plt_moved(plt_engine *e) {
     e->moving.moves++;
     if (e->scene.info.triangles > 0) {
         e->scene.box = e->moving.box;
@@ -47,8 +46,8 @@ static void set_box(plt_engine *e) {
     }
 }
 
-static int refuse(const plt_engine *e, const float (*corners)[9], uint32_t count,
-                  plt_fault *fault) {
+int plt_move_refused(const plt_engine *e, const float (*corners)[9], uint32_t count,
+                     plt_fault *fault) {
     plt_fault_set(fault, PLT_OK, 0, "no fault");
     if (!e->options.movable) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "the scene was not opened to be moved");
@@ -61,65 +60,15 @@ static int refuse(const plt_engine *e, const float (*corners)[9], uint32_t count
 
 int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
     const uint32_t count = e->scene.info.triangles;
-    const int status = refuse(e, corners, count, fault);
+    const int status = plt_move_refused(e, corners, count, fault);
     if (status == PLT_OK) {
         e->rendering.done = 1;
         plt_rebuild_before_move(e, 0);
         plt_corners_put(plt_records_of(e), count, corners);
         plt_refit_all(e);
-        set_box(e);
+        plt_moved(e);
     }
     return status;
-}
-
-/* Of more triangles than this a refit of all is faster. */
-static uint32_t few(uint32_t count) {
-    return count / 4;
-}
-
-static void put_some(plt_engine *e, const uint32_t *ids, const float (*corners)[9],
-                     uint32_t count) {
-    plt_dirty *d = &e->moving.dirty;
-    plt_record *records = plt_records_of(e);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t place = d->places[ids[i]];
-        plt_record_put(&records[place], corners[i]);
-        plt_dirty_set(d, place);
-    }
-}
-
-static void clear_bits(plt_dirty *d, const uint32_t *ids, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) {
-        d->bits[d->places[ids[i]] / 32] = 0;
-    }
-}
-
-int plt_move_some(plt_engine *e, const uint32_t *ids, const float (*corners)[9], uint32_t count,
-                  plt_fault *fault) {
-    int status = refuse(e, corners, count, fault);
-    if (status == PLT_OK && e->moving.dirty.places == NULL) {
-        status = plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                               "the scene was not opened for some triangles to be moved");
-    }
-    for (uint32_t i = 0; i < count && status == PLT_OK; i++) {
-        if (ids[i] >= e->scene.info.triangles) {
-            status = plt_fault_set(fault, PLT_ERR_ARGUMENT, i, "there is no such triangle");
-        }
-    }
-    if (status != PLT_OK || count == 0) {
-        return status;
-    }
-    e->rendering.done = 1;
-    plt_rebuild_before_move(e, 1);
-    put_some(e, ids, corners, count);
-    if (has_nodes(e) && count <= few(e->scene.info.triangles)) {
-        plt_dirty_refit(&e->moving.dirty, &e->scene.thesis, &e->moving.box, &e->moving.areas);
-    } else {
-        plt_refit_all(e);
-    }
-    clear_bits(&e->moving.dirty, ids, count);
-    set_box(e);
-    return PLT_OK;
 }
 
 void plt_motion_get(const plt_engine *e, plt_motion *to) {

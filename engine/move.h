@@ -10,6 +10,16 @@
 /* Of a movable scene. */
 plt_record *plt_records_of(plt_engine *engine);
 
+/* Its tree is more than a list. */
+int plt_has_nodes(const plt_engine *engine);
+
+/* PLT_ERR_ARGUMENT: `fault` says why triangles cannot move there. */
+int plt_move_refused(const plt_engine *engine, const float (*corners)[9], uint32_t count,
+                     plt_fault *fault);
+
+/* They have: the scene's box is that of its tree. */
+void plt_moved(plt_engine *engine);
+
 /* Boxes of all nodes and of the root, and their spread. The scene's box stays. */
 void plt_refit_all(plt_engine *engine);
 

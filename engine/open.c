@@ -262,7 +262,9 @@ static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part
         r->build.scratch = (char *)part[PLT_PART_REBUILD] + records + nodes;
         r->build.scratch_bytes = (size_t)o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
         r->refit.levels = e->moving.levels;
+#if PLT_WITH_MOVE_SOME
         r->places = e->moving.dirty.places;
+#endif
     }
 #else
     (void)e;
@@ -271,35 +273,50 @@ static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part
 #endif
 }
 
-/* Movable scenes: what a refit needs, and how good the tree is at first. */
-static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
-#if PLT_WITH_MOTION
-    plt_moving *m = &e->moving;
-    if (!e->options.movable) {
-        return PLT_OK;
-    }
-    m->levels = part[PLT_PART_REFIT];
+/* Some triangles can move: where each is. */
+static int start_some(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+#if PLT_WITH_MOVE_SOME
+    plt_dirty *d = &e->moving.dirty;
+    const uint32_t count = e->scene.info.triangles;
     if (e->options.moves_some) {
-        const uint32_t count = e->scene.info.triangles;
-        m->dirty.places = part[PLT_PART_DIRTY];
-        m->dirty.bits = m->dirty.places + count;
-        m->dirty.levels = (plt_dirty_level *)(void *)((char *)part[PLT_PART_DIRTY] +
-                                                      plt_arena_cut_bytes(plt_dirty_bytes(count)));
-        if (!plt_dirty_find(&m->dirty, plt_records_of(e), count)) {
+        const size_t bytes = plt_arena_cut_bytes((size_t)plt_dirty_bytes(count));
+        d->places = part[PLT_PART_DIRTY];
+        d->bits = d->places + count;
+        d->levels = (plt_dirty_level *)(void *)((char *)part[PLT_PART_DIRTY] + bytes);
+        if (!plt_dirty_find(d, plt_records_of(e), count)) {
             return plt_fault_set(o->fault, PLT_ERR_ARGUMENT, 0,
                                  "two triangles have one id: they can only be moved together");
         }
     }
-    start_rebuilds(e, o, part);
-    m->is_new = 1;
-    m->areas.scale = plt_areas_scale(&e->scene.box);
-    plt_refit_all(e);
 #else
     (void)e;
     (void)o;
     (void)part;
 #endif
     return PLT_OK;
+}
+
+/* Movable scenes: what a refit needs, and how good the tree is at first. */
+static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+    int status = PLT_OK;
+#if PLT_WITH_MOTION
+    plt_moving *m = &e->moving;
+    if (e->options.movable) {
+        m->levels = part[PLT_PART_REFIT];
+        m->is_new = 1;
+        m->areas.scale = plt_areas_scale(&e->scene.box);
+        status = start_some(e, o, part);
+        start_rebuilds(e, o, part);
+        plt_refit_all(e);
+    }
+#else
+    (void)start_some;
+    (void)start_rebuilds;
+    (void)e;
+    (void)o;
+    (void)part;
+#endif
+    return status;
 }
 
 /* The scene is open: a traversal, a packet and a tile buffer over it. */

@@ -181,7 +181,7 @@ typedef struct plt_options {
                            * Other schedules: 0 */
     uint8_t moves_some; /* movable scenes: 1: some triangles can be moved, too (plt_move_some), for
                          * 4 bytes and a bit per triangle, and 80 per level of the tree. No two
-                         * records may have one id */
+                         * records may have one id. Without PLT_WITH_MOVE_SOME: 0 */
     uint8_t rebuild; /* movable scenes: 1: there is room for a second tree (plt_rebuild_begin): 40
                       * bytes per triangle, 36 per node slot and the builder's bins; and for
                       * growth 32 per node slot more. A need is that of the largest tree; an
@@ -362,7 +362,7 @@ int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
  * triangles; fault->offset is the index in both arrays, and nothing has changed. Cost: these
  * triangles, and the nodes above them; more than a quarter of all cost what all do.
  *
- * Not there without PLT_WITH_MOTION. */
+ * Not there without PLT_WITH_MOVE_SOME. */
 int plt_move_some(plt_engine *engine, const uint32_t *ids, const float (*corners)[9],
                   uint32_t count, plt_fault *fault);
 

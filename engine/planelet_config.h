@@ -57,6 +57,10 @@
 #define PLT_WITH_MOTION PLT_WITH_THESIS /* triangles that move (plt_move) */
 #endif
 
+#ifndef PLT_WITH_MOVE_SOME
+#define PLT_WITH_MOVE_SOME PLT_WITH_MOTION /* ... some of them, for less (plt_move_some) */
+#endif
+
 #ifndef PLT_WITH_REBUILD
 #if PLT_WITH_MOTION && PLT_WITH_BUILDER
 #define PLT_WITH_REBUILD 1 /* ... whose tree is built anew when it has become slow */
@@ -214,6 +218,9 @@
 #endif
 #if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) || (PLT_WITH_MOTION && !PLT_WITH_THESIS)
 #error "PLT_WITH_MOTION is the digit 0, or with PLT_WITH_THESIS 1"
+#endif
+#if (PLT_WITH_MOVE_SOME != 0 && PLT_WITH_MOVE_SOME != 1) || (PLT_WITH_MOVE_SOME && !PLT_WITH_MOTION)
+#error "PLT_WITH_MOVE_SOME is the digit 0, or with PLT_WITH_MOTION 1"
 #endif
 #if (PLT_WITH_REBUILD != 0 && PLT_WITH_REBUILD != 1) ||                                            \
     (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER))

@@ -15,6 +15,13 @@
 #include "engine/builder/split.h"
 #include "engine/tree/thesis/treelets.h"
 
+/* Steps that nobody else takes cost less code. */
+#if PLT_WITH_REBUILD
+#define PLT_BUILD_STEP
+#else
+#define PLT_BUILD_STEP static
+#endif
+
 #define NO_PARENT 0xFFFFFFFFu
 
 typedef struct pending {
@@ -90,7 +97,7 @@ static int build_range(plt_build_job *job, splitting *s, const pending *p) {
     return PLT_OK;
 }
 
-int plt_build_begin(plt_build_job *job) {
+PLT_BUILD_STEP int plt_build_begin(plt_build_job *job) {
     splitting *s = job->scratch;
     job->nodes_used = job->node_slots = 0;
     job->root = PLT_LINK_NONE;
@@ -106,7 +113,7 @@ int plt_build_begin(plt_build_job *job) {
     return PLT_OK;
 }
 
-int plt_build_split(plt_build_job *job, uint32_t triangles) {
+PLT_BUILD_STEP int plt_build_split(plt_build_job *job, uint32_t triangles) {
     splitting *s = job->scratch;
     uint32_t seen = 0;
     while (s->waiting > 0) {
@@ -123,7 +130,7 @@ int plt_build_split(plt_build_job *job, uint32_t triangles) {
     return PLT_OK;
 }
 
-int plt_build_treelets(plt_build_job *job) {
+PLT_BUILD_STEP int plt_build_treelets(plt_build_job *job) {
     if (job->nodes_used == 0) {
         return PLT_OK;
     }
@@ -143,11 +150,6 @@ int plt_build_treelets(plt_build_job *job) {
 
 int plt_build(plt_build_job *job) {
     job->box = plt_records_box(job->records, 0, job->count);
-    if (job->count == 0) {
-        job->nodes_used = job->node_slots = 0;
-        job->root = PLT_LINK_NONE;
-        return PLT_OK;
-    }
     int status = plt_build_begin(job);
     if (status == PLT_OK) {
         do {

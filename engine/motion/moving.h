@@ -16,7 +16,9 @@ typedef struct plt_moving {
     plt_refit_level *levels;
     plt_areas areas, areas_built; /* of the tree as it is, and as it was when it was built */
     plt_box box;                  /* of its root */
-    plt_dirty dirty;              /* places NULL: all triangles move or none */
+#if PLT_WITH_MOVE_SOME
+    plt_dirty dirty; /* places NULL: all triangles move or none */
+#endif
     uint32_t moves;
     uint8_t is_new; /* the next refit of all says what areas_built are */
 #if PLT_WITH_REBUILD

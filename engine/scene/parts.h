@@ -42,10 +42,16 @@
 #define PLT_PARTS_OF_REBUILDS(ROW)
 #endif
 
+#if PLT_WITH_MOVE_SOME
+#define PLT_PARTS_OF_SOME(ROW) ROW(DIRTY, RUNS, "triangles that move")
+#else
+#define PLT_PARTS_OF_SOME(ROW)
+#endif
+
 #if PLT_WITH_MOTION
 #define PLT_PARTS_OF_MOTION(ROW)                                                                   \
     ROW(REFIT, RUNS, "levels of a refit")                                                          \
-    ROW(DIRTY, RUNS, "triangles that move")                                                        \
+    PLT_PARTS_OF_SOME(ROW)                                                                         \
     PLT_PARTS_OF_REBUILDS(ROW)
 #else
 #define PLT_PARTS_OF_MOTION(ROW)
