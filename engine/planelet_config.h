@@ -165,7 +165,7 @@
 #define PLT_REBUILD_WORK 24
 #endif
 #ifndef PLT_GROWTH_WORK
-#define PLT_GROWTH_WORK 50
+#define PLT_GROWTH_WORK 100
 #endif
 
 /* Coordinates reach from -PLT_COORD_MAX to PLT_COORD_MAX (2^40), so that no

@@ -68,17 +68,33 @@ PLT_NODE_BOX plt_box4 plt_node_fit(plt_node *node, plt_box4 left, plt_box4 right
     return parent;
 }
 
+/* Of three boxes; the last number means nothing. */
+#if PLT_LANES_REGISTERS
+static inline void plt_half_areas(plt_box4 p, plt_box4 q, plt_box4 r, float to[4]) {
+    f4 x = f4_sub(p.hi, p.lo), y = f4_sub(q.hi, q.lo), z = f4_sub(r.hi, r.lo), none = z;
+    f4_transpose(&x, &y, &z, &none);
+    f4_store(to, f4_add(f4_add(f4_mul(x, y), f4_mul(y, z)), f4_mul(z, x)));
+}
+#else
 PLT_NODE_BOX float plt_box4_half_area(plt_box4 b) {
     float d[4];
     f4_store(d, f4_sub(b.hi, b.lo));
     return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
 }
 
+static inline void plt_half_areas(plt_box4 p, plt_box4 q, plt_box4 r, float to[4]) {
+    to[0] = plt_box4_half_area(p);
+    to[1] = plt_box4_half_area(q);
+    to[2] = plt_box4_half_area(r);
+}
+#endif
+
 /* Of a node that comes, or goes (`sign` 1 or -1). */
 PLT_NODE_BOX void plt_areas_add(plt_areas *to, int sign, plt_box4 parent, plt_box4 left,
                                 plt_box4 right) {
-    const float own = plt_box4_half_area(parent);
-    const float children = plt_box4_half_area(left) + plt_box4_half_area(right);
+    float half_area[4];
+    plt_half_areas(parent, left, right, half_area);
+    const float own = half_area[0], children = half_area[1] + half_area[2];
     const float ratio = own < PLT_RATIO_MOST * children ? own / children
                         : own > 0.0f                    ? PLT_RATIO_MOST
                                                         : 1.0f;

@@ -169,12 +169,18 @@ static double excess_of(const table *t, const choice *c, unsigned camera, unsign
     return work * worse / (1.0 + worse);
 }
 
+/* What a policy has done. */
+typedef struct outcome {
+    double cost; /* in work */
+    unsigned rebuilds;
+    unsigned slow_run; /* most frames in a row at less than 90 % of a new tree's speed */
+} outcome;
+
 /* `build`: its cost in work. Frame 0 has a tree. */
-static double cost_of(const table *t, const choice *c, unsigned camera, double build,
-                      unsigned *rebuilds) {
-    double cost = t->at[0][0].work[camera], excess = 0;
-    unsigned r = 0;
-    *rebuilds = 0;
+static outcome follow(const table *t, const choice *c, unsigned camera, double build) {
+    outcome o = {.cost = t->at[0][0].work[camera]};
+    double excess = 0;
+    unsigned r = 0, slow = 0;
     for (unsigned f = 1; f < t->frames; f++) {
         excess += excess_of(t, c, camera, r, f - 1);
         const cell *refitted = &t->at[r][f];
@@ -183,16 +189,18 @@ static double cost_of(const table *t, const choice *c, unsigned camera, double b
                            : c->kind == 't' ? refitted->degradation >= c->number
                            : c->kind == 'T' ? refitted->growth >= c->number
                                             : excess >= build;
-        cost += REFIT * build;
+        o.cost += REFIT * build;
         if (is_due) {
-            cost += build;
+            o.cost += build;
             r = f;
             excess = 0;
-            ++*rebuilds;
+            o.rebuilds++;
         }
-        cost += t->at[r][f].work[camera];
+        o.cost += t->at[r][f].work[camera];
+        slow = 0.9 * t->at[r][f].work[camera] > t->at[f][f].work[camera] ? slow + 1 : 0;
+        o.slow_run = slow > o.slow_run ? slow : o.slow_run;
     }
-    return cost;
+    return o;
 }
 
 /* best[r]: the least cost of frames r and later with a tree of frame r. */
@@ -214,8 +222,7 @@ static double regret(const table *t, const choice *c, unsigned camera) {
     double worst = 0;
     for (unsigned i = 0; i < PRICES; i++) {
         const double build = t->at[0][0].work[camera] / prices[i];
-        unsigned rebuilds;
-        worst = fmax(worst, cost_of(t, c, camera, build, &rebuilds) / least_cost(t, camera, build));
+        worst = fmax(worst, follow(t, c, camera, build).cost / least_cost(t, camera, build));
     }
     return worst;
 }
@@ -225,6 +232,19 @@ static void print_regrets(const table *t) {
         printf("    %-22s regret %.3f, camera that goes around %.3f, comes near %.3f\n",
                choices[i].name, regret(t, &choices[i], 0), regret(t, &choices[i], 1),
                regret(t, &choices[i], 2));
+    }
+}
+
+/* At the price that the engine takes. */
+static void print_recovery(const table *t) {
+    for (unsigned i = 0; i < CHOICES; i++) {
+        if (choices[i].kind == 'n' || (choices[i].kind == 'g' && choices[i].number == 1.0)) {
+            const outcome o = follow(t, &choices[i], 0, (double)PLT_REBUILD_WORK * t->triangles);
+            printf(
+                "    %s, by the engine's price: %u rebuilds, %u frames in a row below 90 %% of "
+                "a new tree's speed\n",
+                choices[i].name, o.rebuilds, o.slow_run);
+        }
     }
 }
 
@@ -301,6 +321,7 @@ static void run(const sequence *s) {
                t->rebuild_seconds / t->triangles / (t->trace_seconds / t->traced));
         print_trees(t);
         print_regrets(t);
+        print_recovery(t);
     }
     for (unsigned f = 0; f < s->frames; f++) {
         mesh_free(&meshes[f]);
