@@ -130,7 +130,8 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/calls.c \
     engine/base/between.c engine/move.c engine/move_some.c engine/rebuild.c \
-    engine/motion/dirty.c engine/motion/moving.c engine/motion/rebuild.c engine/scene/*.c engine/tree/*/validate*.c \
+    engine/motion/dirty.c engine/motion/moving.c engine/motion/rebuild.c engine/scene/*.c \
+    engine/tree/*/validate*.c \
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/base/arena.c engine/trace/traversal.c engine/trace/rays.c \
     engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \
