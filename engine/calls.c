@@ -107,7 +107,7 @@ unsigned plt_packet_side(const plt_engine *e) {
 #if PLT_WITH_BATCH
 unsigned plt_batch_packets(const plt_engine *e) {
 #if PLT_WITH_TASK
-    return e->dispatch.most > 0 ? e->dispatch.most : e->batch.most;
+    return e->dispatch.rooms > 0 ? e->dispatch.rooms : e->batch.most;
 #else
     return e->batch.most;
 #endif

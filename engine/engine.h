@@ -25,29 +25,33 @@ typedef struct plt_task_rays {
 } plt_task_rays;
 #endif
 
+/* What a worker writes while it works comes first, then what does not change, then what a
+ * dispatcher writes: workers on other cores read the last two meanwhile (task.c). */
 struct plt_engine {
-    plt_arena arena;
-    plt_source source;
-    plt_options options;
-    plt_scene scene;
+    plt_traversal traversal;
     plt_packet packet;
+#if PLT_WITH_TASK
+    plt_worker worker; /* if is_worker */
+    uint8_t is_worker;
+#endif
 #if PLT_WITH_BATCH
     plt_batch batch; /* most 0: none */
 #endif
-#if PLT_WITH_TASK
-    plt_dispatch dispatch; /* most 0: none */
-    plt_worker worker;     /* if is_worker */
-    uint8_t is_worker;
-    uint8_t *colours;     /* of the dispatcher's packets that are done; packet_side rows each */
-    plt_task_rays shared; /* rays that workers share; hits NULL: a frame, or nothing */
-#endif
-    plt_traversal traversal;
-    plt_rendering rendering;
 #if PLT_WITH_MOTION
     plt_moving moving; /* of a movable scene */
 #endif
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
     int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */
+    plt_arena arena;
+    plt_source source;
+    plt_options options;
+    plt_scene scene;
+    plt_rendering rendering;
+#if PLT_WITH_TASK
+    uint8_t *colours;      /* of the dispatcher's packets that are done; packet_side rows each */
+    plt_task_rays shared;  /* rays that workers share; hits NULL: a frame, or nothing */
+    plt_dispatch dispatch; /* rooms 0: none */
+#endif
 };
 
 #endif

@@ -43,6 +43,7 @@ wave_files := $(wildcard engine/trace/wave*.c engine/trace/wide_form.c engine/tr
 seek_files := engine/seek.c engine/shade/seek.c
 stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c stream.c) \
     engine/memory/treelet_stream.c engine/tree/thesis/validate_treelet.c \
+    engine/tree/thesis/checks.c \
     $(wildcard engine/scene/open_streamed*.c engine/trace/traverse_streamed*.c) \
     engine/shade/tile_order.c engine/shade/beam_streamed.c
 task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c \

@@ -53,7 +53,8 @@ static uint64_t section_bytes(const subject *s) {
     }
     const int stays = s->mapped && !is_movable(s);
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
+        const int is_read = kind[i] != PLT_SECTION_CHECKS; /* they are for streamed scenes */
+        bytes += is_read ? rounded(plt_header_section_bytes(s->info, kind[i])) : 0;
     }
     return bytes;
 }
@@ -186,7 +187,9 @@ static uint64_t tasks_bytes(const subject *s) {
 /* A byte for red, green and blue of each pixel that is finished before its turn. */
 static uint64_t colours_bytes(const subject *s) {
     const uint64_t side = packet_side(s);
-    return s->options->schedule == PLT_SCHEDULE_TASK ? 3 * side * side * batch_packets(s) : 0;
+    return s->options->schedule == PLT_SCHEDULE_TASK
+               ? 3 * side * side * plt_dispatch_slots(batch_packets(s))
+               : 0;
 }
 
 static uint64_t edges_bytes(const subject *s) {

@@ -15,7 +15,7 @@
 
 /* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1), and
  * of fewer than the least the next smaller ones are better. */
-enum { BATCH_LEAST = 4, BATCH_USUAL = 256, DISPATCH_USUAL = 64 };
+enum { BATCH_LEAST = 4, BATCH_USUAL = 256, DISPATCH_USUAL = 16 };
 
 static const plt_fault no_fault = {0, 0, 0, 0, "no fault"};
 
@@ -231,7 +231,7 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 #if PLT_WITH_TASK
     const uint32_t packets = e->options.batch;
     const unsigned side = e->options.packet_side;
-    e->dispatch.most = 0;
+    e->dispatch.most = e->dispatch.rooms = 0;
     e->is_worker = e->options.schedule >= PLT_SCHEDULE_TASK;
     if (e->is_worker) {
         plt_worker_init(&e->worker, part[PLT_PART_EDGES]);

@@ -175,10 +175,10 @@ typedef struct plt_options {
                            * their tree, are copied into the arena even if they are mapped. Not
                            * of streamed scenes or compact blocks, not with a wide form.
                            * Without PLT_WITH_MOTION it is not looked at */
-    uint16_t batch;       /* packets of a batch, or of a dispatcher, 1 .. PLT_BATCH_MOST; 0: as many
-                           * as there is room for beside the store, 256 at most (a dispatcher:
-                           * 64), smaller ones if fewer than four fit (a need is then that of 1).
-                           * Other schedules: 0 */
+    uint16_t batch;       /* packets of a batch, 1 .. PLT_BATCH_MOST, or those that a dispatcher has
+                           * begun at once: at least one per worker. 0: as many as there is room
+                           * for beside the store, 256 at most (a dispatcher: 16), smaller ones if
+                           * fewer than four fit (a need is then that of 1). Other schedules: 0 */
     uint8_t moves_some; /* movable scenes: 1: some triangles can be moved, too (plt_move_some), for
                          * 4 bytes and a bit per triangle, and 80 per level of the tree. No two
                          * records may have one id. Without PLT_WITH_MOVE_SOME: 0 */
@@ -186,7 +186,7 @@ typedef struct plt_options {
                       * bytes per triangle, 36 per node slot and the builder's bins; and for
                       * growth 32 per node slot more. A need is that of the largest tree; an
                       * arena of less has fewer slots, down to those of the image. Stacks
-                      * are as deep as PLT_DEPTH_MAX. Not looked at without PLT_WITH_REBUILD */
+                      * are as deep as PLT_DEPTH_MAX. Without PLT_WITH_REBUILD: 0 */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -212,6 +212,7 @@ typedef struct plt_info {
     uint8_t nodes_format, geometry_format; /* enum plt_nodes, plt_geometry_format */
     uint8_t lattice_bits;                  /* 12 .. 21; 0 without a lattice */
     uint8_t primitive_id_bits;             /* bits per primitive id, 0 without */
+    uint8_t has_checks; /* 1: all that streaming fetches is checked (SPEC.md, 4.14) */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */

@@ -30,8 +30,8 @@ static uint8_t *colours_of(const plt_engine *d, uint32_t slot) {
 /* ---- a worker's part ---------------------------------------------------------------- */
 
 static void set_up(const plt_engine *d, plt_engine *w) {
-    const uint32_t *item = d->dispatch.slot[w->worker.slot].item;
-    plt_packet *p = &d->dispatch.packet[w->worker.slot];
+    const uint32_t *item = w->worker.item;
+    plt_packet *p = w->worker.packet;
     uint32_t rays;
     if (is_of_rays(d)) {
         rays = rays_from(d, item[0]);
@@ -39,18 +39,17 @@ static void set_up(const plt_engine *d, plt_engine *w) {
     } else {
         rays = plt_frame_packet(&d->rendering, &d->scene.box, item, p);
     }
-    plt_worker_begin(&w->worker, &w->traversal, p, rays);
+    plt_worker_begin(&w->worker, &w->traversal, rays);
 }
 
 /* Nothing waits: neither what the worker has found, nor what waited before. */
-static int is_last(const plt_engine *d, const plt_worker *w) {
-    return d->dispatch.packet[w->slot].active == 0 ||
-           (w->edges.first == PLT_TASK_NONE && d->dispatch.slot[w->slot].edges == PLT_TASK_NONE);
+static int is_last(const plt_worker *w) {
+    return w->packet->active == 0 || (w->edges.first == PLT_TASK_NONE && !w->has_others);
 }
 
 static void keep_result(const plt_engine *d, const plt_worker *w) {
-    const uint32_t *item = d->dispatch.slot[w->slot].item;
-    const plt_packet *p = &d->dispatch.packet[w->slot];
+    const uint32_t *item = w->item;
+    const plt_packet *p = w->packet;
     if (is_of_rays(d)) {
         plt_packet_store(p, d->shared.hits + item[0], rays_from(d, item[0]));
     } else {
@@ -66,9 +65,8 @@ int plt_task_run(const plt_engine *d, plt_engine *w, uint32_t visits) {
     if (worker->is_new) {
         set_up(d, w);
     }
-    const int status =
-        plt_worker_run(worker, &w->traversal, &d->dispatch.packet[worker->slot], visits);
-    if (status == PLT_OK && worker->status == PLT_OK && is_last(d, worker)) {
+    const int status = plt_worker_run(worker, &w->traversal, visits);
+    if (status == PLT_OK && worker->status == PLT_OK && is_last(worker)) {
         keep_result(d, worker);
     }
     return status;
@@ -125,7 +123,7 @@ static int finish_packets(plt_engine *d) {
 
 /* As far as their headers say, without the padding at the end. */
 static int is_same_image(const plt_info *a, const plt_info *b) {
-    return memcmp(a, b, offsetof(plt_info, primitive_id_bits) + 1) == 0;
+    return memcmp(a, b, offsetof(plt_info, has_checks) + 1) == 0;
 }
 
 /* Workers trace the dispatcher's packets in the dispatcher's scene. */

@@ -17,13 +17,14 @@
 
 enum fake_failure {
     FAKE_WORKS = 0,
-    FAKE_FAILS_AT_START,   /* start number `at_call` returns -1 */
-    FAKE_FAILS_AT_WAIT,    /* wait number `at_call` returns -1 */
-    FAKE_FAILS_AT_CALL,    /* the same, starts and waits counted together */
-    FAKE_FAILS_FROM_CALL,  /* and every call after it: the link is cut */
-    FAKE_SHORT_AT_START,   /* transfer `at_call` delivers half, its wait returns -1 */
-    FAKE_GARBLED_AT_START, /* transfer `at_call` has one bit wrong, its wait returns 0 */
-    FAKE_SILENT_AT_START   /* transfer `at_call` delivers nothing, its wait returns 0 */
+    FAKE_FAILS_AT_START,     /* start number `at_call` returns -1 */
+    FAKE_FAILS_AT_WAIT,      /* wait number `at_call` returns -1 */
+    FAKE_FAILS_AT_CALL,      /* the same, starts and waits counted together */
+    FAKE_FAILS_FROM_CALL,    /* and every call after it: the link is cut */
+    FAKE_SHORT_AT_START,     /* transfer `at_call` delivers half, its wait returns -1 */
+    FAKE_GARBLED_AT_START,   /* transfer `at_call` has one bit wrong, its wait returns 0 */
+    FAKE_GARBLED_FROM_START, /* and so has every one after it */
+    FAKE_SILENT_AT_START     /* transfer `at_call` delivers nothing, its wait returns 0 */
 };
 
 enum { FAKE_TRANSFERS = 64 };

@@ -50,6 +50,12 @@ static int is_ordered(const fake_link *link, const fake_transfer *t, enum fake_f
     return link->failure == kind && t->number == link->at_call;
 }
 
+/* One bit is wrong, which and where differs from transfer to transfer. */
+static int is_garbled(const fake_link *link, const fake_transfer *t) {
+    return is_ordered(link, t, FAKE_GARBLED_AT_START) ||
+           (link->failure == FAKE_GARBLED_FROM_START && t->number >= link->at_call);
+}
+
 static int deliver(fake_link *link, const fake_transfer *t) {
     uint32_t count = t->count;
     if (is_ordered(link, t, FAKE_SILENT_AT_START)) {
@@ -60,8 +66,9 @@ static int deliver(fake_link *link, const fake_transfer *t) {
     }
     memcpy(t->to, link->image + t->offset, count);
     link->bytes_moved += count;
-    if (is_ordered(link, t, FAKE_GARBLED_AT_START)) {
-        t->to[count / 2] ^= 0x10;
+    if (is_garbled(link, t)) {
+        const uint32_t mixed = t->number * 0x9E3779B1u;
+        t->to[(mixed >> 8) % count] ^= (unsigned char)(1u << (mixed >> 3) % 8);
     }
     return is_ordered(link, t, FAKE_SHORT_AT_START) ? -1 : 0;
 }

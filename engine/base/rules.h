@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R14 refuse an image by its header and checksums, I1 to I21 are invariants of
+ * R1 to R14 refuse an image by its header and checksums, I1 to I22 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -36,7 +36,7 @@ enum plt_invariant {
     PLT_I10_SIZES = 10,      /* the parts fit the block's sizes and the section */
     PLT_I11_KINDS = 11,      /* n - 1 inner children, in breadth-first order */
     PLT_I12_BOUNDS = 12,     /* the bounds are a box inside the scene's */
-    PLT_I13_CHECK = 13,      /* both parts' checks are right */
+    PLT_I13_CHECK = 13,      /* the checks of its parts are right */
     PLT_I14_GEOMETRY = 14,   /* counts, strips and vertices fit the geometry part */
     PLT_I15_LEAVES = 15,     /* every leaf begins a strip and has at most 2 K triangles */
     PLT_I16_REFERENCES = 16, /* references name vertices already met */
@@ -44,7 +44,8 @@ enum plt_invariant {
     PLT_I18_COUNTS = 18,     /* the header's counts are the blocks' */
     PLT_I19_IDS = 19,        /* entries of the primitive ids are in range */
     PLT_I20_CORNERS = 20,    /* lattice corners lie in the lattice's box */
-    PLT_I21_VERTICES = 21    /* vertices lie inside the bounds */
+    PLT_I21_VERTICES = 21,   /* vertices lie inside the bounds */
+    PLT_I22_CHECKS = 22      /* checks of nodes and records that come part by part are right */
 };
 
 #endif

@@ -101,9 +101,13 @@ static uint32_t geometry_bits(const plt_blocks_state *s) {
            s->vertices * vertex_bits;
 }
 
-uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s) {
-    const uint32_t counts = plt_geometry_count_strings(s->job->leaf_triangles) * s->leaves;
-    return s->job->triangles.boxes ? counts : counts + geometry_bits(s);
+uint32_t plt_blocks_geometry_bytes(const plt_blocks_state *s) {
+    uint32_t bits = plt_geometry_count_strings(s->job->leaf_triangles) * s->leaves;
+    bits += s->job->triangles.boxes ? 0 : geometry_bits(s);
+#if PLT_BLOCKS_LEVELS
+    bits += 8 * s->job->geometry_tail;
+#endif
+    return (bits + 7) / 8;
 }
 
 int plt_blocks_collect_geometry(plt_blocks_state *s) {
@@ -118,6 +122,5 @@ int plt_blocks_collect_geometry(plt_blocks_state *s) {
             }
         }
     }
-    return PLT_GEOMETRY_HEADER_BYTES + (plt_blocks_geometry_bits(s) + 7) / 8 <=
-           PLT_BLOCK_GEOMETRY_MOST;
+    return PLT_GEOMETRY_HEADER_BYTES + plt_blocks_geometry_bytes(s) <= PLT_BLOCK_GEOMETRY_MOST;
 }

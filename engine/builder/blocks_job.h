@@ -22,6 +22,7 @@ typedef struct plt_blocks_job {
     uint8_t splits;                  /* enum plt_splits */
 #if PLT_BLOCKS_LEVELS
     const uint16_t *levels; /* of a tree that is given (split_given.c), or NULL */
+    uint32_t geometry_tail; /* bytes left 0 at the end of every geometry part: the host's to fill */
 #endif
     const uint16_t *mesh;  /* index of each triangle's mesh, 0 .. 1022; or NULL */
     unsigned char *memory; /* aligned to 8 */

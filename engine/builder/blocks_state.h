@@ -117,7 +117,7 @@ void plt_strips_find(const uint32_t corner[][3][3], uint32_t count, plt_strip_st
 /* Collects the geometry of the block in hand; 0 when it exceeds what a block may
  * hold. Then writes the block. (blocks_geometry.c, blocks_write.c) */
 int plt_blocks_collect_geometry(plt_blocks_state *s);
-uint32_t plt_blocks_geometry_bits(const plt_blocks_state *s); /* behind the header */
+uint32_t plt_blocks_geometry_bytes(const plt_blocks_state *s); /* behind the header */
 int plt_blocks_write(plt_blocks_state *s);
 
 /* Where in the block the link of each edge lies: offset[2 * node + child]. */

@@ -104,8 +104,8 @@ static uint32_t write_vertices(const plt_blocks_state *s, unsigned char *bytes, 
 }
 
 static uint32_t geometry_bytes(const plt_blocks_state *s) {
-    const uint32_t bytes = (plt_blocks_geometry_bits(s) + 7) / 8;
-    return s->leaves == 0 ? 0 : plt_block_pad(PLT_GEOMETRY_HEADER_BYTES + bytes);
+    const uint32_t bytes = PLT_GEOMETRY_HEADER_BYTES + plt_blocks_geometry_bytes(s);
+    return s->leaves == 0 ? 0 : plt_block_pad(bytes);
 }
 
 static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint32_t size) {

@@ -15,6 +15,9 @@ static const unsigned char magic[8] = {'P', 'L', 'A', 'N', 'E', 'L', 'E', 'T'};
 
 #define COUNTS 11
 
+/* A thesis image with checks has that many sections, one without has one less. */
+enum { THESIS_SECTIONS_CHECKED = 3 };
+
 static uint32_t *count_field(plt_info *info, int i) {
     uint32_t *const field[COUNTS] = {
         &info->triangles,           &info->nodes,
@@ -58,6 +61,14 @@ static int check_identity(const unsigned char *bytes, uint32_t image_bytes, plt_
     return PLT_OK;
 }
 
+/* Of ids with checks 256 more than the bits of one. */
+enum { ID_CHECKS = 0x100 };
+
+static void read_id_bits(plt_info *info, uint32_t field) {
+    info->has_checks = field / ID_CHECKS == 1;
+    info->primitive_id_bits = (uint8_t)(field < 2 * ID_CHECKS ? field % ID_CHECKS : 255);
+}
+
 static void read_lattice(plt_header *h, const unsigned char *bytes) {
     plt_get_floats(h->lattice.origin, bytes + PLT_AT_ORIGIN, 3);
     h->lattice.origin[3] = 0.0f;
@@ -70,8 +81,7 @@ static void read_lattice(plt_header *h, const unsigned char *bytes) {
     plt_info *info = &h->info;
     info->lattice_bits = (uint8_t)(h->lattice.bits <= 255 ? h->lattice.bits : 255);
     info->source_triangles = plt_get_u32(bytes + PLT_AT_SOURCE_TRIANGLES);
-    const uint32_t primitive_id_bits = plt_get_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS);
-    info->primitive_id_bits = (uint8_t)(primitive_id_bits <= 255 ? primitive_id_bits : 255);
+    read_id_bits(info, plt_get_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS));
     info->node_bytes = plt_get_u32(bytes + PLT_AT_NODE_BYTES);
     info->triangle_bytes = plt_get_u32(bytes + PLT_AT_TRIANGLE_BYTES);
 }
@@ -85,7 +95,8 @@ static void write_lattice(unsigned char *bytes, const plt_header *h) {
         plt_put_u32(bytes + PLT_AT_LATTICE_BOX + 12 + 4 * a, h->lattice_box.hi[a]);
     }
     plt_put_u32(bytes + PLT_AT_SOURCE_TRIANGLES, h->info.source_triangles);
-    plt_put_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS, h->info.primitive_id_bits);
+    plt_put_u32(bytes + PLT_AT_PRIMITIVE_ID_BITS,
+                h->info.primitive_id_bits + (h->info.has_checks ? ID_CHECKS : 0u));
     plt_put_u32(bytes + PLT_AT_NODE_BYTES, h->info.node_bytes);
     plt_put_u32(bytes + PLT_AT_TRIANGLE_BYTES, h->info.triangle_bytes);
 }
@@ -123,6 +134,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         info->node_bytes = header->section[0].bytes;
         info->triangle_bytes = header->section[1].bytes;
         info->source_triangles = info->triangles;
+        info->has_checks = plt_get_u32(bytes + PLT_AT_SECTIONS) == THESIS_SECTIONS_CHECKED;
     }
     info->primitive_id_bytes =
         info->primitive_id_bits > 0

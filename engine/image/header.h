@@ -26,7 +26,8 @@ enum plt_section_kind {
     PLT_SECTION_TRIANGLES = 2,     /* float records */
     PLT_SECTION_BLOCKS = 3,        /* compact blocks */
     PLT_SECTION_PRIMITIVE_IDS = 4, /* primitive ids (primitive_id.h) */
-    PLT_SECTION_CORNERS = 5        /* lattice corners, for the device to build from */
+    PLT_SECTION_CORNERS = 5,       /* lattice corners, for the device to build from */
+    PLT_SECTION_CHECKS = 6         /* of thesis nodes, a byte each (node_check.h) */
 };
 
 typedef struct plt_section {
@@ -46,6 +47,9 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
 
 /* Bytes of a section, padding included. */
 uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind);
+
+/* Float records there, with those that fill up the last page of records with checks. */
+uint32_t plt_header_records(const plt_info *info);
 
 /* The section of a kind, or NULL. */
 const plt_section *plt_header_section(const plt_header *header, uint32_t kind);

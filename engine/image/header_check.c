@@ -44,7 +44,7 @@ static int lattice_in_range(const plt_header *h) {
 
 /* An entry of the primitive ids holds an id and two bits of rotation. */
 static int id_bits_in_range(const plt_info *info) {
-    return info->primitive_id_bits == 0 ||
+    return (info->primitive_id_bits == 0 && !info->has_checks) ||
            (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
             info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
 }

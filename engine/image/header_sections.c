@@ -20,6 +20,9 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
     if (info->nodes_format == PLT_NODES_THESIS) {
         kind[count++] = PLT_SECTION_NODES;
         kind[count++] = PLT_SECTION_TRIANGLES;
+        if (info->has_checks && info->build == PLT_BUILD_HOST) {
+            kind[count++] = PLT_SECTION_CHECKS;
+        }
     } else {
         kind[count++] = info->build == PLT_BUILD_DEVICE ? PLT_SECTION_CORNERS : PLT_SECTION_BLOCKS;
         if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
@@ -32,13 +35,21 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
     return count;
 }
 
+uint32_t plt_header_records(const plt_info *info) {
+    const int pages = info->has_checks && info->nodes_format == PLT_NODES_THESIS;
+    return pages ? (info->triangles + PLT_PAGE_RECORDS - 1) & ~(PLT_PAGE_RECORDS - 1)
+                 : info->triangles;
+}
+
 uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
     const uint64_t used = (uint64_t)info->node_bytes + info->triangle_bytes;
     switch (kind) {
     case PLT_SECTION_NODES:
         return plt_section_bytes(info->node_slots, PLT_NODE_BYTES);
     case PLT_SECTION_TRIANGLES:
-        return plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
+        return plt_section_bytes(plt_header_records(info), PLT_RECORD_BYTES);
+    case PLT_SECTION_CHECKS:
+        return plt_section_bytes(info->node_slots, 1);
     case PLT_SECTION_CORNERS:
         return plt_section_bytes(info->triangles, plt_corners_bytes(info->lattice_bits));
     case PLT_SECTION_PRIMITIVE_IDS:

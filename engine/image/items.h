@@ -10,6 +10,7 @@
 
 #define PLT_NODE_BYTES 32                     /* a thesis node */
 #define PLT_RECORD_BYTES 40                   /* a float record */
+#define PLT_PAGE_RECORDS 8u                   /* records that are streamed, and checked, together */
 #define PLT_INDEX_MAX ((1u << 27) - 1u)       /* of nodes and of triangles */
 #define PLT_LINK_NONE 0xFFFFFFFFu             /* no link: the root of a scene without triangles */
 #define PLT_BLOCK_NODES_MOST 64               /* of a compact block */

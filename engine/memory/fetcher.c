@@ -19,15 +19,20 @@ void plt_fetcher_init(plt_fetcher *f, void *memory, uint32_t bytes) {
 
 static int check(plt_fetcher *f, const plt_wanted *w, uint16_t part) {
     const int status = w->check(w->context, part); /* and may ask for other parts */
-    f->stats->bytes_validated += w->count;
+    f->stats->bytes_validated += plt_wanted_bytes(w);
     return status;
 }
 
 /* Once: PLT_OK, or why it did not come or is not valid. */
 static int fetch_once(plt_fetcher *f, const plt_wanted *w, uint16_t part) {
-    const int status =
-        plt_fetch(f->source, w->offset, plt_store_bytes(&f->store, part), w->count, &f->fault);
-    plt_traffic_count(f->stats, f->touched, w->bit, w->count);
+    unsigned char *to = plt_store_bytes(&f->store, part);
+    int status = plt_fetch(f->source, w->offset, to, w->count, &f->fault);
+#if PLT_WITH_THESIS
+    if (status == PLT_OK && w->beside > 0) {
+        status = plt_fetch(f->source, w->beside_at, to + w->count, w->beside, &f->fault);
+    }
+#endif
+    plt_traffic_count(f->stats, f->touched, w->bit, plt_wanted_bytes(w));
     return status == PLT_OK ? check(f, w, part) : status;
 }
 
@@ -62,7 +67,7 @@ static int fetch_part(plt_fetcher *f, const plt_wanted *w, uint16_t *part) {
  * a source that has changed: then it is validated again. */
 static int is_valid(plt_fetcher *f, const plt_wanted *w, uint16_t part) {
     const plt_store_part *p = &f->store.part[part];
-    return p->bytes == plt_store_rounded(w->count) &&
+    return p->bytes == plt_store_rounded(plt_wanted_bytes(w)) &&
            ((!p->fresh && p->against == w->against) || check(f, w, part) == PLT_OK);
 }
 

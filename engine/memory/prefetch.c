@@ -50,25 +50,44 @@ static unsigned free_slot(plt_fetcher *f) {
     return oldest;
 }
 
-/* All transfers of the part under one tag. 0: one did not start. */
-static int start(const plt_fetcher *f, const plt_wanted *w, unsigned char *to, unsigned tag) {
+/* Bytes from `offset` on, in as many transfers as they take. 0: one did not start. */
+static int start_some(const plt_fetcher *f, uint32_t offset, unsigned char *to, uint32_t count,
+                      unsigned tag) {
     const plt_source *source = f->source;
     int status = 0;
-    for (uint32_t done = 0; done < w->count && status >= 0; done += PLT_TRANSFER_BYTES) {
-        const uint32_t left = w->count - done;
+    for (uint32_t done = 0; done < count && status >= 0; done += PLT_TRANSFER_BYTES) {
+        const uint32_t left = count - done;
         const uint32_t now = left < PLT_TRANSFER_BYTES ? left : PLT_TRANSFER_BYTES;
-        status = source->start(source->context, tag, w->offset + done, to + done, now);
+        status = source->start(source->context, tag, offset + done, to + done, now);
     }
     return status >= 0;
 }
 
+/* All transfers of the part under one tag. */
+static int start(const plt_fetcher *f, const plt_wanted *w, unsigned char *to, unsigned tag) {
+    const int begun = start_some(f, w->offset, to, w->count, tag);
+#if PLT_WITH_THESIS
+    return begun && start_some(f, w->beside_at, to + w->count, w->beside, tag);
+#else
+    return begun;
+#endif
+}
+
+static uint32_t transfers_of(uint32_t count) {
+    return count / PLT_TRANSFER_BYTES + (count % PLT_TRANSFER_BYTES != 0);
+}
+
 /* One that would take more than a quarter of the store takes too much from what is there. */
-static int is_too_large(const plt_fetcher *f, uint32_t count) {
-    return count > PLT_PREFETCH_TRANSFERS * PLT_TRANSFER_BYTES || count > f->store.bytes / 4;
+static int is_too_large(const plt_fetcher *f, const plt_wanted *w) {
+    uint32_t transfers = transfers_of(w->count);
+#if PLT_WITH_THESIS
+    transfers += transfers_of(w->beside);
+#endif
+    return transfers > PLT_PREFETCH_TRANSFERS || plt_wanted_bytes(w) > f->store.bytes / 4;
 }
 
 void plt_prefetch_ask(plt_fetcher *f, const plt_wanted *w) {
-    if (f->ahead == 0 || is_too_large(f, w->count) ||
+    if (f->ahead == 0 || is_too_large(f, w) ||
         plt_store_find(&f->store, w->key) != PLT_STORE_NONE) {
         return;
     }
@@ -79,7 +98,7 @@ void plt_prefetch_ask(plt_fetcher *f, const plt_wanted *w) {
     }
     f->store.part[part].held = 1;
     f->coming[i] = part;
-    plt_traffic_count(f->stats, f->touched, w->bit, w->count);
+    plt_traffic_count(f->stats, f->touched, w->bit, plt_wanted_bytes(w));
     if (!start(f, w, plt_store_bytes(&f->store, part), FIRST_TAG + i) && end_slot(f, i)) {
         forget(f, part);
     }

@@ -149,11 +149,21 @@ static int geometry_rule(const plt_stream *s, const part_of *a, uint16_t part) {
     return counts_are_inside(s, &g) ? PLT_BLOCK_VALID : PLT_I18_COUNTS;
 }
 
+/* The check is the geometry part's, which is there and held. */
+static int ids_are_right(const part_of *a, const unsigned char *ids) {
+    const plt_block *b = &a->block->opened.block;
+    const unsigned char *check = b->geometry + b->geometry_bytes - PLT_IDS_CHECK_BYTES;
+    return plt_block_ids_check(ids, a->count) == (check[0] | check[1] << 8);
+}
+
 static int ids_rule(const plt_stream *s, const part_of *a, uint16_t part) {
     const plt_geometry *g = &a->block->opened.geometry;
     const plt_primitive_ids ids = {plt_store_bytes(&s->fetcher.store, part), s->tree.ids.bits,
                                    first_id_byte(s, g)};
     int valid = 1;
+    if (s->tree.ids_are_checked && !ids_are_right(a, ids.bytes)) {
+        return PLT_I13_CHECK;
+    }
     for (uint32_t i = 0; i < g->triangles; i++) {
         const uint32_t word = plt_primitive_word_find(&ids, g->first_triangle + i);
         valid &= plt_primitive_id(word) < s->image.source_triangles;

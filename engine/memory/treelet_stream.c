@@ -7,6 +7,7 @@
 #include "engine/base/rules.h"
 #include "engine/memory/prefetch.h"
 #include "engine/tree/record_ranges.h"
+#include "engine/tree/thesis/checks.h"
 
 /* Of a part in the store that has nodes, `depth` is that of the treelet, with this bit if edges
  * leave it, or 0 if it has more nodes than came; `more` is the number of its nodes, less 1. */
@@ -40,6 +41,8 @@ static const char *message(int rule) {
         return "a plane lies outside the scene's box";
     case PLT_I7_ID_WORDS:
         return "a triangle's id word is out of range";
+    case PLT_I22_CHECKS:
+        return "nodes or triangles are damaged (check)";
     case PLT_I8_COUNTS:
         return "the header's counts are not the tree's";
     default:
@@ -63,9 +66,22 @@ int plt_treelet_stream_refuse(plt_treelet_stream *s, uint8_t rule) {
 
 /* ---- what is valid ---------------------------------------------------- */
 
+/* Of all nodes that have come, whose checks lie behind them. */
+static int nodes_are_right(const plt_node *nodes, uint32_t count) {
+    const uint8_t *check = (const void *)(nodes + count);
+    int right = 1;
+    for (uint32_t i = 0; i < count; i++) {
+        right &= plt_node_check(&nodes[i]) == check[i];
+    }
+    return right;
+}
+
 static int nodes_rule(plt_treelet_stream *s, const part_of *of, uint16_t part) {
     plt_treelet_facts facts;
     const plt_node *nodes = (const void *)plt_store_bytes(&s->fetcher.store, part);
+    if (s->image.checks_at > 0 && !nodes_are_right(nodes, of->count)) {
+        return PLT_I22_CHECKS;
+    }
     plt_store_part *p = &s->fetcher.store.part[part];
     const int rule = plt_treelet_validate(&s->scene, nodes, of->first, of->count, &facts);
     p->depth = 0;
@@ -84,15 +100,24 @@ static int nodes_rule(plt_treelet_stream *s, const part_of *of, uint16_t part) {
                : PLT_I2_TREE;
 }
 
+/* Of a page that has come; without checks, of any. */
+static int page_is_right(const plt_treelet_stream *s, const plt_record *page) {
+    uint16_t held;
+    return s->image.checks_at == 0 || plt_page_check(page, &held) == held;
+}
+
 static int check_records(const void *context, uint16_t part) {
     const part_of *of = context;
     plt_treelet_stream *s = of->stream;
     const plt_record *r = (const void *)plt_store_bytes(&s->fetcher.store, part);
+    if (!page_is_right(s, r)) {
+        return refuse(s, PLT_I22_CHECKS, of->offset);
+    }
     for (const plt_record *end = r + of->count; r < end; r++) {
         if (plt_record_outside(s->scene.box, r) != NULL) {
             return refuse(s, PLT_I5_CORNERS, of->offset);
         }
-        if (!plt_is_id_word(plt_get_u32(&r->word[9]), s->scene.triangles)) {
+        if (!plt_is_id_word(plt_get_u32(&r->word[9]), s->scene.triangles, s->image.checks_at > 0)) {
             return refuse(s, PLT_I7_ID_WORDS, of->offset);
         }
     }
@@ -116,9 +141,12 @@ static inline uint32_t nodes_of(const plt_treelet_stream *s, uint32_t first, uin
 }
 
 static inline void want_nodes(plt_wanted *w, const part_of *of, uint32_t length) {
+    const uint32_t checks_at = of->stream->image.checks_at;
     *w = (plt_wanted){.key = KEY_STEP * of->first + length,
                       .offset = of->offset,
                       .count = of->count * PLT_NODE_BYTES,
+                      .beside_at = checks_at + of->first,
+                      .beside = checks_at > 0 ? of->count : 0,
                       .bit = of->first + (length > 0 ? length - 1 : 0),
                       .is_treelet = length <= 1,
                       .check = check_nodes,
@@ -283,11 +311,13 @@ static part_of page_of(plt_treelet_stream *s, uint32_t first) {
     return of;
 }
 
+/* Of pages with checks the last one is whole, too. */
 static inline void want_page(plt_wanted *w, const part_of *of) {
     const uint32_t page = of->first / PLT_PAGE_RECORDS;
+    const uint32_t records = of->stream->image.checks_at > 0 ? PLT_PAGE_RECORDS : of->count;
     *w = (plt_wanted){.key = KEY_STEP * page + KEY_PAGE,
                       .offset = of->offset,
-                      .count = of->count * PLT_RECORD_BYTES,
+                      .count = records * PLT_RECORD_BYTES,
                       .bit = of->stream->scene.node_slots + page,
                       .check = check_records,
                       .context = of};

@@ -26,6 +26,7 @@
 typedef struct plt_treelet_image {
     const plt_source *source;
     uint32_t nodes_at, records_at;
+    uint32_t checks_at; /* 0: neither nodes nor records have checks */
 } plt_treelet_image;
 
 /* The scope of a treelet: the block at which the blocks of its subtree end; or if it is alone, this
@@ -51,9 +52,6 @@ typedef struct plt_treelet_stream {
 /* Nodes that are asked for of a treelet alone; if they are not all, four times as many, and then
  * all that its block has. */
 #define PLT_ALONE_NODES 4u
-
-/* Records in a page; the last one of a scene may be shorter. */
-#define PLT_PAGE_RECORDS 8u
 
 /* Lists on their way through pages. */
 typedef struct plt_lists_left {

@@ -25,13 +25,25 @@ typedef struct plt_fetcher {
 typedef struct plt_wanted {
     uint32_t key;           /* its name in the store */
     uint32_t offset, count; /* bytes of the image */
-    uint32_t against;       /* serial of the part that it is validated against; 0: none */
-    uint32_t bit;           /* of `touched` */
-    uint8_t is_treelet;     /* its arrival is one of plt_stats.treelet_fetches */
+#if PLT_WITH_THESIS
+    uint32_t beside_at, beside; /* bytes that come from elsewhere, and lie behind those */
+#endif
+    uint32_t against;   /* serial of the part that it is validated against; 0: none */
+    uint32_t bit;       /* of `touched` */
+    uint8_t is_treelet; /* its arrival is one of plt_stats.treelet_fetches */
     /* Is the part valid, which lies in the store? PLT_OK, or PLT_ERR_IMAGE with the fault set. */
     int (*check)(const void *context, uint16_t part);
     const void *context;
 } plt_wanted;
+
+/* All its bytes. */
+static inline uint32_t plt_wanted_bytes(const plt_wanted *w) {
+#if PLT_WITH_THESIS
+    return w->count + w->beside;
+#else
+    return w->count;
+#endif
+}
 
 /* Room for a part that is to come, of which it is known that it is not there, counted as an
  * arrival. PLT_STORE_NONE: parts that are held leave none. */

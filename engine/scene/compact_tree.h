@@ -16,6 +16,7 @@ static inline void plt_compact_describe(plt_block_tree *t, const plt_header *hea
     t->lattice = header->lattice;
     t->box = header->lattice_box;
     t->ids.bits = header->info.primitive_id_bits;
+    t->ids_are_checked = header->info.has_checks;
 }
 
 #endif

@@ -25,6 +25,7 @@ static int root_rule(const plt_header *header) {
 int plt_open_streamed_thesis(const plt_opening *o, const plt_header *header,
                              struct plt_compact_build **build) {
     plt_scene *scene = o->scene;
+    const plt_section *checks = plt_header_section(header, PLT_SECTION_CHECKS);
     (void)build;
     scene->thesis.node_slots = header->info.node_slots;
     scene->thesis.records_count = header->info.triangles;
@@ -32,6 +33,7 @@ int plt_open_streamed_thesis(const plt_opening *o, const plt_header *header,
     scene->thesis.root = header->root;
     scene->treelets.source = o->source;
     scene->treelets.nodes_at = plt_header_section(header, PLT_SECTION_NODES)->offset;
+    scene->treelets.checks_at = checks != NULL ? checks->offset : 0;
     scene->treelets.records_at = plt_header_section(header, PLT_SECTION_TRIANGLES)->offset;
     const int rule = root_rule(header);
     if (rule != 0) {

@@ -9,16 +9,16 @@
  * in its store. */
 enum { LOOKED_AT = 16 };
 
-/* New packets that a worker takes one after the other. */
-enum { RUN = 8 };
-
-void plt_dispatch_init(plt_dispatch *d, uint32_t most, unsigned side, void *packets, void *edges) {
+void plt_dispatch_init(plt_dispatch *d, uint32_t rooms, unsigned side, void *packets, void *edges) {
+    unsigned char *behind = (unsigned char *)packets + plt_packets_bytes(rooms, side);
     memset(d, 0, sizeof *d);
-    d->most = most;
-    d->packet = plt_packets_init(most, side, packets);
-    d->slot = (plt_packet_slot *)(void *)((unsigned char *)packets + plt_packets_bytes(most, side));
+    d->rooms = rooms;
+    d->most = plt_dispatch_slots(rooms);
+    d->packet = plt_packets_init(rooms, side, packets);
+    d->room = (plt_packet_room *)(void *)behind;
+    d->slot = (plt_packet_slot *)(void *)(behind + rooms * sizeof(plt_packet_room));
     d->packet_bytes = sizeof(plt_packet) + plt_packet_bytes(side);
-    plt_tasks_init(&d->edges, edges, plt_packets_tasks(most, side), plt_dispatch_queues(most));
+    plt_tasks_init(&d->edges, edges, plt_packets_tasks(rooms, side), plt_dispatch_queues(rooms));
     plt_dispatch_clear(d);
 }
 
@@ -26,7 +26,9 @@ void plt_dispatch_clear(plt_dispatch *d) {
     if (d->edges.count > 0 || d->edges.queues > 0) {
         plt_tasks_clear(&d->edges);
     }
+    memset(d->room, 0, d->rooms * sizeof *d->room);
     d->first = d->count = d->begun = d->out = 0;
+    d->out_most = 1;
     d->newest = PLT_TASK_NONE;
     d->round++;
 }
@@ -74,17 +76,50 @@ static uint16_t *place_of(plt_tasks *edges, uint16_t *at, float distance) {
     return at;
 }
 
-/* Sorts the worker's edges in, as long as there is room. */
-static void give_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
-    while (w->edges.first != PLT_TASK_NONE) {
-        const uint16_t i = w->edges.first;
-        const uint64_t bytes = message_bytes(&w->edges, i);
-        uint16_t *at = place_of(&d->edges, &slot->edges, w->edges.queue[i].nearest);
-        if (!plt_tasks_move(&d->edges, at, &w->edges, &w->edges.first)) {
+/* The nearest of the worker's edges comes first. It has some. */
+static void put_nearest_first(plt_tasks *edges) {
+    uint16_t *nearest = &edges->first;
+    for (uint16_t *i = nearest; *i != PLT_TASK_NONE; i = &edges->queue[*i].after) {
+        if (edges->queue[*i].nearest < edges->queue[*nearest].nearest) {
+            nearest = i;
+        }
+    }
+    const uint16_t queue = *nearest;
+    *nearest = edges->queue[queue].after;
+    edges->queue[queue].after = edges->first;
+    edges->first = queue;
+}
+
+/* Sorts in the worker's edges from the one that stands at `from`, as long as there is room. */
+static void give_from(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot, uint16_t *from) {
+    while (*from != PLT_TASK_NONE) {
+        const uint64_t bytes = message_bytes(&w->edges, *from);
+        uint16_t *at = place_of(&d->edges, &slot->edges, w->edges.queue[*from].nearest);
+        if (!plt_tasks_move(&d->edges, at, &w->edges, from)) {
             return;
         }
         d->stats.edges++;
         d->stats.bytes_back += bytes;
+    }
+}
+
+/* The worker would be given the first of its edges at once: no packet waits, and none of its own
+ * packet's edges is nearer. */
+static int keeps_first(const plt_dispatch *d, const plt_worker *w, const plt_packet_slot *slot) {
+    return d->newest == PLT_TASK_NONE &&
+           !(slot->edges != PLT_TASK_NONE &&
+             d->edges.queue[slot->edges].nearest < w->edges.queue[w->edges.first].nearest);
+}
+
+/* The nearest comes last, as a worker goes on with what there is no room for. */
+static void give_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
+    if (w->edges.first == PLT_TASK_NONE) {
+        return;
+    }
+    put_nearest_first(&w->edges);
+    give_from(d, w, slot, &w->edges.queue[w->edges.first].after);
+    if (!keeps_first(d, w, slot)) {
+        give_from(d, w, slot, &w->edges.first);
     }
 }
 
@@ -97,37 +132,29 @@ static void drop_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
     }
 }
 
-/* The nearest of the edges that the worker could not give back. */
-static void go_on(plt_worker *w) {
-    uint16_t *nearest = &w->edges.first;
-    for (uint16_t *i = nearest; *i != PLT_TASK_NONE; i = &w->edges.queue[*i].after) {
-        if (w->edges.queue[*i].nearest < w->edges.queue[*nearest].nearest) {
-            nearest = i;
-        }
-    }
-    plt_tasks_begin(&w->edges, nearest);
-    w->is_done = 0;
-}
-
 /* ---- give and take ------------------------------------------------------------------ */
 
 static int give(plt_dispatch *d, plt_worker *w) {
     plt_packet_slot *slot = &d->slot[w->slot];
-    if (d->packet[w->slot].active == 0) {
+    if (w->packet->active == 0) {
         drop_edges(d, w, slot);
     }
     give_edges(d, w, slot);
     if (w->edges.first != PLT_TASK_NONE) {
-        go_on(w);
+        plt_tasks_begin(&w->edges, &w->edges.first);
+        w->has_others = slot->edges != PLT_TASK_NONE;
+        w->is_done = 0;
         return PLT_MORE;
     }
     w->has = 0;
     d->out--;
-    slot->state = PLT_PACKET_DONE;
     if (slot->edges != PLT_TASK_NONE) {
         slot->state = PLT_PACKET_WAITS;
         slot->older = d->newest;
         d->newest = (uint16_t)w->slot;
+    } else {
+        slot->state = PLT_PACKET_DONE;
+        d->room[slot->room].is_taken = 0;
     }
     return PLT_OK;
 }
@@ -181,13 +208,19 @@ static void take_waiting(plt_dispatch *d, plt_worker *w, uint16_t *at) {
     }
 }
 
-/* New packets go to workers by runs, which lie beside each other in the picture. */
+/* ---- new packets ---------------------------------------------------------------------- */
+
+/* How many go to a worker one after the other, which lie beside each other in the picture: as many
+ * as leave two runs for each worker. */
+static uint32_t run_of(const plt_dispatch *d) {
+    return d->most / (2 * d->out_most) + 1;
+}
+
 static void reserve_run(plt_dispatch *d, const plt_worker *w, uint32_t first) {
-    for (uint32_t i = first; i < d->count && i - first < RUN; i++) {
+    const uint32_t run = run_of(d);
+    for (uint32_t i = first; i < d->count && i - first < run; i++) {
         plt_packet_slot *slot = &d->slot[slot_at(d, i)];
-        if (slot->state == PLT_PACKET_NEW && slot->holder == NULL) {
-            slot->holder = w;
-        }
+        slot->holder = slot->holder == NULL ? w : slot->holder;
     }
 }
 
@@ -212,22 +245,44 @@ static uint32_t choose_new(plt_dispatch *d, const plt_worker *w) {
     return nobodys;
 }
 
-static void take_new(plt_dispatch *d, plt_worker *w) {
+/* A free room, the worker's last one if it can be. d->rooms: there is none. */
+static uint32_t choose_room(const plt_dispatch *d, const plt_worker *w) {
+    uint32_t best = d->rooms;
+    for (uint32_t i = 0; i < d->rooms; i++) {
+        if (!d->room[i].is_taken && (best == d->rooms || d->room[i].holder == w)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* 0: there is no new packet, or no room for one. */
+static int take_new(plt_dispatch *d, plt_worker *w) {
+    const uint32_t room = d->begun < d->count ? choose_room(d, w) : d->rooms;
+    if (room == d->rooms) {
+        return 0;
+    }
     w->slot = slot_at(d, choose_new(d, w));
+    d->slot[w->slot].room = (uint16_t)room;
+    d->room[room].holder = w;
+    d->room[room].is_taken = 1;
     d->begun++;
+    return 1;
 }
 
 int plt_dispatch_take(plt_dispatch *d, plt_worker *w, const plt_traversal *t) {
     uint16_t *at = choose(d, t);
     if (*at != PLT_TASK_NONE) {
         take_waiting(d, w, at);
-    } else if (d->begun < d->count) {
-        take_new(d, w);
-    } else {
+    } else if (!take_new(d, w)) {
         return d->out > 0 ? PLT_WAIT : PLT_OK;
     }
     plt_packet_slot *slot = &d->slot[w->slot];
+    w->packet = &d->packet[slot->room];
+    w->item[0] = slot->item[0];
+    w->item[1] = slot->item[1];
     w->is_new = slot->state == PLT_PACKET_NEW;
+    w->has_others = slot->edges != PLT_TASK_NONE;
     slot->state = PLT_PACKET_OUT;
     slot->holder = w;
     w->has = 1;
@@ -235,6 +290,7 @@ int plt_dispatch_take(plt_dispatch *d, plt_worker *w, const plt_traversal *t) {
     w->status = PLT_OK;
     w->round = d->round;
     d->out++;
+    d->out_most = d->out > d->out_most ? d->out : d->out_most;
     d->stats.tasks++;
     return PLT_MORE;
 }

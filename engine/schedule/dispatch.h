@@ -7,7 +7,8 @@
  * else has: hits are written where they are, and are the same whoever found them.
  *
  * Packets are begun in order, in a ring: a slot is free when its packet and all before it are
- * done.
+ * done. What a packet needs while it is traced, much more than its slot, is a room, which is free
+ * as soon as it is done; workers keep to their rooms, which are in their caches.
  *
  * Nothing here is safe from two callers at once but plt_worker_run: give and take need a lock
  * around them if workers are threads.
@@ -36,26 +37,45 @@ typedef struct plt_packet_slot {
     uint32_t item[2];         /* what it is of, for those who set it up: a ray, or a pixel */
     uint16_t edges;           /* queue of the nearest; PLT_TASK_NONE: there is none */
     uint16_t older;           /* of those that wait, the one that came back before it */
+    uint16_t room;            /* where the packet is, once it is begun, until it is done */
     uint8_t state;            /* enum plt_packet_state */
 } plt_packet_slot;
 
+/* Memory of one packet. */
+typedef struct plt_packet_room {
+    const plt_worker *holder; /* of the last packet in it; NULL: there was none */
+    uint32_t is_taken;
+} plt_packet_room;
+
+/* Slots per room: who is ahead of the others goes on, as far as that. */
+enum { PLT_DISPATCH_AHEAD = 8 };
+
 typedef struct plt_dispatch {
-    plt_packet *packet;    /* [most] */
+    plt_packet *packet;    /* [rooms] */
+    plt_packet_room *room; /* [rooms] */
     plt_packet_slot *slot; /* [most] */
     plt_tasks edges;       /* of all packets */
-    uint32_t most;         /* 0: there is no dispatcher */
+    uint32_t rooms;        /* 0: there is no dispatcher */
+    uint32_t most;         /* packets that are begun, or done before others */
     uint32_t first;        /* slot of the oldest packet */
     uint32_t count, begun; /* packets in the ring, and how many of them are not new */
     uint32_t out;          /* with workers */
+    uint32_t out_most;     /* ... at once, so far */
     uint32_t round;        /* changes when all of it is dropped */
     uint16_t newest;       /* packet that waits, the last that came back; PLT_TASK_NONE */
     size_t packet_bytes;   /* that move to a worker */
     plt_task_stats stats;
 } plt_dispatch;
 
-/* Bytes of so many packets and their slots. */
+/* Slots of a dispatcher with room for so many packets. */
+static inline uint32_t plt_dispatch_slots(uint32_t packets) {
+    return PLT_DISPATCH_AHEAD * packets;
+}
+
+/* Bytes of so many packets, with their rooms and slots. */
 static inline uint64_t plt_dispatch_bytes(uint32_t packets, unsigned side) {
-    return plt_packets_bytes(packets, side) + packets * (uint64_t)sizeof(plt_packet_slot);
+    return plt_packets_bytes(packets, side) + packets * (uint64_t)sizeof(plt_packet_room) +
+           plt_dispatch_slots(packets) * (uint64_t)sizeof(plt_packet_slot);
 }
 
 /* Edges that there is room for: few packets wait at once, but theirs may be many (DESIGN.md,
@@ -68,8 +88,8 @@ static inline uint64_t plt_dispatch_edges_bytes(uint32_t packets, unsigned side)
     return plt_tasks_bytes(plt_packets_tasks(packets, side), plt_dispatch_queues(packets));
 }
 
-/* `packets`: plt_dispatch_bytes of it; `edges`: plt_dispatch_edges_bytes. */
-void plt_dispatch_init(plt_dispatch *d, uint32_t most, unsigned side, void *packets, void *edges);
+/* `packets`: plt_dispatch_bytes of it, for `rooms`; `edges`: plt_dispatch_edges_bytes. */
+void plt_dispatch_init(plt_dispatch *d, uint32_t rooms, unsigned side, void *packets, void *edges);
 
 /* Drops all packets. What a worker still has is dropped when it comes back. */
 void plt_dispatch_clear(plt_dispatch *d);

@@ -16,10 +16,10 @@ void plt_worker_clear(plt_worker *w) {
 }
 
 /* The root is an edge, too: the packet waits there, and is the first that comes. */
-void plt_worker_begin(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t rays) {
+void plt_worker_begin(plt_worker *w, plt_traversal *t, uint32_t rays) {
     w->is_new = 0;
     t->tasks = &w->edges;
-    plt_traversal_begin(t, packet, rays);
+    plt_traversal_begin(t, w->packet, rays);
     t->tasks = NULL;
     if (w->edges.first != PLT_TASK_NONE) {
         plt_tasks_begin(&w->edges, &w->edges.first);
@@ -27,9 +27,9 @@ void plt_worker_begin(plt_worker *w, plt_traversal *t, plt_packet *packet, uint3
 }
 
 /* Its next entry, if it has rays left. */
-static int resume_next(plt_worker *w, plt_traversal *t, const plt_packet *packet) {
+static int resume_next(plt_worker *w, plt_traversal *t) {
     while (plt_tasks_next(&w->edges, t)) {
-        if (packet->active != 0) {
+        if (w->packet->active != 0) {
             return 1;
         }
         t->waiting = 0;
@@ -37,9 +37,9 @@ static int resume_next(plt_worker *w, plt_traversal *t, const plt_packet *packet
     return 0;
 }
 
-static int run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
-    while (t->waiting > 0 || resume_next(w, t, packet)) {
-        const int status = plt_traverse_counted(t, packet, &visits);
+static int run(plt_worker *w, plt_traversal *t, uint32_t visits) {
+    while (t->waiting > 0 || resume_next(w, t)) {
+        const int status = plt_traverse_counted(t, w->packet, &visits);
         if (status != PLT_OK) {
             return status;
         }
@@ -47,9 +47,9 @@ static int run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t vis
     return PLT_OK;
 }
 
-int plt_worker_run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
+int plt_worker_run(plt_worker *w, plt_traversal *t, uint32_t visits) {
     t->tasks = &w->edges;
-    const int status = run(w, t, packet, visits > 0 ? visits : 1);
+    const int status = run(w, t, visits > 0 ? visits : 1);
     plt_traversal_pause(t);
     t->tasks = NULL;
     if (status == PLT_MORE) {

@@ -1,7 +1,8 @@
 /* worker - works a task off: a treelet, and a packet that waits there
  *
  * A worker has a traversal, with a store, and no packets. What lies behind the edges of its
- * task is not its business: it gives them back, in its own small pool.
+ * task is not its business: it gives them back, in its own small pool. All that it has to know of
+ * its task is told when it gets it, so that it reads nothing that others write meanwhile.
  *
  * Source: Karrenberg 2007, section 4.3 (an SPE traverses a given treelet with a given packet,
  * and returns the outgoing edges).
@@ -14,13 +15,16 @@
 #include "engine/trace/traversal.h"
 
 typedef struct plt_worker {
-    plt_tasks edges; /* `here`: the treelet of its task; the others are given back */
-    uint32_t slot;   /* of its packet, the dispatcher's */
-    uint32_t round;  /* the dispatcher's, when it got it */
-    uint8_t has;     /* a task */
-    uint8_t is_new;  /* its packet is not set up */
-    uint8_t is_done; /* it can give back */
-    int8_t status;   /* of its task: PLT_OK, or what a fetch failed with */
+    plt_tasks edges;    /* `here`: the treelet of its task; the others are given back */
+    plt_packet *packet; /* the dispatcher's */
+    uint32_t slot;      /* its slot */
+    uint32_t item[2];   /* what it is of */
+    uint32_t round;     /* the dispatcher's, when it got it */
+    uint8_t has;        /* a task */
+    uint8_t is_new;     /* its packet is not set up */
+    uint8_t has_others; /* the packet waits at other edges, too, which the dispatcher has */
+    uint8_t is_done;    /* it can give back */
+    int8_t status;      /* of its task: PLT_OK, or what a fetch failed with */
 } plt_worker;
 
 /* Tasks and treelets of a worker: those behind the edges of one treelet, mostly. Where there are
@@ -38,10 +42,10 @@ void plt_worker_init(plt_worker *w, void *memory);
 void plt_worker_clear(plt_worker *w);
 
 /* Begins its packet, which is set up and has `rays` rays, at the root. */
-void plt_worker_begin(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t rays);
+void plt_worker_begin(plt_worker *w, plt_traversal *t, uint32_t rays);
 
 /* Goes on with its task, for about `visits` node visits. PLT_MORE, or PLT_OK: it is done, and
  * w->status says how. */
-int plt_worker_run(plt_worker *w, plt_traversal *t, plt_packet *packet, uint32_t visits);
+int plt_worker_run(plt_worker *w, plt_traversal *t, uint32_t visits);
 
 #endif

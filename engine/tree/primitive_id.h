@@ -18,7 +18,8 @@
 
 #define PLT_PRIMITIVE_ROTATION_SHIFT 29
 #define PLT_PRIMITIVE_ID_MASK 0x07FFFFFFu
-#define PLT_PRIMITIVE_UNUSED 0x18000000u /* bits 27 and 28: 0 */
+#define PLT_PRIMITIVE_UNUSED_SHIFT 27
+#define PLT_PRIMITIVE_UNUSED 0x18000000u /* bits 27 and 28: 0, or of a check (thesis/checks.h) */
 
 /* A section of the image: entry i is `bits` bits at bit i * bits, the rotation in
  * the lowest two, then the id; least significant bit first. PLT_BITS_BEHIND bytes

@@ -21,9 +21,11 @@ static inline const uint32_t *plt_record_outside(const plt_between box[3],
     return NULL;
 }
 
-/* An id below `triangles`, which is at most 2^27, no unused bit, and a rotation of 0, 1 or 2. */
-static inline int plt_is_id_word(uint32_t word, uint32_t triangles) {
-    return (word & (PLT_PRIMITIVE_UNUSED | PLT_PRIMITIVE_ID_MASK)) < triangles &&
+/* An id below `triangles`, which is at most 2^27, no unused bit, unless those hold checks, and a
+ * rotation of 0, 1 or 2. */
+static inline int plt_is_id_word(uint32_t word, uint32_t triangles, int has_checks) {
+    const uint32_t unused = has_checks ? 0 : PLT_PRIMITIVE_UNUSED;
+    return (word & (unused | PLT_PRIMITIVE_ID_MASK)) < triangles &&
            plt_primitive_rotation(word) <= 2;
 }
 

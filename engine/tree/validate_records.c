@@ -18,7 +18,7 @@ int plt_records_validate(const plt_header *header, const plt_record *records, pl
             return plt_broken(fault, PLT_I5_CORNERS, offset + 4 * (uint32_t)(word - records->word),
                               "a corner lies outside the scene's box");
         }
-        if (!plt_is_id_word(plt_get_u32(&r->word[9]), triangles)) {
+        if (!plt_is_id_word(plt_get_u32(&r->word[9]), triangles, header->info.has_checks)) {
             return plt_broken(fault, PLT_I7_ID_WORDS,
                               offset + 4 * (uint32_t)(&r->word[9] - records->word),
                               "a triangle's id word is out of range");

@@ -7,6 +7,8 @@
 
 #include "host_tools/base/clock.h"
 
+enum { LOCK_TRIES = 200 };
+
 typedef struct shift {
     crew *c;
     const crew_tasks *work;
@@ -47,10 +49,20 @@ static void run_task(const shift *s, const crew_worker *w) {
 
 /* ---- threads ---------------------------------------------------------------------- */
 
+/* The lock is held for less time than it takes to sleep and be woken. */
+static void lock_soon(pthread_mutex_t *lock) {
+    for (int i = 0; i < LOCK_TRIES; i++) {
+        if (pthread_mutex_trylock(lock) == 0) {
+            return;
+        }
+    }
+    pthread_mutex_lock(lock);
+}
+
 /* Waits until there is a task. */
 static int wait_for_task(shift *s, crew_worker *w) {
     int status;
-    pthread_mutex_lock(&s->lock);
+    lock_soon(&s->lock);
     while ((status = next_task(s, w)) == PLT_WAIT) {
         s->waiting++;
         pthread_cond_wait(&s->came_back, &s->lock);

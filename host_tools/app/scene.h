@@ -54,7 +54,7 @@ typedef struct scene {
          "fetched; or block by block, whichever worker is free (default branch)"},                 \
         {"--batch", "PACKETS",                                                                     \
          "packets that meet or that workers share, 1 to 1024 (default as many as there is room "   \
-         "for, 256 at most, of task 64)"},                                                         \
+         "for, 256 at most, of task 16)"},                                                         \
         {"--prefetch", "PARTS",                                                                    \
          "streamed scenes: parts that may be on their way before rays need them, 0 to 8 "          \
          "(default 0)"},                                                                           \

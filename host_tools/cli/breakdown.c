@@ -11,7 +11,7 @@
 const char *const breakdown_names[PARTS] = {
     "planes",           "owners",           "kinds",  "links",  "frames",     "headers",
     "padding",          "geometry_headers", "counts", "strips", "references", "positions",
-    "geometry_padding", "numbers"};
+    "geometry_padding", "number_checks",    "numbers"};
 
 static void count_nodes(const plt_block *b, uint32_t bits, breakdown *to) {
     const double masks = 2.0 * ((2 * b->nodes + 7) / 8), owners = (5 * b->nodes + 7) / 8;
@@ -45,7 +45,9 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
     to->bytes[PART_STRIPS] += (g.refs - g.starts) / 8.0;
     to->bytes[PART_REFERENCES] += (g.positions - g.refs) / 8.0;
     to->bytes[PART_POSITIONS] += (double)g.vertices * g.vertex_bits / 8.0;
-    to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - end / 8.0;
+    const double check = tree->ids_are_checked ? PLT_IDS_CHECK_BYTES : 0;
+    to->bytes[PART_ID_CHECKS] += check;
+    to->bytes[PART_GEOMETRY_PADDING] += b->geometry_bytes - check - end / 8.0;
 }
 
 void breakdown_count(const plt_engine *engine, breakdown *b) {

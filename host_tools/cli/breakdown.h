@@ -19,6 +19,7 @@ enum breakdown_part {
     PART_REFERENCES,
     PART_POSITIONS,
     PART_GEOMETRY_PADDING,
+    PART_ID_CHECKS,
     PART_PRIMITIVE_IDS,
     PARTS
 };

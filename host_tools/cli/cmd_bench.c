@@ -232,9 +232,10 @@ static int measure_image(bench *b, scene *s, const char *path, fail *f) {
 
 static int pack_as(packed *image, const pack_meshes *in, unsigned nodes, const char *path,
                    fail *f) {
-    const pack_options thesis = {.leaf_triangles = 2, .treelet_nodes = 64};
+    const pack_options thesis = {.leaf_triangles = 2, .treelet_nodes = 64, .checks = 1};
     const compact_options compact = {.lattice_bits = 16,
                                      .numbers = 1,
+                                     .checks = 1,
                                      .leaf_triangles = 2,
                                      .mesh_end = in->mesh_end,
                                      .meshes = 1};

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "engine/scene/formats.h"
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
 #include "host_tools/app/scene.h"
@@ -110,9 +111,22 @@ static void print_counts_json(const plt_info *i) {
            i->treelet_nodes, i->leaf_triangles);
 }
 
+/* What notices a wrong bit where parts come one by one (SPEC.md, 4.14). */
+static const char *checks_of(const plt_info *i) {
+    const int has_ids = i->nodes_format == PLT_NODES_COMPACT && i->primitive_id_bits > 0;
+    if (!plt_can_stream(i)) {
+        return "none";
+    }
+    return i->has_checks                         ? "all"
+           : i->nodes_format == PLT_NODES_THESIS ? "none"
+           : has_ids                             ? "all but primitive ids"
+                                                 : "all";
+}
+
 static void print_format_json(const plt_info *i, const derived *d) {
     printf(
-        "  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"node_format\": \"%s\",\n"
+        "  \"splits\": \"%s\",\n  \"build\": \"%s\",\n  \"checks\": \"%s\",\n"
+        "  \"node_format\": \"%s\",\n"
         "  \"geometry_format\": \"%s\",\n  \"lattice_bits\": %u,\n"
         "  \"source_triangles\": %" PRIu32 ",\n  \"number_bytes\": %" PRIu32
         ",\n  \"image_bytes\": %" PRIu32 ",\n  \"tree_bytes\": %" PRIu64
@@ -120,7 +134,7 @@ static void print_format_json(const plt_info *i, const derived *d) {
         "  \"geometry_bytes\": %" PRIu64
         ",\n  \"geometry_bytes_per_triangle\": %.3f,\n"
         "  \"slot_overhead_bytes\": %" PRIu64 ",\n",
-        split_names[i->splits], build_names[i->build], node_names[i->nodes_format],
+        split_names[i->splits], build_names[i->build], checks_of(i), node_names[i->nodes_format],
         geometry_names[i->geometry_format], (unsigned)i->lattice_bits, i->source_triangles,
         i->primitive_id_bytes, i->image_bytes, d->tree_bytes, d->tree_each, d->geometry_bytes,
         d->geometry_each, d->overhead_bytes);
@@ -270,6 +284,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     if (d->arena_streamed > 0) {
         printf("arena if streamed  %zu bytes, and all that is more goes to blocks\n",
                d->arena_streamed);
+        printf("checks of parts    %s\n", checks_of(i));
     }
 }
 

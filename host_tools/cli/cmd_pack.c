@@ -54,6 +54,9 @@ static const arg_flag flags[] = {
      "compact: the lattice's step is a power of two where that keeps every corner exactly where "
      "it is, or always: costs up to one bit, and corners that are multiples of it stay exact "
      "(default auto)"},
+    {"--checks", "on|off",
+     "for streaming: what is fetched part by part has checks of its own, a third of a byte per "
+     "triangle of thesis nodes, a seventieth of compact ones (default on)"},
     {"--numbers", "keep|none",
      "compact: primitive ids are those of the packed meshes, 2 to 3 bytes per triangle, or "
      "positions in the image (default keep)"},
@@ -310,6 +313,15 @@ static uint8_t read_lattice(pack_job *job, args *a, int floats) {
     return (uint8_t)bits;
 }
 
+static void read_checks(pack_job *job, args *a) {
+    static const char *const checks[] = {"on", "off", NULL};
+    const int are_on = args_choice(a, "--checks", checks, 0) == 0;
+    job->options.checks = job->compact.checks = (uint8_t)are_on;
+    if (are_on && args_has(a, "--checks") && job->options.build != PLT_BUILD_HOST) {
+        args_complain(a, "--checks on is for --build host: only finished trees are streamed");
+    }
+}
+
 static void read_format(pack_job *job, args *a) {
     static const char *const nodes[] = {"thesis", "compact", NULL};
     static const char *const floats[] = {"float", NULL}, *const numbers[] = {"keep", "none", NULL};
@@ -379,6 +391,7 @@ static void read_flags(pack_job *job, args *a) {
     args_choice(a, "--fill", bfs, 0);
     args_choice(a, "--slots", thesis, 0);
     read_format(job, a);
+    read_checks(job, a);
     read_quality(job, a);
     job->compact.splits = job->options.splits;
     job->compact.build = job->options.build;

@@ -61,6 +61,7 @@ static const char *other_way(const pack_plan *plan, const pack_counts *counts) {
     }
     compact = (compact_options){.lattice_bits = 16,
                                 .numbers = 1,
+                                .checks = plan->compact->checks,
                                 .spend = plan->compact->spend,
                                 .meshes = plan->compact->meshes,
                                 .leaf_triangles = 2};

@@ -18,7 +18,8 @@ static uint64_t least_nodes(uint64_t triangles, uint32_t leaf_triangles) {
 static uint64_t least_thesis(uint64_t triangles, const pack_options *o) {
     const uint64_t nodes =
         o->build == PLT_BUILD_HOST ? least_nodes(triangles, o->leaf_triangles) : 0;
-    return PLT_HEADER_BYTES + triangles * PLT_RECORD_BYTES + nodes * PLT_NODE_BYTES;
+    return PLT_HEADER_BYTES + triangles * PLT_RECORD_BYTES + nodes * PLT_NODE_BYTES +
+           (o->checks ? nodes : 0);
 }
 
 /* A node has six planes and nine bits; a triangle on the lattice three bits (SPEC.md, 4.9 and

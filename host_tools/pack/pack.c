@@ -14,6 +14,7 @@
 #include "engine/tree/record_put.h"
 #include "engine/tree/thesis/validate.h"
 #include "host_tools/base/heap.h"
+#include "host_tools/pack/checks.h"
 #include "host_tools/pack/image_size.h"
 
 typedef struct packing {
@@ -126,8 +127,9 @@ static int make_room(packing *p, packed *image, fail *f) {
                        ? plt_build_slots_bound(bound, info->treelet_nodes)
                        : 0;
     const uint64_t nodes = plt_section_bytes(p->node_room, PLT_NODE_BYTES);
-    const uint64_t records = plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
-    image->bytes = heap_get_aligned(PLT_HEADER_BYTES + nodes + records);
+    const uint64_t records = plt_header_section_bytes(info, PLT_SECTION_TRIANGLES);
+    const uint64_t checks = info->has_checks ? plt_section_bytes(p->node_room, 1) : 0;
+    image->bytes = heap_get_aligned(PLT_HEADER_BYTES + nodes + records + checks);
     if (image->bytes == NULL) {
         return out_of_memory(p, f);
     }
@@ -142,12 +144,23 @@ static uint32_t close_section(unsigned char *section, uint64_t used, uint64_t by
     return plt_crc32(0, section, (size_t)bytes);
 }
 
+/* Of nodes in a section behind the records, whose own they hold. */
+static void put_checks(packing *p, unsigned char *records, unsigned char *checks) {
+    const plt_info *info = &p->header.info;
+    checks_put_records((plt_record *)(void *)records, plt_header_records(info));
+    checks_put_nodes(checks, p->nodes, info->node_slots);
+    p->header.section[2].crc =
+        close_section(checks, info->node_slots, plt_header_section_bytes(info, PLT_SECTION_CHECKS));
+}
+
 /* Brings the records up to the nodes that there are. */
 static int assemble(packing *p, packed *image, fail *f) {
     plt_info *info = &p->header.info;
-    const uint64_t nodes = plt_section_bytes(info->node_slots, PLT_NODE_BYTES);
-    const uint64_t records = plt_section_bytes(info->triangles, PLT_RECORD_BYTES);
-    const uint64_t size = PLT_HEADER_BYTES + nodes + records;
+    const uint64_t nodes = plt_header_section_bytes(info, PLT_SECTION_NODES);
+    const uint64_t records = plt_header_section_bytes(info, PLT_SECTION_TRIANGLES);
+    const uint64_t checks =
+        info->has_checks ? plt_header_section_bytes(info, PLT_SECTION_CHECKS) : 0;
+    const uint64_t size = PLT_HEADER_BYTES + nodes + records + checks;
     if (image_size_check(p->name, p->triangles, size, 0, image_size_remedy_thesis(p->options), f) !=
         0) {
         return -1;
@@ -158,7 +171,11 @@ static int assemble(packing *p, packed *image, fail *f) {
     memmove(record_section, p->records, (size_t)record_bytes);
     p->header.section[0].crc =
         close_section(node_section, (uint64_t)info->node_slots * PLT_NODE_BYTES, nodes);
-    p->header.section[1].crc = close_section(record_section, record_bytes, records);
+    memset(record_section + record_bytes, 0, (size_t)(records - record_bytes));
+    if (info->has_checks) {
+        put_checks(p, record_section, record_section + records);
+    }
+    p->header.section[1].crc = plt_crc32(0, record_section, (size_t)records);
     plt_header_write(image->bytes, &p->header);
     image->size = (uint32_t)size;
     image->info = *info;
@@ -172,6 +189,8 @@ static int pack(packing *p, packed *image, fail *f) {
     info->treelet_nodes = p->options->treelet_nodes;
     info->splits = p->options->splits;
     info->build = p->options->build;
+    info->has_checks = p->options->checks && info->build == PLT_BUILD_HOST &&
+                       info->treelet_nodes <= PLT_STREAMED_TREELET_MOST; /* else they are no use */
     if (make_room(p, image, f) != 0) {
         return -1;
     }

@@ -14,6 +14,7 @@
 #include "engine/tree/compact/block.h"
 #include "engine/tree/primitive_id.h"
 #include "host_tools/base/heap.h"
+#include "host_tools/pack/checks.h"
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/lattice_boxes.h"
 #include "host_tools/pack/lattice_snap.h"
@@ -143,6 +144,7 @@ static int build(compacting *c, fail *f) {
                           .bits = c->s.lattice.bits,
                           .leaf_triangles = info->leaf_triangles,
                           .levels = c->levels,
+                          .geometry_tail = info->has_checks ? PLT_IDS_CHECK_BYTES : 0,
                           .splits = info->splits};
     uint16_t *meshes = mesh_indices(c);
     job.mesh = meshes;
@@ -188,6 +190,7 @@ static void describe(compacting *c) {
     if (c->options->numbers && !c->options->floats && info->build == PLT_BUILD_HOST &&
         c->s.count > 0) {
         info->primitive_id_bits = (uint8_t)(2 + plt_bits_for(info->source_triangles - 1));
+        info->has_checks = c->options->checks;
     }
     c->header.root = PLT_LINK_NONE;
 }
@@ -230,6 +233,20 @@ static uint64_t fill_section(const compacting *c, uint32_t kind, unsigned char *
     }
 }
 
+/* The section and its padding; returns its bytes. */
+static size_t write_section(const compacting *c, uint32_t kind, unsigned char *at) {
+    const size_t bytes = (size_t)plt_header_section_bytes(&c->header.info, kind);
+    if (kind == PLT_SECTION_PRIMITIVE_IDS) { /* bits are put into zeros */
+        memset(at, 0, bytes);
+    }
+    const size_t used = (size_t)fill_section(c, kind, at);
+    memset(at + used, 0, bytes - used);
+    if (kind == PLT_SECTION_PRIMITIVE_IDS && c->header.info.has_checks) {
+        checks_put_ids(c->image->bytes + PLT_HEADER_BYTES, at, &c->header);
+    }
+    return bytes;
+}
+
 static uint64_t image_bytes(const compacting *c) {
     uint32_t kind[PLT_SECTIONS_MOST];
     const unsigned count = plt_header_kinds(&c->header.info, kind);
@@ -251,12 +268,11 @@ static int assemble(compacting *c, fail *f) {
     }
     unsigned char *at = c->image->bytes + PLT_HEADER_BYTES;
     for (unsigned i = 0; i < count; i++) {
+        at += write_section(c, kind[i], at);
+    }
+    at = c->image->bytes + PLT_HEADER_BYTES;
+    for (unsigned i = 0; i < count; i++) {
         const size_t bytes = (size_t)plt_header_section_bytes(&c->header.info, kind[i]);
-        if (kind[i] == PLT_SECTION_PRIMITIVE_IDS) { /* bits are put into zeros */
-            memset(at, 0, bytes);
-        }
-        const size_t used = (size_t)fill_section(c, kind[i], at);
-        memset(at + used, 0, bytes - used);
         c->header.section[i].crc = plt_crc32(0, at, bytes);
         at += bytes;
     }

@@ -38,8 +38,10 @@ static uint32_t count32(uint64_t triangles) {
 uint64_t pack_need_thesis(const pack_options *o, int is_high, const pack_counts *n) {
     const uint32_t triangles = count32(n->triangles);
     const int builds = o->build == PLT_BUILD_HOST;
+    const uint64_t nodes = node_bytes(triangles, o->treelet_nodes);
     const uint64_t image = PLT_HEADER_BYTES + (uint64_t)triangles * PLT_RECORD_BYTES +
-                           (builds ? node_bytes(triangles, o->treelet_nodes) : 0) + SMALL_THINGS;
+                           (builds ? nodes + (o->checks ? nodes / PLT_NODE_BYTES : 0) : 0) +
+                           SMALL_THINGS;
     const uint64_t kept = n->held - (o->spend != NULL ? n->mesh : 0);
     const uint64_t building = builds ? scratch_bytes(triangles, o->treelet_nodes) : 0;
     return image + greater(n->held, kept + building + (is_high ? quality_bytes(triangles) : 0));

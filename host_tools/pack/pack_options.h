@@ -15,12 +15,14 @@ typedef struct pack_options {
     uint32_t treelet_nodes;  /* N */
     mesh *spend;             /* the mesh itself: its arrays are freed as soon as they are of no
                               * use, so that others fit; NULL: it stays */
+    uint8_t checks;          /* of PLT_BUILD_HOST: what is streamed has checks (checks.h) */
 } pack_options;
 
 typedef struct compact_options {
     uint8_t splits, build;    /* as above, but not PLT_BUILD_NONE */
     uint8_t lattice_bits;     /* 12 .. 21 */
     uint8_t numbers;          /* keep primitive ids in a section */
+    uint8_t checks;           /* ... of which blocks have a check each (checks.h) */
     uint8_t floats;           /* float records, bit exact; the lattice is for boxes alone */
     uint32_t leaf_triangles;  /* K: 1, 2 or 4 */
     const size_t *mesh_end;   /* first triangle after each mesh; NULL: one mesh */

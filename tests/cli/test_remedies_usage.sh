@@ -108,6 +108,10 @@ compact='quad.ply -o x.plt --nodes compact'
         pack $compact --geometry float --numbers keep
     cured pack $compact --geometry lattice --numbers keep
     cured pack $compact --geometry float
+    says "--checks on is for --build host: only finished trees are streamed" \
+        pack quad.ply -o x.plt --build device --checks on
+    cured pack quad.ply -o x.plt --build device --checks off
+    cured pack quad.ply -o x.plt --checks on
     says "--numbers keep: on a device primitive ids are positions in the image" \
         pack $compact --build device --numbers keep
     cured pack $compact --build device

@@ -50,7 +50,7 @@ scene_flags="$scene_flags --workers --turns"
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
-    --geometry --tolerance --step --numbers --reduce --frame --centre --origin --weld --repair \
+    --geometry --tolerance --step --checks --numbers --reduce --frame --centre --origin --weld --repair \
     --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
@@ -106,7 +106,7 @@ misused "pack --nodes compact refuses --build none" compact \
 for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
     --leaf=3 --leaf=0 --nodes=small --treelet=0 \
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
-    --slots=newest --geometry=lattice --geometry=double --numbers=some --numbers=none \
+    --slots=newest --geometry=lattice --geometry=double --checks=some --numbers=some --numbers=none \
     --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done

@@ -74,13 +74,17 @@ static void put_bits(unsigned char *bytes, size_t bit, uint32_t number, unsigned
     }
 }
 
+static void put_line(unsigned char bytes[DUMP_BYTES], const dump_line *line) {
+    unsigned char *to = bytes + line->at;
+    for (const char *hex = line->hex; *hex != '\0'; hex += hex[2] == ' ' ? 3 : 2) {
+        *to++ = (unsigned char)strtoul(hex, NULL, 16);
+    }
+}
+
 static void make_dump(unsigned char bytes[DUMP_BYTES]) {
     memset(bytes, 0, DUMP_BYTES);
     for (size_t line = 0; line < sizeof dump / sizeof dump[0]; line++) {
-        unsigned char *to = bytes + dump[line].at;
-        for (const char *hex = dump[line].hex; *hex != '\0'; hex += hex[2] == ' ' ? 3 : 2) {
-            *to++ = (unsigned char)strtoul(hex, NULL, 16);
-        }
+        put_line(bytes, &dump[line]);
     }
     static const unsigned width[3] = {12, 8, 9};
     size_t bit = 8 * (size_t)0x11c + 98;
@@ -175,13 +179,21 @@ static void check_dump_bytes(const packed *image, const unsigned char bytes[DUMP
     }
 }
 
-static void check_dump_packs(void) {
-    test(rig_is_tiny() ? "the mesh of SPEC.md section 8 packs to an image that holds it"
-                       : "the mesh of SPEC.md section 8 packs to the bytes of its dump");
+/* With checks of primitive ids: what differs. */
+static const dump_line dump_checked[] = {{0x014, "8b af 1e e8"},
+                                         {0x074, "a1 e9 b8 52"},
+                                         {0x0d8, "05 01 00 00"},
+                                         {0x122, "a5 38"},
+                                         {0x152, "1d 52"}};
+
+static void check_dump_packs(int checks) {
     unsigned char bytes[DUMP_BYTES];
     mesh m = {0};
     fail f = {""};
     make_dump(bytes);
+    for (size_t i = 0; i < sizeof dump_checked / sizeof *dump_checked && checks; i++) {
+        put_line(bytes, &dump_checked[i]);
+    }
     for (uint32_t i = 0; i < 18; i++) {
         const float *v = &dump_mesh[i / 3][3 * (size_t)(i % 3)];
         mesh_add_vertex(&m, v[0], v[1], v[2], &f);
@@ -189,7 +201,8 @@ static void check_dump_packs(void) {
     for (uint32_t t = 0; t < 6; t++) {
         mesh_add_triangle(&m, 3 * t, 3 * t + 1, 3 * t + 2, &f);
     }
-    const compact_options options = {.lattice_bits = 12, .numbers = 1, .leaf_triangles = 2};
+    const compact_options options = {
+        .lattice_bits = 12, .numbers = 1, .checks = (uint8_t)checks, .leaf_triangles = 2};
     packed image = {0};
     lattice_loss loss;
     const int status = pack_compact(&image, &m, &options, "dump", &loss, &f);
@@ -204,6 +217,9 @@ static void check_dump_packs(void) {
 
 int main(void) {
     check_dump();
-    check_dump_packs();
+    test(rig_is_tiny() ? "the mesh of SPEC.md section 8 packs to an image that holds it"
+                       : "the mesh of SPEC.md section 8 packs to the bytes of its dump");
+    check_dump_packs(0);
+    check_dump_packs(1);
     return test_done();
 }

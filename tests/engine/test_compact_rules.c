@@ -40,7 +40,12 @@ static const change changes[] = {
     {AT_BOX + 12, ALL, 4, BOTH, 14, 168},
     {216, 1, 4, BOTH, 14, 168},
     {216, 30, 4, BOTH, 14, 168},
+    {216, 256, 4, BOTH, 14, 168}, /* checks of nothing */
+    {216, 257, 4, BOTH, 14, 168},
+    {216, 286, 4, BOTH, 14, 168},
+    {216, 512 + 10, 4, BOTH, 14, 168},
     {216, 10, 4, FLOATS, 14, 168},
+    {216, 256 + 10, 4, FLOATS, 14, 168},
     {220, 8u * 0xFFFFFFu + 8, 4, BOTH, 14, 168},
     {224, 8u * 0xFFFFFFu + 8, 4, BOTH, 14, 168},
     {AT_LO, NAN_BITS, 4, BOTH, 14, AT_BOX},

@@ -38,6 +38,7 @@ static input compact_input(int seed) {
                                      .build = seed % 4 == 3 ? PLT_BUILD_DEVICE : PLT_BUILD_HOST,
                                      .lattice_bits = bits[seed % 3],
                                      .numbers = seed % 5 != 0,
+                                     .checks = seed % 3 != 0,
                                      .floats = seed % 6 == 2,
                                      .leaf_triangles = 1u << seed / 4 % 3};
     shape_soup(&m, seed < 2 ? (uint32_t)seed : rig_triangles(17 * (uint32_t)seed, 1), 0.7f,
@@ -50,8 +51,12 @@ static input seed_input(int seed) {
     mesh m = {0};
     packed image;
     fail f = {""};
-    const pack_options options = {(uint8_t)(seed & 1), (uint8_t)(seed % 3), 1u + (uint32_t)seed % 2,
-                                  1u + (uint32_t)seed, NULL};
+    const pack_options options = {(uint8_t)(seed & 1),
+                                  (uint8_t)(seed % 3),
+                                  1u + (uint32_t)seed % 2,
+                                  1u + (uint32_t)seed,
+                                  NULL,
+                                  seed < 6};
     shape_soup(&m, seed == 8 ? 0 : 3u + 5u * (uint32_t)seed, 0.7f, (uint64_t)seed);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     return input_of(&image, &m);

@@ -28,7 +28,7 @@ static packed image_of(uint32_t triangles, uint8_t build, uint32_t k, uint32_t n
 /* Both orders alternately. */
 static hostile_result open_once(const unsigned char *bytes, uint32_t size, uint8_t streamed,
                                 uint32_t at) {
-    const hostile_config config = {streamed, (uint8_t)((at ^ streamed) & 1), 2};
+    const hostile_config config = {streamed, (uint8_t)((at ^ streamed) & 1), 2, 0};
     return hostile_try(bytes, size, config);
 }
 

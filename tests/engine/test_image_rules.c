@@ -15,7 +15,7 @@ static packed image;
 static void make_image(void) {
     mesh m = {0};
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 0};
     shape_soup(&m, 20, 0.8f, 1);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);
@@ -59,7 +59,8 @@ static const change changes[] = {
     {72, 0x7F800000, 4, 9, 72},
     {88, 0xFF800000, 4, 9, 72},
     {100, 1, 4, 10, 100},
-    {100, 3, 4, 10, 100},
+    {100, 4, 4, 10, 100},
+    {100, 3, 4, 11, 120}, /* with checks records come in whole pages */
     {104, 2, 4, 11, 104},
     {108, 255, 4, 11, 104},
     {112, 0, 4, 11, 104},
@@ -73,7 +74,7 @@ static const change changes[] = {
 };
 
 static hostile_result changed(const change *c) {
-    const hostile_config config = {(uint8_t)(c->at & 1), 0, 2};
+    const hostile_config config = {(uint8_t)(c->at & 1), 0, 2, 0};
     unsigned char *bytes = malloc(image.size);
     memcpy(bytes, image.bytes, image.size);
     if (c->bytes == 1) {
@@ -101,7 +102,7 @@ static void every_change(void) {
 
 static void refused(const unsigned char *bytes, uint32_t size, unsigned rule, uint32_t offset) {
     for (uint8_t streamed = 0; streamed < 2; streamed++) {
-        const hostile_config config = {streamed, 0, 2};
+        const hostile_config config = {streamed, 0, 2, 0};
         const hostile_result r = hostile_try(bytes, size, config);
         CHECK(r.status == PLT_ERR_IMAGE && r.fault.kind == 'R' && r.fault.rule == rule &&
                   r.fault.offset == offset,
@@ -147,6 +148,34 @@ static void tolerated(void) {
     CHECK(changed(&larger_k).status == PLT_OK, "K above the longest list is refused");
 }
 
+/* Of the section of checks, and of what a builder has yet to build. */
+static void checked(void) {
+    static const change wrong[] = {
+        {100, 2, 4, 11, 120}, {136, 5, 4, 11, 136}, {140, 256, 4, 11, 136},
+        {144, 0, 4, 11, 136}, {152, 1, 1, 12, 152}, {128, 800, 4, 11, 120},
+    };
+    const packed unchecked = image;
+    mesh m = {0};
+    fail f = {""};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 1};
+    shape_soup(&m, 20, 0.8f, 1);
+    CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
+    CHECK(plt_get_u32(image.bytes + 128) == 960, "20 triangles take three pages");
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        const hostile_result r = changed(&wrong[i]);
+        CHECK(r.status == PLT_ERR_IMAGE && r.fault.rule == wrong[i].rule &&
+                  r.fault.offset == wrong[i].offset,
+              "byte %u: R%u at %u", wrong[i].at, r.fault.rule, r.fault.offset);
+    }
+    image.bytes[image.size - 1] ^= 1; /* which scenes that are read whole do not look at */
+    image.bytes[plt_get_u32(image.bytes + 140)] ^= 1;
+    const change none = {10, 0, 1, 0, 0};
+    CHECK(changed(&none).status == PLT_OK, "section 6 is looked at");
+    pack_free(&image);
+    mesh_free(&m);
+    image = unchecked;
+}
+
 /* Bytes of the specification's table, read without the engine. */
 static void by_hand(void) {
     const unsigned char *b = image.bytes;
@@ -183,6 +212,8 @@ int main(void) {
     every_change();
     test("... also for sizes and checksums");
     sizes_and_checksums();
+    test("... and of an image with checks");
+    checked();
     test("what the specification tolerates is tolerated");
     tolerated();
     test("the header's bytes are those of the specification");

@@ -11,13 +11,17 @@
 #include "tests/reference/shapes.h"
 #include "tests/reference/stream_rig.h"
 
+/* Without checks: as images were before there were any. */
+static int is_unchecked;
+
 /* Resident scenes are refused where the two-stage order, which they could be traced in, would need
  * too large a stack; with treelets of one node it does not. */
 static packed image_of(const mesh *m, uint32_t k, uint32_t n) {
     const pack_options o = {.splits = PLT_SPLIT_SAH,
                             .build = PLT_BUILD_HOST,
                             .leaf_triangles = k,
-                            .treelet_nodes = rig_is_tiny() ? 1 : n};
+                            .treelet_nodes = rig_is_tiny() ? 1 : n,
+                            .checks = !is_unchecked};
     packed image = {0};
     fail f = {""};
     CHECK(pack_mesh(&image, m, &o, "test", &f) == 0, "%s", f.text);
@@ -227,7 +231,9 @@ static void forged_images(uint32_t seeds) {
             random_state r = {seed * 8 + scene};
             int status = PLT_OK;
             forge(&s.image, &r);
-            hostile_seal(s.image.bytes, s.image.size);
+            if (seed % 8 != 0) {
+                hostile_seal(s.image.bytes, s.image.size);
+            }
             const char *wrong = try_forged(&s.image, seed % 2 ? 2 : PLT_PACKET_SIDE_MAX, &status);
             CHECK(wrong == NULL, "N %u, seed %u: %s", n[scene], seed, wrong);
             refused += status != PLT_OK;
@@ -338,6 +344,7 @@ static void changes(const subject *s, uint8_t side, uint32_t seed, uint32_t *end
         for (unsigned times = 0; i > 0 && times < 3; times++) {
             forge(&copy, &c.random);
         }
+        hostile_seal(copy.bytes, copy.size);
     }
     trace_changing(&c, s, side, ended);
 }
@@ -418,19 +425,29 @@ static void refusals(void) {
 
 /* ---- all ----------------------------------------------------------------------- */
 
-static void sources_that_fail(void) {
+static void sources_that_fail(int soaks) {
     static subject s;
+    const uint32_t step = soaks ? 17 : batch > 0 ? 211 : 101;
     int cuts = 0;
-    fill_subject(&s, 2500, 2, 16);
+    fill_subject(&s, 2501, 2, 16); /* the last page is not full */
     test("a transfer that fails or is short once is got over");
-    every_call_fails_once(&s, FAKE_FAILS_AT_START, 17);
-    every_call_fails_once(&s, FAKE_SHORT_AT_START, 17);
+    every_call_fails_once(&s, FAKE_FAILS_AT_START, step);
+    every_call_fails_once(&s, FAKE_SHORT_AT_START, step);
+    every_call_fails_once(&s, FAKE_SILENT_AT_START, step);
+    test("a wrong bit of any transfer is noticed; what is wrong whenever it comes is told");
+    every_transfer_is_garbled(&s, 2, 2 * step);
     test("of a source that fails for good the place is told, and all goes on when it is mended");
     for (uint32_t call = 1; call < 200; call += call < 40 ? 1 : 7) {
         cuts += is_cut_and_mended(&s, call);
     }
     CHECK(cuts > 40, "%d cuts", cuts);
     pack_free(&s.image);
+    if (batch == 0) { /* whatever asks for a part, it is checked by the same code */
+        test("... be it the first transfer, the last or any between");
+        fill_subject(&s, 401, 2, 16);
+        every_transfer_is_garbled(&s, 2, 1);
+        pack_free(&s.image);
+    }
 }
 
 /* All that depends on the schedule. */
@@ -449,7 +466,7 @@ static void schedule(const char *sentence, int soaks) {
     for (uint8_t side = 2; side <= PLT_PACKET_SIDE_MAX; side *= 2) {
         deep_treelets(side);
     }
-    sources_that_fail();
+    sources_that_fail(soaks);
     test("images that lie are refused when it shows, or are traced without harm");
     forged_images(soaks ? 50000 : 500);
     test("a source that returns other bytes each time does no harm");
@@ -461,8 +478,9 @@ static void schedule(const char *sentence, int soaks) {
 /* All of it with parts that are on their way while rays are traced. */
 static void prefetched(const char *sentence, int soaks) {
     static subject s;
-    static const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
-                                              FAKE_SHORT_AT_START};
+    const enum fake_failure kinds[] = {FAKE_FAILS_AT_START, FAKE_FAILS_AT_WAIT,
+                                       parts_ahead == 1 ? FAKE_SHORT_AT_START
+                                                        : FAKE_GARBLED_AT_START};
     test(sentence);
     for (uint32_t n = 1; n <= PLT_STREAMED_TREELET_MOST; n *= 4) {
         all_stores(n == 16 ? 9000 : 3000, 1 + n % 3, n);
@@ -481,10 +499,26 @@ static void prefetched(const char *sentence, int soaks) {
     for (uint32_t call = 1; call < 200; call += call < 20 ? 1 : 17) {
         is_cut_and_mended(&s, call);
     }
+    for (uint32_t call = 2; call < 200; call += call < 20 ? 1 : 17) {
+        is_garbled_and_mended(&s, call);
+    }
     pack_free(&s.image);
     forged_images(soaks ? 20000 : 100);
     changing_sources(soaks ? 100 : 2);
     claims_of_depth();
+}
+
+/* As it was before there were checks. */
+static void unchecked(const char *sentence) {
+    test(sentence);
+    for (uint32_t n = 4; n <= 64; n *= 4) {
+        all_stores(4000, 2, n);
+    }
+    for (uint32_t few = 0; few < 12; few++) {
+        few_triangles(few, 1 + few % 3);
+    }
+    forged_images(200);
+    changing_sources(2);
 }
 
 static void ahead_of_rays(void) {
@@ -502,6 +536,9 @@ int main(void) {
     every_schedule(schedule,
                    "hits and frames are those of the resident scene, whatever treelets and store",
                    soaks);
+    is_unchecked = 1;
+    unchecked("the same of images whose parts have no checks");
+    is_unchecked = 0;
     test("parts that come ahead of the rays: most are wanted");
     ahead_of_rays();
     parts_ahead = 1;

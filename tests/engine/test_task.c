@@ -35,7 +35,8 @@ static void fill_thesis(subject *s, uint32_t triangles) {
     const pack_options o = {.splits = PLT_SPLIT_SAH,
                             .build = PLT_BUILD_HOST,
                             .leaf_triangles = 2,
-                            .treelet_nodes = rig_is_tiny() ? 1 : 16};
+                            .treelet_nodes = rig_is_tiny() ? 1 : 16,
+                            .checks = 1};
     shape_soup(&m, rig_triangles(triangles, 2), 0.1f, 6);
     rays_mixed(s->rays, RAYS, &m, &r);
     CHECK(pack_mesh(&s->image, &m, &o, "test", &f) == 0, "%s", f.text);
@@ -99,12 +100,24 @@ static void expect_nearest(const plt_worker *own, const plt_tasks *tasks, uint16
     }
 }
 
-/* A worker was given a task, or goes on with one of the edges that there was no room for. */
+/* For all that a worker may give back. */
+static int has_room(const plt_tasks *edges) {
+    return edges->most - edges->count >= PLT_WORKER_TASKS &&
+           edges->queues_most - edges->queues >= PLT_WORKER_QUEUES;
+}
+
+/* A worker was given a task, or goes on with one of the edges that it has found: the nearest of
+ * all, or one that there was no room for. */
 static void expect_task(const plt_dispatch *d, const plt_worker *own, int is_given) {
+    const uint16_t others = d->slot[own->slot].edges;
+    CHECK(own->has_others == (others != PLT_TASK_NONE), "edges that wait, or none");
+    CHECK(own->packet == &d->packet[d->slot[own->slot].room], "a packet in another's room");
     if (!own->is_new) {
-        CHECK(d->packet[own->slot].active != 0, "a packet that is done goes out");
-        expect_nearest(own, is_given ? &d->edges : &own->edges,
-                       is_given ? d->slot[own->slot].edges : own->edges.first);
+        CHECK(own->packet->active != 0, "a packet that is done goes out");
+        expect_nearest(own, &own->edges, own->edges.first);
+        if (is_given || has_room(&d->edges)) {
+            expect_nearest(own, &d->edges, others);
+        }
     }
 }
 
@@ -311,6 +324,20 @@ static void dropped(const subject *s) {
     close_team(&t);
 }
 
+/* The dispatcher works alone until it has given back a packet that waits. 0: none did. */
+static int work_until_one_waits(plt_engine *d) {
+    int status;
+    do {
+        while (plt_task_run(d, d, 100) == PLT_MORE) {
+        }
+        status = plt_dispatch_give(&d->dispatch, &d->worker);
+        if (status == PLT_OK && d->dispatch.newest == PLT_TASK_NONE) {
+            status = plt_task_next(d, d);
+        }
+    } while (status == PLT_MORE);
+    return d->dispatch.newest != PLT_TASK_NONE;
+}
+
 /* A worker whose task was dropped, before it had begun or in the middle, takes on a packet that
  * another has begun: nothing of its own is in the way. */
 static void left_over(const subject *s) {
@@ -328,10 +355,7 @@ static void left_over(const subject *s) {
         CHECK(plt_trace_begin(d, s->rays, hits, RAYS, 0) == PLT_OK &&
                   plt_task_next(d, d) == PLT_MORE,
               "all anew");
-        while (plt_task_run(d, d, 100) == PLT_MORE) {
-        }
-        CHECK(plt_dispatch_give(&d->dispatch, &d->worker) == PLT_OK, "one packet comes back");
-        CHECK(d->dispatch.newest != PLT_TASK_NONE, "it waits at an edge");
+        CHECK(work_until_one_waits(d), "no packet waits at an edge");
         CHECK(plt_task_next(d, w) == PLT_MORE, "the other worker has it");
         CHECK(!w->worker.is_new && w->traversal.waiting == 0, "after %u visits something is left",
               (unsigned)visits);

@@ -7,8 +7,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine/tree/compact/leaf.h"
 #include "engine/tree/record.h"
+#include "engine/tree/thesis/checks.h"
 #include "engine/tree/thesis/node.h"
+#include "host_tools/pack/checks.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
@@ -158,6 +161,61 @@ static void record(void) {
     CHECK(memcmp(b.lo, lo, sizeof lo) == 0 && memcmp(b.hi, hi, sizeof hi) == 0, "box");
 }
 
+/* ---- checks (SPEC.md, 4.14) ------------------------------------------------------- */
+
+/* A checksum is linear: what one wrong bit does to it does not depend on the other bits. */
+static void node_bits(random_state *r) {
+    plt_node node;
+    for (int i = 0; i < 8; i++) {
+        node.word[i] = random_bits(r);
+    }
+    const uint8_t check = plt_node_check(&node);
+    for (uint32_t bit = 0; bit < 256; bit++) {
+        node.word[bit / 32] ^= 1u << bit % 32;
+        CHECK(plt_node_check(&node) != check, "bit %u of a node is not noticed", bit);
+        node.word[bit / 32] ^= 1u << bit % 32;
+    }
+}
+
+static int page_is_right(const plt_record *page) {
+    uint16_t held;
+    return plt_page_check(page, &held) == held;
+}
+
+static void page_bits(random_state *r) {
+    plt_record page[PLT_PAGE_RECORDS];
+    for (uint32_t i = 0; i < 10 * PLT_PAGE_RECORDS; i++) {
+        page[i / 10].word[i % 10] = random_bits(r);
+    }
+    checks_put_records(page, PLT_PAGE_RECORDS);
+    CHECK(page_is_right(page), "a page as it is packed");
+    for (uint32_t bit = 0; bit < 320 * PLT_PAGE_RECORDS; bit++) {
+        uint32_t *word = &page[bit / 320].word[bit / 32 % 10];
+        *word ^= 1u << bit % 32;
+        CHECK(!page_is_right(page), "bit %u of a page is not noticed", bit);
+        *word ^= 1u << bit % 32;
+    }
+    plt_record swapped = page[2];
+    page[2] = page[5];
+    page[5] = swapped;
+    CHECK(!page_is_right(page), "two records of a page in each other's place");
+}
+
+/* Primitive ids of the largest block, of 29 bits. */
+static void id_bits(random_state *r) {
+    enum { BYTES = PLT_BLOCK_TRIANGLES_MOST * 29 / 8 };
+    static unsigned char ids[BYTES];
+    for (uint32_t i = 0; i < BYTES; i++) {
+        ids[i] = (unsigned char)random_bits(r);
+    }
+    const uint16_t check = plt_block_ids_check(ids, BYTES);
+    for (uint32_t bit = 0; bit < 8 * BYTES; bit++) {
+        ids[bit / 8] ^= (unsigned char)(1u << bit % 8);
+        CHECK(plt_block_ids_check(ids, BYTES) != check, "bit %u of ids is not noticed", bit);
+        ids[bit / 8] ^= (unsigned char)(1u << bit % 8);
+    }
+}
+
 int main(void) {
     random_state r = {1};
     test("decoding gives back both children's boxes exactly");
@@ -174,5 +232,9 @@ int main(void) {
     links();
     test("a record has three corners, its primitive id and the last bit in 40 bytes");
     record();
+    test("one wrong bit of a node, a page of records or primitive ids changes its check");
+    node_bits(&r);
+    page_bits(&r);
+    id_bits(&r);
     return test_done();
 }

@@ -153,7 +153,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     unsigned char *bytes = calloc(limit + COMPACT_BEHIND, 1);
     memcpy(bytes, data + 1, limit);
     if (data[0] & 16) {
-        hostile_seal_block(bytes, limit, tree.lattice.bits);
+        hostile_seal_block(bytes, limit, tree.lattice.bits, NULL);
     }
     if (plt_block_validate(bytes, limit, &tree) == 0) {
         plt_block b;

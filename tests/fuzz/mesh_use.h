@@ -270,7 +270,7 @@ static inline void check_info(const packed *image) {
 }
 
 static inline void check_packed(int status, packed *image, const fail *f) {
-    const hostile_config config = {0, 0, 2};
+    const hostile_config config = {0, 0, 2, 0};
     if (status != 0) {
         promise(one_line_about(f->text, "mesh"), "no line about the mesh", f->text);
         return;

@@ -84,7 +84,8 @@ static void check_options(uint32_t triangles) {
         const pack_options options = {.splits = i & 1,
                                       .build = (uint8_t)(i / 2 % 3),
                                       .leaf_triangles = 1u << i / 6,
-                                      .treelet_nodes = 1 + 5 * i};
+                                      .treelet_nodes = 1 + 5 * i,
+                                      .checks = i / 2 % 2};
         packed image, again;
         fail f = {""};
         CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
@@ -97,6 +98,45 @@ static void check_options(uint32_t triangles) {
         pack_free(&image);
         pack_free(&again);
     }
+    mesh_free(&m);
+}
+
+/* The scene of SPEC.md, section 7, with checks: the bytes that it lists. */
+typedef struct word_at {
+    uint32_t at, word;
+} word_at;
+
+static const word_at checked_words[] = {
+    {0x10, 0x2c0},       {0x14, 0xE558844F},  {0x64, 3},           {0x78, 2},
+    {0x7c, 0x140},       {0x80, 0x140},       {0x84, 0xA38BB899},  {0x88, 6},
+    {0x8c, 0x280},       {0x90, 0x40},        {0x94, 0xDB07F5A3},  {0x164, 0x98000000},
+    {0x18c, 0x80000001}, {0x1b4, 0x90000002}, {0x1dc, 0x10000000}, {0x204, 0x18000000},
+    {0x22c, 0x08000000}, {0x254, 0},          {0x27c, 0x08000000}, {0x280, 0x0A4C}};
+
+static void check_checks(void) {
+    static const float corner[9][3] = {{0, 0, 0},    {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0},
+                                       {2, 1, 0.5f}, {4, 0, 1}, {5, 0, 1}, {4, 1, 1}};
+    const pack_options options = {.splits = PLT_SPLIT_MEDIAN,
+                                  .build = PLT_BUILD_HOST,
+                                  .leaf_triangles = 1,
+                                  .treelet_nodes = 2,
+                                  .checks = 1};
+    mesh m = {0};
+    packed image;
+    fail f = {""};
+    for (uint32_t i = 0; i < 9; i++) {
+        mesh_add_vertex(&m, corner[i][0], corner[i][1], corner[i][2], &f);
+    }
+    for (uint32_t i = 0; i < 9; i += 3) {
+        mesh_add_triangle(&m, i, i + 1, i + 2, &f);
+    }
+    CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0 && image.size == 0x2c0, "%s", f.text);
+    for (uint32_t i = 0; i < sizeof checked_words / sizeof *checked_words; i++) {
+        const uint32_t word = plt_get_u32(image.bytes + checked_words[i].at);
+        CHECK(word == checked_words[i].word, "%03x: %08x, not %08x", checked_words[i].at, word,
+              checked_words[i].word);
+    }
+    pack_free(&image);
     mesh_free(&m);
 }
 
@@ -149,5 +189,7 @@ int main(void) {
     check_too_many();
     test("a vertex that no triangle uses does not count in what the lattice cost");
     check_unused();
+    test("checks are the bytes of SPEC.md, section 7");
+    check_checks();
     return test_done();
 }

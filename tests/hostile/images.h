@@ -15,7 +15,8 @@
 #include "engine/base/bytes.h"
 #include "engine/planelet.h"
 #include "engine/planelet_crc32.h"
-#include "engine/tree/compact/block.h"
+#include "engine/tree/compact/leaf.h"
+#include "engine/tree/thesis/checks.h"
 #include "tests/reference/visits.h"
 
 #define HOSTILE_RAYS 70u
@@ -29,12 +30,21 @@ typedef struct hostile_result {
 } hostile_result;
 
 typedef struct hostile_config {
-    uint8_t streamed, order, packet_side;
+    uint8_t streamed; /* the source is not mapped */
+    uint8_t order, packet_side;
+    uint8_t residency; /* enum plt_residency */
 } hostile_config;
 
 /* ---- sealing -------------------------------------------------------------- */
 
-enum { HOSTILE_HEADER = 256, HOSTILE_CRC = 20, HOSTILE_SECTION = 104, HOSTILE_BLOCKS = 3 };
+enum {
+    HOSTILE_HEADER = 256,
+    HOSTILE_CRC = 20,
+    HOSTILE_SECTION = 104, /* of the table, entries of 16 bytes */
+    HOSTILE_BLOCKS = 3,    /* kinds */
+    HOSTILE_IDS = 4,
+    HOSTILE_CHECKS = 6
+};
 
 static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
     if (size >= HOSTILE_HEADER) {
@@ -43,9 +53,56 @@ static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
     }
 }
 
-/* Makes both checks of the block at `bytes` right; returns its size, 0 when it does not fit
- * `limit`. */
-static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, uint32_t bits) {
+/* A section as entry `i` of the table has it. `bytes` is NULL if that is not of this kind, or does
+ * not lie in the image. */
+typedef struct hostile_section {
+    unsigned char *bytes;
+    uint32_t count;
+} hostile_section;
+
+static inline hostile_section hostile_section_at(unsigned char *image, uint32_t size, uint32_t i,
+                                                 uint32_t kind) {
+    const unsigned char *entry = image + HOSTILE_SECTION + 16 * i;
+    const uint32_t offset = plt_get_u32(entry + 4), count = plt_get_u32(entry + 8);
+    const int lies = plt_get_u32(entry) == kind && offset <= size && count <= size - offset;
+    const hostile_section s = {lies ? image + offset : NULL, count};
+    return s;
+}
+
+/* What an image says of the checks of its primitive ids. */
+typedef struct hostile_ids {
+    hostile_section section; /* no bytes: they have none */
+    uint32_t bits, k;
+} hostile_ids;
+
+static inline hostile_ids hostile_ids_of(unsigned char *image, uint32_t size) {
+    hostile_ids ids = {hostile_section_at(image, size, 1, HOSTILE_IDS), plt_get_u32(image + 216),
+                       plt_get_u32(image + 52)};
+    const int have_checks = ids.bits >= 258 && ids.bits <= 285 && ids.k <= 4;
+    ids.bits -= 256;
+    ids.section.bytes = have_checks ? ids.section.bytes : NULL;
+    return ids;
+}
+
+/* The check of its ids, at the end of its geometry part. */
+static inline void hostile_seal_ids(unsigned char *part, const plt_block *b,
+                                    const hostile_ids *ids) {
+    plt_geometry g;
+    plt_geometry_open_counts(&g, b, ids->k);
+    const uint64_t from = (uint64_t)g.first_triangle * ids->bits / 8;
+    const uint64_t to = (((uint64_t)g.first_triangle + g.triangles) * ids->bits + 7) / 8;
+    if (b->leaves > 0 && to <= ids->section.count) {
+        const uint16_t check =
+            plt_block_ids_check(ids->section.bytes + from, (uint32_t)(to - from));
+        part[b->geometry_bytes - 2] = (unsigned char)check;
+        part[b->geometry_bytes - 1] = (unsigned char)(check >> 8);
+    }
+}
+
+/* Makes all checks of the block at `bytes` right, if not NULL that of its ids, too; returns its
+ * size, 0 when it does not fit `limit`. */
+static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, uint32_t bits,
+                                          const hostile_ids *ids) {
     plt_block b;
     if (limit < 8 || limit < plt_block_parts_bytes((plt_get_u32(bytes) & 63) + 1, 0, bits)) {
         return 0;
@@ -58,6 +115,9 @@ static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, 
     plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) | nodes << 16);
     if (b.geometry_bytes > 0) {
         unsigned char *part = bytes + b.node_bytes;
+        if (ids != NULL && ids->section.bytes != NULL) {
+            hostile_seal_ids(part, &b, ids);
+        }
         const uint32_t geometry = plt_block_check(part, b.geometry_bytes, 6);
         plt_put_u32(part + 4, (plt_get_u32(part + 4) & 0xFFFFu) | geometry << 16);
     }
@@ -66,25 +126,52 @@ static inline uint32_t hostile_seal_block(unsigned char *bytes, uint32_t limit, 
 
 /* Makes the checks of all blocks right, as long as each begins where the one before ends. */
 static inline void hostile_seal_blocks(unsigned char *bytes, uint32_t size) {
-    const uint32_t offset = plt_get_u32(bytes + HOSTILE_SECTION + 4);
-    const uint32_t count = plt_get_u32(bytes + HOSTILE_SECTION + 8);
+    const hostile_section blocks = hostile_section_at(bytes, size, 0, HOSTILE_BLOCKS);
+    const hostile_ids ids = hostile_ids_of(bytes, size);
     const uint32_t bits = plt_get_u32(bytes + 184);
-    if (plt_get_u32(bytes + HOSTILE_SECTION) != HOSTILE_BLOCKS || offset > size || count < 8 ||
-        count > size - offset) {
+    if (blocks.bytes == NULL || blocks.count < 8) {
         return;
     }
-    for (uint32_t at = 0, block = 1; block > 0 && at < count - 8; at += block) {
-        block = hostile_seal_block(bytes + offset + at, count - 8 - at, bits);
+    for (uint32_t at = 0, block = 1; block > 0 && at < blocks.count - 8; at += block) {
+        block = hostile_seal_block(blocks.bytes + at, blocks.count - 8 - at, bits, &ids);
     }
 }
 
-/* Makes the checks of blocks, the CRCs of the sections that lie inside the image, and the
+/* And those of thesis nodes and records, if there is a section of them. */
+static inline void hostile_seal_thesis(unsigned char *bytes, uint32_t size) {
+    const hostile_section nodes = hostile_section_at(bytes, size, 0, 1);
+    const hostile_section records = hostile_section_at(bytes, size, 1, 2);
+    const hostile_section checks = hostile_section_at(bytes, size, 2, HOSTILE_CHECKS);
+    const uint32_t page_bytes = PLT_PAGE_RECORDS * PLT_RECORD_BYTES;
+    if (nodes.bytes == NULL || records.bytes == NULL || checks.bytes == NULL) {
+        return;
+    }
+    for (uint32_t i = 0; i < nodes.count / PLT_NODE_BYTES && i < checks.count; i++) {
+        plt_node node;
+        memcpy(&node, nodes.bytes + (size_t)i * PLT_NODE_BYTES, sizeof node);
+        checks.bytes[i] = plt_node_check(&node);
+    }
+    for (uint32_t at = 0; at + page_bytes <= records.count; at += page_bytes) {
+        plt_record page[PLT_PAGE_RECORDS];
+        uint16_t held;
+        memcpy(page, records.bytes + at, sizeof page);
+        const uint32_t check = plt_page_check(page, &held);
+        for (uint32_t i = 0; i < PLT_PAGE_RECORDS; i++) {
+            const uint32_t word = plt_get_u32(&page[i].word[9]) & ~PLT_PRIMITIVE_UNUSED;
+            plt_put_u32(&page[i].word[9], word | plt_page_check_bits(check, i));
+        }
+        memcpy(records.bytes + at, page, sizeof page);
+    }
+}
+
+/* Makes the checks of parts, the CRCs of the sections that lie inside the image, and the
  * header's right. */
 static inline void hostile_seal(unsigned char *bytes, uint32_t size) {
     if (size >= HOSTILE_HEADER) {
         hostile_seal_blocks(bytes, size);
+        hostile_seal_thesis(bytes, size);
     }
-    for (int i = 0; i < 2 && size >= HOSTILE_HEADER; i++) {
+    for (int i = 0; i < 3 && size >= HOSTILE_HEADER; i++) {
         unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
         const uint32_t offset = plt_get_u32(entry + 4), count = plt_get_u32(entry + 8);
         if (offset <= size && count <= size - offset) {
@@ -153,6 +240,31 @@ static inline const char *hostile_trace(plt_engine *e) {
     return s.node_visits <= visits_most(&s, info->nodes) ? NULL : "a node was visited twice";
 }
 
+/* Of a scene that stays in its source: what is wrong shows when it comes. */
+static inline const char *hostile_trace_streamed(plt_engine *e) {
+    plt_ray rays[HOSTILE_RAYS];
+    plt_hit hits[HOSTILE_RAYS];
+    plt_fault fault;
+    const plt_info *info = plt_engine_info(e);
+    const uint32_t ids_end = info->primitive_id_bits > 0 ? info->source_triangles : info->triangles;
+    hostile_rays(rays, info);
+    for (int any = 0; any < 2; any++) {
+        const int status = plt_trace(e, rays, hits, HOSTILE_RAYS, any);
+        plt_fault_get(e, &fault);
+        if (status != PLT_OK) {
+            return status == PLT_ERR_IMAGE && fault.kind == 'I' && fault.offset < info->image_bytes
+                       ? NULL
+                       : "refused without its place";
+        }
+        for (uint32_t i = 0; i < HOSTILE_RAYS && !any; i++) {
+            if (hits[i].triangle != PLT_MISS && hits[i].triangle >= ids_end) {
+                return "a hit is out of range";
+            }
+        }
+    }
+    return NULL;
+}
+
 static inline const char *hostile_refusal(int status, const plt_fault *f, const plt_engine *e) {
     if (e != NULL) {
         return "there is an engine after a failure";
@@ -189,8 +301,10 @@ static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {
-        .packet_side = config.packet_side, .order = config.order, .count_touched = 1};
+    const plt_options options = {.packet_side = config.packet_side,
+                                 .order = config.order,
+                                 .residency = config.residency,
+                                 .count_touched = 1};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }

@@ -148,7 +148,7 @@ if part "render compact stream batch" "$batch" 58368; then
     renders "$batch" compact
 fi
 tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
-if part "render compact stream batch task" "$tasks" 62464; then
+if part "render compact stream batch task" "$tasks" 62976; then
     renders "$tasks" compact
     view=$(sh board/tools/host_view.sh "$out/compact.plt" 80x60 "$out/host.ppm")
     # shellcheck disable=SC2086

@@ -70,6 +70,7 @@ typedef struct decoded_header {
     float origin[3], step;
     uint32_t lattice_bits, lattice_lo[3], lattice_hi[3];
     uint32_t source_triangles, primitive_id_bits, node_bytes, triangle_bytes;
+    uint32_t id_checks; /* 1: geometry parts end with a check of their ids */
 } decoded_header;
 
 typedef struct decoded_image {

@@ -245,17 +245,36 @@ static int read_records(decoded_image *image, decoder_part *part) {
     return 0;
 }
 
+/* The last two bytes of the part: the check of the bytes that hold the block's primitive ids. */
+static int check_ids(decoded_image *image, decoder_part *part, size_t at) {
+    const decoded_block *block = part->block;
+    const size_t bits = image->header.primitive_id_bits;
+    const size_t from = block->first_triangle * bits / 8;
+    const size_t to = ((block->first_triangle + (size_t)block->triangles) * bits + 7) / 8;
+    if (to > part->primitive_ids.size) {
+        return part_wrong(image, part, "primitive ids beyond their section");
+    }
+    const uint32_t crc = decoder_crc(part->primitive_ids.at + from, to - from, 0, 0);
+    return decoder_bits(&part->in, at, 16) == ((crc ^ crc >> 16) & 0xFFFF)
+               ? 0
+               : part_wrong(image, part, "check of the primitive ids");
+}
+
 static int check_part(decoded_image *image, decoder_part *part, size_t strings_end) {
     const decoded_block *block = part->block;
     const size_t bytes = block->geometry_bytes, at = part->end / 8;
+    const size_t room_end = part->end + 8 * bytes - 16 * (size_t)image->header.id_checks;
     const int lattice = image->header.geometry_format == 1;
-    if (part->in.overrun || strings_end > part->end + 8 * bytes ||
-        lattice != (block->vertices > 0) || block->triangles > WORST_BLOCK_TRIANGLES ||
-        block->vertices > WORST_BLOCK_VERTICES || block->first_triangle != image->triangles) {
+    if (part->in.overrun || strings_end > room_end || lattice != (block->vertices > 0) ||
+        block->triangles > WORST_BLOCK_TRIANGLES || block->vertices > WORST_BLOCK_VERTICES ||
+        block->first_triangle != image->triangles) {
         return part_wrong(image, part, "counts of the geometry part");
     }
-    if (!decoder_is_zero(&part->in, strings_end, part->end + 8 * bytes)) {
+    if (!decoder_is_zero(&part->in, strings_end, room_end)) {
         return part_wrong(image, part, "bits after the strings");
+    }
+    if (image->header.id_checks && check_ids(image, part, room_end) != 0) {
+        return -1;
     }
     const uint32_t check = decoder_check(&part->in, at, bytes, 6);
     return check == decoder_bits(&part->in, part->end + 48, 16)

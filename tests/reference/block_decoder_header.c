@@ -49,6 +49,8 @@ static void read_lattice(decoded_header *h, decoder_bytes *in) {
     h->lattice_bits = decoder_u32(in, 184);
     h->source_triangles = decoder_u32(in, 212);
     h->primitive_id_bits = decoder_u32(in, 216);
+    h->id_checks = h->primitive_id_bits >= 256 ? 1 : 0;
+    h->primitive_id_bits -= 256 * h->id_checks;
     h->node_bytes = decoder_u32(in, 220);
     h->triangle_bytes = decoder_u32(in, 224);
 }
@@ -100,7 +102,10 @@ static int check_values(decoded_image *image, const unsigned char *bytes, size_t
         return block_decode_wrong(image,
                                   "header: build or formats that this decoder does not read");
     }
-    const uint32_t k = h->leaf_triangles;
+    const uint32_t k = h->leaf_triangles, id = h->primitive_id_bits;
+    if (id > 29 || id == 1 || (id == 0 && h->id_checks)) {
+        return block_decode_wrong(image, "header: primitive id bits");
+    }
     if (h->lattice_bits < 12 || h->lattice_bits > 21 || (k != 1 && k != 2 && k != 4) ||
         h->treelet_nodes != 64 || h->local_stack != 0 || h->global_stack != 0 ||
         h->node_slots != h->nodes) {

@@ -16,14 +16,14 @@ enum { COMPACT_BITS = 184, COMPACT_BEHIND = PLT_BITS_BEHIND };
 
 /* ---- sealing ----------------------------------------------------------------- */
 
-/* Makes the checks of blocks (if wanted), the CRCs of sections and the header right: only the
+/* Makes the checks of parts (if wanted), the CRCs of sections and the header right: only the
  * forged bytes remain wrong. */
 static inline void compact_seal(unsigned char *bytes, uint32_t size, int blocks) {
     if (blocks) {
         hostile_seal(bytes, size);
         return;
     }
-    for (uint32_t i = 0; i < 2 && size >= HOSTILE_HEADER; i++) {
+    for (uint32_t i = 0; i < 3 && size >= HOSTILE_HEADER; i++) {
         unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
         const uint32_t offset = plt_get_u32(entry + 4), count = plt_get_u32(entry + 8);
         if (offset <= size && count <= size - offset) {
@@ -83,7 +83,7 @@ static inline const char *compact_trace_any(plt_engine *e) {
 
 static inline hostile_result compact_try(const unsigned char *bytes, uint32_t size,
                                          uint8_t streamed, uint8_t packet_side) {
-    const hostile_config config = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side};
+    const hostile_config config = {streamed, PLT_ORDER_DEPTH_FIRST, packet_side, 0};
     return hostile_try_by(bytes, size, config, compact_trace_any);
 }
 

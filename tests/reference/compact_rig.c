@@ -23,6 +23,7 @@ compact_config compact_config_of(uint32_t leaf_triangles, uint8_t bits, uint8_t 
                  .build = build,
                  .lattice_bits = bits,
                  .numbers = 1,
+                 .checks = 1,
                  .leaf_triangles = leaf_triangles},
         .run = {PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, PLT_ORDER_DEPTH_FIRST}};
     return config;

@@ -9,13 +9,17 @@
 #include "tests/reference/shapes.h"
 #include "tests/reference/stream_rig.h"
 
+/* Primitive ids: none, with checks, or without, as images had them before there were any. */
+enum { NO_IDS = 0, IDS = 1, IDS_UNCHECKED = 2 };
+
 static inline void fill_subject(subject *s, uint32_t triangles, uint32_t k, uint8_t bits, int ids) {
     mesh m = {0};
     random_state r = {triangles + k};
     shape_soup(&m, compact_triangles(triangles, k), 0.1f, 3 + k);
     rays_mixed(s->rays, RAYS, &m, &r);
     compact_config c = compact_config_of(k, bits, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    c.pack.numbers = (uint8_t)ids;
+    c.pack.numbers = ids != NO_IDS;
+    c.pack.checks = ids != IDS_UNCHECKED;
     s->image = compact_packed(&m, &c);
     set_due(s);
 }

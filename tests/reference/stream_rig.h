@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "board/fake/fake.h"
+#include "engine/base/rules.h"
 #include "engine/engine.h"
 #include "engine/memory/prefetch.h"
 #include "host_tools/pack/pack.h"
@@ -221,6 +222,56 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
     }
     free(x.arena);
     return 0;
+}
+
+/* A link that garbles every transfer from one on: the status says so, the fault where, and by which
+ * rule; and when it is mended all goes on. Returns which section's part it was that came wrong,
+ * from 0; -1: there were fewer transfers. */
+static inline int is_garbled_and_mended(const subject *s, uint32_t call) {
+    run x = {.link = {.failure = FAKE_GARBLED_FROM_START, .at_call = call, .at_once = call % 2}};
+    int same = 0, section = -1;
+    plt_fault fault;
+    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, least_side(), 0);
+    CHECK(open_run(&x, &s->image, &o) == PLT_OK, "%s", x.fault.message);
+    const int status = trace_or_render(&x, s, &same);
+    plt_fault_get(x.engine, &fault);
+    if (x.link.starts < call || (status == PLT_OK && parts_ahead > 0)) {
+        CHECK(status == PLT_OK && same, "call %u: status %d", call, status);
+        close_run(&x);
+        return -1;
+    }
+    /* What makes nodes of a block no tree is seen before their check is looked at. */
+    const int is_check = fault.rule == PLT_I13_CHECK || fault.rule == PLT_I22_CHECKS;
+    const int is_block = fault.rule >= PLT_I10_SIZES && fault.rule <= PLT_I12_BOUNDS;
+    CHECK(status == PLT_ERR_IMAGE && fault.kind == 'I' && (is_check || is_block),
+          "call %u: status %d, rule %u", call, status, fault.rule);
+    for (const unsigned char *entry = s->image.bytes + 104; section < 2; entry += 16) {
+        section++;
+        if (fault.offset - plt_get_u32(entry + 4) < plt_get_u32(entry + 8)) {
+            break;
+        }
+    }
+    x.link.failure = FAKE_WORKS;
+    CHECK(trace_or_render(&x, s, &same) == PLT_OK && same, "call %u: after it was mended", call);
+    close_run(&x);
+    return section;
+}
+
+/* One bit of each transfer is wrong, first once and then whenever it comes; in steps, of which the
+ * first 40 are 1. What comes is of the first `sections` of the image, of each of which something is
+ * told. */
+static inline void every_transfer_is_garbled(const subject *s, uint32_t sections, uint32_t step) {
+    uint32_t of[4] = {0, 0, 0, 0};
+    int section = 0;
+    for (uint32_t call = 2; section >= 0; call += call < 42 ? 1 : step) {
+        const uint32_t retries = fails_once(s, FAKE_GARBLED_AT_START, call);
+        section = is_garbled_and_mended(s, call);
+        of[section >= 0 ? section : 0] += section >= 0;
+        CHECK(retries == (section >= 0), "call %u: %u retries", call, retries);
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        CHECK(i < sections ? of[i] > 5 : of[i] == 0, "%u faults in section %u", of[i], i);
+    }
 }
 
 /* ---- a source that changes --------------------------------------------------- */

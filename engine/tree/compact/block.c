@@ -67,10 +67,17 @@ void plt_block_apply(const plt_lattice_box *box, const unsigned char plane[6], u
     }
 }
 
+static uint16_t halves(uint32_t crc) {
+    return (uint16_t)(crc ^ crc >> 16);
+}
+
+uint16_t plt_block_ids_check(const unsigned char *ids, uint32_t bytes) {
+    return halves(plt_crc32(0, ids, bytes));
+}
+
 uint16_t plt_block_check(const unsigned char *part, uint32_t bytes, uint32_t check_at) {
     const unsigned char zero[2] = {0, 0};
     uint32_t crc = plt_crc32(0, part, check_at);
     crc = plt_crc32(crc, zero, 2);
-    crc = plt_crc32(crc, part + check_at + 2, bytes - check_at - 2);
-    return (uint16_t)(crc ^ crc >> 16);
+    return halves(plt_crc32(crc, part + check_at + 2, bytes - check_at - 2));
 }

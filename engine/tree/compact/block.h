@@ -127,4 +127,9 @@ static inline uint32_t plt_block_step(uint32_t extent) {
 /* The 16-bit check of a part, its own two bytes at `check_at` counting as 0. */
 uint16_t plt_block_check(const unsigned char *part, uint32_t bytes, uint32_t check_at);
 
+/* That of the primitive ids of its triangles, of whole bytes. Where it lies: at the end of the
+ * geometry part. */
+#define PLT_IDS_CHECK_BYTES 2
+uint16_t plt_block_ids_check(const unsigned char *ids, uint32_t bytes);
+
 #endif

@@ -20,7 +20,8 @@ typedef struct plt_block_tree {
     uint32_t used;              /* bytes of blocks */
     uint32_t root;              /* link, or PLT_LINK_NONE */
     uint32_t leaf_triangles;
-    uint8_t leaf_kind; /* enum plt_leaf_kind */
+    uint8_t leaf_kind;       /* enum plt_leaf_kind */
+    uint8_t ids_are_checked; /* geometry parts end with the check of their ids */
     plt_lattice lattice;
     plt_lattice_box box; /* of all triangles */
     plt_primitive_ids ids;

@@ -28,10 +28,10 @@ static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t ch
     return plt_get_u32(part + check_at - 2) >> 16 == plt_block_check(part, bytes, check_at);
 }
 
-/* Each string begins where the one before ends; all must end inside the part. Counts are bounded
- * first, so that no position overflows. */
-static int geometry_fits(const plt_geometry *g, const plt_block *b) {
-    const uint64_t bits = 8ull * b->geometry_bytes;
+/* Each string begins where the one before ends; all must end inside the part, in front of `tail`
+ * bytes. Counts are bounded first, so that no position overflows. */
+static int geometry_fits(const plt_geometry *g, const plt_block *b, uint32_t tail) {
+    const uint64_t bits = 8ull * (b->geometry_bytes - tail);
     if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->swaps > bits || g->news > bits ||
         g->refs > bits || g->slots < g->vertices || g->news_ones != g->vertices) {
         return 0;
@@ -92,10 +92,11 @@ static int counts_rule(const plt_block *b, uint32_t k) {
 }
 
 /* Of a part whose check is right. */
-static int strings_rule(const plt_block *b, const plt_lattice_box *bounds, uint32_t k) {
+static int strings_rule(const plt_block *b, const plt_lattice_box *bounds,
+                        const plt_block_tree *tree) {
     plt_geometry g;
-    plt_geometry_open(&g, b, bounds, k);
-    if (!geometry_fits(&g, b)) {
+    plt_geometry_open(&g, b, bounds, tree->leaf_triangles);
+    if (!geometry_fits(&g, b, tree->ids_are_checked ? PLT_IDS_CHECK_BYTES : 0)) {
         return PLT_I14_GEOMETRY;
     }
     if (!leaves_are_valid(&g, b)) {
@@ -122,7 +123,7 @@ int plt_block_validate_geometry(const plt_block *b, const plt_block_tree *tree) 
         return counts_rule(b, tree->leaf_triangles);
     }
     plt_block_bounds(b, tree->lattice.bits, &bounds);
-    return strings_rule(b, &bounds, tree->leaf_triangles);
+    return strings_rule(b, &bounds, tree);
 }
 
 int plt_block_validate_nodes(plt_block *b, const unsigned char *bytes, uint32_t there,
