@@ -4,6 +4,7 @@
 #include "engine/engine.h"
 
 #include "engine/base/fault.h"
+#include "engine/move.h"
 #include "engine/schedule/batch_rays.h"
 #include "engine/task.h"
 #include "engine/trace/rays.h"
@@ -89,6 +90,9 @@ void plt_stats_get(const plt_engine *e, plt_stats *stats) {
 }
 
 void plt_stats_reset(plt_engine *e) {
+#if PLT_WITH_REBUILD
+    plt_rebuild_before_reset(e);
+#endif
     plt_traversal_reset_stats(&e->traversal);
 #if PLT_WITH_TASK
     const plt_task_stats none = {0};

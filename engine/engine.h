@@ -8,6 +8,7 @@
 #define PLT_ENGINE_H
 
 #include "engine/base/arena.h"
+#include "engine/motion/moving.h"
 #include "engine/motion/sequence.h"
 #include "engine/scene/open.h"
 #include "engine/schedule/batch.h"
@@ -38,7 +39,7 @@ struct plt_engine {
     plt_batch batch; /* most 0: none */
 #endif
 #if PLT_WITH_MOTION
-    struct plt_refit_level *refit_levels; /* of a movable scene */
+    plt_moving moving; /* of a movable scene */
 #endif
 #if PLT_WITH_SEQUENCE
     plt_sequence sequence; /* frames 0: the image has none, or is not opened to be moved */

@@ -11,7 +11,9 @@
 #   task     ... and go from there to workers, on other cores (plt_task_next)
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
 #   prefetch  ... whose blocks may be on their way before they are needed, likewise
-#   motion   with plt_move, for triangles of thesis nodes; other firmware is without
+#   motion   with plt_move, for triangles of thesis nodes, and, unless it is `render`, with
+#            plt_rebuild_begin; other firmware is without
+#   some     ... and with plt_move_some, likewise
 #   sequence ... and with plt_sequence_show, for frames that an image holds
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
@@ -50,7 +52,9 @@ task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c 
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c) \
     engine/motion/vertices.c
-motion_files := engine/move.c $(wildcard engine/motion/*.c)
+some_files := engine/move_some.c engine/motion/dirty.c
+rebuild_files := engine/rebuild.c engine/motion/rebuild.c
+motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
@@ -59,17 +63,17 @@ groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c pa
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
-left_out_render := $(builder_files)
+left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
 left_out_compact := $(thesis_files) $(motion_files) $(sequence_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion \
+ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
     sequence frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, sequence or frames; it has $(PARTS))
+    seek, motion, some, sequence or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -86,6 +90,9 @@ $(error PARTS with motion has thesis nodes: make PARTS='render thesis motion')
 endif
 ifeq ($(filter motion,$(PARTS))$(filter sequence,$(PARTS)),sequence)
 $(error PARTS with sequence has motion: make PARTS='render thesis motion sequence')
+endif
+ifeq ($(filter motion,$(PARTS))$(filter some,$(PARTS)),some)
+$(error PARTS with some has motion: make PARTS='render thesis motion some')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
@@ -113,6 +120,7 @@ without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
 without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
 without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes)
+without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
@@ -120,16 +128,19 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
     $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
     $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
-    $(if $(without_sequence),$(sequence_files)),$(ENGINE_ALL))
+    $(if $(without_some),$(some_files)) $(if $(without_sequence),$(sequence_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
     $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_sequence),-DPLT_WITH_SEQUENCE=0) \
+    $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/calls.c \
-    engine/base/between.c engine/scene/*.c engine/tree/*/validate*.c \
+    engine/base/between.c engine/move.c engine/move_some.c engine/rebuild.c \
+    engine/motion/dirty.c engine/motion/moving.c engine/motion/rebuild.c engine/scene/*.c \
+    engine/tree/*/validate*.c \
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/base/arena.c engine/trace/traversal.c engine/trace/rays.c \
     engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \

@@ -278,6 +278,35 @@ static int fetches_frames(const subject *s) {
 }
 #endif
 
+#if PLT_WITH_MOVE_SOME
+static uint64_t dirty_bytes(const subject *s) {
+    return is_movable(s) && s->options->moves_some
+               ? rounded(plt_dirty_bytes(s->info->triangles)) +
+                     (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_dirty_level)
+               : 0;
+}
+#endif
+
+#if PLT_WITH_REBUILD
+/* Behind the nodes that are there; until they are built, the tree has that room already. */
+static uint64_t room_bytes(const subject *s) {
+    const uint32_t slots = s->info->node_slots, room = s->sized_for->node_slots;
+    return plt_layout_rebuilds(s->info, s->options) && room > slots &&
+                   s->info->depth_stack_entries > 0
+               ? (uint64_t)(room - slots) * PLT_NODE_BYTES
+               : 0;
+}
+
+static uint64_t rebuild_bytes(const subject *s) {
+    const uint64_t records = rounded((uint64_t)s->info->triangles * PLT_RECORD_BYTES);
+    const uint64_t nodes = (uint64_t)s->sized_for->node_slots * PLT_NODE_BYTES;
+    return plt_layout_rebuilds(s->info, s->options)
+               ? records + nodes +
+                     plt_build_scratch_bytes(s->sized_for->nodes, s->info->treelet_nodes)
+               : 0;
+}
+#endif
+
 /* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
@@ -336,6 +365,16 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_WINDOW:
         return fetches_frames(s) ? PLT_FRAME_WINDOW_BYTES : 0;
 #endif
+#if PLT_WITH_MOVE_SOME
+    case PLT_PART_DIRTY:
+        return dirty_bytes(s);
+#endif
+#if PLT_WITH_REBUILD
+    case PLT_PART_ROOM:
+        return room_bytes(s);
+    case PLT_PART_REBUILD:
+        return rebuild_bytes(s);
+#endif
     case PLT_PART_WIDE_FORM:
         return wide_bytes(s);
     case PLT_PART_WAVE:
@@ -362,8 +401,16 @@ void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *si
 void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
                          const plt_options *options) {
 #if PLT_WITH_BUILDER
-    const plt_info worst = plt_worst_tree(info);
-    plt_layout_set(layout, info, &worst, mapped, options);
+    plt_info worst = plt_worst_tree(info), image = *info;
+    if (info->build == PLT_BUILD_DEVICE) { /* it may be open: its image has no nodes */
+        image.node_slots = image.depth_stack_entries = 0;
+    }
+#if PLT_WITH_REBUILD
+    if (plt_layout_rebuilds(info, options)) {
+        worst = plt_rebuilt_tree(&image, plt_rebuilt_room(&image));
+    }
+#endif
+    plt_layout_set(layout, &image, &worst, mapped, options);
 #else
     plt_layout_set(layout, info, info, mapped, options);
 #endif
@@ -410,8 +457,9 @@ static int is_batch_valid(const plt_options *o) {
 
 /* A wide form is made once, when a scene is opened. */
 static int is_motion_valid(const plt_options *o) {
-    return !PLT_WITH_MOTION || o->movable == 0 ||
-           (o->movable == 1 && o->wide == 0 && o->residency == 0);
+    return !PLT_WITH_MOTION || (o->movable == 0 && o->moves_some == 0 && o->rebuild == 0) ||
+           (o->movable == 1 && o->moves_some <= PLT_WITH_MOVE_SOME &&
+            o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 && o->residency == 0);
 }
 
 int plt_layout_options_valid(const plt_options *o) {

@@ -11,12 +11,18 @@
 int plt_layout_options_valid(const plt_options *options);
 int plt_layout_order_valid(const plt_info *info, const plt_options *options);
 
-/* Where the engine has no streamed scenes, options ask for none. */
 /* Triangles can be moved that are records, in thesis nodes or a list. */
 static inline int plt_layout_motion_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS;
 }
 
+/* There is to be room for a second tree. */
+static inline int plt_layout_rebuilds(const plt_info *info, const plt_options *options) {
+    return PLT_WITH_REBUILD && options->movable && options->rebuild &&
+           info->build != PLT_BUILD_NONE;
+}
+
+/* Where the engine has no streamed scenes, options ask for none. */
 static inline int plt_layout_residency_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_STREAMED || options->residency != PLT_RESIDENCY_STREAMED ||
            plt_can_stream(info);

@@ -2,9 +2,10 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/move.h"
+
 #include "engine/base/fault.h"
+#include "engine/engine.h"
 #include "engine/motion/corners.h"
-#include "engine/motion/refit.h"
 
 /* Records of a movable scene lie in the arena. */
 plt_record *plt_records_of(plt_engine *e) {
@@ -13,41 +14,74 @@ plt_record *plt_records_of(plt_engine *e) {
     return (plt_record *)(uintptr_t)r;
 }
 
+int plt_has_nodes(const plt_engine *e) {
+    return e->scene.format == PLT_FORMAT_THESIS && e->scene.thesis.node_slots > 0 &&
+           !plt_link_is_leaf(e->scene.thesis.root);
+}
+
 void plt_refit_all(plt_engine *e) {
-    const plt_tree *tree = &e->scene.thesis;
-    if (e->scene.format == PLT_FORMAT_LIST || tree->root == PLT_LINK_NONE) {
-        e->scene.box = plt_records_box(plt_records_of(e), 0, e->scene.info.triangles);
+    plt_moving *m = &e->moving;
+    if (!plt_has_nodes(e)) {
+        m->box = plt_records_box(plt_records_of(e), 0, e->scene.info.triangles);
         return;
     }
-    plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)tree->nodes,
-                         .records = tree->records,
-                         .root = tree->root,
-                         .levels = e->refit_levels};
+    plt_refit_job job = {.nodes = (plt_node *)(uintptr_t)e->scene.thesis.nodes,
+                         .records = e->scene.thesis.records,
+                         .root = e->scene.thesis.root,
+                         .levels = m->levels,
+                         .areas = m->areas};
     plt_refit(&job);
-    e->scene.box = job.box;
+    m->box = job.box;
+    m->areas = job.areas;
+    m->areas_built = m->is_new ? job.areas : m->areas_built;
+    m->is_new = 0;
 }
 
 void plt_moved(plt_engine *e) {
+    e->moving.moves++;
     if (e->scene.info.triangles > 0) {
+        e->scene.box = e->moving.box;
         memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
         memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
     }
 }
 
-int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
-    const uint32_t count = e->scene.info.triangles;
+int plt_move_refused(const plt_engine *e, const float (*corners)[9], uint32_t count,
+                     plt_fault *fault) {
     plt_fault_set(fault, PLT_OK, 0, "no fault");
     if (!e->options.movable) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "the scene was not opened to be moved");
     }
     const uint32_t refused = plt_corners_refused(corners, count);
-    if (refused < count) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
-                             "a corner is not a number, or beyond 2^40");
+    return refused == count ? PLT_OK
+                            : plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
+                                            "a corner is not a number, or beyond 2^40");
+}
+
+int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
+    const uint32_t count = e->scene.info.triangles;
+    const int status = plt_move_refused(e, corners, count, fault);
+    if (status == PLT_OK) {
+        e->rendering.done = 1;
+        plt_rebuild_before_move(e, 0);
+        plt_corners_put(plt_records_of(e), count, corners);
+        plt_refit_all(e);
+        plt_moved(e);
     }
-    e->rendering.done = 1;
-    plt_corners_put(plt_records_of(e), count, corners);
-    plt_refit_all(e);
-    plt_moved(e);
-    return PLT_OK;
+    return status;
+}
+
+void plt_motion_get(const plt_engine *e, plt_motion *to) {
+    const plt_moving *m = &e->moving;
+    const plt_motion none = {0};
+    *to = none;
+    to->degradation = plt_degradation(m);
+    to->growth = plt_growth(m);
+    to->moves = m->moves;
+#if PLT_WITH_REBUILD
+    to->rebuilds = m->rebuilds;
+    to->is_building = m->rebuild.phase != PLT_REBUILD_IDLE;
+    to->excess_work = plt_rebuild_excess(e);
+    to->build_work = plt_rebuild_cost(&e->scene.info);
+#endif
 }

@@ -1,17 +1,44 @@
-/* move - what all ways to move triangles share
+/* move - what the public calls of motion share
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_MOVE_H
 #define PLT_MOVE_H
 
-#include "engine/engine.h"
+#include "engine/planelet.h"
+#include "engine/tree/record.h"
 
-plt_record *plt_records_of(plt_engine *e);
+/* Of a movable scene. */
+plt_record *plt_records_of(plt_engine *engine);
 
-/* New boxes for all nodes; the scene's. */
-void plt_refit_all(plt_engine *e);
+/* Its tree is more than a list. */
+int plt_has_nodes(const plt_engine *engine);
 
-/* What all moves do at their end: the scene has its new box. */
-void plt_moved(plt_engine *e);
+/* PLT_ERR_ARGUMENT: `fault` says why triangles cannot move there. */
+int plt_move_refused(const plt_engine *engine, const float (*corners)[9], uint32_t count,
+                     plt_fault *fault);
+
+/* They have: the scene's box is that of its tree. */
+void plt_moved(plt_engine *engine);
+
+/* Boxes of all nodes and of the root, and their spread. The scene's box stays. */
+void plt_refit_all(plt_engine *engine);
+
+#if PLT_WITH_REBUILD
+/* Records are about to change: the work of the tree as it is counts, and a new tree that has
+ * collected corners becomes the scene's. `some`: not all records, so it has to be refitted. */
+void plt_rebuild_before_move(plt_engine *engine, int some);
+
+/* Work since the last rebuild that a new tree would have saved, and what such a tree costs. */
+uint64_t plt_rebuild_excess(const plt_engine *engine);
+uint64_t plt_rebuild_cost(const plt_info *info);
+
+/* Statistics are about to become 0. */
+void plt_rebuild_before_reset(plt_engine *engine);
+#else
+static inline void plt_rebuild_before_move(const plt_engine *engine, int some) {
+    (void)engine;
+    (void)some;
+}
+#endif
 
 #endif

@@ -8,6 +8,8 @@
 #include "engine/engine.h"
 #include "engine/image/fetch.h"
 #include "engine/layout.h"
+#include "engine/move.h"
+#include "engine/scene/worst_tree.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 
@@ -71,6 +73,16 @@ static int cut_running(const plt_opening *o, void *to[PLT_PARTS_COUNT]) {
     return PLT_OK;
 }
 
+/* What all that runs is sized for. */
+static plt_info sized_for(const plt_engine *e) {
+#if PLT_WITH_REBUILD
+    if (plt_layout_rebuilds(&e->scene.info, &e->options)) {
+        return plt_rebuilt_tree(&e->scene.info, e->moving.rebuild.room);
+    }
+#endif
+    return e->scene.info;
+}
+
 #if PLT_WITH_WAVE
 /* Makes the wide form, with the wave's room for scratch; then both take just what they need,
  * which is known only now. They were cut last. */
@@ -100,7 +112,7 @@ static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_
         e->traversal.wave = part[PLT_PART_WAVE];
         plt_wave_init(e->traversal.wave, e->options.rays_in_flight,
                       plt_wave_tree_of((enum plt_format)e->scene.format),
-                      e->scene.info.depth_stack_entries);
+                      sized_for(e).depth_stack_entries);
     }
     return PLT_OK;
 }
@@ -120,9 +132,38 @@ static uint32_t store_bytes_in(uint64_t room) {
 
 /* Bytes of all that runs, with the options as they are. 1: there is room for it. */
 static int lay_out(const plt_engine *e, plt_layout *layout) {
-    const plt_info *info = &e->scene.info;
-    plt_layout_set(layout, info, info, e->source.mapped != NULL, &e->options);
+    const plt_info *info = &e->scene.info, sized = sized_for(e);
+    plt_layout_set(layout, info, &sized, e->source.mapped != NULL, &e->options);
     return plt_layout_running(layout) <= e->arena.bytes - e->arena.used;
+}
+
+/* Slots for a tree that is rebuilt: of the largest there can be, or a quarter more than now, or
+ * what there is room for beside the smallest packets; as many as now at least. */
+static void choose_room(plt_engine *e, plt_layout *layout) {
+#if PLT_WITH_REBUILD
+    const plt_info *info = &e->scene.info;
+    uint32_t *room = &e->moving.rebuild.room;
+    if (!plt_layout_rebuilds(info, &e->options)) {
+        return;
+    }
+    const uint8_t side = e->options.packet_side;
+    e->options.packet_side = side > 0 ? side : 2;
+    *room = plt_rebuilt_room(info);
+    if (!lay_out(e, layout)) {
+        uint32_t most = info->node_slots + info->node_slots / 4, least = info->node_slots;
+        *room = most;
+        while (most > least) { /* halving: that much fits, or is the least */
+            const int fits = lay_out(e, layout);
+            least = fits ? *room : least;
+            most = fits ? most : *room - 1;
+            *room = least + (most - least + 1) / 2;
+        }
+    }
+    e->options.packet_side = side;
+#else
+    (void)e;
+    (void)layout;
+#endif
 }
 
 /* Batches or a dispatcher are asked for, but not of how many packets. */
@@ -149,6 +190,7 @@ static void set_layout(plt_engine *e, plt_layout *layout) {
     const size_t room = e->arena.bytes - e->arena.used;
     unsigned side = chooses ? PLT_PACKET_SIDE_MAX : e->options.packet_side;
     int fits;
+    choose_room(e, layout);
     if (grows) {
         e->options.store_bytes = store_bytes_in(room / 2);
     }
@@ -225,6 +267,78 @@ static int open_sequence(plt_engine *e, const plt_header *header, void *const pa
     return PLT_OK;
 }
 
+/* Rebuilds: the records, nodes and scratch of a second tree. */
+static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+#if PLT_WITH_REBUILD
+    plt_rebuild *r = &e->moving.rebuild;
+    if (o->layout->bytes[PLT_PART_REBUILD] > 0) {
+        const size_t records =
+            plt_arena_cut_bytes((size_t)e->scene.info.triangles * PLT_RECORD_BYTES);
+        const size_t nodes = (size_t)r->room * PLT_NODE_BYTES;
+        r->records = part[PLT_PART_REBUILD];
+        r->nodes = (plt_node *)(void *)((char *)part[PLT_PART_REBUILD] + records);
+        r->old_room =
+            e->scene.info.node_slots + (uint32_t)(o->layout->bytes[PLT_PART_ROOM] / PLT_NODE_BYTES);
+        r->build.scratch = (char *)part[PLT_PART_REBUILD] + records + nodes;
+        r->build.scratch_bytes = (size_t)o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
+        r->refit.levels = e->moving.levels;
+#if PLT_WITH_MOVE_SOME
+        r->places = e->moving.dirty.places;
+#endif
+    }
+#else
+    (void)e;
+    (void)o;
+    (void)part;
+#endif
+}
+
+/* Some triangles can move: where each is. */
+static int start_some(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+#if PLT_WITH_MOVE_SOME
+    plt_dirty *d = &e->moving.dirty;
+    const uint32_t count = e->scene.info.triangles;
+    if (e->options.moves_some) {
+        const size_t bytes = plt_arena_cut_bytes((size_t)plt_dirty_bytes(count));
+        d->places = part[PLT_PART_DIRTY];
+        d->bits = d->places + count;
+        d->levels = (plt_dirty_level *)(void *)((char *)part[PLT_PART_DIRTY] + bytes);
+        if (!plt_dirty_find(d, plt_records_of(e), count)) {
+            return plt_fault_set(o->fault, PLT_ERR_ARGUMENT, 0,
+                                 "two triangles have one id: they can only be moved together");
+        }
+    }
+#else
+    (void)e;
+    (void)o;
+    (void)part;
+#endif
+    return PLT_OK;
+}
+
+/* Movable scenes: what a refit needs, and how good the tree is at first. */
+static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+    int status = PLT_OK;
+#if PLT_WITH_MOTION
+    plt_moving *m = &e->moving;
+    if (e->options.movable) {
+        m->levels = part[PLT_PART_REFIT];
+        m->is_new = 1;
+        m->areas.scale = plt_areas_scale(&e->scene.box);
+        status = start_some(e, o, part);
+        start_rebuilds(e, o, part);
+        plt_refit_all(e);
+    }
+#else
+    (void)start_some;
+    (void)start_rebuilds;
+    (void)e;
+    (void)o;
+    (void)part;
+#endif
+    return status;
+}
+
 /* The scene is open: a traversal, a packet and a tile buffer over it. `header`: of an image that
  * is opened in one step, as all that have a sequence are. */
 static int start_worker(plt_engine *e, const plt_header *header, plt_fault *fault) {
@@ -244,10 +358,10 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
                            e->options.packet_side);
         start_batch(e, part);
         start_tasks(e, part);
-#if PLT_WITH_MOTION
-        e->refit_levels = part[PLT_PART_REFIT];
-#endif
         status = start_wave(e, &o, part);
+    }
+    if (status == PLT_OK) {
+        status = start_motion(e, &o, part);
     }
     return status == PLT_OK ? open_sequence(e, header, part, fault) : status;
 }

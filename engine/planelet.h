@@ -37,8 +37,9 @@ extern "C" {
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
- * (plt_options.movable, plt_move), as an image's sequence says, too (plt_sequence_show); plt_trace
- * and plt_render_step report a source that fails. Images without a sequence are those of 1.0. */
+ * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), and their tree be built anew
+ * (plt_rebuild_begin); plt_trace and plt_render_step report a source that fails. Images are those
+ * of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
@@ -181,6 +182,14 @@ typedef struct plt_options {
                            * begun at once: at least one per worker. 0: as many as there is room
                            * for beside the store, 256 at most (a dispatcher: 16), smaller ones if
                            * fewer than four fit (a need is then that of 1). Other schedules: 0 */
+    uint8_t moves_some; /* movable scenes: 1: some triangles can be moved, too (plt_move_some), for
+                         * 4 bytes and a bit per triangle, and 80 per level of the tree. No two
+                         * records may have one id. Without PLT_WITH_MOVE_SOME: 0 */
+    uint8_t rebuild; /* movable scenes: 1: there is room for a second tree (plt_rebuild_begin): 40
+                      * bytes per triangle, 36 per node slot and the builder's bins; and for
+                      * growth 32 per node slot more. A need is that of the largest tree; an
+                      * arena of less has fewer slots, down to those of the image. Stacks
+                      * are as deep as PLT_DEPTH_MAX. Without PLT_WITH_REBUILD: 0 */
 } plt_options;
 
 /* Frames of a sequence per second at most. */
@@ -385,6 +394,74 @@ int plt_sequence_step(plt_engine *engine, uint32_t blocks, plt_fault *fault);
 
 /* The frame that could not be had when one of them failed last. */
 uint32_t plt_sequence_failed(const plt_engine *engine);
+
+/* Moves triangles ids[0] .. ids[count - 1], in any order, to corners[0] .. corners[count - 1], of
+ * an id that comes twice the last; all others stay. The result is that of plt_move, to the byte.
+ * PLT_ERR_ARGUMENT: as plt_move, or plt_options.moves_some was 0, or an id is not below the info's
+ * triangles; fault->offset is the index in both arrays, and nothing has changed. Cost: these
+ * triangles, and the nodes above them; more than a quarter of all cost what all do.
+ *
+ * Not there without PLT_WITH_MOVE_SOME. */
+int plt_move_some(plt_engine *engine, const uint32_t *ids, const float (*corners)[9],
+                  uint32_t count, plt_fault *fault);
+
+/* A tree that is refitted gets worse, and is built anew, in the arena and beside the old one
+ * (plt_options.rebuild): from the triangles as they are when it begins, while they move on, and the
+ * old tree is refitted and traced until the new one is whole. A frame of a main loop:
+ *
+ *     plt_move(engine, corners, &fault);
+ *     if (plt_rebuild_due(engine, PLT_REBUILD_COST, 0)) {
+ *         plt_rebuild_begin(engine, &fault);
+ *     }
+ *     plt_rebuild_step(engine, 20000, &fault); // a part of it, if one has begun
+ *     // render the frame
+ *
+ * plt_rebuild_begin: PLT_OK; one that has begun goes on. PLT_ERR_ARGUMENT: plt_options.rebuild was
+ * 0, or the scene has no tree.
+ *
+ * plt_rebuild_step: looks at about `triangles` of them, as often as ranges of them are split: some
+ * log2(info's triangles) times all of them in all. A step of all nodes, or of the first ranges,
+ * looks at all: the longest takes some three quarters of a plt_move. PLT_MORE, or PLT_OK: the tree
+ * is the new one, or none had begun. The last step waits until the frame that is being rendered is
+ * complete; a plt_move when the new tree is nearly whole puts it in its place, too. plt_engine_info
+ * has the new counts then, and hits are what they were, bit for bit. PLT_ERR_ARENA: the new tree
+ * has more nodes than there is room for (fault->need_bytes: an arena for any), PLT_ERR_LIMIT: it
+ * needs more than this build allows; it is given up, and the old tree goes on.
+ *
+ * plt_rebuild_due: 1: time to begin, by `when`; 0: not, or one has begun, or there is no room.
+ * `percent`: of PLT_REBUILD_THRESHOLD, 1 and up.
+ *
+ * Not there without PLT_WITH_REBUILD. */
+enum plt_rebuild_when {
+    PLT_REBUILD_NEVER = 0,     /* refits alone */
+    PLT_REBUILD_ALWAYS = 1,    /* whenever none has begun */
+    PLT_REBUILD_THRESHOLD = 2, /* degradation has reached `percent` (RT-DEFORM: 30 or 40) */
+    PLT_REBUILD_COST = 3       /* work that a new tree would have saved has reached its cost */
+};
+
+int plt_rebuild_begin(plt_engine *engine, plt_fault *fault);
+int plt_rebuild_step(plt_engine *engine, uint32_t triangles, plt_fault *fault);
+int plt_rebuild_due(const plt_engine *engine, unsigned when, unsigned percent);
+
+/* How a scene in motion is. Work is in group tests, of which a triangle test is two
+ * (plt_stats); it does not depend on any clock. */
+typedef struct plt_motion {
+    uint32_t moves;       /* calls of plt_move and plt_move_some */
+    uint32_t rebuilds;    /* that have become the scene's tree */
+    float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
+                           * all nodes, is 10 % above what it was when the tree was built
+                           * (RT-DEFORM); below 0: it is less */
+    float growth;         /* likewise of the sum of all nodes' areas, which says more of what rays
+                           * cost: DESIGN.md, section 5.2 */
+    uint8_t is_building;  /* a rebuild has begun */
+    uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved: of work w,
+                           * w d / (1 + d), d being PLT_GROWTH_WORK percent of the growth, if
+                           * above 0 */
+    uint64_t build_work;  /* what a rebuild costs: PLT_REBUILD_WORK per triangle */
+} plt_motion;
+
+/* Not there without PLT_WITH_MOTION. */
+void plt_motion_get(const plt_engine *engine, plt_motion *motion);
 
 /* ---- frames ---------------------------------------------------------- */
 

@@ -61,6 +61,18 @@
 #define PLT_WITH_SEQUENCE PLT_WITH_MOTION /* ... as an image's frames say (plt_sequence_show) */
 #endif
 
+#ifndef PLT_WITH_MOVE_SOME
+#define PLT_WITH_MOVE_SOME PLT_WITH_MOTION /* ... some of them, for less (plt_move_some) */
+#endif
+
+#ifndef PLT_WITH_REBUILD
+#if PLT_WITH_MOTION && PLT_WITH_BUILDER
+#define PLT_WITH_REBUILD 1 /* ... whose tree is built anew when it has become slow */
+#else
+#define PLT_WITH_REBUILD 0
+#endif
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -150,6 +162,16 @@
 #define PLT_FETCH_TRIES 3
 #endif
 
+/* What rebuilding a tree costs, in group tests per triangle: 1 .. 10000; and how much more work
+ * rays are than in a new tree, in percent of the growth of its nodes' areas: 1 .. 10000
+ * (plt_rebuild_due; DESIGN.md, section 5.2). Cost: none. */
+#ifndef PLT_REBUILD_WORK
+#define PLT_REBUILD_WORK 24
+#endif
+#ifndef PLT_GROWTH_WORK
+#define PLT_GROWTH_WORK 100
+#endif
+
 /* Coordinates reach from -PLT_COORD_MAX to PLT_COORD_MAX (2^40), so that no
  * product of the ray/triangle test can overflow. Not a knob. */
 #define PLT_COORD_MAX 1099511627776.0f
@@ -204,6 +226,13 @@
 #if (PLT_WITH_SEQUENCE != 0 && PLT_WITH_SEQUENCE != 1) || (PLT_WITH_SEQUENCE && !PLT_WITH_MOTION)
 #error "PLT_WITH_SEQUENCE is the digit 0, or with PLT_WITH_MOTION 1"
 #endif
+#if (PLT_WITH_MOVE_SOME != 0 && PLT_WITH_MOVE_SOME != 1) || (PLT_WITH_MOVE_SOME && !PLT_WITH_MOTION)
+#error "PLT_WITH_MOVE_SOME is the digit 0, or with PLT_WITH_MOTION 1"
+#endif
+#if (PLT_WITH_REBUILD != 0 && PLT_WITH_REBUILD != 1) ||                                            \
+    (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER))
+#error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION and PLT_WITH_BUILDER 1"
+#endif
 #if PLT_WITH_STREAMED_THESIS && !PLT_WITH_GROUPS
 #error "PLT_WITH_STREAMED_THESIS is for PLT_WITH_GROUPS"
 #endif
@@ -241,6 +270,12 @@
 #endif
 #if PLT_FETCH_TRIES < 1 || PLT_FETCH_TRIES > 255
 #error "PLT_FETCH_TRIES is 1 .. 255"
+#endif
+#if PLT_REBUILD_WORK < 1 || PLT_REBUILD_WORK > 10000
+#error "PLT_REBUILD_WORK is 1 .. 10000"
+#endif
+#if PLT_GROWTH_WORK < 1 || PLT_GROWTH_WORK > 10000
+#error "PLT_GROWTH_WORK is 1 .. 10000"
 #endif
 #if PLT_TRANSFER_BYTES < 64 || PLT_TRANSFER_BYTES > 1048576
 #error "PLT_TRANSFER_BYTES is 64 .. 1048576"

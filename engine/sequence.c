@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
+#include "engine/engine.h"
 #include "engine/move.h"
 
 int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
@@ -35,6 +36,7 @@ int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
     }
     if (status == PLT_OK) {
         e->rendering.done = 1;
+        plt_rebuild_before_move(e, 0);
         plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
         plt_refit_all(e);
         plt_moved(e);

@@ -15,6 +15,13 @@
 #include "engine/builder/split.h"
 #include "engine/tree/thesis/treelets.h"
 
+/* Steps that nobody else takes cost less code. */
+#if PLT_WITH_REBUILD
+#define PLT_BUILD_STEP
+#else
+#define PLT_BUILD_STEP static
+#endif
+
 #define NO_PARENT 0xFFFFFFFFu
 
 typedef struct pending {
@@ -90,25 +97,40 @@ static int build_range(plt_build_job *job, splitting *s, const pending *p) {
     return PLT_OK;
 }
 
-static int split_all(plt_build_job *job) {
+PLT_BUILD_STEP int plt_build_begin(plt_build_job *job) {
     splitting *s = job->scratch;
+    job->nodes_used = job->node_slots = 0;
+    job->root = PLT_LINK_NONE;
+    if (plt_levels_needed(job->count, job->leaf_triangles) >= PLT_DEPTH_MAX) {
+        return PLT_ERR_LIMIT;
+    }
     if (job->scratch_bytes < sizeof *s) {
         return PLT_ERR_ARENA;
     }
     const pending root = {job->box, 0, job->count, NO_PARENT, 0, 0};
     s->stack[0] = root;
-    s->waiting = 1;
+    s->waiting = job->count > 0;
+    return PLT_OK;
+}
+
+PLT_BUILD_STEP int plt_build_split(plt_build_job *job, uint32_t triangles) {
+    splitting *s = job->scratch;
+    uint32_t seen = 0;
     while (s->waiting > 0) {
+        if (seen >= triangles) {
+            return PLT_MORE;
+        }
         const pending p = s->stack[--s->waiting];
         const int status = build_range(job, s, &p);
         if (status != PLT_OK) {
             return status;
         }
+        seen += p.end - p.begin;
     }
     return PLT_OK;
 }
 
-static int form_treelets(plt_build_job *job) {
+PLT_BUILD_STEP int plt_build_treelets(plt_build_job *job) {
     if (job->nodes_used == 0) {
         return PLT_OK;
     }
@@ -127,15 +149,12 @@ static int form_treelets(plt_build_job *job) {
 }
 
 int plt_build(plt_build_job *job) {
-    job->nodes_used = job->node_slots = 0;
-    job->root = PLT_LINK_NONE;
     job->box = plt_records_box(job->records, 0, job->count);
-    if (job->count == 0) {
-        return PLT_OK;
+    int status = plt_build_begin(job);
+    if (status == PLT_OK) {
+        do {
+            status = plt_build_split(job, UINT32_MAX);
+        } while (status == PLT_MORE);
     }
-    if (plt_levels_needed(job->count, job->leaf_triangles) >= PLT_DEPTH_MAX) {
-        return PLT_ERR_LIMIT;
-    }
-    const int status = split_all(job);
-    return status == PLT_OK ? form_treelets(job) : status;
+    return status == PLT_OK ? plt_build_treelets(job) : status;
 }

@@ -51,4 +51,13 @@ size_t plt_build_scratch_bytes(uint32_t nodes, uint32_t treelet_nodes);
  * Cost: about log2(count / K) passes over the records. */
 int plt_build(plt_build_job *job);
 
+#if PLT_WITH_REBUILD
+/* The same in steps, of a job whose `box` the caller knows: begin; split until it is done, each
+ * step about `triangles` records, as often as ranges of them are looked at, and one range at
+ * least (the first is of all of them); treelets. PLT_MORE: another step. */
+int plt_build_begin(plt_build_job *job);
+int plt_build_split(plt_build_job *job, uint32_t triangles);
+int plt_build_treelets(plt_build_job *job);
+#endif
+
 #endif

@@ -10,6 +10,7 @@
 #ifndef PLT_MOTION_REFIT_H
 #define PLT_MOTION_REFIT_H
 
+#include "engine/motion/node_box.h"
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
 
@@ -25,10 +26,18 @@ typedef struct plt_refit_job {
     const plt_record *records;
     uint32_t root;           /* link, not PLT_LINK_NONE */
     plt_refit_level *levels; /* as many as there are nodes on the longest path */
+    plt_refit_level *top;    /* between steps: the path so far ... */
+    uint32_t link;           /* ... and where it goes on */
+    plt_areas areas;         /* scale, and results: of all nodes */
     plt_box box;             /* result: of all records */
 } plt_refit_job;
 
 /* Of a tree that is valid. A plane that has not moved keeps its bytes. */
 void plt_refit(plt_refit_job *job);
+
+/* The same in steps of `lists` leaf links, one at least: PLT_MORE or PLT_OK. Until that the tree is
+ * not to be traversed, and its records stay as they are. */
+void plt_refit_begin(plt_refit_job *job);
+int plt_refit_step(plt_refit_job *job, uint32_t lists);
 
 #endif

@@ -14,12 +14,13 @@ static void describe(const plt_opening *o, const plt_header *header) {
     tree->root = header->root;
 }
 
+/* Nodes come last: behind them there may be room for more. */
 static int read_tree(const plt_opening *o, const plt_header *header) {
     const void *nodes = NULL, *records = NULL;
-    int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_NODES), &nodes);
+    int status =
+        plt_opening_section(o, plt_header_section(header, PLT_SECTION_TRIANGLES), &records);
     if (status == PLT_OK) {
-        status =
-            plt_opening_section(o, plt_header_section(header, PLT_SECTION_TRIANGLES), &records);
+        status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_NODES), &nodes);
     }
     if (status == PLT_OK) {
         status = plt_records_validate(header, records, o->fault);

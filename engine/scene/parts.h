@@ -43,9 +43,26 @@
 #define PLT_PARTS_OF_SEQUENCES(ROW)
 #endif
 
+/* The room comes first of what runs: it lies behind the nodes. */
+#if PLT_WITH_REBUILD
+#define PLT_PARTS_OF_ROOM(ROW) ROW(ROOM, RUNS, "room for more nodes")
+#define PLT_PARTS_OF_REBUILDS(ROW) ROW(REBUILD, RUNS, "tree that is rebuilt")
+#else
+#define PLT_PARTS_OF_ROOM(ROW)
+#define PLT_PARTS_OF_REBUILDS(ROW)
+#endif
+
+#if PLT_WITH_MOVE_SOME
+#define PLT_PARTS_OF_SOME(ROW) ROW(DIRTY, RUNS, "triangles that move")
+#else
+#define PLT_PARTS_OF_SOME(ROW)
+#endif
+
 #if PLT_WITH_MOTION
 #define PLT_PARTS_OF_MOTION(ROW)                                                                   \
     ROW(REFIT, RUNS, "levels of a refit")                                                          \
+    PLT_PARTS_OF_SOME(ROW)                                                                         \
+    PLT_PARTS_OF_REBUILDS(ROW)                                                                     \
     PLT_PARTS_OF_SEQUENCES(ROW)
 #else
 #define PLT_PARTS_OF_MOTION(ROW)
@@ -59,6 +76,7 @@
     ROW(VALIDATION, VALIDATES, "validation")                                                       \
     ROW(BUILDER, BUILDS, "builder")                                                                \
     ROW(RECORD_CACHE, BUILDS, "cached corners")                                                    \
+    PLT_PARTS_OF_ROOM(ROW)                                                                         \
     ROW(TOUCHED, RUNS, "touched blocks, a bit each")                                               \
     ROW(PACKET, RUNS, "packet of rays")                                                            \
     PLT_PARTS_OF_BATCHES(ROW)                                                                      \

@@ -10,6 +10,26 @@ static uint32_t saturated(uint64_t bytes) {
     return bytes < UINT32_MAX ? (uint32_t)bytes : UINT32_MAX;
 }
 
+#if PLT_WITH_REBUILD
+plt_info plt_rebuilt_tree(const plt_info *info, uint32_t room) {
+    plt_info worst = *info;
+    worst.nodes = plt_build_nodes_bound(info->triangles);
+    worst.nodes = worst.nodes < room ? worst.nodes : room;
+    worst.node_slots = room;
+    worst.depth_stack_entries = PLT_DEPTH_MAX;
+    worst.local_stack_entries = PLT_DEPTH_MAX;
+    worst.global_stack_entries =
+        info->triangles < PLT_GLOBAL_STACK_MAX ? info->triangles : PLT_GLOBAL_STACK_MAX;
+    return worst;
+}
+
+uint32_t plt_rebuilt_room(const plt_info *info) {
+    const uint32_t most =
+        plt_build_slots_bound(plt_build_nodes_bound(info->triangles), info->treelet_nodes);
+    return most > info->node_slots ? most : info->node_slots;
+}
+#endif
+
 plt_info plt_worst_tree(const plt_info *info) {
     plt_info worst = *info;
     if (info->build != PLT_BUILD_DEVICE) {

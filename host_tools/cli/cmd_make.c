@@ -20,17 +20,17 @@ static const arg_flag flags[] = {
      "10000000 (default 100000)"},
     {"--seed", "N",
      "room: which one; books, chairs, leaves and balls are elsewhere; 0 to 999999 (default 0)"},
-    {"--frame", "K", "marbles: the frame to write, 25 per second; 0 to 99999 (default 0)"},
-    {"--frames", "N", "marbles: write N frames, 1 to 100000, from --frame on"},
+    {"--frame", "K", "marbles, city: the frame to write, 25 per second; 0 to 99999 (default 0)"},
+    {"--frames", "N", "marbles, city: write N frames, 1 to 100000, from --frame on"},
     {NULL, NULL, NULL}};
 
 const arg_command command_make = {
     .name = "make",
-    .synopsis = "ground|marbles|terrain|knot|room -o FILE.ply",
+    .synopsis = "ground|marbles|city|terrain|knot|room -o FILE.ply",
     .about =
         "Writes a mesh that is the same on every machine: ground (12 triangles), marbles "
-        "rolling in a tray (8,800), a height-field terrain, a closed knot, or a closed room with "
-        "furniture.",
+        "rolling in a tray (8,800), people who leave a lift for all parts of a city (44,844), a "
+        "height-field terrain, a closed knot, or a closed room with furniture.",
     .flags = flags,
     .files_least = 1,
     .files_most = 1};
@@ -49,6 +49,9 @@ static int make_scene(mesh *m, const make_order *o, fail *f) {
     }
     if (strcmp(o->name, "marbles") == 0) {
         return scene_marbles(m, o->frame, f);
+    }
+    if (strcmp(o->name, "city") == 0) {
+        return scene_city(m, o->frame, f);
     }
     if (strcmp(o->name, "room") == 0) {
         return scene_room(m, o->triangles, o->seed, f);
@@ -90,25 +93,31 @@ static int write_frames(make_order o, const char *pattern, unsigned frames, fail
     return status;
 }
 
+/* It has frames. */
+static int moves(const char *name) {
+    return strcmp(name, "marbles") == 0 || strcmp(name, "city") == 0;
+}
+
 static int is_scene(const char *name) {
-    return strcmp(name, "ground") == 0 || strcmp(name, "marbles") == 0 ||
-           strcmp(name, "terrain") == 0 || strcmp(name, "knot") == 0 || strcmp(name, "room") == 0;
+    return strcmp(name, "ground") == 0 || moves(name) || strcmp(name, "terrain") == 0 ||
+           strcmp(name, "knot") == 0 || strcmp(name, "room") == 0;
 }
 
 static void check_usage(args *a, const char *name, const char *out) {
     const int has_frames = args_has(a, "--frames");
-    const int marbles = strcmp(name, "marbles") == 0, ground = strcmp(name, "ground") == 0;
+    const int is_fixed = moves(name) || strcmp(name, "ground") == 0;
     if (!is_scene(name)) {
-        args_complain(a, "there is no scene '%s': ground, marbles, terrain, knot or room", name);
+        args_complain(a, "there is no scene '%s': ground, marbles, city, terrain, knot or room",
+                      name);
     } else if (out == NULL) {
         args_complain(a, "-o FILE says where the mesh goes");
     } else if (has_frames && strstr(out, "{}") == NULL) {
         args_complain(a, "--frames needs a '{}' in the file's name, as in marbles_{}.ply");
-    } else if (!marbles && (has_frames || args_has(a, "--frame"))) {
-        args_complain(a, "only marbles have frames");
+    } else if (!moves(name) && (has_frames || args_has(a, "--frame"))) {
+        args_complain(a, "only marbles and city have frames");
     } else if (strcmp(name, "room") != 0 && args_has(a, "--seed")) {
         args_complain(a, "only a room has a seed");
-    } else if ((marbles || ground) && args_has(a, "--triangles")) {
+    } else if (is_fixed && args_has(a, "--triangles")) {
         args_complain(a, "%s has the triangles it has: no --triangles", name);
     }
 }

@@ -14,6 +14,7 @@
 #include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/played.h"
+#include "host_tools/app/rebuilds.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/output.h"
@@ -34,6 +35,7 @@ static const arg_flag flags[] = {
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
     MOVED_FLAGS,
+    REBUILDS_FLAGS,
     {"--repeat", "N",
      "render all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
      "1)"},
@@ -65,6 +67,7 @@ typedef struct rendering {
     destination to;
     unsigned frames, repeat;
     moved moved;
+    rebuilds rebuilds;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
@@ -178,6 +181,7 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
         r->frame.camera = r->first;
         if (moved_is(&r->moved)) {
             status = moved_to(&r->moved, &r->s, r->path, i, f);
+            rebuilds_go_on(&r->rebuilds, &r->s);
         } else if (i > 0) {
             view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }
@@ -230,6 +234,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     if (moved_is(&r->moved)) {
         output_print(o, f, "  \"move_seconds\": %.9f,\n  \"mesh_seconds\": %.9f,\n",
                      r->moved.move_seconds / r->repeat, r->moved.read_seconds / r->repeat);
+        rebuilds_print(o, &r->rebuilds, &r->s, r->repeat, f);
     }
     scene_print_stats(o, &r->s, &r->took, f);
     return output_print(o, f, "\n}\n");
@@ -307,6 +312,7 @@ static void read_flags(rendering *r, args *a) {
     if (moved_is(&r->moved)) {
         r->frames = r->moved.range.count;
     }
+    rebuilds_read(&r->rebuilds, &r->s, a, moved_is(&r->moved));
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;

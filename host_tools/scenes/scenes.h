@@ -26,6 +26,15 @@ int scene_ground(mesh *m, fail *f);
  * for two threads at once. */
 int scene_marbles(mesh *m, unsigned frame, fail *f);
 
+/* A city of 168 houses, 260 x 260, and 576 people, who stand on the lift of a skyscraper in frame
+ * 0, are on the ground 25 frames later and go to streets all over the city; from there one in three
+ * goes up to a roof and one down below the ground, until frame 140; 25 frames per second.
+ * SCENE_CITY_TRIANGLES, of which the last SCENE_CITY_MOVING move. Vertices and indices keep
+ * their order. */
+#define SCENE_CITY_TRIANGLES 44844u
+#define SCENE_CITY_MOVING 13824u
+int scene_city(mesh *m, unsigned frame, fail *f);
+
 /* A height field of mountains and valleys over 20 x 20 of about `triangles`
  * (2 .. SCENE_TRIANGLES_MAX) triangles. With c = floor(sqrt(triangles / 2))
  * columns and r = floor(triangles / 2 / c) rows they are 2 c r: never more

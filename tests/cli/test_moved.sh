@@ -68,6 +68,31 @@ works "a tree that the engine builds is refitted, too" render device.plt -o devi
 run render fresh.plt -o fresh.ppm $view
 same fresh.ppm device.ppm "... and gives the picture of the scene packed anew"
 
+# ---- trees that are built anew ----
+
+film
+for rebuild in never always threshold:1 threshold:1000 cost 'always --rebuild-step 100' \
+    'always --workers 3' 'always --walk two-stage' 'always --source read'; do
+    # shellcheck disable=SC2086
+    works "--rebuild $rebuild" render wave.plt -o moved.y4m $view --moved wave.txt --frames 1:6 \
+        --rebuild $rebuild --json moved.json
+    tail -n +2 moved.y4m >moved.frames
+    same frames moved.frames "... is the same film"
+    number rebuilds <moved.json >"rebuilds_${rebuild%% *}${rebuild#* }"
+done
+verdict "rebuilds are counted: none, one per frame, fewer in steps, some" "$(
+    [ "$(cat rebuilds_nevernever)" -eq 0 ] || echo "never: $(cat rebuilds_nevernever)"
+    [ "$(cat rebuilds_alwaysalways)" -eq 5 ] || echo "always: $(cat rebuilds_alwaysalways)"
+    [ "$(cat rebuilds_threshold:1000threshold:1000)" -eq 0 ] || echo "beyond 1000 %"
+    [ "$(cat rebuilds_always--rebuild-step\ 100)" -lt 5 ] || echo "in steps")"
+# shellcheck disable=SC2086
+works "degradation and work are told" render wave.plt -o moved.y4m $view --moved wave.txt \
+    --frames 1:6 --rebuild cost --json moved.json
+flat_json moved.json rebuilds rebuilds_given_up rebuild_seconds degradation \
+    degradation_most growth excess_work build_work
+verdict "... what a tree costs is its triangles'" "$(
+    [ "$(number build_work <moved.json)" -eq $((128 * 24)) ] || echo "not 24 each")"
+
 # ---- what goes wrong --------------------------------------------------------------------
 
 none_left() {
@@ -97,6 +122,18 @@ for frames in 1 5:5 6:5 0:100001 -1:3 1:2:3 a:b ''; do
     misused "--frames '$frames' is wrong usage" "--frames takes A:B" \
         render wave.plt -o x.y4m --moved wave.txt --frames "$frames" --size 8x8
 done
+for rebuild in sometimes threshold threshold: threshold:0 threshold:1001 threshold:3x \
+    threshold:-3 cost:3 ''; do
+    misused "--rebuild '$rebuild' is wrong usage" "--rebuild takes never, always, threshold:" \
+        render wave.plt -o x.y4m --moved wave.txt --frames 0:2 --rebuild "$rebuild" --size 8x8
+done
+misused "--rebuild without --moved" "--rebuild is for --moved" \
+    render wave.plt -o x.ppm --rebuild cost --size 8x8
+misused "--rebuild-step without --rebuild" "--rebuild-step is for --rebuild" \
+    render wave.plt -o x.y4m --moved wave.txt --frames 0:2 --rebuild-step 5 --size 8x8
+refused "an arena without room for a second tree" wave.plt "bytes" \
+    render wave.plt -o x.y4m --moved wave.txt --frames 0:2 --rebuild cost --size 8x8 --arena 20000
+none_left
 refused "--frames without --moved, of an image without frames" wave.plt "has no frames" \
     render wave.plt -o x.y4m --frames 0:2 --size 8x8
 misused "two films at once" "--moved and --orbit" \

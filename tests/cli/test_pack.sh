@@ -14,7 +14,8 @@ triangles() {
     header "$1" | awk '$1 == "element" && $2 == "face" { print $3 }'
 }
 
-for scene in ground:12:12 marbles:8800:8800 terrain:90000:110000 knot:90000:110000; do
+for scene in ground:12:12 marbles:8800:8800 city:44844:44844 \
+    terrain:90000:110000 knot:90000:110000; do
     name=${scene%%:*} range=${scene#*:}
     works "make $name" make "$name" -o "$name.ply"
     run make "$name" -o -

@@ -55,6 +55,7 @@ refused "make --triangles 23999 is no room" room "24000 to 10000000" \
 range --seed "0 to 999999" "-1 0 999999 1000000" make room --triangles 24000 -o x.ply
 range --frame "0 to 99999" "-1 0 - 100000" make marbles -o x.ply
 range --frames "1 to 100000" "0 1 - 100001" make marbles -o 'x{}.ply'
+range --frame "0 to 99999" "-1 0 99999 100000" make city -o x.ply
 # Those ends are too much work: that they are taken shows a folder that is missing.
 refused "make --frames 100000 is in range" missing/000.ply "create" \
     make marbles --frames 100000 -o 'missing/{}.ply'

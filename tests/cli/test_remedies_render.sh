@@ -121,6 +121,14 @@ cured render thesis.plt -o x.png --moved knot.ply --frames 2:3
 says "has no frames; pack it with --sequence, or give --moved MESH" \
     render thesis.plt -o x.png --frames 0:1
 cured render thesis.plt -o x.png --moved knot.ply --frames 0:1
+says "--rebuild takes never, always, threshold:PERCENT (1 to %d) or cost, not '%s'" \
+    render thesis.plt -o x.png --moved knot.ply --rebuild threshold
+cured render thesis.plt -o x.png --moved knot.ply --rebuild threshold:1
+says "--rebuild is for --moved MESH" render thesis.plt -o x.png --rebuild cost
+cured render thesis.plt -o x.png --moved knot.ply --rebuild cost
+says "--rebuild-step is for --rebuild always, threshold:PERCENT or cost" \
+    render thesis.plt -o x.png --moved knot.ply --rebuild-step 9
+cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-step 9
 says "%s and --orbit are two films; leave out one of them" \
     render thesis.plt -o x.y4m --moved knot.ply --orbit 2
 cured render thesis.plt -o x.y4m --orbit 2

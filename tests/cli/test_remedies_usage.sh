@@ -47,8 +47,8 @@ packs 2 quad.ply --quality high --quality-time 5
 
 # ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
 
-says "there is no scene '%s': ground, marbles, terrain, knot or room" make tray -o x.ply
-for scene in ground marbles terrain knot room; do
+says "there is no scene '%s': ground, marbles, city, terrain, knot or room" make tray -o x.ply
+for scene in ground marbles city terrain knot room; do
     cured make $scene -o x.ply
 done
 says "-o FILE says where the mesh goes" make ground
@@ -56,7 +56,7 @@ cured make ground -o x.ply
 says "--frames needs a '{}' in the file's name, as in marbles_{}.ply" \
     make marbles --frames 2 -o x.ply
 cured make marbles --frames 2 -o marbles_{}.ply
-says "only marbles have frames" make knot --frame 3 -o x.ply
+says "only marbles and city have frames" make knot --frame 3 -o x.ply
 cured make marbles --frame 3 -o x.ply
 says "only a room has a seed" make knot --seed 3 -o x.ply
 cured make room --seed 3 -o x.ply

@@ -34,6 +34,8 @@ static int make(mesh *m, char scene, uint64_t number, fail *f) {
         return scene_ground(m, f);
     case 'm':
         return scene_marbles(m, (unsigned)number, f);
+    case 'c':
+        return scene_city(m, (unsigned)number, f);
     case 't':
         return scene_terrain(m, number, f);
     case 'r':
@@ -79,6 +81,9 @@ static void test_golden(void) {
         uint64_t hash;
     } golden[] = {
         {'g', 0, 8, 12, 0xB12832159B096EF5},
+        {'c', 0, 25064, 44844, 0x8BE9851F423BCF55},
+        {'c', 60, 25064, 44844, 0x1EA6B752658FCACD},
+        {'c', 99999, 25064, 44844, 0x92A3080AD738060D},
         {'m', 0, 4620, 8800, 0x044575C989F444A2},
         {'m', 1, 4620, 8800, 0x99D8933F892E72DA},
         {'m', 100, 4620, 8800, 0x12C9545C240F3E35},
@@ -256,6 +261,10 @@ static void test_manifolds(void) {
     check_room('r', 200000);
     check_room('s', 50000);
 
+    test("city: 1,321 closed surfaces, outside is out");
+    check_closed('c', 0, 2 * 1321, 790000, 810000);
+    check_closed('c', 140, 2 * 1321, 790000, 810000);
+
     test("terrain: one sheet whose edges are shared but for its border");
     mesh m = made('t', 20000);
     size_t twice, alone;
@@ -291,9 +300,10 @@ static void test_degenerate(void) {
     static const struct {
         char scene;
         uint64_t number;
-    } all[] = {{'g', 0},        {'m', 0},        {'m', 333},      {'t', 2},     {'t', 3000},
-               {'t', 300000},   {'t', 10000000}, {'k', 24},       {'k', 300},   {'k', 300000},
-               {'k', 10000000}, {'r', 24000},    {'r', 10000000}, {'s', 300000}};
+    } all[] = {{'g', 0},        {'m', 0},     {'m', 333},      {'c', 0},
+               {'c', 70},       {'t', 2},     {'t', 3000},     {'t', 300000},
+               {'t', 10000000}, {'k', 24},    {'k', 300},      {'k', 300000},
+               {'k', 10000000}, {'r', 24000}, {'r', 10000000}, {'s', 300000}};
     test("scenes: no degenerate triangle, every index in range, every vertex finite and used");
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         mesh m = made(all[i].scene, all[i].number);
@@ -307,7 +317,7 @@ static void test_degenerate(void) {
             seen[bad ? m.vertices : m.triangle[k]] = 1;
         }
         for (size_t k = 0; k < 3 * m.vertices; k++) {
-            wild += !(m.vertex[k] > -100.0f && m.vertex[k] < 100.0f);
+            wild += !(m.vertex[k] > -140.0f && m.vertex[k] < 140.0f);
         }
         CHECK(wild == 0, "%c %" PRIu64 ": %zu wild", all[i].scene, all[i].number, wild);
         CHECK(used == m.vertices, "%zu of %zu vertices used", used, m.vertices);
@@ -321,6 +331,48 @@ static void test_degenerate(void) {
         free(seen);
         mesh_free(&m);
     }
+}
+
+/* From and to which x, y and z people are. */
+static void extent_of_people(unsigned frame, float lo[3], float hi[3]) {
+    mesh m = made('c', frame);
+    for (unsigned a = 0; a < 3; a++) {
+        lo[a] = 1e9f;
+        hi[a] = -1e9f;
+        for (size_t i = 3 * (m.triangles - SCENE_CITY_MOVING); i < 3 * m.triangles; i++) {
+            const float x = m.vertex[3 * (size_t)m.triangle[i] + a];
+            lo[a] = x < lo[a] ? x : lo[a];
+            hi[a] = x > hi[a] ? x : hi[a];
+        }
+    }
+    mesh_free(&m);
+}
+
+static void test_city(void) {
+    static const unsigned frames[] = {0, 25, 140};
+    float lo[3][3], hi[3][3];
+    test(
+        "city: people on a lift, on the ground, all over the city; then they stay; no house moves");
+    for (unsigned i = 0; i < 3; i++) {
+        extent_of_people(frames[i], lo[i], hi[i]);
+    }
+    CHECK(lo[0][1] > 70.0f && hi[0][0] - lo[0][0] < 16.0f && hi[0][2] - lo[0][2] < 16.0f, "0");
+    CHECK(lo[1][1] > -0.1f && hi[1][1] < 2.0f && hi[1][0] - lo[1][0] < 16.0f, "25");
+    CHECK(lo[2][0] < -100.0f && hi[2][0] > 100.0f && lo[2][2] < -100.0f && hi[2][2] > 100.0f &&
+              lo[2][1] < -5.0f && hi[2][1] > 30.0f,
+          "140");
+    mesh last = made('c', 140), later = made('c', 5000), first = made('c', 0);
+    const size_t still = 3 * (last.triangles - SCENE_CITY_MOVING);
+    CHECK(last.triangles == SCENE_CITY_TRIANGLES && mesh_hash(&last) == mesh_hash(&later), "stay");
+    for (size_t i = 0; i < 3 * first.triangles; i++) {
+        const size_t v = 3 * (size_t)first.triangle[i];
+        CHECK(first.triangle[i] == last.triangle[i] &&
+                  (i >= still || memcmp(&first.vertex[v], &last.vertex[v], 12) == 0),
+              "corner %zu", i);
+    }
+    mesh_free(&first);
+    mesh_free(&last);
+    mesh_free(&later);
 }
 
 static void test_refusals(void) {
@@ -429,6 +481,7 @@ int main(void) {
     test_room_counts();
     test_manifolds();
     test_degenerate();
+    test_city();
     test_refusals();
     test_memory();
     test_cos_sin();

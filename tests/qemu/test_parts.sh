@@ -152,6 +152,20 @@ fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
 verdict "PARTS with sequence and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with sequence has .*: make PARTS='" || echo "$trouble")"
+motion=$BUILD/mps2_an386-motion-render-some-thesis
+if part "render thesis motion some" "$motion" 47104; then
+    renders "$motion" thesis
+fi
+motion=$BUILD/mps2_an386-motion-thesis
+if part "thesis motion" "$motion" 54272; then
+    renders "$motion" device
+    verdict "... with rebuilds, and without them where there is no builder" "$(
+        [ -e "$motion/engine/motion/rebuild.o" ] || echo "no rebuild.o"
+        ls "$BUILD/mps2_an386-motion-render-thesis/engine/motion/rebuild.o" 2>/dev/null)"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis some' 2>&1)
+verdict "PARTS with some and without motion is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with some has .*: make PARTS='" || echo "$trouble")"
 for parts in 'render compact motion' 'motion compact'; do
     trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
     verdict "PARTS='$parts' is refused, with what it may be" "$(

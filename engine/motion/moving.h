@@ -1,0 +1,42 @@
+/* moving - what an engine keeps of triangles that move
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_MOTION_MOVING_H
+#define PLT_MOTION_MOVING_H
+
+#include "engine/motion/dirty.h"
+#include "engine/motion/refit.h"
+#include "engine/planelet.h"
+
+#if PLT_WITH_REBUILD
+#include "engine/motion/rebuild.h"
+#endif
+
+typedef struct plt_moving {
+    plt_refit_level *levels;
+    plt_areas areas, areas_built; /* of the tree as it is, and as it was when it was built */
+    plt_box box;                  /* of its root */
+#if PLT_WITH_MOVE_SOME
+    plt_dirty dirty; /* places NULL: all triangles move or none */
+#endif
+    uint32_t moves;
+    uint8_t is_new; /* the next refit of all says what areas_built are */
+#if PLT_WITH_REBUILD
+    plt_rebuild rebuild; /* records NULL: there is no room for a tree */
+    uint32_t rebuilds;
+    uint64_t work;   /* of plt_stats, that has been looked at */
+    uint64_t excess; /* work since the last rebuild that a new tree would have saved */
+#endif
+} plt_moving;
+
+/* How much the sum of all ratios has grown since the tree was built, of itself; below 0: it is
+ * less. Likewise the sum of all areas. */
+float plt_degradation(const plt_moving *m);
+float plt_growth(const plt_moving *m);
+
+#if PLT_WITH_REBUILD
+/* `work` has been done by the tree as it is. */
+void plt_moving_count(plt_moving *m, uint64_t work);
+#endif
+
+#endif

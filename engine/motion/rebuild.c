@@ -1,0 +1,175 @@
+/* rebuild - see rebuild.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/motion/rebuild.h"
+
+#include "engine/lanes/lanes.h"
+#include "engine/tree/thesis/validate.h"
+
+/* Records whose sources are asked for before their turn: they lie in the order of the old tree. */
+enum { AHEAD = 8 };
+
+static uint32_t least(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
+void plt_rebuild_start(plt_rebuild *r, const plt_info *info) {
+    r->info = *info;
+    r->at = 0;
+    r->phase = PLT_REBUILD_COPIES;
+    r->build.records = r->records;
+    r->build.nodes = r->nodes;
+    r->build.room = r->room;
+    r->build.count = info->triangles;
+    r->build.leaf_triangles = info->leaf_triangles;
+    r->build.treelet_nodes = info->treelet_nodes;
+    r->build.splits = info->splits;
+    r->build.box = plt_box_empty();
+}
+
+/* The step goes from record `at` to the one that is returned. */
+static uint32_t step_end(const plt_rebuild *r, uint32_t triangles) {
+    return r->at + least(triangles, r->build.count - r->at);
+}
+
+static int copy(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
+    const uint32_t end = step_end(r, triangles);
+    for (uint32_t i = r->at; i < end; i++) {
+        const plt_box box = plt_record_box(&tree->records[i]);
+        r->records[i] = tree->records[i];
+        plt_put_u32(&r->records[i].word[9], i);
+        plt_box_add(&r->build.box, &box);
+    }
+    r->at = end;
+    if (end < r->build.count) {
+        return PLT_MORE;
+    }
+    r->phase = PLT_REBUILD_SPLITS;
+    const int status = plt_build_begin(&r->build);
+    return status == PLT_OK ? PLT_MORE : status;
+}
+
+static int split(plt_rebuild *r, uint32_t triangles) {
+    const int status = plt_build_split(&r->build, triangles);
+    if (status == PLT_OK) {
+        r->phase = PLT_REBUILD_TREELETS;
+        return PLT_MORE;
+    }
+    return status;
+}
+
+static int form_treelets(plt_rebuild *r) {
+    const int status = plt_build_treelets(&r->build);
+    r->phase = PLT_REBUILD_COUNTS;
+    return status == PLT_OK ? PLT_MORE : status;
+}
+
+static plt_tree new_tree(const plt_rebuild *r) {
+    const plt_tree tree = {.nodes = r->nodes,
+                           .records = r->records,
+                           .node_slots = r->build.node_slots,
+                           .records_count = r->build.count,
+                           .treelet_nodes = r->build.treelet_nodes,
+                           .root = r->build.root};
+    return tree;
+}
+
+/* Scratch of the builder is free. K stays as it is. */
+static int count(plt_rebuild *r) {
+    const plt_tree tree = new_tree(r);
+    const uint32_t leaf_triangles = r->info.leaf_triangles;
+    plt_fault fault;
+    r->info.node_slots = r->build.node_slots;
+    r->info.node_bytes = r->build.node_slots * PLT_NODE_BYTES;
+    const int status = plt_tree_validate(&tree, r->build.scratch, &r->info, &fault);
+    r->info.leaf_triangles = leaf_triangles;
+    if (status != PLT_OK || r->info.global_stack_entries > PLT_GLOBAL_STACK_MAX) {
+        return PLT_ERR_LIMIT;
+    }
+    r->phase = PLT_REBUILD_COLLECTS;
+    r->at = 0;
+    return PLT_MORE;
+}
+
+/* Corners and ids of the old records, which nobody asks for by their ids from now on; which is the
+ * last of its list is the new tree's. */
+static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
+    const uint32_t end = step_end(r, triangles);
+    for (uint32_t i = r->at; i < end; i++) {
+        plt_record *to = &r->records[i];
+        const uint32_t word = plt_get_u32(&to->word[9]);
+        const uint32_t ahead = least(i + AHEAD, r->build.count - 1);
+        plt_prefetch(&tree->records[plt_primitive_id(plt_get_u32(&r->records[ahead].word[9]))]);
+        *to = tree->records[plt_primitive_id(word)];
+        plt_record_set_last(to, (word & PLT_RECORD_LAST) != 0);
+        if (r->places != NULL) {
+            r->places[plt_primitive_id(plt_get_u32(&to->word[9]))] = i;
+        }
+    }
+    r->at = end;
+    if (end == r->build.count) {
+        r->phase = PLT_REBUILD_REFITS;
+        r->refit.nodes = r->nodes;
+        r->refit.records = r->records;
+        r->refit.root = r->build.root;
+        r->refit.areas.scale = plt_areas_scale(&r->build.box);
+        plt_refit_begin(&r->refit);
+    }
+    return PLT_MORE;
+}
+
+static int refit(plt_rebuild *r, uint32_t triangles) {
+    const int status = plt_refit_step(&r->refit, triangles);
+    r->phase = status == PLT_OK ? PLT_REBUILD_READY : PLT_REBUILD_REFITS;
+    return status;
+}
+
+static int work(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
+    switch (r->phase) {
+    case PLT_REBUILD_COPIES:
+        return copy(r, tree, triangles);
+    case PLT_REBUILD_SPLITS:
+        return split(r, triangles);
+    case PLT_REBUILD_TREELETS:
+        return form_treelets(r);
+    case PLT_REBUILD_COUNTS:
+        return count(r);
+    case PLT_REBUILD_COLLECTS:
+        return collect(r, tree, triangles);
+    case PLT_REBUILD_REFITS:
+        return refit(r, triangles);
+    default:
+        return PLT_OK;
+    }
+}
+
+int plt_rebuild_work(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
+    const int status = work(r, tree, triangles);
+    if (status < PLT_OK) {
+        r->phase = PLT_REBUILD_IDLE;
+    }
+    return status;
+}
+
+int plt_rebuild_must_end(const plt_rebuild *r) {
+    return r->phase >= PLT_REBUILD_COLLECTS;
+}
+
+void plt_rebuild_end(plt_rebuild *r, const plt_tree *tree, int refits) {
+    const uint8_t last = refits ? PLT_REBUILD_READY : PLT_REBUILD_REFITS;
+    while (r->phase < last) {
+        (void)plt_rebuild_work(r, tree, UINT32_MAX);
+    }
+    r->phase = PLT_REBUILD_READY;
+}
+
+void plt_rebuild_swap(plt_rebuild *r, plt_tree *tree) {
+    const plt_tree old = *tree;
+    const uint32_t room = r->room;
+    *tree = new_tree(r);
+    r->records = (plt_record *)(uintptr_t)old.records;
+    r->nodes = (plt_node *)(uintptr_t)old.nodes;
+    r->room = r->old_room;
+    r->old_room = room;
+    r->phase = PLT_REBUILD_IDLE;
+}
