@@ -82,7 +82,7 @@ if part "render compact" "$compact" 47104; then
     refuses "$compact" list PLT_WITH_THESIS
     refuses "$compact" compact_device PLT_WITH_BUILDER
 fi
-if part thesis "$BUILD/mps2_an386-thesis" 46080; then
+if part thesis "$BUILD/mps2_an386-thesis" 46592; then
     renders "$BUILD/mps2_an386-thesis" device
 fi
 if part compact "$BUILD/mps2_an386-compact" 58368; then
@@ -115,15 +115,15 @@ for parts in 'render frames' 'render compact frames wave' 'render thesis frames 
         echo "$trouble" | grep -q "PARTS with frames .*has .*: make PARTS='" || echo "$trouble")"
 done
 motion=$BUILD/mps2_an386-motion-render-thesis
-if part "render thesis motion" "$motion" 44032; then
+if part "render thesis motion" "$motion" 44544; then
     renders "$motion" thesis
 fi
 motion=$BUILD/mps2_an386-motion-render-some-thesis
-if part "render thesis motion some" "$motion" 47104; then
+if part "render thesis motion some" "$motion" 47616; then
     renders "$motion" thesis
 fi
 motion=$BUILD/mps2_an386-motion-thesis
-if part "thesis motion" "$motion" 54272; then
+if part "thesis motion" "$motion" 54784; then
     renders "$motion" device
     verdict "... with rebuilds, and without them where there is no builder" "$(
         [ -e "$motion/engine/motion/rebuild.o" ] || echo "no rebuild.o"
