@@ -25,6 +25,9 @@ static void compare(const mover *some, const mover *all, const char *name, unsig
     CHECK(memcmp(now->lo, due->lo, sizeof now->lo) == 0 &&
               memcmp(now->hi, due->hi, sizeof now->hi) == 0,
           "%s, round %u: box", name, round);
+    for (uint32_t w = 0; w < (now->triangles + 31) / 32; w++) {
+        CHECK(some->engine->moving.dirty.bits[w] == 0, "%s, round %u: a bit stays", name, round);
+    }
     CHECK(p.degradation == q.degradation && p.moves == q.moves, "%s, round %u: %.9g, not %.9g",
           name, round, (double)p.degradation, (double)q.degradation);
 }

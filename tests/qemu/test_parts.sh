@@ -83,7 +83,7 @@ if part "render compact" "$compact" 47104; then
     refuses "$compact" list PLT_WITH_THESIS
     refuses "$compact" compact_device PLT_WITH_BUILDER
 fi
-if part thesis "$BUILD/mps2_an386-thesis" 46080; then
+if part thesis "$BUILD/mps2_an386-thesis" 46592; then
     renders "$BUILD/mps2_an386-thesis" device
 fi
 if part compact "$BUILD/mps2_an386-compact" 58368; then
@@ -116,7 +116,7 @@ for parts in 'render frames' 'render compact frames wave' 'render thesis frames 
         echo "$trouble" | grep -q "PARTS with frames .*has .*: make PARTS='" || echo "$trouble")"
 done
 motion=$BUILD/mps2_an386-motion-render-thesis
-if part "render thesis motion" "$motion" 44032; then
+if part "render thesis motion" "$motion" 44544; then
     renders "$motion" thesis
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
@@ -153,11 +153,11 @@ trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
 verdict "PARTS with sequence and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with sequence has .*: make PARTS='" || echo "$trouble")"
 motion=$BUILD/mps2_an386-motion-render-some-thesis
-if part "render thesis motion some" "$motion" 47104; then
+if part "render thesis motion some" "$motion" 47616; then
     renders "$motion" thesis
 fi
 motion=$BUILD/mps2_an386-motion-thesis
-if part "thesis motion" "$motion" 54272; then
+if part "thesis motion" "$motion" 54784; then
     renders "$motion" device
     verdict "... with rebuilds, and without them where there is no builder" "$(
         [ -e "$motion/engine/motion/rebuild.o" ] || echo "no rebuild.o"
