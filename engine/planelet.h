@@ -359,7 +359,7 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
 int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
 
 /* An image may hold a sequence: positions of all vertices, frame by frame, mostly as differences
- * from the frame before (SPEC.md, 4.14). An engine that is open with plt_options.movable shows any
+ * from the frame before (SPEC.md, 4.15). An engine that is open with plt_options.movable shows any
  * of its info's frames, 0 .. frames - 1, in any order; frame 0 is what it shows first. The tree is
  * refitted as by plt_move, and hits and pictures are likewise those of the frame packed alone.
  *

@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R15 refuse an image by its header and checksums, I1 to I25 are invariants of
+ * R1 to R15 refuse an image by its header and checksums, I1 to I26 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -46,10 +46,10 @@ enum plt_invariant {
     PLT_I19_IDS = 19,        /* entries of the primitive ids are in range */
     PLT_I20_CORNERS = 20,    /* lattice corners lie in the lattice's box */
     PLT_I21_VERTICES = 21,   /* vertices lie inside the bounds */
-    PLT_I22_OFFSETS = 22,    /* frames of a sequence follow each other within the section */
-    PLT_I23_TOPOLOGY = 23,   /* triangles of a sequence have vertices that are there */
-    PLT_I24_FRAME = 24,      /* blocks of a frame fill it, and their checks are right */
-    PLT_I25_POSITIONS = 25   /* positions of a frame are within 2^40 */
+    PLT_I23_OFFSETS = 23,    /* frames of a sequence follow each other within the section */
+    PLT_I24_TOPOLOGY = 24,   /* triangles of a sequence have vertices that are there */
+    PLT_I25_FRAME = 25,      /* blocks of a frame fill it, and their checks are right */
+    PLT_I26_POSITIONS = 26   /* positions of a frame are within 2^40 */
 };
 
 #endif

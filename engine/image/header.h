@@ -27,8 +27,8 @@ enum plt_section_kind {
     PLT_SECTION_BLOCKS = 3,        /* compact blocks */
     PLT_SECTION_PRIMITIVE_IDS = 4, /* primitive ids (primitive_id.h) */
     PLT_SECTION_CORNERS = 5,       /* lattice corners, for the device to build from */
-    PLT_SECTION_TOPOLOGY = 6,      /* of a sequence: vertices of each triangle */
-    PLT_SECTION_FRAMES = 7         /* ... and their positions, frame by frame */
+    PLT_SECTION_TOPOLOGY = 7,      /* of a sequence: vertices of each triangle */
+    PLT_SECTION_FRAMES = 8         /* ... and their positions, frame by frame */
 };
 
 typedef struct plt_section {

@@ -4,7 +4,7 @@
  * order of floats. A block holds of 64 vertices (the last of fewer) the least difference on each
  * axis, and what each vertex's is above that, in as many bits as the largest takes (frame of
  * reference). Arithmetic is modulo the coordinate's bits, so whatever a block holds gives
- * coordinates in range, and floats alone are looked at. SPEC.md, section 4.14.
+ * coordinates in range, and floats alone are looked at. SPEC.md, section 4.15.
  *
  * Source: J. Goldstein, R. Ramakrishnan, U. Shaft, "Compressing Relations and Indexes", 1998 (frame
  * of reference).

@@ -31,7 +31,7 @@ void plt_sequence_seek(plt_sequence *s, uint32_t frame) {
 /* ---- a block ---------------------------------------------------------------------- */
 
 static int broken(const plt_sequence *s, plt_fault *fault, const char *message) {
-    return plt_broken(fault, PLT_I24_FRAME, s->reader.offset, message);
+    return plt_broken(fault, PLT_I25_FRAME, s->reader.offset, message);
 }
 
 /* A block where it has come and is what its check says. */
@@ -66,7 +66,7 @@ static int apply_block(plt_sequence *s, const unsigned char *block, uint32_t ver
     plt_frame_vertex *vertex = s->vertex + (size_t)s->block * PLT_FRAME_BLOCK;
     plt_frame_block_apply(block, vertex, vertices, s->word_bits, s->next % s->key_every == 0);
     if (s->word_bits == PLT_FRAME_FLOAT_BITS && !plt_frame_floats_valid(vertex, vertices)) {
-        return plt_broken(fault, PLT_I25_POSITIONS, s->reader.offset,
+        return plt_broken(fault, PLT_I26_POSITIONS, s->reader.offset,
                           "a position of a frame is not a number, or beyond 2^40");
     }
     return PLT_OK;

@@ -41,7 +41,7 @@ uint64_t plt_sequence_topology_bytes(const plt_info *info);
 uint64_t plt_sequence_offsets_bytes(const plt_info *info);
 uint64_t plt_sequence_vertices_bytes(const plt_info *info);
 
-/* Reads topology and offsets of the image, and checks them: R13, I22, I23. */
+/* Reads topology and offsets of the image, and checks them: R13, I23, I24. */
 int plt_sequence_open(plt_sequence *s, const plt_header *header, const plt_source *source,
                       const plt_sequence_room *room, plt_fault *fault);
 

@@ -57,12 +57,12 @@ static int check_offsets(const plt_sequence *s, const plt_info *info, plt_fault 
                (i < info->frames || at == info->frame_bytes);
         before = at;
         if (!good) {
-            return plt_broken(fault, PLT_I22_OFFSETS, s->section + 4 * i,
+            return plt_broken(fault, PLT_I23_OFFSETS, s->section + 4 * i,
                               "a frame does not lie behind the one before it");
         }
     }
     return good ? PLT_OK
-                : plt_broken(fault, PLT_I22_OFFSETS, s->section,
+                : plt_broken(fault, PLT_I23_OFFSETS, s->section,
                              "the first frame is not where it must be");
 }
 
@@ -72,7 +72,7 @@ static int check_topology(const plt_sequence *s, const plt_section *section, con
     const uint32_t at = plt_topology_refused(s->vertices.topology, info->triangles, info->vertices);
     return at == info->triangles
                ? PLT_OK
-               : plt_broken(fault, PLT_I23_TOPOLOGY,
+               : plt_broken(fault, PLT_I24_TOPOLOGY,
                             section->offset + (uint32_t)((uint64_t)at * 3 * bits / 8),
                             "a triangle of the sequence has a vertex that is not there");
 }

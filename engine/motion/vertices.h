@@ -10,7 +10,7 @@
 
 typedef struct plt_vertices {
     const plt_frame_vertex *vertex; /* four bytes more can be read behind the last one */
-    const unsigned char *topology;  /* SPEC.md, section 4.14 */
+    const unsigned char *topology;  /* SPEC.md, section 4.15 */
     uint32_t index_bits;            /* of a vertex's number there */
     plt_lattice lattice;            /* bits 0: vertices are floats */
 } plt_vertices;

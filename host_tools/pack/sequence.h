@@ -1,7 +1,7 @@
 /* sequence - frames of one topology, coded behind the scene that is packed from the first
  *
  * Frames come one after the other; of the one before, its coordinates are kept, no more. The code
- * of SPEC.md, section 4.14.
+ * of SPEC.md, section 4.15.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PACK_SEQUENCE_H

@@ -205,7 +205,7 @@ damaged() {
 damaged 4 damaged.plt
 for source in map read; do
     refused "a frame that is damaged, --source $source" "frame 4" \
-        "damaged.plt: byte [0-9]*: a block of a frame is damaged (checksum) (I24)" \
+        "damaged.plt: byte [0-9]*: a block of a frame is damaged (checksum) (I25)" \
         render damaged.plt -o x.y4m --frames 2:9 --size 8x8 --source $source
     none_left
 done

@@ -157,7 +157,7 @@ static void damaged_source(void) {
         const uint32_t section = plt_get_u32(s.image.bytes + 104 + 16 * 3 + 4);
         const uint32_t at = section + plt_get_u32(s.image.bytes + section + 4 * 5) + 100;
         s.image.bytes[at] ^= 4; /* in frame 5 */
-        CHECK(go(&s, FAKE_WORKS, 0) == PLT_ERR_IMAGE && s.fault.kind == 'I' && s.fault.rule == 24 &&
+        CHECK(go(&s, FAKE_WORKS, 0) == PLT_ERR_IMAGE && s.fault.kind == 'I' && s.fault.rule == 25 &&
                   plt_sequence_failed(s.engine) == 5 && s.fault.offset <= at &&
                   s.fault.offset > at - 788,
               "frame %u, byte %u: %s", plt_sequence_failed(s.engine), s.fault.offset,

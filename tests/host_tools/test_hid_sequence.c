@@ -116,7 +116,7 @@ static void damaged(void) {
         shown += status == FRAMES_ONE;
     }
     CHECK(status == FRAMES_FAILED && shown > 0 && strstr(f.text, "frame 2: ") == f.text &&
-              strstr(f.text, path) != NULL && strstr(f.text, "I24") != NULL,
+              strstr(f.text, path) != NULL && strstr(f.text, "I25") != NULL,
           "%u shown, then %d: %s", shown, status, f.text);
     frames_close(&source);
     args_free(&a);

@@ -89,7 +89,7 @@ static inline const char *hostile_show(plt_engine *e) {
         hostile_frames_all.shown += status == PLT_OK;
         hostile_frames_all.refused += status != PLT_OK;
         if (status != PLT_OK && !(status == PLT_ERR_IMAGE && fault.kind == 'I' &&
-                                  (fault.rule == 24 || fault.rule == 25))) {
+                                  (fault.rule == 25 || fault.rule == 26))) {
             return "a frame is refused without a rule";
         }
         const char *sentence = i % 8 == 0 ? hostile_trace(e) : NULL;

@@ -73,9 +73,9 @@ frame_decoder frame_decoder_of(const unsigned char *image, uint32_t size) {
         d.origin[a] = number(image + 168 + 4 * a);
     }
     const uint64_t indices = 3 * (uint64_t)d.triangles * bits_for(d.vertices - 1);
-    d.topology = find_section(&d, image, size, 2, 6, (indices + 7) / 8 + 8, 0);
+    d.topology = find_section(&d, image, size, 2, 7, (indices + 7) / 8 + 8, 0);
     d.section =
-        find_section(&d, image, size, 3, 7, (uint64_t)d.frame_bytes + 8, 4 * (d.frames + 1));
+        find_section(&d, image, size, 3, 8, (uint64_t)d.frame_bytes + 8, 4 * (d.frames + 1));
     return d;
 }
 

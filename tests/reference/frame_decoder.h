@@ -1,4 +1,4 @@
-/* frame_decoder - an image's sequence, read as SPEC.md, section 4.14, says, bit by bit
+/* frame_decoder - an image's sequence, read as SPEC.md, section 4.15, says, bit by bit
  *
  * Shares no code with the engine or the packer: header, topology, blocks and checks are read here
  * by themselves, one bit at a time.
