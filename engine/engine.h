@@ -45,6 +45,10 @@ struct plt_engine {
 #if PLT_WITH_MOTION
     struct plt_refit_level *refit_levels; /* of a movable scene */
 #endif
+#if PLT_WITH_GRID
+    void *grid_room; /* where the grid is made, of a scene that has one; the arena's last part */
+    size_t grid_bytes;
+#endif
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
     int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */
 };

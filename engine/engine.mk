@@ -12,6 +12,7 @@
 #   seek     with plt_render_seek, for boards whose cores share a frame; other firmware is without
 #   prefetch  ... whose blocks may be on their way before they are needed, likewise
 #   motion   with plt_move, for triangles of thesis nodes; other firmware is without
+#   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -47,6 +48,8 @@ task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c 
     engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 motion_files := engine/move.c $(wildcard engine/motion/*.c)
+grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
+    engine/trace/grid_*.c engine/trace/traverse_grid.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
@@ -57,15 +60,15 @@ beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/
 
 left_out_render := $(builder_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(motion_files)
+left_out_compact := $(thesis_files) $(motion_files) $(grid_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
-ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion \
+ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion grid \
     frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion or frames; it has $(PARTS))
+    seek, motion, grid or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -80,6 +83,9 @@ endif
 ifeq ($(filter compact,$(PARTS))$(filter motion,$(PARTS)),compactmotion)
 $(error PARTS with motion has thesis nodes: make PARTS='render thesis motion')
 endif
+ifeq ($(filter compact,$(PARTS))$(filter grid,$(PARTS)),compactgrid)
+$(error PARTS with grid has thesis nodes: make PARTS='render thesis grid')
+endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
@@ -87,8 +93,8 @@ ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave batch,$(PARTS)),)
-$(error PARTS with frames has no wave or batch: make PARTS='render thesis frames')
+ifneq ($(filter wave batch grid,$(PARTS)),)
+$(error PARTS with frames has no wave, batch or grid: make PARTS='render thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')
@@ -105,17 +111,19 @@ without_stream := $(if $(filter host,$(BOARD))$(filter stream,$(PARTS)),,yes)
 without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
 without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
+without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
     $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
-    $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)),$(ENGINE_ALL))
+    $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
+    $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
-    $(if $(without_motion),-DPLT_WITH_MOTION=0) \
+    $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.

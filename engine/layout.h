@@ -17,6 +17,12 @@ static inline int plt_layout_motion_valid(const plt_info *info, const plt_option
     return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS;
 }
 
+/* A grid is over records, of thesis nodes or a list. */
+static inline int plt_layout_structure_valid(const plt_info *info, const plt_options *options) {
+    return !PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE ||
+           info->nodes_format == PLT_NODES_THESIS;
+}
+
 static inline int plt_layout_residency_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_STREAMED || options->residency != PLT_RESIDENCY_STREAMED ||
            plt_can_stream(info);

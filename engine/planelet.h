@@ -136,6 +136,16 @@ enum plt_geometry_format {
                               * quantisation grid */
 };
 
+/* What rays find triangles by; hits and frames are the same, bit for bit. */
+enum plt_structure {
+    PLT_STRUCTURE_TREE = 0, /* the image's tree, or list */
+    PLT_STRUCTURE_GRID = 1  /* cells of one size, made when the scene is opened and again whenever
+                             * triangles have moved: fast to make, slower than a good tree for rays
+                             * that differ much. Of images with thesis nodes, or without a tree,
+                             * whose nodes are not looked at; resident, depth first, no wide
+                             * form. Coherent or not, rays go in packets */
+};
+
 /* How plt_trace traces: hits are the same, bit for bit. */
 enum plt_rays {
     PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
@@ -179,6 +189,9 @@ typedef struct plt_options {
                            * as there is room for beside the store, 256 at most (a dispatcher:
                            * 64), smaller ones if fewer than four fit (a need is then that of 1).
                            * Other schedules: 0 */
+    uint8_t structure;    /* enum plt_structure. A grid takes the room that there is: at most
+                           * PLT_GRID_TRIANGLE_BYTES (64) and 8 per triangle, at least 8, of which
+                           * few make it slow. Without PLT_WITH_GRID it is not looked at */
 } plt_options;
 
 /* What is known of an image; counts as in SPEC.md, section 3. */
@@ -485,9 +498,10 @@ void plt_fault_get(const plt_engine *engine, plt_fault *fault);
  * once for all of its pixels. */
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun, and of waves */
-    uint64_t node_visits;    /* nodes decoded, once per packet, or per hull of its rays */
+    uint64_t node_visits;    /* nodes decoded, once per packet, or per hull of its rays; of a grid
+                                cells looked at */
     uint64_t group_tests;    /* four rays, four hulls of rays or a beam against a child's box;
-                                not boxes tested again */
+                                not boxes tested again. Of a grid references of those cells */
     uint64_t triangle_tests; /* four rays against one triangle, as if every group that
                                 reached a leaf met all of its triangles; or one beam */
     uint64_t treelet_fetches;
