@@ -30,9 +30,9 @@ enum { PLT_GRID_CELLS_MOST = 1024 };
 /* Cells over a box; the fourth of each is 0. */
 typedef struct plt_grid_level {
     float lo[4];
-    float size[4];     /* of a cell */
-    float per_unit[4]; /* cells per unit of length; 0: there is one along this axis */
-    float last[4];     /* the last cell: cells - 1 */
+    float size[4];  /* of a cell */
+    float scale[4]; /* cells per length of 1; 0: there is one along this axis */
+    float last[4];  /* the last cell: cells - 1 */
     uint32_t cells[4], stride[4];
     uint32_t *start; /* [cells + 1] of references */
     uint32_t *reference;
@@ -54,8 +54,8 @@ typedef struct plt_grid {
 } plt_grid;
 
 /* Cells that a box, or a point, is in. */
-static inline u4 plt_grid_cell(f4 at, f4 lo, f4 per_unit, f4 last) {
-    const f4 cell = f4_mul(f4_sub(at, lo), per_unit);
+static inline u4 plt_grid_cell(f4 at, f4 lo, f4 scale, f4 last) {
+    const f4 cell = f4_mul(f4_sub(at, lo), scale);
     return u4_of_f4(f4_min(f4_max(cell, f4_zero()), last));
 }
 

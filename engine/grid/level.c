@@ -51,7 +51,7 @@ void plt_grid_level_set(plt_grid_level *l, const plt_box *box, float wanted) {
         l->lo[a] = box->lo[a];
         l->cells[a] = cells;
         l->size[a] = side[a] / (float)cells;
-        l->per_unit[a] = cells > 1 ? (float)cells / side[a] : 0.0f;
+        l->scale[a] = cells > 1 ? (float)cells / side[a] : 0.0f;
         l->last[a] = (float)(cells - 1);
         l->stride[a] = stride;
         stride *= cells;
@@ -60,7 +60,7 @@ void plt_grid_level_set(plt_grid_level *l, const plt_box *box, float wanted) {
 
 /* Of cells, in registers. */
 typedef struct cells4 {
-    f4 lo, per_unit, last;
+    f4 lo, scale, last;
 } cells4;
 
 typedef struct range {
@@ -73,13 +73,13 @@ PLT_INLINED range range_of(const cells4 *c, const plt_record *record) {
     plt_record_rows(record, corner);
     const f4 lo = f4_min(f4_min(corner[0], corner[1]), corner[2]);
     const f4 hi = f4_max(f4_max(corner[0], corner[1]), corner[2]);
-    u4_store(r.from, plt_grid_cell(lo, c->lo, c->per_unit, c->last));
-    u4_store(r.to, plt_grid_cell(hi, c->lo, c->per_unit, c->last));
+    u4_store(r.from, plt_grid_cell(lo, c->lo, c->scale, c->last));
+    u4_store(r.to, plt_grid_cell(hi, c->lo, c->scale, c->last));
     return r;
 }
 
 static inline cells4 cells4_of(const plt_grid_level *l) {
-    const cells4 c = {f4_load(l->lo), f4_load(l->per_unit), f4_load(l->last)};
+    const cells4 c = {f4_load(l->lo), f4_load(l->scale), f4_load(l->last)};
     return c;
 }
 

@@ -1,4 +1,4 @@
-/* grid_cull - which groups of a unit may meet a triangle
+/* grid_cull - which groups of a bundle may meet a triangle
  *
  * Source: Dmitriev, Havran, Seidel, "Faster ray tracing with SIMD shaft culling", 2004; groups are
  * ours.
@@ -38,7 +38,7 @@ static inline f4 plt_grid_least(f4 base, f4 rate, f4 near, f4 far) {
 
 /* All corners are beyond one bound. Only of a triangle that is wholly ahead: t may be off by so
  * much that a hit ahead belongs to a point behind. */
-static inline int plt_grid_is_beside(const plt_grid_unit *u, const plt_grid_turn *t,
+static inline int plt_grid_is_beside(const plt_grid_bundle *u, const plt_grid_turn *t,
                                      const plt_grid_shape *g) {
     const f4 base = f4_sub(f4_load(u->base), f4_all(t->margin)), rate = f4_load(u->rate);
     const float plane = t->sign > 0.0f ? g->near - g->lo[t->z] : g->near + g->hi[t->z];
@@ -87,7 +87,7 @@ static inline plt_mask plt_grid_meet_groups(const plt_grid_state *s, const plt_g
     return met & groups;
 }
 
-/* Those of `groups`, of the unit, that may meet it. */
+/* Those of `groups`, of the bundle, that may meet it. */
 static inline plt_mask plt_grid_cull(const plt_grid_state *s, const plt_grid_shape *g,
                                      plt_mask groups) {
     const plt_grid_turn *t = &s->turn;
@@ -95,8 +95,8 @@ static inline plt_mask plt_grid_cull(const plt_grid_state *s, const plt_grid_sha
     const float side[4] = {g->hi[t->x] + t->margin, g->hi[t->y] + t->margin,
                            t->margin - g->lo[t->x], t->margin - g->lo[t->y]};
     const f4 least =
-        plt_grid_least(f4_load(s->unit.base), f4_load(s->unit.rate), f4_all(near), f4_all(far));
-    if (m4_mask(f4_le(least, f4_load(side))) != 15 || plt_grid_is_beside(&s->unit, t, g)) {
+        plt_grid_least(f4_load(s->bundle.base), f4_load(s->bundle.rate), f4_all(near), f4_all(far));
+    if (m4_mask(f4_le(least, f4_load(side))) != 15 || plt_grid_is_beside(&s->bundle, t, g)) {
         return 0;
     }
     if ((groups & (groups - 1)) == 0 || (s->without & PLT_GRID_WITHOUT_GROUPS) != 0) {

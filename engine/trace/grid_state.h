@@ -1,10 +1,10 @@
 /* grid_state - how far a packet is on its way through a grid
  *
  * A packet goes through a grid in *turns*, one for each axis and direction that is the largest of
- * any of its rays; a turn in *units*, its groups as long as they are close together; a unit slice
- * after slice. A *slice* is a layer of cells across the turn's axis.
+ * any of its rays; a turn in *bundles*, its groups as long as they are close together; a bundle
+ * slice after slice. A *slice* is a layer of cells across the turn's axis.
  *
- * Depth is what has been gone along the axis from the turn's plane, in scene units; coordinates are
+ * Depth is what has been gone along the axis from the turn's plane; coordinates are
  * relative to the least corner of the scene's box. A *bound* is linear in depth, and rays that
  * belong to it are never below it, from depth 0 to `length`; there are four, for both axes x and y
  * after the turn's: x, y, -x and -y.
@@ -48,23 +48,23 @@ typedef struct plt_grid_turn {
     float length;       /* bounds hold up to here, all of the grid */
     float margin;       /* what anything is moved by, to be sure */
     plt_mask groups;    /* with rays */
-    uint32_t next;      /* group that the next unit begins with */
+    uint32_t next;      /* group that the next bundle begins with */
     uint8_t lanes_left; /* of group `next`, if its rays go one by one */
 } plt_grid_turn;
 
-typedef struct plt_grid_unit {
+typedef struct plt_grid_bundle {
     plt_mask groups; /* those that may still hit something, as far as is known */
     unsigned first;  /* its lowest group */
     float base[4], rate[4];
     float soonest; /* depth up to which all of its groups seek hits */
     int32_t slice, last, step;
     uint32_t stamp; /* in the mailbox: triangles that it has met */
-} plt_grid_unit;
+} plt_grid_bundle;
 
 typedef struct plt_grid_state {
     plt_grid_turn turn;
-    plt_grid_unit unit; /* groups 0: there is none */
-    unsigned turns;     /* begun: 0 .. 6 */
+    plt_grid_bundle bundle; /* groups 0: there is none */
+    unsigned turns;         /* begun: 0 .. 6 */
     uint32_t stamp;
     uint8_t without;                 /* enum plt_grid_without */
     uint8_t lanes[PLT_GROUPS_MAX];   /* of the turn */
@@ -75,7 +75,7 @@ typedef struct plt_grid_state {
     plt_grid_quad ends[PLT_GRID_QUADS];
 } plt_grid_state;
 
-/* The mailbox lies behind the state: of each record the last unit that met it. */
+/* The mailbox lies behind the state: of each record the last bundle that met it. */
 static inline uint32_t *plt_grid_mailbox(plt_grid_state *s) {
     return (uint32_t *)(void *)(s + 1);
 }

@@ -1,8 +1,8 @@
 /* traverse_grid - packets through a grid, slice after slice
  *
  * What groups of rays may meet in a slice is a rectangle of cells; their references are all looked
- * at, but each record once per unit. Slices come front to back, and a group that has hits in front
- * of a slice is done for good: so a record that was met once need not be met again.
+ * at, but each record once per bundle. Slices come front to back, and a group that has hits in
+ * front of a slice is done for good: so a record that was met once need not be met again.
  *
  * Source: Wald, Ize, Kensler, Knoll, Parker, "Ray tracing animated scenes using coherent grid
  * traversal", 2006. Why hits are those of any tree: DESIGN.md, section 7.9.
@@ -10,9 +10,9 @@
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "engine/trace/grid_bundle.h"
 #include "engine/trace/grid_cull.h"
 #include "engine/trace/grid_turn.h"
-#include "engine/trace/grid_unit.h"
 #include "engine/trace/leaf_records.h"
 #include "engine/trace/traverse_formats.h"
 #include "engine/tree/record_rows.h"
@@ -59,10 +59,10 @@ static inline void visit_record(visit *v, uint32_t index) {
     const plt_record *record = &v->records[index];
     plt_grid_shape g;
     f4 corner[3];
-    if (v->mailbox[index] == s->unit.stamp && (s->without & PLT_GRID_WITHOUT_MAILBOX) == 0) {
+    if (v->mailbox[index] == s->bundle.stamp && (s->without & PLT_GRID_WITHOUT_MAILBOX) == 0) {
         return;
     }
-    v->mailbox[index] = s->unit.stamp;
+    v->mailbox[index] = s->bundle.stamp;
     plt_mask groups = v->groups & v->p->active;
     plt_record_rows(record, corner);
     plt_grid_shape_set(&g, &s->turn, v->p->scene, corner);
@@ -79,7 +79,7 @@ typedef struct rectangle {
     int32_t from[2], to[2];
 } rectangle;
 
-/* What the unit's groups may reach of a slice. 0: nothing. */
+/* What the bundle's groups may reach of a slice. 0: nothing. */
 static int overlap(const plt_grid_view *view, const plt_grid_turn *t, const plt_grid_level *l,
                    float front, float back, rectangle *r) {
     const f4 near = f4_all(front > 0.0f ? front : 0.0f), far = f4_all(back > 0.0f ? back : 0.0f);
@@ -140,7 +140,7 @@ static void set_until(visit *v) {
     for (plt_mask m = tested; m != 0; m &= m - 1) {
         const unsigned group = plt_mask_first(m);
         s->until[group] = plt_grid_until(&s->turn, p, group, s->lanes[group]);
-        s->unit.soonest = -PLT_BOX_FAR;
+        s->bundle.soonest = -PLT_BOX_FAR;
     }
 }
 
@@ -215,9 +215,9 @@ static void visit_cells(visit *v, const plt_grid *grid, int32_t slice, const rec
     }
 }
 
-/* Groups of the unit that seek hits at this depth. */
+/* Groups of the bundle that seek hits at this depth. */
 static void drop_groups(plt_grid_state *s, const plt_packet *p, float depth) {
-    plt_grid_unit *u = &s->unit;
+    plt_grid_bundle *u = &s->bundle;
     plt_mask still = 0;
     float soonest = PLT_BOX_FAR;
     for (plt_mask m = u->groups & p->active; m != 0; m &= m - 1) {
@@ -237,11 +237,11 @@ static void drop_groups(plt_grid_state *s, const plt_packet *p, float depth) {
     }
 }
 
-/* The unit's current slice, and on to the next. Returns cells looked at, and 1. */
+/* The bundle's current slice, and on to the next. Returns cells looked at, and 1. */
 static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
     const plt_grid *grid = t->scene->gridded.grid;
     const plt_grid_level *top = &grid->top;
-    plt_grid_unit *u = &s->unit;
+    plt_grid_bundle *u = &s->bundle;
     const int32_t slice = u->slice;
     const float plane = s->turn.sign * (top->lo[s->turn.z] - s->turn.plane);
     const float size = s->turn.sign * top->size[s->turn.z];
@@ -278,10 +278,10 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
     return v.cells + 1;
 }
 
-/* To the next unit, of this turn or another. 0: there is none. */
-static int next_unit(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
+/* To the next bundle, of this turn or another. 0: there is none. */
+static int next_bundle(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
     const plt_gridded *scene = &t->scene->gridded;
-    while (!plt_grid_next_unit(s, p, &scene->grid->top, scene->count)) {
+    while (!plt_grid_next_bundle(s, p, &scene->grid->top, scene->count)) {
         if (!plt_grid_next_turn(s, p)) {
             return 0;
         }
@@ -315,7 +315,7 @@ void plt_grid_begin(plt_traversal *t, plt_packet *p) {
     }
 #endif
     s->turns = 0;
-    s->unit.groups = 0;
+    s->bundle.groups = 0;
     s->turn.groups = 0;
     s->turn.next = PLT_GROUPS_MAX;
     s->turn.lanes_left = 0;
@@ -325,7 +325,7 @@ void plt_grid_begin(plt_traversal *t, plt_packet *p) {
 int plt_grid_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
     plt_grid_state *s = plt_grid_state_of(t);
     while (t->waiting > 0 && visits > 0) {
-        if (s->unit.groups == 0 && !next_unit(t, p, s)) {
+        if (s->bundle.groups == 0 && !next_bundle(t, p, s)) {
             t->waiting = 0;
             break;
         }

@@ -115,6 +115,15 @@ says "%s; pack it with --nodes thesis, or leave out --moved" \
 run pack knot.ply -o thesis.plt --nodes thesis
 cured render thesis.plt -o x.png --moved knot.ply
 cured render compact.plt -o x.png
+says "%s; pack it with --nodes thesis, or leave out --structure" \
+    render compact.plt -o x.png --structure grid
+cured render thesis.plt -o x.png --structure grid
+says "--structure grid is for --residency resident" \
+    render thesis.plt -o x.png --structure grid --residency streamed
+cured render thesis.plt -o x.png --structure grid --residency resident
+says "--structure grid is for --walk depth" \
+    render thesis.plt -o x.png --structure grid --walk two-stage
+cured render thesis.plt -o x.png --structure grid --walk depth
 says "--frames takes A:B, 0 to %d, A below B, not '%s'" \
     render thesis.plt -o x.png --moved knot.ply --frames 2
 cured render thesis.plt -o x.png --moved knot.ply --frames 2:3

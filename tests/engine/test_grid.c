@@ -233,8 +233,8 @@ static void check_cells(const grid_rig *g, const char *name) {
         const plt_box b = plt_record_box(&g->engine->scene.gridded.records[i]);
         uint64_t reached = 1;
         for (int a = 0; a < 3; a++) {
-            const float lo = (b.lo[a] - top->lo[a]) * top->per_unit[a];
-            const float hi = (b.hi[a] - top->lo[a]) * top->per_unit[a];
+            const float lo = (b.lo[a] - top->lo[a]) * top->scale[a];
+            const float hi = (b.hi[a] - top->lo[a]) * top->scale[a];
             const uint32_t last = top->cells[a] - 1;
             const uint32_t from = lo < (float)last ? (uint32_t)lo : last;
             const uint32_t to = hi < (float)last ? (uint32_t)hi : last;

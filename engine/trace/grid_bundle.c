@@ -1,7 +1,7 @@
-/* grid_unit - see grid_unit.h
+/* grid_bundle - see grid_bundle.h
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/trace/grid_unit.h"
+#include "engine/trace/grid_bundle.h"
 
 #include <string.h>
 
@@ -29,17 +29,17 @@ static unsigned largest_block(unsigned first) {
 }
 
 static void set_one(plt_grid_state *s) {
-    const plt_grid_bounds *b = &s->group[s->unit.first / 4];
+    const plt_grid_bounds *b = &s->group[s->bundle.first / 4];
     for (int i = 0; i < 4; i++) {
-        s->unit.base[i] = b->base[i][s->unit.first % 4];
-        s->unit.rate[i] = b->rate[i][s->unit.first % 4];
+        s->bundle.base[i] = b->base[i][s->bundle.first % 4];
+        s->bundle.rate[i] = b->rate[i][s->bundle.first % 4];
     }
 }
 
 void plt_grid_set_bounds(plt_grid_state *s) {
-    plt_mask m = s->unit.groups;
+    plt_mask m = s->bundle.groups;
     f4 base = f4_all(PLT_BOX_FAR), end = base;
-    s->unit.first = plt_mask_first(m);
+    s->bundle.first = plt_mask_first(m);
     if ((m & (m - 1)) == 0) {
         set_one(s);
         return;
@@ -50,13 +50,13 @@ void plt_grid_set_bounds(plt_grid_state *s) {
         end = f4_min(end, f4_load(s->ends[quad].end));
         m &= ~((plt_mask)15 << (4 * quad));
     }
-    f4_store(s->unit.base, base);
-    f4_store(s->unit.rate, f4_mul(f4_sub(end, base), f4_all(1.0f / s->turn.length)));
+    f4_store(s->bundle.base, base);
+    f4_store(s->bundle.rate, f4_mul(f4_sub(end, base), f4_all(1.0f / s->turn.length)));
 }
 
 static float least_from(const plt_grid_state *s) {
     float from = PLT_BOX_FAR;
-    for (plt_mask m = s->unit.groups; m != 0; m &= m - 1) {
+    for (plt_mask m = s->bundle.groups; m != 0; m &= m - 1) {
         from = smaller(from, s->from[plt_mask_first(m)]);
     }
     return from;
@@ -82,7 +82,7 @@ static void take_lane(plt_grid_state *s, const plt_packet *p) {
     t->lanes_left &= (uint8_t)(t->lanes_left - 1);
     s->lanes[t->next] = (uint8_t)(1u << lane);
     plt_grid_one_lane(s, p, t->next, lane);
-    s->unit.groups = plt_mask_of(t->next, 1);
+    s->bundle.groups = plt_mask_of(t->next, 1);
     plt_grid_set_bounds(s);
     t->next += t->lanes_left == 0;
 }
@@ -96,8 +96,8 @@ static int take_groups(plt_grid_state *s, const plt_packet *p, const plt_grid_le
     }
     while (t->next < p->groups) {
         for (unsigned size = largest_block(t->next);; size /= 4) {
-            s->unit.groups = t->groups & p->active & block_of(t->next, size);
-            if (s->unit.groups == 0) {
+            s->bundle.groups = t->groups & p->active & block_of(t->next, size);
+            if (s->bundle.groups == 0) {
                 t->next += size;
                 break;
             }
@@ -122,13 +122,13 @@ static void set_stamp(plt_grid_state *s, uint32_t records) {
         memset(plt_grid_mailbox(s), 0, records * sizeof(uint32_t));
         s->stamp = 1;
     }
-    s->unit.stamp = s->stamp;
+    s->bundle.stamp = s->stamp;
 }
 
-int plt_grid_next_unit(plt_grid_state *s, const plt_packet *p, const plt_grid_level *top,
-                       uint32_t records) {
+int plt_grid_next_bundle(plt_grid_state *s, const plt_packet *p, const plt_grid_level *top,
+                         uint32_t records) {
     const plt_grid_turn *t = &s->turn;
-    plt_grid_unit *u = &s->unit;
+    plt_grid_bundle *u = &s->bundle;
     while (take_groups(s, p, top)) {
         if (plt_grid_first_slice(t, top, least_from(s), &u->slice)) {
             u->step = t->sign > 0.0f ? 1 : -1;
