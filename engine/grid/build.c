@@ -115,6 +115,8 @@ const plt_grid *plt_grid_build(const plt_grid_job *job) {
     g->bytes = used;
     g->crowded_count = 0;
     g->crowded = NULL;
-    plt_grid_refine(g, job->records, job->bytes);
+    if (!job->is_plain) {
+        plt_grid_refine(g, job->records, job->bytes);
+    }
     return g;
 }

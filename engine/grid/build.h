@@ -13,6 +13,7 @@ typedef struct plt_grid_job {
     uint32_t count;
     const plt_box *box; /* of all records */
     float density;      /* cells per triangle that are wanted */
+    uint8_t is_plain;   /* 1: crowded cells stay as they are; for figures (tests/measure) */
     void *room;         /* aligned to PLT_ALIGN */
     size_t bytes;       /* of it, plt_grid_least_bytes(count) at least */
 } plt_grid_job;
