@@ -8,9 +8,9 @@
 #include "engine/grid/level.h"
 
 enum {
-    CROWDED_LEAST = 64, /* references */
-    CROWDED_MOST = 64,  /* cells */
-    SHARES_MOST = 8     /* references of a level per item: else it has fewer cells */
+    CROWDED_LEAST = 256, /* references */
+    CROWDED_MOST = 64,   /* cells */
+    SHARES_MOST = 8      /* references of a level per item: else it has fewer cells */
 };
 #define CROWDED_DENSITY 2.0f /* cells per item */
 #define GROWN 1.0e-3f        /* of a cell, and ... */
