@@ -33,7 +33,8 @@ for any in '' --any; do
     run trace host.plt mixed tree.hits $any
     for flags in '' '--packet 4' '--rays incoherent' '--arena 400000'; do
         # shellcheck disable=SC2086
-        works "rays by a grid $any $flags" trace host.plt mixed grid.hits $any $flags --structure grid
+        works "rays by a grid $any $flags" trace host.plt mixed grid.hits $any $flags \
+            --structure grid
         same tree.hits grid.hits "... hit what they hit by the tree"
     done
 done

@@ -45,8 +45,8 @@ flags() {
     misused "planelet $command refuses a flag that it does not have" --frobnicate \
         "$command" quad.ply --frobnicate
 }
-scene_flags='--packet --walk --structure --residency --store --schedule --batch --prefetch --source --arena'
-scene_flags="$scene_flags --workers --turns"
+scene_flags='--packet --walk --structure --residency --store --schedule --batch --prefetch'
+scene_flags="$scene_flags --source --arena --workers --turns"
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
