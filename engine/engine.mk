@@ -132,7 +132,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/base/arena.c engine/trace/traversal.c engine/trace/rays.c \
     engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \
-    engine/trace/wide.c \
+    engine/trace/wide.c engine/grid/build.c engine/grid/crowded.c engine/grid_room.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
     engine/shade/rendering.c engine/seek.c engine/shade/seek.c)

@@ -10,11 +10,11 @@
 #define NEEDS "this build of the engine does not have what the image needs: "
 
 const char *plt_scene_left_out(const plt_info *info, unsigned residency, unsigned structure) {
-    const enum plt_format format = plt_format_of(info, residency, structure);
-    if (!PLT_WITH_BUILDER && info->build == PLT_BUILD_DEVICE && format != PLT_FORMAT_GRID) {
+    const int wants_tree = !PLT_WITH_GRID || structure == PLT_STRUCTURE_TREE;
+    if (!PLT_WITH_BUILDER && info->build == PLT_BUILD_DEVICE && wants_tree) {
         return NEEDS "the builder (PLT_WITH_BUILDER)";
     }
-    switch (format) {
+    switch (plt_format_of(info, residency, structure)) {
 #define LEFT_OUT(NAME, name, with, text)                                                           \
     case PLT_FORMAT_##NAME:                                                                        \
         return with ? NULL : NEEDS text;

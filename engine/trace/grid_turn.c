@@ -107,8 +107,8 @@ typedef struct four_rays {
     f4 from, until;
 } four_rays;
 
-PLT_INLINED four_rays rays_of(const plt_grid_turn *t, const plt_packet *p, unsigned group,
-                              unsigned lanes) {
+static four_rays rays_of(const plt_grid_turn *t, const plt_packet *p, unsigned group,
+                         unsigned lanes) {
     const plt_group_rays *g = &p->rays[group];
     const f4 along = f4_load(g->org[t->z]), sign = f4_all(t->sign);
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
