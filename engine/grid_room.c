@@ -7,7 +7,7 @@
 
 #if PLT_WITH_GRID
 
-#define DENSITY 1.0f /* cells per triangle: DESIGN.md, section 6.3 */
+#define DENSITY 0.5f /* cells per triangle: DESIGN.md, section 6.3 */
 
 void plt_grid_room_fill(plt_engine *e) {
     if (e->scene.format == PLT_FORMAT_GRID) {

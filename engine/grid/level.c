@@ -63,8 +63,10 @@ typedef struct cells4 {
     f4 lo, scale, last;
 } cells4;
 
+/* `single`: it is one cell. */
 typedef struct range {
     uint32_t from[4], to[4];
+    int single;
 } range;
 
 PLT_INLINED range range_of(const cells4 *c, const plt_record *record) {
@@ -73,8 +75,11 @@ PLT_INLINED range range_of(const cells4 *c, const plt_record *record) {
     plt_record_rows(record, corner);
     const f4 lo = f4_min(f4_min(corner[0], corner[1]), corner[2]);
     const f4 hi = f4_max(f4_max(corner[0], corner[1]), corner[2]);
-    u4_store(r.from, plt_grid_cell(lo, c->lo, c->scale, c->last));
-    u4_store(r.to, plt_grid_cell(hi, c->lo, c->scale, c->last));
+    const u4 from = plt_grid_cell(lo, c->lo, c->scale, c->last);
+    const u4 to = plt_grid_cell(hi, c->lo, c->scale, c->last);
+    u4_store(r.from, from);
+    u4_store(r.to, to);
+    r.single = m4_mask(u4_eq(from, to)) == 15;
     return r;
 }
 
@@ -95,6 +100,11 @@ uint64_t plt_grid_level_count(const plt_grid_level *l, const plt_grid_items *ite
     memset(count, 0, ((size_t)plt_grid_cells(l) + 1) * sizeof *count);
     for (uint32_t i = 0; i < items->count && sum <= most; i++) {
         const range r = range_of(&c, item_at(items, i));
+        if (r.single) {
+            count[r.from[2] * layer + r.from[1] * row + r.from[0]]++;
+            sum++;
+            continue;
+        }
         sum += (uint64_t)(r.to[0] - r.from[0] + 1) * (r.to[1] - r.from[1] + 1) *
                (r.to[2] - r.from[2] + 1);
         for (uint32_t z = r.from[2]; z <= r.to[2]; z++) {
@@ -127,6 +137,10 @@ void plt_grid_level_fill(const plt_grid_level *l, const plt_grid_items *items) {
     for (uint32_t i = items->count; i-- > 0;) {
         const range r = range_of(&c, item_at(items, i));
         const uint32_t item = items->list != NULL ? items->list[i] : i;
+        if (r.single) {
+            reference[--end[r.from[2] * layer + r.from[1] * row + r.from[0]]] = item;
+            continue;
+        }
         for (uint32_t z = r.from[2]; z <= r.to[2]; z++) {
             for (uint32_t y = r.from[1]; y <= r.to[1]; y++) {
                 uint32_t *const at = &end[z * layer + y * row];

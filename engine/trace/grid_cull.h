@@ -102,7 +102,9 @@ static inline plt_mask plt_grid_cull(const plt_grid_state *s, const plt_grid_sha
     if ((groups & (groups - 1)) == 0 || (s->without & PLT_GRID_WITHOUT_GROUPS) != 0) {
         return groups;
     }
-    plt_grid_sides sides = {.near = f4_all(near), .far = f4_all(far)};
+    plt_grid_sides sides;
+    sides.near = f4_all(near);
+    sides.far = f4_all(far);
     PLT_UNROLLED for (int i = 0; i < 4; i++) {
         sides.side[i] = f4_all(side[i]);
     }

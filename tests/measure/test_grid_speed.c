@@ -47,15 +47,15 @@ static plt_grid_job job_of(const subject *s, float density, int is_plain) {
 
 /* ---- rays ---------------------------------------------------------------------------- */
 
-/* A frame of side^2 rays, whole scene in view, each packet's in Z order. */
-static plt_ray *frame_rays(const subject *s, unsigned side, unsigned packet) {
+/* A frame of side^2 rays, the whole mesh in view, each packet's in Z order. */
+static plt_ray *frame_rays(const mesh *m, unsigned side, unsigned packet) {
     static const float from[3] = {0.5f, 0.4f, 1.2f};
-    const plt_info *info = plt_engine_info(s->g.engine);
     plt_ray *rays = malloc((size_t)side * side * sizeof *rays), *ray = rays;
-    float longest = 0.0f, eye[3], look[3], right[3], up[3];
+    float longest = 0.0f, lo[3], hi[3], eye[3], look[3], right[3], up[3];
+    shape_box(m, lo, hi);
     for (int a = 0; a < 3; a++) {
-        look[a] = 0.5f * (info->lo[a] + info->hi[a]);
-        longest = fmaxf(longest, info->hi[a] - info->lo[a]);
+        look[a] = 0.5f * (lo[a] + hi[a]);
+        longest = fmaxf(longest, hi[a] - lo[a]);
     }
     for (int a = 0; a < 3; a++) {
         eye[a] = look[a] + from[a] * longest;
@@ -208,7 +208,7 @@ static void without(subject *s, const plt_ray *rays, plt_hit *hits, uint32_t cou
 
 static double frame_speed(subject *s, unsigned side, unsigned packet, double smaller) {
     const uint32_t count = side * side;
-    plt_ray *rays = frame_rays(s, side, packet);
+    plt_ray *rays = frame_rays(s->m, side, packet);
     plt_hit *hits = malloc(count * sizeof *hits), *due = malloc(count * sizeof *due);
     float density = 0.0f;
     const double tree = trace_seconds(s->g.tree.engine, rays, due, count);
@@ -234,7 +234,7 @@ static double frame_speed(subject *s, unsigned side, unsigned packet, double sma
 /* A frame of triangles that move: records written, refit or grid, 512 x 512 rays. */
 static void moved_frames(subject *s, unsigned packet) {
     const uint32_t count = 512 * 512;
-    plt_ray *rays = frame_rays(s, 512, packet);
+    plt_ray *rays = frame_rays(s->m, 512, packet);
     plt_hit *hits = malloc(count * sizeof *hits);
     float(*corners)[9] = malloc((s->m->triangles + 1) * sizeof *corners);
     double best[2][2] = {{0, 0}, {0, 0}};
@@ -261,6 +261,64 @@ static void moved_frames(subject *s, unsigned packet) {
     free(hits);
 }
 
+/* `to` gets the triangles of `m`, too. */
+static int append(mesh *to, const mesh *m) {
+    const uint32_t first = (uint32_t)to->vertices;
+    fail f = {""};
+    if (mesh_reserve(to, to->vertices + m->vertices, to->triangles + m->triangles, &f) != 0) {
+        return 0;
+    }
+    memcpy(to->vertex + 3 * to->vertices, m->vertex, 12 * m->vertices);
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        to->triangle[3 * to->triangles + i] = first + m->triangle[i];
+    }
+    to->vertices += m->vertices;
+    to->triangles += m->triangles;
+    return 1;
+}
+
+/* The mesh is a teapot in a stadium: 0.155 long, on a floor of 100 in 64 x 64 squares. */
+static void stadium(const mesh *m, unsigned packet) {
+    mesh whole = {0}, small = {0};
+    float lo[3], hi[3], longest = 0.0f;
+    shape_box(m, lo, hi);
+    for (int a = 0; a < 3; a++) {
+        longest = fmaxf(longest, hi[a] - lo[a]);
+    }
+    CHECK(append(&small, m), "out of memory");
+    const float scale = 0.155f / longest;
+    shape_transform(&small, scale, 3.0f - scale * lo[0], -scale * lo[1], -7.0f - scale * lo[2]);
+    shape_sheet(&whole, rig_is_tiny() ? 2 : 64, 1);
+    shape_transform(&whole, 50.0f, 0.0f, 0.0f, 0.0f);
+    CHECK(append(&whole, &small), "out of memory");
+    subject s = {.m = &whole};
+    s.config = rig_config_of(4, 64, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    s.config.run.count_touched = 0;
+    open_subject(&s, packet);
+    if (s.g.engine != NULL) {
+        const uint32_t count = 512 * 512;
+        plt_ray *rays = frame_rays(&small, 512, packet);
+        plt_hit *hits = malloc(count * sizeof *hits);
+        const double tree = trace_seconds(s.g.tree.engine, rays, hits, count);
+        const double grid = trace_seconds(s.g.engine, rays, hits, count);
+        const uint32_t crowded = grid_of(&s.g)->crowded_count;
+        const plt_grid_job job = job_of(&s, 1.0f, 1);
+        s.g.engine->scene.gridded.grid = plt_grid_build(&job);
+        const double plain = trace_seconds(s.g.engine, rays, hits, count / 16);
+        printf(
+            "    in a stadium, %2ux%-2u: tree %.2f Mray/s, grid %.2f (%u crowded cells): takes "
+            "%.2f "
+            "times as long; without cells of crowded ones %.3f\n",
+            packet, packet, 1e-6 * count / tree, 1e-6 * count / grid, crowded, grid / tree,
+            1e-6 * count / 16 / plain);
+        free(rays);
+        free(hits);
+    }
+    close_subject(&s);
+    mesh_free(&whole);
+    mesh_free(&small);
+}
+
 static void measure(const mesh *m, const char *name) {
     printf("  %s, %zu triangles\n", name, m->triangles);
     for (unsigned packet = 8; packet <= 16 && packet <= PLT_PACKET_SIDE_MAX; packet *= 2) {
@@ -278,6 +336,7 @@ static void measure(const mesh *m, const char *name) {
             moved_frames(&s, packet);
         }
         close_subject(&s);
+        stadium(m, packet);
     }
 }
 
