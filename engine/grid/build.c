@@ -116,7 +116,7 @@ const plt_grid *plt_grid_build(const plt_grid_job *job) {
     g->crowded_count = 0;
     g->crowded = NULL;
     if (!job->is_plain) {
-        plt_grid_refine(g, job->records, job->bytes);
+        plt_grid_refine(g, job->records, job->count, job->bytes);
     }
     return g;
 }

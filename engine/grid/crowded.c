@@ -8,7 +8,8 @@
 #include "engine/grid/level.h"
 
 enum {
-    CROWDED_LEAST = 256, /* references */
+    CROWDED_LEAST = 256, /* references; and a sixteenth of all triangles, */
+    CROWDED_SURE = 1024, /* or so many */
     CROWDED_MOST = 64,   /* cells */
     SHARES_MOST = 8      /* references of a level per item: else it has fewer cells */
 };
@@ -30,8 +31,9 @@ static uint32_t count_above(const plt_grid_level *top, uint32_t least) {
 }
 
 /* How many references make a cell crowded, so that few are; 0: none is. */
-static uint32_t crowded_above(const plt_grid_level *top) {
-    uint32_t least = CROWDED_LEAST, count;
+static uint32_t crowded_above(const plt_grid_level *top, uint32_t triangles) {
+    const uint32_t share = triangles / 16 < CROWDED_SURE ? triangles / 16 : CROWDED_SURE;
+    uint32_t least = share > CROWDED_LEAST ? share : CROWDED_LEAST, count;
     while ((count = count_above(top, least)) > CROWDED_MOST) {
         least *= 2;
     }
@@ -103,8 +105,8 @@ static int refine_cell(plt_grid *g, const plt_record *records, uint32_t cell, si
     return 1;
 }
 
-void plt_grid_refine(plt_grid *g, const plt_record *records, size_t bytes) {
-    const uint32_t cells = plt_grid_cells(&g->top), least = crowded_above(&g->top);
+void plt_grid_refine(plt_grid *g, const plt_record *records, uint32_t count, size_t bytes) {
+    const uint32_t cells = plt_grid_cells(&g->top), least = crowded_above(&g->top, count);
     const size_t levels = least > 0 ? count_above(&g->top, least) * sizeof(plt_grid_level) : 0;
     if (least == 0 || levels > bytes - g->bytes) {
         return;

@@ -9,8 +9,8 @@
 #include "engine/grid/grid.h"
 #include "engine/tree/record.h"
 
-/* Gives cells of `g` that are crowded a level, if they are few, as far as the room of `bytes` goes,
- * whose front is `g`. */
-void plt_grid_refine(plt_grid *g, const plt_record *records, size_t bytes);
+/* Gives cells of `g`, over `count` records, that are crowded a level, if they are few, as far as
+ * the room of `bytes` goes, whose front is `g`. */
+void plt_grid_refine(plt_grid *g, const plt_record *records, uint32_t count, size_t bytes);
 
 #endif
