@@ -56,6 +56,10 @@ struct plt_engine {
     plt_task_rays shared;  /* rays that workers share; hits NULL: a frame, or nothing */
     plt_dispatch dispatch; /* rooms 0: none */
 #endif
+#if PLT_WITH_GRID
+    void *grid_room; /* where the grid is made, of a scene that has one; the arena's last part */
+    size_t grid_bytes;
+#endif
 };
 
 #endif

@@ -15,6 +15,7 @@
 #            plt_rebuild_begin; other firmware is without
 #   some     ... and with plt_move_some, likewise
 #   sequence ... and with plt_sequence_show, for frames that an image holds
+#   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -55,6 +56,8 @@ sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/mo
 some_files := engine/move_some.c engine/motion/dirty.c
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c
 motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
+grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
+    engine/trace/grid_*.c engine/trace/traverse_grid.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
@@ -65,15 +68,15 @@ beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/
 
 left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(motion_files) $(sequence_files)
+left_out_compact := $(thesis_files) $(motion_files) $(sequence_files) $(grid_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    sequence frames,$(PARTS)),)
+    sequence grid frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, sequence or frames; it has $(PARTS))
+    seek, motion, some, sequence, grid or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -94,6 +97,9 @@ endif
 ifeq ($(filter motion,$(PARTS))$(filter some,$(PARTS)),some)
 $(error PARTS with some has motion: make PARTS='render thesis motion some')
 endif
+ifeq ($(filter compact,$(PARTS))$(filter grid,$(PARTS)),compactgrid)
+$(error PARTS with grid has thesis nodes: make PARTS='render thesis grid')
+endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
@@ -101,8 +107,8 @@ ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave batch,$(PARTS)),)
-$(error PARTS with frames has no wave or batch: make PARTS='render thesis frames')
+ifneq ($(filter wave batch grid,$(PARTS)),)
+$(error PARTS with frames has no wave, batch or grid: make PARTS='render thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')
@@ -121,6 +127,7 @@ without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
 without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
+without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
@@ -128,12 +135,13 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
     $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
     $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
-    $(if $(without_some),$(some_files)) $(if $(without_sequence),$(sequence_files)),$(ENGINE_ALL))
+    $(if $(without_some),$(some_files)) $(if $(without_sequence),$(sequence_files)) \
+    $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
     $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_sequence),-DPLT_WITH_SEQUENCE=0) \
-    $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) \
+    $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
@@ -144,7 +152,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/builder/b*.c engine/builder/strips.c engine/tree/thesis/treelets.c \
     engine/base/arena.c engine/trace/traversal.c engine/trace/rays.c \
     engine/trace/packet_rays.c engine/trace/triangle_seldom.c engine/trace/exact.c \
-    engine/trace/wide.c \
+    engine/trace/wide.c engine/grid/build.c engine/grid/crowded.c engine/grid_room.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
     engine/shade/rendering.c engine/seek.c engine/shade/seek.c \

@@ -4,6 +4,7 @@
 #include "engine/layout.h"
 
 #include "engine/engine.h"
+#include "engine/grid/build.h"
 #include "engine/image/record_cache.h"
 #include "engine/memory/stream.h"
 #include "engine/motion/refit.h"
@@ -37,6 +38,10 @@ static uint64_t larger(uint64_t a, uint64_t b) {
     return a > b ? a : b;
 }
 
+static int has_grid(const subject *s) {
+    return PLT_WITH_GRID && s->format == PLT_FORMAT_GRID;
+}
+
 static int is_movable(const subject *s) {
     return PLT_WITH_MOTION && s->options->movable;
 }
@@ -53,6 +58,9 @@ static uint64_t section_bytes(const subject *s) {
         return s->format == PLT_FORMAT_THESIS ? s->info->triangle_bytes : 0;
     }
     const int stays = s->mapped && !is_movable(s);
+    if (has_grid(s)) {
+        return stays ? 0 : s->info->triangle_bytes;
+    }
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
         if (!PLT_WITH_THESIS ||
             kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
@@ -73,7 +81,8 @@ static uint64_t tree_bytes(const subject *s) {
 
 /* Blocks built from mapped corners are not validated again. */
 static uint64_t validation_bytes(const subject *s) {
-    if ((s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) || plt_is_streamed(s->format)) {
+    if ((s->builds && s->mapped && s->format == PLT_FORMAT_COMPACT) || plt_is_streamed(s->format) ||
+        has_grid(s)) {
         return 0;
     }
     return s->format == PLT_FORMAT_COMPACT ? PLT_DEPTH_MAX * sizeof(plt_blocks_validate_level)
@@ -218,9 +227,11 @@ static uint64_t packet_bytes(const subject *s) {
     return plt_has_blocks(s->format) ? plt_beam_blocks_bytes(side) : plt_beam_bytes(side);
 }
 
+/* Of a grid with the mailbox. */
 static uint64_t state_bytes(const subject *s) {
 #if PLT_WITH_GROUPS
-    return plt_state_bytes(s->format);
+    const uint64_t mailbox = has_grid(s) ? 4ull * s->info->triangles : 0;
+    return plt_state_bytes(s->format) + mailbox;
 #else
     return plt_is_streamed(s->format) ? sizeof(plt_stream)
            : plt_has_blocks(s->format) ? sizeof(plt_block_state)
@@ -352,8 +363,9 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return store_bytes(s);
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:
-        return is_movable(s) ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
-                             : 0;
+        return is_movable(s) && !has_grid(s)
+                   ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
+                   : 0;
 #endif
 #if PLT_WITH_SEQUENCE
     case PLT_PART_TOPOLOGY:
@@ -379,6 +391,10 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return wide_bytes(s);
     case PLT_PART_WAVE:
         return wave_bytes(s);
+#if PLT_WITH_GRID
+    case PLT_PART_GRID: /* the least; opening adds what there is room for */
+        return has_grid(s) ? plt_grid_least_bytes(s->info->triangles) : 0;
+#endif
     case PLT_PARTS_COUNT:
         break;
     }
@@ -387,12 +403,10 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
 
 void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *sized_for, int mapped,
                     const plt_options *options) {
-    const subject s = {info,
-                       sized_for,
-                       options,
-                       mapped,
-                       info->build == PLT_BUILD_DEVICE,
-                       plt_format_of(info, options->residency)};
+    const enum plt_format format = plt_format_of(info, options->residency, options->structure);
+    const int builds =
+        info->build == PLT_BUILD_DEVICE && !(PLT_WITH_GRID && format == PLT_FORMAT_GRID);
+    const subject s = {info, sized_for, options, mapped, builds, format};
     for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
         layout->bytes[i] = rounded(part_bytes((enum plt_part)i, &s));
     }
@@ -462,6 +476,12 @@ static int is_motion_valid(const plt_options *o) {
             o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 && o->residency == 0);
 }
 
+/* A grid has no wide form, and stays where it was made. */
+static int is_structure_valid(const plt_options *o) {
+    return !PLT_WITH_GRID || o->structure == PLT_STRUCTURE_TREE ||
+           (o->structure == PLT_STRUCTURE_GRID && o->wide == 0 && o->residency == 0);
+}
+
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
@@ -469,17 +489,19 @@ int plt_layout_options_valid(const plt_options *o) {
            (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
-           is_motion_valid(o);
+           is_motion_valid(o) && is_structure_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
-    return entry_bytes(plt_format_of(info, o->residency), o->order) > 0;
+    return entry_bytes(plt_format_of(info, o->residency, o->structure), o->order) > 0;
 }
 
 static int valid(const plt_info *info, const plt_options *o) {
-    return plt_layout_options_valid(o) && plt_scene_left_out(info, o->residency) == NULL &&
+    return plt_layout_options_valid(o) &&
+           plt_scene_left_out(info, o->residency, o->structure) == NULL &&
            plt_layout_residency_valid(info, o) && plt_layout_motion_valid(info, o) &&
-           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
+           plt_layout_structure_valid(info, o) && plt_layout_order_valid(info, o) &&
+           info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

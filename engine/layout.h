@@ -16,10 +16,17 @@ static inline int plt_layout_motion_valid(const plt_info *info, const plt_option
     return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS;
 }
 
+/* A grid is over records, of thesis nodes or a list. */
+static inline int plt_layout_structure_valid(const plt_info *info, const plt_options *options) {
+    return !PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE ||
+           info->nodes_format == PLT_NODES_THESIS;
+}
+
 /* There is to be room for a second tree. */
 static inline int plt_layout_rebuilds(const plt_info *info, const plt_options *options) {
     return PLT_WITH_REBUILD && options->movable && options->rebuild &&
-           info->build != PLT_BUILD_NONE;
+           info->build != PLT_BUILD_NONE &&
+           (!PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE);
 }
 
 /* Where the engine has no streamed scenes, options ask for none. */

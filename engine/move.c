@@ -5,12 +5,14 @@
 
 #include "engine/base/fault.h"
 #include "engine/engine.h"
+#include "engine/grid_room.h"
 #include "engine/motion/corners.h"
 
 /* Records of a movable scene lie in the arena. */
 plt_record *plt_records_of(plt_engine *e) {
-    const plt_record *r =
-        e->scene.format == PLT_FORMAT_LIST ? e->scene.list.records : e->scene.thesis.records;
+    const plt_record *r = e->scene.format == PLT_FORMAT_GRID   ? e->scene.gridded.records
+                          : e->scene.format == PLT_FORMAT_LIST ? e->scene.list.records
+                                                               : e->scene.thesis.records;
     return (plt_record *)(uintptr_t)r;
 }
 
@@ -44,6 +46,7 @@ void plt_moved(plt_engine *e) {
         memcpy(e->scene.info.lo, e->scene.box.lo, sizeof e->scene.info.lo);
         memcpy(e->scene.info.hi, e->scene.box.hi, sizeof e->scene.info.hi);
     }
+    plt_grid_room_fill(e);
 }
 
 int plt_move_refused(const plt_engine *e, const float (*corners)[9], uint32_t count,

@@ -6,6 +6,7 @@
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
 #include "engine/engine.h"
+#include "engine/grid_room.h"
 #include "engine/image/fetch.h"
 #include "engine/layout.h"
 #include "engine/move.h"
@@ -54,6 +55,7 @@ static plt_opening opening_of(plt_engine *e, const plt_layout *layout, plt_fault
                            .layout = layout,
                            .fault = fault,
                            .residency = PLT_WITH_STREAMED ? e->options.residency : 0,
+                           .structure = PLT_WITH_GRID ? e->options.structure : 0,
                            .movable = PLT_WITH_MOTION ? e->options.movable : 0};
     return o;
 }
@@ -348,6 +350,7 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
     const plt_opening o = opening_of(e, &layout, fault);
     int status = cut_running(&o, part);
     if (status == PLT_OK) {
+        plt_grid_room_set(e, &layout, part);
         plt_traversal_init(&e->traversal, &e->scene, &e->options, part);
 #if PLT_WITH_GROUPS
         plt_packet_init(&e->packet, part[PLT_PART_PACKET], e->options.packet_side);
@@ -383,7 +386,7 @@ static int open_scene(plt_engine *e, const plt_header *header, plt_fault *fault)
 
 /* What no arena helps against. */
 static int refuse(const plt_info *info, const plt_options *options, plt_fault *fault) {
-    const char *left_out = plt_scene_left_out(info, options->residency);
+    const char *left_out = plt_scene_left_out(info, options->residency, options->structure);
     if (left_out != NULL) {
         return plt_limit(fault, left_out);
     }
@@ -395,6 +398,10 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     if (!plt_layout_motion_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "triangles of compact blocks cannot be moved");
+    }
+    if (!plt_layout_structure_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "compact blocks have no records that a grid could refer to");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

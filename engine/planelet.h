@@ -38,8 +38,8 @@ extern "C" {
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
  * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), and their tree be built anew
- * (plt_rebuild_begin); plt_trace and plt_render_step report a source that fails. Images are those
- * of 1.0. */
+ * (plt_rebuild_begin); rays can go through a grid (plt_options.structure); plt_trace and
+ * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
 
@@ -137,6 +137,16 @@ enum plt_geometry_format {
                               * quantisation grid */
 };
 
+/* What rays find triangles by; hits and frames are the same, bit for bit. */
+enum plt_structure {
+    PLT_STRUCTURE_TREE = 0, /* the image's tree, or list */
+    PLT_STRUCTURE_GRID = 1  /* cells of one size, made when the scene is opened and again whenever
+                             * triangles have moved: fast to make, slower than a good tree for rays
+                             * that differ much. Of images with thesis nodes, or without a tree,
+                             * whose nodes are not looked at; resident, depth first, no wide
+                             * form. Coherent or not, rays go in packets */
+};
+
 /* How plt_trace traces: hits are the same, bit for bit. */
 enum plt_rays {
     PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
@@ -185,11 +195,14 @@ typedef struct plt_options {
     uint8_t moves_some; /* movable scenes: 1: some triangles can be moved, too (plt_move_some), for
                          * 4 bytes and a bit per triangle, and 80 per level of the tree. No two
                          * records may have one id. Without PLT_WITH_MOVE_SOME: 0 */
-    uint8_t rebuild; /* movable scenes: 1: there is room for a second tree (plt_rebuild_begin): 40
-                      * bytes per triangle, 36 per node slot and the builder's bins; and for
-                      * growth 32 per node slot more. A need is that of the largest tree; an
-                      * arena of less has fewer slots, down to those of the image. Stacks
-                      * are as deep as PLT_DEPTH_MAX. Without PLT_WITH_REBUILD: 0 */
+    uint8_t rebuild;   /* movable scenes: 1: there is room for a second tree (plt_rebuild_begin): 40
+                        * bytes per triangle, 36 per node slot and the builder's bins; and for
+                        * growth 32 per node slot more. A need is that of the largest tree; an
+                        * arena of less has fewer slots, down to those of the image. Stacks
+                        * are as deep as PLT_DEPTH_MAX. Without PLT_WITH_REBUILD: 0 */
+    uint8_t structure; /* enum plt_structure. A grid takes the room that there is: at most
+                        * PLT_GRID_TRIANGLE_BYTES (64) and 8 per triangle, at least 8, of which
+                        * few make it slow. Without PLT_WITH_GRID it is not looked at */
 } plt_options;
 
 /* Frames of a sequence per second at most. */
@@ -356,14 +369,15 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
 
 /* Moves all triangles, and refits the tree: nodes and lists stay what they are, their boxes become
  * those of the triangles (thesis, section 3.6). So hits and frames are those of a scene that is
- * packed anew, bit for bit; but the farther triangles have moved apart, the longer they take.
+ * packed anew, bit for bit; but the farther triangles have moved apart, the longer they take. A
+ * grid is made anew, and no worse than before.
  *
  * `corners`: of each of the info's triangles, in packing order, x, y and z of three corners, each
  * within +-2^40; they may have lost their area. They are not needed any more after the call.
  * plt_engine_info has the new box afterwards, all else stays. Ends a frame that was being
  * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or a corner is out of range or no number:
  * then fault->offset is its triangle, and nothing has changed. Cost: each triangle and each node
- * once, some 10 and 7 ns on a PC.
+ * once, some 10 and 7 ns on a PC; of a grid each triangle three times, some 60 ns.
  *
  * Not there without PLT_WITH_MOTION. */
 int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
@@ -600,9 +614,10 @@ void plt_fault_get(const plt_engine *engine, plt_fault *fault);
  * once for all of its pixels. */
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun, and of waves */
-    uint64_t node_visits;    /* nodes decoded, once per packet, or per hull of its rays */
+    uint64_t node_visits;    /* nodes decoded, once per packet, or per hull of its rays; of a grid
+                                cells looked at */
     uint64_t group_tests;    /* four rays, four hulls of rays or a beam against a child's box;
-                                not boxes tested again */
+                                not boxes tested again. Of a grid references of those cells */
     uint64_t triangle_tests; /* four rays against one triangle, as if every group that
                                 reached a leaf met all of its triangles; or one beam */
     uint64_t treelet_fetches;

@@ -82,6 +82,13 @@
 #ifndef PLT_WITH_BEAMS
 #define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */
 #endif
+#ifndef PLT_WITH_GRID /* grids (plt_options.structure) */
+#if PLT_WITH_THESIS && PLT_WITH_GROUPS
+#define PLT_WITH_GRID 1
+#else
+#define PLT_WITH_GRID 0
+#endif
+#endif
 
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
@@ -149,6 +156,13 @@
 #else
 #define PLT_BLOCK_CACHE_SLOTS 8
 #endif
+#endif
+
+/* Bytes per triangle that a grid takes of the arena at most, if there is room: 8 .. 1024. If its
+ * cells want more, they are fewer. Cost: none, it takes what it needs; but if triangles move, which
+ * nobody foresees, all of it. */
+#ifndef PLT_GRID_TRIANGLE_BYTES
+#define PLT_GRID_TRIANGLE_BYTES 64
 #endif
 
 /* Bytes asked of a source in one transfer: 64 .. 1048576. Cost: none. */
@@ -232,6 +246,13 @@
 #if (PLT_WITH_REBUILD != 0 && PLT_WITH_REBUILD != 1) ||                                            \
     (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER))
 #error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION and PLT_WITH_BUILDER 1"
+#endif
+#if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) ||                                                  \
+    (PLT_WITH_GRID && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))
+#error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS and PLT_WITH_GROUPS 1"
+#endif
+#if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
+#error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"
 #endif
 #if PLT_WITH_STREAMED_THESIS && !PLT_WITH_GROUPS
 #error "PLT_WITH_STREAMED_THESIS is for PLT_WITH_GROUPS"

@@ -20,7 +20,8 @@
         "streamed compact blocks (PLT_WITH_STREAMED_COMPACT)")                                     \
     ROW(STREAMED_THESIS, streamed_thesis, PLT_WITH_STREAMED_THESIS,                                \
         "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
-    ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")
+    ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")                     \
+    ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")
 
 enum plt_format {
 #define PLT_FORMAT_NAMED(NAME, name, with, text) PLT_FORMAT_##NAME,
@@ -55,13 +56,18 @@ static inline int plt_has_blocks(unsigned format) {
     return format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED);
 }
 
-/* Frames of all formats but streamed thesis nodes may go by beams. */
+/* Frames of all formats but streamed thesis nodes and grids may go by beams. */
 static inline int plt_has_beams(unsigned format) {
-    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS);
+    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS) &&
+           !(PLT_WITH_GRID && format == PLT_FORMAT_GRID);
 }
 
-/* `residency`: enum plt_residency. */
-static inline enum plt_format plt_format_of(const plt_info *info, unsigned residency) {
+/* `residency`, `structure`: as in plt_options. */
+static inline enum plt_format plt_format_of(const plt_info *info, unsigned residency,
+                                            unsigned structure) {
+    if (PLT_WITH_GRID && structure == PLT_STRUCTURE_GRID) {
+        return PLT_FORMAT_GRID;
+    }
     if (info->build == PLT_BUILD_NONE) {
         return PLT_FORMAT_LIST;
     }

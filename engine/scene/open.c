@@ -9,11 +9,12 @@
 
 #define NEEDS "this build of the engine does not have what the image needs: "
 
-const char *plt_scene_left_out(const plt_info *info, unsigned residency) {
-    if (!PLT_WITH_BUILDER && info->build == PLT_BUILD_DEVICE) {
+const char *plt_scene_left_out(const plt_info *info, unsigned residency, unsigned structure) {
+    const int wants_tree = !PLT_WITH_GRID || structure == PLT_STRUCTURE_TREE;
+    if (!PLT_WITH_BUILDER && info->build == PLT_BUILD_DEVICE && wants_tree) {
         return NEEDS "the builder (PLT_WITH_BUILDER)";
     }
-    switch (plt_format_of(info, residency)) {
+    switch (plt_format_of(info, residency, structure)) {
 #define LEFT_OUT(NAME, name, with, text)                                                           \
     case PLT_FORMAT_##NAME:                                                                        \
         return with ? NULL : NEEDS text;
@@ -24,9 +25,9 @@ const char *plt_scene_left_out(const plt_info *info, unsigned residency) {
     }
 }
 
-static void describe(plt_scene *scene, const plt_header *header, unsigned residency) {
+static void describe(plt_scene *scene, const plt_header *header, const plt_opening *o) {
     scene->info = header->info;
-    scene->format = (uint8_t)plt_format_of(&header->info, residency);
+    scene->format = (uint8_t)plt_format_of(&header->info, o->residency, o->structure);
     scene->box = plt_box_empty();
     for (int a = 0; a < 3 && header->info.triangles > 0; a++) {
         scene->box.lo[a] = header->info.lo[a];
@@ -37,7 +38,7 @@ static void describe(plt_scene *scene, const plt_header *header, unsigned reside
 int plt_scene_open(const plt_opening *o, const plt_header *header,
                    struct plt_compact_build **build) {
     *build = NULL;
-    describe(o->scene, header, o->residency);
+    describe(o->scene, header, o);
     switch (o->scene->format) {
 #define OPEN(NAME, name, with, text)                                                               \
     PLT_IF(with, case PLT_FORMAT_##NAME : return plt_open_##name(o, header, build);)

@@ -11,7 +11,7 @@
 struct plt_compact_build;
 
 /* NULL, or why this build of the engine cannot open such an image: what it lacks. */
-const char *plt_scene_left_out(const plt_info *info, unsigned residency);
+const char *plt_scene_left_out(const plt_info *info, unsigned residency, unsigned structure);
 
 /* Fills the scene in: reads and validates a finished tree, or builds one. PLT_MORE:
  * compact blocks are to be built, by plt_scene_build_step, with the state that *build

@@ -16,6 +16,7 @@ typedef struct plt_opening {
     const plt_layout *layout;
     plt_fault *fault;
     uint8_t residency; /* enum plt_residency */
+    uint8_t structure; /* enum plt_structure */
     uint8_t movable;   /* sections are copied, mapped or not */
 } plt_opening;
 

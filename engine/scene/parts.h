@@ -68,6 +68,12 @@
 #define PLT_PARTS_OF_MOTION(ROW)
 #endif
 
+#if PLT_WITH_GRID
+#define PLT_PARTS_OF_GRIDS(ROW) ROW(GRID, RUNS, "grid")
+#else
+#define PLT_PARTS_OF_GRIDS(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -88,7 +94,8 @@
     ROW(STORE, RUNS, "streamed blocks")                                                            \
     PLT_PARTS_OF_MOTION(ROW)                                                                       \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
-    ROW(WAVE, RUNS, "rays in flight")
+    ROW(WAVE, RUNS, "rays in flight")                                                              \
+    PLT_PARTS_OF_GRIDS(ROW)
 
 enum plt_part {
 #define PLT_PART_NAMED(name, lifetime, text) PLT_PART_##name,

@@ -9,6 +9,7 @@
 #define PLT_SCENE_SCENE_H
 
 #include "engine/base/box.h"
+#include "engine/grid/grid.h"
 #include "engine/memory/stream.h"
 #include "engine/memory/treelet_stream.h"
 #include "engine/scene/formats.h"
@@ -22,6 +23,13 @@ typedef struct plt_list {
     uint32_t count;
 } plt_list;
 
+/* All triangles, and cells that refer to them. */
+typedef struct plt_gridded {
+    const plt_record *records;
+    uint32_t count;
+    const plt_grid *grid;
+} plt_gridded;
+
 typedef struct plt_scene {
     plt_info info;
     plt_box box;    /* of all triangles; empty when there are none */
@@ -30,6 +38,7 @@ typedef struct plt_scene {
         plt_tree thesis;
         plt_block_tree compact;
         plt_list list;
+        plt_gridded gridded;
     };
     union { /* of a streamed scene: where its parts come from */
         plt_stream_image stream;

@@ -40,7 +40,9 @@ void plt_state_init(plt_traversal *t) {
 
 void plt_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
 #if PLT_WITH_HULLS
-    if (plt_order_for(t, p) == PLT_ORDER_HULLS && t->scene->format != PLT_FORMAT_LIST) {
+    if (PLT_WITH_GRID && t->scene->format == PLT_FORMAT_GRID) {
+        /* plt_grid_begin does what it needs */
+    } else if (plt_order_for(t, p) == PLT_ORDER_HULLS && t->scene->format != PLT_FORMAT_LIST) {
         plt_hulls_set(p);
     } else {
         plt_packet_make_ready(p);

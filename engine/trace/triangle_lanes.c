@@ -11,25 +11,7 @@
 
 #include "engine/trace/triangle_hits.h"
 #include "engine/trace/triangle_sieve.h"
-
-/* A corner each, x, y, z; the fourth lane means nothing. Of the last it is not the id, which as a
- * float is subnormal: arithmetic on it took packets over the dragon 9 % of their time. */
-static inline void record_rows(const plt_record *r, f4 corner[3]) {
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    float c[3][3 + 1] = {{0.0f}};
-    for (int i = 0; i < 9; i++) {
-        c[i / 3][i % 3] = plt_record_float(r, i / 3, i % 3);
-    }
-    corner[0] = f4_load(c[0]);
-    corner[1] = f4_load(c[1]);
-    corner[2] = f4_load(c[2]);
-#else
-    const float *word = (const float *)(const void *)r->word;
-    corner[0] = f4_load(word);
-    corner[1] = f4_load(word + 3);
-    corner[2] = f4_rotate(f4_load(word + 5));
-#endif
-}
+#include "engine/tree/record_rows.h"
 
 /* Triangles that are rows, or records. A way through the code of its own for both. */
 enum source { ROWS, RECORDS };
@@ -47,7 +29,7 @@ typedef struct batch {
 
 PLT_INLINED void get_corners(const batch *b, unsigned k, enum source source, f4 to[3]) {
     if (source == RECORDS) {
-        record_rows(&b->record[k], to);
+        plt_record_rows(&b->record[k], to);
         return;
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {

@@ -20,6 +20,7 @@ enum { SMALL_THINGS = 1 << 22 }; /* bytes: buffers of outputs and of the C libra
 
 static const char *const packets[] = {"auto", "2", "4", "8", "16", NULL};
 static const char *const orders[] = {"depth", "two-stage", NULL};
+static const char *const structures[] = {"tree", "grid", NULL};
 static const char *const sources[] = {"map", "read", "dma:LATENCY_US,MB_PER_S[,OUTSTANDING]", NULL};
 static const char *const residencies[] = {"resident", "streamed", NULL};
 static const char *const schedules[] = {"branch", "batch", "task", NULL};
@@ -113,6 +114,10 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
                             "%s; pack it with --nodes thesis, or leave out --moved and --frames",
                             fault->message);
         }
+        if (s->options.structure == PLT_STRUCTURE_GRID) {
+            return fail_set(f, name, "%s; pack it with --nodes thesis, or leave out --structure",
+                            fault->message);
+        }
         return fail_set(f, name,
                         goes_depth_first(s)
                             ? "%s; leave out --walk two-stage"
@@ -167,12 +172,28 @@ static int read_source(scene *s, args *a) {
     return 1;
 }
 
+/* Once order and residency are known. */
+static void read_structure(scene *s, args *a) {
+    s->options.structure = (uint8_t)args_choice(a, "--structure", structures, PLT_STRUCTURE_TREE);
+    if (s->options.structure == PLT_STRUCTURE_GRID) {
+        s->options.wide = 0; /* which nobody has asked for */
+    }
+    if (s->options.structure == PLT_STRUCTURE_GRID &&
+        s->options.residency == PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--structure grid is for --residency resident");
+    }
+    if (s->options.structure == PLT_STRUCTURE_GRID && s->options.order != PLT_ORDER_DEPTH_FIRST) {
+        args_complain(a, "--structure grid is for --walk depth");
+    }
+}
+
 static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
     s->options.order = (uint8_t)args_choice(a, "--walk", orders, PLT_ORDER_DEPTH_FIRST);
     *fetched = read_source(s, a);
     s->options.residency = (uint8_t)args_choice(a, "--residency", residencies, 0);
     *fetched |= s->options.residency == PLT_RESIDENCY_STREAMED;
+    read_structure(s, a);
     s->options.store_bytes =
         (uint32_t)args_number(a, "--store", 0, PLT_STORE_LEAST, host_arena_bytes());
     if (args_has(a, "--store") && s->options.residency != PLT_RESIDENCY_STREAMED) {

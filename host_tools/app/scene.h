@@ -44,6 +44,9 @@ typedef struct scene {
      "rays along a packet's side; auto is the largest that the arena has room for (default "       \
      "auto)"},                                                                                     \
         {"--walk", "depth|two-stage", "depth first, or the thesis's two stages (default depth)"},  \
+        {"--structure", "tree|grid",                                                               \
+         "what rays find triangles by: the image's tree, or cells of one size that are made when " \
+         "it is opened (default tree)"},                                                           \
         {"--residency", "resident|streamed",                                                       \
          "the whole scene is in memory, or blocks are fetched from the file when rays need them "  \
          "(default resident)"},                                                                    \

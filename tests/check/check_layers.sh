@@ -17,6 +17,7 @@ engine/image
 engine/tree
 engine/tree/thesis engine/tree/compact
 engine/builder
+engine/grid
 engine/memory
 engine/scene
 engine/trace

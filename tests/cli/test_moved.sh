@@ -19,7 +19,8 @@ film() { # FILE: of pictures of the frames, each packed anew
         tail -n +2 fresh.y4m >>frames
     done
 }
-for kind in '' '--packet 2' '--walk two-stage' '--shader triangle' '--source read' '--workers 3'; do
+for kind in '' '--packet 2' '--walk two-stage' '--shader triangle' '--source read' '--workers 3' \
+    '--structure grid'; do
     # shellcheck disable=SC2086
     works "frames 1 to 5 of a sequence $kind" render wave.plt -o moved.y4m $view --moved wave.txt \
         --frames 1:6 $kind --json moved.json

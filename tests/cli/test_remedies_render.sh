@@ -115,6 +115,15 @@ says "%s; pack it with --nodes thesis, or leave out --moved and --frames" \
 run pack knot.ply -o thesis.plt --nodes thesis
 cured render thesis.plt -o x.png --moved knot.ply
 cured render compact.plt -o x.png
+says "%s; pack it with --nodes thesis, or leave out --structure" \
+    render compact.plt -o x.png --structure grid
+cured render thesis.plt -o x.png --structure grid
+says "--structure grid is for --residency resident" \
+    render thesis.plt -o x.png --structure grid --residency streamed
+cured render thesis.plt -o x.png --structure grid --residency resident
+says "--structure grid is for --walk depth" \
+    render thesis.plt -o x.png --structure grid --walk two-stage
+cured render thesis.plt -o x.png --structure grid --walk depth
 says "--frames takes A:B, 0 to %d, A below B, not '%s'" \
     render thesis.plt -o x.png --moved knot.ply --frames 2
 cured render thesis.plt -o x.png --moved knot.ply --frames 2:3
@@ -126,6 +135,9 @@ says "--rebuild takes never, always, threshold:PERCENT (1 to %d) or cost, not '%
 cured render thesis.plt -o x.png --moved knot.ply --rebuild threshold:1
 says "--rebuild is for --moved MESH" render thesis.plt -o x.png --rebuild cost
 cured render thesis.plt -o x.png --moved knot.ply --rebuild cost
+says "--rebuild is for --structure tree: a grid is made anew in any case" \
+    render thesis.plt -o x.png --moved knot.ply --rebuild cost --structure grid
+cured render thesis.plt -o x.png --moved knot.ply --structure grid
 says "--rebuild-step is for --rebuild always, threshold:PERCENT or cost" \
     render thesis.plt -o x.png --moved knot.ply --rebuild-step 9
 cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-step 9

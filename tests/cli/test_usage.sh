@@ -45,8 +45,8 @@ flags() {
     misused "planelet $command refuses a flag that it does not have" --frobnicate \
         "$command" quad.ply --frobnicate
 }
-scene_flags='--packet --walk --residency --store --schedule --batch --prefetch --source --arena'
-scene_flags="$scene_flags --workers --turns"
+scene_flags='--packet --walk --structure --residency --store --schedule --batch --prefetch'
+scene_flags="$scene_flags --source --arena --workers --turns"
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
@@ -110,7 +110,8 @@ for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
     --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
-for pair in --packet=3 --walk=wide --residency=cached --store=64K --store=28671 --schedule=tasks \
+for pair in --packet=3 --walk=wide --structure=kd --residency=cached --store=64K --store=28671 \
+    --schedule=tasks \
     --batch=0 --workers=65 --prefetch=9 --source=net --source=dma --source=dma:1 \
     --source=dma:1,20,0 \
     --arena=0 --arena=64K --arena=1073741825; do

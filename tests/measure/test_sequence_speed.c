@@ -8,6 +8,8 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
+#include "engine/engine.h"
+#include "engine/motion/vertices.h"
 #include "engine/move.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/mesh/mesh.h"

@@ -166,6 +166,15 @@ fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis some' 2>&1)
 verdict "PARTS with some and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with some has .*: make PARTS='" || echo "$trouble")"
+grid=$BUILD/mps2_an386-grid-render-thesis
+if part "render thesis grid" "$grid" 60416; then
+    renders "$grid" thesis
+fi
+for parts in 'render compact grid' 'grid compact'; do
+    trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
+    verdict "PARTS='$parts' is refused, with what it may be" "$(
+        echo "$trouble" | grep -q "PARTS with grid has .*: make PARTS='" || echo "$trouble")"
+done
 for parts in 'render compact motion' 'motion compact'; do
     trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
     verdict "PARTS='$parts' is refused, with what it may be" "$(

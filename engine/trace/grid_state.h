@@ -1,0 +1,93 @@
+/* grid_state - how far a packet is on its way through a grid
+ *
+ * A packet goes through a grid in *turns*, one for each axis and direction that is the largest of
+ * any of its rays; a turn in *bundles*, its groups as long as they are close together; a bundle
+ * slice after slice. A *slice* is a layer of cells across the turn's axis.
+ *
+ * Depth is what has been gone along the axis from the turn's plane; coordinates are
+ * relative to the least corner of the scene's box. A *bound* is linear in depth, and rays that
+ * belong to it are never below it, from depth 0 to `length`; there are four, for both axes x and y
+ * after the turn's: x, y, -x and -y.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_GRID_STATE_H
+#define PLT_TRACE_GRID_STATE_H
+
+#include "engine/grid/grid.h"
+#include "engine/trace/traversal.h"
+
+/* Four groups, or four quads of groups, side by side. */
+enum { PLT_GRID_QUADS = (PLT_GROUPS_MAX + 3) / 4, PLT_GRID_SIXTEENS = (PLT_GROUPS_MAX + 15) / 16 };
+
+/* Of four groups, or quads; [bound][lane]. Those without rays are at PLT_BOX_FAR. */
+typedef struct plt_grid_bounds {
+    float base[4][4], rate[4][4]; /* at depth 0, and for each step of 1 */
+} plt_grid_bounds;
+
+/* Of all groups of a quad; [bound]. */
+typedef struct plt_grid_quad {
+    float base[4], end[4]; /* at depths 0 and length */
+} plt_grid_quad;
+
+/* Of a cell, more than what its planes are off by: 3 u times PLT_GRID_CELLS_MOST, and once more
+ * where its own level's box is. */
+#define PLT_GRID_CELL_ERROR 2.0e-3f
+
+/* What is left out, for figures alone (tests/measure). */
+enum plt_grid_without {
+    PLT_GRID_WITHOUT_MAILBOX = 1,
+    PLT_GRID_WITHOUT_CULLING = 2, /* of triangles beside the frustum, or beside groups */
+    PLT_GRID_WITHOUT_GROUPS = 4,  /* of triangles beside groups */
+    PLT_GRID_WITHOUT_RECTANGLES = 8
+};
+
+typedef struct plt_grid_turn {
+    int x, y, z;        /* axes; z is the turn's */
+    float sign;         /* 1, or -1: rays run down along z */
+    float plane;        /* at depth 0, as a coordinate of the scene */
+    float length;       /* bounds hold up to here, all of the grid */
+    float margin;       /* what anything is moved by, to be sure */
+    plt_mask groups;    /* with rays */
+    uint32_t next;      /* group that the next bundle begins with */
+    uint8_t lanes_left; /* of group `next`, if its rays go one by one */
+} plt_grid_turn;
+
+typedef struct plt_grid_bundle {
+    plt_mask groups; /* those that may still hit something, as far as is known */
+    unsigned first;  /* its lowest group */
+    float base[4], rate[4];
+    float soonest; /* depth up to which all of its groups seek hits */
+    int32_t slice, last, step;
+    uint32_t stamp; /* in the mailbox: triangles that it has met */
+} plt_grid_bundle;
+
+typedef struct plt_grid_state {
+    plt_grid_turn turn;
+    plt_grid_bundle bundle; /* groups 0: there is none */
+    unsigned turns;         /* begun: 0 .. 6 */
+    uint32_t stamp;
+    uint8_t without;                 /* enum plt_grid_without */
+    uint8_t lanes[PLT_GROUPS_MAX];   /* of the turn */
+    float from[4 * PLT_GRID_QUADS];  /* depth at which a group begins ... */
+    float until[4 * PLT_GRID_QUADS]; /* ... and up to which it seeks hits */
+    plt_grid_bounds group[PLT_GRID_QUADS];
+    plt_grid_bounds quad[PLT_GRID_SIXTEENS];
+    plt_grid_quad ends[PLT_GRID_QUADS];
+} plt_grid_state;
+
+/* The mailbox lies behind the state: of each record the last bundle that met it. */
+static inline uint32_t *plt_grid_mailbox(plt_grid_state *s) {
+    return (uint32_t *)(void *)(s + 1);
+}
+
+static inline plt_grid_state *plt_grid_state_of(const plt_traversal *t) {
+    return (plt_grid_state *)t->state;
+}
+
+/* Four bounds of x and y. */
+static inline f4 plt_grid_four(float x, float y, float minus_x, float minus_y) {
+    const float four[4] = {x, y, minus_x, minus_y};
+    return f4_load(four);
+}
+
+#endif

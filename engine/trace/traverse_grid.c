@@ -1,0 +1,341 @@
+/* traverse_grid - packets through a grid, slice after slice
+ *
+ * What groups of rays may meet in a slice is a rectangle of cells; their references are all looked
+ * at, but each record once per bundle. Slices come front to back, and a group that has hits in
+ * front of a slice is done for good: so a record that was met once need not be met again.
+ *
+ * Source: Wald, Ize, Kensler, Knoll, Parker, "Ray tracing animated scenes using coherent grid
+ * traversal", 2006. Why hits are those of any tree: DESIGN.md, section 7.9.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "engine/trace/grid_bundle.h"
+#include "engine/trace/grid_cull.h"
+#include "engine/trace/grid_turn.h"
+#include "engine/trace/leaf_records.h"
+#include "engine/trace/traverse_formats.h"
+#include "engine/tree/record_rows.h"
+
+#if PLT_WITH_GRID
+
+/* What is the same for all references of a slice. */
+typedef struct visit {
+    plt_traversal *t;
+    plt_packet *p;
+    plt_grid_state *s;
+    const plt_record *records;
+    uint32_t *mailbox;
+    plt_mask groups; /* that seek hits there */
+    plt_mask tested;
+    uint32_t cells, references;
+    uint64_t tests; /* a group each */
+} visit;
+
+/* Of the triangle's box. */
+static inline float longest_side(const f4 c[3]) {
+    const f4 lo = f4_min(f4_min(c[0], c[1]), c[2]), hi = f4_max(f4_max(c[0], c[1]), c[2]);
+    const f4 side = f4_sub(hi, lo), after = f4_turn(side);
+    float longest[4];
+    f4_store(longest, f4_max(f4_max(side, after), f4_turn(after)));
+    return longest[0];
+}
+
+static inline void test_groups(visit *v, const plt_record *record, const f4 corner[3],
+                               plt_mask groups) {
+#if PLT_WITH_HULLS
+    const plt_triangle_rows rows = {{corner[0], corner[1], corner[2]},
+                                    plt_get_u32(&record->word[9])};
+    plt_triangles_groups(v->p, &rows, 1, NULL, longest_side(corner), groups);
+#else
+    plt_record_groups(v->p, record, longest_side(corner), groups);
+#endif
+    v->tested |= groups;
+    v->tests += plt_mask_count(groups);
+}
+
+static inline void visit_record(visit *v, uint32_t index) {
+    const plt_grid_state *s = v->s;
+    const plt_record *record = &v->records[index];
+    plt_grid_shape g;
+    f4 corner[3];
+    if (v->mailbox[index] == s->bundle.stamp && (s->without & PLT_GRID_WITHOUT_MAILBOX) == 0) {
+        return;
+    }
+    v->mailbox[index] = s->bundle.stamp;
+    plt_mask groups = v->groups & v->p->active;
+    plt_record_rows(record, corner);
+    plt_grid_shape_set(&g, &s->turn, v->p->scene, corner);
+    if ((s->without & PLT_GRID_WITHOUT_CULLING) == 0) {
+        groups = plt_grid_cull(s, &g, groups);
+    }
+    if (groups != 0) {
+        test_groups(v, record, corner, groups);
+    }
+}
+
+/* Cells of a slice, from the first to the last along both axes across. */
+typedef struct rectangle {
+    int32_t from[2], to[2];
+} rectangle;
+
+/* What the bundle's groups may reach of a slice. 0: nothing. */
+static int overlap(const plt_grid_view *view, const plt_grid_turn *t, const plt_grid_level *l,
+                   float front, float back, rectangle *r) {
+    const f4 near = f4_all(front > 0.0f ? front : 0.0f), far = f4_all(back > 0.0f ? back : 0.0f);
+    const float last[2] = {l->last[t->x], l->last[t->y]};
+    float bound[4];
+    f4_store(bound, f4_sub(plt_grid_least(view->base, view->rate, near, far), view->margin));
+    for (int i = 0; i < 2; i++) {
+        const float from = bound[i], to = -bound[i + 2];
+        if (!(from < last[i] + 1.0f) || !(to >= 0.0f)) {
+            return 0;
+        }
+        r->from[i] = from > 0.0f ? (int32_t)from : 0;
+        r->to[i] = to < last[i] ? (int32_t)to : (int32_t)last[i];
+    }
+    return 1;
+}
+
+/* Without what is empty. 0: all of it is. */
+static int cut(rectangle *r, const plt_grid_rect *occupied) {
+    for (int i = 0; i < 2; i++) {
+        r->from[i] = r->from[i] > occupied->lo[i] ? r->from[i] : occupied->lo[i];
+        r->to[i] = r->to[i] < occupied->hi[i] ? r->to[i] : occupied->hi[i];
+    }
+    return r->from[0] <= r->to[0] && r->from[1] <= r->to[1];
+}
+
+static void visit_references(visit *v, const uint32_t *reference, uint32_t count) {
+    v->references += count;
+    for (uint32_t i = 0; i < count; i++) {
+        visit_record(v, reference[i]);
+    }
+}
+
+/* Cells of one slice of a crowded cell. */
+static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const rectangle *r) {
+    const plt_grid_turn *t = &v->s->turn;
+    for (int32_t y = r->from[1]; y <= r->to[1]; y++) {
+        for (int32_t x = r->from[0]; x <= r->to[0]; x++) {
+            const uint32_t cell = (uint32_t)x * l->stride[t->x] + (uint32_t)y * l->stride[t->y] +
+                                  (uint32_t)slice * l->stride[t->z];
+            const uint32_t first = l->start[cell];
+            v->cells++;
+            visit_references(v, &l->reference[first], l->start[cell + 1] - first);
+        }
+    }
+}
+
+/* How deep groups seek hits that have found some. */
+static void set_until(visit *v) {
+    plt_grid_state *s = v->s;
+    plt_packet *p = v->p;
+    plt_mask tested = v->tested;
+    v->tested = 0;
+#if PLT_WITH_HULLS
+    tested = p->changed;
+    p->changed = 0;
+#endif
+    for (plt_mask m = tested; m != 0; m &= m - 1) {
+        const unsigned group = plt_mask_first(m);
+        s->until[group] = plt_grid_until(&s->turn, p, group, s->lanes[group]);
+        s->bundle.soonest = -PLT_BOX_FAR;
+    }
+}
+
+/* 1: a group that is looked for seeks hits at that depth. */
+static int any_reaches(const visit *v, float depth) {
+    for (plt_mask m = v->groups & v->p->active; m != 0; m &= m - 1) {
+        if (v->s->until[plt_mask_first(m)] >= depth) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A record is tested for all groups that reach the cell's own slice, whatever they have hit
+ * meanwhile: it may lie in other cells of that slice, too, and is not met there again. */
+static void visit_crowded(visit *v, const plt_grid_level *l) {
+    const plt_grid_turn *t = &v->s->turn;
+    const plt_grid_view view = plt_grid_view_of(v->s, v->p, l);
+    const int32_t step = t->sign > 0.0f ? 1 : -1, count = (int32_t)l->cells[t->z];
+    int32_t slice;
+    rectangle r;
+    if (!plt_grid_first_slice(t, l, 0.0f, &slice)) {
+        return;
+    }
+    for (; slice >= 0 && slice < count; slice += step) {
+        const float lower = view.plane + (float)slice * view.size;
+        const float upper = view.plane + (float)(slice + 1) * view.size;
+        const float front = step > 0 ? lower : upper, back = step > 0 ? upper : lower;
+        if (!any_reaches(v, front - view.slack)) {
+            return;
+        }
+        if (overlap(&view, t, l, front, back, &r)) {
+            visit_inner(v, l, slice, &r);
+            set_until(v);
+        }
+    }
+}
+
+/* A run of references of the top level, maybe of several cells. */
+static void visit_run(visit *v, const plt_grid *grid, uint32_t first, uint32_t end) {
+    const uint32_t *reference = grid->top.reference;
+    v->references += end - first;
+    while (first < end) {
+        if ((reference[first] & PLT_GRID_CROWDED) != 0) {
+            visit_crowded(v, &grid->crowded[reference[first] & ~PLT_GRID_CROWDED]);
+            first += reference[first + 1];
+        } else {
+            visit_record(v, reference[first++]);
+        }
+    }
+}
+
+/* Cells of one slice of the top level. Those along x are side by side. */
+static void visit_cells(visit *v, const plt_grid *grid, int32_t slice, const rectangle *r) {
+    const plt_grid_turn *t = &v->s->turn;
+    const plt_grid_level *top = &grid->top;
+    const int inner = t->y == 0, outer = !inner; /* of the rectangle */
+    const uint32_t across = top->stride[inner ? t->y : t->x];
+    const uint32_t rows = top->stride[inner ? t->x : t->y];
+    const uint32_t cells = (uint32_t)(r->to[inner] - r->from[inner] + 1);
+    for (int32_t i = r->from[outer]; i <= r->to[outer]; i++) {
+        uint32_t cell = (uint32_t)slice * top->stride[t->z] + (uint32_t)i * rows +
+                        (uint32_t)r->from[inner] * across;
+        v->cells += cells;
+        if (across == 1) {
+            visit_run(v, grid, top->start[cell], top->start[cell + cells]);
+            continue;
+        }
+        for (uint32_t k = 0; k < cells; k++, cell += across) {
+            visit_run(v, grid, top->start[cell], top->start[cell + 1]);
+        }
+    }
+}
+
+/* Groups of the bundle that seek hits at this depth. */
+static void drop_groups(plt_grid_state *s, const plt_packet *p, float depth) {
+    plt_grid_bundle *u = &s->bundle;
+    plt_mask still = 0;
+    float soonest = PLT_BOX_FAR;
+    for (plt_mask m = u->groups & p->active; m != 0; m &= m - 1) {
+        const unsigned group = plt_mask_first(m);
+        const float until = s->until[group];
+        if (until >= depth) {
+            still |= plt_mask_of(group, 1);
+            soonest = until < soonest ? until : soonest;
+        }
+    }
+    u->soonest = soonest;
+    if (still != u->groups) {
+        u->groups = still;
+        if (still != 0) {
+            plt_grid_set_bounds(s);
+        }
+    }
+}
+
+/* The bundle's current slice, and on to the next. Returns cells looked at, and 1. */
+static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
+    const plt_grid *grid = t->scene->gridded.grid;
+    const plt_grid_level *top = &grid->top;
+    plt_grid_bundle *u = &s->bundle;
+    const int32_t slice = u->slice;
+    const float plane = s->turn.sign * (top->lo[s->turn.z] - s->turn.plane);
+    const float size = s->turn.sign * top->size[s->turn.z];
+    const float lower = plane + (float)slice * size, upper = plane + (float)(slice + 1) * size;
+    const float front = u->step > 0 ? lower : upper, back = u->step > 0 ? upper : lower;
+    const float depth = front - s->turn.margin - PLT_GRID_CELL_ERROR * top->size[s->turn.z];
+    rectangle r;
+    if (depth > u->soonest || (u->groups & ~p->active) != 0) {
+        drop_groups(s, p, depth);
+    }
+    if (u->groups == 0) {
+        return 1;
+    }
+    visit v = {.t = t,
+               .p = p,
+               .s = s,
+               .records = t->scene->gridded.records,
+               .mailbox = plt_grid_mailbox(s),
+               .groups = u->groups};
+    const plt_grid_view view = plt_grid_view_of(s, p, top);
+    if (overlap(&view, &s->turn, top, front, back, &r) &&
+        ((s->without & PLT_GRID_WITHOUT_RECTANGLES) != 0 ||
+         cut(&r, &grid->rect[s->turn.z][slice]))) {
+        visit_cells(&v, grid, slice, &r);
+        set_until(&v);
+    }
+    u->slice += u->step;
+    if (slice == u->last) {
+        u->groups = 0;
+    }
+    t->stats.node_visits += v.cells;
+    t->stats.group_tests += v.references;
+    t->stats.triangle_tests += v.tests;
+    return v.cells + 1;
+}
+
+/* To the next bundle, of this turn or another. 0: there is none. */
+static int next_bundle(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
+    const plt_gridded *scene = &t->scene->gridded;
+    while (!plt_grid_next_bundle(s, p, &scene->grid->top, scene->count)) {
+        if (!plt_grid_next_turn(s, p)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* ---- the functions of traverse_formats.h ---------------------------------------- */
+
+size_t plt_grid_entry_bytes(unsigned order) {
+    return order == PLT_ORDER_DEPTH_FIRST; /* no stack, but this order */
+}
+
+size_t plt_grid_state_bytes(void) {
+    return sizeof(plt_grid_state);
+}
+
+void plt_grid_state_init(plt_traversal *t) {
+    plt_grid_state *s = plt_grid_state_of(t);
+    memset(s, 0, sizeof *s);
+    memset(plt_grid_mailbox(s), 0, t->scene->gridded.count * sizeof(uint32_t));
+}
+
+void plt_grid_begin(plt_traversal *t, plt_packet *p) {
+    plt_grid_state *s = plt_grid_state_of(t);
+#if PLT_WITH_HULLS
+    p->changed = 0;
+    p->moved = p->slabs.coherence == PLT_ONE_ORIGIN && p->active != 0;
+    if (!p->moved) {
+        plt_packet_make_ready(p);
+    }
+#endif
+    s->turns = 0;
+    s->bundle.groups = 0;
+    s->turn.groups = 0;
+    s->turn.next = PLT_GROUPS_MAX;
+    s->turn.lanes_left = 0;
+    t->waiting = p->active != 0 && t->scene->gridded.count > 0;
+}
+
+int plt_grid_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
+    plt_grid_state *s = plt_grid_state_of(t);
+    while (t->waiting > 0 && visits > 0) {
+        if (s->bundle.groups == 0 && !next_bundle(t, p, s)) {
+            t->waiting = 0;
+            break;
+        }
+        const uint32_t used = visit_slice(t, p, s);
+        visits -= used < visits ? used : visits;
+        if (p->active == 0) {
+            t->waiting = 0;
+        }
+    }
+    return t->waiting > 0 ? PLT_MORE : PLT_OK;
+}
+
+#endif
