@@ -10,14 +10,11 @@
 #define PLT_MOTION_NODE_BOX_H
 
 #include "engine/motion/node_box_types.h"
+#include "engine/motion/words.h"
 
 #if PLT_LANES_REGISTERS
-#define PLT_NODE_BOX static inline
 #include "engine/motion/node_box_code.h"
 #else
-
-/* Four words of an image as floats. */
-f4 plt_words_load(const uint32_t *word);
 
 plt_box4 plt_record_box4(const plt_record *r);
 

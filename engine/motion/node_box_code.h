@@ -7,19 +7,11 @@
 #define PLT_MOTION_NODE_BOX_CODE_H
 
 #include "engine/motion/node_box_types.h"
+#include "engine/motion/words.h"
 
-/* Four words of an image as floats. */
-PLT_NODE_BOX f4 plt_words_load(const uint32_t *word) {
-    float v[4];
-    plt_get_floats(v, (const unsigned char *)word, 4);
-    return f4_load(v);
-}
-
-static inline void plt_words_store(uint32_t *word, f4 a) {
-    float v[4];
-    f4_store(v, a);
-    plt_put_floats((unsigned char *)word, v, 4);
-}
+#ifndef PLT_NODE_BOX
+#define PLT_NODE_BOX static inline
+#endif
 
 PLT_NODE_BOX plt_box4 plt_record_box4(const plt_record *r) {
     const f4 p = plt_words_load(&r->word[0]), q = plt_words_load(&r->word[3]),

@@ -46,9 +46,6 @@ void rebuilds_read(rebuilds *r, scene *s, args *a, int moves) {
     if (when != NULL && !moves) {
         args_complain(a, "--rebuild is for --moved MESH");
     }
-    if (r->when != PLT_REBUILD_NEVER && s->options.structure != PLT_STRUCTURE_TREE) {
-        args_complain(a, "--rebuild is for --structure tree: a grid is made anew in any case");
-    }
     if (args_has(a, "--rebuild-step") && r->when == PLT_REBUILD_NEVER) {
         args_complain(a, "--rebuild-step is for --rebuild always, threshold:PERCENT or cost");
     }

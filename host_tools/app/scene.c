@@ -185,6 +185,9 @@ static void read_structure(scene *s, args *a) {
     if (s->options.structure == PLT_STRUCTURE_GRID && s->options.order != PLT_ORDER_DEPTH_FIRST) {
         args_complain(a, "--structure grid is for --walk depth");
     }
+    if (s->options.structure == PLT_STRUCTURE_GRID && s->options.rebuild) {
+        args_complain(a, "--rebuild is for --structure tree: a grid is made anew in any case");
+    }
 }
 
 static void read_flags(scene *s, args *a, int *fetched) {

@@ -9,8 +9,8 @@ begin flips
 run make knot --triangles 300 -o knot.ply
 echo '0 0 5 0 0 0 -1 100' | rays ray
 
-# flips_of SEED: 100 lines "BYTE OCTAL": the index of a byte, and its value with one bit flipped. Not
-# of section 6, behind all others: what is read whole has its own CRCs.
+# flips_of SEED: 100 lines "BYTE OCTAL": the index of a byte, and its value with one bit flipped.
+# Not of section 6, behind all others: what is read whole has its own CRCs.
 flips_of() {
     od -An -v -t u1 knot.plt | awk -v seed="$1" '
         { for (i = 1; i <= NF; i++) value[size++] = $i }

@@ -106,8 +106,8 @@ misused "pack --nodes compact refuses --build none" compact \
 for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
     --leaf=3 --leaf=0 --nodes=small --treelet=0 \
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
-    --slots=newest --geometry=lattice --geometry=double --checks=some --numbers=some --numbers=none \
-    --tolerance=0.1 --reduce=0 --frame=-1; do
+    --slots=newest --geometry=lattice --geometry=double --checks=some --numbers=some \
+    --numbers=none --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
 for pair in --packet=3 --walk=wide --structure=kd --residency=cached --store=64K --store=28671 \

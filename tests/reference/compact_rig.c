@@ -75,7 +75,7 @@ const unsigned char *compact_section(const packed *image, unsigned index) {
 
 void compact_primitive_id(const packed *image, uint32_t index, uint32_t *id, uint32_t *rotation) {
     const unsigned char *bytes = compact_section(image, 1);
-    const uint32_t bits = word_at(image->bytes + NUMBER_BITS_AT);
+    const uint32_t bits = word_at(image->bytes + NUMBER_BITS_AT) & 0xFFu; /* above: checks */
     uint32_t entry = 0;
     for (uint32_t i = 0; i < bits; i++) {
         const uint64_t at = (uint64_t)index * bits + i;
