@@ -466,7 +466,7 @@ typedef struct plt_motion {
                            * all nodes, is 10 % above what it was when the tree was built
                            * (RT-DEFORM); below 0: it is less */
     float growth;         /* likewise of the sum of all nodes' areas, which says more of what rays
-                           * cost: DESIGN.md, section 5.2 */
+                           * cost: DESIGN.md, section 5.3 */
     uint8_t is_building;  /* a rebuild has begun */
     uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved: of work w,
                            * w d / (1 + d), d being PLT_GROWTH_WORK percent of the growth, if

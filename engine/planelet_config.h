@@ -178,7 +178,7 @@
 
 /* What rebuilding a tree costs, in group tests per triangle: 1 .. 10000; and how much more work
  * rays are than in a new tree, in percent of the growth of its nodes' areas: 1 .. 10000
- * (plt_rebuild_due; DESIGN.md, section 5.2). Cost: none. */
+ * (plt_rebuild_due; DESIGN.md, section 5.3). Cost: none. */
 #ifndef PLT_REBUILD_WORK
 #define PLT_REBUILD_WORK 24
 #endif

@@ -97,7 +97,7 @@ if part "render thesis frames" "$frames" 28672; then
     refuses "$frames" device PLT_WITH_BUILDER
 fi
 frames=$BUILD/mps2_an386-compact-frames-render
-if part "render compact frames" "$frames" 36864; then
+if part "render compact frames" "$frames" 37376; then
     renders "$frames" compact
     renders "$frames" floats
     refuses "$frames" thesis PLT_WITH_THESIS
@@ -135,7 +135,7 @@ shows() {
                 echo "$text")"
     done
 }
-if part "render thesis motion sequence" "$sequence" 49152; then
+if part "render thesis motion sequence" "$sequence" 50176; then
     renders "$sequence" thesis
     for k in 0 1 2 3 4 5; do
         wave $k >"$out/wave_00$k.ply"
@@ -187,7 +187,7 @@ if part "render thesis wave" "$wave" 73728; then
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
 fi
 batch=$BUILD/mps2_an386-batch-compact-render-stream
-if part "render compact stream batch" "$batch" 58368; then
+if part "render compact stream batch" "$batch" 58880; then
     renders "$batch" compact
 fi
 tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
