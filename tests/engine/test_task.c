@@ -355,10 +355,11 @@ static void left_over(const subject *s) {
         CHECK(plt_trace_begin(d, s->rays, hits, RAYS, 0) == PLT_OK &&
                   plt_task_next(d, d) == PLT_MORE,
               "all anew");
-        CHECK(work_until_one_waits(d), "no packet waits at an edge");
-        CHECK(plt_task_next(d, w) == PLT_MORE, "the other worker has it");
-        CHECK(!w->worker.is_new && w->traversal.waiting == 0, "after %u visits something is left",
-              (unsigned)visits);
+        const int waits = work_until_one_waits(d);
+        CHECK(waits || rig_is_tiny(), "no packet waits at an edge");
+        CHECK(!waits || plt_task_next(d, w) == PLT_MORE, "the other worker has it");
+        CHECK(!waits || (!w->worker.is_new && w->traversal.waiting == 0),
+              "after %u visits something is left", (unsigned)visits);
         CHECK(work(&t, NULL) == PLT_OK && memcmp(hits, s->due[0], sizeof hits) == 0,
               "hits after %u visits", (unsigned)visits);
         expect_whole(&t);

@@ -177,7 +177,9 @@ static inline void every_call_fails_once(const subject *s, enum fake_failure kin
         if (retries == 0) {
             break;
         }
-        CHECK(retries == 1, "kind %d, call %u: %u retries", (int)kind, call, retries);
+        /* Ids that come ahead may be those that a wrong geometry part asked for. */
+        CHECK(retries == 1 || (retries == 2 && parts_ahead > 0), "kind %d, call %u: %u retries",
+              (int)kind, call, retries);
         failed++;
     }
     CHECK(failed > 40, "kind %d: %u failures", (int)kind, failed);
@@ -224,10 +226,14 @@ static inline int is_cut_and_mended(const subject *s, uint32_t call) {
     return 0;
 }
 
-/* A link that garbles every transfer from one on: the status says so, the fault where, and by which
- * rule; and when it is mended all goes on. Returns which section's part it was that came wrong,
- * from 0; -1: there were fewer transfers. */
-static inline int is_garbled_and_mended(const subject *s, uint32_t call) {
+/* Calls that the header takes, before any part comes. */
+enum { HEADER_CALLS = (PLT_HEADER_BYTES + PLT_TRANSFER_BYTES - 1) / PLT_TRANSFER_BYTES };
+
+/* A link that garbles every transfer from one on, the header's not counted: the status says so, the
+ * fault where, and by which rule; and when it is mended all goes on. Returns which section's part
+ * it was that came wrong, from 0; -1: there were fewer transfers. */
+static inline int is_garbled_and_mended(const subject *s, uint32_t behind) {
+    const uint32_t call = HEADER_CALLS + behind;
     run x = {.link = {.failure = FAKE_GARBLED_FROM_START, .at_call = call, .at_once = call % 2}};
     int same = 0, section = -1;
     plt_fault fault;
@@ -257,20 +263,21 @@ static inline int is_garbled_and_mended(const subject *s, uint32_t call) {
     return section;
 }
 
-/* One bit of each transfer is wrong, first once and then whenever it comes; in steps, of which the
- * first 40 are 1. What comes is of the first `sections` of the image, of each of which something is
- * told. */
+/* One bit of each transfer behind the header is wrong, first once and then whenever it comes; in
+ * steps, of which the first 40 are 1. What comes is of the first `sections` of the image, of each
+ * of which something is told. */
 static inline void every_transfer_is_garbled(const subject *s, uint32_t sections, uint32_t step) {
     uint32_t of[4] = {0, 0, 0, 0};
     int section = 0;
-    for (uint32_t call = 2; section >= 0; call += call < 42 ? 1 : step) {
-        const uint32_t retries = fails_once(s, FAKE_GARBLED_AT_START, call);
+    for (uint32_t call = 1; section >= 0; call += call < 41 ? 1 : step) {
+        const uint32_t retries = fails_once(s, FAKE_GARBLED_AT_START, HEADER_CALLS + call);
         section = is_garbled_and_mended(s, call);
         of[section >= 0 ? section : 0] += section >= 0;
         CHECK(retries == (section >= 0), "call %u: %u retries", call, retries);
     }
     for (uint32_t i = 0; i < 4; i++) {
-        CHECK(i < sections ? of[i] > 5 : of[i] == 0, "%u faults in section %u", of[i], i);
+        const uint32_t least = rig_is_tiny() ? 1 : 6;
+        CHECK(i < sections ? of[i] >= least : of[i] == 0, "%u faults in section %u", of[i], i);
     }
 }
 
