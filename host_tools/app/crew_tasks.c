@@ -121,15 +121,23 @@ static uint64_t next_return(const crew *c, const turns *t) {
     return first;
 }
 
+static uint64_t tasks_of(const shift *s) {
+    plt_task_stats q;
+    plt_task_stats_get(s->dispatcher, &q);
+    return q.tasks;
+}
+
 static void take_turn(shift *s, turns *t, unsigned i) {
     crew_worker *w = &s->c->worker[i];
     const double began = clock_thread_seconds();
+    const uint64_t tasks = tasks_of(s); /* none for an edge that it keeps */
     const int status = next_task(s, w);
     t->has[i] = status == PLT_MORE;
     if (status == PLT_MORE) {
         const uint64_t before = visits_of(w);
+        t->clock[i] += tasks_of(s) - tasks;
         run_task(s, w);
-        t->clock[i] += visits_of(w) - before + 1;
+        t->clock[i] += visits_of(w) - before;
     } else if (status == PLT_WAIT) {
         t->clock[i] = next_return(s->c, t);
     } else {
