@@ -6,7 +6,7 @@
 # runs over its time or prints no count is one failure more. The failures are
 # listed again at the end, each with the last of what it said, before the sum.
 # SPDX-License-Identifier: MIT
-limit=${TEST_SECONDS:-600}
+limit=${TEST_SECONDS:-1200} # check_variants.sh builds and runs all programs
 passed=0 failed=0
 log=$(mktemp) failures=$(mktemp)
 trap 'rm -f "$log" "$failures"' EXIT

@@ -88,8 +88,9 @@ static uint64_t choose_cells(plt_grid_level *l, const plt_grid_items *items, con
 
 /* 0: the cell stays as it is. */
 static int refine_cell(plt_grid *g, const plt_record *records, uint32_t cell, size_t bytes) {
-    uint32_t *first = &g->top.reference[g->top.start[cell]];
-    const plt_grid_items items = {records, first, g->top.start[cell + 1] - g->top.start[cell]};
+    const uint32_t first = g->top.start[cell];
+    const plt_grid_items items = {records, &g->top.reference[first],
+                                  g->top.start[cell + 1] - first};
     const plt_box box = box_in_cell(&g->top, cell, &items);
     plt_grid_level *l = &g->crowded[g->crowded_count];
     const uint64_t references =
@@ -99,8 +100,8 @@ static int refine_cell(plt_grid *g, const plt_record *records, uint32_t cell, si
     }
     plt_grid_level_fill(l, &items);
     g->bytes += rounded(((size_t)plt_grid_cells(l) + 1) * 4) + rounded((size_t)references * 4);
-    first[0] = PLT_GRID_CROWDED | g->crowded_count;
-    first[1] = items.count;
+    g->top.reference[first] = PLT_GRID_CROWDED | g->crowded_count;
+    g->top.reference[first + 1] = items.count;
     g->crowded_count++;
     return 1;
 }

@@ -21,9 +21,9 @@ static inline void plt_grid_shape_set(plt_grid_shape *g, const plt_grid_turn *t,
     const f4 lo = f4_load(scene->lo); /* and a number behind it */
     const f4 a = f4_sub(corner[0], lo), b = f4_sub(corner[1], lo), c = f4_sub(corner[2], lo);
     const float plane = t->plane - scene->lo[t->z];
-    f4_store(g->corner[0], a);
-    f4_store(g->corner[1], b);
-    f4_store(g->corner[2], c);
+    f4_store(&g->corner[0][0], a);
+    f4_store(&g->corner[1][0], b);
+    f4_store(&g->corner[2][0], c);
     f4_store(g->lo, f4_min(f4_min(a, b), c));
     f4_store(g->hi, f4_max(f4_max(a, b), c));
     const int up = t->sign > 0.0f;

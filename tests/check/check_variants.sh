@@ -21,5 +21,6 @@ tests=$BUILD/host-scalar/tests/engine
 programs_pass "scalar lanes give the same frames and hits" scalar.txt sh -c "
     $MAKE -s LANES=scalar $tests/test_render $tests/test_trace_brute &&
     sh tests/run.sh $tests/test_render $tests/test_trace_brute"
-programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s tiny
+jobs=$(getconf _NPROCESSORS_ONLN)
+programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s -j "$jobs" tiny
 finish
