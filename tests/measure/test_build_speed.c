@@ -9,11 +9,8 @@
 #include "engine/builder/blocks.h"
 #include "engine/builder/build.h"
 #include "host_tools/base/clock.h"
-#include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/pack.h"
-#include "host_tools/scenes/scenes.h"
-#include "tests/reference/rig.h"
-#include "tests/test.h"
+#include "tests/measure/meshes.h"
 
 enum { ROUNDS = 5, K = 2, N = 64 };
 
@@ -105,18 +102,5 @@ static void measure(const mesh *m, const char *name) {
 }
 
 int main(int argc, char **argv) {
-    test("both builders, triangles per second on one core");
-    for (int i = 1; i < argc || i == 1; i++) {
-        mesh m = {0};
-        mesh_report report = {0};
-        fail f = {""};
-        const int status = i < argc ? mesh_read(&m, argv[i], 0, &report, &f)
-                                    : scene_knot(&m, rig_is_tiny() ? 100 : 50000, &f);
-        CHECK(status == 0, "%s", f.text);
-        if (status == 0) {
-            measure(&m, i < argc ? argv[i] : "knot");
-        }
-        mesh_free(&m);
-    }
-    return test_done();
+    return measure_meshes(argc, argv, "both builders, triangles per second on one core", measure);
 }

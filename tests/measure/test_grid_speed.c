@@ -11,9 +11,8 @@
 #include "engine/grid/build.h"
 #include "engine/trace/grid_state.h"
 #include "host_tools/base/clock.h"
-#include "host_tools/mesh/mesh.h"
-#include "host_tools/scenes/scenes.h"
 #include "tests/measure/grid_single.h"
+#include "tests/measure/meshes.h"
 #include "tests/reference/grid_rig.h"
 #include "tests/reference/shapes.h"
 
@@ -341,18 +340,5 @@ static void measure(const mesh *m, const char *name) {
 }
 
 int main(int argc, char **argv) {
-    test("grids, on one core");
-    for (int i = 1; i < argc || i == 1; i++) {
-        mesh m = {0};
-        mesh_report report = {0};
-        fail f = {""};
-        const int status = i < argc ? mesh_read(&m, argv[i], 0, &report, &f)
-                                    : scene_knot(&m, rig_is_tiny() ? 100 : 20000, &f);
-        CHECK(status == 0, "%s", f.text);
-        if (status == 0) {
-            measure(&m, i < argc ? argv[i] : "knot");
-        }
-        mesh_free(&m);
-    }
-    return test_done();
+    return measure_meshes(argc, argv, "grids, on one core", measure);
 }

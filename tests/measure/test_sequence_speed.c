@@ -12,13 +12,10 @@
 #include "engine/motion/vertices.h"
 #include "engine/move.h"
 #include "host_tools/base/clock.h"
-#include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/lattice.h"
 #include "host_tools/pack/sequence.h"
-#include "host_tools/scenes/scenes.h"
-#include "tests/reference/rig.h"
+#include "tests/measure/meshes.h"
 #include "tests/reference/shapes.h"
-#include "tests/test.h"
 
 enum { ROUNDS = 10 };
 
@@ -124,18 +121,5 @@ static void measure(const mesh *m, const char *name) {
 }
 
 int main(int argc, char **argv) {
-    test("frames of an image, triangles per second on one core");
-    for (int i = 1; i < argc || i == 1; i++) {
-        mesh m = {0};
-        mesh_report report = {0};
-        fail f = {""};
-        const int status = i < argc ? mesh_read(&m, argv[i], 0, &report, &f)
-                                    : scene_knot(&m, rig_is_tiny() ? 100 : 20000, &f);
-        CHECK(status == 0, "%s", f.text);
-        if (status == 0) {
-            measure(&m, i < argc ? argv[i] : "knot");
-        }
-        mesh_free(&m);
-    }
-    return test_done();
+    return measure_meshes(argc, argv, "frames of an image, triangles per second on one core", measure);
 }
