@@ -327,6 +327,7 @@ static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PL
         m->levels = part[PLT_PART_REFIT];
         m->is_new = 1;
         m->areas.scale = plt_areas_scale(&e->scene.box);
+        m->areas.is_wanted = e->options.rebuild;
         status = start_some(e, o, part);
         start_rebuilds(e, o, part);
         plt_refit_all(e);

@@ -464,7 +464,8 @@ typedef struct plt_motion {
     uint32_t rebuilds;    /* that have become the scene's tree */
     float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
                            * all nodes, is 10 % above what it was when the tree was built
-                           * (RT-DEFORM); below 0: it is less */
+                           * (RT-DEFORM); below 0: it is less. Without plt_options.rebuild, whose
+                           * choice it is for, it is not counted, and 0 */
     float growth;         /* likewise of the sum of all nodes' areas, which says more of what rays
                            * cost: DESIGN.md, section 5.3 */
     uint8_t is_building;  /* a rebuild has begun */

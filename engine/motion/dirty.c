@@ -107,9 +107,9 @@ static plt_box4 fit(refitting *r, const plt_dirty_level *l, plt_box4 right) {
     const plt_box4 left = {f4_load(l->lo), f4_load(l->hi)};
     plt_box4 was[2];
     old_children(node, l, was);
-    plt_areas_add(&r->areas, -1, old, was[0], was[1]);
+    plt_areas_count(&r->areas, -1, old, was[0], was[1]);
     const plt_box4 box = plt_node_fit(node, left, right);
-    plt_areas_add(&r->areas, 1, box, left, right);
+    plt_areas_count(&r->areas, 1, box, left, right);
     return box;
 }
 

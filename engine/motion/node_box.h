@@ -11,6 +11,7 @@
 
 #include "engine/motion/node_box_types.h"
 #include "engine/motion/words.h"
+#include "engine/planelet_config.h"
 
 #if PLT_LANES_REGISTERS
 #include "engine/motion/node_box_code.h"
@@ -34,5 +35,13 @@ float plt_box4_half_area(plt_box4 b);
 void plt_areas_add(plt_areas *to, int sign, plt_box4 parent, plt_box4 left, plt_box4 right);
 
 #endif
+
+/* If anybody wants to know. */
+static inline void plt_areas_count(plt_areas *to, int sign, plt_box4 parent, plt_box4 left,
+                                   plt_box4 right) {
+    if (PLT_WITH_REBUILD && to->is_wanted) {
+        plt_areas_add(to, sign, parent, left, right);
+    }
+}
 
 #endif

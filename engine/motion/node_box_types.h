@@ -33,6 +33,7 @@ typedef struct plt_areas {
     uint64_t ratios; /* of each node's area to its children's together, in 1/65,536 */
     uint64_t sum;    /* of all nodes' areas, times scale */
     float scale;
+    uint32_t is_wanted; /* 0: both sums stay 0, as nobody will build a tree by them */
 } plt_areas;
 
 /* A ratio is at most this: a node of children without area has no more to say. And an area that

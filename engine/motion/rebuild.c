@@ -113,6 +113,7 @@ static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
         r->refit.records = r->records;
         r->refit.root = r->build.root;
         r->refit.areas.scale = plt_areas_scale(&r->build.box);
+        r->refit.areas.is_wanted = 1;
         plt_refit_begin(&r->refit);
     }
     return PLT_MORE;

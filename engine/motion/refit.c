@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/motion/refit.h"
 
+#include "engine/lanes/unroll.h"
 #include "engine/motion/node_box.h"
 #include "engine/planelet.h"
 
@@ -33,7 +34,8 @@ static uint32_t descend(const plt_refit_job *job, uint32_t link, plt_refit_level
 
 /* Encodes all nodes that `box` was the last child of; then it is the left child of another one,
  * whose right link is the result, or the root's: PLT_LINK_NONE. */
-static uint32_t ascend(plt_refit_job *job, plt_box4 *box, plt_refit_level **top) {
+PLT_INLINED uint32_t ascend(plt_refit_job *job, plt_box4 *box, plt_refit_level **top,
+                            int counts_areas) {
     while (*top != job->levels) {
         plt_refit_level *l = *top - 1;
         if (!l->is_done) {
@@ -42,7 +44,9 @@ static uint32_t ascend(plt_refit_job *job, plt_box4 *box, plt_refit_level **top)
         }
         const plt_box4 left = kept(l), right = *box;
         *box = plt_node_fit(&job->nodes[l->node], left, right);
-        plt_areas_add(&job->areas, 1, *box, left, right);
+        if (counts_areas) {
+            plt_areas_add(&job->areas, 1, *box, left, right);
+        }
         --*top;
     }
     return PLT_LINK_NONE;
@@ -54,14 +58,15 @@ void plt_refit_begin(plt_refit_job *job) {
     job->areas.ratios = job->areas.sum = 0;
 }
 
-int plt_refit_step(plt_refit_job *job, uint32_t lists) {
+/* Inlined twice: sums of areas would cost those who do not want them a quarter of the whole. */
+PLT_INLINED int step(plt_refit_job *job, uint32_t lists, int counts_areas) {
     plt_refit_level *top = job->top;
     uint32_t link = job->link;
     plt_box4 box;
     do {
         link = descend(job, link, &top);
         box = plt_lists_box4(job->records, link);
-        link = ascend(job, &box, &top);
+        link = ascend(job, &box, &top, counts_areas);
     } while (link != PLT_LINK_NONE && --lists > 0);
     job->top = top;
     job->link = link;
@@ -70,6 +75,10 @@ int plt_refit_step(plt_refit_job *job, uint32_t lists) {
     }
     plt_box4_store(box, &job->box);
     return PLT_OK;
+}
+
+int plt_refit_step(plt_refit_job *job, uint32_t lists) {
+    return PLT_WITH_REBUILD && job->areas.is_wanted ? step(job, lists, 1) : step(job, lists, 0);
 }
 
 void plt_refit(plt_refit_job *job) {

@@ -90,7 +90,7 @@ static void every_tree(void) {
             for (uint8_t build = PLT_BUILD_HOST; build <= PLT_BUILD_DEVICE; build++) {
                 mesh m = {0};
                 rig_config c = rig_config_of(k, mover_treelet(sizes[n]), build, (uint8_t)(n % 2));
-                c.run.moves_some = 1;
+                c.run.moves_some = c.run.rebuild = 1; /* so that degradation is counted */
                 shape_soup(&m, rig_triangles(100 + 150 * k, k), 0.15f, k);
                 rounds(&c, &m, 24);
                 mesh_free(&m);

@@ -116,6 +116,7 @@ static void keep_least(double *least, double seconds) {
 static void fill_row(table *t, const mesh *meshes, unsigned r, const float lo[3],
                      const float hi[3]) {
     rig_config c = rig_config_of(4, rig_is_tiny() ? 1 : 64, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    c.run.rebuild = 1; /* so that areas are counted */
     mover v = {.bytes = 0};
     if (mover_open(&v, &meshes[r], &c, 1) == PLT_OK) {
         for (unsigned f = r; f < t->frames; f++) {

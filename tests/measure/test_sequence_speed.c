@@ -121,5 +121,6 @@ static void measure(const mesh *m, const char *name) {
 }
 
 int main(int argc, char **argv) {
-    return measure_meshes(argc, argv, "frames of an image, triangles per second on one core", measure);
+    return measure_meshes(argc, argv, "frames of an image, triangles per second on one core",
+                          measure);
 }
