@@ -227,10 +227,24 @@ static void expect_ids(const part_of *triangles, uint16_t part) {
         s->fetcher.store.part[part].held = 0;
     }
 }
+
+/* Triangles that are not valid may have said wrongly where their ids lie: what has come of it has
+ * the name of the right ones, and is forgotten. Ids that were used before stay. */
+static void forget_ids(const part_of *triangles) {
+    plt_fetcher *f = &triangles->stream->fetcher;
+    const uint16_t ids = plt_store_find(&f->store, key_of(triangles->link, PLT_STREAM_IDS));
+    if (ids != PLT_STORE_NONE && f->store.part[ids].fresh && plt_prefetch_arrive(f, ids)) {
+        plt_store_forget(&f->store, ids);
+    }
+}
 #else
 static void expect_ids(const part_of *triangles, uint16_t part) {
     (void)triangles;
     (void)part;
+}
+
+static void forget_ids(const part_of *triangles) {
+    (void)triangles;
 }
 #endif
 
@@ -240,7 +254,13 @@ static int check_part(const void *context, uint16_t part) {
         expect_ids(a, part);
     }
     const int rule = rule_of(a, part);
-    return rule == PLT_BLOCK_VALID ? PLT_OK : refuse(a->stream, rule, a->offset);
+    if (rule == PLT_BLOCK_VALID) {
+        return PLT_OK;
+    }
+    if (a->kind == PLT_STREAM_GEOMETRY) {
+        forget_ids(a);
+    }
+    return refuse(a->stream, rule, a->offset);
 }
 
 static int need_part(const part_of *a) {

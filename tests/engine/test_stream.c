@@ -294,6 +294,55 @@ static void ahead_of_rays(void) {
     pack_free(&s.image);
 }
 
+/* ---- counts that are wrong once ---------------------------------------------- */
+
+/* A source that garbles what it brings for the first time. */
+typedef struct garbling {
+    plt_source source; /* of the link */
+    fake_link *link;
+    const unsigned char *right;
+    unsigned char *wrong; /* for the first time; from then on it is what is right, byte for byte */
+} garbling;
+
+static int garble_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
+    garbling *g = context;
+    g->link->image = g->wrong;
+    const int status = g->source.start(g->source.context, tag, offset, to, count);
+    memcpy(g->wrong + offset, g->right + offset, count);
+    return status;
+}
+
+static int garble_wait(void *context, uint32_t tags) {
+    const garbling *g = context;
+    return g->source.wait(g->source.context, tags);
+}
+
+/* Counts of every geometry part come wrong, once: ids that were asked for by them are not taken for
+ * those that belong to the part, which lie elsewhere. */
+static void counts_wrong_once(int ids) {
+    static subject s;
+    run x = {.link = {.at_once = 1}};
+    plt_hit hits[RAYS];
+    plt_stats q;
+    fill_subject(&s, 6000, 2, 14, ids);
+    const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 4, 40000);
+    garbling g = {.link = &x.link, .right = s.image.bytes, .wrong = malloc(s.image.size)};
+    memcpy(g.wrong, s.image.bytes, s.image.size);
+    garble_counts(&s, g.wrong);
+    CHECK(open_run(&x, &s.image, &o) == PLT_OK, "%s", x.fault.message);
+    g.source = x.engine->source;
+    x.engine->source.context = &g;
+    x.engine->source.start = garble_start;
+    x.engine->source.wait = garble_wait;
+    CHECK(trace_all(&x, &s, hits) == PLT_OK, "ids %d", ids);
+    CHECK(memcmp(hits, s.due[0], sizeof hits) == 0, "ids %d: hits", ids);
+    plt_stats_get(x.engine, &q);
+    CHECK(q.fetch_retries > 5, "%u retries", (unsigned)q.fetch_retries);
+    close_run(&x);
+    free(g.wrong);
+    pack_free(&s.image);
+}
+
 /* All of it with parts that are on their way while rays are traced. */
 static void prefetched(const char *sentence, int soak) {
     static subject s;
@@ -314,6 +363,9 @@ static void prefetched(const char *sentence, int soak) {
         is_garbled_and_mended(&s, call);
     }
     pack_free(&s.image);
+    for (int ids = NO_IDS; ids <= IDS_UNCHECKED; ids++) {
+        counts_wrong_once(ids);
+    }
     forged_images(soak ? 30000 : 100);
     changing_sources(soak ? 100 : 3);
     claims_of_depth();

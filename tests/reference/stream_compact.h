@@ -58,6 +58,18 @@ static inline void forge_versions(changing *c, const subject *s) {
     }
 }
 
+/* The byte of counts of each geometry part, which says where ids lie, has a wrong bit. */
+static inline void garble_counts(const subject *s, unsigned char *bytes) {
+    const uint32_t used = s->image.info.node_bytes + s->image.info.triangle_bytes;
+    plt_block b;
+    for (uint32_t at = PLT_HEADER_BYTES; at < PLT_HEADER_BYTES + used; at += plt_block_bytes(&b)) {
+        plt_block_open(&b, s->image.bytes + at, s->image.info.lattice_bits);
+        if (b.geometry_bytes > 0) {
+            bytes[at + b.node_bytes] ^= 8;
+        }
+    }
+}
+
 static inline void add_triangle(mesh *m, const float corner[3][3]) {
     fail f = {""};
     const uint32_t first = 3 * (uint32_t)m->triangles;
