@@ -20,7 +20,7 @@ int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
 
 int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
     plt_fault_set(fault, PLT_OK, 0, "no fault");
-    if (!e->sequence.is_reading && e->sequence.at == PLT_FRAME_NONE) {
+    if (e->sequence.frames == 0 || (!e->sequence.is_reading && e->sequence.at == PLT_FRAME_NONE)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
     }
     return plt_sequence_read(&e->sequence, blocks > 0 ? blocks : 1, fault);

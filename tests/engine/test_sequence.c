@@ -385,15 +385,20 @@ static void refused(sequence_rig *s, uint32_t frame, const char *why) {
           "%s", s->fault.message);
 }
 
+static void step_refused(plt_engine *e, const char *what) {
+    plt_fault fault;
+    CHECK(plt_sequence_step(e, 1, &fault) == PLT_ERR_ARGUMENT &&
+              strstr(fault.message, "begun") != NULL,
+          "%s: %s", what, fault.message);
+}
+
 static void refusals(void) {
     const sequence_config c = config_of(2, PLT_BUILD_HOST, 16, 4, 1);
     mesh m = {0};
     sequence_rig s;
     make_mesh(&m, 2);
     if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
-        CHECK(plt_sequence_step(s.engine, 1, &s.fault) == PLT_ERR_ARGUMENT &&
-                  strstr(s.fault.message, "begun") != NULL,
-              "%s", s.fault.message);
+        step_refused(s.engine, "at first");
         refused(&s, c.frames, "no such frame");
         refused(&s, UINT32_MAX, "no such frame");
         shows(&s, &c, 0, "after refusals");
@@ -403,6 +408,7 @@ static void refusals(void) {
               "%s", s.fault.message);
         shows(&s, &c, 0, "not opened to be moved");
         refused(&s, 0, "not opened to be moved");
+        step_refused(s.engine, "not opened to be moved");
     }
     sequence_rig_close(&s);
     rig r;
@@ -412,6 +418,7 @@ static void refusals(void) {
     CHECK(plt_sequence_show(r.engine, 0, &r.fault) == PLT_ERR_ARGUMENT &&
               strstr(r.fault.message, "no frames") != NULL,
           "%s", r.fault.message);
+    step_refused(r.engine, "without frames");
     rig_close(&r);
     mesh_free(&m);
 }
