@@ -443,7 +443,8 @@ int plt_move_some(plt_engine *engine, const uint32_t *ids, const float (*corners
  * needs more than this build allows; it is given up, and the old tree goes on.
  *
  * plt_rebuild_due: 1: time to begin, by `when`; 0: not, or one has begun, or there is no room.
- * `percent`: of PLT_REBUILD_THRESHOLD, 1 and up.
+ * `percent`: of PLT_REBUILD_THRESHOLD, 1 and up. By threshold or cost, one that was given up is due
+ * again when as much has been lost anew.
  *
  * Not there without PLT_WITH_REBUILD. */
 enum plt_rebuild_when {

@@ -57,7 +57,7 @@ static void swap(plt_engine *e) {
     set_info(e);
     m->areas = m->areas_built = m->rebuild.refit.areas;
     m->box = m->rebuild.refit.box;
-    m->excess = 0;
+    m->excess = m->ratios_tried = 0;
     m->rebuilds++;
     begin_touched(&e->traversal);
     plt_traversal_drop(&e->traversal);
@@ -86,6 +86,13 @@ int plt_rebuild_begin(plt_engine *e, plt_fault *fault) {
     return PLT_OK;
 }
 
+/* It has cost about what a tree costs: it is not due again before as much has been lost anew. */
+static void give_up(plt_engine *e) {
+    count_work(e);
+    e->moving.excess = 0;
+    e->moving.ratios_tried = e->moving.areas.ratios;
+}
+
 static int failed(const plt_engine *e, int status, plt_fault *fault) {
     if (status == PLT_ERR_ARENA) {
         plt_fault_set(fault, status, 0,
@@ -106,6 +113,7 @@ int plt_rebuild_step(plt_engine *e, uint32_t triangles, plt_fault *fault) {
     }
     const int status = plt_rebuild_work(r, &e->scene.thesis, triangles > 0 ? triangles : 1);
     if (status < PLT_OK) {
+        give_up(e);
         return failed(e, status, fault);
     }
     if (r->phase != PLT_REBUILD_READY || !e->rendering.done) {
@@ -124,7 +132,7 @@ int plt_rebuild_due(const plt_engine *e, unsigned when, unsigned percent) {
     case PLT_REBUILD_ALWAYS:
         return 1;
     case PLT_REBUILD_THRESHOLD:
-        return 100.0f * plt_degradation(&e->moving) >= (float)(int32_t)percent;
+        return 100.0f * plt_degradation_since(&e->moving) >= (float)(int32_t)percent;
     case PLT_REBUILD_COST:
         return plt_rebuild_excess(e) >= plt_rebuild_cost(&e->scene.info);
     default:

@@ -365,6 +365,58 @@ static void policies(void) {
     mesh_free(&m);
 }
 
+/* Begun and split until there is no room for more nodes. */
+static void give_up(mover *v, const char *name) {
+    int status;
+    CHECK(plt_rebuild_begin(v->engine, &v->fault) == PLT_OK, "%s", v->fault.message);
+    do {
+        status = plt_rebuild_step(v->engine, 100, &v->fault);
+    } while (status == PLT_MORE);
+    CHECK(status == PLT_ERR_ARENA, "%s: status %d", name, status);
+}
+
+/* A tree that does not fit has cost what one costs: it is tried again when as much is lost anew. */
+static void after_giving_up(void) {
+    const rig_config c = config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    mesh m = {0};
+    mover v = {.bytes = 0};
+    shape_soup(&m, rig_triangles(400, 2), 0.1f, 9);
+    if (mover_open(&v, &m, &c, 1) == PLT_OK) {
+        plt_engine *e = v.engine;
+        plt_motion q;
+        unsigned given_up = 0;
+        float tried = 0.0f;
+        e->moving.rebuild.room = 4; /* slots: as if the arena had no more */
+        for (unsigned i = 0; i < 12; i++) {
+            part(&m);
+            CHECK(mover_move(&v, &m) == PLT_OK, "moves");
+            plt_motion_get(e, &q);
+            const int is_due = 1.0f + q.degradation >= 1.01f * (1.0f + tried);
+            CHECK(plt_rebuild_due(e, PLT_REBUILD_THRESHOLD, 1) == is_due, "%g, at the last try %g",
+                  (double)q.degradation, (double)tried);
+            if (is_due) {
+                give_up(&v, "threshold");
+                CHECK(!plt_rebuild_due(e, PLT_REBUILD_THRESHOLD, 1), "at %g, due at once",
+                      (double)q.degradation);
+                tried = q.degradation;
+                given_up++;
+            }
+        }
+        CHECK(given_up > 1 || rig_is_tiny(), "%u trees given up", given_up);
+        for (unsigned i = 0; i < 3; i++) {
+            CHECK(!plt_rebuild_due(e, PLT_REBUILD_COST, 0), "due with no work done");
+            work(&v, 100 * q.build_work, 0);
+            CHECK(plt_rebuild_due(e, PLT_REBUILD_COST, 0), "not due");
+            give_up(&v, "cost");
+            plt_motion_get(e, &q);
+            CHECK(q.excess_work == 0 && q.rebuilds == 0 && !q.is_building, "given up");
+        }
+        CHECK(plt_rebuild_due(e, PLT_REBUILD_ALWAYS, 0), "always is always");
+    }
+    mover_close(&v);
+    mesh_free(&m);
+}
+
 /* A tree that is rebuilt is as good as one that is packed: the sum of all areas' ratios. */
 static void refusals(void) {
     mesh m = {0};
@@ -419,6 +471,8 @@ int main(void) {
     tight_arenas(PLT_BUILD_DEVICE);
     test("when a rebuild is due: never, always, from a threshold, when its cost is reached");
     policies();
+    test("a tree that was given up is not due again at once");
+    after_giving_up();
     test("what cannot be rebuilt is refused");
     refusals();
     return test_done();
