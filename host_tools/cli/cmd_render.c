@@ -181,7 +181,9 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
         r->frame.camera = r->first;
         if (moved_is(&r->moved)) {
             status = moved_to(&r->moved, &r->s, r->path, i, f);
-            rebuilds_go_on(&r->rebuilds, &r->s);
+            if (status == 0) { /* else the last frame may not have ended, and a rebuild waits */
+                rebuilds_go_on(&r->rebuilds, &r->s);
+            }
         } else if (i > 0) {
             view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
         }

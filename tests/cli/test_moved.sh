@@ -106,6 +106,11 @@ none_left
 refused "a frame that is missing" "frame 3" "wave_003.ply" \
     render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8
 none_left
+timeout 60 "$PLANELET" render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8 \
+    --rebuild always >out 2>err
+status=$?
+verdict "... between rebuilds" "$(refusal "frame 3" "wave_003.ply")"
+none_left
 wave 3 8 >wave_003.ply
 refused "a frame of other triangles" wave.txt "frame 3: has 98 triangles, the scene 128" \
     render wave.plt -o x.y4m --moved wave.txt --frames 1:6 --size 8x8 --json x.json
