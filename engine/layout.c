@@ -308,13 +308,14 @@ static uint64_t room_bytes(const subject *s) {
                : 0;
 }
 
+/* Scratch is the builder's, and then that of counting what the new tree needs. */
 static uint64_t rebuild_bytes(const subject *s) {
     const uint64_t records = rounded((uint64_t)s->info->triangles * PLT_RECORD_BYTES);
     const uint64_t nodes = (uint64_t)s->sized_for->node_slots * PLT_NODE_BYTES;
-    return plt_layout_rebuilds(s->info, s->options)
-               ? records + nodes +
-                     plt_build_scratch_bytes(s->sized_for->nodes, s->info->treelet_nodes)
-               : 0;
+    const uint64_t scratch =
+        larger(plt_build_scratch_bytes(s->sized_for->nodes, s->info->treelet_nodes),
+               PLT_VALIDATE_LEVELS * sizeof(plt_validate_level));
+    return plt_layout_rebuilds(s->info, s->options) ? records + nodes + scratch : 0;
 }
 #endif
 
