@@ -33,7 +33,7 @@ enum plt_packet_state {
 };
 
 typedef struct plt_packet_slot {
-    const plt_worker *holder; /* has it, or had it last, or is to be the first; or NULL */
+    const plt_worker *holder; /* has it, or had it last; or NULL */
     uint32_t item[2];         /* what it is of, for those who set it up: a ray, or a pixel */
     uint16_t edges;           /* queue of the nearest; PLT_TASK_NONE: there is none */
     uint16_t older;           /* of those that wait, the one that came back before it */
@@ -48,7 +48,7 @@ typedef struct plt_packet_room {
 } plt_packet_room;
 
 /* Slots per room: who is ahead of the others goes on, as far as that. */
-enum { PLT_DISPATCH_AHEAD = 8 };
+enum { PLT_DISPATCH_AHEAD = 16 };
 
 typedef struct plt_dispatch {
     plt_packet *packet;    /* [rooms] */
@@ -58,6 +58,8 @@ typedef struct plt_dispatch {
     uint32_t rooms;        /* 0: there is no dispatcher */
     uint32_t most;         /* packets that are begun, or done before others */
     uint32_t first;        /* slot of the oldest packet */
+    uint32_t number;       /* of the oldest packet, from 0 */
+    uint32_t reserved;     /* packets below that number are some worker's to begin */
     uint32_t count, begun; /* packets in the ring, and how many of them are not new */
     uint32_t out;          /* with workers */
     uint32_t out_most;     /* ... at once, so far */

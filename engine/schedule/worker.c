@@ -8,11 +8,13 @@
 void plt_worker_init(plt_worker *w, void *memory) {
     plt_tasks_init(&w->edges, memory, PLT_WORKER_TASKS, PLT_WORKER_QUEUES);
     w->has = 0;
+    w->run = w->end = 0;
 }
 
 void plt_worker_clear(plt_worker *w) {
     plt_tasks_clear(&w->edges);
     w->has = 0;
+    w->run = w->end = 0;
 }
 
 /* The root is an edge, too: the packet waits there, and is the first that comes. */
@@ -37,8 +39,39 @@ static int resume_next(plt_worker *w, plt_traversal *t) {
     return 0;
 }
 
+static void put_nearest_first(plt_tasks *edges) {
+    uint16_t *nearest = &edges->first;
+    for (uint16_t *i = nearest; *i != PLT_TASK_NONE; i = &edges->queue[*i].after) {
+        if (edges->queue[*i].nearest < edges->queue[*nearest].nearest) {
+            nearest = i;
+        }
+    }
+    const uint16_t queue = *nearest;
+    *nearest = edges->queue[queue].after;
+    edges->queue[queue].after = edges->first;
+    edges->first = queue;
+}
+
+static int has_half_left(const plt_tasks *edges) {
+    return edges->queues <= PLT_WORKER_QUEUES / 2 && edges->count <= PLT_WORKER_TASKS / 2;
+}
+
+/* Begins the nearest of its edges, if it would be given that. */
+static int begin_next(plt_worker *w) {
+    plt_tasks *edges = &w->edges;
+    if (w->packet->active == 0 || edges->first == PLT_TASK_NONE || !has_half_left(edges)) {
+        return 0;
+    }
+    put_nearest_first(edges);
+    if (w->others < edges->queue[edges->first].nearest) {
+        return 0;
+    }
+    plt_tasks_begin(edges, &edges->first);
+    return 1;
+}
+
 static int run(plt_worker *w, plt_traversal *t, uint32_t visits) {
-    while (t->waiting > 0 || resume_next(w, t)) {
+    while (t->waiting > 0 || resume_next(w, t) || (begin_next(w) && resume_next(w, t))) {
         const int status = plt_traverse_counted(t, w->packet, &visits);
         if (status != PLT_OK) {
             return status;
