@@ -59,11 +59,11 @@ static int has_half_left(const plt_tasks *edges) {
 /* Begins the nearest of its edges, if it would be given that. */
 static int begin_next(plt_worker *w) {
     plt_tasks *edges = &w->edges;
-    if (w->packet->active == 0 || edges->first == PLT_TASK_NONE || !has_half_left(edges)) {
+    if (w->packet->active == 0 || edges->first == PLT_TASK_NONE) {
         return 0;
     }
     put_nearest_first(edges);
-    if (w->others < edges->queue[edges->first].nearest) {
+    if (!has_half_left(edges) || w->others < edges->queue[edges->first].nearest) {
         return 0;
     }
     plt_tasks_begin(edges, &edges->first);
