@@ -137,7 +137,7 @@ static int take_turn(team *t, unsigned i, int running[WORKERS], uint8_t *frame) 
     if (running[i]) {
         running[i] = plt_task_run(d, w, 1 + random_below(&t->random, 60)) == PLT_MORE;
         CHECK(running[i] || plt_task_run(d, w, 60) == PLT_OK, "a task that is done stays so");
-        if (running[i] && !has_few_tasks) {
+        if (running[i] && has_room(&d->dispatch.edges)) {
             expect_own_nearest(&w->worker);
         }
         return PLT_MORE;
