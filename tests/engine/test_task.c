@@ -119,7 +119,9 @@ static int has_room(const plt_tasks *edges) {
  * all, or one that there was no room for. */
 static void expect_task(const plt_dispatch *d, const plt_worker *own, int is_given) {
     const uint16_t others = d->slot[own->slot].edges;
-    CHECK(own->has_others == (others != PLT_TASK_NONE), "edges that wait, or none");
+    CHECK(own->has_others == (others != PLT_TASK_NONE) &&
+              own->others == (own->has_others ? d->edges.queue[others].nearest : 0x1p127f),
+          "edges that wait, or none");
     CHECK(own->packet == &d->packet[d->slot[own->slot].room], "a packet in another's room");
     if (!own->is_new) {
         CHECK(own->packet->active != 0, "a packet that is done goes out");
