@@ -1,9 +1,10 @@
 /* dispatch - a dispatcher, which hands tasks to workers
  *
  * The dispatcher has packets, and for each the edges that it waits at: the thesis's global stack,
- * one per packet. A task is a packet and all of its entries at one of those edges. The worker
- * that gets it traverses the treelet behind the edge, leaves included, and gives back the edges
- * that the packet met there, which are sorted in by distance. While a worker has a packet, nobody
+ * one per packet. A task is a packet and all of its entries at the nearest of those edges, and at
+ * some that are next. The worker that gets it traverses the treelets behind them, leaves included,
+ * as long as it has room for the edges that the packet meets there, and then gives them back, which
+ * are sorted in by distance. While a worker has a packet, nobody
  * else has: hits are written where they are, and are the same whoever found them.
  *
  * Packets are begun in order, in a ring: a slot is free when its packet and all before it are
