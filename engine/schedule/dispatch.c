@@ -78,23 +78,16 @@ static uint16_t *place_of(plt_tasks *edges, uint16_t *at, float distance) {
     return at;
 }
 
-/* Sorts in the worker's edges from the one that stands at `from`, as long as there is room. */
-static void give_from(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot, uint16_t *from) {
-    while (*from != PLT_TASK_NONE) {
-        const uint64_t bytes = message_bytes(&w->edges, *from);
-        uint16_t *at = place_of(&d->edges, &slot->edges, w->edges.queue[*from].nearest);
-        if (!plt_tasks_move(&d->edges, at, &w->edges, from)) {
+/* Sorts in the worker's edges, as long as there is room. */
+static void give_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
+    while (w->edges.first != PLT_TASK_NONE) {
+        const uint64_t bytes = message_bytes(&w->edges, w->edges.first);
+        uint16_t *at = place_of(&d->edges, &slot->edges, w->edges.queue[w->edges.first].nearest);
+        if (!plt_tasks_move(&d->edges, at, &w->edges, &w->edges.first)) {
             return;
         }
         d->stats.edges++;
         d->stats.bytes_back += bytes;
-    }
-}
-
-static void give_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
-    if (w->edges.first != PLT_TASK_NONE) { /* the first comes last */
-        give_from(d, w, slot, &w->edges.queue[w->edges.first].after);
-        give_from(d, w, slot, &w->edges.first);
     }
 }
 
@@ -122,7 +115,7 @@ static int give(plt_dispatch *d, plt_worker *w) {
     }
     give_edges(d, w, slot);
     if (w->edges.first != PLT_TASK_NONE) {
-        plt_tasks_begin(&w->edges, &w->edges.first);
+        plt_tasks_begin(&w->edges, plt_worker_nearest(&w->edges));
         tell_others(d, w, slot);
         w->is_done = 0;
         return PLT_MORE;
@@ -174,17 +167,20 @@ static uint16_t *choose(plt_dispatch *d, const plt_traversal *t) {
     return &d->newest;
 }
 
-/* The nearest of the packet's edges, and those behind it that leave the worker most of its room. */
+/* The nearest of the packet's edges, and those behind it that leave the worker most of its room.
+ * The first fits: no worker gives back more than a worker has room for, and this one has nothing.
+ */
 static void take_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
     uint16_t *at = &w->edges.first;
     do {
-        d->stats.bytes_out += message_bytes(&d->edges, slot->edges);
-        /* It fits: no worker gives back more than a worker has room for, and this one has nothing.
-         */
-        (void)plt_tasks_move(&w->edges, at, &d->edges, &slot->edges);
+        const uint64_t bytes = message_bytes(&d->edges, slot->edges);
+        if (!plt_tasks_move(&w->edges, at, &d->edges, &slot->edges)) {
+            break;
+        }
+        d->stats.bytes_out += bytes;
         at = &w->edges.queue[*at].after;
     } while (slot->edges != PLT_TASK_NONE && w->edges.queues < PLT_WORKER_QUEUES / 4 &&
-             w->edges.count + plt_tasks_of(&d->edges, slot->edges) <= PLT_WORKER_TASKS / 4);
+             w->edges.count < PLT_WORKER_TASKS / 4);
     plt_tasks_begin(&w->edges, &w->edges.first);
 }
 
@@ -216,16 +212,12 @@ static void reserve_run(plt_dispatch *d, plt_worker *w) {
     d->reserved = w->end;
 }
 
-/* Numbers wrap. */
-static int is_below(uint32_t a, uint32_t b) {
-    return a != b && b - a <= UINT32_MAX / 2;
-}
-
-/* Of the worker's run, the next that nobody has taken. 0: there is none. */
+/* Of the worker's run, the next that nobody has taken. 0: there is none. Numbers wrap. */
 static int skip_begun(const plt_dispatch *d, plt_worker *w) {
-    if (w->round != d->round || is_below(w->end, d->number) || is_below(d->reserved, w->end)) {
+    const uint32_t left = w->end - d->number;
+    if (w->round != d->round || left > d->count) {
         w->run = w->end;
-    } else if (is_below(w->run, d->number)) {
+    } else if (w->end - w->run > left) {
         w->run = d->number;
     }
     while (w->run != w->end && !is_new(d, w->run - d->number)) {

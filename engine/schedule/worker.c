@@ -28,28 +28,14 @@ void plt_worker_begin(plt_worker *w, plt_traversal *t, uint32_t rays) {
     }
 }
 
-/* Its next entry, if it has rays left. */
-static int resume_next(plt_worker *w, plt_traversal *t) {
-    while (plt_tasks_next(&w->edges, t)) {
-        if (w->packet->active != 0) {
-            return 1;
-        }
-        t->waiting = 0;
-    }
-    return 0;
-}
-
-static void put_nearest_first(plt_tasks *edges) {
+uint16_t *plt_worker_nearest(plt_tasks *edges) {
     uint16_t *nearest = &edges->first;
     for (uint16_t *i = nearest; *i != PLT_TASK_NONE; i = &edges->queue[*i].after) {
         if (edges->queue[*i].nearest < edges->queue[*nearest].nearest) {
             nearest = i;
         }
     }
-    const uint16_t queue = *nearest;
-    *nearest = edges->queue[queue].after;
-    edges->queue[queue].after = edges->first;
-    edges->first = queue;
+    return nearest;
 }
 
 static int has_half_left(const plt_tasks *edges) {
@@ -62,16 +48,29 @@ static int begin_next(plt_worker *w) {
     if (w->packet->active == 0 || edges->first == PLT_TASK_NONE) {
         return 0;
     }
-    put_nearest_first(edges);
-    if (!has_half_left(edges) || w->others < edges->queue[edges->first].nearest) {
+    uint16_t *nearest = plt_worker_nearest(edges);
+    if (!has_half_left(edges) || w->others < edges->queue[*nearest].nearest) {
         return 0;
     }
-    plt_tasks_begin(edges, &edges->first);
+    plt_tasks_begin(edges, nearest);
     return 1;
 }
 
+/* Its next entry, if it has rays left. */
+static int resume_next(plt_worker *w, plt_traversal *t) {
+    do {
+        while (plt_tasks_next(&w->edges, t)) {
+            if (w->packet->active != 0) {
+                return 1;
+            }
+            t->waiting = 0;
+        }
+    } while (begin_next(w));
+    return 0;
+}
+
 static int run(plt_worker *w, plt_traversal *t, uint32_t visits) {
-    while (t->waiting > 0 || resume_next(w, t) || (begin_next(w) && resume_next(w, t))) {
+    while (t->waiting > 0 || resume_next(w, t)) {
         const int status = plt_traverse_counted(t, w->packet, &visits);
         if (status != PLT_OK) {
             return status;

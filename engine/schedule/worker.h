@@ -45,6 +45,9 @@ void plt_worker_init(plt_worker *w, void *memory);
 /* It has no task. */
 void plt_worker_clear(plt_worker *w);
 
+/* Where the nearest of its edges stands in their list. There is one. */
+uint16_t *plt_worker_nearest(plt_tasks *edges);
+
 /* Begins its packet, which is set up and has `rays` rays, at the root. */
 void plt_worker_begin(plt_worker *w, plt_traversal *t, uint32_t rays);
 
