@@ -1,10 +1,30 @@
 /* crc32 - see engine/planelet_crc32.h
  *
- * By halves of bytes: with words loaded whole it takes as many instructions as by bytes, whose
- * table is 16 times as large.
+ * Where constants are to be few, by halves of bytes: with words loaded whole it takes as many
+ * instructions as by bytes, whose table is 16 times as large.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/planelet_crc32.h"
+
+#include "engine/planelet_config.h"
+
+#if PLT_CRC32_SLICES
+
+#include "engine/base/crc32_slices.h"
+
+uint32_t plt_crc32(uint32_t crc, const void *bytes, size_t count) {
+    const unsigned char *at = bytes, *end = at + count;
+    crc = ~crc;
+    for (const unsigned char *eights_end = at + count / 8 * 8; at < eights_end; at += 8) {
+        crc = plt_crc32_eight(crc, at);
+    }
+    while (at < end) {
+        crc = plt_crc32_one(crc, *at++);
+    }
+    return ~crc;
+}
+
+#else
 
 #include "engine/base/bytes.h"
 
@@ -31,3 +51,5 @@ uint32_t plt_crc32(uint32_t crc, const void *bytes, size_t count) {
     }
     return ~crc;
 }
+
+#endif

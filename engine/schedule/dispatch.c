@@ -28,6 +28,7 @@ void plt_dispatch_clear(plt_dispatch *d) {
     }
     memset(d->room, 0, d->rooms * sizeof *d->room);
     d->first = d->count = d->begun = d->out = 0;
+    d->number = d->reserved = 0;
     d->out_most = 1;
     d->newest = PLT_TASK_NONE;
     d->round++;
@@ -55,6 +56,7 @@ int32_t plt_dispatch_oldest(const plt_dispatch *d) {
 
 void plt_dispatch_remove(plt_dispatch *d) {
     d->first = slot_at(d, 1);
+    d->number++;
     d->count--;
     d->begun--;
     d->stats.packets++;
@@ -76,26 +78,12 @@ static uint16_t *place_of(plt_tasks *edges, uint16_t *at, float distance) {
     return at;
 }
 
-/* The nearest of the worker's edges comes first. It has some. */
-static void put_nearest_first(plt_tasks *edges) {
-    uint16_t *nearest = &edges->first;
-    for (uint16_t *i = nearest; *i != PLT_TASK_NONE; i = &edges->queue[*i].after) {
-        if (edges->queue[*i].nearest < edges->queue[*nearest].nearest) {
-            nearest = i;
-        }
-    }
-    const uint16_t queue = *nearest;
-    *nearest = edges->queue[queue].after;
-    edges->queue[queue].after = edges->first;
-    edges->first = queue;
-}
-
-/* Sorts in the worker's edges from the one that stands at `from`, as long as there is room. */
-static void give_from(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot, uint16_t *from) {
-    while (*from != PLT_TASK_NONE) {
-        const uint64_t bytes = message_bytes(&w->edges, *from);
-        uint16_t *at = place_of(&d->edges, &slot->edges, w->edges.queue[*from].nearest);
-        if (!plt_tasks_move(&d->edges, at, &w->edges, from)) {
+/* Sorts in the worker's edges, as long as there is room. */
+static void give_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
+    while (w->edges.first != PLT_TASK_NONE) {
+        const uint64_t bytes = message_bytes(&w->edges, w->edges.first);
+        uint16_t *at = place_of(&d->edges, &slot->edges, w->edges.queue[w->edges.first].nearest);
+        if (!plt_tasks_move(&d->edges, at, &w->edges, &w->edges.first)) {
             return;
         }
         d->stats.edges++;
@@ -103,24 +91,10 @@ static void give_from(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot, uin
     }
 }
 
-/* The worker would be given the first of its edges at once: no packet waits, and none of its own
- * packet's edges is nearer. */
-static int keeps_first(const plt_dispatch *d, const plt_worker *w, const plt_packet_slot *slot) {
-    return d->newest == PLT_TASK_NONE &&
-           !(slot->edges != PLT_TASK_NONE &&
-             d->edges.queue[slot->edges].nearest < w->edges.queue[w->edges.first].nearest);
-}
-
-/* The nearest comes last, as a worker goes on with what there is no room for. */
-static void give_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
-    if (w->edges.first == PLT_TASK_NONE) {
-        return;
-    }
-    put_nearest_first(&w->edges);
-    give_from(d, w, slot, &w->edges.queue[w->edges.first].after);
-    if (!keeps_first(d, w, slot)) {
-        give_from(d, w, slot, &w->edges.first);
-    }
+/* What the worker has to know of the edges that it does not have. */
+static void tell_others(const plt_dispatch *d, plt_worker *w, const plt_packet_slot *slot) {
+    w->has_others = slot->edges != PLT_TASK_NONE;
+    w->others = w->has_others ? d->edges.queue[slot->edges].nearest : 0x1p127f;
 }
 
 static void drop_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
@@ -141,8 +115,8 @@ static int give(plt_dispatch *d, plt_worker *w) {
     }
     give_edges(d, w, slot);
     if (w->edges.first != PLT_TASK_NONE) {
-        plt_tasks_begin(&w->edges, &w->edges.first);
-        w->has_others = slot->edges != PLT_TASK_NONE;
+        plt_tasks_begin(&w->edges, plt_worker_nearest(&w->edges));
+        tell_others(d, w, slot);
         w->is_done = 0;
         return PLT_MORE;
     }
@@ -193,14 +167,28 @@ static uint16_t *choose(plt_dispatch *d, const plt_traversal *t) {
     return &d->newest;
 }
 
+/* The nearest of the packet's edges, and those behind it that leave the worker most of its room.
+ * The first fits: no worker gives back more than a worker has room for, and this one has nothing.
+ */
+static void take_edges(plt_dispatch *d, plt_worker *w, plt_packet_slot *slot) {
+    uint16_t *at = &w->edges.first;
+    do {
+        const uint64_t bytes = message_bytes(&d->edges, slot->edges);
+        if (!plt_tasks_move(&w->edges, at, &d->edges, &slot->edges)) {
+            break;
+        }
+        d->stats.bytes_out += bytes;
+        at = &w->edges.queue[*at].after;
+    } while (slot->edges != PLT_TASK_NONE && w->edges.queues < PLT_WORKER_QUEUES / 4 &&
+             w->edges.count < PLT_WORKER_TASKS / 4);
+    plt_tasks_begin(&w->edges, &w->edges.first);
+}
+
 static void take_waiting(plt_dispatch *d, plt_worker *w, uint16_t *at) {
     plt_packet_slot *slot = &d->slot[*at];
     w->slot = *at;
     *at = slot->older;
-    d->stats.bytes_out += message_bytes(&d->edges, slot->edges);
-    /* It fits: no worker gives back more than a worker has room for, and this one has nothing. */
-    (void)plt_tasks_move(&w->edges, &w->edges.first, &d->edges, &slot->edges);
-    plt_tasks_begin(&w->edges, &w->edges.first);
+    take_edges(d, w, slot);
     if (slot->holder != w) { /* from the other worker, and to this one */
         d->stats.packets_moved++;
         d->stats.bytes_back += d->packet_bytes;
@@ -210,39 +198,48 @@ static void take_waiting(plt_dispatch *d, plt_worker *w, uint16_t *at) {
 
 /* ---- new packets ---------------------------------------------------------------------- */
 
-/* How many go to a worker one after the other, which lie beside each other in the picture: as many
- * as leave two runs for each worker. */
-static uint32_t run_of(const plt_dispatch *d) {
-    return d->most / (2 * d->out_most) + 1;
+static int is_new(const plt_dispatch *d, uint32_t index) {
+    return d->slot[slot_at(d, index)].state == PLT_PACKET_NEW;
 }
 
-static void reserve_run(plt_dispatch *d, const plt_worker *w, uint32_t first) {
-    const uint32_t run = run_of(d);
-    for (uint32_t i = first; i < d->count && i - first < run; i++) {
-        plt_packet_slot *slot = &d->slot[slot_at(d, i)];
-        slot->holder = slot->holder == NULL ? w : slot->holder;
+/* So many go to a worker one after the other, which lie beside each other in the picture, that
+ * each worker has a run. */
+static void reserve_run(plt_dispatch *d, plt_worker *w) {
+    const uint32_t left = d->number + d->count - d->reserved;
+    const uint32_t most = d->most / d->out_most + 1;
+    w->run = d->reserved;
+    w->end = d->reserved + (left < most ? left : most);
+    d->reserved = w->end;
+}
+
+/* Of the worker's run, the next that nobody has taken. 0: there is none. Numbers wrap. */
+static int skip_begun(const plt_dispatch *d, plt_worker *w) {
+    const uint32_t left = w->end - d->number;
+    if (w->round != d->round || left > d->count) {
+        w->run = w->end;
+    } else if (w->end - w->run > left) {
+        w->run = d->number;
     }
+    while (w->run != w->end && !is_new(d, w->run - d->number)) {
+        w->run++;
+    }
+    return w->run != w->end;
 }
 
-/* The next of the worker's own run, or the first of a run that nobody has, or of another's. There
+/* The next of the worker's own run, or the first of a new one, or else one of another's. There
  * is one. */
-static uint32_t choose_new(plt_dispatch *d, const plt_worker *w) {
-    uint32_t nobodys = d->count, first = d->count;
-    for (uint32_t i = 0; i < d->count; i++) {
-        const plt_packet_slot *slot = &d->slot[slot_at(d, i)];
-        if (slot->state == PLT_PACKET_NEW) {
-            if (slot->holder == w) {
-                return i;
-            }
-            nobodys = nobodys == d->count && slot->holder == NULL ? i : nobodys;
-            first = first == d->count ? i : first;
-        }
+static uint32_t choose_new(plt_dispatch *d, plt_worker *w) {
+    if (!skip_begun(d, w) && d->reserved != d->number + d->count) {
+        reserve_run(d, w);
     }
-    if (nobodys == d->count) {
-        return first;
+    if (w->run != w->end) {
+        return w->run++ - d->number;
     }
-    reserve_run(d, w, nobodys);
-    return nobodys;
+    uint32_t first = 0;
+    while (!is_new(d, first)) {
+        first++;
+    }
+    return first;
 }
 
 /* A free room, the worker's last one if it can be. d->rooms: there is none. */
@@ -282,7 +279,7 @@ int plt_dispatch_take(plt_dispatch *d, plt_worker *w, const plt_traversal *t) {
     w->item[0] = slot->item[0];
     w->item[1] = slot->item[1];
     w->is_new = slot->state == PLT_PACKET_NEW;
-    w->has_others = slot->edges != PLT_TASK_NONE;
+    tell_others(d, w, slot);
     slot->state = PLT_PACKET_OUT;
     slot->holder = w;
     w->has = 1;

@@ -1,9 +1,10 @@
 /* dispatch - a dispatcher, which hands tasks to workers
  *
  * The dispatcher has packets, and for each the edges that it waits at: the thesis's global stack,
- * one per packet. A task is a packet and all of its entries at one of those edges. The worker
- * that gets it traverses the treelet behind the edge, leaves included, and gives back the edges
- * that the packet met there, which are sorted in by distance. While a worker has a packet, nobody
+ * one per packet. A task is a packet and all of its entries at the nearest of those edges, and at
+ * some that are next. The worker that gets it traverses the treelets behind them, leaves included,
+ * as long as it has room for the edges that the packet meets there, and then gives them back, which
+ * are sorted in by distance. While a worker has a packet, nobody
  * else has: hits are written where they are, and are the same whoever found them.
  *
  * Packets are begun in order, in a ring: a slot is free when its packet and all before it are
@@ -33,7 +34,7 @@ enum plt_packet_state {
 };
 
 typedef struct plt_packet_slot {
-    const plt_worker *holder; /* has it, or had it last, or is to be the first; or NULL */
+    const plt_worker *holder; /* has it, or had it last; or NULL */
     uint32_t item[2];         /* what it is of, for those who set it up: a ray, or a pixel */
     uint16_t edges;           /* queue of the nearest; PLT_TASK_NONE: there is none */
     uint16_t older;           /* of those that wait, the one that came back before it */
@@ -48,7 +49,7 @@ typedef struct plt_packet_room {
 } plt_packet_room;
 
 /* Slots per room: who is ahead of the others goes on, as far as that. */
-enum { PLT_DISPATCH_AHEAD = 8 };
+enum { PLT_DISPATCH_AHEAD = 16 };
 
 typedef struct plt_dispatch {
     plt_packet *packet;    /* [rooms] */
@@ -58,6 +59,8 @@ typedef struct plt_dispatch {
     uint32_t rooms;        /* 0: there is no dispatcher */
     uint32_t most;         /* packets that are begun, or done before others */
     uint32_t first;        /* slot of the oldest packet */
+    uint32_t number;       /* of the oldest packet, from 0 */
+    uint32_t reserved;     /* packets below that number are some worker's to begin */
     uint32_t count, begun; /* packets in the ring, and how many of them are not new */
     uint32_t out;          /* with workers */
     uint32_t out_most;     /* ... at once, so far */

@@ -8,11 +8,13 @@
 void plt_worker_init(plt_worker *w, void *memory) {
     plt_tasks_init(&w->edges, memory, PLT_WORKER_TASKS, PLT_WORKER_QUEUES);
     w->has = 0;
+    w->run = w->end = 0;
 }
 
 void plt_worker_clear(plt_worker *w) {
     plt_tasks_clear(&w->edges);
     w->has = 0;
+    w->run = w->end = 0;
 }
 
 /* The root is an edge, too: the packet waits there, and is the first that comes. */
@@ -26,14 +28,44 @@ void plt_worker_begin(plt_worker *w, plt_traversal *t, uint32_t rays) {
     }
 }
 
+uint16_t *plt_worker_nearest(plt_tasks *edges) {
+    uint16_t *nearest = &edges->first;
+    for (uint16_t *i = nearest; *i != PLT_TASK_NONE; i = &edges->queue[*i].after) {
+        if (edges->queue[*i].nearest < edges->queue[*nearest].nearest) {
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+static int has_half_left(const plt_tasks *edges) {
+    return edges->queues <= PLT_WORKER_QUEUES / 2 && edges->count <= PLT_WORKER_TASKS / 2;
+}
+
+/* Begins the nearest of its edges, if it would be given that. */
+static int begin_next(plt_worker *w) {
+    plt_tasks *edges = &w->edges;
+    if (w->packet->active == 0 || edges->first == PLT_TASK_NONE) {
+        return 0;
+    }
+    uint16_t *nearest = plt_worker_nearest(edges);
+    if (!has_half_left(edges) || w->others < edges->queue[*nearest].nearest) {
+        return 0;
+    }
+    plt_tasks_begin(edges, nearest);
+    return 1;
+}
+
 /* Its next entry, if it has rays left. */
 static int resume_next(plt_worker *w, plt_traversal *t) {
-    while (plt_tasks_next(&w->edges, t)) {
-        if (w->packet->active != 0) {
-            return 1;
+    do {
+        while (plt_tasks_next(&w->edges, t)) {
+            if (w->packet->active != 0) {
+                return 1;
+            }
+            t->waiting = 0;
         }
-        t->waiting = 0;
-    }
+    } while (begin_next(w));
     return 0;
 }
 

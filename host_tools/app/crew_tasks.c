@@ -7,7 +7,7 @@
 
 #include "host_tools/base/clock.h"
 
-enum { LOCK_TRIES = 200 };
+enum { LOCK_TRIES = 100, PAUSE = 20 };
 
 typedef struct shift {
     crew *c;
@@ -54,6 +54,8 @@ static void lock_soon(pthread_mutex_t *lock) {
     for (int i = 0; i < LOCK_TRIES; i++) {
         if (pthread_mutex_trylock(lock) == 0) {
             return;
+        }
+        for (volatile int pause = 0; pause < PAUSE; pause++) {
         }
     }
     pthread_mutex_lock(lock);

@@ -100,6 +100,15 @@ static void expect_nearest(const plt_worker *own, const plt_tasks *tasks, uint16
     }
 }
 
+/* A worker goes on with an edge of its own: no other that its packet has is nearer. */
+static void expect_own_nearest(const plt_worker *own) {
+    if (own->edges.here != PLT_TASK_NONE) {
+        const float distance = own->edges.queue[own->edges.here].nearest;
+        CHECK(distance <= own->others, "an edge at %g, and one at %g waits", (double)distance,
+              (double)own->others);
+    }
+}
+
 /* For all that a worker may give back. */
 static int has_room(const plt_tasks *edges) {
     return edges->most - edges->count >= PLT_WORKER_TASKS &&
@@ -110,7 +119,9 @@ static int has_room(const plt_tasks *edges) {
  * all, or one that there was no room for. */
 static void expect_task(const plt_dispatch *d, const plt_worker *own, int is_given) {
     const uint16_t others = d->slot[own->slot].edges;
-    CHECK(own->has_others == (others != PLT_TASK_NONE), "edges that wait, or none");
+    CHECK(own->has_others == (others != PLT_TASK_NONE) &&
+              own->others == (own->has_others ? d->edges.queue[others].nearest : 0x1p127f),
+          "edges that wait, or none");
     CHECK(own->packet == &d->packet[d->slot[own->slot].room], "a packet in another's room");
     if (!own->is_new) {
         CHECK(own->packet->active != 0, "a packet that is done goes out");
@@ -128,6 +139,9 @@ static int take_turn(team *t, unsigned i, int running[WORKERS], uint8_t *frame) 
     if (running[i]) {
         running[i] = plt_task_run(d, w, 1 + random_below(&t->random, 60)) == PLT_MORE;
         CHECK(running[i] || plt_task_run(d, w, 60) == PLT_OK, "a task that is done stays so");
+        if (running[i] && has_room(&d->dispatch.edges)) {
+            expect_own_nearest(&w->worker);
+        }
         return PLT_MORE;
     }
     const uint64_t before = tasks_of(t);
@@ -338,6 +352,30 @@ static int work_until_one_waits(plt_engine *d) {
     return d->dispatch.newest != PLT_TASK_NONE;
 }
 
+static int is_compact(const subject *s) {
+    return s->image.info.nodes_format == PLT_NODES_COMPACT;
+}
+
+/* A packet goes out once if its worker has room for its edges, else with many of them at once. */
+static void keeps_edges(const subject *s) {
+    team t = {0};
+    plt_hit hits[RAYS];
+    plt_task_stats q;
+    open_team(&t, s, 1, 4 < PLT_PACKET_SIDE_MAX ? 4 : PLT_PACKET_SIDE_MAX, 16, 0);
+    plt_engine *d = t.worker[0].engine;
+    CHECK(plt_trace(d, s->rays, hits, RAYS, 0) == PLT_OK, "it is traced");
+    plt_task_stats_get(d, &q);
+    if (is_compact(s)) {
+        CHECK(q.tasks == q.packets && q.edges == 0, "%u tasks of %u packets, %u edges",
+              (unsigned)q.tasks, (unsigned)q.packets, (unsigned)q.edges);
+    } else if (!rig_is_tiny()) {
+        CHECK(q.tasks > q.packets && 4 * (q.tasks - q.packets) < q.edges,
+              "%u tasks of %u packets, %u edges", (unsigned)q.tasks, (unsigned)q.packets,
+              (unsigned)q.edges);
+    }
+    close_team(&t);
+}
+
 /* A worker whose task was dropped, before it had begun or in the middle, takes on a packet that
  * another has begun: nothing of its own is in the way. */
 static void left_over(const subject *s) {
@@ -356,7 +394,7 @@ static void left_over(const subject *s) {
                   plt_task_next(d, d) == PLT_MORE,
               "all anew");
         const int waits = work_until_one_waits(d);
-        CHECK(waits || rig_is_tiny(), "no packet waits at an edge");
+        CHECK(waits || rig_is_tiny() || is_compact(s), "no packet waits at an edge");
         CHECK(!waits || plt_task_next(d, w) == PLT_MORE, "the other worker has it");
         CHECK(!waits || (!w->worker.is_new && w->traversal.waiting == 0),
               "after %u visits something is left", (unsigned)visits);
@@ -483,6 +521,8 @@ static void everything(subject *s, const char *sentence) {
     test("what is under way is dropped for something else");
     dropped(s);
     left_over(s);
+    test("edges go back when a worker has too many of them, and come many at once");
+    keeps_edges(s);
 }
 
 int main(void) {

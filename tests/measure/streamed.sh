@@ -45,6 +45,7 @@ field() { # NAME: of JSON on standard input
 ratio() {
     schedule=$1 store=$2
     shift 2
+    rm -f "$work/out.ppm" "$work/json"
     "$planelet" "$@" --residency streamed --store "$store" --schedule "$schedule" \
         --packet "$packet" --json "$work/json" 2>"$work/said" || cat "$work/said" >&2
     cmp -s "$work/due" "$work/out.ppm"

@@ -49,6 +49,7 @@ field() { # NAME: of JSON on standard input; of a list the first
 frame() {
     schedule=$1 crew=$2
     shift 2
+    rm -f "$work/out.ppm" "$work/json"
     "$planelet" render "$work/scene.plt" -o "$work/out.ppm" --size 512x512 --packet "$packet" \
         --residency streamed --store "$store" --schedule "$schedule" --workers "$crew" \
         --json "$work/json" "$@" 2>"$work/said" || cat "$work/said" >&2

@@ -191,7 +191,7 @@ if part "render compact stream batch" "$batch" 58880; then
     renders "$batch" compact
 fi
 tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
-if part "render compact stream batch task" "$tasks" 62976; then
+if part "render compact stream batch task" "$tasks" 63232; then
     renders "$tasks" compact
     view=$(sh board/tools/host_view.sh "$out/compact.plt" 80x60 "$out/host.ppm")
     # shellcheck disable=SC2086

@@ -17,9 +17,9 @@ uint16_t plt_page_check(const plt_record *page, uint16_t *held) {
     uint32_t crc = 0, bits = 0;
     for (uint32_t i = 0; i < PLT_PAGE_RECORDS; i++) {
         const uint32_t word = plt_get_u32(&page[i].word[9]);
-        uint32_t without;
-        plt_put_u32(&without, word & ~PLT_PRIMITIVE_UNUSED);
-        crc = plt_crc32(plt_crc32(crc, page[i].word, 36), &without, sizeof without);
+        plt_record without = page[i];
+        plt_put_u32(&without.word[9], word & ~PLT_PRIMITIVE_UNUSED);
+        crc = plt_crc32(crc, &without, sizeof without);
         bits |= (word >> PLT_PRIMITIVE_UNUSED_SHIFT & 3u) << 2 * i;
     }
     *held = (uint16_t)bits;
