@@ -57,7 +57,8 @@ static void swap(plt_engine *e) {
     set_info(e);
     m->areas = m->areas_built = m->rebuild.refit.areas;
     m->box = m->rebuild.refit.box;
-    m->excess = m->ratios_tried = 0;
+    m->excess = 0;
+    m->tried = 0.0f;
     m->rebuilds++;
     begin_touched(&e->traversal);
     plt_traversal_drop(&e->traversal);
@@ -88,9 +89,10 @@ int plt_rebuild_begin(plt_engine *e, plt_fault *fault) {
 
 /* It has cost about what a tree costs: it is not due again before as much has been lost anew. */
 static void give_up(plt_engine *e) {
+    const float now = plt_degradation(&e->moving);
     count_work(e);
     e->moving.excess = 0;
-    e->moving.ratios_tried = e->moving.areas.ratios;
+    e->moving.tried = now > 0.0f ? now : 0.0f;
 }
 
 static int failed(const plt_engine *e, int status, plt_fault *fault) {
@@ -123,6 +125,11 @@ int plt_rebuild_step(plt_engine *e, uint32_t triangles, plt_fault *fault) {
     return PLT_OK;
 }
 
+/* By so many percent of what the tree was when it was built, or a new one was given up. */
+static int is_worse_by(const plt_moving *m, float percent) {
+    return 100.0f * (plt_degradation(m) - m->tried) >= percent * (1.0f + m->tried);
+}
+
 int plt_rebuild_due(const plt_engine *e, unsigned when, unsigned percent) {
     const plt_rebuild *r = &e->moving.rebuild;
     if (r->records == NULL || r->phase != PLT_REBUILD_IDLE || e->scene.thesis.node_slots == 0) {
@@ -132,7 +139,7 @@ int plt_rebuild_due(const plt_engine *e, unsigned when, unsigned percent) {
     case PLT_REBUILD_ALWAYS:
         return 1;
     case PLT_REBUILD_THRESHOLD:
-        return 100.0f * plt_degradation_since(&e->moving) >= (float)(int32_t)percent;
+        return is_worse_by(&e->moving, (float)(int32_t)percent);
     case PLT_REBUILD_COST:
         return plt_rebuild_excess(e) >= plt_rebuild_cost(&e->scene.info);
     default:

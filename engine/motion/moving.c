@@ -23,11 +23,6 @@ float plt_growth(const plt_moving *m) {
 }
 
 #if PLT_WITH_REBUILD
-float plt_degradation_since(const plt_moving *m) {
-    const uint64_t built = m->areas_built.ratios;
-    return change_of(m->areas.ratios, m->ratios_tried > built ? m->ratios_tried : built);
-}
-
 /* Excess is a share of the work that was done, in 1/65,536. */
 void plt_moving_count(plt_moving *m, uint64_t work) {
     const float worse = 0.01f * (float)PLT_GROWTH_WORK * plt_growth(m);

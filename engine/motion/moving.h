@@ -24,9 +24,9 @@ typedef struct plt_moving {
 #if PLT_WITH_REBUILD
     plt_rebuild rebuild; /* records NULL: there is no room for a tree */
     uint32_t rebuilds;
-    uint64_t work;         /* of plt_stats, that has been looked at */
-    uint64_t excess;       /* work since the last rebuild that a new tree would have saved */
-    uint64_t ratios_tried; /* areas.ratios when a new tree was given up, since the last rebuild */
+    float tried;     /* degradation when a new tree was given up, since the last rebuild; or 0 */
+    uint64_t work;   /* of plt_stats, that has been looked at */
+    uint64_t excess; /* work since the last rebuild that a new tree would have saved */
 #endif
 } plt_moving;
 
@@ -36,9 +36,6 @@ float plt_degradation(const plt_moving *m);
 float plt_growth(const plt_moving *m);
 
 #if PLT_WITH_REBUILD
-/* Degradation since the tree was built, or since a new one was given up, if it was less then. */
-float plt_degradation_since(const plt_moving *m);
-
 /* `work` has been done by the tree as it is. */
 void plt_moving_count(plt_moving *m, uint64_t work);
 #endif
