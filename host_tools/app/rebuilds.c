@@ -44,7 +44,7 @@ void rebuilds_read(rebuilds *r, scene *s, args *a, int moves) {
             PERCENT_MOST, when);
     }
     if (when != NULL && !moves) {
-        args_complain(a, "--rebuild is for --moved MESH");
+        args_complain(a, "--rebuild is for --moved MESH or --frames A:B");
     }
     if (args_has(a, "--rebuild-step") && r->when == PLT_REBUILD_NEVER) {
         args_complain(a, "--rebuild-step is for --rebuild always, threshold:PERCENT or cost");

@@ -10,7 +10,7 @@
 
 #define REBUILDS_FLAGS                                                                             \
     {"--rebuild", "never|always|threshold:PERCENT|cost",                                           \
-     "with --moved: build the tree anew in the arena, beside the old one, before every frame; "    \
+     "of frames: build the tree anew in the arena, beside the old one, before every frame; "       \
      "when the ratios of nodes' areas have grown by so many percent, 1 to 1000; or when the work " \
      "that a new tree would have saved has reached its cost (default never)"},                     \
     {                                                                                              \

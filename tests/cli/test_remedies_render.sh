@@ -133,7 +133,7 @@ cured render thesis.plt -o x.png --moved knot.ply --frames 0:1
 says "--rebuild takes never, always, threshold:PERCENT (1 to %d) or cost, not '%s'" \
     render thesis.plt -o x.png --moved knot.ply --rebuild threshold
 cured render thesis.plt -o x.png --moved knot.ply --rebuild threshold:1
-says "--rebuild is for --moved MESH" render thesis.plt -o x.png --rebuild cost
+says "--rebuild is for --moved MESH or --frames A:B" render thesis.plt -o x.png --rebuild cost
 cured render thesis.plt -o x.png --moved knot.ply --rebuild cost
 says "--rebuild is for --structure tree: a grid is made anew in any case" \
     render thesis.plt -o x.png --moved knot.ply --rebuild cost --structure grid
