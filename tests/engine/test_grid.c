@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "engine/trace/grid_state.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/frames.h"
 #include "tests/reference/grid_rig.h"
@@ -445,6 +446,25 @@ static void odd_rays(void) {
     }
 }
 
+/* Marks of bundles have 32 bits: after the last comes the first, and nothing has it. */
+static void marks_run_out(void) {
+    for (unsigned i = 0; i < 4; i++) {
+        const rig_config c = config_of(i);
+        mesh m = make(0);
+        grid_rig g;
+        if (grid_rig_open(&g, &m, &c, ROOMY * m.triangles)) {
+            plt_grid_state *s = plt_grid_state_of(&g.engine->traversal);
+            compare(&g, &m, KINDS, "marks from 1 on");
+            CHECK(s->stamp > 100, "%u bundles", s->stamp);
+            s->stamp = UINT32_MAX - 20;
+            compare(&g, &m, KINDS, "marks from 1 on again");
+            CHECK(s->stamp < UINT32_MAX - 20, "the last mark was not passed");
+        }
+        grid_rig_close(&g);
+        mesh_free(&m);
+    }
+}
+
 static void refusals(void) {
     const rig_config c = config_of(1);
     mesh m = make(0);
@@ -488,6 +508,8 @@ int main(void) {
     moved();
     test("a scene without triangles");
     empty_scene();
+    test("marks of bundles begin anew");
+    marks_run_out();
     test("rays that are none");
     odd_rays();
     test("what has no grid is refused");
