@@ -250,9 +250,34 @@ static void check_cells(const grid_rig *g, const char *name) {
           "%s: it lies in its room", name);
 }
 
+/* A slice's rectangle is that of its occupied cells, no larger. */
+static void check_rectangles(const plt_grid *grid, const char *name) {
+    const plt_grid_level *top = &grid->top;
+    for (int a = 0; a < 3; a++) {
+        const int x = (a + 1) % 3, y = (a + 2) % 3;
+        for (uint32_t slice = 0; slice < top->cells[a]; slice++) {
+            plt_grid_rect due = {{UINT16_MAX, UINT16_MAX}, {0, 0}};
+            for (uint32_t i = 0; i < top->cells[x] * top->cells[y]; i++) {
+                const uint16_t at[2] = {(uint16_t)(i % top->cells[x]),
+                                        (uint16_t)(i / top->cells[x])};
+                const uint32_t *start =
+                    &top->start[slice * top->stride[a] + at[0] * top->stride[x] +
+                                at[1] * top->stride[y]];
+                for (int k = 0; k < 2 && start[0] != start[1]; k++) {
+                    due.lo[k] = at[k] < due.lo[k] ? at[k] : due.lo[k];
+                    due.hi[k] = at[k] > due.hi[k] ? at[k] : due.hi[k];
+                }
+            }
+            CHECK(memcmp(&due, &grid->rect[a][slice], sizeof due) == 0, "%s: axis %d, slice %u",
+                  name, a, slice);
+        }
+    }
+}
+
 static void compare(grid_rig *g, const mesh *m, unsigned kinds, const char *name) {
     random_state r = {m->triangles};
     check_cells(g, name);
+    check_rectangles(grid_of(g), name);
     for (unsigned kind = 0; kind < kinds; kind++) {
         char text[120];
         snprintf(text, sizeof text, "%s, rays %u", name, kind);
