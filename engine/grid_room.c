@@ -28,9 +28,9 @@ void plt_grid_room_set(plt_engine *e, const plt_layout *layout, void *const part
     }
     const size_t least = (size_t)layout->bytes[PLT_PART_GRID], before = a->used - least;
     const uint64_t usual = plt_grid_usual_bytes(e->scene.gridded.count);
-    const size_t room = a->bytes - before, peak = a->peak;
+    const size_t room = (a->bytes - before) / PLT_ALIGN * PLT_ALIGN, peak = a->peak;
     e->grid_room = part[PLT_PART_GRID];
-    e->grid_bytes = (usual < room ? (size_t)usual : room) / PLT_ALIGN * PLT_ALIGN;
+    e->grid_bytes = usual < room ? (size_t)usual : room;
     plt_grid_room_fill(e);
     if (!(PLT_WITH_MOTION && e->options.movable)) {
         e->grid_bytes = e->scene.gridded.grid->bytes;

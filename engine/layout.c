@@ -146,6 +146,9 @@ static unsigned packet_side(const subject *s) {
 }
 
 static uint64_t stack_bytes(const subject *s) {
+    if (has_grid(s)) {
+        return 0;
+    }
     const int two_stage = s->options->order == PLT_ORDER_TWO_STAGE;
     const uint32_t need =
         two_stage ? s->sized_for->global_stack_entries : s->sized_for->depth_stack_entries;
@@ -291,9 +294,9 @@ static int fetches_frames(const subject *s) {
 
 #if PLT_WITH_MOVE_SOME
 static uint64_t dirty_bytes(const subject *s) {
+    const uint64_t levels = has_grid(s) ? 0 : s->sized_for->depth_stack_entries;
     return is_movable(s) && s->options->moves_some
-               ? rounded(plt_dirty_bytes(s->info->triangles)) +
-                     (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_dirty_level)
+               ? rounded(plt_dirty_bytes(s->info->triangles)) + levels * sizeof(plt_dirty_level)
                : 0;
 }
 #endif

@@ -6,6 +6,9 @@
 #include "engine/grid/crowded.h"
 #include "engine/grid/level.h"
 
+/* Starts have 32 bits. A grid of one cell has fewer, 2^27 at most. */
+#define REFERENCES_MOST 0xFFFFFFFFu
+
 static size_t rounded(size_t bytes) {
     return (bytes + PLT_ALIGN - 1) & ~(size_t)(PLT_ALIGN - 1);
 }
@@ -16,12 +19,17 @@ static size_t front_bytes(uint64_t cells, uint32_t slices) {
     return rounded(sizeof(plt_grid)) + rounded((size_t)starts) + rounded((size_t)rects);
 }
 
+static uint64_t bytes_for(uint64_t per_triangle, uint32_t triangles) {
+    const uint64_t bytes = front_bytes(1, 3) + per_triangle * triangles;
+    return (bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN;
+}
+
 uint64_t plt_grid_least_bytes(uint32_t triangles) {
-    return front_bytes(1, 3) + 4ull * triangles;
+    return bytes_for(4, triangles);
 }
 
 uint64_t plt_grid_usual_bytes(uint32_t triangles) {
-    return plt_grid_least_bytes(triangles) + (uint64_t)PLT_GRID_TRIANGLE_BYTES * triangles;
+    return bytes_for(4 + PLT_GRID_TRIANGLE_BYTES, triangles);
 }
 
 /* Where all lies behind the grid; its references begin behind the result. */
@@ -52,7 +60,8 @@ static size_t choose_cells(plt_grid *g, const plt_grid_job *job, const plt_grid_
         if (front > job->bytes || (job->bytes - front) / 4 < job->count) {
             continue; /* of one cell, which has each once, it is not */
         }
-        const uint64_t most = (job->bytes - front) / 4;
+        const uint64_t fit = (job->bytes - front) / 4;
+        const uint64_t most = fit < REFERENCES_MOST ? fit : REFERENCES_MOST;
         lay_out(g);
         const uint64_t references = plt_grid_level_count(top, items, most);
         if (references <= most) {

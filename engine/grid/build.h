@@ -18,7 +18,8 @@ typedef struct plt_grid_job {
     size_t bytes;       /* of it, plt_grid_least_bytes(count) at least */
 } plt_grid_job;
 
-/* Room for a grid of one cell; and room that hardly any scene wants more than. */
+/* Room for a grid of one cell; and room that hardly any scene wants more than. Multiples of
+ * PLT_ALIGN. */
 uint64_t plt_grid_least_bytes(uint32_t triangles);
 uint64_t plt_grid_usual_bytes(uint32_t triangles);
 

@@ -8,6 +8,9 @@
 /* Blocks of thesis nodes have an index; if they are streamed, slots have, and pages of records;
  * compact blocks lie at multiples of 8. */
 uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
+    if (PLT_WITH_GRID && format == PLT_FORMAT_GRID) {
+        return 0; /* nodes are not looked at */
+    }
     if (plt_has_blocks(format)) {
         return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
     }
