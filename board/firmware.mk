@@ -2,9 +2,10 @@
 #
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
-# built in build/BOARD-wired; PROGRAM=played uses board/played, which plays sequences. The worst stack is computed from the call graph
-# before linking, and the linker script refuses a smaller stack. No C library is
-# linked; its headers are used.
+# built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
+# sequences. The worst stack is computed from the call graph before linking, and
+# the linker script refuses a smaller stack. No C library is linked; its headers
+# are used.
 # SPDX-License-Identifier: MIT
 
 ifeq ($(wildcard board/$(BOARD)/board.mk),)
@@ -80,7 +81,7 @@ $(OUT)/libcount.so: board/tools/count.c
 $(OUT)/flags: FORCE
 	$(call remember,$(COMMAND))
 
-##measure make BOARD=name play SCENE=x.plt [STRUCTURE=grid|REBUILD=cost] [FRAMES=A:B] [MOST=N]: frames
+##measure make BOARD=name play SCENE=x.plt [STRUCTURE=grid] [FRAMES=A:B]: frames of a sequence
 # What plays is another program, with the parts that it takes: this make calls itself for it.
 play_options = $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
                $(if $(ARENA),arena=$(ARENA)) $(PARAMETERS)

@@ -2,10 +2,10 @@
 #
 #   awk -v table=FILE -v most=N -f play.awk host.json marks.txt played.txt
 #
-# host.json: `planelet render --json`. marks.txt: "chapter" lines of count.c, the first of what came
-# before the frames. played.txt: "played" lines of board/played/firmware.c. Fails, and says why, if a
-# frame is not the host's, the arena's marks change, or a call takes more than `most` instructions
-# (0: any). FILE gets a row for each frame. SPDX-License-Identifier: MIT
+# host.json: `planelet render --json`. marks.txt: "chapter" lines of count.c, the first of what
+# came before the frames. played.txt: "played" lines of board/played/firmware.c. Fails, and says
+# why, if a frame is not the host's, the arena's marks change, or a call takes more than `most`
+# instructions (0: any). FILE gets a row for each frame. SPDX-License-Identifier: MIT
 
 # The value of NAME=value in the line.
 function value(name,    i) {
