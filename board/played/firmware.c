@@ -36,8 +36,8 @@ typedef struct player {
 static int open_scene(player *p, const plt_source *source, plt_fault *fault) {
     const orders *o = &p->orders;
     firmware_open_begin();
-    int status =
-        plt_open_begin(&p->engine, p->spare.arena, o->arena_bytes, source, &o->job.options, fault);
+    int status = plt_open_begin(&p->engine, p->spare.arena, o->arena_bytes, source,
+                                &o->picture.options, fault);
     firmware_open_end();
     while (status == PLT_MORE) {
         firmware_open_begin();
@@ -93,7 +93,7 @@ static int rebuild_some(player *p, plt_fault *fault) {
 }
 
 static int render(player *p, plt_fault *fault) {
-    const job *j = &p->orders.job;
+    const job *j = &p->orders.picture;
     int status = plt_render_begin(p->engine, &j->frame);
     if (status < 0) {
         fault->message = "the camera has no direction, or the frame no size";
@@ -116,7 +116,7 @@ static int render(player *p, plt_fault *fault) {
 }
 
 static void print_frame(player *p, uint32_t frame) {
-    const plt_frame *f = &p->orders.job.frame;
+    const plt_frame *f = &p->orders.picture.frame;
     const plt_stats had = p->had;
     plt_motion motion;
     line l;
@@ -152,7 +152,7 @@ static int play(player *p) {
     const orders *o = &p->orders;
     for (uint32_t frame = o->first; frame < o->end; frame++) {
         plt_fault fault = {.message = NULL};
-        if (board_frame_begin(o->job.frame.width, o->job.frame.height) < 0) {
+        if (board_frame_begin(o->picture.frame.width, o->picture.frame.height) < 0) {
             return FIRMWARE_FAILED;
         }
         const int status = play_frame(p, frame, &fault);
@@ -173,7 +173,7 @@ static void print_bounds(const player *p) {
     line_start(&l);
     line_text(&l, "bounds");
     line_item(&l, "blocks", o->blocks);
-    line_item(&l, "visits", o->job.visits);
+    line_item(&l, "visits", o->picture.visits);
     line_item(&l, "triangles", o->triangles);
     line_item(&l, "packet", plt_packet_side(p->engine));
     line_print(&l);
@@ -198,7 +198,7 @@ int firmware(const char *parameters) {
     }
     const plt_info *info = plt_engine_info(p.engine);
     p.orders.end = p.orders.end > 0 ? p.orders.end : info->frames;
-    job_set_camera(&p.orders.job, info);
+    job_set_camera(&p.orders.picture, info);
     p.spare.used = plt_arena_used(p.engine);
     p.spare.bytes = p.orders.arena_bytes;
     spare_fill(&p.spare);

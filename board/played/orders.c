@@ -39,7 +39,7 @@ static int read_rebuild(const char *parameters, orders *o) {
         return -1;
     }
     o->rebuild_when = when[choice];
-    o->job.options.rebuild = choice > 0;
+    o->picture.options.rebuild = choice > 0;
 #else
     (void)parameters;
     (void)o;
@@ -50,7 +50,7 @@ static int read_rebuild(const char *parameters, orders *o) {
 int orders_read(orders *o, const char *parameters, size_t arena_bytes) {
     *o = (orders){
         .arena_bytes = arena_bytes, .blocks = 8, .triangles = 1000, .parameters = parameters};
-    if (job_read(&o->job, parameters,
+    if (job_read(&o->picture, parameters,
                  PLT_WITH_REBUILD ? "frames blocks rebuild triangles" : "frames blocks",
                  &o->arena_bytes) < 0 ||
         read_frames(parameters, o) < 0 || read_rebuild(parameters, o) < 0 ||
@@ -58,6 +58,6 @@ int orders_read(orders *o, const char *parameters, size_t arena_bytes) {
         job_u32(parameters, "triangles", 1, UINT32_MAX, &o->triangles) < 0) {
         return -1;
     }
-    o->job.options.movable = 1;
+    o->picture.options.movable = 1;
     return 0;
 }

@@ -7,7 +7,7 @@
 #include "board/job.h"
 
 typedef struct orders {
-    job job;
+    job picture; /* frame, camera, options, visits per plt_render_step */
     size_t arena_bytes;
     uint32_t first, end;  /* frames first .. end - 1 of the image's sequence; end 0: to its last */
     uint32_t blocks;      /* per plt_sequence_step */
