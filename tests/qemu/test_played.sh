@@ -121,6 +121,16 @@ play 2400 FRAMES=23:25 SIZE=16x12
 verdict "frames that the image does not have are refused" "$(
     [ "$status" -ne 0 ] && echo "$text" | grep -q 'has 24 frames; use --frames 0:24' ||
         echo "status $status: $text")"
+"$planelet" make knot --triangles 100 -o "$out/still.ply" >/dev/null 2>&1
+"$planelet" pack "$out/still.ply" -o "$out/marbles_0.plt" >/dev/null 2>&1
+play 0
+verdict "an image without frames is refused" "$(
+    [ "$status" -ne 0 ] && echo "$text" | grep -q '^play: .* has no frames; planelet pack --seq' ||
+        echo "status $status: $text")"
+text=$($MAKE -s BOARD=mps2_an386 PROGRAM=played 2>&1)
+verdict "and parts that have none" "$(
+    echo "$text" | grep -q "error: .*PROGRAM=played shows sequences: make PROGRAM=played PARTS='" ||
+        echo "$text")"
 firmware() { # PARAMETER ...: without the host's word on it
     text=$(FIRMWARE=$tree sh board/mps2_an386/run.sh "$out/marbles_2400.plt" "$@" 2>&1)
     status=$?
