@@ -8,6 +8,7 @@
  *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle
  *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
+ *   structure=tree|grid                            if the engine has PLT_WITH_GRID
  *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE
  *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
  *
@@ -19,6 +20,7 @@
 #include "board/hash.h"
 #include "board/job.h"
 #include "board/line.h"
+#include "board/report.h"
 
 /* Where an instruction counter starts and stops: around opening the scene,
  * and around every step of the renderer but not the board's copying. */
@@ -43,49 +45,6 @@ void firmware_render_end(void) {
     __asm__ volatile("");
 }
 
-static int print_fault(const plt_fault *fault, int status, size_t arena_bytes) {
-    line l;
-    line_start(&l);
-    line_text(&l, "error: ");
-    line_text(&l, fault->message ? fault->message : "no reason given");
-    if (status == PLT_ERR_ARENA) {
-        line_item(&l, "need_bytes", fault->need_bytes);
-        line_item(&l, "arena_bytes", arena_bytes);
-    } else if (fault->rule) {
-        line_text(&l, " rule=");
-        line_some(&l, &fault->kind, 1);
-        line_u64(&l, fault->rule);
-        line_item(&l, "offset", fault->offset);
-    } else if (status == PLT_ERR_SOURCE) {
-        line_item(&l, "offset", fault->offset);
-    }
-    line_print(&l);
-    return FIRMWARE_FAILED;
-}
-
-static void print_name(void) {
-    line l;
-    line_start(&l);
-    line_text(&l, "planelet");
-    line_item(&l, "version", PLT_VERSION_MAJOR);
-    line_text(&l, ".");
-    line_u64(&l, PLT_VERSION_MINOR);
-    line_text(&l, " board=");
-    line_text(&l, board_name());
-    line_print(&l);
-}
-
-static void print_scene(const plt_info *info) {
-    line l;
-    line_start(&l);
-    line_text(&l, "scene");
-    line_item(&l, "triangles", info->triangles);
-    line_item(&l, "nodes", info->nodes);
-    line_item(&l, "treelets", info->treelets);
-    line_item(&l, "image_bytes", info->image_bytes);
-    line_print(&l);
-}
-
 static void print_stats(const plt_engine *engine) {
     plt_stats stats;
     line l;
@@ -102,22 +61,6 @@ static void print_stats(const plt_engine *engine) {
     line_item(&l, "treelet_fetches", stats.treelet_fetches);
     line_item(&l, "bytes_fetched", stats.bytes_fetched);
     line_item(&l, "retries", stats.fetch_retries);
-    line_print(&l);
-}
-
-static void print_memory(const plt_engine *engine, size_t arena_bytes) {
-    uint32_t used, size;
-    line l;
-    line_start(&l);
-    line_text(&l, "arena");
-    line_item(&l, "used", plt_arena_used(engine));
-    line_item(&l, "peak", plt_arena_peak(engine));
-    line_item(&l, "bytes", arena_bytes);
-    line_print(&l);
-    board_stack(&used, &size);
-    line_text(&l, "stack");
-    line_item(&l, "painted", used);
-    line_item(&l, "bytes", size);
     line_print(&l);
 }
 
@@ -176,20 +119,41 @@ static int run(plt_engine *engine, const job *j, const char *parameters) {
     if (status < 0) {
         plt_fault fault;
         plt_fault_get(engine, &fault);
-        return print_fault(&fault, status, 0);
+        return report_fault(&fault, status, 0);
     }
     print_frame(&j->frame, tiles, ticks, board_frame_end(parameters));
     print_stats(engine);
     return FIRMWARE_DONE;
 }
 
-/* Of a sequence; else nothing. */
-static int show_frame(plt_engine *engine, const job *j, plt_fault *fault) {
 #if PLT_WITH_SEQUENCE
-    return j->options.movable ? plt_sequence_show(engine, j->shown, fault) : PLT_OK;
+#define OWN_KEYS "show"
+#else
+#define OWN_KEYS ""
+#endif
+
+/* show=K: *shown is K, and the scene is opened for that. */
+static int read_shown(const char *parameters, job *j, uint32_t *shown) {
+#if PLT_WITH_SEQUENCE
+    const int is_given = job_u32(parameters, "show", 0, UINT32_MAX, shown);
+    j->options.movable = is_given > 0;
+    return is_given;
+#else
+    (void)parameters;
+    (void)j;
+    (void)shown;
+    return 0;
+#endif
+}
+
+/* Of a sequence; else nothing. */
+static int show_frame(plt_engine *engine, const job *j, uint32_t shown, plt_fault *fault) {
+#if PLT_WITH_SEQUENCE
+    return j->options.movable ? plt_sequence_show(engine, shown, fault) : PLT_OK;
 #else
     (void)engine;
     (void)j;
+    (void)shown;
     (void)fault;
     return PLT_OK;
 #endif
@@ -201,11 +165,13 @@ int firmware(const char *parameters) {
     plt_engine *engine = NULL;
     job j;
     size_t arena_bytes;
+    uint32_t shown = 0;
     unsigned char *arena = board_arena(&arena_bytes);
-    if (job_read(&j, parameters, &arena_bytes) < 0) {
+    if (job_read(&j, parameters, OWN_KEYS, &arena_bytes) < 0 ||
+        read_shown(parameters, &j, &shown) < 0) {
         return FIRMWARE_USAGE;
     }
-    print_name();
+    report_name();
     if (board_scene(parameters, &source) < 0) {
         return FIRMWARE_FAILED;
     }
@@ -216,15 +182,15 @@ int firmware(const char *parameters) {
     }
     firmware_open_end();
     if (status < 0) {
-        return print_fault(&fault, status, arena_bytes);
+        return report_fault(&fault, status, arena_bytes);
     }
-    status = show_frame(engine, &j, &fault);
+    status = show_frame(engine, &j, shown, &fault);
     if (status < 0) {
-        return print_fault(&fault, status, arena_bytes);
+        return report_fault(&fault, status, arena_bytes);
     }
-    print_scene(plt_engine_info(engine));
+    report_scene(plt_engine_info(engine));
     job_set_camera(&j, plt_engine_info(engine));
     const int result = run(engine, &j, parameters);
-    print_memory(engine, arena_bytes);
+    report_memory(engine, arena_bytes);
     return result;
 }

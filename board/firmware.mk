@@ -2,9 +2,10 @@
 #
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
-# built in build/BOARD-wired. The worst stack is computed from the call graph
-# before linking, and the linker script refuses a smaller stack. No C library is
-# linked; its headers are used.
+# built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
+# sequences. The worst stack is computed from the call graph before linking, and
+# the linker script refuses a smaller stack. No C library is linked; its headers
+# are used.
 # SPDX-License-Identifier: MIT
 
 ifeq ($(wildcard board/$(BOARD)/board.mk),)
@@ -21,9 +22,10 @@ TEST_PROGRAMS :=
 
 COMMON := $(filter-out board/firmware.c,$(wildcard board/*.c))
 program_ := board/firmware.c
+program_played := $(wildcard board/played/*.c)
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
-$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired)
+$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
 endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) $(wildcard board/$(BOARD)/*.c) \
                    $(wildcard platform/$(PLATFORM_FAMILY)/*.c))
@@ -79,8 +81,28 @@ $(OUT)/libcount.so: board/tools/count.c
 $(OUT)/flags: FORCE
 	$(call remember,$(COMMAND))
 
+##measure make BOARD=name play SCENE=x.plt [STRUCTURE=grid] [FRAMES=A:B]: frames of a sequence
+# What plays is another program, with the parts that it takes: this make calls itself for it.
+play_options = $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
+               $(if $(ARENA),arena=$(ARENA)) $(PARAMETERS)
+play_parts := $(if $(filter grid,$(STRUCTURE)),render thesis motion sequence grid,\
+                $(if $(filter-out never,$(REBUILD)),,render) thesis frames motion sequence)
+ifeq ($(PROGRAM),played)
+run play: firmware
+	@$(MAKE) --no-print-directory -s BOARD=host PARTS= PROGRAM= CC='$(HOST_CC)' all
+	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' FRAMES='$(FRAMES)' MOST='$(MOST)' \
+	    sh board/tools/play.sh $(BOARD) '$(SCENE)' '$(or $(SIZE),160x120)' $(play_options)
+else
+play:
+	@$(MAKE) --no-print-directory PROGRAM=played \
+	    PARTS='$(strip $(or $(PARTS),$(play_parts)))' play
+endif
+
 ##try make BOARD=name PROGRAM=wired run [SCENE=x.plt] [FRAMES=25]: frames, as a host gets them
-ifeq ($(PROGRAM),wired)
+ifeq ($(PROGRAM),played)
+profile:
+	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))
+else ifeq ($(PROGRAM),wired)
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BOARD='$(BOARD)' SCENE='$(SCENE)' \

@@ -6,15 +6,15 @@
 #include "board/line.h"
 #include "board/parameters.h"
 
-#if PLT_WITH_SEQUENCE
-#define KEYS_OF_SEQUENCES " show"
+#if PLT_WITH_GRID
+#define KEYS_OF_GRIDS " structure"
 #else
-#define KEYS_OF_SEQUENCES ""
+#define KEYS_OF_GRIDS ""
 #endif
 
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_SEQUENCES;
+    "scene bytes frame" KEYS_OF_GRIDS;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -31,9 +31,7 @@ static int complain(const char *what, const parameter *p, const char *wanted) {
     return -1;
 }
 
-/* An item that may be absent: 0 absent, 1 read, -1 wrong (and said so). */
-static int read_u32(const char *all, const char *key, uint32_t least, uint32_t most,
-                    uint32_t *value) {
+int job_u32(const char *all, const char *key, uint32_t least, uint32_t most, uint32_t *value) {
     parameter p;
     uint32_t read;
     if (!parameter_find(all, key, &p)) {
@@ -57,9 +55,8 @@ static int read_floats(const char *all, const char *key, float *values, unsigned
     return 1;
 }
 
-/* One of several words; *choice becomes its index. */
-static int read_word(const char *all, const char *key, const char *const *words, unsigned count,
-                     uint8_t *choice) {
+int job_word(const char *all, const char *key, const char *const *words, unsigned count,
+             uint8_t *choice) {
     parameter p;
     if (!parameter_find(all, key, &p)) {
         return 0;
@@ -104,22 +101,21 @@ static int read_words(const char *all, job *j) {
     static const char *const shaders[] = {"eyelight", "normal", "triangle"};
     static const char *const residencies[] = {"resident", "streamed"};
     static const char *const schedules[] = {"branch", "batch", "task"};
-    if (read_word(all, "walk", walks, 2, &j->options.order) < 0 ||
-        read_word(all, "residency", residencies, PLT_WITH_STREAMED ? 2 : 1, &j->options.residency) <
+    if (job_word(all, "walk", walks, 2, &j->options.order) < 0 ||
+        job_word(all, "residency", residencies, PLT_WITH_STREAMED ? 2 : 1, &j->options.residency) <
             0 ||
-        read_word(all, "schedule", schedules, 1 + PLT_WITH_BATCH + PLT_WITH_TASK,
-                  &j->options.schedule) < 0) {
+        job_word(all, "schedule", schedules, 1 + PLT_WITH_BATCH + PLT_WITH_TASK,
+                 &j->options.schedule) < 0) {
         return -1;
     }
-    return read_word(all, "shader", shaders, 3, &j->frame.shader);
+    return job_word(all, "shader", shaders, 3, &j->frame.shader);
 }
 
-/* show=K: whether it is there. */
-static int read_shown(const char *all, job *j) {
-#if PLT_WITH_SEQUENCE
-    const int is_given = read_u32(all, "show", 0, UINT32_MAX, &j->shown);
-    j->options.movable = is_given > 0;
-    return is_given;
+/* structure=, where there are grids. */
+static int read_structure(const char *all, job *j) {
+#if PLT_WITH_GRID
+    static const char *const structures[] = {"tree", "grid"};
+    return job_word(all, "structure", structures, 2, &j->options.structure);
 #else
     (void)all;
     (void)j;
@@ -127,23 +123,23 @@ static int read_shown(const char *all, job *j) {
 #endif
 }
 
-int job_read(job *j, const char *parameters, size_t *arena_bytes) {
+int job_read(job *j, const char *parameters, const char *more_keys, size_t *arena_bytes) {
     uint32_t arena = (uint32_t)*arena_bytes;
     uint32_t packet = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, batch = 0, prefetch = 0;
     parameter item;
     *j = (job){.visits = 20000};
-    if (parameter_unknown(parameters, keys, &item)) {
+    if (parameter_unknown(parameters, keys, more_keys, &item)) {
         return complain("unknown parameter", &item, "KEY=VALUE is wanted");
     }
     if (read_size(parameters, &j->frame) < 0 || read_camera(parameters, j) < 0 ||
-        read_words(parameters, j) < 0 || read_shown(parameters, j) < 0 ||
-        read_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
-        read_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
-        read_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||
-        read_u32(parameters, "prefetch", 0, PLT_WITH_PREFETCH ? PLT_PREFETCH_MOST : 0, &prefetch) <
+        read_words(parameters, j) < 0 || read_structure(parameters, j) < 0 ||
+        job_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
+        job_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
+        job_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||
+        job_u32(parameters, "prefetch", 0, PLT_WITH_PREFETCH ? PLT_PREFETCH_MOST : 0, &prefetch) <
             0 ||
-        read_u32(parameters, "visits", 1, UINT32_MAX, &j->visits) < 0 ||
-        read_u32(parameters, "arena", 0, arena, &arena) < 0) {
+        job_u32(parameters, "visits", 1, UINT32_MAX, &j->visits) < 0 ||
+        job_u32(parameters, "arena", 0, arena, &arena) < 0) {
         return -1;
     }
     j->options.packet_side = (uint8_t)packet;

@@ -10,13 +10,21 @@ typedef struct job {
     plt_frame frame;
     plt_options options;
     uint32_t visits; /* per step of the main loop */
-    uint32_t shown;  /* if options.movable: the frame of the image's sequence */
     unsigned given;  /* bit 0 eye, 1 look, 2 up, 3 tan: in the parameters */
 } job;
 
-/* Reads all but the camera's defaults; `*arena_bytes` shrinks to what
- * arena= asks for. On a wrong parameter prints a line and returns -1. */
-int job_read(job *j, const char *parameters, size_t *arena_bytes);
+/* Reads all but the camera's defaults, and the program's own `more_keys`, which may be there too;
+ * `*arena_bytes` shrinks to what arena= asks for. On a wrong parameter prints a line and returns
+ * -1. */
+int job_read(job *j, const char *parameters, const char *more_keys, size_t *arena_bytes);
+
+/* An item that may be absent, of a key of the program's own: an integer, or one of several words,
+ * whose index *choice becomes. 0: absent, and nothing has changed; 1: read; -1: wrong, and a line
+ * says so. */
+int job_u32(const char *parameters, const char *key, uint32_t least, uint32_t most,
+            uint32_t *value);
+int job_word(const char *parameters, const char *key, const char *const *words, unsigned count,
+             uint8_t *choice);
 
 /* Sets what the parameters left open of the camera: the scene's box in view, from
  * the front, right and above. (`planelet render` fits its view more closely, in

@@ -58,10 +58,10 @@ static int is_among(const parameter *name, const char *keys) {
     return 0;
 }
 
-int parameter_unknown(const char *line, const char *keys, parameter *item) {
+int parameter_unknown(const char *line, const char *keys, const char *more, parameter *item) {
     for (*item = next_item(line); item->length; *item = next_item(item->text + item->length)) {
         const parameter name = {item->text, find_in(item, '=')};
-        if (name.length == item->length || !is_among(&name, keys)) {
+        if (name.length == item->length || !(is_among(&name, keys) || is_among(&name, more))) {
             return 1;
         }
     }

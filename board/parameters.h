@@ -16,9 +16,9 @@ typedef struct parameter {
 /* The value of the first item with this key: 1, or 0 when there is none. */
 int parameter_find(const char *line, const char *key, parameter *value);
 
-/* The first item whose key is not among `keys` (separated by spaces), or that
- * has no '=': 1 and the item; 0 when there is none. */
-int parameter_unknown(const char *line, const char *keys, parameter *item);
+/* The first item whose key is neither among `keys` nor among `more` (separated by
+ * spaces), or that has no '=': 1 and the item; 0 when there is none. */
+int parameter_unknown(const char *line, const char *keys, const char *more, parameter *item);
 
 int parameter_is(const parameter *p, const char *word);
 

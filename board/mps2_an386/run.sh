@@ -5,7 +5,9 @@
 # SOURCE=file, which gives its path: it stays in the file, and is fetched by semihosting.
 # Prints what the firmware prints, then "instructions total=N open=N render=N
 # stored_stack=N", "instructions_per_ray N" and "stack painted=N stored=N worst=N".
-# PROFILE=PATH writes a count for every instruction there.
+# PROFILE=PATH writes a count for every instruction there. MARKS=PATH, of PROGRAM=played, a line
+# for what came before the first frame and one for each frame (board/tools/count.c); of
+# plt_sequence_show it has the parts, which begin where the engine's functions do.
 # FIRMWARE is the folder that it was built in (build/mps2_an386).
 # The exit status is the firmware's; 124 after QEMU_SECONDS (default 600).
 # SPDX-License-Identifier: MIT
@@ -21,10 +23,19 @@ symbol() {
 }
 plugin=$out/libcount.so,out=$counts
 plugin=$plugin,stack=$(symbol plt_stack_bottom):$(symbol plt_stack_top):$(symbol cortex_m_main)
-for region in open render; do
-    begin=$(symbol firmware_${region}_begin) end=$(symbol firmware_${region}_end)
-    plugin=$plugin,region=$region:$begin:$end
+region() { # NAME BEGIN END: if the firmware has both
+    begin=$(symbol "$2") end=$(symbol "$3")
+    [ -z "$begin" ] || [ -z "$end" ] || plugin=$plugin,region=$1:$begin:$end
+}
+for name in open render read show rebuild; do
+    region $name firmware_${name}_begin firmware_${name}_end
 done
+if [ -n "$MARKS" ]; then
+    region records plt_vertices_put plt_refit_all
+    region refit plt_refit_all plt_moved
+    region grid plt_moved firmware_show_end
+    plugin=$plugin,mark=$(symbol firmware_frame_done),marks=$MARKS
+fi
 [ -n "$PROFILE" ] && plugin=$plugin,code=0:0x100000,profile=$PROFILE
 
 parameters=$*

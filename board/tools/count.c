@@ -8,6 +8,9 @@
  * deepest stack, which checks what the firmware's own paint shows.
  * With code=LOW:HIGH,profile=PATH every instruction there has a counter of its
  * own; PATH gets "ADDRESS COUNT" lines.
+ * With mark=ADDRESS,marks=PATH the instruction there ends a chapter, of which PATH gets a line:
+ * "chapter total=N NAME=N NAME_passes=N NAME_longest=N ...", of each region its sum, how often it
+ * was passed, and the longest pass. What has not come to its END counts where it does.
  * Writes "instructions total=N NAME=N ... stored_stack=N" to FILE.
  *
  * Debian ships QEMU with plug-ins but without their header, so the calls in
@@ -47,11 +50,15 @@ EXPORTED extern int qemu_plugin_version;
 EXPORTED int qemu_plugin_install(plugin_id id, const void *info, int count, char **arguments);
 EXPORTED int qemu_plugin_version = 1;
 
-enum { REGIONS = 8 };
+enum { REGIONS = 12 };
 typedef struct region {
     char name[32];
-    uint64_t begin, end;     /* addresses */
-    uint64_t entered, spent; /* instructions: total when begun; sum of all passes */
+    uint64_t begin, end;      /* addresses */
+    uint64_t entered;         /* instructions in total when begun */
+    int is_inside;            /* an END alone ends nothing */
+    uint64_t spent;           /* sum of all passes */
+    uint64_t before;          /* of those of earlier chapters */
+    uint64_t passes, longest; /* of this chapter */
 } region;
 
 static region regions[REGIONS];
@@ -59,17 +66,41 @@ static int region_count;
 static uint64_t total, stack_low, stack_high, stack_from, lowest_store = UINT64_MAX;
 static int stack_watched;
 static uint64_t code_low, code_high, *executed; /* a counter every two bytes */
+static uint64_t mark, total_before;
+static FILE *marks;
 static char out_path[512], profile_path[512];
 
 static void at_begin(unsigned cpu, void *context) {
+    region *r = context;
     (void)cpu;
-    ((region *)context)->entered = total;
+    r->entered = total;
+    r->is_inside = 1;
 }
 
 static void at_end(unsigned cpu, void *context) {
     region *r = context;
     (void)cpu;
-    r->spent += total - r->entered;
+    if (r->is_inside) {
+        const uint64_t pass = total - r->entered;
+        r->is_inside = 0;
+        r->spent += pass;
+        r->passes++;
+        r->longest = pass > r->longest ? pass : r->longest;
+    }
+}
+
+static void at_mark(unsigned cpu, void *context) {
+    (void)cpu;
+    (void)context;
+    fprintf(marks, "chapter total=%" PRIu64, total - total_before);
+    total_before = total;
+    for (region *r = regions; r < regions + region_count; r++) {
+        fprintf(marks, " %s=%" PRIu64 " %s_passes=%" PRIu64 " %s_longest=%" PRIu64, r->name,
+                r->spent - r->before, r->name, r->passes, r->name, r->longest);
+        r->before = r->spent;
+        r->passes = r->longest = 0;
+    }
+    fprintf(marks, "\n");
 }
 
 static void at_stack_from(unsigned cpu, void *context) {
@@ -92,13 +123,16 @@ static void watch_marks(struct qemu_plugin_insn *instruction, uint64_t address) 
     if (stack_high && address == stack_from) {
         qemu_plugin_register_vcpu_insn_exec_cb(instruction, at_stack_from, NO_REGISTERS, NULL);
     }
-    for (int i = 0; i < region_count; i++) {
+    if (marks && address == mark) {
+        qemu_plugin_register_vcpu_insn_exec_cb(instruction, at_mark, NO_REGISTERS, NULL);
+    }
+    for (int i = 0; i < region_count; i++) { /* one may end where it or another begins */
+        if (address == regions[i].end) {
+            qemu_plugin_register_vcpu_insn_exec_cb(instruction, at_end, NO_REGISTERS, &regions[i]);
+        }
         if (address == regions[i].begin) {
             qemu_plugin_register_vcpu_insn_exec_cb(instruction, at_begin, NO_REGISTERS,
                                                    &regions[i]);
-        }
-        if (address == regions[i].end) {
-            qemu_plugin_register_vcpu_insn_exec_cb(instruction, at_end, NO_REGISTERS, &regions[i]);
         }
     }
 }
@@ -152,6 +186,9 @@ static void report(plugin_id id, void *context) {
         fprintf(out, " stored_stack=%" PRIu64, used);
     }
     fprintf(out, "\n");
+    if (marks) {
+        fclose(marks);
+    }
     if (out != stderr) {
         fclose(out);
     }
@@ -191,6 +228,15 @@ static int read_argument(const char *argument) {
                        ? calloc((size_t)(code_high - code_low) / 2 + 1, sizeof *executed)
                        : NULL;
         return executed ? 0 : -1;
+    }
+    if (strncmp(argument, "mark=", 5) == 0) {
+        const int read = sscanf(argument + 5, "%" SCNx64, &mark);
+        mark &= ~UINT64_C(1);
+        return read == 1 ? 0 : -1;
+    }
+    if (strncmp(argument, "marks=", 6) == 0) {
+        marks = fopen(argument + 6, "w");
+        return marks ? 0 : -1;
     }
     if (strncmp(argument, "stack=", 6) == 0) {
         const int read = sscanf(argument + 6, "%" SCNx64 ":%" SCNx64 ":%" SCNx64, &stack_low,

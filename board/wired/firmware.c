@@ -207,7 +207,7 @@ static int open_device(uint16_t report_bytes) {
 static int read_report_size(const char *parameters, uint32_t *bytes) {
     parameter p;
     *bytes = REPORT_BYTES;
-    if (parameter_unknown(parameters, "report", &p) ||
+    if (parameter_unknown(parameters, "report", "", &p) ||
         (parameter_find(parameters, "report", &p) &&
          (parameter_u32(&p, bytes) < 0 || *bytes < WIRE_REPORT_BYTES_MIN ||
           *bytes > WIRE_REPORT_BYTES_MAX))) {

@@ -17,7 +17,7 @@ static const arg_flag flags[] = {
      "000, 001 ..."},
     {"--triangles", "N",
      "about so many: a terrain has 2 to 10000000, a knot 24 to 10000000, a room 24000 to "
-     "10000000 (default 100000)"},
+     "10000000 (default 100000); marbles 160 to 8800, 80 each and the tray (default 8800)"},
     {"--seed", "N",
      "room: which one; books, chairs, leaves and balls are elsewhere; 0 to 999999 (default 0)"},
     {"--frame", "K", "marbles, city: the frame to write, 25 per second; 0 to 99999 (default 0)"},
@@ -48,7 +48,7 @@ static int make_scene(mesh *m, const make_order *o, fail *f) {
         return scene_ground(m, f);
     }
     if (strcmp(o->name, "marbles") == 0) {
-        return scene_marbles(m, o->frame, f);
+        return scene_marbles(m, o->triangles, o->frame, f);
     }
     if (strcmp(o->name, "city") == 0) {
         return scene_city(m, o->frame, f);
@@ -105,7 +105,7 @@ static int is_scene(const char *name) {
 
 static void check_usage(args *a, const char *name, const char *out) {
     const int has_frames = args_has(a, "--frames");
-    const int is_fixed = moves(name) || strcmp(name, "ground") == 0;
+    const int is_fixed = strcmp(name, "city") == 0 || strcmp(name, "ground") == 0;
     if (!is_scene(name)) {
         args_complain(a, "there is no scene '%s': ground, marbles, city, terrain, knot or room",
                       name);
@@ -136,8 +136,9 @@ static void say_next(const char *name, const char *out) {
 
 int run_make(args *a) {
     const char *out = args_text(a, "-o", NULL);
+    const unsigned most = strcmp(a->file[0], "marbles") == 0 ? SCENE_MARBLES_MOST : 100000;
     const make_order order = {.name = a->file[0],
-                              .triangles = args_number(a, "--triangles", 100000, 2, 10000000),
+                              .triangles = args_number(a, "--triangles", most, 2, 10000000),
                               .seed = (uint32_t)args_number(a, "--seed", 0, 0, 999999),
                               .frame = (unsigned)args_number(a, "--frame", 0, 0, 99999)};
     const unsigned frames = (unsigned)args_number(a, "--frames", 1, 1, 100000);

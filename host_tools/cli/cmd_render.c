@@ -71,6 +71,7 @@ typedef struct rendering {
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
+    uint64_t *hashes; /* of each frame's alone; NULL: there are no statistics */
     crew_times took;  /* in the engines, of the best run: from the first ray to the last tile */
 } rendering;
 
@@ -165,7 +166,11 @@ static int keep_numbered(rendering *r, unsigned index, fail *f) {
 }
 
 static int keep_frame(rendering *r, unsigned index, fail *f) {
-    r->hash = hash_update(r->hash, r->shown.rgb, 3 * (size_t)r->shown.width * r->shown.height);
+    const size_t bytes = 3 * (size_t)r->shown.width * r->shown.height;
+    r->hash = hash_update(r->hash, r->shown.rgb, bytes);
+    if (r->hashes != NULL) {
+        r->hashes[index] = hash_bytes(r->shown.rgb, bytes);
+    }
     if (r->to.is_numbered) {
         return keep_numbered(r, index, f);
     }
@@ -225,10 +230,19 @@ static void print_bits(output *o, const char *name, const float *v, unsigned cou
     output_print(o, f, "\",\n");
 }
 
+static void print_hashes(output *o, const rendering *r, fail *f) {
+    output_print(o, f, "  \"frame_hashes\": [");
+    for (unsigned i = 0; i < r->frames; i++) {
+        output_print(o, f, "%s\"%016" PRIx64 "\"", i > 0 ? ", " : "", r->hashes[i]);
+    }
+    output_print(o, f, "],\n");
+}
+
 static int write_stats(const rendering *r, output *o, fail *f) {
     output_print(o, f, "{\n  \"frame_hash\": \"%016" PRIx64 "\",\n", r->hash);
     output_print(o, f, "  \"width\": %u,\n  \"height\": %u,\n  \"frames\": %u,\n", r->frame.width,
                  r->frame.height, r->frames);
+    print_hashes(o, r, f);
     print_bits(o, "eye", r->first.eye, 3, f);
     print_bits(o, "look", r->first.look, 3, f);
     print_bits(o, "up", r->first.up, 3, f);
@@ -252,8 +266,15 @@ static int open_outputs(rendering *r, fail *f) {
     if (is_one && r->picture_out == NULL) {
         return -1;
     }
-    r->stats_out = r->to.json == NULL ? NULL : output_open_text(r->to.json, f);
-    return r->to.json != NULL && r->stats_out == NULL ? -1 : 0;
+    if (r->to.json == NULL) {
+        return 0;
+    }
+    r->hashes = calloc(r->frames, sizeof *r->hashes);
+    if (r->hashes == NULL) {
+        return fail_set(f, r->to.json, "out of memory; close other programs");
+    }
+    r->stats_out = output_open_text(r->to.json, f);
+    return r->stats_out == NULL ? -1 : 0;
 }
 
 static int open_all(rendering *r, args *a, fail *f) {
@@ -339,6 +360,7 @@ int run_render(args *a) {
     output_abandon(r.stats_out);
     scene_close(&r.s);
     picture_free(&r.shown);
+    free(r.hashes);
     if (a->wrong) {
         return 2;
     }

@@ -55,9 +55,9 @@ static void add_near(contacts *c, contact new, const marbles *m) {
 
 void contacts_find(contacts *c, const marbles *m) {
     c->count = 0;
-    for (unsigned i = 0; i < MARBLES; i++) {
+    for (unsigned i = 0; i < m->count; i++) {
         const marble *a = &m->marble[i];
-        for (unsigned j = i + 1; j < MARBLES; j++) {
+        for (unsigned j = i + 1; j < m->count; j++) {
             const double x = m->marble[j].x - a->x, z = m->marble[j].z - a->z;
             if (x * x + z * z < (2.0 + CONTACT_NEAR) * (2.0 + CONTACT_NEAR)) {
                 add_near(c, (contact){.first = i, .second = j}, m);

@@ -5,10 +5,11 @@
 
 #include <inttypes.h>
 
-int count_check(const mesh *m, const char *scene, uint64_t triangles, unsigned least, fail *f) {
-    if (triangles < least || triangles > SCENE_TRIANGLES_MAX) {
+int count_check(const mesh *m, const char *scene, uint64_t triangles, unsigned least, unsigned most,
+                fail *f) {
+    if (triangles < least || triangles > most) {
         return fail_set(f, scene, "%" PRIu64 " triangles: a %s has %u to %u; ask for such a number",
-                        triangles, scene, least, SCENE_TRIANGLES_MAX);
+                        triangles, scene, least, most);
     }
     if (m->vertices > UINT32_MAX - 2 * (size_t)SCENE_TRIANGLES_MAX) {
         return fail_set(f, scene, "the mesh has %zu vertices already; start with an empty one",

@@ -88,7 +88,7 @@ static int add(mesh *m, uint32_t first, uint32_t rings, uint32_t sides, fail *f)
 
 int scene_knot(mesh *m, uint64_t triangles, fail *f) {
     const size_t vertices = m->vertices, before = m->triangles;
-    if (count_check(m, "knot", triangles, 24, f)) {
+    if (count_check(m, "knot", triangles, 24, SCENE_TRIANGLES_MAX, f)) {
         return -1;
     }
     const uint32_t root = count_root(triangles / 2 / ASPECT), sides = root < 3 ? 3 : root;

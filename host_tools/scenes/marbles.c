@@ -33,9 +33,9 @@ static double squared(double x) {
 }
 
 /* At the positions of a sunflower's seeds, rolling in all directions. */
-void marbles_start(marbles *m) {
-    *m = (marbles){.frames = 0};
-    for (unsigned i = 0; i < MARBLES; i++) {
+void marbles_start(marbles *m, unsigned count) {
+    *m = (marbles){.count = count};
+    for (unsigned i = 0; i < count; i++) {
         const cos_sin direction = cos_sin_of((uint64_t)i * GOLDEN, (uint64_t)1 << 32);
         const double out = SPREAD * sqrt(i + 0.5);
         marble *a = &m->marble[i];
@@ -92,7 +92,7 @@ void marbles_step(marbles *m) {
     const double upright = sqrt(1.0 - squared(m->lean_x) - squared(m->lean_z));
     const double weight = STEP * MARBLES_GRAVITY * upright;
     contacts near;
-    for (unsigned i = 0; i < MARBLES; i++) {
+    for (unsigned i = 0; i < m->count; i++) {
         marble *a = &m->marble[i];
         a->vx += STEP * MARBLES_GRAVITY * m->lean_x;
         a->vz += STEP * MARBLES_GRAVITY * m->lean_z;
@@ -101,7 +101,7 @@ void marbles_step(marbles *m) {
     }
     contacts_find(&near, m);
     contacts_bounce(&near, m, STEP);
-    for (unsigned i = 0; i < MARBLES; i++) {
+    for (unsigned i = 0; i < m->count; i++) {
         marble *a = &m->marble[i];
         a->x += STEP * a->vx;
         a->z += STEP * a->vz;

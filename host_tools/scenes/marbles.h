@@ -14,7 +14,8 @@
 #define MARBLES_STEPS 20u     /* per frame, 1/25 s */
 #define MARBLES_GRAVITY 490.0 /* radii per second squared */
 
-void marbles_start(marbles *m); /* frame 0: level, all rolling */
+/* Frame 0: level, the first `count` of them, 1 .. MARBLES, rolling. */
+void marbles_start(marbles *m, unsigned count);
 void marbles_step(marbles *m);  /* 1/500 s with the lean as it is */
 void marbles_frame(marbles *m); /* the next frame, leaning the tray */
 

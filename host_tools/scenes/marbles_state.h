@@ -20,6 +20,7 @@ typedef struct marble {
 
 typedef struct marbles {
     marble marble[MARBLES];
+    unsigned count;        /* of them that are there, 1 .. MARBLES */
     unsigned frames;       /* simulated so far */
     double lean_x, lean_z; /* the tray's upward normal is (lean_x, ., lean_z) */
 } marbles;

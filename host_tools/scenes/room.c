@@ -39,7 +39,7 @@ static unsigned detail_for(uint64_t triangles, uint32_t seed) {
 
 int scene_room(mesh *m, uint64_t triangles, uint32_t seed, fail *f) {
     const size_t vertices = m->vertices, before = m->triangles;
-    if (count_check(m, "room", triangles, SCENE_ROOM_LEAST, f)) {
+    if (count_check(m, "room", triangles, SCENE_ROOM_LEAST, SCENE_TRIANGLES_MAX, f)) {
         return -1;
     }
     room r = {.s = {.m = m, .detail = detail_for(triangles, seed), .f = f}, .seed = seed};

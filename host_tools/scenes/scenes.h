@@ -18,13 +18,16 @@
  * "ground"). */
 int scene_ground(mesh *m, fail *f);
 
-/* 109 marbles of radius 1 rolling in an eight-sided tray 34 wide: 110 times
- * 80 triangles, 8,800 in all; frame `frame` of an animation at 25 frames per
- * second, of any length. Vertices and indices keep their order from frame
+/* Marbles of radius 1 rolling in an eight-sided tray 34 wide, which have 80
+ * triangles each: as many as make about `triangles` (SCENE_MARBLES_LEAST ..
+ * SCENE_MARBLES_MOST, never more), 1 to 109; frame `frame` of an animation at 25
+ * frames per second, of any length. Vertices and indices keep their order from frame
  * to frame. A call simulates from frame 0 on, about 1 ms per frame, or
- * from the frame of the last call if that was earlier. It keeps that state: not
- * for two threads at once. */
-int scene_marbles(mesh *m, unsigned frame, fail *f);
+ * from the frame of the last call if that was earlier and had as many marbles. It keeps
+ * that state: not for two threads at once. */
+#define SCENE_MARBLES_LEAST 160u
+#define SCENE_MARBLES_MOST 8800u
+int scene_marbles(mesh *m, uint64_t triangles, unsigned frame, fail *f);
 
 /* A city of 168 houses, 260 x 260, and 576 people, who stand on the lift of a skyscraper in frame
  * 0, are on the ground 25 frames later and go to streets all over the city; from there one in three

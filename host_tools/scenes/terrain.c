@@ -88,7 +88,7 @@ static int add(mesh *m, uint32_t first, uint32_t columns, uint32_t rows, fail *f
 
 int scene_terrain(mesh *m, uint64_t triangles, fail *f) {
     const size_t vertices = m->vertices, before = m->triangles;
-    if (count_check(m, "terrain", triangles, 2, f)) {
+    if (count_check(m, "terrain", triangles, 2, SCENE_TRIANGLES_MAX, f)) {
         return -1;
     }
     const uint32_t columns = count_root(triangles / 2);

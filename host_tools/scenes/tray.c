@@ -1,4 +1,4 @@
-/* tray - the mesh of scene_marbles: 109 balls in an eight-sided tray
+/* tray - the mesh of scene_marbles: up to 109 balls in an eight-sided tray
  *
  * Both have 42 vertices and 80 triangles. A ball is an icosahedron with
  * each face cut in four, its corners on the sphere; the tray is five
@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "host_tools/scenes/counts.h"
 #include "host_tools/scenes/marbles.h"
 #include "host_tools/scenes/scenes.h"
 
@@ -175,19 +176,21 @@ static int add(mesh *out, const marbles *m, fail *f) {
     lean_rotation(m, lean);
     ball_make(&b);
     int wrong = add_tray(out, lean, f);
-    for (unsigned i = 0; i < MARBLES && !wrong; i++) {
+    for (unsigned i = 0; i < m->count && !wrong; i++) {
         wrong = add_ball(out, &b, &m->marble[i], lean, f);
     }
     return wrong;
 }
 
-int scene_marbles(mesh *m, unsigned frame, fail *f) {
-    static marbles world;
-    static int started;
-    const size_t vertices = m->vertices, triangles = m->triangles;
-    if (!started || frame < world.frames) {
-        marbles_start(&world);
-        started = 1;
+int scene_marbles(mesh *m, uint64_t triangles, unsigned frame, fail *f) {
+    static marbles world; /* of no marbles until it has begun */
+    const size_t had_vertices = m->vertices, had_triangles = m->triangles;
+    if (count_check(m, "tray of marbles", triangles, SCENE_MARBLES_LEAST, SCENE_MARBLES_MOST, f)) {
+        return -1;
+    }
+    const unsigned count = (unsigned)(triangles / BALL_TRIANGLES) - 1; /* beside the tray */
+    if (world.count != count || frame < world.frames) {
+        marbles_start(&world, count);
     }
     while (world.frames < frame) {
         marbles_frame(&world);
@@ -195,7 +198,7 @@ int scene_marbles(mesh *m, unsigned frame, fail *f) {
     if (add(m, &world, f) == 0) {
         return 0;
     }
-    m->vertices = vertices;
-    m->triangles = triangles;
+    m->vertices = had_vertices;
+    m->triangles = had_triangles;
     return -1;
 }

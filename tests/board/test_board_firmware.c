@@ -68,9 +68,10 @@ static void test_same_picture(void) {
     test("packet side, order, step length and source do not change the picture");
     run_mapped("size=60x44");
     const uint64_t want = frame_hash();
-    static const char *const ways[] = {"packet=2",          "packet=4",           "packet=8",
-                                       "walk=two",          "walk=two packet=2",  "visits=1",
-                                       "visits=4000000000", "walk=depth visits=7"};
+    static const char *const ways[] = {
+        "packet=2",          "packet=4",      "packet=8",          "walk=two",
+        "walk=two packet=2", "visits=1",      "visits=4000000000", "walk=depth visits=7",
+        "structure=grid",    "structure=tree"};
     char line[80];
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         const char *packet = strstr(ways[i], "packet=");
@@ -108,9 +109,10 @@ static void test_camera(void) {
 static void test_usage(void) {
     test("a wrong parameter is named, and ends with status 2 before anything is drawn");
     static const char *const wrong[] = {
-        "size=0x10", "size=10",        "size=65536x1", "size=axb",  "eye=1,2",    "eye=1,2,3,4",
-        "eye=1,2,x", "tan=",           "packet=32",    "packet=-4", "walk=three", "shader=pink",
-        "visits=0",  "arena=99999999", "colour=red",   "size",      "up=nan,0,0", "=3"};
+        "size=0x10",  "size=10",        "size=65536x1", "size=axb",  "eye=1,2",    "eye=1,2,3,4",
+        "eye=1,2,x",  "tan=",           "packet=32",    "packet=-4", "walk=three", "shader=pink",
+        "visits=0",   "arena=99999999", "colour=red",   "size",      "up=nan,0,0", "=3",
+        "frames=0:3", "structure=cube", "show=a"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         CHECK(run_mapped(wrong[i]) == FIRMWARE_USAGE, "%s: %s", wrong[i], fake.text);
         CHECK(strncmp(fake.text, "error: ", 7) == 0, "%s: %s", wrong[i], fake.text);

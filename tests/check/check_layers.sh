@@ -28,7 +28,7 @@ engine
 platform
 platform/wire platform/cortex_m
 board
-board/wired
+board/wired board/played
 board/*
 board/*/wired
 host_tools/base

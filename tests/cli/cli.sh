@@ -105,11 +105,16 @@ number() {
 
 # flat_json FILE NAME...: trouble, unless FILE is one flat JSON object, a member
 # per line, no name twice, and each NAME is there with a number. A member may also be a
-# list of flat objects, one per line.
+# list of flat objects, one per line, or of numbers or texts on its own.
 flat_json() {
     file=$1
     shift
     awk -v pair='"[a-z_]+": (-?[0-9]+|"[^"]*")' '
+        BEGIN {
+            text = "\"[^\"\\\\]*\""
+            value = "(-?[0-9]+([.][0-9]+)?(e[-+][0-9]+)?|" text "|null|\\[[-+.e0-9, ]+\\]|"
+            value = value "\\[" text "(, " text ")*\\])"
+        }
         NR == 1 { if ($0 != "{") print "begins with " $0; next }
         ended { print "goes on after the end: " $0 }
         list && /^  \],?$/ {
@@ -127,7 +132,7 @@ flat_json() {
         $0 == "}" { ended = 1; if (comma) print "a comma before the end"; next }
         NR > 2 && !comma { print "no comma before line " NR }
         /^  "[a-z_]+": \[$/ { list = NR; comma = 1; if (seen[$1]++) print "twice: " $1; next }
-        !/^  "[a-z_]+": (-?[0-9]+(\.[0-9]+)?(e[-+][0-9]+)?|"[^"\\]*"|null|\[[-+.e0-9, ]+\]),?$/ {
+        $0 !~ "^  \"[a-z_]+\": " value ",?$" {
             print "no member: " $0
         }
         { comma = /,$/; name = $1; if (seen[name]++) print "twice: " name }

@@ -31,6 +31,9 @@ verdict "... makes about so many" "$(
 works "make marbles --frames 3 --frame 8" make marbles --frames 3 --frame 8 -o 'roll_{}.ply'
 verdict "... writes frames 8 to 10" "$(
     [ "$(ls roll_*.ply | tr '\n' ' ')" = "roll_008.ply roll_009.ply roll_010.ply " ] || ls)"
+works "make marbles --triangles 2400 --frame 8" make marbles --triangles 2400 --frame 8 -o few.ply
+verdict "... makes 29 of them, and the tray" "$(
+    [ "$(triangles few.ply)" -eq 2400 ] || triangles few.ply)"
 works "make marbles --frame 9" make marbles --frame 9 -o nine.ply
 same nine.ply roll_009.ply "... is that frame"
 verdict "marbles roll" "$(differ roll_008.ply roll_009.ply)"

@@ -52,6 +52,11 @@ refused "make --triangles 23 is no knot" knot "24 to 10000000" make knot --trian
 range --triangles "24000 to 10000000" "1 24000 - 10000001" make room -o x.ply
 refused "make --triangles 23999 is no room" room "24000 to 10000000" \
     make room --triangles 23999 -o x.ply
+range --triangles "160 to 8800" "1 160 - 10000001" make marbles -o x.ply
+for count in 159 8801; do
+    refused "make --triangles $count is no tray of marbles" "tray of marbles" "160 to 8800" \
+        make marbles --triangles $count -o x.ply
+done
 range --seed "0 to 999999" "-1 0 999999 1000000" make room --triangles 24000 -o x.ply
 range --frame "0 to 99999" "-1 0 - 100000" make marbles -o x.ply
 range --frames "1 to 100000" "0 1 - 100001" make marbles -o 'x{}.ply'

@@ -45,6 +45,14 @@ tail -n +2 some.y4m >some.frames
 alone 5 6 >due.frames
 same due.frames some.frames "... are theirs"
 # shellcheck disable=SC2086
+works "statistics of them" render list.plt --frames 5:7 $view --json some.json
+verdict "... have the hash of each frame, and that of all" "$(
+    for frame in 5 6; do
+        "$PLANELET" render list.plt --frames $frame:$((frame + 1)) $view --json one.json 2>/dev/null
+        sed -n 's/^  "frame_hash": \(.*\),$/\1/p' one.json
+    done | paste -s -d , | sed 's/,/, /; s/.*/  "frame_hashes": [&],/' >hashes
+    grep '"frame_hashes"' some.json | cmp hashes - 2>&1
+    [ "$(grep -c '"frame_hash"' some.json)" -eq 1 ] || cat some.json)"
 works "a picture per frame" render list.plt -o 'picture_{}.ppm' --frames 3:6 $view
 for frame in 3 4 5; do
     "$PLANELET" pack wave_00$frame.ply -o fresh.plt 2>/dev/null

@@ -140,7 +140,7 @@ misused "make wants -o" "-o" make knot
 misused "frames need names" "'{}'" make marbles --frames 2 -o x.ply
 misused "a knot has no frames" "frames" make knot --frame 2 -o x.ply
 misused "a knot has no seed" "seed" make knot --seed 2 -o x.ply
-misused "marbles have their triangles" "--triangles" make marbles --triangles 5 -o x.ply
+misused "a city has its triangles" "--triangles" make city --triangles 5 -o x.ply
 misused "make refuses more triangles than it can" "10000000" make knot --triangles 10000001 -o x.ply
 verdict "wrong usage wrote no file" "$(ls x x.* 2>/dev/null)"
 finish

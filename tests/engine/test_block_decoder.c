@@ -340,7 +340,7 @@ static void check_scenes(void) {
             status = scene_terrain(&m, triangles, &f);
             break;
         case 2:
-            status = scene_marbles(&m, 0, &f);
+            status = scene_marbles(&m, SCENE_MARBLES_MOST, 0, &f);
             break;
         default:
             status = scene_ground(&m, &f);

@@ -292,7 +292,7 @@ static mesh golden_mesh(const golden *g) {
     const int status = g->scene[0] == 'g'   ? scene_ground(&m, &f)
                        : g->scene[0] == 'k' ? scene_knot(&m, g->number, &f)
                        : g->scene[0] == 't' ? scene_terrain(&m, g->number, &f)
-                                            : scene_marbles(&m, g->number, &f);
+                                            : scene_marbles(&m, SCENE_MARBLES_MOST, g->number, &f);
     CHECK(status == 0, "%s: %s", g->scene, f.text);
     return m;
 }

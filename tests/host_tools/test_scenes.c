@@ -33,7 +33,7 @@ static int make(mesh *m, char scene, uint64_t number, fail *f) {
     case 'g':
         return scene_ground(m, f);
     case 'm':
-        return scene_marbles(m, (unsigned)number, f);
+        return scene_marbles(m, SCENE_MARBLES_MOST, (unsigned)number, f);
     case 'c':
         return scene_city(m, (unsigned)number, f);
     case 't':

@@ -84,10 +84,13 @@ if [ ! -e "$arm/firmware.elf" ]; then
     exit 1
 fi
 table "engine, Cortex-M4F, -O2, scalar lanes" "$arm" arm-none-eabi-size
-# Firmware of the same engine but for another program (wired) is not another engine.
+# Firmware of the same engine but for another program (wired, played) is not another engine.
 parts=
 for folder in "$arm"-*; do
-    [ "$folder" = "$arm-wired" ] || parts="$parts $folder"
+    case $folder in
+    "$arm-wired" | "$arm-played"*) ;;
+    *) parts="$parts $folder" ;;
+    esac
 done
 # shellcheck disable=SC2086
 totals "the whole engine and parts of it, Cortex-M4F" arm-none-eabi-size "$arm" $parts

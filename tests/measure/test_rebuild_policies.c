@@ -55,7 +55,7 @@ static int read_frame(mesh *m, const sequence *s, unsigned frame) {
     const char *at = strstr(s->file, "{}");
     int status;
     if (strcmp(s->file, "marbles") == 0) {
-        status = scene_marbles(m, number, &f);
+        status = scene_marbles(m, SCENE_MARBLES_MOST, number, &f);
     } else if (strcmp(s->file, "city") == 0) {
         status = scene_city(m, number, &f);
     } else if (at != NULL) {

@@ -92,7 +92,7 @@ static void film_marbles(void) {
         packed image;
         fail f = {""};
         plt_frame frame = {.width = WIDTH, .height = HEIGHT};
-        CHECK(scene_marbles(&m, i, &f) == 0, "%s", f.text);
+        CHECK(scene_marbles(&m, SCENE_MARBLES_MOST, i, &f) == 0, "%s", f.text);
         plt_engine *engine = engine_of_mesh(&m, &image);
         static plt_camera still;
         still = i == 0 ? camera_of(plt_engine_info(engine), WIDTH, HEIGHT) : still;
