@@ -81,7 +81,7 @@ static int build(packing *p, fail *f) {
     int status = plt_build(&job);
     const int was_built = status == PLT_OK;
     if (was_built && p->quality != NULL) {
-        status = quality_improve(&job, p->seconds, p->quality);
+        status = quality_improve(&job, p->seconds, p->options->poses, p->quality);
     }
     heap_drop(job.scratch);
     if (was_built && status != PLT_OK) {

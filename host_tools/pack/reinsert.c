@@ -24,11 +24,33 @@ static uint32_t sibling_of(const list_tree *t, uint32_t node) {
     return parent->child[parent->child[0] == node];
 }
 
-/* Area of the box that holds both. */
-static double area_with(const list_tree_node *a, const list_tree_node *b) {
-    plt_box both = a->box;
-    plt_box_add(&both, &b->box);
-    return list_tree_half_area(&both);
+/* A node's, of the records and in the poses. */
+typedef struct boxes {
+    plt_box box, posed[POSES_MOST];
+} boxes;
+
+static void add(const list_tree *t, boxes *b, uint32_t node) {
+    const plt_box *posed = list_tree_posed(t, node);
+    plt_box_add(&b->box, &t->node[node].box);
+    for (uint32_t i = 0; posed != NULL && i < t->poses->count; i++) {
+        plt_box_add(&b->posed[i], &posed[i]);
+    }
+}
+
+static void begin(const list_tree *t, boxes *b, uint32_t node) {
+    const plt_box *posed = list_tree_posed(t, node);
+    b->box = t->node[node].box;
+    for (uint32_t i = 0; posed != NULL && i < t->poses->count; i++) {
+        b->posed[i] = posed[i];
+    }
+}
+
+/* Area of the boxes that hold both. */
+static double area_with(const list_tree *t, uint32_t a, uint32_t b) {
+    boxes both;
+    begin(t, &both, a);
+    add(t, &both, b);
+    return list_tree_area(t, &both.box, both.posed);
 }
 
 /* Inner nodes above. */
@@ -58,7 +80,7 @@ static void search_below(search *s, double freed, uint32_t top) {
         if (c.freed - mine->area <= s->gain) {
             continue;
         }
-        const double gain = c.freed - area_with(n, mine);
+        const double gain = c.freed - area_with(s->t, c.node, s->node);
         if (gain > s->gain && has_room(s, c.node)) {
             s->gain = gain;
             s->at = c.node;
@@ -76,13 +98,14 @@ static void search_all(search *s) {
     const list_tree *t = s->t;
     const uint32_t parent = t->node[s->node].parent;
     uint32_t other = sibling_of(t, s->node), above = parent;
-    plt_box rest = t->node[other].box;
+    boxes rest;
+    begin(t, &rest, other);
     double freed = t->node[parent].area;
     for (;;) {
         search_below(s, freed, other);
         if (above != parent) {
-            plt_box_add(&rest, &t->node[other].box);
-            freed += t->node[above].area - list_tree_half_area(&rest);
+            add(t, &rest, other);
+            freed += t->node[above].area - list_tree_area(t, &rest.box, rest.posed);
         }
         if (above == 0) {
             return;
