@@ -10,21 +10,15 @@
 
 enum { LEVELS = PLT_DEPTH_MAX + 3 };
 
-static uint32_t poses_of(const list_tree *t) {
-    return t->poses == NULL ? 0 : t->poses->count;
-}
-
 void list_tree_fit(list_tree *t, uint32_t node) {
     list_tree_node *n = &t->node[node];
     const list_tree_node *left = &t->node[n->child[0]], *right = &t->node[n->child[1]];
-    plt_box *posed = list_tree_posed(t, node);
-    n->box = left->box;
-    plt_box_add(&n->box, &right->box);
-    for (uint32_t i = 0; i < poses_of(t); i++) {
-        posed[i] = list_tree_posed(t, n->child[0])[i];
-        plt_box_add(&posed[i], &list_tree_posed(t, n->child[1])[i]);
-    }
-    n->area = list_tree_area(t, &n->box, posed);
+    const list_tree_boxes mine = list_tree_boxes_of(t, node);
+    const list_tree_boxes first = list_tree_boxes_of(t, n->child[0]);
+    const list_tree_boxes second = list_tree_boxes_of(t, n->child[1]);
+    list_tree_boxes_copy(t, &mine, &first);
+    list_tree_boxes_add(t, &mine, &second);
+    n->area = list_tree_area(t, &mine, &mine);
     n->triangles = left->triangles + right->triangles;
     n->height = 1 + (left->height > right->height ? left->height : right->height);
 }
@@ -43,12 +37,12 @@ static plt_box posed_box(const list_tree *t, uint32_t pose, const plt_record *re
 void list_tree_fit_list(list_tree *t, uint32_t node, const plt_record *records, uint32_t first,
                         uint32_t end) {
     list_tree_node *n = &t->node[node];
-    plt_box *posed = list_tree_posed(t, node);
+    const list_tree_boxes mine = list_tree_boxes_of(t, node);
     n->box = plt_records_box(records, first, end);
-    for (uint32_t i = 0; i < poses_of(t); i++) {
-        posed[i] = posed_box(t, i, records, first, end);
+    for (uint32_t i = 0; t->poses != NULL && i < t->poses->count; i++) {
+        mine.posed[i] = posed_box(t, i, records, first, end);
     }
-    n->area = list_tree_area(t, &n->box, posed);
+    n->area = list_tree_area(t, &mine, &mine);
     n->child[0] = first;
     n->child[1] = LIST_TREE_NONE;
     n->triangles = end - first;

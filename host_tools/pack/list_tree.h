@@ -13,6 +13,7 @@
 
 #include "engine/base/box.h"
 #include "engine/builder/build.h"
+#include "engine/lanes/lanes.h"
 #include "host_tools/pack/poses.h"
 
 #define LIST_TREE_NONE 0xFFFFFFFFu
@@ -50,16 +51,57 @@ static inline plt_box *list_tree_posed(const list_tree *t, uint32_t node) {
     return t->poses == NULL ? NULL : t->posed + (size_t)node * t->poses->count;
 }
 
-/* Of a node with these boxes. */
-static inline double list_tree_area(const list_tree *t, const plt_box *box, const plt_box *posed) {
+/* Half the surface of the box that holds both, in single precision. */
+static inline float list_tree_posed_area(const plt_box *a, const plt_box *b) {
+    const float *p = (const float *)(const void *)a, *q = (const float *)(const void *)b;
+    const f4 lo = f4_min(f4_load(p), f4_load(q)); /* x y z and one that means nothing */
+    const f4 hi = f4_rotate(f4_max(f4_load(p + 2), f4_load(q + 2)));
+    const f4 side = f4_sub(hi, lo);
+    float area[4];
+    f4_store(area, f4_mul(side, f4_turn(side)));
+    return area[0] + area[1] + area[2];
+}
+
+/* A node's boxes: where the records are, and in the poses. */
+typedef struct list_tree_boxes {
+    plt_box *box, *posed;
+} list_tree_boxes;
+
+static inline list_tree_boxes list_tree_boxes_of(const list_tree *t, uint32_t node) {
+    const list_tree_boxes b = {&t->node[node].box, list_tree_posed(t, node)};
+    return b;
+}
+
+/* The area of a node that holds both; of `a` alone if they are one. */
+static inline double list_tree_area(const list_tree *t, const list_tree_boxes *a,
+                                    const list_tree_boxes *b) {
+    plt_box both = *a->box;
+    plt_box_add(&both, b->box);
     if (t->poses == NULL) {
-        return list_tree_half_area(box);
+        return list_tree_half_area(&both);
     }
-    double sum = t->poses->weight[0] * list_tree_half_area(box);
+    double sum = t->poses->weight[0] * list_tree_half_area(&both);
     for (uint32_t i = 0; i < t->poses->count; i++) {
-        sum += t->poses->weight[i + 1] * list_tree_half_area(&posed[i]);
+        sum += t->poses->weight[i + 1] * (double)list_tree_posed_area(&a->posed[i], &b->posed[i]);
     }
     return sum;
+}
+
+/* `a` becomes what holds both. */
+static inline void list_tree_boxes_add(const list_tree *t, const list_tree_boxes *a,
+                                       const list_tree_boxes *b) {
+    plt_box_add(a->box, b->box);
+    for (uint32_t i = 0; t->poses != NULL && i < t->poses->count; i++) {
+        plt_box_add(&a->posed[i], &b->posed[i]);
+    }
+}
+
+static inline void list_tree_boxes_copy(const list_tree *t, const list_tree_boxes *to,
+                                        const list_tree_boxes *from) {
+    *to->box = *from->box;
+    for (uint32_t i = 0; t->poses != NULL && i < t->poses->count; i++) {
+        to->posed[i] = from->posed[i];
+    }
 }
 
 /* Box, area, triangles and height of an inner node, from its children. */

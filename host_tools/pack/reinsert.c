@@ -24,35 +24,6 @@ static uint32_t sibling_of(const list_tree *t, uint32_t node) {
     return parent->child[parent->child[0] == node];
 }
 
-/* A node's, of the records and in the poses. */
-typedef struct boxes {
-    plt_box box, posed[POSES_MOST];
-} boxes;
-
-static void add(const list_tree *t, boxes *b, uint32_t node) {
-    const plt_box *posed = list_tree_posed(t, node);
-    plt_box_add(&b->box, &t->node[node].box);
-    for (uint32_t i = 0; posed != NULL && i < t->poses->count; i++) {
-        plt_box_add(&b->posed[i], &posed[i]);
-    }
-}
-
-static void begin(const list_tree *t, boxes *b, uint32_t node) {
-    const plt_box *posed = list_tree_posed(t, node);
-    b->box = t->node[node].box;
-    for (uint32_t i = 0; posed != NULL && i < t->poses->count; i++) {
-        b->posed[i] = posed[i];
-    }
-}
-
-/* Area of the boxes that hold both. */
-static double area_with(const list_tree *t, uint32_t a, uint32_t b) {
-    boxes both;
-    begin(t, &both, a);
-    add(t, &both, b);
-    return list_tree_area(t, &both.box, both.posed);
-}
-
 /* Inner nodes above. */
 static uint32_t depth_of(const list_tree *t, uint32_t node) {
     uint32_t depth = 0;
@@ -71,16 +42,18 @@ static int has_room(const search *s, uint32_t at) {
 /* Looks for a better place beside every node of a subtree, and leaves out what cannot have
  * one: the new parent's area is at least the node's own. */
 static void search_below(search *s, double freed, uint32_t top) {
-    const list_tree_node *mine = &s->t->node[s->node];
+    const list_tree_boxes mine = list_tree_boxes_of(s->t, s->node);
+    const double least = s->t->node[s->node].area;
     candidate stack[PLT_DEPTH_MAX + 2] = {{freed, top}};
     uint32_t depth = 1;
     while (depth > 0) {
         const candidate c = stack[--depth];
         const list_tree_node *n = &s->t->node[c.node];
-        if (c.freed - mine->area <= s->gain) {
+        if (c.freed - least <= s->gain) {
             continue;
         }
-        const double gain = c.freed - area_with(s->t, c.node, s->node);
+        const list_tree_boxes its = list_tree_boxes_of(s->t, c.node);
+        const double gain = c.freed - list_tree_area(s->t, &its, &mine);
         if (gain > s->gain && has_room(s, c.node)) {
             s->gain = gain;
             s->at = c.node;
@@ -98,14 +71,17 @@ static void search_all(search *s) {
     const list_tree *t = s->t;
     const uint32_t parent = t->node[s->node].parent;
     uint32_t other = sibling_of(t, s->node), above = parent;
-    boxes rest;
-    begin(t, &rest, other);
+    plt_box box, posed[POSES_MOST];
+    const list_tree_boxes rest = {&box, posed};
+    list_tree_boxes its = list_tree_boxes_of(t, other);
+    list_tree_boxes_copy(t, &rest, &its);
     double freed = t->node[parent].area;
     for (;;) {
         search_below(s, freed, other);
         if (above != parent) {
-            add(t, &rest, other);
-            freed += t->node[above].area - list_tree_area(t, &rest.box, rest.posed);
+            its = list_tree_boxes_of(t, other);
+            list_tree_boxes_add(t, &rest, &its);
+            freed += t->node[above].area - list_tree_area(t, &rest, &rest);
         }
         if (above == 0) {
             return;
