@@ -21,7 +21,7 @@
         {"--tree-for", "first|all",                                                                \
          "of --sequence: the tree is built for its first frame, or as by --quality high for up "   \
          "to "                                                                                     \
-         "16 frames that are evenly spread, which takes ten times as long and more, and keeps "    \
+         "8 frames that are evenly spread, which takes ten times as long and more, and keeps "     \
          "visits fewer where triangles move apart (default first)"},                               \
         {"--rate", "N", "of --sequence: frames per second, 1 to 1000 (default 25)"}, {             \
         "--key", "N",                                                                              \

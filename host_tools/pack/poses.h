@@ -10,7 +10,7 @@
 #include "engine/base/box.h"
 #include "host_tools/mesh/mesh.h"
 
-#define POSES_MOST 15u /* beside the mesh's own */
+#define POSES_MOST 7u /* beside the mesh's own */
 
 typedef struct poses {
     const mesh *own; /* whose triangles they have */
