@@ -413,8 +413,9 @@ static void read_quality(pack_job *job, args *a) {
     const int for_all = job->frames.for_all;
     job->is_high = (int)args_choice(a, "--quality", qualities, for_all);
     job->quality_seconds = (uint32_t)args_number(a, "--quality-time", 0, 1, 86400);
-    if (for_all && (!job->is_high || job->options.build != PLT_BUILD_HOST)) {
-        args_complain(a, "--tree-for all is a tree of --quality high and --build host");
+    if (for_all && (!job->is_high || job->options.build != PLT_BUILD_HOST ||
+                    job->options.splits != PLT_SPLIT_SAH)) {
+        args_complain(a, "--tree-for all takes --build host, --splits sah and --quality high");
     } else if (job->is_high && job->options.build != PLT_BUILD_HOST) {
         args_complain(a, "--quality high improves what this program builds; use --build host");
     } else if (!job->is_high && args_has(a, "--quality-time")) {

@@ -19,10 +19,9 @@
          "of --sequence with one MESH, a recipe with sequences or a name with '{}' for 000, 001 "  \
          "...: frames A to B - 1, 0 to 99999"},                                                    \
         {"--tree-for", "first|all",                                                                \
-         "of --sequence: the tree is built for its first frame, or as by --quality high for up "   \
-         "to "                                                                                     \
-         "8 frames that are evenly spread, which takes ten times as long and more, and keeps "     \
-         "visits fewer where triangles move apart (default first)"},                               \
+         "of --sequence: the frames that the tree is made for, its first or up to 8 that are "     \
+         "evenly spread; all takes --quality high, three times as long as that alone and more, "   \
+         "and gives up to half as many visits where triangles move apart (default first)"},        \
         {"--rate", "N", "of --sequence: frames per second, 1 to 1000 (default 25)"}, {             \
         "--key", "N",                                                                              \
             "of --sequence: every N-th frame does not depend on others, so that any frame takes N" \
