@@ -288,9 +288,14 @@ static void say_losses(const pack_job *job, const packed *image) {
 
 static void say_quality(const quality_stats *q) {
     if (q->passes > 0) {
-        note("tree: a random line meets %.2f of its boxes, before %.2f; %" PRIu32
+        char frames[40] = "";
+        if (q->frames > 1) {
+            snprintf(frames, sizeof frames, " in each of %" PRIu32 " frames", q->frames);
+        }
+        note("tree: a random line meets %.2f of its boxes%s, before %.2f; %" PRIu32
              " nodes moved, %.1f s%s",
-             q->after, q->before, q->moves, q->seconds, q->out_of_time ? " and out of time" : "");
+             q->after, frames, q->before, q->moves, q->seconds,
+             q->out_of_time ? " and out of time" : "");
     }
 }
 
@@ -405,13 +410,18 @@ static void read_format(pack_job *job, args *a) {
 
 static void read_quality(pack_job *job, args *a) {
     static const char *const qualities[] = {"fast", "high", NULL};
-    job->is_high = (int)args_choice(a, "--quality", qualities, 0);
+    const int for_all = job->frames.for_all;
+    job->is_high = (int)args_choice(a, "--quality", qualities, for_all);
     job->quality_seconds = (uint32_t)args_number(a, "--quality-time", 0, 1, 86400);
-    if (job->is_high && job->options.build != PLT_BUILD_HOST) {
+    if (for_all && (!job->is_high || job->options.build != PLT_BUILD_HOST ||
+                    job->options.splits != PLT_SPLIT_SAH)) {
+        args_complain(a, "--tree-for all takes --build host, --splits sah and --quality high");
+    } else if (job->is_high && job->options.build != PLT_BUILD_HOST) {
         args_complain(a, "--quality high improves what this program builds; use --build host");
     } else if (!job->is_high && args_has(a, "--quality-time")) {
         args_complain(a, "--quality-time is for --quality high");
     }
+    job->options.poses = for_all ? &job->frames.poses : NULL;
     job->compact.quality = job->is_high ? &job->quality : NULL;
     job->compact.quality_seconds = job->quality_seconds;
 }

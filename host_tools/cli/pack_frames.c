@@ -49,14 +49,17 @@ static void refuse_others(args *a) {
 }
 
 void pack_frames_read(pack_frames *p, args *a) {
+    static const char *const trees[] = {"first", "all", NULL};
     p->wanted = args_has(a, "--sequence");
     if (!p->wanted) {
-        if (args_has(a, "--frames") || args_has(a, "--rate") || args_has(a, "--key")) {
-            args_complain(a, "--frames, --rate and --key go with --sequence");
+        if (args_has(a, "--frames") || args_has(a, "--rate") || args_has(a, "--key") ||
+            args_has(a, "--tree-for")) {
+            args_complain(a, "--frames, --rate, --key and --tree-for go with --sequence");
         }
         return;
     }
     p->path = a->file;
+    p->for_all = args_choice(a, "--tree-for", trees, 0) == 1;
     p->options.frame_rate = (uint32_t)args_number(a, "--rate", 25, 1, PLT_FRAME_RATE_MOST);
     p->options.key_every = (uint32_t)args_number(a, "--key", 16, 1, 100000);
     read_range(p, a);
@@ -153,17 +156,41 @@ static int choose_lattice(pack_frames *p, const lattice_ground *g, const char *n
     return 0;
 }
 
+/* ---- poses ------------------------------------------------------------------------ */
+
+/* Frame `i`, if it is to be one. */
+static int add_pose(pack_frames *p, const mesh *m, unsigned i, fail *f) {
+    const uint32_t wanted = p->for_all ? poses_wanted(p->range.count, m->triangles) : 0;
+    const int is_next =
+        p->poses.count < wanted && poses_frame(p->poses.count, wanted, p->range.count) == i;
+    if (is_next && poses_add(&p->poses, m) != 0) {
+        return fail_set(f, p->first,
+                        "out of memory for the frames of --tree-for all; use --tree-for first");
+    }
+    return 0;
+}
+
+static void snap_all(pack_frames *p, mesh *first) {
+    sequence_snap(first, &p->options.lattice);
+    for (uint32_t i = 0; i < p->poses.count; i++) {
+        mesh pose = {.vertex = p->poses.vertex[i], .vertices = first->vertices};
+        sequence_snap(&pose, &p->options.lattice);
+    }
+}
+
 int pack_frames_scan(pack_frames *p, pack_meshes *in, fail *f) {
     lattice_ground ground = {plt_box_empty(), LATTICE_NO_GRAIN};
     progress bar;
     int status = 0;
     add_ground(&ground, &in->m);
+    poses_begin(&p->poses, &in->m);
     progress_begin(&bar, "reading frames", p->range.count);
     for (unsigned i = 1; i < p->range.count && status == 0; i++) {
         mesh m = {0};
         status = read_frame(p, in, i, &m, f);
         if (status == 0) {
             add_ground(&ground, &m);
+            status = add_pose(p, &m, i, f);
         }
         mesh_free(&m);
         progress_show(&bar, i);
@@ -173,8 +200,9 @@ int pack_frames_scan(pack_frames *p, pack_meshes *in, fail *f) {
         status = choose_lattice(p, &ground, p->first, f);
     }
     if (status == 0 && p->options.lattice.bits > 0) {
-        sequence_snap(&in->m, &p->options.lattice);
+        snap_all(p, &in->m);
     }
+    poses_weigh(&p->poses);
     return status;
 }
 
@@ -200,6 +228,7 @@ int pack_frames_add(pack_frames *p, const pack_meshes *in, packed *image, fail *
 
 void pack_frames_free(pack_frames *p) {
     sequence_free(&p->code);
+    poses_free(&p->poses);
     free(p->first);
     p->first = NULL;
 }

@@ -91,11 +91,12 @@ static int write_quality(output *o, const quality_stats *q, fail *f) {
         return output_print(o, f, "  \"quality\": null,\n");
     }
     return output_print(o, f,
-                        "  \"quality\": {\n    \"passes\": %" PRIu32 ",\n    \"moves\": %" PRIu32
+                        "  \"quality\": {\n    \"frames\": %" PRIu32 ",\n    \"passes\": %" PRIu32
+                        ",\n    \"moves\": %" PRIu32
                         ",\n    \"boxes_per_line_before\": %.6g,\n"
                         "    \"boxes_per_line\": %.6g,\n    \"seconds\": %.3f,\n"
                         "    \"out_of_time\": %s\n  },\n",
-                        q->passes, q->moves, q->before, q->after, q->seconds,
+                        q->frames, q->passes, q->moves, q->before, q->after, q->seconds,
                         q->out_of_time ? "true" : "false");
 }
 

@@ -13,11 +13,40 @@ enum { LEVELS = PLT_DEPTH_MAX + 3 };
 void list_tree_fit(list_tree *t, uint32_t node) {
     list_tree_node *n = &t->node[node];
     const list_tree_node *left = &t->node[n->child[0]], *right = &t->node[n->child[1]];
-    n->box = left->box;
-    plt_box_add(&n->box, &right->box);
-    n->area = list_tree_half_area(&n->box);
+    const list_tree_boxes mine = list_tree_boxes_of(t, node);
+    const list_tree_boxes first = list_tree_boxes_of(t, n->child[0]);
+    const list_tree_boxes second = list_tree_boxes_of(t, n->child[1]);
+    list_tree_boxes_copy(t, &mine, &first);
+    list_tree_boxes_add(t, &mine, &second);
+    n->area = list_tree_area(t, &mine, &mine);
     n->triangles = left->triangles + right->triangles;
     n->height = 1 + (left->height > right->height ? left->height : right->height);
+}
+
+static plt_box posed_box(const list_tree *t, uint32_t pose, const plt_record *records,
+                         uint32_t first, uint32_t end) {
+    plt_box all = plt_box_empty();
+    for (uint32_t i = first; i < end; i++) {
+        const uint32_t id = plt_primitive_id(plt_get_u32(&records[i].word[9]));
+        const plt_box box = poses_box(t->poses, pose, id);
+        plt_box_add(&all, &box);
+    }
+    return all;
+}
+
+void list_tree_fit_list(list_tree *t, uint32_t node, const plt_record *records, uint32_t first,
+                        uint32_t end) {
+    list_tree_node *n = &t->node[node];
+    const list_tree_boxes mine = list_tree_boxes_of(t, node);
+    n->box = plt_records_box(records, first, end);
+    for (uint32_t i = 0; t->poses != NULL && i < t->poses->count; i++) {
+        mine.posed[i] = posed_box(t, i, records, first, end);
+    }
+    n->area = list_tree_area(t, &mine, &mine);
+    n->child[0] = first;
+    n->child[1] = LIST_TREE_NONE;
+    n->triangles = end - first;
+    n->height = 0;
 }
 
 double list_tree_cost(const list_tree *t) {
@@ -55,16 +84,11 @@ static uint32_t add_node(list_tree *t, uint32_t parent, int child) {
 /* Returns the record behind the list. */
 static uint32_t add_list(list_tree *t, const plt_record *records, uint32_t first, uint32_t parent,
                          int child) {
-    list_tree_node *n = &t->node[add_node(t, parent, child)];
+    const uint32_t node = add_node(t, parent, child);
     uint32_t end = first;
     while (!plt_record_is_last(&records[end++])) {
     }
-    n->box = plt_records_box(records, first, end);
-    n->area = list_tree_half_area(&n->box);
-    n->child[0] = first;
-    n->child[1] = LIST_TREE_NONE;
-    n->triangles = end - first;
-    n->height = 0;
+    list_tree_fit_list(t, node, records, first, end);
     return end;
 }
 

@@ -81,11 +81,16 @@ static int build(packing *p, fail *f) {
     int status = plt_build(&job);
     const int was_built = status == PLT_OK;
     if (was_built && p->quality != NULL) {
-        status = quality_improve(&job, p->seconds, p->quality);
+        status = quality_improve(&job, p->seconds, p->options->poses, p->quality);
     }
     heap_drop(job.scratch);
     if (was_built && status != PLT_OK) {
-        return out_of_memory(p, f);
+        return p->options->poses != NULL
+                   ? fail_set(f, p->name,
+                              "%zu triangles: out of memory for a tree of so many frames; use "
+                              "--tree-for first",
+                              p->triangles)
+                   : out_of_memory(p, f);
     }
     if (status != PLT_OK) {
         return fail_set(

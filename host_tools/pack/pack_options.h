@@ -16,6 +16,8 @@ typedef struct pack_options {
     mesh *spend;             /* the mesh itself: its arrays are freed as soon as they are of no
                               * use, so that others fit; NULL: it stays */
     uint8_t checks;          /* of PLT_BUILD_HOST: what is streamed has checks (checks.h) */
+    const poses *poses;      /* of pack_mesh_better: the tree is to be good for these, too, and
+                              * `spend` is NULL; NULL: for the mesh alone */
 } pack_options;
 
 typedef struct compact_options {

@@ -10,6 +10,7 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/pack/list_tree.h"
+#include "host_tools/pack/pose_tree.h"
 #include "host_tools/pack/reinsert.h"
 
 #define GAIN_LEAST 0.001 /* of the cost, by a pass: or it is the last one */
@@ -65,7 +66,7 @@ static void pass(improving *w) {
 
 static void improve(improving *w) {
     double last;
-    w->stats->before = w->stats->after = list_tree_cost(&w->tree);
+    w->stats->after = list_tree_cost(&w->tree);
     progress_begin(&w->bar, "improving the tree, nodes looked at", 0);
     do {
         last = w->stats->after;
@@ -92,25 +93,60 @@ uint64_t quality_bytes(uint64_t triangles) {
            3 * heap_cost(0);
 }
 
-int quality_improve(plt_build_job *job, uint32_t seconds, quality_stats *stats) {
-    const uint32_t nodes = list_tree_nodes(job);
-    improving w = {.began = clock_seconds(), .seconds = seconds, .stats = stats};
+/* A tree for all poses takes the place of the job's, if it costs less. */
+static int begin_anew(improving *w, plt_build_job *job) {
+    const size_t bytes = job->count * sizeof *job->records;
+    plt_record *ordered = heap_get(bytes);
+    int status = PLT_ERR_ARENA;
+    if (ordered != NULL) {
+        const double end = w->seconds > 0.0 ? w->began + w->seconds : 0.0;
+        progress_begin(&w->bar, "building a tree for all frames, triangles", job->count);
+        status = pose_tree_build(&w->tree, job, ordered, end, &w->bar);
+        progress_end(&w->bar);
+    }
+    w->stats->out_of_time = status == PLT_MORE;
+    if (status == PLT_OK && list_tree_cost(&w->tree) < w->stats->before) {
+        memcpy(job->records, ordered, bytes);
+    } else if (status != PLT_ERR_ARENA) {
+        list_tree_read(&w->tree, job);
+        status = PLT_OK;
+    }
+    heap_drop(ordered);
+    return status;
+}
+
+static int read_and_improve(improving *w, plt_build_job *job) {
     int status = PLT_OK;
-    *stats = (quality_stats){.passes = 0};
+    list_tree_read(&w->tree, job);
+    w->stats->before = list_tree_cost(&w->tree);
+    if (w->tree.poses != NULL) {
+        status = begin_anew(w, job);
+    }
+    if (status == PLT_OK) {
+        improve(w);
+        status = w->stats->after < w->stats->before ? write_back(w, job) : PLT_OK;
+    }
+    return status;
+}
+
+int quality_improve(plt_build_job *job, uint32_t seconds, const poses *p, quality_stats *stats) {
+    const uint64_t nodes = p != NULL ? 2 * (uint64_t)job->count : list_tree_nodes(job);
+    improving w = {.began = clock_seconds(), .seconds = seconds, .stats = stats};
+    int status = PLT_ERR_ARENA;
+    *stats = (quality_stats){.frames = p != NULL ? p->count + 1 : 1};
     if (job->nodes_used == 0) {
         return PLT_OK;
     }
-    w.tree.node = heap_get((uint64_t)nodes * sizeof *w.tree.node);
-    w.turns = heap_get((uint64_t)nodes * sizeof *w.turns);
-    if (w.tree.node == NULL || w.turns == NULL) {
-        status = PLT_ERR_ARENA;
-    } else {
-        list_tree_read(&w.tree, job);
-        improve(&w);
-        status = stats->after < stats->before ? write_back(&w, job) : PLT_OK;
+    w.tree.poses = p;
+    w.tree.node = heap_get(nodes * sizeof *w.tree.node);
+    w.tree.posed = p != NULL ? heap_get(nodes * p->count * sizeof *w.tree.posed) : NULL;
+    w.turns = heap_get(nodes * sizeof *w.turns);
+    if (w.tree.node != NULL && w.turns != NULL && (p == NULL || w.tree.posed != NULL)) {
+        status = read_and_improve(&w, job);
     }
     stats->seconds = clock_seconds() - w.began;
     heap_drop(w.tree.node);
+    heap_drop(w.tree.posed);
     heap_drop(w.turns);
     return status;
 }

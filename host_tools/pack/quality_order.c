@@ -77,10 +77,10 @@ static void reorder(snapped *s, int are_boxes, const uint32_t *order, unsigned c
 /* `records` become the tree's; afterwards they are room for moving what they stand for. */
 static int improve(plt_build_job *job, uint32_t seconds, quality_stats *stats, uint32_t *order,
                    uint16_t *levels) {
-    list_tree t = {NULL, 0};
+    list_tree t = {.node = NULL};
     int status = plt_build(job);
     if (status == PLT_OK) {
-        status = quality_improve(job, seconds, stats);
+        status = quality_improve(job, seconds, NULL, stats);
     }
     if (status != PLT_OK) {
         return status;

@@ -24,13 +24,6 @@ static uint32_t sibling_of(const list_tree *t, uint32_t node) {
     return parent->child[parent->child[0] == node];
 }
 
-/* Area of the box that holds both. */
-static double area_with(const list_tree_node *a, const list_tree_node *b) {
-    plt_box both = a->box;
-    plt_box_add(&both, &b->box);
-    return list_tree_half_area(&both);
-}
-
 /* Inner nodes above. */
 static uint32_t depth_of(const list_tree *t, uint32_t node) {
     uint32_t depth = 0;
@@ -49,16 +42,18 @@ static int has_room(const search *s, uint32_t at) {
 /* Looks for a better place beside every node of a subtree, and leaves out what cannot have
  * one: the new parent's area is at least the node's own. */
 static void search_below(search *s, double freed, uint32_t top) {
-    const list_tree_node *mine = &s->t->node[s->node];
+    const list_tree_boxes mine = list_tree_boxes_of(s->t, s->node);
+    const double least = s->t->node[s->node].area;
     candidate stack[PLT_DEPTH_MAX + 2] = {{freed, top}};
     uint32_t depth = 1;
     while (depth > 0) {
         const candidate c = stack[--depth];
         const list_tree_node *n = &s->t->node[c.node];
-        if (c.freed - mine->area <= s->gain) {
+        if (c.freed - least <= s->gain) {
             continue;
         }
-        const double gain = c.freed - area_with(n, mine);
+        const list_tree_boxes its = list_tree_boxes_of(s->t, c.node);
+        const double gain = c.freed - list_tree_area(s->t, &its, &mine);
         if (gain > s->gain && has_room(s, c.node)) {
             s->gain = gain;
             s->at = c.node;
@@ -76,13 +71,17 @@ static void search_all(search *s) {
     const list_tree *t = s->t;
     const uint32_t parent = t->node[s->node].parent;
     uint32_t other = sibling_of(t, s->node), above = parent;
-    plt_box rest = t->node[other].box;
+    plt_box box, posed[POSES_MOST];
+    const list_tree_boxes rest = {&box, posed};
+    list_tree_boxes its = list_tree_boxes_of(t, other);
+    list_tree_boxes_copy(t, &rest, &its);
     double freed = t->node[parent].area;
     for (;;) {
         search_below(s, freed, other);
         if (above != parent) {
-            plt_box_add(&rest, &t->node[other].box);
-            freed += t->node[above].area - list_tree_half_area(&rest);
+            its = list_tree_boxes_of(t, other);
+            list_tree_boxes_add(t, &rest, &its);
+            freed += t->node[above].area - list_tree_area(t, &rest, &rest);
         }
         if (above == 0) {
             return;

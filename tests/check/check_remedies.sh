@@ -17,6 +17,9 @@ out of memory; close other programs | $few
 %s %s: out of memory; close other programs | $few
 frame %u: triangle %u: %s; bring the mesh nearer to 0,0,0 | readers refuse such meshes before
 out of memory for its frames; pack on a larger machine | $few
+out of memory for the frames of --tree-for all; use --tree-for first | $few
+%zu triangles: out of memory for a tree of so many frames; use --tree-for first | \
+test_pack_poses gives less memory
 use fewer frames, or --geometry lattice of fewer bits | $size
 out of memory; choose a smaller --size | a frame of 1,200 tiles is less than one MiB
 close other programs | a system without memory for two sockets cannot be had here

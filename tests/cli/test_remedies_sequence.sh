@@ -12,8 +12,19 @@ echo 'wave_{}.ply*4 1 0 0 0' >wave.txt
 
 # ---- how it is asked for: pack_frames.c, cmd_pack.c ----------------------------------------
 
-says "--frames, --rate and --key go with --sequence" pack wave.txt --frames 0:2 -o x.plt
+says "--frames, --rate, --key and --tree-for go with --sequence" \
+    pack wave.txt --frames 0:2 -o x.plt
 cured pack --sequence wave.txt --frames 0:2 -o x.plt
+says "--frames, --rate, --key and --tree-for go with --sequence" \
+    pack wave_000.ply --tree-for all -o x.plt
+cured pack --sequence wave_00?.ply --tree-for all -o x.plt
+for flag in '--quality fast' '--build device' '--build none' '--splits median'; do
+    # shellcheck disable=SC2086
+    says "--tree-for all takes --build host, --splits sah and --quality high" \
+        pack --sequence wave_00?.ply --tree-for all $flag -o x.plt
+done
+cured pack --sequence wave_00?.ply --tree-for all --quality high --build host \
+    --splits sah -o x.plt
 says "--sequence of one MESH takes --frames A:B, too" pack --sequence wave.txt -o x.plt
 cured pack --sequence wave.txt --frames 0:2 -o x.plt
 says "--frames A:B is for one MESH: a recipe, or a name with '{}'" \

@@ -131,6 +131,47 @@ works "a better tree" pack --sequence wave_00?.ply --geometry float --quality hi
 works "... shows them" render high.plt -o high.y4m --frames 0:9 $view
 same all.y4m high.y4m "... as they are"
 
+# ---- one tree for all frames --------------------------------------------------------------
+
+works "a tree for all frames" pack --sequence wave_00?.ply --geometry float --tree-for all \
+    -o tree.plt --json tree.json
+# shellcheck disable=SC2086
+works "... shows them" render tree.plt -o tree.y4m --frames 0:9 $view
+same all.y4m tree.y4m "... as they are"
+works "... a second time" pack --sequence wave_00?.ply --geometry float --tree-for all \
+    -o again.plt
+same tree.plt again.plt "... is the same image"
+verdict "... of 8 frames, it says" "$(
+    grep -A 1 '"quality"' tree.json | grep -q '"frames": 8,' || cat tree.json)"
+works "... of one frame" pack --sequence wave_00?.ply --geometry float -o first.plt \
+    --tree-for first
+same list.plt first.plt "... is the one that is the default"
+works "... of two" pack --sequence wave_00[07].ply --tree-for all -o two.plt --json two.json
+verdict "... likewise" "$(grep -A 1 '"quality"' two.json | grep -q '"frames": 2,' || cat two.json)"
+for frame in 0 20 40 60 80 100; do
+    run make city --frame $frame -o city_$frame.ply
+done
+set -- city_0.ply city_20.ply city_40.ply city_60.ply city_80.ply city_100.ply
+for tree in first all; do
+    works "people who leave a lift, --tree-for $tree" pack --sequence "$@" -o city_$tree.plt \
+        --tree-for $tree
+    run render city_$tree.plt -o city_$tree.y4m --frames 0:6 --size 160x120 --eye 60,80,120 \
+        --look 0,20,0 --json city_$tree.json
+done
+same city_first.y4m city_all.y4m "... are the same pictures"
+verdict "... for a tenth fewer visits with one tree for all" "$(
+    first=$(number node_visits <city_first.json) all=$(number node_visits <city_all.json)
+    [ "$first" -gt 0 ] && [ $((10 * all)) -lt $((9 * first)) ] || echo "$all, and $first")"
+run make room --triangles 400000 -o room.ply
+works "--quality-time 1 of two large rooms" pack --sequence room.ply room.ply -o x.plt \
+    --tree-for all --quality-time 1 --json room.json
+verdict "... is soon over" "$(
+    grep -q '"out_of_time": true' room.json || cat room.json
+    seconds=$(sed -n 's/^ *"seconds": \([0-9.]*\),$/\1/p' room.json)
+    echo "$seconds" | awk '{ exit !($1 > 0 && $1 < 20) }' || echo "$seconds s")"
+works "... and shown" render x.plt -o x.y4m --frames 1:2 --size 8x8
+rm -f room.ply x.plt
+
 # ---- memory -------------------------------------------------------------------------------
 
 # peak FRAMES: bytes that packing so many marbles takes, of which each frame's mesh has 161,040.

@@ -50,8 +50,8 @@ scene_flags="$scene_flags --source --arena --workers --turns"
 view_flags='--eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
-    --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames --rate \
-    --key --centre --origin --weld --repair --memory --json
+    --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames \
+    --tree-for --rate --key --centre --origin --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step --repeat \
@@ -103,7 +103,7 @@ misused "pack --nodes compact refuses --build none" compact \
     pack quad.ply -o x --nodes compact --build none
 
 # Every value that is a word or a number, just out of its range.
-for pair in --build=thing --splits=middle --quality=best --quality-time=0 \
+for pair in --build=thing --splits=middle --quality=best --quality-time=0 --tree-for=last \
     --leaf=3 --leaf=0 --nodes=small --treelet=0 \
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
     --slots=newest --geometry=lattice --geometry=double --checks=some --numbers=some \

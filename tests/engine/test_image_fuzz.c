@@ -56,7 +56,8 @@ static input seed_input(int seed) {
                                   1u + (uint32_t)seed % 2,
                                   1u + (uint32_t)seed,
                                   NULL,
-                                  seed < 6};
+                                  seed < 6,
+                                  NULL};
     shape_soup(&m, seed == 8 ? 0 : 3u + 5u * (uint32_t)seed, 0.7f, (uint64_t)seed);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     return input_of(&image, &m);

@@ -126,7 +126,7 @@ static void sums_are_long(const char *name, packed *image) {
 }
 
 static packed thesis_image(uint32_t triangles, uint8_t build) {
-    const pack_options options = {PLT_SPLIT_SAH, build, 2, 8, NULL, 0};
+    const pack_options options = {PLT_SPLIT_SAH, build, 2, 8, NULL, 0, NULL};
     packed image = {NULL, 0, {0}};
     fail f = {""};
     mesh m = {0};

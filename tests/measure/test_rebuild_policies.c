@@ -1,11 +1,11 @@
 /* test_rebuild_policies [FILE:FRAMES[:EVERY]...] - when to rebuild a tree of triangles that move
  *
- * FILE is a recipe with sequences, or a name with a '{}' for the frame's number, or marbles or
- * city. A tree is built from each frame and refitted to all later ones; what rays then cost, by
- * plt_stats and with a camera that stands or goes around, is a table from which the cost of any
- * choice of rebuilds follows, and by dynamic programming that of the best. A policy's regret is
- * its cost over that. As a build costs as much as few frames or many, six prices are taken, and the
- * worst regret counts. Without a FILE it takes a few frames of marbles and is one test more.
+ * FILE is as in animation.h. A tree is built from each frame and refitted to all later ones; what
+ * rays then cost, by plt_stats and with a camera that stands or goes around, is a table from which
+ * the cost of any choice of rebuilds follows, and by dynamic programming that of the best. A
+ * policy's regret is its cost over that. As a build costs as much as few frames or many, six prices
+ * are taken, and the worst regret counts. Without a FILE it takes a few frames of marbles and is
+ * one test more.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -14,10 +14,7 @@
 
 #include "engine/engine.h"
 #include "host_tools/base/clock.h"
-#include "host_tools/mesh/mesh.h"
-#include "host_tools/scenes/cos_sin.h"
-#include "host_tools/scenes/scenes.h"
-#include "tests/reference/frames.h"
+#include "tests/measure/animation.h"
 #include "tests/reference/mover.h"
 #include "tests/test.h"
 
@@ -28,11 +25,6 @@ enum { FRAMES_MOST = 100, SIDE = 128, PRICES = 6, CAMERAS = 3 };
 
 /* Cost of a frame in builds. */
 static const double prices[PRICES] = {0.03, 0.1, 0.3, 1.0, 3.0, 10.0};
-
-typedef struct sequence {
-    char file[512];
-    unsigned frames, every;
-} sequence;
 
 /* Of the tree of frame r, refitted to frame f. */
 typedef struct cell {
@@ -46,45 +38,6 @@ typedef struct table {
     double refit_seconds, rebuild_seconds, longest_seconds, longest_work, trace_seconds, traced;
     uint32_t triangles;
 } table;
-
-static int read_frame(mesh *m, const sequence *s, unsigned frame) {
-    const unsigned number = frame * s->every;
-    mesh_report report = {0};
-    fail f = {""};
-    char name[600];
-    const char *at = strstr(s->file, "{}");
-    int status;
-    if (strcmp(s->file, "marbles") == 0) {
-        status = scene_marbles(m, SCENE_MARBLES_MOST, number, &f);
-    } else if (strcmp(s->file, "city") == 0) {
-        status = scene_city(m, number, &f);
-    } else if (at != NULL) {
-        snprintf(name, sizeof name, "%.*s%03u%s", (int)(at - s->file), s->file, number, at + 2);
-        status = mesh_read(m, name, 0, &report, &f);
-    } else {
-        status = mesh_read(m, s->file, number, &report, &f);
-    }
-    CHECK(status == 0, "%s", f.text);
-    return status;
-}
-
-/* Cameras: one stands, one goes around, one comes near; two views of each. `time`: 0 to 1. */
-static plt_frame view_of(const float lo[3], const float hi[3], double time, unsigned camera,
-                         unsigned which) {
-    const double circles = (camera == 1 ? time : 0.0) + 0.13 + 0.41 * which;
-    const cos_sin c = cos_sin_of((uint64_t)(1000000.0 * circles), 1000000);
-    float eye[3], look[3], size = 0;
-    for (int a = 0; a < 3; a++) {
-        look[a] = 0.5f * (lo[a] + hi[a]);
-        size = hi[a] - lo[a] > size ? hi[a] - lo[a] : size;
-    }
-    const float near = camera == 2 ? 1.6f - 1.2f * (float)time : 1.0f;
-    const float far = (which ? 0.7f : 1.3f) * near;
-    eye[0] = look[0] + far * size * (float)c.cosine;
-    eye[1] = look[1] + 0.4f * far * size;
-    eye[2] = look[2] + far * size * (float)c.sine;
-    return frame_of(eye, look, SIDE, SIDE, PLT_SHADE_EYELIGHT);
-}
 
 static double work_of(plt_engine *e, const plt_frame *frame) {
     plt_stats before, after;
@@ -100,7 +53,7 @@ static void trace(table *t, cell *c, plt_engine *e, const float lo[3], const flo
     const double began = clock_processor_seconds();
     for (unsigned camera = 0; camera < CAMERAS; camera++) {
         for (unsigned view = 0; view < 2; view++) {
-            const plt_frame f = view_of(lo, hi, time, camera, view);
+            const plt_frame f = animation_view(lo, hi, time, camera, view, SIDE);
             c->work[camera] += work_of(e, &f);
         }
         t->traced += c->work[camera];
@@ -288,26 +241,18 @@ static void time_rebuild(table *t, const mesh *first, const mesh *last) {
     mover_close(&v);
 }
 
-static void run(const sequence *s) {
+static void run(const animation *s) {
     table *t = calloc(1, sizeof *t);
     mesh *meshes = calloc(s->frames, sizeof *meshes);
     float lo[3], hi[3];
     t->frames = s->frames;
     int status = 0;
     for (unsigned f = 0; f < s->frames && status == 0; f++) {
-        status = read_frame(&meshes[f], s, f);
+        status = animation_frame(&meshes[f], s, f);
     }
     if (status == 0) {
         t->triangles = (uint32_t)meshes[0].triangles;
-        for (int a = 0; a < 3; a++) { /* of the middle frame: the camera stands */
-            const mesh *m = &meshes[s->frames / 2];
-            lo[a] = INFINITY;
-            hi[a] = -INFINITY;
-            for (size_t i = 0; i < 3 * m->triangles; i++) {
-                lo[a] = fminf(lo[a], m->vertex[3 * (size_t)m->triangle[i] + (size_t)a]);
-                hi[a] = fmaxf(hi[a], m->vertex[3 * (size_t)m->triangle[i] + (size_t)a]);
-            }
-        }
+        animation_box(&meshes[s->frames / 2], lo, hi); /* the camera stands */
         for (unsigned r = 0; r < s->frames; r++) {
             fill_row(t, meshes, r, lo, hi);
         }
@@ -331,22 +276,14 @@ static void run(const sequence *s) {
     free(t);
 }
 
-static sequence read_argument(const char *text) {
-    sequence s = {.frames = 0, .every = 1};
-    const int n = sscanf(text, "%511[^:]:%u:%u", s.file, &s.frames, &s.every);
-    CHECK(n >= 2 && s.frames >= 2 && s.frames <= FRAMES_MOST && s.every > 0,
-          "%s: write FILE:FRAMES[:EVERY], 2 to %d frames", text, FRAMES_MOST);
-    return s;
-}
-
 int main(int argc, char **argv) {
     test("when to rebuild: costs of policies over the least");
     if (argc < 2 && !rig_is_tiny()) {
-        run(&(sequence){"marbles", 4, 40});
+        run(&(animation){"marbles", 4, 40});
     }
     for (int i = 1; i < argc; i++) {
-        const sequence s = read_argument(argv[i]);
-        if (s.frames >= 2 && s.frames <= FRAMES_MOST) {
+        animation s;
+        if (animation_argument(&s, argv[i], FRAMES_MOST) == 0) {
             run(&s);
         }
     }

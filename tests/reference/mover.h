@@ -33,6 +33,12 @@ static inline uint32_t mover_treelet(uint32_t nodes) {
     return rig_is_tiny() ? 1 : nodes;
 }
 
+static inline int mover_pack(mover *v, const mesh *m, const pack_options *o, fail *f) {
+    quality_stats stats;
+    return o->poses != NULL ? pack_mesh_better(&v->image, m, o, 0, &stats, "test", f)
+                            : pack_mesh(&v->image, m, o, "test", f);
+}
+
 /* plt_open with config->run, movable: its status. v->bytes says how large the arena is. */
 static inline int mover_open(mover *v, const mesh *m, const rig_config *config, int is_mapped) {
     fail f = {""};
@@ -40,7 +46,7 @@ static inline int mover_open(mover *v, const mesh *m, const rig_config *config, 
     o.movable = 1;
     const size_t bytes = v->bytes;
     memset(v, 0, sizeof *v);
-    CHECK(pack_mesh(&v->image, m, &config->pack, "test", &f) == 0, "%s", f.text);
+    CHECK(mover_pack(v, m, &config->pack, &f) == 0, "%s", f.text);
     v->link.image = v->image.bytes;
     v->link.bytes = v->image.size;
     const plt_source source = is_mapped ? rig_source(&v->image) : fake_source(&v->link);

@@ -1,0 +1,192 @@
+/* test_animation_trees [FILE:FRAMES[:EVERY]...] - one tree for all frames against others
+ *
+ * FILE is as in animation.h. Trees of the first frame, as fast and as well as pack builds them, and
+ * one for all frames (pack --tree-for all) are refitted to each frame, and stand beside trees that
+ * are built for it alone. Counted is what rays cost, the mean over all frames: those of two
+ * views, in packets, and rays from points of the triangles in all directions, one by one. Without
+ * a FILE it takes a few frames of marbles.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
+#include "engine/engine.h"
+#include "host_tools/base/clock.h"
+#include "host_tools/pack/poses.h"
+#include "tests/measure/animation.h"
+#include "tests/reference/mover.h"
+
+enum { FRAMES_MOST = 1000, SIDE = 128, RAYS = 2000 };
+
+typedef enum tree { FIRST, FIRST_HIGH, ALL, ANEW, ANEW_HIGH, TREES } tree;
+
+static const char *const names[TREES] = {"of the first frame", "... --quality high",
+                                         "--tree-for all", "of each frame", "... --quality high"};
+
+/* Per ray. */
+typedef struct cost {
+    double packet_visits, packet_tests, visits, tests;
+} cost;
+
+typedef struct film {
+    mesh *frame;
+    unsigned frames;
+    poses poses;
+    float lo[3], hi[3]; /* of the middle frame: the cameras stand */
+} film;
+
+/* ---- trees ------------------------------------------------------------------------ */
+
+static int is_high(tree t) {
+    return t == FIRST_HIGH || t == ALL || t == ANEW_HIGH;
+}
+
+static int open_tree(mover *v, const film *f, tree t, unsigned frame, double *seconds) {
+    rig_config c = rig_config_of(2, mover_treelet(64), PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    quality_stats stats;
+    fail why = {""};
+    memset(v, 0, sizeof *v);
+    c.pack.poses = t == ALL ? &f->poses : NULL;
+    c.run.movable = 1;
+    const double began = clock_processor_seconds();
+    const mesh *m = &f->frame[frame];
+    const int status = is_high(t) ? pack_mesh_better(&v->image, m, &c.pack, 0, &stats, "it", &why)
+                                  : pack_mesh(&v->image, m, &c.pack, "it", &why);
+    *seconds = clock_processor_seconds() - began;
+    CHECK(status == 0, "%s", why.text);
+    const plt_source source = rig_source(&v->image);
+    v->bytes = plt_arena_need(&v->image.info, 1, &c.run);
+    v->arena = aligned_alloc(PLT_ALIGN, v->bytes + MOVER_GUARD);
+    memset(v->arena, 0x5A, v->bytes + MOVER_GUARD);
+    return plt_open(&v->engine, v->arena, v->bytes, &source, &c.run, &v->fault);
+}
+
+/* ---- what rays cost --------------------------------------------------------------- */
+
+static plt_ray ray_from(const mesh *m, random_state *r) {
+    const uint32_t triangle = random_below(r, (uint32_t)m->triangles);
+    const float u = random_float(r, 0.0f, 0.5f), v = random_float(r, 0.0f, 0.5f);
+    float org[3], dir[3], length;
+    for (int a = 0; a < 3; a++) {
+        org[a] = (1.0f - u - v) * shape_corner(m, triangle, 0)[a] +
+                 u * shape_corner(m, triangle, 1)[a] + v * shape_corner(m, triangle, 2)[a];
+    }
+    do { /* all directions alike */
+        length = 0.0f;
+        for (int a = 0; a < 3; a++) {
+            dir[a] = random_float(r, -1.0f, 1.0f);
+            length += dir[a] * dir[a];
+        }
+    } while (length > 1.0f || length < 0.01f);
+    return ray_make(org, dir, 0.0f, RAYS_FAR);
+}
+
+static plt_stats stats_of(plt_engine *e) {
+    plt_stats s;
+    plt_stats_get(e, &s);
+    return s;
+}
+
+/* The same rays for every tree of a frame. */
+static uint64_t trace(plt_engine *e, const film *f, unsigned frame, cost *sum) {
+    const plt_stats before = stats_of(e);
+    uint64_t hash = 0;
+    for (unsigned view = 0; view < 2; view++) {
+        const plt_frame p = animation_view(f->lo, f->hi, 0.0, 0, view, SIDE);
+        hash ^= frame_hash(e, &p, 100000) + view;
+    }
+    const plt_stats between = stats_of(e);
+    random_state random = {frame + 1};
+    for (unsigned i = 0; i < RAYS; i++) {
+        const plt_ray ray = ray_from(&f->frame[frame], &random);
+        plt_hit hit;
+        CHECK(plt_trace(e, &ray, &hit, 1, 0) == PLT_OK, "not traced");
+        hash = 31 * hash + hit.triangle;
+    }
+    const plt_stats after = stats_of(e);
+    const double pixels = 2.0 * SIDE * SIDE, rays = RAYS;
+    sum->packet_visits += (double)(between.node_visits - before.node_visits) / pixels;
+    sum->packet_tests += (double)(between.triangle_tests - before.triangle_tests) / pixels;
+    sum->visits += (double)(after.node_visits - between.node_visits) / rays;
+    sum->tests += (double)(after.triangle_tests - between.triangle_tests) / rays;
+    return hash;
+}
+
+/* ---- films ------------------------------------------------------------------------ */
+
+/* `hash[frame]`: of its hits, by the first tree; all others have the same. */
+static void follow(const film *f, tree t, uint64_t *hash) {
+    const int is_anew = t == ANEW || t == ANEW_HIGH;
+    cost c = {0};
+    double seconds = 0.0;
+    mover v;
+    for (unsigned i = 0; i < f->frames; i++) {
+        if (i == 0 || is_anew) {
+            CHECK(open_tree(&v, f, t, i, &seconds) == PLT_OK, "%s", v.fault.message);
+        }
+        CHECK(is_anew || mover_move(&v, &f->frame[i]) == PLT_OK, "%s", v.fault.message);
+        const uint64_t hits = trace(v.engine, f, i, &c);
+        CHECK(t == FIRST || hits == hash[i], "frame %u: other hits", i);
+        hash[i] = hits;
+        if (is_anew || i + 1 == f->frames) {
+            mover_close(&v);
+        }
+    }
+    printf(
+        "    %-20s packets: %.3f visits, %.3f tests per ray; single rays: %.2f visits, "
+        "%.2f tests; built in %.2f s\n",
+        names[t], c.packet_visits / f->frames, c.packet_tests / f->frames, c.visits / f->frames,
+        c.tests / f->frames, seconds);
+}
+
+static int read_film(film *f, const animation *a) {
+    f->frames = a->frames;
+    f->frame = calloc(a->frames, sizeof *f->frame);
+    int status = 0;
+    for (unsigned i = 0; i < a->frames && status == 0; i++) {
+        status = animation_frame(&f->frame[i], a, i);
+    }
+    if (status == 0) {
+        const uint32_t wanted = poses_wanted(a->frames, f->frame[0].triangles);
+        poses_begin(&f->poses, &f->frame[0]);
+        for (uint32_t i = 0; i < wanted; i++) {
+            CHECK(poses_add(&f->poses, &f->frame[poses_frame(i, wanted, a->frames)]) == 0,
+                  "out of memory");
+        }
+        poses_weigh(&f->poses);
+        animation_box(&f->frame[a->frames / 2], f->lo, f->hi);
+    }
+    return status;
+}
+
+static void run(const animation *a) {
+    film f = {.frames = 0};
+    uint64_t *hash = calloc(a->frames, sizeof *hash);
+    if (read_film(&f, a) == 0) {
+        printf("  %s, %u frames, %zu triangles, a tree for %u of them\n", a->file, a->frames,
+               f.frame[0].triangles, (unsigned)f.poses.count + 1);
+        for (int t = 0; t < TREES; t++) {
+            follow(&f, (tree)t, hash);
+        }
+    }
+    for (unsigned i = 0; i < f.frames; i++) {
+        mesh_free(&f.frame[i]);
+    }
+    poses_free(&f.poses);
+    free(f.frame);
+    free(hash);
+}
+
+int main(int argc, char **argv) {
+    test("what rays cost with one tree for all frames");
+    if (argc < 2 && !rig_is_tiny()) {
+        run(&(animation){"marbles", 4, 40});
+    }
+    for (int i = 1; i < argc; i++) {
+        animation a;
+        if (animation_argument(&a, argv[i], FRAMES_MOST) == 0) {
+            run(&a);
+        }
+    }
+    CHECK(1, "counted");
+    return test_done();
+}
