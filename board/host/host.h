@@ -26,10 +26,13 @@ enum { HOST_TRANSFERS = 64 };
 
 /* A transfer begun and not yet waited for. */
 typedef struct host_transfer {
-    uint32_t tag_bit; /* 0: free */
+    uint32_t tag_bit;
     uint32_t offset, count;
     void *to;
 } host_transfer;
+
+/* What is closed with a scene: file and bytes; the file; nothing. */
+enum host_ownership { HOST_OWN, HOST_SHARED_BYTES, HOST_SHARED };
 
 /* An open scene. `source` points into it: it stays where it is until closed. */
 typedef struct host_scene {
@@ -37,6 +40,8 @@ typedef struct host_scene {
     char why[160];      /* after a failure: what is wrong and what to do, no file name */
     int file;           /* -1: none */
     const void *memory; /* of a scene in memory, not owned; else NULL */
+    enum host_ownership shared;
+    unsigned pending_count;
     host_transfer pending[HOST_TRANSFERS];
     uint64_t transfers, bytes_moved; /* of a fetched file */
 } host_scene;
@@ -54,8 +59,8 @@ int host_scene_fetch(host_scene *scene, const char *path);
  * are the caller's, until the scene is closed. */
 void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int fetched);
 
-/* What `of` has open, for another thread: with transfers of its own, without a lock. Never closed,
- * as it is `of`'s, which stays open longer. */
+/* What `of` has open, for another thread: with transfers of its own, without a lock. Closed before
+ * `of` is. */
 void host_scene_share(host_scene *scene, const host_scene *of);
 
 /* After an open, failed or not; more than once does no harm. */

@@ -67,14 +67,12 @@ int host_scene_map(host_scene *scene, const char *path) {
 
 static int scene_start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
     host_scene *scene = context;
-    for (int i = 0; i < HOST_TRANSFERS; i++) {
-        host_transfer *t = &scene->pending[i];
-        if (t->tag_bit == 0) {
-            *t = (host_transfer){UINT32_C(1) << (tag & 31), offset, count, to};
-            return 0;
-        }
+    if (scene->pending_count == HOST_TRANSFERS) {
+        return -1;
     }
-    return -1;
+    scene->pending[scene->pending_count++] =
+        (host_transfer){UINT32_C(1) << (tag & 31), offset, count, to};
+    return 0;
 }
 
 static int move_in_memory(const host_scene *scene, const host_transfer *t) {
@@ -109,11 +107,14 @@ static int move(host_scene *scene, const host_transfer *t) {
 
 static int scene_wait(void *context, uint32_t tags) {
     host_scene *scene = context;
+    const unsigned count = scene->pending_count;
     int status = 0;
-    for (int i = 0; i < HOST_TRANSFERS; i++) {
+    scene->pending_count = 0;
+    for (unsigned i = 0; i < count; i++) {
         if (scene->pending[i].tag_bit & tags) {
             status |= move(scene, &scene->pending[i]);
-            scene->pending[i].tag_bit = 0;
+        } else {
+            scene->pending[scene->pending_count++] = scene->pending[i];
         }
     }
     return status;
@@ -145,9 +146,19 @@ void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int f
     }
 }
 
+/* The same file, whatever its name is now, but with an entry of its own in the kernel's table:
+ * threads that read through one entry wait for each other. -1: there is no such file system. */
+static int open_again(int file) {
+    char name[32];
+    snprintf(name, sizeof name, "/proc/self/fd/%d", file);
+    return open(name, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
+
 void host_scene_share(host_scene *scene, const host_scene *of) {
     memset(scene, 0, sizeof *scene);
-    scene->file = of->file;
+    const int own = of->file >= 0 ? open_again(of->file) : -1;
+    scene->file = own >= 0 ? own : of->file;
+    scene->shared = own >= 0 ? HOST_SHARED_BYTES : HOST_SHARED;
     scene->memory = of->memory;
     scene->source.bytes = of->source.bytes;
     if (of->source.mapped) {
@@ -158,12 +169,12 @@ void host_scene_share(host_scene *scene, const host_scene *of) {
 }
 
 void host_scene_close(host_scene *scene) {
-    if (scene->source.mapped && !scene->memory) {
+    if (scene->source.mapped && !scene->memory && scene->shared == HOST_OWN) {
         munmap((void *)(uintptr_t)scene->source.mapped, scene->source.bytes);
     }
     scene->source.mapped = scene->memory = NULL;
-    if (scene->file >= 0) {
+    if (scene->file >= 0 && scene->shared != HOST_SHARED) {
         close(scene->file);
-        scene->file = -1;
     }
+    scene->file = -1;
 }

@@ -138,6 +138,13 @@ int crew_open(crew *c, unsigned count, plt_engine *engine, const host_scene *fil
     return c->worker[c->first].status;
 }
 
+void crew_close(crew *c) {
+    for (unsigned i = 1; i < c->count; i++) {
+        host_scene_close(&c->worker[i].file);
+    }
+    c->count = 0;
+}
+
 /* ---- work ---------------------------------------------------------------------------- */
 
 static uint64_t visits_of(const crew_worker *w) {

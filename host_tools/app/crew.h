@@ -47,9 +47,12 @@ typedef struct crew {
 
 /* `count` workers (1 .. CREW_MOST), the first with `engine`, which is open on `file`; the others
  * open theirs likewise, all at once, in the arenas of host_arenas behind the first. A status of
- * plt_open; c->first and its fault say whose. What is open stays so; there is nothing to close. */
+ * plt_open; c->first and its fault say whose. Closed in any case. */
 int crew_open(crew *c, unsigned count, plt_engine *engine, const host_scene *file,
               const plt_options *options, unsigned char *arenas, size_t arena_bytes);
+
+/* After an opening, failed or not; engines are not used any more. */
+void crew_close(crew *c);
 
 /* Items of work of one kind, numbered from 0: tiles, rays. */
 typedef struct crew_work {

@@ -374,6 +374,7 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
         *fault = (plt_fault){.need_bytes = need_of(s, &info), .message = "there is no arena"};
         return PLT_ERR_ARENA;
     }
+    crew_close(&s->crew);
     phase_begin("opening", scene_name(path));
     const int opened = open_engines(s, arena, fault);
     phase_end();
@@ -405,6 +406,7 @@ void scene_close(scene *s) {
     if (s->engine != NULL && s->board.config.outstanding > 0) {
         note_board(&s->board);
     }
+    crew_close(&s->crew);
     host_scene_close(&s->file);
     input_free(&s->stream);
 }
