@@ -1,14 +1,12 @@
 /* crew - see crew.h
  *
- * Threads begin and end with each shift: a frame, or a file of rays. Everything that one thread
- * leaves to another passes through the start or the end of a thread, so the counters need no
- * order of memory.
+ * Threads work for a shift, a frame or a file of rays, and wait for the next. Everything that one
+ * thread leaves to another passes through the start or the end of a shift, so the counters need
+ * no order of memory.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/app/crew.h"
 
-#include <pthread.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,63 +15,20 @@
 
 /* ---- threads --------------------------------------------------------------------- */
 
-/* Signals are for the thread that called: their handlers change what is its own. But for those that
- * a thread provokes itself. */
-static void block_signals(sigset_t *before) {
-    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-    sigset_t set;
-    sigfillset(&set);
-    for (unsigned i = 0; i < sizeof own / sizeof own[0]; i++) {
-        sigdelset(&set, own[i]);
-    }
-    pthread_sigmask(SIG_BLOCK, &set, before);
-}
-
-typedef struct errand {
+typedef struct shift_of_all {
+    crew *c;
     void (*routine)(void *context, crew_worker *w);
     void *context;
-    crew_worker *worker;
-} errand;
+} shift_of_all;
 
-static void *go(void *e) {
-    const errand *mine = e;
-    mine->routine(mine->context, mine->worker);
-    return NULL;
-}
-
-static void start_threads(unsigned count, errand *errands, pthread_t *thread, int *started) {
-    pthread_attr_t small;
-    sigset_t before;
-    if (pthread_attr_init(&small) != 0) {
-        return;
-    }
-    (void)pthread_attr_setstacksize(&small, CREW_STACK_BYTES); /* else the usual ones */
-    block_signals(&before);
-    for (unsigned i = 1; i < count; i++) {
-        started[i] = pthread_create(&thread[i], &small, go, &errands[i]) == 0;
-    }
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    pthread_attr_destroy(&small);
+static void go(void *shift, unsigned i) {
+    const shift_of_all *s = shift;
+    s->routine(s->context, &s->c->worker[i]);
 }
 
 void crew_on_threads(crew *c, void (*routine)(void *context, crew_worker *w), void *context) {
-    pthread_t thread[CREW_MOST];
-    errand errands[CREW_MOST];
-    int started[CREW_MOST] = {0};
-    for (unsigned i = 0; i < c->count; i++) {
-        errands[i] = (errand){routine, context, &c->worker[i]};
-    }
-    if (c->count > 1) {
-        start_threads(c->count, errands, thread, started);
-    }
-    go(&errands[0]);
-    for (unsigned i = 1; i < c->count; i++) {
-        if (started[i]) {
-            pthread_join(thread[i], NULL);
-        } else {
-            go(&errands[i]);
-        }
-    }
+    shift_of_all shift = {c, routine, context};
+    errands_run(c->threads, c->count, go, &shift);
 }
 
 /* ---- opening ----------------------------------------------------------------------- */
@@ -127,6 +82,7 @@ int crew_open(crew *c, unsigned count, plt_engine *engine, const host_scene *fil
     crew_shift shift = {.c = c, .open = {arenas, arena_bytes, options}};
     memset(c->worker, 0, sizeof c->worker);
     c->count = count;
+    c->threads = count > 1 ? errands_start(count) : NULL;
     c->worker[0].engine = engine;
     for (unsigned i = 1; i < count; i++) {
         host_scene_share(&c->worker[i].file, file);
@@ -139,6 +95,8 @@ int crew_open(crew *c, unsigned count, plt_engine *engine, const host_scene *fil
 }
 
 void crew_close(crew *c) {
+    errands_end(c->threads);
+    c->threads = NULL;
     for (unsigned i = 1; i < c->count; i++) {
         host_scene_close(&c->worker[i].file);
     }

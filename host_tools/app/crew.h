@@ -13,6 +13,7 @@
 
 #include "board/host/host.h"
 #include "engine/planelet.h"
+#include "host_tools/app/errands.h"
 #include "host_tools/app/shares.h"
 #include "host_tools/base/progress.h"
 
@@ -22,7 +23,7 @@ enum { CREW_MOST = SHARES_MOST };
 enum { CREW_MODELS = 4 };
 
 /* Of each thread: the engine's, some KB, and whatever the system puts there. */
-enum { CREW_STACK_BYTES = 1 << 20 };
+enum { CREW_STACK_BYTES = ERRANDS_STACK_BYTES };
 
 struct crew_shift;
 
@@ -43,6 +44,7 @@ typedef struct crew {
                    * if all were equally fast; every time the same statistics */
     unsigned first; /* after a failure: the worker whose failure comes first in the work */
     crew_worker worker[CREW_MOST]; /* the first works on the thread that calls */
+    errands *threads;              /* of all but the first; NULL: there are none */
 } crew;
 
 /* `count` workers (1 .. CREW_MOST), the first with `engine`, which is open on `file`; the others
@@ -51,7 +53,8 @@ typedef struct crew {
 int crew_open(crew *c, unsigned count, plt_engine *engine, const host_scene *file,
               const plt_options *options, unsigned char *arenas, size_t arena_bytes);
 
-/* After an opening, failed or not; engines are not used any more. */
+/* After an opening, failed or not, and of a crew that is all 0: ends its threads. Engines are not
+ * used any more. */
 void crew_close(crew *c);
 
 /* Items of work of one kind, numbered from 0: tiles, rays. */

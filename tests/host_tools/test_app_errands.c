@@ -1,0 +1,74 @@
+/* test_app_errands - each errand is run once, in each of many runs, whatever threads there are
+ *
+ * SPDX-License-Identifier: MIT */
+#include <pthread.h>
+#include <time.h>
+
+#include "host_tools/app/errands.h"
+#include "tests/test.h"
+
+enum { MOST = 64 };
+
+typedef struct tally {
+    unsigned times[MOST];
+    pthread_t thread[MOST];
+    int sleeps;
+} tally;
+
+static void count_one(void *context, unsigned i) {
+    tally *t = context;
+    const struct timespec pause = {0, 2000000};
+    if (t->sleeps && i % 2 == 1) {
+        nanosleep(&pause, NULL); /* longer than anyone looks */
+    }
+    t->times[i]++;
+    t->thread[i] = pthread_self();
+}
+
+/* All below `count` were called `times` times, the others never. */
+static void expect(const tally *t, unsigned count, unsigned times) {
+    unsigned wrong = 0;
+    for (unsigned i = 0; i < MOST; i++) {
+        wrong += t->times[i] != (i < count ? times : 0);
+    }
+    CHECK(wrong == 0, "%u of %d errands of %u, %u times each", wrong, MOST, count, times);
+}
+
+static void many_runs(unsigned threads, unsigned count, unsigned runs, int sleeps) {
+    tally t = {.sleeps = sleeps};
+    errands *e = errands_start(threads);
+    CHECK(e != NULL, "no memory");
+    for (unsigned i = 0; i < runs; i++) {
+        errands_run(e, count, count_one, &t);
+    }
+    expect(&t, count, runs);
+    CHECK(pthread_equal(t.thread[0], pthread_self()), "the first is the caller's");
+    for (unsigned i = 1; i < count && i < threads; i++) {
+        CHECK(!pthread_equal(t.thread[i], pthread_self()), "%u of %u has no thread", i, threads);
+    }
+    errands_end(e);
+}
+
+int main(void) {
+    tally none = {0};
+    test("each errand is run once in each run, by a thread of its own");
+    many_runs(1, 1, 100, 0);
+    many_runs(2, 2, 3000, 0);
+    many_runs(8, 8, 300, 0);
+    many_runs(MOST, MOST, 20, 0);
+    test("... when those who wait have gone to sleep");
+    many_runs(2, 2, 20, 1);
+    many_runs(5, 5, 20, 1);
+    test("... when there are fewer of them than threads, or more");
+    many_runs(8, 3, 100, 0);
+    many_runs(2, 7, 100, 0);
+    test("without threads the caller does all, and those that had nothing to do end");
+    errands_end(errands_start(4));
+    errands_end(NULL);
+    errands_run(NULL, 5, count_one, &none);
+    expect(&none, 5, 1);
+    for (unsigned i = 0; i < 5; i++) {
+        CHECK(pthread_equal(none.thread[i], pthread_self()), "%u was another's", i);
+    }
+    return test_done();
+}
