@@ -32,8 +32,8 @@ static void choose_format(destination *d, args *a, unsigned frames, int is_strea
         d->format = frames > 1 ? PICTURE_Y4M : PICTURE_PPM;
     } else if (picture_format_of(d->out, &d->format, &f) != 0) {
         args_complain(a, "%s", f.text);
-    } else if (frames > 1 && !is_stream && !picture_is_film(d->format) &&
-               frame_range_is_pattern(d->out)) {
+    } else if (!is_stream && (frames > 1 || args_has(a, "--frames")) &&
+               !picture_is_film(d->format) && frame_range_is_pattern(d->out)) {
         d->is_numbered = 1;
     } else if (frames > 1 && !picture_is_film(d->format) &&
                !(is_stream && d->format == PICTURE_PPM)) {

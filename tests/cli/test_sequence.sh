@@ -62,6 +62,10 @@ for frame in 3 4 5; do
 done
 verdict "... and no others" "$(ls picture_* | grep -v '_00[345].ppm$')"
 # shellcheck disable=SC2086
+works "of one frame, too, as jobs render that share the work" \
+    render list.plt -o 'single_{}.ppm' --frames 4:5 $view
+same single_004.ppm picture_004.ppm "... the same, with its number"
+# shellcheck disable=SC2086
 works "without --frames" render list.plt -o first.ppm $view
 # shellcheck disable=SC2086
 works "... and without the frames" render plain.plt -o plain.ppm $view
