@@ -123,6 +123,19 @@ verdict "... nothing is simulated" "$(grep simulated one.json)"
 
 # ---- tasks ---------------------------------------------------------------------------------
 
+# counted NAME: tasks, edges and what passes in messages, of NAME.json. A packet goes out as it is
+# at first, with its edges when it comes for more, which are no fewer than the tasks then.
+counted() {
+    tasks=$(number tasks <"$1.json") edges=$(number task_edges <"$1.json")
+    packets=$(number packets <"$1.json")
+    [ "$(number task_messages <"$1.json")" -eq $((2 * tasks)) ] || echo "messages"
+    [ "$tasks" -ge "$packets" ] && [ "$tasks" -le $((packets + edges)) ] ||
+        echo "$tasks tasks, $packets packets, $edges edges"
+    [ "$(number task_bytes_out <"$1.json")" -ge $((32 * (tasks - packets))) ] &&
+        [ "$(number task_bytes_back <"$1.json")" -gt $((3 * 203 * 151 + 32 * edges)) ] ||
+        cat "$1.json"
+}
+
 for workers in 1 2 4 8; do
     # shellcheck disable=SC2086
     works "$workers workers by tasks, in turns" render compact.plt -o x.ppm --size 203x151 \
@@ -132,16 +145,20 @@ for workers in 1 2 4 8; do
         list simulated_speedup tasks.json | awk -v n=$workers \
             '$1 > n + 0.001 || $1 < 0.9 * n { print $1 }'
         [ "$(list simulated_workers tasks.json)" = $workers ] || echo "of other workers"
-        tasks=$(number tasks <tasks.json) edges=$(number task_edges <tasks.json)
-        packets=$(number packets <tasks.json)
-        [ "$(number task_messages <tasks.json)" -eq $((2 * tasks)) ] || echo "messages"
-        [ "$tasks" -ge "$packets" ] && [ "$tasks" -le $((packets + edges)) ] ||
-            echo "$tasks tasks, $packets packets, $edges edges"
-        [ "$(number task_bytes_out <tasks.json)" -gt $((32 * (tasks - packets))) ] &&
-            [ "$(number task_bytes_back <tasks.json)" -gt $((3 * 203 * 151 + 32 * edges)) ] ||
-            cat tasks.json)"
+        counted tasks)"
     grep -v 'seconds\|mrays_per_s' tasks.json >still.$workers
 done
+run pack t.ply -o many.plt --treelet 2
+run render many.plt -o many.ppm --size 203x151
+# shellcheck disable=SC2086
+works "packets with more edges than a worker keeps" render many.plt -o x.ppm --size 203x151 \
+    $streamed --packet 16 --schedule task --workers 2 --turns --json many.json
+same many.ppm x.ppm "... the same picture"
+verdict "... edges go back and out again, and are counted" "$(
+    counted many
+    [ "$edges" -gt 100 ] && [ "$tasks" -gt "$packets" ] &&
+        [ "$tasks" -lt $((packets + edges / 4)) ] ||
+        echo "$tasks tasks, $packets packets, $edges edges")"
 # shellcheck disable=SC2086
 works "in turns again" render compact.plt -o x.ppm --size 203x151 $streamed --packet 4 \
     --schedule task --workers 8 --turns --json tasks.json
