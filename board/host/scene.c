@@ -156,7 +156,7 @@ static int open_again(int file) {
 
 void host_scene_share(host_scene *scene, const host_scene *of) {
     memset(scene, 0, sizeof *scene);
-    const int own = of->file >= 0 ? open_again(of->file) : -1;
+    const int own = of->file >= 0 && !of->source.mapped ? open_again(of->file) : -1;
     scene->file = own >= 0 ? own : of->file;
     scene->shared = own >= 0 ? HOST_SHARED_BYTES : HOST_SHARED;
     scene->memory = of->memory;

@@ -197,7 +197,9 @@ int firmware(const char *parameters) {
         return report_fault(&fault, status, p.orders.arena_bytes);
     }
     const plt_info *info = plt_engine_info(p.engine);
-    p.orders.end = p.orders.end > 0 ? p.orders.end : info->frames;
+    if (p.orders.end == 0) { /* of an image without frames the first is asked for, and refused */
+        p.orders.end = info->frames > 0 ? info->frames : 1;
+    }
     job_set_camera(&p.orders.picture, info);
     p.spare.used = plt_arena_used(p.engine);
     p.spare.bytes = p.orders.arena_bytes;

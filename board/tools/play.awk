@@ -52,6 +52,7 @@ function longest(name, text, bound) {
 }
 
 BEGIN {
+    most += 0
     names = split("read records refit grid rebuild render show open", region, " ")
 }
 
@@ -72,16 +73,16 @@ $1 == "chapter" {
     chapters++
 }
 
-$1 == "scene" { triangles = value("triangles") }
+$1 == "scene" { triangles = value("triangles") + 0 }
 $1 == "bounds" {
     blocks = value("blocks")
     visits = value("visits")
     rebuilt = value("triangles")
 }
 $1 == "arena" && frames == 0 {
-    used = value("used")
-    peak = value("peak")
-    arena = value("bytes")
+    used = value("used") + 0
+    peak = value("peak") + 0
+    arena = value("bytes") + 0
 }
 
 $1 == "played" {
@@ -91,12 +92,13 @@ $1 == "played" {
         different++
         wrong("frame " frame[frames] " is " shown ", the host's " expected[frames])
     }
-    if (value("used") != used || value("peak") != peak || value("touched") > peak) {
+    end = value("touched") + 0
+    if (value("used") + 0 != used || value("peak") + 0 != peak || end < used || end > peak) {
         moved++
         wrong("frame " frame[frames] ": the arena has used=" value("used") " peak=" \
             value("peak") " touched=" value("touched") ", opened with used=" used " peak=" peak)
     }
-    touched = value("touched") > touched ? value("touched") : touched
+    touched = end > touched ? end : touched
     rays[frames] = value("rays") + 0
     node_visits[frames] = value("visits")
     rebuilds = value("rebuilds")

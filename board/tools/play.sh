@@ -16,6 +16,9 @@ say() {
 [ -n "$scene" ] || say "which scene? make BOARD=$board play SCENE=x.plt [FRAMES=0:500]" 2
 planelet=${BUILD:-build}/host/planelet
 out=${FIRMWARE:?the folder of the firmware}
+case ${MOST:-0} in
+*[!0-9]*) say "MOST=$MOST is no number of instructions; use digits alone" 2 ;;
+esac
 count=$("$planelet" info "$scene" --json | sed -n 's/^  "frames": \([0-9]*\),*$/\1/p')
 [ "${count:-0}" -gt 0 ] || say "$scene has no frames; planelet pack --sequence makes them" 1
 frames=${FRAMES:-0:$count}

@@ -202,8 +202,8 @@ static int is_new(const plt_dispatch *d, uint32_t index) {
     return d->slot[slot_at(d, index)].state == PLT_PACKET_NEW;
 }
 
-/* So many go to a worker one after the other, which lie beside each other in the picture, that
- * each worker has a run. */
+/* Packets go to a worker one after the other that lie beside each other in the picture: all in the
+ * ring, over the workers that were seen at once. */
 static void reserve_run(plt_dispatch *d, plt_worker *w) {
     const uint32_t left = d->number + d->count - d->reserved;
     const uint32_t most = d->most / d->out_most + 1;
@@ -212,10 +212,12 @@ static void reserve_run(plt_dispatch *d, plt_worker *w) {
     d->reserved = w->end;
 }
 
-/* Of the worker's run, the next that nobody has taken. 0: there is none. Numbers wrap. */
+/* Of the worker's run, the next that nobody has taken. 0: there is none. Numbers wrap. The run may
+ * be of what was dropped, or of another dispatcher: it counts as far as packets are reserved here.
+ */
 static int skip_begun(const plt_dispatch *d, plt_worker *w) {
     const uint32_t left = w->end - d->number;
-    if (w->round != d->round || left > d->count) {
+    if (left > d->reserved - d->number) {
         w->run = w->end;
     } else if (w->end - w->run > left) {
         w->run = d->number;

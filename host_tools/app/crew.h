@@ -2,7 +2,7 @@
  *
  * As the SPEs of the thesis, section 4.3 (schedule `branch`): each takes work (shares.h) and traces
  * all of it alone. They share the image and nothing else; what they write does not overlap. There
- * is no lock.
+ * is no lock while they work.
  *
  * Keeps: what is made does not depend on how many workers there are, nor on who took which run.
  *

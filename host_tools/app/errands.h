@@ -18,8 +18,8 @@ errands *errands_start(unsigned count);
 
 /* Calls `routine` for 0 .. count - 1, each on a thread of its own but the first, which is the
  * caller's; those for which the system has no thread the caller does, when it is done with the
- * first: all, if `e` is NULL. All that was written before is seen by all, and what they write by
- * the caller. */
+ * first: all, if `e` is NULL. One run at a time: no routine begins another. All that was written
+ * before is seen by all, and what they write by the caller. */
 void errands_run(errands *e, unsigned count, void (*routine)(void *context, unsigned i),
                  void *context);
 

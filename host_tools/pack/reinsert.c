@@ -4,7 +4,8 @@
 #include "host_tools/pack/reinsert.h"
 
 /* A gain is a difference of areas, which have 53 bits: less than this share of the root's area
- * may be rounding. */
+ * may be rounding. (Of poses areas have 24; moves that gain nothing but rounding do no harm, as
+ * passes end when they gain less than 0.1 % together, see quality.c.) */
 #define GAIN_LEAST 1e-12
 
 typedef struct candidate {

@@ -197,15 +197,26 @@ static void test_share(void) {
     CHECK(to[0] == 0 && to[1] == 20 * 7, "%u %u", to[0], to[1]);
     CHECK(s->wait(s->context, 1u << 3) == 0 && to[0] == 10 * 7, "the other's");
     CHECK(scene.transfers == 1 && mine.transfers == 1, "counts");
+    const int file = mine.file;
+    host_scene_close(&mine);
+    CHECK(file != scene.file && fcntl(file, F_GETFD) < 0, "its file is left open");
+    CHECK(s->start(s->context, 3, 30, &to[0], 1) == 0 && s->wait(s->context, 1u << 3) == 0 &&
+              to[0] == 30 * 7,
+          "the other goes on");
     host_scene_close(&scene);
     CHECK(host_scene_map(&scene, make_file("scene", 4999)) == 0, "%s", scene.why);
     host_scene_share(&mine, &scene);
     CHECK(mine.source.mapped == scene.source.mapped && mine.source.bytes == 4999, "mapped");
+    host_scene_close(&mine);
+    CHECK(((const unsigned char *)scene.source.mapped)[100] == (unsigned char)(100 * 7),
+          "the other's bytes are still there");
     host_scene_close(&scene);
     host_scene_hold(&scene, "planelet", 8, 1);
     host_scene_share(&mine, &scene);
     CHECK(m->start(m->context, 0, 2, to, 2) == 0 && m->wait(m->context, 1) == 0, "in memory");
     CHECK(to[0] == 'a' && to[1] == 'n', "%c%c", to[0], to[1]);
+    host_scene_close(&mine);
+    host_scene_close(&scene);
 }
 
 int main(void) {

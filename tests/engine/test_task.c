@@ -376,6 +376,56 @@ static void keeps_edges(const subject *s) {
     close_team(&t);
 }
 
+typedef struct hopping {
+    run dispatcher[2], worker[2];
+    plt_hit hits[2][RAYS];
+    int at[2], ended[2];
+    random_state random;
+} hopping;
+
+/* A worker, or a dispatcher as its own, does something. Without a task a worker may go. */
+static void hop(hopping *h, unsigned i) {
+    plt_engine *w = i < 2 ? h->dispatcher[i].engine : h->worker[i - 2].engine;
+    if (i >= 2 && !w->worker.has) {
+        h->at[i - 2] = (int)random_below(&h->random, 2);
+    }
+    const unsigned at = i < 2 ? i : (unsigned)h->at[i - 2];
+    plt_engine *d = h->dispatcher[at].engine;
+    if (w->worker.has && plt_task_run(d, w, 1 + random_below(&h->random, 40)) == PLT_MORE) {
+        return;
+    }
+    h->ended[at] |= plt_task_next(d, w) == PLT_OK && d->dispatch.out == 0;
+}
+
+/* Workers go from one dispatcher to another, which may number their packets alike. */
+static void two_dispatchers(const subject *s, unsigned rounds) {
+    static hopping h;
+    unsigned wrong = 0;
+    for (unsigned round = 0; round < rounds; round++) {
+        const plt_options d = options_for(0, 2, (uint16_t)(1 + round % 5));
+        const plt_options w = options_for(1, 2, 0);
+        memset(&h, 0, sizeof h);
+        h.random.at = round;
+        for (int i = 0; i < 2; i++) {
+            memset(h.hits[i], 0x77, sizeof h.hits[i]);
+            CHECK(open_run(&h.dispatcher[i], &s->image, &d) == PLT_OK &&
+                      open_run(&h.worker[i], &s->image, &w) == PLT_OK &&
+                      plt_trace_begin(h.dispatcher[i].engine, s->rays, h.hits[i], RAYS, 0) ==
+                          PLT_OK,
+                  "%u: opened", round);
+        }
+        while (!(h.ended[0] && h.ended[1])) {
+            hop(&h, random_below(&h.random, 4));
+        }
+        for (int i = 0; i < 2; i++) {
+            wrong += memcmp(h.hits[i], s->due[0], sizeof h.hits[i]) != 0;
+            close_run(&h.dispatcher[i]);
+            close_run(&h.worker[i]);
+        }
+    }
+    CHECK(wrong == 0, "%u of %u arrays of hits differ", wrong, 2 * rounds);
+}
+
 /* A worker whose task was dropped, before it had begun or in the middle, takes on a packet that
  * another has begun: nothing of its own is in the way. */
 static void left_over(const subject *s) {
@@ -521,6 +571,8 @@ static void everything(subject *s, const char *sentence) {
     test("what is under way is dropped for something else");
     dropped(s);
     left_over(s);
+    test("workers go from one dispatcher to another, and back");
+    two_dispatchers(s, 200);
     test("edges go back when a worker has too many of them, and come many at once");
     keeps_edges(s);
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <pthread.h>
+#include <signal.h>
 #include <time.h>
 
 #include "host_tools/app/errands.h"
@@ -12,6 +13,7 @@ enum { MOST = 64 };
 typedef struct tally {
     unsigned times[MOST];
     pthread_t thread[MOST];
+    int is_deaf[MOST]; /* to signals of others, not to its own */
     int sleeps;
 } tally;
 
@@ -23,6 +25,9 @@ static void count_one(void *context, unsigned i) {
     }
     t->times[i]++;
     t->thread[i] = pthread_self();
+    sigset_t now;
+    pthread_sigmask(SIG_BLOCK, NULL, &now);
+    t->is_deaf[i] = sigismember(&now, SIGINT) && !sigismember(&now, SIGSEGV);
 }
 
 /* All below `count` were called `times` times, the others never. */
@@ -44,7 +49,10 @@ static void many_runs(unsigned threads, unsigned count, unsigned runs, int sleep
     expect(&t, count, runs);
     CHECK(pthread_equal(t.thread[0], pthread_self()), "the first is the caller's");
     for (unsigned i = 1; i < count && i < threads; i++) {
-        CHECK(!pthread_equal(t.thread[i], pthread_self()), "%u of %u has no thread", i, threads);
+        for (unsigned k = 0; k < i; k++) {
+            CHECK(!pthread_equal(t.thread[i], t.thread[k]), "%u and %u have one thread", i, k);
+        }
+        CHECK(t.is_deaf[i], "%u of %u takes the caller's signals", i, threads);
     }
     errands_end(e);
 }

@@ -167,6 +167,10 @@ judged "nor a higher mark" '^error: frame 0: the arena has used=.* peak=1' playe
     '/frame=0 /s/peak=/peak=1/' 1
 judged "nor a spare byte that changed" '^error: frame 1: .* touched=2' played.txt \
     '/frame=1 /s/touched=./touched=2/' 1
+judged "nor one far above" '^error: frame 1: .* touched=1' played.txt \
+    '/frame=1 /s/touched=/touched=1/' 1
+judged "nor a mark that is missing" '^error: frame 1: .* touched=0' played.txt \
+    '/frame=1 /s/touched=[0-9]*//' 1
 judged "nor a frame that was not counted" '^error: 3 frames were played, 2 counted' marks.txt '2d' 1
 judged "nor one that was not played" '^error: 2 frames were played, 3 counted' played.txt \
     '/frame=1 /d' 1
