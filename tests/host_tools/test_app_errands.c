@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include <pthread.h>
 #include <signal.h>
+#include <stdlib.h>
+#include <sys/resource.h>
 #include <time.h>
 
 #include "host_tools/app/errands.h"
@@ -57,8 +59,36 @@ static void many_runs(unsigned threads, unsigned count, unsigned runs, int sleep
     errands_end(e);
 }
 
+/* Threads that cannot be started, as there is no address space for their stacks. */
+static void without_room(void) {
+    enum { COUNT = 16 };
+    tally t = {0};
+    struct rlimit before, none;
+    void *volatile memory = malloc(4096); /* the heap begins, and has room */
+    free(memory);
+    CHECK(getrlimit(RLIMIT_AS, &before) == 0, "no limits");
+    none = before;
+    none.rlim_cur = 1 << 20;
+    CHECK(setrlimit(RLIMIT_AS, &none) == 0, "no other limit");
+    errands *e = errands_start(COUNT);
+    CHECK(setrlimit(RLIMIT_AS, &before) == 0, "the limit stays");
+    CHECK(e != NULL, "no memory");
+    for (unsigned i = 0; i < 50; i++) {
+        errands_run(e, COUNT, count_one, &t);
+    }
+    expect(&t, COUNT, 50);
+    CHECK(pthread_equal(t.thread[COUNT - 1], pthread_self()), "there was room for all threads");
+    errands_end(e);
+}
+
 int main(void) {
     tally none = {0};
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    printf("    sanitizers end a program without room: that is not tested\n");
+#else
+    test("what has no thread is done by the caller"); /* first: stacks of threads are kept */
+    without_room();
+#endif
     test("each errand is run once in each run, by a thread of its own");
     many_runs(1, 1, 100, 0);
     many_runs(2, 2, 3000, 0);
