@@ -281,6 +281,30 @@ static void test_gain(void) {
     film_free(&f);
 }
 
+/* All triangles have one centre at first: only the other frames say which belong together. */
+static void test_one_place(void) {
+    film f = {.frames = 0};
+    test("triangles that come from one place");
+    shape_soup(&f.frame[0], rig_triangles(3000, 1), 0.05f, 9);
+    for (uint32_t i = 0; i < f.frame[0].triangles; i++) {
+        float *corner = f.frame[0].vertex + 9 * (size_t)i;
+        for (int a = 0; a < 3; a++) {
+            corner[a] = -0.05f;
+            corner[3 + a] = 0.05f;
+            corner[6 + a] = a == 0 ? 0.05f : -0.05f;
+        }
+    }
+    for (uint32_t i = 1; i < 6; i++) {
+        f.frame[i] = copy_of(&f.frame[0]);
+        scatter(&f.frame[i], 4);
+    }
+    f.frames = 6;
+    choose_poses(&f);
+    const double share = check_film(&f, 2, 64, "from one place");
+    CHECK(share < (rig_is_tiny() ? 0.9 : 0.22), "%.3f of the cost remains", share);
+    film_free(&f);
+}
+
 static void test_city(void) {
     film f = {.frames = FRAMES_MOST};
     fail why = {""};
@@ -352,6 +376,7 @@ int main(void) {
     test_ways();
     test_odd_ones();
     test_gain();
+    test_one_place();
     test_city();
     test_choice();
     test_memory();
