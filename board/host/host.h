@@ -31,16 +31,13 @@ typedef struct host_transfer {
     void *to;
 } host_transfer;
 
-/* What is closed with a scene: file and bytes; the file; nothing. */
-enum host_ownership { HOST_OWN, HOST_SHARED_BYTES, HOST_SHARED };
-
 /* An open scene. `source` points into it: it stays where it is until closed. */
 typedef struct host_scene {
     plt_source source;
     char why[160];      /* after a failure: what is wrong and what to do, no file name */
     int file;           /* -1: none */
     const void *memory; /* of a scene in memory, not owned; else NULL */
-    enum host_ownership shared;
+    void *map; /* that is unmapped with the scene; NULL: there is none, or it is another's */
     unsigned pending_count;
     host_transfer pending[HOST_TRANSFERS];
     uint64_t transfers, bytes_moved; /* of a fetched file */
@@ -59,8 +56,8 @@ int host_scene_fetch(host_scene *scene, const char *path);
  * are the caller's, until the scene is closed. */
 void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int fetched);
 
-/* What `of` has open, for another thread: with transfers of its own, without a lock. Closed before
- * `of` is. */
+/* What `of` has open, for another thread: with transfers and a file of its own, without a lock.
+ * Closed before `of` is, whose bytes it may use. */
 void host_scene_share(host_scene *scene, const host_scene *of);
 
 /* After an open, failed or not; more than once does no harm. */

@@ -61,7 +61,7 @@ int host_scene_map(host_scene *scene, const char *path) {
                 ? "no room for it; raise the limit with ulimit -v, or close other programs"
                 : "the file system cannot map it; use --source read");
     }
-    scene->source.mapped = map;
+    scene->source.mapped = scene->map = map;
     return 0;
 }
 
@@ -147,18 +147,17 @@ void host_scene_hold(host_scene *scene, const void *bytes, uint32_t count, int f
 }
 
 /* The same file, whatever its name is now, but with an entry of its own in the kernel's table:
- * threads that read through one entry wait for each other. -1: there is no such file system. */
+ * threads that read through one entry wait for each other. Without /proc they do. */
 static int open_again(int file) {
     char name[32];
     snprintf(name, sizeof name, "/proc/self/fd/%d", file);
-    return open(name, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int own = open(name, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    return own >= 0 ? own : fcntl(file, F_DUPFD_CLOEXEC, 0);
 }
 
 void host_scene_share(host_scene *scene, const host_scene *of) {
     memset(scene, 0, sizeof *scene);
-    const int own = of->file >= 0 && !of->source.mapped ? open_again(of->file) : -1;
-    scene->file = own >= 0 ? own : of->file;
-    scene->shared = own >= 0 ? HOST_SHARED_BYTES : HOST_SHARED;
+    scene->file = of->file >= 0 && !of->source.mapped ? open_again(of->file) : -1;
     scene->memory = of->memory;
     scene->source.bytes = of->source.bytes;
     if (of->source.mapped) {
@@ -169,11 +168,12 @@ void host_scene_share(host_scene *scene, const host_scene *of) {
 }
 
 void host_scene_close(host_scene *scene) {
-    if (scene->source.mapped && !scene->memory && scene->shared == HOST_OWN) {
-        munmap((void *)(uintptr_t)scene->source.mapped, scene->source.bytes);
+    if (scene->map) {
+        munmap(scene->map, scene->source.bytes);
     }
+    scene->map = NULL;
     scene->source.mapped = scene->memory = NULL;
-    if (scene->file >= 0 && scene->shared != HOST_SHARED) {
+    if (scene->file >= 0) {
         close(scene->file);
     }
     scene->file = -1;
