@@ -319,12 +319,16 @@ static void work(mover *v, uint64_t groups, uint64_t triangles) {
     v->engine->traversal.stats.triangle_tests += triangles;
 }
 
-static void policies(void) {
+static int open_soup(mover *v, mesh *m) {
     const rig_config c = config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    shape_soup(m, rig_triangles(400, 2), 0.1f, 9);
+    return mover_open(v, m, &c, 1);
+}
+
+static void policies(void) {
     mesh m = {0};
     mover v = {.bytes = 0};
-    shape_soup(&m, rig_triangles(400, 2), 0.1f, 9);
-    if (mover_open(&v, &m, &c, 1) == PLT_OK) {
+    if (open_soup(&v, &m) == PLT_OK) {
         plt_engine *e = v.engine;
         plt_motion q;
         plt_motion_get(e, &q);
@@ -387,11 +391,9 @@ static void give_up(mover *v, const char *name) {
 
 /* A tree that does not fit has cost what one costs: it is tried again when as much is lost anew. */
 static void after_giving_up(void) {
-    const rig_config c = config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     mesh m = {0};
     mover v = {.bytes = 0};
-    shape_soup(&m, rig_triangles(400, 2), 0.1f, 9);
-    if (mover_open(&v, &m, &c, 1) == PLT_OK) {
+    if (open_soup(&v, &m) == PLT_OK) {
         plt_engine *e = v.engine;
         plt_motion q;
         unsigned given_up = 0;

@@ -9,20 +9,6 @@
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
-static mesh copy_of(const mesh *m) {
-    mesh to = {0};
-    fail f = {""};
-    for (size_t i = 0; i < m->vertices; i++) {
-        const float *p = m->vertex + 3 * i;
-        CHECK(mesh_add_vertex(&to, p[0], p[1], p[2], &f) == 0, "%s", f.text);
-    }
-    for (size_t i = 0; i < m->triangles; i++) {
-        const uint32_t *t = m->triangle + 3 * i;
-        CHECK(mesh_add_triangle(&to, t[0], t[1], t[2], &f) == 0, "%s", f.text);
-    }
-    return to;
-}
-
 static int same(const mesh *a, const mesh *b) {
     return a->triangles == b->triangles && a->vertices == b->vertices &&
            (a->vertices == 0 || memcmp(a->vertex, b->vertex, 12 * a->vertices) == 0) &&
@@ -30,7 +16,7 @@ static int same(const mesh *a, const mesh *b) {
 }
 
 static mesh reduced(const mesh *m, size_t most) {
-    mesh to = copy_of(m);
+    mesh to = shape_copy(m);
     fail f = {""};
     CHECK(mesh_reduce(&to, most, "test", &f) == 0, "%s", f.text);
     CHECK(to.triangles > 0, "to %zu: nothing is left", most);
@@ -40,7 +26,7 @@ static mesh reduced(const mesh *m, size_t most) {
 /* The number in "use --reduce N or more" when so few would leave nothing; else `most`. The
  * mesh that is refused stays as it is. */
 static size_t enough(const mesh *m, size_t most) {
-    mesh to = copy_of(m);
+    mesh to = shape_copy(m);
     fail f = {""};
     size_t proposed = most;
     if (mesh_reduce(&to, most, "test", &f) != 0) {

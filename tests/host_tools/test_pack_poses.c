@@ -90,19 +90,6 @@ static double cost_of_poses(const packed *image, const film *f) {
 
 /* ---- films ------------------------------------------------------------------------ */
 
-static mesh copy_of(const mesh *m) {
-    mesh c = {0};
-    fail f = {""};
-    for (size_t i = 0; i < m->vertices; i++) {
-        mesh_add_vertex(&c, m->vertex[3 * i], m->vertex[3 * i + 1], m->vertex[3 * i + 2], &f);
-    }
-    for (size_t i = 0; i < m->triangles; i++) {
-        const uint32_t *t = m->triangle + 3 * i;
-        mesh_add_triangle(&c, t[0], t[1], t[2], &f);
-    }
-    return c;
-}
-
 /* Each triangle goes somewhere, with its own corners. */
 static void scatter(mesh *m, uint64_t seed) {
     random_state r = {seed};
@@ -132,7 +119,7 @@ static void choose_poses(film *f) {
 static void deform(film *f, uint32_t frames, unsigned way) {
     f->frames = frames;
     for (uint32_t i = 1; i < frames; i++) {
-        f->frame[i] = copy_of(&f->frame[0]);
+        f->frame[i] = shape_copy(&f->frame[0]);
         mover_deform(&f->frame[i], way);
         for (size_t k = 0; k < 3 * f->frame[i].vertices; k++) {
             const float part = (float)i / (float)(frames - 1), from = f->frame[0].vertex[k];
@@ -268,7 +255,7 @@ static void test_gain(void) {
     shape_soup(&f.frame[0], rig_triangles(3000, 1), 0.05f, 9);
     test("triangles that were elsewhere in the first frame");
     for (uint32_t i = 1; i < 6; i++) {
-        f.frame[i] = copy_of(&f.frame[0]);
+        f.frame[i] = shape_copy(&f.frame[0]);
         scatter(&f.frame[i], 4);
     }
     f.frames = 6;
@@ -295,7 +282,7 @@ static void test_one_place(void) {
         }
     }
     for (uint32_t i = 1; i < 6; i++) {
-        f.frame[i] = copy_of(&f.frame[0]);
+        f.frame[i] = shape_copy(&f.frame[0]);
         scatter(&f.frame[i], 4);
     }
     f.frames = 6;

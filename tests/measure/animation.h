@@ -13,6 +13,7 @@
 #include "host_tools/scenes/cos_sin.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/frames.h"
+#include "tests/reference/rig.h"
 #include "tests/test.h"
 
 typedef struct animation {
@@ -48,6 +49,21 @@ static inline int animation_frame(mesh *m, const animation *s, unsigned frame) {
     }
     CHECK(status == 0, "%s", f.text);
     return status;
+}
+
+/* Calls `run` with each animation that the command line names; without one with the marbles, so
+ * that a run of all tests measures, too, but for small limits. What main returns. */
+static inline int animations_run(int argc, char **argv, const char *sentence, unsigned most,
+                                 void (*run)(const animation *s)) {
+    test(sentence);
+    for (int i = 1; i < argc || i == 1; i++) {
+        animation s;
+        const int is_right = animation_argument(&s, i < argc ? argv[i] : "marbles:4:40", most) == 0;
+        if (is_right && (i < argc || !rig_is_tiny())) {
+            run(&s);
+        }
+    }
+    return test_done();
 }
 
 /* Cameras: one stands, one goes around, one comes near; two views of each. `time`: 0 to 1. */

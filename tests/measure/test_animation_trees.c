@@ -177,16 +177,6 @@ static void run(const animation *a) {
 }
 
 int main(int argc, char **argv) {
-    test("what rays cost with one tree for all frames");
-    if (argc < 2 && !rig_is_tiny()) {
-        run(&(animation){"marbles", 4, 40});
-    }
-    for (int i = 1; i < argc; i++) {
-        animation a;
-        if (animation_argument(&a, argv[i], FRAMES_MOST) == 0) {
-            run(&a);
-        }
-    }
-    CHECK(1, "counted");
-    return test_done();
+    return animations_run(argc, argv, "what rays cost with one tree for all frames", FRAMES_MOST,
+                          run);
 }

@@ -277,16 +277,6 @@ static void run(const animation *s) {
 }
 
 int main(int argc, char **argv) {
-    test("when to rebuild: costs of policies over the least");
-    if (argc < 2 && !rig_is_tiny()) {
-        run(&(animation){"marbles", 4, 40});
-    }
-    for (int i = 1; i < argc; i++) {
-        animation s;
-        if (animation_argument(&s, argv[i], FRAMES_MOST) == 0) {
-            run(&s);
-        }
-    }
-    CHECK(1, "counted");
-    return test_done();
+    return animations_run(argc, argv, "when to rebuild: costs of policies over the least",
+                          FRAMES_MOST, run);
 }

@@ -8,27 +8,15 @@
 #include <string.h>
 
 #include "tests/reference/random.h"
+#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 enum { GUARD = 64 };
 
-static mesh copy_of(const mesh *m) {
-    mesh copy = {0};
-    fail f = {""};
-    for (size_t i = 0; i < m->vertices; i++) {
-        mesh_add_vertex(&copy, m->vertex[3 * i], m->vertex[3 * i + 1], m->vertex[3 * i + 2], &f);
-    }
-    for (size_t i = 0; i < m->triangles; i++) {
-        const uint32_t *t = m->triangle + 3 * i;
-        mesh_add_triangle(&copy, t[0], t[1], t[2], &f);
-    }
-    return copy;
-}
-
 /* A twist that grows, a drift, and a shiver of one vertex in three. */
 void sequence_deform(mesh *m, const mesh *first, uint32_t k) {
     random_state r = {k};
-    *m = copy_of(first);
+    *m = shape_copy(first);
     for (size_t i = 0; i < m->vertices && k > 0; i++) {
         float *p = m->vertex + 3 * i;
         const float c = cosf(0.3f * (float)k * p[1]), s = sinf(0.3f * (float)k * p[1]), x = p[0];

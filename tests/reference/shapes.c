@@ -206,3 +206,16 @@ void shape_box(const mesh *m, float lo[3], float hi[3]) {
         }
     }
 }
+
+mesh shape_copy(const mesh *m) {
+    mesh copy = {0};
+    for (size_t i = 0; i < m->vertices; i++) {
+        const float *p = m->vertex + 3 * i;
+        vertex(&copy, p[0], p[1], p[2]);
+    }
+    for (size_t i = 0; i < m->triangles; i++) {
+        const uint32_t *t = m->triangle + 3 * i;
+        triangle(&copy, t[0], t[1], t[2]);
+    }
+    return copy;
+}

@@ -31,6 +31,9 @@ void shape_degenerate(mesh *m);
 /* Triangle i is at 2^-i and of that size, as far as floats go. */
 void shape_exponential(mesh *m, uint32_t triangles);
 
+/* A copy of all vertices and triangles. */
+mesh shape_copy(const mesh *m);
+
 /* Multiplies, then moves, every vertex. */
 void shape_transform(mesh *m, float scale, float x, float y, float z);
 
