@@ -24,8 +24,9 @@ lanes_scalar :=
 
 include engine/engine.mk
 
-.PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact streamed \
-        workers against sanitize tiny scalar fuzz exporters run play profile clean help FORCE
+.PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
+        compact streamed workers against sanitize tiny scalar fuzz exporters run play profile clean \
+        help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -135,6 +136,15 @@ demo: all
 	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
 	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
 	@echo "the picture is $(DEMO)/marbles.png, the films $(DEMO)/knot.y4m and marbles.y4m"
+	@[ ! -d '$(SCENES)/wooddoll' ] || $(MAKE) --no-print-directory demo-wooddoll
+
+##try demo-wooddoll: a wooden doll at a run, whose mesh is in SCENES=folder; of demo, too, then
+demo-wooddoll: all
+	@mkdir -p $(DEMO)
+	$(PLANELET) pack --sequence '$(SCENES)/wooddoll/wooddoll_{}.ply' --frames 0:29 --tree-for all \
+	    -o $(DEMO)/wooddoll.plt
+	$(PLANELET) render $(DEMO)/wooddoll.plt -o $(DEMO)/wooddoll.y4m --size 320x320 --frames 0:29
+	@echo "the wooddoll is at a run in $(DEMO)/wooddoll.y4m"
 
 ##try demo-firmware: a board in QEMU gets a scene over a serial line, and shows frames (FRAMES=25)
 demo-firmware: all
