@@ -32,6 +32,14 @@ static const plt_child_order plt_child_orders = {
      {0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}},
     {-1, 0, 0, 1, 0, 1, 1, 2, 0, 1, 1, 2, 1, 2, 2, 3}};
 
+/* By which children are met, a bit each: how many, and where the second, third and fourth land in
+ * the order they have. Those that are not met land above the others. The first one, or what is
+ * there if it is not met, is always at 0. */
+static const uint8_t plt_child_places[16][4] = {
+    {0, 1, 1, 1}, {1, 1, 1, 1}, {1, 0, 1, 1}, {2, 1, 2, 2}, {1, 1, 0, 1}, {2, 1, 1, 2},
+    {2, 0, 1, 2}, {3, 1, 2, 3}, {1, 1, 1, 0}, {2, 1, 1, 1}, {2, 0, 1, 1}, {3, 1, 2, 2},
+    {2, 1, 0, 1}, {3, 1, 1, 2}, {3, 0, 1, 2}, {4, 1, 2, 3}};
+
 /* The row of the table for these numbers. */
 static inline unsigned plt_descending(f4 key) {
     const f4 next = f4_rotate(key), across = f4_rotate(next);

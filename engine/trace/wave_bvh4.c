@@ -53,20 +53,32 @@ static inline f4 planes_at(const plt_bvh4_node *node, size_t bytes) {
     return f4_load_16((const float *)(const void *)((const char *)node + bytes));
 }
 
-/* Tests all four children: where the ray enters those that are met, -1 for others, and which
- * are met. */
-static inline void test_children(const plt_bvh4_node *node, const plt_wave_ray *r,
-                                 plt_wave_found *to) {
-    f4 near = f4_load_16(r->tmin), far = f4_load_16(r->tmax);
+/* Where the ray enters all four children and where it leaves them. */
+typedef struct stay {
+    f4 near, far;
+} stay;
+
+static inline stay stay_in(const plt_bvh4_node *node, const plt_wave_ray *r) {
+    stay s = {f4_load_16(r->tmin), f4_load_16(r->tmax)};
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 rdir = f4_load_16(r->rdir[a]);
         const f4 n = f4_sub(planes_at(node, r->at.near[a]), f4_load_16(r->near_org[a]));
         const f4 f = f4_sub(planes_at(node, r->at.far[a]), f4_load_16(r->far_org[a]));
-        near = f4_max(f4_mul(n, rdir), near);
-        far = f4_min(f4_mul(f, rdir), far);
+        s.near = f4_max(f4_mul(n, rdir), s.near);
+        s.far = f4_min(f4_mul(f, rdir), s.far);
     }
-    const m4 met = f4_le(near, far);
-    const f4 key = f4_select(met, near, f4_all(-1.0f));
+    return s;
+}
+
+/* ---- the nearest hit: children are sorted ------------------------------------------ */
+
+/* Tests all four children: where the ray enters those that are met, -1 for others, and which
+ * are met. */
+static inline void test_children(const plt_bvh4_node *node, const plt_wave_ray *r,
+                                 plt_wave_found *to) {
+    const stay s = stay_in(node, r);
+    const m4 met = f4_le(s.near, s.far);
+    const f4 key = f4_select(met, s.near, f4_all(-1.0f));
     f4_store(to->at, key);
     to->met = m4_mask(met);
     to->row = plt_descending(key);
@@ -114,6 +126,41 @@ static inline void cull(plt_wave_ray *r) {
     r->top = kept;
 }
 
+/* ---- any hit: children are not ------------------------------------------------------ */
+
+/* Children that are met go onto the stack as they lie in their node, and the last one is taken off
+ * again. Where the ray enters them nobody asks: its first hit ends it. */
+static inline uint32_t push_any(plt_wave_ray *r, unsigned met) {
+    const uint8_t *to = plt_child_places[met];
+    const ptrdiff_t left = (ptrdiff_t)to[0] - 1;
+    const uint32_t *link = plt_bvh4_node_at(r->next)->link;
+    entry *stack = r->top;
+    stack[0][0] = link[0];
+    stack[to[1]][0] = link[1];
+    stack[to[2]][0] = link[2];
+    stack[to[3]][0] = link[3];
+    r->top = stack + left;
+    return stack[left][0];
+}
+
+PLT_WAVE_LOOP static void visit_all_any(run *shared) {
+    run k = *shared;
+    plt_wave_ray **const list = k.on.list[PLT_WAVE_VISIT];
+    const size_t count = k.on.on[PLT_WAVE_VISIT];
+    for (size_t i = 0; i < count; i++) {
+        const stay s = stay_in(plt_bvh4_node_at(list[i]->next), list[i]);
+        k.found[i].met = m4_mask(f4_le(s.near, s.far));
+    }
+    k.on.on[PLT_WAVE_VISIT] = 0;
+    for (size_t i = 0; i < count; i++) {
+        plt_wave_ray *r = list[i];
+        enlist(&k, r, push_any(r, k.found[i].met));
+    }
+    *shared = k;
+}
+
+/* ---- triangles --------------------------------------------------------------------------- */
+
 /* Goes on to the block behind it, or to what waits on top of the stack. */
 static inline void leave_block(run *k, plt_wave_ray *r) {
     const uint32_t one = 1u << PLT_BVH4_MORE_SHIFT;
@@ -155,6 +202,15 @@ static inline size_t test_distances(run *k, plt_wave_ray **met, size_t count) {
     return nearer;
 }
 
+/* What waits and can be no nearer than the new hit; of any hit nothing can. */
+static inline void drop(plt_wave_ray *r, int any) {
+    if (any) {
+        r->top = stack_of(r) + 1;
+    } else {
+        cull(r);
+    }
+}
+
 /* A pass for each question, over the rays that the one before left, instead of branches. */
 static void test_all(run *k, const plt_wave_job *job) {
     const size_t count = k->on.on[PLT_WAVE_TEST];
@@ -164,7 +220,7 @@ static void test_all(run *k, const plt_wave_job *job) {
         plt_wave_ray *r = met[i];
         const plt_bvh4_block *b = plt_bvh4_block_at(r->next);
         if (plt_block_hits(r, b, job, k->found[i].met)) {
-            cull(r);
+            drop(r, job->any);
         }
     }
     k->on.on[PLT_WAVE_TEST] = 0;
@@ -208,7 +264,11 @@ void plt_wave_bvh4(plt_wave_job *job) {
         for (int i = 0; i < VISITS_IN_A_ROW; i++) {
             t->stats.node_visits += k.on.on[PLT_WAVE_VISIT];
             t->stats.group_tests += k.on.on[PLT_WAVE_VISIT];
-            visit_all(&k);
+            if (job->any) {
+                visit_all_any(&k);
+            } else {
+                visit_all(&k);
+            }
         }
         plt_wave_part(&k.on, plt_bvh4_at(k.nodes, PLT_BVH4_NONE));
         t->stats.triangle_tests += k.on.on[PLT_WAVE_TEST];

@@ -118,8 +118,14 @@ static uint32_t visits_most(uint32_t packet_rays) {
 
 /* On a moving average, to which a window adds 1/32, a shorter one the share of its rays, and none
  * more than 4 times the limit. Above the limit the rays of so many windows go by the wave, until
- * packets are tried again. */
-enum { DENSE_WINDOWS = 15 };
+ * packets are tried again; of about twice as many as before, if those were dense once more. */
+enum { DENSE_WINDOWS = 15, DENSE_WINDOWS_MOST = 63 };
+
+static uint32_t run_after(uint32_t run, int is_dense) {
+    const uint32_t longer = 2 * run + 1;
+    return run == 0 || !is_dense ? DENSE_WINDOWS
+                                 : (longer < DENSE_WINDOWS_MOST ? longer : DENSE_WINDOWS_MOST);
+}
 
 static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
     plt_wave *w = job->wave;
@@ -127,7 +133,8 @@ static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
     const uint64_t now = visits < most / PLT_WAVE_VISIT_ONE ? visits * PLT_WAVE_VISIT_ONE : most;
     const uint64_t windows = 32 * (uint64_t)job->window;
     w->visits = (uint32_t)(((windows - rays) * w->visits + now) / windows);
-    w->dense = w->visits > limit ? DENSE_WINDOWS * job->window : 0;
+    w->run = w->visits > limit ? run_after(w->run, now > limit * rays) : 0;
+    w->dense = w->run * job->window;
 }
 
 static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
@@ -222,7 +229,7 @@ void plt_wave_init(void *memory, unsigned rays_in_flight, enum plt_wave_tree tre
     unsigned char *at = (unsigned char *)memory + rounded(sizeof(plt_wave));
     w->rays_in_flight = rays_in_flight;
     w->ray_bytes = ray_bytes(tree, depth);
-    w->visits = w->dense = 0;
+    w->visits = w->dense = w->run = 0;
     w->found = (plt_wave_found *)(void *)at;
     at += rays_in_flight * sizeof *w->found;
     for (unsigned i = 0; i < lists_of(tree); i++) {

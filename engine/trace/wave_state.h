@@ -79,6 +79,7 @@ typedef struct plt_wave {
     uint32_t rays_in_flight;
     uint32_t visits; /* per ray of packets, a moving average, in PLT_WAVE_VISIT_ONE */
     uint32_t dense;  /* rays that go by the wave, whether they are coherent or not */
+    uint32_t run;    /* windows of them, from one try of packets to the next */
 } plt_wave;
 
 /* One call's rays. */

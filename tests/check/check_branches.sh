@@ -40,6 +40,13 @@ if [ -n "$x86" ] && needs objdump; then
             esac)"
     done
 
+    count=$(inside "$BUILD/host/engine/trace/wave_bvh4.o" visit_all_any)
+    verdict "nor has a visit for any hit" "$(
+        case $count in
+        *' loops, 0 jumps inside') ;;
+        *) echo "visit_all_any has '$count'" ;;
+        esac)"
+
     count=$(inside "$BUILD/host/engine/trace/wave_bvh4.o" test_edges)
     verdict "a test of a leaf block's edges has no branch either" "$(
         case $count in
