@@ -13,12 +13,12 @@
 #include "engine/shade/camera.h"
 #include "host_tools/app/frame.h"
 
-const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow", "bounce", "random",
-                                                   "outside", "inside", NULL};
+const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow",  "light",  "bounce",
+                                                   "random",  "outside", "inside", NULL};
 
 enum {
     TILE_SIDE = 16,
-    FROM_HITS = 1 << RAYS_SHADOW | 1 << RAYS_BOUNCE,
+    FROM_HITS = 1 << RAYS_SHADOW | 1 << RAYS_LIGHT | 1 << RAYS_BOUNCE,
     OF_THE_VIEW = 1 << RAYS_PRIMARY | FROM_HITS
 };
 
@@ -109,16 +109,20 @@ static void make_secondary(making *m) {
         if (m->hits[i].triangle == PLT_MISS) {
             continue;
         }
-        double normal[3], org[3], to_light[3], dir[3];
+        double normal[3], org[3], to_light[3], from_light[3], dir[3];
         normal_at(m, m->pixel[i], normal);
         for (int a = 0; a < 3; a++) {
             const plt_ray *ray = &primary->rays[i];
             org[a] = (double)ray->org[a] + (double)m->hits[i].t * (double)ray->dir[a] +
                      1e-4 * m->diagonal * normal[a];
             to_light[a] = m->light[a] - org[a];
+            from_light[a] = -to_light[a];
         }
         if (is_wanted(m, RAYS_SHADOW)) {
             ray_set_add(&m->to->of[RAYS_SHADOW], org, to_light, 1.0f);
+        }
+        if (is_wanted(m, RAYS_LIGHT)) {
+            ray_set_add(&m->to->of[RAYS_LIGHT], m->light, from_light, 1.0f);
         }
         if (is_wanted(m, RAYS_BOUNCE)) {
             cosine_direction(m, normal, dir);

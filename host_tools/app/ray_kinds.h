@@ -3,6 +3,7 @@
  *   primary  one through each pixel of the view, in Z order in tiles of 16x16: consecutive runs
  *            of 4, 16, 64 or 256 rays are square packets (at the edges of the frame less)
  *   shadow   from every hit of those, in their order, to one light
+ *   light    the same the other way round, from the light: all have one origin
  *   bounce   from every hit into a random direction, as diffuse surfaces reflect (the cosine
  *            law), in random order: neighbours have nothing in common
  *   random   from a random point of one side of the scene's box to one of another side
@@ -12,9 +13,9 @@
  *            directions: in a closed room all of them hit
  *
  * Of each of the last three there are as many as of primary rays, without any order.
- * Shadow and bounce rays start 1e-4 of the box's diagonal above their surface. The same scene
- * and view give the same rays, whichever kinds are made: random numbers are xorshift's, from
- * fixed seeds.
+ * Shadow and bounce rays start 1e-4 of the box's diagonal above their surface, and those of the
+ * light end there. The same scene and view give the same rays, whichever kinds are made: random
+ * numbers are xorshift's, from fixed seeds.
  *
  * Source: Malley's method for the cosine law (Pharr, Jakob,
  * Humphreys, "Physically Based Rendering", 2016, section 13.6.3).
@@ -30,6 +31,7 @@
 enum ray_kind {
     RAYS_PRIMARY,
     RAYS_SHADOW,
+    RAYS_LIGHT,
     RAYS_BOUNCE,
     RAYS_RANDOM,
     RAYS_OUTSIDE,

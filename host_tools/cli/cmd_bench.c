@@ -21,8 +21,8 @@ enum { SIDE_MOST = 4096, PACKET_SIZES = 4, MODES_MOST = 2 * PACKET_SIZES + 2, RA
 
 static const arg_flag flags[] = {
     {"--kinds", "LIST",
-     "rays: primary, shadow, bounce, random, outside, inside, several with commas between "
-     "(default all)"},
+     "rays: primary, shadow, light, bounce, random, outside, inside, several with commas "
+     "between (default all)"},
     {"--hits", "LIST", "closest, any (default closest,any)"},
     {"--nodes", "LIST", "what a mesh is packed as: thesis, compact (default thesis,compact)"},
     {"--packets", "LIST", "rays along a packet's side: 2, 4, 8, 16 (default all)"},
@@ -47,10 +47,10 @@ const arg_command command_bench = {
     .files_most = 1000,
     .notes =
         "Rays: primary, one per pixel in Z order; shadow, from their hits to one light;\n"
-        "bounce, from their hits in random directions by the cosine law, shuffled;\n"
-        "random, from side to side of the scene's box; outside, from outside in random\n"
-        "directions; inside, from within the box in random directions: from inside a\n"
-        "closed room all of them hit.\n"
+        "light, the same from the light; bounce, from their hits in random directions\n"
+        "by the cosine law, shuffled; random, from side to side of the scene's box;\n"
+        "outside, from outside in random directions; inside, from within the box in\n"
+        "random directions: from inside a closed room all of them hit.\n"
         "\n"
         "Mray/s is the median of all repetitions, least the slowest; spread is from the\n"
         "slowest to the fastest, as a share of the median. The rest is per ray:\n"
