@@ -162,6 +162,9 @@ cured render quad.plt -o -
 cured render quad.plt -o x.png --show
 says "%s need two different files, not '%s' twice" trace quad.plt ray x.hits --json x.hits
 cured trace quad.plt ray x.hits --json x.json
+says "several frames need a '{}' in HITS, as in hits_{}" \
+    trace quad.plt ray x.hits --moved quad.ply --frames 0:2
+cured trace quad.plt ray 'hits_{}' --moved quad.ply --frames 0:2
 says "SCENE.plt and RAYS are not both on standard input; name a file" trace - - x.hits
 cured_by sh -c "\"$PLANELET\" trace quad.plt - x.hits <ray"
 cured_by sh -c "\"$PLANELET\" trace - ray x.hits <quad.plt"
