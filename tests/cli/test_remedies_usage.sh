@@ -47,7 +47,8 @@ packs 2 quad.ply --quality high --quality-time 5
 
 # ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
 
-says "there is no scene '%s': ground, marbles, city, terrain, knot or room" make tray -o x.ply
+says "there is no scene '%s': ground, marbles, city, terrain, knot, room or poses" \
+    make tray -o x.ply
 for scene in ground marbles city terrain knot room; do
     cured make $scene -o x.ply
 done
@@ -62,6 +63,25 @@ says "only a room has a seed" make knot --seed 3 -o x.ply
 cured make room --seed 3 -o x.ply
 says "%s has the triangles it has: no --triangles" make ground --triangles 20 -o x.ply
 cured make ground -o x.ply
+cp quad.ply pose.ply
+says "only poses are made of meshes; leave out '%s'" make ground quad.ply -o x.ply
+cured make ground -o x.ply
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+says "poses take --frames N, and neither --frame, --seed nor --triangles" \
+    make poses quad.ply pose.ply --frame 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+says "poses are 2 to %d MESHes of the same triangles" make poses quad.ply --frames 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+says "poses take --frames N, 2 to %d" make poses quad.ply pose.ply -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+run make knot --triangles 24 -o other.ply
+says "has %zu vertices and %zu triangles, the pose before %zu and %zu; write all poses from one \
+mesh" make poses quad.ply other.ply --frames 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+sed '$s/^3 .*/3 0 3 2/' quad.ply >other.ply
+says "triangle %zu has other vertices than in the pose before; write all poses from one mesh" \
+    make poses quad.ply other.ply --frames 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
 long=$(awk 'BEGIN { while (i++ < 4200) printf "x" }')
 says "the name is too long; choose a shorter one" make marbles --frames 1 -o "{}$long.ply"
 cured make marbles --frames 1 -o "{}.ply"
