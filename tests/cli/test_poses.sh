@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_poses.sh - planelet make poses: frames on the straight way from pose to pose
+# test_poses.sh - planelet make poses and mesh: frames between poses, and meshes as they are
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
@@ -44,6 +44,26 @@ works "fewer frames than poses: the ends" make poses wave_00?.ply --frames 2 -o 
 same end_000.ply way_000.ply "... the first"
 same end_001.ply way_006.ply "... the last"
 works "they are a sequence" pack --sequence 'way_{}.ply' --frames 0:7 -o way.plt
+
+# ---- a mesh as it is ----------------------------------------------------------------------
+
+echo 'wave_{}.ply*3 2 0 0 0' >wave.txt
+works "a mesh of another format" make mesh wave_001.ply -o mesh.ply
+vertices mesh.ply >found
+same at_1 found "... has its vertices"
+works "frames of a recipe" make mesh wave.txt --frames 2 --frame 1 -o 'mesh_{}.ply'
+for frame in 1 2; do
+    "$PLANELET" pack wave.txt --frame $frame -o due.plt 2>/dev/null
+    "$PLANELET" pack mesh_00$frame.ply -o found.plt 2>/dev/null
+    same due.plt found.plt "... frame $frame packs as that of the recipe, bit for bit"
+done
+works "frames of a name" make mesh 'way_{}.ply' --frames 1 --frame 4 -o 'mesh_{}.ply'
+same way_004.ply mesh_004.ply "... the one with that number"
+misused "a mesh of none" "planelet make mesh MESH" make mesh -o x.ply
+misused "a mesh of two" "one MESH" make mesh wave_000.ply wave_001.ply -o x.ply
+misused "a mesh of so many triangles" "no --triangles" make mesh wave_000.ply -o x.ply \
+    --triangles 9
+refused "a mesh that is not there" gone.ply "No such file" make mesh gone.ply -o x.ply
 
 misused "one pose" "2 to 1000 MESHes" make poses wave_000.ply --frames 3 -o 'x_{}.ply'
 misused "no number of frames" "poses take --frames N, 2 to 1000" \

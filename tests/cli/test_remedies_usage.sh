@@ -47,7 +47,7 @@ packs 2 quad.ply --quality high --quality-time 5
 
 # ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
 
-says "there is no scene '%s': ground, marbles, city, terrain, knot, room or poses" \
+says "there is no scene '%s': ground, marbles, city, terrain, knot, room, mesh or poses" \
     make tray -o x.ply
 for scene in ground marbles city terrain knot room; do
     cured make $scene -o x.ply
@@ -57,14 +57,16 @@ cured make ground -o x.ply
 says "--frames needs a '{}' in the file's name, as in marbles_{}.ply" \
     make marbles --frames 2 -o x.ply
 cured make marbles --frames 2 -o marbles_{}.ply
-says "only marbles and city have frames" make knot --frame 3 -o x.ply
+says "only marbles, a city and a mesh have frames" make knot --frame 3 -o x.ply
 cured make marbles --frame 3 -o x.ply
 says "only a room has a seed" make knot --seed 3 -o x.ply
 cured make room --seed 3 -o x.ply
 says "%s has the triangles it has: no --triangles" make ground --triangles 20 -o x.ply
 cured make ground -o x.ply
 cp quad.ply pose.ply
-says "only poses are made of meshes; leave out '%s'" make ground quad.ply -o x.ply
+says "a mesh is made of one MESH: planelet make mesh MESH -o FILE.ply" make mesh -o x.ply
+cured make mesh quad.ply -o x.ply
+says "only mesh and poses are made of meshes; leave out '%s'" make ground quad.ply -o x.ply
 cured make ground -o x.ply
 cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
 says "poses take --frames N, and neither --frame, --seed nor --triangles" \
