@@ -25,7 +25,7 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact streamed \
-        workers against sanitize tiny scalar fuzz exporters run play profile clean help FORCE
+        moving workers against sanitize tiny scalar fuzz exporters run play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -160,6 +160,10 @@ compact: all $(OUT)/tests/engine/test_compact_topology
 ##measure workers: what several workers make of a frame: make workers SCENES=folder
 workers: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/workers.sh "$(SCENES)"
+
+##measure moving: every frame of every sequence, judged: make moving SCENES=folder PEER=program
+moving: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/moving.sh "$(SCENES)" "$(PEER)"
 
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
 streamed: all $(OUT)/tests/measure/test_node_bytes

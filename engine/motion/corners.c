@@ -8,20 +8,20 @@
 #include "engine/tree/record_put.h"
 
 /* Triangles whose corners are asked for before their turn: records lie in the order of the tree. */
-enum { AHEAD = 12 };
+enum { AHEAD = 24 };
 
 static int in_range(f4 x) {
-    const m4 below = f4_le(x, f4_all(PLT_COORD_MAX)), above = f4_le(f4_all(-PLT_COORD_MAX), x);
-    return (m4_mask(below) & m4_mask(above)) == 15; /* not for a NaN */
+    return m4_mask(f4_le(f4_abs(x), f4_all(PLT_COORD_MAX))) == 15; /* not for a NaN */
 }
 
 /* Of four triangles, 36 floats. */
 static int all_in_range(const float *corners) {
-    unsigned all = 1;
-    for (unsigned k = 0; k < 36; k += 4) {
-        all &= (unsigned)in_range(f4_load(corners + k));
+    const f4 most = f4_all(PLT_COORD_MAX);
+    m4 all = f4_le(f4_abs(f4_load(corners)), most);
+    for (unsigned k = 4; k < 36; k += 4) {
+        all = m4_and(all, f4_le(f4_abs(f4_load(corners + k)), most));
     }
-    return (int)all;
+    return m4_mask(all) == 15;
 }
 
 static int is_in_range(const float corner[9]) {

@@ -21,14 +21,24 @@ static inline plt_box4 kept(const plt_refit_level *l) {
     return box;
 }
 
-/* Down to the leftmost leaf below `link`, every node on the way a level. */
-static uint32_t descend(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
-    while (!plt_link_is_leaf(link)) {
+/* Both children's boxes into node `n`, whose own is the result. */
+PLT_INLINED plt_box4 fit(plt_refit_job *job, uint32_t n, plt_box4 left, plt_box4 right,
+                         int counts_areas) {
+    const plt_box4 box = plt_node_fit(&job->nodes[n], left, right);
+    if (counts_areas) {
+        plt_areas_add(&job->areas, 1, box, left, right);
+    }
+    return box;
+}
+
+/* Down to the leftmost leaf below `link`, which is a node, every node on the way a level. */
+static inline uint32_t descend(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
+    do {
         (*top)->node = plt_link_index(link);
         (*top)->is_done = 0;
         link = plt_node_link(&job->nodes[(*top)->node], 0);
         ++*top;
-    }
+    } while (!plt_link_is_leaf(link));
     return link;
 }
 
@@ -42,11 +52,7 @@ PLT_INLINED uint32_t ascend(plt_refit_job *job, plt_box4 *box, plt_refit_level *
             keep(l, *box);
             return plt_node_link(&job->nodes[l->node], 1);
         }
-        const plt_box4 left = kept(l), right = *box;
-        *box = plt_node_fit(&job->nodes[l->node], left, right);
-        if (counts_areas) {
-            plt_areas_add(&job->areas, 1, *box, left, right);
-        }
+        *box = fit(job, l->node, kept(l), *box, counts_areas);
         --*top;
     }
     return PLT_LINK_NONE;
@@ -58,14 +64,39 @@ void plt_refit_begin(plt_refit_job *job) {
     job->areas.ratios = job->areas.sum = 0;
 }
 
+/* The box of one more list: of a right child, whose node is done then, too. */
+PLT_INLINED plt_box4 right_leaf(plt_refit_job *job, uint32_t link, plt_refit_level **top,
+                                int counts_areas) {
+    const plt_box4 box = plt_lists_box4(job->records, link);
+    if (*top == job->levels) {
+        return box; /* the tree is a list */
+    }
+    const plt_refit_level *l = --*top;
+    return fit(job, l->node, kept(l), box, counts_areas);
+}
+
 /* Inlined twice: sums of areas would cost those who do not want them a quarter of the whole. */
 PLT_INLINED int step(plt_refit_job *job, uint32_t lists, int counts_areas) {
     plt_refit_level *top = job->top;
     uint32_t link = job->link;
     plt_box4 box;
     do {
-        link = descend(job, link, &top);
-        box = plt_lists_box4(job->records, link);
+        if (plt_link_is_leaf(link)) {
+            box = right_leaf(job, link, &top, counts_areas);
+        } else {
+            link = descend(job, link, &top);
+            box = plt_lists_box4(job->records, link);
+            plt_refit_level *l = top - 1;
+            const uint32_t right = plt_node_link(&job->nodes[l->node], 1);
+            if (!plt_link_is_leaf(right)) {
+                keep(l, box);
+                link = right;
+                continue;
+            }
+            box = fit(job, l->node, box, plt_lists_box4(job->records, right), counts_areas);
+            lists -= lists > 1;
+            top--;
+        }
         link = ascend(job, &box, &top, counts_areas);
     } while (link != PLT_LINK_NONE && --lists > 0);
     job->top = top;
