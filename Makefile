@@ -25,7 +25,7 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-firmware setup test check sizes bench scenes peers compact streamed \
-        moving workers against sanitize tiny scalar fuzz exporters run play profile clean help FORCE
+        moving policies workers against sanitize tiny scalar fuzz exporters run play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -164,6 +164,12 @@ workers: all
 ##measure moving: every frame of every sequence, judged: make moving SCENES=folder PEER=program
 moving: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/moving.sh "$(SCENES)" "$(PEER)"
+
+##measure policies: milliseconds per frame by policy: make policies [SCENES=folder] [JSON=file]
+policies: all $(OUT)/tests/measure/test_policy_times
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' JSON='$(JSON)' \
+	    POLICY_TIMES='$(OUT)/tests/measure/test_policy_times' \
+	    sh tests/measure/policies.sh "$(SCENES)"
 
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
 streamed: all $(OUT)/tests/measure/test_node_bytes
