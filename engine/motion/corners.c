@@ -16,12 +16,11 @@ static int in_range(f4 x) {
 
 /* Of four triangles, 36 floats. */
 static int all_in_range(const float *corners) {
-    const f4 most = f4_all(PLT_COORD_MAX);
-    m4 all = f4_le(f4_abs(f4_load(corners)), most);
-    for (unsigned k = 4; k < 36; k += 4) {
-        all = m4_and(all, f4_le(f4_abs(f4_load(corners + k)), most));
+    unsigned all = 1;
+    for (unsigned k = 0; k < 36; k += 4) {
+        all &= (unsigned)in_range(f4_load(corners + k));
     }
-    return m4_mask(all) == 15;
+    return (int)all;
 }
 
 static int is_in_range(const float corner[9]) {
