@@ -25,8 +25,8 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
-        compact streamed workers against sanitize tiny scalar fuzz exporters run play profile clean \
-        help FORCE
+        compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run play \
+        profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -170,6 +170,16 @@ compact: all $(OUT)/tests/engine/test_compact_topology
 ##measure workers: what several workers make of a frame: make workers SCENES=folder
 workers: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/workers.sh "$(SCENES)"
+
+##measure moving: every frame of every sequence, judged: make moving SCENES=folder PEER=program
+moving: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/moving.sh "$(SCENES)" "$(PEER)"
+
+##measure policies: milliseconds per frame by policy: make policies [SCENES=folder] [JSON=file]
+policies: all $(OUT)/tests/measure/test_policy_times
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' JSON='$(JSON)' \
+	    POLICY_TIMES='$(OUT)/tests/measure/test_policy_times' \
+	    sh tests/measure/policies.sh "$(SCENES)"
 
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
 streamed: all $(OUT)/tests/measure/test_node_bytes

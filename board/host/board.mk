@@ -61,9 +61,12 @@ $(OUT)/tests/reference/lanes_sse_fma.o: PROBE_FLAGS := -mavx2 -mfma
 $(OUT)/tests/reference/lanes_scalar_fma.o: PROBE_FLAGS := -mavx2 -mfma
 endif
 
+# One program measures beside another tracer, where that is installed.
+$(OUT)/tests/measure/test_refit_peer: LIBRARIES = $(if $(wildcard /usr/include/embree3/rtcore.h),-lembree3)
+
 $(OUT)/tests/%: $(OUT)/tests/%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread $(LIBRARIES)
 
 $(OUT)/flags: FORCE
 	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND))

@@ -8,11 +8,10 @@
 #include "engine/tree/record_put.h"
 
 /* Triangles whose corners are asked for before their turn: records lie in the order of the tree. */
-enum { AHEAD = 12 };
+enum { AHEAD = 24 };
 
 static int in_range(f4 x) {
-    const m4 below = f4_le(x, f4_all(PLT_COORD_MAX)), above = f4_le(f4_all(-PLT_COORD_MAX), x);
-    return (m4_mask(below) & m4_mask(above)) == 15; /* not for a NaN */
+    return m4_mask(f4_le(f4_abs(x), f4_all(PLT_COORD_MAX))) == 15; /* not for a NaN */
 }
 
 /* Of four triangles, 36 floats. */

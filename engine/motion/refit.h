@@ -35,8 +35,8 @@ typedef struct plt_refit_job {
 /* Of a tree that is valid. A plane that has not moved keeps its bytes. */
 void plt_refit(plt_refit_job *job);
 
-/* The same in steps of `lists` leaf links, one at least: PLT_MORE or PLT_OK. Until that the tree is
- * not to be traversed, and its records stay as they are. */
+/* The same in steps of `lists` leaf links, or nodes of two, one at least: PLT_MORE or PLT_OK. Until
+ * that the tree is not to be traversed, and its records stay as they are. */
 void plt_refit_begin(plt_refit_job *job);
 int plt_refit_step(plt_refit_job *job, uint32_t lists);
 

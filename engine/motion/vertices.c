@@ -56,9 +56,9 @@ static inline uint32_t id_of(const plt_record *r) {
     return plt_primitive_id(plt_get_u32(&r->word[9]));
 }
 
-/* Where the corners of a triangle lie: three, and the first two again, for any rotation. */
+/* Where the corners of a triangle lie. */
 typedef struct corner_places {
-    uint32_t index[5];
+    const plt_frame_vertex *at[3];
 } corner_places;
 
 /* Looks the vertices of record `i` up, and asks for them. */
@@ -66,11 +66,11 @@ static inline void look_up(corner_places *to, const plt_record *records, uint32_
                            const plt_vertices *v) {
     const plt_record *ahead = &records[i + AHEAD < count ? i + AHEAD : i];
     plt_prefetch(v->topology + (size_t)((uint64_t)id_of(ahead) * 3 * v->index_bits >> 3));
-    indices_of(v, id_of(&records[i]), to->index);
-    to->index[3] = to->index[0];
-    to->index[4] = to->index[1];
+    uint32_t index[3];
+    indices_of(v, id_of(&records[i]), index);
     for (unsigned k = 0; k < 3; k++) {
-        plt_prefetch(&v->vertex[to->index[k]]);
+        to->at[k] = &v->vertex[index[k]];
+        plt_prefetch(to->at[k]);
     }
 }
 
@@ -110,16 +110,14 @@ static inline f4 position(const plt_frame_vertex *vertex, int is_float, f4 origi
 }
 
 /* Each corner's fourth lane is covered by what is written next. */
-static inline void put_record(plt_record *r, const corner_places *places, const plt_vertices *v,
-                              int is_float, f4 origin, f4 step) {
-    const plt_frame_vertex *vertex = v->vertex;
-    const uint32_t *index = places->index;
-    const uint32_t first =
-        first_of(&vertex[index[0]], &vertex[index[1]], &vertex[index[2]], is_float);
+static inline void put_record(plt_record *r, const corner_places *places, int is_float, f4 origin,
+                              f4 step) {
+    static const uint8_t turned[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
+    const plt_frame_vertex *const *at = places->at;
+    const uint32_t first = first_of(at[0], at[1], at[2], is_float);
     const uint32_t word = plt_get_u32(&r->word[9]) & ~(3u << PLT_PRIMITIVE_ROTATION_SHIFT);
     for (unsigned k = 0; k < 3; k++) {
-        plt_words_store(&r->word[3 * k],
-                        position(&vertex[index[first + k]], is_float, origin, step));
+        plt_words_store(&r->word[3 * k], position(at[turned[first][k]], is_float, origin, step));
     }
     plt_put_u32(&r->word[9], word | plt_canonical_rotation(first) << PLT_PRIMITIVE_ROTATION_SHIFT);
 }
@@ -133,7 +131,7 @@ static inline void put_all(plt_record *records, uint32_t count, const plt_vertic
     }
     for (uint32_t i = 0; i < count; i++) {
         corner_places *here = &places[i % WAITING];
-        put_record(&records[i], here, v, is_float, origin, step);
+        put_record(&records[i], here, is_float, origin, step);
         if (i + WAITING < count) {
             look_up(here, records, i + WAITING, count, v);
         }

@@ -19,7 +19,7 @@ static inline uint32_t plt_canonical_first(int b_below_a, int c_below_a, int c_b
 /* The rotation of a triangle whose corner `first` comes first now: its corner j became
  * corner (rotation + j) % 3. */
 static inline uint32_t plt_canonical_rotation(uint32_t first) {
-    return (3 - first) % 3;
+    return (first << 1 | first >> 1) & 3u; /* 3 - first, but 0 of 0 */
 }
 
 #endif

@@ -108,3 +108,8 @@ int moved_to(moved *m, scene *s, const char *path, unsigned index, fail *f) {
     m->move_seconds += clock_thread_seconds() - began;
     return status;
 }
+
+void moved_print(output *o, const moved *m, unsigned repeat, fail *f) {
+    output_print(o, f, "  \"move_seconds\": %.9f,\n  \"mesh_seconds\": %.9f,\n",
+                 m->move_seconds / repeat, m->read_seconds / repeat);
+}

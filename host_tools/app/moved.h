@@ -11,7 +11,7 @@
 
 #define MOVED_FLAGS                                                                                \
     {"--moved", "MESH",                                                                            \
-     "a film of the scene in motion: its triangles go where those of MESH are in each of "         \
+     "the scene in motion: its triangles go where those of MESH are in each of "                   \
      "--frames, a recipe with sequences, or files with the frame's number for a '{}' in their "    \
      "name: 000, 001 ...; the scene was packed from one of them (thesis nodes, resident)"},        \
     {                                                                                              \
@@ -38,5 +38,8 @@ static inline int moved_is(const moved *m) {
 /* The triangles of all of the scene's engines, open on `path`, go where those of frame
  * m->range.first + `index` are. -1: `f` names the frame. */
 int moved_to(moved *m, scene *s, const char *path, unsigned index, fail *f);
+
+/* JSON members, each ending in ",\n". `repeat`: runs that times are over. */
+void moved_print(output *o, const moved *m, unsigned repeat, fail *f);
 
 #endif

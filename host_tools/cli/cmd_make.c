@@ -2,13 +2,16 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/app/frame_range.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/phase.h"
 #include "host_tools/app/quote.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/make_poses.h"
 #include "host_tools/scenes/scenes.h"
 
 static const arg_flag flags[] = {
@@ -20,30 +23,51 @@ static const arg_flag flags[] = {
      "10000000 (default 100000); marbles 160 to 8800, 80 each and the tray (default 8800)"},
     {"--seed", "N",
      "room: which one; books, chairs, leaves and balls are elsewhere; 0 to 999999 (default 0)"},
-    {"--frame", "K", "marbles, city: the frame to write, 25 per second; 0 to 99999 (default 0)"},
-    {"--frames", "N", "marbles, city: write N frames, 1 to 100000, from --frame on"},
+    {"--frame", "K",
+     "marbles, city, mesh: the frame to write, of the first two 25 per second; 0 to 99999 (default "
+     "0)"},
+    {"--frames", "N",
+     "marbles, city, mesh: write N frames, 1 to 100000, from --frame on; poses: 2 to 1000"},
     {NULL, NULL, NULL}};
 
 const arg_command command_make = {
     .name = "make",
-    .synopsis = "ground|marbles|city|terrain|knot|room -o FILE.ply",
+    .synopsis = "ground|marbles|city|terrain|knot|room|mesh|poses [MESH...] -o FILE",
     .about =
         "Writes a mesh that is the same on every machine: ground (12 triangles), marbles "
         "rolling in a tray (8,800), people who leave a lift for all parts of a city (44,844), a "
-        "height-field terrain, a closed knot, or a closed room with furniture.",
+        "height-field terrain, a closed knot, or a closed room with furniture. mesh MESH writes a "
+        "mesh of any format, or what a recipe is made of. poses MESH MESH... "
+        "--frames N writes one mesh on its straight ways from pose to pose, N frames that are "
+        "evenly spread from the first to the last; all MESHes have the same triangles.",
     .flags = flags,
     .files_least = 1,
-    .files_most = 1};
+    .files_most = 1001};
+
+enum { POSES_MOST = 1000, POSES_FRAMES_MOST = 1000 };
 
 /* What is made: its name, and the numbers that some of the scenes take. */
 typedef struct make_order {
     const char *name;
+    const char *mesh; /* what a mesh is made of; NULL: nothing */
     uint64_t triangles;
     uint32_t seed;
     unsigned frame;
 } make_order;
 
+static int read_mesh(mesh *m, const make_order *o, fail *f) {
+    char *name = frame_range_file(o->mesh, o->frame);
+    mesh_report report = {0};
+    const int status = name == NULL ? fail_set(f, o->mesh, "out of memory; close other programs")
+                                    : mesh_read(m, name, o->frame, &report, f);
+    free(name);
+    return status;
+}
+
 static int make_scene(mesh *m, const make_order *o, fail *f) {
+    if (strcmp(o->name, "mesh") == 0) {
+        return read_mesh(m, o, f);
+    }
     if (strcmp(o->name, "ground") == 0) {
         return scene_ground(m, f);
     }
@@ -95,7 +119,7 @@ static int write_frames(make_order o, const char *pattern, unsigned frames, fail
 
 /* It has frames. */
 static int moves(const char *name) {
-    return strcmp(name, "marbles") == 0 || strcmp(name, "city") == 0;
+    return strcmp(name, "marbles") == 0 || strcmp(name, "city") == 0 || strcmp(name, "mesh") == 0;
 }
 
 static int is_scene(const char *name) {
@@ -103,19 +127,43 @@ static int is_scene(const char *name) {
            strcmp(name, "knot") == 0 || strcmp(name, "room") == 0;
 }
 
+static int is_mesh(const char *name) {
+    return strcmp(name, "mesh") == 0;
+}
+
+static int are_poses(const char *name) {
+    return strcmp(name, "poses") == 0;
+}
+
+/* What a scene of its own needs is complained about by check_usage. */
+static void check_poses(args *a, unsigned frames) {
+    if (args_has(a, "--frame") || args_has(a, "--seed") || args_has(a, "--triangles")) {
+        args_complain(a, "poses take --frames N, and neither --frame, --seed nor --triangles");
+    } else if (a->files < 3 || a->files > POSES_MOST + 1) {
+        args_complain(a, "poses are 2 to %d MESHes of the same triangles", POSES_MOST);
+    } else if (frames < 2 || frames > POSES_FRAMES_MOST) {
+        args_complain(a, "poses take --frames N, 2 to %d", POSES_FRAMES_MOST);
+    }
+}
+
 static void check_usage(args *a, const char *name, const char *out) {
     const int has_frames = args_has(a, "--frames");
-    const int is_fixed = strcmp(name, "city") == 0 || strcmp(name, "ground") == 0;
-    if (!is_scene(name)) {
-        args_complain(a, "there is no scene '%s': ground, marbles, city, terrain, knot or room",
-                      name);
+    const int is_fixed = strcmp(name, "city") == 0 || strcmp(name, "ground") == 0 || is_mesh(name);
+    if (!is_scene(name) && !are_poses(name)) {
+        args_complain(
+            a, "there is no scene '%s': ground, marbles, city, terrain, knot, room, mesh or poses",
+            name);
+    } else if (is_mesh(name) && a->files != 2) {
+        args_complain(a, "a mesh is made of one MESH: planelet make mesh MESH -o FILE.ply");
+    } else if (is_scene(name) && !is_mesh(name) && a->files > 1) {
+        args_complain(a, "only mesh and poses are made of meshes; leave out '%s'", a->file[1]);
     } else if (out == NULL) {
         args_complain(a, "-o FILE says where the mesh goes");
     } else if (has_frames && strstr(out, "{}") == NULL) {
         args_complain(a, "--frames needs a '{}' in the file's name, as in marbles_{}.ply");
-    } else if (!moves(name) && (has_frames || args_has(a, "--frame"))) {
-        args_complain(a, "only marbles and city have frames");
-    } else if (strcmp(name, "room") != 0 && args_has(a, "--seed")) {
+    } else if (is_scene(name) && !moves(name) && (has_frames || args_has(a, "--frame"))) {
+        args_complain(a, "only marbles, a city and a mesh have frames");
+    } else if (is_scene(name) && strcmp(name, "room") != 0 && args_has(a, "--seed")) {
         args_complain(a, "only a room has a seed");
     } else if (is_fixed && args_has(a, "--triangles")) {
         args_complain(a, "%s has the triangles it has: no --triangles", name);
@@ -134,23 +182,33 @@ static void say_next(const char *name, const char *out) {
     }
 }
 
+static int write_poses(const args *a, const char *out, unsigned frames, fail *f) {
+    return make_poses(a->file + 1, (unsigned)a->files - 1, out, frames, f);
+}
+
 int run_make(args *a) {
     const char *out = args_text(a, "-o", NULL);
     const unsigned most = strcmp(a->file[0], "marbles") == 0 ? SCENE_MARBLES_MOST : 100000;
     const make_order order = {.name = a->file[0],
+                              .mesh = a->files > 1 ? a->file[1] : NULL,
                               .triangles = args_number(a, "--triangles", most, 2, 10000000),
                               .seed = (uint32_t)args_number(a, "--seed", 0, 0, 999999),
                               .frame = (unsigned)args_number(a, "--frame", 0, 0, 99999)};
     const unsigned frames = (unsigned)args_number(a, "--frames", 1, 1, 100000);
     if (!a->wrong) {
         check_usage(a, order.name, out);
+        if (are_poses(order.name) && !a->wrong) {
+            check_poses(a, frames);
+        }
     }
     if (a->wrong) {
         return 2;
     }
     fail f = {""};
     const int many = args_has(a, "--frames");
-    const int status = many ? write_frames(order, out, frames, &f) : write_scene(&order, out, &f);
+    const int status = are_poses(order.name) ? write_poses(a, out, frames, &f)
+                       : many                ? write_frames(order, out, frames, &f)
+                                             : write_scene(&order, out, &f);
     if (status != 0) {
         fprintf(stderr, "%s\n", f.text);
         return 1;

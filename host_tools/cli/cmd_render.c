@@ -11,6 +11,7 @@
 #include "host_tools/app/crew_tasks.h"
 #include "host_tools/app/destination.h"
 #include "host_tools/app/frame.h"
+#include "host_tools/app/frame_times.h"
 #include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/played.h"
@@ -72,7 +73,8 @@ typedef struct rendering {
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
     uint64_t *hashes; /* of each frame's alone; NULL: there are no statistics */
-    crew_times took;  /* in the engines, of the best run: from the first ray to the last tile */
+    frame_times times;
+    crew_times took; /* in the engines, of the best run: from the first ray to the last tile */
 } rendering;
 
 /* The tile comes without a seek. Batches want to know where a run ends. */
@@ -177,24 +179,39 @@ static int keep_frame(rendering *r, unsigned index, fail *f) {
     return r->picture_out == NULL ? 0 : picture_frame(r->picture_out, r->to.format, &r->shown, f);
 }
 
+/* Triangles or camera of frame `index`. */
+static int prepare_frame(rendering *r, unsigned index, fail *f) {
+    r->frame.camera = r->first;
+    if (moved_is(&r->moved)) {
+        const int status = moved_to(&r->moved, &r->s, r->path, index, f);
+        if (status == 0) { /* else the last frame may not have ended, and a rebuild waits */
+            rebuilds_go_on(&r->rebuilds, &r->s);
+        }
+        return status;
+    }
+    if (index > 0) {
+        view_orbit(&r->first, (double)index / r->frames, &r->frame.camera);
+    }
+    return 0;
+}
+
+static frame_time time_so_far(const rendering *r, const crew_times *took) {
+    return (frame_time){r->moved.move_seconds, r->rebuilds.seconds, took->seconds};
+}
+
 /* All frames once: the first run's are kept. */
 static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
     crew_times took = {.seconds = 0.0};
     int status = 0;
     scene_reset_stats(&r->s);
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
-        r->frame.camera = r->first;
-        if (moved_is(&r->moved)) {
-            status = moved_to(&r->moved, &r->s, r->path, i, f);
-            if (status == 0) { /* else the last frame may not have ended, and a rebuild waits */
-                rebuilds_go_on(&r->rebuilds, &r->s);
-            }
-        } else if (i > 0) {
-            view_orbit(&r->first, (double)i / r->frames, &r->frame.camera);
-        }
+        const frame_time before = time_so_far(r, &took);
+        status = prepare_frame(r, i, f);
         if (status == 0) {
             status = render_frame(r, bar, (uint64_t)run * r->frames + i, &took, f);
         }
+        const frame_time behind = time_so_far(r, &took);
+        frame_times_keep(&r->times, i, &before, &behind, run == 0);
         if (status == 0 && run == 0) {
             status = keep_frame(r, i, f);
         }
@@ -243,13 +260,13 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     output_print(o, f, "  \"width\": %u,\n  \"height\": %u,\n  \"frames\": %u,\n", r->frame.width,
                  r->frame.height, r->frames);
     print_hashes(o, r, f);
+    frame_times_print(o, &r->times, moved_is(&r->moved), f);
     print_bits(o, "eye", r->first.eye, 3, f);
     print_bits(o, "look", r->first.look, 3, f);
     print_bits(o, "up", r->first.up, 3, f);
     print_bits(o, "tan", &r->first.tan_half_fov, 1, f);
     if (moved_is(&r->moved)) {
-        output_print(o, f, "  \"move_seconds\": %.9f,\n  \"mesh_seconds\": %.9f,\n",
-                     r->moved.move_seconds / r->repeat, r->moved.read_seconds / r->repeat);
+        moved_print(o, &r->moved, r->repeat, f);
         rebuilds_print(o, &r->rebuilds, &r->s, r->repeat, f);
     }
     scene_print_stats(o, &r->s, &r->took, f);
@@ -274,7 +291,7 @@ static int open_outputs(rendering *r, fail *f) {
         return fail_set(f, r->to.json, "out of memory; close other programs");
     }
     r->stats_out = output_open_text(r->to.json, f);
-    return r->stats_out == NULL ? -1 : 0;
+    return r->stats_out == NULL ? -1 : frame_times_make(&r->times, r->frames, f);
 }
 
 static int open_all(rendering *r, args *a, fail *f) {
@@ -361,6 +378,7 @@ int run_render(args *a) {
     scene_close(&r.s);
     picture_free(&r.shown);
     free(r.hashes);
+    frame_times_free(&r.times);
     if (a->wrong) {
         return 2;
     }

@@ -1,7 +1,6 @@
 /* cmd_trace - planelet trace: a ray file to a hit file
  *
- * Ray file: 32 bytes per ray, little-endian float32: org[3] tmin dir[3] tmax.
- * Hit file: 16 bytes per ray: t u v and the primitive id.
+ * Of a scene in motion the hits of each frame are a file of their own.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
@@ -9,18 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/base/bytes.h"
 #include "host_tools/app/crew_tasks.h"
 #include "host_tools/app/destination.h"
+#include "host_tools/app/frame_times.h"
+#include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
-#include "host_tools/app/ray_order.h"
+#include "host_tools/app/played.h"
+#include "host_tools/app/ray_file.h"
+#include "host_tools/app/rebuilds.h"
 #include "host_tools/app/scene.h"
-#include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
 
-enum { RAY_BYTES = 32, HIT_BYTES = 16 };
 /* That a worker takes at once: whole numbers of packets of every size. */
 enum { RUN_SHARED = 1024, RUN_ALONE = 65536 };
 
@@ -32,8 +32,11 @@ static const arg_flag flags[] = {
     {"--order", "file|sorted",
      "rays are traced as they come, or sorted by where they begin and point, so that neighbours "
      "meet the same parts of the scene; hits are written as the rays came (default file)"},
+    MOVED_FLAGS,
+    REBUILDS_FLAGS,
     {"--repeat", "N",
-     "trace N times, report the best time, and counts of the last; 1 to 1000000 (default 1)"},
+     "trace all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
+     "1)"},
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
     SCENE_FLAGS,
@@ -47,7 +50,8 @@ const arg_command command_trace = {
         "Traces a file of rays (org[3] tmin dir[3] tmax, 8 little-endian floats each) and writes a "
         "hit for each: floats t u v and the primitive id; 4294967295 is a miss. The id is "
         "1 or 0 with --any. SCENE.plt or RAYS may be - for standard input, HITS for standard "
-        "output.",
+        "output. With --moved or --frames a '{}' in RAYS and HITS is the frame's number, 000, 001 "
+        "..., and each frame's hits are a file.",
     .flags = flags,
     .files_least = 3,
     .files_most = 3};
@@ -60,71 +64,22 @@ enum { RAYS_IN_FLIGHT = 32 };
 
 typedef struct tracing {
     scene s;
-    output *hits_out, *stats_out;
-    plt_ray *rays;
-    plt_hit *hits;
-    uint32_t count;
-    int any;
-    uint32_t *order; /* ray i is number order[i] of the file; NULL: number i */
+    const char *scene_path, *rays_path, *hits_path;
+    ray_file file;
+    int sorts, any;
+    unsigned repeat;
+    moved moved;
+    rebuilds rebuilds;
+    output *hits_out; /* NULL: each frame has its own */
+    output *stats_out;
+    uint64_t traced; /* rays of a run */
+    frame_times times;
     crew_times took; /* of the best run */
 } tracing;
 
-/* Decodes the little-endian rays into floats of this machine. */
-static int decode_rays(tracing *t, const input *in, const char *name, fail *f) {
-    if (in->size % RAY_BYTES != 0) {
-        return fail_set(f, name,
-                        "byte %zu: the last ray is cut short (a ray has 32 bytes); write it again",
-                        in->size - in->size % RAY_BYTES);
-    }
-    if (in->size / RAY_BYTES > UINT32_MAX) {
-        return fail_set(f, name, "more than 2^32 - 1 rays; split the file");
-    }
-    t->count = (uint32_t)(in->size / RAY_BYTES);
-    t->rays = malloc(in->size);
-    t->hits = malloc((size_t)t->count * sizeof *t->hits);
-    if (t->rays == NULL || t->hits == NULL) {
-        return fail_set(f, name, "out of memory for %" PRIu32 " rays; split the file", t->count);
-    }
-    for (uint32_t i = 0; i < t->count; i++) {
-        plt_get_floats(t->rays[i].org, in->bytes + RAY_BYTES * (size_t)i, 8);
-    }
-    return 0;
-}
-
-static int read_rays(tracing *t, const char *path, fail *f) {
-    input in;
-    if (input_read(&in, path, f) != 0) {
-        return -1;
-    }
-    const int status = decode_rays(t, &in, strcmp(path, "-") == 0 ? "standard input" : path, f);
-    input_free(&in);
-    return status;
-}
-
-/* Sorts the rays, and keeps where each was. */
-static int sort_rays(tracing *t, const char *name, fail *f) {
-    plt_ray *sorted = malloc((size_t)t->count * sizeof *sorted + 1);
-    t->order = malloc((size_t)t->count * sizeof *t->order + 1);
-    if (sorted == NULL || t->order == NULL || ray_order_sort(t->rays, t->count, t->order) != 0) {
-        free(sorted);
-        return fail_set(f, name, "out of memory to sort %" PRIu32 " rays; leave out --order sorted",
-                        t->count);
-    }
-    for (uint32_t i = 0; i < t->count; i++) {
-        sorted[i] = t->rays[t->order[i]];
-    }
-    free(t->rays);
-    t->rays = sorted;
-    return 0;
-}
-
-/* Hits in the order of the file; the rays are not needed any more. */
-static void unsort_hits(tracing *t) {
-    plt_hit *hits = (plt_hit *)(void *)t->rays; /* a ray is larger than a hit */
-    for (uint32_t i = 0; i < t->count; i++) {
-        hits[t->order[i]] = t->hits[i];
-    }
-    memcpy(t->hits, hits, (size_t)t->count * sizeof *hits);
+/* A frame's own: of the '{}' in the name. */
+static int is_numbered(const tracing *t, const char *path) {
+    return moved_is(&t->moved) && frame_range_is_pattern(path);
 }
 
 /* Whole batches, where there are any. */
@@ -137,127 +92,198 @@ static uint32_t rays_per_run(const scene *s) {
 
 static int trace_rays(void *context, crew_worker *w, uint32_t first, uint32_t count) {
     const tracing *t = context;
-    const int status = plt_trace(w->engine, t->rays + first, t->hits + first, count, t->any);
+    const int status =
+        plt_trace(w->engine, t->file.rays + first, t->file.hits + first, count, t->any);
     crew_done(w, count);
     return status;
 }
 
 static int trace_by_tasks(tracing *t, const crew_work *work, crew_times *took) {
-    const crew_tasks tasks = {.bar = work->bar, .before = work->before, .items = t->count};
-    const int status = plt_trace_begin(t->s.engine, t->rays, t->hits, t->count, t->any);
+    const crew_tasks tasks = {.bar = work->bar, .before = work->before, .items = t->file.count};
+    const int status =
+        plt_trace_begin(t->s.engine, t->file.rays, t->file.hits, t->file.count, t->any);
     return status == PLT_OK ? crew_do_tasks(&t->s.crew, &tasks, took) : status;
 }
 
-static int trace_all(tracing *t, const char *path, unsigned repeat, fail *f) {
-    progress bar;
-    int status = PLT_OK;
-    crew_work work = {.items = t->count,
-                      .run = rays_per_run(&t->s),
-                      .work = trace_rays,
-                      .context = t,
-                      .bar = &bar};
-    progress_begin(&bar, "tracing", (uint64_t)repeat * t->count);
-    for (unsigned i = 0; i < repeat && status == PLT_OK; i++) {
-        crew_times took = {.seconds = 0.0};
-        scene_reset_stats(&t->s);
-        status = t->s.options.schedule == PLT_SCHEDULE_TASK ? trace_by_tasks(t, &work, &took)
-                                                            : crew_do(&t->s.crew, &work, &took);
-        crew_times_keep(&t->took, &took, i == 0);
-        work.before += t->count;
-    }
-    progress_end(&bar);
-    return status == PLT_OK ? 0 : scene_failed(&t->s, path, status, f);
+/* The rays of the file once, of which `before` shifts of as many were. */
+static int trace_file(tracing *t, progress *bar, uint64_t before, crew_times *took, fail *f) {
+    const crew_work work = {.items = t->file.count,
+                            .run = rays_per_run(&t->s),
+                            .work = trace_rays,
+                            .context = t,
+                            .bar = bar,
+                            .before = before * t->file.count};
+    const int status = t->s.options.schedule == PLT_SCHEDULE_TASK
+                           ? trace_by_tasks(t, &work, took)
+                           : crew_do(&t->s.crew, &work, took);
+    return status == PLT_OK ? 0 : scene_failed(&t->s, t->scene_path, status, f);
 }
 
-static int write_hits(const tracing *t, output *o, fail *f) {
-    for (uint32_t i = 0; i < t->count; i++) {
-        unsigned char bytes[HIT_BYTES];
-        const float tuv[3] = {t->hits[i].t, t->hits[i].u, t->hits[i].v};
-        plt_put_floats(bytes, tuv, 3);
-        plt_put_u32(bytes + 12, t->hits[i].triangle);
-        if (output_write(o, bytes, sizeof bytes, f) != 0) {
+/* Rays that are the same for all frames have been read. */
+static int read_rays(tracing *t, unsigned number, fail *f) {
+    char *name = frame_range_file(t->rays_path, number);
+    const int status = name == NULL
+                           ? fail_set(f, t->rays_path, "out of memory; close other programs")
+                           : ray_file_read(&t->file, name, t->sorts, f);
+    free(name);
+    return status;
+}
+
+/* Into a file of frame `number`. */
+static int write_frame(const tracing *t, unsigned number, fail *f) {
+    char *name = frame_range_file(t->hits_path, number);
+    if (name == NULL) {
+        return fail_set(f, t->hits_path, "out of memory; close other programs");
+    }
+    output *o = output_open(name, f);
+    free(name);
+    if (o == NULL || ray_file_write_hits(&t->file, o, f) != 0) {
+        output_abandon(o);
+        return -1;
+    }
+    return output_commit(o, f);
+}
+
+/* `index`: of the frame; of a scene that does not move there is one. */
+static int trace_frame(tracing *t, progress *bar, unsigned run, unsigned index, crew_times *took,
+                       fail *f) {
+    const unsigned number = t->moved.range.first + index;
+    if (is_numbered(t, t->rays_path) && (run > 0 || index > 0) && read_rays(t, number, f) != 0) {
+        return -1;
+    }
+    if (moved_is(&t->moved)) {
+        if (moved_to(&t->moved, &t->s, t->scene_path, index, f) != 0) {
             return -1;
         }
+        rebuilds_go_on(&t->rebuilds, &t->s);
     }
-    return 0;
+    if (trace_file(t, bar, (uint64_t)run * t->moved.range.count + index, took, f) != 0) {
+        return -1;
+    }
+    t->traced += run == 0 ? t->file.count : 0;
+    return run == 0 && t->hits_out == NULL ? write_frame(t, number, f) : 0;
+}
+
+static frame_time time_so_far(const tracing *t, const crew_times *took) {
+    return (frame_time){t->moved.move_seconds, t->rebuilds.seconds, took->seconds};
+}
+
+static int trace_all(tracing *t, fail *f) {
+    progress bar;
+    int status = 0;
+    progress_begin(&bar, "tracing", (uint64_t)t->repeat * t->moved.range.count * t->file.count);
+    for (unsigned run = 0; run < t->repeat && status == 0; run++) {
+        crew_times took = {.seconds = 0.0};
+        scene_reset_stats(&t->s);
+        for (unsigned i = 0; i < t->moved.range.count && status == 0; i++) {
+            const frame_time before = time_so_far(t, &took);
+            status = trace_frame(t, &bar, run, i, &took, f);
+            const frame_time behind = time_so_far(t, &took);
+            frame_times_keep(&t->times, i, &before, &behind, run == 0);
+        }
+        crew_times_keep(&t->took, &took, run == 0);
+    }
+    progress_end(&bar);
+    return status;
 }
 
 static int write_stats(const tracing *t, output *o, fail *f) {
     output_print(o, f, "{\n");
+    if (moved_is(&t->moved)) {
+        output_print(o, f, "  \"frames\": %u,\n", t->moved.range.count);
+        moved_print(o, &t->moved, t->repeat, f);
+        frame_times_print(o, &t->times, 1, f);
+        rebuilds_print(o, &t->rebuilds, &t->s, t->repeat, f);
+    }
     scene_print_stats(o, &t->s, &t->took, f);
     return output_print(o, f, "\n}\n");
 }
 
 /* The rays before the arena, which is as large as there is room for. Both outputs are opened
  * first: a path that cannot be written fails before the long run. */
-static int open_all(tracing *t, args *a, const char *json, int sorts, fail *f) {
+static int open_all(tracing *t, args *a, const char *json, fail *f) {
     plt_fault fault;
-    const char *rays = strcmp(a->file[1], "-") == 0 ? "standard input" : a->file[1];
-    if (scene_attach(&t->s, a, a->file[0], f) != 0 || read_rays(t, a->file[1], f) != 0 ||
-        (sorts && sort_rays(t, rays, f) != 0)) {
+    if (scene_attach(&t->s, a, t->scene_path, f) != 0) {
         return -1;
     }
-    const int status = scene_start(&t->s, a->file[0], &fault);
+    if ((is_numbered(t, t->rays_path) ? read_rays(t, t->moved.range.first, f)
+                                      : ray_file_read(&t->file, t->rays_path, t->sorts, f)) != 0) {
+        return -1;
+    }
+    const int status = scene_start(&t->s, t->scene_path, &fault);
     if (status != PLT_OK) {
-        return scene_refused(&t->s, a->file[0], status, &fault, f);
+        return scene_refused(&t->s, t->scene_path, status, &fault, f);
     }
-    t->hits_out = output_open(a->file[2], f);
-    if (t->hits_out == NULL) {
+    if (t->moved.is_played && played_refused(&t->s, t->scene_path, &t->moved.range, f) != 0) {
         return -1;
+    }
+    if (!is_numbered(t, t->hits_path)) {
+        t->hits_out = output_open(t->hits_path, f);
+        if (t->hits_out == NULL) {
+            return -1;
+        }
     }
     t->stats_out = json == NULL ? NULL : output_open_text(json, f);
-    return json != NULL && t->stats_out == NULL ? -1 : 0;
+    if (json == NULL) {
+        return 0;
+    }
+    return t->stats_out == NULL ? -1 : frame_times_make(&t->times, t->moved.range.count, f);
+}
+
+static int commit(output **o, fail *f) {
+    const int status = *o == NULL ? 0 : output_commit(*o, f);
+    *o = NULL;
+    return status;
 }
 
 static int write_all(tracing *t, fail *f) {
-    if (t->order != NULL) {
-        unsort_hits(t);
-    }
-    if (write_hits(t, t->hits_out, f) != 0 ||
+    if ((t->hits_out != NULL && ray_file_write_hits(&t->file, t->hits_out, f) != 0) ||
         (t->stats_out != NULL &&
          (write_stats(t, t->stats_out, f) != 0 || output_finish(t->stats_out, f) != 0))) {
         return -1;
     }
-    const int hits = output_commit(t->hits_out, f);
-    t->hits_out = NULL;
-    if (hits != 0 || t->stats_out == NULL) {
-        return hits;
-    }
-    const int stats = output_commit(t->stats_out, f);
-    t->stats_out = NULL;
-    return stats;
+    return commit(&t->hits_out, f) != 0 ? -1 : commit(&t->stats_out, f);
 }
 
 static void close_all(tracing *t) {
     output_abandon(t->hits_out);
     output_abandon(t->stats_out);
     scene_close(&t->s);
-    free(t->rays);
-    free(t->hits);
-    free(t->order);
+    ray_file_free(&t->file);
+    frame_times_free(&t->times);
+}
+
+static void read_flags(tracing *t, args *a, const char *json) {
+    t->scene_path = a->file[0];
+    t->rays_path = a->file[1];
+    t->hits_path = a->file[2];
+    t->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
+    t->sorts = args_choice(a, "--order", orders, 0) == 1;
+    t->any = args_has(a, "--any");
+    moved_read(&t->moved, &t->s, a);
+    rebuilds_read(&t->rebuilds, &t->s, a, moved_is(&t->moved));
+    destination_differ(a, "HITS and --json", t->hits_path, json);
+    if (strcmp(t->scene_path, "-") == 0 && strcmp(t->rays_path, "-") == 0) {
+        args_complain(a, "SCENE.plt and RAYS are not both on standard input; name a file");
+    }
+    if (t->moved.range.count > 1 && !frame_range_is_pattern(t->hits_path)) {
+        args_complain(a, "several frames need a '{}' in HITS, as in hits_{}");
+    }
+    t->s.options.count_touched = json != NULL;
+    t->s.options.rays = (uint8_t)args_choice(a, "--rays", kinds, PLT_RAYS_AUTO);
+    if (t->s.options.rays != PLT_RAYS_COHERENT) {
+        t->s.options.rays_in_flight = RAYS_IN_FLIGHT;
+        t->s.options.wide = !moved_is(&t->moved); /* it would not move along */
+    }
 }
 
 int run_trace(args *a) {
-    const unsigned repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     const char *json = args_text(a, "--json", NULL);
-    const int sorts = args_choice(a, "--order", orders, 0) == 1;
-    destination_differ(a, "HITS and --json", a->file[2], json);
-    if (strcmp(a->file[0], "-") == 0 && strcmp(a->file[1], "-") == 0) {
-        args_complain(a, "SCENE.plt and RAYS are not both on standard input; name a file");
-    }
     tracing t = {.s = SCENE_CLOSED};
-    t.s.options.count_touched = json != NULL;
-    t.s.options.rays = (uint8_t)args_choice(a, "--rays", kinds, PLT_RAYS_AUTO);
-    if (t.s.options.rays != PLT_RAYS_COHERENT) {
-        t.s.options.rays_in_flight = RAYS_IN_FLIGHT;
-        t.s.options.wide = 1;
-    }
     fail f = {""};
-    int status = a->wrong ? -1 : open_all(&t, a, json, sorts, &f);
-    if (status == 0) {
-        t.any = args_has(a, "--any");
-        status = trace_all(&t, a->file[0], repeat, &f);
-    }
+    read_flags(&t, a, json);
+    int status = a->wrong ? -1 : open_all(&t, a, json, &f);
+    status = status == 0 ? trace_all(&t, &f) : status;
     status = status == 0 ? write_all(&t, &f) : status;
     close_all(&t);
     if (a->wrong) {
@@ -267,7 +293,7 @@ int run_trace(args *a) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    note("%s: %" PRIu32 " ray%s, %.3g s", a->file[2], t.count, t.count == 1 ? "" : "s",
+    note("%s: %" PRIu64 " ray%s, %.3g s", t.hits_path, t.traced, t.traced == 1 ? "" : "s",
          t.took.seconds);
     return 0;
 }

@@ -30,7 +30,15 @@ for kind in '' '--packet 2' '--walk two-stage' '--shader triangle' '--source rea
     same frames moved.frames "... are those of scenes that are packed anew"
     verdict "... what moving took is told apart" "$(
         flat_json moved.json frames seconds move_seconds mesh_seconds
-        [ "$(number frames <moved.json)" -eq 5 ] || echo "not five frames")"
+        [ "$(number frames <moved.json)" -eq 5 ] || echo "not five frames"
+        for part in move_ rebuild_ ''; do
+            sed -n "s/^  \"frame_${part}seconds\": \[\(.*\)\],$/\1/p" moved.json |
+                awk -F ', ' -v sum="$(number ${part}seconds <moved.json)" '
+                    NF != 5 { print "not five frames: " $0 }
+                    { off = $1 + $2 + $3 + $4 + $5 - sum }
+                    off > 5e-8 || off < -5e-8 { print $0 " is not " sum }
+                    END { if (NR != 1) print "no such list" }'
+        done)"
 done
 # shellcheck disable=SC2086
 works "one frame is a picture" render wave.plt -o moved.ppm $view --moved wave.txt --frames 3:4

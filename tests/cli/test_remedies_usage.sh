@@ -47,7 +47,8 @@ packs 2 quad.ply --quality high --quality-time 5
 
 # ---- make: host_tools/cli/cmd_make.c --------------------------------------------------
 
-says "there is no scene '%s': ground, marbles, city, terrain, knot or room" make tray -o x.ply
+says "there is no scene '%s': ground, marbles, city, terrain, knot, room, mesh or poses" \
+    make tray -o x.ply
 for scene in ground marbles city terrain knot room; do
     cured make $scene -o x.ply
 done
@@ -56,12 +57,33 @@ cured make ground -o x.ply
 says "--frames needs a '{}' in the file's name, as in marbles_{}.ply" \
     make marbles --frames 2 -o x.ply
 cured make marbles --frames 2 -o marbles_{}.ply
-says "only marbles and city have frames" make knot --frame 3 -o x.ply
+says "only marbles, a city and a mesh have frames" make knot --frame 3 -o x.ply
 cured make marbles --frame 3 -o x.ply
 says "only a room has a seed" make knot --seed 3 -o x.ply
 cured make room --seed 3 -o x.ply
 says "%s has the triangles it has: no --triangles" make ground --triangles 20 -o x.ply
 cured make ground -o x.ply
+cp quad.ply pose.ply
+says "a mesh is made of one MESH: planelet make mesh MESH -o FILE.ply" make mesh -o x.ply
+cured make mesh quad.ply -o x.ply
+says "only mesh and poses are made of meshes; leave out '%s'" make ground quad.ply -o x.ply
+cured make ground -o x.ply
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+says "poses take --frames N, and neither --frame, --seed nor --triangles" \
+    make poses quad.ply pose.ply --frame 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+says "poses are 2 to %d MESHes of the same triangles" make poses quad.ply --frames 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+says "poses take --frames N, 2 to %d" make poses quad.ply pose.ply -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+run make knot --triangles 24 -o other.ply
+says "has %zu vertices and %zu triangles, the pose before %zu and %zu; write all poses from one \
+mesh" make poses quad.ply other.ply --frames 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
+sed '$s/^3 .*/3 0 3 2/' quad.ply >other.ply
+says "triangle %zu has other vertices than in the pose before; write all poses from one mesh" \
+    make poses quad.ply other.ply --frames 2 -o 'x{}.ply'
+cured make poses quad.ply pose.ply --frames 2 -o 'x{}.ply'
 long=$(awk 'BEGIN { while (i++ < 4200) printf "x" }')
 says "the name is too long; choose a shorter one" make marbles --frames 1 -o "{}$long.ply"
 cured make marbles --frames 1 -o "{}.ply"
@@ -162,6 +184,9 @@ cured render quad.plt -o -
 cured render quad.plt -o x.png --show
 says "%s need two different files, not '%s' twice" trace quad.plt ray x.hits --json x.hits
 cured trace quad.plt ray x.hits --json x.json
+says "several frames need a '{}' in HITS, as in hits_{}" \
+    trace quad.plt ray x.hits --moved quad.ply --frames 0:2
+cured trace quad.plt ray 'hits_{}' --moved quad.ply --frames 0:2
 says "SCENE.plt and RAYS are not both on standard input; name a file" trace - - x.hits
 cured_by sh -c "\"$PLANELET\" trace quad.plt - x.hits <ray"
 cured_by sh -c "\"$PLANELET\" trace - ray x.hits <quad.plt"
