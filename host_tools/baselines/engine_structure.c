@@ -38,9 +38,9 @@ static plt_options options_of(const engine_structure *e, const structure_options
                       .movable = PLT_WITH_MOTION,
                       .structure = is_tree ? PLT_STRUCTURE_TREE : PLT_STRUCTURE_GRID,
                       .rebuild = is_tree && rebuilds[e->variant] != PLT_REBUILD_NEVER};
-    if (o->one_by_one && is_tree) {
+    if (is_tree) {
         to.rays_in_flight = 32;
-        to.rays = PLT_RAYS_INCOHERENT;
+        to.rays = o->one_by_one ? PLT_RAYS_INCOHERENT : PLT_RAYS_AUTO;
     }
     return to;
 }

@@ -32,7 +32,8 @@ typedef struct structure_statistics {
 
 typedef struct structure_options {
     uint8_t packet_side; /* of those that have packets; 0: 8 */
-    uint8_t one_by_one;  /* 1: rays are traced for themselves by those that can */
+    uint8_t
+        one_by_one; /* 1: all rays are traced for themselves by those that can; 0: as they look */
 } structure_options;
 
 typedef struct structure_kind structure_kind;
