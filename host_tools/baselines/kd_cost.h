@@ -13,7 +13,7 @@
 
 #include "host_tools/baselines/kd_cell.h"
 
-#define KD_TEST 4.0f
+#define KD_TEST 1.5f
 #define KD_BONUS 0.8f
 
 /* Half the surface of the cell, and how the lower part's grows with its length along an axis. */

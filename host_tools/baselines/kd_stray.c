@@ -12,7 +12,7 @@
 #include "host_tools/base/heap.h"
 
 /* Rays count as near up to so many times the scene's longest side. */
-#define REACH 4.0f
+#define REACH 3.0f
 /* 2^-6, and 2^-18 for 2^-19 times the root of 3. */
 #define SLIVER 0.015625
 #define OFF 3.814697265625e-6
@@ -173,7 +173,7 @@ int kd_clip(const kd_scene *s, kd_reference *r, const float lo[3], const float h
     if (s->plane == NULL || s->plane[r->triangle].off < 0.0f) {
         return 1;
     }
-    const double wide = 4.0 * (double)s->plane[r->triangle].off + (double)s->margin;
+    const double wide = 16.0 * (double)s->plane[r->triangle].off + (double)s->margin;
     kd_reference inside = {.triangle = r->triangle};
     return clip_triangle(s, r->triangle, wide, lo, hi, &inside) && cut_to(r, inside.lo, inside.hi);
 }

@@ -5,13 +5,13 @@
  * the triangle's plane and its box (lone_ray.h), but not always near the triangle: t * |dir| is off
  * by up to 2^-19 D / (s c) (planelet.h), D being the distance to the farthest corner, s the sine of
  * the smallest angle, c the cosine between ray and normal. So q is off the plane by h = 2^-19 D / s
- * at most, whatever c is, and where c is at least 1/4 off the triangle by 4 h.
+ * at most, whatever c is, and where c is at least 1/16 off the triangle by 16 h.
  *
  * Therefore a cell holds
  *
- *   references  to triangles that come within 4 h of it, for every ray, and
+ *   references  to triangles that come within 16 h of it, for every ray, and
  *   strays      whose plane comes within h and whose box reaches into it, for grazing rays, of
- *               which c is below 1/4: a product with the normal tells them, and puts others aside.
+ *               which c is below 1/16: a product with the normal tells them, and puts others aside.
  *
  * All distances are widened by `margin`, which is 4 e (lone_ray.h) of rays whose reach is at most
  * `reach`. Rays that come from farther off are traced through all cells of their line: the point
@@ -58,7 +58,7 @@ int kd_is_stray(const kd_scene *s, uint32_t triangle, const float lo[3], const f
 static inline int kd_is_grazing(const kd_plane *p, const float dir[3]) {
     const float c = p->normal[0] * dir[0] + p->normal[1] * dir[1] + p->normal[2] * dir[2];
     const float length = dir[0] * dir[0] + dir[1] * dir[1] + dir[2] * dir[2];
-    return c * c < 0.0676f * length; /* 0.26^2 */
+    return c * c < 0.004f * length; /* above 1 / 16^2 */
 }
 
 #endif
