@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-enum { EVEN = 8, MORE = 8, PLACES = EVEN + MORE + 2 };
+enum { EVEN = 8, MORE = 8, PLACES = EVEN + MORE + 2 + 2 }; /* + 2: whole registers */
 
 /* The cost along an axis at some places in order, the first and the last being the cell's sides. */
 typedef struct samples {
@@ -18,18 +18,13 @@ typedef struct samples {
     int count;
 } samples;
 
-/* The first place that is not below x; the last one is below nothing. */
+/* The first place that is not below x. As many compares for every x, without a jump. */
 static inline int place_of(const samples *s, float x) {
-    int from = 0, to = s->count - 1;
-    while (from < to) {
-        const int middle = (from + to) / 2;
-        if (s->at[middle] < x) {
-            from = middle + 1;
-        } else {
-            to = middle;
-        }
+    int below = 0;
+    for (int i = 0; i < PLACES; i++) {
+        below += s->at[i] < x;
     }
-    return from;
+    return below;
 }
 
 static void count_boxes(samples *s, const kd_cell *c, int axis) {
@@ -54,13 +49,21 @@ static void count_boxes(samples *s, const kd_cell *c, int axis) {
     }
 }
 
+/* Those that are not there are below nothing, and nor is the last. */
+static void end_places(samples *s) {
+    s->at[s->count - 1] = s->areas.hi;
+    for (int i = s->count; i < PLACES; i++) {
+        s->at[i] = INFINITY;
+    }
+}
+
 static void even_places(samples *s) {
     s->count = EVEN + 2;
     for (int i = 0; i < s->count; i++) {
         const float share = (float)i / (float)(s->count - 1);
         s->at[i] = s->areas.lo + share * (s->areas.hi - s->areas.lo);
     }
-    s->at[s->count - 1] = s->areas.hi;
+    end_places(s);
 }
 
 /* How many boxes begin or end up to place i. */
@@ -90,6 +93,7 @@ static void more_places(samples *s, uint32_t count) {
         s->at[i] = at[i];
     }
     s->count = places;
+    end_places(s);
 }
 
 /* Between place i - 1 and i counts are linear and areas, too. Takes the place of the least cost. */

@@ -10,7 +10,7 @@ static int compare(const void *a, const void *b) {
 }
 
 void kd_events_sort(kd_event *event, size_t count) {
-    if (count > KD_FEW) {
+    if (count > 2 * KD_FEW) {
         qsort(event, count, sizeof *event, compare);
         return;
     }

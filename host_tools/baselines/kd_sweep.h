@@ -31,7 +31,7 @@ void kd_events_sort(kd_event *event, size_t count);
 void kd_sweep(const kd_cell *c, int axis, const kd_event *event, kd_cut *best);
 
 /* Of a cell of KD_FEW triangles at most, which need no memory. */
-enum { KD_FEW = 32 };
+enum { KD_FEW = 16 };
 kd_cut kd_sweep_few(const kd_cell *c);
 
 #endif

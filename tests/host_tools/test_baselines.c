@@ -14,7 +14,7 @@
 #include "tests/reference/grid_scenes.h"
 #include "tests/reference/mover.h"
 
-enum { RAYS = 320, ROUNDS = 24, SOAK = 100 };
+enum { RAYS = 200, ROUNDS = 24, SOAK = 100 };
 
 static const structure_options by_rays = {.one_by_one = 1}, by_packets = {.packet_side = 2};
 
