@@ -227,8 +227,83 @@ static void named_scenes(void) {
     }
 }
 
+/* ---- memory ------------------------------------------------------------------------- */
+
+/* Traces with no more than `bytes` beyond what there is; 1: it could. */
+static int trace_within(const structure_kind *kind, const mesh *m, const due *d, uint64_t bytes) {
+    static plt_hit got[RAYS];
+    const uint64_t before = heap_used();
+    fail f = {""};
+    heap_limit(before + bytes);
+    built_structure *s = structure_open(kind, m, &by_rays, "it", &f);
+    const int could = s != NULL && structure_trace(s, d->rays, got, RAYS, 0, &f) == 0;
+    heap_limit(UINT64_MAX);
+    CHECK(could == (f.text[0] == 0), "%s: %s", structure_name(kind), f.text);
+    if (could) {
+        CHECK(memcmp(got, d->hits[0], sizeof got) == 0, "%s: hits", structure_name(kind));
+    } else {
+        CHECK(strstr(f.text, "out of memory") != NULL && strchr(f.text, ';') != NULL, "%s", f.text);
+    }
+    if (s != NULL && !could) { /* no tree, until there is one again */
+        fail g = {""};
+        CHECK(structure_trace(s, d->rays, got, RAYS, 0, &g) != 0, "traced without a tree");
+        fail h = {""};
+        CHECK(structure_move(s, m, &h) == 0, "%s", h.text);
+        compare(s, d, structure_name(kind), 2000);
+    }
+    structure_close(s);
+    CHECK(heap_used() == before, "%s: not given back", structure_name(kind));
+    return could;
+}
+
+static void bounded_memory(void) {
+    static const char *const names[] = {"kd", "kd-boxes", "kd-fast", "kd-lazy"};
+    static due d;
+    random_state r = {5};
+    mesh m = {0};
+    test("kd-trees that memory runs out for say so, give all back, and can be built later");
+    shape_soup(&m, rig_triangles(90, 1), 0.5f, 9);
+    CHECK(make_due(&d, &m, &r), "the list");
+    for (unsigned i = 0; i < 4; i++) {
+        unsigned could = 0, could_not = 0;
+        for (uint64_t bytes = 64; could < 3; bytes += bytes / 16) {
+            const int is_done = trace_within(structure_find(names[i]), &m, &d, bytes);
+            could += is_done != 0;
+            could_not += is_done == 0;
+        }
+        CHECK(could_not > 20, "%s: %u limits were too low", names[i], could_not);
+    }
+    mesh_free(&m);
+}
+
+static void refusals(void) {
+    static const structure_options o = {.packet_side = 0};
+    mesh m = {0}, n = {0};
+    fail f = {""};
+    test("another number of triangles is not a move, and no other name is a structure");
+    shape_cube(&m);
+    shape_cube(&n);
+    n.triangles--;
+    CHECK(structure_find("kd-tree") == NULL && structure_find("") == NULL, "found");
+    for (const structure_kind *const *kind = structure_kinds(); *kind != NULL; kind++) {
+        built_structure *s = structure_open(*kind, &m, &o, "it", &f);
+        CHECK(structure_find(structure_name(*kind)) == *kind, "not found by its name");
+        CHECK(structure_about(*kind)[0] != 0, "nothing about it");
+        CHECK(s != NULL || rig_is_tiny(), "%s", f.text);
+        if (s != NULL) {
+            fail g = {""};
+            CHECK(structure_move(s, &n, &g) != 0 && strstr(g.text, "12") != NULL, "%s", g.text);
+        }
+        structure_close(s);
+    }
+    mesh_free(&m);
+    mesh_free(&n);
+}
+
 int main(int argc, char **argv) {
     const int is_soak = argc > 1 && strcmp(argv[1], "soak") == 0;
+    refusals();
+    bounded_memory();
     named_scenes();
     random_scenes(is_soak);
     return test_done();
