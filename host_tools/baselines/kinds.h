@@ -4,10 +4,13 @@
 #ifndef BASELINES_KINDS_H
 #define BASELINES_KINDS_H
 
-#include "host_tools/baselines/structure.h"
+#include "engine/planelet.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/baselines/structure_types.h"
+#include "host_tools/mesh/mesh.h"
 
 /* `self` is what open returned. Rays and bytes are asked of statistics in one call. */
-struct structure_kind {
+typedef struct structure_kind {
     const char *name;
     const char *about; /* a phrase */
     unsigned variant;  /* handed to open */
@@ -18,7 +21,7 @@ struct structure_kind {
     void (*count)(const void *self, structure_statistics *to);
     void (*forget)(void *self);
     void (*close)(void *self);
-};
+} structure_kind;
 
 extern const structure_kind structure_tree, structure_tree_never, structure_tree_always,
     structure_grid;

@@ -131,7 +131,8 @@ static void print_row(const bench *b, const row *r, const row *first) {
     const double all = r->build_seconds + r->view_seconds;
     const double due = first->build_seconds + first->view_seconds;
     printf(
-        "    %-11s frame %7.2f + %7.2f ms (%5.2f of the tree's), incoherent %5.2f us a ray; built: "
+        "    %-11s frame %7.2f + %7.2f ms (%5.2f of the tree's), incoherent %5.2f us per ray; "
+        "built: "
         "%6.2f triangles looked at per triangle (view alone %6.2f), %5.2f nodes, %5.2f references, "
         "%5.2f strays, %6.1f bytes per triangle; view: %6.2f visits, %6.2f boxes, %6.2f tests, "
         "%5.2f sieved per ray; incoherent: %6.2f visits, %6.2f tests\n",
