@@ -53,7 +53,7 @@ static int open_engine(engine_structure *e, const structure_options *o, fail *f)
     const uint64_t bytes = (need + spare) / PLT_ALIGN * PLT_ALIGN;
     plt_fault fault;
     if (need == 0) {
-        return fail_set(f, e->name, "this build cannot open it so; choose another structure");
+        return fail_set(f, e->name, "this build cannot open it; choose another structure");
     }
     e->arena = heap_get_aligned(bytes);
     if (e->arena == NULL) {

@@ -18,6 +18,7 @@
 #include "host_tools/base/input.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
+#include "host_tools/cli/baseline.h"
 #include "host_tools/cli/commands.h"
 
 enum { RAY_BYTES = 32, HIT_BYTES = 16 };
@@ -32,6 +33,11 @@ static const arg_flag flags[] = {
     {"--order", "file|sorted",
      "rays are traced as they come, or sorted by where they begin and point, so that neighbours "
      "meet the same parts of the scene; hits are written as the rays came (default file)"},
+    {"--baseline", "kd|kd-boxes|kd-fast|kd-lazy",
+     "through a kd-tree of the scene's triangles instead, one by one: of their parts by the "
+     "surface "
+     "area heuristic, of their boxes, of boxes by samples of the heuristic, or that as rays come; "
+     "hits are the same"},
     {"--repeat", "N",
      "trace N times, report the best time, and counts of the last; 1 to 1000000 (default 1)"},
     {"--json", "STATS",
@@ -67,6 +73,8 @@ typedef struct tracing {
     int any;
     uint32_t *order; /* ray i is number order[i] of the file; NULL: number i */
     crew_times took; /* of the best run */
+    int baseline;    /* place in baseline_names; below 0: the engine traces */
+    baseline built;
 } tracing;
 
 /* Decodes the little-endian rays into floats of this machine. */
@@ -150,6 +158,11 @@ static int trace_by_tasks(tracing *t, const crew_work *work, crew_times *took) {
 
 static int trace_all(tracing *t, const char *path, unsigned repeat, fail *f) {
     progress bar;
+    if (t->built.s != NULL) {
+        const int done = baseline_trace(&t->built, t->rays, t->hits, t->count, t->any, repeat, f);
+        t->took.seconds = t->built.seconds;
+        return done;
+    }
     int status = PLT_OK;
     crew_work work = {.items = t->count,
                       .run = rays_per_run(&t->s),
@@ -183,6 +196,9 @@ static int write_hits(const tracing *t, output *o, fail *f) {
 }
 
 static int write_stats(const tracing *t, output *o, fail *f) {
+    if (t->built.s != NULL) {
+        return baseline_print(&t->built, o, f);
+    }
     output_print(o, f, "{\n");
     scene_print_stats(o, &t->s, &t->took, f);
     return output_print(o, f, "\n}\n");
@@ -202,7 +218,9 @@ static int open_all(tracing *t, args *a, const char *json, int sorts, fail *f) {
         return scene_refused(&t->s, a->file[0], status, &fault, f);
     }
     t->hits_out = output_open(a->file[2], f);
-    if (t->hits_out == NULL) {
+    if (t->hits_out == NULL ||
+        (t->baseline >= 0 && baseline_open(&t->built, (unsigned)t->baseline, t->s.engine,
+                                           scene_name(a->file[0]), f) != 0)) {
         return -1;
     }
     t->stats_out = json == NULL ? NULL : output_open_text(json, f);
@@ -231,10 +249,26 @@ static int write_all(tracing *t, fail *f) {
 static void close_all(tracing *t) {
     output_abandon(t->hits_out);
     output_abandon(t->stats_out);
+    baseline_close(&t->built);
     scene_close(&t->s);
     free(t->rays);
     free(t->hits);
     free(t->order);
+}
+
+/* Below 0: the engine traces. */
+static int read_baseline(args *a) {
+    static const char *const others[] = {"--packet",    "--walk",    "--structure", "--rays",
+                                         "--residency", "--workers", "--turns",     NULL};
+    if (!args_has(a, "--baseline")) {
+        return -1;
+    }
+    for (unsigned i = 0; others[i] != NULL; i++) {
+        if (args_has(a, others[i])) {
+            args_complain(a, "%s is for the engine; leave it or --baseline out", others[i]);
+        }
+    }
+    return (int)args_choice(a, "--baseline", baseline_names, 0);
 }
 
 int run_trace(args *a) {
@@ -245,10 +279,10 @@ int run_trace(args *a) {
     if (strcmp(a->file[0], "-") == 0 && strcmp(a->file[1], "-") == 0) {
         args_complain(a, "SCENE.plt and RAYS are not both on standard input; name a file");
     }
-    tracing t = {.s = SCENE_CLOSED};
+    tracing t = {.s = SCENE_CLOSED, .baseline = read_baseline(a)};
     t.s.options.count_touched = json != NULL;
     t.s.options.rays = (uint8_t)args_choice(a, "--rays", kinds, PLT_RAYS_AUTO);
-    if (t.s.options.rays != PLT_RAYS_COHERENT) {
+    if (t.s.options.rays != PLT_RAYS_COHERENT && t.baseline < 0) {
         t.s.options.rays_in_flight = RAYS_IN_FLIGHT;
         t.s.options.wide = 1;
     }

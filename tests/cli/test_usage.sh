@@ -58,7 +58,7 @@ flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebu
     --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
-flags trace --any --rays --order --repeat --json $scene_flags
+flags trace --any --rays --order --baseline --repeat --json $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags
 
