@@ -13,6 +13,9 @@
 
 /* Rays count as near up to so many times the scene's longest side. */
 #define REACH 3.0f
+/* Of triangles that lie nearly across an axis most of the box is plane: there is little to cut, and
+ * strays would be many (a city's walls: 29 per triangle). */
+#define ACROSS 0.99
 /* 2^-6, and 2^-18 for 2^-19 times the root of 3. */
 #define SLIVER 0.015625
 #define OFF 3.814697265625e-6
@@ -48,7 +51,8 @@ static kd_plane plane_of(const kd_scene *s, uint32_t triangle) {
     const double size = length_of(normal);
     const double least = fmin(fmin(length[0], length[1]), length[2]);
     const double sine = size * least / (length[0] * length[1] * length[2]);
-    if (sine >= SLIVER) { /* not if it is no number */
+    const double most = fmax(fmax(fabs(normal[0]), fabs(normal[1])), fabs(normal[2]));
+    if (sine >= SLIVER && most < ACROSS * size) { /* not if it is no number */
         for (int a = 0; a < 3; a++) {
             to.normal[a] = (float)(normal[a] / size);
         }

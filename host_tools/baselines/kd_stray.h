@@ -15,8 +15,8 @@
  *
  * All distances are widened by `margin`, which is 4 e (lone_ray.h) of rays whose reach is at most
  * `reach`. Rays that come from farther off are traced through all cells of their line: the point
- * where the line meets the triangle lies in one that has a reference. A sliver, s below 2^-6, is
- * in all cells that its box reaches into.
+ * where the line meets the triangle lies in one that has a reference. A sliver, s below 2^-6, and
+ * what lies nearly across an axis, are in all cells that their boxes reach into.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef BASELINES_KD_STRAY_H
@@ -26,7 +26,7 @@
 
 typedef struct kd_plane {
     float normal[3]; /* of length 1 */
-    float off;       /* h; below 0: a sliver, or nothing that has a plane */
+    float off;       /* h; below 0: a sliver, across an axis, or nothing that has a plane */
 } kd_plane;
 
 typedef struct kd_scene {
