@@ -19,6 +19,7 @@
 #include "host_tools/app/scene.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
+#include "host_tools/cli/baseline.h"
 #include "host_tools/cli/commands.h"
 
 /* That a worker takes at once: whole numbers of packets of every size. */
@@ -32,6 +33,11 @@ static const arg_flag flags[] = {
     {"--order", "file|sorted",
      "rays are traced as they come, or sorted by where they begin and point, so that neighbours "
      "meet the same parts of the scene; hits are written as the rays came (default file)"},
+    {"--baseline", "kd|kd-boxes|kd-fast|kd-lazy",
+     "through a kd-tree of the scene's triangles instead, one by one: of their parts by the "
+     "surface "
+     "area heuristic, of their boxes, of boxes by samples of the heuristic, or that as rays come; "
+     "hits are the same"},
     MOVED_FLAGS,
     REBUILDS_FLAGS,
     {"--repeat", "N",
@@ -75,6 +81,8 @@ typedef struct tracing {
     uint64_t traced; /* rays of a run */
     frame_times times;
     crew_times took; /* of the best run */
+    int baseline;    /* place in baseline_names; below 0: the engine traces */
+    baseline built;
 } tracing;
 
 /* A frame's own: of the '{}' in the name. */
@@ -168,6 +176,15 @@ static frame_time time_so_far(const tracing *t, const crew_times *took) {
     return (frame_time){t->moved.move_seconds, t->rebuilds.seconds, took->seconds};
 }
 
+static int trace_baseline(tracing *t, fail *f) {
+    ray_file *file = &t->file;
+    const int done =
+        baseline_trace(&t->built, file->rays, file->hits, file->count, t->any, t->repeat, f);
+    t->took.seconds = t->built.seconds;
+    t->traced = file->count;
+    return done;
+}
+
 static int trace_all(tracing *t, fail *f) {
     progress bar;
     int status = 0;
@@ -188,6 +205,9 @@ static int trace_all(tracing *t, fail *f) {
 }
 
 static int write_stats(const tracing *t, output *o, fail *f) {
+    if (t->built.s != NULL) {
+        return baseline_print(&t->built, o, f);
+    }
     output_print(o, f, "{\n");
     if (moved_is(&t->moved)) {
         output_print(o, f, "  \"frames\": %u,\n", t->moved.range.count);
@@ -215,6 +235,10 @@ static int open_all(tracing *t, args *a, const char *json, fail *f) {
         return scene_refused(&t->s, t->scene_path, status, &fault, f);
     }
     if (t->moved.is_played && played_refused(&t->s, t->scene_path, &t->moved.range, f) != 0) {
+        return -1;
+    }
+    if (t->baseline >= 0 && baseline_open(&t->built, (unsigned)t->baseline, t->s.engine,
+                                          scene_name(t->scene_path), f) != 0) {
         return -1;
     }
     if (!is_numbered(t, t->hits_path)) {
@@ -248,9 +272,26 @@ static int write_all(tracing *t, fail *f) {
 static void close_all(tracing *t) {
     output_abandon(t->hits_out);
     output_abandon(t->stats_out);
+    baseline_close(&t->built);
     scene_close(&t->s);
     ray_file_free(&t->file);
     frame_times_free(&t->times);
+}
+
+/* Below 0: the engine traces. */
+static int read_baseline(args *a) {
+    static const char *const others[] = {"--packet",    "--walk",    "--structure", "--rays",
+                                         "--residency", "--workers", "--turns",     "--moved",
+                                         "--frames",    "--rebuild", NULL};
+    if (!args_has(a, "--baseline")) {
+        return -1;
+    }
+    for (unsigned i = 0; others[i] != NULL; i++) {
+        if (args_has(a, others[i])) {
+            args_complain(a, "%s is for the engine; leave it or --baseline out", others[i]);
+        }
+    }
+    return (int)args_choice(a, "--baseline", baseline_names, 0);
 }
 
 static void read_flags(tracing *t, args *a, const char *json) {
@@ -260,6 +301,7 @@ static void read_flags(tracing *t, args *a, const char *json) {
     t->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     t->sorts = args_choice(a, "--order", orders, 0) == 1;
     t->any = args_has(a, "--any");
+    t->baseline = read_baseline(a);
     moved_read(&t->moved, &t->s, a);
     rebuilds_read(&t->rebuilds, &t->s, a, moved_is(&t->moved));
     destination_differ(a, "HITS and --json", t->hits_path, json);
@@ -271,7 +313,7 @@ static void read_flags(tracing *t, args *a, const char *json) {
     }
     t->s.options.count_touched = json != NULL;
     t->s.options.rays = (uint8_t)args_choice(a, "--rays", kinds, PLT_RAYS_AUTO);
-    if (t->s.options.rays != PLT_RAYS_COHERENT) {
+    if (t->s.options.rays != PLT_RAYS_COHERENT && t->baseline < 0) {
         t->s.options.rays_in_flight = RAYS_IN_FLIGHT;
         t->s.options.wide = !moved_is(&t->moved); /* it would not move along */
     }
@@ -283,7 +325,8 @@ int run_trace(args *a) {
     fail f = {""};
     read_flags(&t, a, json);
     int status = a->wrong ? -1 : open_all(&t, a, json, &f);
-    status = status == 0 ? trace_all(&t, &f) : status;
+    status =
+        status == 0 ? (t.built.s != NULL ? trace_baseline(&t, &f) : trace_all(&t, &f)) : status;
     status = status == 0 ? write_all(&t, &f) : status;
     close_all(&t);
     if (a->wrong) {

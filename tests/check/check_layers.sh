@@ -36,6 +36,7 @@ host_tools/picture
 host_tools/mesh
 host_tools/scenes
 host_tools/pack
+host_tools/baselines
 host_tools/link
 host_tools/app
 host_tools/hid/device

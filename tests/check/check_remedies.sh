@@ -15,6 +15,16 @@ large="of a mesh that large as well; test_pack_need asks for the sizes"
 reasons="
 out of memory; close other programs | $few
 %s %s: out of memory; close other programs | $few
+%u triangles: out of memory for a kd-tree, which had %llu bytes; leave some out, or take another \
+structure | test_baselines gives less memory
+%zu triangles: more than %u; leave some out | $large
+%zu triangles cannot move to be %zu; open a new one | no command moves them; test_baselines does
+this build cannot open it; choose another structure | no command opens the engine so
+out of memory for an arena of %llu bytes; leave out triangles | likewise
+%s; choose another structure | likewise
+out of memory for corners; leave out triangles | likewise
+%s; write numbers within 2^40 | likewise
+not traced; choose another structure | likewise
 frame %u: triangle %u: %s; bring the mesh nearer to 0,0,0 | readers refuse such meshes before
 out of memory for its frames; pack on a larger machine | $few
 out of memory for the frames of --tree-for all; use --tree-for first | $few

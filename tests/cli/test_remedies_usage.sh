@@ -8,6 +8,7 @@ begin remedies_usage
 quad quad.ply
 run pack quad.ply -o quad.plt
 echo '0 0 5 0 0 0 -1 100' | rays ray
+run pack quad.ply -o compact.plt --nodes compact
 
 # ---- any command: host_tools/app/args.c, program.c ------------------------------------
 
@@ -34,6 +35,16 @@ says "%s takes %u numbers separated by commas, not '%s'" render quad.plt -o x.pn
 cured render quad.plt -o x.png --eye 0,0,3
 says "%s takes WIDTHxHEIGHT, each 1 to %u, not '%s'" render quad.plt -o x.png --size 64
 cured render quad.plt -o x.png --size 64x48
+
+# ---- trace --baseline: host_tools/cli/cmd_trace.c, baseline.c --------------------------
+
+says "%s is for the engine; leave it or --baseline out" trace quad.plt ray hit --baseline kd \
+    --packet 4
+cured trace quad.plt ray hit --baseline kd
+says "--baseline is for float triangles; pack it with --nodes thesis" trace compact.plt ray hit \
+    --baseline kd
+run pack quad.ply -o thesis.plt --nodes thesis
+cured trace thesis.plt ray hit --baseline kd
 
 # ---- pack --quality: host_tools/cli/cmd_pack.c ---------------------------------------
 

@@ -58,7 +58,7 @@ flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebu
     --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
-flags trace --any --rays --order --moved --frames --rebuild --rebuild-step --repeat --json \
+flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step --repeat --json \
     $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags

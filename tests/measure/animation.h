@@ -13,7 +13,9 @@
 #include "host_tools/scenes/cos_sin.h"
 #include "host_tools/scenes/scenes.h"
 #include "tests/reference/frames.h"
+#include "tests/reference/rays.h"
 #include "tests/reference/rig.h"
+#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 typedef struct animation {
@@ -94,6 +96,25 @@ static inline void animation_box(const mesh *m, float lo[3], float hi[3]) {
             hi[a] = fmaxf(hi[a], m->vertex[3 * (size_t)m->triangle[i] + (size_t)a]);
         }
     }
+}
+
+/* From a point of a triangle, in any direction. */
+static inline plt_ray animation_ray(const mesh *m, random_state *r) {
+    const uint32_t triangle = random_below(r, (uint32_t)m->triangles);
+    const float u = random_float(r, 0.0f, 0.5f), v = random_float(r, 0.0f, 0.5f);
+    float org[3], dir[3], length;
+    for (int a = 0; a < 3; a++) {
+        org[a] = (1.0f - u - v) * shape_corner(m, triangle, 0)[a] +
+                 u * shape_corner(m, triangle, 1)[a] + v * shape_corner(m, triangle, 2)[a];
+    }
+    do { /* all directions alike */
+        length = 0.0f;
+        for (int a = 0; a < 3; a++) {
+            dir[a] = random_float(r, -1.0f, 1.0f);
+            length += dir[a] * dir[a];
+        }
+    } while (length > 1.0f || length < 0.01f);
+    return ray_make(org, dir, 0.0f, RAYS_FAR);
 }
 
 #endif

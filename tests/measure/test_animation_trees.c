@@ -62,24 +62,6 @@ static int open_tree(mover *v, const film *f, tree t, unsigned frame, double *se
 
 /* ---- what rays cost --------------------------------------------------------------- */
 
-static plt_ray ray_from(const mesh *m, random_state *r) {
-    const uint32_t triangle = random_below(r, (uint32_t)m->triangles);
-    const float u = random_float(r, 0.0f, 0.5f), v = random_float(r, 0.0f, 0.5f);
-    float org[3], dir[3], length;
-    for (int a = 0; a < 3; a++) {
-        org[a] = (1.0f - u - v) * shape_corner(m, triangle, 0)[a] +
-                 u * shape_corner(m, triangle, 1)[a] + v * shape_corner(m, triangle, 2)[a];
-    }
-    do { /* all directions alike */
-        length = 0.0f;
-        for (int a = 0; a < 3; a++) {
-            dir[a] = random_float(r, -1.0f, 1.0f);
-            length += dir[a] * dir[a];
-        }
-    } while (length > 1.0f || length < 0.01f);
-    return ray_make(org, dir, 0.0f, RAYS_FAR);
-}
-
 static plt_stats stats_of(plt_engine *e) {
     plt_stats s;
     plt_stats_get(e, &s);
@@ -97,7 +79,7 @@ static uint64_t trace(plt_engine *e, const film *f, unsigned frame, cost *sum) {
     const plt_stats between = stats_of(e);
     random_state random = {frame + 1};
     for (unsigned i = 0; i < RAYS; i++) {
-        const plt_ray ray = ray_from(&f->frame[frame], &random);
+        const plt_ray ray = animation_ray(&f->frame[frame], &random);
         plt_hit hit;
         CHECK(plt_trace(e, &ray, &hit, 1, 0) == PLT_OK, "not traced");
         hash = 31 * hash + hit.triangle;

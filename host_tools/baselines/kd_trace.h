@@ -1,0 +1,34 @@
+/* kd_trace - single rays through a kd-tree, cells near the origin first
+ *
+ * A ray visits the cells within 3 e of it (lone_ray.h), as long as they begin no farther than the
+ * hit it has. A hit that is reported at q is thus found: q lies in a cell, or at most 1.5 e outside
+ * all of them, whose triangles include it (kd_stray.h), and for every plane above that cell the ray
+ * goes to its side by t.
+ *
+ * Source: Wald, "Realtime ray tracing and interactive global illumination", 2004, section 7;
+ * Amanatides, Woo, 1987 (the mailbox).
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef BASELINES_KD_TRACE_H
+#define BASELINES_KD_TRACE_H
+
+#include "host_tools/baselines/kd_build.h"
+#include "host_tools/baselines/lone_ray.h"
+
+typedef struct kd_counts {
+    uint64_t visits, planes, tests, sieved;
+} kd_counts;
+
+typedef struct kd_tracing {
+    kd_tree *tree; /* nodes that are not split yet are */
+    const kd_scene *scene;
+    uint32_t *mailbox; /* of each triangle the last ray that was tested; none is `number` */
+    uint32_t number;   /* of the ray, from 1 */
+    int any;
+    kd_counts counts;
+} kd_tracing;
+
+/* -1: no memory to split a node. */
+int kd_trace(kd_tracing *k, lone_ray *r);
+
+#endif

@@ -1,0 +1,30 @@
+/* kinds - what every structure has: the functions behind structure.h
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef BASELINES_KINDS_H
+#define BASELINES_KINDS_H
+
+#include "engine/planelet.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/baselines/structure_types.h"
+#include "host_tools/mesh/mesh.h"
+
+/* `self` is what open returned. Rays and bytes are asked of statistics in one call. */
+typedef struct structure_kind {
+    const char *name;
+    const char *about; /* a phrase */
+    unsigned variant;  /* handed to open */
+    void *(*open)(unsigned variant, const mesh *m, const structure_options *o, const char *name,
+                  fail *f);
+    int (*move)(void *self, const mesh *m, fail *f);
+    int (*trace)(void *self, const plt_ray *rays, plt_hit *hits, uint32_t count, int any, fail *f);
+    void (*count)(const void *self, structure_statistics *to);
+    void (*forget)(void *self);
+    void (*close)(void *self);
+} structure_kind;
+
+extern const structure_kind structure_tree, structure_tree_never, structure_tree_always,
+    structure_grid;
+extern const structure_kind structure_kd, structure_kd_boxes, structure_kd_fast, structure_kd_lazy;
+
+#endif

@@ -1,0 +1,41 @@
+/* structure - what finds hits: the engine's trees and grids, and what others have built
+ *
+ * One interface for all that hits can be asked of, so that tools and measuring programs compare
+ * them without knowing them. All give the hits of the engine, bit for bit (DESIGN.md, 5.7).
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef BASELINES_STRUCTURE_H
+#define BASELINES_STRUCTURE_H
+
+#include "engine/planelet.h"
+#include "host_tools/base/fail.h"
+#include "host_tools/baselines/structure_types.h"
+#include "host_tools/mesh/mesh.h"
+
+typedef struct structure_kind structure_kind;
+typedef struct built_structure built_structure;
+
+/* All kinds, by name; NULL ends them. */
+const structure_kind *const *structure_kinds(void);
+const structure_kind *structure_find(const char *name); /* NULL: there is none */
+const char *structure_name(const structure_kind *kind);
+const char *structure_about(const structure_kind *kind);
+
+/* Builds one of `m`, which is not needed any more; ids are places in it. `name` is for errors. NULL
+ * when there is no memory, or the mesh is beyond what the kind can hold. */
+built_structure *structure_open(const structure_kind *kind, const mesh *m,
+                                const structure_options *options, const char *name, fail *f);
+void structure_close(built_structure *s); /* NULL is allowed */
+
+/* The same triangles, moved: what the kind does before it traces a frame. -1: another number of
+ * them, or no memory; then it can only be closed. */
+int structure_move(built_structure *s, const mesh *m, fail *f);
+
+/* As plt_trace, with its hits, bit for bit. -1: what is built on demand had no memory. */
+int structure_trace(built_structure *s, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
+                    fail *f);
+
+structure_statistics structure_count(const built_structure *s);
+void structure_forget(built_structure *s); /* of rays */
+
+#endif

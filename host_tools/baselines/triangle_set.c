@@ -1,0 +1,27 @@
+/* triangle_set - see triangle_set.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/baselines/triangle_set.h"
+
+#include "host_tools/base/heap.h"
+#include "host_tools/pack/pack.h"
+
+int triangle_set_fill(triangle_set *t, const mesh *m) {
+    if (t->record == NULL) {
+        t->record = heap_get((uint64_t)m->triangles * sizeof *t->record + 1);
+        t->count = (uint32_t)m->triangles;
+    }
+    if (t->record == NULL) {
+        return -1;
+    }
+    for (uint32_t i = 0; i < t->count; i++) {
+        pack_record(&t->record[i], m, i);
+    }
+    t->box = plt_records_box(t->record, 0, t->count);
+    return 0;
+}
+
+void triangle_set_free(triangle_set *t) {
+    heap_drop(t->record);
+    *t = (triangle_set){.record = NULL};
+}

@@ -1,0 +1,104 @@
+/* baseline - see baseline.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/cli/baseline.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "engine/engine.h"
+#include "host_tools/base/clock.h"
+#include "host_tools/base/progress.h"
+
+enum { RUN = 16384 }; /* rays between two looks at the clock of the progress */
+
+const char *const baseline_names[] = {"kd", "kd-boxes", "kd-fast", "kd-lazy", NULL};
+
+static const plt_record *records_of(const plt_scene *scene) {
+    return scene->format == PLT_FORMAT_THESIS ? scene->thesis.records
+           : scene->format == PLT_FORMAT_LIST ? scene->list.records
+                                              : NULL;
+}
+
+/* Corners as they were packed, each triangle with its own. */
+static void fill_mesh(mesh *m, const plt_record *records, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t word = plt_get_u32(&records[i].word[9]), id = plt_primitive_id(word);
+        float corner[3][3];
+        plt_record_corners(&records[i], corner);
+        for (uint32_t c = 0; c < 3; c++) {
+            const uint32_t from = (plt_primitive_rotation(word) + c) % 3;
+            memcpy(m->vertex + 9 * (size_t)id + 3 * c, corner[from], sizeof corner[from]);
+            m->triangle[3 * (size_t)id + c] = 3 * id + c;
+        }
+    }
+    m->triangles = count;
+    m->vertices = 3 * (size_t)count;
+}
+
+int baseline_open(baseline *b, unsigned which, const plt_engine *engine, const char *name,
+                  fail *f) {
+    static const structure_options options = {.one_by_one = 1};
+    const plt_scene *scene = &engine->scene;
+    const plt_record *records = records_of(scene);
+    mesh m = {0};
+    if (records == NULL && scene->info.triangles > 0) {
+        return fail_set(f, name, "--baseline is for float triangles; pack it with --nodes thesis");
+    }
+    if (mesh_reserve(&m, 3 * (size_t)scene->info.triangles, scene->info.triangles, f) == 0) {
+        fill_mesh(&m, records, scene->info.triangles);
+        const double began = clock_processor_seconds();
+        b->s = structure_open(structure_find(baseline_names[which]), &m, &options, name, f);
+        b->build_seconds = clock_processor_seconds() - began;
+    }
+    mesh_free(&m);
+    return b->s != NULL ? 0 : -1;
+}
+
+void baseline_close(baseline *b) {
+    structure_close(b->s);
+    b->s = NULL;
+}
+
+int baseline_trace(baseline *b, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
+                   unsigned repeat, fail *f) {
+    progress bar;
+    int status = 0;
+    b->rays = count;
+    progress_begin(&bar, "tracing", (uint64_t)repeat * count);
+    for (unsigned i = 0; i < repeat && status == 0; i++) {
+        double seconds = 0.0;
+        structure_forget(b->s);
+        for (uint32_t at = 0; at < count && status == 0; at += RUN) {
+            const uint32_t left = count - at, now = left < RUN ? left : RUN;
+            const double began = clock_processor_seconds();
+            status = structure_trace(b->s, rays + at, hits + at, now, any, f);
+            seconds += clock_processor_seconds() - began;
+            progress_show(&bar, (uint64_t)i * count + at);
+        }
+        b->seconds = i == 0 || seconds < b->seconds ? seconds : b->seconds;
+    }
+    progress_end(&bar);
+    return status;
+}
+
+int baseline_print(const baseline *b, output *o, fail *f) {
+    const structure_statistics s = structure_count(b->s);
+    const double seconds = b->seconds > 1e-9 ? b->seconds : 1e-9;
+    output_print(o, f,
+                 "{\n  \"rays\": %" PRIu32
+                 ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n"
+                 "  \"build_seconds\": %.9f,\n",
+                 b->rays, b->seconds, 1e-6 * b->rays / seconds, b->build_seconds);
+    output_print(o, f,
+                 "  \"node_visits\": %" PRIu64 ",\n  \"plane_tests\": %" PRIu64
+                 ",\n  \"triangle_tests\": %" PRIu64 ",\n  \"strays_sieved\": %" PRIu64
+                 ",\n  \"build_work\": %" PRIu64 ",\n",
+                 s.node_visits, s.box_tests, s.triangle_tests, s.sieved, s.build_work);
+    return output_print(
+        o, f,
+        "  \"nodes\": %" PRIu32 ",\n  \"leaves\": %" PRIu32 ",\n  \"unsplit\": %" PRIu32
+        ",\n  \"references\": %" PRIu32 ",\n  \"strays\": %" PRIu32
+        ",\n  \"structure_bytes\": %" PRIu64 ",\n  \"triangle_bytes\": %" PRIu64 "\n}\n",
+        s.nodes, s.leaves, s.unsplit, s.references, s.strays, s.bytes, s.triangle_bytes);
+}

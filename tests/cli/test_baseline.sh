@@ -1,0 +1,61 @@
+#!/bin/sh
+# test_baseline.sh - planelet trace --baseline: kd-trees have the engine's hits, bit for bit
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin baseline
+
+run make knot -o knot.ply --triangles 1500
+run make city -o city.ply
+run pack knot.ply -o knot.plt
+run pack knot.ply -o list.plt --build none
+run pack knot.ply -o device.plt --build device
+run pack city.ply -o city.plt --leaf 4
+# rays: 500 from a point on a circle to one on another, of no order.
+awk 'BEGIN { srand(5); while (i++ < 500) {
+    a = 6.28 * rand(); b = 6.28 * rand()
+    print 4 * cos(a), 2 * rand() - 1, 4 * sin(a), 0, cos(b) - 4 * cos(a), rand() - 0.5, \
+        sin(b) - 4 * sin(a), 1e30 } }' | rays mixed
+
+for scene in knot list device city; do
+    for any in '' --any; do
+        # shellcheck disable=SC2086
+        run trace $scene.plt mixed due.hits $any
+        for kind in kd kd-boxes kd-fast kd-lazy; do
+            # shellcheck disable=SC2086
+            works "$scene by $kind $any" trace $scene.plt mixed got.hits $any --baseline $kind \
+                --json $kind.json
+            same due.hits got.hits "... has the hits of the engine"
+        done
+    done
+done
+works "sorted rays come back as they were" trace city.plt mixed got.hits --order sorted \
+    --baseline kd --repeat 3
+run trace city.plt mixed due.hits
+same due.hits got.hits "... with the same hits"
+verdict "its nodes, visits, tests and bytes are counted" "$(
+    for kind in kd kd-boxes kd-fast kd-lazy; do
+        for count in rays node_visits plane_tests triangle_tests build_work nodes leaves \
+            references structure_bytes; do
+            [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
+        done
+    done)"
+verdict "... boxes have no strays, a lazy tree has cells left, others have none" "$(
+    [ "$(number strays <kd.json)" -gt 0 ] || echo "kd: no strays"
+    [ "$(number strays <kd-boxes.json)" -eq 0 ] || echo "kd-boxes: strays"
+    [ "$(number unsplit <kd-fast.json)" -eq 0 ] || echo "kd-fast: cells"
+    [ "$(number unsplit <kd-lazy.json)" -gt 0 ] || echo "kd-lazy: no cells")"
+verdict "... and a lazy tree is no larger than the same one built whole" "$(
+    [ "$(number nodes <kd-lazy.json)" -lt "$(number nodes <kd-fast.json)" ] ||
+        echo "$(number nodes <kd-lazy.json) nodes")"
+run pack knot.ply -o compact.plt --nodes compact
+refused "lattice triangles are refused" compact.plt "pack it with --nodes thesis" \
+    trace compact.plt mixed got.hits --baseline kd
+for flag in '--packet 4' '--walk depth' '--structure grid' '--rays coherent' \
+    '--residency streamed' '--workers 2' --turns; do
+    # shellcheck disable=SC2086
+    misused "--baseline with $flag" "is for the engine" \
+        trace knot.plt mixed got.hits --baseline kd $flag
+done
+misused "another kind" "not 'bvh'" trace knot.plt mixed got.hits --baseline bvh
+finish

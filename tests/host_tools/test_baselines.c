@@ -1,0 +1,310 @@
+/* test_baselines - every structure against a list of all triangles, bit for bit
+ *
+ * The list is the engine's own, without a tree; some of its hits are judged in double as well
+ * (reference/brute.h). Scenes are flat, thin, huge, tiny, crowded, of no area, of no triangle, or
+ * have moved; rays start anywhere, graze triangles, run along axes, or are no rays.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+
+#include "host_tools/base/heap.h"
+#include "host_tools/baselines/structure.h"
+#include "tests/reference/brute.h"
+#include "tests/reference/grid_scenes.h"
+#include "tests/reference/mover.h"
+
+enum { RAYS = 200, ROUNDS = 24, SOAK = 100 };
+
+static const structure_options by_rays = {.one_by_one = 1}, by_packets = {.packet_side = 2};
+
+/* ---- rays -------------------------------------------------------------------------- */
+
+/* Nearly in the plane of a triangle, towards a point of it or beside it, from near or far. */
+static void rays_grazing(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
+    float lo[3], hi[3], size = 0.0f;
+    shape_box(m, lo, hi);
+    for (int a = 0; a < 3; a++) {
+        size = fmaxf(size, hi[a] - lo[a]);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t triangle = random_below(r, (uint32_t)m->triangles);
+        const float *p = shape_corner(m, triangle, 0), *q = shape_corner(m, triangle, 1),
+                    *s = shape_corner(m, triangle, 2);
+        const float u = random_float(r, -0.1f, 1.0f), v = random_float(r, -0.1f, 1.0f);
+        const float off = ldexpf(size, -4 - (int)random_below(r, 18));
+        const float along = ldexpf(1.0f, (int)random_below(r, 6)) * random_float(r, -2.0f, 2.0f);
+        float to[3], from[3];
+        for (int a = 0; a < 3; a++) {
+            to[a] = p[a] + u * (q[a] - p[a]) + v * (s[a] - p[a]);
+            from[a] = to[a] + along * (q[a] - s[a]) + 3.0f * along * (q[a] - p[a]) +
+                      off * random_float(r, -1.0f, 1.0f);
+        }
+        rays[i] = ray_between(from, to);
+        rays[i].tmax = random_below(r, 4) ? RAYS_FAR : random_float(r, 0.9f, 1.1f);
+        rays[i].tmin = random_below(r, 4) ? 0.0f : random_float(r, 0.9f, 1.0f);
+    }
+}
+
+/* From up to 2^12 sizes away. */
+static void rays_far(plt_ray *rays, uint32_t count, const mesh *m, random_state *r) {
+    rays_edges(rays, count, m, r);
+    for (uint32_t i = 0; i < count; i++) {
+        const float back = ldexpf(1.0f, (int)random_below(r, 13));
+        for (int a = 0; a < 3; a++) {
+            rays[i].org[a] -= back * rays[i].dir[a];
+        }
+        rays[i].tmax = RAYS_FAR;
+    }
+}
+
+/* What is no ray at all, or an odd one. */
+static void make_odd(plt_ray *ray, random_state *r) {
+    static const float odd[] = {NAN, INFINITY, -INFINITY, 0.0f, -0.0f, 3e38f, 1e-38f, -1.0f, 1e12f};
+    float *of[4] = {&ray->org[random_below(r, 3)], &ray->dir[random_below(r, 3)], &ray->tmin,
+                    &ray->tmax};
+    *of[random_below(r, 4)] = odd[random_below(r, sizeof odd / sizeof *odd)];
+}
+
+static void make_rays(plt_ray *rays, const mesh *m, random_state *r) {
+    static void (*const kinds[])(plt_ray *, uint32_t, const mesh *, random_state *) = {
+        rays_mixed, rays_edges, rays_grazing, rays_far, rays_grazing};
+    const uint32_t each = RAYS / 5;
+    memset(rays, 0, RAYS * sizeof *rays);
+    for (uint32_t i = 0; i < 5; i++) {
+        kinds[i](rays + i * each, each, m, r);
+    }
+    for (uint32_t i = 0; i < RAYS / 16; i++) {
+        make_odd(&rays[random_below(r, RAYS)], r);
+    }
+}
+
+/* ---- the comparison ------------------------------------------------------------------ */
+
+typedef struct due {
+    plt_ray rays[RAYS];
+    plt_hit hits[2][RAYS]; /* nearest, any */
+} due;
+
+static uint64_t hits, sieved, strays;
+
+static int make_due(due *d, const mesh *m, random_state *r) {
+    const rig_config list = rig_config_of(2, 64, PLT_BUILD_NONE, PLT_SPLIT_SAH);
+    rig x;
+    if (m->triangles > 0) {
+        make_rays(d->rays, m, r);
+    }
+    const int is_open = rig_open(&x, m, &list) == PLT_OK;
+    CHECK(is_open, "%s", x.fault.message);
+    for (int any = 0; any < 2 && is_open; any++) {
+        CHECK(plt_trace(x.engine, d->rays, d->hits[any], RAYS, any) == PLT_OK, "the list");
+    }
+    for (uint32_t i = 0; i < RAYS; i++) {
+        hits += d->hits[0][i].triangle != PLT_MISS;
+    }
+    rig_close(&x);
+    return is_open;
+}
+
+static void compare(built_structure *s, const due *d, const char *name, unsigned scene) {
+    static plt_hit got[RAYS];
+    for (int any = 0; any < 2; any++) {
+        fail f = {""};
+        structure_forget(s);
+        CHECK(structure_trace(s, d->rays, got, RAYS, any, &f) == 0, "%s: %s", name, f.text);
+        for (uint32_t i = 0; i < RAYS; i++) {
+            const plt_hit *g = &got[i], *w = &d->hits[any][i];
+            const int is_same = memcmp(g, w, sizeof *g) == 0;
+            CHECK(is_same, "scene %u, %s, ray %u, any %d: %u at %a, not %u at %a", scene, name, i,
+                  any, g->triangle, (double)g->t, w->triangle, (double)w->t);
+        }
+        const structure_statistics q = structure_count(s);
+        sieved += q.sieved;
+        strays += q.strays;
+    }
+}
+
+static void check_counts(const built_structure *s, const mesh *m, const char *name) {
+    const structure_statistics q = structure_count(s);
+    const int is_kd = strncmp(name, "kd", 2) == 0;
+    CHECK(q.rays > 0 && q.bytes + q.triangle_bytes >= 40 * m->triangles, "%s: counts", name);
+    CHECK(!is_kd || q.unsplit > 0 || q.leaves <= q.nodes + 1, "%s: leaves", name);
+    CHECK(!is_kd || strcmp(name, "kd-lazy") == 0 || q.unsplit == 0, "%s: not whole", name);
+    CHECK(strcmp(name, "kd") == 0 || q.strays == 0, "%s: strays", name);
+}
+
+/* One kind, opened with the mesh and moved to others. */
+static void run_kind(const structure_kind *kind, const mesh *m, const mesh *moved,
+                     const due *before, const due *after, unsigned scene) {
+    const char *name = structure_name(kind);
+    for (int way = 0; way < 2; way++) {
+        fail f = {""};
+        built_structure *s = structure_open(kind, m, way ? &by_packets : &by_rays, "it", &f);
+        CHECK(s != NULL || rig_is_tiny(), "scene %u, %s: %s", scene, name, f.text);
+        if (s == NULL) {
+            continue;
+        }
+        compare(s, before, name, scene);
+        check_counts(s, m, name);
+        CHECK(structure_move(s, moved, &f) == 0, "%s: %s", name, f.text);
+        compare(s, after, name, scene);
+        CHECK(structure_move(s, m, &f) == 0, "%s: %s", name, f.text);
+        compare(s, before, name, scene);
+        structure_close(s);
+    }
+}
+
+static int is_too_far(const mesh *m) {
+    int is_far = 0;
+    for (size_t i = 0; i < 3 * m->vertices; i++) {
+        is_far |= fabsf(m->vertex[i]) > PLT_COORD_MAX;
+    }
+    return is_far;
+}
+
+static void run(mesh *m, unsigned way, random_state *r, unsigned scene) {
+    static due before, after;
+    mesh moved = shape_copy(m);
+    mover_deform(&moved, way);
+    if (is_too_far(&moved)) {
+        memcpy(moved.vertex, m->vertex, 12 * m->vertices);
+    }
+    if (make_due(&before, m, r) && make_due(&after, &moved, r)) {
+        for (const structure_kind *const *kind = structure_kinds(); *kind != NULL; kind++) {
+            run_kind(*kind, m, &moved, &before, &after, scene);
+        }
+    }
+    mesh_free(&moved);
+    mesh_free(m);
+}
+
+/* ---- scenes -------------------------------------------------------------------------- */
+
+static void random_scenes(int is_soak) {
+    random_state r = {20061};
+    test("random scenes of every kind: all structures have the hits of a list");
+    for (unsigned i = 0; i < (is_soak ? ROUNDS * SOAK : ROUNDS); i++) {
+        mesh m = {0};
+        grid_scene_make(&m, &r);
+        run(&m, i % MOVER_WAYS, &r, i);
+    }
+    CHECK(hits > ROUNDS * RAYS / 8, "%llu hits", (unsigned long long)hits);
+    CHECK(strays > 0 && sieved > 0, "no strays");
+}
+
+static void named_scenes(void) {
+    random_state r = {77};
+    test("no triangle, one, a cube, needles, all coincident, of no area, exponential, sheets");
+    for (unsigned i = 0; i < 10; i++) {
+        mesh m = {0};
+        static due nothing;
+        switch (i) {
+        case 0:
+            memset(&nothing, 0, sizeof nothing);
+            break;
+        case 1:
+            shape_soup(&m, 1, 1.0f, 3);
+            break;
+        case 2:
+            shape_cube(&m);
+            break;
+        case 3:
+            shape_needles(&m, rig_triangles(90, 1) / 2);
+            break;
+        case 4:
+            shape_coincident(&m, rig_triangles(200, 1) / 2);
+            break;
+        case 5:
+            shape_degenerate(&m);
+            break;
+        case 6:
+            shape_exponential(&m, 60);
+            break;
+        default:
+            shape_sheet(&m, rig_is_tiny() ? 2 : 14, (int)i - 7);
+        }
+        run(&m, i % MOVER_WAYS, &r, 1000 + i);
+    }
+}
+
+/* ---- memory ------------------------------------------------------------------------- */
+
+/* Traces with no more than `bytes` beyond what there is; 1: it could. */
+static int trace_within(const structure_kind *kind, const mesh *m, const due *d, uint64_t bytes) {
+    static plt_hit got[RAYS];
+    const uint64_t before = heap_used();
+    fail f = {""};
+    heap_limit(before + bytes);
+    built_structure *s = structure_open(kind, m, &by_rays, "it", &f);
+    const int could = s != NULL && structure_trace(s, d->rays, got, RAYS, 0, &f) == 0;
+    heap_limit(UINT64_MAX);
+    CHECK(could == (f.text[0] == 0), "%s: %s", structure_name(kind), f.text);
+    if (could) {
+        CHECK(memcmp(got, d->hits[0], sizeof got) == 0, "%s: hits", structure_name(kind));
+    } else {
+        CHECK(strstr(f.text, "out of memory") != NULL && strchr(f.text, ';') != NULL, "%s", f.text);
+    }
+    if (s != NULL && !could) { /* no tree, until there is one again */
+        fail g = {""};
+        CHECK(structure_trace(s, d->rays, got, RAYS, 0, &g) != 0, "traced without a tree");
+        fail h = {""};
+        CHECK(structure_move(s, m, &h) == 0, "%s", h.text);
+        compare(s, d, structure_name(kind), 2000);
+    }
+    structure_close(s);
+    CHECK(heap_used() == before, "%s: not given back", structure_name(kind));
+    return could;
+}
+
+static void bounded_memory(void) {
+    static const char *const names[] = {"kd", "kd-boxes", "kd-fast", "kd-lazy"};
+    static due d;
+    random_state r = {5};
+    mesh m = {0};
+    test("kd-trees that memory runs out for say so, give all back, and can be built later");
+    shape_soup(&m, rig_triangles(90, 1), 0.5f, 9);
+    CHECK(make_due(&d, &m, &r), "the list");
+    for (unsigned i = 0; i < 4; i++) {
+        unsigned could = 0, could_not = 0;
+        for (uint64_t bytes = 64; could < 3; bytes += bytes / 16) {
+            const int is_done = trace_within(structure_find(names[i]), &m, &d, bytes);
+            could += is_done != 0;
+            could_not += is_done == 0;
+        }
+        CHECK(could_not > 20, "%s: %u limits were too low", names[i], could_not);
+    }
+    mesh_free(&m);
+}
+
+static void refusals(void) {
+    static const structure_options o = {.packet_side = 0};
+    mesh m = {0}, n = {0};
+    fail f = {""};
+    test("another number of triangles is not a move, and no other name is a structure");
+    shape_cube(&m);
+    shape_cube(&n);
+    n.triangles--;
+    CHECK(structure_find("kd-tree") == NULL && structure_find("") == NULL, "found");
+    for (const structure_kind *const *kind = structure_kinds(); *kind != NULL; kind++) {
+        built_structure *s = structure_open(*kind, &m, &o, "it", &f);
+        CHECK(structure_find(structure_name(*kind)) == *kind, "not found by its name");
+        CHECK(structure_about(*kind)[0] != 0, "nothing about it");
+        CHECK(s != NULL || rig_is_tiny(), "%s", f.text);
+        if (s != NULL) {
+            fail g = {""};
+            CHECK(structure_move(s, &n, &g) != 0 && strstr(g.text, "12") != NULL, "%s", g.text);
+        }
+        structure_close(s);
+    }
+    mesh_free(&m);
+    mesh_free(&n);
+}
+
+int main(int argc, char **argv) {
+    const int is_soak = argc > 1 && strcmp(argv[1], "soak") == 0;
+    refusals();
+    bounded_memory();
+    named_scenes();
+    random_scenes(is_soak);
+    return test_done();
+}
