@@ -82,3 +82,29 @@ uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t si
     }
     return (uint32_t)(record - begin);
 }
+
+#if PLT_WITH_GRID
+uint32_t plt_beam_references(plt_beam *b, const uint32_t *reference, uint32_t count,
+                             plt_beam_marks *marks) {
+    const int all_deep = b->margins.all_deep;
+    projector k;
+    set_projector(&k, b);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t index = reference[i];
+        if ((index & PLT_GRID_CROWDED) != 0) {
+            return i;
+        }
+        if (marks->mailbox[index] == marks->stamp) {
+            continue;
+        }
+        marks->mailbox[index] = marks->stamp;
+        marks->met++;
+        if (b->margins.project) {
+            test_record(b, &k, &b->records[index], all_deep);
+        } else {
+            plt_beam_test_planes(b, &b->records[index]);
+        }
+    }
+    return count;
+}
+#endif
