@@ -58,7 +58,7 @@ rebuild_files := engine/rebuild.c engine/motion/rebuild.c
 motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
 grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
     engine/trace/grid_*.c engine/trace/traverse_grid.c engine/shade/beam_grid.c \
-    engine/shade/beam_slopes.c)
+    engine/shade/beam_references.c engine/shade/beam_slopes.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
