@@ -73,6 +73,12 @@ typedef struct visit {
     uint32_t cells;
 } visit;
 
+static inline void update_far(plt_beam *b) {
+    if (b->is_stored && b->open == 0) {
+        plt_beam_update_far(b);
+    }
+}
+
 /* A crowded cell: the slices of its level. */
 static void visit_crowded(visit *v, const plt_grid_level *l) {
     const plt_grid_beam *g = v->g;
@@ -95,6 +101,7 @@ static void visit_crowded(visit *v, const plt_grid_level *l) {
             v->cells += runs.cells;
             plt_beam_references(v->b, &l->reference[first], end - first, &v->marks);
         }
+        update_far(v->b);
     }
 }
 
@@ -123,9 +130,7 @@ static void visit_slice(visit *v, const plt_grid *grid, int32_t slice, float nea
         v->cells += runs.cells;
         visit_run(v, grid, first, end);
     }
-    if (v->b->is_stored && v->b->open == 0) {
-        plt_beam_update_far(v->b);
-    }
+    update_far(v->b);
 }
 
 void plt_beam_grid_init(plt_traversal *t) {

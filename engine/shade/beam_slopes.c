@@ -11,7 +11,7 @@
 
 #if PLT_WITH_GRID
 
-#define MARGIN 8.0f            /* times how far origins are moved (DESIGN.md, section 7.9) */
+#define MARGIN 3.0f            /* times how far origins are moved (DESIGN.md, section 7.9) */
 #define DEPTH_LONG 1.00000095f /* 1 + 2^-20 */
 #define STEEP 0.0625f          /* of the greatest component along z, at least, is the least */
 #define ROUNDED 0.0625f        /* of margins.plane, 160 u M: 10 u M */
