@@ -339,6 +339,56 @@ static void straight_down(void) {
     }
 }
 
+/* Squares of a sheet are cells of the grid over it, and pixels lie on all of their edges. */
+static void on_planes(void) {
+    static const float height[6] = {1.0f, 2.0f, 1.37f, -3.0f, 0.7f, 5.3f};
+    static tracer t;
+    random_state r = {12};
+    for (unsigned i = 0; i < 12; i++) {
+        const uint32_t side = rig_is_tiny() ? 2 : 4u << (i % 3);
+        const float x = i < 6 ? 0.0f : random_float(&r, -900.0f, 900.0f);
+        mesh m = {0};
+        shape_sheet(&m, side, 1);
+        shape_transform(&m, 1.0f, x, 0.0f, -x);
+        spare = 100;
+        opened(&t, &m, 4, PLT_BUILD_HOST);
+        for (unsigned k = 0; k < 6 * 4; k++) {
+            const float h = height[k % 6];
+            const uint16_t pixels = (uint16_t)(16u << (k / 6 % 2) << (k / 12));
+            plt_frame f = down_on(x + 1.0f / pixels, h, 1.0f / pixels - x, 1.0f / fabsf(h), pixels);
+            one_frame(&t, &f, any_side(&r), "on planes of cells");
+        }
+        rig_close(&t.r);
+        mesh_free(&m);
+    }
+}
+
+/* A fine sheet just in front of a coarse one, at a slant: what is behind is met first. */
+static void slanted(void) {
+    static const float before[4] = {0.001f, 0.004f, 0.01f, 0.04f};
+    static tracer t;
+    random_state r = {13};
+    for (unsigned i = 0; i < 8; i++) {
+        mesh m = {0};
+        shape_sheet(&m, rig_is_tiny() ? 2 : 12, 1);
+        shape_transform(&m, 1.0f, 0.0f, before[i % 4], 0.0f);
+        shape_sheet(&m, 1, 1);
+        for (size_t v = 0; v < m.vertices; v++) {
+            float *p = &m.vertex[3 * v];
+            p[1] += 0.7f * p[0] + (i < 4 ? 0.0f : 0.4f * p[2]);
+        }
+        spare = 100;
+        opened(&t, &m, 4, PLT_BUILD_HOST);
+        for (unsigned k = 0; k < 12; k++) {
+            const float x = random_float(&r, -0.2f, 0.2f), z = random_float(&r, -0.2f, 0.2f);
+            const plt_frame f = down_on(x, 2.0f, z, 0.2f, 32);
+            one_frame(&t, &f, any_side(&r), "slanted");
+        }
+        rig_close(&t.r);
+        mesh_free(&m);
+    }
+}
+
 /* So far apart that bounds of t tell which is nearer, or just do not. */
 static void straight_down_by_bounds(void) {
     static const float apart[6] = {NAN, 0x1p-11f, 0x1p-9f, -0x1p-7f, 0x1p-5f, 0x1p-3f};
@@ -487,6 +537,12 @@ int main(void) {
     all_of("grids");
     begin("a crowded cell, seen from near and far: the same", "grids");
     crowds();
+    report();
+    begin("pixels on the planes of cells: the same", "grids");
+    on_planes();
+    report();
+    begin("a fine sheet before a coarse one, at a slant: the same", "grids");
+    slanted();
     report();
     return test_done();
 }
