@@ -85,7 +85,7 @@ $(OUT)/flags: FORCE
 # What plays is another program, with the parts that it takes: this make calls itself for it.
 play_options = $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
                $(if $(ARENA),arena=$(ARENA)) $(PARAMETERS)
-play_parts := $(if $(filter grid,$(STRUCTURE)),render thesis motion sequence grid,\
+play_parts := $(if $(filter grid,$(STRUCTURE)),render thesis motion sequence grid frames,\
                 $(if $(filter-out never,$(REBUILD)),,render) thesis frames motion sequence)
 ifeq ($(PROGRAM),played)
 run play: firmware

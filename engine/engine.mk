@@ -57,10 +57,12 @@ some_files := engine/move_some.c engine/motion/dirty.c
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c
 motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
 grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
-    engine/trace/grid_*.c engine/trace/traverse_grid.c)
+    engine/trace/grid_*.c engine/trace/traverse_grid.c engine/shade/beam_grid.c \
+    engine/shade/beam_references.c engine/shade/beam_slopes.c)
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
-    $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
+    $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
+    engine/shade/camera_packet.c \
     engine/shade/camera_ranges.c \
     engine/shade/packet_shade.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
@@ -107,8 +109,8 @@ ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave batch grid,$(PARTS)),)
-$(error PARTS with frames has no wave, batch or grid: make PARTS='render thesis frames')
+ifneq ($(filter wave batch,$(PARTS)),)
+$(error PARTS with frames has no wave or batch: make PARTS='render thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')

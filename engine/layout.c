@@ -12,6 +12,7 @@
 #include "engine/scene/build_compact.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/block_entry.h"
+#include "engine/trace/grid_state.h"
 #include "engine/trace/treelet_entry.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
@@ -236,6 +237,9 @@ static uint64_t state_bytes(const subject *s) {
     const uint64_t mailbox = has_grid(s) ? 4ull * s->info->triangles : 0;
     return plt_state_bytes(s->format) + mailbox;
 #else
+    if (has_grid(s)) {
+        return sizeof(plt_grid_state) + 4ull * s->info->triangles;
+    }
     return plt_is_streamed(s->format) ? sizeof(plt_stream)
            : plt_has_blocks(s->format) ? sizeof(plt_block_state)
                                        : sizeof(plt_treelet_state);

@@ -83,7 +83,7 @@
 #define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */
 #endif
 #ifndef PLT_WITH_GRID /* grids (plt_options.structure) */
-#if PLT_WITH_THESIS && PLT_WITH_GROUPS
+#if PLT_WITH_THESIS
 #define PLT_WITH_GRID 1
 #else
 #define PLT_WITH_GRID 0
@@ -260,9 +260,8 @@
     (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER))
 #error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION and PLT_WITH_BUILDER 1"
 #endif
-#if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) ||                                                  \
-    (PLT_WITH_GRID && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))
-#error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS and PLT_WITH_GROUPS 1"
+#if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) || (PLT_WITH_GRID && !PLT_WITH_THESIS)
+#error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS 1"
 #endif
 #if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
 #error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"

@@ -11,9 +11,9 @@ enum {
     CROWDED_LEAST = 256, /* references; and a sixteenth of all triangles, */
     CROWDED_SURE = 1024, /* or so many */
     CROWDED_MOST = 64,   /* cells */
-    SHARES_MOST = 8      /* references of a level per item: else it has fewer cells */
+    SHARES_MOST = 16     /* references of a level per item: else it has fewer cells */
 };
-#define CROWDED_DENSITY 2.0f /* cells per item */
+#define CROWDED_DENSITY 8.0f /* cells per item */
 #define GROWN 1.0e-3f        /* of a cell, and ... */
 #define GROWN_FAR 2.4e-7f    /* 4 u of the coordinates: the level's box is larger by that */
 

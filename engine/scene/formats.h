@@ -56,10 +56,9 @@ static inline int plt_has_blocks(unsigned format) {
     return format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED);
 }
 
-/* Frames of all formats but streamed thesis nodes and grids may go by beams. */
+/* Frames of all formats but streamed thesis nodes may go by beams. */
 static inline int plt_has_beams(unsigned format) {
-    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS) &&
-           !(PLT_WITH_GRID && format == PLT_FORMAT_GRID);
+    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS);
 }
 
 /* `residency`, `structure`: as in plt_options. */

@@ -15,6 +15,12 @@ static void set_records(plt_beam *b, const plt_scene *scene, uint32_t side) {
     }
 #endif
     (void)side;
+#if PLT_WITH_GRID
+    if (scene->format == PLT_FORMAT_GRID) {
+        b->records = scene->gridded.records;
+        return;
+    }
+#endif
     b->records = scene->format == PLT_FORMAT_LIST ? scene->list.records : scene->thesis.records;
 }
 

@@ -182,6 +182,26 @@ PLT_BEAM_BLOCKS_DECLARED(resident)
 PLT_BEAM_BLOCKS_DECLARED(streamed)
 #undef PLT_BEAM_BLOCKS_DECLARED
 
+/* Of grids (beam_grid.c): sets up what is kept from square to square; starts at the first slice
+ * that the beam may reach, if there is one; works off slices. */
+void plt_beam_grid_init(plt_traversal *t);
+void plt_beam_grid_push(const plt_beam *b, plt_traversal *t);
+plt_beam_counts plt_beam_grid_trace(plt_beam *b, plt_traversal *t, uint32_t visits);
+
+/* Which way the beam goes through a grid: all of `g` but slice, step and left. */
+struct plt_grid_beam;
+void plt_beam_grid_slopes(struct plt_grid_beam *g, const plt_beam *b);
+
+/* Triangles that were met have `stamp` in the mailbox; how many were met first here. */
+typedef struct plt_beam_marks {
+    uint32_t *mailbox, stamp, met;
+} plt_beam_marks;
+
+/* Tests the triangles that references are of, each once. Stops at one that is a crowded cell's
+ * (PLT_GRID_CROWDED): returns how many come before that. */
+uint32_t plt_beam_references(plt_beam *b, const uint32_t *reference, uint32_t count,
+                             plt_beam_marks *marks);
+
 /* No pixel is open any more: sets `far` to the greatest t. */
 void plt_beam_update_far(plt_beam *b);
 

@@ -26,6 +26,11 @@ void plt_beam_state_init(plt_traversal *t) {
         plt_beam_streamed_init(t);
         break;
 #endif
+#if PLT_WITH_GRID
+    case PLT_FORMAT_GRID:
+        plt_beam_grid_init(t);
+        break;
+#endif
     default: /* nodes: plt_beam_push_root */
         break;
     }
@@ -51,6 +56,11 @@ void plt_beam_push_root(plt_beam *b, plt_traversal *t) {
 #if PLT_WITH_THESIS
     case PLT_FORMAT_THESIS:
         push_nodes(t, &root);
+        break;
+#endif
+#if PLT_WITH_GRID
+    case PLT_FORMAT_GRID:
+        plt_beam_grid_push(b, t);
         break;
 #endif
 #if PLT_WITH_COMPACT
@@ -88,6 +98,11 @@ int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
             c.triangles = plt_beam_lists(b, 0, t->scene->list.count, 1);
             t->waiting = 0;
         }
+        break;
+#endif
+#if PLT_WITH_GRID
+    case PLT_FORMAT_GRID:
+        c = plt_beam_grid_trace(b, t, visits);
         break;
 #endif
 #if PLT_WITH_COMPACT

@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/grid_bundle.h"
 
-#include <string.h>
-
 #include "engine/trace/grid_turn.h"
 
 #if PLT_WITH_GRID
@@ -116,15 +114,6 @@ static int take_groups(plt_grid_state *s, const plt_packet *p, const plt_grid_le
     return 0;
 }
 
-/* A new number; 0 is what an empty mailbox has. */
-static void set_stamp(plt_grid_state *s, uint32_t records) {
-    if (++s->stamp == 0) {
-        memset(plt_grid_mailbox(s), 0, records * sizeof(uint32_t));
-        s->stamp = 1;
-    }
-    s->bundle.stamp = s->stamp;
-}
-
 int plt_grid_next_bundle(plt_grid_state *s, const plt_packet *p, const plt_grid_level *top,
                          uint32_t records) {
     const plt_grid_turn *t = &s->turn;
@@ -134,7 +123,7 @@ int plt_grid_next_bundle(plt_grid_state *s, const plt_packet *p, const plt_grid_
             u->step = t->sign > 0.0f ? 1 : -1;
             u->last = t->sign > 0.0f ? (int32_t)top->cells[t->z] - 1 : 0;
             u->soonest = -PLT_BOX_FAR;
-            set_stamp(s, records);
+            u->stamp = plt_grid_next_stamp(s, records);
             return 1;
         }
     }

@@ -41,12 +41,8 @@ static inline plt_grid_view plt_grid_view_of(const plt_grid_state *s, const plt_
  * begins beyond the last. */
 static inline int plt_grid_first_slice(const plt_grid_turn *t, const plt_grid_level *l, float from,
                                        int32_t *slice) {
-    const float cells = ((t->plane - l->lo[t->z]) + t->sign * from) * l->scale[t->z];
-    const float margin = t->margin * l->scale[t->z] + PLT_GRID_CELL_ERROR;
-    const float first = cells - t->sign * margin, last = l->last[t->z];
-    const int there = t->sign > 0.0f ? first < last + 1.0f : first > 0.0f;
-    *slice = first <= 0.0f ? 0 : first >= last ? (int32_t)last : (int32_t)first;
-    return there;
+    return plt_grid_slice_at(l, t->z, t->sign, (t->plane - l->lo[t->z]) + t->sign * from, t->margin,
+                             slice);
 }
 
 #endif

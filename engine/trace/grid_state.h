@@ -1,4 +1,4 @@
-/* grid_state - how far a packet is on its way through a grid
+/* grid_state - how far a packet, or a beam, is on its way through a grid
  *
  * A packet goes through a grid in *turns*, one for each axis and direction that is the largest of
  * any of its rays; a turn in *bundles*, its groups as long as they are close together; a bundle
@@ -9,12 +9,18 @@
  * belong to it are never below it, from depth 0 to `length`; there are four, for both axes x and y
  * after the turn's: x, y, -x and -y.
  *
+ * A beam (shade/beam_grid.c) goes slice after slice, too, and is not taken apart.
+ *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_GRID_STATE_H
 #define PLT_TRACE_GRID_STATE_H
 
-#include "engine/grid/grid.h"
+#include <string.h>
+
+#include "engine/grid/slices.h"
 #include "engine/trace/traversal.h"
+
+#if PLT_WITH_GROUPS
 
 /* Four groups, or four quads of groups, side by side. */
 enum { PLT_GRID_QUADS = (PLT_GROUPS_MAX + 3) / 4, PLT_GRID_SIXTEENS = (PLT_GROUPS_MAX + 15) / 16 };
@@ -28,10 +34,6 @@ typedef struct plt_grid_bounds {
 typedef struct plt_grid_quad {
     float base[4], end[4]; /* at depths 0 and length */
 } plt_grid_quad;
-
-/* Of a cell, more than what its planes are off by: 3 u times PLT_GRID_CELLS_MOST, and once more
- * where its own level's box is. */
-#define PLT_GRID_CELL_ERROR 2.0e-3f
 
 /* What is left out, for figures alone (tests/measure). */
 enum plt_grid_without {
@@ -60,12 +62,29 @@ typedef struct plt_grid_bundle {
     int32_t slice, last, step;
     uint32_t stamp; /* in the mailbox: triangles that it has met */
 } plt_grid_bundle;
+#endif
+
+#if PLT_WITH_BEAMS
+/* The rays of a beam as the grid sees them. */
+typedef struct plt_grid_beam {
+    int x, y, z;    /* axes; z is the one along which its rays run, mostly */
+    float sign;     /* 1, or -1: they run down along z; 0: some do and some do not, or hardly */
+    float slope[4]; /* along x and y per step along z: the least, and minus the greatest */
+    float quickest; /* no ray gets further along z in a t of 1 */
+    float margin;   /* what anything is moved by, to be sure */
+    int32_t slice, step, left; /* the next, and how many there are from there */
+} plt_grid_beam;
+#endif
 
 typedef struct plt_grid_state {
+    uint32_t stamp; /* the last in the mailbox */
+#if PLT_WITH_BEAMS
+    plt_grid_beam beam;
+#endif
+#if PLT_WITH_GROUPS
     plt_grid_turn turn;
-    plt_grid_bundle bundle; /* groups 0: there is none */
-    unsigned turns;         /* begun: 0 .. 6 */
-    uint32_t stamp;
+    plt_grid_bundle bundle;          /* groups 0: there is none */
+    unsigned turns;                  /* begun: 0 .. 6 */
     uint8_t without;                 /* enum plt_grid_without */
     uint8_t lanes[PLT_GROUPS_MAX];   /* of the turn */
     float from[4 * PLT_GRID_QUADS];  /* depth at which a group begins ... */
@@ -73,9 +92,10 @@ typedef struct plt_grid_state {
     plt_grid_bounds group[PLT_GRID_QUADS];
     plt_grid_bounds quad[PLT_GRID_SIXTEENS];
     plt_grid_quad ends[PLT_GRID_QUADS];
+#endif
 } plt_grid_state;
 
-/* The mailbox lies behind the state: of each record the last bundle that met it. */
+/* The mailbox lies behind the state: of each record the last bundle or beam that met it. */
 static inline uint32_t *plt_grid_mailbox(plt_grid_state *s) {
     return (uint32_t *)(void *)(s + 1);
 }
@@ -84,10 +104,26 @@ static inline plt_grid_state *plt_grid_state_of(const plt_traversal *t) {
     return (plt_grid_state *)t->state;
 }
 
+/* A number that is not in the mailbox, of so many records; 0 is what an empty one has. */
+static inline uint32_t plt_grid_next_stamp(plt_grid_state *s, uint32_t records) {
+    if (++s->stamp == 0) {
+        memset(plt_grid_mailbox(s), 0, records * sizeof(uint32_t));
+        s->stamp = 1;
+    }
+    return s->stamp;
+}
+
+static inline void plt_grid_state_clear(plt_grid_state *s, uint32_t records) {
+    memset(s, 0, sizeof *s);
+    memset(plt_grid_mailbox(s), 0, records * sizeof(uint32_t));
+}
+
+#if PLT_WITH_GROUPS
 /* Four bounds of x and y. */
 static inline f4 plt_grid_four(float x, float y, float minus_x, float minus_y) {
     const float four[4] = {x, y, minus_x, minus_y};
     return f4_load(four);
 }
+#endif
 
 #endif

@@ -8,8 +8,6 @@
  * traversal", 2006. Why hits are those of any tree: DESIGN.md, section 7.9.
  *
  * SPDX-License-Identifier: MIT */
-#include <string.h>
-
 #include "engine/trace/grid_bundle.h"
 #include "engine/trace/grid_cull.h"
 #include "engine/trace/grid_turn.h"
@@ -74,36 +72,14 @@ static inline void visit_record(visit *v, uint32_t index) {
     }
 }
 
-/* Cells of a slice, from the first to the last along both axes across. */
-typedef struct rectangle {
-    int32_t from[2], to[2];
-} rectangle;
-
 /* What the bundle's groups may reach of a slice. 0: nothing. */
 static int overlap(const plt_grid_view *view, const plt_grid_turn *t, const plt_grid_level *l,
-                   float front, float back, rectangle *r) {
+                   float front, float back, plt_grid_patch *c) {
     const f4 near = f4_all(front > 0.0f ? front : 0.0f), far = f4_all(back > 0.0f ? back : 0.0f);
-    const float last[2] = {l->last[t->x], l->last[t->y]};
     float bound[4];
     f4_store(bound, f4_sub(plt_grid_least(view->base, view->rate, near, far), view->margin));
-    for (int i = 0; i < 2; i++) {
-        const float from = bound[i], to = -bound[i + 2];
-        if (!(from < last[i] + 1.0f) || !(to >= 0.0f)) {
-            return 0;
-        }
-        r->from[i] = from > 0.0f ? (int32_t)from : 0;
-        r->to[i] = to < last[i] ? (int32_t)to : (int32_t)last[i];
-    }
-    return 1;
-}
-
-/* Without what is empty. 0: all of it is. */
-static int cut(rectangle *r, const plt_grid_rect *occupied) {
-    for (int i = 0; i < 2; i++) {
-        r->from[i] = r->from[i] > occupied->lo[i] ? r->from[i] : occupied->lo[i];
-        r->to[i] = r->to[i] < occupied->hi[i] ? r->to[i] : occupied->hi[i];
-    }
-    return r->from[0] <= r->to[0] && r->from[1] <= r->to[1];
+    return plt_grid_between(c, 0, bound[0], -bound[2], l->last[t->x]) &&
+           plt_grid_between(c, 1, bound[1], -bound[3], l->last[t->y]);
 }
 
 static void visit_references(visit *v, const uint32_t *reference, uint32_t count) {
@@ -114,16 +90,13 @@ static void visit_references(visit *v, const uint32_t *reference, uint32_t count
 }
 
 /* Cells of one slice of a crowded cell. */
-static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const rectangle *r) {
+static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const plt_grid_patch *c) {
     const plt_grid_turn *t = &v->s->turn;
-    for (int32_t y = r->from[1]; y <= r->to[1]; y++) {
-        for (int32_t x = r->from[0]; x <= r->to[0]; x++) {
-            const uint32_t cell = (uint32_t)x * l->stride[t->x] + (uint32_t)y * l->stride[t->y] +
-                                  (uint32_t)slice * l->stride[t->z];
-            const uint32_t first = l->start[cell];
-            v->cells++;
-            visit_references(v, &l->reference[first], l->start[cell + 1] - first);
-        }
+    plt_grid_runs runs = plt_grid_runs_of(l, t->x, t->y, t->z, slice, c);
+    uint32_t first, end;
+    while (plt_grid_next_run(&runs, &first, &end)) {
+        v->cells += runs.cells;
+        visit_references(v, &l->reference[first], end - first);
     }
 }
 
@@ -161,7 +134,7 @@ static void visit_crowded(visit *v, const plt_grid_level *l) {
     const plt_grid_view view = plt_grid_view_of(v->s, v->p, l);
     const int32_t step = t->sign > 0.0f ? 1 : -1, count = (int32_t)l->cells[t->z];
     int32_t slice;
-    rectangle r;
+    plt_grid_patch r;
     if (!plt_grid_first_slice(t, l, 0.0f, &slice)) {
         return;
     }
@@ -193,25 +166,14 @@ static void visit_run(visit *v, const plt_grid *grid, uint32_t first, uint32_t e
     }
 }
 
-/* Cells of one slice of the top level. Those along x are side by side. */
-static void visit_cells(visit *v, const plt_grid *grid, int32_t slice, const rectangle *r) {
+/* Cells of one slice of the top level. */
+static void visit_cells(visit *v, const plt_grid *grid, int32_t slice, const plt_grid_patch *c) {
     const plt_grid_turn *t = &v->s->turn;
-    const plt_grid_level *top = &grid->top;
-    const int inner = t->y == 0, outer = !inner; /* of the rectangle */
-    const uint32_t across = top->stride[inner ? t->y : t->x];
-    const uint32_t rows = top->stride[inner ? t->x : t->y];
-    const uint32_t cells = (uint32_t)(r->to[inner] - r->from[inner] + 1);
-    for (int32_t i = r->from[outer]; i <= r->to[outer]; i++) {
-        uint32_t cell = (uint32_t)slice * top->stride[t->z] + (uint32_t)i * rows +
-                        (uint32_t)r->from[inner] * across;
-        v->cells += cells;
-        if (across == 1) {
-            visit_run(v, grid, top->start[cell], top->start[cell + cells]);
-            continue;
-        }
-        for (uint32_t k = 0; k < cells; k++, cell += across) {
-            visit_run(v, grid, top->start[cell], top->start[cell + 1]);
-        }
+    plt_grid_runs runs = plt_grid_runs_of(&grid->top, t->x, t->y, t->z, slice, c);
+    uint32_t first, end;
+    while (plt_grid_next_run(&runs, &first, &end)) {
+        v->cells += runs.cells;
+        visit_run(v, grid, first, end);
     }
 }
 
@@ -248,7 +210,7 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
     const float lower = plane + (float)slice * size, upper = plane + (float)(slice + 1) * size;
     const float front = u->step > 0 ? lower : upper, back = u->step > 0 ? upper : lower;
     const float depth = front - s->turn.margin - PLT_GRID_CELL_ERROR * top->size[s->turn.z];
-    rectangle r;
+    plt_grid_patch r;
     if (depth > u->soonest || (u->groups & ~p->active) != 0) {
         drop_groups(s, p, depth);
     }
@@ -264,7 +226,7 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
     const plt_grid_view view = plt_grid_view_of(s, p, top);
     if (overlap(&view, &s->turn, top, front, back, &r) &&
         ((s->without & PLT_GRID_WITHOUT_RECTANGLES) != 0 ||
-         cut(&r, &grid->rect[s->turn.z][slice]))) {
+         plt_grid_cut(&r, &grid->rect[s->turn.z][slice]))) {
         visit_cells(&v, grid, slice, &r);
         set_until(&v);
     }
@@ -300,9 +262,7 @@ size_t plt_grid_state_bytes(void) {
 }
 
 void plt_grid_state_init(plt_traversal *t) {
-    plt_grid_state *s = plt_grid_state_of(t);
-    memset(s, 0, sizeof *s);
-    memset(plt_grid_mailbox(s), 0, t->scene->gridded.count * sizeof(uint32_t));
+    plt_grid_state_clear(plt_grid_state_of(t), t->scene->gridded.count);
 }
 
 void plt_grid_begin(plt_traversal *t, plt_packet *p) {

@@ -55,7 +55,7 @@ static uint32_t frames_seen, frames_wrong;
 static uint64_t pixels_hit, pixels_bound; /* bound: taken without the exact test */
 
 /* What scenes are of. */
-static enum { NODES, STRIPS, BLOCKS_OF_RECORDS, STREAMED } kind;
+static enum { NODES, STRIPS, BLOCKS_OF_RECORDS, STREAMED, GRIDS } kind;
 
 /* Boxes are looked at wherever that may be, and not only where it pays. */
 static int looks;
@@ -67,7 +67,23 @@ static int compact_opened(rig *r, const mesh *m, uint32_t leaf) {
     return compact_open(r, m, &config);
 }
 
+/* Bytes per triangle that an arena has beside a grid's need: cells are fewer or more. */
+static size_t spare;
+
+static int grid_opened(rig *r, const mesh *m, uint32_t leaf, uint8_t build) {
+    rig_config config = rig_config_of(leaf, 16, build, PLT_SPLIT_SAH);
+    config.run.structure = PLT_STRUCTURE_GRID;
+    const int status = rig_open_spare(r, m, &config, 1000 + spare * m->triangles);
+    spare = spare == 100 ? 4 : spare == 4 ? 16 : 100;
+    return status;
+}
+
 static void opened(tracer *t, const mesh *m, uint32_t leaf, uint8_t build) {
+    if (kind == GRIDS) {
+        const int status = grid_opened(&t->r, m, leaf, build);
+        CHECK(status == PLT_OK || status == PLT_ERR_LIMIT, "%s", t->r.fault.message);
+        return;
+    }
     if (kind != NODES && build == PLT_BUILD_HOST) {
         const int status = compact_opened(&t->r, m, leaf);
         CHECK(status == PLT_OK || status == PLT_ERR_LIMIT, "%s", t->r.fault.message);
@@ -178,6 +194,23 @@ static plt_frame any_frame(random_state *r, float scale, const float middle[3]) 
     return f;
 }
 
+/* Some of the eyes over a grid are where planes of cells are, on one axis or all. */
+static void move_to_planes(const tracer *t, plt_frame *f, random_state *r) {
+    const unsigned axes = random_below(r, 8);
+    if (kind != GRIDS || t->r.engine == NULL) {
+        return;
+    }
+    const plt_grid_level *top = &t->r.engine->scene.gridded.grid->top;
+    for (unsigned a = 0; a < 3; a++) {
+        if ((axes >> a & 1u) != 0) {
+            const uint32_t plane = random_below(r, top->cells[a] + 1);
+            const float to = top->lo[a] + (float)plane * top->size[a];
+            f->camera.look[a] += to - f->camera.eye[a];
+            f->camera.eye[a] = to;
+        }
+    }
+}
+
 static void cameras(const mesh *m, uint32_t frames, float scale, const float middle[3],
                     const char *what) {
     random_state r = {frames};
@@ -185,7 +218,8 @@ static void cameras(const mesh *m, uint32_t frames, float scale, const float mid
     for (uint32_t leaf = 1; leaf <= 4; leaf *= 4) {
         opened(&t, m, leaf, PLT_BUILD_HOST);
         for (uint32_t i = 0; i < frames; i++) {
-            const plt_frame f = any_frame(&r, scale, middle);
+            plt_frame f = any_frame(&r, scale, middle);
+            move_to_planes(&t, &f, &r);
             one_frame(&t, &f, any_side(&r), what);
         }
         rig_close(&t.r);
@@ -222,6 +256,27 @@ static void anywhere(void) {
     shape_degenerate(&m);
     shape_exponential(&m, rig_triangles(40, 1));
     cameras(&m, 40, 1.0f, middle, "odd triangles");
+    mesh_free(&m);
+}
+
+/* A soup in a hall: one cell has nearly all triangles, and a level of its own. */
+static void crowds(void) {
+    static const float middle[3] = {0.3f, 0.0f, -0.2f};
+    static tracer t;
+    random_state r = {11};
+    mesh m = {0};
+    shape_soup(&m, rig_triangles(2000, 1), 0.2f, 4);
+    shape_transform(&m, 0.01f, 0.3f, 0.01f, -0.2f);
+    shape_sheet(&m, rig_is_tiny() ? 2 : 8, 1);
+    spare = 100;
+    opened(&t, &m, 4, PLT_BUILD_HOST);
+    CHECK(rig_is_tiny() || t.r.engine->scene.gridded.grid->crowded_count > 0, "no crowded cell");
+    for (unsigned i = 0; i < 120; i++) {
+        plt_frame f = any_frame(&r, i % 2 ? 0.02f : 1.0f, middle);
+        move_to_planes(&t, &f, &r);
+        one_frame(&t, &f, any_side(&r), "a crowd");
+    }
+    rig_close(&t.r);
     mesh_free(&m);
 }
 
@@ -281,6 +336,56 @@ static void straight_down(void) {
     for (unsigned i = 0; i < 6 * 2; i++) {
         const uint32_t side = rig_is_tiny() ? 2 : (i % 2 ? 8 : 11);
         down_on_sheets(apart[i / 2], side, i % 4 < 2 ? 0.0f : 0x1p-20f, &r);
+    }
+}
+
+/* Squares of a sheet are cells of the grid over it, and pixels lie on all of their edges. */
+static void on_planes(void) {
+    static const float height[6] = {1.0f, 2.0f, 1.37f, -3.0f, 0.7f, 5.3f};
+    static tracer t;
+    random_state r = {12};
+    for (unsigned i = 0; i < 12; i++) {
+        const uint32_t side = rig_is_tiny() ? 2 : 4u << (i % 3);
+        const float x = i < 6 ? 0.0f : random_float(&r, -900.0f, 900.0f);
+        mesh m = {0};
+        shape_sheet(&m, side, 1);
+        shape_transform(&m, 1.0f, x, 0.0f, -x);
+        spare = 100;
+        opened(&t, &m, 4, PLT_BUILD_HOST);
+        for (unsigned k = 0; k < 6 * 4; k++) {
+            const float h = height[k % 6];
+            const uint16_t pixels = (uint16_t)(16u << (k / 6 % 2) << (k / 12));
+            plt_frame f = down_on(x + 1.0f / pixels, h, 1.0f / pixels - x, 1.0f / fabsf(h), pixels);
+            one_frame(&t, &f, any_side(&r), "on planes of cells");
+        }
+        rig_close(&t.r);
+        mesh_free(&m);
+    }
+}
+
+/* A fine sheet just in front of a coarse one, at a slant: what is behind is met first. */
+static void slanted(void) {
+    static const float before[4] = {0.001f, 0.004f, 0.01f, 0.04f};
+    static tracer t;
+    random_state r = {13};
+    for (unsigned i = 0; i < 8; i++) {
+        mesh m = {0};
+        shape_sheet(&m, rig_is_tiny() ? 2 : 12, 1);
+        shape_transform(&m, 1.0f, 0.0f, before[i % 4], 0.0f);
+        shape_sheet(&m, 1, 1);
+        for (size_t v = 0; v < m.vertices; v++) {
+            float *p = &m.vertex[3 * v];
+            p[1] += 0.7f * p[0] + (i < 4 ? 0.0f : 0.4f * p[2]);
+        }
+        spare = 100;
+        opened(&t, &m, 4, PLT_BUILD_HOST);
+        for (unsigned k = 0; k < 12; k++) {
+            const float x = random_float(&r, -0.2f, 0.2f), z = random_float(&r, -0.2f, 0.2f);
+            const plt_frame f = down_on(x, 2.0f, z, 0.2f, 32);
+            one_frame(&t, &f, any_side(&r), "slanted");
+        }
+        rig_close(&t.r);
+        mesh_free(&m);
     }
 }
 
@@ -428,5 +533,16 @@ int main(void) {
     all_of("compact blocks over float records");
     kind = STREAMED;
     all_of("compact blocks that are streamed");
+    kind = GRIDS;
+    all_of("grids");
+    begin("a crowded cell, seen from near and far: the same", "grids");
+    crowds();
+    report();
+    begin("pixels on the planes of cells: the same", "grids");
+    on_planes();
+    report();
+    begin("a fine sheet before a coarse one, at a slant: the same", "grids");
+    slanted();
+    report();
     return test_done();
 }

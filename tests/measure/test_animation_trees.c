@@ -11,8 +11,7 @@
 
 #include "engine/engine.h"
 #include "host_tools/base/clock.h"
-#include "host_tools/pack/poses.h"
-#include "tests/measure/animation.h"
+#include "tests/measure/posed.h"
 #include "tests/reference/mover.h"
 
 enum { FRAMES_MOST = 1000, SIDE = 128, RAYS = 2000 };
@@ -27,20 +26,13 @@ typedef struct cost {
     double packet_visits, packet_tests, visits, tests;
 } cost;
 
-typedef struct film {
-    mesh *frame;
-    unsigned frames;
-    poses poses;
-    float lo[3], hi[3]; /* of the middle frame: the cameras stand */
-} film;
-
 /* ---- trees ------------------------------------------------------------------------ */
 
 static int is_high(tree t) {
     return t == FIRST_HIGH || t == ALL || t == ANEW_HIGH;
 }
 
-static int open_tree(mover *v, const film *f, tree t, unsigned frame, double *seconds) {
+static int open_tree(mover *v, const posed *f, tree t, unsigned frame, double *seconds) {
     rig_config c = rig_config_of(2, mover_treelet(64), PLT_BUILD_HOST, PLT_SPLIT_SAH);
     quality_stats stats;
     fail why = {""};
@@ -69,7 +61,7 @@ static plt_stats stats_of(plt_engine *e) {
 }
 
 /* The same rays for every tree of a frame. */
-static uint64_t trace(plt_engine *e, const film *f, unsigned frame, cost *sum) {
+static uint64_t trace(plt_engine *e, const posed *f, unsigned frame, cost *sum) {
     const plt_stats before = stats_of(e);
     uint64_t hash = 0;
     for (unsigned view = 0; view < 2; view++) {
@@ -93,10 +85,10 @@ static uint64_t trace(plt_engine *e, const film *f, unsigned frame, cost *sum) {
     return hash;
 }
 
-/* ---- films ------------------------------------------------------------------------ */
+/* ---- animations ------------------------------------------------------------------------ */
 
 /* `hash[frame]`: of its hits, by the first tree; all others have the same. */
-static void follow(const film *f, tree t, uint64_t *hash) {
+static void follow(const posed *f, tree t, uint64_t *hash) {
     const int is_anew = t == ANEW || t == ANEW_HIGH;
     cost c = {0};
     double seconds = 0.0;
@@ -120,41 +112,17 @@ static void follow(const film *f, tree t, uint64_t *hash) {
         c.tests / f->frames, seconds);
 }
 
-static int read_film(film *f, const animation *a) {
-    f->frames = a->frames;
-    f->frame = calloc(a->frames, sizeof *f->frame);
-    int status = 0;
-    for (unsigned i = 0; i < a->frames && status == 0; i++) {
-        status = animation_frame(&f->frame[i], a, i);
-    }
-    if (status == 0) {
-        const uint32_t wanted = poses_wanted(a->frames, f->frame[0].triangles);
-        poses_begin(&f->poses, &f->frame[0]);
-        for (uint32_t i = 0; i < wanted; i++) {
-            CHECK(poses_add(&f->poses, &f->frame[poses_frame(i, wanted, a->frames)]) == 0,
-                  "out of memory");
-        }
-        poses_weigh(&f->poses);
-        animation_box(&f->frame[a->frames / 2], f->lo, f->hi);
-    }
-    return status;
-}
-
 static void run(const animation *a) {
-    film f = {.frames = 0};
+    posed f;
     uint64_t *hash = calloc(a->frames, sizeof *hash);
-    if (read_film(&f, a) == 0) {
+    if (posed_read(&f, a) == 0) {
         printf("  %s, %u frames, %zu triangles, a tree for %u of them\n", a->file, a->frames,
                f.frame[0].triangles, (unsigned)f.poses.count + 1);
         for (int t = 0; t < TREES; t++) {
             follow(&f, (tree)t, hash);
         }
     }
-    for (unsigned i = 0; i < f.frames; i++) {
-        mesh_free(&f.frame[i]);
-    }
-    poses_free(&f.poses);
-    free(f.frame);
+    posed_free(&f);
     free(hash);
 }
 

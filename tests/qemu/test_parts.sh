@@ -31,11 +31,11 @@ firmware() { # FOLDER SCENE [parameter ...]: sets text and status
     status=$?
 }
 
-renders() { # FOLDER NAME
+renders() { # FOLDER NAME [parameter]
     view=$(sh board/tools/host_view.sh "$out/$2.plt" 80x60 "$out/host.ppm")
     # shellcheck disable=SC2086
-    firmware "$1" "$out/$2.plt" size=80x60 ${view#* }
-    verdict "${1##*/}, $2: the frame of the whole engine" "$(
+    firmware "$1" "$out/$2.plt" size=80x60 ${view#* } $3
+    verdict "${1##*/}, $2${3:+, $3}: the frame of the whole engine" "$(
         [ "$status" -eq 0 ] || echo "status $status: $text"
         [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
             echo "$(value frame_hash) on the device, ${view%% *} on the host")"
@@ -169,6 +169,13 @@ verdict "PARTS with some and without motion is refused, with what it may be" "$(
 grid=$BUILD/mps2_an386-grid-render-thesis
 if part "render thesis grid" "$grid" 60416; then
     renders "$grid" thesis
+    renders "$grid" thesis structure=grid
+fi
+grid=$BUILD/mps2_an386-frames-grid-render-thesis
+if part "render thesis grid frames" "$grid" 36864; then
+    renders "$grid" thesis
+    renders "$grid" thesis structure=grid
+    renders "$grid" list structure=grid
 fi
 for parts in 'render compact grid' 'grid compact'; do
     trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)

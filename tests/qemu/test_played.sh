@@ -75,6 +75,7 @@ verdict "... a frame takes what its calls do" "$(
             if (v["read"] + v["show"] + v["render"] > v["total"]) print "more than " v["total"]
         }' "$tree/marks.txt")"
 read_8=$(most plt_sequence_step) tile=$(most plt_render_step) refit=$(median "show: refit")
+trace=$(median "trace: plt_render_step")
 
 play 2400 FRAMES=13:16 SOURCE=file PARAMETERS='blocks=1 visits=1'
 plays "frames 13 to 15 alone, of an image that is fetched, in the least steps" 3
@@ -91,10 +92,15 @@ verdict "... at least two of them, none for want of room" "$(
     echo "$text" | grep -q '^trees built anew: [2-9][0-9]*, given up for want of room: 0$' ||
         echo "$text")"
 
-play 2400 FRAMES=0:5 STRUCTURE=grid SIZE=80x60
+play 2400 FRAMES=0:5 STRUCTURE=grid
 plays "a grid that is made anew" 5
-verdict "... takes longer to make than a refit" "$(
-    [ "$(median "show: grid")" -gt "$refit" ] || echo "$(median "show: grid"), refit $refit")"
+grid=$(median "show: grid")
+verdict "... takes longer to make than a refit, but not half as long again" "$(
+    [ "$grid" -gt "$refit" ] && [ $((2 * grid)) -lt $((3 * refit)) ] ||
+        echo "$grid instructions, a refit $refit")"
+grid=$(median "trace: plt_render_step")
+verdict "... is traced in a quarter more than the instructions of a tree, at most" "$(
+    [ $((4 * grid)) -lt $((5 * trace)) ] || echo "$grid instructions, a tree $trace")"
 
 # ---- what fits 256 KiB, and what does not ------------------------------------------
 

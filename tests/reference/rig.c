@@ -21,13 +21,18 @@ plt_source rig_source(const packed *image) {
 }
 
 int rig_open(rig *r, const mesh *m, const rig_config *config) {
+    return rig_open_spare(r, m, config, 0);
+}
+
+int rig_open_spare(rig *r, const mesh *m, const rig_config *config, size_t spare) {
     fail f = {""};
     memset(r, 0, sizeof *r);
     r->fault.message = "the packer refused";
     if (pack_mesh(&r->image, m, &config->pack, "test", &f) != 0) {
         return PLT_ERR_LIMIT;
     }
-    r->arena_bytes = plt_arena_need(&r->image.info, 1, &config->run);
+    r->arena_bytes =
+        plt_arena_need(&r->image.info, 1, &config->run) + spare / PLT_ALIGN * PLT_ALIGN;
     r->arena = aligned_alloc(PLT_ALIGN, r->arena_bytes);
     if (r->arena == NULL) {
         return PLT_ERR_ARENA;

@@ -6,6 +6,8 @@
 #ifndef REFERENCE_RIG_H
 #define REFERENCE_RIG_H
 
+#include <stddef.h>
+
 #include "engine/planelet.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/pack.h"
@@ -29,6 +31,9 @@ rig_config rig_config_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_
 
 /* The status of plt_open, or PLT_ERR_LIMIT when the packer refused. */
 int rig_open(rig *r, const mesh *m, const rig_config *config);
+
+/* ... in an arena of so many bytes more than it needs, rounded to PLT_ALIGN. */
+int rig_open_spare(rig *r, const mesh *m, const rig_config *config, size_t spare);
 void rig_close(rig *r);
 
 /* The image as a mapped source. */
