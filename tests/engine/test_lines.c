@@ -145,6 +145,34 @@ static void corners(void) {
     }
 }
 
+/* A right-angled triangle with legs of 4, whose corners go around either way. */
+static footprint of_size(float edge, int turned) {
+    const plt_margins m = {.pixels = 0.0f, .bias = 16.0f, .edge = edge, .edge_least = 0.5f};
+    projected p = {.x = {16, 20, 16}, .y = {16, 16, 20}, .over = {1, 1, 1}, .size = 8.0f};
+    footprint f;
+    if (turned) {
+        p.x[1] = 16;
+        p.x[2] = 20;
+        p.y[1] = 20;
+        p.y[2] = 16;
+    }
+    set_at(&f, &p, &m, 1, 1);
+    set_edges(&f, &p, &m);
+    return f;
+}
+
+/* Its area is 16: 12 errors of 1 1/3. */
+static void open_sign(void) {
+    for (int turned = 0; turned < 2; turned++) {
+        const footprint less = of_size(0.1039f, turned), more = of_size(0.1043f, turned);
+        CHECK(less.area == 16.0f && less.error > 1.33f && less.error < 1.34f,
+              "an area of %g, an error of %g", (double)less.area, (double)less.error);
+        CHECK(less.slack < 0.0f, "a slack of %g before it is known", (double)less.slack);
+        CHECK(isinf(more.error) && isinf(more.slack), "an error of %g, a slack of %g",
+              (double)more.error, (double)more.slack);
+    }
+}
+
 int main(void) {
     test("a stretch has the lines in it, and none that is twice its margin beside");
     stretches();
@@ -154,5 +182,7 @@ int main(void) {
     margins();
     test("edge functions at a triangle's corners are 0 or its area, which is positive");
     corners();
+    test("of an area that is not beyond 12 errors no pixel is left out, and nothing hidden");
+    open_sign();
     return test_done();
 }
