@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/beam.h"
 
+#include "engine/shade/lines.h"
 #include "engine/trace/triangle_common.h"
 
 static void set_records(plt_beam *b, const plt_scene *scene, uint32_t side) {
@@ -72,8 +73,15 @@ static void set_rows(plt_beam *b) {
     plt_cross(v->down, b->first, b->row_x);
     plt_cross(b->first, v->right, b->row_y);
     for (int a = 0; a < 3; a++) {
+        const float w = b->margins.bias * b->margins.row_w[a];
         b->row_x[a] *= scale;
         b->row_y[a] *= scale;
+#if PLT_WITH_COMPACT
+        b->box_x[a] = b->row_x[a];
+        b->box_y[a] = b->row_y[a];
+#endif
+        b->row_x[a] += w;
+        b->row_y[a] += w;
     }
 }
 
@@ -94,8 +102,8 @@ void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uin
     b->square = *square;
     b->columns = least(square->side, square->x_end - square->x);
     b->rows = least(square->side, square->y_end - square->y);
-    b->end_x = (float)(b->columns - 1);
-    b->end_y = (float)(b->rows - 1);
+    b->end_x = (int32_t)(b->columns - 1) + PLT_LINE_NUMBER;
+    b->end_y = (int32_t)(b->rows - 1) + PLT_LINE_NUMBER;
     b->far = PLT_VIEW_FAR;
     b->open = b->columns * b->rows;
     b->is_stored = 0;

@@ -67,17 +67,19 @@ typedef struct plt_beam {
     plt_ray_origin origin;
     /* of the current square */
     plt_pixels square;
-    uint32_t columns, rows;   /* inside the frame */
-    float first[3];           /* direction of its first pixel */
-    float row_x[3], row_y[3]; /* x, y: of q = corner - eye, times w, in pixels */
-    float end_x, end_y;       /* its last column and row */
-    plt_beam_plane plane[6];  /* lo x, y, z, hi x, y, z */
+    uint32_t columns, rows;  /* inside the frame */
+    float first[3];          /* direction of its first pixel */
+    float row_x[3];          /* x + margins.bias: of q = corner - eye, times w, in pixels */
+    float row_y[3];          /* y likewise */
+    int32_t end_x, end_y;    /* its last column and row, as numbers of lines.h */
+    plt_beam_plane plane[6]; /* lo x, y, z, hi x, y, z */
     int8_t doubt, doubt_leaf;
     float far;                     /* no pixel has a hit behind it */
     uint32_t open;                 /* pixels without a hit */
     uint8_t is_mixed, is_stored;   /* rays differ in sign; a pixel has a new hit */
     int8_t node_doubt, leaf_doubt; /* plt_beam_hides */
 #if PLT_WITH_COMPACT
+    float box_x[3], box_y[3]; /* of x and y alone: boxes are projected by them */
     /* of strips: `records` is the store, behind the pixels */
     const plt_block_tree *tree; /* that leaves of the current block are read by */
     plt_record *store;

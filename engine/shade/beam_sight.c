@@ -22,15 +22,16 @@ static range along_box(const float lo[3], const float hi[3], const float row[3])
     return r;
 }
 
-/* From w x and w, which is positive, to x. */
-static inline range divided(range wx, float nearest, float farthest, float margin) {
-    const range x = {(wx.least > 0.0f ? wx.least * farthest : wx.least * nearest) - margin,
-                     (wx.most > 0.0f ? wx.most * nearest : wx.most * farthest) + margin};
-    return x;
+/* From w x and w, which is positive, to the lines at x. */
+static inline plt_lines divided(range wx, float nearest, float farthest, float margin) {
+    const float least = wx.least > 0.0f ? wx.least * farthest : wx.least * nearest;
+    const float most = wx.most > 0.0f ? wx.most * nearest : wx.most * farthest;
+    return plt_lines_between(least + (PLT_LINE_FIRST - margin), most + (PLT_LINE_FIRST + margin),
+                             1);
 }
 
 /* Columns and rows that a box may reach. 0: some of it is not deep in front. */
-static int project_box(const plt_beam *b, const plt_box *box, range *x, range *y) {
+static int project_box(const plt_beam *b, const plt_box *box, plt_lines *x, plt_lines *y) {
     const float margin = b->margins.pixels;
     float lo[3], hi[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
@@ -42,8 +43,8 @@ static int project_box(const plt_beam *b, const plt_box *box, range *x, range *y
         return 0;
     }
     const float nearest = 1.0f / w.least, farthest = 1.0f / w.most;
-    *x = divided(along_box(lo, hi, b->row_x), nearest, farthest, margin);
-    *y = divided(along_box(lo, hi, b->row_y), nearest, farthest, margin);
+    *x = divided(along_box(lo, hi, b->box_x), nearest, farthest, margin);
+    *y = divided(along_box(lo, hi, b->box_y), nearest, farthest, margin);
     return 1;
 }
 
@@ -84,17 +85,19 @@ static int some_meets(const plt_beam *b, const uint32_t column[2], const uint32_
 int plt_beam_sees(const plt_beam *b, const plt_beam_block_entry *e) {
     uint32_t column[2] = {0, b->columns - 1}, row[2] = {0, b->rows - 1};
     plt_box box;
-    range x, y;
+    plt_lines x, y;
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         box.lo[a] = plt_lattice_float(&b->tree->lattice, a, e->lo[a]);
         box.hi[a] = plt_lattice_float(&b->tree->lattice, a, e->hi[a]);
     }
     if (b->margins.project && project_box(b, &box, &x, &y)) {
-        if (!has_pixel(x.least, x.most, b->end_x) || !has_pixel(y.least, y.most, b->end_y)) {
+        if (!plt_lines_any(x, b->end_x) || !plt_lines_any(y, b->end_y)) {
             return 0;
         }
-        set_pixels(x.least, x.most, b->end_x, &column[0], &column[1]);
-        set_pixels(y.least, y.most, b->end_y, &row[0], &row[1]);
+        column[0] = plt_lines_first(x);
+        column[1] = plt_lines_last(x, b->end_x);
+        row[0] = plt_lines_first(y);
+        row[1] = plt_lines_last(y, b->end_y);
         if (column[1] - column[0] == b->columns - 1 && row[1] - row[0] == b->rows - 1) {
             return 1; /* what lies in it may be hidden, hardly the box */
         }

@@ -22,13 +22,14 @@ static inline void project_corners(const plt_beam *b, const projector *k, const 
         to->depth[i] = plt_along(q, k->row_w);
         to->over[i] = 1.0f / to->depth[i];
         to->x[i] = plt_along(q, k->row_x) * to->over[i];
-        to->y[i] = plt_along(q, k->row_y) * to->over[i];
+        to->y[i] = plt_along(q, b->row_y) * to->over[i];
     }
 }
 
 /* As in footprint.c, but for what is the corners'. */
-static inline enum projection project(const plt_margins *m, const projector *k, const corners *from,
+static inline enum projection project(const plt_beam *b, const corners *from,
                                       const uint32_t index[3], projected *p) {
+    const plt_margins *m = &b->margins;
     const float depth[3] = {from->depth[index[0]], from->depth[index[1]], from->depth[index[2]]};
     const int deep = m->all_deep || all_at_least(depth, m->depth);
     if (!deep && !all_at_least(depth, PLT_DEPTH_LEAST)) {
@@ -39,27 +40,28 @@ static inline enum projection project(const plt_margins *m, const projector *k, 
         p->y[c] = from->y[index[c]];
     }
     const range x = range_of(p->x);
-    const int columns = has_pixel(x.least - k->margin, x.most + k->margin, k->end_x);
+    p->columns = plt_lines_between(x.least, x.most, m->lines);
+    const int columns = plt_lines_any(p->columns, b->end_x);
     if (!columns && deep) {
         return OUTSIDE;
     }
     const range y = range_of(p->y);
-    const int rows = has_pixel(y.least - k->margin, y.most + k->margin, k->end_y);
+    p->rows = plt_lines_between(y.least, y.most, m->lines);
+    const int rows = plt_lines_any(p->rows, b->end_y);
     if (!rows && deep) {
         return OUTSIDE;
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         p->over[c] = from->over[index[c]];
     }
-    return set_rectangle(m, k, x, y, columns && rows, p);
+    return projection_of(m, x, y, columns && rows, p);
 }
 
-static inline void test_triangle(plt_beam *b, const projector *k, const corners *from,
-                                 candidate *c) {
+static inline void test_triangle(plt_beam *b, const corners *from, candidate *c) {
     const uint32_t corner = c->leaf->corner[c->triangle];
     const uint32_t index[3] = {corner & 0xFFu, corner >> 8 & 0xFFu, corner >> 16};
     projected p;
-    switch (b->margins.project ? project(&b->margins, k, from, index, &p) : NOT_PROJECTED) {
+    switch (b->margins.project ? project(b, from, index, &p) : NOT_PROJECTED) {
     case PROJECTED:
         test_footprint(b, c, &p);
         break;
@@ -80,6 +82,6 @@ void plt_beam_strips(plt_beam *b, const plt_geometry *g, uint32_t first, uint32_
     project_corners(b, &k, &leaf, &all);
     for (uint32_t i = 0; i < count; i++) {
         candidate c = {NULL, &leaf, i, g->first_triangle + first + i};
-        test_triangle(b, &k, &all, &c);
+        test_triangle(b, &all, &c);
     }
 }

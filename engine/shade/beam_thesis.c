@@ -11,29 +11,42 @@
 /* Of each child the entry and minus the exit. */
 typedef float intervals[2][2];
 
+/* Where planes are met, and which end of the left child's interval each may move; a whole square's,
+ * so that they are in registers. */
+typedef struct clipper {
+    float org[6], factor[6];
+    float *end[6];
+} clipper;
+
+static inline void set_clipper(clipper *c, const plt_beam *b, intervals at) {
+    PLT_UNROLLED for (int p = 0; p < 6; p++) {
+        c->org[p] = b->plane[p].org;
+        c->factor[p] = b->plane[p].factor;
+        c->end[p] = &at[0][b->plane[p].leaves];
+    }
+}
+
 /* Plane `p` belongs to child `owner`. */
-static inline void clip_by(intervals at, const plt_beam *b, const plt_node *node, int p,
-                           uint32_t owner) {
-    const plt_beam_plane *plane = &b->plane[p];
-    const float t = (plt_get_float(&node->word[p]) - plane->org) * plane->factor;
-    float *to = &at[owner][plane->leaves];
+static inline void clip_by(const clipper *c, const plt_node *node, int p, uint32_t owner) {
+    const float t = (plt_get_float(&node->word[p]) - c->org[p]) * c->factor[p];
+    float *to = c->end[p] + 2 * owner;
     if (t > *to) {
         *to = t;
     }
 }
 
 /* Where the beam is in its children: from the parent's interval, by the planes that each owns. */
-static inline void clip(const plt_beam *b, const plt_node *node, const plt_beam_entry *parent,
+static inline void clip(const clipper *c, const plt_node *node, const plt_beam_entry *parent,
                         intervals at) {
     const uint32_t left = plt_node_link(node, 0), right = plt_node_link(node, 1);
     at[0][0] = at[1][0] = parent->enter;
     at[0][1] = at[1][1] = parent->minus_leave;
-    clip_by(at, b, node, 0, left >> 4 & 1u); /* plt_owner_bit, shifted down */
-    clip_by(at, b, node, 1, left >> 3 & 1u);
-    clip_by(at, b, node, 2, left >> 2 & 1u);
-    clip_by(at, b, node, 3, right >> 4 & 1u);
-    clip_by(at, b, node, 4, right >> 3 & 1u);
-    clip_by(at, b, node, 5, right >> 2 & 1u);
+    clip_by(c, node, 0, left >> 4 & 1u); /* plt_owner_bit, shifted down */
+    clip_by(c, node, 1, left >> 3 & 1u);
+    clip_by(c, node, 2, left >> 2 & 1u);
+    clip_by(c, node, 3, right >> 4 & 1u);
+    clip_by(c, node, 4, right >> 3 & 1u);
+    clip_by(c, node, 5, right >> 2 & 1u);
 }
 
 static inline void set_entry(plt_beam_entry *e, const float at[2], const plt_node *node,
@@ -45,16 +58,15 @@ static inline void set_entry(plt_beam_entry *e, const float at[2], const plt_nod
 
 /* Goes on to the nearer child that is met; the other one, if it is met, too, waits. 0: none
  * is. */
-static inline int visit_node(const plt_beam *b, plt_traversal *t, plt_beam_entry *at) {
-    const plt_node *node = &t->scene->thesis.nodes[plt_link_index(at->link)];
-    intervals in;
-    clip(b, node, at, in);
+static inline int visit_node(const plt_beam *b, const clipper *c, const plt_node *node,
+                             intervals in, plt_beam_entry *at, plt_beam_entry **top) {
+    clip(c, node, at, in);
     const int left = plt_beam_meets(b, in[0][0], in[0][1]);
     const int right = plt_beam_meets(b, in[1][0], in[1][1]);
     unsigned near = !left;
     if (left && right) {
         near = in[1][0] - in[1][1] < in[0][0] - in[0][1];
-        set_entry((plt_beam_entry *)t->stack + t->waiting++, in[near ^ 1], node, near ^ 1);
+        set_entry((*top)++, in[near ^ 1], node, near ^ 1);
     } else if (!left && !right) {
         return 0;
     }
@@ -62,34 +74,36 @@ static inline int visit_node(const plt_beam *b, plt_traversal *t, plt_beam_entry
     return 1;
 }
 
-/* From an entry down to a leaf, or to nothing. */
-static inline void descend(plt_beam *b, plt_traversal *t, plt_beam_entry at, plt_beam_counts *c) {
-    if (!plt_link_is_leaf(at.link)) {
-        plt_treelet_enter(t, at.link);
-    }
-    while (!plt_link_is_leaf(at.link)) {
-        c->nodes++;
-        if (!visit_node(b, t, &at)) {
-            return;
+plt_beam_counts plt_beam_trace_nodes(plt_beam *b, plt_traversal *t, uint32_t visits) {
+    const plt_node *nodes = t->scene->thesis.nodes;
+    plt_beam_entry *bottom = (plt_beam_entry *)t->stack, *top = bottom + t->waiting;
+    plt_beam_counts n = {0, 0};
+    intervals in;
+    clipper c;
+    set_clipper(&c, b, in);
+    for (uint32_t entries = 0; top > bottom && n.nodes + entries < visits; entries++) {
+        plt_beam_entry at = *--top;
+        if (!(at.enter <= b->far)) {
+            continue;
         }
-        if ((at.link & PLT_LINK_KIND) == PLT_LINK_OUT) {
+        int met = 1;
+        if (!plt_link_is_leaf(at.link)) {
             plt_treelet_enter(t, at.link);
         }
-    }
-    c->triangles += plt_beam_lists(b, plt_link_index(at.link), plt_link_lists(at.link), 0);
-    if (b->is_stored && b->open == 0) {
-        plt_beam_update_far(b);
-    }
-}
-
-plt_beam_counts plt_beam_trace_nodes(plt_beam *b, plt_traversal *t, uint32_t visits) {
-    plt_beam_counts c = {0, 0};
-    for (uint32_t entries = 0; t->waiting > 0 && c.nodes + entries < visits; entries++) {
-        const plt_beam_entry *top = (plt_beam_entry *)t->stack + --t->waiting;
-        if (plt_beam_meets(b, top->enter, top->minus_leave)) {
-            const plt_beam_entry at = {top->enter, top->minus_leave, top->link};
-            descend(b, t, at, &c);
+        while (met && !plt_link_is_leaf(at.link)) {
+            n.nodes++;
+            met = visit_node(b, &c, &nodes[plt_link_index(at.link)], in, &at, &top);
+            if (met && (at.link & PLT_LINK_KIND) == PLT_LINK_OUT) {
+                plt_treelet_enter(t, at.link);
+            }
+        }
+        if (met) {
+            n.triangles += plt_beam_lists(b, plt_link_index(at.link), plt_link_lists(at.link), 0);
+            if (b->is_stored && b->open == 0) {
+                plt_beam_update_far(b);
+            }
         }
     }
-    return c;
+    t->waiting = (uint32_t)(top - bottom);
+    return n;
 }

@@ -17,6 +17,7 @@
 
 #include "engine/lanes/unroll.h"
 #include "engine/shade/beam.h"
+#include "engine/shade/lines.h"
 
 /* Apart, as it would take registers from the others; static, as the compiler then knows which ones
  * it leaves alone. */
@@ -30,17 +31,15 @@
 
 #define PLT_SLACK_MOST (0.49f * PLT_PIXEL_SLACK)
 #define PLT_NEARER (1.0f - PLT_PIXEL_SLACK)
-#define PLT_ALMOST_ONE 0.9999f /* x + this, cut off, is at most ceil(x) */
 
 /* ---- projection -------------------------------------------------------------------------- */
 
-/* A triangle in a square of pixels: its corners, and the pixels that may be in it, both ends
- * included. */
+/* A triangle in a square of pixels: its corners, and the lines it may reach. */
 typedef struct projected {
-    float x[3], y[3]; /* pixels from the square's first */
+    float x[3], y[3]; /* pixels from the square's first, and the margins' bias more */
     float over[3];    /* 1 / depth */
     float size;       /* width and height together */
-    uint32_t left, right, top, bottom;
+    plt_lines columns, rows;
 } projected;
 
 typedef struct range {
@@ -58,22 +57,9 @@ static inline range range_of(const float v[3]) {
     return r;
 }
 
-/* Whether there is a pixel of 0 .. end between two coordinates. */
-static inline int has_pixel(float from, float to, float end) {
-    return to >= 0.0f && from <= end &&
-           (from <= 0.0f || (float)(int32_t)(from + PLT_ALMOST_ONE) <= to);
-}
-
-/* Which ones, if there are any. */
-static inline void set_pixels(float from, float to, float end, uint32_t *first, uint32_t *last) {
-    *first = from > 0.0f ? (uint32_t)(int32_t)(from + PLT_ALMOST_ONE) : 0;
-    *last = (uint32_t)(int32_t)(to < end ? to : end);
-}
-
 /* What all triangles are projected by; of a square, in registers. */
 typedef struct projector {
-    float org[3], row_w[3], row_x[3], row_y[3];
-    float margin, end_x, end_y;
+    float org[3], row_w[3], row_x[3];
 } projector;
 
 static inline void set_projector(projector *k, const plt_beam *b) {
@@ -81,33 +67,26 @@ static inline void set_projector(projector *k, const plt_beam *b) {
         k->org[a] = b->origin.org[a];
         k->row_w[a] = b->margins.row_w[a];
         k->row_x[a] = b->row_x[a];
-        k->row_y[a] = b->row_y[a];
     }
-    k->margin = b->margins.pixels;
-    k->end_x = b->end_x;
-    k->end_y = b->end_y;
 }
 
 static inline int all_at_least(const float v[3], float limit) {
     return v[0] >= limit && v[1] >= limit && v[2] >= limit;
 }
 
-static inline int are_near(range r, float limit) {
-    return r.least >= -limit && r.most <= limit;
+/* From the square's first pixel. */
+static inline int are_near(const plt_margins *m, range r) {
+    return r.least >= m->bias - m->corner && r.most <= m->bias + m->corner;
 }
 
 enum projection { OUTSIDE, PROJECTED, NOT_PROJECTED };
 
-/* After columns and rows: the rectangle of pixels, if the triangle meets any and is not too large
- * to be projected. */
-static inline enum projection set_rectangle(const plt_margins *m, const projector *k, range x,
-                                            range y, int meets, projected *p) {
+/* Of a triangle that meets columns and rows or, 0, does not: whether it is too large to be
+ * projected. */
+static inline enum projection projection_of(const plt_margins *m, range x, range y, int meets,
+                                            projected *p) {
     p->size = (x.most - x.least) + (y.most - y.least);
-    if (meets) {
-        set_pixels(x.least - k->margin, x.most + k->margin, k->end_x, &p->left, &p->right);
-        set_pixels(y.least - k->margin, y.most + k->margin, k->end_y, &p->top, &p->bottom);
-    }
-    if ((meets && p->size <= m->size) || (are_near(x, m->corner) && are_near(y, m->corner))) {
+    if ((meets && p->size <= m->size) || (are_near(m, x) && are_near(m, y))) {
         return meets ? PROJECTED : OUTSIDE;
     }
     return NOT_PROJECTED;
@@ -115,11 +94,10 @@ static inline enum projection set_rectangle(const plt_margins *m, const projecto
 
 /* ---- pixels --------------------------------------------------------------------------------- */
 
-/* Edge functions: of corner c the one across from it, at `at` in the rectangle's first pixel;
- * positive inside, as the area is. */
+/* Edge functions: of corner c the one across from it, at `at` in a pixel; positive inside, as the
+ * area is. */
 typedef struct footprint {
     float at[3];
-    float sign;  /* of the area that the corners have */
     float error; /* of each function */
     float area;  /* their sum */
     float slack; /* of the sum of their products with `over`; negative: not known yet */
@@ -136,8 +114,8 @@ PLT_RARELY float slack_of(const plt_margins *m, range over, float size, float er
     const float wide = size * m->step;
     const float side = over.most * wide + (0.34f * m->direction + wide) * length;
     const float slack =
-        11.0f * error * length + m->t * over.most * area + m->shape * side * side / over.most;
-    const int is_known = area > 16.0f * error && length <= over.least && slack <= over.most * area;
+        4.0f * error * length + m->t * over.most * area + m->shape * side * side / over.most;
+    const int is_known = length <= over.least && slack <= over.most * area;
     return is_known ? slack : PLT_UNKNOWN;
 }
 
@@ -162,8 +140,8 @@ static inline const plt_record *record_of(plt_beam *b, candidate *c) {
 
 /* Surely inside and surely nearer: takes the pixel, with the greatest t it may have. What is not
  * surely beside or behind either is tested exactly. */
-static inline void test_inside(plt_beam *b, candidate *c, const projected *p, footprint *f,
-                               const float e[3], uint32_t x, uint32_t y) {
+PLT_INLINED void test_inside(plt_beam *b, candidate *c, const projected *p, footprint *f,
+                             const float e[3], uint32_t x, uint32_t y) {
     const float in = f->error, out = -in;
     if (!(e[0] >= out && e[1] >= out && e[2] >= out)) {
         return;
@@ -186,16 +164,63 @@ static inline void test_inside(plt_beam *b, candidate *c, const projected *p, fo
     }
 }
 
-static inline void test_all(plt_beam *b, candidate *c, const projected *p, footprint *f) {
+/* The edge functions of a pixel. */
+PLT_INLINED void set_at(footprint *f, const projected *p, const plt_margins *m, uint32_t column,
+                        uint32_t row) {
+    const float x0 = plt_line_at(column) + m->pixels, y0 = plt_line_at(row) + m->pixels;
+    const float x[3] = {p->x[0] - x0, p->x[1] - x0, p->x[2] - x0};
+    const float y[3] = {p->y[0] - y0, p->y[1] - y0, p->y[2] - y0};
+    f->at[0] = x[2] * y[1] - x[1] * y[2];
+    f->at[1] = x[0] * y[2] - x[2] * y[0];
+    f->at[2] = x[1] * y[0] - x[0] * y[1];
+}
+
+PLT_INLINED void swap(float *a, float *b) {
+    const float was = *a;
+    *a = *b;
+    *b = was;
+}
+
+/* Makes the area positive, as that of most triangles seen from outside is: rows are counted
+ * downwards. */
+PLT_INLINED void turn(footprint *f, projected *p) {
+    swap(&p->x[1], &p->x[2]);
+    swap(&p->y[1], &p->y[2]);
+    swap(&p->over[1], &p->over[2]);
+    swap(&f->at[1], &f->at[2]);
+    f->area = -f->area;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        f->at[c] = -f->at[c];
+    }
+}
+
+PLT_INLINED void set_edges(footprint *f, projected *p, const plt_margins *m) {
+    f->area = f->at[0] + f->at[1] + f->at[2];
+    f->error = m->edge * p->size + m->edge_least;
+    f->slack = -1.0f;
+    if (__builtin_fabsf(f->area) <= 12.0f * f->error) { /* its sign is open: no pixel is left out */
+        f->error = f->slack = PLT_UNKNOWN;
+    } else if (f->area < 0.0f) {
+        turn(f, p);
+    }
+}
+
+/* Pixels of the square, both ends included. */
+typedef struct rectangle {
+    uint32_t left, right, top, bottom;
+} rectangle;
+
+PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const rectangle *r,
+                          footprint *f) {
     float right[3], down[3];
     PLT_UNROLLED for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        right[k] = (p->y[i] - p->y[j]) * f->sign;
-        down[k] = (p->x[j] - p->x[i]) * f->sign;
+        right[k] = p->y[j] - p->y[i];
+        down[k] = p->x[i] - p->x[j];
     }
-    for (uint32_t y = p->top; y <= p->bottom; y++) {
+    for (uint32_t y = r->top; y <= r->bottom; y++) {
         float e[3] = {f->at[0], f->at[1], f->at[2]};
-        for (uint32_t x = p->left; x <= p->right; x++) {
+        for (uint32_t x = r->left; x <= r->right; x++) {
             test_inside(b, c, p, f, e, x, y);
             PLT_UNROLLED for (int k = 0; k < 3; k++) {
                 e[k] += right[k];
@@ -207,37 +232,22 @@ static inline void test_all(plt_beam *b, candidate *c, const projected *p, footp
     }
 }
 
-static inline void set_edges(footprint *f, const projected *p, float margin) {
-    const float x0 = (float)(int32_t)p->left, y0 = (float)(int32_t)p->top;
-    const float x[3] = {p->x[0] - x0, p->x[1] - x0, p->x[2] - x0};
-    const float y[3] = {p->y[0] - y0, p->y[1] - y0, p->y[2] - y0};
-    f->at[0] = x[1] * y[2] - x[2] * y[1];
-    f->at[1] = x[2] * y[0] - x[0] * y[2];
-    f->at[2] = x[0] * y[1] - x[1] * y[0];
-    f->area = f->at[0] + f->at[1] + f->at[2];
-    f->error = 4.0f * margin * (p->size + 2.0f * margin);
-    f->slack = -1.0f;
-    f->sign = 1.0f;
-    if (__builtin_fabsf(f->area) <= 4.0f * f->error) { /* its sign is open: no pixel is left out */
-        f->error = f->slack = PLT_UNKNOWN;
-    } else if (f->area < 0.0f) {
-        f->sign = -1.0f;
-        f->area = -f->area;
-        PLT_UNROLLED for (int c = 0; c < 3; c++) {
-            f->at[c] = -f->at[c];
-        }
-    }
-}
-
 /* The pixels of a triangle that is projected. */
-static inline void test_footprint(plt_beam *b, candidate *c, const projected *p) {
+PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p) {
     footprint f;
-    set_edges(&f, p, b->margins.pixels);
-    if (p->left == p->right && p->top == p->bottom) {
-        test_inside(b, c, p, &f, f.at, p->left, p->top);
-    } else {
-        test_all(b, c, p, &f);
+    if (p->columns.last - p->columns.before == 1 && p->rows.last - p->rows.before == 1) {
+        const uint32_t x = (uint32_t)(p->columns.last - PLT_LINE_NUMBER);
+        const uint32_t y = (uint32_t)(p->rows.last - PLT_LINE_NUMBER);
+        set_at(&f, p, &b->margins, x, y);
+        set_edges(&f, p, &b->margins);
+        test_inside(b, c, p, &f, f.at, x, y);
+        return;
     }
+    const rectangle r = {plt_lines_first(p->columns), plt_lines_last(p->columns, b->end_x),
+                         plt_lines_first(p->rows), plt_lines_last(p->rows, b->end_y)};
+    set_at(&f, p, &b->margins, r.left, r.top);
+    set_edges(&f, p, &b->margins);
+    test_all(b, c, p, &r, &f);
 }
 
 #endif

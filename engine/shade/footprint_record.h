@@ -11,8 +11,9 @@
 
 /* Not projected: a corner is not in front, or too far beside. A deep triangle without a column
  * or without a row is outside wherever its corners are; `all_deep`: every one is deep. */
-static inline enum projection project(const plt_margins *m, const projector *k, const float q[3][3],
-                                      int all_deep, projected *p) {
+PLT_INLINED enum projection project(const plt_beam *b, const projector *k, const float q[3][3],
+                                    int all_deep, projected *p) {
+    const plt_margins *m = &b->margins;
     float depth[3];
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         depth[c] = plt_along(q[c], k->row_w);
@@ -26,21 +27,21 @@ static inline enum projection project(const plt_margins *m, const projector *k, 
         p->x[c] = plt_along(q[c], k->row_x) * p->over[c];
     }
     const range x = range_of(p->x);
-    const float left = x.least - k->margin, right = x.most + k->margin;
-    const int columns = has_pixel(left, right, k->end_x);
+    p->columns = plt_lines_between(x.least, x.most, m->lines);
+    const int columns = plt_lines_any(p->columns, b->end_x);
     if (!columns && deep) {
         return OUTSIDE;
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        p->y[c] = plt_along(q[c], k->row_y) * p->over[c];
+        p->y[c] = plt_along(q[c], b->row_y) * p->over[c];
     }
     const range y = range_of(p->y);
-    const float top = y.least - k->margin, bottom = y.most + k->margin;
-    const int rows = has_pixel(top, bottom, k->end_y);
+    p->rows = plt_lines_between(y.least, y.most, m->lines);
+    const int rows = plt_lines_any(p->rows, b->end_y);
     if (!rows && deep) {
         return OUTSIDE;
     }
-    return set_rectangle(m, k, x, y, columns && rows, p);
+    return projection_of(m, x, y, columns && rows, p);
 }
 
 static inline void test_record(plt_beam *b, const projector *k, const plt_record *record,
@@ -53,7 +54,7 @@ static inline void test_record(plt_beam *b, const projector *k, const plt_record
         q[c][1] = plt_record_float(record, c, 1) - k->org[1];
         q[c][2] = plt_record_float(record, c, 2) - k->org[2];
     }
-    const enum projection how = project(&b->margins, k, (const float(*)[3])q, all_deep, &p);
+    const enum projection how = project(b, k, (const float(*)[3])q, all_deep, &p);
     if (how != PROJECTED) {
         if (how == NOT_PROJECTED) {
             plt_beam_test_planes(b, record);

@@ -3,9 +3,12 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/margins.h"
 
+#include "engine/shade/lines.h"
 #include "engine/trace/triangle_common.h"
 
 #define CORNER_MOST 1024.0f   /* pixels */
+#define PIXELS_MOST 1024.0f   /* margins above leave out no line */
+#define PIXELS_TOLD 4.0f      /* above, what meets a line may yet be far beside the square */
 #define OBLIQUE_MOST 16384.0f /* 2^14 */
 
 static float dot(const float a[3], const float b[3]) {
@@ -52,6 +55,20 @@ static float least_depth(const float row_w[3], const float eye[3], const plt_box
     return plt_along(q, row_w);
 }
 
+/* The last factor: of the bias `pixels` is a part. */
+static void set_pixels(plt_margins *m, float across, float row, float square, float term) {
+    const float bias = 9.0f * row * m->direction;
+    const float sum = across * ((8.5f + 7.5f * larger(0.5f, square)) * m->direction +
+                                13.0f * (1.0f + square) * term + 4.0f * (1.0f + square)) +
+                      bias * PLT_LINE_FIRST + 128.0f;
+    m->pixels = PLT_U * sum / (1.0f - PLT_U * bias);
+    m->bias = PLT_LINE_FIRST + m->pixels;
+    m->edge = 1.5f * m->pixels + 40.0f * PLT_U * across;
+    m->edge_least = 3.0f * m->pixels * m->pixels;
+    m->lines = m->pixels < PIXELS_MOST ? (int32_t)(m->pixels * (float)(1 << PLT_LINE_BITS)) + 2
+                                       : PLT_LINE_WIDEST;
+}
+
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
                      const plt_box *scene, float reach) {
     plt_cross(v->right, v->down, m->row_w);
@@ -66,11 +83,10 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     const float corner = 0.5f * farthest / step;
     m->step = step;
     m->direction = 3.0f * farthest;
-    m->pixels = PLT_U * across *
-                (8.0f * (1.0f + larger(0.5f, square)) * m->direction +
-                 13.0f * (1.0f + square) * term + 40.0f);
+    set_pixels(m, across, row, square, term);
     m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
-    m->size = m->corner - (float)side;
+    const int is_told = m->pixels < PIXELS_TOLD && 8.0f * m->pixels < m->corner;
+    m->size = is_told ? m->corner - (float)side : -1.0f;
     m->depth = 1.75f * reach / m->direction;
     m->plane = 160.0f * PLT_U * term;
     m->t = PLT_U * (110.0f * row * farthest + 12.0f * row * term + 100.0f);

@@ -11,7 +11,10 @@
 #include "engine/shade/camera.h"
 
 typedef struct plt_margins {
-    float pixels; /* between a projected corner and a ray, in pixels */
+    float pixels;           /* between a projected corner and a ray, in pixels */
+    float bias;             /* of coordinates in pixels: PLT_LINE_FIRST and `pixels` */
+    float edge, edge_least; /* of edge functions: times width and height, and added to that */
+    int32_t lines;          /* twice `pixels`, as plt_lines_between takes it off */
     float corner; /* farthest corner from a square's first pixel that is projected, in pixels */
     float size;   /* width and height of a triangle that needs no look at its corners, in pixels */
     float depth;  /* of a corner whose x alone says that it is beside a square */

@@ -1,0 +1,188 @@
+/* test_lines - lines of pixels between two coordinates, and margins that pictures cannot show
+ *
+ * Margins are for the worst of many roundings at once, so frames with less of them come out right,
+ * too (test_render_beam). What DESIGN.md, section 7.7, says of them is tested here: against sums in
+ * double.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "engine/shade/footprint.h"
+#include "tests/reference/random.h"
+#include "tests/test.h"
+
+#define UNIT 0x1p-18 /* of plt_lines_between's margin */
+
+/* Whether line `i` is among those of a stretch in a square of `side`. */
+static int has_line(plt_lines l, int32_t side, int32_t i) {
+    const int32_t end = PLT_LINE_NUMBER + side - 1;
+    return plt_lines_any(l, end) && (uint32_t)i >= plt_lines_first(l) &&
+           (uint32_t)i <= plt_lines_last(l, end);
+}
+
+/* A coordinate: mostly near a square, often on a line or next to one, seldom far away. */
+static float any_coordinate(random_state *r) {
+    const float near = random_float(r, 8.0f, 40.0f);
+    switch (random_below(r, 8)) {
+    case 0:
+        return roundf(near);
+    case 1:
+        return nextafterf(roundf(near), random_below(r, 2) ? 0.0f : 64.0f);
+    case 2:
+        return random_float(r, -100.0f, 100.0f);
+    case 3:
+        return ldexpf(random_below(r, 2) ? -1.0f : 1.0f, (int)random_below(r, 240) - 120);
+    default:
+        return near;
+    }
+}
+
+/* All lines that lie between, the least lowered; and none that is twice as far beside. */
+static void stretches(void) {
+    random_state r = {1};
+    uint32_t missing = 0, more = 0, lines = 0;
+    for (uint32_t i = 0; i < 200000; i++) {
+        const float a = any_coordinate(&r), b = any_coordinate(&r);
+        const float least = a < b ? a : b, most = a < b ? b : a;
+        const int32_t margin = 1 + (int32_t)(random_below(&r, 1u << random_below(&r, 20)));
+        const int32_t side = 1 + (int32_t)random_below(&r, PLT_PACKET_SIDE_MAX);
+        const plt_lines l = plt_lines_between(least, most, margin);
+        for (int32_t k = 0; k < side; k++) {
+            const double line = 16.0 + k, low = (double)least - margin * UNIT;
+            const double lowest = (double)least - (2.0 * margin + 2.0) * UNIT;
+            missing += line >= low && line <= (double)most && !has_line(l, side, k);
+            more += (line < lowest || line > (double)most) && has_line(l, side, k);
+            lines += line >= low && line <= (double)most;
+        }
+    }
+    CHECK(lines > 10000, "%u lines lie between", lines);
+    CHECK(missing == 0, "%u lines are missing", missing);
+    CHECK(more == 0, "%u lines more", more);
+}
+
+static void widest(void) {
+    static const float at[6] = {-INFINITY, -1e30f, -0.0f, 0.0f, 17.5f, 31.5f};
+    for (int i = 0; i < 6; i++) {
+        const plt_lines l = plt_lines_between(at[i], INFINITY, PLT_LINE_WIDEST);
+        for (int32_t k = 0; k < PLT_PACKET_SIDE_MAX; k++) {
+            CHECK(has_line(l, PLT_PACKET_SIDE_MAX, k), "from %g: without line %d", (double)at[i],
+                  k);
+        }
+    }
+}
+
+/* Of a view of any field and frame. */
+static int any_margins(random_state *r, plt_margins *m, uint32_t *side) {
+    static const plt_box box = {{-1, -1, -1}, {1, 1, 1}};
+    const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), (int)random_below(r, 24) - 14);
+    plt_frame f = {.width = (uint16_t)(1 + random_below(r, 640)),
+                   .height = (uint16_t)(1 + random_below(r, 640)),
+                   .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
+    plt_view v;
+    *side = 2u << random_below(r, 4);
+    if (plt_view_set(&v, &f) != PLT_OK) {
+        return 0;
+    }
+    plt_margins_set(m, &v, &f, *side, &box, 5.0f);
+    return m->project;
+}
+
+/* What is taken off the least coordinate, added to all, and left to edges. */
+static void margins(void) {
+    random_state r = {2};
+    uint32_t views = 0, told = 0;
+    for (uint32_t i = 0; i < 4000; i++) {
+        plt_margins m;
+        uint32_t side;
+        if (!any_margins(&r, &m, &side)) {
+            continue;
+        }
+        const double eps = (double)m.pixels, taken = m.lines * UNIT;
+        const int most = m.lines == PLT_LINE_WIDEST;
+        CHECK(most ? eps >= 1024.0 : taken > 2.0 * eps && taken < 2.00001 * eps + 3.0 * UNIT,
+              "%g pixels, %g taken off", eps, taken);
+        CHECK(fabs((double)m.bias - 16.0 - eps) <= 1e-6 * (16.0 + eps), "%g: a bias of %g", eps,
+              (double)m.bias);
+        CHECK((double)m.edge > 1.5 * eps && (double)m.edge_least > 2.9 * eps * eps,
+              "%g pixels, edges %g and %g", eps, (double)m.edge, (double)m.edge_least);
+        CHECK(m.size < 0.0f || (m.pixels < 4.0f && 8.0f * m.pixels < m.corner &&
+                                m.size == m.corner - (float)side),
+              "%g pixels, corners up to %g: no look below %g", eps, (double)m.corner,
+              (double)m.size);
+        views++;
+        told += m.size > 0.0f;
+    }
+    CHECK(views > 1000 && told > 500, "%u views, %u of narrow margins", views, told);
+}
+
+/* A triangle of whole coordinates, turned or not: its own corners are on its edges, to the bit. */
+static void corners(void) {
+    plt_margins m = {.pixels = 0.25f, .bias = 16.25f, .edge = 0.0f, .edge_least = 0.0f};
+    random_state r = {3};
+    for (uint32_t i = 0; i < 2000; i++) {
+        float x[3], y[3];
+        projected p = {.size = 1.0f};
+        for (int c = 0; c < 3; c++) {
+            x[c] = (float)random_below(&r, PLT_PACKET_SIDE_MAX);
+            y[c] = (float)random_below(&r, PLT_PACKET_SIDE_MAX);
+            p.x[c] = m.bias + x[c];
+            p.y[c] = m.bias + y[c];
+            p.over[c] = 1.0f + (float)c;
+        }
+        const float twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+        for (int c = 0; c < 3; c++) {
+            footprint f;
+            projected turned = p;
+            set_at(&f, &turned, &m, (uint32_t)x[c], (uint32_t)y[c]);
+            set_edges(&f, &turned, &m);
+            const float over =
+                f.at[0] * turned.over[0] + f.at[1] * turned.over[1] + f.at[2] * turned.over[2];
+            CHECK(f.area == fabsf(twice), "an area of %g, not %g", (double)f.area,
+                  (double)fabsf(twice));
+            CHECK(twice == 0.0f || over == p.over[c] * f.area, "at corner %d %g, not %g", c,
+                  (double)(over / f.area), (double)p.over[c]);
+        }
+    }
+}
+
+/* A right-angled triangle with legs of 4, whose corners go around either way. */
+static footprint of_size(float edge, int turned) {
+    const plt_margins m = {.pixels = 0.0f, .bias = 16.0f, .edge = edge, .edge_least = 0.5f};
+    projected p = {.x = {16, 20, 16}, .y = {16, 16, 20}, .over = {1, 1, 1}, .size = 8.0f};
+    footprint f;
+    if (turned) {
+        p.x[1] = 16;
+        p.x[2] = 20;
+        p.y[1] = 20;
+        p.y[2] = 16;
+    }
+    set_at(&f, &p, &m, 1, 1);
+    set_edges(&f, &p, &m);
+    return f;
+}
+
+/* Its area is 16: 12 errors of 1 1/3. */
+static void open_sign(void) {
+    for (int turned = 0; turned < 2; turned++) {
+        const footprint less = of_size(0.1039f, turned), more = of_size(0.1043f, turned);
+        CHECK(less.area == 16.0f && less.error > 1.33f && less.error < 1.34f,
+              "an area of %g, an error of %g", (double)less.area, (double)less.error);
+        CHECK(less.slack < 0.0f, "a slack of %g before it is known", (double)less.slack);
+        CHECK(isinf(more.error) && isinf(more.slack), "an error of %g, a slack of %g",
+              (double)more.error, (double)more.slack);
+    }
+}
+
+int main(void) {
+    test("a stretch has the lines in it, and none that is twice its margin beside");
+    stretches();
+    test("the widest margin leaves out no line");
+    widest();
+    test("margins of lines and edges are what they have to be, of any view");
+    margins();
+    test("edge functions at a triangle's corners are 0 or its area, which is positive");
+    corners();
+    test("of an area that is not beyond 12 errors no pixel is left out, and nothing hidden");
+    open_sign();
+    return test_done();
+}
