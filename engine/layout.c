@@ -7,6 +7,7 @@
 #include "engine/grid/build.h"
 #include "engine/image/record_cache.h"
 #include "engine/memory/stream.h"
+#include "engine/motion/block_refit.h"
 #include "engine/motion/refit.h"
 #include "engine/motion/sequence.h"
 #include "engine/scene/build_compact.h"
@@ -62,7 +63,7 @@ static uint64_t section_bytes(const subject *s) {
         return stays ? 0 : s->info->triangle_bytes;
     }
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        if (!PLT_WITH_THESIS ||
+        if (!(PLT_WITH_THESIS || PLT_WITH_SEQUENCE) ||
             kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
             bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
         }
@@ -282,6 +283,14 @@ static uint64_t wave_bytes(const subject *s) {
     return 0;
 }
 
+#if PLT_WITH_MOTION
+static uint64_t levels_bytes(const subject *s) {
+    return PLT_WITH_THESIS && is_movable(s) && !has_grid(s) && s->format != PLT_FORMAT_COMPACT
+               ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
+               : 0;
+}
+#endif
+
 #if PLT_WITH_SEQUENCE
 static int has_frames(const subject *s) {
     return is_movable(s) && s->info->frames > 0;
@@ -367,8 +376,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return store_bytes(s);
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:
-        return is_movable(s) && !has_grid(s)
-                   ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
+        return levels_bytes(s);
+#endif
+#if PLT_WITH_BLOCK_MOTION
+    case PLT_PART_BLOCKS:
+        return is_movable(s) && s->format == PLT_FORMAT_COMPACT
+                   ? plt_block_refit_bytes(s->info->treelets)
                    : 0;
 #endif
 #if PLT_WITH_SEQUENCE

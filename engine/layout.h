@@ -11,9 +11,12 @@
 int plt_layout_options_valid(const plt_options *options);
 int plt_layout_order_valid(const plt_info *info, const plt_options *options);
 
-/* Triangles can be moved that are records, in thesis nodes or a list. */
+/* Triangles can be moved that are records, in thesis nodes or a list; and those of compact blocks
+ * that have frames, all of them. */
 static inline int plt_layout_motion_valid(const plt_info *info, const plt_options *options) {
-    return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS;
+    return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS ||
+           (PLT_WITH_BLOCK_MOTION && info->geometry_format == PLT_GEOMETRY_MOVING &&
+            !options->moves_some && !options->rebuild);
 }
 
 /* A grid is over records, of thesis nodes or a list. */

@@ -132,9 +132,10 @@ enum plt_nodes {
 };
 
 enum plt_geometry_format {
-    PLT_GEOMETRY_FLOAT = 0,  /* 40 bytes per triangle, bit exact */
-    PLT_GEOMETRY_LATTICE = 1 /* strips of vertices on the lattice, the scene's
-                              * quantisation grid */
+    PLT_GEOMETRY_FLOAT = 0,   /* 40 bytes per triangle, bit exact */
+    PLT_GEOMETRY_LATTICE = 1, /* strips of vertices on the lattice, the scene's
+                               * quantisation grid */
+    PLT_GEOMETRY_MOVING = 2   /* the same with room for any frame of a sequence */
 };
 
 /* What rays find triangles by; hits and frames are the same, bit for bit. */
@@ -237,6 +238,7 @@ typedef struct plt_info {
     uint32_t frame_rate;  /* frames per second, 1 .. PLT_FRAME_RATE_MOST */
     uint32_t key_every;   /* frames that are multiples of it do not depend on others */
     uint32_t frame_bytes; /* all frames, with 4 bytes of offset each and 4 more */
+    uint32_t block_vertices; /* PLT_GEOMETRY_MOVING: of all blocks, shared ones counted in each */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */

@@ -4,6 +4,7 @@
 #include "engine/base/fault.h"
 #include "engine/engine.h"
 #include "engine/move.h"
+#include "engine/trace/block_entry.h"
 
 int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
     plt_fault_set(fault, PLT_OK, 0, "no fault");
@@ -26,6 +27,42 @@ int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
     return plt_sequence_read(&e->sequence, blocks > 0 ? blocks : 1, fault);
 }
 
+#if PLT_WITH_BLOCK_MOTION
+/* Blocks lie in the arena, as all does that moves. What was opened of them has other bounds now. */
+static void put_blocks(plt_engine *e) {
+    plt_block_tree *t = &e->scene.compact;
+    const plt_vertices *v = &e->sequence.vertices;
+    const plt_block_numbers n = {v->vertex, v->topology, v->index_bits};
+    plt_block_refit_all(&e->moving.blocks, t, (unsigned char *)(uintptr_t)t->bytes,
+                        (unsigned char *)(uintptr_t)t->ids.bytes, &n);
+    plt_lattice_to_box(&t->lattice, &t->box, &e->moving.box);
+    plt_block_state_init(e->traversal.state);
+    plt_moved(e);
+}
+#endif
+
+#if PLT_WITH_THESIS
+static void put_records(plt_engine *e) {
+    plt_rebuild_before_move(e, 0);
+    plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
+    plt_refit_all(e);
+    plt_moved(e);
+}
+#endif
+
+/* The frame that is there. */
+static void put_frame(plt_engine *e) {
+#if PLT_WITH_BLOCK_MOTION
+    if (plt_has_moving_blocks(e)) {
+        put_blocks(e);
+        return;
+    }
+#endif
+#if PLT_WITH_THESIS
+    put_records(e);
+#endif
+}
+
 int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
     int status = plt_sequence_begin(e, frame, fault);
     if (status == PLT_OK) {
@@ -36,10 +73,7 @@ int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
     }
     if (status == PLT_OK) {
         e->rendering.done = 1;
-        plt_rebuild_before_move(e, 0);
-        plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
-        plt_refit_all(e);
-        plt_moved(e);
+        put_frame(e);
     }
     return status;
 }

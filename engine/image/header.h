@@ -44,6 +44,19 @@ typedef struct plt_header {
     plt_lattice_box lattice_box; /* of all triangles */
 } plt_header;
 
+/* An image of compact blocks that move: its header has the counts of a sequence where others have
+ * the lattice's box. */
+static inline int plt_header_moves(const plt_info *info) {
+    return PLT_WITH_BLOCK_MOTION && info->nodes_format == PLT_NODES_COMPACT &&
+           info->geometry_format == PLT_GEOMETRY_MOVING;
+}
+
+/* Numbers of vertices in the topology of a sequence: three per triangle, or one for each vertex of
+ * each block. */
+static inline uint64_t plt_header_numbers(const plt_info *info) {
+    return plt_header_moves(info) ? info->block_vertices : (uint64_t)info->triangles * 3;
+}
+
 /* The sections that an image of these formats has, in order; returns how many. */
 unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]);
 

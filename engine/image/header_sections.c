@@ -37,6 +37,12 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         if (info->primitive_id_bits > 0) {
             kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
         }
+#if PLT_WITH_BLOCK_MOTION
+        if (plt_header_moves(info)) {
+            kind[count++] = PLT_SECTION_TOPOLOGY;
+            kind[count++] = PLT_SECTION_FRAMES;
+        }
+#endif
     }
     return count;
 }
@@ -60,7 +66,7 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
         return plt_section_bytes(info->triangles, plt_corners_bytes(info->lattice_bits));
 #if PLT_WITH_SEQUENCE
     case PLT_SECTION_TOPOLOGY:
-        return padded(((uint64_t)info->triangles * 3 * plt_index_bits(info->vertices) + 7) / 8 +
+        return padded((plt_header_numbers(info) * plt_index_bits(info->vertices) + 7) / 8 +
                       PLT_BITS_BEHIND);
     case PLT_SECTION_FRAMES:
         return padded((uint64_t)info->frame_bytes + PLT_BITS_BEHIND);

@@ -203,15 +203,12 @@ int pack_frames_scan(pack_frames *p, pack_meshes *in, fail *f) {
         snap_all(p, &in->m);
     }
     poses_weigh(&p->poses);
-    return status;
+    return status == 0 ? sequence_begin(&p->code, &in->m, &p->options, p->first, f) : status;
 }
 
 int pack_frames_add(pack_frames *p, const pack_meshes *in, packed *image, fail *f) {
     progress bar;
-    int status = sequence_begin(&p->code, &in->m, &p->options, p->first, f);
-    if (status == 0) {
-        status = sequence_add(&p->code, &in->m, p->first, f);
-    }
+    int status = sequence_add(&p->code, &in->m, p->first, f);
     progress_begin(&bar, "coding frames", p->range.count);
     for (unsigned i = 1; i < p->range.count && status == 0; i++) {
         mesh m = {0};

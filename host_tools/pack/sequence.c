@@ -10,6 +10,7 @@
 #include "engine/planelet_crc32.h"
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/image_size.h"
+#include "host_tools/pack/moving.h"
 
 enum { NO_NUMBER = -1 };
 
@@ -131,6 +132,7 @@ int sequence_begin(sequence *s, const mesh *first, const sequence_options *optio
         return out_of_memory(name, f);
     }
     number_vertices(s, first);
+    s->moving = (moving_vertices){.lattice = options->lattice, .number = s->number};
     s->before = heap_get_zeroed((uint64_t)s->vertices * sizeof *s->before);
     s->now = heap_get_zeroed((uint64_t)s->vertices * sizeof *s->now);
     s->size = s->room = offsets_bytes(s);
@@ -177,11 +179,15 @@ int sequence_add(sequence *s, const mesh *frame, const char *name, fail *f) {
 
 /* ---- the image -------------------------------------------------------------------- */
 
-static void write_topology(const sequence *s, const mesh *m, unsigned char *to) {
+/* Of each triangle, or of each vertex of blocks. */
+static void write_topology(const sequence *s, const mesh *m, const plt_info *info,
+                           unsigned char *to) {
     const uint32_t width = plt_index_bits(s->vertices);
-    for (size_t i = 0; i < 3 * m->triangles; i++) {
-        const uint64_t at = (uint64_t)i * width;
-        plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), width, s->number[m->triangle[i]]);
+    const int moves = plt_header_moves(info);
+    for (uint64_t i = 0; i < plt_header_numbers(info); i++) {
+        const uint64_t at = i * width;
+        plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), width,
+                     moves ? s->moving.of_blocks[i] : s->number[m->triangle[i]]);
     }
 }
 
@@ -193,6 +199,10 @@ static void describe(const sequence *s, plt_header *h) {
     h->info.frame_bytes = (uint32_t)s->size;
     h->info.lattice_bits = (uint8_t)s->options.lattice.bits;
     h->lattice = s->options.lattice;
+    if (h->info.nodes_format == PLT_NODES_COMPACT) {
+        h->info.geometry_format = PLT_GEOMETRY_MOVING;
+        h->info.block_vertices = s->moving.count;
+    }
 }
 
 /* The header of the image without frames, with its sections' checksums. */
@@ -203,17 +213,32 @@ static int read_header(plt_header *h, const packed *image, const char *name, fai
                : fail_set(f, name, "%s; please report this", fault.message);
 }
 
-static void fill(const sequence *s, const packed *image, const mesh *m, plt_header *h,
-                 unsigned char *bytes, uint64_t size) {
+/* Positions of blocks are those of the first frame. */
+static int put_first(sequence *s, const mesh *m, plt_header *h, unsigned char *bytes) {
+    read_words(s, m); /* all frames have been written */
+    plt_header_write(bytes, h);
+    return moving_put(h, bytes, s->now);
+}
+
+static int fill(sequence *s, const packed *image, const mesh *m, plt_header *h,
+                unsigned char *bytes, uint64_t size) {
     const uint64_t topology = plt_header_section_bytes(&h->info, PLT_SECTION_TOPOLOGY);
     unsigned char *at = bytes + image->size;
     memcpy(bytes, image->bytes, image->size);
     memset(at, 0, (size_t)(size - image->size));
-    write_topology(s, m, at);
+    write_topology(s, m, &h->info, at);
     memcpy(at + topology, s->bytes, (size_t)s->size);
-    h->section[2].crc = plt_crc32(0, at, (size_t)topology);
-    h->section[3].crc = plt_crc32(0, at + topology, (size_t)offsets_bytes(s));
+    if (plt_header_moves(&h->info) && put_first(s, m, h, bytes) != 0) {
+        return -1;
+    }
+    plt_header_write(bytes, h); /* where sections are */
+    for (unsigned i = 0; i < PLT_SECTIONS_MOST; i++) {
+        plt_section *now = &h->section[i];
+        const uint64_t used = now->kind == PLT_SECTION_FRAMES ? offsets_bytes(s) : now->bytes;
+        now->crc = plt_crc32(0, bytes + now->offset, (size_t)used);
+    }
     plt_header_write(bytes, h);
+    return 0;
 }
 
 int sequence_finish(sequence *s, packed *image, const mesh *first, const char *name, fail *f) {
@@ -231,7 +256,10 @@ int sequence_finish(sequence *s, packed *image, const mesh *first, const char *n
     if (bytes == NULL) {
         return out_of_memory(name, f);
     }
-    fill(s, image, first, &h, bytes, size);
+    if (fill(s, image, first, &h, bytes, size) != 0) {
+        heap_drop(bytes);
+        return out_of_memory(name, f);
+    }
     pack_free(image);
     *image = (packed){.bytes = bytes, .size = (uint32_t)size, .info = h.info};
     return 0;
@@ -242,5 +270,6 @@ void sequence_free(sequence *s) {
     heap_drop(s->before);
     heap_drop(s->now);
     heap_drop(s->bytes);
+    heap_drop(s->moving.of_blocks);
     *s = (sequence){.number = NULL};
 }

@@ -26,6 +26,7 @@ typedef struct sequence {
     plt_frame_vertex *before, *now; /* the frames that differ; owned */
     unsigned char *bytes;           /* offsets, then frames; owned */
     uint64_t size, room;
+    moving_vertices moving; /* for pack_compact; its result owned */
 } sequence;
 
 /* Nothing but what of `first` all frames share. `name` is for errors. -1: out of memory; `s` is to
@@ -37,7 +38,7 @@ int sequence_begin(sequence *s, const mesh *first, const sequence_options *optio
 int sequence_add(sequence *s, const mesh *frame, const char *name, fail *f);
 
 /* Puts the frames behind `image`, which was packed from the first of them (on the lattice:
- * sequence_snap). Both are as they were if it fails. */
+ * sequence_snap; compact blocks with compact_options.moving). Both are as they were if it fails. */
 int sequence_finish(sequence *s, packed *image, const mesh *first, const char *name, fail *f);
 
 void sequence_free(sequence *s);

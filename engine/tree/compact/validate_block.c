@@ -28,15 +28,17 @@ static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t ch
     return plt_get_u32(part + check_at - 2) >> 16 == plt_block_check(part, bytes, check_at);
 }
 
-/* Each string begins where the one before ends; all must end inside the part, in front of `tail`
- * bytes. Counts are bounded first, so that no position overflows. */
-static int geometry_fits(const plt_geometry *g, const plt_block *b, uint32_t tail) {
-    const uint64_t bits = 8ull * (b->geometry_bytes - tail);
+/* Each string begins where the one before ends; all must end inside the part, in front of the check
+ * of ids. Counts are bounded first, so that no position overflows. */
+static int geometry_fits(const plt_geometry *g, const plt_block *b, const plt_block_tree *tree) {
+    const uint64_t bits = 8ull * (b->geometry_bytes - tree->ids_check_bytes);
     if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->swaps > bits || g->news > bits ||
         g->refs > bits || g->slots < g->vertices || g->news_ones != g->vertices) {
         return 0;
     }
-    return g->positions + (uint64_t)g->vertices * g->vertex_bits <= bits;
+    return g->positions + (uint64_t)g->vertices * g->vertex_bits +
+               plt_turn_bits(tree) * g->triangles <=
+           bits;
 }
 
 static int references_are_known(const plt_geometry *g) {
@@ -58,7 +60,7 @@ static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *bou
         uint32_t position[3];
         plt_leaf_vertex(g, v, position);
         for (int a = 0; a < 3; a++) {
-            inside &= position[a] <= bounds->hi[a]; /* never below: it is added to lo */
+            inside &= position[a] - bounds->lo[a] <= bounds->hi[a] - bounds->lo[a];
         }
     }
     return inside;
@@ -95,8 +97,10 @@ static int counts_rule(const plt_block *b, uint32_t k) {
 static int strings_rule(const plt_block *b, const plt_lattice_box *bounds,
                         const plt_block_tree *tree) {
     plt_geometry g;
-    plt_geometry_open(&g, b, bounds, tree->leaf_triangles);
-    if (!geometry_fits(&g, b, tree->ids_check_bytes)) {
+    plt_lattice_box frame = *bounds;
+    plt_block_tree_frame(tree, &frame);
+    plt_geometry_open(&g, b, &frame, tree->leaf_triangles);
+    if (!geometry_fits(&g, b, tree)) {
         return PLT_I14_GEOMETRY;
     }
     if (!leaves_are_valid(&g, b)) {
