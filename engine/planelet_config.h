@@ -54,7 +54,7 @@
 #endif
 
 #ifndef PLT_WITH_MOTION
-#define PLT_WITH_MOTION PLT_WITH_THESIS /* triangles that move (plt_move) */
+#define PLT_WITH_MOTION 1 /* triangles that move (plt_move) */
 #endif
 
 #ifndef PLT_WITH_SEQUENCE
@@ -70,7 +70,11 @@
 #endif
 
 #ifndef PLT_WITH_MOVE_SOME
-#define PLT_WITH_MOVE_SOME PLT_WITH_MOTION /* ... some of them, for less (plt_move_some) */
+#if PLT_WITH_MOTION && PLT_WITH_THESIS
+#define PLT_WITH_MOVE_SOME 1 /* ... some of them, for less (plt_move_some) */
+#else
+#define PLT_WITH_MOVE_SOME 0
+#endif
 #endif
 
 #ifndef PLT_WITH_REBUILD

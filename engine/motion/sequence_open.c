@@ -69,14 +69,14 @@ static int check_offsets(const plt_sequence *s, const plt_info *info, plt_fault 
 static int check_topology(const plt_sequence *s, const plt_section *section, const plt_info *info,
                           plt_fault *fault) {
     const uint32_t bits = s->vertices.index_bits;
-    const uint64_t numbers = plt_header_numbers(info);
-    for (uint64_t i = 0; i < numbers; i++) {
-        const uint64_t at = i * bits;
+    const uint32_t numbers = (uint32_t)plt_header_numbers(info);
+    for (uint32_t i = 0; i < numbers; i++) {
+        const uint64_t at = (uint64_t)i * bits;
         if (plt_bits_get(s->vertices.topology + (size_t)(at >> 3), (uint32_t)(at & 7), bits) >=
             info->vertices) {
-            const uint64_t first = plt_header_moves(info) ? i : i / 3 * 3;
+            const uint64_t first = plt_header_moves(info) ? i : i - i % 3;
             return plt_broken(fault, PLT_I24_TOPOLOGY,
-                              section->offset + (uint32_t)(first * bits / 8),
+                              section->offset + (uint32_t)(first * bits >> 3),
                               "a triangle of the sequence has a vertex that is not there");
         }
     }

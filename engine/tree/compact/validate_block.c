@@ -60,7 +60,8 @@ static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *bou
         uint32_t position[3];
         plt_leaf_vertex(g, v, position);
         for (int a = 0; a < 3; a++) {
-            inside &= position[a] - bounds->lo[a] <= bounds->hi[a] - bounds->lo[a];
+            inside &= position[a] <= bounds->hi[a];
+            inside &= !PLT_WITH_BLOCK_MOTION || position[a] >= bounds->lo[a]; /* else it is added */
         }
     }
     return inside;
