@@ -37,7 +37,7 @@ const arg_command command_info = {
 
 static const char *const split_names[] = {"sah", "median"};
 static const char *const node_names[] = {"thesis", "compact"};
-static const char *const geometry_names[] = {"float", "lattice"};
+static const char *const geometry_names[] = {"float", "lattice", "moving"};
 static const char *const build_names[] = {"host", "device", "none"};
 
 /* What info prints beyond plt_info. */

@@ -14,7 +14,7 @@
 #define PACK_FRAMES_FLAGS                                                                          \
     {"--sequence", NULL,                                                                           \
      "the meshes are frames of one sequence, in this order: the same triangles, vertices that "    \
-     "move; thesis nodes, on a lattice of 16 bits unless --geometry says float or other bits"},    \
+     "move; on a lattice of 16 bits unless --geometry says other bits, or float of thesis nodes"}, \
         {"--frames", "A:B",                                                                        \
          "of --sequence with one MESH, a recipe with sequences or a name with '{}' for 000, 001 "  \
          "...: frames A to B - 1, 0 to 99999"},                                                    \
