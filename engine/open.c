@@ -421,7 +421,8 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_motion_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "triangles of compact blocks cannot be moved");
+                             "triangles of compact blocks move as frames of their image say, all "
+                             "together, or cannot be moved");
     }
     if (!plt_layout_structure_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

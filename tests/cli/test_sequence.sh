@@ -300,9 +300,9 @@ misused "--frames of several" "--frames A:B is for one MESH" \
 misused "--frames without --sequence" "go with --sequence" pack wave.txt --frames 0:2 -o x.plt
 misused "--key 0" "--key" pack --sequence wave_00?.ply --key 0 -o x.plt
 misused "--rate 1001" "--rate" pack --sequence wave_00?.ply --rate 1001 -o x.plt
-misused "compact nodes" "--nodes thesis" pack --sequence wave_00?.ply --nodes compact -o x.plt
-misused "compact nodes as floats" "takes --geometry lattice" pack --sequence wave_00?.ply --nodes compact \
-    --geometry float -o x.plt
+misused "compact nodes as floats" "takes --geometry lattice" \
+    pack --sequence wave_00?.ply --nodes compact --geometry float -o x.plt
+misused "standard input" "standard input" pack --sequence - wave_000.ply -o x.plt
 for flag in '--weld 0.1' '--reduce 10' '--memory 100000000' '--frame 1'; do
     # shellcheck disable=SC2086
     misused "$flag" "${flag%% *} is for one mesh" pack --sequence wave_00?.ply $flag -o x.plt
