@@ -184,8 +184,9 @@ typedef struct plt_options {
                            * least). Bytes fetched depend on it, hits do not */
     uint8_t schedule;     /* enum plt_schedule; of streamed scenes, but for PLT_SCHEDULE_BRANCH */
     uint8_t movable;      /* 1: triangles can be moved (plt_move): float records, and the nodes of
-                           * their tree, are copied into the arena even if they are mapped. Not
-                           * of streamed scenes or compact blocks, not with a wide form.
+                           * their tree, are copied into the arena even if they are mapped; of
+                           * compact blocks those of an image with a sequence, which move by its
+                           * frames alone. Not of streamed scenes, not with a wide form.
                            * Of an image with a sequence, its frames can be shown as well
                            * (plt_sequence_show), for some 12 bytes per vertex and 2 to 10 per
                            * triangle. Without PLT_WITH_MOTION it is not looked at */
@@ -377,9 +378,10 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
  * `corners`: of each of the info's triangles, in packing order, x, y and z of three corners, each
  * within +-2^40; they may have lost their area. They are not needed any more after the call.
  * plt_engine_info has the new box afterwards, all else stays. Ends a frame that was being
- * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or a corner is out of range or no number:
- * then fault->offset is its triangle, and nothing has changed. Cost: each triangle and each node
- * once, some 10 and 7 ns on a PC; of a grid each triangle three times, some 60 ns.
+ * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or the scene is of compact blocks, or a
+ * corner is out of range or no number: then fault->offset is its triangle, and nothing has changed.
+ * Cost: each triangle and each node once, some 10 and 7 ns on a PC; of a grid each triangle three
+ * times, some 60 ns.
  *
  * Not there without PLT_WITH_MOTION. */
 int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
