@@ -53,7 +53,7 @@ task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c 
     engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c \
-    engine/motion/block_*.c) engine/motion/vertices.c
+    engine/motion/block_*.c) engine/motion/vertices.c engine/tree/compact/turns.c
 some_files := engine/move_some.c engine/motion/dirty.c
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c
 records_files := engine/move_some.c engine/rebuild.c $(addprefix engine/motion/,corners.c dirty.c \

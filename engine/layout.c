@@ -63,8 +63,8 @@ static uint64_t section_bytes(const subject *s) {
         return stays ? 0 : s->info->triangle_bytes;
     }
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        if (!(PLT_WITH_THESIS || PLT_WITH_SEQUENCE) ||
-            kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
+        if (!(PLT_WITH_THESIS || PLT_WITH_SEQUENCE) || kind[i] < PLT_SECTION_CHECKS ||
+            kind[i] == PLT_SECTION_STILLS) { /* what follows is read bit by bit, if at all */
             bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
         }
     }
@@ -285,7 +285,7 @@ static uint64_t wave_bytes(const subject *s) {
 
 #if PLT_WITH_MOTION
 static uint64_t levels_bytes(const subject *s) {
-    return PLT_WITH_THESIS && is_movable(s) && !has_grid(s) && s->format != PLT_FORMAT_COMPACT
+    return PLT_WITH_THESIS && is_movable(s) && !has_grid(s) && !plt_has_blocks(s->format)
                ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
                : 0;
 }
@@ -293,7 +293,7 @@ static uint64_t levels_bytes(const subject *s) {
 
 #if PLT_WITH_SEQUENCE
 static int has_frames(const subject *s) {
-    return is_movable(s) && s->info->frames > 0;
+    return is_movable(s) && s->info->frames > 0 && !plt_is_streamed(s->format);
 }
 
 static int fetches_frames(const subject *s) {
@@ -490,7 +490,8 @@ static int is_batch_valid(const plt_options *o) {
 static int is_motion_valid(const plt_options *o) {
     return !PLT_WITH_MOTION || (o->movable == 0 && o->moves_some == 0 && o->rebuild == 0) ||
            (o->movable == 1 && o->moves_some <= PLT_WITH_MOVE_SOME &&
-            o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 && o->residency == 0);
+            o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 &&
+            (PLT_WITH_STILLS ? o->schedule <= PLT_SCHEDULE_BATCH : o->residency == 0));
 }
 
 /* A grid has no wide form, and stays where it was made. */

@@ -254,7 +254,10 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 static int open_sequence(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
 #if PLT_WITH_SEQUENCE
-    if (e->options.movable && header != NULL && header->info.frames > 0) {
+    if (e->options.movable && plt_is_streamed(e->scene.format)) {
+        e->sequence.frames = e->scene.info.frames;
+        e->sequence.at = PLT_FRAME_NONE;
+    } else if (e->options.movable && header != NULL && header->info.frames > 0) {
         const int is_mapped = e->source.mapped != NULL;
         const plt_sequence_room room = {.topology = is_mapped ? NULL : part[PLT_PART_TOPOLOGY],
                                         .offsets = is_mapped ? NULL : part[PLT_PART_OFFSETS],
@@ -341,7 +344,7 @@ static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PL
 #if PLT_WITH_MOTION
     plt_moving *m = &e->moving;
     if (e->options.movable && plt_has_moving_blocks(e)) {
-        return start_blocks(e, o, part);
+        return plt_is_streamed(e->scene.format) ? PLT_OK : start_blocks(e, o, part);
     }
     if (e->options.movable) {
         m->levels = part[PLT_PART_REFIT];
@@ -422,7 +425,7 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     if (!plt_layout_motion_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "triangles of compact blocks move as frames of their image say, all "
-                             "together, or cannot be moved");
+                             "together, streamed ones as stills, and others cannot be moved");
     }
     if (!plt_layout_structure_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

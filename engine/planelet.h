@@ -135,7 +135,8 @@ enum plt_geometry_format {
     PLT_GEOMETRY_FLOAT = 0,   /* 40 bytes per triangle, bit exact */
     PLT_GEOMETRY_LATTICE = 1, /* strips of vertices on the lattice, the scene's
                                * quantisation grid */
-    PLT_GEOMETRY_MOVING = 2   /* the same with room for any frame of a sequence */
+    PLT_GEOMETRY_MOVING = 2,  /* the same with room for any frame of a sequence */
+    PLT_GEOMETRY_STILLS = 3   /* the same, all blocks once for each frame: it can be streamed */
 };
 
 /* What rays find triangles by; hits and frames are the same, bit for bit. */

@@ -69,6 +69,14 @@
 #endif
 #endif
 
+#ifndef PLT_WITH_STILLS /* ... that are streamed */
+#if PLT_WITH_BLOCK_MOTION && PLT_WITH_STREAMED_COMPACT
+#define PLT_WITH_STILLS 1
+#else
+#define PLT_WITH_STILLS 0
+#endif
+#endif
+
 #ifndef PLT_WITH_MOVE_SOME
 #if PLT_WITH_MOTION && PLT_WITH_THESIS
 #define PLT_WITH_MOVE_SOME 1 /* ... some of them, for less (plt_move_some) */
@@ -262,6 +270,10 @@
 #if (PLT_WITH_BLOCK_MOTION != 0 && PLT_WITH_BLOCK_MOTION != 1) ||                                  \
     (PLT_WITH_BLOCK_MOTION && !(PLT_WITH_SEQUENCE && PLT_WITH_COMPACT))
 #error "PLT_WITH_BLOCK_MOTION is the digit 0, or with PLT_WITH_SEQUENCE and PLT_WITH_COMPACT 1"
+#endif
+#if (PLT_WITH_STILLS != 0 && PLT_WITH_STILLS != 1) ||                                              \
+    (PLT_WITH_STILLS && !(PLT_WITH_BLOCK_MOTION && PLT_WITH_STREAMED_COMPACT))
+#error "PLT_WITH_STILLS is the digit 0, or with PLT_WITH_BLOCK_MOTION and _STREAMED_COMPACT 1"
 #endif
 #if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) ||                                              \
     (PLT_WITH_MOTION && !(PLT_WITH_THESIS || PLT_WITH_BLOCK_MOTION))

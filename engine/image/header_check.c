@@ -97,7 +97,8 @@ static int check_sequence(const plt_header *h, plt_fault *fault) {
     const int counts = info->triangles > 0 && info->vertices > 0 &&
                        info->vertices <= PLT_INDEX_MAX && info->key_every > 0 &&
                        info->frame_rate > 0 && info->frame_rate <= PLT_FRAME_RATE_MOST &&
-                       info->frame_bytes / 4 > info->frames;
+                       (plt_header_has_stills(info) ? info->frame_bytes == 0
+                                                    : info->frame_bytes / 4 > info->frames);
 #if PLT_WITH_BLOCK_MOTION
     if (plt_header_moves(info) &&
         (info->frames == 0 || info->has_checks || info->block_vertices > 3 * info->triangles)) {

@@ -30,7 +30,8 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         }
 #endif
     } else {
-        kind[count++] = info->build == PLT_BUILD_DEVICE ? PLT_SECTION_CORNERS : PLT_SECTION_BLOCKS;
+        kind[count++] = info->build == PLT_BUILD_DEVICE ? (uint32_t)PLT_SECTION_CORNERS
+                                                        : plt_header_blocks_kind(info);
         if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
             kind[count++] = PLT_SECTION_TRIANGLES;
         }
@@ -38,7 +39,7 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
             kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
         }
 #if PLT_WITH_BLOCK_MOTION
-        if (plt_header_moves(info)) {
+        if (plt_header_moves(info) && !plt_header_has_stills(info)) {
             kind[count++] = PLT_SECTION_TOPOLOGY;
             kind[count++] = PLT_SECTION_FRAMES;
         }
@@ -70,6 +71,10 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
                       PLT_BITS_BEHIND);
     case PLT_SECTION_FRAMES:
         return padded((uint64_t)info->frame_bytes + PLT_BITS_BEHIND);
+#endif
+#if PLT_WITH_STILLS
+    case PLT_SECTION_STILLS:
+        return padded(used * info->frames + PLT_BITS_BEHIND);
 #endif
     case PLT_SECTION_PRIMITIVE_IDS:
         return padded(((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 +

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "engine/lanes/lanes.h"
-#include "engine/tree/canonical.h"
+#include "engine/tree/compact/turns.h"
 
 typedef struct slot_box {
     f4 lo, hi;
@@ -96,27 +96,6 @@ static void put_positions(const refitting *r, const plt_block_numbers *n, uint32
 
 /* ---- leaves ----------------------------------------------------------------------- */
 
-/* Which corner of the canonical order is the mesh's first, of each triangle. */
-static void put_rotations(const refitting *r, const plt_leaf_place *at, const plt_leaf *leaf) {
-    const plt_geometry *g = &r->geometry;
-    const uint32_t turns = g->positions + g->vertices * g->vertex_bits + 2 * at->first;
-    for (uint32_t i = 0; i < at->count; i++) {
-        uint64_t key[3];
-        for (unsigned c = 0; c < 3; c++) {
-            key[c] = plt_lattice_key(leaf->vertex[plt_leaf_corner(leaf, i, c)].number);
-        }
-        const uint32_t first =
-            plt_canonical_first(key[1] < key[0], key[2] < key[0], key[2] < key[1]);
-        const uint32_t turn = plt_bits_short(g->bytes, turns + 2 * i, 2);
-        const uint64_t bit = (uint64_t)(g->first_triangle + at->first + i) * r->tree->ids.bits;
-        unsigned char *byte = r->ids + (size_t)(bit >> 3);
-        const uint32_t shift = (uint32_t)(bit & 7), two = byte[0] | (uint32_t)byte[1] << 8;
-        const uint32_t word = (two & ~(3u << shift)) | (turn + 3 - first) % 3 << shift;
-        byte[0] = (unsigned char)word;
-        byte[1] = (unsigned char)(word >> 8);
-    }
-}
-
 static slot_box box_of_leaf(const plt_leaf *leaf) {
     f4 lo = f4_of_u4(u4_load(leaf->vertex[0].number)), hi = lo;
     for (uint32_t i = 1; i < leaf->vertices; i++) {
@@ -130,20 +109,12 @@ static slot_box box_of_leaf(const plt_leaf *leaf) {
 
 /* The next leaf, which begins at `at`; that goes on behind it. */
 static slot_box fit_leaf(const refitting *r, plt_leaf_place *at, uint32_t leaf_number, int pair) {
-    const plt_geometry *g = &r->geometry;
     plt_leaf leaf;
-    at->count = 1 + (pair ? g->k : 0);
-    for (uint32_t s = 0; s < plt_geometry_count_strings(g->k); s++) {
-        at->count += plt_bits_short(g->bytes, g->counts + s * g->leaves + leaf_number, 1) << s;
-    }
-    plt_leaf_read_at(g, at, &leaf);
+    plt_leaf_read_next(&r->geometry, at, leaf_number, pair, &leaf);
     if (r->ids != NULL) {
-        put_rotations(r, at, &leaf);
+        plt_leaf_turn(&r->geometry, at, &leaf, r->ids, r->tree->ids.bits);
     }
-    at->first += at->count;
-    const uint32_t begin = g->news + at->slot;
-    at->news += plt_bits_count(g->bytes, begin, begin + leaf.vertices);
-    at->slot += leaf.vertices;
+    plt_leaf_pass(&r->geometry, at, &leaf);
     return box_of_leaf(&leaf);
 }
 

@@ -370,6 +370,9 @@ static void read_compact_sequence(pack_job *job, args *a, int floats, uint8_t bi
     if (job->frames.for_all) {
         args_complain(a, "--tree-for all takes --nodes thesis");
     }
+    if (args_has(a, "--stills") && args_has(a, "--key")) {
+        args_complain(a, "--stills has no --key: no frame depends on others");
+    }
 }
 
 /* --geometry of a sequence: its lattice, or none. */
@@ -379,6 +382,8 @@ static void read_sequence_format(pack_job *job, args *a) {
     const int compact = strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0;
     if (compact) {
         read_compact_sequence(job, a, floats, bits);
+    } else if (args_has(a, "--stills")) {
+        args_complain(a, "--stills takes --nodes compact");
     } else if (args_has(a, "--numbers")) {
         args_complain(a, "--sequence takes --numbers with --nodes compact alone");
     }

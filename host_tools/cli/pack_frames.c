@@ -53,14 +53,15 @@ void pack_frames_read(pack_frames *p, args *a) {
     p->wanted = args_has(a, "--sequence");
     if (!p->wanted) {
         if (args_has(a, "--frames") || args_has(a, "--rate") || args_has(a, "--key") ||
-            args_has(a, "--tree-for")) {
-            args_complain(a, "--frames, --rate, --key and --tree-for go with --sequence");
+            args_has(a, "--tree-for") || args_has(a, "--stills")) {
+            args_complain(a, "--frames, --rate, --key, --stills and --tree-for go with --sequence");
         }
         return;
     }
     p->path = a->file;
     p->for_all = args_choice(a, "--tree-for", trees, 0) == 1;
     p->options.frame_rate = (uint32_t)args_number(a, "--rate", 25, 1, PLT_FRAME_RATE_MOST);
+    p->options.stills = (uint8_t)args_has(a, "--stills");
     p->options.key_every = (uint32_t)args_number(a, "--key", 16, 1, 100000);
     read_range(p, a);
     refuse_others(a);

@@ -18,6 +18,10 @@
         {"--frames", "A:B",                                                                        \
          "of --sequence with one MESH, a recipe with sequences or a name with '{}' for 000, 001 "  \
          "...: frames A to B - 1, 0 to 99999"},                                                    \
+        {"--stills", NULL,                                                                         \
+         "of --sequence with --nodes compact: all blocks once for each frame instead of how "      \
+         "vertices move, some 8 bytes per triangle and frame instead of 2: any frame can be "      \
+         "streamed"},                                                                              \
         {"--tree-for", "first|all",                                                                \
          "of --sequence: the frames that the tree is made for, its first or up to 8 that are "     \
          "evenly spread; all takes --quality high, three times as long as that alone and more, "   \

@@ -65,30 +65,27 @@ static void put_checks(unsigned char *blocks, const plt_block_tree *tree) {
         unsigned char *bytes = blocks + at;
         plt_block_open(&b, bytes, tree->lattice.bits);
         unsigned char *geometry = bytes + b.node_bytes;
-        plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) |
-                               (uint32_t)plt_block_check(bytes, b.node_bytes, 2) << 16);
+        const uint32_t nodes = plt_block_check(bytes, b.node_bytes, 2) ^ tree->salt;
+        plt_put_u32(bytes, (plt_get_u32(bytes) & 0xFFFFu) | nodes << 16);
         if (b.geometry_bytes > 0) {
-            plt_put_u32(geometry + 4, (plt_get_u32(geometry + 4) & 0xFFFFu) |
-                                          (uint32_t)plt_block_check(geometry, b.geometry_bytes, 6)
-                                              << 16);
+            const uint32_t check = plt_block_check(geometry, b.geometry_bytes, 6) ^ tree->salt;
+            plt_put_u32(geometry + 4, (plt_get_u32(geometry + 4) & 0xFFFFu) | check << 16);
         }
     }
 }
 
-/* The root's bounds are the box of all. */
-static void set_box(plt_header *h, const plt_block_tree *tree) {
+void moving_set_box(plt_header *h, const plt_lattice_box *of) {
     plt_box box;
-    plt_lattice_to_box(&tree->lattice, &tree->box, &box);
+    plt_lattice_to_box(&h->lattice, of, &box);
     for (int a = 0; a < 3; a++) {
         h->info.lo[a] = box.lo[a];
         h->info.hi[a] = box.hi[a];
     }
-    h->lattice_box = tree->box;
+    h->lattice_box = *of;
 }
 
-int moving_put(plt_header *h, unsigned char *bytes, const plt_frame_vertex *vertex) {
-    const plt_section *ids = plt_header_section(h, PLT_SECTION_PRIMITIVE_IDS);
-    unsigned char *blocks = bytes + plt_header_section(h, PLT_SECTION_BLOCKS)->offset;
+int moving_put(const plt_header *h, unsigned char *blocks, unsigned char *ids, uint32_t frame,
+               const plt_frame_vertex *vertex, const unsigned char *numbers, plt_lattice_box *box) {
     plt_block_tree tree = {.bytes = blocks, .used = h->info.node_bytes + h->info.triangle_bytes};
     plt_block_refit refit;
     void *room = heap_get(plt_block_refit_bytes(h->info.treelets));
@@ -96,13 +93,12 @@ int moving_put(plt_header *h, unsigned char *bytes, const plt_frame_vertex *vert
         return -1;
     }
     plt_compact_describe(&tree, h);
+    tree.salt = plt_header_has_stills(&h->info) ? plt_still_salt(frame) : 0;
     plt_block_refit_open(&refit, room, &tree);
-    const plt_block_numbers n = {vertex,
-                                 bytes + plt_header_section(h, PLT_SECTION_TOPOLOGY)->offset,
-                                 plt_index_bits(h->info.vertices)};
-    plt_block_refit_all(&refit, &tree, blocks, ids == NULL ? NULL : bytes + ids->offset, &n);
+    const plt_block_numbers n = {vertex, numbers, plt_index_bits(h->info.vertices)};
+    plt_block_refit_all(&refit, &tree, blocks, ids, &n);
     heap_drop(room);
     put_checks(blocks, &tree);
-    set_box(h, &tree);
+    *box = tree.box;
     return 0;
 }

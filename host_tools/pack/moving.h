@@ -24,8 +24,13 @@ int moving_begin(plt_blocks_job *job, const snapped *s, const mesh *m, const mov
 /* Once they are built: the numbers of the blocks' vertices are the caller's. */
 void moving_end(plt_blocks_job *job, moving_vertices *v);
 
-/* Puts all vertices where `vertex` says into the blocks, and ids, of an image at `bytes`, whose
- * topology is there; checks and the header's box are right then. -1: out of memory. */
-int moving_put(plt_header *h, unsigned char *bytes, const plt_frame_vertex *vertex);
+/* Puts all vertices where `vertex` says into the blocks at `blocks`, and ids (NULL: there are
+ * none), of frame `frame`; checks are right then. `numbers`: of their vertices, as in the image.
+ * The box of all goes to `box`. -1: out of memory. */
+int moving_put(const plt_header *h, unsigned char *blocks, unsigned char *ids, uint32_t frame,
+               const plt_frame_vertex *vertex, const unsigned char *numbers, plt_lattice_box *box);
+
+/* The header's box is that one. */
+void moving_set_box(plt_header *h, const plt_lattice_box *box);
 
 #endif

@@ -15,6 +15,7 @@ typedef struct sequence_options {
     uint32_t frame_rate; /* per second, 1 .. PLT_FRAME_RATE_MOST */
     uint32_t key_every;  /* from 1 */
     plt_lattice lattice; /* that all frames lie on; bits 0: floats, as they are */
+    uint8_t stills;      /* compact blocks, all of them once for each frame, to be streamed */
 } sequence_options;
 
 typedef struct sequence {
@@ -24,7 +25,7 @@ typedef struct sequence {
     uint32_t vertices, frames; /* used ones; frames added so far */
     uint32_t word_bits;
     plt_frame_vertex *before, *now; /* the frames that differ; owned */
-    unsigned char *bytes;           /* offsets, then frames; owned */
+    unsigned char *bytes;           /* offsets, then frames; of stills vertices alone; owned */
     uint64_t size, room;
     moving_vertices moving; /* for pack_compact; its result owned */
 } sequence;

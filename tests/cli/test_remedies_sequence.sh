@@ -12,10 +12,10 @@ echo 'wave_{}.ply*4 1 0 0 0' >wave.txt
 
 # ---- how it is asked for: pack_frames.c, cmd_pack.c ----------------------------------------
 
-says "--frames, --rate, --key and --tree-for go with --sequence" \
+says "--frames, --rate, --key, --stills and --tree-for go with --sequence" \
     pack wave.txt --frames 0:2 -o x.plt
 cured pack --sequence wave.txt --frames 0:2 -o x.plt
-says "--frames, --rate, --key and --tree-for go with --sequence" \
+says "--frames, --rate, --key, --stills and --tree-for go with --sequence" \
     pack wave_000.ply --tree-for all -o x.plt
 cured pack --sequence wave_00?.ply --tree-for all -o x.plt
 for flag in '--quality fast' '--build device' '--build none' '--splits median'; do
@@ -46,6 +46,11 @@ for flag in '--geometry float' '--build device' '--treelet 32'; do
 blocks are of 64 nodes" pack --sequence wave_00?.ply --nodes compact $flag -o x.plt
 done
 cured pack --sequence wave_00?.ply --nodes compact --geometry lattice --build host -o x.plt
+says "--stills takes --nodes compact" pack --sequence wave_00?.ply --stills -o x.plt
+cured pack --sequence wave_00?.ply --nodes compact --stills -o x.plt
+says "--stills has no --key: no frame depends on others" \
+    pack --sequence wave_00?.ply --nodes compact --stills --key 4 -o x.plt
+cured pack --sequence wave_00?.ply --nodes compact --key 4 -o x.plt
 says "--tree-for all takes --nodes thesis" \
     pack --sequence wave_00?.ply --nodes compact --tree-for all --quality high -o x.plt
 cured pack --sequence wave_00?.ply --nodes compact --quality high -o x.plt

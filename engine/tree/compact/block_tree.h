@@ -24,6 +24,7 @@ typedef struct plt_block_tree {
     uint8_t leaf_kind;       /* enum plt_leaf_kind */
     uint8_t ids_check_bytes; /* at the end of geometry parts, the check of their ids; 0: no check */
 #if PLT_WITH_BLOCK_MOTION
+    uint16_t salt; /* of checks, by the frame whose blocks these are (plt_still_salt) */
     uint8_t moves; /* positions are lattice coordinates themselves, not offsets in the bounds */
 #endif
     plt_lattice lattice;
@@ -31,6 +32,21 @@ typedef struct plt_block_tree {
     plt_primitive_ids ids;
     const plt_record *records; /* of PLT_LEAF_RECORDS */
 } plt_block_tree;
+
+/* Checks of the parts of frame `frame` differ from what they are elsewhere by this: a block that is
+ * there still from another frame is noticed. */
+static inline uint16_t plt_still_salt(uint32_t frame) {
+    return (uint16_t)(frame * 40503u);
+}
+
+static inline uint32_t plt_block_tree_salt(const plt_block_tree *tree) {
+#if PLT_WITH_STILLS
+    return tree->salt;
+#else
+    (void)tree;
+    return 0;
+#endif
+}
 
 /* Bits per triangle behind the positions: which corner of a strip's is the mesh's first. */
 static inline uint32_t plt_turn_bits(const plt_block_tree *tree) {

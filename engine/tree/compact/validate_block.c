@@ -24,8 +24,10 @@ static int bounds_are_inside(const plt_lattice_box *f, const plt_lattice_box *sc
     return inside;
 }
 
-static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t check_at) {
-    return plt_get_u32(part + check_at - 2) >> 16 == plt_block_check(part, bytes, check_at);
+static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t check_at,
+                          uint32_t salt) {
+    return plt_get_u32(part + check_at - 2) >> 16 ==
+           (plt_block_check(part, bytes, check_at) ^ salt);
 }
 
 /* Each string begins where the one before ends; all must end inside the part, in front of the check
@@ -115,7 +117,8 @@ static int strings_rule(const plt_block *b, const plt_lattice_box *bounds,
 
 int plt_block_validate_geometry(const plt_block *b, const plt_block_tree *tree) {
     plt_lattice_box bounds;
-    if (b->geometry_bytes > 0 && !check_is_right(b->geometry, b->geometry_bytes, 6)) {
+    if (b->geometry_bytes > 0 &&
+        !check_is_right(b->geometry, b->geometry_bytes, 6, plt_block_tree_salt(tree))) {
         return PLT_I13_CHECK;
     }
     if (b->leaves == 0) {
@@ -150,7 +153,8 @@ int plt_block_validate_nodes(plt_block *b, const unsigned char *bytes, uint32_t 
     if (!bounds_are_inside(&bounds, &tree->box)) {
         return PLT_I12_BOUNDS;
     }
-    return check_is_right(bytes, b->node_bytes, 2) ? PLT_BLOCK_VALID : PLT_I13_CHECK;
+    return check_is_right(bytes, b->node_bytes, 2, plt_block_tree_salt(tree)) ? PLT_BLOCK_VALID
+                                                                              : PLT_I13_CHECK;
 }
 
 int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
