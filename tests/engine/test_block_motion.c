@@ -59,7 +59,12 @@ static plt_frame view_of(const plt_engine *e) {
 
 static void check_blocks(const sequence_rig *s, uint32_t k, const char *name) {
     const plt_engine *e = s->engine;
-    const block_refit_facts facts = block_refit_check(&e->scene.compact, &s->frame[k]);
+    plt_block_tree tree = e->scene.compact;
+    if (e->scene.format == PLT_FORMAT_STREAMED) { /* as it lies in the image, with ids of frame 0 */
+        tree.bytes = s->image.bytes + e->scene.stream.blocks_at;
+        tree.ids.bytes = NULL;
+    }
+    const block_refit_facts facts = block_refit_check(&tree, &s->frame[k]);
     CHECK(facts.broken == 0, "%s: %s, %u times", name, facts.sentence, facts.broken);
     CHECK(facts.triangles == e->scene.info.triangles && facts.nodes == e->scene.info.nodes &&
               facts.blocks == e->scene.info.treelets,
@@ -74,7 +79,11 @@ static void shows(sequence_rig *s, const sequence_config *c, uint32_t k, const c
     snprintf(name, sizeof name, "%s, bits %u, key %u, %s, frame %u: %s", rig_name(&c->scene),
              c->lattice_bits, c->key_every, c->is_mapped ? "mapped" : "fetched", k, what);
     check_blocks(s, k, name);
-    CHECK(rig_open(&fresh, &s->frame[k], &c->scene) == PLT_OK, "%s: %s", name, fresh.fault.message);
+    rig_config resident = c->scene;
+    resident.run.schedule = PLT_SCHEDULE_BRANCH;
+    resident.run.prefetch = 0;
+    resident.run.store_bytes = 0;
+    CHECK(rig_open(&fresh, &s->frame[k], &resident) == PLT_OK, "%s: %s", name, fresh.fault.message);
     const plt_info *now = plt_engine_info(s->engine), *due = plt_engine_info(fresh.engine);
     for (int a = 0; a < 3; a++) {
         CHECK(now->lo[a] == due->lo[a] && now->hi[a] == due->hi[a], "%s: box", name);
@@ -163,6 +172,128 @@ static void ties(void) {
         in_any_order(&c, &m);
         mesh_free(&m);
     }
+}
+
+/* ---- streamed --------------------------------------------------------------------- */
+
+static void streamed(void) {
+    static const uint32_t bits[] = {12, 16, 21};
+    for (uint32_t k = 1; k <= 4; k *= 2) {
+        for (unsigned i = 0; i < 3; i++) {
+            sequence_config c = config_of(k, bits[i], 1, (int)(i + k) % 2);
+            mesh m = {0};
+            c.is_stills = 1;
+            c.scene.run.store_bytes = i == 0 ? 0 : 32768;
+            c.scene.run.schedule = i == 2 ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH;
+            c.scene.run.prefetch = i == 1 ? 4 : 0;
+            make_mesh(&m, k);
+            in_any_order(&c, &m);
+            mesh_free(&m);
+        }
+    }
+}
+
+/* Showing a frame fetches its root, and nothing else; and takes no more of the arena. */
+static void shows_at_once(void) {
+    sequence_config c = config_of(2, 16, 1, 0);
+    mesh m = {0};
+    sequence_rig s;
+    make_mesh(&m, 2);
+    c.is_stills = 1;
+    if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+        const uint32_t root = s.engine->scene.compact.root >> 24;
+        const size_t peak = plt_arena_peak(s.engine);
+        CHECK(s.link.bytes_moved == PLT_HEADER_BYTES, "opening moves the header alone");
+        for (uint32_t k = 0; k < c.frames; k++) {
+            const uint64_t before = s.link.bytes_moved;
+            CHECK(plt_sequence_begin(s.engine, k, &s.fault) == PLT_OK &&
+                      plt_sequence_step(s.engine, 1, &s.fault) == PLT_OK,
+                  "%s", s.fault.message);
+            CHECK(s.link.bytes_moved == before, "nothing is read beforehand");
+            CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK, "%s", s.fault.message);
+            CHECK(s.link.bytes_moved - before == 4 * root, "%u bytes",
+                  (unsigned)(s.link.bytes_moved - before));
+        }
+        CHECK(plt_arena_peak(s.engine) == peak, "the arena is what it was");
+    }
+    CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
+    mesh_free(&m);
+}
+
+/* The root of another frame does not come, in every way: the last frame stays, hits and all. */
+static void stays(enum fake_failure failure, int for_good) {
+    sequence_config c = config_of(2, 16, 1, 0);
+    mesh m = {0};
+    sequence_rig s;
+    make_mesh(&m, 2);
+    c.is_stills = 1;
+    if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+        for (uint32_t k = 0; k + 1 < c.frames; k++) {
+            CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK, "%s", s.fault.message);
+            for (unsigned at = 1; at <= (for_good ? 1u : PLT_FETCH_TRIES); at++) {
+                s.link.starts = s.link.waits = s.link.failed = 0;
+                s.link.failure = failure;
+                s.link.at_call = at;
+                const int status = plt_sequence_show(s.engine, k + 1, &s.fault);
+                s.link.failure = FAKE_WORKS;
+                if (for_good) {
+                    CHECK(status == PLT_ERR_SOURCE && plt_sequence_failed(s.engine) == k + 1,
+                          "%d, frame %u", status, plt_sequence_failed(s.engine));
+                    shows(&s, &c, k, "the last frame stays");
+                } else {
+                    CHECK(status == PLT_OK, "failure %d at %u: %s", (int)failure, at,
+                          s.fault.message);
+                    shows(&s, &c, k + 1, "fetched again");
+                    CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK, "back");
+                }
+            }
+        }
+    }
+    CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
+    mesh_free(&m);
+}
+
+/* Each transfer of a trace is silent once: what lies there are blocks of the frame before, of just
+ * the same size. */
+static void not_of_another_frame(void) {
+    static plt_ray rays[RAYS];
+    static plt_hit hits[RAYS], due[RAYS];
+    sequence_config c = config_of(2, 16, 1, 0);
+    mesh m = {0};
+    sequence_rig s;
+    random_state r = {3};
+    make_mesh(&m, 2);
+    c.is_stills = 1;
+    c.scene.run.packet_side = 2;
+    if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+        rays_mixed(rays, RAYS, &m, &r);
+        for (unsigned at = 1; at < 40; at++) {
+            for (uint32_t k = 3; k < 5; k++) {
+                s.link.failure = k == 4 ? FAKE_SILENT_AT_START : FAKE_WORKS;
+                s.link.starts = s.link.waits = 0;
+                s.link.at_call = at;
+                CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK &&
+                          plt_trace(s.engine, rays, hits, RAYS, 0) == PLT_OK,
+                      "%s", s.fault.message);
+            }
+            s.link.failure = FAKE_WORKS;
+            CHECK(plt_sequence_show(s.engine, 4, &s.fault) == PLT_OK &&
+                      plt_trace(s.engine, rays, due, RAYS, 0) == PLT_OK &&
+                      memcmp(hits, due, sizeof due) == 0,
+                  "silent at %u", at);
+        }
+    }
+    CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
+    mesh_free(&m);
+}
+
+static void streamed_faults(void) {
+    stays(FAKE_FAILS_FROM_CALL, 1);
+    stays(FAKE_FAILS_AT_CALL, 0);
+    stays(FAKE_SHORT_AT_START, 0);
+    stays(FAKE_GARBLED_AT_START, 0);
+    stays(FAKE_SILENT_AT_START, 0);
+    not_of_another_frame();
 }
 
 /* ---- what does not move ----------------------------------------------------------- */
@@ -359,6 +490,12 @@ int main(void) {
     in_a_wave();
     test("... whose vertices lie at one point at first");
     merged_at_first();
+    test("... streamed, with any store, in batches and asked for ahead");
+    streamed();
+    test("a streamed frame shows at once: its root is fetched");
+    shows_at_once();
+    test("one whose root does not come leaves the last frame, and blocks of another are noticed");
+    streamed_faults();
     test("what has not moved has not changed by one bit");
     unchanged();
     test("nodes are those that the builder makes");

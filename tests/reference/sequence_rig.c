@@ -54,7 +54,7 @@ static int pack_first(sequence_rig *r, const sequence_config *config, sequence *
 
 void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config *config) {
     const sequence_options o = {config->frames, 25, config->key_every,
-                                sequence_lattice(config->lattice_bits)};
+                                sequence_lattice(config->lattice_bits), (uint8_t)config->is_stills};
     sequence s;
     fail f = {""};
     memset(r, 0, sizeof *r);
@@ -78,6 +78,7 @@ void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config
 int sequence_rig_open(sequence_rig *r, const sequence_config *config, size_t short_by) {
     plt_options o = config->scene.run;
     o.movable = 1;
+    o.residency = (uint8_t)(config->is_stills ? PLT_RESIDENCY_STREAMED : 0);
     r->link.image = r->image.bytes;
     r->link.bytes = r->image.size;
     const plt_source source = config->is_mapped ? rig_source(&r->image) : fake_source(&r->link);
