@@ -187,7 +187,9 @@ typedef struct plt_options {
     uint8_t movable;      /* 1: triangles can be moved (plt_move): float records, and the nodes of
                            * their tree, are copied into the arena even if they are mapped; of
                            * compact blocks those of an image with a sequence, which move by its
-                           * frames alone. Not of streamed scenes, not with a wide form.
+                           * frames alone; of stills (PLT_GEOMETRY_STILLS) nothing, as they are
+                           * streamed. Not of other streamed scenes, not with a wide form, nor
+                           * PLT_SCHEDULE_TASK and _WORKER.
                            * Of an image with a sequence, its frames can be shown as well
                            * (plt_sequence_show), for some 12 bytes per vertex and 2 to 10 per
                            * triangle. Without PLT_WITH_MOTION it is not looked at */
@@ -400,6 +402,9 @@ int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
  * frame's work; any other takes those from the last frame that is a multiple of key_every, so that
  * many at most. Two transfers at a time, under tags 0 and 1 of a source that is not mapped; when a
  * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown.
+ *
+ * Of a streamed scene of stills there is nothing to be read beforehand: the frame's root is fetched
+ * when it is shown, and all else when rays need it.
  *
  * Errors of all three: PLT_ERR_ARGUMENT: the image has no such frame, or is not open for it (or,
  * of a step, no frame was begun). PLT_ERR_SOURCE, PLT_ERR_IMAGE: a frame did not come, or is not

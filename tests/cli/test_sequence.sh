@@ -106,6 +106,24 @@ works "without --frames" render blocks.plt -o first.ppm $view
 works "... of records" render thesis.plt -o plain.ppm $view
 same plain.ppm first.ppm "... it is the first frame"
 
+for kind in '' '--numbers none --leaf 4'; do
+    # shellcheck disable=SC2086
+    works "stills $kind" pack --sequence wave_00?.ply --geometry lattice:14 --nodes compact \
+        --stills $kind -o stills.plt
+    for how in '' '--arena 262144' '--schedule batch'; do
+        # shellcheck disable=SC2086
+        works "... streamed $how" render stills.plt -o stills.y4m --residency streamed \
+            --frames 0:9 $view $how
+        # shellcheck disable=SC2086
+        works "... and records" render thesis.plt -o thesis.y4m --frames 0:9 $view
+        same thesis.y4m stills.y4m "... the same pictures"
+    done
+done
+# shellcheck disable=SC2086
+works "stills without --frames" render stills.plt -o first.ppm $view
+same plain.ppm first.ppm "... are the first frame"
+works "info of stills" info stills.plt
+
 # ---- a lattice, rates, key frames ---------------------------------------------------------
 
 works "a lattice" pack --sequence wave_00?.ply -o lattice.plt --rate 30 --key 4

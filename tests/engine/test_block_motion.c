@@ -268,8 +268,8 @@ static void not_of_another_frame(void) {
     if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
         rays_mixed(rays, RAYS, &m, &r);
         for (unsigned at = 1; at < 40; at++) {
-            for (uint32_t k = 3; k < 5; k++) {
-                s.link.failure = k == 4 ? FAKE_SILENT_AT_START : FAKE_WORKS;
+            for (uint32_t k = 0; k < 9; k += 8) {
+                s.link.failure = k == 8 ? FAKE_SILENT_AT_START : FAKE_WORKS;
                 s.link.starts = s.link.waits = 0;
                 s.link.at_call = at;
                 CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK &&
@@ -277,7 +277,7 @@ static void not_of_another_frame(void) {
                       "%s", s.fault.message);
             }
             s.link.failure = FAKE_WORKS;
-            CHECK(plt_sequence_show(s.engine, 4, &s.fault) == PLT_OK &&
+            CHECK(plt_sequence_show(s.engine, 8, &s.fault) == PLT_OK &&
                       plt_trace(s.engine, rays, due, RAYS, 0) == PLT_OK &&
                       memcmp(hits, due, sizeof due) == 0,
                   "silent at %u", at);

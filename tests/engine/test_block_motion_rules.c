@@ -63,9 +63,10 @@ typedef struct change {
 
 static void every_header_word(void) {
     static const change changes[] = {
-        {96, 0x03010000, 8, 96}, /* a geometry format that is not there */
-        {96, 0x02000000, 7, 24}, /* thesis nodes do not have this one, but other counts */
-        {96, 0x02010100, 7, 28}, /* built by a device */
+        {96, 0x03010000, 15, 188}, /* stills have no frame bytes */
+        {96, 0x04010000, 8, 96},   /* a geometry format that is not there */
+        {96, 0x02000000, 7, 24},   /* thesis nodes do not have this one, but other counts */
+        {96, 0x02010100, 7, 28},   /* built by a device */
         {184, 11, 14, 168},
         {184, 22, 14, 168},
         {180, NAN_BITS, 14, 168},
