@@ -14,7 +14,8 @@
 #   motion   with plt_move, for triangles of thesis nodes, and, unless it is `render`, with
 #            plt_rebuild_begin; other firmware is without
 #   some     ... and with plt_move_some, likewise
-#   sequence ... and with plt_sequence_show, for frames that an image holds
+#   sequence ... and with plt_sequence_show, for frames that an image holds; of compact blocks,
+#            which move by frames alone, `compact motion sequence`
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
@@ -34,7 +35,7 @@ compact_files := $(wildcard engine/tree/compact/*.c engine/memory/block_cache.c 
     engine/trace/frustum.c engine/builder/blocks*.c engine/builder/strips.c \
     engine/builder/split_lattice.c engine/builder/split_given.c engine/shade/beam_compact.c \
     engine/shade/beam_streamed.c engine/shade/beam_sight.c engine/shade/beam_store.c \
-    engine/shade/beam_strips.c)
+    engine/shade/beam_strips.c engine/motion/block_*.c)
 thesis_files := $(wildcard engine/tree/thesis/*.c engine/memory/treelet_stream.c \
     engine/scene/*_thesis.c engine/scene/*_list.c \
     engine/trace/*_thesis.c engine/trace/*_list.c engine/builder/build.c \
@@ -51,10 +52,12 @@ stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c
 task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c \
     engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
-sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c) \
-    engine/motion/vertices.c
+sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c \
+    engine/motion/block_*.c) engine/motion/vertices.c engine/tree/compact/turns.c
 some_files := engine/move_some.c engine/motion/dirty.c
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c
+records_files := engine/move_some.c engine/rebuild.c $(addprefix engine/motion/,corners.c dirty.c \
+    node_box.c rebuild.c refit.c vertices.c)
 motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
 grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
     engine/trace/grid_*.c engine/trace/traverse_grid.c engine/shade/beam_grid.c \
@@ -70,7 +73,7 @@ beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/
 
 left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(motion_files) $(sequence_files) $(grid_files)
+left_out_compact := $(thesis_files) $(records_files) $(grid_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
@@ -90,8 +93,12 @@ endif
 ifeq ($(filter batch,$(PARTS))$(filter task,$(PARTS)),task)
 $(error PARTS with task has stream and batch: make PARTS='render compact stream batch task')
 endif
-ifeq ($(filter compact,$(PARTS))$(filter motion,$(PARTS)),compactmotion)
-$(error PARTS with motion has thesis nodes: make PARTS='render thesis motion')
+ifeq ($(filter compact,$(PARTS))$(filter motion,$(PARTS))$(filter sequence,$(PARTS)),compactmotion)
+$(error PARTS with motion has thesis nodes, or compact ones with frames: make PARTS='render \
+    thesis motion' or 'render compact motion sequence')
+endif
+ifeq ($(filter compact,$(PARTS))$(filter some,$(PARTS)),compactsome)
+$(error PARTS with some has thesis nodes: make PARTS='render thesis motion some')
 endif
 ifeq ($(filter motion,$(PARTS))$(filter sequence,$(PARTS)),sequence)
 $(error PARTS with sequence has motion: make PARTS='render thesis motion sequence')

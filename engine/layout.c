@@ -7,6 +7,7 @@
 #include "engine/grid/build.h"
 #include "engine/image/record_cache.h"
 #include "engine/memory/stream.h"
+#include "engine/motion/block_refit.h"
 #include "engine/motion/refit.h"
 #include "engine/motion/sequence.h"
 #include "engine/scene/build_compact.h"
@@ -63,8 +64,8 @@ static uint64_t section_bytes(const subject *s) {
         return stays ? 0 : s->info->triangle_bytes;
     }
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
-        if (!PLT_WITH_THESIS ||
-            kind[i] < PLT_SECTION_CHECKS) { /* what follows is read bit by bit, if at all */
+        if (!(PLT_WITH_THESIS || PLT_WITH_SEQUENCE) || kind[i] < PLT_SECTION_CHECKS ||
+            kind[i] == PLT_SECTION_STILLS) { /* what follows is read bit by bit, if at all */
             bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
         }
     }
@@ -286,9 +287,17 @@ static uint64_t wave_bytes(const subject *s) {
     return 0;
 }
 
+#if PLT_WITH_MOTION
+static uint64_t levels_bytes(const subject *s) {
+    return PLT_WITH_THESIS && is_movable(s) && !has_grid(s) && !plt_has_blocks(s->format)
+               ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
+               : 0;
+}
+#endif
+
 #if PLT_WITH_SEQUENCE
 static int has_frames(const subject *s) {
-    return is_movable(s) && s->info->frames > 0;
+    return is_movable(s) && s->info->frames > 0 && !plt_is_streamed(s->format);
 }
 
 static int fetches_frames(const subject *s) {
@@ -371,8 +380,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return store_bytes(s);
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:
-        return is_movable(s) && !has_grid(s)
-                   ? (uint64_t)s->sized_for->depth_stack_entries * sizeof(plt_refit_level)
+        return levels_bytes(s);
+#endif
+#if PLT_WITH_BLOCK_MOTION
+    case PLT_PART_BLOCKS:
+        return is_movable(s) && s->format == PLT_FORMAT_COMPACT
+                   ? plt_block_refit_bytes(s->info->treelets)
                    : 0;
 #endif
 #if PLT_WITH_SEQUENCE
@@ -481,7 +494,8 @@ static int is_batch_valid(const plt_options *o) {
 static int is_motion_valid(const plt_options *o) {
     return !PLT_WITH_MOTION || (o->movable == 0 && o->moves_some == 0 && o->rebuild == 0) ||
            (o->movable == 1 && o->moves_some <= PLT_WITH_MOVE_SOME &&
-            o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 && o->residency == 0);
+            o->rebuild <= PLT_WITH_REBUILD && o->wide == 0 &&
+            (PLT_WITH_STILLS ? o->schedule <= PLT_SCHEDULE_BATCH : o->residency == 0));
 }
 
 /* A grid has no wide form, and stays where it was made. */

@@ -11,9 +11,18 @@
 int plt_layout_options_valid(const plt_options *options);
 int plt_layout_order_valid(const plt_info *info, const plt_options *options);
 
-/* Triangles can be moved that are records, in thesis nodes or a list. */
+/* Triangles can be moved that are records, in thesis nodes or a list; and those of compact blocks
+ * that have frames, all of them: as differences, or streamed as stills. */
 static inline int plt_layout_motion_valid(const plt_info *info, const plt_options *options) {
-    return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS;
+    const int is_streamed = PLT_WITH_STREAMED && options->residency == PLT_RESIDENCY_STREAMED;
+    if (!PLT_WITH_MOTION || !options->movable) {
+        return 1;
+    }
+    if (info->nodes_format == PLT_NODES_THESIS) {
+        return !is_streamed;
+    }
+    return PLT_WITH_BLOCK_MOTION && !options->moves_some && !options->rebuild &&
+           info->geometry_format == (is_streamed ? PLT_GEOMETRY_STILLS : PLT_GEOMETRY_MOVING);
 }
 
 /* A grid is over records, of thesis nodes or a list. */

@@ -8,6 +8,7 @@
 #include "engine/grid_room.h"
 #include "engine/motion/corners.h"
 
+#if PLT_WITH_THESIS
 /* Records of a movable scene lie in the arena. */
 plt_record *plt_records_of(plt_engine *e) {
     const plt_record *r = e->scene.format == PLT_FORMAT_GRID   ? e->scene.gridded.records
@@ -38,6 +39,7 @@ void plt_refit_all(plt_engine *e) {
     m->areas_built = m->is_new ? job.areas : m->areas_built;
     m->is_new = 0;
 }
+#endif
 
 void plt_moved(plt_engine *e) {
     e->moving.moves++;
@@ -55,6 +57,10 @@ int plt_move_refused(const plt_engine *e, const float (*corners)[9], uint32_t co
     if (!e->options.movable) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "the scene was not opened to be moved");
     }
+    if (plt_has_moving_blocks(e)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "triangles of compact blocks move as the image's frames say alone");
+    }
     const uint32_t refused = plt_corners_refused(corners, count);
     return refused == count ? PLT_OK
                             : plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
@@ -64,6 +70,7 @@ int plt_move_refused(const plt_engine *e, const float (*corners)[9], uint32_t co
 int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
     const uint32_t count = e->scene.info.triangles;
     const int status = plt_move_refused(e, corners, count, fault);
+#if PLT_WITH_THESIS
     if (status == PLT_OK) {
         e->rendering.done = 1;
         plt_rebuild_before_move(e, 0);
@@ -71,6 +78,7 @@ int plt_move(plt_engine *e, const float (*corners)[9], plt_fault *fault) {
         plt_refit_all(e);
         plt_moved(e);
     }
+#endif
     return status;
 }
 

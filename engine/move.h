@@ -4,7 +4,7 @@
 #ifndef PLT_MOVE_H
 #define PLT_MOVE_H
 
-#include "engine/planelet.h"
+#include "engine/engine.h"
 #include "engine/tree/record.h"
 
 /* Of a movable scene. */
@@ -12,6 +12,11 @@ plt_record *plt_records_of(plt_engine *engine);
 
 /* Its tree is more than a list. */
 int plt_has_nodes(const plt_engine *engine);
+
+/* The scene is of compact blocks: a movable one has frames. */
+static inline int plt_has_moving_blocks(const plt_engine *engine) {
+    return PLT_WITH_BLOCK_MOTION && (!PLT_WITH_THESIS || plt_has_blocks(engine->scene.format));
+}
 
 /* PLT_ERR_ARGUMENT: `fault` says why triangles cannot move there. */
 int plt_move_refused(const plt_engine *engine, const float (*corners)[9], uint32_t count,

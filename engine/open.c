@@ -8,6 +8,7 @@
 #include "engine/engine.h"
 #include "engine/grid_room.h"
 #include "engine/image/fetch.h"
+#include "engine/image/header_at.h"
 #include "engine/layout.h"
 #include "engine/move.h"
 #include "engine/scene/worst_tree.h"
@@ -253,7 +254,10 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 static int open_sequence(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
 #if PLT_WITH_SEQUENCE
-    if (e->options.movable && header != NULL && header->info.frames > 0) {
+    if (e->options.movable && plt_is_streamed(e->scene.format)) {
+        e->sequence.frames = e->scene.info.frames;
+        e->sequence.at = PLT_FRAME_NONE;
+    } else if (e->options.movable && header != NULL && header->info.frames > 0) {
         const int is_mapped = e->source.mapped != NULL;
         const plt_sequence_room room = {.topology = is_mapped ? NULL : part[PLT_PART_TOPOLOGY],
                                         .offsets = is_mapped ? NULL : part[PLT_PART_OFFSETS],
@@ -318,11 +322,30 @@ static int start_some(plt_engine *e, const plt_opening *o, void *const part[PLT_
     return PLT_OK;
 }
 
+/* Compact blocks that move: where each is. */
+static int start_blocks(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+#if PLT_WITH_BLOCK_MOTION
+    plt_block_refit_open(&e->moving.blocks, part[PLT_PART_BLOCKS], &e->scene.compact);
+    if (e->moving.blocks.vertices != e->scene.info.block_vertices) {
+        return plt_broken(o->fault, PLT_I24_TOPOLOGY, PLT_AT_BLOCK_VERTICES,
+                          "the header's count of vertices is not the blocks'");
+    }
+#else
+    (void)e;
+    (void)o;
+    (void)part;
+#endif
+    return PLT_OK;
+}
+
 /* Movable scenes: what a refit needs, and how good the tree is at first. */
 static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
     int status = PLT_OK;
 #if PLT_WITH_MOTION
     plt_moving *m = &e->moving;
+    if (e->options.movable && plt_has_moving_blocks(e)) {
+        return plt_is_streamed(e->scene.format) ? PLT_OK : start_blocks(e, o, part);
+    }
     if (e->options.movable) {
         m->levels = part[PLT_PART_REFIT];
         m->is_new = 1;
@@ -330,9 +353,12 @@ static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PL
         m->areas.is_wanted = e->options.rebuild;
         status = start_some(e, o, part);
         start_rebuilds(e, o, part);
+#if PLT_WITH_THESIS
         plt_refit_all(e);
+#endif
     }
 #else
+    (void)start_blocks;
     (void)start_some;
     (void)start_rebuilds;
     (void)e;
@@ -398,7 +424,8 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_motion_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "triangles of compact blocks cannot be moved");
+                             "triangles of compact blocks move as frames of their image say, all "
+                             "together, streamed ones as stills, and others cannot be moved");
     }
     if (!plt_layout_structure_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

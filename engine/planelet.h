@@ -132,9 +132,11 @@ enum plt_nodes {
 };
 
 enum plt_geometry_format {
-    PLT_GEOMETRY_FLOAT = 0,  /* 40 bytes per triangle, bit exact */
-    PLT_GEOMETRY_LATTICE = 1 /* strips of vertices on the lattice, the scene's
-                              * quantisation grid */
+    PLT_GEOMETRY_FLOAT = 0,   /* 40 bytes per triangle, bit exact */
+    PLT_GEOMETRY_LATTICE = 1, /* strips of vertices on the lattice, the scene's
+                               * quantisation grid */
+    PLT_GEOMETRY_MOVING = 2,  /* the same with room for any frame of a sequence */
+    PLT_GEOMETRY_STILLS = 3   /* the same, all blocks once for each frame: it can be streamed */
 };
 
 /* What rays find triangles by; hits and frames are the same, bit for bit. */
@@ -183,8 +185,11 @@ typedef struct plt_options {
                            * least). Bytes fetched depend on it, hits do not */
     uint8_t schedule;     /* enum plt_schedule; of streamed scenes, but for PLT_SCHEDULE_BRANCH */
     uint8_t movable;      /* 1: triangles can be moved (plt_move): float records, and the nodes of
-                           * their tree, are copied into the arena even if they are mapped. Not
-                           * of streamed scenes or compact blocks, not with a wide form.
+                           * their tree, are copied into the arena even if they are mapped; of
+                           * compact blocks those of an image with a sequence, which move by its
+                           * frames alone; of stills (PLT_GEOMETRY_STILLS) nothing, as they are
+                           * streamed. Not of other streamed scenes, not with a wide form, nor
+                           * PLT_SCHEDULE_TASK and _WORKER.
                            * Of an image with a sequence, its frames can be shown as well
                            * (plt_sequence_show), for some 12 bytes per vertex and 2 to 10 per
                            * triangle. Without PLT_WITH_MOTION it is not looked at */
@@ -237,6 +242,7 @@ typedef struct plt_info {
     uint32_t frame_rate;  /* frames per second, 1 .. PLT_FRAME_RATE_MOST */
     uint32_t key_every;   /* frames that are multiples of it do not depend on others */
     uint32_t frame_bytes; /* all frames, with 4 bytes of offset each and 4 more */
+    uint32_t block_vertices; /* PLT_GEOMETRY_MOVING: of all blocks, shared ones counted in each */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
@@ -375,9 +381,10 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
  * `corners`: of each of the info's triangles, in packing order, x, y and z of three corners, each
  * within +-2^40; they may have lost their area. They are not needed any more after the call.
  * plt_engine_info has the new box afterwards, all else stays. Ends a frame that was being
- * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or a corner is out of range or no number:
- * then fault->offset is its triangle, and nothing has changed. Cost: each triangle and each node
- * once, some 10 and 7 ns on a PC; of a grid each triangle three times, some 60 ns.
+ * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or the scene is of compact blocks, or a
+ * corner is out of range or no number: then fault->offset is its triangle, and nothing has changed.
+ * Cost: each triangle and each node once, some 10 and 7 ns on a PC; of a grid each triangle three
+ * times, some 60 ns.
  *
  * Not there without PLT_WITH_MOTION. */
 int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
@@ -395,6 +402,9 @@ int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
  * frame's work; any other takes those from the last frame that is a multiple of key_every, so that
  * many at most. Two transfers at a time, under tags 0 and 1 of a source that is not mapped; when a
  * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown.
+ *
+ * Of a streamed scene of stills there is nothing to be read beforehand: the frame's root is fetched
+ * when it is shown, and all else when rays need it.
  *
  * Errors of all three: PLT_ERR_ARGUMENT: the image has no such frame, or is not open for it (or,
  * of a step, no frame was begun). PLT_ERR_SOURCE, PLT_ERR_IMAGE: a frame did not come, or is not

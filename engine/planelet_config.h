@@ -54,19 +54,39 @@
 #endif
 
 #ifndef PLT_WITH_MOTION
-#define PLT_WITH_MOTION PLT_WITH_THESIS /* triangles that move (plt_move) */
+#define PLT_WITH_MOTION 1 /* triangles that move (plt_move) */
 #endif
 
 #ifndef PLT_WITH_SEQUENCE
 #define PLT_WITH_SEQUENCE PLT_WITH_MOTION /* ... as an image's frames say (plt_sequence_show) */
 #endif
 
+#ifndef PLT_WITH_BLOCK_MOTION /* ... of compact blocks */
+#if PLT_WITH_SEQUENCE && PLT_WITH_COMPACT
+#define PLT_WITH_BLOCK_MOTION 1
+#else
+#define PLT_WITH_BLOCK_MOTION 0
+#endif
+#endif
+
+#ifndef PLT_WITH_STILLS /* ... that are streamed */
+#if PLT_WITH_BLOCK_MOTION && PLT_WITH_STREAMED_COMPACT
+#define PLT_WITH_STILLS 1
+#else
+#define PLT_WITH_STILLS 0
+#endif
+#endif
+
 #ifndef PLT_WITH_MOVE_SOME
-#define PLT_WITH_MOVE_SOME PLT_WITH_MOTION /* ... some of them, for less (plt_move_some) */
+#if PLT_WITH_MOTION && PLT_WITH_THESIS
+#define PLT_WITH_MOVE_SOME 1 /* ... some of them, for less (plt_move_some) */
+#else
+#define PLT_WITH_MOVE_SOME 0
+#endif
 #endif
 
 #ifndef PLT_WITH_REBUILD
-#if PLT_WITH_MOTION && PLT_WITH_BUILDER
+#if PLT_WITH_MOTION && PLT_WITH_BUILDER && PLT_WITH_THESIS
 #define PLT_WITH_REBUILD 1 /* ... whose tree is built anew when it has become slow */
 #else
 #define PLT_WITH_REBUILD 0
@@ -247,18 +267,28 @@
     (PLT_WITH_WAVE_COMPACT && !(PLT_WITH_WAVE && PLT_WITH_COMPACT))
 #error "PLT_WITH_WAVE_COMPACT is the digit 0, or with PLT_WITH_WAVE and PLT_WITH_COMPACT 1"
 #endif
-#if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) || (PLT_WITH_MOTION && !PLT_WITH_THESIS)
-#error "PLT_WITH_MOTION is the digit 0, or with PLT_WITH_THESIS 1"
+#if (PLT_WITH_BLOCK_MOTION != 0 && PLT_WITH_BLOCK_MOTION != 1) ||                                  \
+    (PLT_WITH_BLOCK_MOTION && !(PLT_WITH_SEQUENCE && PLT_WITH_COMPACT))
+#error "PLT_WITH_BLOCK_MOTION is the digit 0, or with PLT_WITH_SEQUENCE and PLT_WITH_COMPACT 1"
+#endif
+#if (PLT_WITH_STILLS != 0 && PLT_WITH_STILLS != 1) ||                                              \
+    (PLT_WITH_STILLS && !(PLT_WITH_BLOCK_MOTION && PLT_WITH_STREAMED_COMPACT))
+#error "PLT_WITH_STILLS is the digit 0, or with PLT_WITH_BLOCK_MOTION and _STREAMED_COMPACT 1"
+#endif
+#if (PLT_WITH_MOTION != 0 && PLT_WITH_MOTION != 1) ||                                              \
+    (PLT_WITH_MOTION && !(PLT_WITH_THESIS || PLT_WITH_BLOCK_MOTION))
+#error "PLT_WITH_MOTION is the digit 0, or with PLT_WITH_THESIS or PLT_WITH_BLOCK_MOTION 1"
 #endif
 #if (PLT_WITH_SEQUENCE != 0 && PLT_WITH_SEQUENCE != 1) || (PLT_WITH_SEQUENCE && !PLT_WITH_MOTION)
 #error "PLT_WITH_SEQUENCE is the digit 0, or with PLT_WITH_MOTION 1"
 #endif
-#if (PLT_WITH_MOVE_SOME != 0 && PLT_WITH_MOVE_SOME != 1) || (PLT_WITH_MOVE_SOME && !PLT_WITH_MOTION)
-#error "PLT_WITH_MOVE_SOME is the digit 0, or with PLT_WITH_MOTION 1"
+#if (PLT_WITH_MOVE_SOME != 0 && PLT_WITH_MOVE_SOME != 1) ||                                        \
+    (PLT_WITH_MOVE_SOME && !(PLT_WITH_MOTION && PLT_WITH_THESIS))
+#error "PLT_WITH_MOVE_SOME is the digit 0, or with PLT_WITH_MOTION and PLT_WITH_THESIS 1"
 #endif
 #if (PLT_WITH_REBUILD != 0 && PLT_WITH_REBUILD != 1) ||                                            \
-    (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER))
-#error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION and PLT_WITH_BUILDER 1"
+    (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER && PLT_WITH_THESIS))
+#error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION, _BUILDER and _THESIS 1"
 #endif
 #if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) || (PLT_WITH_GRID && !PLT_WITH_THESIS)
 #error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS 1"

@@ -63,6 +63,16 @@ static void add_records(plt_blocks_state *s, uint32_t first, uint32_t count) {
     s->leaf_count[s->leaves++] = (uint8_t)count;
 }
 
+/* By what vertices are told apart: where they are, or whose they are. */
+static void corners_of(const plt_blocks_state *s, uint32_t triangle, uint32_t corner[3][3]) {
+    plt_lattice_corners(&s->job->triangles, triangle, corner);
+#if PLT_BLOCKS_LEVELS
+    for (uint32_t k = 0; k < 3 && s->job->names != NULL; k++) {
+        plt_block_name_put(corner[k], s->job->names[3 * (size_t)triangle + k]);
+    }
+#endif
+}
+
 static int add_leaf(plt_blocks_state *s, uint32_t first, uint32_t count) {
     if (s->job->triangles.boxes) {
         add_records(s, first, count);
@@ -72,7 +82,7 @@ static int add_leaf(plt_blocks_state *s, uint32_t first, uint32_t count) {
     plt_strip_step step[PLT_LEAF_TRIANGLES_MOST];
     for (uint32_t i = 0; i < count; i++) {
         index[i] = plt_permuted(s, first + i);
-        plt_lattice_corners(&s->job->triangles, index[i], corner[i]);
+        corners_of(s, index[i], corner[i]);
     }
     plt_strips_find((const uint32_t(*)[3][3])corner, count, step);
     for (uint32_t i = 0; i < count; i++) {
@@ -83,6 +93,9 @@ static int add_leaf(plt_blocks_state *s, uint32_t first, uint32_t count) {
             }
         }
         s->flags[s->triangles] = (uint8_t)(step[i].start | step[i].swap << 1);
+#if PLT_BLOCKS_LEVELS
+        s->rotation[s->triangles] = step[i].rotation;
+#endif
         add_triangle(s, index[step[i].triangle]);
     }
     s->leaf_count[s->leaves] = (uint8_t)count;
@@ -94,7 +107,7 @@ static int add_leaf(plt_blocks_state *s, uint32_t first, uint32_t count) {
 static uint32_t geometry_bits(const plt_blocks_state *s) {
     uint32_t vertex_bits = 0;
     for (int a = 0; a < 3; a++) {
-        vertex_bits += plt_bits_for(s->at.bounds.hi[a] - s->at.bounds.lo[a]);
+        vertex_bits += plt_blocks_axis_bits(s, a);
     }
     const uint32_t ref_bits = plt_geometry_ref_bits(s->vertices);
     return 2 * s->triangles + s->references + (s->references - s->vertices) * ref_bits +
@@ -105,7 +118,7 @@ uint32_t plt_blocks_geometry_bytes(const plt_blocks_state *s) {
     uint32_t bits = plt_geometry_count_strings(s->job->leaf_triangles) * s->leaves;
     bits += s->job->triangles.boxes ? 0 : geometry_bits(s);
 #if PLT_BLOCKS_LEVELS
-    bits += 8 * s->job->geometry_tail;
+    bits += 8 * s->job->geometry_tail + 2 * s->job->has_turns * s->triangles;
 #endif
     return (bits + 7) / 8;
 }

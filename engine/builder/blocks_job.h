@@ -23,6 +23,12 @@ typedef struct plt_blocks_job {
 #if PLT_BLOCKS_LEVELS
     const uint16_t *levels; /* of a tree that is given (split_given.c), or NULL */
     uint32_t geometry_tail; /* bytes left 0 at the end of every geometry part: the host's to fill */
+    const uint32_t *names;  /* of triangles that will move, three each: numbers of their vertices,
+                             * by which vertices are one; NULL: by their positions */
+    uint32_t *numbers;      /* ... and those of all blocks' vertices, in order; room for all names,
+                             * and twice those of a single triangle */
+    uint32_t numbered;      /* how many there are */
+    uint8_t has_turns;      /* ... and each triangle has two bits behind the positions */
 #endif
     const uint16_t *mesh;  /* index of each triangle's mesh, 0 .. 1022; or NULL */
     unsigned char *memory; /* aligned to 8 */

@@ -67,7 +67,10 @@ typedef struct plt_blocks_state {
     uint64_t vertex[PLT_BLOCK_VERTICES_MOST];
     uint16_t hash[PLT_BLOCK_HASH];
     uint16_t reference[3 * PLT_BLOCK_TRIANGLES_MOST];
-    uint8_t flags[PLT_BLOCK_TRIANGLES_MOST];      /* 1: start, 2: swap */
+    uint8_t flags[PLT_BLOCK_TRIANGLES_MOST]; /* 1: start, 2: swap */
+#if PLT_BLOCKS_LEVELS
+    uint8_t rotation[PLT_BLOCK_TRIANGLES_MOST]; /* of each in its strip's order */
+#endif
     uint8_t leaf_count[PLT_BLOCK_NODES_MOST + 1]; /* triangles per leaf */
     uint32_t leaves, triangles, references, vertices;
     uint32_t mesh;       /* index + 1 of the mesh of all its triangles; 0: several, or not known */
@@ -93,6 +96,30 @@ static inline void plt_permute(plt_blocks_state *s, uint32_t i, uint32_t triangl
         memcpy(s->permutation + 4 * (size_t)i, &triangle, 4);
     }
 }
+
+/* Bits of a coordinate of a vertex: of its offset in the block's bounds; or, where vertices have
+ * names, of any on the lattice. */
+static inline uint32_t plt_blocks_axis_bits(const plt_blocks_state *s, int axis) {
+#if PLT_BLOCKS_LEVELS
+    if (s->job->names != NULL) {
+        return s->job->bits;
+    }
+#endif
+    return plt_bits_for(s->at.bounds.hi[axis] - s->at.bounds.lo[axis]);
+}
+
+#if PLT_BLOCKS_LEVELS
+/* A vertex's number instead of its position, 21 bits and the rest; and back from its key. */
+static inline void plt_block_name_put(uint32_t corner[3], uint32_t name) {
+    corner[0] = name >> 21;
+    corner[1] = name & 0x1FFFFFu;
+    corner[2] = 0;
+}
+
+static inline uint32_t plt_block_name_of(uint64_t key) {
+    return (uint32_t)(key >> 21);
+}
+#endif
 
 /* PLT_ERR_LIMIT, and why. */
 static inline int plt_blocks_limited(plt_blocks_state *s, enum plt_blocks_limit limit) {

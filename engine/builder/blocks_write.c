@@ -103,17 +103,42 @@ static uint32_t write_vertices(const plt_blocks_state *s, unsigned char *bytes, 
     return at;
 }
 
+#if PLT_BLOCKS_LEVELS
+/* Vertices by their numbers; where they are comes with every frame, the first one, too. Then, of
+ * each triangle, which corner of its strip's is the mesh's first. */
+static void write_names(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
+    plt_blocks_job *job = s->job;
+    for (uint32_t v = 0; v < s->vertices; v++) {
+        job->numbers[job->numbered + v] = plt_block_name_of(s->vertex[v]);
+    }
+    at += 3 * job->bits * s->vertices;
+    for (uint32_t i = 0; i < s->triangles && job->has_turns; i++) {
+        plt_bits_put(bytes, at + 2 * i, 2, (3u - s->rotation[i]) % 3u);
+    }
+}
+#endif
+
 static uint32_t geometry_bytes(const plt_blocks_state *s) {
     const uint32_t bytes = PLT_GEOMETRY_HEADER_BYTES + plt_blocks_geometry_bytes(s);
     return s->leaves == 0 ? 0 : plt_block_pad(bytes);
+}
+
+static void write_shapes(const plt_blocks_state *s, unsigned char *bytes, uint32_t at) {
+    at = write_strips(s, bytes, at);
+#if PLT_BLOCKS_LEVELS
+    if (s->job->names != NULL) {
+        write_names(s, bytes, at);
+        return;
+    }
+#endif
+    write_vertices(s, bytes, at);
 }
 
 static void write_geometry(const plt_blocks_state *s, unsigned char *bytes, uint32_t size) {
     uint32_t at = 8 * PLT_GEOMETRY_HEADER_BYTES;
     at = write_counts(s, bytes, at);
     if (!s->job->triangles.boxes) {
-        at = write_strips(s, bytes, at);
-        write_vertices(s, bytes, at);
+        write_shapes(s, bytes, at);
     }
     plt_put_u32(bytes, s->job->written | s->vertices << 27);
     const uint32_t word1 = s->vertices >> 5 | s->mesh << 6;
@@ -160,6 +185,9 @@ int plt_blocks_write(plt_blocks_state *s) {
     job->nodes += s->nodes;
     job->leaves += s->leaves;
     job->written += s->triangles;
+#if PLT_BLOCKS_LEVELS
+    job->numbered += job->names != NULL ? s->vertices : 0;
+#endif
     for (uint32_t i = 0; i < s->nodes; i++) { /* only of blocks that are kept */
         const uint32_t depth = s->at.depth + s->node[i].level + 1;
         job->depth = depth > job->depth ? depth : job->depth;

@@ -86,6 +86,28 @@ static void read_lattice(plt_header *h, const unsigned char *bytes) {
     info->triangle_bytes = plt_get_u32(bytes + PLT_AT_TRIANGLE_BYTES);
 }
 
+#if PLT_WITH_BLOCK_MOTION
+/* The lattice coordinate of a float that is one; of others, and where the lattice is none that
+ * R14 allows, some number. */
+static uint32_t coordinate_of(const plt_lattice *l, int axis, float p) {
+    const float steps = (p - l->origin[axis]) / l->step;
+    const uint32_t near = steps >= 0.5f && steps < 4194304.0f ? (uint32_t)(int32_t)steps : 0;
+    uint32_t q = near > 0 ? near - 1 : 0;
+    while (q < near + 2 && plt_lattice_float(l, axis, q) < p) {
+        q++;
+    }
+    return q;
+}
+
+static void read_moving(plt_header *h, const unsigned char *bytes) {
+    h->info.block_vertices = plt_get_u32(bytes + PLT_AT_BLOCK_VERTICES);
+    for (int a = 0; a < 3; a++) {
+        h->lattice_box.lo[a] = coordinate_of(&h->lattice, a, h->info.lo[a]);
+        h->lattice_box.hi[a] = coordinate_of(&h->lattice, a, h->info.hi[a]);
+    }
+}
+#endif
+
 #if PLT_WITH_SEQUENCE
 static void read_sequence(plt_info *info, const unsigned char *bytes) {
     info->vertices = plt_get_u32(bytes + PLT_AT_VERTICES);
@@ -107,6 +129,9 @@ static void write_sequence(unsigned char *bytes, const plt_header *h) {
     plt_put_u32(bytes + PLT_AT_FRAME_RATE, info->frame_rate);
     plt_put_u32(bytes + PLT_AT_KEY_EVERY, info->key_every);
     plt_put_u32(bytes + PLT_AT_FRAME_BYTES, info->frame_bytes);
+    if (plt_header_moves(info)) {
+        plt_put_u32(bytes + PLT_AT_BLOCK_VERTICES, info->block_vertices);
+    }
 }
 #endif
 
@@ -133,6 +158,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
     }
     plt_info *info = &header->info;
     info->vertices = info->frames = info->frame_rate = info->key_every = info->frame_bytes = 0;
+    info->block_vertices = 0;
     for (int i = 0; i < COUNTS; i++) {
         *count_field(info, i) = plt_get_u32(bytes + PLT_AT_COUNTS + 4 * i);
     }
@@ -165,6 +191,12 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         info->has_checks =
             info->frames == 0 && plt_get_u32(bytes + PLT_AT_SECTIONS) == THESIS_SECTIONS_CHECKED;
     }
+#if PLT_WITH_BLOCK_MOTION
+    if (plt_header_moves(info)) {
+        read_sequence(info, bytes);
+        read_moving(header, bytes);
+    }
+#endif
     info->primitive_id_bytes =
         info->primitive_id_bits > 0
             ? (uint32_t)plt_header_section_bytes(info, PLT_SECTION_PRIMITIVE_IDS)

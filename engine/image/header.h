@@ -29,7 +29,8 @@ enum plt_section_kind {
     PLT_SECTION_CORNERS = 5,       /* lattice corners, for the device to build from */
     PLT_SECTION_CHECKS = 6,        /* of thesis nodes, a byte each (node_check.h) */
     PLT_SECTION_TOPOLOGY = 7,      /* of a sequence: vertices of each triangle */
-    PLT_SECTION_FRAMES = 8         /* ... and their positions, frame by frame */
+    PLT_SECTION_FRAMES = 8,        /* ... and their positions, frame by frame */
+    PLT_SECTION_STILLS = 9         /* compact blocks, all of them once for each frame */
 };
 
 typedef struct plt_section {
@@ -43,6 +44,31 @@ typedef struct plt_header {
     plt_lattice lattice;
     plt_lattice_box lattice_box; /* of all triangles */
 } plt_header;
+
+/* An image of compact blocks that move: its header has the counts of a sequence where others have
+ * the lattice's box. */
+static inline int plt_header_moves(const plt_info *info) {
+    return PLT_WITH_BLOCK_MOTION && info->nodes_format == PLT_NODES_COMPACT &&
+           (info->geometry_format == PLT_GEOMETRY_MOVING ||
+            (PLT_WITH_STILLS && info->geometry_format == PLT_GEOMETRY_STILLS));
+}
+
+/* ... whose frames are blocks, each, instead of differences. */
+static inline int plt_header_has_stills(const plt_info *info) {
+    return PLT_WITH_STILLS && info->nodes_format == PLT_NODES_COMPACT &&
+           info->geometry_format == PLT_GEOMETRY_STILLS;
+}
+
+/* The section of blocks, or of those of frame 0. */
+static inline uint32_t plt_header_blocks_kind(const plt_info *info) {
+    return plt_header_has_stills(info) ? PLT_SECTION_STILLS : PLT_SECTION_BLOCKS;
+}
+
+/* Numbers of vertices in the topology of a sequence: three per triangle, or one for each vertex of
+ * each block. */
+static inline uint64_t plt_header_numbers(const plt_info *info) {
+    return plt_header_moves(info) ? info->block_vertices : (uint64_t)info->triangles * 3;
+}
 
 /* The sections that an image of these formats has, in order; returns how many. */
 unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]);

@@ -29,6 +29,7 @@ enum plt_header_at {
     PLT_AT_KEY_EVERY = 200,
     PLT_AT_FRAME_BYTES = 204,
     PLT_AT_SEQUENCE_END = 208,
+    PLT_AT_BLOCK_VERTICES = 208, /* of a sequence of compact blocks */
     PLT_AT_SOURCE_TRIANGLES = 212,
     PLT_AT_PRIMITIVE_ID_BITS = 216,
     PLT_AT_NODE_BYTES = 220,

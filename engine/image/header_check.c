@@ -21,7 +21,7 @@ static int boxes_agree(const plt_header *h) {
     for (int a = 0; a < 3 && info->triangles > 0; a++) {
         const int same = box.lo[a] == info->lo[a] && box.hi[a] == info->hi[a];
         const int around = box.lo[a] <= info->lo[a] && info->hi[a] <= box.hi[a];
-        if (!(info->geometry_format == PLT_GEOMETRY_LATTICE ? same : around)) {
+        if (!(info->geometry_format != PLT_GEOMETRY_FLOAT ? same : around)) {
             return 0;
         }
     }
@@ -46,7 +46,7 @@ static int lattice_in_range(const plt_header *h) {
 static int id_bits_in_range(const plt_info *info) {
     return (info->primitive_id_bits == 0 && !info->has_checks) ||
            (info->primitive_id_bits >= 2 && info->primitive_id_bits <= 29 &&
-            info->build == PLT_BUILD_HOST && info->geometry_format == PLT_GEOMETRY_LATTICE);
+            info->build == PLT_BUILD_HOST && info->geometry_format != PLT_GEOMETRY_FLOAT);
 }
 
 /* What a compact image may hold beside the lattice. */
@@ -86,17 +86,26 @@ static int is_sequence_lattice(const plt_header *h) {
     return good;
 }
 
+static int refused_sequence(plt_fault *fault) {
+    return plt_refused(fault, PLT_R15_SEQUENCE, PLT_AT_VERTICES,
+                       "a count of the sequence, or its lattice, is out of range");
+}
+
 /* R15, of images with a sequence. */
 static int check_sequence(const plt_header *h, plt_fault *fault) {
     const plt_info *info = &h->info;
     const int counts = info->triangles > 0 && info->vertices > 0 &&
                        info->vertices <= PLT_INDEX_MAX && info->key_every > 0 &&
                        info->frame_rate > 0 && info->frame_rate <= PLT_FRAME_RATE_MOST &&
-                       info->frame_bytes / 4 > info->frames;
-    return counts && is_sequence_lattice(h)
-               ? PLT_OK
-               : plt_refused(fault, PLT_R15_SEQUENCE, PLT_AT_VERTICES,
-                             "a count of the sequence, or its lattice, is out of range");
+                       (plt_header_has_stills(info) ? info->frame_bytes == 0
+                                                    : info->frame_bytes / 4 > info->frames);
+#if PLT_WITH_BLOCK_MOTION
+    if (plt_header_moves(info) &&
+        (info->frames == 0 || info->has_checks || info->block_vertices > 3 * info->triangles)) {
+        return refused_sequence(fault);
+    }
+#endif
+    return counts && is_sequence_lattice(h) ? PLT_OK : refused_sequence(fault);
 }
 #endif
 
@@ -120,7 +129,8 @@ static int check_values(const plt_header *h, plt_fault *fault) {
         return plt_refused(fault, PLT_R7_COUNTS, PLT_AT_ROOT, "a root in an image without a tree");
     }
     if (info->splits > PLT_SPLIT_MEDIAN || info->build > PLT_BUILD_NONE ||
-        info->nodes_format > PLT_NODES_COMPACT || info->geometry_format > info->nodes_format ||
+        info->nodes_format > PLT_NODES_COMPACT ||
+        (info->geometry_format > info->nodes_format && !plt_header_moves(info)) ||
         (info->nodes_format != info->geometry_format && info->build != PLT_BUILD_HOST)) {
         return plt_refused(fault, PLT_R8_FORMATS, PLT_AT_SPLITS,
                            "a format that this version does not know");
@@ -136,7 +146,7 @@ static int check_values(const plt_header *h, plt_fault *fault) {
         }
     }
 #if PLT_WITH_SEQUENCE
-    if (info->frames > 0) {
+    if (info->frames > 0 || plt_header_moves(info)) {
         return check_sequence(h, fault);
     }
 #endif

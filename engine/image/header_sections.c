@@ -30,13 +30,20 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         }
 #endif
     } else {
-        kind[count++] = info->build == PLT_BUILD_DEVICE ? PLT_SECTION_CORNERS : PLT_SECTION_BLOCKS;
+        kind[count++] = info->build == PLT_BUILD_DEVICE ? (uint32_t)PLT_SECTION_CORNERS
+                                                        : plt_header_blocks_kind(info);
         if (info->geometry_format == PLT_GEOMETRY_FLOAT) {
             kind[count++] = PLT_SECTION_TRIANGLES;
         }
         if (info->primitive_id_bits > 0) {
             kind[count++] = PLT_SECTION_PRIMITIVE_IDS;
         }
+#if PLT_WITH_BLOCK_MOTION
+        if (plt_header_moves(info) && !plt_header_has_stills(info)) {
+            kind[count++] = PLT_SECTION_TOPOLOGY;
+            kind[count++] = PLT_SECTION_FRAMES;
+        }
+#endif
     }
     return count;
 }
@@ -60,10 +67,14 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
         return plt_section_bytes(info->triangles, plt_corners_bytes(info->lattice_bits));
 #if PLT_WITH_SEQUENCE
     case PLT_SECTION_TOPOLOGY:
-        return padded(((uint64_t)info->triangles * 3 * plt_index_bits(info->vertices) + 7) / 8 +
+        return padded((plt_header_numbers(info) * plt_index_bits(info->vertices) + 7) / 8 +
                       PLT_BITS_BEHIND);
     case PLT_SECTION_FRAMES:
         return padded((uint64_t)info->frame_bytes + PLT_BITS_BEHIND);
+#endif
+#if PLT_WITH_STILLS
+    case PLT_SECTION_STILLS:
+        return padded(used * info->frames + PLT_BITS_BEHIND);
 #endif
     case PLT_SECTION_PRIMITIVE_IDS:
         return padded(((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 +

@@ -25,6 +25,7 @@ void plt_opened_block_geometry(plt_opened_block *o, const plt_block_tree *tree) 
         plt_geometry_open_counts(&o->geometry, &o->block, tree->leaf_triangles);
     } else {
         plt_block_bounds(&o->block, tree->lattice.bits, &bounds);
+        plt_block_tree_frame(tree, &bounds);
         plt_geometry_open(&o->geometry, &o->block, &bounds, tree->leaf_triangles);
     }
     o->geometry_open = 1;

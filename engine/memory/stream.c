@@ -5,6 +5,7 @@
 
 #include "engine/base/fault.h"
 #include "engine/memory/prefetch.h"
+#include "engine/tree/compact/turns.h"
 #include "engine/tree/compact/validate_block.h"
 
 /* A part that is needed: of which block, which of its parts, and where that lies in the image. */
@@ -169,6 +170,12 @@ static int ids_rule(const plt_stream *s, const part_of *a, uint16_t part) {
         valid &= plt_primitive_id(word) < s->image.source_triangles;
         valid &= plt_primitive_rotation(word) <= 2;
     }
+#if PLT_WITH_STILLS
+    if (valid && s->tree.moves) { /* they turn with the frame */
+        plt_block_turn(&a->block->opened.block, g, plt_store_bytes(&s->fetcher.store, part),
+                       s->tree.ids.bits);
+    }
+#endif
     return valid ? PLT_BLOCK_VALID : PLT_I19_IDS;
 }
 

@@ -25,6 +25,9 @@ typedef struct plt_stream_image {
     const plt_source *source;
     uint32_t blocks_at, ids_at; /* bytes of the image: where the sections begin */
     uint32_t triangles, source_triangles;
+#if PLT_WITH_STILLS
+    uint32_t stills_at; /* blocks of frame 0, and behind them those of the others */
+#endif
 } plt_stream_image;
 
 enum plt_stream_part { PLT_STREAM_NODES, PLT_STREAM_GEOMETRY, PLT_STREAM_IDS, PLT_STREAM_PARTS };

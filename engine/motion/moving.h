@@ -8,6 +8,10 @@
 #include "engine/motion/refit.h"
 #include "engine/planelet.h"
 
+#if PLT_WITH_BLOCK_MOTION
+#include "engine/motion/block_refit.h"
+#endif
+
 #if PLT_WITH_REBUILD
 #include "engine/motion/rebuild.h"
 #endif
@@ -16,6 +20,9 @@ typedef struct plt_moving {
     plt_refit_level *levels;
     plt_areas areas, areas_built; /* of the tree as it is, and as it was when it was built */
     plt_box box;                  /* of its root */
+#if PLT_WITH_BLOCK_MOTION
+    plt_block_refit blocks; /* of compact blocks, instead of all that */
+#endif
 #if PLT_WITH_MOVE_SOME
     plt_dirty dirty; /* places NULL: all triangles move or none */
 #endif

@@ -69,12 +69,18 @@ static int check_offsets(const plt_sequence *s, const plt_info *info, plt_fault 
 static int check_topology(const plt_sequence *s, const plt_section *section, const plt_info *info,
                           plt_fault *fault) {
     const uint32_t bits = s->vertices.index_bits;
-    const uint32_t at = plt_topology_refused(s->vertices.topology, info->triangles, info->vertices);
-    return at == info->triangles
-               ? PLT_OK
-               : plt_broken(fault, PLT_I24_TOPOLOGY,
-                            section->offset + (uint32_t)((uint64_t)at * 3 * bits / 8),
-                            "a triangle of the sequence has a vertex that is not there");
+    const uint32_t numbers = (uint32_t)plt_header_numbers(info);
+    for (uint32_t i = 0; i < numbers; i++) {
+        const uint64_t at = (uint64_t)i * bits;
+        if (plt_bits_get(s->vertices.topology + (size_t)(at >> 3), (uint32_t)(at & 7), bits) >=
+            info->vertices) {
+            const uint64_t first = plt_header_moves(info) ? i : i - i % 3;
+            return plt_broken(fault, PLT_I24_TOPOLOGY,
+                              section->offset + (uint32_t)(first * bits >> 3),
+                              "a triangle of the sequence has a vertex that is not there");
+        }
+    }
+    return PLT_OK;
 }
 
 static void describe(plt_sequence *s, const plt_header *header, const plt_source *source,

@@ -14,12 +14,6 @@
  * their topology was. */
 enum { WAITING = 8, AHEAD = 8 };
 
-/* Word `i` of a string of them. */
-static inline uint32_t index_at(const unsigned char *bits, uint64_t i, uint32_t width) {
-    const uint64_t at = i * width;
-    return plt_bits_get(bits + (size_t)(at >> 3), (uint32_t)(at & 7), width);
-}
-
 /* The three of triangle `id`. */
 static inline void indices_of(const plt_vertices *v, uint32_t id, uint32_t index[3]) {
     const uint32_t width = v->index_bits;
@@ -38,18 +32,6 @@ static inline void indices_of(const plt_vertices *v, uint32_t id, uint32_t index
     for (uint32_t k = 0; k < 3; k++) {
         index[k] = plt_bits_get(bits, first + k * width, width);
     }
-}
-
-uint32_t plt_topology_refused(const unsigned char *topology, uint32_t count, uint32_t vertices) {
-    const uint32_t width = plt_index_bits(vertices);
-    for (uint32_t i = 0; i < count; i++) {
-        for (uint32_t k = 0; k < 3; k++) {
-            if (index_at(topology, 3 * (uint64_t)i + k, width) >= vertices) {
-                return i;
-            }
-        }
-    }
-    return count;
 }
 
 static inline uint32_t id_of(const plt_record *r) {

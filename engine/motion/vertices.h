@@ -15,9 +15,6 @@ typedef struct plt_vertices {
     plt_lattice lattice;            /* bits 0: vertices are floats */
 } plt_vertices;
 
-/* The first of `count` triangles that has a vertex that is not there; `count`: there is none. */
-uint32_t plt_topology_refused(const unsigned char *topology, uint32_t count, uint32_t vertices);
-
 /* Puts the corners of triangle `id` into each of `count` records, in canonical order. What lists
  * say of themselves stays. */
 void plt_vertices_put(plt_record *records, uint32_t count, const plt_vertices *v);

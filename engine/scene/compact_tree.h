@@ -16,6 +16,9 @@ static inline void plt_compact_describe(plt_block_tree *t, const plt_header *hea
     t->lattice = header->lattice;
     t->box = header->lattice_box;
     t->ids.bits = header->info.primitive_id_bits;
+#if PLT_WITH_BLOCK_MOTION
+    t->moves = (uint8_t)plt_header_moves(&header->info);
+#endif
     t->ids_check_bytes = (uint8_t)(PLT_IDS_CHECK_BYTES * header->info.has_checks);
 }
 

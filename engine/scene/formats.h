@@ -41,7 +41,8 @@ enum plt_format {
 static inline int plt_can_stream(const plt_info *info) {
     return PLT_WITH_STREAMED && info->build == PLT_BUILD_HOST &&
            (info->nodes_format == PLT_NODES_COMPACT
-                ? info->geometry_format == PLT_GEOMETRY_LATTICE
+                ? info->geometry_format == PLT_GEOMETRY_LATTICE ||
+                      (PLT_WITH_STILLS && info->geometry_format == PLT_GEOMETRY_STILLS)
                 : info->treelet_nodes <= PLT_STREAMED_TREELET_MOST);
 }
 

@@ -44,7 +44,8 @@ static int read_sections(const plt_opening *o, const plt_header *header) {
     plt_block_tree *t = &o->scene->compact;
     const plt_section *ids = plt_header_section(header, PLT_SECTION_PRIMITIVE_IDS);
     const void *blocks = NULL, *id_bytes = NULL, *records = NULL;
-    int status = plt_opening_section(o, plt_header_section(header, PLT_SECTION_BLOCKS), &blocks);
+    int status = plt_opening_section(
+        o, plt_header_section(header, plt_header_blocks_kind(&header->info)), &blocks);
     if (status == PLT_OK && ids != NULL) {
         status = plt_opening_section(o, ids, &id_bytes);
     }
@@ -66,7 +67,8 @@ static int read_tree(const plt_opening *o, const plt_header *header) {
     const plt_section *ids = plt_header_section(header, PLT_SECTION_PRIMITIVE_IDS);
     int status = read_sections(o, header);
     if (status == PLT_OK) {
-        status = validate_blocks(o, plt_header_section(header, PLT_SECTION_BLOCKS));
+        status =
+            validate_blocks(o, plt_header_section(header, plt_header_blocks_kind(&header->info)));
     }
     return status == PLT_OK && ids != NULL ? validate_ids(o, ids) : status;
 }

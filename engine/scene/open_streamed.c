@@ -27,7 +27,10 @@ int plt_open_streamed(const plt_opening *o, const plt_header *header,
     plt_compact_describe(&scene->compact, header);
     scene->compact.used = info->node_bytes + info->triangle_bytes;
     scene->stream.source = o->source;
-    scene->stream.blocks_at = plt_header_section(header, PLT_SECTION_BLOCKS)->offset;
+    scene->stream.blocks_at = plt_header_section(header, plt_header_blocks_kind(info))->offset;
+#if PLT_WITH_STILLS
+    scene->stream.stills_at = scene->stream.blocks_at;
+#endif
     scene->stream.ids_at = ids != NULL ? ids->offset : 0;
     scene->stream.triangles = info->triangles;
     scene->stream.source_triangles = info->source_triangles;

@@ -58,9 +58,16 @@
 #define PLT_PARTS_OF_SOME(ROW)
 #endif
 
+#if PLT_WITH_BLOCK_MOTION
+#define PLT_PARTS_OF_BLOCKS(ROW) ROW(BLOCKS, RUNS, "blocks that move")
+#else
+#define PLT_PARTS_OF_BLOCKS(ROW)
+#endif
+
 #if PLT_WITH_MOTION
 #define PLT_PARTS_OF_MOTION(ROW)                                                                   \
     ROW(REFIT, RUNS, "levels of a refit")                                                          \
+    PLT_PARTS_OF_BLOCKS(ROW)                                                                       \
     PLT_PARTS_OF_SOME(ROW)                                                                         \
     PLT_PARTS_OF_REBUILDS(ROW)                                                                     \
     PLT_PARTS_OF_SEQUENCES(ROW)

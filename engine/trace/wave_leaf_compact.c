@@ -69,6 +69,7 @@ static plt_wave_leaf_run load_strips(const plt_block_tree *tree, const plt_wave_
     uint64_t key[PLT_LEAF_VERTICES_MOST];
     const plt_leaf_rank rank = count_masks(bytes, tree->lattice.bits, leaf, &b);
     plt_block_bounds_at(bytes, tree->lattice.bits, &bounds);
+    plt_block_tree_frame(tree, &bounds);
     plt_geometry_open_leaf(&g, &b, &bounds, tree->leaf_triangles, &rank, &at);
     plt_leaf_read_at(&g, &at, &strips);
     plt_leaf_positions(&strips, &tree->lattice, key);

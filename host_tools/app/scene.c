@@ -111,7 +111,11 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
     default:
         if (s->options.movable) {
             return fail_set(f, name,
-                            "%s; pack it with --nodes thesis, or leave out --moved and --frames",
+                            s->options.residency == PLT_RESIDENCY_STREAMED
+                                ? "%s; pack frames with --nodes compact --stills, or use "
+                                  "--residency resident"
+                                : "%s; pack it with --nodes thesis, or leave out --moved and "
+                                  "--frames",
                             fault->message);
         }
         if (s->options.structure == PLT_STRUCTURE_GRID) {
@@ -212,8 +216,8 @@ static void read_flags(scene *s, args *a, int *fetched) {
     if (args_has(a, "--batch") && s->options.schedule == PLT_SCHEDULE_BRANCH) {
         args_complain(a, "--batch is for --schedule batch or task");
     }
-    if (s->options.movable && s->options.residency == PLT_RESIDENCY_STREAMED) {
-        args_complain(a, "--moved and --frames are for --residency resident");
+    if (args_has(a, "--moved") && s->options.residency == PLT_RESIDENCY_STREAMED) {
+        args_complain(a, "--moved is for --residency resident");
     }
     s->workers = (unsigned)args_number(a, "--workers", 1, 0, CREW_MOST);
     s->crew.in_turns = args_has(a, "--turns");

@@ -38,11 +38,13 @@ static void count_geometry(const plt_block_tree *tree, const plt_block *b, break
         return;
     }
     plt_block_bounds(b, tree->lattice.bits, &bounds);
+    plt_block_tree_frame(tree, &bounds);
     plt_geometry_open(&g, b, &bounds, tree->leaf_triangles);
-    const double end = g.positions + (double)g.vertices * g.vertex_bits;
+    const double turns = (double)plt_turn_bits(tree) * g.triangles;
+    const double end = g.positions + (double)g.vertices * g.vertex_bits + turns;
     to->bytes[PART_GEOMETRY_HEADERS] += PLT_GEOMETRY_HEADER_BYTES;
     to->bytes[PART_COUNTS] += (g.starts - g.counts) / 8.0;
-    to->bytes[PART_STRIPS] += (g.refs - g.starts) / 8.0;
+    to->bytes[PART_STRIPS] += (g.refs - g.starts + turns) / 8.0;
     to->bytes[PART_REFERENCES] += (g.positions - g.refs) / 8.0;
     to->bytes[PART_POSITIONS] += (double)g.vertices * g.vertex_bits / 8.0;
     const double check = tree->ids_check_bytes;

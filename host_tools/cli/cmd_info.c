@@ -37,7 +37,7 @@ const arg_command command_info = {
 
 static const char *const split_names[] = {"sah", "median"};
 static const char *const node_names[] = {"thesis", "compact"};
-static const char *const geometry_names[] = {"float", "lattice"};
+static const char *const geometry_names[] = {"float", "lattice", "moving", "stills"};
 static const char *const build_names[] = {"host", "device", "none"};
 
 /* What info prints beyond plt_info. */
@@ -343,7 +343,8 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     plt_fault fault;
     int status = plt_image_info(&s->file.source, info, &fault);
     if (status == PLT_OK) {
-        s->options.movable = info->frames > 0;
+        s->options.movable =
+            info->frames > 0 && info->geometry_format != PLT_GEOMETRY_STILLS; /* frame 0 */
         status = scene_start(s, path, &fault);
     }
     if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE || status == PLT_ERR_ARGUMENT) {
@@ -353,7 +354,8 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
         *info = *plt_engine_info(s->engine);
     }
     status = 0;
-    for (uint32_t i = 0; s->engine != NULL && i < info->frames && status == 0; i++) {
+    for (uint32_t i = 0; s->engine != NULL && s->options.movable && i < info->frames && status == 0;
+         i++) {
         status = played_to(s, path, i, f);
     }
     s->options.movable = 0;

@@ -117,7 +117,7 @@ typedef struct pack_job {
 
 /* With floats only boxes are on the lattice. */
 static int moves_vertices(const pack_job *job) {
-    return job->compact.lattice_bits > 0 && !job->compact.floats;
+    return job->compact.lattice_bits > 0 && !job->compact.floats && !job->frames.wanted;
 }
 
 static const char *s(uint64_t count) {
@@ -358,15 +358,37 @@ static void read_checks(pack_job *job, args *a) {
     }
 }
 
+/* Of compact blocks: they have room for all frames, on the frames' lattice. */
+static void read_compact_sequence(pack_job *job, args *a, int floats, uint8_t bits) {
+    job->compact.lattice_bits = bits;
+    job->compact.moving = &job->frames.code.moving;
+    if (floats || job->options.build != PLT_BUILD_HOST || args_has(a, "--treelet")) {
+        args_complain(a,
+                      "--sequence with --nodes compact takes --geometry lattice and --build "
+                      "host, and its blocks are of 64 nodes");
+    }
+    if (job->frames.for_all) {
+        args_complain(a, "--tree-for all takes --nodes thesis");
+    }
+    if (args_has(a, "--stills") && args_has(a, "--key")) {
+        args_complain(a, "--stills has no --key: no frame depends on others");
+    }
+}
+
 /* --geometry of a sequence: its lattice, or none. */
 static void read_sequence_format(pack_job *job, args *a) {
     const int floats = strcmp(args_text(a, "--geometry", ""), "float") == 0;
     const uint8_t bits = read_lattice(job, a, floats);
-    if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0) {
-        args_complain(a, "--sequence takes --nodes thesis: compact blocks do not move");
+    const int compact = strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0;
+    if (compact) {
+        read_compact_sequence(job, a, floats, bits);
+    } else if (args_has(a, "--stills")) {
+        args_complain(a, "--stills takes --nodes compact");
+    } else if (args_has(a, "--numbers")) {
+        args_complain(a, "--sequence takes --numbers with --nodes compact alone");
     }
-    if (args_has(a, "--numbers") || (floats && args_has(a, "--step"))) {
-        args_complain(a, "--sequence takes no --numbers, and --step with a lattice alone");
+    if (floats && args_has(a, "--step")) {
+        args_complain(a, "--sequence takes --step with a lattice alone");
     }
     job->frames.wish = (lattice_wish){.bits = floats ? 0 : bits,
                                       .power = job->compact.power,

@@ -53,14 +53,15 @@ void pack_frames_read(pack_frames *p, args *a) {
     p->wanted = args_has(a, "--sequence");
     if (!p->wanted) {
         if (args_has(a, "--frames") || args_has(a, "--rate") || args_has(a, "--key") ||
-            args_has(a, "--tree-for")) {
-            args_complain(a, "--frames, --rate, --key and --tree-for go with --sequence");
+            args_has(a, "--tree-for") || args_has(a, "--stills")) {
+            args_complain(a, "--frames, --rate, --key, --stills and --tree-for go with --sequence");
         }
         return;
     }
     p->path = a->file;
     p->for_all = args_choice(a, "--tree-for", trees, 0) == 1;
     p->options.frame_rate = (uint32_t)args_number(a, "--rate", 25, 1, PLT_FRAME_RATE_MOST);
+    p->options.stills = (uint8_t)args_has(a, "--stills");
     p->options.key_every = (uint32_t)args_number(a, "--key", 16, 1, 100000);
     read_range(p, a);
     refuse_others(a);
@@ -203,15 +204,12 @@ int pack_frames_scan(pack_frames *p, pack_meshes *in, fail *f) {
         snap_all(p, &in->m);
     }
     poses_weigh(&p->poses);
-    return status;
+    return status == 0 ? sequence_begin(&p->code, &in->m, &p->options, p->first, f) : status;
 }
 
 int pack_frames_add(pack_frames *p, const pack_meshes *in, packed *image, fail *f) {
     progress bar;
-    int status = sequence_begin(&p->code, &in->m, &p->options, p->first, f);
-    if (status == 0) {
-        status = sequence_add(&p->code, &in->m, p->first, f);
-    }
+    int status = sequence_add(&p->code, &in->m, p->first, f);
     progress_begin(&bar, "coding frames", p->range.count);
     for (unsigned i = 1; i < p->range.count && status == 0; i++) {
         mesh m = {0};

@@ -14,10 +14,14 @@
 #define PACK_FRAMES_FLAGS                                                                          \
     {"--sequence", NULL,                                                                           \
      "the meshes are frames of one sequence, in this order: the same triangles, vertices that "    \
-     "move; thesis nodes, on a lattice of 16 bits unless --geometry says float or other bits"},    \
+     "move; on a lattice of 16 bits unless --geometry says other bits, or float of thesis nodes"}, \
         {"--frames", "A:B",                                                                        \
          "of --sequence with one MESH, a recipe with sequences or a name with '{}' for 000, 001 "  \
          "...: frames A to B - 1, 0 to 99999"},                                                    \
+        {"--stills", NULL,                                                                         \
+         "of --sequence with --nodes compact: all blocks once for each frame instead of how "      \
+         "vertices move, some 8 bytes per triangle and frame instead of 2: any frame can be "      \
+         "streamed"},                                                                              \
         {"--tree-for", "first|all",                                                                \
          "of --sequence: the frames that the tree is made for, its first or up to 8 that are "     \
          "evenly spread; all takes --quality high, three times as long as that alone and more, "   \

@@ -18,6 +18,7 @@
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/lattice_boxes.h"
 #include "host_tools/pack/lattice_snap.h"
+#include "host_tools/pack/moving.h"
 #include "host_tools/pack/pack.h"
 #include "host_tools/pack/quality_order.h"
 
@@ -148,7 +149,16 @@ static int build(compacting *c, fail *f) {
                           .splits = info->splits};
     uint16_t *meshes = mesh_indices(c);
     job.mesh = meshes;
-    const int status = run_job(c, &job, f);
+    moving_vertices *moving = c->options->moving;
+    int status = 0;
+    if (moving != NULL &&
+        moving_begin(&job, &c->s, c->m, moving, info->primitive_id_bits > 0) != 0) {
+        status = out_of_memory(c, f);
+    }
+    status = status == 0 ? run_job(c, &job, f) : status;
+    if (moving != NULL) {
+        moving_end(&job, moving);
+    }
     heap_drop(job.scratch);
     heap_drop(meshes);
     heap_drop(c->s.corners); /* ids and records come of the others */
@@ -326,6 +336,9 @@ static int put_on_lattice(compacting *c, fail *f) {
                          .power = o->power,
                          .fewest = o->tolerance > 0.0,
                          .boxes = o->floats};
+    if (o->moving != NULL) {
+        return moving_snap(&c->s, c->m, &o->moving->lattice) == 0 ? 0 : out_of_memory(c, f);
+    }
     if (o->floats) {
         return lattice_boxes(&c->s, c->m, &wish, c->name, f);
     }

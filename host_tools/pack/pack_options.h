@@ -5,6 +5,7 @@
 #define PACK_OPTIONS_H
 #include <stdint.h>
 
+#include "engine/base/lattice.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/quality.h"
 
@@ -20,6 +21,14 @@ typedef struct pack_options {
                               * `spend` is NULL; NULL: for the mesh alone */
 } pack_options;
 
+/* Vertices of a sequence (sequence.h) that blocks are to have room for (moving.h). */
+typedef struct moving_vertices {
+    plt_lattice lattice;    /* which those of the mesh lie on */
+    const uint32_t *number; /* of each vertex of the mesh that triangles use */
+    uint32_t *of_blocks;    /* result: the numbers of all blocks' vertices, in order; owned */
+    uint32_t count;         /* result: so many */
+} moving_vertices;
+
 typedef struct compact_options {
     uint8_t splits, build;    /* as above, but not PLT_BUILD_NONE */
     uint8_t lattice_bits;     /* 12 .. 21 */
@@ -34,6 +43,8 @@ typedef struct compact_options {
     quality_stats *quality;   /* NULL: the tree stays as it is built; of PLT_BUILD_HOST alone */
     uint32_t quality_seconds; /* as of pack_mesh_better */
     mesh *spend;              /* as above */
+    moving_vertices *moving; /* NULL: triangles stay where they are. Else the lattice is theirs, and
+                              * positions and rotations are yet to be put (moving_put) */
 } compact_options;
 
 #endif

@@ -10,6 +10,7 @@
 #include "engine/planelet_crc32.h"
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/image_size.h"
+#include "host_tools/pack/moving.h"
 
 enum { NO_NUMBER = -1 };
 
@@ -106,7 +107,7 @@ static uint32_t write_block(const sequence *s, unsigned char *to, size_t first, 
 /* ---- frames ----------------------------------------------------------------------- */
 
 static uint64_t offsets_bytes(const sequence *s) {
-    return 4 * ((uint64_t)s->options.frames + 1);
+    return s->options.stills ? 0 : 4 * ((uint64_t)s->options.frames + 1);
 }
 
 /* Which vertices triangles use, numbered in the order of the mesh. */
@@ -131,17 +132,18 @@ int sequence_begin(sequence *s, const mesh *first, const sequence_options *optio
         return out_of_memory(name, f);
     }
     number_vertices(s, first);
+    s->moving = (moving_vertices){.lattice = options->lattice, .number = s->number};
     s->before = heap_get_zeroed((uint64_t)s->vertices * sizeof *s->before);
     s->now = heap_get_zeroed((uint64_t)s->vertices * sizeof *s->now);
     s->size = s->room = offsets_bytes(s);
-    s->bytes = heap_get_zeroed(s->room);
+    s->bytes = heap_get_zeroed(s->room + 1);
     return s->before == NULL || s->now == NULL || s->bytes == NULL ? out_of_memory(name, f) : 0;
 }
 
-/* For the largest block there is, of zeros. */
-static int make_room(sequence *s) {
-    if (s->size + PLT_FRAME_BLOCK_MOST + PLT_BITS_BEHIND > s->room) {
-        const uint64_t room = s->room + s->room / 2 + 65536;
+/* For so many bytes more, which are zeros. */
+static int make_room(sequence *s, uint64_t more) {
+    if (s->size + more > s->room) {
+        const uint64_t room = s->room + s->room / 2 + more + 65536;
         unsigned char *bytes = heap_resize(s->bytes, room);
         if (bytes == NULL) {
             return -1;
@@ -149,17 +151,32 @@ static int make_room(sequence *s) {
         s->bytes = bytes;
         s->room = room;
     }
-    memset(s->bytes + s->size, 0, PLT_FRAME_BLOCK_MOST + PLT_BITS_BEHIND);
+    memset(s->bytes + s->size, 0, (size_t)more);
+    return 0;
+}
+
+/* Vertices as they are: blocks are made of them at the end. */
+static int add_still(sequence *s, const char *name, fail *f) {
+    const uint64_t bytes = (uint64_t)s->vertices * sizeof *s->now;
+    if (make_room(s, bytes) != 0) {
+        return out_of_memory(name, f);
+    }
+    memcpy(s->bytes + s->size, s->now, (size_t)bytes);
+    s->size += bytes;
+    s->frames++;
     return 0;
 }
 
 int sequence_add(sequence *s, const mesh *frame, const char *name, fail *f) {
-    plt_put_u32(s->bytes + 4 * (size_t)s->frames, (uint32_t)s->size);
     read_words(s, frame);
+    if (s->options.stills) {
+        return add_still(s, name, f);
+    }
+    plt_put_u32(s->bytes + 4 * (size_t)s->frames, (uint32_t)s->size);
     for (size_t first = 0; first < s->vertices; first += PLT_FRAME_BLOCK) {
         const size_t left = s->vertices - first;
         const uint32_t count = left < PLT_FRAME_BLOCK ? (uint32_t)left : PLT_FRAME_BLOCK;
-        if (make_room(s) != 0) {
+        if (make_room(s, PLT_FRAME_BLOCK_MOST + PLT_BITS_BEHIND) != 0) {
             return out_of_memory(name, f);
         }
         s->size += write_block(s, s->bytes + s->size, first, count);
@@ -177,11 +194,15 @@ int sequence_add(sequence *s, const mesh *frame, const char *name, fail *f) {
 
 /* ---- the image -------------------------------------------------------------------- */
 
-static void write_topology(const sequence *s, const mesh *m, unsigned char *to) {
+/* Of each triangle, or of each vertex of blocks. */
+static void write_topology(const sequence *s, const mesh *m, const plt_info *info,
+                           unsigned char *to) {
     const uint32_t width = plt_index_bits(s->vertices);
-    for (size_t i = 0; i < 3 * m->triangles; i++) {
-        const uint64_t at = (uint64_t)i * width;
-        plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), width, s->number[m->triangle[i]]);
+    const int moves = plt_header_moves(info);
+    for (uint64_t i = 0; i < plt_header_numbers(info); i++) {
+        const uint64_t at = i * width;
+        plt_bits_put(to + (at >> 3), (uint32_t)(at & 7), width,
+                     moves ? s->moving.of_blocks[i] : s->number[m->triangle[i]]);
     }
 }
 
@@ -193,6 +214,14 @@ static void describe(const sequence *s, plt_header *h) {
     h->info.frame_bytes = (uint32_t)s->size;
     h->info.lattice_bits = (uint8_t)s->options.lattice.bits;
     h->lattice = s->options.lattice;
+    if (h->info.nodes_format == PLT_NODES_COMPACT) {
+        h->info.geometry_format = s->options.stills ? PLT_GEOMETRY_STILLS : PLT_GEOMETRY_MOVING;
+        h->info.block_vertices = s->moving.count;
+    }
+    if (s->options.stills) {
+        h->info.key_every = 1;
+        h->info.frame_bytes = 0;
+    }
 }
 
 /* The header of the image without frames, with its sections' checksums. */
@@ -203,17 +232,78 @@ static int read_header(plt_header *h, const packed *image, const char *name, fai
                : fail_set(f, name, "%s; please report this", fault.message);
 }
 
-static void fill(const sequence *s, const packed *image, const mesh *m, plt_header *h,
-                 unsigned char *bytes, uint64_t size) {
+/* Positions of blocks are those of the first frame. */
+static int put_first(sequence *s, const mesh *m, plt_header *h, unsigned char *bytes,
+                     const unsigned char *numbers) {
+    const plt_section *ids = plt_header_section(h, PLT_SECTION_PRIMITIVE_IDS);
+    plt_lattice_box box;
+    read_words(s, m); /* all frames have been written */
+    const int status =
+        moving_put(h, bytes + plt_header_section(h, PLT_SECTION_BLOCKS)->offset,
+                   ids == NULL ? NULL : bytes + ids->offset, 0, s->now, numbers, &box);
+    moving_set_box(h, &box);
+    return status;
+}
+
+/* Checksums, of what is there. */
+static void seal(const sequence *s, plt_header *h, unsigned char *bytes) {
+    for (unsigned i = 0; i < PLT_SECTIONS_MOST; i++) {
+        plt_section *now = &h->section[i];
+        const uint64_t used = now->kind == PLT_SECTION_FRAMES ? offsets_bytes(s) : now->bytes;
+        now->crc = plt_crc32(0, bytes + now->offset, (size_t)used);
+    }
+    plt_header_write(bytes, h);
+}
+
+static int fill(sequence *s, const packed *image, const mesh *m, plt_header *h,
+                unsigned char *bytes, uint64_t size) {
     const uint64_t topology = plt_header_section_bytes(&h->info, PLT_SECTION_TOPOLOGY);
     unsigned char *at = bytes + image->size;
     memcpy(bytes, image->bytes, image->size);
     memset(at, 0, (size_t)(size - image->size));
-    write_topology(s, m, at);
+    write_topology(s, m, &h->info, at);
     memcpy(at + topology, s->bytes, (size_t)s->size);
-    h->section[2].crc = plt_crc32(0, at, (size_t)topology);
-    h->section[3].crc = plt_crc32(0, at + topology, (size_t)offsets_bytes(s));
+    plt_header_write(bytes, h); /* where sections are */
+    if (plt_header_moves(&h->info) && put_first(s, m, h, bytes, at) != 0) {
+        return -1;
+    }
+    seal(s, h, bytes);
+    return 0;
+}
+
+/* All blocks once for each frame, refitted by the engine's own code; then the ids, as they are in
+ * the first. */
+static int fill_stills(sequence *s, const packed *image, const mesh *m, plt_header *h,
+                       unsigned char *bytes, uint64_t size) {
+    const size_t used = (size_t)h->info.node_bytes + h->info.triangle_bytes;
+    const size_t ids_bytes = h->info.primitive_id_bytes;
+    const uint64_t topology = plt_header_section_bytes(&h->info, PLT_SECTION_TOPOLOGY);
+    unsigned char *numbers = heap_get_zeroed(topology);
+    int status = numbers == NULL ? -1 : 0;
+    memset(bytes, 0, (size_t)size);
     plt_header_write(bytes, h);
+    const plt_section *ids = plt_header_section(h, PLT_SECTION_PRIMITIVE_IDS);
+    if (status == 0) {
+        write_topology(s, m, &h->info, numbers);
+    }
+    if (ids != NULL) {
+        memcpy(bytes + ids->offset, image->bytes + image->size - ids_bytes, ids_bytes);
+    }
+    for (uint32_t k = 0; k < s->frames && status == 0; k++) {
+        const plt_frame_vertex *vertex =
+            (const plt_frame_vertex *)(const void *)s->bytes + (size_t)k * s->vertices;
+        unsigned char *blocks = bytes + h->section[0].offset + k * used;
+        plt_lattice_box box;
+        memcpy(blocks, image->bytes + PLT_HEADER_BYTES, used);
+        status = moving_put(h, blocks, ids == NULL || k > 0 ? NULL : bytes + ids->offset, k, vertex,
+                            numbers, &box);
+        if (k == 0) {
+            moving_set_box(h, &box);
+        }
+    }
+    heap_drop(numbers);
+    seal(s, h, bytes);
+    return status;
 }
 
 int sequence_finish(sequence *s, packed *image, const mesh *first, const char *name, fail *f) {
@@ -222,8 +312,12 @@ int sequence_finish(sequence *s, packed *image, const mesh *first, const char *n
         return -1;
     }
     describe(s, &h);
-    const uint64_t size = image->size + plt_header_section_bytes(&h.info, PLT_SECTION_TOPOLOGY) +
-                          plt_header_section_bytes(&h.info, PLT_SECTION_FRAMES);
+    const uint64_t size =
+        s->options.stills
+            ? PLT_HEADER_BYTES + plt_header_section_bytes(&h.info, PLT_SECTION_STILLS) +
+                  h.info.primitive_id_bytes
+            : image->size + plt_header_section_bytes(&h.info, PLT_SECTION_TOPOLOGY) +
+                  plt_header_section_bytes(&h.info, PLT_SECTION_FRAMES);
     if (image_size_check(name, first->triangles, size, 0, size_remedy(), f) != 0) {
         return -1;
     }
@@ -231,7 +325,10 @@ int sequence_finish(sequence *s, packed *image, const mesh *first, const char *n
     if (bytes == NULL) {
         return out_of_memory(name, f);
     }
-    fill(s, image, first, &h, bytes, size);
+    if ((s->options.stills ? fill_stills : fill)(s, image, first, &h, bytes, size) != 0) {
+        heap_drop(bytes);
+        return out_of_memory(name, f);
+    }
     pack_free(image);
     *image = (packed){.bytes = bytes, .size = (uint32_t)size, .info = h.info};
     return 0;
@@ -242,5 +339,6 @@ void sequence_free(sequence *s) {
     heap_drop(s->before);
     heap_drop(s->now);
     heap_drop(s->bytes);
+    heap_drop(s->moving.of_blocks);
     *s = (sequence){.number = NULL};
 }

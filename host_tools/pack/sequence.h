@@ -15,6 +15,7 @@ typedef struct sequence_options {
     uint32_t frame_rate; /* per second, 1 .. PLT_FRAME_RATE_MOST */
     uint32_t key_every;  /* from 1 */
     plt_lattice lattice; /* that all frames lie on; bits 0: floats, as they are */
+    uint8_t stills;      /* compact blocks, all of them once for each frame, to be streamed */
 } sequence_options;
 
 typedef struct sequence {
@@ -24,8 +25,9 @@ typedef struct sequence {
     uint32_t vertices, frames; /* used ones; frames added so far */
     uint32_t word_bits;
     plt_frame_vertex *before, *now; /* the frames that differ; owned */
-    unsigned char *bytes;           /* offsets, then frames; owned */
+    unsigned char *bytes;           /* offsets, then frames; of stills vertices alone; owned */
     uint64_t size, room;
+    moving_vertices moving; /* for pack_compact; its result owned */
 } sequence;
 
 /* Nothing but what of `first` all frames share. `name` is for errors. -1: out of memory; `s` is to
@@ -37,7 +39,7 @@ int sequence_begin(sequence *s, const mesh *first, const sequence_options *optio
 int sequence_add(sequence *s, const mesh *frame, const char *name, fail *f);
 
 /* Puts the frames behind `image`, which was packed from the first of them (on the lattice:
- * sequence_snap). Both are as they were if it fails. */
+ * sequence_snap; compact blocks with compact_options.moving). Both are as they were if it fails. */
 int sequence_finish(sequence *s, packed *image, const mesh *first, const char *name, fail *f);
 
 void sequence_free(sequence *s);

@@ -154,6 +154,6 @@ misused "two films at once" "--moved and --orbit" \
     render wave.plt -o x.y4m --moved wave.txt --orbit 3 --size 8x8
 misused "a film in a picture" "--frames makes a film: give -o a name that ends in .y4m" \
     render wave.plt -o x.png --moved wave.txt --frames 0:2 --size 8x8
-misused "a streamed scene" "--moved and --frames are for --residency resident" \
+misused "a streamed scene" "--moved is for --residency resident" \
     render wave.plt -o x.ppm --moved wave.txt --residency streamed --size 8x8
 finish

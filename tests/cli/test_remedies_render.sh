@@ -108,8 +108,10 @@ cured render compact.plt -o x.png --residency streamed --source dma:1,20
 says "--source dma:LATENCY_US,MB_PER_S[,OUTSTANDING] takes 0 to 1000, 0.1 to 10000 and 1 to %d, \
 not 'dma:%s'" render compact.plt -o x.png --residency streamed --source dma:1
 cured render compact.plt -o x.png --residency streamed --source dma:1000,0.1,64
-says "--moved and --frames are for --residency resident" \
+says "--moved is for --residency resident" \
     render compact.plt -o x.png --residency streamed --moved knot.ply
+says "%s; pack frames with --nodes compact --stills, or use --residency resident" \
+    render compact.plt -o x.y4m --residency streamed --frames 0:1
 says "%s; pack it with --nodes thesis, or leave out --moved and --frames" \
     render compact.plt -o x.png --moved knot.ply
 run pack knot.ply -o thesis.plt --nodes thesis

@@ -12,10 +12,10 @@ echo 'wave_{}.ply*4 1 0 0 0' >wave.txt
 
 # ---- how it is asked for: pack_frames.c, cmd_pack.c ----------------------------------------
 
-says "--frames, --rate, --key and --tree-for go with --sequence" \
+says "--frames, --rate, --key, --stills and --tree-for go with --sequence" \
     pack wave.txt --frames 0:2 -o x.plt
 cured pack --sequence wave.txt --frames 0:2 -o x.plt
-says "--frames, --rate, --key and --tree-for go with --sequence" \
+says "--frames, --rate, --key, --stills and --tree-for go with --sequence" \
     pack wave_000.ply --tree-for all -o x.plt
 cured pack --sequence wave_00?.ply --tree-for all -o x.plt
 for flag in '--quality fast' '--build device' '--build none' '--splits median'; do
@@ -40,13 +40,27 @@ cured pack wave_000.ply --weld 0.001 -o x.plt
 says "--sequence reads its files twice, and standard input cannot be" \
     pack --sequence - wave_001.ply -o x.plt
 cured pack --sequence wave_00?.ply -o x.plt
-says "--sequence takes --nodes thesis: compact blocks do not move" \
-    pack --sequence wave_00?.ply --nodes compact -o x.plt
-cured pack --sequence wave_00?.ply --nodes thesis -o x.plt
+for flag in '--geometry float' '--build device' '--treelet 32'; do
+    # shellcheck disable=SC2086
+    says "--sequence with --nodes compact takes --geometry lattice and --build host, and its \
+blocks are of 64 nodes" pack --sequence wave_00?.ply --nodes compact $flag -o x.plt
+done
+cured pack --sequence wave_00?.ply --nodes compact --geometry lattice --build host -o x.plt
+says "--stills takes --nodes compact" pack --sequence wave_00?.ply --stills -o x.plt
+cured pack --sequence wave_00?.ply --nodes compact --stills -o x.plt
+says "--stills has no --key: no frame depends on others" \
+    pack --sequence wave_00?.ply --nodes compact --stills --key 4 -o x.plt
+cured pack --sequence wave_00?.ply --nodes compact --key 4 -o x.plt
+says "--tree-for all takes --nodes thesis" \
+    pack --sequence wave_00?.ply --nodes compact --tree-for all --quality high -o x.plt
+cured pack --sequence wave_00?.ply --nodes compact --quality high -o x.plt
 says "--checks on is not for --sequence: what moves is not streamed" \
     pack --sequence wave_00?.ply --checks on -o x.plt
 cured pack --sequence wave_00?.ply --checks off -o x.plt
-says "--sequence takes no --numbers, and --step with a lattice alone" \
+says "--sequence takes --numbers with --nodes compact alone" \
+    pack --sequence wave_00?.ply --numbers none -o x.plt
+cured pack --sequence wave_00?.ply --nodes compact --numbers none -o x.plt
+says "--sequence takes --step with a lattice alone" \
     pack --sequence wave_00?.ply --geometry float --step power -o x.plt
 cured pack --sequence wave_00?.ply --step power -o x.plt
 

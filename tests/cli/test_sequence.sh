@@ -82,6 +82,48 @@ done >due.frames
 tail -n +2 recipe.y4m >recipe.frames
 same due.frames recipe.frames "... is its frames"
 
+# ---- compact blocks -------------------------------------------------------------------------
+
+works "thesis nodes on a lattice" pack --sequence wave_00?.ply --geometry lattice:14 -o thesis.plt
+for kind in '' '--numbers none' '--leaf 4' '--quality high' '--splits median --key 2'; do
+    # shellcheck disable=SC2086
+    works "compact blocks $kind" pack --sequence wave_00?.ply --geometry lattice:14 \
+        --nodes compact $kind -o blocks.plt
+    for how in '' '--source read' '--workers 3' '--packet 4'; do
+        # shellcheck disable=SC2086
+        works "... shown $how" render blocks.plt -o blocks.y4m --frames 0:9 $view $how
+        # shellcheck disable=SC2086
+        works "... and records" render thesis.plt -o thesis.y4m --frames 0:9 $view $how
+        same thesis.y4m blocks.y4m "... the same pictures"
+    done
+done
+verdict "info tells what of blocks moves" "$(
+    "$PLANELET" info blocks.plt --json >json
+    grep -q '"geometry_format": "moving"' json && [ "$(number frames <json)" = 9 ] || cat json)"
+# shellcheck disable=SC2086
+works "without --frames" render blocks.plt -o first.ppm $view
+# shellcheck disable=SC2086
+works "... of records" render thesis.plt -o plain.ppm $view
+same plain.ppm first.ppm "... it is the first frame"
+
+for kind in '' '--numbers none --leaf 4'; do
+    # shellcheck disable=SC2086
+    works "stills $kind" pack --sequence wave_00?.ply --geometry lattice:14 --nodes compact \
+        --stills $kind -o stills.plt
+    for how in '' '--arena 262144' '--schedule batch'; do
+        # shellcheck disable=SC2086
+        works "... streamed $how" render stills.plt -o stills.y4m --residency streamed \
+            --frames 0:9 $view $how
+        # shellcheck disable=SC2086
+        works "... and records" render thesis.plt -o thesis.y4m --frames 0:9 $view
+        same thesis.y4m stills.y4m "... the same pictures"
+    done
+done
+# shellcheck disable=SC2086
+works "stills without --frames" render stills.plt -o first.ppm $view
+same plain.ppm first.ppm "... are the first frame"
+works "info of stills" info stills.plt
+
 # ---- a lattice, rates, key frames ---------------------------------------------------------
 
 works "a lattice" pack --sequence wave_00?.ply -o lattice.plt --rate 30 --key 4
@@ -276,7 +318,8 @@ misused "--frames of several" "--frames A:B is for one MESH" \
 misused "--frames without --sequence" "go with --sequence" pack wave.txt --frames 0:2 -o x.plt
 misused "--key 0" "--key" pack --sequence wave_00?.ply --key 0 -o x.plt
 misused "--rate 1001" "--rate" pack --sequence wave_00?.ply --rate 1001 -o x.plt
-misused "compact nodes" "--nodes thesis" pack --sequence wave_00?.ply --nodes compact -o x.plt
+misused "compact nodes as floats" "takes --geometry lattice" \
+    pack --sequence wave_00?.ply --nodes compact --geometry float -o x.plt
 misused "standard input" "standard input" pack --sequence - wave_000.ply -o x.plt
 for flag in '--weld 0.1' '--reduce 10' '--memory 100000000' '--frame 1'; do
     # shellcheck disable=SC2086

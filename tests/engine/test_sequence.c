@@ -29,8 +29,11 @@ static void make_mesh(mesh *m, uint32_t leaf_triangles) {
 
 static sequence_config config_of(uint32_t k, uint8_t build, uint32_t bits, uint32_t key_every,
                                  int is_mapped) {
-    const sequence_config c = {rig_config_of(k, treelet(16), build, PLT_SPLIT_SAH), 9, key_every,
-                               bits, is_mapped};
+    const sequence_config c = {.scene = rig_config_of(k, treelet(16), build, PLT_SPLIT_SAH),
+                               .frames = 9,
+                               .key_every = key_every,
+                               .lattice_bits = bits,
+                               .is_mapped = is_mapped};
     return c;
 }
 

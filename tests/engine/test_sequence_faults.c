@@ -15,9 +15,16 @@ static uint32_t treelet(uint32_t nodes) {
     return rig_is_tiny() ? 1 : nodes;
 }
 
-static sequence_config config_of(uint32_t bits, uint32_t key_every) {
-    const sequence_config c = {rig_config_of(2, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH), 8,
-                               key_every, bits, 0};
+/* Records, or blocks that move. */
+enum kind { RECORDS, BLOCKS, KINDS };
+
+static sequence_config config_of(uint32_t bits, uint32_t key_every, enum kind kind) {
+    const sequence_config c = {.scene =
+                                   rig_config_of(2, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH),
+                               .frames = 8,
+                               .key_every = key_every,
+                               .lattice_bits = bits,
+                               .is_compact = kind == BLOCKS};
     return c;
 }
 
@@ -80,15 +87,18 @@ static void every_failure_once(void) {
                                              FAKE_FAILS_AT_CALL,    FAKE_SHORT_AT_START,
                                              FAKE_GARBLED_AT_START, FAKE_SILENT_AT_START};
     for (unsigned way = 0; way < sizeof ways / sizeof ways[0]; way++) {
-        const sequence_config floats = config_of(0, 4), lattice = config_of(14, 8);
+        const sequence_config floats = config_of(0, 4, RECORDS),
+                              lattice = config_of(14, 8, RECORDS),
+                              blocks = config_of(14, 8, BLOCKS);
         once(&floats, ways[way]);
         once(&lattice, ways[way]);
+        once(&blocks, ways[way]);
     }
 }
 
 /* The link is cut at each call: the last frame stays, and comes back with the link. */
-static void cut(void) {
-    const sequence_config c = config_of(14, 4);
+static void cut(enum kind kind) {
+    const sequence_config c = config_of(14, 4, kind);
     mesh m = {0};
     sequence_rig s;
     make_mesh(&m);
@@ -127,8 +137,8 @@ static int wait_in_vain(void *context, uint32_t tags) {
 }
 
 /* Transfers begin, and none ends: it is the source that is to blame. */
-static void no_end(void) {
-    const sequence_config c = config_of(14, 4);
+static void no_end(enum kind kind) {
+    const sequence_config c = config_of(14, 4, kind);
     mesh m = {0};
     sequence_rig s;
     make_mesh(&m);
@@ -148,8 +158,8 @@ static void no_end(void) {
 }
 
 /* As the image itself is damaged there: every attempt finds it so. */
-static void damaged_source(void) {
-    const sequence_config c = config_of(16, 4);
+static void damaged_source(enum kind kind) {
+    const sequence_config c = config_of(16, 4, kind);
     mesh m = {0};
     sequence_rig s;
     make_mesh(&m);
@@ -177,10 +187,10 @@ static void damaged_source(void) {
 }
 
 /* Every call of opening, too. */
-static void opening(void) {
+static void opening(enum kind kind) {
     static const enum fake_failure ways[] = {FAKE_FAILS_AT_CALL, FAKE_FAILS_FROM_CALL,
                                              FAKE_GARBLED_AT_START, FAKE_SILENT_AT_START};
-    const sequence_config c = config_of(14, 4);
+    const sequence_config c = config_of(14, 4, kind);
     mesh m = {0};
     sequence_rig s;
     make_mesh(&m);
@@ -206,11 +216,17 @@ int main(void) {
     test("a frame that comes late, short or wrong once is fetched again, and is shown");
     every_failure_once();
     test("a link that is cut: the last frame stays, the error names one, and frames come again");
-    cut();
-    no_end();
+    for (unsigned kind = 0; kind < KINDS; kind++) {
+        cut((enum kind)kind);
+        no_end((enum kind)kind);
+    }
     test("a frame that is damaged takes those that depend on it along, and no others");
-    damaged_source();
+    for (unsigned kind = 0; kind < KINDS; kind++) {
+        damaged_source((enum kind)kind);
+    }
     test("opening an image with frames fails with each of its transfers");
-    opening();
+    for (unsigned kind = 0; kind < KINDS; kind++) {
+        opening((enum kind)kind);
+    }
     return test_done();
 }

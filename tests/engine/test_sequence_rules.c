@@ -16,8 +16,11 @@ enum { FRAMES = 5, VERTICES = 60 };
 
 /* Of floats, and on a lattice of 14 bits. */
 static packed make_image(uint32_t bits, uint32_t key_every) {
-    const sequence_config c = {rig_config_of(2, 1, PLT_BUILD_HOST, PLT_SPLIT_SAH), FRAMES,
-                               key_every, bits, 1};
+    const sequence_config c = {.scene = rig_config_of(2, 1, PLT_BUILD_HOST, PLT_SPLIT_SAH),
+                               .frames = FRAMES,
+                               .key_every = key_every,
+                               .lattice_bits = bits,
+                               .is_mapped = 1};
     mesh m = {0};
     sequence_rig s;
     shape_soup(&m, VERTICES / 3, 0.4f, 3);

@@ -60,6 +60,9 @@ static inline void hostile_seal_frames(unsigned char *section, uint32_t count, u
 static inline void hostile_seal_sequence(unsigned char *bytes, uint32_t size) {
     const uint32_t frames = size >= HOSTILE_HEADER ? plt_get_u32(bytes + HOSTILE_AT_FRAMES) : 0;
     const uint32_t bits = size >= HOSTILE_HEADER ? plt_get_u32(bytes + 184) : 0;
+    if (size >= HOSTILE_HEADER) {
+        hostile_seal_blocks(bytes, size);
+    }
     for (unsigned i = 0; i < 4 && size >= HOSTILE_HEADER; i++) {
         uint32_t count;
         unsigned char *section = hostile_section_of(bytes, size, i, &count);

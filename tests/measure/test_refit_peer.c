@@ -119,7 +119,7 @@ typedef struct ours {
 
 static void ours_open(ours *o, const mesh *m, uint32_t k) {
     plt_fault fault;
-    pack_frames(&o->image, m, k, 0);
+    pack_frames(&o->image, m, k, 0, 0);
     const plt_options options = {.packet_side = 2, .movable = 1};
     const plt_source source = rig_source(&o->image);
     const size_t bytes = plt_arena_need(&o->image.info, 1, &options);

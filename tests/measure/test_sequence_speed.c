@@ -2,7 +2,8 @@
  *
  * Of thesis nodes, on one core: the best of ten. Blocks decoded and checked; records written from
  * vertices and indices; bounds and nodes; the last two together, which is what is compared with
- * corners that a caller gives (test_refit_speed). Without a mesh it takes a small one and is one
+ * corners that a caller gives (test_refit_speed); and, in turn with these, compact blocks of the
+ * same lists: positions, bounds and nodes. Without a mesh it takes a small one and is one
  * test more; the figures are for people.
  *
  * SPDX-License-Identifier: MIT */
@@ -19,6 +20,7 @@ enum { ROUNDS = 10 };
 
 typedef struct speeds {
     double decode, records, bounds, corners; /* seconds, the best */
+    double blocks;                           /* compact blocks, all of them */
 } speeds;
 
 static double best_of(double best, double began, int round) {
@@ -54,36 +56,82 @@ static void take_frames(plt_engine *e, speeds *best, int round) {
     best->bounds = best_of(best->bounds, began, round);
 }
 
-static void run(const packed *image, const mesh *m, const char *name, uint32_t k, uint32_t bits) {
+static void take_blocks(plt_engine *e, speeds *best, int round) {
+    plt_fault fault;
+    int status = plt_sequence_show(e, 0, &fault);
+    status += plt_sequence_begin(e, 1, &fault) + plt_sequence_step(e, UINT32_MAX, &fault);
+    const double began = clock_processor_seconds();
+    status += plt_sequence_show(e, 1, &fault);
+    best->blocks = best_of(best->blocks, began, round);
+    CHECK(status == PLT_OK, "%s", fault.message);
+}
+
+typedef struct opened {
+    void *arena;
+    plt_engine *engine;
+} opened;
+
+static opened open_image(const packed *image) {
     const plt_options o = {.packet_side = 2, .movable = 1};
     const plt_source source = rig_source(image);
     const size_t bytes = plt_arena_need(&image->info, 1, &o);
-    const double millions = 1e-6 * (double)m->triangles;
-    void *arena = aligned_alloc(PLT_ALIGN, bytes);
-    plt_engine *e;
+    opened now = {aligned_alloc(PLT_ALIGN, bytes), NULL};
     plt_fault fault;
-    speeds best = {0, 0, 0, 0};
-    CHECK(plt_open(&e, arena, bytes, &source, &o, &fault) == PLT_OK, "%s", fault.message);
-    for (int i = 0; i < ROUNDS && e != NULL; i++) {
-        take_frames(e, &best, i);
-        take_corners(e, m, &best, i);
+    CHECK(plt_open(&now.engine, now.arena, bytes, &source, &o, &fault) == PLT_OK, "%s",
+          fault.message);
+    return now;
+}
+
+static void print_blocks(const packed *image, const speeds *best) {
+    const plt_info *i = &image->info;
+    const double n = (double)i->triangles, millions = 1e-6 * n;
+    const plt_options o = {.packet_side = 2}, moving = {.packet_side = 2, .movable = 1};
+    printf(
+        "        compact: %.1f, %.2f of the last two; bytes per triangle: nodes %.2f, geometry "
+        "%.2f, ids %.2f, numbers %.2f, frame %.2f, arena mapped %.2f\n",
+        millions / best->blocks, (best->records + best->bounds) / best->blocks, i->node_bytes / n,
+        i->triangle_bytes / n, i->primitive_id_bytes / n,
+        (double)i->block_vertices * plt_index_bits(i->vertices) / 8 / n,
+        (double)i->frame_bytes / i->frames / n,
+        ((double)plt_arena_need(i, 1, &moving) - (double)plt_arena_need(i, 1, &o)) / n);
+}
+
+static void run(const packed *image, const packed *blocks, const mesh *m, const char *name,
+                uint32_t k, uint32_t bits) {
+    const double millions = 1e-6 * (double)m->triangles;
+    const opened records = open_image(image), compact = open_image(blocks != NULL ? blocks : image);
+    speeds best = {0, 0, 0, 0, 0};
+    for (int i = 0; i < ROUNDS && records.engine != NULL && compact.engine != NULL; i++) {
+        take_frames(records.engine, &best, i);
+        take_corners(records.engine, m, &best, i);
+        take_blocks(compact.engine, &best, i);
     }
-    free(arena);
+    free(records.arena);
+    free(compact.arena);
     printf(
         "    %s, K = %u, %s%.0u: million triangles per second: decoded %.1f, records %.1f, bounds "
         "and nodes %.1f, the last two %.1f, from corners %.1f\n",
         name, k, bits > 0 ? "lattice:" : "float", bits, millions / best.decode,
         millions / best.records, millions / best.bounds, millions / (best.records + best.bounds),
         millions / best.corners);
+    if (blocks != NULL) {
+        print_blocks(blocks, &best);
+    }
 }
 
 static void measure(const mesh *m, const char *name) {
     for (uint32_t k = 1; k <= 4; k *= 2) {
         for (uint32_t bits = 0; bits <= 16; bits += 16) {
-            packed image;
-            pack_frames(&image, m, k, bits);
-            run(&image, m, name, k, bits);
+            packed image, blocks;
+            pack_frames(&image, m, k, bits, 0);
+            if (bits > 0) {
+                pack_frames(&blocks, m, k, bits, 1);
+            }
+            run(&image, bits > 0 ? &blocks : NULL, m, name, k, bits);
             pack_free(&image);
+            if (bits > 0) {
+                pack_free(&blocks);
+            }
         }
     }
 }

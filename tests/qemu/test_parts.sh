@@ -120,17 +120,18 @@ if part "render thesis motion" "$motion" 44544; then
     renders "$motion" thesis
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
-# shows GEOMETRY [SOURCE=file]: frames of a sequence, which come by semihosting or are mapped.
+# shows GEOMETRY [SOURCE=file [NODES]]: frames of a sequence, which come by semihosting or are
+# mapped.
 shows() {
-    "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --key 4 -o "$out/wave.plt" \
-        >/dev/null 2>&1
+    "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --nodes "${3:-thesis}" --key 4 \
+        -o "$out/wave.plt" >/dev/null 2>&1
     for frame in 0 3 5; do
         view=$(sh board/tools/host_view.sh "$out/wave.plt" 80x60 "$out/host.ppm" \
             --frames $frame:$((frame + 1)))
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$sequence SOURCE=$2 sh board/mps2_an386/run.sh "$out/wave.plt" size=80x60 \
             show=$frame ${view#* } 2>&1)
-        verdict "frame $frame of a sequence, $1 $2: that of the host" "$(
+        verdict "frame $frame of a sequence, $1 $2 $3: that of the host" "$(
             [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
                 echo "$text")"
     done
@@ -148,6 +149,23 @@ if part "render thesis motion sequence" "$sequence" 50176; then
     firmware "$motion" "$out/wave.plt" size=80x60
     verdict "... and the image where there is no part for it" "$(
         echo "$text" | grep -q '^error: .*number of sections' || echo "$text")"
+fi
+sequence=$BUILD/mps2_an386-compact-motion-render-sequence
+if part "render compact motion sequence" "$sequence" 57856; then
+    renders "$sequence" compact
+    for k in 0 1 2 3 4 5; do
+        wave $k >"$out/wave_00$k.ply"
+    done
+    shows lattice:14 "" compact
+    shows lattice:19 file compact
+    firmware "$BUILD/mps2_an386-compact-render" "$out/wave.plt" size=80x60
+    verdict "... and the image where there is no part for it" "$(
+        echo "$text" | grep -q '^error: .*a format that this version does not know' ||
+            echo "$text")"
+fi
+sequence=$BUILD/mps2_an386-compact-frames-motion-render-sequence
+if part "render compact frames motion sequence" "$sequence" 48128; then
+    shows lattice:16 "" compact
 fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
 verdict "PARTS with sequence and without motion is refused, with what it may be" "$(

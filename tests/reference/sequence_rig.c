@@ -38,9 +38,23 @@ plt_lattice sequence_lattice(uint32_t bits) {
     return l;
 }
 
+static int pack_first(sequence_rig *r, const sequence_config *config, sequence *s, fail *f) {
+    pack_options plain = config->scene.pack;
+    plain.checks = 0; /* what moves is not streamed */
+    const compact_options blocks = {.splits = plain.splits,
+                                    .build = PLT_BUILD_HOST,
+                                    .lattice_bits = (uint8_t)config->lattice_bits,
+                                    .numbers = !config->without_ids,
+                                    .leaf_triangles = plain.leaf_triangles,
+                                    .moving = &s->moving};
+    lattice_loss loss;
+    return config->is_compact ? pack_compact(&r->image, &r->frame[0], &blocks, "test", &loss, f)
+                              : pack_mesh(&r->image, &r->frame[0], &plain, "test", f);
+}
+
 void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config *config) {
     const sequence_options o = {config->frames, 25, config->key_every,
-                                sequence_lattice(config->lattice_bits)};
+                                sequence_lattice(config->lattice_bits), (uint8_t)config->is_stills};
     sequence s;
     fail f = {""};
     memset(r, 0, sizeof *r);
@@ -51,10 +65,8 @@ void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config
             sequence_snap(&r->frame[k], &o.lattice);
         }
     }
-    pack_options plain = config->scene.pack;
-    plain.checks = 0; /* what moves is not streamed */
-    int status = pack_mesh(&r->image, &r->frame[0], &plain, "test", &f);
-    status = status == 0 ? sequence_begin(&s, &r->frame[0], &o, "test", &f) : status;
+    int status = sequence_begin(&s, &r->frame[0], &o, "test", &f);
+    status = status == 0 ? pack_first(r, config, &s, &f) : status;
     for (uint32_t k = 0; k < r->frames && status == 0; k++) {
         status = sequence_add(&s, &r->frame[k], "test", &f);
     }
@@ -66,6 +78,7 @@ void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config
 int sequence_rig_open(sequence_rig *r, const sequence_config *config, size_t short_by) {
     plt_options o = config->scene.run;
     o.movable = 1;
+    o.residency = (uint8_t)(config->is_stills ? PLT_RESIDENCY_STREAMED : 0);
     r->link.image = r->image.bytes;
     r->link.bytes = r->image.size;
     const plt_source source = config->is_mapped ? rig_source(&r->image) : fake_source(&r->link);

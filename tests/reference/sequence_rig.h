@@ -15,6 +15,9 @@ typedef struct sequence_config {
     uint32_t frames, key_every;
     uint32_t lattice_bits; /* 0: floats */
     int is_mapped;
+    int is_compact;  /* blocks that move, of the scene's K and splits; on a lattice */
+    int without_ids; /* ... and without primitive ids */
+    int is_stills;   /* ... and streamed, as blocks for each frame */
 } sequence_config;
 
 typedef struct sequence_rig {

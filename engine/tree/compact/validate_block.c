@@ -24,19 +24,23 @@ static int bounds_are_inside(const plt_lattice_box *f, const plt_lattice_box *sc
     return inside;
 }
 
-static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t check_at) {
-    return plt_get_u32(part + check_at - 2) >> 16 == plt_block_check(part, bytes, check_at);
+static int check_is_right(const unsigned char *part, uint32_t bytes, uint32_t check_at,
+                          uint32_t salt) {
+    return plt_get_u32(part + check_at - 2) >> 16 ==
+           (plt_block_check(part, bytes, check_at) ^ salt);
 }
 
-/* Each string begins where the one before ends; all must end inside the part, in front of `tail`
- * bytes. Counts are bounded first, so that no position overflows. */
-static int geometry_fits(const plt_geometry *g, const plt_block *b, uint32_t tail) {
-    const uint64_t bits = 8ull * (b->geometry_bytes - tail);
+/* Each string begins where the one before ends; all must end inside the part, in front of the check
+ * of ids. Counts are bounded first, so that no position overflows. */
+static int geometry_fits(const plt_geometry *g, const plt_block *b, const plt_block_tree *tree) {
+    const uint64_t bits = 8ull * (b->geometry_bytes - tree->ids_check_bytes);
     if (g->triangles > PLT_BLOCK_TRIANGLES_MOST || g->swaps > bits || g->news > bits ||
         g->refs > bits || g->slots < g->vertices || g->news_ones != g->vertices) {
         return 0;
     }
-    return g->positions + (uint64_t)g->vertices * g->vertex_bits <= bits;
+    return g->positions + (uint64_t)g->vertices * g->vertex_bits +
+               plt_turn_bits(tree) * g->triangles <=
+           bits;
 }
 
 static int references_are_known(const plt_geometry *g) {
@@ -58,7 +62,8 @@ static int vertices_are_inside(const plt_geometry *g, const plt_lattice_box *bou
         uint32_t position[3];
         plt_leaf_vertex(g, v, position);
         for (int a = 0; a < 3; a++) {
-            inside &= position[a] <= bounds->hi[a]; /* never below: it is added to lo */
+            inside &= position[a] <= bounds->hi[a];
+            inside &= !PLT_WITH_BLOCK_MOTION || position[a] >= bounds->lo[a]; /* else it is added */
         }
     }
     return inside;
@@ -95,8 +100,10 @@ static int counts_rule(const plt_block *b, uint32_t k) {
 static int strings_rule(const plt_block *b, const plt_lattice_box *bounds,
                         const plt_block_tree *tree) {
     plt_geometry g;
-    plt_geometry_open(&g, b, bounds, tree->leaf_triangles);
-    if (!geometry_fits(&g, b, tree->ids_check_bytes)) {
+    plt_lattice_box frame = *bounds;
+    plt_block_tree_frame(tree, &frame);
+    plt_geometry_open(&g, b, &frame, tree->leaf_triangles);
+    if (!geometry_fits(&g, b, tree)) {
         return PLT_I14_GEOMETRY;
     }
     if (!leaves_are_valid(&g, b)) {
@@ -110,7 +117,8 @@ static int strings_rule(const plt_block *b, const plt_lattice_box *bounds,
 
 int plt_block_validate_geometry(const plt_block *b, const plt_block_tree *tree) {
     plt_lattice_box bounds;
-    if (b->geometry_bytes > 0 && !check_is_right(b->geometry, b->geometry_bytes, 6)) {
+    if (b->geometry_bytes > 0 &&
+        !check_is_right(b->geometry, b->geometry_bytes, 6, plt_block_tree_salt(tree))) {
         return PLT_I13_CHECK;
     }
     if (b->leaves == 0) {
@@ -145,7 +153,8 @@ int plt_block_validate_nodes(plt_block *b, const unsigned char *bytes, uint32_t 
     if (!bounds_are_inside(&bounds, &tree->box)) {
         return PLT_I12_BOUNDS;
     }
-    return check_is_right(bytes, b->node_bytes, 2) ? PLT_BLOCK_VALID : PLT_I13_CHECK;
+    return check_is_right(bytes, b->node_bytes, 2, plt_block_tree_salt(tree)) ? PLT_BLOCK_VALID
+                                                                              : PLT_I13_CHECK;
 }
 
 int plt_block_validate(const unsigned char *bytes, uint32_t limit, const plt_block_tree *tree) {
