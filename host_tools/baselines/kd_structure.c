@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/baselines/kd_trace.h"
+#include "host_tools/baselines/kd_packet.h"
 #include "host_tools/baselines/kinds.h"
 
 enum variant { KD, BOXES, FAST, LAZY };
@@ -19,6 +19,9 @@ typedef struct kd_structure {
     kd_scene scene;
     kd_tree tree;
     kd_tracing tracing;
+    uint32_t packet;  /* rays; 1: they go one by one */
+    kd_packet *group; /* NULL when there are none */
+    uint64_t *tested; /* likewise */
     uint64_t rays;
     int is_whole; /* 0: memory ran out, and there is no tree to trace */
     char name[64];
@@ -39,6 +42,12 @@ static int build(kd_structure *k, const mesh *m, fail *f) {
         k->tracing.mailbox = heap_get_zeroed((uint64_t)k->triangles.count * 4 + 1);
         k->is_whole = k->tracing.mailbox != NULL;
     }
+    if (k->is_whole && k->packet > 1 && k->tested == NULL) {
+        heap_drop(k->group);
+        k->group = heap_get(sizeof *k->group);
+        k->tested = heap_get((uint64_t)k->triangles.count * sizeof *k->tested + 1);
+        k->is_whole = k->group != NULL && k->tested != NULL;
+    }
     if (!k->is_whole || (m->triangles > 0 && kd_build(&k->tree, &k->scene, &k->way) != 0)) {
         return out_of_memory(k, f);
     }
@@ -53,16 +62,19 @@ static void close_kd(void *self) {
     kd_scene_free(&k->scene);
     kd_tree_free(&k->tree);
     heap_drop(k->tracing.mailbox);
+    heap_drop(k->group);
+    heap_drop(k->tested);
     heap_drop(k);
 }
 
 static void *open_kd(unsigned variant, const mesh *m, const structure_options *o, const char *name,
                      fail *f) {
     kd_structure *k = heap_get_zeroed(sizeof *k);
-    (void)o;
     if (k == NULL) {
         return NULL;
     }
+    const uint32_t side = o->packet_side > 0 && o->packet_side < 8 ? o->packet_side : 8;
+    k->packet = o->one_by_one ? 1 : side * side;
     k->way = ways[variant];
     strncpy(k->name, name, sizeof k->name - 1);
     if (build(k, m, f) != 0) {
@@ -84,6 +96,48 @@ static void next_number(kd_structure *k) {
     }
 }
 
+static int trace_alone(kd_structure *k, lone_ray *r) {
+    next_number(k);
+    return kd_trace(&k->tracing, r);
+}
+
+static int trace_one(kd_structure *k, const plt_ray *ray, plt_hit *hit) {
+    lone_ray r;
+    lone_ray_store_miss(hit, k->tracing.any);
+    if (lone_ray_set(&r, &k->triangles.box, ray)) {
+        if (trace_alone(k, &r) != 0) {
+            return -1;
+        }
+        lone_ray_store(&r, hit, k->tracing.any);
+    }
+    return 0;
+}
+
+/* Rays that cannot go together go one by one. */
+static int trace_together(kd_structure *k, const plt_ray *rays, plt_hit *hits, uint32_t count) {
+    kd_packet *p = k->group;
+    uint8_t of[KD_PACKET]; /* places of those that are rays */
+    int status = 0;
+    p->count = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        lone_ray_store_miss(&hits[i], k->tracing.any);
+        of[p->count] = (uint8_t)i;
+        p->count += lone_ray_set(&p->ray[p->count], &k->triangles.box, &rays[i]) != 0;
+    }
+    if (p->count > 0 && kd_packet_fits(p, &k->scene)) {
+        next_number(k);
+        status = kd_packet_trace(p, &k->tracing, k->tested);
+    } else {
+        for (uint32_t i = 0; i < p->count && status == 0; i++) {
+            status = trace_alone(k, &p->ray[i]);
+        }
+    }
+    for (uint32_t i = 0; i < p->count; i++) {
+        lone_ray_store(&p->ray[i], &hits[of[i]], k->tracing.any);
+    }
+    return status;
+}
+
 static int trace_kd(void *self, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
                     fail *f) {
     kd_structure *k = self;
@@ -92,17 +146,20 @@ static int trace_kd(void *self, const plt_ray *rays, plt_hit *hits, uint32_t cou
     }
     k->tracing.any = any;
     k->rays += count;
-    for (uint32_t i = 0; i < count; i++) {
-        lone_ray r;
-        if (k->triangles.count == 0 || !lone_ray_set(&r, &k->triangles.box, &rays[i])) {
-            lone_ray_store_miss(&hits[i], any);
-            continue;
+    for (uint32_t i = 0; i < count; i += k->packet) {
+        const uint32_t left = count - i, now = left < k->packet ? left : k->packet;
+        int status = 0;
+        if (k->triangles.count == 0) {
+            for (uint32_t n = 0; n < now; n++) {
+                lone_ray_store_miss(&hits[i + n], any);
+            }
+        } else {
+            status = k->packet > 1 ? trace_together(k, rays + i, hits + i, now)
+                                   : trace_one(k, rays + i, hits + i);
         }
-        next_number(k);
-        if (kd_trace(&k->tracing, &r) != 0) {
+        if (status != 0) {
             return out_of_memory(k, f);
         }
-        lone_ray_store(&r, &hits[i], any);
     }
     return 0;
 }

@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-enum { STACK = 64 }; /* levels are at most 8 + 1.3 * 27 (kd_cell.c) */
-
 /* What is left of a ray in a node. */
 typedef struct part {
     uint32_t node;
@@ -90,8 +88,8 @@ static int descend(kd_tracing *k, const lone_ray *r, part *p, part *stack, unsig
 }
 
 int kd_trace(kd_tracing *k, lone_ray *r) {
-    const int is_far = k->scene->plane != NULL && r->origin.reach > k->scene->reach;
-    part stack[STACK], p;
+    const int is_far = kd_is_far(k->scene, r);
+    part stack[KD_STACK], p;
     unsigned entries = 0;
     if (!begin(k, r, is_far, &p)) {
         return 0;

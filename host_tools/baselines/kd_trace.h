@@ -28,6 +28,13 @@ typedef struct kd_tracing {
     kd_counts counts;
 } kd_tracing;
 
+enum { KD_STACK = 64 }; /* levels are at most 8 + 1.3 * 27 (kd_cell.c) */
+
+/* Whether the ray comes from farther off than cells with strays are for (kd_stray.h). */
+static inline int kd_is_far(const kd_scene *s, const lone_ray *r) {
+    return s->plane != NULL && r->origin.reach > s->reach;
+}
+
 /* -1: no memory to split a node. */
 int kd_trace(kd_tracing *k, lone_ray *r);
 

@@ -1,7 +1,7 @@
 /* structure - what finds hits: the engine's trees and grids, and what others have built
  *
  * One interface for all that hits can be asked of, so that tools and measuring programs compare
- * them without knowing them. All give the hits of the engine, bit for bit (DESIGN.md, 5.7).
+ * them without knowing them. All give the hits of the engine, bit for bit (MEASURING.md).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef BASELINES_STRUCTURE_H
@@ -28,10 +28,11 @@ built_structure *structure_open(const structure_kind *kind, const mesh *m,
 void structure_close(built_structure *s); /* NULL is allowed */
 
 /* The same triangles, moved: what the kind does before it traces a frame. -1: another number of
- * them, or no memory; then it can only be closed. */
+ * them; or no memory, and then it can be moved again, or closed. */
 int structure_move(built_structure *s, const mesh *m, fail *f);
 
-/* As plt_trace, with its hits, bit for bit. -1: what is built on demand had no memory. */
+/* As plt_trace, with its hits, bit for bit. -1: what is built on demand had no memory; as
+ * above. */
 int structure_trace(built_structure *s, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
                     fail *f);
 

@@ -16,7 +16,8 @@
 
 enum { RAYS = 200, ROUNDS = 24, SOAK = 100 };
 
-static const structure_options by_rays = {.one_by_one = 1}, by_packets = {.packet_side = 2};
+static const structure_options by_rays = {.one_by_one = 1}, by_few = {.packet_side = 2},
+                               by_many = {.packet_side = 0};
 
 /* ---- rays -------------------------------------------------------------------------- */
 
@@ -68,7 +69,7 @@ static void make_odd(plt_ray *ray, random_state *r) {
 
 static void make_rays(plt_ray *rays, const mesh *m, random_state *r) {
     static void (*const kinds[])(plt_ray *, uint32_t, const mesh *, random_state *) = {
-        rays_mixed, rays_edges, rays_grazing, rays_far, rays_grazing};
+        rays_mixed, rays_edges, rays_grazing, rays_far, rays_camera};
     const uint32_t each = RAYS / 5;
     memset(rays, 0, RAYS * sizeof *rays);
     for (uint32_t i = 0; i < 5; i++) {
@@ -139,7 +140,11 @@ static void run_kind(const structure_kind *kind, const mesh *m, const mesh *move
     const char *name = structure_name(kind);
     for (int way = 0; way < 2; way++) {
         fail f = {""};
-        built_structure *s = structure_open(kind, m, way ? &by_packets : &by_rays, "it", &f);
+        built_structure *s = structure_open(kind, m,
+                                            way == 0    ? &by_rays
+                                            : scene % 2 ? &by_few
+                                                        : &by_many,
+                                            "it", &f);
         CHECK(s != NULL || rig_is_tiny(), "scene %u, %s: %s", scene, name, f.text);
         if (s == NULL) {
             continue;
