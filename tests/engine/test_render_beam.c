@@ -273,6 +273,11 @@ static void crowds(void) {
     CHECK(rig_is_tiny() || t.r.engine->scene.gridded.grid->crowded_count > 0, "no crowded cell");
     for (unsigned i = 0; i < 120; i++) {
         plt_frame f = any_frame(&r, i % 2 ? 0.02f : 1.0f, middle);
+        if (i % 4 == 3) { /* from above: the floor is behind all of it */
+            f.camera.eye[1] = fabsf(f.camera.eye[1]) + 0.03f;
+            f.camera.look[1] = 0.01f;
+            f.camera.tan_half_fov = 0.1f;
+        }
         move_to_planes(&t, &f, &r);
         one_frame(&t, &f, any_side(&r), "a crowd");
     }
@@ -370,7 +375,7 @@ static void slanted(void) {
     random_state r = {13};
     for (unsigned i = 0; i < 8; i++) {
         mesh m = {0};
-        shape_sheet(&m, rig_is_tiny() ? 2 : 12, 1);
+        shape_sheet(&m, rig_is_tiny() ? 2 : 32, 1);
         shape_transform(&m, 1.0f, 0.0f, before[i % 4], 0.0f);
         shape_sheet(&m, 1, 1);
         for (size_t v = 0; v < m.vertices; v++) {
