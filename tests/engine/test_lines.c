@@ -47,13 +47,17 @@ static void stretches(void) {
         const int32_t margin = 1 + (int32_t)(random_below(&r, 1u << random_below(&r, 20)));
         const int32_t side = 1 + (int32_t)random_below(&r, PLT_PACKET_SIDE_MAX);
         const plt_lines l = plt_lines_between(least, most, margin);
+        uint32_t found = 0;
         for (int32_t k = 0; k < side; k++) {
             const double line = 16.0 + k, low = (double)least - margin * UNIT;
             const double lowest = (double)least - (2.0 * margin + 2.0) * UNIT;
             missing += line >= low && line <= (double)most && !has_line(l, side, k);
             more += (line < lowest || line > (double)most) && has_line(l, side, k);
             lines += line >= low && line <= (double)most;
+            found += (uint32_t)has_line(l, side, k);
         }
+        CHECK((found > 0) == plt_lines_any(l, PLT_LINE_NUMBER + side - 1),
+              "from %g to %g: %u lines of %d", (double)least, (double)most, found, side);
     }
     CHECK(lines > 10000, "%u lines lie between", lines);
     CHECK(missing == 0, "%u lines are missing", missing);
@@ -74,9 +78,9 @@ static void widest(void) {
 /* Of a view of any field and frame. */
 static int any_margins(random_state *r, plt_margins *m, uint32_t *side) {
     static const plt_box box = {{-1, -1, -1}, {1, 1, 1}};
-    const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), (int)random_below(r, 24) - 14);
-    plt_frame f = {.width = (uint16_t)(1 + random_below(r, 640)),
-                   .height = (uint16_t)(1 + random_below(r, 640)),
+    const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), (int)random_below(r, 34) - 24);
+    plt_frame f = {.width = (uint16_t)(1 + random_below(r, 16000)),
+                   .height = (uint16_t)(1 + random_below(r, 16000)),
                    .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
     plt_view v;
     *side = 2u << random_below(r, 4);
@@ -90,7 +94,7 @@ static int any_margins(random_state *r, plt_margins *m, uint32_t *side) {
 /* What is taken off the least coordinate, added to all, and left to edges. */
 static void margins(void) {
     random_state r = {2};
-    uint32_t views = 0, told = 0;
+    uint32_t views = 0, told = 0, widest_seen = 0;
     for (uint32_t i = 0; i < 4000; i++) {
         plt_margins m;
         uint32_t side;
@@ -111,8 +115,10 @@ static void margins(void) {
               (double)m.size);
         views++;
         told += m.size > 0.0f;
+        widest_seen += most && eps < 1e6;
     }
-    CHECK(views > 1000 && told > 500, "%u views, %u of narrow margins", views, told);
+    CHECK(views > 1000 && told > 500 && widest_seen > 20,
+          "%u views, %u of narrow margins, %u widest", views, told, widest_seen);
 }
 
 /* A triangle of whole coordinates, turned or not: its own corners are on its edges, to the bit. */
@@ -142,6 +148,15 @@ static void corners(void) {
             CHECK(twice == 0.0f || over == p.over[c] * f.area, "at corner %d %g, not %g", c,
                   (double)(over / f.area), (double)p.over[c]);
         }
+    }
+}
+
+/* As far as corners may be, from the first pixel and not from where coordinates begin. */
+static void near_ones(void) {
+    const plt_margins m = {.bias = 16.25f, .corner = 8.0f};
+    const range at[4] = {{8.25f, 24.25f}, {8.0f, 16.0f}, {16.0f, 24.5f}, {16.0f, NAN}};
+    for (int i = 0; i < 4; i++) {
+        CHECK(are_near(&m, at[i]) == (i == 0), "%g to %g", (double)at[i].least, (double)at[i].most);
     }
 }
 
@@ -180,6 +195,8 @@ int main(void) {
     widest();
     test("margins of lines and edges are what they have to be, of any view");
     margins();
+    test("corners are near or far as seen from the first pixel");
+    near_ones();
     test("edge functions at a triangle's corners are 0 or its area, which is positive");
     corners();
     test("of an area that is not beyond 12 errors no pixel is left out, and nothing hidden");
