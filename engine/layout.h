@@ -13,13 +13,14 @@ int plt_layout_order_valid(const plt_info *info, const plt_options *options);
 
 /* Triangles can be moved that are records, in thesis nodes or a list. */
 static inline int plt_layout_motion_valid(const plt_info *info, const plt_options *options) {
-    return !PLT_WITH_MOTION || !options->movable || info->nodes_format == PLT_NODES_THESIS;
+    return !PLT_WITH_MOTION || !options->movable ||
+           (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info));
 }
 
 /* A grid is over records, of thesis nodes or a list. */
 static inline int plt_layout_structure_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE ||
-           info->nodes_format == PLT_NODES_THESIS;
+           (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info));
 }
 
 /* There is to be room for a second tree. */

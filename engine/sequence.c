@@ -1,12 +1,16 @@
 /* sequence - the public calls that show an image's frames
  *
+ * Of vertices that move, or of matrices that place instances.
+ *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
 #include "engine/engine.h"
+#include "engine/instances_room.h"
 #include "engine/move.h"
 
-int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
-    plt_fault_set(fault, PLT_OK, 0, "no fault");
+#if PLT_WITH_SEQUENCE
+
+static int vertices_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
     if (frame >= e->sequence.frames) {
         e->sequence.failed = frame;
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
@@ -18,32 +22,82 @@ int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
     return PLT_OK;
 }
 
-int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
-    plt_fault_set(fault, PLT_OK, 0, "no fault");
+static int vertices_read(plt_engine *e, uint32_t blocks, plt_fault *fault) {
     if (e->sequence.frames == 0 || (!e->sequence.is_reading && e->sequence.at == PLT_FRAME_NONE)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
     }
-    return plt_sequence_read(&e->sequence, blocks > 0 ? blocks : 1, fault);
+    return plt_sequence_read(&e->sequence, blocks, fault);
+}
+
+static int vertices_show(plt_engine *e) {
+    e->rendering.done = 1;
+    plt_rebuild_before_move(e, 0);
+    plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
+    plt_refit_all(e);
+    plt_moved(e);
+    return PLT_OK;
+}
+
+#endif
+
+#if PLT_WITH_INSTANCES
+
+static int matrices_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
+    if (frame >= e->matrices.frames) {
+        e->matrices.failed = frame;
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             e->matrices.frames > 0 ? "the image has no such frame"
+                                                    : "the image has no frames");
+    }
+    plt_matrices_seek(&e->matrices, frame);
+    return PLT_OK;
+}
+
+static int matrices_read(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    if (!e->matrices.is_reading && e->matrices.at == PLT_MATRICES_NONE) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
+    }
+    return plt_matrices_read(&e->matrices, blocks, fault);
+}
+
+#endif
+
+/* CHOSEN(e, instances, vertices): what is called of an engine of one kind or the other, where the
+ * build has both. */
+#if PLT_WITH_INSTANCES && PLT_WITH_SEQUENCE
+#define CHOSEN(e, of_instances, of_vertices)                                                       \
+    ((e)->scene.format == PLT_FORMAT_INSTANCES ? (of_instances) : (of_vertices))
+#elif PLT_WITH_INSTANCES
+#define CHOSEN(e, of_instances, of_vertices) (of_instances)
+#else
+#define CHOSEN(e, of_instances, of_vertices) (of_vertices)
+#endif
+
+int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
+    plt_fault_set(fault, PLT_OK, 0, "no fault");
+    return CHOSEN(e, matrices_begin(e, frame, fault), vertices_begin(e, frame, fault));
+}
+
+static int read_blocks(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    return CHOSEN(e, matrices_read(e, blocks, fault), vertices_read(e, blocks, fault));
+}
+
+int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    plt_fault_set(fault, PLT_OK, 0, "no fault");
+    return read_blocks(e, blocks > 0 ? blocks : 1, fault);
 }
 
 int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
     int status = plt_sequence_begin(e, frame, fault);
     if (status == PLT_OK) {
-        status = plt_sequence_read(&e->sequence, UINT32_MAX, fault);
+        status = read_blocks(e, UINT32_MAX, fault);
     }
     if (status == PLT_MORE) { /* more blocks than a number counts: never */
         return PLT_ERR_LIMIT;
     }
-    if (status == PLT_OK) {
-        e->rendering.done = 1;
-        plt_rebuild_before_move(e, 0);
-        plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
-        plt_refit_all(e);
-        plt_moved(e);
-    }
-    return status;
+    return status == PLT_OK ? CHOSEN(e, plt_instances_show(e, fault), vertices_show(e)) : status;
 }
 
 uint32_t plt_sequence_failed(const plt_engine *e) {
-    return e->sequence.failed;
+    return CHOSEN(e, e->matrices.failed, e->sequence.failed);
 }

@@ -74,6 +74,15 @@
 #define PLT_PARTS_OF_GRIDS(ROW)
 #endif
 
+#if PLT_WITH_INSTANCES
+#define PLT_PARTS_OF_INSTANCES(ROW)                                                                \
+    ROW(INNER, RUNS, "packet of rays, as a body sees it")                                          \
+    ROW(INSTANCES, RUNS, "instances and the tree over them")                                       \
+    ROW(MATRICES, RUNS, "matrices of a frame")
+#else
+#define PLT_PARTS_OF_INSTANCES(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -92,6 +101,7 @@
     ROW(LEAVES, RUNS, "leaves that wait")                                                          \
     ROW(FORMAT, RUNS, "state of the format")                                                       \
     ROW(STORE, RUNS, "streamed blocks")                                                            \
+    PLT_PARTS_OF_INSTANCES(ROW)                                                                    \
     PLT_PARTS_OF_MOTION(ROW)                                                                       \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")                                                              \
