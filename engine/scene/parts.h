@@ -76,8 +76,8 @@
 
 #if PLT_WITH_INSTANCES
 #define PLT_PARTS_OF_INSTANCES(ROW)                                                                \
-    ROW(INNER, RUNS, "packet of rays, as a body sees it")                                          \
-    ROW(INSTANCES, RUNS, "instances and the tree over them")                                       \
+    ROW(INNER, RUNS, "packet as a body sees it")                                                   \
+    ROW(INSTANCES, RUNS, "instances and their tree")                                               \
     ROW(MATRICES, RUNS, "matrices of a frame")
 #else
 #define PLT_PARTS_OF_INSTANCES(ROW)
