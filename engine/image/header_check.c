@@ -117,7 +117,7 @@ static int check_instances(const plt_header *h, plt_fault *fault) {
                      h->root == PLT_LINK_NONE && l->bits == 0 && l->step == 0 &&
                      l->origin[0] == 0 && l->origin[1] == 0 && l->origin[2] == 0;
     return counts && rest ? PLT_OK
-                          : plt_refused(fault, PLT_R16_INSTANCES, PLT_AT_BODIES,
+                          : plt_refused(fault, PLT_R16_INSTANCES, PLT_AT_INSTANCES,
                                         "a count of bodies, instances or frames is out of range");
 }
 #endif

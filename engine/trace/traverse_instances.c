@@ -19,6 +19,12 @@
 
 #if PLT_WITH_INSTANCES
 
+#if PLT_WITH_HULLS
+/* Of fewer groups that go into a body, hulls cost more than they save: 2 % of all instructions of
+ * rolling marbles, 8 % if none has hulls (DESIGN.md, section 5.6). */
+enum { HULLS_FROM = 9 };
+#endif
+
 /* ---- into a body, and out of it --------------------------------------------------- */
 
 static void describe_body(const plt_traversal *t, plt_instances_state *s, uint32_t body) {
@@ -72,6 +78,7 @@ static void enter(plt_traversal *t, const plt_packet *p, uint32_t instance, plt_
     }
     plt_packet_finish(q);
 #if PLT_WITH_HULLS
+    q->along &= plt_mask_count(q->active) >= (uint32_t)HULLS_FROM;
     if (plt_order_for(&s->inner, q) == PLT_ORDER_HULLS) {
         plt_hulls_set(q);
     } else {
