@@ -67,6 +67,7 @@ static void set_box(plt_rendering *r, const plt_scene *scene) {
 }
 #endif
 
+#if PLT_WITH_GROUPS
 static const plt_box *box_of(const plt_rendering *r, const plt_traversal *t) {
 #if PLT_WITH_INSTANCES
     if (t->scene->format == PLT_FORMAT_INSTANCES) {
@@ -76,6 +77,7 @@ static const plt_box *box_of(const plt_rendering *r, const plt_traversal *t) {
     (void)r;
     return &t->scene->box;
 }
+#endif
 
 /* Both orders begin with the first tile of the first row. */
 static void set_order(plt_rendering *r, int curves) {
