@@ -12,6 +12,14 @@
 
 #include "engine/planelet.h"
 
+/* Without them such images are refused by their headers. */
+#if PLT_WITH_INSTANCES
+#define PLT_FORMATS_OF_INSTANCES(ROW) ROW(INSTANCES, instances, PLT_WITH_INSTANCES, "instances")
+#else
+#define PLT_FORMATS_OF_INSTANCES(ROW)
+#define PLT_FORMAT_INSTANCES 255 /* no scene's */
+#endif
+
 /* ROW(NAME, name, knob that builds it in, what it is) */
 #define PLT_FORMATS(ROW)                                                                           \
     ROW(THESIS, thesis, PLT_WITH_THESIS, "thesis nodes (PLT_WITH_THESIS)")                         \
@@ -22,7 +30,7 @@
         "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")                     \
     ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")                                        \
-    ROW(INSTANCES, instances, PLT_WITH_INSTANCES, "instances (PLT_WITH_INSTANCES)")
+    PLT_FORMATS_OF_INSTANCES(ROW)
 
 enum plt_format {
 #define PLT_FORMAT_NAMED(NAME, name, with, text) PLT_FORMAT_##NAME,

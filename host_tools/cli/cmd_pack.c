@@ -102,8 +102,8 @@ const arg_command command_pack = {
         "000 on, of which --frame K takes number (K + START) modulo N; +START may be\n"
         "left out.\n"
         "\n"
-        "With --instances a text says which meshes are bodies, each with a tree of its own,\n"
-        "and where instances of them are, frame by frame:\n"
+        "With --instances a text says which meshes are bodies, each with a tree of its\n"
+        "own, and where instances of them are, frame by frame:\n"
         "\n"
         "  body wheel wheel.ply\n"
         "  instance left wheel\n"
@@ -111,8 +111,9 @@ const arg_command command_pack = {
         "  frame 1 left   0 -1 0 -2  1 0 0 0   0 0 1 0   # a quarter about z\n"
         "\n"
         "The 12 numbers are the rows of a matrix: x' = 1 x + 0 y + 0 z - 2, and so on; it\n"
-        "may turn, move, scale and mirror. Frames count from 0 without gaps; an instance that\n"
-        "one does not name stays where it was. Triangles are numbered instance by instance.\n"};
+        "may turn, move, scale and mirror. Frames count from 0 without gaps; an instance\n"
+        "that one does not name stays where it was. Triangles are numbered instance by\n"
+        "instance.\n"};
 
 typedef struct pack_job {
     pack_meshes in;

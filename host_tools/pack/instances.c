@@ -109,6 +109,10 @@ static void fill(const packed *image, const plt_header *h, const instance_set *a
     }
 }
 
+static const char *size_remedy(void) {
+    return "use fewer frames, or reduce the meshes";
+}
+
 int instances_begin(packed *image, const instance_set *all, const char *name, fail *f) {
     plt_header h = {.root = PLT_LINK_NONE};
     plt_info *info = &h.info;
@@ -123,8 +127,7 @@ int instances_begin(packed *image, const instance_set *all, const char *name, fa
         size += plt_header_section_bytes(info, kind[i]);
     }
     size = frame_bytes > UINT32_MAX ? frame_bytes : size;
-    if (image_size_check(name, info->triangles, size, 0, "use fewer frames, or reduce the meshes",
-                         f) != 0) {
+    if (image_size_check(name, info->triangles, size, 0, size_remedy(), f) != 0) {
         return -1;
     }
     image->bytes = heap_get_aligned(size);
