@@ -24,6 +24,7 @@
  * begins with, and how many there may be. */
 enum {
     PLT_BODY_BYTES = 48,
+    PLT_BODY_RESERVED = 20,
     PLT_BODY_BOX = 24,
     PLT_MATRIX_BYTES = 48,
     PLT_MATRICES_HEAD = 4,

@@ -75,7 +75,8 @@ static int check_body(progress *p, uint32_t index) {
     plt_header alone;
     plt_body b;
     plt_body_get(&scene->bodies, index, &b);
-    if (!is_in_range(p, &b) || b.root == PLT_LINK_NONE) {
+    const uint32_t reserved = plt_get_u32(plt_body_at(&scene->bodies, index) + PLT_BODY_RESERVED);
+    if (!is_in_range(p, &b) || b.root == PLT_LINK_NONE || reserved != 0) {
         return broken(p, index * PLT_BODY_BYTES, "a body is not where or what it must be");
     }
     describe_alone(p, &b, &alone);

@@ -95,6 +95,7 @@ static void bodies(const packed *image) {
     refused(image, body + 12, plt_get_u32(at + 12) - 1, 'I', 27, body);
     refused(image, body + 16, 0, 'I', 27, body);
     refused(image, body + 16, 0xFFFFFFF0, 'I', 27, body);
+    refused(image, body + 20, 1, 'I', 27, body);
     refused(image, body + 24, NAN_BITS, 'I', 27, body);
     refused(image, body + 28, TWO_40 + 1, 'I', 27, body);
     refused(image, body + 40, TWO_40 | 0x80000001, 'I', 27, body);
