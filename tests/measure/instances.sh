@@ -44,24 +44,28 @@ row() {
 "$PLANELET" pack --sequence marbles_00?.ply -o marbles_16.plt >/dev/null 2>&1
 "$PLANELET" pack --sequence marbles_00?.ply --geometry float -o marbles_float.plt >/dev/null 2>&1
 
-# Knots on a circle, each of which turns about y; their own longest side is 2.
+# Knots on a circle, which go up and down: the same corners both ways, but for rounding.
 "$PLANELET" make knot --triangles 20000 -o knot.ply >/dev/null 2>&1
-awk -v knots="$KNOTS" -v frames=$FRAMES 'BEGIN {
+"$PLANELET" pack knot.ply -o knot.plt >/dev/null 2>&1
+"$PLANELET" info knot.plt | sed -n 's/^box *//p' | tr -d '(),' | sed 's/ to / /' |
+    awk -v knots="$KNOTS" -v frames=$FRAMES '{
     print "body knot knot.ply" >"knots.txt"
     for (i = 0; i < knots; i++) print "instance k" i " knot" >"knots.txt"
+    size = $4 - $1 > $6 - $3 ? $4 - $1 : $6 - $3
+    size = $5 - $2 > size ? $5 - $2 : size
     for (f = 0; f < frames; f++) for (i = 0; i < knots; i++) {
-        at = 6.2831853 * i / knots; turn = 20 * f + 30 * i; a = turn * 3.14159265 / 180
-        x = 6 * cos(at); z = 6 * sin(at)
-        printf "frame %d k%d %.6f 0 %.6f %.6f 0 1 0 0 %.6f 0 %.6f %.6f\n", f, i, cos(a), sin(a),
-            x, -sin(a), cos(a), z >"knots.txt"
-        printf "knot.ply 2.6 %.6f -1 %.6f 0 %.6f\n", x, z, turn >("knots_00" f ".txt")
+        at = 6.2831853 * i / knots
+        x = 16 * cos(at); y = sin(3 * at + f / 5); z = 16 * sin(at)
+        printf "frame %d k%d 1 0 0 %.6f 0 1 0 %.6f 0 0 1 %.6f\n", f, i, x, y, z >"knots.txt"
+        printf "knot.ply %.6f %.6f %.6f %.6f\n", size, x + ($1 + $4) / 2, y + $2,
+            z + ($3 + $6) / 2 >("knots_00" f ".txt")
     }
 }'
 "$PLANELET" pack --instances knots.txt -o knots.plt >/dev/null 2>&1
 "$PLANELET" pack --sequence knots_00?.txt -o knots_16.plt >/dev/null 2>&1
 
 near='--eye 9,17,30 --look 0,-1.5,0.5 --fov 33'
-far='--eye 3,6,14 --look 0,0,0 --fov 45'
+far='--eye 8,16,38 --look 0,0,0 --fov 45'
 echo "| | bytes per frame | image | arena | shown, million instructions | rendered |"
 echo "|---|---:|---:|---:|---:|---:|"
 # shellcheck disable=SC2086
