@@ -9,7 +9,8 @@
  *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
  *   structure=tree|grid                            if the engine has PLT_WITH_GRID
- *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE
+ *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE,
+ *                      or of its instances (PLT_WITH_INSTANCES)
  *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
  *
  * Prints one line per topic, each a word and name=value items, or one line that
@@ -126,33 +127,45 @@ static int run(plt_engine *engine, const job *j, const char *parameters) {
     return FIRMWARE_DONE;
 }
 
-#if PLT_WITH_SEQUENCE
+#define SHOWS_FRAMES (PLT_WITH_SEQUENCE || PLT_WITH_INSTANCES)
+#if SHOWS_FRAMES
 #define OWN_KEYS "show"
 #else
 #define OWN_KEYS ""
 #endif
 
-/* show=K: *shown is K, and the scene is opened for that. */
-static int read_shown(const char *parameters, job *j, uint32_t *shown) {
-#if PLT_WITH_SEQUENCE
-    const int is_given = job_u32(parameters, "show", 0, UINT32_MAX, shown);
-    j->options.movable = is_given > 0;
-    return is_given;
+/* show=K: *shown is K, and there is one. 1: it is given. */
+static int read_shown(const char *parameters, uint32_t *shown) {
+#if SHOWS_FRAMES
+    return job_u32(parameters, "show", 0, UINT32_MAX, shown);
 #else
     (void)parameters;
-    (void)j;
     (void)shown;
     return 0;
 #endif
 }
 
-/* Of a sequence; else nothing. */
-static int show_frame(plt_engine *engine, const job *j, uint32_t shown, plt_fault *fault) {
+/* Frames of vertices are shown by a scene that was opened to be moved. */
+static void set_movable(job *j, const plt_source *source, int shows) {
 #if PLT_WITH_SEQUENCE
-    return j->options.movable ? plt_sequence_show(engine, shown, fault) : PLT_OK;
+    plt_info info = {0};
+    plt_fault fault;
+    j->options.movable =
+        shows && !(plt_image_info(source, &info, &fault) == PLT_OK && info.instances > 0);
+#else
+    (void)j;
+    (void)source;
+    (void)shows;
+#endif
+}
+
+/* Of the image; else nothing. */
+static int show_frame(plt_engine *engine, int shows, uint32_t shown, plt_fault *fault) {
+#if SHOWS_FRAMES
+    return shows ? plt_sequence_show(engine, shown, fault) : PLT_OK;
 #else
     (void)engine;
-    (void)j;
+    (void)shows;
     (void)shown;
     (void)fault;
     return PLT_OK;
@@ -167,14 +180,18 @@ int firmware(const char *parameters) {
     size_t arena_bytes;
     uint32_t shown = 0;
     unsigned char *arena = board_arena(&arena_bytes);
-    if (job_read(&j, parameters, OWN_KEYS, &arena_bytes) < 0 ||
-        read_shown(parameters, &j, &shown) < 0) {
+    if (job_read(&j, parameters, OWN_KEYS, &arena_bytes) < 0) {
+        return FIRMWARE_USAGE;
+    }
+    const int shows = read_shown(parameters, &shown);
+    if (shows < 0) {
         return FIRMWARE_USAGE;
     }
     report_name();
     if (board_scene(parameters, &source) < 0) {
         return FIRMWARE_FAILED;
     }
+    set_movable(&j, &source, shows);
     firmware_open_begin();
     int status = plt_open_begin(&engine, arena, arena_bytes, &source, &j.options, &fault);
     while (status == PLT_MORE) { /* a product would do its other work here */
@@ -184,7 +201,7 @@ int firmware(const char *parameters) {
     if (status < 0) {
         return report_fault(&fault, status, arena_bytes);
     }
-    status = show_frame(engine, &j, shown, &fault);
+    status = show_frame(engine, shows, shown, &fault);
     if (status < 0) {
         return report_fault(&fault, status, arena_bytes);
     }

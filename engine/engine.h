@@ -8,6 +8,7 @@
 #define PLT_ENGINE_H
 
 #include "engine/base/arena.h"
+#include "engine/instances/matrices.h"
 #include "engine/motion/moving.h"
 #include "engine/motion/sequence.h"
 #include "engine/scene/open.h"
@@ -43,6 +44,9 @@ struct plt_engine {
 #endif
 #if PLT_WITH_SEQUENCE
     plt_sequence sequence; /* frames 0: the image has none, or is not opened to be moved */
+#endif
+#if PLT_WITH_INSTANCES
+    plt_matrices matrices; /* frames 0: the image has no instances */
 #endif
     struct plt_compact_build *build; /* in scratch, between plt_open_begin and the last step */
     int8_t failed;                   /* what a step of opening failed with; PLT_OK: none has */

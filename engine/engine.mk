@@ -17,6 +17,7 @@
 #   sequence ... and with plt_sequence_show, for frames that an image holds; of compact blocks,
 #            which move by frames alone, `compact motion sequence`
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
+#   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -52,7 +53,8 @@ stream_files := $(addprefix engine/memory/,store.c wanted.c fetcher.c prefetch.c
 task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c \
     engine/shade/frame_packets.c
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
-sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c \
+sequence_files := engine/sequence.c engine/frame_put.c \
+    $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c \
     engine/motion/block_*.c) engine/motion/vertices.c engine/tree/compact/turns.c
 some_files := engine/move_some.c engine/motion/dirty.c
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c
@@ -62,6 +64,8 @@ motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard eng
 grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
     engine/trace/grid_*.c engine/trace/traverse_grid.c engine/shade/beam_grid.c \
     engine/shade/beam_references.c engine/shade/beam_slopes.c)
+instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engine/place.c \
+    engine/scene/open_instances.c engine/trace/traverse_instances.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
@@ -73,15 +77,15 @@ beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/
 
 left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(records_files) $(grid_files)
+left_out_compact := $(thesis_files) $(records_files) $(grid_files) $(instances_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    sequence grid frames,$(PARTS)),)
+    sequence grid instances frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, sequence, grid or frames; it has $(PARTS))
+    seek, motion, some, sequence, grid, instances or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -109,6 +113,9 @@ endif
 ifeq ($(filter compact,$(PARTS))$(filter grid,$(PARTS)),compactgrid)
 $(error PARTS with grid has thesis nodes: make PARTS='render thesis grid')
 endif
+ifeq ($(filter compact,$(PARTS))$(filter instances,$(PARTS)),compactinstances)
+$(error PARTS with instances has thesis nodes: make PARTS='render thesis instances')
+endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
@@ -116,8 +123,8 @@ ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave batch,$(PARTS)),)
-$(error PARTS with frames has no wave or batch: make PARTS='render thesis frames')
+ifneq ($(filter wave batch instances,$(PARTS)),)
+$(error PARTS with frames has no wave, batch or instances: make PARTS='render thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')
@@ -137,20 +144,26 @@ without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
 without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
+without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
+# Frames are shown by the same calls, whatever moves.
+shown_files := $(if $(filter instances,$(PARTS)),engine/sequence.c)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
     $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
     $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
-    $(if $(without_some),$(some_files)) $(if $(without_sequence),$(sequence_files)) \
+    $(if $(without_some),$(some_files)) \
+    $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
+    $(if $(without_instances),$(instances_files)) \
     $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
     $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_sequence),-DPLT_WITH_SEQUENCE=0) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
+    $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
@@ -165,7 +178,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
     engine/shade/rendering.c engine/seek.c engine/shade/seek.c \
-    engine/sequence.c engine/motion/sequence*.c engine/motion/frame_reader.c)
+    engine/sequence.c engine/frame_put.c engine/motion/sequence*.c engine/motion/frame_reader.c \
+    engine/instances/*.c engine/instances_room.c engine/place.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

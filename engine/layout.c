@@ -6,6 +6,7 @@
 #include "engine/engine.h"
 #include "engine/grid/build.h"
 #include "engine/image/record_cache.h"
+#include "engine/instances_room.h"
 #include "engine/memory/stream.h"
 #include "engine/motion/block_refit.h"
 #include "engine/motion/refit.h"
@@ -65,7 +66,8 @@ static uint64_t section_bytes(const subject *s) {
     }
     for (unsigned i = stays ? 0 : plt_header_kinds(s->info, kind); i-- > 0;) {
         if (!(PLT_WITH_THESIS || PLT_WITH_SEQUENCE) || kind[i] < PLT_SECTION_CHECKS ||
-            kind[i] == PLT_SECTION_STILLS) { /* what follows is read bit by bit, if at all */
+            kind[i] == PLT_SECTION_STILLS || /* what follows is read bit by bit, if at all */
+            (PLT_WITH_INSTANCES && kind[i] == PLT_SECTION_BODIES)) {
             bytes += rounded(plt_header_section_bytes(s->info, kind[i]));
         }
     }
@@ -378,6 +380,14 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return state_bytes(s);
     case PLT_PART_STORE:
         return store_bytes(s);
+#if PLT_WITH_INSTANCES
+    case PLT_PART_INNER:
+        return plt_has_instances(s->info) ? plt_packet_bytes(packet_side(s)) : 0;
+    case PLT_PART_INSTANCES:
+        return plt_has_instances(s->info) ? plt_instances_room_bytes(s->info) : 0;
+    case PLT_PART_MATRICES:
+        return plt_has_instances(s->info) ? plt_matrices_frame_bytes(s->info) : 0;
+#endif
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:
         return levels_bytes(s);

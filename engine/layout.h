@@ -19,7 +19,7 @@ static inline int plt_layout_motion_valid(const plt_info *info, const plt_option
         return 1;
     }
     if (info->nodes_format == PLT_NODES_THESIS) {
-        return !is_streamed;
+        return !is_streamed && !plt_has_instances(info);
     }
     return PLT_WITH_BLOCK_MOTION && !options->moves_some && !options->rebuild &&
            info->geometry_format == (is_streamed ? PLT_GEOMETRY_STILLS : PLT_GEOMETRY_MOVING);
@@ -28,7 +28,7 @@ static inline int plt_layout_motion_valid(const plt_info *info, const plt_option
 /* A grid is over records, of thesis nodes or a list. */
 static inline int plt_layout_structure_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE ||
-           info->nodes_format == PLT_NODES_THESIS;
+           (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info));
 }
 
 /* There is to be room for a second tree. */

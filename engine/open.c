@@ -9,6 +9,7 @@
 #include "engine/grid_room.h"
 #include "engine/image/fetch.h"
 #include "engine/image/header_at.h"
+#include "engine/instances_room.h"
 #include "engine/layout.h"
 #include "engine/move.h"
 #include "engine/scene/worst_tree.h"
@@ -393,6 +394,9 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
     if (status == PLT_OK) {
         status = start_motion(e, &o, part);
     }
+    if (status == PLT_OK) {
+        status = plt_instances_room_set(e, header, part, fault);
+    }
     return status == PLT_OK ? open_sequence(e, header, part, fault) : status;
 }
 
@@ -424,12 +428,17 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_motion_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "triangles of compact blocks move as frames of their image say, all "
-                             "together, streamed ones as stills, and others cannot be moved");
+                             plt_has_instances(info)
+                                 ? "bodies of instances are placed, and cannot be moved"
+                                 : "triangles of compact blocks move as frames of their image say, "
+                                   "all together, streamed ones as stills, and others cannot be "
+                                   "moved");
     }
     if (!plt_layout_structure_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "compact blocks have no records that a grid could refer to");
+                             plt_has_instances(info)
+                                 ? "instances have a tree, and no grid"
+                                 : "compact blocks have no records that a grid could refer to");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

@@ -38,7 +38,8 @@ extern "C" {
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
  * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), and their tree be built anew
- * (plt_rebuild_begin); rays can go through a grid (plt_options.structure); plt_trace and
+ * (plt_rebuild_begin); bodies can be placed by matrices (plt_place); rays can go through a grid
+ * (plt_options.structure); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
@@ -241,8 +242,12 @@ typedef struct plt_info {
     uint32_t vertices;    /* of each of them */
     uint32_t frame_rate;  /* frames per second, 1 .. PLT_FRAME_RATE_MOST */
     uint32_t key_every;   /* frames that are multiples of it do not depend on others */
-    uint32_t frame_bytes; /* all frames, with 4 bytes of offset each and 4 more */
-    uint32_t block_vertices; /* PLT_GEOMETRY_MOVING: of all blocks, shared ones counted in each */
+    uint32_t frame_bytes; /* all frames, with 4 bytes of offset each and 4 more; of instances
+                           * 48 each and 4 per frame */
+    uint32_t block_vertices;   /* PLT_GEOMETRY_MOVING: of all blocks, shared ones counted in each */
+    uint32_t bodies;           /* of an image with instances: trees that are placed; else 0 */
+    uint32_t instances;        /* of those bodies, each with a matrix per frame (plt_place) */
+    uint32_t placed_triangles; /* of all instances; `triangles` are those of the bodies */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
@@ -418,6 +423,41 @@ int plt_sequence_step(plt_engine *engine, uint32_t blocks, plt_fault *fault);
 
 /* The frame that could not be had when one of them failed last. */
 uint32_t plt_sequence_failed(const plt_engine *engine);
+
+/* An image may hold bodies instead, each a mesh with a tree of its own, and instances of them: each
+ * has a matrix that brings the body's points into the world, three rows of four floats, the fourth
+ * of which is added. Rays that meet an instance are brought into its body's space and traverse the
+ * body's tree, which never changes: a frame costs its matrices alone. Such an engine is open
+ * without plt_options.movable, and shows its image's frames by the three calls above (a block is
+ * 64 matrices; a step reads, and the show places).
+ *
+ * A hit's `triangle` counts the triangles of instance 0, then those of instance 1, and so on, below
+ * the info's placed_triangles; u and v belong to the body's corners, t is the ray's own. Of equal t
+ * the lowest wins, whatever was placed where. An any-hit, frames, packets and orders are as of
+ * other scenes; a wave or a grid there is not, and nothing is streamed. A hit is exact as plt_hit
+ * says for the ray as the body sees it, which is rounded once more (DESIGN.md, section 5.7). A ray
+ * whose origin or direction is out of range there meets nothing of it.
+ *
+ * plt_place: where all instances are from now on, until the next call or frame. Any matrix will do
+ * that can be inverted well: rigid ones, mirrors, scales from 2^-20 to 2^20; the largest sum of the
+ * sizes of a row's three columns, times that of the inverse, is at most 1024. Ends a frame that was
+ * being rendered. PLT_ERR_ARGUMENT: there are no instances, or a matrix is not one, or places its
+ * body beyond 2^40: then fault->offset is its instance, and nothing has changed. Cost: the inverse,
+ * twice, and the instance some log2(instances) times, for the tree over them.
+ *
+ * Not there without PLT_WITH_INSTANCES. */
+int plt_place(plt_engine *engine, const float (*matrices)[12], plt_fault *fault);
+
+/* What a hit's number means. */
+typedef struct plt_instance {
+    uint32_t instance, body; /* numbers in the image, from 0 */
+    uint32_t triangle;       /* of the body's mesh, in packing order */
+} plt_instance;
+
+/* PLT_ERR_ARGUMENT: there are no instances, or not so many triangles. Cost: log2(instances).
+ *
+ * Not there without PLT_WITH_INSTANCES. */
+int plt_instance_find(const plt_engine *engine, uint32_t triangle, plt_instance *to);
 
 /* Moves triangles ids[0] .. ids[count - 1], in any order, to corners[0] .. corners[count - 1], of
  * an id that comes twice the last; all others stay. The result is that of plt_move, to the byte.

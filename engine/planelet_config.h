@@ -110,6 +110,15 @@
 #endif
 #endif
 
+/* Images of bodies that instances place by a matrix each (SPEC.md, 4.17). */
+#ifndef PLT_WITH_INSTANCES
+#if PLT_WITH_THESIS && PLT_WITH_GROUPS
+#define PLT_WITH_INSTANCES 1
+#else
+#define PLT_WITH_INSTANCES 0
+#endif
+#endif
+
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
 #ifndef PLT_WITH_WAVE_COMPACT
@@ -292,6 +301,10 @@
 #endif
 #if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) || (PLT_WITH_GRID && !PLT_WITH_THESIS)
 #error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS 1"
+#endif
+#if (PLT_WITH_INSTANCES != 0 && PLT_WITH_INSTANCES != 1) ||                                        \
+    (PLT_WITH_INSTANCES && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))
+#error "PLT_WITH_INSTANCES is the digit 0, or with PLT_WITH_THESIS and PLT_WITH_GROUPS 1"
 #endif
 #if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
 #error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"

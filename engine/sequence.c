@@ -1,14 +1,16 @@
 /* sequence - the public calls that show an image's frames
  *
+ * Of vertices that move, or of matrices that place instances.
+ *
  * SPDX-License-Identifier: MIT */
 #include "engine/base/fault.h"
 #include "engine/engine.h"
-#include "engine/move.h"
-#include "engine/shade/beam.h"
-#include "engine/trace/block_entry.h"
+#include "engine/frame_put.h"
+#include "engine/instances_room.h"
 
-int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
-    plt_fault_set(fault, PLT_OK, 0, "no fault");
+#if PLT_WITH_SEQUENCE
+
+static int vertices_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
     if (frame >= e->sequence.frames) {
         e->sequence.failed = frame;
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
@@ -24,123 +26,75 @@ int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
     return PLT_OK;
 }
 
-int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
-    plt_fault_set(fault, PLT_OK, 0, "no fault");
+static int vertices_read(plt_engine *e, uint32_t blocks, plt_fault *fault) {
     if (e->sequence.frames == 0 || (!e->sequence.is_reading && e->sequence.at == PLT_FRAME_NONE)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
     }
-    return plt_sequence_read(&e->sequence, blocks > 0 ? blocks : 1, fault);
+    return plt_sequence_read(&e->sequence, blocks, fault);
 }
 
-#if PLT_WITH_BLOCK_MOTION
-/* Blocks lie in the arena, as all does that moves. What was opened of them has other bounds now. */
-static void put_blocks(plt_engine *e) {
-    plt_block_tree *t = &e->scene.compact;
-    const plt_vertices *v = &e->sequence.vertices;
-    const plt_block_numbers n = {v->vertex, v->topology, v->index_bits};
-    plt_block_refit_all(&e->moving.blocks, t, (unsigned char *)(uintptr_t)t->bytes,
-                        (unsigned char *)(uintptr_t)t->ids.bytes, &n);
-    plt_lattice_to_box(&t->lattice, &t->box, &e->moving.box);
-    plt_block_state_init(e->traversal.state);
-    plt_moved(e);
-}
 #endif
 
-#if PLT_WITH_STILLS
-/* Nothing of it is in the store. */
-static void begin_stream(plt_engine *e) {
-#if PLT_WITH_GROUPS
-    plt_state_init(&e->traversal);
+#if PLT_WITH_INSTANCES
+
+static int matrices_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
+    if (frame >= e->matrices.frames) {
+        e->matrices.failed = frame;
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             e->matrices.frames > 0 ? "the image has no such frame"
+                                                    : "the image has no frames");
+    }
+    plt_matrices_seek(&e->matrices, frame);
+    return PLT_OK;
+}
+
+static int matrices_read(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    if (!e->matrices.is_reading && e->matrices.at == PLT_MATRICES_NONE) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
+    }
+    return plt_matrices_read(&e->matrices, blocks, fault);
+}
+
+#endif
+
+/* CHOSEN(e, instances, vertices): what is called of an engine of one kind or the other, where the
+ * build has both. */
+#if PLT_WITH_INSTANCES && PLT_WITH_SEQUENCE
+#define CHOSEN(e, of_instances, of_vertices)                                                       \
+    ((e)->scene.format == PLT_FORMAT_INSTANCES ? (of_instances) : (of_vertices))
+#elif PLT_WITH_INSTANCES
+#define CHOSEN(e, of_instances, of_vertices) (of_instances)
 #else
-    plt_beam_state_init(&e->traversal);
-#endif
-}
-
-/* The scene's box is that of the root, which is fetched for it. */
-static int find_box(plt_engine *e, plt_fault *fault) {
-    plt_block_tree *t = &e->scene.compact;
-    plt_stream *s = e->traversal.state;
-    const int status = plt_stream_open(s, t->root, plt_stream_end(t->used));
-    if (status != PLT_OK) {
-        *fault = s->fetcher.fault;
-        return status;
-    }
-    plt_block_bounds(&s->current->opened.block, t->lattice.bits, &t->box);
-    s->tree.box = t->box;
-    return PLT_OK;
-}
-
-/* Blocks of another frame lie in another place, and are as large. */
-static int put_still(plt_engine *e, uint32_t frame, plt_fault *fault) {
-    plt_block_tree *t = &e->scene.compact;
-    const plt_block_tree was = *t;
-    const plt_stream_image image = e->scene.stream;
-    for (int a = 0; a < 3; a++) { /* until its own is known */
-        t->box.lo[a] = 0;
-        t->box.hi[a] = plt_low_bits(t->lattice.bits);
-    }
-    t->salt = plt_still_salt(frame);
-    e->scene.stream.blocks_at = image.stills_at + frame * t->used;
-    begin_stream(e);
-    const int status = find_box(e, fault);
-    if (status != PLT_OK) {
-        *t = was;
-        e->scene.stream = image;
-        begin_stream(e);
-        e->sequence.failed = frame;
-        return status;
-    }
-    plt_lattice_to_box(&t->lattice, &t->box, &e->moving.box);
-    plt_moved(e);
-    return PLT_OK;
-}
+#define CHOSEN(e, of_instances, of_vertices) (of_vertices)
 #endif
 
-#if PLT_WITH_THESIS
-static void put_records(plt_engine *e) {
-    plt_rebuild_before_move(e, 0);
-    plt_vertices_put(plt_records_of(e), e->scene.info.triangles, &e->sequence.vertices);
-    plt_refit_all(e);
-    plt_moved(e);
+int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
+    plt_fault_set(fault, PLT_OK, 0, "no fault");
+    return CHOSEN(e, matrices_begin(e, frame, fault), vertices_begin(e, frame, fault));
 }
-#endif
 
-/* The frame that is there. */
-static int put_frame(plt_engine *e, uint32_t frame, plt_fault *fault) {
-#if PLT_WITH_STILLS
-    if (plt_is_streamed(e->scene.format)) {
-        return put_still(e, frame, fault);
-    }
-#endif
-    (void)frame;
-    (void)fault;
-#if PLT_WITH_BLOCK_MOTION
-    if (plt_has_moving_blocks(e)) {
-        put_blocks(e);
-        return PLT_OK;
-    }
-#endif
-#if PLT_WITH_THESIS
-    put_records(e);
-#endif
-    return PLT_OK;
+static int read_blocks(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    return CHOSEN(e, matrices_read(e, blocks, fault), vertices_read(e, blocks, fault));
+}
+
+int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    plt_fault_set(fault, PLT_OK, 0, "no fault");
+    return read_blocks(e, blocks > 0 ? blocks : 1, fault);
 }
 
 int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
     int status = plt_sequence_begin(e, frame, fault);
     if (status == PLT_OK) {
-        status = plt_sequence_read(&e->sequence, UINT32_MAX, fault);
+        status = read_blocks(e, UINT32_MAX, fault);
     }
     if (status == PLT_MORE) { /* more blocks than a number counts: never */
         return PLT_ERR_LIMIT;
     }
-    if (status == PLT_OK) {
-        e->rendering.done = 1;
-        status = put_frame(e, frame, fault);
-    }
-    return status;
+    return status == PLT_OK
+               ? CHOSEN(e, plt_instances_show(e, fault), plt_frame_put(e, frame, fault))
+               : status;
 }
 
 uint32_t plt_sequence_failed(const plt_engine *e) {
-    return e->sequence.failed;
+    return CHOSEN(e, e->matrices.failed, e->sequence.failed);
 }

@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R15 refuse an image by its header and checksums, I1 to I26 are invariants of
+ * R1 to R16 refuse an image by its header and checksums, I1 to I29 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -22,7 +22,8 @@ enum plt_refusal {
     PLT_R12_RESERVED = 12,    /* bytes that must be zero */
     PLT_R13_SECTION_CRC = 13, /* checksum of a section */
     PLT_R14_LATTICE = 14,     /* the lattice and what a compact image may hold */
-    PLT_R15_SEQUENCE = 15     /* counts and lattice of a sequence */
+    PLT_R15_SEQUENCE = 15,    /* counts and lattice of a sequence */
+    PLT_R16_INSTANCES = 16    /* counts of bodies, instances and their frames */
 };
 
 enum plt_invariant {
@@ -50,7 +51,10 @@ enum plt_invariant {
     PLT_I23_OFFSETS = 23,    /* frames of a sequence follow each other within the section */
     PLT_I24_TOPOLOGY = 24,   /* triangles of a sequence have vertices that are there */
     PLT_I25_FRAME = 25,      /* blocks of a frame fill it, and their checks are right */
-    PLT_I26_POSITIONS = 26   /* positions of a frame are within 2^40 */
+    PLT_I26_POSITIONS = 26,  /* positions of a frame are within 2^40 */
+    PLT_I27_BODIES = 27,   /* bodies follow each other and fill the sections; instances have one */
+    PLT_I28_MATRICES = 28, /* the check of a frame of matrices is right */
+    PLT_I29_PLACED = 29    /* matrices can be inverted, and place bodies within 2^40 */
 };
 
 #endif

@@ -108,13 +108,21 @@ static void read_moving(plt_header *h, const unsigned char *bytes) {
 }
 #endif
 
-#if PLT_WITH_SEQUENCE
+#if PLT_WITH_SEQUENCE || PLT_WITH_INSTANCES
 static void read_sequence(plt_info *info, const unsigned char *bytes) {
     info->vertices = plt_get_u32(bytes + PLT_AT_VERTICES);
     info->frames = plt_get_u32(bytes + PLT_AT_FRAMES);
     info->frame_rate = plt_get_u32(bytes + PLT_AT_FRAME_RATE);
     info->key_every = plt_get_u32(bytes + PLT_AT_KEY_EVERY);
     info->frame_bytes = plt_get_u32(bytes + PLT_AT_FRAME_BYTES);
+#if PLT_WITH_INSTANCES
+    info->instances = plt_get_u32(bytes + PLT_AT_INSTANCES);
+    if (info->instances > 0) {
+        info->bodies = info->vertices;
+        info->vertices = 0;
+        info->placed_triangles = plt_get_u32(bytes + PLT_AT_PLACED_TRIANGLES);
+    }
+#endif
 }
 
 static void write_sequence(unsigned char *bytes, const plt_header *h) {
@@ -132,6 +140,13 @@ static void write_sequence(unsigned char *bytes, const plt_header *h) {
     if (plt_header_moves(info)) {
         plt_put_u32(bytes + PLT_AT_BLOCK_VERTICES, info->block_vertices);
     }
+#if PLT_WITH_INSTANCES
+    if (info->instances > 0) {
+        plt_put_u32(bytes + PLT_AT_BODIES, info->bodies);
+        plt_put_u32(bytes + PLT_AT_INSTANCES, info->instances);
+        plt_put_u32(bytes + PLT_AT_PLACED_TRIANGLES, info->placed_triangles);
+    }
+#endif
 }
 #endif
 
@@ -159,6 +174,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
     plt_info *info = &header->info;
     info->vertices = info->frames = info->frame_rate = info->key_every = info->frame_bytes = 0;
     info->block_vertices = 0;
+    info->bodies = info->instances = info->placed_triangles = 0;
     for (int i = 0; i < COUNTS; i++) {
         *count_field(info, i) = plt_get_u32(bytes + PLT_AT_COUNTS + 4 * i);
     }
@@ -185,7 +201,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         info->node_bytes = header->section[0].bytes;
         info->triangle_bytes = header->section[1].bytes;
         info->source_triangles = info->triangles;
-#if PLT_WITH_SEQUENCE
+#if PLT_WITH_SEQUENCE || PLT_WITH_INSTANCES
         read_sequence(info, bytes);
 #endif
         info->has_checks =
@@ -246,7 +262,7 @@ void plt_header_write(unsigned char bytes[PLT_HEADER_BYTES], plt_header *header)
     if (info->nodes_format == PLT_NODES_COMPACT) {
         write_lattice(bytes, header);
     }
-#if PLT_WITH_SEQUENCE
+#if PLT_WITH_SEQUENCE || PLT_WITH_INSTANCES
     if (info->frames > 0) {
         write_sequence(bytes, header);
     }

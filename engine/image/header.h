@@ -30,7 +30,9 @@ enum plt_section_kind {
     PLT_SECTION_CHECKS = 6,        /* of thesis nodes, a byte each (node_check.h) */
     PLT_SECTION_TOPOLOGY = 7,      /* of a sequence: vertices of each triangle */
     PLT_SECTION_FRAMES = 8,        /* ... and their positions, frame by frame */
-    PLT_SECTION_STILLS = 9         /* compact blocks, all of them once for each frame */
+    PLT_SECTION_STILLS = 9,        /* compact blocks, all of them once for each frame */
+    PLT_SECTION_BODIES = 10,       /* of instances: bodies, and which one each has */
+    PLT_SECTION_MATRICES = 11      /* ... and where they are, frame by frame */
 };
 
 typedef struct plt_section {
@@ -85,12 +87,12 @@ const plt_section *plt_header_section(const plt_header *header, uint32_t kind);
 /* Bytes of a section of `count` items, padding included. */
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);
 
-/* Checks R1 .. R12, R14 and R15 of SPEC.md and fills `header`; `image_bytes` is what the
+/* Checks R1 .. R12 and R14 .. R16 of SPEC.md and fills `header`; `image_bytes` is what the
  * source says it has. Touches `bytes` only. */
 int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
                     uint32_t image_bytes, plt_fault *fault);
 
-/* R7 to R12, R14 and R15 alone, of a header that has been read from `bytes`. */
+/* R7 to R12 and R14 to R16 alone, of a header that has been read from `bytes`. */
 int plt_header_check(const plt_header *header, const unsigned char bytes[PLT_HEADER_BYTES],
                      plt_fault *fault);
 

@@ -30,6 +30,10 @@ enum plt_header_at {
     PLT_AT_FRAME_BYTES = 204,
     PLT_AT_SEQUENCE_END = 208,
     PLT_AT_BLOCK_VERTICES = 208, /* of a sequence of compact blocks */
+    PLT_AT_BODIES = 188,         /* of instances, in thesis images: there are no vertices */
+    PLT_AT_INSTANCES = 208,      /* behind the other fields of a sequence */
+    PLT_AT_PLACED_TRIANGLES = 212,
+    PLT_AT_INSTANCES_END = 216,
     PLT_AT_SOURCE_TRIANGLES = 212,
     PLT_AT_PRIMITIVE_ID_BITS = 216,
     PLT_AT_NODE_BYTES = 220,

@@ -109,7 +109,29 @@ static int check_sequence(const plt_header *h, plt_fault *fault) {
 }
 #endif
 
-/* R7 to R9, R14 and R15: values whose range does not depend on the rest of the image. */
+#if PLT_WITH_INSTANCES
+/* R16, of images with instances: matrices are all that differs from frame to frame. */
+static int check_instances(const plt_header *h, plt_fault *fault) {
+    const plt_info *info = &h->info;
+    const uint64_t bytes =
+        info->frames * (PLT_MATRICES_HEAD + (uint64_t)info->instances * PLT_MATRIX_BYTES);
+    const int counts = info->bodies > 0 && info->bodies <= info->triangles &&
+                       info->instances <= PLT_INSTANCES_MOST &&
+                       info->placed_triangles >= info->instances &&
+                       info->placed_triangles <= PLT_PLACED_MOST && info->frames > 0 &&
+                       info->frame_rate > 0 && info->frame_rate <= PLT_FRAME_RATE_MOST;
+    const plt_lattice *l = &h->lattice;
+    const int rest = info->key_every == 1 && bytes == info->frame_bytes &&
+                     info->build == PLT_BUILD_HOST && info->nodes_format == PLT_NODES_THESIS &&
+                     h->root == PLT_LINK_NONE && l->bits == 0 && l->step == 0 &&
+                     l->origin[0] == 0 && l->origin[1] == 0 && l->origin[2] == 0;
+    return counts && rest ? PLT_OK
+                          : plt_refused(fault, PLT_R16_INSTANCES, PLT_AT_INSTANCES,
+                                        "a count of bodies, instances or frames is out of range");
+}
+#endif
+
+/* R7 to R9, R14 to R16: values whose range does not depend on the rest of the image. */
 static int check_values(const plt_header *h, plt_fault *fault) {
     const plt_info *info = &h->info;
     if (info->triangles > PLT_INDEX_MAX || info->node_slots > PLT_INDEX_MAX) {
@@ -145,12 +167,28 @@ static int check_values(const plt_header *h, plt_fault *fault) {
             return plt_refused(fault, PLT_R9_BOX, PLT_AT_LO, "the scene's box is not a box");
         }
     }
+#if PLT_WITH_INSTANCES
+    if (info->instances > 0) {
+        return check_instances(h, fault);
+    }
+#endif
 #if PLT_WITH_SEQUENCE
     if (info->frames > 0 || plt_header_moves(info)) {
         return check_sequence(h, fault);
     }
 #endif
     return PLT_OK;
+}
+
+/* Behind the section table and the reserved bytes: where the first ones that are used end. */
+static unsigned used_end_of(const plt_info *info) {
+    if (info->nodes_format == PLT_NODES_COMPACT) {
+        return PLT_AT_RESERVED;
+    }
+    if (PLT_WITH_INSTANCES && info->instances > 0) {
+        return PLT_AT_INSTANCES_END;
+    }
+    return PLT_WITH_SEQUENCE && info->frames > 0 ? PLT_AT_SEQUENCE_END : 0;
 }
 
 /* R10 to R12: the sections lie where they must and fill the image. */
@@ -175,9 +213,7 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
         return plt_refused(fault, PLT_R11_SECTION, PLT_AT_IMAGE_BYTES,
                            "the sections do not fill the image");
     }
-    const unsigned used_end = h->info.nodes_format == PLT_NODES_COMPACT ? PLT_AT_RESERVED
-                              : PLT_WITH_SEQUENCE && h->info.frames > 0 ? PLT_AT_SEQUENCE_END
-                                                                        : 0;
+    const unsigned used_end = used_end_of(&h->info);
     for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_AT_SHIFT; i++) {
         const int used = i >= PLT_AT_ORIGIN && i < used_end;
         if (!used && bytes[i] != 0) {

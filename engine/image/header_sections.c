@@ -23,6 +23,13 @@ unsigned plt_header_kinds(const plt_info *info, uint32_t kind[PLT_SECTIONS_MOST]
         if (info->has_checks && info->build == PLT_BUILD_HOST) {
             kind[count++] = PLT_SECTION_CHECKS;
         }
+#if PLT_WITH_INSTANCES
+        if (info->instances > 0) {
+            kind[count++] = PLT_SECTION_BODIES;
+            kind[count++] = PLT_SECTION_MATRICES;
+            return count;
+        }
+#endif
 #if PLT_WITH_SEQUENCE
         if (info->frames > 0 && !info->has_checks) { /* there are not both */
             kind[count++] = PLT_SECTION_TOPOLOGY;
@@ -75,6 +82,12 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
 #if PLT_WITH_STILLS
     case PLT_SECTION_STILLS:
         return padded(used * info->frames + PLT_BITS_BEHIND);
+#endif
+#if PLT_WITH_INSTANCES
+    case PLT_SECTION_BODIES:
+        return padded((uint64_t)info->bodies * PLT_BODY_BYTES + 4 * (uint64_t)info->instances);
+    case PLT_SECTION_MATRICES:
+        return padded(info->frame_bytes);
 #endif
     case PLT_SECTION_PRIMITIVE_IDS:
         return padded(((uint64_t)info->triangles * info->primitive_id_bits + 7) / 8 +

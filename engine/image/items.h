@@ -20,6 +20,18 @@
 
 #define PLT_FRAME_BLOCK 64u /* vertices of a frame that are coded together */
 
+/* Of images with instances: a body and where its box is in it, a matrix, what a frame of matrices
+ * begins with, and how many there may be. */
+enum {
+    PLT_BODY_BYTES = 48,
+    PLT_BODY_RESERVED = 20,
+    PLT_BODY_BOX = 24,
+    PLT_MATRIX_BYTES = 48,
+    PLT_MATRICES_HEAD = 4,
+    PLT_INSTANCES_MOST = 65536
+};
+#define PLT_PLACED_MOST 0xFFFFFFFEu /* triangles of all instances */
+
 /* Bits of a vertex's number in the topology of a sequence. */
 static inline uint32_t plt_index_bits(uint32_t vertices) {
     return plt_bits_for(vertices - 1);

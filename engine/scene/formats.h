@@ -12,6 +12,14 @@
 
 #include "engine/planelet.h"
 
+/* Without them such images are refused by their headers. */
+#if PLT_WITH_INSTANCES
+#define PLT_FORMATS_OF_INSTANCES(ROW) ROW(INSTANCES, instances, PLT_WITH_INSTANCES, "instances")
+#else
+#define PLT_FORMATS_OF_INSTANCES(ROW)
+#define PLT_FORMAT_INSTANCES 255 /* no scene's */
+#endif
+
 /* ROW(NAME, name, knob that builds it in, what it is) */
 #define PLT_FORMATS(ROW)                                                                           \
     ROW(THESIS, thesis, PLT_WITH_THESIS, "thesis nodes (PLT_WITH_THESIS)")                         \
@@ -21,7 +29,8 @@
     ROW(STREAMED_THESIS, streamed_thesis, PLT_WITH_STREAMED_THESIS,                                \
         "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")                     \
-    ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")
+    ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")                                        \
+    PLT_FORMATS_OF_INSTANCES(ROW)
 
 enum plt_format {
 #define PLT_FORMAT_NAMED(NAME, name, with, text) PLT_FORMAT_##NAME,
@@ -36,10 +45,15 @@ enum plt_format {
 #define PLT_IF_JOINED(with, ...) PLT_IF_##with(__VA_ARGS__)
 #define PLT_IF(with, ...) PLT_IF_JOINED(with, __VA_ARGS__)
 
+/* Bodies that instances place. */
+static inline int plt_has_instances(const plt_info *info) {
+    return PLT_WITH_INSTANCES && info->instances > 0;
+}
+
 /* A finished tree can be streamed, if anything can: compact blocks with lattice geometry, and
  * thesis nodes in treelets that are not too large. */
 static inline int plt_can_stream(const plt_info *info) {
-    return PLT_WITH_STREAMED && info->build == PLT_BUILD_HOST &&
+    return PLT_WITH_STREAMED && info->build == PLT_BUILD_HOST && !plt_has_instances(info) &&
            (info->nodes_format == PLT_NODES_COMPACT
                 ? info->geometry_format == PLT_GEOMETRY_LATTICE ||
                       (PLT_WITH_STILLS && info->geometry_format == PLT_GEOMETRY_STILLS)
@@ -57,14 +71,18 @@ static inline int plt_has_blocks(unsigned format) {
     return format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED);
 }
 
-/* Frames of all formats but streamed thesis nodes may go by beams. */
+/* Frames of all formats but streamed thesis nodes and instances may go by beams. */
 static inline int plt_has_beams(unsigned format) {
-    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS);
+    return PLT_WITH_BEAMS && !(PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED_THESIS) &&
+           !(PLT_WITH_INSTANCES && format == PLT_FORMAT_INSTANCES);
 }
 
 /* `residency`, `structure`: as in plt_options. */
 static inline enum plt_format plt_format_of(const plt_info *info, unsigned residency,
                                             unsigned structure) {
+    if (plt_has_instances(info)) {
+        return PLT_FORMAT_INSTANCES;
+    }
     if (PLT_WITH_GRID && structure == PLT_STRUCTURE_GRID) {
         return PLT_FORMAT_GRID;
     }

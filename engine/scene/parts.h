@@ -81,6 +81,15 @@
 #define PLT_PARTS_OF_GRIDS(ROW)
 #endif
 
+#if PLT_WITH_INSTANCES
+#define PLT_PARTS_OF_INSTANCES(ROW)                                                                \
+    ROW(INNER, RUNS, "packet as a body sees it")                                                   \
+    ROW(INSTANCES, RUNS, "instances and their tree")                                               \
+    ROW(MATRICES, RUNS, "matrices of a frame")
+#else
+#define PLT_PARTS_OF_INSTANCES(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -99,6 +108,7 @@
     ROW(LEAVES, RUNS, "leaves that wait")                                                          \
     ROW(FORMAT, RUNS, "state of the format")                                                       \
     ROW(STORE, RUNS, "streamed blocks")                                                            \
+    PLT_PARTS_OF_INSTANCES(ROW)                                                                    \
     PLT_PARTS_OF_MOTION(ROW)                                                                       \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")                                                              \

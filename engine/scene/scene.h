@@ -10,6 +10,8 @@
 
 #include "engine/base/box.h"
 #include "engine/grid/grid.h"
+#include "engine/instances/bodies.h"
+#include "engine/instances/top.h"
 #include "engine/memory/stream.h"
 #include "engine/memory/treelet_stream.h"
 #include "engine/scene/formats.h"
@@ -30,6 +32,20 @@ typedef struct plt_gridded {
     const plt_grid *grid;
 } plt_gridded;
 
+#if PLT_WITH_INSTANCES
+/* Bodies, and instances of them, which are where the last matrices have placed them. */
+typedef struct plt_instanced {
+    const plt_node *nodes;
+    const plt_record *records;
+    plt_bodies bodies;
+    uint32_t treelet_nodes;
+    const plt_placed *placed; /* by instance */
+    const plt_top_node *top;
+    uint32_t root; /* a child of the top tree */
+    float spread;  /* of plt_placed_margin */
+} plt_instanced;
+#endif
+
 typedef struct plt_scene {
     plt_info info;
     plt_box box;    /* of all triangles; empty when there are none */
@@ -39,6 +55,9 @@ typedef struct plt_scene {
         plt_block_tree compact;
         plt_list list;
         plt_gridded gridded;
+#if PLT_WITH_INSTANCES
+        plt_instanced instanced;
+#endif
     };
     union { /* of a streamed scene: where its parts come from */
         plt_stream_image stream;

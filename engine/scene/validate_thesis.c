@@ -24,10 +24,10 @@ int plt_thesis_validate(const plt_opening *o, const plt_tree *tree, plt_info *co
                : status;
 }
 
-/* Where in the image that is which plt_tree_validate found fault with. */
-static uint32_t offset_in_image(const plt_header *header, const plt_fault *fault) {
+uint32_t plt_thesis_offset_in_image(const plt_header *header, const plt_fault *fault,
+                                    uint32_t root_at) {
     if (fault->offset == PLT_AT_ROOT_LINK) {
-        return PLT_AT_ROOT;
+        return root_at;
     }
     const int in_node = fault->rule <= PLT_I2_TREE;
     const uint32_t kind = in_node ? PLT_SECTION_NODES : PLT_SECTION_TRIANGLES;
@@ -48,7 +48,7 @@ int plt_thesis_validate_image(const plt_opening *o, const plt_header *header,
     }
     status = plt_thesis_validate(o, tree, &counted);
     if (status == PLT_ERR_IMAGE) {
-        o->fault->offset = offset_in_image(header, o->fault);
+        o->fault->offset = plt_thesis_offset_in_image(header, o->fault, PLT_AT_ROOT);
     }
     if (status == PLT_OK && !plt_counts_agree(&header->info, &counted)) {
         return plt_broken(o->fault, PLT_I8_COUNTS, PLT_AT_COUNTS + 4,

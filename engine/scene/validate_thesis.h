@@ -15,4 +15,9 @@ int plt_thesis_validate(const plt_opening *o, const plt_tree *tree, plt_info *co
  * (I8); offsets of faults are those in the image. */
 int plt_thesis_validate_image(const plt_opening *o, const plt_header *header, const plt_tree *tree);
 
+/* Where in the image that is which plt_tree_validate found fault with; its root link is at
+ * `root_at`. */
+uint32_t plt_thesis_offset_in_image(const plt_header *header, const plt_fault *fault,
+                                    uint32_t root_at);
+
 #endif

@@ -43,6 +43,42 @@ static int has_beams(const plt_rendering *r, const plt_traversal *t) {
            (!plt_has_blocks(format) || r->side >= PLT_BEAM_BLOCKS_LEAST);
 }
 
+#if PLT_WITH_INSTANCES
+/* Rays may meet an instance where they miss its box by that much. */
+static void set_box(plt_rendering *r, const plt_scene *scene) {
+    const plt_box *box = &scene->box;
+    float reach = 0.0f;
+    if (scene->format != PLT_FORMAT_INSTANCES) {
+        return;
+    }
+    for (int a = 0; a < 3; a++) {
+        const float below = __builtin_fabsf(box->lo[a] - r->view.eye[a]);
+        const float above = __builtin_fabsf(box->hi[a] - r->view.eye[a]);
+        reach = below > reach ? below : reach;
+        reach = above > reach ? above : reach;
+    }
+    for (int a = 0; a < 3; a++) {
+        float margin[4];
+        f4_store(margin, plt_placed_margin(scene->instanced.spread, f4_all(2.0f * reach),
+                                           f4_all(r->view.eye[a])));
+        r->box.lo[a] = box->lo[a] - margin[0];
+        r->box.hi[a] = box->hi[a] + margin[0];
+    }
+}
+#endif
+
+#if PLT_WITH_GROUPS
+static const plt_box *box_of(const plt_rendering *r, const plt_traversal *t) {
+#if PLT_WITH_INSTANCES
+    if (t->scene->format == PLT_FORMAT_INSTANCES) {
+        return &r->box;
+    }
+#endif
+    (void)r;
+    return &t->scene->box;
+}
+#endif
+
 /* Both orders begin with the first tile of the first row. */
 static void set_order(plt_rendering *r, int curves) {
 #if PLT_WITH_STREAMED
@@ -75,7 +111,7 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
         return;
     }
 #if PLT_WITH_GROUPS
-    plt_view_packet(&r->view, &t->scene->box, p, pixels);
+    plt_view_packet(&r->view, box_of(r, t), p, pixels);
     plt_traversal_begin(t, p, rays);
 #else
     (void)p;
@@ -131,7 +167,7 @@ static int add_packet(plt_rendering *r, plt_traversal *t) {
         plt_rendering_begin_batches(r, UINT32_MAX);
     }
     const uint32_t rays = pixels_at(r, &r->ahead, &pixels);
-    plt_view_packet(&r->view, &t->scene->box, &b->packet[b->count], &pixels);
+    plt_view_packet(&r->view, box_of(r, t), &b->packet[b->count], &pixels);
     plt_batch_add(b, t, rays);
     r->all_added = (uint8_t)!plt_rendering_ahead(r);
     if (r->all_added || b->count == b->most) {
@@ -193,6 +229,9 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
     r->frame = *frame;
     const int status = plt_view_set(&r->view, frame);
     if (status == PLT_OK) {
+#if PLT_WITH_INSTANCES
+        set_box(r, t->scene);
+#endif
         r->beams = (uint8_t)has_beams(r, t);
         if (HAS_BEAMS(r)) {
             plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);

@@ -20,7 +20,10 @@ typedef struct plt_rendering {
     uint8_t *tile;                  /* PLT_TILE_BUFFER_BYTES, rows as wide as the current tile */
     uint8_t sky[3 * PLT_TILE_SIDE]; /* colour of the sky in each row of the tile */
     uint32_t side;                  /* of a packet */
-    plt_frame_place at;             /* the current packet */
+#if PLT_WITH_INSTANCES
+    plt_box box; /* of the scene, and around that what rays from the eye may miss it by */
+#endif
+    plt_frame_place at; /* the current packet */
 #if PLT_WITH_BATCH
     plt_batch *batch;      /* NULL: packets come one by one */
     plt_frame_place ahead; /* the next packet of the batch; `at` is the next to be shaded */

@@ -11,6 +11,9 @@ uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
     if (PLT_WITH_GRID && format == PLT_FORMAT_GRID) {
         return 0; /* nodes are not looked at */
     }
+    if (PLT_WITH_INSTANCES && format == PLT_FORMAT_INSTANCES) { /* bodies begin with a word each */
+        return info->node_slots / info->treelet_nodes / 32 + info->bodies + 1;
+    }
     if (plt_has_blocks(format)) {
         return (uint32_t)(((uint64_t)info->node_bytes + info->triangle_bytes) / 8 / 32 + 1);
     }

@@ -42,6 +42,8 @@ void plt_traversal_begin(plt_traversal *t, plt_packet *p, uint32_t rays) {
 #if PLT_WITH_HULLS
     if (PLT_WITH_GRID && t->scene->format == PLT_FORMAT_GRID) {
         /* plt_grid_begin does what it needs */
+    } else if (PLT_WITH_INSTANCES && t->scene->format == PLT_FORMAT_INSTANCES) {
+        /* and so does plt_instances_begin */
     } else if (plt_order_for(t, p) == PLT_ORDER_HULLS && t->scene->format != PLT_FORMAT_LIST) {
         plt_hulls_set(p);
     } else {

@@ -53,6 +53,9 @@ static int move_engines(const moved *m, const scene *s, const float (*corners)[9
 
 static int move_mesh(moved *m, const scene *s, const mesh *to, unsigned frame, fail *f) {
     const uint32_t due = plt_engine_info(s->engine)->triangles;
+    if (plt_engine_info(s->engine)->instances > 0) {
+        return fail_set(f, m->mesh, "the scene has instances, which no mesh moves; use --frames");
+    }
     if (to->triangles != due) {
         return fail_set(f, m->mesh,
                         "frame %u: has %zu triangles, the scene %" PRIu32

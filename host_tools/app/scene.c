@@ -373,6 +373,9 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
     if (status != PLT_OK) {
         return status;
     }
+    if (info.instances > 0) {
+        s->options.movable = 0; /* matrices move them, and no triangle */
+    }
     void *arena = get_arena(s, &info);
     if (arena == NULL) {
         *fault = (plt_fault){.need_bytes = need_of(s, &info), .message = "there is no arena"};

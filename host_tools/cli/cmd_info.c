@@ -106,9 +106,18 @@ static uint64_t topology_bytes(const plt_info *i) {
     return plt_header_section_bytes(i, PLT_SECTION_TOPOLOGY);
 }
 
+static void print_instances_json(const plt_info *i) {
+    printf("  \"bodies\": %" PRIu32 ",\n  \"instances\": %" PRIu32
+           ",\n  \"placed_triangles\": %" PRIu32 ",\n  \"frame_rate\": %" PRIu32
+           ",\n  \"frame_bytes\": %" PRIu32 ",\n",
+           i->bodies, i->instances, i->placed_triangles, i->frame_rate, i->frame_bytes);
+}
+
 static void print_sequence_json(const plt_info *i) {
     printf("  \"frames\": %" PRIu32 ",\n", i->frames);
-    if (i->frames > 0) {
+    if (i->instances > 0) {
+        print_instances_json(i);
+    } else if (i->frames > 0) {
         printf("  \"vertices\": %" PRIu32 ",\n  \"frame_rate\": %" PRIu32
                ",\n  \"key_every\": %" PRIu32 ",\n  \"frame_bytes\": %" PRIu32
                ",\n  \"frame_bytes_per_vertex\": %.4f,\n  \"topology_bytes\": %" PRIu64 ",\n",
@@ -311,6 +320,16 @@ static void print_sequence(const plt_info *i, const derived *d) {
            d->arena_moved, d->arena_moved_fetched);
 }
 
+static void print_instances(const plt_info *i) {
+    printf("bodies             %" PRIu32 ", which have the triangles and the tree above\n",
+           i->bodies);
+    printf("instances          %" PRIu32 ", of %" PRIu32 " triangles in all\n", i->instances,
+           i->placed_triangles);
+    printf("frames             %" PRIu32 ", %" PRIu32 " per second\n", i->frames, i->frame_rate);
+    printf("frame bytes        %" PRIu32 ", %.2f per instance and frame\n", i->frame_bytes,
+           (double)i->frame_bytes / ((double)i->frames * i->instances));
+}
+
 static void print_text(const plt_info *i, const plt_options *o, const derived *d) {
     print_scene(i, d);
     print_tree(i, d);
@@ -319,7 +338,9 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     if (i->nodes_format == PLT_NODES_COMPACT) {
         print_compact(i, d);
     }
-    if (i->frames > 0) {
+    if (i->instances > 0) {
+        print_instances(i);
+    } else if (i->frames > 0) {
         print_sequence(i, d);
     }
     printf("image bytes        %" PRIu32 "\n", i->image_bytes);
@@ -343,8 +364,8 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     plt_fault fault;
     int status = plt_image_info(&s->file.source, info, &fault);
     if (status == PLT_OK) {
-        s->options.movable =
-            info->frames > 0 && info->geometry_format != PLT_GEOMETRY_STILLS; /* frame 0 */
+        s->options.movable = info->frames > 0 && info->instances == 0 &&
+                             info->geometry_format != PLT_GEOMETRY_STILLS; /* frame 0 */
         status = scene_start(s, path, &fault);
     }
     if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE || status == PLT_ERR_ARGUMENT) {

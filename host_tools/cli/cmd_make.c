@@ -11,6 +11,7 @@
 #include "host_tools/app/quote.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/make_instances.h"
 #include "host_tools/cli/make_poses.h"
 #include "host_tools/scenes/scenes.h"
 
@@ -28,6 +29,9 @@ static const arg_flag flags[] = {
      "0)"},
     {"--frames", "N",
      "marbles, city, mesh: write N frames, 1 to 100000, from --frame on; poses: 2 to 1000"},
+    {"--instances", NULL,
+     "marbles: FILE.txt says where instances of the tray and of a ball are in each frame, for "
+     "planelet pack --instances; their meshes, FILE_tray.ply and FILE_ball.ply, lie beside it"},
     {NULL, NULL, NULL}};
 
 const arg_command command_make = {
@@ -159,7 +163,11 @@ static void check_usage(args *a, const char *name, const char *out) {
         args_complain(a, "only mesh and poses are made of meshes; leave out '%s'", a->file[1]);
     } else if (out == NULL) {
         args_complain(a, "-o FILE says where the mesh goes");
-    } else if (has_frames && strstr(out, "{}") == NULL) {
+    } else if (args_has(a, "--instances") && strcmp(name, "marbles") != 0) {
+        args_complain(a, "only marbles are made as --instances");
+    } else if (args_has(a, "--instances") && !make_instances_has_name(out)) {
+        args_complain(a, "--instances needs a name that ends in .txt, as in marbles.txt");
+    } else if (has_frames && !args_has(a, "--instances") && strstr(out, "{}") == NULL) {
         args_complain(a, "--frames needs a '{}' in the file's name, as in marbles_{}.ply");
     } else if (is_scene(name) && !moves(name) && (has_frames || args_has(a, "--frame"))) {
         args_complain(a, "only marbles, a city and a mesh have frames");
@@ -205,15 +213,19 @@ int run_make(args *a) {
         return 2;
     }
     fail f = {""};
-    const int many = args_has(a, "--frames");
+    const int many = args_has(a, "--frames"), are_instances = args_has(a, "--instances");
     const int status = are_poses(order.name) ? write_poses(a, out, frames, &f)
-                       : many                ? write_frames(order, out, frames, &f)
-                                             : write_scene(&order, out, &f);
+                       : are_instances
+                           ? make_instances(out, order.triangles, order.frame, frames, &f)
+                       : many ? write_frames(order, out, frames, &f)
+                              : write_scene(&order, out, &f);
     if (status != 0) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    if (!many) {
+    if (are_instances) {
+        note("next: planelet pack --instances %s -o %s.plt", out, order.name);
+    } else if (!many) {
         say_next(order.name, out);
     }
     return 0;

@@ -16,6 +16,7 @@
 #include "host_tools/base/output.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/pack_frames.h"
+#include "host_tools/cli/pack_instances.h"
 #include "host_tools/cli/pack_json.h"
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/cli/pack_memory.h"
@@ -64,6 +65,7 @@ static const arg_flag flags[] = {
     {"--reduce", "N", "leave at most N triangles, 1 to 1000000000, by vertex clustering"},
     {"--frame", "K", "frame of the sequences in a recipe, 0 to 99999 (default 0)"},
     PACK_FRAMES_FLAGS,
+    PACK_INSTANCES_FLAG,
     {"--centre", NULL,
      "move the middle of the meshes to 0, in double precision, before they are narrowed to "
      "single: for coordinates far from the origin; planelet info prints the shift"},
@@ -98,11 +100,25 @@ const arg_command command_pack = {
         "longest side of its box is SIZE; the middle of the box's base, its side of least\n"
         "y, goes to X Y Z. NAME_{}.ply*N+START is a sequence of N files with numbers from\n"
         "000 on, of which --frame K takes number (K + START) modulo N; +START may be\n"
-        "left out.\n"};
+        "left out.\n"
+        "\n"
+        "With --instances a text says which meshes are bodies, each with a tree of its\n"
+        "own, and where instances of them are, frame by frame:\n"
+        "\n"
+        "  body wheel wheel.ply\n"
+        "  instance left wheel\n"
+        "  frame 0 left   1 0 0 -2   0 1 0 0   0 0 1 0\n"
+        "  frame 1 left   0 -1 0 -2  1 0 0 0   0 0 1 0   # a quarter about z\n"
+        "\n"
+        "The 12 numbers are the rows of a matrix: x' = 1 x + 0 y + 0 z - 2, and so on; it\n"
+        "may turn, move, scale and mirror. Frames count from 0 without gaps; an instance\n"
+        "that one does not name stays where it was. Triangles are numbered instance by\n"
+        "instance.\n"};
 
 typedef struct pack_job {
     pack_meshes in;
     pack_frames frames; /* --sequence */
+    pack_instances_order instances;
     pack_options options;
     compact_options compact; /* lattice_bits 0: thesis nodes */
     lattice_loss loss;
@@ -276,6 +292,19 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     return write_all(job, image, f);
 }
 
+/* --instances. */
+static int pack_instances_file(pack_job *job, const char *path, packed *image, fail *f) {
+    job->instances.is_high = job->is_high;
+    job->instances.quality_seconds = job->quality_seconds;
+    job->instances.repair = job->in.repair;
+    job->instances.weld = job->in.weld;
+    if (open_outputs(job, f) != 0 ||
+        pack_instances(image, path, &job->instances, &job->options, f) != 0) {
+        return -1;
+    }
+    return write_all(job, image, f);
+}
+
 /* What the picture will lack, for scripts as well. */
 static void say_losses(const pack_job *job, const packed *image) {
     pack_meshes_say(&job->in);
@@ -348,7 +377,8 @@ static uint8_t read_lattice(pack_job *job, args *a, int floats) {
 
 static void read_checks(pack_job *job, args *a) {
     static const char *const checks[] = {"on", "off", NULL};
-    const int are_on = args_choice(a, "--checks", checks, job->frames.wanted ? 1 : 0) == 0;
+    const int moves = job->frames.wanted || job->instances.wanted;
+    const int are_on = args_choice(a, "--checks", checks, moves ? 1 : 0) == 0;
     job->options.checks = job->compact.checks = (uint8_t)are_on;
     if (are_on && args_has(a, "--checks") && job->options.build != PLT_BUILD_HOST) {
         args_complain(a, "--checks on is for --build host: only finished trees are streamed");
@@ -461,6 +491,14 @@ static void read_mesh_flags(pack_meshes *in, args *a) {
     }
 }
 
+static void read_instances(pack_job *job, args *a) {
+    pack_instances_read(&job->instances, a);
+    if (job->instances.wanted &&
+        (job->compact.lattice_bits > 0 || job->options.build != PLT_BUILD_HOST)) {
+        args_complain(a, "--instances takes --nodes thesis and --build host");
+    }
+}
+
 static void read_flags(pack_job *job, args *a) {
     static const char *const builds[] = {"host", "device", "none", NULL};
     static const char *const splits[] = {"sah", "median", NULL};
@@ -474,6 +512,7 @@ static void read_flags(pack_job *job, args *a) {
     args_choice(a, "--slots", thesis, 0);
     pack_frames_read(&job->frames, a);
     read_format(job, a);
+    read_instances(job, a);
     read_checks(job, a);
     read_quality(job, a);
     job->compact.splits = job->options.splits;
@@ -500,9 +539,12 @@ int run_pack(args *a) {
     fail f = {""};
     packed image = {0};
     const double began = clock_seconds();
-    const int status = pack_files(&job, a, &image, &f);
-    if (status == 0) {
+    const int status = job.instances.wanted ? pack_instances_file(&job, a->file[0], &image, &f)
+                                            : pack_files(&job, a, &image, &f);
+    if (status == 0 && !job.instances.wanted) {
         say_losses(&job, &image);
+    }
+    if (status == 0) {
         say_quality(&job.quality);
         say_done(&job, &image, clock_seconds() - began);
     } else {

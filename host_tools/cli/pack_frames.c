@@ -52,8 +52,8 @@ void pack_frames_read(pack_frames *p, args *a) {
     static const char *const trees[] = {"first", "all", NULL};
     p->wanted = args_has(a, "--sequence");
     if (!p->wanted) {
-        if (args_has(a, "--frames") || args_has(a, "--rate") || args_has(a, "--key") ||
-            args_has(a, "--tree-for") || args_has(a, "--stills")) {
+        if (args_has(a, "--frames") || args_has(a, "--key") || args_has(a, "--tree-for") ||
+            args_has(a, "--stills") || (args_has(a, "--rate") && !args_has(a, "--instances"))) {
             args_complain(a, "--frames, --rate, --key, --stills and --tree-for go with --sequence");
         }
         return;

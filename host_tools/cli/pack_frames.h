@@ -26,7 +26,8 @@
          "of --sequence: the frames that the tree is made for, its first or up to 8 that are "     \
          "evenly spread; all takes --quality high, three times as long as that alone and more, "   \
          "and gives up to half as many visits where triangles move apart (default first)"},        \
-        {"--rate", "N", "of --sequence: frames per second, 1 to 1000 (default 25)"}, {             \
+        {"--rate", "N", "of --sequence, --instances: frames per second, 1 to 1000 (default 25)"},  \
+    {                                                                                              \
         "--key", "N",                                                                              \
             "of --sequence: every N-th frame does not depend on others, so that any frame takes N" \
             " at most, 1 to 100000 (default 16)"                                                   \

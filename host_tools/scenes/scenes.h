@@ -29,6 +29,15 @@ int scene_ground(mesh *m, fail *f);
 #define SCENE_MARBLES_MOST 8800u
 int scene_marbles(mesh *m, uint64_t triangles, unsigned frame, fail *f);
 
+/* The same as bodies, a tray that is level and a ball about 0, and a matrix for each: of the tray,
+ * then of the balls, three rows of four. Returns how many; `triangles` as of scene_marbles, in
+ * range. */
+#define SCENE_MARBLES_INSTANCES 110u
+int scene_marbles_tray(mesh *m, fail *f);
+int scene_marbles_ball(mesh *m, fail *f);
+unsigned scene_marbles_matrices(uint64_t triangles, unsigned frame,
+                                double matrix[SCENE_MARBLES_INSTANCES][12]);
+
 /* A city of 168 houses, 260 x 260, and 576 people, who stand on the lift of a skyscraper in frame
  * 0, are on the ground 25 frames later and go to streets all over the city; from there one in three
  * goes up to a roof and one down below the ground, until frame 140; 25 frames per second.

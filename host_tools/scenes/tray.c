@@ -182,20 +182,71 @@ static int add(mesh *out, const marbles *m, fail *f) {
     return wrong;
 }
 
-int scene_marbles(mesh *m, uint64_t triangles, unsigned frame, fail *f) {
+/* That frame of so many marbles beside the tray. */
+static const marbles *world_at(uint64_t triangles, unsigned frame) {
     static marbles world; /* of no marbles until it has begun */
-    const size_t had_vertices = m->vertices, had_triangles = m->triangles;
-    if (count_check(m, "tray of marbles", triangles, SCENE_MARBLES_LEAST, SCENE_MARBLES_MOST, f)) {
-        return -1;
-    }
-    const unsigned count = (unsigned)(triangles / BALL_TRIANGLES) - 1; /* beside the tray */
+    const unsigned count = (unsigned)(triangles / BALL_TRIANGLES) - 1;
     if (world.count != count || frame < world.frames) {
         marbles_start(&world, count);
     }
     while (world.frames < frame) {
         marbles_frame(&world);
     }
-    if (add(m, &world, f) == 0) {
+    return &world;
+}
+
+static const rotation as_it_is = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+int scene_marbles_tray(mesh *m, fail *f) {
+    return add_tray(m, as_it_is, f);
+}
+
+int scene_marbles_ball(mesh *m, fail *f) {
+    ball b;
+    int wrong = 0;
+    ball_make(&b);
+    for (unsigned i = 0; i < BALL_VERTICES && !wrong; i++) {
+        wrong = add_vertex(m, as_it_is, b.vertex[i][0], b.vertex[i][1], b.vertex[i][2], f);
+    }
+    for (unsigned i = 0; i < BALL_TRIANGLES && !wrong; i++) {
+        wrong = mesh_add_triangle(m, b.triangle[i][0], b.triangle[i][1], b.triangle[i][2], f);
+    }
+    return wrong ? -1 : 0;
+}
+
+/* The product of two rotations, and the place of what they rotate about. */
+static void set_matrix(double to[12], const rotation lean, const rotation own, const double at[3]) {
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            to[4 * i + j] =
+                lean[i][0] * own[0][j] + lean[i][1] * own[1][j] + lean[i][2] * own[2][j];
+        }
+        to[4 * i + 3] = lean[i][0] * at[0] + lean[i][1] * at[1] + lean[i][2] * at[2];
+    }
+}
+
+unsigned scene_marbles_matrices(uint64_t triangles, unsigned frame,
+                                double matrix[SCENE_MARBLES_INSTANCES][12]) {
+    static const double nowhere[3] = {0.0, 0.0, 0.0};
+    const marbles *world = world_at(triangles, frame);
+    rotation lean, own;
+    lean_rotation(world, lean);
+    set_matrix(matrix[0], lean, as_it_is, nowhere);
+    for (unsigned i = 0; i < world->count; i++) {
+        const marble *a = &world->marble[i];
+        const double at[3] = {a->x, 1.0, a->z};
+        orientation_rotation(a->orientation, own);
+        set_matrix(matrix[i + 1], lean, own, at);
+    }
+    return world->count + 1;
+}
+
+int scene_marbles(mesh *m, uint64_t triangles, unsigned frame, fail *f) {
+    const size_t had_vertices = m->vertices, had_triangles = m->triangles;
+    if (count_check(m, "tray of marbles", triangles, SCENE_MARBLES_LEAST, SCENE_MARBLES_MOST, f)) {
+        return -1;
+    }
+    if (add(m, world_at(triangles, frame), f) == 0) {
         return 0;
     }
     m->vertices = had_vertices;

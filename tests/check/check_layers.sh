@@ -18,6 +18,7 @@ engine/tree
 engine/tree/thesis engine/tree/compact
 engine/builder
 engine/grid
+engine/instances
 engine/memory
 engine/scene
 engine/trace

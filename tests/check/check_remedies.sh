@@ -31,6 +31,9 @@ out of memory for the frames of --tree-for all; use --tree-for first | $few
 %zu triangles: out of memory for a tree of so many frames; use --tree-for first | \
 test_pack_poses gives less memory
 use fewer frames, or --geometry lattice of fewer bits | $size
+use fewer frames, or reduce the meshes | $size
+bodies of %llu triangles and instances of %llu are more than 2^27 - 1 and 2^32 - 2; reduce their \
+meshes | $size
 out of memory; choose a smaller --size | a frame of 1,200 tiles is less than one MiB
 close other programs | a system without memory for two sockets cannot be had here
 cannot read at byte %zu: %s; check the disk | no disk fails when asked to

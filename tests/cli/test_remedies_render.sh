@@ -24,6 +24,12 @@ said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
 eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
 status=$?
 helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
+message="next: planelet pack --instances %s -o %s.plt"
+./pty err "$PLANELET" make marbles --instances -o marbles.txt >seen </dev/null
+said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
+eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
+status=$?
+helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
 ./pty err "$PLANELET" make room --triangles 24000 -o room.ply >seen </dev/null
 run pack room.ply -o room.plt
 eval "$(tr -d '\r' <seen | sed -n 's/^then, from inside: //p')" >out 2>err

@@ -48,10 +48,10 @@ flags() {
 scene_flags='--packet --walk --structure --residency --store --schedule --batch --prefetch'
 scene_flags="$scene_flags --source --arena --workers --turns"
 view_flags='--eye --look --up --fov'
-flags make -o --triangles --seed --frame --frames
+flags make -o --triangles --seed --frame --frames --instances
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
     --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames \
-    --stills --tree-for --rate --key --centre --origin --weld --repair --memory --json
+    --stills --tree-for --rate --key --instances --centre --origin --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step --repeat \

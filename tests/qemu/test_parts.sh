@@ -200,6 +200,40 @@ for parts in 'render compact grid' 'grid compact'; do
     verdict "PARTS='$parts' is refused, with what it may be" "$(
         echo "$trouble" | grep -q "PARTS with grid has .*: make PARTS='" || echo "$trouble")"
 done
+instances=$BUILD/mps2_an386-instances-render-thesis
+# shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
+# program says how long it takes.
+shows_instances() {
+    for frame in 0 7 3; do
+        view=$(sh board/tools/host_view.sh "$out/instances.plt" 80x60 "$out/host.ppm" \
+            --frames $frame:$((frame + 1)))
+        # shellcheck disable=SC2086
+        text=$(FIRMWARE=$instances SOURCE=$1 sh board/mps2_an386/run.sh "$out/instances.plt" \
+            size=80x60 show=$frame ${view#* } 2>&1)
+        verdict "frame $frame of instances $1: that of the host" "$(
+            [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                echo "$text")"
+    done
+}
+if part "render thesis instances" "$instances" 51200; then
+    renders "$instances" thesis
+    "$planelet" make marbles --instances --frames 8 --triangles 2000 -o "$out/instances.txt" \
+        >/dev/null 2>&1
+    "$planelet" pack --instances "$out/instances.txt" -o "$out/instances.plt" >/dev/null 2>&1
+    shows_instances
+    shows_instances file
+    firmware "$instances" "$out/instances.plt" size=80x60 show=8
+    verdict "... a frame that is not there is refused" "$(
+        echo "$text" | grep -q '^error: the image has no such frame' || echo "$text")"
+    firmware "$thesis" "$out/instances.plt" size=80x60
+    verdict "... and the image where there is no part for it" "$(
+        echo "$text" | grep -q '^error: .*number of sections' || echo "$text")"
+fi
+for parts in 'render compact instances' 'instances compact'; do
+    trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
+    verdict "PARTS='$parts' is refused, with what it may be" "$(
+        echo "$trouble" | grep -q "PARTS with instances has .*: make PARTS='" || echo "$trouble")"
+done
 for parts in 'render compact motion' 'motion compact'; do
     trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
     verdict "PARTS='$parts' is refused, with what it may be" "$(

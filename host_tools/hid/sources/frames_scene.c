@@ -26,7 +26,7 @@ typedef struct live {
 /* The frame of a sequence that the clock is at. */
 static int show_frame(live *l, const char *path, fail *f) {
     const plt_info *info = plt_engine_info(l->scene.engine);
-    if (info->frames == 0 || !l->scene.options.movable) {
+    if (info->frames == 0 || (info->instances == 0 && !l->scene.options.movable)) {
         return 0;
     }
     const double gone = (clock_seconds() - l->began) * info->frame_rate;
@@ -94,7 +94,7 @@ static int open_scene(scene *s, args *a, const char *path, fail *f) {
     }
     if (s->options.residency == PLT_RESIDENCY_WHOLE &&
         plt_image_info(&s->source, &info, &fault) == PLT_OK) {
-        s->options.movable = info.frames > 0;
+        s->options.movable = info.frames > 0 && info.instances == 0;
     }
     const int status = scene_start(s, path, &fault);
     return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
