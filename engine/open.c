@@ -427,12 +427,13 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
                              "geometry or of treelets of at most 256 nodes");
     }
     if (!plt_layout_motion_valid(info, options)) {
-        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             plt_has_instances(info)
-                                 ? "bodies of instances are placed, and cannot be moved"
-                                 : "triangles of compact blocks move as frames of their image say, "
-                                   "all together, streamed ones as stills, and others cannot be "
-                                   "moved");
+        return plt_fault_set(
+            fault, PLT_ERR_ARGUMENT, 0,
+            plt_has_instances(info) ? "bodies of instances are placed, and cannot be moved"
+            : info->nodes_format == PLT_NODES_COMPACT
+                ? "triangles of compact blocks move as frames of their image say, "
+                  "all together, streamed ones as stills, and others cannot be moved"
+                : "of streamed scenes stills of compact blocks move alone");
     }
     if (!plt_layout_structure_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

@@ -327,7 +327,7 @@ for flag in '--weld 0.1' '--reduce 10' '--memory 100000000' '--frame 1'; do
 done
 misused "two films" "--frames and --orbit" render list.plt --frames 0:2 --orbit 3 -o x.y4m
 misused "several frames in one picture" "NAME_{}.png" render list.plt --frames 0:2 -o x.png
-misused "a streamed scene" "--residency resident" \
+refused "a streamed scene" list.plt "stills of compact blocks move alone; pack frames with" \
     render list.plt --frames 0:2 -o x.y4m --residency streamed
 none_left
 finish

@@ -167,6 +167,21 @@ sequence=$BUILD/mps2_an386-compact-frames-motion-render-sequence
 if part "render compact frames motion sequence" "$sequence" 48128; then
     shows lattice:16 "" compact
 fi
+sequence=$BUILD/mps2_an386-compact-motion-render-sequence-stream
+if part "render compact motion sequence stream" "$sequence" 67584; then
+    "$planelet" pack --sequence "$out"/wave_00?.ply --geometry lattice:14 --nodes compact --stills \
+        -o "$out/stills.plt" >/dev/null 2>&1
+    for frame in 0 3 5; do
+        view=$(sh board/tools/host_view.sh "$out/stills.plt" 80x60 "$out/host.ppm" \
+            --residency streamed --frames $frame:$((frame + 1)))
+        # shellcheck disable=SC2086
+        text=$(FIRMWARE=$sequence SOURCE=file sh board/mps2_an386/run.sh "$out/stills.plt" \
+            size=80x60 residency=streamed show=$frame ${view#* } 2>&1)
+        verdict "frame $frame of stills, streamed: that of the host" "$(
+            [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                echo "$text")"
+    done
+fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
 verdict "PARTS with sequence and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with sequence has .*: make PARTS='" || echo "$trouble")"

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/tree/compact/turns.h"
 
+#include "engine/planelet_config.h"
 #include "engine/tree/canonical.h"
 
 void plt_leaf_read_next(const plt_geometry *g, plt_leaf_place *at, uint32_t number, int pair,
@@ -43,6 +44,7 @@ void plt_leaf_turn(const plt_geometry *g, const plt_leaf_place *at, const plt_le
     turn(g, at, leaf, ids, (uint64_t)(g->first_triangle + at->first) * bits, bits);
 }
 
+#if PLT_WITH_STILLS
 void plt_block_turn(const plt_block *b, const plt_geometry *g, unsigned char *ids, uint32_t bits) {
     const uint32_t begin = (uint32_t)((uint64_t)g->first_triangle * bits & 7);
     plt_leaf_place at = {0, 0, 0, 0};
@@ -57,3 +59,4 @@ void plt_block_turn(const plt_block *b, const plt_geometry *g, unsigned char *id
         }
     }
 }
+#endif
