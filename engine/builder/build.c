@@ -30,6 +30,9 @@ typedef struct pending {
     uint32_t parent; /* node that links here, NO_PARENT for the root */
     uint16_t depth;  /* inner nodes above */
     uint8_t child;
+#if PLT_WITH_SUBTREES
+    uint32_t budget; /* nodes that it may take, if they are counted */
+#endif
 } pending;
 
 typedef struct splitting {
@@ -61,13 +64,54 @@ static void link_from_parent(plt_build_job *job, const pending *p, uint32_t link
     }
 }
 
-static void push_children(splitting *s, const pending *p, uint32_t middle, const plt_box box[2],
-                          uint32_t node) {
+#if PLT_WITH_SUBTREES
+/* Fewest nodes that `count` triangles take: every leaf link but one leads to 2 K. */
+static uint32_t least_nodes(const plt_build_job *job, uint32_t count) {
+    return (count - 1) / (2 * job->leaf_triangles);
+}
+
+/* What the split of a range leaves over goes to both sides by their triangles. */
+static uint32_t budget_of(const plt_build_job *job, const pending *p, uint32_t middle, int child) {
+    const uint32_t left = middle - p->begin, right = p->end - middle;
+    const uint32_t least = least_nodes(job, left), both = least + least_nodes(job, right);
+    const uint32_t rest = p->budget > both + 1 ? p->budget - 1 - both : 0;
+    const uint32_t share = (uint32_t)((uint64_t)rest * left / (left + right));
+    return child == 0 ? least + share : both - least + rest - share;
+}
+
+/* A split that its range has not enough nodes for gives way to one that takes the fewest: on one
+ * side whole leaf links of 2 K triangles, about half of them all. That is as deep as halves are. */
+static uint32_t keep_to_budget(const plt_build_job *job, plt_record_items *items, const pending *p,
+                               uint32_t middle, plt_box box[2]) {
+    const uint32_t most = job->leaf_triangles, left = middle - p->begin, right = p->end - middle;
+    const uint32_t count = left + right, links = least_nodes(job, count) + 1;
+    const int is_node = left > most || right > most;
+    if (job->is_paced && is_node &&
+        p->budget < 1 + least_nodes(job, left) + least_nodes(job, right)) {
+        const uint32_t take = count <= 2 * most ? count / 2 : (links + 1) / 2 * 2 * most;
+        return plt_split_records_at(items, p->begin, p->begin + take, p->end, &p->box, box);
+    }
+    return middle;
+}
+#endif
+
+static void push_children(const plt_build_job *job, splitting *s, const pending *p, uint32_t middle,
+                          const plt_box box[2], uint32_t node) {
     for (int c = 1; c >= 0; c--) {
-        const pending child = {box[c], c == 0 ? p->begin : middle, c == 0 ? middle : p->end,
-                               node,   (uint16_t)(p->depth + 1),   (uint8_t)c};
+        const pending child = {
+            .box = box[c],
+            .begin = c == 0 ? p->begin : middle,
+            .end = c == 0 ? middle : p->end,
+            .parent = node,
+            .depth = (uint16_t)(p->depth + 1),
+#if PLT_WITH_SUBTREES
+            .budget = budget_of(job, p, middle, c),
+#endif
+            .child = (uint8_t)c
+        };
         s->stack[s->waiting++] = child;
     }
+    (void)job;
 }
 
 /* Makes the range a list, an intermediate node or a node with two more ranges to do. */
@@ -80,7 +124,10 @@ static int build_range(plt_build_job *job, splitting *s, const pending *p) {
     plt_record_items items = {job->records, &s->bins};
     const plt_split_range range = {p->begin, p->end, p->depth, job->leaf_triangles, job->splits};
     plt_box box[2];
-    const uint32_t middle = plt_split_records(&items, &range, &p->box, box);
+    uint32_t middle = plt_split_records(&items, &range, &p->box, box);
+#if PLT_WITH_SUBTREES
+    middle = keep_to_budget(job, &items, p, middle, box);
+#endif
     if (middle - p->begin <= job->leaf_triangles && p->end - middle <= job->leaf_triangles) {
         set_last_bits(job->records, p->begin, middle);
         set_last_bits(job->records, middle, p->end);
@@ -91,9 +138,12 @@ static int build_range(plt_build_job *job, splitting *s, const pending *p) {
         return PLT_ERR_ARENA;
     }
     const uint32_t node = job->nodes_used++;
+#if PLT_WITH_SUBTREES
+    job->depth_max = p->depth >= job->depth_max ? p->depth + 1u : job->depth_max;
+#endif
     plt_node_encode(&job->nodes[node], &p->box, box);
     link_from_parent(job, p, plt_link_make(node, 0));
-    push_children(s, p, middle, box, node);
+    push_children(job, s, p, middle, box, node);
     return PLT_OK;
 }
 
@@ -101,13 +151,26 @@ PLT_BUILD_STEP int plt_build_begin(plt_build_job *job) {
     splitting *s = job->scratch;
     job->nodes_used = job->node_slots = 0;
     job->root = PLT_LINK_NONE;
-    if (plt_levels_needed(job->count, job->leaf_triangles) >= PLT_DEPTH_MAX) {
+#if PLT_WITH_SUBTREES
+    const uint32_t depth = job->depth;
+#else
+    const uint32_t depth = 0;
+#endif
+    if (plt_levels_needed(job->count, job->leaf_triangles) + depth >= PLT_DEPTH_MAX) {
         return PLT_ERR_LIMIT;
     }
     if (job->scratch_bytes < sizeof *s) {
         return PLT_ERR_ARENA;
     }
-    const pending root = {job->box, 0, job->count, NO_PARENT, 0, 0};
+    const pending root = {
+        .box = job->box,
+        .end = job->count,
+        .parent = NO_PARENT,
+#if PLT_WITH_SUBTREES
+        .budget = job->room,
+#endif
+        .depth = (uint16_t)depth
+    };
     s->stack[0] = root;
     s->waiting = job->count > 0;
     return PLT_OK;

@@ -29,6 +29,12 @@ typedef struct plt_build_job {
     uint8_t splits;          /* enum plt_splits */
     void *scratch;           /* aligned to PLT_ALIGN */
     size_t scratch_bytes;
+#if PLT_WITH_SUBTREES
+    uint32_t depth;     /* of a subtree: nodes above it, else 0 */
+    uint32_t is_paced;  /* 1: `room` nodes are enough, if they are for any tree: where the
+                         * splits take more than their share, ranges are divided by count */
+    uint32_t depth_max; /* result: nodes on the longest path, with those above */
+#endif
     /* results */
     uint32_t nodes_used, node_slots, root;
     plt_box box;

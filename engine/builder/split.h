@@ -32,6 +32,12 @@ typedef struct plt_record_items {
 uint32_t plt_split_records(plt_record_items *items, const plt_split_range *range,
                            const plt_box *box, plt_box child[2]);
 
+#if PLT_WITH_SUBTREES
+/* The same at a middle that is given: by centres along the longest axis. */
+uint32_t plt_split_records_at(plt_record_items *items, uint32_t begin, uint32_t middle,
+                              uint32_t end, const plt_box *box, plt_box child[2]);
+#endif
+
 /* Levels that halving by count takes until lists hold at most `most`. */
 static inline uint32_t plt_levels_needed(uint32_t count, uint32_t most) {
     uint32_t levels = 0;

@@ -19,6 +19,7 @@
  *   ITEMS_FEW                          ranges of no more items are sorted, and every split of
  *                                      them has its cost; at most PLT_SAH_BINS
  *   ITEMS_SELECT_HALVES                1: quickselect before a range is halved by count
+ *   items_split_at                     if defined: a split by count, wherever it is asked for
  *
  * Three ways to split. Surface area heuristic: items are counted into bins by their
  * centres, on all three axes in one pass; the cheapest of the 3 * (bins - 1) planes
@@ -465,6 +466,16 @@ uint32_t items_split(item_list *items, const plt_split_range *range, const item_
     }
     return middle;
 }
+
+#ifdef items_split_at
+uint32_t items_split_at(item_list *items, uint32_t begin, uint32_t middle, uint32_t end,
+                        const item_box *box, item_box child[2]) {
+    split_select(items, begin, end, middle, split_longest_axis(box));
+    child[0] = split_box_of(items, begin, middle);
+    child[1] = split_box_of(items, middle, end);
+    return middle;
+}
+#endif
 
 #endif
 #endif

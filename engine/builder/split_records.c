@@ -94,5 +94,9 @@ static inline item_number item_penalty(const item_list *items, item_number cost,
     return cost;
 }
 
+#if PLT_WITH_SUBTREES
+#define items_split_at plt_split_records_at
+#endif
+
 /* The splitter itself. */
 #include "engine/builder/split_items.h"

@@ -4,6 +4,7 @@
 #include "engine/motion/rebuild.h"
 
 #include "engine/lanes/lanes.h"
+#include "engine/motion/subtree_slots.h"
 #include "engine/tree/thesis/validate.h"
 
 /* Records whose sources are asked for before their turn: they lie in the order of the old tree. */
@@ -12,6 +13,17 @@ enum { AHEAD = 8 };
 static uint32_t least(uint32_t a, uint32_t b) {
     return a < b ? a : b;
 }
+
+#if PLT_WITH_SUBTREES
+static uint32_t first_of(const plt_rebuild *r) {
+    return r->part == NULL ? 0 : r->part->first;
+}
+#else
+static uint32_t first_of(const plt_rebuild *r) {
+    (void)r;
+    return 0;
+}
+#endif
 
 void plt_rebuild_start(plt_rebuild *r, const plt_info *info) {
     r->info = *info;
@@ -25,7 +37,45 @@ void plt_rebuild_start(plt_rebuild *r, const plt_info *info) {
     r->build.treelet_nodes = info->treelet_nodes;
     r->build.splits = info->splits;
     r->build.box = plt_box_empty();
+#if PLT_WITH_SUBTREES
+    r->part = NULL;
+    r->build.depth = r->build.is_paced = r->build.depth_max = 0;
+#endif
 }
+
+#if PLT_WITH_SUBTREES
+void plt_rebuild_start_part(plt_rebuild *r, const plt_info *info, plt_subtree *part, float scale) {
+    plt_rebuild_start(r, info);
+    r->part = part;
+    r->scale = scale;
+    r->build.room = part->slots;
+    r->build.count = part->count;
+    r->build.depth = part->depth;
+    r->build.is_paced = 1;
+}
+
+/* Scratch of the builder is free. */
+static int find_slots(plt_rebuild *r, const plt_tree *tree) {
+    plt_subtree_slots(r->part, tree, r->build.scratch, &r->info);
+    r->build.root = 0;
+    r->phase = PLT_REBUILD_COLLECTS;
+    r->at = 0;
+    return PLT_MORE;
+}
+
+void plt_rebuild_swap_part(plt_rebuild *r, plt_tree *tree) {
+    plt_subtree_put(r->part, tree, r->nodes, r->build.nodes_used, r->records, r->build.scratch,
+                    &r->info);
+    r->part->ratios = r->refit.areas.ratios;
+    r->part->sum = r->refit.areas.sum;
+    r->info.depth_stack_entries = r->build.depth_max > r->info.depth_stack_entries
+                                      ? r->build.depth_max
+                                      : r->info.depth_stack_entries;
+    r->info.local_stack_entries = r->info.depth_stack_entries;
+    r->info.global_stack_entries = r->info.nodes + 1; /* as many leaf links there are */
+    r->phase = PLT_REBUILD_IDLE;
+}
+#endif
 
 /* The step goes from record `at` to the one that is returned. */
 static uint32_t step_end(const plt_rebuild *r, uint32_t triangles) {
@@ -34,9 +84,10 @@ static uint32_t step_end(const plt_rebuild *r, uint32_t triangles) {
 
 static int copy(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
     const uint32_t end = step_end(r, triangles);
+    const plt_record *from = tree->records + first_of(r);
     for (uint32_t i = r->at; i < end; i++) {
-        const plt_box box = plt_record_box(&tree->records[i]);
-        r->records[i] = tree->records[i];
+        const plt_box box = plt_record_box(&from[i]);
+        r->records[i] = from[i];
         plt_put_u32(&r->records[i].word[9], i);
         plt_box_add(&r->build.box, &box);
     }
@@ -58,7 +109,13 @@ static int split(plt_rebuild *r, uint32_t triangles) {
     return status;
 }
 
-static int form_treelets(plt_rebuild *r) {
+static int form_treelets(plt_rebuild *r, const plt_tree *tree) {
+#if PLT_WITH_SUBTREES
+    if (r->part != NULL) {
+        return find_slots(r, tree);
+    }
+#endif
+    (void)tree;
     const int status = plt_build_treelets(&r->build);
     r->phase = PLT_REBUILD_COUNTS;
     return status == PLT_OK ? PLT_MORE : status;
@@ -91,19 +148,29 @@ static int count(plt_rebuild *r) {
     return PLT_MORE;
 }
 
+static float scale_of(const plt_rebuild *r) {
+#if PLT_WITH_SUBTREES
+    if (r->part != NULL) {
+        return r->scale;
+    }
+#endif
+    return plt_areas_scale(&r->build.box);
+}
+
 /* Corners and ids of the old records, which nobody asks for by their ids from now on; which is the
  * last of its list is the new tree's. */
 static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
-    const uint32_t end = step_end(r, triangles);
+    const uint32_t end = step_end(r, triangles), first = first_of(r);
+    const plt_record *from = tree->records + first;
     for (uint32_t i = r->at; i < end; i++) {
         plt_record *to = &r->records[i];
         const uint32_t word = plt_get_u32(&to->word[9]);
         const uint32_t ahead = least(i + AHEAD, r->build.count - 1);
-        plt_prefetch(&tree->records[plt_primitive_id(plt_get_u32(&r->records[ahead].word[9]))]);
-        *to = tree->records[plt_primitive_id(word)];
+        plt_prefetch(&from[plt_primitive_id(plt_get_u32(&r->records[ahead].word[9]))]);
+        *to = from[plt_primitive_id(word)];
         plt_record_set_last(to, (word & PLT_RECORD_LAST) != 0);
         if (r->places != NULL) {
-            r->places[plt_primitive_id(plt_get_u32(&to->word[9]))] = i;
+            r->places[plt_primitive_id(plt_get_u32(&to->word[9]))] = first + i;
         }
     }
     r->at = end;
@@ -112,7 +179,7 @@ static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
         r->refit.nodes = r->nodes;
         r->refit.records = r->records;
         r->refit.root = r->build.root;
-        r->refit.areas.scale = plt_areas_scale(&r->build.box);
+        r->refit.areas.scale = scale_of(r);
         r->refit.areas.is_wanted = 1;
         plt_refit_begin(&r->refit);
     }
@@ -132,7 +199,7 @@ static int work(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
     case PLT_REBUILD_SPLITS:
         return split(r, triangles);
     case PLT_REBUILD_TREELETS:
-        return form_treelets(r);
+        return form_treelets(r, tree);
     case PLT_REBUILD_COUNTS:
         return count(r);
     case PLT_REBUILD_COLLECTS:

@@ -21,9 +21,13 @@ static inline plt_box4 kept(const plt_refit_level *l) {
     return box;
 }
 
-/* Down to the leftmost leaf below `link`, every node on the way a level. */
-static uint32_t descend(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
-    while (!plt_link_is_leaf(link)) {
+/* Nobody stops there. */
+#define NOWHERE 0xFFFFFFFFu
+
+/* Down to the leftmost leaf below `link`, or to node `stop`, every node on the way a level. */
+PLT_INLINED uint32_t descend(const plt_refit_job *job, uint32_t link, plt_refit_level **top,
+                             uint32_t stop) {
+    while (!plt_link_is_leaf(link) && (stop == NOWHERE || plt_link_index(link) != stop)) {
         (*top)->node = plt_link_index(link);
         (*top)->is_done = 0;
         link = plt_node_link(&job->nodes[(*top)->node], 0);
@@ -59,12 +63,15 @@ void plt_refit_begin(plt_refit_job *job) {
 }
 
 /* Inlined twice: sums of areas would cost those who do not want them a quarter of the whole. */
-PLT_INLINED int step(plt_refit_job *job, uint32_t lists, int counts_areas) {
+PLT_INLINED int step(plt_refit_job *job, uint32_t lists, int counts_areas, uint32_t stop) {
     plt_refit_level *top = job->top;
     uint32_t link = job->link;
     plt_box4 box;
     do {
-        link = descend(job, link, &top);
+        link = descend(job, link, &top, stop);
+        if (stop != NOWHERE && !plt_link_is_leaf(link)) {
+            break;
+        }
         box = plt_lists_box4(job->records, link);
         link = ascend(job, &box, &top, counts_areas);
     } while (link != PLT_LINK_NONE && --lists > 0);
@@ -78,8 +85,23 @@ PLT_INLINED int step(plt_refit_job *job, uint32_t lists, int counts_areas) {
 }
 
 int plt_refit_step(plt_refit_job *job, uint32_t lists) {
-    return PLT_WITH_REBUILD && job->areas.is_wanted ? step(job, lists, 1) : step(job, lists, 0);
+    return PLT_WITH_REBUILD && job->areas.is_wanted ? step(job, lists, 1, NOWHERE)
+                                                    : step(job, lists, 0, NOWHERE);
 }
+
+#if PLT_WITH_SUBTREES
+void plt_refit_to(plt_refit_job *job, uint32_t stop) {
+    (void)step(job, UINT32_MAX, 1, stop);
+}
+
+void plt_refit_put(plt_refit_job *job, const plt_box *box) {
+    plt_box4 b = plt_box4_load(box);
+    job->link = ascend(job, &b, &job->top, 1);
+    if (job->link == PLT_LINK_NONE) {
+        plt_box4_store(b, &job->box);
+    }
+}
+#endif
 
 void plt_refit(plt_refit_job *job) {
     plt_refit_begin(job);
