@@ -39,6 +39,11 @@ typedef struct splitting {
     plt_split_bins bins;
     pending stack[PLT_DEPTH_MAX + 1];
     uint32_t waiting;
+#if PLT_WITH_REBUILD
+    uint32_t is_long; /* a range is split in steps: */
+    pending range;
+    plt_split_job job;
+#endif
 } splitting;
 
 uint32_t plt_build_slots_bound(uint32_t nodes, uint32_t treelet_nodes) {
@@ -114,18 +119,16 @@ static void push_children(const plt_build_job *job, splitting *s, const pending 
     (void)job;
 }
 
-/* Makes the range a list, an intermediate node or a node with two more ranges to do. */
-static int build_range(plt_build_job *job, splitting *s, const pending *p) {
-    if (p->end - p->begin <= job->leaf_triangles) {
-        set_last_bits(job->records, p->begin, p->end);
-        link_from_parent(job, p, plt_link_make(p->begin, PLT_LINK_LEAF));
-        return PLT_OK;
-    }
-    plt_record_items items = {job->records, &s->bins};
-    const plt_split_range range = {p->begin, p->end, p->depth, job->leaf_triangles, job->splits};
-    plt_box box[2];
-    uint32_t middle = plt_split_records(&items, &range, &p->box, box);
+static void make_list(plt_build_job *job, const pending *p) {
+    set_last_bits(job->records, p->begin, p->end);
+    link_from_parent(job, p, plt_link_make(p->begin, PLT_LINK_LEAF));
+}
+
+/* The range has been split: it is an intermediate node, or a node with two more ranges to do. */
+static int make_node(plt_build_job *job, splitting *s, const pending *p, uint32_t middle,
+                     plt_box box[2]) {
 #if PLT_WITH_SUBTREES
+    plt_record_items items = {job->records, &s->bins};
     middle = keep_to_budget(job, &items, p, middle, box);
 #endif
     if (middle - p->begin <= job->leaf_triangles && p->end - middle <= job->leaf_triangles) {
@@ -146,6 +149,68 @@ static int build_range(plt_build_job *job, splitting *s, const pending *p) {
     push_children(job, s, p, middle, box, node);
     return PLT_OK;
 }
+
+static plt_split_range range_of(const plt_build_job *job, const pending *p) {
+    const plt_split_range r = {p->begin, p->end, p->depth, job->leaf_triangles, job->splits};
+    return r;
+}
+
+/* Makes the range a list, or splits it. */
+static int build_range(plt_build_job *job, splitting *s, const pending *p) {
+    if (p->end - p->begin <= job->leaf_triangles) {
+        make_list(job, p);
+        return PLT_OK;
+    }
+    plt_record_items items = {job->records, &s->bins};
+    const plt_split_range range = range_of(job, p);
+    plt_box box[2];
+    const uint32_t middle = plt_split_records(&items, &range, &p->box, box);
+    return make_node(job, s, p, middle, box);
+}
+
+#if PLT_WITH_REBUILD
+/* Triangles of a range that is not divided. */
+#define UNDIVIDED 64u
+
+/* Goes on with a long range. */
+static int split_some(plt_build_job *job, splitting *s, uint32_t *left) {
+    plt_record_items items = {job->records, &s->bins};
+    const int status = plt_split_records_some(&items, &s->job, left);
+    if (status == PLT_OK) {
+        s->is_long = 0;
+        return make_node(job, s, &s->range, s->job.middle, s->job.child);
+    }
+    return status;
+}
+
+static void begin_long(plt_build_job *job, splitting *s, const pending *p) {
+    s->is_long = 1;
+    s->range = *p;
+    s->job.range = range_of(job, p);
+    s->job.box = p->box;
+    plt_split_records_begin(&s->job);
+}
+
+/* A range is looked at twice, so `left` counts triangles twice. */
+static int split_next(plt_build_job *job, splitting *s, uint32_t *left) {
+    if (!s->is_long) {
+        const pending p = s->stack[--s->waiting];
+        const uint32_t count = p.end - p.begin;
+        if (count <= UNDIVIDED || count <= *left / 2) {
+            *left -= 2 * count < *left ? 2 * count : *left;
+            return build_range(job, s, &p);
+        }
+        begin_long(job, s, &p);
+    }
+    return split_some(job, s, left);
+}
+#else
+static int split_next(plt_build_job *job, splitting *s, uint32_t *left) {
+    const pending p = s->stack[--s->waiting];
+    (void)left;
+    return build_range(job, s, &p);
+}
+#endif
 
 PLT_BUILD_STEP int plt_build_begin(plt_build_job *job) {
     splitting *s = job->scratch;
@@ -173,43 +238,80 @@ PLT_BUILD_STEP int plt_build_begin(plt_build_job *job) {
     };
     s->stack[0] = root;
     s->waiting = job->count > 0;
+#if PLT_WITH_REBUILD
+    s->is_long = 0;
+#endif
     return PLT_OK;
+}
+
+static int is_split(const splitting *s) {
+#if PLT_WITH_REBUILD
+    return s->waiting == 0 && !s->is_long;
+#else
+    return s->waiting == 0;
+#endif
 }
 
 PLT_BUILD_STEP int plt_build_split(plt_build_job *job, uint32_t triangles) {
     splitting *s = job->scratch;
-    uint32_t seen = 0;
-    while (s->waiting > 0) {
-        if (seen >= triangles) {
-            return PLT_MORE;
-        }
-        const pending p = s->stack[--s->waiting];
-        const int status = build_range(job, s, &p);
+    uint32_t left = triangles < UINT32_MAX / 2 ? 2 * triangles : UINT32_MAX;
+    while (!is_split(s)) {
+        const int status = left > 0 ? split_next(job, s, &left) : PLT_MORE;
         if (status != PLT_OK) {
             return status;
         }
-        seen += p.end - p.begin;
     }
     return PLT_OK;
 }
 
-PLT_BUILD_STEP int plt_build_treelets(plt_build_job *job) {
+static plt_treelet_job treelets_of(const plt_build_job *job) {
+    const plt_treelet_job t = {.nodes = job->nodes,
+                               .count = job->nodes_used,
+                               .room = job->room,
+                               .treelet_nodes = job->treelet_nodes,
+                               .scratch = job->scratch};
+    return t;
+}
+
+static int has_scratch(const plt_build_job *job) {
+    return job->scratch_bytes >= plt_treelet_scratch_bytes(job->nodes_used, job->treelet_nodes);
+}
+
+static int form_treelets(plt_build_job *job) {
     if (job->nodes_used == 0) {
         return PLT_OK;
     }
-    if (job->scratch_bytes < plt_treelet_scratch_bytes(job->nodes_used, job->treelet_nodes)) {
+    if (!has_scratch(job)) {
         return PLT_ERR_ARENA;
     }
-    plt_treelet_job t = {.nodes = job->nodes,
-                         .count = job->nodes_used,
-                         .room = job->room,
-                         .treelet_nodes = job->treelet_nodes,
-                         .scratch = job->scratch};
+    plt_treelet_job t = treelets_of(job);
     const int status = plt_treelets_form(&t);
     job->node_slots = t.node_slots;
     job->root = plt_link_make(t.root, 0);
     return status;
 }
+
+#if PLT_WITH_REBUILD
+int plt_build_treelets_begin(plt_build_job *job) {
+    if (job->nodes_used > 0 && !has_scratch(job)) {
+        return PLT_ERR_ARENA;
+    }
+    if (job->nodes_used > 0) {
+        const plt_treelet_job t = treelets_of(job);
+        plt_treelets_begin(&job->treelets, &t);
+    }
+    return PLT_OK;
+}
+
+int plt_build_treelets(plt_build_job *job, uint32_t nodes) {
+    const int status = job->nodes_used == 0 ? PLT_OK : plt_treelets_step(&job->treelets, nodes);
+    if (status == PLT_OK && job->nodes_used > 0) {
+        job->node_slots = job->treelets.blocks * job->treelet_nodes;
+        job->root = plt_link_make(job->treelets.root, 0);
+    }
+    return status;
+}
+#endif
 
 int plt_build(plt_build_job *job) {
     job->box = plt_records_box(job->records, 0, job->count);
@@ -219,5 +321,5 @@ int plt_build(plt_build_job *job) {
             status = plt_build_split(job, UINT32_MAX);
         } while (status == PLT_MORE);
     }
-    return status == PLT_OK ? plt_build_treelets(job) : status;
+    return status == PLT_OK ? form_treelets(job) : status;
 }

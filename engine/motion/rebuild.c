@@ -54,15 +54,6 @@ void plt_rebuild_start_part(plt_rebuild *r, const plt_info *info, plt_subtree *p
     r->build.is_paced = 1;
 }
 
-/* Scratch of the builder is free. */
-static int find_slots(plt_rebuild *r, const plt_tree *tree) {
-    plt_subtree_slots(r->part, tree, r->build.scratch, &r->info);
-    r->build.root = 0;
-    r->phase = PLT_REBUILD_COLLECTS;
-    r->at = 0;
-    return PLT_MORE;
-}
-
 void plt_rebuild_swap_part(plt_rebuild *r, plt_tree *tree) {
     plt_subtree_put(r->part, tree, r->nodes, r->build.nodes_used, r->records, r->build.scratch,
                     &r->info);
@@ -100,25 +91,34 @@ static int copy(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
     return status == PLT_OK ? PLT_MORE : status;
 }
 
-static int split(plt_rebuild *r, uint32_t triangles) {
-    const int status = plt_build_split(&r->build, triangles);
-    if (status == PLT_OK) {
-        r->phase = PLT_REBUILD_TREELETS;
-        return PLT_MORE;
-    }
-    return status;
+static void begin_to_collect(plt_rebuild *r) {
+    r->phase = PLT_REBUILD_COLLECTS;
+    r->at = 0;
 }
 
-static int form_treelets(plt_rebuild *r, const plt_tree *tree) {
+#if PLT_WITH_SUBTREES
+/* Scratch of the builder is free. */
+static int find_slots(plt_rebuild *r, const plt_tree *tree) {
+    plt_subtree_slots(r->part, tree, r->build.scratch, &r->info);
+    r->build.root = 0;
+    begin_to_collect(r);
+    return PLT_MORE;
+}
+#endif
+
+static int split(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
+    const int status = plt_build_split(&r->build, triangles);
+    if (status != PLT_OK) {
+        return status;
+    }
 #if PLT_WITH_SUBTREES
     if (r->part != NULL) {
         return find_slots(r, tree);
     }
 #endif
     (void)tree;
-    const int status = plt_build_treelets(&r->build);
-    r->phase = PLT_REBUILD_COUNTS;
-    return status == PLT_OK ? PLT_MORE : status;
+    r->phase = PLT_REBUILD_TREELETS;
+    return plt_build_treelets_begin(&r->build) == PLT_OK ? PLT_MORE : PLT_ERR_ARENA;
 }
 
 static plt_tree new_tree(const plt_rebuild *r) {
@@ -131,21 +131,46 @@ static plt_tree new_tree(const plt_rebuild *r) {
     return tree;
 }
 
-/* Scratch of the builder is free. K stays as it is. */
-static int count(plt_rebuild *r) {
+/* Lists without a node: there is one link, and no stack holds more. */
+static int count_lists(plt_rebuild *r) {
+    const int is_intermediate = plt_link_lists(r->build.root) == 2;
+    r->info.nodes = r->info.treelets = r->info.local_stack_entries = 0;
+    r->info.leaf_lists = is_intermediate ? 0 : 1;
+    r->info.intermediate_lists = is_intermediate ? 1 : 0;
+    r->info.global_stack_entries = r->info.depth_stack_entries = 1;
+    begin_to_collect(r);
+    return PLT_MORE;
+}
+
+/* Scratch of the builder is free. */
+static int begin_to_count(plt_rebuild *r) {
     const plt_tree tree = new_tree(r);
-    const uint32_t leaf_triangles = r->info.leaf_triangles;
-    plt_fault fault;
     r->info.node_slots = r->build.node_slots;
     r->info.node_bytes = r->build.node_slots * PLT_NODE_BYTES;
-    const int status = plt_tree_validate(&tree, r->build.scratch, &r->info, &fault);
-    r->info.leaf_triangles = leaf_triangles;
-    if (status != PLT_OK || r->info.global_stack_entries > PLT_GLOBAL_STACK_MAX) {
-        return PLT_ERR_LIMIT;
+    if (plt_link_is_leaf(tree.root)) {
+        return count_lists(r);
     }
-    r->phase = PLT_REBUILD_COLLECTS;
-    r->at = 0;
+    r->counting.levels = r->build.scratch;
+    plt_tree_count_begin(&r->counting, &tree, &r->info);
+    r->phase = PLT_REBUILD_COUNTS;
     return PLT_MORE;
+}
+
+static int form_treelets(plt_rebuild *r, uint32_t triangles) {
+    const int status = plt_build_treelets(&r->build, triangles);
+    return status == PLT_OK ? begin_to_count(r) : status;
+}
+
+/* K stays as it is. */
+static int count(plt_rebuild *r, uint32_t triangles) {
+    const plt_tree tree = new_tree(r);
+    const int status = plt_tree_count(&r->counting, &tree, triangles, &r->info);
+    r->info.leaf_triangles = r->build.leaf_triangles;
+    if (status == PLT_OK && r->info.global_stack_entries <= PLT_GLOBAL_STACK_MAX) {
+        begin_to_collect(r);
+        return PLT_MORE;
+    }
+    return status == PLT_MORE ? PLT_MORE : PLT_ERR_LIMIT;
 }
 
 static float scale_of(const plt_rebuild *r) {
@@ -187,7 +212,9 @@ static int collect(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
 }
 
 static int refit(plt_rebuild *r, uint32_t triangles) {
-    const int status = plt_refit_step(&r->refit, triangles);
+    const uint32_t each = 2 * r->info.leaf_triangles; /* of a leaf link, at most */
+    const uint32_t lists = triangles > each ? triangles / each : 1;
+    const int status = plt_refit_step(&r->refit, lists);
     r->phase = status == PLT_OK ? PLT_REBUILD_READY : PLT_REBUILD_REFITS;
     return status;
 }
@@ -197,11 +224,11 @@ static int work(plt_rebuild *r, const plt_tree *tree, uint32_t triangles) {
     case PLT_REBUILD_COPIES:
         return copy(r, tree, triangles);
     case PLT_REBUILD_SPLITS:
-        return split(r, triangles);
+        return split(r, tree, triangles);
     case PLT_REBUILD_TREELETS:
-        return form_treelets(r, tree);
+        return form_treelets(r, triangles);
     case PLT_REBUILD_COUNTS:
-        return count(r);
+        return count(r, triangles);
     case PLT_REBUILD_COLLECTS:
         return collect(r, tree, triangles);
     case PLT_REBUILD_REFITS:

@@ -21,6 +21,7 @@
 #include "engine/motion/subtrees.h"
 #include "engine/planelet.h"
 #include "engine/tree/thesis/tree.h"
+#include "engine/tree/thesis/validate.h"
 
 enum plt_rebuild_phase {
     PLT_REBUILD_IDLE,
@@ -42,6 +43,7 @@ typedef struct plt_rebuild {
     uint32_t *places;  /* of each id: its record; NULL: nobody asks (dirty.h) */
     uint8_t phase;     /* enum plt_rebuild_phase */
     plt_build_job build;
+    plt_counting counting;
     plt_refit_job refit;
     plt_info info; /* with counts and needs of the new tree */
 #if PLT_WITH_SUBTREES

@@ -52,9 +52,6 @@ void rebuilds_read(rebuilds *r, scene *s, args *a, int moves) {
     if (args_has(a, "--rebuild-most") && r->when == PLT_REBUILD_NEVER) {
         args_complain(a, "--rebuild-most is for --rebuild always, threshold:PERCENT or cost");
     }
-    if (args_has(a, "--rebuild-most") && s->options.order == PLT_ORDER_TWO_STAGE) {
-        args_complain(a, "--rebuild-most is for --walk depth-first");
-    }
     s->options.rebuild = r->when != PLT_REBUILD_NEVER;
     s->options.rebuild_most =
         (uint32_t)args_number(a, "--rebuild-most", 0, PLT_SUBTREE_LEAST, 4000000000u);

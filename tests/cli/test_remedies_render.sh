@@ -141,7 +141,7 @@ cured render thesis.plt -o x.png --moved knot.ply --structure grid
 says "--rebuild-most is for --rebuild always, threshold:PERCENT or cost" \
     render thesis.plt -o x.png --moved knot.ply --rebuild-most 99
 cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-most 99
-says "--rebuild-most is for --walk depth-first" \
+says "--rebuild-most is for --walk depth" \
     render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-most 99 --walk two-stage
 cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-most 99
 says "--rebuild-step is for --rebuild always, threshold:PERCENT or cost" \

@@ -12,19 +12,9 @@
 
 #define NONE 0xFFFFFFFFu
 
-typedef struct forming {
-    plt_node *nodes;
-    uint32_t count, room, size; /* size: N */
-    uint32_t blocks;
-    uint32_t stack;    /* top of the edges that wait */
-    uint32_t *target;  /* [count] */
-    uint32_t *members; /* [min(count, N)] */
-    uint32_t *partial; /* [N] first treelet of that size that waits for its slot */
-    uint32_t *head;    /* [N] first block whose free slot has that size */
-    uint32_t *sizes;   /* [N / 32 + 1] */
-    uint32_t *next;    /* [blocks] */
-    uint32_t *used;    /* [blocks] */
-} forming;
+enum { FULL, PARTIAL, LINKS, PERMUTES, FREE_SLOTS, FORMED };
+
+typedef plt_treelet_forming forming;
 
 static uint32_t least(uint32_t a, uint32_t b) {
     return a < b ? a : b;
@@ -136,42 +126,37 @@ static int assign_members(forming *f, uint32_t nodes) {
 /* Full treelets get their block at once, depth first; others wait by size (they have no
  * inner edges, so nothing waits for them). */
 static int form_full(forming *f) {
-    f->stack = 0;
-    f->target[0] = NONE;
-    while (f->stack != NONE) {
-        const uint32_t root = f->stack;
-        f->stack = f->target[root];
-        const uint32_t nodes = collect(f, root);
-        if (nodes < f->size) {
-            f->target[root] = f->partial[nodes];
-            f->partial[nodes] = root;
-        } else if (assign_members(f, nodes) != PLT_OK) {
-            return PLT_ERR_ARENA;
-        }
+    const uint32_t root = f->stack;
+    f->stack = f->target[root];
+    const uint32_t nodes = collect(f, root);
+    f->left -= least(nodes, f->left);
+    if (nodes == f->size) {
+        return assign_members(f, nodes);
     }
+    f->target[root] = f->partial[nodes];
+    f->partial[nodes] = root;
     return PLT_OK;
 }
 
+/* Of `at` nodes, the largest first. */
 static int form_partial(forming *f) {
-    for (uint32_t nodes = f->size; nodes-- > 1;) {
-        while (f->partial[nodes] != NONE) {
-            const uint32_t root = f->partial[nodes];
-            f->partial[nodes] = f->target[root];
-            if (assign_members(f, collect(f, root)) != PLT_OK) {
-                return PLT_ERR_ARENA;
-            }
-        }
+    const uint32_t root = f->partial[f->at];
+    if (root == NONE) {
+        f->at--;
+        return PLT_OK;
     }
-    return PLT_OK;
+    f->partial[f->at] = f->target[root];
+    f->left -= least(f->at, f->left);
+    return assign_members(f, collect(f, root));
 }
 
 static void update_links(forming *f) {
-    for (uint32_t i = 0; i < f->count; i++) {
+    for (; f->at < f->count && f->left > 0; f->at++, f->left--) {
         for (int c = 0; c < 2; c++) {
-            const uint32_t link = plt_node_link(&f->nodes[i], c);
+            const uint32_t link = plt_node_link(&f->nodes[f->at], c);
             if (!plt_link_is_leaf(link)) {
                 const uint32_t index = f->target[plt_link_index(link)];
-                plt_node_relink(&f->nodes[i], c, plt_link_make(index, link & PLT_LINK_KIND));
+                plt_node_relink(&f->nodes[f->at], c, plt_link_make(index, link & PLT_LINK_KIND));
             }
         }
     }
@@ -179,29 +164,32 @@ static void update_links(forming *f) {
 
 /* Follows each chain of displaced nodes to its end. */
 static void permute(forming *f) {
-    for (uint32_t i = 0; i < f->count; i++) {
-        plt_node carried = f->nodes[i];
-        uint32_t from = i;
-        while (f->target[from] != NONE) {
-            const uint32_t to = f->target[from];
-            const plt_node displaced = f->nodes[to];
-            f->target[from] = NONE;
-            f->nodes[to] = carried;
-            carried = displaced;
-            if (to >= f->count) {
-                break;
-            }
-            from = to;
+    for (; f->at < f->count && f->left > 0; f->left--) {
+        if (!f->is_carrying) {
+            f->carried = f->nodes[f->at];
+            f->from = f->at;
         }
+        const uint32_t to = f->from < f->count ? f->target[f->from] : NONE;
+        f->is_carrying = to != NONE;
+        if (to == NONE) {
+            f->at++;
+            continue;
+        }
+        const plt_node displaced = f->nodes[to];
+        f->target[f->from] = NONE;
+        f->nodes[to] = f->carried;
+        f->carried = displaced;
+        f->from = to;
     }
 }
 
 static void zero_free_slots(forming *f) {
     const plt_node zero = {{0, 0, 0, 0, 0, 0, 0, 0}};
-    for (uint32_t b = 0; b < f->blocks; b++) {
-        for (uint32_t i = f->used[b]; i < f->size; i++) {
-            f->nodes[b * f->size + i] = zero;
+    for (; f->at < f->blocks && f->left > 0; f->at++) {
+        for (uint32_t i = f->used[f->at]; i < f->size; i++) {
+            f->nodes[f->at * f->size + i] = zero;
         }
+        f->left -= least(f->size, f->left);
     }
 }
 
@@ -221,21 +209,62 @@ static void cut_scratch(forming *f, uint32_t *at) {
     }
 }
 
-int plt_treelets_form(plt_treelet_job *job) {
-    job->node_slots = job->root = 0;
-    if (job->count == 0) {
-        return PLT_OK;
-    }
-    forming f = {
+void plt_treelets_begin(forming *f, const plt_treelet_job *job) {
+    const forming none = {
         .nodes = job->nodes, .count = job->count, .room = job->room, .size = job->treelet_nodes};
-    cut_scratch(&f, job->scratch);
-    const int status = form_full(&f) == PLT_OK ? form_partial(&f) : PLT_ERR_ARENA;
-    if (status == PLT_OK) {
-        job->node_slots = f.blocks * f.size;
-        job->root = f.target[0];
-        update_links(&f);
-        permute(&f);
-        zero_free_slots(&f);
+    *f = none;
+    cut_scratch(f, job->scratch);
+    f->target[0] = NONE;
+}
+
+/* What is done of a phase when it ends, and where the next one begins. */
+static void go_on(forming *f, int is_done, uint32_t from) {
+    f->phase = (uint8_t)(f->phase + (is_done ? 1 : 0));
+    f->at = is_done ? from : f->at;
+}
+
+int plt_treelets_step(forming *f, uint32_t nodes) {
+    int status = PLT_OK;
+    f->left = nodes;
+    while (f->left > 0 && f->phase != FORMED && status == PLT_OK) {
+        switch (f->phase) {
+        case FULL:
+            status = form_full(f);
+            go_on(f, f->stack == NONE, f->size - 1);
+            break;
+        case PARTIAL:
+            status = f->at > 0 ? form_partial(f) : PLT_OK;
+            go_on(f, f->at == 0, 0);
+            break;
+        case LINKS:
+            f->root = f->target[0];
+            update_links(f);
+            go_on(f, f->at == f->count, 0);
+            break;
+        case PERMUTES:
+            permute(f);
+            go_on(f, f->at == f->count, 0);
+            break;
+        default:
+            zero_free_slots(f);
+            go_on(f, f->at == f->blocks, 0);
+            break;
+        }
+    }
+    return status != PLT_OK || f->phase == FORMED ? status : PLT_MORE;
+}
+
+int plt_treelets_form(plt_treelet_job *job) {
+    forming f;
+    int status = PLT_OK;
+    job->node_slots = job->root = 0;
+    if (job->count > 0) {
+        plt_treelets_begin(&f, job);
+        do {
+            status = plt_treelets_step(&f, UINT32_MAX);
+        } while (status == PLT_MORE);
+        job->node_slots = status == PLT_OK ? f.blocks * f.size : 0;
+        job->root = status == PLT_OK ? f.root : 0;
     }
     return status;
 }
