@@ -80,7 +80,9 @@ static uint32_t budget_of(const plt_build_job *job, const pending *p, uint32_t m
     const uint32_t left = middle - p->begin, right = p->end - middle;
     const uint32_t least = least_nodes(job, left), both = least + least_nodes(job, right);
     const uint32_t rest = p->budget > both + 1 ? p->budget - 1 - both : 0;
-    const uint32_t share = (uint32_t)((uint64_t)rest * left / (left + right));
+    const float part = (float)(int32_t)left / (float)(int32_t)(left + right);
+    const uint32_t about = (uint32_t)(int32_t)((float)(int32_t)rest * part);
+    const uint32_t share = about < rest ? about : rest;
     return child == 0 ? least + share : both - least + rest - share;
 }
 

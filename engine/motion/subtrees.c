@@ -25,9 +25,9 @@ typedef struct finding {
 uint32_t plt_subtree_room(uint32_t triangles, uint32_t nodes, uint32_t most) {
     const uint32_t count = plt_subtree_triangles(triangles, most);
     const uint32_t bound = count < 3 ? 0 : count - 2;
-    const uint64_t share = triangles == 0 ? 0 : (uint64_t)count * nodes / triangles;
-    const uint64_t room = share + share / 4 + 8;
-    return room < bound ? (uint32_t)room : bound;
+    const uint32_t share = count == 0 ? 0 : nodes / (triangles / count);
+    const uint32_t room = share + share / 4 + 8;
+    return room < bound ? room : bound;
 }
 
 size_t plt_subtrees_scratch_bytes(void) {

@@ -20,6 +20,24 @@ static uint32_t least(uint32_t a, uint32_t b) {
     return a < b ? a : b;
 }
 
+/* Steps that nobody else takes cost less code. */
+#if PLT_WITH_REBUILD
+#define PLT_TREELETS_STEP
+#define HAS_LEFT(f) ((f)->left > 0)
+
+static void take(forming *f, uint32_t nodes) {
+    f->left -= least(nodes, f->left);
+}
+#else
+#define PLT_TREELETS_STEP static
+#define HAS_LEFT(f) 1
+
+static inline void take(forming *f, uint32_t nodes) {
+    (void)f;
+    (void)nodes;
+}
+#endif
+
 static uint32_t blocks_bound(uint32_t count, uint32_t size) {
     /* All blocks but one are at least half full: a treelet that opens a block
      * would otherwise have fitted the tail of the emptier one. */
@@ -129,7 +147,7 @@ static int form_full(forming *f) {
     const uint32_t root = f->stack;
     f->stack = f->target[root];
     const uint32_t nodes = collect(f, root);
-    f->left -= least(nodes, f->left);
+    take(f, nodes);
     if (nodes == f->size) {
         return assign_members(f, nodes);
     }
@@ -146,12 +164,13 @@ static int form_partial(forming *f) {
         return PLT_OK;
     }
     f->partial[f->at] = f->target[root];
-    f->left -= least(f->at, f->left);
+    take(f, f->at);
     return assign_members(f, collect(f, root));
 }
 
 static void update_links(forming *f) {
-    for (; f->at < f->count && f->left > 0; f->at++, f->left--) {
+    for (; f->at < f->count && HAS_LEFT(f); f->at++) {
+        take(f, 1);
         for (int c = 0; c < 2; c++) {
             const uint32_t link = plt_node_link(&f->nodes[f->at], c);
             if (!plt_link_is_leaf(link)) {
@@ -164,7 +183,8 @@ static void update_links(forming *f) {
 
 /* Follows each chain of displaced nodes to its end. */
 static void permute(forming *f) {
-    for (; f->at < f->count && f->left > 0; f->left--) {
+    for (; f->at < f->count && HAS_LEFT(f);) {
+        take(f, 1);
         if (!f->is_carrying) {
             f->carried = f->nodes[f->at];
             f->from = f->at;
@@ -185,11 +205,11 @@ static void permute(forming *f) {
 
 static void zero_free_slots(forming *f) {
     const plt_node zero = {{0, 0, 0, 0, 0, 0, 0, 0}};
-    for (; f->at < f->blocks && f->left > 0; f->at++) {
+    for (; f->at < f->blocks && HAS_LEFT(f); f->at++) {
         for (uint32_t i = f->used[f->at]; i < f->size; i++) {
             f->nodes[f->at * f->size + i] = zero;
         }
-        f->left -= least(f->size, f->left);
+        take(f, f->size);
     }
 }
 
@@ -209,7 +229,7 @@ static void cut_scratch(forming *f, uint32_t *at) {
     }
 }
 
-void plt_treelets_begin(forming *f, const plt_treelet_job *job) {
+PLT_TREELETS_STEP void plt_treelets_begin(forming *f, const plt_treelet_job *job) {
     const forming none = {
         .nodes = job->nodes, .count = job->count, .room = job->room, .size = job->treelet_nodes};
     *f = none;
@@ -223,10 +243,10 @@ static void go_on(forming *f, int is_done, uint32_t from) {
     f->at = is_done ? from : f->at;
 }
 
-int plt_treelets_step(forming *f, uint32_t nodes) {
+PLT_TREELETS_STEP int plt_treelets_step(forming *f, uint32_t nodes) {
     int status = PLT_OK;
     f->left = nodes;
-    while (f->left > 0 && f->phase != FORMED && status == PLT_OK) {
+    while (HAS_LEFT(f) && f->phase != FORMED && status == PLT_OK) {
         switch (f->phase) {
         case FULL:
             status = form_full(f);

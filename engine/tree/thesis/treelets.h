@@ -19,6 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "engine/planelet_config.h"
 #include "engine/tree/thesis/node.h"
 
 typedef struct plt_treelet_job {
@@ -61,9 +62,11 @@ size_t plt_treelet_scratch_bytes(uint32_t count, uint32_t treelet_nodes);
  * slots. Returns PLT_OK or PLT_ERR_ARENA (room too small; nodes are spoilt). */
 int plt_treelets_form(plt_treelet_job *job);
 
+#if PLT_WITH_REBUILD
 /* The same in steps, of one node and more; then there are `blocks` of N slots, and `root`. Each
  * step goes over about `nodes`, of one treelet at least: PLT_MORE, PLT_OK or PLT_ERR_ARENA. */
 void plt_treelets_begin(plt_treelet_forming *forming, const plt_treelet_job *job);
 int plt_treelets_step(plt_treelet_forming *forming, uint32_t nodes);
+#endif
 
 #endif
