@@ -260,8 +260,8 @@ static outcome follow_subtrees(const table *t, const mesh *meshes, uint32_t most
 
 static void print_subtrees(const table *t, const mesh *meshes, const float lo[3],
                            const float hi[3]) {
-    static const uint32_t parts[] = {1, 4, 16, 64};
-    for (unsigned i = 0; i < 4; i++) {
+    static const uint32_t parts[] = {1, 4, 16};
+    for (unsigned i = 0; i < sizeof parts / sizeof *parts; i++) {
         const uint32_t share = t->triangles / parts[i] + 1;
         const uint32_t most = share > PLT_SUBTREE_LEAST ? share : PLT_SUBTREE_LEAST;
         double worst[CAMERAS] = {0};

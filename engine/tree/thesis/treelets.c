@@ -12,7 +12,9 @@
 
 #define NONE 0xFFFFFFFFu
 
+#if PLT_WITH_REBUILD
 enum { FULL, PARTIAL, LINKS, PERMUTES, FREE_SLOTS, FORMED };
+#endif
 
 typedef plt_treelet_forming forming;
 
@@ -169,6 +171,7 @@ static int form_partial(forming *f) {
 }
 
 static void update_links(forming *f) {
+    f->root = f->at == 0 ? f->target[0] : f->root;
     for (; f->at < f->count && HAS_LEFT(f); f->at++) {
         take(f, 1);
         for (int c = 0; c < 2; c++) {
@@ -181,25 +184,28 @@ static void update_links(forming *f) {
     }
 }
 
-/* Follows each chain of displaced nodes to its end. */
+/* Follows each chain of displaced nodes to its end; from step to step a node is on its way. */
 static void permute(forming *f) {
-    for (; f->at < f->count && HAS_LEFT(f);) {
-        take(f, 1);
-        if (!f->is_carrying) {
-            f->carried = f->nodes[f->at];
-            f->from = f->at;
+    for (; f->at < f->count && HAS_LEFT(f); f->at++) {
+        plt_node carried = f->is_carrying ? f->carried : f->nodes[f->at];
+        uint32_t from = f->is_carrying ? f->from : f->at;
+        take(f, f->is_carrying ? 0 : 1);
+        f->is_carrying = 0;
+        while (from < f->count && f->target[from] != NONE) {
+            if (!HAS_LEFT(f)) {
+                f->is_carrying = 1;
+                f->carried = carried;
+                f->from = from;
+                return;
+            }
+            const uint32_t to = f->target[from];
+            const plt_node displaced = f->nodes[to];
+            f->target[from] = NONE;
+            f->nodes[to] = carried;
+            carried = displaced;
+            from = to;
+            take(f, 1);
         }
-        const uint32_t to = f->from < f->count ? f->target[f->from] : NONE;
-        f->is_carrying = to != NONE;
-        if (to == NONE) {
-            f->at++;
-            continue;
-        }
-        const plt_node displaced = f->nodes[to];
-        f->target[f->from] = NONE;
-        f->nodes[to] = f->carried;
-        f->carried = displaced;
-        f->from = to;
     }
 }
 
@@ -237,16 +243,17 @@ PLT_TREELETS_STEP void plt_treelets_begin(forming *f, const plt_treelet_job *job
     f->target[0] = NONE;
 }
 
+#if PLT_WITH_REBUILD
 /* What is done of a phase when it ends, and where the next one begins. */
 static void go_on(forming *f, int is_done, uint32_t from) {
     f->phase = (uint8_t)(f->phase + (is_done ? 1 : 0));
     f->at = is_done ? from : f->at;
 }
 
-PLT_TREELETS_STEP int plt_treelets_step(forming *f, uint32_t nodes) {
+int plt_treelets_step(forming *f, uint32_t nodes) {
     int status = PLT_OK;
     f->left = nodes;
-    while (HAS_LEFT(f) && f->phase != FORMED && status == PLT_OK) {
+    while (f->left > 0 && f->phase != FORMED && status == PLT_OK) {
         switch (f->phase) {
         case FULL:
             status = form_full(f);
@@ -257,7 +264,6 @@ PLT_TREELETS_STEP int plt_treelets_step(forming *f, uint32_t nodes) {
             go_on(f, f->at == 0, 0);
             break;
         case LINKS:
-            f->root = f->target[0];
             update_links(f);
             go_on(f, f->at == f->count, 0);
             break;
@@ -273,18 +279,33 @@ PLT_TREELETS_STEP int plt_treelets_step(forming *f, uint32_t nodes) {
     }
     return status != PLT_OK || f->phase == FORMED ? status : PLT_MORE;
 }
+#endif
 
+/* No phase has as many nodes as UINT32_MAX, nor have all together. */
 int plt_treelets_form(plt_treelet_job *job) {
     forming f;
     int status = PLT_OK;
     job->node_slots = job->root = 0;
-    if (job->count > 0) {
-        plt_treelets_begin(&f, job);
-        do {
-            status = plt_treelets_step(&f, UINT32_MAX);
-        } while (status == PLT_MORE);
-        job->node_slots = status == PLT_OK ? f.blocks * f.size : 0;
-        job->root = status == PLT_OK ? f.root : 0;
+    if (job->count == 0) {
+        return PLT_OK;
+    }
+    plt_treelets_begin(&f, job);
+    f.left = UINT32_MAX;
+    while (f.stack != NONE && status == PLT_OK) {
+        status = form_full(&f);
+    }
+    for (f.at = f.size - 1; f.at > 0 && status == PLT_OK;) {
+        status = form_partial(&f);
+    }
+    if (status == PLT_OK) {
+        job->node_slots = f.blocks * f.size;
+        f.at = 0;
+        update_links(&f);
+        job->root = f.root;
+        f.at = 0;
+        permute(&f);
+        f.at = 0;
+        zero_free_slots(&f);
     }
     return status;
 }

@@ -45,11 +45,11 @@ typedef struct plt_treelet_forming {
     uint32_t *next;    /* [blocks] */
     uint32_t *used;    /* [blocks] */
     uint32_t root;     /* result, with blocks */
+    uint32_t at;       /* size, node or block that a phase goes on with */
+    uint32_t left;     /* nodes that are left of the step */
+    uint32_t from;     /* where the node was ... */
+    plt_node carried;  /* ... that is on its way, if one is */
     uint8_t phase, is_carrying;
-    uint32_t at;      /* size, node or block that the phase goes on with */
-    uint32_t left;    /* nodes that are left of the step */
-    uint32_t from;    /* where the node was ... */
-    plt_node carried; /* ... that is on its way */
 } plt_treelet_forming;
 
 /* Slots that `count` nodes can take at most: about twice as many, since all
