@@ -443,9 +443,9 @@ int plt_move_some(plt_engine *engine, const uint32_t *ids, const float (*corners
  * 0, or the scene has no tree.
  *
  * plt_rebuild_step: looks at about `triangles` of them, as often as ranges of them are split: some
- * log2(info's triangles) times all of them in all. A step of all nodes, or of the first ranges,
- * looks at all: the longest takes some three quarters of a plt_move. PLT_MORE, or PLT_OK: the tree
- * is the new one, or none had begun. The last step waits until the frame that is being rendered is
+ * log2(info's triangles) times all of them in all. What is not divided is 64 of them, the nodes of
+ * a treelet, and of a subtree its slots and the swap. PLT_MORE, or PLT_OK: the tree is the new one,
+ * or none had begun. The last step waits until the frame that is being rendered is
  * complete; a plt_move when the new tree is nearly whole puts it in its place, too. plt_engine_info
  * has the new counts then, and hits are what they were, bit for bit. PLT_ERR_ARENA: the new tree
  * has more nodes than there is room for (fault->need_bytes: an arena for any), PLT_ERR_LIMIT: it
