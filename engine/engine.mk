@@ -14,6 +14,7 @@
 #   motion   with plt_move, for triangles of thesis nodes, and, unless it is `render`, with
 #            plt_rebuild_begin; other firmware is without
 #   some     ... and with plt_move_some, likewise
+#   subtree  ... and with plt_options.rebuild_most, likewise
 #   sequence ... and with plt_sequence_show, for frames that an image holds; of compact blocks,
 #            which move by frames alone, `compact motion sequence`
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
@@ -57,9 +58,11 @@ sequence_files := engine/sequence.c engine/frame_put.c \
     $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c \
     engine/motion/block_*.c) engine/motion/vertices.c engine/tree/compact/turns.c
 some_files := engine/move_some.c engine/motion/dirty.c
-rebuild_files := engine/rebuild.c engine/motion/rebuild.c
+subtree_files := $(wildcard engine/motion/subtree*.c)
+rebuild_files := engine/rebuild.c engine/motion/rebuild.c $(subtree_files)
 records_files := engine/move_some.c engine/rebuild.c $(addprefix engine/motion/,corners.c dirty.c \
-    node_box.c rebuild.c refit.c vertices.c)
+    node_box.c rebuild.c refit.c vertices.c) \
+    $(subtree_files)
 motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
 grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
     engine/trace/grid_*.c engine/trace/traverse_grid.c engine/shade/beam_grid.c \
@@ -83,9 +86,9 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    sequence grid instances frames,$(PARTS)),)
+    subtree sequence grid instances frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, sequence, grid, instances or frames; it has $(PARTS))
+    seek, motion, some, subtree, sequence, grid, instances or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -109,6 +112,12 @@ $(error PARTS with sequence has motion: make PARTS='render thesis motion sequenc
 endif
 ifeq ($(filter motion,$(PARTS))$(filter some,$(PARTS)),some)
 $(error PARTS with some has motion: make PARTS='render thesis motion some')
+endif
+ifeq ($(filter motion,$(PARTS))$(filter subtree,$(PARTS)),subtree)
+$(error PARTS with subtree has motion: make PARTS='thesis motion subtree')
+endif
+ifeq ($(filter render,$(PARTS))$(filter subtree,$(PARTS)),rendersubtree)
+$(error PARTS with subtree has a builder: make PARTS='thesis motion subtree')
 endif
 ifeq ($(filter compact,$(PARTS))$(filter grid,$(PARTS)),compactgrid)
 $(error PARTS with grid has thesis nodes: make PARTS='render thesis grid')
@@ -143,6 +152,7 @@ without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
 without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
+without_subtree := $(if $(filter host,$(BOARD))$(filter subtree,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
@@ -154,7 +164,7 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_wave),$(wave_files)) $(if $(without_stream),$(stream_files)) \
     $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
     $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
-    $(if $(without_some),$(some_files)) \
+    $(if $(without_some),$(some_files)) $(if $(without_subtree),$(subtree_files)) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
     $(if $(without_instances),$(instances_files)) \
     $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
@@ -164,7 +174,8 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_sequence),-DPLT_WITH_SEQUENCE=0) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
-    $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
+    $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
+    $(if $(without_subtree),-DPLT_WITH_SUBTREES=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/calls.c \

@@ -326,8 +326,29 @@ static uint64_t room_bytes(const subject *s) {
                : 0;
 }
 
+#if PLT_WITH_SUBTREES
+uint64_t plt_layout_part_scratch(uint32_t room) {
+    const uint64_t slots = 4ull * room, finding = plt_subtrees_scratch_bytes();
+    return rounded(larger(plt_build_scratch_bytes(0, 1), larger(slots, finding)));
+}
+
+/* Of one subtree, and what is kept of all. */
+static uint64_t part_rebuild_bytes(const subject *s) {
+    const uint32_t triangles = s->info->triangles, most = s->options->rebuild_most;
+    const uint32_t room = plt_subtree_room(triangles, s->sized_for->nodes, most);
+    return rounded((uint64_t)plt_subtree_triangles(triangles, most) * PLT_RECORD_BYTES) +
+           (uint64_t)room * PLT_NODE_BYTES + plt_layout_part_scratch(room) +
+           (uint64_t)plt_subtrees_most(triangles, most) * sizeof(plt_subtree);
+}
+#endif
+
 /* Scratch is the builder's, and then that of counting what the new tree needs. */
 static uint64_t rebuild_bytes(const subject *s) {
+#if PLT_WITH_SUBTREES
+    if (s->options->rebuild_most > 0) {
+        return plt_layout_rebuilds(s->info, s->options) ? part_rebuild_bytes(s) : 0;
+    }
+#endif
     const uint64_t records = rounded((uint64_t)s->info->triangles * PLT_RECORD_BYTES);
     const uint64_t nodes = (uint64_t)s->sized_for->node_slots * PLT_NODE_BYTES;
     const uint64_t scratch =
@@ -443,6 +464,13 @@ void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *si
     }
 }
 
+#if PLT_WITH_REBUILD
+uint32_t plt_layout_rebuild_room(const plt_info *info, const plt_options *options) {
+    const int is_built = info->node_slots > 0;
+    return options->rebuild_most > 0 && is_built ? info->node_slots : plt_rebuilt_room(info);
+}
+#endif
+
 void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
                          const plt_options *options) {
 #if PLT_WITH_BUILDER
@@ -452,7 +480,7 @@ void plt_layout_of_image(plt_layout *layout, const plt_info *info, int mapped,
     }
 #if PLT_WITH_REBUILD
     if (plt_layout_rebuilds(info, options)) {
-        worst = plt_rebuilt_tree(&image, plt_rebuilt_room(&image));
+        worst = plt_rebuilt_tree(&image, plt_layout_rebuild_room(&image, options));
     }
 #endif
     plt_layout_set(layout, &image, &worst, mapped, options);
@@ -500,6 +528,15 @@ static int is_batch_valid(const plt_options *o) {
            o->batch <= (o->schedule == PLT_SCHEDULE_WORKER ? 0 : PLT_BATCH_MOST);
 }
 
+static int is_subtree_valid(const plt_options *o) {
+#if PLT_WITH_SUBTREES
+    return o->rebuild_most == 0 || (o->rebuild_most >= PLT_SUBTREE_LEAST && o->rebuild == 1 &&
+                                    o->order == PLT_ORDER_DEPTH_FIRST);
+#else
+    return o->rebuild_most == 0;
+#endif
+}
+
 /* A wide form is made once, when a scene is opened. */
 static int is_motion_valid(const plt_options *o) {
     return !PLT_WITH_MOTION || (o->movable == 0 && o->moves_some == 0 && o->rebuild == 0) ||
@@ -521,7 +558,7 @@ int plt_layout_options_valid(const plt_options *o) {
            (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
-           is_motion_valid(o) && is_structure_valid(o);
+           is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) && is_structure_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

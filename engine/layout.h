@@ -38,6 +38,17 @@ static inline int plt_layout_rebuilds(const plt_info *info, const plt_options *o
            (!PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE);
 }
 
+#if PLT_WITH_REBUILD
+/* Slots for nodes of a tree that is rebuilt: of the largest there can be, or if it is subtrees that
+ * are rebuilt as many as there are. */
+uint32_t plt_layout_rebuild_room(const plt_info *info, const plt_options *options);
+#endif
+
+#if PLT_WITH_SUBTREES
+/* Bytes of scratch beside `room` nodes of a subtree. */
+uint64_t plt_layout_part_scratch(uint32_t room);
+#endif
+
 /* Where the engine has no streamed scenes, options ask for none. */
 static inline int plt_layout_residency_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_STREAMED || options->residency != PLT_RESIDENCY_STREAMED ||

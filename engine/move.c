@@ -22,6 +22,20 @@ int plt_has_nodes(const plt_engine *e) {
            !plt_link_is_leaf(e->scene.thesis.root);
 }
 
+static void refit(plt_moving *m, plt_refit_job *job) {
+#if PLT_WITH_SUBTREES
+    if (m->subtrees.count > 0) {
+        plt_subtrees_refit(&m->subtrees, job);
+        if (m->is_new) {
+            plt_subtrees_are_new(&m->subtrees);
+        }
+        return;
+    }
+#endif
+    (void)m;
+    plt_refit(job);
+}
+
 void plt_refit_all(plt_engine *e) {
     plt_moving *m = &e->moving;
     if (!plt_has_nodes(e)) {
@@ -33,7 +47,7 @@ void plt_refit_all(plt_engine *e) {
                          .root = e->scene.thesis.root,
                          .levels = m->levels,
                          .areas = m->areas};
-    plt_refit(&job);
+    refit(m, &job);
     m->box = job.box;
     m->areas = job.areas;
     m->areas_built = m->is_new ? job.areas : m->areas_built;
@@ -93,6 +107,10 @@ void plt_motion_get(const plt_engine *e, plt_motion *to) {
     to->rebuilds = m->rebuilds;
     to->is_building = m->rebuild.phase != PLT_REBUILD_IDLE;
     to->excess_work = plt_rebuild_excess(e);
-    to->build_work = plt_rebuild_cost(&e->scene.info);
+    to->build_work = plt_rebuild_cost(e);
+#endif
+#if PLT_WITH_SUBTREES
+    to->subtrees = m->subtrees.count;
+    to->rebuilt = m->rebuilt;
 #endif
 }

@@ -35,7 +35,7 @@ void plt_rebuild_before_move(plt_engine *engine, int some);
 
 /* Work since the last rebuild that a new tree would have saved, and what such a tree costs. */
 uint64_t plt_rebuild_excess(const plt_engine *engine);
-uint64_t plt_rebuild_cost(const plt_info *info);
+uint64_t plt_rebuild_cost(const plt_engine *engine);
 
 /* Statistics are about to become 0. */
 void plt_rebuild_before_reset(plt_engine *engine);

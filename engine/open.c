@@ -150,6 +150,10 @@ static void choose_room(plt_engine *e, plt_layout *layout) {
     if (!plt_layout_rebuilds(info, &e->options)) {
         return;
     }
+    if (e->options.rebuild_most > 0) {
+        *room = plt_layout_rebuild_room(info, &e->options);
+        return;
+    }
     const uint8_t side = e->options.packet_side;
     e->options.packet_side = side > 0 ? side : 2;
     *room = plt_rebuilt_room(info);
@@ -274,10 +278,40 @@ static int open_sequence(plt_engine *e, const plt_header *header, void *const pa
     return PLT_OK;
 }
 
+#if PLT_WITH_SUBTREES
+/* The records, nodes and scratch of one subtree, then what is kept of all. */
+static void start_subtrees(plt_engine *e, unsigned char *part) {
+    plt_rebuild *r = &e->moving.rebuild;
+    const plt_info *info = &e->scene.info, sized = sized_for(e);
+    const uint32_t most = e->options.rebuild_most;
+    const uint32_t room = plt_subtree_room(info->triangles, sized.nodes, most);
+    const uint32_t triangles = plt_subtree_triangles(info->triangles, most);
+    unsigned char *nodes = part + plt_arena_cut_bytes((size_t)triangles * PLT_RECORD_BYTES);
+    unsigned char *scratch = nodes + (size_t)room * PLT_NODE_BYTES;
+    r->records = (plt_record *)(void *)part;
+    r->nodes = (plt_node *)(void *)nodes;
+    r->build.scratch = scratch;
+    r->build.scratch_bytes = (size_t)plt_layout_part_scratch(room);
+    e->moving.subtrees.at = (plt_subtree *)(void *)(scratch + r->build.scratch_bytes);
+    plt_subtrees_find(&e->moving.subtrees, &e->scene.thesis, most, info->leaf_triangles, room,
+                      scratch);
+}
+#endif
+
 /* Rebuilds: the records, nodes and scratch of a second tree. */
 static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
 #if PLT_WITH_REBUILD
     plt_rebuild *r = &e->moving.rebuild;
+    r->refit.levels = e->moving.levels;
+#if PLT_WITH_MOVE_SOME
+    r->places = e->moving.dirty.places;
+#endif
+#if PLT_WITH_SUBTREES
+    if (o->layout->bytes[PLT_PART_REBUILD] > 0 && e->options.rebuild_most > 0) {
+        start_subtrees(e, part[PLT_PART_REBUILD]);
+        return;
+    }
+#endif
     if (o->layout->bytes[PLT_PART_REBUILD] > 0) {
         const size_t records =
             plt_arena_cut_bytes((size_t)e->scene.info.triangles * PLT_RECORD_BYTES);
@@ -288,10 +322,6 @@ static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part
             e->scene.info.node_slots + (uint32_t)(o->layout->bytes[PLT_PART_ROOM] / PLT_NODE_BYTES);
         r->build.scratch = (char *)part[PLT_PART_REBUILD] + records + nodes;
         r->build.scratch_bytes = (size_t)o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
-        r->refit.levels = e->moving.levels;
-#if PLT_WITH_MOVE_SOME
-        r->places = e->moving.dirty.places;
-#endif
     }
 #else
     (void)e;
@@ -310,6 +340,9 @@ static int start_some(plt_engine *e, const plt_opening *o, void *const part[PLT_
         d->places = part[PLT_PART_DIRTY];
         d->bits = d->places + count;
         d->levels = (plt_dirty_level *)(void *)((char *)part[PLT_PART_DIRTY] + bytes);
+#if PLT_WITH_SUBTREES
+        d->subtrees = &e->moving.subtrees;
+#endif
         if (!plt_dirty_find(d, plt_records_of(e), count)) {
             return plt_fault_set(o->fault, PLT_ERR_ARGUMENT, 0,
                                  "two triangles have one id: they can only be moved together");

@@ -209,7 +209,16 @@ typedef struct plt_options {
     uint8_t structure; /* enum plt_structure. A grid takes the room that there is: at most
                         * PLT_GRID_TRIANGLE_BYTES (64) and 8 per triangle, at least 8, of which
                         * few make it slow. Without PLT_WITH_GRID it is not looked at */
+    uint32_t rebuild_most; /* with rebuild: 0: the whole tree is rebuilt at a time. Else subtrees of
+                            * at most so many triangles are, PLT_SUBTREE_LEAST and up, in their own
+                            * slots: 40 bytes and 36 per node for so many instead of for all, the
+                            * builder's bins, and 72 per subtree (of a quarter of that at least), in
+                            * place of a second tree. Not in PLT_ORDER_TWO_STAGE, whose stacks
+                            * depend on treelets. Without PLT_WITH_SUBTREES: 0 */
 } plt_options;
+
+/* Fewer triangles are not worth the bytes that are kept of them. */
+#define PLT_SUBTREE_LEAST 16u
 
 /* Frames of a sequence per second at most. */
 #define PLT_FRAME_RATE_MOST 1000u
@@ -484,13 +493,19 @@ int plt_move_some(plt_engine *engine, const uint32_t *ids, const float (*corners
  * 0, or the scene has no tree.
  *
  * plt_rebuild_step: looks at about `triangles` of them, as often as ranges of them are split: some
- * log2(info's triangles) times all of them in all. A step of all nodes, or of the first ranges,
- * looks at all: the longest takes some three quarters of a plt_move. PLT_MORE, or PLT_OK: the tree
- * is the new one, or none had begun. The last step waits until the frame that is being rendered is
+ * log2(info's triangles) times all of them in all. What is not divided is 64 of them, the nodes of
+ * a treelet, and of a subtree its slots and the swap. PLT_MORE, or PLT_OK: the tree is the new one,
+ * or none had begun. The last step waits until the frame that is being rendered is
  * complete; a plt_move when the new tree is nearly whole puts it in its place, too. plt_engine_info
  * has the new counts then, and hits are what they were, bit for bit. PLT_ERR_ARENA: the new tree
  * has more nodes than there is room for (fault->need_bytes: an arena for any), PLT_ERR_LIMIT: it
  * needs more than this build allows; it is given up, and the old tree goes on.
+ *
+ * With plt_options.rebuild_most it is a subtree that is rebuilt, copied into its own slots in the
+ * end: each time the one whose growth has cost the most work per triangle, or would cost. All of
+ * the above is of that one; a tree that its slots do not hold gives PLT_ERR_ARENA without a need.
+ * plt_engine_info's stack needs are upper bounds then. Nodes above the subtrees stay what they are,
+ * and those of few triangles between them.
  *
  * plt_rebuild_due: 1: time to begin, by `when`; 0: not, or one has begun, or there is no room.
  * `percent`: of PLT_REBUILD_THRESHOLD, 1 and up. By threshold or cost, one that was given up is due
@@ -512,7 +527,7 @@ int plt_rebuild_due(const plt_engine *engine, unsigned when, unsigned percent);
  * (plt_stats); it does not depend on any clock. */
 typedef struct plt_motion {
     uint32_t moves;       /* calls of plt_move and plt_move_some */
-    uint32_t rebuilds;    /* that have become the scene's tree */
+    uint32_t rebuilds;    /* that have become the scene's tree, or a part of it */
     float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
                            * all nodes, is 10 % above what it was when the tree was built
                            * (RT-DEFORM); below 0: it is less. Without plt_options.rebuild, whose
@@ -524,6 +539,9 @@ typedef struct plt_motion {
                            * w d / (1 + d), d being PLT_GROWTH_WORK percent of the growth, if
                            * above 0 */
     uint64_t build_work;  /* what a rebuild costs: PLT_REBUILD_WORK per triangle */
+    uint32_t subtrees;    /* that are rebuilt one by one (plt_options.rebuild_most); excess_work and
+                           * build_work are of the next of them. 0: the whole tree is rebuilt */
+    uint64_t rebuilt;     /* triangles of all rebuilds */
 } plt_motion;
 
 /* Not there without PLT_WITH_MOTION. */

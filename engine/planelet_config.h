@@ -93,6 +93,10 @@
 #endif
 #endif
 
+#ifndef PLT_WITH_SUBTREES
+#define PLT_WITH_SUBTREES PLT_WITH_REBUILD /* ... or a subtree, in its own slots */
+#endif
+
 #ifndef PLT_WITH_WAVE
 #define PLT_WITH_WAVE 1 /* incoherent rays by the wave, wide forms (plt_options.rays_in_flight) */
 #endif
@@ -298,6 +302,9 @@
 #if (PLT_WITH_REBUILD != 0 && PLT_WITH_REBUILD != 1) ||                                            \
     (PLT_WITH_REBUILD && !(PLT_WITH_MOTION && PLT_WITH_BUILDER && PLT_WITH_THESIS))
 #error "PLT_WITH_REBUILD is the digit 0, or with PLT_WITH_MOTION, _BUILDER and _THESIS 1"
+#endif
+#if (PLT_WITH_SUBTREES != 0 && PLT_WITH_SUBTREES != 1) || (PLT_WITH_SUBTREES && !PLT_WITH_REBUILD)
+#error "PLT_WITH_SUBTREES is the digit 0, or with PLT_WITH_REBUILD 1"
 #endif
 #if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) || (PLT_WITH_GRID && !PLT_WITH_THESIS)
 #error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS 1"

@@ -24,14 +24,36 @@ void plt_rebuild_before_reset(plt_engine *e) {
     e->moving.work = 0;
 }
 
+#if PLT_WITH_SUBTREES
+static plt_subtree *worst(const plt_engine *e) {
+    return plt_moving_worst(&e->moving, work_done(e) - e->moving.work);
+}
+
+static int has_subtrees(const plt_engine *e) {
+    return e->options.rebuild_most > 0;
+}
+#endif
+
 uint64_t plt_rebuild_excess(const plt_engine *e) {
+#if PLT_WITH_SUBTREES
+    if (has_subtrees(e)) {
+        const plt_subtree *p = worst(e);
+        return p == NULL ? 0 : plt_subtree_excess(&e->moving, p, work_done(e) - e->moving.work);
+    }
+#endif
     plt_moving now = e->moving;
     plt_moving_count(&now, work_done(e) - now.work);
     return now.excess;
 }
 
-uint64_t plt_rebuild_cost(const plt_info *info) {
-    return (uint64_t)PLT_REBUILD_WORK * info->triangles;
+uint64_t plt_rebuild_cost(const plt_engine *e) {
+#if PLT_WITH_SUBTREES
+    if (has_subtrees(e)) {
+        const plt_subtree *p = worst(e);
+        return p == NULL ? 0 : (uint64_t)PLT_REBUILD_WORK * p->count;
+    }
+#endif
+    return (uint64_t)PLT_REBUILD_WORK * e->scene.info.triangles;
 }
 
 /* The scene's box is what it was: nothing has moved. */
@@ -50,16 +72,62 @@ static void begin_touched(plt_traversal *t) {
     }
 }
 
-static void swap(plt_engine *e) {
+#if PLT_WITH_SUBTREES
+/* What its areas were is taken off the sums of all, and what they are now put there. */
+static void swap_part(plt_engine *e) {
     plt_moving *m = &e->moving;
-    count_work(e);
+    plt_subtree *p = m->rebuild.part;
+    m->areas.ratios -= p->ratios;
+    m->areas.sum -= p->sum;
+    m->areas_built.ratios -= p->ratios_built;
+    m->areas_built.sum -= p->sum_built;
+    plt_rebuild_swap_part(&m->rebuild, &e->scene.thesis);
+    m->areas.ratios += p->ratios;
+    m->areas.sum += p->sum;
+    p->ratios_built = p->ratios;
+    p->sum_built = p->sum;
+    m->areas_built.ratios += p->ratios;
+    m->areas_built.sum += p->sum;
+    p->excess = 0;
+    p->tried = 0.0f;
+    m->rebuilt += p->count;
+}
+#endif
+
+static void swap_whole(plt_engine *e) {
+    plt_moving *m = &e->moving;
     plt_rebuild_swap(&m->rebuild, &e->scene.thesis);
-    set_info(e);
     m->areas = m->areas_built = m->rebuild.refit.areas;
     m->box = m->rebuild.refit.box;
     m->excess = 0;
     m->tried = 0.0f;
-    m->rebuilds++;
+#if PLT_WITH_SUBTREES
+    m->rebuilt += e->scene.info.triangles;
+#endif
+}
+
+static int is_part(const plt_engine *e) {
+#if PLT_WITH_SUBTREES
+    return e->moving.rebuild.part != NULL;
+#else
+    (void)e;
+    return 0;
+#endif
+}
+
+static void swap(plt_engine *e) {
+    count_work(e);
+#if PLT_WITH_SUBTREES
+    if (is_part(e)) {
+        swap_part(e);
+    } else {
+        swap_whole(e);
+    }
+#else
+    swap_whole(e);
+#endif
+    set_info(e);
+    e->moving.rebuilds++;
     begin_touched(&e->traversal);
     plt_traversal_drop(&e->traversal);
 }
@@ -68,10 +136,25 @@ void plt_rebuild_before_move(plt_engine *e, int some) {
     plt_rebuild *r = &e->moving.rebuild;
     count_work(e);
     if (plt_rebuild_must_end(r)) {
-        plt_rebuild_end(r, &e->scene.thesis, some);
+        const int refits = some || is_part(e);
+        plt_rebuild_end(r, &e->scene.thesis, refits);
         swap(e);
-        e->moving.is_new = !some;
+        e->moving.is_new = !refits;
     }
+}
+
+static void start(plt_engine *e) {
+    plt_rebuild *r = &e->moving.rebuild;
+#if PLT_WITH_SUBTREES
+    if (has_subtrees(e)) {
+        plt_subtree *p = worst(e);
+        if (p != NULL) {
+            plt_rebuild_start_part(r, &e->scene.info, p, e->moving.areas.scale);
+        }
+        return;
+    }
+#endif
+    plt_rebuild_start(r, &e->scene.info);
 }
 
 int plt_rebuild_begin(plt_engine *e, plt_fault *fault) {
@@ -82,7 +165,7 @@ int plt_rebuild_begin(plt_engine *e, plt_fault *fault) {
                              "the scene was not opened for its tree to be rebuilt");
     }
     if (r->phase == PLT_REBUILD_IDLE && e->scene.info.triangles > 0) {
-        plt_rebuild_start(r, &e->scene.info);
+        start(e);
     }
     return PLT_OK;
 }
@@ -91,6 +174,15 @@ int plt_rebuild_begin(plt_engine *e, plt_fault *fault) {
 static void give_up(plt_engine *e) {
     const float now = plt_degradation(&e->moving);
     count_work(e);
+#if PLT_WITH_SUBTREES
+    if (is_part(e)) {
+        plt_subtree *p = e->moving.rebuild.part;
+        const float worse = plt_subtree_degradation(p);
+        p->excess = 0;
+        p->tried = worse > 0.0f ? worse : 0.0f;
+        return;
+    }
+#endif
     e->moving.excess = 0;
     e->moving.tried = now > 0.0f ? now : 0.0f;
 }
@@ -99,7 +191,8 @@ static int failed(const plt_engine *e, int status, plt_fault *fault) {
     if (status == PLT_ERR_ARENA) {
         plt_fault_set(fault, status, 0,
                       "the arena has no room for the new tree, the old one stays");
-        fault->need_bytes = plt_arena_need(&e->scene.info, e->source.mapped != NULL, &e->options);
+        fault->need_bytes =
+            is_part(e) ? 0 : plt_arena_need(&e->scene.info, e->source.mapped != NULL, &e->options);
         return status;
     }
     return plt_fault_set(fault, status, 0,
@@ -126,8 +219,17 @@ int plt_rebuild_step(plt_engine *e, uint32_t triangles, plt_fault *fault) {
 }
 
 /* By so many percent of what the tree was when it was built, or a new one was given up. */
-static int is_worse_by(const plt_moving *m, float percent) {
-    return 100.0f * (plt_degradation(m) - m->tried) >= percent * (1.0f + m->tried);
+static int is_worse_by(const plt_engine *e, float percent) {
+    const plt_moving *m = &e->moving;
+    float now = plt_degradation(m), tried = m->tried;
+#if PLT_WITH_SUBTREES
+    if (has_subtrees(e)) {
+        const plt_subtree *p = worst(e);
+        now = plt_subtree_degradation(p);
+        tried = p->tried;
+    }
+#endif
+    return 100.0f * (now - tried) >= percent * (1.0f + tried);
 }
 
 int plt_rebuild_due(const plt_engine *e, unsigned when, unsigned percent) {
@@ -135,13 +237,18 @@ int plt_rebuild_due(const plt_engine *e, unsigned when, unsigned percent) {
     if (r->records == NULL || r->phase != PLT_REBUILD_IDLE || e->scene.thesis.node_slots == 0) {
         return 0;
     }
+#if PLT_WITH_SUBTREES
+    if (has_subtrees(e) && e->moving.subtrees.count == 0) {
+        return 0;
+    }
+#endif
     switch (when) {
     case PLT_REBUILD_ALWAYS:
         return 1;
     case PLT_REBUILD_THRESHOLD:
-        return is_worse_by(&e->moving, (float)(int32_t)percent);
+        return is_worse_by(e, (float)(int32_t)percent);
     case PLT_REBUILD_COST:
-        return plt_rebuild_excess(e) >= plt_rebuild_cost(&e->scene.info);
+        return plt_rebuild_excess(e) >= plt_rebuild_cost(e);
     default:
         return 0;
     }

@@ -9,7 +9,8 @@
  *   frames=0:500       the first, and the one after the last (all of the image)
  *   blocks=8           of 64 vertices, per plt_sequence_step
  *   rebuild=never|always|cost    if the engine has PLT_WITH_REBUILD
- *   triangles=1000     per plt_rebuild_step, one step per frame
+ *   rebuild_most=600   triangles of a subtree that is rebuilt, if it has PLT_WITH_SUBTREES (the
+ * tree) triangles=1000     per plt_rebuild_step, one step per frame
  *
  * Prints a line for each frame, "played frame=K frame_hash=... used=... peak=... touched=...":
  * bytes of the arena in use, the most that ever were, and where the last byte lies that has changed

@@ -29,6 +29,14 @@ static int read_frames(const char *parameters, orders *o) {
     return 0;
 }
 
+#if PLT_WITH_SUBTREES
+#define KEYS "frames blocks rebuild rebuild_most triangles"
+#elif PLT_WITH_REBUILD
+#define KEYS "frames blocks rebuild triangles"
+#else
+#define KEYS "frames blocks"
+#endif
+
 /* rebuild=, where trees can be. */
 static int read_rebuild(const char *parameters, orders *o) {
 #if PLT_WITH_REBUILD
@@ -40,6 +48,12 @@ static int read_rebuild(const char *parameters, orders *o) {
     }
     o->rebuild_when = when[choice];
     o->picture.options.rebuild = choice > 0;
+#if PLT_WITH_SUBTREES
+    if (job_u32(parameters, "rebuild_most", PLT_SUBTREE_LEAST, UINT32_MAX,
+                &o->picture.options.rebuild_most) < 0) {
+        return -1;
+    }
+#endif
 #else
     (void)parameters;
     (void)o;
@@ -50,9 +64,7 @@ static int read_rebuild(const char *parameters, orders *o) {
 int orders_read(orders *o, const char *parameters, size_t arena_bytes) {
     *o = (orders){
         .arena_bytes = arena_bytes, .blocks = 8, .triangles = 1000, .parameters = parameters};
-    if (job_read(&o->picture, parameters,
-                 PLT_WITH_REBUILD ? "frames blocks rebuild triangles" : "frames blocks",
-                 &o->arena_bytes) < 0 ||
+    if (job_read(&o->picture, parameters, KEYS, &o->arena_bytes) < 0 ||
         read_frames(parameters, o) < 0 || read_rebuild(parameters, o) < 0 ||
         job_u32(parameters, "blocks", 1, UINT32_MAX, &o->blocks) < 0 ||
         job_u32(parameters, "triangles", 1, UINT32_MAX, &o->triangles) < 0) {

@@ -18,6 +18,7 @@
 #include "engine/planelet.h"
 #include "engine/tree/record.h"
 #include "engine/tree/thesis/node.h"
+#include "engine/tree/thesis/treelets.h"
 
 typedef struct plt_build_job {
     plt_record *records;     /* permuted; primitive ids set, last bits rewritten */
@@ -29,6 +30,15 @@ typedef struct plt_build_job {
     uint8_t splits;          /* enum plt_splits */
     void *scratch;           /* aligned to PLT_ALIGN */
     size_t scratch_bytes;
+#if PLT_WITH_REBUILD
+    plt_treelet_forming treelets; /* between steps */
+#endif
+#if PLT_WITH_SUBTREES
+    uint32_t depth;     /* of a subtree: nodes above it, else 0 */
+    uint32_t is_paced;  /* 1: `room` nodes are enough, if they are for any tree: where the
+                         * splits take more than their share, ranges are divided by count */
+    uint32_t depth_max; /* result: nodes on the longest path, with those above */
+#endif
     /* results */
     uint32_t nodes_used, node_slots, root;
     plt_box box;
@@ -52,12 +62,14 @@ size_t plt_build_scratch_bytes(uint32_t nodes, uint32_t treelet_nodes);
 int plt_build(plt_build_job *job);
 
 #if PLT_WITH_REBUILD
-/* The same in steps, of a job whose `box` the caller knows: begin; split until it is done, each
- * step about `triangles` records, as often as ranges of them are looked at, and one range at
- * least (the first is of all of them); treelets. PLT_MORE: another step. */
+/* The same in steps, of a job whose `box` the caller knows. Begin, and split until it is done, each
+ * step about `triangles` records, as often as ranges of them are looked at: ranges of more are
+ * divided, those of 64 at most are not. Then treelets, about `nodes` at a time, and one treelet at
+ * least. PLT_MORE: another step. */
 int plt_build_begin(plt_build_job *job);
 int plt_build_split(plt_build_job *job, uint32_t triangles);
-int plt_build_treelets(plt_build_job *job);
+int plt_build_treelets_begin(plt_build_job *job);
+int plt_build_treelets(plt_build_job *job, uint32_t nodes);
 #endif
 
 #endif

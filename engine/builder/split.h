@@ -32,6 +32,47 @@ typedef struct plt_record_items {
 uint32_t plt_split_records(plt_record_items *items, const plt_split_range *range,
                            const plt_box *box, plt_box child[2]);
 
+#if PLT_WITH_REBUILD
+enum plt_splitting {
+    PLT_SPLITTING_POINTS, /* centres: where bins lie */
+    PLT_SPLITTING_BINS,
+    PLT_SPLITTING_SIDES,  /* items to their side of the plane */
+    PLT_SPLITTING_MEDIAN, /* ... of the median */
+    PLT_SPLITTING_HALVES,
+    PLT_SPLITTING_BOXES, /* both children's, where no bins have them */
+    PLT_SPLITTING_DONE
+};
+
+/* A range that is split in steps; set `range` and `box`, its own. */
+typedef struct plt_split_job {
+    plt_split_range range;
+    plt_box box;
+    plt_box child[2]; /* results */
+    uint32_t middle;
+    uint8_t phase, is_in_round;
+    uint32_t at, step;     /* the item that a phase goes on with, and how many it goes on by */
+    uint32_t rounds;       /* of quickselect, within sides.begin and sides.end ... */
+    uint32_t below, above; /* ... of one of them: what is equal to the pivot, or not known */
+    float pivot;
+    plt_split_box seen[2];
+    plt_split_grid grid;
+    plt_split_plane plane;
+    plt_split_sides sides;
+} plt_split_job;
+
+/* plt_split_records, of more items than the surface area heuristic sorts, about *left items at a
+ * time, each as often as a pass looks at it; what they are is taken off. PLT_MORE, or PLT_OK: it is
+ * split. Until then, the items and their bins are its own. */
+void plt_split_records_begin(plt_split_job *job);
+int plt_split_records_some(plt_record_items *items, plt_split_job *job, uint32_t *left);
+#endif
+
+#if PLT_WITH_SUBTREES
+/* The same at a middle that is given: by centres along the longest axis. */
+uint32_t plt_split_records_at(plt_record_items *items, uint32_t begin, uint32_t middle,
+                              uint32_t end, const plt_box *box, plt_box child[2]);
+#endif
+
 /* Levels that halving by count takes until lists hold at most `most`. */
 static inline uint32_t plt_levels_needed(uint32_t count, uint32_t most) {
     uint32_t levels = 0;

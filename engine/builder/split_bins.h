@@ -24,6 +24,34 @@ typedef struct plt_split_bins {
     float right_cost[PLT_SAH_BINS][4];                    /* of rows k and up, by axis */
 } plt_split_bins;
 
+/* Twice the centre to a bin: (centre2 - lo) * scale. Four numbers, for lanes; the last mean
+ * nothing. */
+typedef struct plt_split_grid {
+    float lo[4], scale[4];
+    uint32_t bins;
+} plt_split_grid;
+
+/* Whether an item's bin on an axis is `row` or above. */
+typedef struct plt_split_plane {
+    int axis;
+    float lo, scale, row;
+} plt_split_plane;
+
+enum { PLT_SPLIT_BLOCK = 32 };
+
+/* Items of a block that are on the wrong side, found without a jump that depends on where
+ * they are; those from `next` on wait for one of the other side. */
+typedef struct plt_split_wrong {
+    uint8_t at[PLT_SPLIT_BLOCK];
+    uint32_t next, count;
+} plt_split_wrong;
+
+/* Items [begin, end) that may be on either side, but for the blocks at both ends. */
+typedef struct plt_split_sides {
+    uint32_t begin, end;
+    plt_split_wrong left, right;
+} plt_split_sides;
+
 /* What is small in lanes and large without them, and used in several places. */
 #if PLT_LANES_REGISTERS
 #define PLT_SPLIT_APART inline

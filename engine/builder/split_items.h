@@ -19,6 +19,8 @@
  *   ITEMS_FEW                          ranges of no more items are sorted, and every split of
  *                                      them has its cost; at most PLT_SAH_BINS
  *   ITEMS_SELECT_HALVES                1: quickselect before a range is halved by count
+ *   items_split_begin, ..._some        if defined: in steps, too (split_steps.h)
+ *   items_split_at                     if defined: a split by count, wherever it is asked for
  *
  * Three ways to split. Surface area heuristic: items are counted into bins by their
  * centres, on all three axes in one pass; the cheapest of the 3 * (bins - 1) planes
@@ -41,6 +43,7 @@
 #include "engine/builder/split.h"
 #include "engine/builder/split_bins.h"
 #include "engine/builder/split_sweep.h"
+#include "engine/lanes/unroll.h"
 #include "engine/planelet.h"
 
 static item_box split_box_of(const item_list *items, uint32_t begin, uint32_t end) {
@@ -64,12 +67,7 @@ static int split_longest_axis(const item_box *b) {
 
 enum { SPLIT_AHEAD = 16 }; /* items that are fetched before they are looked at */
 
-/* Twice the centre to a bin: (centre2 - lo) * scale. Four numbers, for lanes; the last mean
- * nothing. */
-typedef struct split_grid {
-    float lo[4], scale[4];
-    uint32_t bins;
-} split_grid;
+typedef plt_split_grid split_grid;
 
 #if PLT_LANES_REGISTERS
 static inline plt_split_box split_point(const plt_split_box *b) {
@@ -127,17 +125,19 @@ static uint32_t split_bin_count(uint32_t count) {
 }
 
 /* From every `step`-th item: others may lie outside, they count in the first or the last bin. */
-static split_grid split_lay_out_bins(const item_list *items, uint32_t begin, uint32_t end,
-                                     uint32_t step) {
-    plt_split_box all = plt_split_box_empty();
+static void split_add_points(const item_list *items, uint32_t begin, uint32_t end, uint32_t step,
+                             plt_split_box *all) {
     for (uint32_t i = begin; i < end; i += step) {
         const plt_split_box b = item_box_at(items, i);
         const plt_split_box point = split_point(&b);
-        plt_split_box_add(&all, &point);
+        plt_split_box_add(all, &point);
     }
-    split_grid grid = {{0, 0, 0, 0}, {0, 0, 0, 0}, split_bin_count(end - begin)};
+}
+
+static split_grid split_grid_of(const plt_split_box *points, uint32_t count) {
+    split_grid grid = {{0, 0, 0, 0}, {0, 0, 0, 0}, split_bin_count(count)};
     float hi[4];
-    split_store(&all, grid.lo, hi);
+    split_store(points, grid.lo, hi);
     for (int a = 0; a < 3; a++) {
         grid.scale[a] = split_scale(hi[a] - grid.lo[a], grid.bins);
     }
@@ -163,7 +163,6 @@ static void split_empty_bins(plt_split_bins *bins, uint32_t count) {
 static void split_fill_bins(item_list *items, uint32_t begin, uint32_t end,
                             const split_grid *grid) {
     plt_split_bins *bins = items_bins(items);
-    split_empty_bins(bins, grid->bins);
     for (uint32_t i = begin; i < end; i++) {
         item_prefetch(items, i + SPLIT_AHEAD < end ? i + SPLIT_AHEAD : begin);
         const plt_split_box b = item_box_at(items, i);
@@ -188,11 +187,9 @@ static item_box split_rows_box(const plt_split_bins *bins, int axis, uint32_t be
     return item_box_from(&all);
 }
 
-/* Whether an item's bin on an axis is `row` or above. */
-typedef struct split_plane {
-    int axis;
-    float lo, scale, row;
-} split_plane;
+typedef plt_split_plane split_plane;
+typedef plt_split_wrong split_wrong;
+typedef plt_split_sides split_sides_found;
 
 /* Each step is rounded to a float, as in lanes: so the sides are those of split_fill_bins. */
 static inline uint32_t split_is_right(const item_list *items, uint32_t i, const split_plane *p) {
@@ -202,45 +199,40 @@ static inline uint32_t split_is_right(const item_list *items, uint32_t i, const 
     return bin >= p->row;
 }
 
-enum { SPLIT_BLOCK = 32 };
-
-/* Items of a block that are on the wrong side, found without a jump that depends on where
- * they are; those from `next` on wait for one of the other side. */
-typedef struct split_wrong {
-    uint8_t at[SPLIT_BLOCK];
-    uint32_t next, count;
-} split_wrong;
-
 /* Looks at a block from `at` on, upwards for those on the right, or downwards for the others. */
 static void split_find_wrong(const item_list *items, uint32_t at, uint32_t downwards,
                              const split_plane *plane, split_wrong *w) {
     const uint32_t step = downwards ? (uint32_t)-1 : 1;
     w->next = w->count = 0;
-    for (uint32_t i = 0; i < SPLIT_BLOCK; i++, at += step) {
-        item_prefetch(items, at + SPLIT_BLOCK * step);
+    for (uint32_t i = 0; i < PLT_SPLIT_BLOCK; i++, at += step) {
+        item_prefetch(items, at + PLT_SPLIT_BLOCK * step);
         w->at[w->count] = (uint8_t)i;
         w->count += split_is_right(items, at, plane) ^ downwards;
     }
 }
 
-/* Returns the first item of the right side. By blocks, then what is left one by one.
- * Source: Edelkamp, Weiss, "BlockQuicksort", 2016. */
-static uint32_t split_partition(item_list *items, uint32_t begin, uint32_t end,
-                                const split_plane *plane) {
-    split_wrong left = {{0}, 0, 0}, right = {{0}, 0, 0};
-    while (end - begin >= 2 * SPLIT_BLOCK) {
-        if (left.next == left.count) {
-            split_find_wrong(items, begin, 0, plane, &left);
+/* By blocks, until there are at most `left` items, or fewer than two blocks. */
+PLT_INLINED void split_partition_blocks(item_list *items, split_sides_found *s,
+                                        const split_plane *plane, uint32_t left) {
+    while (s->end - s->begin >= 2 * PLT_SPLIT_BLOCK && (left == 0 || s->end - s->begin > left)) {
+        if (s->left.next == s->left.count) {
+            split_find_wrong(items, s->begin, 0, plane, &s->left);
         }
-        if (right.next == right.count) {
-            split_find_wrong(items, end - 1, 1, plane, &right);
+        if (s->right.next == s->right.count) {
+            split_find_wrong(items, s->end - 1, 1, plane, &s->right);
         }
-        while (left.next < left.count && right.next < right.count) {
-            items_swap(items, begin + left.at[left.next++], end - 1 - right.at[right.next++]);
+        while (s->left.next < s->left.count && s->right.next < s->right.count) {
+            items_swap(items, s->begin + s->left.at[s->left.next++],
+                       s->end - 1 - s->right.at[s->right.next++]);
         }
-        begin += left.next == left.count ? SPLIT_BLOCK : 0;
-        end -= right.next == right.count ? SPLIT_BLOCK : 0;
+        s->begin += s->left.next == s->left.count ? PLT_SPLIT_BLOCK : 0;
+        s->end -= s->right.next == s->right.count ? PLT_SPLIT_BLOCK : 0;
     }
+}
+
+/* The rest one by one; returns the first item of the right side. */
+static uint32_t split_partition_rest(item_list *items, uint32_t begin, uint32_t end,
+                                     const split_plane *plane) {
     while (begin < end) {
         if (split_is_right(items, begin, plane)) {
             items_swap(items, begin, --end);
@@ -251,26 +243,49 @@ static uint32_t split_partition(item_list *items, uint32_t begin, uint32_t end,
     return begin;
 }
 
+/* Returns the first item of the right side.
+ * Source: Edelkamp, Weiss, "BlockQuicksort", 2016. */
+static uint32_t split_partition(item_list *items, uint32_t begin, uint32_t end,
+                                const split_plane *plane) {
+    split_sides_found s = {.begin = begin, .end = end};
+    split_partition_blocks(items, &s, plane, 0);
+    return split_partition_rest(items, s.begin, s.end, plane);
+}
+
 /* Some 1,024 items of a large range say where its bins are; all are counted. */
 static uint32_t split_sample_step(uint32_t count) {
     return count < 2048 ? 1 : count / 1024;
+}
+
+/* The cheapest plane between bins, and both sides' boxes; 0: no plane separates anything. */
+static int split_choose(item_list *items, const split_grid *grid, uint32_t count,
+                        split_plane *plane, item_box child[2]) {
+    plt_split_bins *bins = items_bins(items);
+    const split_choice best = split_sweep(items, bins, grid->bins, count);
+    if (best.axis < 0) {
+        return 0;
+    }
+    const split_plane chosen = {best.axis, grid->lo[best.axis], grid->scale[best.axis],
+                                (float)(int32_t)best.row};
+    *plane = chosen;
+    child[0] = split_rows_box(bins, best.axis, 0, best.row);
+    child[1] = split_rows_box(bins, best.axis, best.row, grid->bins);
+    return 1;
 }
 
 /* Returns the middle, `begin` when no plane separates anything. */
 static uint32_t split_sah_from(item_list *items, uint32_t begin, uint32_t end, uint32_t step,
                                item_box child[2]) {
     plt_split_bins *bins = items_bins(items);
-    const split_grid grid = split_lay_out_bins(items, begin, end, step);
+    plt_split_box points = plt_split_box_empty();
+    split_add_points(items, begin, end, step, &points);
+    const split_grid grid = split_grid_of(&points, end - begin);
+    split_empty_bins(bins, grid.bins);
     split_fill_bins(items, begin, end, &grid);
-    const split_choice best = split_sweep(items, bins, grid.bins, end - begin);
-    if (best.axis < 0) {
-        return begin;
-    }
-    const split_plane plane = {best.axis, grid.lo[best.axis], grid.scale[best.axis],
-                               (float)(int32_t)best.row};
-    child[0] = split_rows_box(bins, best.axis, 0, best.row);
-    child[1] = split_rows_box(bins, best.axis, best.row, grid.bins);
-    return split_partition(items, begin, end, &plane);
+    split_plane plane;
+    return split_choose(items, &grid, end - begin, &plane, child)
+               ? split_partition(items, begin, end, &plane)
+               : begin;
 }
 
 static uint32_t split_sah(item_list *items, uint32_t begin, uint32_t end, item_box child[2]) {
@@ -465,6 +480,18 @@ uint32_t items_split(item_list *items, const plt_split_range *range, const item_
     }
     return middle;
 }
+
+#include "engine/builder/split_steps.h"
+
+#ifdef items_split_at
+uint32_t items_split_at(item_list *items, uint32_t begin, uint32_t middle, uint32_t end,
+                        const item_box *box, item_box child[2]) {
+    split_select(items, begin, end, middle, split_longest_axis(box));
+    child[0] = split_box_of(items, begin, middle);
+    child[1] = split_box_of(items, middle, end);
+    return middle;
+}
+#endif
 
 #endif
 #endif

@@ -94,5 +94,13 @@ static inline item_number item_penalty(const item_list *items, item_number cost,
     return cost;
 }
 
+#if PLT_WITH_REBUILD
+#define items_split_begin plt_split_records_begin
+#define items_split_some plt_split_records_some
+#endif
+#if PLT_WITH_SUBTREES
+#define items_split_at plt_split_records_at
+#endif
+
 /* The splitter itself. */
 #include "engine/builder/split_items.h"

@@ -100,16 +100,35 @@ static int child_box(refitting *r, plt_box4 *box) {
     return 1;
 }
 
+/* What has come to the areas of all nodes, or left them, has to those of the node's subtree. */
+static void count_in_subtree(const refitting *r, const plt_dirty_level *l, const plt_areas *had) {
+#if PLT_WITH_SUBTREES
+    plt_subtree *p = r->d->subtrees == NULL
+                         ? NULL
+                         : plt_subtrees_of(r->d->subtrees, l->right, (uint32_t)(l - r->d->levels));
+    if (p != NULL) {
+        p->ratios += r->areas.ratios - had->ratios;
+        p->sum += r->areas.sum - had->sum;
+    }
+#else
+    (void)r;
+    (void)l;
+    (void)had;
+#endif
+}
+
 /* Both children's boxes are known. */
 static plt_box4 fit(refitting *r, const plt_dirty_level *l, plt_box4 right) {
     plt_node *node = &r->nodes[l->node];
     const plt_box4 old = {f4_load(l->old_lo), f4_load(l->old_hi)};
     const plt_box4 left = {f4_load(l->lo), f4_load(l->hi)};
+    const plt_areas had = r->areas;
     plt_box4 was[2];
     old_children(node, l, was);
     plt_areas_count(&r->areas, -1, old, was[0], was[1]);
     const plt_box4 box = plt_node_fit(node, left, right);
     plt_areas_count(&r->areas, 1, box, left, right);
+    count_in_subtree(r, l, &had);
     return box;
 }
 
@@ -129,13 +148,6 @@ static int ascend(refitting *r, plt_box4 *box) {
     return 0;
 }
 
-static plt_box4 box4_of(const plt_box *b) {
-    const float lo[4] = {b->lo[0], b->lo[1], b->lo[2], 0.0f};
-    const float hi[4] = {b->hi[0], b->hi[1], b->hi[2], 0.0f};
-    const plt_box4 box = {f4_load(lo), f4_load(hi)};
-    return box;
-}
-
 void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, plt_areas *areas) {
     refitting r = {.d = d,
                    .nodes = (plt_node *)(uintptr_t)tree->nodes,
@@ -143,7 +155,7 @@ void plt_dirty_refit(plt_dirty *d, const plt_tree *tree, plt_box *box, plt_areas
                    .count = tree->records_count,
                    .areas = *areas,
                    .top = d->levels};
-    plt_box4 now = box4_of(box);
+    plt_box4 now = plt_box4_load(box);
     go_on(&r, 0);
     push(&r, tree->root, now, r.count);
     while (!child_box(&r, &now) || ascend(&r, &now)) {

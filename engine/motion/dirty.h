@@ -11,6 +11,7 @@
 #define PLT_MOTION_DIRTY_H
 
 #include "engine/motion/node_box.h"
+#include "engine/motion/subtrees.h"
 #include "engine/tree/thesis/tree.h"
 
 /* A node above a record that has changed. */
@@ -25,6 +26,9 @@ typedef struct plt_dirty {
     uint32_t *places; /* of each id: its record */
     uint32_t *bits;   /* of each record; all 0 between calls */
     plt_dirty_level *levels;
+#if PLT_WITH_SUBTREES
+    const plt_subtrees *subtrees; /* whose areas are counted, too; NULL: there are none */
+#endif
 } plt_dirty;
 
 /* Bytes of places and bits. */

@@ -15,6 +15,7 @@
 #if PLT_WITH_REBUILD
 #include "engine/motion/rebuild.h"
 #endif
+#include "engine/motion/subtrees.h"
 
 typedef struct plt_moving {
     plt_refit_level *levels;
@@ -35,6 +36,10 @@ typedef struct plt_moving {
     uint64_t work;   /* of plt_stats, that has been looked at */
     uint64_t excess; /* work since the last rebuild that a new tree would have saved */
 #endif
+#if PLT_WITH_SUBTREES
+    plt_subtrees subtrees; /* none: the whole tree is rebuilt */
+    uint64_t rebuilt;      /* triangles of all that have been */
+#endif
 } plt_moving;
 
 /* How much the sum of all ratios has grown since the tree was built, of itself; below 0: it is
@@ -45,6 +50,18 @@ float plt_growth(const plt_moving *m);
 #if PLT_WITH_REBUILD
 /* `work` has been done by the tree as it is. */
 void plt_moving_count(plt_moving *m, uint64_t work);
+#endif
+
+#if PLT_WITH_SUBTREES
+/* The subtree that is the next to be rebuilt, if `work` has been done meanwhile: the one whose
+ * excess is the most per triangle; of equals, if nothing has been traced, the one whose areas have
+ * grown most. NULL: there is none. */
+plt_subtree *plt_moving_worst(const plt_moving *m, uint64_t work);
+
+/* Its excess then. */
+uint64_t plt_subtree_excess(const plt_moving *m, const plt_subtree *p, uint64_t work);
+
+float plt_subtree_degradation(const plt_subtree *p);
 #endif
 
 #endif

@@ -17,6 +17,13 @@ static inline plt_box4 plt_box4_join(plt_box4 a, plt_box4 b) {
     return both;
 }
 
+static inline plt_box4 plt_box4_load(const plt_box *b) {
+    const float lo[4] = {b->lo[0], b->lo[1], b->lo[2], 0.0f};
+    const float hi[4] = {b->hi[0], b->hi[1], b->hi[2], 0.0f};
+    const plt_box4 box = {f4_load(lo), f4_load(hi)};
+    return box;
+}
+
 /* Of two zeros the positive one: what a box is must not depend on the order of its making. */
 static inline void plt_box4_store(plt_box4 b, plt_box *to) {
     float lo[4], hi[4];

@@ -9,20 +9,25 @@
  * triangles move between which steps, and how long the steps are, changes when the swap comes, and
  * no hit (DESIGN.md, 7.3); a tree that is built while nothing moves is that of any other steps.
  *
+ * A subtree is rebuilt likewise, beside the old one, and then copied into its own slots: its box
+ * is that of its triangles whatever is below it, so no node above it changes.
+ *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_MOTION_REBUILD_H
 #define PLT_MOTION_REBUILD_H
 
 #include "engine/builder/build.h"
 #include "engine/motion/refit.h"
+#include "engine/motion/subtrees.h"
 #include "engine/planelet.h"
 #include "engine/tree/thesis/tree.h"
+#include "engine/tree/thesis/validate.h"
 
 enum plt_rebuild_phase {
     PLT_REBUILD_IDLE,
     PLT_REBUILD_COPIES,   /* records of the old tree */
     PLT_REBUILD_SPLITS,   /* ranges into nodes */
-    PLT_REBUILD_TREELETS, /* of the nodes */
+    PLT_REBUILD_TREELETS, /* of the nodes; of a subtree: its slots */
     PLT_REBUILD_COUNTS,   /* what the tree needs */
     PLT_REBUILD_COLLECTS, /* corners and ids, as they are now */
     PLT_REBUILD_REFITS,
@@ -38,13 +43,26 @@ typedef struct plt_rebuild {
     uint32_t *places;  /* of each id: its record; NULL: nobody asks (dirty.h) */
     uint8_t phase;     /* enum plt_rebuild_phase */
     plt_build_job build;
+    plt_counting counting;
     plt_refit_job refit;
     plt_info info; /* with counts and needs of the new tree */
+#if PLT_WITH_SUBTREES
+    plt_subtree *part; /* that is rebuilt, into its own slots; NULL: the whole tree */
+    float scale;       /* of its areas */
+#endif
 } plt_rebuild;
 
 /* Begins to rebuild `tree`, of `info`; scratch and its bytes are in r->build, levels in r->refit.
  * Gives up one that was begun. */
 void plt_rebuild_start(plt_rebuild *r, const plt_info *info);
+
+#if PLT_WITH_SUBTREES
+/* Begins to rebuild a part of it; areas of its nodes are to be times `scale`. */
+void plt_rebuild_start_part(plt_rebuild *r, const plt_info *info, plt_subtree *part, float scale);
+
+/* It is the scene's. r->info has the counts; stack needs are those of any tree that deep. */
+void plt_rebuild_swap_part(plt_rebuild *r, plt_tree *tree);
+#endif
 
 /* About `triangles` records, at least one range of them. PLT_MORE: go on; PLT_OK: it is ready.
  * PLT_ERR_ARENA, PLT_ERR_LIMIT: there is no room for such a tree; it is given up, the old one is

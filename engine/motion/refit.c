@@ -40,13 +40,18 @@ PLT_REFIT_PART void fit(plt_refit_job *job, uint32_t n, const plt_box4 *left, pl
     }
 }
 
+/* From a node to its left child. */
+static inline uint32_t descend_one(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
+    (*top)->node = plt_link_index(link);
+    (*top)->is_done = 0;
+    ++*top;
+    return plt_node_link(&job->nodes[plt_link_index(link)], 0);
+}
+
 /* Down to the leftmost leaf below `link`, which is a node, every node on the way a level. */
 static inline uint32_t descend(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
     do {
-        (*top)->node = plt_link_index(link);
-        (*top)->is_done = 0;
-        link = plt_node_link(&job->nodes[(*top)->node], 0);
-        ++*top;
+        link = descend_one(job, link, top);
     } while (!plt_link_is_leaf(link));
     return link;
 }
@@ -120,6 +125,31 @@ int plt_refit_step(plt_refit_job *job, uint32_t lists) {
     return step(job, lists, PLT_WITH_REBUILD && job->areas.is_wanted);
 #endif
 }
+
+#if PLT_WITH_SUBTREES
+void plt_refit_to(plt_refit_job *job, uint32_t stop) {
+    plt_refit_level *top = job->top;
+    uint32_t link = job->link;
+    while (link != PLT_LINK_NONE && (plt_link_is_leaf(link) || plt_link_index(link) != stop)) {
+        if (plt_link_is_leaf(link)) {
+            plt_box4 box = plt_lists_box4(job->records, link);
+            link = ascend(job, &box, &top, 1);
+        } else {
+            link = descend_one(job, link, &top);
+        }
+    }
+    job->top = top;
+    job->link = link;
+}
+
+void plt_refit_put(plt_refit_job *job, const plt_box *box) {
+    plt_box4 b = plt_box4_load(box);
+    job->link = ascend(job, &b, &job->top, 1);
+    if (job->link == PLT_LINK_NONE) {
+        plt_box4_store(b, &job->box);
+    }
+}
+#endif
 
 void plt_refit(plt_refit_job *job) {
     plt_refit_begin(job);

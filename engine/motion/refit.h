@@ -40,4 +40,11 @@ void plt_refit(plt_refit_job *job);
 void plt_refit_begin(plt_refit_job *job);
 int plt_refit_step(plt_refit_job *job, uint32_t lists);
 
+#if PLT_WITH_SUBTREES
+/* The same, with areas, up to node `stop`, which has not been refitted; then job->top is free.
+ * What is below it is refitted apart, its box is put there, and the job goes on. */
+void plt_refit_to(plt_refit_job *job, uint32_t stop);
+void plt_refit_put(plt_refit_job *job, const plt_box *box);
+#endif
+
 #endif

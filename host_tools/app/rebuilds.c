@@ -49,19 +49,29 @@ void rebuilds_read(rebuilds *r, scene *s, args *a, int moves) {
     if (args_has(a, "--rebuild-step") && r->when == PLT_REBUILD_NEVER) {
         args_complain(a, "--rebuild-step is for --rebuild always, threshold:PERCENT or cost");
     }
+    if (args_has(a, "--rebuild-most") && r->when == PLT_REBUILD_NEVER) {
+        args_complain(a, "--rebuild-most is for --rebuild always, threshold:PERCENT or cost");
+    }
     s->options.rebuild = r->when != PLT_REBUILD_NEVER;
+    s->options.rebuild_most =
+        (uint32_t)args_number(a, "--rebuild-most", 0, PLT_SUBTREE_LEAST, 4000000000u);
 }
 
-/* 1: no room for the new tree, so the old one goes on. */
+/* What is due, or has begun: a step of it, or all. 1: no room for the new tree, so the old one goes
+ * on. */
 static int go_on(const rebuilds *r, plt_engine *e) {
+    const int is_whole = r->step == UINT32_MAX;
     plt_fault fault;
-    int status = PLT_OK;
-    if (plt_rebuild_due(e, r->when, r->percent)) {
-        plt_rebuild_begin(e, &fault);
-    }
-    do {
-        status = plt_rebuild_step(e, r->step, &fault);
-    } while (status == PLT_MORE && r->step == UINT32_MAX);
+    int status, is_due;
+    do { /* of subtrees, several may be due */
+        is_due = plt_rebuild_due(e, r->when, r->percent);
+        if (is_due) {
+            plt_rebuild_begin(e, &fault);
+        }
+        do {
+            status = plt_rebuild_step(e, r->step, &fault);
+        } while (status == PLT_MORE && is_whole);
+    } while (status == PLT_OK && is_due && is_whole && r->when == PLT_REBUILD_COST);
     return status < PLT_OK;
 }
 
@@ -83,8 +93,9 @@ void rebuilds_print(output *o, const rebuilds *r, const scene *s, unsigned repea
                  "  \"rebuild\": \"%s\",\n  \"rebuilds\": %" PRIu32
                  ",\n  \"rebuilds_given_up\": %u,\n  \"rebuild_seconds\": %.9f,\n"
                  "  \"degradation\": %.6f,\n  \"degradation_most\": %.6f,\n  \"growth\": %.6f,\n"
-                 "  \"excess_work\": %" PRIu64 ",\n  \"build_work\": %" PRIu64 ",\n",
+                 "  \"excess_work\": %" PRIu64 ",\n  \"build_work\": %" PRIu64
+                 ",\n  \"subtrees\": %" PRIu32 ",\n  \"rebuilt_triangles\": %" PRIu64 ",\n",
                  words[r->when], q.rebuilds, r->given_up, r->seconds / repeat,
                  (double)q.degradation, (double)r->most, (double)q.growth, q.excess_work,
-                 q.build_work);
+                 q.build_work, q.subtrees, q.rebuilt);
 }

@@ -13,10 +13,13 @@
      "of frames: build the tree anew in the arena, beside the old one, before every frame; "       \
      "when the ratios of nodes' areas have grown by so many percent, 1 to 1000; or when the work " \
      "that a new tree would have saved has reached its cost (default never)"},                     \
+        {"--rebuild-step", "TRIANGLES",                                                            \
+         "looked at for that per frame, 1 to 4000000000, a tree taking some log2(n) times "        \
+         "all n (default a whole tree)"},                                                          \
     {                                                                                              \
-        "--rebuild-step", "TRIANGLES",                                                             \
-            "looked at for that per frame, 1 to 4000000000, a tree taking some log2(n) times "     \
-            "all n (default a whole tree)"                                                         \
+        "--rebuild-most", "TRIANGLES",                                                             \
+            "of a subtree, 16 to 4000000000: subtrees are rebuilt one by one, each in its own "    \
+            "slots and in an arena without room for a second tree (default the whole tree)"        \
     }
 
 typedef struct rebuilds {

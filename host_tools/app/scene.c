@@ -194,6 +194,13 @@ static void read_structure(scene *s, args *a) {
     }
 }
 
+/* Once the order is known. */
+static void check_rebuilds(const scene *s, args *a) {
+    if (s->options.rebuild_most > 0 && s->options.order != PLT_ORDER_DEPTH_FIRST) {
+        args_complain(a, "--rebuild-most is for --walk depth");
+    }
+}
+
 static void read_flags(scene *s, args *a, int *fetched) {
     s->options.packet_side = read_packet(a);
     s->options.order = (uint8_t)args_choice(a, "--walk", orders, PLT_ORDER_DEPTH_FIRST);
@@ -201,6 +208,7 @@ static void read_flags(scene *s, args *a, int *fetched) {
     s->options.residency = (uint8_t)args_choice(a, "--residency", residencies, 0);
     *fetched |= s->options.residency == PLT_RESIDENCY_STREAMED;
     read_structure(s, a);
+    check_rebuilds(s, a);
     s->options.store_bytes =
         (uint32_t)args_number(a, "--store", 0, PLT_STORE_LEAST, host_arena_bytes());
     if (args_has(a, "--store") && s->options.residency != PLT_RESIDENCY_STREAMED) {

@@ -81,7 +81,9 @@ same fresh.ppm device.ppm "... and gives the picture of the scene packed anew"
 
 film
 for rebuild in never always threshold:1 threshold:1000 cost 'always --rebuild-step 100' \
-    'always --workers 3' 'always --walk two-stage' 'always --source read'; do
+    'always --workers 3' 'always --walk two-stage' 'always --source read' \
+    'always --rebuild-most 40' 'cost --rebuild-most 32 --workers 2' \
+    'always --rebuild-most 64 --rebuild-step 50' 'always --rebuild-most 1000'; do
     # shellcheck disable=SC2086
     works "--rebuild $rebuild" render wave.plt -o moved.y4m $view --moved wave.txt --frames 1:6 \
         --rebuild $rebuild --json moved.json
@@ -98,7 +100,17 @@ verdict "rebuilds are counted: none, one per frame, fewer in steps, some" "$(
 works "degradation and work are told" render wave.plt -o moved.y4m $view --moved wave.txt \
     --frames 1:6 --rebuild cost --json moved.json
 flat_json moved.json rebuilds rebuilds_given_up rebuild_seconds degradation \
-    degradation_most growth excess_work build_work
+    degradation_most growth excess_work build_work subtrees rebuilt_triangles
+# shellcheck disable=SC2086
+works "... of subtrees, too" render wave.plt -o moved.y4m $view --moved wave.txt --frames 1:6 \
+    --rebuild always --rebuild-most 32 --json parts.json
+verdict "... which are some, of at most so many triangles each" "$(
+    [ "$(number subtrees <parts.json)" -ge 3 ] || echo "$(number subtrees <parts.json) subtrees"
+    [ "$(number rebuilt_triangles <parts.json)" -le $((5 * 32)) ] || echo "more triangles"
+    [ "$(number rebuilds <parts.json)" -eq 5 ] || echo "not one per frame")"
+verdict "... and take less of an arena than a second tree" "$(
+    [ "$(number arena_peak_bytes <parts.json)" -lt "$(number arena_peak_bytes <moved.json)" ] ||
+        echo "$(number arena_peak_bytes <parts.json), $(number arena_peak_bytes <moved.json)")"
 verdict "... what a tree costs is its triangles'" "$(
     [ "$(number build_work <moved.json)" -eq $((128 * 24)) ] || echo "not 24 each")"
 

@@ -146,6 +146,12 @@ cured render thesis.plt -o x.png --moved knot.ply --rebuild cost
 says "--rebuild is for --structure tree: a grid is made anew in any case" \
     render thesis.plt -o x.png --moved knot.ply --rebuild cost --structure grid
 cured render thesis.plt -o x.png --moved knot.ply --structure grid
+says "--rebuild-most is for --rebuild always, threshold:PERCENT or cost" \
+    render thesis.plt -o x.png --moved knot.ply --rebuild-most 99
+cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-most 99
+says "--rebuild-most is for --walk depth" \
+    render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-most 99 --walk two-stage
+cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-most 99
 says "--rebuild-step is for --rebuild always, threshold:PERCENT or cost" \
     render thesis.plt -o x.png --moved knot.ply --rebuild-step 9
 cured render thesis.plt -o x.png --moved knot.ply --rebuild cost --rebuild-step 9

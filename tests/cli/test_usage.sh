@@ -54,8 +54,8 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
     --stills --tree-for --rate --key --instances --centre --origin --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step --repeat \
-    --chroma --json \
+flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
+    --rebuild-most --repeat --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step --repeat --json \

@@ -213,6 +213,74 @@ static void print_trees(const table *t) {
     }
 }
 
+/* ---- subtrees, as the engine rebuilds them ------------------------------------------- */
+
+/* All frames with subtrees of at most `most` triangles, rebuilt whenever one has cost what it
+ * costs; a tree is `build`. */
+static outcome follow_subtrees(const table *t, const mesh *meshes, uint32_t most, unsigned camera,
+                               double build, const float lo[3], const float hi[3]) {
+    rig_config c = rig_config_of(4, rig_is_tiny() ? 1 : 64, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    c.run.rebuild = 1;
+    c.run.rebuild_most = most;
+    outcome o = {.cost = 0};
+    mover v = {.bytes = 0};
+    unsigned slow = 0;
+    if (mover_open(&v, &meshes[0], &c, 1) == PLT_OK) {
+        for (unsigned f = 0; f < t->frames; f++) {
+            CHECK(mover_move(&v, &meshes[f]) == PLT_OK, "%s", v.fault.message);
+            o.cost += f > 0 ? REFIT * build : 0.0;
+            for (;;) {
+                plt_motion q;
+                plt_motion_get(v.engine, &q);
+                const double count = (double)q.build_work / PLT_REBUILD_WORK;
+                const double price = build * count / t->triangles;
+                if (q.subtrees == 0 || (double)q.excess_work < price) {
+                    break;
+                }
+                CHECK(plt_rebuild_begin(v.engine, &v.fault) == PLT_OK, "%s", v.fault.message);
+                while (plt_rebuild_step(v.engine, UINT32_MAX, &v.fault) == PLT_MORE) {
+                }
+                o.cost += price;
+                o.rebuilds++;
+            }
+            double work = 0;
+            for (unsigned view = 0; view < 2; view++) {
+                const plt_frame frame =
+                    animation_view(lo, hi, (double)f / t->frames, camera, view, SIDE);
+                work += work_of(v.engine, &frame);
+            }
+            o.cost += work;
+            slow = 0.9 * work > t->at[f][f].work[camera] ? slow + 1 : 0;
+            o.slow_run = slow > o.slow_run ? slow : o.slow_run;
+        }
+    }
+    mover_close(&v);
+    return o;
+}
+
+static void print_subtrees(const table *t, const mesh *meshes, const float lo[3],
+                           const float hi[3]) {
+    static const uint32_t parts[] = {1, 4, 16};
+    for (unsigned i = 0; i < sizeof parts / sizeof *parts; i++) {
+        const uint32_t share = t->triangles / parts[i] + 1;
+        const uint32_t most = share > PLT_SUBTREE_LEAST ? share : PLT_SUBTREE_LEAST;
+        double worst[CAMERAS] = {0};
+        for (unsigned camera = 0; camera < CAMERAS; camera++) {
+            for (unsigned price = 0; price < PRICES; price++) {
+                const double build = t->at[0][0].work[camera] / prices[price];
+                const outcome o = follow_subtrees(t, meshes, most, camera, build, lo, hi);
+                worst[camera] = fmax(worst[camera], o.cost / least_cost(t, camera, build));
+            }
+        }
+        const outcome o =
+            follow_subtrees(t, meshes, most, 0, (double)PLT_REBUILD_WORK * t->triangles, lo, hi);
+        printf(
+            "    subtrees, 1/%-10u regret %.3f, camera that goes around %.3f, comes near "
+            "%.3f; by the engine's price %u rebuilds, %u frames in a row below 90 %%\n",
+            parts[i], worst[0], worst[1], worst[2], o.rebuilds, o.slow_run);
+    }
+}
+
 /* ---- rebuilds as they are ------------------------------------------------------------- */
 
 /* In steps of a tenth of the triangles. */
@@ -268,6 +336,7 @@ static void run(const animation *s) {
         print_trees(t);
         print_regrets(t);
         print_recovery(t);
+        print_subtrees(t, meshes, lo, hi);
     }
     for (unsigned f = 0; f < s->frames; f++) {
         mesh_free(&meshes[f]);

@@ -190,12 +190,24 @@ if part "render thesis motion some" "$motion" 47616; then
     renders "$motion" thesis
 fi
 motion=$BUILD/mps2_an386-motion-thesis
-if part "thesis motion" "$motion" 54784; then
+if part "thesis motion" "$motion" 57856; then
     renders "$motion" device
     verdict "... with rebuilds, and without them where there is no builder" "$(
         [ -e "$motion/engine/motion/rebuild.o" ] || echo "no rebuild.o"
         ls "$BUILD/mps2_an386-motion-render-thesis/engine/motion/rebuild.o" 2>/dev/null)"
 fi
+motion=$BUILD/mps2_an386-motion-subtree-thesis
+if part "thesis motion subtree" "$motion" 62464; then
+    renders "$motion" device
+    verdict "... with subtrees, and without them where nobody asks" "$(
+        [ -e "$motion/engine/motion/subtrees.o" ] || echo "no subtrees.o"
+        ls "$BUILD/mps2_an386-motion-thesis/engine/motion/subtrees.o" 2>/dev/null)"
+fi
+for parts in 'thesis subtree' 'render thesis motion subtree'; do
+    trouble=$($MAKE -s BOARD=mps2_an386 PARTS="$parts" 2>&1)
+    verdict "PARTS='$parts' is refused, with what it may be" "$(
+        echo "$trouble" | grep -q "PARTS with subtree has .*: make PARTS='" || echo "$trouble")"
+done
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis some' 2>&1)
 verdict "PARTS with some and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with some has .*: make PARTS='" || echo "$trouble")"

@@ -92,6 +92,17 @@ verdict "... at least two of them, none for want of room" "$(
     echo "$text" | grep -q '^trees built anew: [2-9][0-9]*, given up for want of room: 0$' ||
         echo "$text")"
 
+whole=$(most plt_rebuild_step)
+
+play 2400 FRAMES=0:40 REBUILD=always REBUILD_MOST=600 SIZE=80x60 PARAMETERS=triangles=250
+plays "subtrees that are built anew in their slots, in short steps" 40
+verdict "... at least two of them, none for want of room" "$(
+    echo "$text" | grep -q '^trees built anew: [2-9][0-9]*, given up for want of room: 0$' ||
+        echo "$text")"
+verdict "... a step takes less than a quarter of the longest when steps are of all" "$(
+    [ "$(most plt_rebuild_step)" -gt 0 ] && [ $((4 * $(most plt_rebuild_step))) -lt "$whole" ] ||
+        echo "$(most plt_rebuild_step), $whole")"
+
 play 2400 FRAMES=0:5 STRUCTURE=grid
 plays "a grid that is made anew" 5
 grid=$(median "show: grid")

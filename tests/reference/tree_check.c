@@ -50,7 +50,8 @@ tree_view tree_view_of(const packed *image) {
                    tree_word(b + 48),
                    tree_word(b + 52),
                    {0, 0, 0},
-                   {0, 0, 0}};
+                   {0, 0, 0},
+                   0};
     for (int a = 0; a < 3; a++) {
         v.lo[a] = number(b + 72 + 4 * a);
         v.hi[a] = number(b + 84 + 4 * a);
@@ -174,7 +175,7 @@ static void check_treelet(checking *c, uint32_t root) {
     queue[0] = root;
     c->facts->treelets++;
     for (uint32_t i = 0; i < count; i++) {
-        if (queue[i] != root + i) {
+        if (!c->v->is_patched && queue[i] != root + i) {
             broken(c, "a treelet's nodes are not consecutive and breadth first");
         }
         for (int k = 0; k < 2; k++) {
@@ -189,7 +190,13 @@ static void check_treelet(checking *c, uint32_t root) {
             }
         }
     }
-    if (count > most || root / most != (root + count - 1) / most) {
+    const uint32_t last = c->v->is_patched ? root : root + count - 1;
+    for (uint32_t i = 0; i < count && i <= most; i++) {
+        if (queue[i] / most != root / most) {
+            broken(c, "a link that stays in a treelet leaves its block");
+        }
+    }
+    if (count > most || root / most != last / most) {
         broken(c, "a treelet is larger than N or crosses a block");
     }
     c->facts->largest_treelet = larger(c->facts->largest_treelet, count);
@@ -199,7 +206,9 @@ static void check_treelet(checking *c, uint32_t root) {
 static void check_free_slots(checking *c) {
     static const unsigned char zero[32];
     for (uint32_t i = 0; i < c->v->slots; i++) {
-        if (!c->node_seen[i] && memcmp(c->v->nodes + 32 * (size_t)i, zero, 32) != 0) {
+        const size_t planes = c->v->is_patched ? 24 : 0;
+        if (!c->node_seen[i] &&
+            memcmp(c->v->nodes + 32 * (size_t)i + planes, zero, 32 - planes) != 0) {
             broken(c, "a free slot is not zero");
         }
     }

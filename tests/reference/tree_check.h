@@ -16,6 +16,8 @@ typedef struct tree_view {
     const unsigned char *nodes, *records;
     uint32_t slots, count, root, treelet_nodes, leaf_triangles;
     float lo[3], hi[3];
+    int is_patched; /* subtrees were rebuilt in their slots: treelets are within their blocks, in
+                     * any order, and in free slots links alone are 0 */
 } tree_view;
 
 typedef struct tree_facts {

@@ -12,23 +12,33 @@
 
 #define NONE 0xFFFFFFFFu
 
-typedef struct forming {
-    plt_node *nodes;
-    uint32_t count, room, size; /* size: N */
-    uint32_t blocks;
-    uint32_t stack;    /* top of the edges that wait */
-    uint32_t *target;  /* [count] */
-    uint32_t *members; /* [min(count, N)] */
-    uint32_t *partial; /* [N] first treelet of that size that waits for its slot */
-    uint32_t *head;    /* [N] first block whose free slot has that size */
-    uint32_t *sizes;   /* [N / 32 + 1] */
-    uint32_t *next;    /* [blocks] */
-    uint32_t *used;    /* [blocks] */
-} forming;
+#if PLT_WITH_REBUILD
+enum { FULL, PARTIAL, LINKS, PERMUTES, FREE_SLOTS, FORMED };
+#endif
+
+typedef plt_treelet_forming forming;
 
 static uint32_t least(uint32_t a, uint32_t b) {
     return a < b ? a : b;
 }
+
+/* Steps that nobody else takes cost less code. */
+#if PLT_WITH_REBUILD
+#define PLT_TREELETS_STEP
+#define HAS_LEFT(f) ((f)->left > 0)
+
+static void take(forming *f, uint32_t nodes) {
+    f->left -= least(nodes, f->left);
+}
+#else
+#define PLT_TREELETS_STEP static
+#define HAS_LEFT(f) 1
+
+static inline void take(forming *f, uint32_t nodes) {
+    (void)f;
+    (void)nodes;
+}
+#endif
 
 static uint32_t blocks_bound(uint32_t count, uint32_t size) {
     /* All blocks but one are at least half full: a treelet that opens a block
@@ -136,72 +146,76 @@ static int assign_members(forming *f, uint32_t nodes) {
 /* Full treelets get their block at once, depth first; others wait by size (they have no
  * inner edges, so nothing waits for them). */
 static int form_full(forming *f) {
-    f->stack = 0;
-    f->target[0] = NONE;
-    while (f->stack != NONE) {
-        const uint32_t root = f->stack;
-        f->stack = f->target[root];
-        const uint32_t nodes = collect(f, root);
-        if (nodes < f->size) {
-            f->target[root] = f->partial[nodes];
-            f->partial[nodes] = root;
-        } else if (assign_members(f, nodes) != PLT_OK) {
-            return PLT_ERR_ARENA;
-        }
+    const uint32_t root = f->stack;
+    f->stack = f->target[root];
+    const uint32_t nodes = collect(f, root);
+    take(f, nodes);
+    if (nodes == f->size) {
+        return assign_members(f, nodes);
     }
+    f->target[root] = f->partial[nodes];
+    f->partial[nodes] = root;
     return PLT_OK;
 }
 
+/* Of `at` nodes, the largest first. */
 static int form_partial(forming *f) {
-    for (uint32_t nodes = f->size; nodes-- > 1;) {
-        while (f->partial[nodes] != NONE) {
-            const uint32_t root = f->partial[nodes];
-            f->partial[nodes] = f->target[root];
-            if (assign_members(f, collect(f, root)) != PLT_OK) {
-                return PLT_ERR_ARENA;
-            }
-        }
+    const uint32_t root = f->partial[f->at];
+    if (root == NONE) {
+        f->at--;
+        return PLT_OK;
     }
-    return PLT_OK;
+    f->partial[f->at] = f->target[root];
+    take(f, f->at);
+    return assign_members(f, collect(f, root));
 }
 
 static void update_links(forming *f) {
-    for (uint32_t i = 0; i < f->count; i++) {
+    f->root = f->at == 0 ? f->target[0] : f->root;
+    for (; f->at < f->count && HAS_LEFT(f); f->at++) {
+        take(f, 1);
         for (int c = 0; c < 2; c++) {
-            const uint32_t link = plt_node_link(&f->nodes[i], c);
+            const uint32_t link = plt_node_link(&f->nodes[f->at], c);
             if (!plt_link_is_leaf(link)) {
                 const uint32_t index = f->target[plt_link_index(link)];
-                plt_node_relink(&f->nodes[i], c, plt_link_make(index, link & PLT_LINK_KIND));
+                plt_node_relink(&f->nodes[f->at], c, plt_link_make(index, link & PLT_LINK_KIND));
             }
         }
     }
 }
 
-/* Follows each chain of displaced nodes to its end. */
+/* Follows each chain of displaced nodes to its end; from step to step a node is on its way. */
 static void permute(forming *f) {
-    for (uint32_t i = 0; i < f->count; i++) {
-        plt_node carried = f->nodes[i];
-        uint32_t from = i;
-        while (f->target[from] != NONE) {
+    for (; f->at < f->count && HAS_LEFT(f); f->at++) {
+        plt_node carried = f->is_carrying ? f->carried : f->nodes[f->at];
+        uint32_t from = f->is_carrying ? f->from : f->at;
+        take(f, f->is_carrying ? 0 : 1);
+        f->is_carrying = 0;
+        while (from < f->count && f->target[from] != NONE) {
+            if (!HAS_LEFT(f)) {
+                f->is_carrying = 1;
+                f->carried = carried;
+                f->from = from;
+                return;
+            }
             const uint32_t to = f->target[from];
             const plt_node displaced = f->nodes[to];
             f->target[from] = NONE;
             f->nodes[to] = carried;
             carried = displaced;
-            if (to >= f->count) {
-                break;
-            }
             from = to;
+            take(f, 1);
         }
     }
 }
 
 static void zero_free_slots(forming *f) {
     const plt_node zero = {{0, 0, 0, 0, 0, 0, 0, 0}};
-    for (uint32_t b = 0; b < f->blocks; b++) {
-        for (uint32_t i = f->used[b]; i < f->size; i++) {
-            f->nodes[b * f->size + i] = zero;
+    for (; f->at < f->blocks && HAS_LEFT(f); f->at++) {
+        for (uint32_t i = f->used[f->at]; i < f->size; i++) {
+            f->nodes[f->at * f->size + i] = zero;
         }
+        take(f, f->size);
     }
 }
 
@@ -221,20 +235,76 @@ static void cut_scratch(forming *f, uint32_t *at) {
     }
 }
 
+PLT_TREELETS_STEP void plt_treelets_begin(forming *f, const plt_treelet_job *job) {
+    const forming none = {
+        .nodes = job->nodes, .count = job->count, .room = job->room, .size = job->treelet_nodes};
+    *f = none;
+    cut_scratch(f, job->scratch);
+    f->target[0] = NONE;
+}
+
+#if PLT_WITH_REBUILD
+/* What is done of a phase when it ends, and where the next one begins. */
+static void go_on(forming *f, int is_done, uint32_t from) {
+    f->phase = (uint8_t)(f->phase + (is_done ? 1 : 0));
+    f->at = is_done ? from : f->at;
+}
+
+int plt_treelets_step(forming *f, uint32_t nodes) {
+    int status = PLT_OK;
+    f->left = nodes;
+    while (f->left > 0 && f->phase != FORMED && status == PLT_OK) {
+        switch (f->phase) {
+        case FULL:
+            status = form_full(f);
+            go_on(f, f->stack == NONE, f->size - 1);
+            break;
+        case PARTIAL:
+            status = f->at > 0 ? form_partial(f) : PLT_OK;
+            go_on(f, f->at == 0, 0);
+            break;
+        case LINKS:
+            update_links(f);
+            go_on(f, f->at == f->count, 0);
+            break;
+        case PERMUTES:
+            permute(f);
+            go_on(f, f->at == f->count, 0);
+            break;
+        default:
+            zero_free_slots(f);
+            go_on(f, f->at == f->blocks, 0);
+            break;
+        }
+    }
+    return status != PLT_OK || f->phase == FORMED ? status : PLT_MORE;
+}
+#endif
+
+/* No phase has as many nodes as UINT32_MAX, nor have all together. */
 int plt_treelets_form(plt_treelet_job *job) {
+    forming f;
+    int status = PLT_OK;
     job->node_slots = job->root = 0;
     if (job->count == 0) {
         return PLT_OK;
     }
-    forming f = {
-        .nodes = job->nodes, .count = job->count, .room = job->room, .size = job->treelet_nodes};
-    cut_scratch(&f, job->scratch);
-    const int status = form_full(&f) == PLT_OK ? form_partial(&f) : PLT_ERR_ARENA;
+    plt_treelets_begin(&f, job);
+    f.left = UINT32_MAX;
+    while (f.stack != NONE && status == PLT_OK) {
+        status = form_full(&f);
+    }
+    for (f.at = f.size - 1; f.at > 0 && status == PLT_OK;) {
+        status = form_partial(&f);
+    }
     if (status == PLT_OK) {
         job->node_slots = f.blocks * f.size;
-        job->root = f.target[0];
+        f.at = 0;
         update_links(&f);
+        job->root = f.root;
+        f.at = 0;
         permute(&f);
+        f.at = 0;
         zero_free_slots(&f);
     }
     return status;

@@ -102,11 +102,12 @@ static int check_link(const plt_tree *tree, uint32_t from, uint32_t link, plt_in
     return PLT_OK;
 }
 
-/* Post-order traversal of the subtree of levels[0].node. */
-static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *root,
-                    uint32_t *seen, plt_info *info, plt_fault *fault) {
-    uint32_t level = 0;
-    for (;;) {
+/* Post-order traversal of the subtree of levels[0].node, from `*depth` on, which is 0 at first,
+ * until `seen` is `until` or more: PLT_MORE. */
+static int traverse(const plt_tree *tree, plt_validate_level *levels, uint32_t *depth,
+                    uint32_t until, plt_need *root, uint32_t *seen, plt_info *info,
+                    plt_fault *fault) {
+    for (uint32_t level = *depth;;) {
         plt_validate_level *at = &levels[level];
         const plt_node *node = &tree->nodes[at->node];
         if (at->next_child == 2) {
@@ -123,8 +124,10 @@ static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *
         const uint32_t link = plt_node_link(node, (int)at->next_child);
         if (plt_link_is_leaf(link)) {
             const plt_need leaf = {0, 0, 0, 0, 0};
-            const int status = validate_lists(tree, link, seen, info, fault);
+            const int status =
+                *seen < until ? validate_lists(tree, link, seen, info, fault) : PLT_MORE;
             if (status != PLT_OK) {
+                *depth = level;
                 return status;
             }
             at->need[at->next_child++] = leaf;
@@ -142,6 +145,12 @@ static int traverse(const plt_tree *tree, plt_validate_level *levels, plt_need *
     }
 }
 
+static void set_needs(plt_info *info, const plt_need *root) {
+    info->local_stack_entries = larger(root->local, root->locals);
+    info->global_stack_entries = larger(1, treelet_need(root));
+    info->depth_stack_entries = larger(1, root->depth);
+}
+
 /* The root link is a node: traverses what is below it and fills in the stack needs. */
 static int validate_nodes(const plt_tree *tree, plt_validate_level *levels, uint32_t *seen,
                           plt_info *info, plt_fault *fault) {
@@ -153,15 +162,36 @@ static int validate_nodes(const plt_tree *tree, plt_validate_level *levels, uint
     levels[0].node = plt_link_index(tree->root);
     levels[0].next_child = 0;
     plt_need root;
-    const int status = traverse(tree, levels, &root, seen, info, fault);
-    if (status != PLT_OK) {
-        return status;
+    uint32_t depth = 0;
+    const int status = traverse(tree, levels, &depth, UINT32_MAX, &root, seen, info, fault);
+    if (status == PLT_OK) {
+        set_needs(info, &root);
     }
-    info->local_stack_entries = larger(root.local, root.locals);
-    info->global_stack_entries = larger(1, treelet_need(&root));
-    info->depth_stack_entries = larger(1, root.depth);
-    return PLT_OK;
+    return status;
 }
+
+#if PLT_WITH_REBUILD
+void plt_tree_count_begin(plt_counting *c, const plt_tree *tree, plt_info *info) {
+    info->nodes = info->treelets = 1;
+    info->leaf_lists = info->intermediate_lists = info->leaf_triangles = 0;
+    c->depth = c->seen = 0;
+    c->levels[0].node = plt_link_index(tree->root);
+    c->levels[0].next_child = 0;
+}
+
+int plt_tree_count(plt_counting *c, const plt_tree *tree, uint32_t triangles, plt_info *info) {
+    const uint32_t left = tree->records_count - c->seen;
+    plt_fault fault;
+    plt_need root;
+    const int status =
+        traverse(tree, c->levels, &c->depth, triangles < left ? c->seen + triangles : UINT32_MAX,
+                 &root, &c->seen, info, &fault);
+    if (status == PLT_OK) {
+        set_needs(info, &root);
+    }
+    return status;
+}
+#endif
 
 int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info *info,
                       plt_fault *fault) {

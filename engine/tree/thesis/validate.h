@@ -47,6 +47,18 @@ typedef struct plt_validate_level {
 int plt_tree_validate(const plt_tree *tree, plt_validate_level *levels, plt_info *info,
                       plt_fault *fault);
 
+#if PLT_WITH_REBUILD
+typedef struct plt_counting {
+    plt_validate_level *levels; /* scratch, as above */
+    uint32_t depth, seen;       /* level in hand; records behind it */
+} plt_counting;
+
+/* The same in steps, of a tree with a node that was built here, `triangles` records at a time:
+ * PLT_MORE, or PLT_OK, then the needs are known. PLT_ERR_LIMIT: as above. */
+void plt_tree_count_begin(plt_counting *c, const plt_tree *tree, plt_info *info);
+int plt_tree_count(plt_counting *c, const plt_tree *tree, uint32_t triangles, plt_info *info);
+#endif
+
 /* I6: planes inside the scene's box, for every slot of a node in use or not. */
 int plt_planes_validate(const plt_header *header, const plt_node *nodes, plt_fault *fault);
 
