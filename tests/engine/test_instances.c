@@ -247,6 +247,70 @@ static void names(void) {
     CHECK(instances_rig_close(&s), "arena");
 }
 
+/* ---- where rounding is largest ------------------------------------------------------ */
+
+/* Turned, made flat, and turned again. */
+static void flat_matrix(float m[PLT_MATRIX_FLOATS], random_state *r) {
+    float a[PLT_MATRIX_FLOATS], b[PLT_MATRIX_FLOATS];
+    instances_rig_matrix(a, INSTANCES_RIGID, 1.0f, r);
+    instances_rig_matrix(b, INSTANCES_RIGID, 1.0f, r);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m[4 * i + j] =
+                a[4 * i] * b[j] + a[4 * i + 1] * b[4 + j] + a[4 * i + 2] * b[8 + j] * 0.006f;
+        }
+        m[4 * i + 3] = a[4 * i + 3];
+    }
+}
+
+/* Rays from far away that run along a face of the box in the world, by the vertex that it
+ * touches, a little within or without. */
+static void graze_boxes(const mesh *body, const float m[PLT_MATRIX_FLOATS], random_state *r) {
+    for (uint32_t i = 0; i < RAYS; i++) {
+        const int axis = (int)(i % 3);
+        const float sign = i % 2 ? 1.0f : -1.0f, far = 1000.0f * (float)(1u << i % 11);
+        float best = -1.0e30f, at[3] = {0, 0, 0};
+        for (size_t v = 0; v < body->vertices; v++) {
+            const float *p = body->vertex + 3 * v;
+            float q[3];
+            for (int a = 0; a < 3; a++) {
+                q[a] = m[4 * a] * p[0] + m[4 * a + 1] * p[1] + m[4 * a + 2] * p[2] + m[4 * a + 3];
+            }
+            if (sign * q[axis] > best) {
+                best = sign * q[axis];
+                memcpy(at, q, sizeof at);
+            }
+        }
+        const float within = random_float(r, -1.0e-5f, 1.0e-5f) * far; /* as far as rounding is */
+        plt_ray *ray = &rays[i];
+        for (int a = 0; a < 3; a++) {
+            at[a] += within * (m[4 * a + 3] - at[a]);
+            ray->dir[a] = a == axis ? 0.0f : random_float(r, -1.0f, 1.0f);
+            ray->org[a] = at[a] - far * ray->dir[a];
+        }
+        ray->tmin = 0.0f;
+        ray->tmax = RAYS_FAR;
+    }
+}
+
+static void far_and_flat(void) {
+    const instances_config c = config_of(2, 8, 1, INSTANCES_RIGID);
+    instances_rig s;
+    random_state r = {12};
+    uint32_t hit = 0;
+    if (instances_rig_start(&s, &c) == PLT_OK) {
+        for (int i = 0; i < 30; i++) {
+            float m[1][PLT_MATRIX_FLOATS];
+            flat_matrix(m[0], &r);
+            CHECK(plt_place(s.engine, (matrices)m, &s.fault) == PLT_OK, "%s", s.fault.message);
+            graze_boxes(&s.body[s.body_of[0]], m[0], &r);
+            hit += compare(&s, (matrices)m, 0, "flat");
+        }
+    }
+    CHECK(hit > 500, "%u hits", hit);
+    CHECK(instances_rig_close(&s), "arena");
+}
+
 /* ---- beside a scene that is packed flat ------------------------------------------- */
 
 /* A vertex lies elsewhere by no more than these units in the last place of what is added up, and
@@ -308,6 +372,8 @@ static void beside_flat(enum instances_kind kind) {
 int main(void) {
     test("hits are those of each body alone, as its instances see the rays, bit for bit");
     hits_of_bodies();
+    test("... also along the boxes of instances that are all but flat, from very far away");
+    far_and_flat();
     test("frames are shown in any order, mapped and fetched, and the arena stays as it is");
     frames(1);
     frames(0);
