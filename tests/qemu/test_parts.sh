@@ -168,7 +168,7 @@ if part "render compact frames motion sequence" "$sequence" 48128; then
     shows lattice:16 "" compact
 fi
 sequence=$BUILD/mps2_an386-compact-motion-render-sequence-stream
-if part "render compact motion sequence stream" "$sequence" 67584; then
+if part "render compact motion sequence stream" "$sequence" 68096; then
     "$planelet" pack --sequence "$out"/wave_00?.ply --geometry lattice:14 --nodes compact --stills \
         -o "$out/stills.plt" >/dev/null 2>&1
     for frame in 0 3 5; do

@@ -28,9 +28,8 @@ static inline void plt_leaf_pass(const plt_geometry *g, plt_leaf_place *at, cons
 void plt_leaf_turn(const plt_geometry *g, const plt_leaf_place *at, const plt_leaf *leaf,
                    unsigned char *ids, uint32_t bits);
 
-/* The same of all triangles of a block that is streamed; id `g->first_triangle` begins in the first
- * byte of `ids`.
- */
+/* The same of all triangles of a block that is streamed, whose first id begins in the first byte of
+ * `ids`. */
 void plt_block_turn(const plt_block *b, const plt_geometry *g, unsigned char *ids, uint32_t bits);
 
 #endif
