@@ -52,7 +52,7 @@ uint32_t plt_subtree_room(uint32_t triangles, uint32_t nodes, uint32_t most);
 /* Bytes of scratch that finding them takes. */
 size_t plt_subtrees_scratch_bytes(void);
 
-/* Those of a tree that is valid, of K triangles a list, of `room` nodes at most each. */
+/* Those of a tree that is valid, of K triangles per list, of `room` nodes at most each. */
 void plt_subtrees_find(plt_subtrees *s, const plt_tree *tree, uint32_t most,
                        uint32_t leaf_triangles, uint32_t room, void *scratch);
 
