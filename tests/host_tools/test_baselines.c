@@ -67,13 +67,15 @@ static void make_odd(plt_ray *ray, random_state *r) {
     *of[random_below(r, 4)] = odd[random_below(r, sizeof odd / sizeof *odd)];
 }
 
+/* The first 64 from one point, so that they are a packet now and then. */
 static void make_rays(plt_ray *rays, const mesh *m, random_state *r) {
-    static void (*const kinds[])(plt_ray *, uint32_t, const mesh *, random_state *) = {
-        rays_mixed, rays_edges, rays_grazing, rays_far, rays_camera};
-    const uint32_t each = RAYS / 5;
+    static void (*const kinds[])(plt_ray *, uint32_t, const mesh *,
+                                 random_state *) = {rays_mixed, rays_edges, rays_grazing, rays_far};
+    const uint32_t each = (RAYS - 64) / 4;
     memset(rays, 0, RAYS * sizeof *rays);
-    for (uint32_t i = 0; i < 5; i++) {
-        kinds[i](rays + i * each, each, m, r);
+    rays_camera(rays, 64, m, r);
+    for (uint32_t i = 0; i < 4; i++) {
+        kinds[i](rays + 64 + i * each, each, m, r);
     }
     for (uint32_t i = 0; i < RAYS / 16; i++) {
         make_odd(&rays[random_below(r, RAYS)], r);
