@@ -75,7 +75,7 @@ groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c pa
     engine/shade/camera_packet.c \
     engine/shade/camera_ranges.c \
     engine/shade/packet_shade.c
-beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
+beams_files := $(wildcard engine/shade/beam*.c) engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
 left_out_render := $(builder_files) $(rebuild_files)

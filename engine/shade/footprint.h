@@ -5,8 +5,8 @@
  * any other the edge functions are planes through the eye and an edge, which need no
  * division; they are looked at in all pixels. What is not surely outside is tested exactly.
  *
- * Inline for those who project triangles: footprint.c has records, beam_strips.c the strips of
- * compact blocks.
+ * Inline for those who project triangles: footprint_record.h has records, beam_strips.c the strips
+ * of compact blocks.
  *
  * Source: Pineda, "A parallel algorithm for polygon rasterization", 1988 (edge functions).
  * Margins: DESIGN.md, section 7.7.

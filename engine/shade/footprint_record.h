@@ -1,6 +1,6 @@
 /* footprint_record - pixels that a float record may cover
  *
- * Inline for those who go through records: footprint.c through lists, beam_references.c through
+ * Inline for those who go through records: beam_lists.c through lists, beam_references.c through
  * what cells refer to. Each calls it once, which is faster by a fifth than a call is.
  *
  * SPDX-License-Identifier: MIT */

@@ -1,4 +1,4 @@
-/* footprint - pixels that the float records of lists may cover
+/* beam_lists - pixels that the float records of lists may cover
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/footprint_record.h"
