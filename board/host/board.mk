@@ -62,7 +62,8 @@ $(OUT)/tests/reference/lanes_scalar_fma.o: PROBE_FLAGS := -mavx2 -mfma
 endif
 
 # One program measures beside another tracer, where that is installed.
-$(OUT)/tests/measure/test_refit_peer: LIBRARIES = $(if $(wildcard /usr/include/embree3/rtcore.h),-lembree3)
+EMBREE := $(wildcard /usr/include/embree3/rtcore.h)
+$(OUT)/tests/measure/test_refit_peer: LIBRARIES = $(if $(EMBREE),-lembree3)
 
 $(OUT)/tests/%: $(OUT)/tests/%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
