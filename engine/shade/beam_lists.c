@@ -68,7 +68,7 @@ uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t si
     set_projector(&k, b);
     while ((record = next_projected(b, &k, &of, &p)) != NULL) {
         candidate triangle = {record, NULL, 0, 0};
-        test_footprint(b, &triangle, &p);
+        test_footprint(b, &triangle, &p, PLT_WITH_THESIS);
     }
     return (uint32_t)(of.record - begin);
 }

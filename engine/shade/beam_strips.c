@@ -63,7 +63,7 @@ static inline void test_triangle(plt_beam *b, const corners *from, candidate *c)
     projected p;
     switch (b->margins.project ? project(b, from, index, &p) : NOT_PROJECTED) {
     case PROJECTED:
-        test_footprint(b, c, &p);
+        test_footprint(b, c, &p, 1);
         break;
     case NOT_PROJECTED:
         plt_beam_test_planes(b, record_of(b, c));

@@ -8,21 +8,27 @@
  * frames differ of 646 cameras, 384 views on grids, 384 by bounds and 320 of sheets that cross
  * (PLANELET_COUNT=1 prints it):
  *
- *   margins.pixels = 0                0    212    223      1
- *   margins.pixels * 0.03             0      0      0      0
- *   slack_of returns 0              347    346    367    254
- *   slack_of * 0.05                   0      0      0      0
- *   margins.plane = 0                 0      9      1      0
- *   taken at 0, not at the error      0      0     24      0
- *   taken without slack             293      0    335    208
- *   NEARER = 1                       26    176      0     45
- *   far: the last pixel's t          17      0      0      4
- *   ties are always won              58    384    328      0
+ *   margins.pixels and edge = 0      0    159    156      0
+ *   margins.pixels * 0.03            0      0      0      0
+ *   margins.edge = 0                 0    174    175      1
+ *   margins.edge * 0.1               0      0      0      0
+ *   margins.lines = 1                0     49     50      1
+ *   slack_of returns 0             314    334    364    249
+ *   slack_of * 0.05                  0      0      0      0
+ *   margins.plane = 0                0      9      1      0
+ *   taken at 0, not at the error     0      0     24      0
+ *   taken without slack            301      0    332    225
+ *   NEARER = 1                      28    148      0     33
+ *   far: the last pixel's t         17      0      0      5
+ *   ties are always won             58    384    328      0
+ *   corners turned, depths not     231      0      0    121
  *   and of compact blocks alone
- *   margins.pixels = 0                1    210    215      1
- *   slack_of returns 0              352    361    376    253
- *   records given out while in use   34     76     59     41
- *   corners not in canonical order  262      0      0    145
+ *   margins.pixels and edge = 0      1    161    151      1
+ *   slack_of returns 0             315    350    373    248
+ *   records given out while in use  32     76     59     36
+ *   corners not in canonical order 262      0      0    145
+ *
+ * What no frame shows is in test_lines.c.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
