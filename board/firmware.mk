@@ -83,10 +83,11 @@ $(OUT)/flags: FORCE
 
 ##measure make BOARD=name play SCENE=x.plt [STRUCTURE=grid] [FRAMES=A:B]: frames of a sequence
 # What plays is another program, with the parts that it takes: this make calls itself for it.
-play_options = $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
+play_options = $(if $(RECORDS),records=$(RECORDS)) $(if $(BESIDE),beside=$(BESIDE)) \
+               $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
                $(if $(ARENA),arena=$(ARENA)) $(PARAMETERS)
 play_parts := $(if $(filter grid,$(STRUCTURE)),render thesis motion sequence grid,\
-                $(if $(filter-out never,$(REBUILD)),,render) thesis frames motion sequence)
+                $(if $(filter-out never,$(REBUILD)),,render vertices) thesis frames motion sequence)
 ifeq ($(PROGRAM),played)
 run play: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host PARTS= PROGRAM= CC='$(HOST_CC)' all

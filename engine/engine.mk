@@ -15,6 +15,7 @@
 #            plt_rebuild_begin; other firmware is without
 #   some     ... and with plt_move_some, likewise
 #   sequence ... and with plt_sequence_show, for frames that an image holds
+#   vertices ... and without records, where the arena has no room for them (plt_options.records)
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
@@ -53,6 +54,9 @@ task_files := engine/task.c engine/schedule/dispatch.c engine/schedule/worker.c 
 batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 sequence_files := engine/sequence.c $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c) \
     engine/motion/vertices.c
+vertices_files := engine/beside.c engine/motion/beside.c engine/motion/refit_vertices.c \
+    engine/scene/open_vertices.c engine/tree/vertex_lists.c engine/trace/traverse_vertices.c \
+    engine/shade/beam_vertices.c
 some_files := engine/move_some.c engine/motion/dirty.c
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c
 motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
@@ -63,20 +67,21 @@ groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c pa
     $(wildcard engine/trace/traverse*.c) engine/shade/camera_packet.c \
     engine/shade/camera_ranges.c \
     engine/shade/packet_shade.c
-beams_files := $(wildcard engine/shade/beam*.c) engine/shade/footprint.c engine/shade/margins.c \
+beams_files := $(wildcard engine/shade/beam*.c) engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
 left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(motion_files) $(sequence_files) $(grid_files)
+left_out_compact := $(thesis_files) $(motion_files) $(sequence_files) \
+    $(vertices_files) $(grid_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    sequence grid frames,$(PARTS)),)
+    sequence vertices grid frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, sequence, grid or frames; it has $(PARTS))
+    seek, motion, some, sequence, vertices, grid or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -93,6 +98,9 @@ $(error PARTS with motion has thesis nodes: make PARTS='render thesis motion')
 endif
 ifeq ($(filter motion,$(PARTS))$(filter sequence,$(PARTS)),sequence)
 $(error PARTS with sequence has motion: make PARTS='render thesis motion sequence')
+endif
+ifeq ($(filter sequence,$(PARTS))$(filter vertices,$(PARTS)),vertices)
+$(error PARTS with vertices has sequence: make PARTS='render thesis motion sequence vertices')
 endif
 ifeq ($(filter motion,$(PARTS))$(filter some,$(PARTS)),some)
 $(error PARTS with some has motion: make PARTS='render thesis motion some')
@@ -126,6 +134,7 @@ without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
 without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
 without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes)
+without_vertices := $(if $(filter host,$(BOARD))$(filter vertices,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
@@ -136,11 +145,12 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_batch),$(batch_files)) $(if $(without_task),$(task_files)) \
     $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
     $(if $(without_some),$(some_files)) $(if $(without_sequence),$(sequence_files)) \
-    $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
+    $(if $(without_vertices),$(vertices_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
     $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_sequence),-DPLT_WITH_SEQUENCE=0) \
+    $(if $(without_vertices),-DPLT_WITH_VERTICES=0) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
@@ -156,7 +166,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
     engine/shade/rendering.c engine/seek.c engine/shade/seek.c \
-    engine/sequence.c engine/motion/sequence*.c engine/motion/frame_reader.c)
+    engine/sequence.c engine/beside.c engine/motion/beside.c engine/motion/sequence*.c \
+    engine/motion/frame_reader.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

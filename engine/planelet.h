@@ -147,6 +147,20 @@ enum plt_structure {
                              * form. Coherent or not, rays go in packets */
 };
 
+/* Whether a movable scene with a sequence has records of its triangles in the arena, which is 40
+ * bytes each, or makes them of vertices whenever a ray comes to their leaf. Hits and frames are the
+ * same, bit for bit. Without records there are 24 bytes per vertex instead of 12, and of an image
+ * that is not mapped 4 per triangle; rays take longer, showing a frame is shorter; and nothing but
+ * frames can be shown: plt_move is refused. Of finished trees (PLT_BUILD_HOST); without grids,
+ * plt_options.moves_some and rebuild. Rays go in packets, whatever plt_options.rays_in_flight
+ * says */
+enum plt_records {
+    PLT_RECORDS_AUTO = 0, /* as the arena has room for, and the rest allows; with `beside` none. A
+                           * need is that of PLT_RECORDS_ALWAYS, or with `beside` of _NEVER */
+    PLT_RECORDS_ALWAYS = 1,
+    PLT_RECORDS_NEVER = 2
+};
+
 /* How plt_trace traces: hits are the same, bit for bit. */
 enum plt_rays {
     PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
@@ -203,6 +217,13 @@ typedef struct plt_options {
     uint8_t structure; /* enum plt_structure. A grid takes the room that there is: at most
                         * PLT_GRID_TRIANGLE_BYTES (64) and 8 per triangle, at least 8, of which
                         * few make it slow. Without PLT_WITH_GRID it is not looked at */
+    uint8_t records;   /* enum plt_records; of movable scenes with a sequence. Without
+                        * PLT_WITH_VERTICES it is not looked at */
+    uint8_t beside;    /* 1: the tree of a frame that comes is refitted in plt_sequence_step, beside
+                        * the one that is shown, and plt_sequence_show is an exchange of both: of a
+                        * scene without records, for 32 bytes per node slot if the arena has them
+                        * (plt_motion.is_beside; a need has them). Not with PLT_RECORDS_ALWAYS.
+                        * Without PLT_WITH_VERTICES it is not looked at */
 } plt_options;
 
 /* Frames of a sequence per second at most. */
@@ -461,15 +482,17 @@ int plt_rebuild_due(const plt_engine *engine, unsigned when, unsigned percent);
 /* How a scene in motion is. Work is in group tests, of which a triangle test is two
  * (plt_stats); it does not depend on any clock. */
 typedef struct plt_motion {
-    uint32_t moves;       /* calls of plt_move and plt_move_some */
-    uint32_t rebuilds;    /* that have become the scene's tree */
-    float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
-                           * all nodes, is 10 % above what it was when the tree was built
-                           * (RT-DEFORM); below 0: it is less. Without plt_options.rebuild, whose
-                           * choice it is for, it is not counted, and 0 */
-    float growth;         /* likewise of the sum of all nodes' areas, which says more of what rays
-                           * cost: DESIGN.md, section 5.3 */
-    uint8_t is_building;  /* a rebuild has begun */
+    uint32_t moves;      /* calls of plt_move and plt_move_some */
+    uint32_t rebuilds;   /* that have become the scene's tree */
+    float degradation;   /* 0.1: the ratio of a node's area to its children's together, summed over
+                          * all nodes, is 10 % above what it was when the tree was built
+                          * (RT-DEFORM); below 0: it is less. Without plt_options.rebuild, whose
+                          * choice it is for, it is not counted, and 0 */
+    float growth;        /* likewise of the sum of all nodes' areas, which says more of what rays
+                          * cost: DESIGN.md, section 5.3 */
+    uint8_t is_building; /* a rebuild has begun */
+    uint8_t over_vertices; /* there are no records (plt_options.records) */
+    uint8_t is_beside; /* frames are refitted beside the one that is shown (plt_options.beside) */
     uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved: of work w,
                            * w d / (1 + d), d being PLT_GROWTH_WORK percent of the growth, if
                            * above 0 */

@@ -61,6 +61,10 @@
 #define PLT_WITH_SEQUENCE PLT_WITH_MOTION /* ... as an image's frames say (plt_sequence_show) */
 #endif
 
+#ifndef PLT_WITH_VERTICES
+#define PLT_WITH_VERTICES PLT_WITH_SEQUENCE /* ... without records (plt_options.records) */
+#endif
+
 #ifndef PLT_WITH_MOVE_SOME
 #define PLT_WITH_MOVE_SOME PLT_WITH_MOTION /* ... some of them, for less (plt_move_some) */
 #endif
@@ -252,6 +256,9 @@
 #endif
 #if (PLT_WITH_SEQUENCE != 0 && PLT_WITH_SEQUENCE != 1) || (PLT_WITH_SEQUENCE && !PLT_WITH_MOTION)
 #error "PLT_WITH_SEQUENCE is the digit 0, or with PLT_WITH_MOTION 1"
+#endif
+#if (PLT_WITH_VERTICES != 0 && PLT_WITH_VERTICES != 1) || (PLT_WITH_VERTICES && !PLT_WITH_SEQUENCE)
+#error "PLT_WITH_VERTICES is the digit 0, or with PLT_WITH_SEQUENCE 1"
 #endif
 #if (PLT_WITH_MOVE_SOME != 0 && PLT_WITH_MOVE_SOME != 1) || (PLT_WITH_MOVE_SOME && !PLT_WITH_MOTION)
 #error "PLT_WITH_MOVE_SOME is the digit 0, or with PLT_WITH_MOTION 1"

@@ -21,7 +21,8 @@
     ROW(STREAMED_THESIS, streamed_thesis, PLT_WITH_STREAMED_THESIS,                                \
         "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")                     \
-    ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")
+    ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")                                        \
+    ROW(VERTICES, vertices, PLT_WITH_VERTICES, "triangles over vertices (PLT_WITH_VERTICES)")
 
 enum plt_format {
 #define PLT_FORMAT_NAMED(NAME, name, with, text) PLT_FORMAT_##NAME,
@@ -54,6 +55,11 @@ static inline int plt_is_streamed(unsigned format) {
 /* Compact blocks, resident or streamed. */
 static inline int plt_has_blocks(unsigned format) {
     return format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED);
+}
+
+/* Triangles are records while a beam is traced, that pixels share in a store of its own. */
+static inline int plt_has_store(unsigned format) {
+    return plt_has_blocks(format) || (PLT_WITH_VERTICES && format == PLT_FORMAT_VERTICES);
 }
 
 /* Frames of all formats but streamed thesis nodes and grids may go by beams. */

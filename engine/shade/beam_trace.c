@@ -53,6 +53,11 @@ void plt_beam_push_root(plt_beam *b, plt_traversal *t) {
         push_nodes(t, &root);
         break;
 #endif
+#if PLT_WITH_VERTICES
+    case PLT_FORMAT_VERTICES:
+        push_nodes(t, &root);
+        break;
+#endif
 #if PLT_WITH_COMPACT
     case PLT_FORMAT_COMPACT:
         plt_beam_resident_push(b, t, &root);
@@ -88,6 +93,11 @@ int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
             c.triangles = plt_beam_lists(b, 0, t->scene->list.count, 1);
             t->waiting = 0;
         }
+        break;
+#endif
+#if PLT_WITH_VERTICES
+    case PLT_FORMAT_VERTICES:
+        c = plt_beam_trace_vertices(b, t, visits);
         break;
 #endif
 #if PLT_WITH_COMPACT

@@ -42,8 +42,8 @@ static float largest_term(const plt_view *v, const plt_frame *frame) {
     return most;
 }
 
-/* Of all points in a box, as footprint.c computes it: by the corner that is least on each axis,
- * as rounding is monotone, in the differences, the products and their sum. */
+/* Of all points in a box, as footprint_corners.h computes it: by the corner that is least on each
+ * axis, as rounding is monotone, in the differences, the products and their sum. */
 static float least_depth(const float row_w[3], const float eye[3], const plt_box *box) {
     float q[3];
     for (int a = 0; a < 3; a++) {
