@@ -54,8 +54,8 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
     --tree-for --rate --key --centre --origin --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step --repeat \
-    --chroma --json \
+flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
+    --records --beside --repeat --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --repeat --json $scene_flags
