@@ -10,6 +10,7 @@
  *   arena=65536        use less of the arena than there is
  *   structure=tree|grid                            if the engine has PLT_WITH_GRID
  *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE
+ *   records=auto|always|never    of its triangles, if it has PLT_WITH_VERTICES
  *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
  *
  * Prints one line per topic, each a word and name=value items, or one line that
@@ -126,7 +127,9 @@ static int run(plt_engine *engine, const job *j, const char *parameters) {
     return FIRMWARE_DONE;
 }
 
-#if PLT_WITH_SEQUENCE
+#if PLT_WITH_VERTICES
+#define OWN_KEYS "show records"
+#elif PLT_WITH_SEQUENCE
 #define OWN_KEYS "show"
 #else
 #define OWN_KEYS ""
@@ -137,6 +140,12 @@ static int read_shown(const char *parameters, job *j, uint32_t *shown) {
 #if PLT_WITH_SEQUENCE
     const int is_given = job_u32(parameters, "show", 0, UINT32_MAX, shown);
     j->options.movable = is_given > 0;
+#if PLT_WITH_VERTICES
+    static const char *const words[] = {"auto", "always", "never"};
+    if (job_word(parameters, "records", words, 3, &j->options.records) < 0) {
+        return -1;
+    }
+#endif
     return is_given;
 #else
     (void)parameters;

@@ -120,7 +120,8 @@ if part "render thesis motion" "$motion" 44544; then
     renders "$motion" thesis
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
-# shows GEOMETRY [SOURCE=file]: frames of a sequence, which come by semihosting or are mapped.
+# shows GEOMETRY SOURCE [PARAMETER]: frames of a sequence, which come by semihosting (`file`) or are
+# mapped.
 shows() {
     "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --key 4 -o "$out/wave.plt" \
         >/dev/null 2>&1
@@ -129,8 +130,8 @@ shows() {
             --frames $frame:$((frame + 1)))
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$sequence SOURCE=$2 sh board/mps2_an386/run.sh "$out/wave.plt" size=80x60 \
-            show=$frame ${view#* } 2>&1)
-        verdict "frame $frame of a sequence, $1 $2: that of the host" "$(
+            show=$frame ${view#* } $3 2>&1)
+        verdict "frame $frame of a sequence, $1 $2 $3: that of the host" "$(
             [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
                 echo "$text")"
     done
@@ -149,6 +150,19 @@ if part "render thesis motion sequence" "$sequence" 50176; then
     verdict "... and the image where there is no part for it" "$(
         echo "$text" | grep -q '^error: .*number of sections' || echo "$text")"
 fi
+sequence=$BUILD/mps2_an386-motion-render-sequence-thesis-vertices
+if part "render thesis motion sequence vertices" "$sequence" 58880; then
+    renders "$sequence" thesis
+    shows lattice:14 '' records=never
+    shows float file records=never
+    shows float ''
+    firmware "$sequence" "$out/wave.plt" size=80x60 records=never
+    verdict "... without records there is nothing but frames" "$(
+        echo "$text" | grep -q '^error: without records there are only the frames' || echo "$text")"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis motion vertices' 2>&1)
+verdict "PARTS with vertices and without sequence is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with vertices has .*: make PARTS='" || echo "$trouble")"
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
 verdict "PARTS with sequence and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with sequence has .*: make PARTS='" || echo "$trouble")"
