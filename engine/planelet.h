@@ -37,7 +37,8 @@ extern "C" {
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
- * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), and their tree be built anew
+ * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), without records of them
+ * (plt_options.records, beside; plt_motion.over_vertices, is_beside), and their tree be built anew
  * (plt_rebuild_begin); rays can go through a grid (plt_options.structure); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
@@ -152,8 +153,8 @@ enum plt_structure {
  * same, bit for bit. Without records there are 24 bytes per vertex instead of 12, and of an image
  * that is not mapped 4 per triangle; rays take longer, showing a frame is shorter; and nothing but
  * frames can be shown: plt_move is refused. Of finished trees (PLT_BUILD_HOST); without grids,
- * plt_options.moves_some and rebuild. Rays go in packets, whatever plt_options.rays_in_flight
- * says */
+ * plt_options.moves_some and rebuild. Opening reads frame 0. Rays go in packets, whatever
+ * plt_options.rays_in_flight says */
 enum plt_records {
     PLT_RECORDS_AUTO = 0, /* as the arena has room for, and the rest allows; with `beside` none. A
                            * need is that of PLT_RECORDS_ALWAYS, or with `beside` of _NEVER */
@@ -396,7 +397,8 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
  * `corners`: of each of the info's triangles, in packing order, x, y and z of three corners, each
  * within +-2^40; they may have lost their area. They are not needed any more after the call.
  * plt_engine_info has the new box afterwards, all else stays. Ends a frame that was being
- * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or a corner is out of range or no number:
+ * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, the scene has no records
+ * (plt_options.records), or a corner is out of range or no number:
  * then fault->offset is its triangle, and nothing has changed. Cost: each triangle and each node
  * once, some 10 and 7 ns on a PC; of a grid each triangle three times, some 60 ns.
  *
@@ -415,7 +417,11 @@ int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
  * rendered: about `blocks` blocks, of 64 vertices each, per call. Frames follow each other for one
  * frame's work; any other takes those from the last frame that is a multiple of key_every, so that
  * many at most. Two transfers at a time, under tags 0 and 1 of a source that is not mapped; when a
- * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown.
+ * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown. With
+ * plt_options.beside steps go on with its tree when its vertices are there, about four leaves per
+ * block; what is shown stays whole meanwhile, and plt_sequence_show takes no time that depends on
+ * the scene. Else it takes each triangle and node once, some 600 instructions per triangle of a
+ * Cortex-M4F, without records 270.
  *
  * Errors of all three: PLT_ERR_ARGUMENT: the image has no such frame, or is not open for it (or,
  * of a step, no frame was begun). PLT_ERR_SOURCE, PLT_ERR_IMAGE: a frame did not come, or is not

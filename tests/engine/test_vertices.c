@@ -335,7 +335,7 @@ static void changes_of_mind(void) {
 /* What an arena of so many bytes is opened with; its need, if it is too small. */
 static int open_in(const packed *image, const plt_options *o, size_t bytes, plt_motion *q,
                    size_t *need) {
-    unsigned char *arena = aligned_alloc(PLT_ALIGN, bytes + PLT_ALIGN);
+    unsigned char *arena = aligned_alloc(PLT_ALIGN, bytes / PLT_ALIGN * PLT_ALIGN + PLT_ALIGN);
     const plt_source source = rig_source(image);
     plt_engine *e;
     plt_fault fault;

@@ -3,8 +3,8 @@
 #
 # 29 of them, 2,400 triangles, by a refitted tree, by trees that are built anew, and by a grid:
 # every frame is the host's, the arena stays what it was when the scene was opened, and calls end
-# where their bounds say. Then all 109, 8,800 triangles, whose records would not fit. A few frames of
-# the 500 that `make BOARD=mps2_an386 play` is for.
+# where their bounds say. Then all 109, 8,800 triangles, whose records would not fit. A few frames
+# of the 500 that `make BOARD=mps2_an386 play` is for.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 planelet=$BUILD/host/planelet
@@ -126,7 +126,7 @@ plays "... and of an image that is fetched, whose nodes fit once" 4
 verdict "... a step of one block takes less than a tenth of showing" "$(
     [ "$(most plt_sequence_step)" -gt 0 ] &&
         [ $((10 * $(most plt_sequence_step))) -lt "$(most plt_sequence_show)" ] || echo "$text")"
-play 2400 ARENA=100000
+play 2400 ARENA=100000 RECORDS=always
 verdict "nor 29 an arena of 100,000 bytes" "$(
     [ "$status" -ne 0 ] && echo "$text" | grep -q '^error: .* need_bytes=1[0-9]\{5\} ' ||
         echo "status $status: $text")"
