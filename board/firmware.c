@@ -11,6 +11,7 @@
  *   structure=tree|grid                            if the engine has PLT_WITH_GRID
  *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE,
  *                      or of its instances (PLT_WITH_INSTANCES)
+ *   records=auto|always|never    of its triangles, if it has PLT_WITH_VERTICES
  *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
  *
  * Prints one line per topic, each a word and name=value items, or one line that
@@ -128,14 +129,24 @@ static int run(plt_engine *engine, const job *j, const char *parameters) {
 }
 
 #define SHOWS_FRAMES (PLT_WITH_SEQUENCE || PLT_WITH_INSTANCES)
-#if SHOWS_FRAMES
+#if PLT_WITH_VERTICES
+#define OWN_KEYS "show records"
+#elif SHOWS_FRAMES
 #define OWN_KEYS "show"
 #else
 #define OWN_KEYS ""
 #endif
 
 /* show=K: *shown is K, and there is one. 1: it is given. */
-static int read_shown(const char *parameters, uint32_t *shown) {
+static int read_shown(const char *parameters, job *j, uint32_t *shown) {
+#if PLT_WITH_VERTICES
+    static const char *const words[] = {"auto", "always", "never"};
+    if (job_word(parameters, "records", words, 3, &j->options.records) < 0) {
+        return -1;
+    }
+#else
+    (void)j;
+#endif
 #if SHOWS_FRAMES
     return job_u32(parameters, "show", 0, UINT32_MAX, shown);
 #else

@@ -84,11 +84,12 @@ $(OUT)/flags: FORCE
 ##measure make BOARD=name play SCENE=x.plt [STRUCTURE=grid] [FRAMES=A:B]: frames of a sequence
 # What plays is another program, with the parts that it takes: this make calls itself for it.
 # REBUILD_MOST=TRIANGLES beside REBUILD rebuilds subtrees.
-play_options = $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
+play_options = $(if $(RECORDS),records=$(RECORDS)) $(if $(BESIDE),beside=$(BESIDE)) \
+               $(if $(STRUCTURE),structure=$(STRUCTURE)) $(if $(REBUILD),rebuild=$(REBUILD)) \
                $(if $(REBUILD_MOST),rebuild_most=$(REBUILD_MOST)) \
                $(if $(ARENA),arena=$(ARENA)) $(PARAMETERS)
 play_parts := $(if $(filter grid,$(STRUCTURE)),render thesis motion sequence grid frames,\
-                $(if $(filter-out never,$(REBUILD)),,render) thesis frames motion \
+                $(if $(filter-out never,$(REBUILD)),,render vertices) thesis frames motion \
                 $(if $(REBUILD_MOST),subtree) sequence)
 ifeq ($(PROGRAM),played)
 run play: firmware

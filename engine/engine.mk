@@ -17,6 +17,7 @@
 #   subtree  ... and with plt_options.rebuild_most, likewise
 #   sequence ... and with plt_sequence_show, for frames that an image holds; of compact blocks,
 #            which move by frames alone, `compact motion sequence`
+#   vertices ... and without records, where the arena has no room for them (plt_options.records)
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
@@ -57,6 +58,9 @@ batch_files := engine/trace/tasks.c $(wildcard engine/schedule/*.c)
 sequence_files := engine/sequence.c engine/frame_put.c \
     $(wildcard engine/motion/frame_*.c engine/motion/sequence*.c \
     engine/motion/block_*.c) engine/motion/vertices.c engine/tree/compact/turns.c
+vertices_files := engine/beside.c engine/motion/beside.c engine/motion/refit_vertices.c \
+    engine/scene/open_vertices.c engine/tree/vertex_lists.c engine/trace/traverse_vertices.c \
+    engine/shade/beam_vertices.c
 some_files := engine/move_some.c engine/motion/dirty.c
 subtree_files := $(wildcard engine/motion/subtree*.c)
 rebuild_files := engine/rebuild.c engine/motion/rebuild.c $(subtree_files)
@@ -80,15 +84,16 @@ beams_files := $(wildcard engine/shade/beam*.c) engine/shade/margins.c \
 
 left_out_render := $(builder_files) $(rebuild_files)
 left_out_thesis := $(compact_files)
-left_out_compact := $(thesis_files) $(records_files) $(grid_files) $(instances_files)
+left_out_compact := $(thesis_files) $(records_files) $(vertices_files) $(grid_files) \
+    $(instances_files)
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence grid instances frames,$(PARTS)),)
+    subtree sequence vertices grid instances frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, subtree, sequence, grid, instances or frames; it has $(PARTS))
+    seek, motion, some, subtree, sequence, vertices, grid, instances or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -109,6 +114,9 @@ $(error PARTS with some has thesis nodes: make PARTS='render thesis motion some'
 endif
 ifeq ($(filter motion,$(PARTS))$(filter sequence,$(PARTS)),sequence)
 $(error PARTS with sequence has motion: make PARTS='render thesis motion sequence')
+endif
+ifeq ($(filter sequence,$(PARTS))$(filter vertices,$(PARTS)),vertices)
+$(error PARTS with vertices has sequence: make PARTS='render thesis motion sequence vertices')
 endif
 ifeq ($(filter motion,$(PARTS))$(filter some,$(PARTS)),some)
 $(error PARTS with some has motion: make PARTS='render thesis motion some')
@@ -151,6 +159,7 @@ without_batch := $(if $(filter host,$(BOARD))$(filter batch,$(PARTS)),,yes)
 without_task := $(if $(filter host,$(BOARD))$(filter task,$(PARTS)),,yes)
 without_motion := $(if $(filter host,$(BOARD))$(filter motion,$(PARTS)),,yes)
 without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes)
+without_vertices := $(if $(filter host,$(BOARD))$(filter vertices,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_subtree := $(if $(filter host,$(BOARD))$(filter subtree,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
@@ -166,12 +175,13 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_seek),$(seek_files)) $(if $(without_motion),$(motion_files)) \
     $(if $(without_some),$(some_files)) $(if $(without_subtree),$(subtree_files)) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
-    $(if $(without_instances),$(instances_files)) \
+    $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
     $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
     $(if $(without_motion),-DPLT_WITH_MOTION=0) $(if $(without_sequence),-DPLT_WITH_SEQUENCE=0) \
+    $(if $(without_vertices),-DPLT_WITH_VERTICES=0) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
@@ -189,7 +199,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
     engine/shade/rendering.c engine/seek.c engine/shade/seek.c \
-    engine/sequence.c engine/frame_put.c engine/motion/sequence*.c engine/motion/frame_reader.c \
+    engine/sequence.c engine/frame_put.c engine/beside.c engine/motion/beside.c \
+    engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c)
 # In the names of folders: -render, -render-thesis.
 empty :=

@@ -98,6 +98,11 @@ int plt_frame_put(plt_engine *e, uint32_t frame, plt_fault *fault) {
         return PLT_OK;
     }
 #endif
+    if (plt_is_over_vertices(e)) {
+        plt_beside_put(e);
+        plt_moved(e);
+        return PLT_OK;
+    }
 #if PLT_WITH_THESIS
     put_records(e);
 #endif

@@ -45,6 +45,19 @@ static int has_grid(const subject *s) {
     return PLT_WITH_GRID && s->format == PLT_FORMAT_GRID;
 }
 
+static int is_over_vertices(const subject *s) {
+    return PLT_WITH_VERTICES && s->format == PLT_FORMAT_VERTICES;
+}
+
+static enum plt_format format_of(const plt_info *info, const plt_options *o) {
+#if PLT_WITH_VERTICES
+    if (plt_layout_over_vertices(info, o)) {
+        return PLT_FORMAT_VERTICES;
+    }
+#endif
+    return plt_format_of(info, o->residency, o->structure);
+}
+
 static int is_movable(const subject *s) {
     return PLT_WITH_MOTION && s->options->movable;
 }
@@ -59,6 +72,9 @@ static uint64_t section_bytes(const subject *s) {
     }
     if (s->builds) {
         return s->format == PLT_FORMAT_THESIS ? s->info->triangle_bytes : 0;
+    }
+    if (is_over_vertices(s)) {
+        return rounded(s->info->node_bytes) + (s->mapped ? 0 : rounded(4ull * s->info->triangles));
     }
     const int stays = s->mapped && !is_movable(s);
     if (has_grid(s)) {
@@ -231,7 +247,7 @@ static uint64_t packet_bytes(const subject *s) {
     if (PLT_WITH_GROUPS) {
         return plt_packet_bytes(side);
     }
-    return plt_has_blocks(s->format) ? plt_beam_blocks_bytes(side) : plt_beam_bytes(side);
+    return plt_has_store(s->format) ? plt_beam_blocks_bytes(side) : plt_beam_bytes(side);
 }
 
 /* Of a grid with the mailbox. */
@@ -304,6 +320,12 @@ static int has_frames(const subject *s) {
 
 static int fetches_frames(const subject *s) {
     return has_frames(s) && !s->mapped;
+}
+
+/* Without records those of the frame that is shown, too. */
+static uint64_t vertices_bytes(const subject *s) {
+    const uint64_t bytes = has_frames(s) ? plt_sequence_vertices_bytes(s->info) : 0;
+    return is_over_vertices(s) ? rounded(bytes) + bytes : bytes;
 }
 #endif
 
@@ -425,9 +447,13 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_OFFSETS:
         return fetches_frames(s) ? plt_sequence_offsets_bytes(s->info) : 0;
     case PLT_PART_VERTICES:
-        return has_frames(s) ? plt_sequence_vertices_bytes(s->info) : 0;
+        return vertices_bytes(s);
     case PLT_PART_WINDOW:
         return fetches_frames(s) ? PLT_FRAME_WINDOW_BYTES : 0;
+#endif
+#if PLT_WITH_VERTICES
+    case PLT_PART_BESIDE:
+        return is_over_vertices(s) && s->options->beside ? s->info->node_bytes : 0;
 #endif
 #if PLT_WITH_MOVE_SOME
     case PLT_PART_DIRTY:
@@ -455,7 +481,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
 
 void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *sized_for, int mapped,
                     const plt_options *options) {
-    const enum plt_format format = plt_format_of(info, options->residency, options->structure);
+    const enum plt_format format = format_of(info, options);
     const int builds =
         info->build == PLT_BUILD_DEVICE && !(PLT_WITH_GRID && format == PLT_FORMAT_GRID);
     const subject s = {info, sized_for, options, mapped, builds, format};
@@ -545,6 +571,12 @@ static int is_motion_valid(const plt_options *o) {
             (PLT_WITH_STILLS ? o->schedule <= PLT_SCHEDULE_BATCH : o->residency == 0));
 }
 
+/* Nodes beside others are of no use where records would have to be, too. */
+static int is_records_valid(const plt_options *o) {
+    return !PLT_WITH_VERTICES || (o->records <= PLT_RECORDS_NEVER && o->beside <= 1 &&
+                                  !(o->beside && o->records == PLT_RECORDS_ALWAYS));
+}
+
 /* A grid has no wide form, and stays where it was made. */
 static int is_structure_valid(const plt_options *o) {
     return !PLT_WITH_GRID || o->structure == PLT_STRUCTURE_TREE ||
@@ -558,19 +590,20 @@ int plt_layout_options_valid(const plt_options *o) {
            (!PLT_WITH_STREAMED || o->store_bytes == 0 || o->store_bytes >= PLT_STORE_LEAST) &&
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
-           is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) && is_structure_valid(o);
+           is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) &&
+           is_structure_valid(o) && is_records_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
-    return entry_bytes(plt_format_of(info, o->residency, o->structure), o->order) > 0;
+    return entry_bytes(format_of(info, o), o->order) > 0;
 }
 
 static int valid(const plt_info *info, const plt_options *o) {
     return plt_layout_options_valid(o) &&
            plt_scene_left_out(info, o->residency, o->structure) == NULL &&
            plt_layout_residency_valid(info, o) && plt_layout_motion_valid(info, o) &&
-           plt_layout_structure_valid(info, o) && plt_layout_order_valid(info, o) &&
-           info->treelet_nodes > 0;
+           plt_layout_structure_valid(info, o) && plt_layout_records_valid(info, o) &&
+           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

@@ -25,6 +25,40 @@ static inline int plt_layout_motion_valid(const plt_info *info, const plt_option
            info->geometry_format == (is_streamed ? PLT_GEOMETRY_STILLS : PLT_GEOMETRY_MOVING);
 }
 
+#if PLT_WITH_VERTICES
+/* Records may be left out. */
+static inline int plt_layout_records_optional(const plt_info *info, const plt_options *options) {
+    return options->movable && info->frames > 0 && info->nodes_format == PLT_NODES_THESIS &&
+           info->build == PLT_BUILD_HOST && !options->moves_some && !options->rebuild &&
+           (!PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE);
+}
+#endif
+
+/* They are: as is said, or with `beside` chosen. */
+static inline int plt_layout_over_vertices(const plt_info *info, const plt_options *options) {
+#if PLT_WITH_VERTICES
+    return plt_layout_records_optional(info, options) &&
+           (options->records == PLT_RECORDS_NEVER ||
+            (options->records == PLT_RECORDS_AUTO && options->beside));
+#else
+    (void)info;
+    (void)options;
+    return 0;
+#endif
+}
+
+/* What is asked for can be had. */
+static inline int plt_layout_records_valid(const plt_info *info, const plt_options *options) {
+#if PLT_WITH_VERTICES
+    return (options->records != PLT_RECORDS_NEVER && !options->beside) ||
+           plt_layout_records_optional(info, options);
+#else
+    (void)info;
+    (void)options;
+    return 1;
+#endif
+}
+
 /* A grid is over records, of thesis nodes or a list. */
 static inline int plt_layout_structure_valid(const plt_info *info, const plt_options *options) {
     return !PLT_WITH_GRID || options->structure == PLT_STRUCTURE_TREE ||

@@ -75,6 +75,11 @@ int plt_move_refused(const plt_engine *e, const float (*corners)[9], uint32_t co
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "triangles of compact blocks move as the image's frames say alone");
     }
+    if (plt_is_over_vertices(e)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "the scene has no records that could be moved, its frames can be "
+                             "shown (plt_options.records)");
+    }
     const uint32_t refused = plt_corners_refused(corners, count);
     return refused == count ? PLT_OK
                             : plt_fault_set(fault, PLT_ERR_ARGUMENT, refused,
@@ -103,6 +108,10 @@ void plt_motion_get(const plt_engine *e, plt_motion *to) {
     to->degradation = plt_degradation(m);
     to->growth = plt_growth(m);
     to->moves = m->moves;
+#if PLT_WITH_VERTICES
+    to->over_vertices = (uint8_t)plt_is_over_vertices(e);
+    to->is_beside = m->beside.nodes != NULL;
+#endif
 #if PLT_WITH_REBUILD
     to->rebuilds = m->rebuilds;
     to->is_building = m->rebuild.phase != PLT_REBUILD_IDLE;

@@ -5,6 +5,7 @@
 #define PLT_MOVE_H
 
 #include "engine/engine.h"
+#include "engine/scene/parts.h"
 #include "engine/tree/record.h"
 
 /* Of a movable scene. */
@@ -27,6 +28,43 @@ void plt_moved(plt_engine *engine);
 
 /* Boxes of all nodes and of the root, and their spread. The scene's box stays. */
 void plt_refit_all(plt_engine *engine);
+
+#if PLT_WITH_VERTICES
+/* Records are made at each visit of a leaf; the scene shows frames alone. */
+int plt_is_over_vertices(const plt_engine *engine);
+
+/* Once a sequence is open: vertices are there twice, and a frame has to be shown. */
+void plt_beside_start(plt_engine *engine, void *const part[PLT_PARTS_COUNT]);
+
+/* Another frame was asked for. */
+void plt_beside_begin(plt_engine *engine);
+
+/* The frame that was asked for has come: goes on with its nodes, beside those that are shown.
+ * PLT_MORE or PLT_OK. */
+int plt_beside_more(plt_engine *engine, uint32_t blocks);
+
+/* It is shown. */
+void plt_beside_put(plt_engine *engine);
+#else
+static inline int plt_is_over_vertices(const plt_engine *engine) {
+    (void)engine;
+    return 0;
+}
+
+static inline void plt_beside_begin(const plt_engine *engine) {
+    (void)engine;
+}
+
+static inline int plt_beside_more(const plt_engine *engine, uint32_t blocks) {
+    (void)engine;
+    (void)blocks;
+    return PLT_OK;
+}
+
+static inline void plt_beside_put(const plt_engine *engine) {
+    (void)engine;
+}
+#endif
 
 #if PLT_WITH_REBUILD
 /* Records are about to change: the work of the tree as it is counts, and a new tree that has

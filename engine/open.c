@@ -58,7 +58,9 @@ static plt_opening opening_of(plt_engine *e, const plt_layout *layout, plt_fault
                            .fault = fault,
                            .residency = PLT_WITH_STREAMED ? e->options.residency : 0,
                            .structure = PLT_WITH_GRID ? e->options.structure : 0,
-                           .movable = PLT_WITH_MOTION ? e->options.movable : 0};
+                           .movable = PLT_WITH_MOTION ? e->options.movable : 0,
+                           .over_vertices =
+                               PLT_WITH_VERTICES && e->options.records == PLT_RECORDS_NEVER};
     return o;
 }
 
@@ -268,7 +270,14 @@ static int open_sequence(plt_engine *e, const plt_header *header, void *const pa
                                         .offsets = is_mapped ? NULL : part[PLT_PART_OFFSETS],
                                         .window = is_mapped ? NULL : part[PLT_PART_WINDOW],
                                         .vertex = part[PLT_PART_VERTICES]};
-        return plt_sequence_open(&e->sequence, header, &e->source, &room, fault);
+        int status = plt_sequence_open(&e->sequence, header, &e->source, &room, fault);
+#if PLT_WITH_VERTICES
+        if (status == PLT_OK && plt_is_over_vertices(e)) {
+            plt_beside_start(e, part);
+            status = plt_sequence_show(e, 0, fault); /* which records would have */
+        }
+#endif
+        return status;
     }
 #endif
     (void)e;
@@ -380,7 +389,7 @@ static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PL
     if (e->options.movable && plt_has_moving_blocks(e)) {
         return plt_is_streamed(e->scene.format) ? PLT_OK : start_blocks(e, o, part);
     }
-    if (e->options.movable) {
+    if (e->options.movable && !plt_is_over_vertices(e)) {
         m->levels = part[PLT_PART_REFIT];
         m->is_new = 1;
         m->areas.scale = plt_areas_scale(&e->scene.box);
@@ -474,6 +483,11 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
                                  ? "instances have a tree, and no grid"
                                  : "compact blocks have no records that a grid could refer to");
     }
+    if (!plt_layout_records_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "without records there are only the frames of a finished tree, no "
+                             "grid, and no other triangles that move or are built anew");
+    }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              !PLT_WITH_GROUPS ? "beams are traversed depth first"
@@ -483,6 +497,28 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     return PLT_OK;
 }
+
+#if PLT_WITH_VERTICES
+static int fits(const plt_info *info, int mapped, const plt_options *o, size_t arena_bytes) {
+    return plt_arena_need(info, mapped, o) <= arena_bytes;
+}
+
+/* With records, or without, as there is room; if there is for neither, whichever takes less. */
+static void choose_records(plt_options *o, const plt_info *info, int mapped, size_t arena_bytes) {
+    plt_options with = *o, without = *o;
+    with.records = PLT_RECORDS_ALWAYS;
+    without.records = PLT_RECORDS_NEVER;
+    if (o->records == PLT_RECORDS_AUTO && !o->beside && o->movable) {
+        const int may =
+            plt_layout_records_optional(info, o) && !fits(info, mapped, &with, arena_bytes);
+        *o = may && fits(info, mapped, &without, plt_arena_need(info, mapped, &with)) ? without
+                                                                                      : with;
+    } else if (o->beside) {
+        *o = without;
+        o->beside = (uint8_t)fits(info, mapped, &without, arena_bytes);
+    }
+}
+#endif
 
 int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
                    const plt_options *options, plt_fault *fault) {
@@ -502,16 +538,20 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     if (status != PLT_OK) {
         return status;
     }
+    plt_options chosen = *options;
+#if PLT_WITH_VERTICES
+    choose_records(&chosen, &header.info, source->mapped != NULL, arena_bytes);
+#endif
     plt_arena a = {arena, arena_bytes, 0, 0};
     plt_engine *e = plt_arena_cut(&a, sizeof *e);
     if (e == NULL) {
         return plt_arena_short(fault,
-                               plt_arena_need(&header.info, source->mapped != NULL, options));
+                               plt_arena_need(&header.info, source->mapped != NULL, &chosen));
     }
     memset(e, 0, sizeof *e);
     e->arena = a;
     e->source = *source;
-    e->options = *options;
+    e->options = chosen;
     e->rendering.done = 1;
     status = open_scene(e, &header, fault);
     if (status == PLT_OK) {

@@ -37,7 +37,8 @@ extern "C" {
  * is room for (plt_options.packet_side 0, plt_packet_side); scenes can stay in their source
  * (plt_options.residency, store_bytes, prefetch, schedule, batch); a frame goes on with any tile
  * (plt_render_seek), or by tasks that workers ask for (plt_task_next); triangles can move
- * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), and their tree be built anew
+ * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), without records of them
+ * (plt_options.records, beside; plt_motion.over_vertices, is_beside), and their tree be built anew
  * (plt_rebuild_begin); bodies can be placed by matrices (plt_place); rays can go through a grid
  * (plt_options.structure); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
@@ -150,6 +151,20 @@ enum plt_structure {
                              * form. Coherent or not, rays go in packets */
 };
 
+/* Whether a movable scene with a sequence has records of its triangles in the arena, which is 40
+ * bytes each, or makes them of vertices whenever a ray comes to their leaf. Hits and frames are the
+ * same, bit for bit. Without records there are 24 bytes per vertex instead of 12, and of an image
+ * that is not mapped 4 per triangle; rays take longer, showing a frame is shorter; and nothing but
+ * frames can be shown: plt_move is refused. Of finished trees (PLT_BUILD_HOST); without grids,
+ * plt_options.moves_some and rebuild. Opening reads frame 0. Rays go in packets, whatever
+ * plt_options.rays_in_flight says */
+enum plt_records {
+    PLT_RECORDS_AUTO = 0, /* as the arena has room for, and the rest allows; with `beside` none. A
+                           * need is that of PLT_RECORDS_ALWAYS, or with `beside` of _NEVER */
+    PLT_RECORDS_ALWAYS = 1,
+    PLT_RECORDS_NEVER = 2
+};
+
 /* How plt_trace traces: hits are the same, bit for bit. */
 enum plt_rays {
     PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
@@ -215,6 +230,13 @@ typedef struct plt_options {
                             * builder's bins, and 72 per subtree (of a quarter of that at least), in
                             * place of a second tree. Not in PLT_ORDER_TWO_STAGE, whose stacks
                             * depend on treelets. Without PLT_WITH_SUBTREES: 0 */
+    uint8_t records;       /* enum plt_records; of movable scenes with a sequence. Without
+                            * PLT_WITH_VERTICES it is not looked at */
+    uint8_t beside; /* 1: the tree of a frame that comes is refitted in plt_sequence_step, beside
+                     * the one that is shown, and plt_sequence_show is an exchange of both: of a
+                     * scene without records, for 32 bytes per node slot if the arena has them
+                     * (plt_motion.is_beside; a need has them). Not with PLT_RECORDS_ALWAYS.
+                     * Without PLT_WITH_VERTICES it is not looked at */
 } plt_options;
 
 /* Fewer triangles are not worth the bytes that are kept of them. */
@@ -395,10 +417,10 @@ int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t c
  * `corners`: of each of the info's triangles, in packing order, x, y and z of three corners, each
  * within +-2^40; they may have lost their area. They are not needed any more after the call.
  * plt_engine_info has the new box afterwards, all else stays. Ends a frame that was being
- * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or the scene is of compact blocks, or a
- * corner is out of range or no number: then fault->offset is its triangle, and nothing has changed.
- * Cost: each triangle and each node once, some 10 and 7 ns on a PC; of a grid each triangle three
- * times, some 60 ns.
+ * rendered. PLT_ERR_ARGUMENT: plt_options.movable was 0, or the scene is of compact blocks or has
+ * no records (plt_options.records), or a corner is out of range or no number: then fault->offset is
+ * its triangle, and nothing has changed. Cost: each triangle and each node once, some 10 and 7 ns
+ * on a PC; of a grid each triangle three times, some 60 ns.
  *
  * Not there without PLT_WITH_MOTION. */
 int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
@@ -415,7 +437,11 @@ int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
  * rendered: about `blocks` blocks, of 64 vertices each, per call. Frames follow each other for one
  * frame's work; any other takes those from the last frame that is a multiple of key_every, so that
  * many at most. Two transfers at a time, under tags 0 and 1 of a source that is not mapped; when a
- * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown.
+ * call returns, none is on its way. PLT_MORE, or PLT_OK: the frame is there to be shown. With
+ * plt_options.beside steps go on with its tree when its vertices are there, about four leaves per
+ * block; what is shown stays whole meanwhile, and plt_sequence_show takes no time that depends on
+ * the scene. Else it takes each triangle and node once, some 600 instructions per triangle of a
+ * Cortex-M4F, without records 270.
  *
  * Of a streamed scene of stills there is nothing to be read beforehand: the frame's root is fetched
  * when it is shown, and all else when rays need it.
@@ -526,15 +552,17 @@ int plt_rebuild_due(const plt_engine *engine, unsigned when, unsigned percent);
 /* How a scene in motion is. Work is in group tests, of which a triangle test is two
  * (plt_stats); it does not depend on any clock. */
 typedef struct plt_motion {
-    uint32_t moves;       /* calls of plt_move and plt_move_some */
-    uint32_t rebuilds;    /* that have become the scene's tree, or a part of it */
-    float degradation;    /* 0.1: the ratio of a node's area to its children's together, summed over
-                           * all nodes, is 10 % above what it was when the tree was built
-                           * (RT-DEFORM); below 0: it is less. Without plt_options.rebuild, whose
-                           * choice it is for, it is not counted, and 0 */
-    float growth;         /* likewise of the sum of all nodes' areas, which says more of what rays
-                           * cost: DESIGN.md, section 5.3 */
-    uint8_t is_building;  /* a rebuild has begun */
+    uint32_t moves;      /* calls of plt_move and plt_move_some */
+    uint32_t rebuilds;   /* that have become the scene's tree, or a part of it */
+    float degradation;   /* 0.1: the ratio of a node's area to its children's together, summed over
+                          * all nodes, is 10 % above what it was when the tree was built
+                          * (RT-DEFORM); below 0: it is less. Without plt_options.rebuild, whose
+                          * choice it is for, it is not counted, and 0 */
+    float growth;        /* likewise of the sum of all nodes' areas, which says more of what rays
+                          * cost: DESIGN.md, section 5.3 */
+    uint8_t is_building; /* a rebuild has begun */
+    uint8_t over_vertices; /* there are no records (plt_options.records) */
+    uint8_t is_beside; /* frames are refitted beside the one that is shown (plt_options.beside) */
     uint64_t excess_work; /* since the last rebuild, of what a new tree would have saved: of work w,
                            * w d / (1 + d), d being PLT_GROWTH_WORK percent of the growth, if
                            * above 0 */

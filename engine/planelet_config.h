@@ -77,6 +77,14 @@
 #endif
 #endif
 
+#ifndef PLT_WITH_VERTICES /* ... without records (plt_options.records) */
+#if PLT_WITH_SEQUENCE && PLT_WITH_THESIS
+#define PLT_WITH_VERTICES 1
+#else
+#define PLT_WITH_VERTICES 0
+#endif
+#endif
+
 #ifndef PLT_WITH_MOVE_SOME
 #if PLT_WITH_MOTION && PLT_WITH_THESIS
 #define PLT_WITH_MOVE_SOME 1 /* ... some of them, for less (plt_move_some) */
@@ -294,6 +302,10 @@
 #endif
 #if (PLT_WITH_SEQUENCE != 0 && PLT_WITH_SEQUENCE != 1) || (PLT_WITH_SEQUENCE && !PLT_WITH_MOTION)
 #error "PLT_WITH_SEQUENCE is the digit 0, or with PLT_WITH_MOTION 1"
+#endif
+#if (PLT_WITH_VERTICES != 0 && PLT_WITH_VERTICES != 1) ||                                          \
+    (PLT_WITH_VERTICES && !(PLT_WITH_SEQUENCE && PLT_WITH_THESIS))
+#error "PLT_WITH_VERTICES is the digit 0, or with PLT_WITH_SEQUENCE and PLT_WITH_THESIS 1"
 #endif
 #if (PLT_WITH_MOVE_SOME != 0 && PLT_WITH_MOVE_SOME != 1) ||                                        \
     (PLT_WITH_MOVE_SOME && !(PLT_WITH_MOTION && PLT_WITH_THESIS))

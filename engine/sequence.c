@@ -7,6 +7,7 @@
 #include "engine/engine.h"
 #include "engine/frame_put.h"
 #include "engine/instances_room.h"
+#include "engine/move.h"
 
 #if PLT_WITH_SEQUENCE
 
@@ -22,6 +23,7 @@ static int vertices_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
         e->sequence.at = frame; /* there is nothing to be read beforehand */
     } else {
         plt_sequence_seek(&e->sequence, frame);
+        plt_beside_begin(e);
     }
     return PLT_OK;
 }
@@ -31,6 +33,16 @@ static int vertices_read(plt_engine *e, uint32_t blocks, plt_fault *fault) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
     }
     return plt_sequence_read(&e->sequence, blocks, fault);
+}
+
+/* Blocks of the frame, and when all of them are there, where there are no records, its tree. */
+static int vertices_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
+    const int has_come = !e->sequence.is_reading && e->sequence.at != PLT_FRAME_NONE;
+    if (has_come && plt_is_over_vertices(e)) {
+        return plt_beside_more(e, blocks);
+    }
+    const int status = vertices_read(e, blocks, fault);
+    return status == PLT_OK && plt_is_over_vertices(e) ? PLT_MORE : status;
 }
 
 #endif
@@ -73,19 +85,17 @@ int plt_sequence_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
     return CHOSEN(e, matrices_begin(e, frame, fault), vertices_begin(e, frame, fault));
 }
 
-static int read_blocks(plt_engine *e, uint32_t blocks, plt_fault *fault) {
-    return CHOSEN(e, matrices_read(e, blocks, fault), vertices_read(e, blocks, fault));
-}
-
 int plt_sequence_step(plt_engine *e, uint32_t blocks, plt_fault *fault) {
     plt_fault_set(fault, PLT_OK, 0, "no fault");
-    return read_blocks(e, blocks > 0 ? blocks : 1, fault);
+    const uint32_t most = blocks > 0 ? blocks : 1;
+    return CHOSEN(e, matrices_read(e, most, fault), vertices_step(e, most, fault));
 }
 
 int plt_sequence_show(plt_engine *e, uint32_t frame, plt_fault *fault) {
     int status = plt_sequence_begin(e, frame, fault);
     if (status == PLT_OK) {
-        status = read_blocks(e, UINT32_MAX, fault);
+        status =
+            CHOSEN(e, matrices_read(e, UINT32_MAX, fault), vertices_read(e, UINT32_MAX, fault));
     }
     if (status == PLT_MORE) { /* more blocks than a number counts: never */
         return PLT_ERR_LIMIT;

@@ -34,6 +34,8 @@ if [ -n "$MARKS" ]; then
     region records plt_vertices_put plt_refit_all
     region refit plt_refit_all plt_moved
     region grid plt_moved firmware_show_end
+    region beside plt_beside_more firmware_read_end
+    region vertices plt_beside_put plt_moved
     plugin=$plugin,mark=$(symbol firmware_frame_done),marks=$MARKS
 fi
 [ -n "$PROFILE" ] && plugin=$plugin,code=0:0x100000,profile=$PROFILE

@@ -2,15 +2,19 @@
  *
  * Replaces board/firmware.c; the board calls it in the same manner. What a device would do in its
  * main loop, frame by frame: read the next one (plt_sequence_step), show it (records, and a refit
- * or a new grid), go on with a rebuild if one pays (plt_rebuild_step), render (plt_render_step).
- * Each call lies between two marks of marks.h, so that a counter has the longest of each.
+ * or a new grid; or a refit, or what was refitted beside), go on with a rebuild if one pays
+ * (plt_rebuild_step), render (plt_render_step). Each call lies between two marks of marks.h, so
+ * that a counter has the longest of each.
  *
  * Parameters beside those of job.c (board/firmware.c lists them):
  *   frames=0:500       the first, and the one after the last (all of the image)
  *   blocks=8           of 64 vertices, per plt_sequence_step
  *   rebuild=never|always|cost    if the engine has PLT_WITH_REBUILD
  *   rebuild_most=600   triangles of a subtree that is rebuilt, if it has PLT_WITH_SUBTREES (the
- * tree) triangles=1000     per plt_rebuild_step, one step per frame
+ *                      whole tree)
+ *   triangles=1000     per plt_rebuild_step, one step per frame
+ *   records=auto|always|never    if it has PLT_WITH_VERTICES
+ *   beside=0           1: the next frame's tree is refitted in plt_sequence_step, likewise
  *
  * Prints a line for each frame, "played frame=K frame_hash=... used=... peak=... touched=...":
  * bytes of the arena in use, the most that ever were, and where the last byte lies that has changed
@@ -177,6 +181,12 @@ static void print_bounds(const player *p) {
     line_item(&l, "visits", o->picture.visits);
     line_item(&l, "triangles", o->triangles);
     line_item(&l, "packet", plt_packet_side(p->engine));
+#if PLT_WITH_VERTICES
+    plt_motion motion;
+    plt_motion_get(p->engine, &motion);
+    line_item(&l, "over_vertices", motion.over_vertices);
+    line_item(&l, "beside", motion.is_beside);
+#endif
     line_print(&l);
 }
 

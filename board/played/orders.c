@@ -29,14 +29,6 @@ static int read_frames(const char *parameters, orders *o) {
     return 0;
 }
 
-#if PLT_WITH_SUBTREES
-#define KEYS "frames blocks rebuild rebuild_most triangles"
-#elif PLT_WITH_REBUILD
-#define KEYS "frames blocks rebuild triangles"
-#else
-#define KEYS "frames blocks"
-#endif
-
 /* rebuild=, where trees can be. */
 static int read_rebuild(const char *parameters, orders *o) {
 #if PLT_WITH_REBUILD
@@ -61,11 +53,43 @@ static int read_rebuild(const char *parameters, orders *o) {
     return 0;
 }
 
+/* records= and beside=, where they need not be. */
+static int read_records(const char *parameters, orders *o) {
+#if PLT_WITH_VERTICES
+    static const char *const words[] = {"auto", "always", "never"};
+    uint32_t beside = 0;
+    if (job_word(parameters, "records", words, 3, &o->picture.options.records) < 0 ||
+        job_u32(parameters, "beside", 0, 1, &beside) < 0) {
+        return -1;
+    }
+    o->picture.options.beside = (uint8_t)beside;
+#else
+    (void)parameters;
+    (void)o;
+#endif
+    return 0;
+}
+
+#if PLT_WITH_SUBTREES
+#define KEYS_OF_REBUILDS " rebuild rebuild_most triangles"
+#elif PLT_WITH_REBUILD
+#define KEYS_OF_REBUILDS " rebuild triangles"
+#else
+#define KEYS_OF_REBUILDS ""
+#endif
+#if PLT_WITH_VERTICES
+#define KEYS_OF_VERTICES " records beside"
+#else
+#define KEYS_OF_VERTICES ""
+#endif
+
 int orders_read(orders *o, const char *parameters, size_t arena_bytes) {
     *o = (orders){
         .arena_bytes = arena_bytes, .blocks = 8, .triangles = 1000, .parameters = parameters};
-    if (job_read(&o->picture, parameters, KEYS, &o->arena_bytes) < 0 ||
+    if (job_read(&o->picture, parameters, "frames blocks" KEYS_OF_REBUILDS KEYS_OF_VERTICES,
+                 &o->arena_bytes) < 0 ||
         read_frames(parameters, o) < 0 || read_rebuild(parameters, o) < 0 ||
+        read_records(parameters, o) < 0 ||
         job_u32(parameters, "blocks", 1, UINT32_MAX, &o->blocks) < 0 ||
         job_u32(parameters, "triangles", 1, UINT32_MAX, &o->triangles) < 0) {
         return -1;

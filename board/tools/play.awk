@@ -53,7 +53,7 @@ function longest(name, text, bound) {
 
 BEGIN {
     most += 0
-    names = split("read records refit grid rebuild render show open", region, " ")
+    names = split("read records refit grid rebuild render show open beside vertices", region, " ")
 }
 
 /"frame_hashes"/ {
@@ -77,6 +77,8 @@ $1 == "scene" { triangles = value("triangles") + 0 }
 $1 == "bounds" {
     blocks = value("blocks")
     visits = value("visits")
+    over_vertices = value("over_vertices") + 0
+    beside = value("beside") + 0
     rebuilt = value("triangles")
 }
 $1 == "arena" && frames == 0 {
@@ -123,6 +125,10 @@ END {
     for (i = 1; i <= frames; i++) {
         # Without nodes a refit is a pass over all boxes; without a grid there is nothing to make.
         took["grid", i] = took["grid", i] < 100 ? 0 : took["grid", i]
+        # Nodes beside are refitted in the calls that read, and at once where they are not beside.
+        took["read", i] -= took["beside", i]
+        took["show", i] += took["beside", i]
+        took["refit", i] += took["beside", i] + took["vertices", i]
         took["engine", i] = took["read", i] + took["show", i] + took["rebuild", i] + \
             took["render", i]
         took["ray", i] = rays[i] > 0 ? took["render", i] / rays[i] : 0
@@ -132,7 +138,7 @@ END {
     printf "%-34s %11s %11s %11s\n", "instructions per frame", "least", "median", "most"
     summary("read", "read, decode: plt_sequence_step")
     summary("records", "show: records")
-    summary("refit", is_grid ? "show: box of all" : "show: refit")
+    summary("refit", is_grid ? "show: box of all" : beside ? "read: refit beside" : "show: refit")
     summary("grid", "show: grid")
     summary("rebuild", "rebuild: plt_rebuild_step")
     summary("render", "trace: plt_render_step")
@@ -141,7 +147,8 @@ END {
     printf "%-34s %11s\n", "the longest call, instructions", "most"
     longest("open", "plt_open_begin, plt_open_step", "before the first frame")
     longest("read", "plt_sequence_step", blocks " blocks")
-    longest("show", "plt_sequence_show", "all " triangles " triangles")
+    longest("beside", "... of these, a refit", blocks " blocks")
+    longest("show", "plt_sequence_show", beside ? "an exchange" : "all " triangles " triangles")
     longest("rebuild", "plt_rebuild_step", rebuilt " triangles")
     longest("render", "plt_render_step", visits " visits, or the end of a tile")
     if (took["rebuild", 1] > 0 || rebuilds > 0 || given_up > 0) {

@@ -75,7 +75,10 @@ static inline uint32_t plt_bits_get(const unsigned char *bytes, uint32_t at, uin
     return plt_bits_word(bytes, at) & plt_low_bits(width);
 }
 
-/* `width` (0 .. 25) bits from bit `at`: they are in one word from the byte that they begin in. */
+#define PLT_BITS_SHORT 25
+
+/* `width` (0 .. PLT_BITS_SHORT) bits from bit `at`: they are in one word from the byte that they
+ * begin in. */
 static inline uint32_t plt_bits_short(const unsigned char *bytes, uint32_t at, uint32_t width) {
     return plt_get_u32(bytes + (at >> 3)) >> (at & 7) & ((1u << width) - 1u);
 }

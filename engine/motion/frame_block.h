@@ -18,11 +18,7 @@
 #include "engine/base/between.h"
 #include "engine/base/bits.h"
 #include "engine/image/items.h"
-
-/* Coordinates of a vertex: on the lattice, or the bits of floats. */
-typedef struct plt_frame_vertex {
-    uint32_t word[3];
-} plt_frame_vertex;
+#include "engine/tree/vertices.h"
 
 enum {
     PLT_FRAME_CHECK_BYTES = 4,

@@ -4,6 +4,7 @@
 #ifndef PLT_MOTION_MOVING_H
 #define PLT_MOTION_MOVING_H
 
+#include "engine/motion/beside.h"
 #include "engine/motion/dirty.h"
 #include "engine/motion/refit.h"
 #include "engine/planelet.h"
@@ -26,6 +27,9 @@ typedef struct plt_moving {
 #endif
 #if PLT_WITH_MOVE_SOME
     plt_dirty dirty; /* places NULL: all triangles move or none */
+#endif
+#if PLT_WITH_VERTICES
+    plt_beside beside; /* of a scene over vertices */
 #endif
     uint32_t moves;
     uint8_t is_new; /* the next refit of all says what areas_built are */

@@ -10,8 +10,8 @@
 #define PLT_MOTION_NODE_BOX_H
 
 #include "engine/motion/node_box_types.h"
-#include "engine/motion/words.h"
 #include "engine/planelet_config.h"
+#include "engine/tree/words.h"
 
 #if PLT_LANES_REGISTERS
 #include "engine/motion/node_box_code.h"

@@ -7,7 +7,7 @@
 #define PLT_MOTION_NODE_BOX_CODE_H
 
 #include "engine/motion/node_box_types.h"
-#include "engine/motion/words.h"
+#include "engine/tree/words.h"
 
 #ifndef PLT_NODE_BOX
 #define PLT_NODE_BOX static inline

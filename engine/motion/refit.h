@@ -10,27 +10,7 @@
 #ifndef PLT_MOTION_REFIT_H
 #define PLT_MOTION_REFIT_H
 
-#include "engine/motion/node_box.h"
-#include "engine/tree/record.h"
-#include "engine/tree/thesis/node.h"
-
-/* A node whose left child is done, or not yet. */
-typedef struct plt_refit_level {
-    float lo[4], hi[4]; /* of the left child, if it is done */
-    uint32_t node;
-    uint32_t is_done;
-} plt_refit_level;
-
-typedef struct plt_refit_job {
-    plt_node *nodes;
-    const plt_record *records;
-    uint32_t root;           /* link, not PLT_LINK_NONE */
-    plt_refit_level *levels; /* as many as there are nodes on the longest path */
-    plt_refit_level *top;    /* between steps: the path so far ... */
-    uint32_t link;           /* ... and where it goes on */
-    plt_areas areas;         /* scale, and results: of all nodes */
-    plt_box box;             /* result: of all records */
-} plt_refit_job;
+#include "engine/motion/refit_job.h"
 
 /* Of a tree that is valid. A plane that has not moved keeps its bytes. */
 void plt_refit(plt_refit_job *job);
@@ -45,6 +25,11 @@ int plt_refit_step(plt_refit_job *job, uint32_t lists);
  * What is below it is refitted apart, its box is put there, and the job goes on. */
 void plt_refit_to(plt_refit_job *job, uint32_t stop);
 void plt_refit_put(plt_refit_job *job, const plt_box *box);
+#endif
+
+#if PLT_WITH_VERTICES
+/* Of a tree over vertices, as they are there; areas are not counted. The root may be a leaf. */
+int plt_refit_vertices_step(plt_refit_job *job, uint32_t lists);
 #endif
 
 #endif

@@ -61,9 +61,23 @@ static int fetch_block(plt_sequence *s, uint32_t vertices, const unsigned char *
     return PLT_OK;
 }
 
+/* The frame that others differ from is shown, and stays. */
+static void bring_base(const plt_sequence *s, plt_frame_vertex *vertex, uint32_t vertices) {
+#if PLT_WITH_VERTICES
+    if (s->base != s->vertex) {
+        memcpy(vertex, s->base + (vertex - s->vertex), vertices * sizeof *vertex);
+    }
+#else
+    (void)s;
+    (void)vertex;
+    (void)vertices;
+#endif
+}
+
 static int apply_block(plt_sequence *s, const unsigned char *block, uint32_t vertices,
                        plt_fault *fault) {
     plt_frame_vertex *vertex = s->vertex + (size_t)s->block * PLT_FRAME_BLOCK;
+    bring_base(s, vertex, vertices);
     plt_frame_block_apply(block, vertex, vertices, s->word_bits, s->next % s->key_every == 0);
     if (s->word_bits == PLT_FRAME_FLOAT_BITS && !plt_frame_floats_valid(vertex, vertices)) {
         return plt_broken(fault, PLT_I26_POSITIONS, s->reader.offset,
@@ -100,6 +114,9 @@ static int finish_frame(plt_sequence *s, plt_fault *fault) {
     }
     s->at = s->next++;
     s->block = 0;
+#if PLT_WITH_VERTICES
+    s->base = s->vertex;
+#endif
     return PLT_OK;
 }
 

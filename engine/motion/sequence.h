@@ -1,8 +1,8 @@
 /* sequence - the frames of an image: which vertices are there, and how others come
  *
  * Invariant: vertices are those of frame `at`, whole and checked, or `at` is PLT_FRAME_NONE. What
- * is shown are records, which are not touched here: so a frame can be read while another one is
- * rendered, and one that fails leaves the last one as it is.
+ * is shown are records, or vertices of their own, which are not touched here: so a frame can be
+ * read while another one is rendered, and one that fails leaves the last one as it is.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_MOTION_SEQUENCE_H
@@ -16,7 +16,11 @@
 
 typedef struct plt_sequence {
     plt_vertices vertices;
-    plt_frame_vertex *vertex;     /* those of `vertices`, for writing */
+    plt_frame_vertex *vertex; /* those of `vertices`, for writing */
+#if PLT_WITH_VERTICES
+    const plt_frame_vertex *base; /* where frame `at` is: there, or still shown, so that what comes
+                                   * goes beside it */
+#endif
     const unsigned char *offsets; /* of each frame in the section, and behind the last one */
     plt_frame_reader reader;
     uint32_t count, frames, key_every; /* count: of vertices */

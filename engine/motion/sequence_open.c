@@ -96,6 +96,9 @@ static void describe(plt_sequence *s, const plt_header *header, const plt_source
     s->vertices = (plt_vertices){.vertex = room->vertex,
                                  .index_bits = plt_index_bits(info->vertices),
                                  .lattice = header->lattice};
+#if PLT_WITH_VERTICES
+    s->base = room->vertex;
+#endif
     s->word_bits = header->lattice.bits > 0 ? header->lattice.bits : PLT_FRAME_FLOAT_BITS;
 }
 

@@ -4,16 +4,7 @@
 #ifndef PLT_MOTION_VERTICES_H
 #define PLT_MOTION_VERTICES_H
 
-#include "engine/base/lattice.h"
-#include "engine/motion/frame_block.h"
-#include "engine/tree/record.h"
-
-typedef struct plt_vertices {
-    const plt_frame_vertex *vertex; /* four bytes more can be read behind the last one */
-    const unsigned char *topology;  /* SPEC.md, section 4.15 */
-    uint32_t index_bits;            /* of a vertex's number there */
-    plt_lattice lattice;            /* bits 0: vertices are floats */
-} plt_vertices;
+#include "engine/tree/vertices.h"
 
 /* Puts the corners of triangle `id` into each of `count` records, in canonical order. What lists
  * say of themselves stays. */

@@ -30,6 +30,7 @@
         "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")                     \
     ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")                                        \
+    ROW(VERTICES, vertices, PLT_WITH_VERTICES, "triangles over vertices (PLT_WITH_VERTICES)")      \
     PLT_FORMATS_OF_INSTANCES(ROW)
 
 enum plt_format {
@@ -69,6 +70,11 @@ static inline int plt_is_streamed(unsigned format) {
 /* Compact blocks, resident or streamed. */
 static inline int plt_has_blocks(unsigned format) {
     return format == PLT_FORMAT_COMPACT || (PLT_WITH_STREAMED && format == PLT_FORMAT_STREAMED);
+}
+
+/* Triangles are records while a beam is traced, that pixels share in a store of its own. */
+static inline int plt_has_store(unsigned format) {
+    return plt_has_blocks(format) || (PLT_WITH_VERTICES && format == PLT_FORMAT_VERTICES);
 }
 
 /* Frames of all formats but streamed thesis nodes and instances may go by beams. */

@@ -28,6 +28,9 @@ const char *plt_scene_left_out(const plt_info *info, unsigned residency, unsigne
 static void describe(plt_scene *scene, const plt_header *header, const plt_opening *o) {
     scene->info = header->info;
     scene->format = (uint8_t)plt_format_of(&header->info, o->residency, o->structure);
+    if (PLT_WITH_VERTICES && o->over_vertices) {
+        scene->format = PLT_FORMAT_VERTICES;
+    }
     scene->box = plt_box_empty();
     for (int a = 0; a < 3 && header->info.triangles > 0; a++) {
         scene->box.lo[a] = header->info.lo[a];

@@ -45,6 +45,13 @@ int plt_opening_copy(const plt_opening *o, const plt_section *s, void **bytes) {
     return status == PLT_OK ? check_sum(o, s, *bytes) : status;
 }
 
+#if PLT_WITH_VERTICES
+int plt_opening_mapped(const plt_opening *o, const plt_section *s, const void **bytes) {
+    *bytes = (const unsigned char *)o->source->mapped + s->offset;
+    return check_sum(o, s, *bytes);
+}
+#endif
+
 int plt_opening_section(const plt_opening *o, const plt_section *s, const void **bytes) {
     if (o->source->mapped != NULL && !(PLT_WITH_MOTION && o->movable)) {
         *bytes = (const unsigned char *)o->source->mapped + s->offset;

@@ -33,12 +33,19 @@
 #define PLT_PARTS_OF_BATCHES(ROW)
 #endif
 
+#if PLT_WITH_VERTICES
+#define PLT_PARTS_OF_VERTICES(ROW) ROW(BESIDE, RUNS, "nodes of the next frame")
+#else
+#define PLT_PARTS_OF_VERTICES(ROW)
+#endif
+
 #if PLT_WITH_SEQUENCE
 #define PLT_PARTS_OF_SEQUENCES(ROW)                                                                \
     ROW(TOPOLOGY, RUNS, "vertices of each triangle")                                               \
     ROW(OFFSETS, RUNS, "offsets of frames")                                                        \
     ROW(VERTICES, RUNS, "vertices of a frame")                                                     \
-    ROW(WINDOW, RUNS, "window onto frames")
+    ROW(WINDOW, RUNS, "window onto frames")                                                        \
+    PLT_PARTS_OF_VERTICES(ROW)
 #else
 #define PLT_PARTS_OF_SEQUENCES(ROW)
 #endif

@@ -18,6 +18,7 @@
 #include "engine/tree/bvh4.h"
 #include "engine/tree/compact/block_tree.h"
 #include "engine/tree/thesis/tree.h"
+#include "engine/tree/vertex_lists.h"
 
 /* All triangles of a scene without a tree. */
 typedef struct plt_list {
@@ -62,6 +63,9 @@ typedef struct plt_scene {
     union { /* of a streamed scene: where its parts come from */
         plt_stream_image stream;
         plt_treelet_image treelets;
+#if PLT_WITH_VERTICES
+        plt_vertex_lists vertices; /* of nodes over triangles without records: those */
+#endif
     };
     const plt_bvh4 *bvh4; /* the tree again, as the wave wants it; NULL: not asked for */
 } plt_scene;

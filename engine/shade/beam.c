@@ -7,11 +7,12 @@
 #include "engine/trace/triangle_common.h"
 
 static void set_records(plt_beam *b, const plt_scene *scene, uint32_t side) {
-#if PLT_WITH_COMPACT
-    if (plt_has_blocks(scene->format)) {
+#if PLT_BEAMS_STORE
+    if (plt_has_store(scene->format)) {
         b->store = (plt_record *)(void *)(b->pixel + (size_t)side * side);
-        b->records =
-            scene->compact.leaf_kind == PLT_LEAF_STRIPS ? b->store : scene->compact.records;
+        b->records = plt_has_blocks(scene->format) && scene->compact.leaf_kind != PLT_LEAF_STRIPS
+                         ? scene->compact.records
+                         : b->store;
         return;
     }
 #endif
@@ -107,7 +108,7 @@ void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uin
     b->far = PLT_VIEW_FAR;
     b->open = b->columns * b->rows;
     b->is_stored = 0;
-#if PLT_WITH_COMPACT
+#if PLT_BEAMS_STORE
     b->next = 0;
 #endif
     t->waiting = 0;

@@ -59,6 +59,9 @@ typedef struct plt_beam_plane {
     uint32_t leaves; /* 0 or 1 */
 } plt_beam_plane;
 
+/* Triangles that are no records become some when a pixel may have them. */
+#define PLT_BEAMS_STORE (PLT_WITH_COMPACT || PLT_WITH_VERTICES)
+
 typedef struct plt_beam {
     const plt_view *view;
     const plt_record *records;
@@ -79,11 +82,12 @@ typedef struct plt_beam {
     uint8_t is_mixed, is_stored;   /* rays differ in sign; a pixel has a new hit */
     int8_t node_doubt, leaf_doubt; /* plt_beam_hides */
 #if PLT_WITH_COMPACT
-    float box_x[3], box_y[3]; /* of x and y alone: boxes are projected by them */
-    /* of strips: `records` is the store, behind the pixels */
+    float box_x[3], box_y[3];   /* of x and y alone: boxes are projected by them */
     const plt_block_tree *tree; /* that leaves of the current block are read by */
-    plt_record *store;
-    uint32_t next; /* where to look for a record of it that no pixel has */
+#endif
+#if PLT_BEAMS_STORE
+    plt_record *store; /* of strips, or vertices: `records` is that, behind the pixels */
+    uint32_t next;     /* where to look for a record of it that no pixel has */
 #endif
 } plt_beam;
 
@@ -96,13 +100,12 @@ _Static_assert(sizeof(plt_beam) + 4 * sizeof(plt_pixel) <=
                    sizeof(plt_group_slabs) + sizeof(plt_group_rays),
                "a beam fits where the groups of a packet do, of any size");
 
-/* Triangles of compact blocks become records when a pixel may have them. The store has more of
- * them than there are pixels, so some can be used again. */
+/* The store has more records than there are pixels, so some can be used again. */
 static inline uint32_t plt_beam_store_records(unsigned side) {
     return side * side + side * side / 2;
 }
 
-/* Bytes of a beam over compact blocks. */
+/* Bytes of a beam over compact blocks, or vertices. */
 static inline size_t plt_beam_blocks_bytes(unsigned side) {
     return plt_beam_bytes(side) + plt_beam_store_records(side) * sizeof(plt_record);
 }
@@ -169,8 +172,9 @@ int plt_beam_sees(const plt_beam *b, const plt_beam_block_entry *entry);
 /* Surely not: asked where it pays. `doubt` learns how often boxes are hidden. */
 int plt_beam_hides(const plt_beam *b, int8_t *doubt, const plt_beam_block_entry *entry);
 
-/* Works off stack entries of thesis nodes. */
+/* Works off stack entries of thesis nodes, over records and over vertices. */
 plt_beam_counts plt_beam_trace_nodes(plt_beam *b, plt_traversal *t, uint32_t visits);
+plt_beam_counts plt_beam_trace_vertices(plt_beam *b, plt_traversal *t, uint32_t visits);
 
 /* Of compact blocks, resident and streamed (beam_blocks.h): sets up what is kept from square to
  * square; puts the root on the stack, if there is one; works off stack entries, with PLT_OK or what
@@ -213,6 +217,9 @@ uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t si
 
 /* Tests triangles first .. first + count - 1 of a block, at most PLT_LEAF_TRIANGLES_MOST. */
 void plt_beam_strips(plt_beam *b, const plt_geometry *geometry, uint32_t first, uint32_t count);
+
+/* A record of the store that no pixel has; its id word is 0 where it is marked (beam_store.c). */
+plt_record *plt_beam_free_record(plt_beam *b);
 
 /* Makes a triangle of a leaf, `index` in the image, a record of the store. It stays one until the
  * next is made, and as long as a pixel has it. */

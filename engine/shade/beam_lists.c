@@ -1,7 +1,7 @@
 /* beam_lists - pixels that the float records of lists may cover
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/shade/footprint_record.h"
+#include "engine/shade/footprint_corners.h"
 
 /* Triangles that are still to be looked at. */
 typedef struct rest {

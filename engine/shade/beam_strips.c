@@ -26,7 +26,7 @@ static inline void project_corners(const plt_beam *b, const projector *k, const 
     }
 }
 
-/* As in footprint_record.h, but for what is the corners'. */
+/* As in footprint_corners.h, but for what is the corners'. */
 static inline enum projection project(const plt_beam *b, const corners *from,
                                       const uint32_t index[3], projected *p) {
     const plt_margins *m = &b->margins;

@@ -63,6 +63,11 @@ void plt_beam_push_root(plt_beam *b, plt_traversal *t) {
         plt_beam_grid_push(b, t);
         break;
 #endif
+#if PLT_WITH_VERTICES
+    case PLT_FORMAT_VERTICES:
+        push_nodes(t, &root);
+        break;
+#endif
 #if PLT_WITH_COMPACT
     case PLT_FORMAT_COMPACT:
         plt_beam_resident_push(b, t, &root);
@@ -103,6 +108,11 @@ int plt_beam_trace(plt_beam *b, plt_traversal *t, uint32_t visits) {
 #if PLT_WITH_GRID
     case PLT_FORMAT_GRID:
         c = plt_beam_grid_trace(b, t, visits);
+        break;
+#endif
+#if PLT_WITH_VERTICES
+    case PLT_FORMAT_VERTICES:
+        c = plt_beam_trace_vertices(b, t, visits);
         break;
 #endif
 #if PLT_WITH_COMPACT

@@ -5,8 +5,8 @@
  * any other the edge functions are planes through the eye and an edge, which need no
  * division; they are looked at in all pixels. What is not surely outside is tested exactly.
  *
- * Inline for those who project triangles: footprint_record.h has records, beam_strips.c the strips
- * of compact blocks.
+ * Inline for those who project triangles: footprint_corners.h has float corners, beam_strips.c the
+ * strips of compact blocks.
  *
  * Source: Pineda, "A parallel algorithm for polygon rasterization", 1988 (edge functions).
  * Margins: DESIGN.md, section 7.7.
@@ -124,11 +124,22 @@ typedef struct candidate {
     const plt_record *record; /* NULL: it becomes one if a pixel may have it */
     const plt_leaf *leaf;     /* which triangle of a compact block it is, then */
     uint32_t triangle, index; /* in the leaf, in the image */
+#ifdef FOOTPRINT_OF_VERTICES
+    const plt_vertex_lists *lists; /* what it is made of, then */
+    plt_listed listed;
+#endif
 } candidate;
 
 /* Its record: one of the scene's, or one that is made now. */
 static inline const plt_record *record_of(plt_beam *b, candidate *c) {
-#if PLT_WITH_COMPACT
+#ifdef FOOTPRINT_OF_VERTICES
+    if (c->record == NULL) {
+        plt_record *r = plt_beam_free_record(b);
+        plt_vertex_lists_record(c->lists, &c->listed, r);
+        plt_record_set_last(r, 0);
+        c->record = r;
+    }
+#elif PLT_WITH_COMPACT
     if (c->leaf != NULL && c->record == NULL) {
         c->record = plt_beam_store(b, c->leaf, c->triangle, c->index);
     }

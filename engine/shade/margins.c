@@ -45,7 +45,7 @@ static float largest_term(const plt_view *v, const plt_frame *frame) {
     return most;
 }
 
-/* Of all points in a box, as footprint_record.h computes it: by the corner that is least on each
+/* Of all points in a box, as footprint_corners.h computes it: by the corner that is least on each
  * axis, as rounding is monotone, in the differences, the products and their sum. */
 static float least_depth(const float row_w[3], const float eye[3], const plt_box *box) {
     float q[3];

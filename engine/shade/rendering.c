@@ -40,7 +40,7 @@ static int has_beams(const plt_rendering *r, const plt_traversal *t) {
     const unsigned format = t->scene->format;
     return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST && !HAS_BATCHES(r) &&
            !HAS_TASKS(r) && plt_has_beams(format) &&
-           (!plt_has_blocks(format) || r->side >= PLT_BEAM_BLOCKS_LEAST);
+           (!plt_has_store(format) || r->side >= PLT_BEAM_BLOCKS_LEAST);
 }
 
 #if PLT_WITH_INSTANCES

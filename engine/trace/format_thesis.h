@@ -15,39 +15,8 @@ enum { FORMAT_TIGHTENS = 0, FORMAT_LEAVES_WAIT = 1 };
 
 typedef plt_treelet_state format_state;
 
-static inline void format_state_init(plt_traversal *t) {
-    ((format_state *)t->state)->block = PLT_MISS;
-}
-
-static inline int format_root(plt_traversal *t, format_place *place) {
-    const plt_tree *tree = &t->scene->thesis;
-    place_set_box(place, &t->scene->box);
-    place->link = tree->root;
-    format_state_init(t);
-    return tree->root != PLT_LINK_NONE;
-}
-
-static inline int format_enter(plt_traversal *t, const format_place *place) {
-    plt_treelet_enter(t, place->link);
-    return PLT_OK;
-}
-
-/* Over an edge, if the place is one, as every seventh or so is: a jump that is mostly foreseen,
- * where a division and what is counted would be 37 instructions for every node. */
-static inline int format_cross(plt_traversal *t, const format_place *place) {
-    if (format_is_edge(place)) {
-        plt_treelet_enter(t, place->link);
-    }
-    return PLT_OK;
-}
-
-static inline int format_return(plt_traversal *t, const format_place *place) {
-    return format_is_leaf(place) ? PLT_OK : format_enter(t, place);
-}
-
-/* Both children are asked for before it is known which are hit: a cache line too many costs less
- * than one that is late. Three lines of a leaf hold its triangles, mostly; of a node one does.
- * Addresses are chosen by arithmetic, as what a child is, is hard to foresee. */
+/* Three lines of a leaf hold its triangles, mostly; of a node one does. Addresses are chosen by
+ * arithmetic, as what a child is, is hard to foresee. */
 PLT_INLINED void prefetch_child(const plt_tree *tree, uint32_t link) {
     const uintptr_t leaf = 0u - (uintptr_t)plt_link_is_leaf(link), index = plt_link_index(link);
     const uintptr_t node = (uintptr_t)tree->nodes + index * sizeof(plt_node);
@@ -58,18 +27,8 @@ PLT_INLINED void prefetch_child(const plt_tree *tree, uint32_t link) {
     plt_prefetch((const void *)(at + (leaf & 128)));
 }
 
-static inline void format_decode(const plt_traversal *t, const format_place *place,
-                                 format_children *c) {
-    const plt_tree *tree = &t->scene->thesis;
-    const plt_node *node = &tree->nodes[plt_link_index(place->link)];
-    prefetch_child(tree, plt_node_link(node, 0));
-    prefetch_child(tree, plt_node_link(node, 1));
-    children_decode(c, node, place);
-}
-
-static inline void format_child(const format_children *c, unsigned child, format_place *place) {
-    children_place(c, child, place);
-}
+#define FORMAT_PREFETCH_CHILD(t, link) prefetch_child(&(t)->scene->thesis, link)
+#include "engine/trace/thesis_nodes.h"
 
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {

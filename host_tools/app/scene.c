@@ -109,6 +109,9 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         return fail_set(f, name, "%s; build with a larger one (engine/planelet_config.h)",
                         fault->message);
     default:
+        if (s->options.records == PLT_RECORDS_NEVER || s->options.beside) {
+            return fail_set(f, name, "%s; leave out --records never and --beside", fault->message);
+        }
         if (s->options.movable) {
             return fail_set(f, name,
                             s->options.residency == PLT_RESIDENCY_STREAMED

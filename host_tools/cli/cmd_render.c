@@ -17,6 +17,7 @@
 #include "host_tools/app/played.h"
 #include "host_tools/app/rebuilds.h"
 #include "host_tools/app/scene.h"
+#include "host_tools/app/vertices.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
@@ -37,6 +38,7 @@ static const arg_flag flags[] = {
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
     MOVED_FLAGS,
     REBUILDS_FLAGS,
+    VERTICES_FLAGS,
     {"--repeat", "N",
      "render all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
      "1)"},
@@ -268,6 +270,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
     if (moved_is(&r->moved)) {
         moved_print(o, &r->moved, r->repeat, f);
         rebuilds_print(o, &r->rebuilds, &r->s, r->repeat, f);
+        vertices_print(o, &r->s, f);
     }
     scene_print_stats(o, &r->s, &r->took, f);
     return output_print(o, f, "\n}\n");
@@ -353,6 +356,7 @@ static void read_flags(rendering *r, args *a) {
         r->frames = r->moved.range.count;
     }
     rebuilds_read(&r->rebuilds, &r->s, a, moved_is(&r->moved));
+    vertices_read(&r->s, a, r->moved.is_played);
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;

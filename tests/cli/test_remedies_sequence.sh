@@ -64,6 +64,31 @@ says "--sequence takes --step with a lattice alone" \
     pack --sequence wave_00?.ply --geometry float --step power -o x.plt
 cured pack --sequence wave_00?.ply --step power -o x.plt
 
+# ---- with records or without: vertices.c, scene.c -------------------------------------------
+
+run pack --sequence wave_00?.ply -o x.plt
+says "--records and --beside are for --frames A:B of an image that has them" \
+    render x.plt -o x.png --records never
+cured render x.plt -o x.png --records never --frames 0:1
+says "--records and --beside are for --frames A:B of an image that has them" \
+    render x.plt -o x.png --beside --moved wave_000.ply
+cured render x.plt -o x.png --beside --frames 0:1
+says "--beside is for --records never, or auto" \
+    render x.plt -o x.png --records always --beside --frames 0:1
+cured render x.plt -o x.png --records never --beside --frames 0:1
+says "--rebuild is for --records always, or auto without --beside" \
+    render x.plt -o x.png --records never --rebuild cost --frames 0:1
+says "--rebuild is for --records always, or auto without --beside" \
+    render x.plt -o x.png --beside --rebuild cost --frames 0:1
+cured render x.plt -o x.png --rebuild cost --frames 0:1
+says "%s; leave out --records never and --beside" \
+    render x.plt -o x.png --records never --structure grid --frames 0:1
+cured render x.plt -o x.png --structure grid --frames 0:1
+run pack --sequence wave_00?.ply --build device -o device.plt
+says "%s; leave out --records never and --beside" \
+    render device.plt -o x.png --beside --frames 0:1
+cured render device.plt -o x.png --frames 0:1
+
 # ---- frames that do not fit: pack_frames.c --------------------------------------------------
 
 mv wave_002.ply whole.ply

@@ -33,7 +33,8 @@ verdict "... which has the sections of the first frame packed alone" "$(
     tail -c +257 plain.plt >one
     tail -c +257 list.plt | head -c "$size" | cmp - one)"
 # shellcheck disable=SC2086
-for kind in '' '--source read' '--workers 3' '--walk two-stage' '--packet 2'; do
+for kind in '' '--source read' '--workers 3' '--walk two-stage' '--packet 2' '--records never' \
+    '--records never --source read --walk two-stage' '--beside --packet 16 --workers 3'; do
     works "frames 0 to 8 $kind" render list.plt -o all.y4m --frames 0:9 $view $kind
     tail -n +2 all.y4m >all.frames
     alone 0 1 2 3 4 5 6 7 8 >due.frames
@@ -53,6 +54,18 @@ verdict "... have the hash of each frame, and that of all" "$(
     done | paste -s -d , | sed 's/,/, /; s/.*/  "frame_hashes": [&],/' >hashes
     grep '"frame_hashes"' some.json | cmp hashes - 2>&1
     [ "$(grep -c '"frame_hash"' some.json)" -eq 1 ] || cat some.json)"
+# shellcheck disable=SC2086
+works "... and without records" render list.plt --frames 5:7 $view --json never.json --records never
+verdict "... the same hashes, and say so" "$(
+    grep '"frame_hashes"' never.json | cmp hashes - 2>&1
+    [ "$(number over_vertices <never.json) $(number beside <never.json)" = '1 0' ] || cat never.json
+    [ "$(number over_vertices <some.json) $(number beside <some.json)" = '0 0' ] || cat some.json)"
+# shellcheck disable=SC2086
+works "... and with nodes beside" render list.plt --frames 5:7 $view --json beside.json --beside
+verdict "... likewise" "$(
+    grep '"frame_hashes"' beside.json | cmp hashes - 2>&1
+    [ "$(number over_vertices <beside.json) $(number beside <beside.json)" = '1 1' ] ||
+        cat beside.json)"
 works "a picture per frame" render list.plt -o 'picture_{}.ppm' --frames 3:6 $view
 for frame in 3 4 5; do
     "$PLANELET" pack wave_00$frame.ply -o fresh.plt 2>/dev/null

@@ -367,9 +367,10 @@ static void reference_decoder(void) {
 
 static void arenas(void) {
     for (int is_mapped = 0; is_mapped < 2; is_mapped++) {
-        const sequence_config c = config_of(2, PLT_BUILD_HOST, 16, 4, is_mapped);
+        sequence_config c = config_of(2, PLT_BUILD_HOST, 16, 4, is_mapped);
         mesh m = {0};
         sequence_rig s;
+        c.scene.run.records = PLT_RECORDS_ALWAYS;
         make_mesh(&m, 2);
         sequence_rig_pack(&s, &m, &c);
         const int status = sequence_rig_open(&s, &c, PLT_ALIGN);

@@ -46,16 +46,17 @@ static uint32_t frame_at(const unsigned char *bytes, uint32_t frame) {
     return section(bytes, 3) + plt_get_u32(bytes + section(bytes, 3) + 4 * frame);
 }
 
-static hostile_result open_image(const unsigned char *bytes, uint32_t size, uint8_t streamed) {
+static hostile_result open_image(const unsigned char *bytes, uint32_t size, uint8_t streamed,
+                                 unsigned motion) {
     const hostile_config config = {streamed, 0, 2, 0};
-    return hostile_try_sequence(bytes, size, config);
+    return hostile_try_sequence(bytes, size, config, motion);
 }
 
 static void refused(unsigned char *bytes, uint32_t size, char kind, unsigned rule,
                     uint32_t offset) {
     hostile_seal_sequence(bytes, size);
-    for (uint8_t streamed = 0; streamed < 2; streamed++) {
-        const hostile_result r = open_image(bytes, size, streamed);
+    for (unsigned i = 0; i < 6; i++) {
+        const hostile_result r = open_image(bytes, size, (uint8_t)(i % 2), HOSTILE_RECORDS + i / 2);
         CHECK(r.status == PLT_ERR_IMAGE && r.fault.kind == kind && r.fault.rule == rule &&
                   r.fault.offset == offset,
               "status %d, %c%u at %u, not %c%u at %u (%s)", r.status,
@@ -134,9 +135,13 @@ static void every_offset(void) {
             if (is_inner && (v == 1 || v == 2)) { /* still behind each other: blocks do not fit */
                 hostile_seal_sequence(bytes, image.size);
                 hostile_frames_all = (hostile_frames){0, 0};
-                const hostile_result r = open_image(bytes, image.size, 0);
+                /* Without records frame 0 is read when the image is opened. */
+                const unsigned motion = i > 1 ? HOSTILE_RECORDS + i % 3 : HOSTILE_RECORDS;
+                hostile_result r = open_image(bytes, image.size, 0, motion);
                 CHECK(r.status == PLT_OK && r.sentence == NULL && hostile_frames_all.refused > 0,
                       "offset %u: %s", i, r.sentence);
+                r = open_image(bytes, image.size, 0, HOSTILE_VERTICES);
+                CHECK(i > 1 || (r.status == PLT_ERR_IMAGE && r.fault.rule == 25), "offset %u", i);
             } else {
                 refused(bytes, image.size, 'I', 23, at);
             }

@@ -3,9 +3,10 @@
  *   clang -g -O1 -fsanitize=fuzzer,address,undefined -I. \
  *       tests/fuzz/fuzz_sequence.c $(find engine -name "*.c")
  *
- * The first byte chooses source and order; bit 4 asks for the checksums of sections and blocks
- * to be made right, or hardly a mutation would pass them. The promises checked are those of
- * hostile/sequences.h; tests/engine/test_sequence_fuzz.c runs this with mutations of its own.
+ * The first byte chooses source and order, and whether there are records (bits 5 and up); bit 4
+ * asks for the checksums of sections and blocks to be made right, or hardly a mutation would pass
+ * them. The promises checked are those of hostile/sequences.h; tests/engine/test_sequence_fuzz.c
+ * runs this with mutations of its own.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdio.h>
@@ -28,7 +29,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (data[0] & 16) {
         hostile_seal_sequence(bytes, count);
     }
-    const hostile_result r = hostile_try_sequence(bytes, count, config);
+    const hostile_result r =
+        hostile_try_sequence(bytes, count, config, HOSTILE_RECORDS + (data[0] >> 5) % 3);
     free(bytes);
     images_opened += r.status == PLT_OK;
     if (r.sentence != NULL) {

@@ -288,10 +288,31 @@ static inline size_t hostile_arena_bytes(const plt_source *source, const plt_opt
     return need < HOSTILE_ARENA_MOST ? need : HOSTILE_ARENA_MOST;
 }
 
+/* How triangles move: as frames, with records and without, where an image may be without. */
+enum hostile_motion { HOSTILE_STILL, HOSTILE_RECORDS, HOSTILE_VERTICES, HOSTILE_BESIDE };
+
+static inline plt_options hostile_options(const plt_source *source, hostile_config config,
+                                          unsigned motion) {
+    plt_options o = {.packet_side = config.packet_side,
+                     .order = config.order,
+                     .residency = config.residency,
+                     .count_touched = 1,
+                     .movable = motion != HOSTILE_STILL};
+    plt_options without = o;
+    plt_info info;
+    plt_fault fault;
+    without.records = PLT_RECORDS_NEVER;
+    without.beside = motion == HOSTILE_BESIDE;
+    return motion >= HOSTILE_VERTICES && plt_image_info(source, &info, &fault) == PLT_OK &&
+                   plt_arena_need(&info, 1, &without) > 0
+               ? without
+               : o;
+}
+
 /* Opens a copy of exactly its size in exactly the arena it needs and, if that works, calls
  * `trace`. The copy must not be changed by that. */
 static inline hostile_result hostile_try_with(const unsigned char *bytes, uint32_t size,
-                                              hostile_config config, int is_movable,
+                                              hostile_config config, unsigned motion,
                                               const char *(*trace)(plt_engine *e)) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
     unsigned char *copy = malloc(size > 0 ? size : 1);
@@ -301,14 +322,10 @@ static inline hostile_result hostile_try_with(const unsigned char *bytes, uint32
         const plt_source streamed = {NULL, size, &stream, hostile_start, hostile_wait};
         source = streamed;
     }
-    const plt_options options = {.packet_side = config.packet_side,
-                                 .order = config.order,
-                                 .residency = config.residency,
-                                 .count_touched = 1,
-                                 .movable = (uint8_t)is_movable};
     if (size > 0) {
         memcpy(copy, bytes, size);
     }
+    const plt_options options = hostile_options(&source, config, motion);
     const size_t arena_bytes = hostile_arena_bytes(&source, &options);
     void *arena = malloc(arena_bytes);
     plt_engine *e = NULL;
@@ -328,7 +345,7 @@ static inline hostile_result hostile_try_with(const unsigned char *bytes, uint32
 static inline hostile_result hostile_try_by(const unsigned char *bytes, uint32_t size,
                                             hostile_config config,
                                             const char *(*trace)(plt_engine *e)) {
-    return hostile_try_with(bytes, size, config, 0, trace);
+    return hostile_try_with(bytes, size, config, HOSTILE_STILL, trace);
 }
 
 static inline hostile_result hostile_try(const unsigned char *bytes, uint32_t size,

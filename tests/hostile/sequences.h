@@ -104,8 +104,8 @@ static inline const char *hostile_show(plt_engine *e) {
 }
 
 static inline hostile_result hostile_try_sequence(const unsigned char *bytes, uint32_t size,
-                                                  hostile_config config) {
-    return hostile_try_with(bytes, size, config, 1, hostile_show);
+                                                  hostile_config config, unsigned motion) {
+    return hostile_try_with(bytes, size, config, motion, hostile_show);
 }
 
 #endif

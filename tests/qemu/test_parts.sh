@@ -120,7 +120,7 @@ if part "render thesis motion" "$motion" 44544; then
     renders "$motion" thesis
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
-# shows GEOMETRY [SOURCE=file [NODES]]: frames of a sequence, which come by semihosting or are
+# shows GEOMETRY SOURCE NODES [PARAMETER]: frames of a sequence, which come by semihosting (`file`) or are
 # mapped.
 shows() {
     "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --nodes "${3:-thesis}" --key 4 \
@@ -130,7 +130,7 @@ shows() {
             --frames $frame:$((frame + 1)))
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$sequence SOURCE=$2 sh board/mps2_an386/run.sh "$out/wave.plt" size=80x60 \
-            show=$frame ${view#* } 2>&1)
+            show=$frame ${view#* } ${4:-} 2>&1)
         verdict "frame $frame of a sequence, $1 $2 $3: that of the host" "$(
             [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
                 echo "$text")"
@@ -182,6 +182,19 @@ if part "render compact motion sequence stream" "$sequence" 68096; then
                 echo "$text")"
     done
 fi
+sequence=$BUILD/mps2_an386-motion-render-sequence-thesis-vertices
+if part "render thesis motion sequence vertices" "$sequence" 58880; then
+    renders "$sequence" thesis
+    shows lattice:14 '' thesis records=never
+    shows float file thesis records=never
+    shows float ''
+    firmware "$sequence" "$out/wave.plt" size=80x60 records=never
+    verdict "... without records there is nothing but frames" "$(
+        echo "$text" | grep -q '^error: without records there are only the frames' || echo "$text")"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis motion vertices' 2>&1)
+verdict "PARTS with vertices and without sequence is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with vertices has .*: make PARTS='" || echo "$trouble")"
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis sequence' 2>&1)
 verdict "PARTS with sequence and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with sequence has .*: make PARTS='" || echo "$trouble")"

@@ -3,7 +3,8 @@
 #
 # 29 of them, 2,400 triangles, by a refitted tree, by trees that are built anew, and by a grid:
 # every frame is the host's, the arena stays what it was when the scene was opened, and calls end
-# where their bounds say. A few frames of the 500 that `make BOARD=mps2_an386 play` is for.
+# where their bounds say. Then all 109, 8,800 triangles, whose records would not fit. A few frames
+# of the 500 that `make BOARD=mps2_an386 play` is for.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 planelet=$BUILD/host/planelet
@@ -64,7 +65,7 @@ plays() {
 sequence 2400 24
 play 2400 FRAMES=0:20 MOST=2500000
 plays "29 marbles, a tree that is refitted" 20
-tree=$BUILD/mps2_an386-played-frames-motion-render-sequence-thesis
+tree=$BUILD/mps2_an386-played-frames-motion-render-sequence-thesis-vertices
 verdict "... a frame takes what its calls do" "$(
     awk 'NR > 1 { rows++; if ($2 < 1 || $3 < 1 || $4 < 1 || $5 || $6 || $7 < 1) print "row " $0 }
         END { if (rows != 20) print rows + 0 " rows" }' "$tree/frames.txt"
@@ -118,12 +119,31 @@ verdict "... is traced in a quarter more than the instructions of a tree, at mos
 sequence 4880 2
 play 4880 SIZE=16x12
 plays "60 marbles, 4,880 triangles, fit" 2
-sequence 8800 1
-play 8800 SIZE=16x12
+sequence 8800 18
+play 8800 SIZE=16x12 FRAMES=0:1 RECORDS=always
 verdict "all 109 do not: the bytes they need are said" "$(
     [ "$status" -ne 0 ] && echo "$text" | grep -q '^error: the arena.* need_bytes=4[0-9]\{5\} ' ||
         echo "status $status: $text")"
-play 2400 ARENA=100000
+play 8800 FRAMES=0:4 MOST=3000000
+plays "... but without records all 109, 8,800 triangles, do" 4
+verdict "... of which a frame takes its reading, a refit of all, and rays" "$(
+    awk 'NR > 2 && ($2 < 1 || $3 || $4 < 1000000 || $5 || $6 || $7 < 1) { print "row " $0 }' \
+        "$tree/frames.txt"
+    [ "$(most plt_sequence_show)" -gt 1000000 ] || echo "$text")"
+render=$(median "trace: plt_render_step")
+play 8800 FRAMES=0:4 BESIDE=1 MOST=600000
+plays "... and with nodes beside, each call below 600,000 instructions" 4
+verdict "... the refit is in the calls that read, and showing is an exchange" "$(
+    [ "$(most plt_sequence_show)" -gt 0 ] && [ "$(most plt_sequence_show)" -lt 1000 ] &&
+        [ "$(median "read: refit beside")" -gt 1000000 ] || echo "$text")"
+verdict "... and rays take what they took" "$(
+    [ "$(median "trace: plt_render_step")" -eq "$render" ] || echo "$text, not $render")"
+play 8800 FRAMES=14:18 BESIDE=1 SIZE=80x60 SOURCE=file PARAMETERS=blocks=1
+plays "... and of an image that is fetched, whose nodes fit once" 4
+verdict "... a step of one block takes less than a tenth of showing" "$(
+    [ "$(most plt_sequence_step)" -gt 0 ] &&
+        [ $((10 * $(most plt_sequence_step))) -lt "$(most plt_sequence_show)" ] || echo "$text")"
+play 2400 ARENA=100000 RECORDS=always
 verdict "nor 29 an arena of 100,000 bytes" "$(
     [ "$status" -ne 0 ] && echo "$text" | grep -q '^error: .* need_bytes=1[0-9]\{5\} ' ||
         echo "status $status: $text")"
@@ -156,7 +176,8 @@ firmware size=16x12 frames=23:25
 verdict "... by the firmware, too" "$(
     [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: the image has no such frame' ||
         echo "status $status: $text")"
-for wrong in frames=3 frames=4:4 frames=a:b blocks=0 rebuild=cost structure=grid colour=red; do
+for wrong in frames=3 frames=4:4 frames=a:b blocks=0 rebuild=cost structure=grid colour=red \
+    records=some beside=2; do
     firmware "$wrong"
     verdict "$wrong is wrong usage here" "$(
         [ "$status" -eq 2 ] && echo "$text" | grep -q '^error: ' || echo "status $status: $text")"

@@ -43,7 +43,7 @@ static int validate_lists(const plt_tree *tree, uint32_t link, uint32_t *seen, p
                                   "a list of triangles runs past the last one");
             }
             length++;
-        } while (!plt_record_is_last(&tree->records[record++]));
+        } while (!plt_tree_is_last(tree, record++));
         info->leaf_triangles = larger(info->leaf_triangles, length);
     }
     *seen = record;

@@ -1,8 +1,8 @@
 /* words - four words of an image as four lanes
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_MOTION_WORDS_H
-#define PLT_MOTION_WORDS_H
+#ifndef PLT_TREE_WORDS_H
+#define PLT_TREE_WORDS_H
 
 #include "engine/base/bytes.h"
 #include "engine/lanes/lanes.h"
