@@ -264,6 +264,19 @@ static void without_strays(kd_tree *t) {
     }
 }
 
+/* From one to two times `back` before the point, which is far if that is far above 3. */
+static void aim(plt_ray *rays, const float at[3], const float along[3], float apart, float back,
+                random_state *r) {
+    for (uint32_t k = 0; k < RAYS; k++) {
+        const float away = back * random_float(r, 1.0f, 2.0f);
+        float from[3];
+        for (int a = 0; a < 3; a++) {
+            from[a] = at[a] - away * along[a] + 1e-5f * apart * random_float(r, -1.0f, 1.0f);
+        }
+        rays[k] = ray_make(from, along, 0.0f, RAYS_FAR);
+    }
+}
+
 static void grazing_rays(int is_soak) {
     random_state r = {12};
     unsigned others = 0;
@@ -275,18 +288,15 @@ static void grazing_rays(int is_soak) {
         float at[3], along[3];
         const float apart = ldexpf(1.0f, -7 - (int)random_below(&r, 4));
         graze(&m, &r, at, along, apart);
-        for (uint32_t k = 0; k < RAYS; k++) {
-            const float back = random_float(&r, 2.0f, 4.0f);
-            float from[3];
-            for (int a = 0; a < 3; a++) {
-                from[a] = at[a] - back * along[a] + 1e-5f * apart * random_float(&r, -1.0f, 1.0f);
-            }
-            rays[k] = ray_make(from, along, 0.0f, RAYS_FAR);
-        }
+        aim(rays, at, along, apart, 2.0f, &r);
         open_subject(&s, &m, 0.001f);
         const unsigned wrong = differ(&s, &m, rays);
         CHECK(wrong == 0, "scene %u: %u hits", i, wrong);
+        aim(rays, at, along, apart, 32.0f, &r);
+        const unsigned far = differ(&s, &m, rays);
+        CHECK(far == 0, "scene %u, from far: %u hits", i, far);
         without_strays(&s.tree);
+        aim(rays, at, along, apart, 2.0f, &r);
         others += differ(&s, &m, rays);
         close_subject(&s);
         mesh_free(&m);
