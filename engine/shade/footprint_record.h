@@ -61,7 +61,7 @@ static inline void test_record(plt_beam *b, const projector *k, const plt_record
         }
         return;
     }
-    test_footprint(b, &triangle, &p);
+    test_footprint(b, &triangle, &p, 1);
 }
 
 #endif
