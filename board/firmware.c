@@ -194,7 +194,7 @@ int firmware(const char *parameters) {
     if (job_read(&j, parameters, OWN_KEYS, &arena_bytes) < 0) {
         return FIRMWARE_USAGE;
     }
-    const int shows = read_shown(parameters, &shown);
+    const int shows = read_shown(parameters, &j, &shown);
     if (shows < 0) {
         return FIRMWARE_USAGE;
     }

@@ -48,7 +48,7 @@ static void refused(unsigned char *bytes, uint32_t size, char kind, unsigned rul
     hostile_seal_sequence(bytes, size);
     for (uint8_t streamed = 0; streamed < 2; streamed++) {
         const hostile_config config = {streamed, 0, 2, 0};
-        const hostile_result r = hostile_try_sequence(bytes, size, config);
+        const hostile_result r = hostile_try_sequence(bytes, size, config, HOSTILE_RECORDS);
         CHECK(r.status == PLT_ERR_IMAGE && r.fault.kind == kind && r.fault.rule == rule &&
                   r.fault.offset == offset,
               "%s: status %d, %c%u at %u, not %c%u at %u (%s)", what, r.status,
@@ -186,7 +186,7 @@ static void turns(void) {
     }
     hostile_seal_sequence(bytes, image.size);
     const hostile_config config = {0, 0, 2, 0};
-    const hostile_result r = hostile_try_sequence(bytes, image.size, config);
+    const hostile_result r = hostile_try_sequence(bytes, image.size, config, HOSTILE_RECORDS);
     CHECK(r.status == PLT_OK && r.sentence == NULL, "%d: %s", r.status, r.sentence);
     free(bytes);
     pack_free(&image);

@@ -51,7 +51,7 @@ static int open_lone(lone_scene *s, const packed *image, const plt_options *opti
     if (status == PLT_OK) {
         const size_t bytes = plt_arena_need(&header.info, mapped, options);
         plt_arena arena = {malloc(bytes), bytes, 0, 0};
-        const plt_opening o = {&s->scene, &source, &arena, &layout, &fault, 0, 0, 0};
+        const plt_opening o = {&s->scene, &source, &arena, &layout, &fault, 0, 0, 0, 0};
         plt_layout_of_image(&layout, &header.info, mapped, options);
         status = plt_scene_open(&o, &header, &build);
         s->memory = arena.base;

@@ -284,7 +284,7 @@ static void exact_range(void) {
     mesh m = {0};
     plt_fault fault;
     fail f = {""};
-    const sequence_options o = {1, 25, 1, sequence_lattice(0)};
+    const sequence_options o = {1, 25, 1, sequence_lattice(0), 0};
     sequence s;
     packed far;
     mesh_add_vertex(&m, PLT_COORD_MAX, -PLT_COORD_MAX, 0.0f, &f);
@@ -311,7 +311,7 @@ static void example(void) {
                                         0,    0x10, 0,    0xc2, 0x01, 0,    0,    0,    0x61, 0xcb,
                                         0xf8, 0x60, 0x02, 0,    0xfc, 0x7f, 0,    0,    0,    0x09};
     static const float at[2][9] = {{5, 0, 7, 6, 0, 4, 9, 0, 4}, {4, 1, 7, 6, 1, 4, 10, 1, 4}};
-    const sequence_options o = {2, 25, 2, {{0, 0, 0, 0}, 1.0f, 12}};
+    const sequence_options o = {2, 25, 2, {{0, 0, 0, 0}, 1.0f, 12}, 0};
     mesh m = {0};
     fail f = {""};
     sequence s;

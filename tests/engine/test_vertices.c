@@ -35,8 +35,12 @@ static void make_mesh(mesh *m, uint32_t leaf_triangles) {
 }
 
 static sequence_config config_of(uint32_t k, uint32_t bits, int is_mapped) {
-    const sequence_config c = {rig_config_of(k, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH), 9, 4,
-                               bits, is_mapped};
+    const sequence_config c = {.scene =
+                                   rig_config_of(k, treelet(16), PLT_BUILD_HOST, PLT_SPLIT_SAH),
+                               .frames = 9,
+                               .key_every = 4,
+                               .lattice_bits = bits,
+                               .is_mapped = is_mapped};
     return c;
 }
 

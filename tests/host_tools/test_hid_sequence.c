@@ -30,7 +30,10 @@ static const arg_command command = {"show", "", "", flags, 0, 1, NULL};
 static void make_scene(sequence_rig *s, int is_damaged) {
     const char *folder = getenv("TMPDIR");
     const sequence_config c = {
-        rig_config_of(2, rig_is_tiny() ? 1 : 16, PLT_BUILD_HOST, PLT_SPLIT_SAH), FRAMES, 1, 0, 1};
+        .scene = rig_config_of(2, rig_is_tiny() ? 1 : 16, PLT_BUILD_HOST, PLT_SPLIT_SAH),
+        .frames = FRAMES,
+        .key_every = 1,
+        .is_mapped = 1};
     mesh m = {0};
     shape_soup(&m, rig_triangles(200, 2), 0.5f, 3);
     sequence_rig_pack(s, &m, &c);
