@@ -18,7 +18,7 @@ static inline int plt_layout_motion_valid(const plt_info *info, const plt_option
     if (!PLT_WITH_MOTION || !options->movable) {
         return 1;
     }
-    if (info->nodes_format == PLT_NODES_THESIS) {
+    if (!PLT_WITH_COMPACT || info->nodes_format == PLT_NODES_THESIS) {
         return !is_streamed && !plt_has_instances(info);
     }
     return PLT_WITH_BLOCK_MOTION && !options->moves_some && !options->rebuild &&

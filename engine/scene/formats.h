@@ -12,12 +12,19 @@
 
 #include "engine/planelet.h"
 
-/* Without them such images are refused by their headers. */
+/* Without them such images are refused by their headers, or have records. */
 #if PLT_WITH_INSTANCES
 #define PLT_FORMATS_OF_INSTANCES(ROW) ROW(INSTANCES, instances, PLT_WITH_INSTANCES, "instances")
 #else
 #define PLT_FORMATS_OF_INSTANCES(ROW)
 #define PLT_FORMAT_INSTANCES 255 /* no scene's */
+#endif
+
+#if PLT_WITH_VERTICES
+#define PLT_FORMATS_OF_VERTICES(ROW) ROW(VERTICES, vertices, PLT_WITH_VERTICES, "vertices")
+#else
+#define PLT_FORMATS_OF_VERTICES(ROW)
+#define PLT_FORMAT_VERTICES 254 /* no scene's */
 #endif
 
 /* ROW(NAME, name, knob that builds it in, what it is) */
@@ -30,7 +37,7 @@
         "streamed thesis nodes (PLT_WITH_STREAMED_THESIS)")                                        \
     ROW(LIST, list, PLT_WITH_THESIS, "lists without a tree (PLT_WITH_THESIS)")                     \
     ROW(GRID, grid, PLT_WITH_GRID, "grids (PLT_WITH_GRID)")                                        \
-    ROW(VERTICES, vertices, PLT_WITH_VERTICES, "triangles over vertices (PLT_WITH_VERTICES)")      \
+    PLT_FORMATS_OF_VERTICES(ROW)                                                                   \
     PLT_FORMATS_OF_INSTANCES(ROW)
 
 enum plt_format {

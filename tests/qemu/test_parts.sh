@@ -116,7 +116,7 @@ for parts in 'render frames' 'render compact frames wave' 'render thesis frames 
         echo "$trouble" | grep -q "PARTS with frames .*has .*: make PARTS='" || echo "$trouble")"
 done
 motion=$BUILD/mps2_an386-motion-render-thesis
-if part "render thesis motion" "$motion" 44544; then
+if part "render thesis motion" "$motion" 44672; then
     renders "$motion" thesis
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
@@ -183,7 +183,7 @@ if part "render compact motion sequence stream" "$sequence" 68096; then
     done
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis-vertices
-if part "render thesis motion sequence vertices" "$sequence" 58880; then
+if part "render thesis motion sequence vertices" "$sequence" 59904; then
     renders "$sequence" thesis
     shows lattice:14 '' thesis records=never
     shows float file thesis records=never
@@ -230,7 +230,7 @@ if part "render thesis grid" "$grid" 60416; then
     renders "$grid" thesis structure=grid
 fi
 grid=$BUILD/mps2_an386-frames-grid-render-thesis
-if part "render thesis grid frames" "$grid" 36864; then
+if part "render thesis grid frames" "$grid" 38144; then
     renders "$grid" thesis
     renders "$grid" thesis structure=grid
     renders "$grid" list structure=grid
@@ -286,11 +286,11 @@ if part "render thesis wave" "$wave" 73728; then
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
 fi
 batch=$BUILD/mps2_an386-batch-compact-render-stream
-if part "render compact stream batch" "$batch" 58880; then
+if part "render compact stream batch" "$batch" 59904; then
     renders "$batch" compact
 fi
 tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
-if part "render compact stream batch task" "$tasks" 63232; then
+if part "render compact stream batch task" "$tasks" 63360; then
     renders "$tasks" compact
     view=$(sh board/tools/host_view.sh "$out/compact.plt" 80x60 "$out/host.ppm")
     # shellcheck disable=SC2086
