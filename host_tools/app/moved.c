@@ -56,6 +56,10 @@ static int move_mesh(moved *m, const scene *s, const mesh *to, unsigned frame, f
     if (plt_engine_info(s->engine)->instances > 0) {
         return fail_set(f, m->mesh, "the scene has instances, which no mesh moves; use --frames");
     }
+    if (plt_engine_info(s->engine)->nodes_format == PLT_NODES_COMPACT) {
+        return fail_set(f, m->mesh,
+                        "the scene has compact blocks, which no mesh moves; use --frames");
+    }
     if (to->triangles != due) {
         return fail_set(f, m->mesh,
                         "frame %u: has %zu triangles, the scene %" PRIu32

@@ -112,6 +112,9 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         if (s->options.records == PLT_RECORDS_NEVER || s->options.beside) {
             return fail_set(f, name, "%s; leave out --records never and --beside", fault->message);
         }
+        if (s->options.rebuild && s->options.residency != PLT_RESIDENCY_STREAMED) {
+            return fail_set(f, name, "%s; leave out --rebuild", fault->message);
+        }
         if (s->options.movable) {
             return fail_set(f, name,
                             s->options.residency == PLT_RESIDENCY_STREAMED
@@ -223,6 +226,9 @@ static void read_flags(scene *s, args *a, int *fetched) {
         s->options.residency != PLT_RESIDENCY_STREAMED) {
         args_complain(a, "--schedule %s is for --residency streamed",
                       schedules[s->options.schedule]);
+    }
+    if (s->options.schedule == PLT_SCHEDULE_TASK && s->options.movable) {
+        args_complain(a, "--schedule task is for one frame that stays; use batch, or branch");
     }
     if (args_has(a, "--batch") && s->options.schedule == PLT_SCHEDULE_BRANCH) {
         args_complain(a, "--batch is for --schedule batch or task");
@@ -384,8 +390,8 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
     if (status != PLT_OK) {
         return status;
     }
-    if (info.instances > 0) {
-        s->options.movable = 0; /* matrices move them, and no triangle */
+    if (info.instances > 0 && !s->options.rebuild) { /* which is refused */
+        s->options.movable = 0;                      /* matrices move them, and no triangle */
     }
     void *arena = get_arena(s, &info);
     if (arena == NULL) {

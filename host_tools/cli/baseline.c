@@ -42,6 +42,9 @@ int baseline_open(baseline *b, unsigned which, const plt_engine *engine, const c
     const plt_scene *scene = &engine->scene;
     const plt_record *records = records_of(scene);
     mesh m = {0};
+    if (scene->info.instances > 0) {
+        return fail_set(f, name, "--baseline is for one mesh; pack it without --instances");
+    }
     if (records == NULL && scene->info.triangles > 0) {
         return fail_set(f, name, "--baseline is for float triangles; pack it with --nodes thesis");
     }

@@ -102,8 +102,9 @@ static double frame_each(const plt_info *i) {
     return (double)i->frame_bytes / ((double)i->frames * i->vertices);
 }
 
+/* Stills have none. */
 static uint64_t topology_bytes(const plt_info *i) {
-    return plt_header_section_bytes(i, PLT_SECTION_TOPOLOGY);
+    return plt_header_has_stills(i) ? 0 : plt_header_section_bytes(i, PLT_SECTION_TOPOLOGY);
 }
 
 static void print_instances_json(const plt_info *i) {
@@ -310,6 +311,11 @@ static void print_sequence(const plt_info *i, const derived *d) {
         printf("on a lattice of %u bits\n", (unsigned)i->lattice_bits);
     } else {
         printf("floats\n");
+    }
+    if (plt_header_has_stills(i)) {
+        printf("frame bytes        %" PRIu64 " each, of tree and geometry\n",
+               d->tree_bytes + d->geometry_bytes);
+        return;
     }
     printf("key frames         every %" PRIu32 "\n", i->key_every);
     printf("frame bytes        %" PRIu32 ", %.2f per vertex and frame\n", i->frame_bytes,

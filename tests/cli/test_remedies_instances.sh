@@ -119,6 +119,8 @@ run pack --instances marbles.txt -o marbles.plt
 says "the scene has instances, which no mesh moves; use --frames" \
     render marbles.plt --moved ground.ply -o x.ppm --size 8x8
 cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
+says "%s; leave out --rebuild" render marbles.plt --frames 0:1 -o x.ppm --size 8x8 --rebuild cost
+cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
 says "%s; pack it with --nodes thesis, or leave out --structure" \
     render marbles.plt --structure grid -o x.ppm --size 8x8
 cured render marbles.plt --structure tree -o x.ppm --size 8x8

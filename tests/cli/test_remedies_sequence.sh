@@ -115,4 +115,20 @@ run pack --sequence wave_00?.ply -o wave.plt
 says "has %u frame%s; use --frames 0:%u or less" render wave.plt -o x.y4m --frames 2:5 --size 8x8
 # shellcheck disable=SC2046
 cured render wave.plt -o x.y4m --size 8x8 $(sed -n 's/.*use \(--frames [0-9:]*\) or less$/\1/p' err)
+
+# ---- what blocks are not moved by: moved.c, scene.c -------------------------------------------
+
+run pack --sequence wave_00?.ply --nodes compact -o blocks.plt
+says "the scene has compact blocks, which no mesh moves; use --frames" \
+    render blocks.plt --moved wave_001.ply -o x.ppm --size 8x8
+cured render blocks.plt --frames 1:2 -o x.ppm --size 8x8
+says "%s; leave out --rebuild" render blocks.plt --frames 1:2 -o x.ppm --size 8x8 --rebuild cost
+cured render blocks.plt --frames 1:2 -o x.ppm --size 8x8
+run pack --sequence wave_00?.ply --nodes compact --stills -o stills.plt
+says "--schedule task is for one frame that stays; use batch, or branch" \
+    render stills.plt --frames 1:2 -o x.ppm --size 8x8 --residency streamed --schedule task
+for schedule in batch branch; do
+    cured render stills.plt --frames 1:2 -o x.ppm --size 8x8 --residency streamed \
+        --schedule $schedule
+done
 finish

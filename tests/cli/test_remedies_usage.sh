@@ -46,6 +46,12 @@ says "--baseline is for float triangles; pack it with --nodes thesis" trace comp
 run pack quad.ply -o thesis.plt --nodes thesis
 cured trace thesis.plt ray hit --baseline kd
 
+printf '%s\n' 'body q quad.ply' 'instance a q' >list.txt
+run pack --instances list.txt -o placed.plt
+says "--baseline is for one mesh; pack it without --instances" trace placed.plt ray hit \
+    --baseline kd
+cured trace thesis.plt ray hit --baseline kd
+
 # ---- pack --quality: host_tools/cli/cmd_pack.c ---------------------------------------
 
 for build in device none; do

@@ -136,6 +136,13 @@ done
 works "stills without --frames" render stills.plt -o first.ppm $view
 same plain.ppm first.ppm "... are the first frame"
 works "info of stills" info stills.plt
+verdict "... says what each takes, and of no key frames or topology" "$(
+    "$PLANELET" info stills.plt >text
+    "$PLANELET" info stills.plt --json >json
+    each=$(($(number tree_bytes <json) + $(number geometry_bytes <json)))
+    grep -q "^frame bytes  *$each each, of tree and geometry\$" text || cat text
+    grep -E '^(key frames|topology|arena with frames)' text
+    [ "$(number topology_bytes <json)" -eq 0 ] || cat json)"
 
 # ---- a lattice, rates, key frames ---------------------------------------------------------
 

@@ -286,7 +286,7 @@ if part "render thesis wave" "$wave" 73728; then
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
 fi
 batch=$BUILD/mps2_an386-batch-compact-render-stream
-if part "render compact stream batch" "$batch" 59904; then
+if part "render compact stream batch" "$batch" 58880; then
     renders "$batch" compact
 fi
 tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
