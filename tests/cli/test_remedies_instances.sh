@@ -134,6 +134,13 @@ run pack --instances marbles.txt -o marbles.plt
 says "the scene has instances, which no mesh moves; use --frames" \
     render marbles.plt --moved ground.ply -o x.ppm --size 8x8
 cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
+says "%s; leave out --rebuild" \
+    render marbles.plt --frames 0:1 --rebuild always -o x.ppm --size 8x8
+cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
+says "%s; pack it with --nodes compact, or use --residency resident" \
+    render marbles.plt --residency streamed -o x.ppm --size 8x8
+verdict "... and that is said of instances" "$(grep -q 'bodies of instances are' err || cat err)"
+cured render marbles.plt --residency resident -o x.ppm --size 8x8
 says "%s; pack it with --nodes thesis, or leave out --structure" \
     render marbles.plt --structure grid -o x.ppm --size 8x8
 cured render marbles.plt --structure tree -o x.ppm --size 8x8
