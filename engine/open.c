@@ -465,8 +465,10 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_residency_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "only finished trees are streamed, of compact blocks with lattice "
-                             "geometry or of treelets of at most 256 nodes");
+                             plt_has_instances(info)
+                                 ? "bodies of instances are resident, and not streamed"
+                                 : "only finished trees are streamed, of compact blocks with "
+                                   "lattice geometry or of treelets of at most 256 nodes");
     }
     if (!plt_layout_motion_valid(info, options)) {
         return plt_fault_set(

@@ -14,6 +14,9 @@ int plt_place(plt_engine *e, const float (*matrices)[12], plt_fault *fault) {
     if (!has_instances(e)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "the image has no instances");
     }
+    if (matrices == NULL) { /* which would be those of a frame, come or not */
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "there are no matrices");
+    }
     const uint32_t refused = plt_instances_place(e, matrices);
     return refused == e->scene.info.instances
                ? PLT_OK

@@ -451,7 +451,7 @@ int plt_move(plt_engine *engine, const float (*corners)[9], plt_fault *fault);
  * valid, after PLT_FETCH_TRIES attempts; `fault` says where, plt_sequence_failed which frame: it,
  * or one that it depends on. Then the last frame shown stays, and any other can be asked for.
  *
- * Not there without PLT_WITH_SEQUENCE. */
+ * Not there without PLT_WITH_SEQUENCE or, for instances, PLT_WITH_INSTANCES. */
 int plt_sequence_show(plt_engine *engine, uint32_t frame, plt_fault *fault);
 int plt_sequence_begin(plt_engine *engine, uint32_t frame, plt_fault *fault);
 int plt_sequence_step(plt_engine *engine, uint32_t blocks, plt_fault *fault);
@@ -473,12 +473,13 @@ uint32_t plt_sequence_failed(const plt_engine *engine);
  * says for the ray as the body sees it, which is rounded once more (DESIGN.md, section 5.7). A ray
  * whose origin or direction is out of range there meets nothing of it.
  *
- * plt_place: where all instances are from now on, until the next call or frame. Any matrix will do
- * that can be inverted well: rigid ones, mirrors, scales from 2^-20 to 2^20; the largest sum of the
- * sizes of a row's three columns, times that of the inverse, is at most 1024. Ends a frame that was
- * being rendered. PLT_ERR_ARGUMENT: there are no instances, or a matrix is not one, or places its
- * body beyond 2^40: then fault->offset is its instance, and nothing has changed. Cost: the inverse,
- * twice, and the instance some log2(instances) times, for the tree over them.
+ * plt_place: where all instances are from now on, until the next call or frame: a matrix for each
+ * of the info's instances, in their order, which are not needed any more after the call. Any will
+ * do that can be inverted well: rigid ones, mirrors, scales from 2^-20 to 2^20; the largest sum of
+ * the sizes of a row's three columns, times that of the inverse, is at most 1024. Ends a frame that
+ * was being rendered. PLT_ERR_ARGUMENT: there are no instances, or no matrices; or a matrix is not
+ * one, or places its body beyond 2^40: then fault->offset is its instance; nothing has changed.
+ * Cost: the inverse, twice, and the instance some log2(instances) times, for the tree over them.
  *
  * Not there without PLT_WITH_INSTANCES. */
 int plt_place(plt_engine *engine, const float (*matrices)[12], plt_fault *fault);

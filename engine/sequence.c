@@ -61,7 +61,8 @@ static int matrices_begin(plt_engine *e, uint32_t frame, plt_fault *fault) {
 }
 
 static int matrices_read(plt_engine *e, uint32_t blocks, plt_fault *fault) {
-    if (!e->matrices.is_reading && e->matrices.at == PLT_MATRICES_NONE) {
+    if (e->matrices.frames == 0 ||
+        (!e->matrices.is_reading && e->matrices.at == PLT_MATRICES_NONE)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0, "no frame was begun");
     }
     return plt_matrices_read(&e->matrices, blocks, fault);

@@ -27,7 +27,7 @@ enum plt_section_kind {
     PLT_SECTION_BLOCKS = 3,        /* compact blocks */
     PLT_SECTION_PRIMITIVE_IDS = 4, /* primitive ids (primitive_id.h) */
     PLT_SECTION_CORNERS = 5,       /* lattice corners, for the device to build from */
-    PLT_SECTION_CHECKS = 6,        /* of thesis nodes, a byte each (node_check.h) */
+    PLT_SECTION_CHECKS = 6,        /* of thesis nodes, a byte each (thesis/checks.h) */
     PLT_SECTION_TOPOLOGY = 7,      /* of a sequence: vertices of each triangle */
     PLT_SECTION_FRAMES = 8,        /* ... and their positions, frame by frame */
     PLT_SECTION_STILLS = 9,        /* compact blocks, all of them once for each frame */

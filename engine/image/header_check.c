@@ -120,11 +120,9 @@ static int check_instances(const plt_header *h, plt_fault *fault) {
                        info->placed_triangles >= info->instances &&
                        info->placed_triangles <= PLT_PLACED_MOST && info->frames > 0 &&
                        info->frame_rate > 0 && info->frame_rate <= PLT_FRAME_RATE_MOST;
-    const plt_lattice *l = &h->lattice;
     const int rest = info->key_every == 1 && bytes == info->frame_bytes &&
                      info->build == PLT_BUILD_HOST && info->nodes_format == PLT_NODES_THESIS &&
-                     h->root == PLT_LINK_NONE && l->bits == 0 && l->step == 0 &&
-                     l->origin[0] == 0 && l->origin[1] == 0 && l->origin[2] == 0;
+                     h->root == PLT_LINK_NONE;
     return counts && rest ? PLT_OK
                           : plt_refused(fault, PLT_R16_INSTANCES, PLT_AT_INSTANCES,
                                         "a count of bodies, instances or frames is out of range");
@@ -180,7 +178,12 @@ static int check_values(const plt_header *h, plt_fault *fault) {
     return PLT_OK;
 }
 
-/* Behind the section table and the reserved bytes: where the first ones that are used end. */
+/* Behind the section table and the reserved bytes: where the first ones that are used begin and
+ * end. */
+static unsigned used_begin_of(const plt_info *info) {
+    return PLT_WITH_INSTANCES && info->instances > 0 ? PLT_AT_BODIES : PLT_AT_ORIGIN;
+}
+
 static unsigned used_end_of(const plt_info *info) {
     if (info->nodes_format == PLT_NODES_COMPACT) {
         return PLT_AT_RESERVED;
@@ -213,9 +216,9 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
         return plt_refused(fault, PLT_R11_SECTION, PLT_AT_IMAGE_BYTES,
                            "the sections do not fill the image");
     }
-    const unsigned used_end = used_end_of(&h->info);
+    const unsigned used_begin = used_begin_of(&h->info), used_end = used_end_of(&h->info);
     for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_AT_SHIFT; i++) {
-        const int used = i >= PLT_AT_ORIGIN && i < used_end;
+        const int used = i >= used_begin && i < used_end;
         if (!used && bytes[i] != 0) {
             return plt_refused(fault, PLT_R12_RESERVED, i, "a reserved byte is not zero");
         }

@@ -218,7 +218,7 @@ uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t si
 /* Tests triangles first .. first + count - 1 of a block, at most PLT_LEAF_TRIANGLES_MOST. */
 void plt_beam_strips(plt_beam *b, const plt_geometry *geometry, uint32_t first, uint32_t count);
 
-/* A record of the store that no pixel has; its id word is 0 where it is marked (beam_store.c). */
+/* A record of the store that no pixel has, not marked (beam_records.c); for the caller to fill. */
 plt_record *plt_beam_free_record(plt_beam *b);
 
 /* Makes a triangle of a leaf, `index` in the image, a record of the store. It stays one until the

@@ -390,8 +390,12 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
     if (status != PLT_OK) {
         return status;
     }
-    if (info.instances > 0 && !s->options.rebuild) { /* which is refused */
-        s->options.movable = 0;                      /* matrices move them, and no triangle */
+    if (info.instances > 0) {
+        s->options.movable = 0; /* matrices move them, and no triangle */
+        if (s->options.rebuild) {
+            *fault = (plt_fault){.message = "bodies of instances have trees that never change"};
+            return PLT_ERR_ARGUMENT;
+        }
     }
     void *arena = get_arena(s, &info);
     if (arena == NULL) {

@@ -167,6 +167,10 @@ static void check_usage(args *a, const char *name, const char *out) {
         args_complain(a, "only marbles are made as --instances");
     } else if (args_has(a, "--instances") && !make_instances_has_name(out)) {
         args_complain(a, "--instances needs a name that ends in .txt, as in marbles.txt");
+    } else if (args_has(a, "--instances") && !make_instances_can_be_named(out)) {
+        args_complain(a,
+                      "the text of --instances names meshes after itself: no blanks in its "
+                      "name, nor # first, as in marbles.txt");
     } else if (has_frames && !args_has(a, "--instances") && strstr(out, "{}") == NULL) {
         args_complain(a, "--frames needs a '{}' in the file's name, as in marbles_{}.ply");
     } else if (is_scene(name) && !moves(name) && (has_frames || args_has(a, "--frame"))) {
@@ -179,12 +183,16 @@ static void check_usage(args *a, const char *name, const char *out) {
 }
 
 /* What to do with it; a room is looked at from inside. */
-static void say_next(const char *name, const char *out) {
+static void say_next(const char *name, const char *out, int are_instances) {
     char word[QUOTE_ROOM];
     if (strcmp(out, "-") == 0 || quote_word(word, sizeof word, out) == NULL) {
         return;
     }
-    note("next: planelet pack %s -o %s.plt", word, name);
+    if (are_instances) {
+        note("next: planelet pack --instances %s -o %s.plt", word, name);
+    } else {
+        note("next: planelet pack %s -o %s.plt", word, name);
+    }
     if (strcmp(name, "room") == 0) {
         note("then, from inside: planelet render room.plt --show %s", SCENE_ROOM_VIEW);
     }
@@ -223,10 +231,8 @@ int run_make(args *a) {
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    if (are_instances) {
-        note("next: planelet pack --instances %s -o %s.plt", out, order.name);
-    } else if (!many) {
-        say_next(order.name, out);
+    if (are_instances || !many) {
+        say_next(order.name, out, are_instances);
     }
     return 0;
 }

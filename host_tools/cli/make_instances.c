@@ -19,6 +19,17 @@ int make_instances_has_name(const char *out) {
            out[length - ENDING - 1] != '/';
 }
 
+/* Behind the folder. */
+static const char *name_of(const char *out) {
+    const char *slash = strrchr(out, '/');
+    return slash != NULL ? slash + 1 : out;
+}
+
+int make_instances_can_be_named(const char *out) {
+    const char *name = name_of(out);
+    return name[0] != '#' && name[strcspn(name, " \t\n\v\f\r")] == '\0';
+}
+
 /* "a/marbles.txt" and "ball" to "a/marbles_ball.ply"; -1 when it does not fit. */
 static int mesh_path(char to[PATH_ROOM], const char *out, const char *body) {
     const int stem = (int)strlen(out) - ENDING;
@@ -39,7 +50,7 @@ static int write_body(const char *out, const char *body, int (*make)(mesh *m, fa
 
 /* Relative to the text, which lies beside it. */
 static int print_body(output *o, const char *out, const char *body, fail *f) {
-    const char *slash = strrchr(out, '/'), *name = slash != NULL ? slash + 1 : out;
+    const char *name = name_of(out);
     return output_print(o, f, "body %s %.*s_%s.ply\n", body, (int)strlen(name) - ENDING, name,
                         body);
 }

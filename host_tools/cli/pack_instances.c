@@ -88,6 +88,30 @@ static int check_setting(const instance_list *l, const packed *body, const insta
                           s->line, s->frame, (int)(n->length < 40 ? n->length : 40), n->text);
 }
 
+/* The engine would refuse the first frame: a body that no line has moved lies too far out. */
+static int check_home(const instance_list *l, const packed *body, uint32_t instance, fail *f) {
+    const instance_name *n = &l->instance[instance];
+    plt_box box;
+    return instances_place(body, AT_HOME, &box)
+               ? 0
+               : fail_set(f, l->in.path,
+                          "line %zu: where it is, the body of '%.*s' is not within 2^40; "
+                          "write a frame 0 that moves it closer",
+                          n->line, (int)(n->length < 40 ? n->length : 40), n->text);
+}
+
+/* Once lines of frame 0 have been read. */
+static int check_homes(const instance_list *l, const instance_set *all,
+                       const float (*matrix)[PLT_MATRIX_FLOATS], fail *f) {
+    int status = 0;
+    for (uint32_t i = 0; i < l->instances && status == 0; i++) {
+        if (memcmp(matrix[i], AT_HOME, sizeof AT_HOME) == 0) {
+            status = check_home(l, &all->body[l->body_of[i]], i, f);
+        }
+    }
+    return status;
+}
+
 static int add_frames(packed *image, const instance_list *l, const instance_set *all, fail *f) {
     float(*matrix)[PLT_MATRIX_FLOATS] = heap_get((uint64_t)l->instances * sizeof *matrix);
     size_t at = 0;
@@ -103,6 +127,9 @@ static int add_frames(packed *image, const instance_list *l, const instance_set 
             const instance_setting *s = &l->setting[at];
             memcpy(matrix[s->instance], s->matrix, sizeof s->matrix);
             status = check_setting(l, &all->body[l->body_of[s->instance]], s, f);
+        }
+        if (status == 0 && k == 0) {
+            status = check_homes(l, all, (const float(*)[PLT_MATRIX_FLOATS])matrix, f);
         }
         if (status == 0) {
             instances_frame(image, all, k, (const float(*)[PLT_MATRIX_FLOATS])matrix);

@@ -7,6 +7,7 @@
 
 #include "engine/base/bytes.h"
 #include "engine/image/header.h"
+#include "engine/image/header_at.h"
 #include "engine/image/items.h"
 #include "engine/instances/matrices.h"
 #include "engine/planelet_crc32.h"
@@ -80,8 +81,6 @@ static const unsigned char *records_of(const packed *body) {
     return nodes_of(body) + plt_section_bytes(body->info.node_slots, PLT_NODE_BYTES);
 }
 
-enum { AT_ROOT = 68 };
-
 static void fill(const packed *image, const plt_header *h, const instance_set *all) {
     unsigned char *nodes = image->bytes + h->section[0].offset;
     unsigned char *records = image->bytes + h->section[1].offset;
@@ -94,7 +93,7 @@ static void fill(const packed *image, const plt_header *h, const instance_set *a
                (size_t)slots * PLT_NODE_BYTES);
         memcpy(records + (size_t)record * PLT_RECORD_BYTES, records_of(body),
                (size_t)count * PLT_RECORD_BYTES);
-        plt_put_u32(to, plt_get_u32(body->bytes + AT_ROOT));
+        plt_put_u32(to, plt_get_u32(body->bytes + PLT_AT_ROOT));
         plt_put_u32(to + 4, slot);
         plt_put_u32(to + 8, slots);
         plt_put_u32(to + 12, record);

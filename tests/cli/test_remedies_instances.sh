@@ -84,6 +84,16 @@ for matrix in '1 0 0 0  0 1 0 0  0 0 0 0' '1 0 0 0  1 0 0 0  0 0 1 0' \
 beyond 2^40; write one that turns, moves and scales" "frame 0" "frame 1 a $matrix"
     better "frame 0" "frame 1 a 0 -1 0 3  1 0 0 0  0 0 2 0"
 done
+far=1099511627776 step=1073741824
+printf 'v %s\n' "$far 0 0" "$far $step 0" "$far 0 $step" "$((far - step)) 0 0" >far.obj
+printf 'f %s\n' '1 2 3' '1 4 2' '2 4 3' '3 4 1' >>far.obj
+printf '%s\n' 'body g far.obj' 'instance a g' >list.txt
+says "line %zu: where it is, the body of '%.*s' is not within 2^40; write a frame 0 that moves it \
+closer" pack --instances list.txt -o x.plt
+echo 'frame 0 a 0.5 0 0 0  0 0.5 0 0  0 0 0.5 0' >>list.txt
+cured pack --instances list.txt -o x.plt
+"$PLANELET" render x.plt -o x.ppm --size 2x2 2>err
+verdict "... and is opened" "$(grep . err)"
 echo '# nothing' >list.txt
 says "places nothing; write body NAME MESH and instance NAME BODY" \
     pack --instances list.txt -o x.plt
@@ -115,12 +125,22 @@ cured make marbles --instances -o marbles.txt
 says "--instances needs a name that ends in .txt, as in marbles.txt" \
     make marbles --instances -o marbles.ply
 cured make marbles --instances -o marbles.txt
+for name in 'two words.txt' '#.txt'; do
+    says "the text of --instances names meshes after itself: no blanks in its name, nor # first, as \
+in marbles.txt" make marbles --instances -o "$name"
+    cured make marbles --instances -o marbles.txt
+done
 run pack --instances marbles.txt -o marbles.plt
 says "the scene has instances, which no mesh moves; use --frames" \
     render marbles.plt --moved ground.ply -o x.ppm --size 8x8
 cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
-says "%s; leave out --rebuild" render marbles.plt --frames 0:1 -o x.ppm --size 8x8 --rebuild cost
+says "%s; leave out --rebuild" \
+    render marbles.plt --frames 0:1 --rebuild always -o x.ppm --size 8x8
 cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
+says "%s; pack it with --nodes compact, or use --residency resident" \
+    render marbles.plt --residency streamed -o x.ppm --size 8x8
+verdict "... and that is said of instances" "$(grep -q 'bodies of instances are' err || cat err)"
+cured render marbles.plt --residency resident -o x.ppm --size 8x8
 says "%s; pack it with --nodes thesis, or leave out --structure" \
     render marbles.plt --structure grid -o x.ppm --size 8x8
 cured render marbles.plt --structure tree -o x.ppm --size 8x8

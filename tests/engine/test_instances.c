@@ -207,6 +207,9 @@ static void refused(void) {
                       s.fault.offset == 3,
                   "rank %u: %s", rank, s.fault.message);
         }
+        CHECK(plt_sequence_begin(s.engine, 2, &s.fault) == PLT_OK &&
+                  plt_place(s.engine, NULL, &s.fault) == PLT_ERR_ARGUMENT,
+              "no matrices: %s", s.fault.message);
         compare(&s, frame_of(&s, 0), 0, "as before");
     }
     CHECK(instances_rig_close(&s), "arena");

@@ -12,6 +12,7 @@
 #define NAN_BITS 0x7FC00000u
 #define TWO_40 0x53800000u /* 2^40 as a float */
 #define ONE 0x3F800000u
+#define MINUS_ZERO 0x80000000u
 
 enum { INSTANCES = 4, FRAME = PLT_MATRICES_HEAD + INSTANCES * PLT_MATRIX_BYTES };
 
@@ -74,9 +75,10 @@ static void header(const packed *image) {
         {196, 1001, 16, 208},       {200, 2, 16, 208},          {200, 0, 16, 208},
         {204, 4, 16, 208},          {208, 65537, 16, 208},      {208, 3, 16, 208},
         {208, 0xFFFFFFFF, 16, 208}, {212, 3, 16, 208},          {212, 0xFFFFFFFF, 16, 208},
-        {216, 5, 12, 216},          {168, ONE, 16, 208},        {172, NAN_BITS, 16, 208},
-        {180, ONE, 16, 208},        {184, 12, 16, 208},         {68, 0, 16, 208},
-        {100, 3, 10, 100},          {136, 8, 11, 136},          {152, 7, 11, 152}};
+        {216, 5, 12, 216},          {168, ONE, 12, 170},        {172, NAN_BITS, 12, 174},
+        {180, ONE, 12, 182},        {184, 12, 12, 184},         {68, 0, 16, 208},
+        {100, 3, 10, 100},          {136, 8, 11, 136},          {152, 7, 11, 152},
+        {168, MINUS_ZERO, 12, 171}, {180, MINUS_ZERO, 12, 183}};
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         const change *c = &changes[i];
         refused(image, c->at, c->value, 'R', c->rule, c->offset);
