@@ -253,9 +253,15 @@ static void stays(enum fake_failure failure, int for_good) {
     mesh_free(&m);
 }
 
-/* Each transfer of a trace is silent once: what lies there are blocks of the frame before, of just
- * the same size. */
-static void not_of_another_frame(void) {
+static uint64_t retries(const plt_engine *e) {
+    plt_stats q;
+    plt_stats_get(e, &q);
+    return q.fetch_retries;
+}
+
+/* Each transfer of a trace is silent or garbled once. If it leaves what is there, these are blocks
+ * of the frame before, of just the same size; ids may be the right ones. */
+static void not_what_was_there(enum fake_failure failure) {
     static plt_ray rays[RAYS];
     static plt_hit hits[RAYS], due[RAYS];
     sequence_config c = config_of(2, 16, 1, 0);
@@ -269,18 +275,21 @@ static void not_of_another_frame(void) {
         rays_mixed(rays, RAYS, &m, &r);
         for (unsigned at = 1; at < 40; at++) {
             for (uint32_t k = 0; k < 9; k += 8) {
-                s.link.failure = k == 8 ? FAKE_SILENT_AT_START : FAKE_WORKS;
+                s.link.failure = k == 8 ? failure : FAKE_WORKS;
                 s.link.starts = s.link.waits = 0;
                 s.link.at_call = at;
+                plt_stats_reset(s.engine);
                 CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK &&
                           plt_trace(s.engine, rays, hits, RAYS, 0) == PLT_OK,
                       "%s", s.fault.message);
             }
+            CHECK(failure == FAKE_STALE_AT_START || s.link.starts < at || retries(s.engine) == 1,
+                  "failure %d at %u is not noticed", (int)failure, at);
             s.link.failure = FAKE_WORKS;
             CHECK(plt_sequence_show(s.engine, 8, &s.fault) == PLT_OK &&
                       plt_trace(s.engine, rays, due, RAYS, 0) == PLT_OK &&
                       memcmp(hits, due, sizeof due) == 0,
-                  "silent at %u", at);
+                  "failure %d at %u", (int)failure, at);
         }
     }
     CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
@@ -293,7 +302,10 @@ static void streamed_faults(void) {
     stays(FAKE_SHORT_AT_START, 0);
     stays(FAKE_GARBLED_AT_START, 0);
     stays(FAKE_SILENT_AT_START, 0);
-    not_of_another_frame();
+    stays(FAKE_STALE_AT_START, 0);
+    not_what_was_there(FAKE_STALE_AT_START);
+    not_what_was_there(FAKE_SILENT_AT_START);
+    not_what_was_there(FAKE_GARBLED_AT_START);
 }
 
 /* ---- what does not move ----------------------------------------------------------- */
