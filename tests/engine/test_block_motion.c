@@ -296,6 +296,49 @@ static void not_what_was_there(enum fake_failure failure) {
     mesh_free(&m);
 }
 
+/* A frame of the sequence shows, or does not come, while a picture is being rendered, which ends:
+ * nothing of it waits or is on its way. */
+static void while_rendering(sequence_config c) {
+    mesh m = {0};
+    sequence_rig s;
+    make_mesh(&m, 2);
+    if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+        show(&s, &c, 0);
+        for (uint32_t k = 0; k + 1 < c.frames; k++) {
+            const plt_frame f = view_of(s.engine);
+            for (int fails = (int)c.is_stills; fails >= 0; fails--) {
+                CHECK(plt_render_begin(s.engine, &f) == PLT_OK, "begun");
+                for (uint32_t i = 0; i <= 3 * k; i++) {
+                    CHECK(plt_render_step(s.engine, 10) > PLT_OK || i > 0, "step %u", i);
+                }
+                s.link.starts = s.link.waits = s.link.failed = 0;
+                s.link.failure = fails ? FAKE_FAILS_FROM_CALL : FAKE_WORKS;
+                s.link.at_call = 1;
+                const int status = plt_sequence_show(s.engine, k + 1, &s.fault);
+                s.link.failure = FAKE_WORKS;
+                CHECK(status == (fails ? PLT_ERR_SOURCE : PLT_OK), "status %d: %s", status,
+                      s.fault.message);
+                CHECK(plt_render_step(s.engine, 10) == PLT_OK, "it has ended");
+                shows(&s, &c, fails ? k : k + 1, "while rendering");
+            }
+        }
+    }
+    CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
+    mesh_free(&m);
+}
+
+static void in_the_middle(void) {
+    sequence_config c = config_of(2, 16, 3, 0);
+    while_rendering(c);
+    c.is_stills = 1;
+    c.key_every = 1;
+    for (unsigned i = 0; i < 4; i++) {
+        c.scene.run.schedule = i % 2 ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH;
+        c.scene.run.prefetch = i < 2 ? 0 : 4;
+        while_rendering(c);
+    }
+}
+
 static void streamed_faults(void) {
     stays(FAKE_FAILS_FROM_CALL, 1);
     stays(FAKE_FAILS_AT_CALL, 0);
@@ -508,6 +551,8 @@ int main(void) {
     shows_at_once();
     test("one whose root does not come leaves the last frame, and blocks of another are noticed");
     streamed_faults();
+    test("a frame that comes, or does not, while a picture is being rendered");
+    in_the_middle();
     test("what has not moved has not changed by one bit");
     unchanged();
     test("nodes are those that the builder makes");
