@@ -24,7 +24,8 @@ enum fake_failure {
     FAKE_SHORT_AT_START,     /* transfer `at_call` delivers half, its wait returns -1 */
     FAKE_GARBLED_AT_START,   /* transfer `at_call` has one bit wrong, its wait returns 0 */
     FAKE_GARBLED_FROM_START, /* and so has every one after it */
-    FAKE_SILENT_AT_START     /* transfer `at_call` delivers nothing, its wait returns 0 */
+    FAKE_SILENT_AT_START,    /* transfer `at_call` delivers nothing, its wait returns 0 */
+    FAKE_STALE_AT_START      /* the same, and what was there before it stays */
 };
 
 enum { FAKE_TRANSFERS = 64 };

@@ -58,7 +58,7 @@ static int is_garbled(const fake_link *link, const fake_transfer *t) {
 
 static int deliver(fake_link *link, const fake_transfer *t) {
     uint32_t count = t->count;
-    if (is_ordered(link, t, FAKE_SILENT_AT_START)) {
+    if (is_ordered(link, t, FAKE_SILENT_AT_START) || is_ordered(link, t, FAKE_STALE_AT_START)) {
         return 0;
     }
     if (is_ordered(link, t, FAKE_SHORT_AT_START)) {
@@ -99,7 +99,9 @@ static int start(void *context, unsigned tag, uint32_t offset, void *to, uint32_
     *t = (fake_transfer){UINT32_C(1) << tag, offset, count, link->starts, to};
     const uint32_t pending = fake_unfinished(link);
     link->pending_most = pending > link->pending_most ? pending : link->pending_most;
-    memset(to, GARBAGE, count);
+    if (!is_ordered(link, t, FAKE_STALE_AT_START)) {
+        memset(to, GARBAGE, count);
+    }
     if (link->at_once && !is_ordered(link, t, FAKE_SHORT_AT_START)) {
         deliver(link, t);
     }

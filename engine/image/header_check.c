@@ -101,7 +101,8 @@ static int check_sequence(const plt_header *h, plt_fault *fault) {
                                                     : info->frame_bytes / 4 > info->frames);
 #if PLT_WITH_BLOCK_MOTION
     if (plt_header_moves(info) &&
-        (info->frames == 0 || info->has_checks || info->block_vertices > 3 * info->triangles)) {
+        (info->frames == 0 || (info->has_checks && !plt_header_has_stills(info)) ||
+         info->block_vertices > 3 * info->triangles)) {
         return refused_sequence(fault);
     }
 #endif

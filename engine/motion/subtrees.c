@@ -39,31 +39,33 @@ static void push(finding *f, uint32_t node) {
     f->levels[f->depth++] = l;
 }
 
+static int can_be_rebuilt(const finding *f, uint32_t count, uint32_t nodes) {
+    const uint32_t levels = f->depth + plt_levels_needed(count, f->leaf_triangles);
+    return count <= f->most && count >= f->most / 4 && count > 2 * f->leaf_triangles &&
+           nodes <= f->room && levels < PLT_DEPTH_MAX;
+}
+
 /* All that is below the last level is known: is it a subtree, and instead of those below? */
 static void pop(finding *f) {
     const finding_level *l = &f->levels[--f->depth];
     const uint32_t count = f->first - l->first, nodes = f->nodes - l->nodes;
-    const uint32_t levels = f->depth + plt_levels_needed(count, f->leaf_triangles);
     plt_subtrees *s = f->s;
-    if (count > f->most) {
+    if (!can_be_rebuilt(f, count, nodes)) {
         return;
     }
     while (s->count > 0 && s->at[s->count - 1].first >= l->first) {
         s->count--;
     }
-    if (count >= f->most / 4 && count > 2 * f->leaf_triangles && nodes <= f->room &&
-        levels < PLT_DEPTH_MAX) {
-        const plt_subtree none = {0};
-        plt_subtree *to = &s->at[s->count++];
-        *to = none;
-        to->first = l->first;
-        to->count = count;
-        to->root = l->node;
-        to->parent = f->depth == 0 ? PLT_SUBTREE_NONE : 2 * l[-1].node + l[-1].next_child - 1;
-        to->slots = nodes;
-        to->free = PLT_SUBTREE_NONE;
-        to->depth = f->depth;
-    }
+    const plt_subtree none = {0};
+    plt_subtree *to = &s->at[s->count++];
+    *to = none;
+    to->first = l->first;
+    to->count = count;
+    to->root = l->node;
+    to->parent = f->depth == 0 ? PLT_SUBTREE_NONE : 2 * l[-1].node + l[-1].next_child - 1;
+    to->slots = nodes;
+    to->free = PLT_SUBTREE_NONE;
+    to->depth = f->depth;
 }
 
 static void skip_lists(finding *f, uint32_t link) {

@@ -1,9 +1,9 @@
 /* subtrees - the parts of a tree that are rebuilt one by one, in their own slots
  *
- * The largest subtrees of at most so many triangles, but for those of less than a quarter of that:
- * so there are few, they do not overlap, and as nodes above them stay what they are, they are the
- * same as long as the scene is open. Lists lie in the order of a left-first traversal: a subtree is
- * a range of records.
+ * The largest subtrees of at most so many triangles, but for those of less than a quarter of that,
+ * or of more nodes than there is room for. So there are few, they do not overlap, and as nodes
+ * above them stay what they are, they are the same as long as the scene is open. Lists lie in the
+ * order of a left-first traversal: a subtree is a range of records.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_MOTION_SUBTREES_H

@@ -377,14 +377,15 @@ static uint8_t read_lattice(pack_job *job, args *a, int floats) {
 
 static void read_checks(pack_job *job, args *a) {
     static const char *const checks[] = {"on", "off", NULL};
-    const int moves = job->frames.wanted || job->instances.wanted;
+    const int differs = job->frames.wanted && !job->frames.options.stills;
+    const int moves = differs || job->instances.wanted;
     const int are_on = args_choice(a, "--checks", checks, moves ? 1 : 0) == 0;
     job->options.checks = job->compact.checks = (uint8_t)are_on;
     if (are_on && args_has(a, "--checks") && job->options.build != PLT_BUILD_HOST) {
         args_complain(a, "--checks on is for --build host: only finished trees are streamed");
     }
-    if (are_on && job->frames.wanted) {
-        args_complain(a, "--checks on is not for --sequence: what moves is not streamed");
+    if (are_on && differs) {
+        args_complain(a, "--checks on is for a --sequence of --stills: no others are streamed");
     }
 }
 

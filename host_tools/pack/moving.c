@@ -10,6 +10,7 @@
 #include "engine/motion/block_refit.h"
 #include "engine/scene/compact_tree.h"
 #include "host_tools/base/heap.h"
+#include "host_tools/pack/checks.h"
 
 static uint32_t steps(const plt_lattice *l, int axis, float x) {
     return (uint32_t)floor(((double)x - (double)l->origin[axis]) / (double)l->step + 0.5);
@@ -98,6 +99,9 @@ int moving_put(const plt_header *h, unsigned char *blocks, unsigned char *ids, u
     const plt_block_numbers n = {vertex, numbers, plt_index_bits(h->info.vertices)};
     plt_block_refit_all(&refit, &tree, blocks, ids, &n);
     heap_drop(room);
+    if (ids != NULL && h->info.has_checks) {
+        checks_put_ids(blocks, ids, h);
+    }
     put_checks(blocks, &tree);
     *box = tree.box;
     return 0;

@@ -272,7 +272,7 @@ static int fill(sequence *s, const packed *image, const mesh *m, plt_header *h,
 }
 
 /* All blocks once for each frame, refitted by the engine's own code; then the ids, as they are in
- * the first. */
+ * the first, whose checks the blocks of all frames have. */
 static int fill_stills(sequence *s, const packed *image, const mesh *m, plt_header *h,
                        unsigned char *bytes, uint64_t size) {
     const size_t used = (size_t)h->info.node_bytes + h->info.triangle_bytes;
@@ -292,9 +292,10 @@ static int fill_stills(sequence *s, const packed *image, const mesh *m, plt_head
     for (uint32_t k = 0; k < s->frames && status == 0; k++) {
         const plt_frame_vertex *vertex =
             (const plt_frame_vertex *)(const void *)s->bytes + (size_t)k * s->vertices;
-        unsigned char *blocks = bytes + h->section[0].offset + k * used;
+        unsigned char *first_blocks = bytes + h->section[0].offset,
+                      *blocks = first_blocks + k * used;
         plt_lattice_box box;
-        memcpy(blocks, image->bytes + PLT_HEADER_BYTES, used);
+        memcpy(blocks, k == 0 ? image->bytes + PLT_HEADER_BYTES : first_blocks, used);
         status = moving_put(h, blocks, ids == NULL || k > 0 ? NULL : bytes + ids->offset, k, vertex,
                             numbers, &box);
         if (k == 0) {

@@ -54,7 +54,7 @@ cured pack --sequence wave_00?.ply --nodes compact --key 4 -o x.plt
 says "--tree-for all takes --nodes thesis" \
     pack --sequence wave_00?.ply --nodes compact --tree-for all --quality high -o x.plt
 cured pack --sequence wave_00?.ply --nodes compact --quality high -o x.plt
-says "--checks on is not for --sequence: what moves is not streamed" \
+says "--checks on is for a --sequence of --stills: no others are streamed" \
     pack --sequence wave_00?.ply --checks on -o x.plt
 cured pack --sequence wave_00?.ply --checks off -o x.plt
 says "--sequence takes --numbers with --nodes compact alone" \

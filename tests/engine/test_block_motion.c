@@ -253,9 +253,15 @@ static void stays(enum fake_failure failure, int for_good) {
     mesh_free(&m);
 }
 
-/* Each transfer of a trace is silent once: what lies there are blocks of the frame before, of just
- * the same size. */
-static void not_of_another_frame(void) {
+static uint64_t retries(const plt_engine *e) {
+    plt_stats q;
+    plt_stats_get(e, &q);
+    return q.fetch_retries;
+}
+
+/* Each transfer of a trace is silent or garbled once. If it leaves what is there, these are blocks
+ * of the frame before, of just the same size; ids may be the right ones. */
+static void not_what_was_there(enum fake_failure failure) {
     static plt_ray rays[RAYS];
     static plt_hit hits[RAYS], due[RAYS];
     sequence_config c = config_of(2, 16, 1, 0);
@@ -269,22 +275,68 @@ static void not_of_another_frame(void) {
         rays_mixed(rays, RAYS, &m, &r);
         for (unsigned at = 1; at < 40; at++) {
             for (uint32_t k = 0; k < 9; k += 8) {
-                s.link.failure = k == 8 ? FAKE_SILENT_AT_START : FAKE_WORKS;
+                s.link.failure = k == 8 ? failure : FAKE_WORKS;
                 s.link.starts = s.link.waits = 0;
                 s.link.at_call = at;
+                plt_stats_reset(s.engine);
                 CHECK(plt_sequence_show(s.engine, k, &s.fault) == PLT_OK &&
                           plt_trace(s.engine, rays, hits, RAYS, 0) == PLT_OK,
                       "%s", s.fault.message);
             }
+            CHECK(failure == FAKE_STALE_AT_START || s.link.starts < at || retries(s.engine) == 1,
+                  "failure %d at %u is not noticed", (int)failure, at);
             s.link.failure = FAKE_WORKS;
             CHECK(plt_sequence_show(s.engine, 8, &s.fault) == PLT_OK &&
                       plt_trace(s.engine, rays, due, RAYS, 0) == PLT_OK &&
                       memcmp(hits, due, sizeof due) == 0,
-                  "silent at %u", at);
+                  "failure %d at %u", (int)failure, at);
         }
     }
     CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
     mesh_free(&m);
+}
+
+/* A frame of the sequence shows, or does not come, while a picture is being rendered, which ends:
+ * nothing of it waits or is on its way. */
+static void while_rendering(sequence_config c) {
+    mesh m = {0};
+    sequence_rig s;
+    make_mesh(&m, 2);
+    if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
+        show(&s, &c, 0);
+        for (uint32_t k = 0; k + 1 < c.frames; k++) {
+            const plt_frame f = view_of(s.engine);
+            for (int fails = (int)c.is_stills; fails >= 0; fails--) {
+                CHECK(plt_render_begin(s.engine, &f) == PLT_OK, "begun");
+                for (uint32_t i = 0; i <= 3 * k; i++) {
+                    CHECK(plt_render_step(s.engine, 10) > PLT_OK || i > 0, "step %u", i);
+                }
+                s.link.starts = s.link.waits = s.link.failed = 0;
+                s.link.failure = fails ? FAKE_FAILS_FROM_CALL : FAKE_WORKS;
+                s.link.at_call = 1;
+                const int status = plt_sequence_show(s.engine, k + 1, &s.fault);
+                s.link.failure = FAKE_WORKS;
+                CHECK(status == (fails ? PLT_ERR_SOURCE : PLT_OK), "status %d: %s", status,
+                      s.fault.message);
+                CHECK(plt_render_step(s.engine, 10) == PLT_OK, "it has ended");
+                shows(&s, &c, fails ? k : k + 1, "while rendering");
+            }
+        }
+    }
+    CHECK(sequence_rig_close(&s), "arena or source: %s", s.link.sentence);
+    mesh_free(&m);
+}
+
+static void in_the_middle(void) {
+    sequence_config c = config_of(2, 16, 3, 0);
+    while_rendering(c);
+    c.is_stills = 1;
+    c.key_every = 1;
+    for (unsigned i = 0; i < 4; i++) {
+        c.scene.run.schedule = i % 2 ? PLT_SCHEDULE_BATCH : PLT_SCHEDULE_BRANCH;
+        c.scene.run.prefetch = i < 2 ? 0 : 4;
+        while_rendering(c);
+    }
 }
 
 static void streamed_faults(void) {
@@ -293,7 +345,10 @@ static void streamed_faults(void) {
     stays(FAKE_SHORT_AT_START, 0);
     stays(FAKE_GARBLED_AT_START, 0);
     stays(FAKE_SILENT_AT_START, 0);
-    not_of_another_frame();
+    stays(FAKE_STALE_AT_START, 0);
+    not_what_was_there(FAKE_STALE_AT_START);
+    not_what_was_there(FAKE_SILENT_AT_START);
+    not_what_was_there(FAKE_GARBLED_AT_START);
 }
 
 /* ---- what does not move ----------------------------------------------------------- */
@@ -496,6 +551,8 @@ int main(void) {
     shows_at_once();
     test("one whose root does not come leaves the last frame, and blocks of another are noticed");
     streamed_faults();
+    test("a frame that comes, or does not, while a picture is being rendered");
+    in_the_middle();
     test("what has not moved has not changed by one bit");
     unchanged();
     test("nodes are those that the builder makes");

@@ -3,8 +3,10 @@
  * Each engine lies in an arena of just its need.
  *
  * SPDX-License-Identifier: MIT */
+#include <math.h>
 #include <stdlib.h>
 
+#include "engine/builder/split.h"
 #include "engine/engine.h"
 #include "tests/reference/mover.h"
 #include "tests/reference/shapes.h"
@@ -346,11 +348,78 @@ static void refusals(void) {
     mesh_free(&m);
 }
 
+typedef struct part_of_tree {
+    uint32_t first, count, nodes;
+} part_of_tree;
+
+/* Every node that could be rebuilt is in a subtree that is. */
+static part_of_tree check_covered(const plt_engine *e, uint32_t link, uint32_t depth,
+                                  uint32_t first, uint32_t room, unsigned *uncovered) {
+    part_of_tree t = {first, 0, 0};
+    const plt_tree *tree = &e->scene.thesis;
+    if (plt_link_is_leaf(link)) {
+        for (uint32_t lists = plt_link_lists(link); lists > 0; t.count++) {
+            lists -= (uint32_t)plt_record_is_last(&tree->records[first + t.count]);
+        }
+        return t;
+    }
+    t.nodes = 1;
+    for (int c = 0; c < 2; c++) {
+        const part_of_tree child =
+            check_covered(e, plt_node_link(&tree->nodes[plt_link_index(link)], c), depth + 1,
+                          first + t.count, room, uncovered);
+        t.count += child.count;
+        t.nodes += child.nodes;
+    }
+    const uint32_t most = plt_subtree_triangles(tree->records_count, e->options.rebuild_most);
+    const int fits =
+        t.count <= most && t.count >= most / 4 && t.nodes <= room &&
+        t.count > 2 * e->scene.info.leaf_triangles &&
+        depth + plt_levels_needed(t.count, e->scene.info.leaf_triangles) < PLT_DEPTH_MAX;
+    *uncovered += fits && plt_subtrees_of(&e->moving.subtrees, first, depth) == NULL;
+    return t;
+}
+
+/* Some triangles are twice as far away as the one before: each of them takes a node. */
+static void uneven_trees(void) {
+    unsigned dense = 0;
+    for (uint32_t most = 32; most <= 128; most += 16) {
+        mesh m = {0};
+        mover v = {.bytes = 0};
+        rig_config c = rig_config_of(4, 1, PLT_BUILD_HOST, PLT_SPLIT_MEDIAN);
+        c.run.rebuild = 1;
+        c.run.rebuild_most = most;
+        shape_soup(&m, rig_triangles(800, 4), 0.05f, most);
+        for (size_t i = 0; i < m.triangles; i++) {
+            for (unsigned k = 0; k < 9; k++) {
+                float *p = &m.vertex[3 * (size_t)m.triangle[3 * i + k / 3] + k % 3];
+                *p = i < 36 ? (*p + 3.0f) * ldexpf(1.0f, (int)i - 36) : *p + 10.0f;
+            }
+        }
+        if (mover_open(&v, &m, &c, 1) == PLT_OK) {
+            const plt_engine *e = v.engine;
+            const plt_info *info = &e->scene.info;
+            const uint32_t room = plt_subtree_room(info->triangles, info->nodes, most);
+            unsigned uncovered = 0;
+            const part_of_tree all = check_covered(e, e->scene.thesis.root, 0, 0, room, &uncovered);
+            CHECK(all.count == info->triangles && all.nodes == info->nodes && uncovered == 0,
+                  "most %u: %u nodes could be rebuilt, and are not", most, uncovered);
+            dense += e->moving.subtrees.count;
+            check_subtrees(&v, most, "uneven");
+        }
+        mover_close(&v);
+        mesh_free(&m);
+    }
+    CHECK(dense > 0 || rig_is_tiny(), "%u subtrees", dense);
+}
+
 int main(void) {
     test("subtrees rebuilt in steps while triangles move: hits, frames, trees and areas");
     between_steps();
     test("... of every size, and of few triangles");
     sizes();
+    test("whatever could be rebuilt can be, also where nodes lead to few triangles");
+    uneven_trees();
     test("a move at every phase of it");
     at_every_phase();
     test("all of them rebuilt: the tree is better, and the sum of its areas is kept");

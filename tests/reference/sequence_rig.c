@@ -45,6 +45,7 @@ static int pack_first(sequence_rig *r, const sequence_config *config, sequence *
                                     .build = PLT_BUILD_HOST,
                                     .lattice_bits = (uint8_t)config->lattice_bits,
                                     .numbers = !config->without_ids,
+                                    .checks = config->is_stills && !config->without_ids,
                                     .leaf_triangles = plain.leaf_triangles,
                                     .moving = &s->moving};
     lattice_loss loss;
