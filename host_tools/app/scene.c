@@ -112,6 +112,9 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
         if (s->options.records == PLT_RECORDS_NEVER || s->options.beside) {
             return fail_set(f, name, "%s; leave out --records never and --beside", fault->message);
         }
+        if (s->options.rebuild && !s->options.movable) { /* instances: scene_start */
+            return fail_set(f, name, "%s; leave out --rebuild", fault->message);
+        }
         if (s->options.movable) {
             return fail_set(f, name,
                             s->options.residency == PLT_RESIDENCY_STREAMED
@@ -386,6 +389,10 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
     }
     if (info.instances > 0) {
         s->options.movable = 0; /* matrices move them, and no triangle */
+        if (s->options.rebuild) {
+            *fault = (plt_fault){.message = "matrices move instances, whose trees stay as good"};
+            return PLT_ERR_ARGUMENT;
+        }
     }
     void *arena = get_arena(s, &info);
     if (arena == NULL) {
