@@ -116,7 +116,9 @@ static void read_sequence(plt_info *info, const unsigned char *bytes) {
     info->key_every = plt_get_u32(bytes + PLT_AT_KEY_EVERY);
     info->frame_bytes = plt_get_u32(bytes + PLT_AT_FRAME_BYTES);
 #if PLT_WITH_INSTANCES
-    info->instances = plt_get_u32(bytes + PLT_AT_INSTANCES);
+    if (info->nodes_format == PLT_NODES_THESIS) { /* compact blocks have another number there */
+        info->instances = plt_get_u32(bytes + PLT_AT_INSTANCES);
+    }
     if (info->instances > 0) {
         info->bodies = info->vertices;
         info->vertices = 0;

@@ -96,7 +96,8 @@ for packet in 2 16; do
             grep -v "arena_bytes_needed=$need\$")"
 done
 verdict "the table has a row for each, titles, and a star for the best of each structure" "$(
-    [ "$(grep -cE '^(primary|shadow|light|bounce|random|outside|inside) ' table)" -eq 224 ] || cat table
+    rays='^(primary|shadow|light|bounce|random|outside|inside) '
+    [ "$(grep -cE "$rays" table)" -eq 224 ] || cat table
     grep -q '^rays  *hits  *nodes  *packet  *walk  *Mray/s  *least  *spread ' table || cat table
     [ "$(grep -c '\*' table)" -ge 28 ] && [ "$(grep -c '\*' table)" -lt 70 ] || cat table)"
 verdict "what the system does not count is said in one line" "$(

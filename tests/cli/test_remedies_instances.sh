@@ -80,8 +80,8 @@ tells "'%.*s' is too much on this line; leave it out" "frame 0 a $identity 1"
 better "frame 0 a $identity"
 for matrix in '1 0 0 0  0 1 0 0  0 0 0 0' '1 0 0 0  1 0 0 0  0 0 1 0' \
     '1 0 0 2e12  0 1 0 0  0 0 1 0' '1 0 0 0  0 1e-5 0 0  0 0 1 0'; do
-    tells "line %zu: frame %u: the matrix of '%.*s' cannot be inverted, or places its body beyond 2^40; \
-write one that turns, moves and scales" "frame 0" "frame 1 a $matrix"
+    tells "line %zu: frame %u: the matrix of '%.*s' cannot be inverted, or places its body \
+beyond 2^40; write one that turns, moves and scales" "frame 0" "frame 1 a $matrix"
     better "frame 0" "frame 1 a 0 -1 0 3  1 0 0 0  0 0 2 0"
 done
 echo '# nothing' >list.txt

@@ -58,8 +58,8 @@ flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebu
     --rebuild-most --records --beside --repeat --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
-flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step --repeat --json \
-    $scene_flags
+flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step --repeat \
+    --json $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags
 

@@ -27,7 +27,7 @@ static const change changes[] = {
     {52, 3, 4, BOTH, 14, 168},
     {52, 8, 4, BOTH, 14, 168},
     {97, 2, 1, LATTICE, 7, 28},
-    {99, 2, 1, BOTH, 8, 96},
+    {99, 4, 1, BOTH, 8, 96},
     {168, NAN_BITS, 4, BOTH, 14, 168},
     {176, TWO_40 + 1, 4, BOTH, 14, 168},
     {180, 0, 4, BOTH, 14, 168},

@@ -263,8 +263,8 @@ seeds_sequence() { # FOLDER
 seeds_instances() { # FOLDER
     printf 'v %s\n' '0 0 0' '1 0 0' '0 1 0' '1 1 0.5' >"$work/body.obj"
     printf 'f 1 2 3\nf 2 4 3\n' >>"$work/body.obj"
-    printf '%s\n' 'body b body.obj' 'instance i b' 'instance j b' 'frame 0 j 2 0 0 1 0 2 0 0 0 0 2 0' \
-        'frame 1 i 0 -1 0 3 1 0 0 0 0 0 1 0' >"$work/list.txt"
+    printf '%s\n' 'body b body.obj' 'instance i b' 'instance j b' \
+        'frame 0 j 2 0 0 1 0 2 0 0 0 0 2 0' 'frame 1 i 0 -1 0 3 1 0 0 0 0 0 1 0' >"$work/list.txt"
     for leaf in 1 4; do
         "$PLANELET" pack --instances "$work/list.txt" --leaf $leaf -o "$work/list.plt" 2>/dev/null
         { printf '\020'; cat "$work/list.plt"; } >"$1/leaf_$leaf"

@@ -33,8 +33,9 @@ row() {
     "$PLANELET" info "$scene" --json >info
     arena=$("$PLANELET" info "$scene" | sed -n 's/^arena with frames  \([0-9]*\) .*/\1/p')
     [ -n "$arena" ] || arena=$(field arena_bytes_needed)
-    printf '| %s | %d | %d | %d | %s | %s |\n' "$name" "$(($(field frame_bytes) / $(field frames)))" \
-        "$(wc -c <"$scene")" "$arena" "$(counted plt_sequence_show "$scene" "$@")" \
+    per_frame=$(($(field frame_bytes) / $(field frames)))
+    printf '| %s | %d | %d | %d | %s | %s |\n' "$name" "$per_frame" "$(wc -c <"$scene")" \
+        "$arena" "$(counted plt_sequence_show "$scene" "$@")" \
         "$(counted plt_render_step "$scene" "$@")"
 }
 

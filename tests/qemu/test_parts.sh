@@ -120,8 +120,8 @@ if part "render thesis motion" "$motion" 44544; then
     renders "$motion" thesis
 fi
 sequence=$BUILD/mps2_an386-motion-render-sequence-thesis
-# shows GEOMETRY SOURCE NODES [PARAMETER]: frames of a sequence, which come by semihosting (`file`) or are
-# mapped.
+# shows GEOMETRY SOURCE NODES [PARAMETER]: frames of a sequence, which come by semihosting (`file`)
+# or are mapped.
 shows() {
     "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --nodes "${3:-thesis}" --key 4 \
         -o "$out/wave.plt" >/dev/null 2>&1
