@@ -123,7 +123,7 @@ refused "a mesh of another number" roll_000.ply "pack the scene from frame 0 of 
     trace wave.plt wave.rays 'x_{}' --moved roll_000.ply
 refused "hits that cannot be written" "missing/found_001" "create" \
     trace wave.plt wave.rays 'missing/found_{}' --frames 1:3
-misused "a streamed scene" "--residency resident" \
+refused "a streamed scene" wave.plt "stills of compact blocks move alone; pack frames with" \
     trace wave.plt wave.rays 'x_{}' --frames 0:2 --residency streamed
 verdict "nothing is left of what failed" "$(ls x x_* 2>/dev/null; left_behind)"
 finish
