@@ -27,11 +27,15 @@ typedef struct plt_grid_patch {
     int32_t from[2], to[2];
 } plt_grid_patch;
 
-/* Along axis `i` of both, between bounds in cells. 0: there are none. */
+/* Along axis `i` of both, between bounds in cells. 0: there are none, and the patch stays as it is:
+ * bounds may be too far away to be numbers of cells. */
 static inline int plt_grid_between(plt_grid_patch *c, int i, float from, float to, float last) {
+    if (!(from < last + 1.0f && to >= 0.0f)) {
+        return 0;
+    }
     c->from[i] = from > 0.0f ? (int32_t)from : 0;
     c->to[i] = to < last ? (int32_t)to : (int32_t)last;
-    return from < last + 1.0f && to >= 0.0f;
+    return 1;
 }
 
 /* Without what is empty. 0: all of it is. */

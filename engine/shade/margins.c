@@ -65,8 +65,8 @@ static void set_pixels(plt_margins *m, float across, float row, float square, fl
     m->bias = PLT_LINE_FIRST + m->pixels;
     m->edge = 1.5f * m->pixels + 40.0f * PLT_U * across;
     m->edge_least = 3.0f * m->pixels * m->pixels;
-    m->lines = m->pixels < PIXELS_MOST ? (int32_t)(m->pixels * (float)(1 << PLT_LINE_BITS)) + 2
-                                       : PLT_LINE_WIDEST;
+    const int is_told = m->pixels >= 0.0f && m->pixels < PIXELS_MOST; /* not where too wide */
+    m->lines = is_told ? (int32_t)(m->pixels * (float)(1 << PLT_LINE_BITS)) + 2 : PLT_LINE_WIDEST;
 }
 
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
@@ -85,7 +85,7 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     m->direction = 3.0f * farthest;
     set_pixels(m, across, row, square, term);
     m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
-    const int is_told = m->pixels < PIXELS_TOLD && 8.0f * m->pixels < m->corner;
+    const int is_told = m->pixels < PIXELS_TOLD && 16.0f * m->pixels < m->corner;
     m->size = is_told ? m->corner - (float)side : -1.0f;
     m->depth = 1.75f * reach / m->direction;
     m->plane = 160.0f * PLT_U * term;

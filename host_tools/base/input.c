@@ -148,6 +148,19 @@ static int read_open(input *in, int fd, int is_stream, fail *f) {
     return 0;
 }
 
+int input_claim(const char *path, fail *f) {
+    if (path[0] == '\0' || strcmp(path, "-") == 0) {
+        return 0; /* input_read has a word to say, or standard input is known */
+    }
+    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0) {
+        return fail_open(path, errno, f);
+    }
+    const int status = files_read(fd, path, f);
+    close(fd);
+    return status;
+}
+
 int input_read(input *in, const char *path, fail *f) {
     *in = (input){.path = path};
     if (path[0] == '\0') {

@@ -20,4 +20,7 @@ typedef struct input {
 int input_read(input *in, const char *path, fail *f);
 void input_free(input *in);
 
+/* A file that is to be read later: no output of the program may be it from now on, either. */
+int input_claim(const char *path, fail *f);
+
 #endif

@@ -20,11 +20,18 @@ static const plt_record *records_of(const plt_scene *scene) {
                                               : NULL;
 }
 
-/* Corners as they were packed, each triangle with its own. */
-static void fill_mesh(mesh *m, const plt_record *records, uint32_t count) {
+enum { UNSET = 0xFF }; /* bytes of a vertex that no triangle has */
+
+/* Corners as they were packed, each triangle with its own. -1: two have the same id, which only a
+ * forged image says, and another one none. */
+static int fill_mesh(mesh *m, const plt_record *records, uint32_t count) {
+    memset(m->triangle, UNSET, 3 * (size_t)count * sizeof *m->triangle);
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t word = plt_get_u32(&records[i].word[9]), id = plt_primitive_id(word);
         float corner[3][3];
+        if (m->triangle[3 * (size_t)id] == 3 * id) {
+            return -1;
+        }
         plt_record_corners(&records[i], corner);
         for (uint32_t c = 0; c < 3; c++) {
             const uint32_t from = (plt_primitive_rotation(word) + c) % 3;
@@ -34,6 +41,7 @@ static void fill_mesh(mesh *m, const plt_record *records, uint32_t count) {
     }
     m->triangles = count;
     m->vertices = 3 * (size_t)count;
+    return 0;
 }
 
 int baseline_open(baseline *b, unsigned which, const plt_engine *engine, const char *name,
@@ -48,8 +56,11 @@ int baseline_open(baseline *b, unsigned which, const plt_engine *engine, const c
     if (records == NULL && scene->info.triangles > 0) {
         return fail_set(f, name, "--baseline is for float triangles; pack it with --nodes thesis");
     }
-    if (mesh_reserve(&m, 3 * (size_t)scene->info.triangles, scene->info.triangles, f) == 0) {
-        fill_mesh(&m, records, scene->info.triangles);
+    int status = mesh_reserve(&m, 3 * (size_t)scene->info.triangles, scene->info.triangles, f);
+    if (status == 0 && fill_mesh(&m, records, scene->info.triangles) != 0) {
+        status = fail_set(f, name, "two triangles have the same id; pack it again");
+    }
+    if (status == 0) {
         const double began = clock_processor_seconds();
         b->s = structure_open(structure_find(baseline_names[which]), &m, &options, name, f);
         b->build_seconds = clock_processor_seconds() - began;

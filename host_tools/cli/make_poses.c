@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "host_tools/app/frame_range.h"
+#include "host_tools/base/input.h"
 #include "host_tools/base/progress.h"
 #include "host_tools/scenes/between.h"
 
@@ -67,10 +68,20 @@ static int write_frame(poses *p, const char *pattern, unsigned frame, unsigned f
     return status;
 }
 
+/* Most are read when frames have been written: over none of them. */
+static int claim_all(const poses *p, fail *f) {
+    int status = 0;
+    for (unsigned i = 0; i < p->count && status == 0; i++) {
+        status = input_claim(p->path[i], f);
+    }
+    return status;
+}
+
 int make_poses(char *const *path, unsigned count, const char *pattern, unsigned frames, fail *f) {
     poses p = {.path = path, .count = count};
     progress bar;
-    int status = read_pose(&p, &p.pose[0], 0, f);
+    int status = claim_all(&p, f);
+    status = status == 0 ? read_pose(&p, &p.pose[0], 0, f) : status;
     status = status == 0 ? read_pose(&p, &p.pose[1], 1, f) : status;
     progress_begin(&bar, "making frames", frames);
     for (unsigned i = 0; i < frames && status == 0; i++) {

@@ -66,6 +66,7 @@ status %d; please report this | cannot happen; if it does, there is somebody to 
 the finished tree is refused: %s; please report this | likewise
 hits of %s rays differ between modes; please report this | likewise
 %s; please report this | likewise, of a C array
+two triangles have the same id; pack it again | a forged image does; test_baseline has one
 %ux%u has more than %d tiles of 16x16; choose a smaller one | likewise: the command looks before
 eye and look coincide, up runs along the view, or one of them is beyond 2^40; change --eye, \
 --look, --up or --fov | likewise; test_wire_device provokes it

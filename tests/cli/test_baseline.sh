@@ -53,6 +53,32 @@ verdict "... and a lazy tree is no larger than the same one built whole" "$(
 run pack knot.ply -o compact.plt --nodes compact
 refused "lattice triangles are refused" compact.plt "pack it with --nodes thesis" \
     trace compact.plt mixed got.hits --baseline kd
+# patch FILE OFFSET: the bytes of standard input.
+patch() {
+    dd of="$1" bs=1 seek="$2" conv=notrunc 2>dd.said || cat dd.said
+}
+# crc: of standard input, in four bytes, the least significant first (RFC 1952).
+crc() {
+    gzip -c | tail -c 8 | head -c 4
+}
+# at FILE OFFSET: a number of four bytes.
+at() {
+    od -An -v -t u4 -j "$2" -N 4 "$1" | tr -d ' '
+}
+# A forged image: its second record has the first one's id, and all checksums are right.
+run pack knot.ply -o twice.plt --checks off
+section=120 # the second entry of the table: kind, offset, bytes, checksum
+records=$(at twice.plt $((section + 4))) bytes=$(at twice.plt $((section + 8)))
+tail -c +$((records + 37)) twice.plt | head -c 3 >id # without the bit of its list's end
+patch twice.plt $((records + 76)) <id
+tail -c +$((records + 1)) twice.plt | head -c "$bytes" | crc >sum
+patch twice.plt $((section + 12)) <sum
+printf '\000\000\000\000' | patch twice.plt 20
+head -c 256 twice.plt | crc >sum
+patch twice.plt 20 <sum
+works "an image with an id twice is traced" trace twice.plt mixed got.hits
+refused "... and no structure is made of it" twice.plt \
+    "two triangles have the same id; pack it again" trace twice.plt mixed got.hits --baseline kd-boxes
 for flag in '--packet 4' '--walk depth' '--structure grid' '--rays coherent' \
     '--residency streamed' '--workers 2' --turns; do
     # shellcheck disable=SC2086

@@ -81,7 +81,11 @@ done
 misused "meshes for another scene" "leave out 'wave_000.ply'" make knot wave_000.ply -o x.ply
 refused "a pose that is not there" gone.ply "No such file" \
     make poses wave_000.ply wave_001.ply gone.ply --frames 3 -o 'x_{}.ply'
-verdict "nothing but frames before it is left of what failed" "$(
-    ls x_* 2>/dev/null | grep -v '^x_00[01].ply$'
+cp wave_002.ply over_002.ply
+refused "a frame that would be written over a later pose" over_002.ply "same file as the input" \
+    make poses wave_000.ply wave_001.ply over_002.ply --frames 6 -o 'over_{}.ply'
+same wave_002.ply over_002.ply "... which is as it was"
+verdict "nothing is left of what failed" "$(
+    ls x_* 2>/dev/null
     left_behind)"
 finish

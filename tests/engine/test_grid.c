@@ -609,7 +609,29 @@ static void refusals(void) {
     mesh_free(&m);
 }
 
+/* ---- patches ------------------------------------------------------------------------ */
+
+/* Bounds that are no numbers of cells are not made whole. */
+static void patches(void) {
+    static const struct {
+        float from, to;
+        int there;
+    } at[8] = {{-1e30f, 1e30f, 1}, {1e30f, 2e30f, 0}, {-2e30f, -1e30f, 0}, {1.5f, -1e30f, 0},
+               {1e30f, 2.0f, 0},   {NAN, 2.0f, 0},    {1.0f, NAN, 0},      {2.9f, 3.1f, 1}};
+    for (unsigned i = 0; i < 8; i++) {
+        plt_grid_patch p = {{-7, -7}, {-7, -7}};
+        const int there = plt_grid_between(&p, 1, at[i].from, at[i].to, 5.0f);
+        const int32_t from = there ? (at[i].from > 0.0f ? 2 : 0) : -7;
+        const int32_t to = there ? (at[i].to < 5.0f ? 3 : 5) : -7;
+        CHECK(there == at[i].there && p.from[1] == from && p.to[1] == to && p.from[0] == -7,
+              "from %g to %g: %d, cells %d to %d", (double)at[i].from, (double)at[i].to, there,
+              p.from[1], p.to[1]);
+    }
+}
+
 int main(void) {
+    test("cells between two bounds, however far they are");
+    patches();
     test("a grid: hits and frames of all scenes and packets are a tree's");
     every_scene();
     test("... and those of a list of all triangles");

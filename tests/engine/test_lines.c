@@ -75,10 +75,11 @@ static void widest(void) {
     }
 }
 
-/* Of a view of any field and frame. */
-static int any_margins(random_state *r, plt_margins *m, uint32_t *side) {
+/* Of a view of any field, its tangent below 2^`widest`, and any frame. */
+static int any_margins(random_state *r, uint32_t widest, plt_margins *m, uint32_t *side) {
     static const plt_box box = {{-1, -1, -1}, {1, 1, 1}};
-    const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), (int)random_below(r, 34) - 24);
+    const int power = (int)random_below(r, widest + 24) - 24;
+    const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), power);
     plt_frame f = {.width = (uint16_t)(1 + random_below(r, 16000)),
                    .height = (uint16_t)(1 + random_below(r, 16000)),
                    .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
@@ -88,7 +89,7 @@ static int any_margins(random_state *r, plt_margins *m, uint32_t *side) {
         return 0;
     }
     plt_margins_set(m, &v, &f, *side, &box, 5.0f);
-    return m->project;
+    return 1;
 }
 
 /* What is taken off the least coordinate, added to all, and left to edges. */
@@ -98,7 +99,7 @@ static void margins(void) {
     for (uint32_t i = 0; i < 4000; i++) {
         plt_margins m;
         uint32_t side;
-        if (!any_margins(&r, &m, &side)) {
+        if (!any_margins(&r, 10, &m, &side) || !m.project) {
             continue;
         }
         const double eps = (double)m.pixels, taken = m.lines * UNIT;
@@ -109,7 +110,7 @@ static void margins(void) {
               (double)m.bias);
         CHECK((double)m.edge > 1.5 * eps && (double)m.edge_least > 2.9 * eps * eps,
               "%g pixels, edges %g and %g", eps, (double)m.edge, (double)m.edge_least);
-        CHECK(m.size < 0.0f || (m.pixels < 4.0f && 8.0f * m.pixels < m.corner &&
+        CHECK(m.size < 0.0f || (m.pixels < 4.0f && 16.0f * m.pixels < m.corner &&
                                 m.size == m.corner - (float)side),
               "%g pixels, corners up to %g: no look below %g", eps, (double)m.corner,
               (double)m.size);
@@ -119,6 +120,23 @@ static void margins(void) {
     }
     CHECK(views > 1000 && told > 500 && widest_seen > 20,
           "%u views, %u of narrow margins, %u widest", views, told, widest_seen);
+}
+
+/* Of the widest fields, which project nothing, the sum that is solved for `pixels` has a negative
+ * factor: no such number is made whole. */
+static void too_wide(void) {
+    random_state r = {4};
+    uint32_t views = 0;
+    for (uint32_t i = 0; i < 4000; i++) {
+        plt_margins m;
+        uint32_t side;
+        if (any_margins(&r, 20, &m, &side) && !m.project) {
+            CHECK(m.lines >= 0 && m.lines <= PLT_LINE_WIDEST, "%g pixels: %d taken off",
+                  (double)m.pixels, m.lines);
+            views += !(m.pixels >= 0.0f);
+        }
+    }
+    CHECK(views > 20, "%u views too wide", views);
 }
 
 /* A triangle of whole coordinates, turned or not: its own corners are on its edges, to the bit. */
@@ -195,6 +213,8 @@ int main(void) {
     widest();
     test("margins of lines and edges are what they have to be, of any view");
     margins();
+    test("margins of fields that are too wide are whole numbers, too");
+    too_wide();
     test("corners are near or far as seen from the first pixel");
     near_ones();
     test("edge functions at a triangle's corners are 0 or its area, which is positive");

@@ -6,11 +6,23 @@
 # SPDX-License-Identifier: MIT
 PLANELET=${PLANELET:-build/host/planelet}
 case $PLANELET in /*) ;; *) PLANELET=$PWD/$PLANELET ;; esac
+command -v valgrind >/dev/null || {
+    echo "instances.sh counts instructions with valgrind; install it" >&2
+    exit 2
+}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 KNOTS=${KNOTS:-12}
 FRAMES=4
+
+# planelet ARGUMENT...: quietly; nothing is measured where it fails.
+planelet() {
+    "$PLANELET" "$@" >said 2>&1 || {
+        cat said >&2
+        exit 1
+    }
+}
 
 # counted FUNCTION SCENE FLAG...: instructions in FUNCTION and what it calls, per frame.
 counted() {
@@ -38,15 +50,15 @@ row() {
         "$(counted plt_sequence_show "$scene" "$@")" "$(counted plt_render_step "$scene" "$@")"
 }
 
-"$PLANELET" make marbles --instances --frames $FRAMES -o marbles.txt >/dev/null 2>&1
-"$PLANELET" pack --instances marbles.txt -o marbles.plt >/dev/null 2>&1
-"$PLANELET" make marbles --frames $FRAMES -o 'marbles_{}.ply' >/dev/null 2>&1
-"$PLANELET" pack --sequence marbles_00?.ply -o marbles_16.plt >/dev/null 2>&1
-"$PLANELET" pack --sequence marbles_00?.ply --geometry float -o marbles_float.plt >/dev/null 2>&1
+planelet make marbles --instances --frames $FRAMES -o marbles.txt
+planelet pack --instances marbles.txt -o marbles.plt
+planelet make marbles --frames $FRAMES -o 'marbles_{}.ply'
+planelet pack --sequence marbles_00?.ply -o marbles_16.plt
+planelet pack --sequence marbles_00?.ply --geometry float -o marbles_float.plt
 
 # Knots on a circle, which go up and down: the same corners both ways, but for rounding.
-"$PLANELET" make knot --triangles 20000 -o knot.ply >/dev/null 2>&1
-"$PLANELET" pack knot.ply -o knot.plt >/dev/null 2>&1
+planelet make knot --triangles 20000 -o knot.ply
+planelet pack knot.ply -o knot.plt
 "$PLANELET" info knot.plt | sed -n 's/^box *//p' | tr -d '(),' | sed 's/ to / /' |
     awk -v knots="$KNOTS" -v frames=$FRAMES '{
     print "body knot knot.ply" >"knots.txt"
@@ -61,8 +73,8 @@ row() {
             z + ($3 + $6) / 2 >("knots_00" f ".txt")
     }
 }'
-"$PLANELET" pack --instances knots.txt -o knots.plt >/dev/null 2>&1
-"$PLANELET" pack --sequence knots_00?.txt -o knots_16.plt >/dev/null 2>&1
+planelet pack --instances knots.txt -o knots.plt
+planelet pack --sequence knots_00?.txt -o knots_16.plt
 
 near='--eye 9,17,30 --look 0,-1.5,0.5 --fov 33'
 far='--eye 8,16,38 --look 0,0,0 --fov 45'

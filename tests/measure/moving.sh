@@ -59,23 +59,28 @@ number_of() { # FRAME
 
 # What the judge calls a bad t may be as near as floats can say: within four steps of the largest
 # coordinate of where the ray begins. A hit 0.005 away, seen from 13 away from 0,0,0, has a t of
-# four digits. Trouble, unless all t of the same triangle are.
+# four digits. Trouble, unless all t of the same triangle are; and if not all rays were looked at.
 beyond_steps() { # RAYS HITS HITS
+    rays=$(($(wc -c <"$1") / 32))
     od -An -v -t f4 -w32 "$1" >"$work/rays.txt"
     for hits in "$2" "$3"; do
         od -An -v -t f4 -w16 "$hits" | awk '{ print $1 }' >"$work/$(basename "$hits").t"
         od -An -v -t u4 -w16 "$hits" | awk '{ print $4 }' >"$work/$(basename "$hits").id"
     done
     paste -d ' ' "$work/rays.txt" "$work/$(basename "$2").t" "$work/$(basename "$2").id" \
-        "$work/$(basename "$3").t" "$work/$(basename "$3").id" | tr -s ' ' | sed 's/^ //' | awk '
+        "$work/$(basename "$3").t" "$work/$(basename "$3").id" | tr -s ' ' | sed 's/^ //' |
+        awk -v rays="$rays" '
         function size(x) { return x < 0 ? -x : x }
+        NF == 12 { looked++ }
         $10 == $12 && $10 != 4294967295 && size($9 - $11) > 1e-4 * size($9) {
             most = size($1)
             if (size($2) > most) most = size($2)
             if (size($3) > most) most = size($3)
             way = sqrt($5 * $5 + $6 * $6 + $7 * $7)
             if (size($9 - $11) * way > most * 2 ^ -21) print "ray " NR ": " $0
-        }'
+        }
+        END { if (looked != rays) print looked + 0 " of " rays " rays were looked at" }' ||
+        echo "awk failed"
 }
 
 # Rays of all kinds, what a fresh pack says of them, and whether the judge agrees; its counts go
@@ -95,6 +100,7 @@ judge_frame() { # NAME NUMBER
     for kind in rays shadow; do
         any=
         [ $kind = rays ] || any=--any
+        : >"$work/line"
         # shellcheck disable=SC2086
         "$peer" trace "$mesh" "$work/${kind}_$2" "$one.hits" $any --repeat 1 >/dev/null &&
             "$peer" compare "$mesh" "$work/${kind}_$2" "$one.hits" "$work/due_${kind}_$2" $any \
