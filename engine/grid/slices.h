@@ -61,13 +61,11 @@ static inline plt_grid_runs plt_grid_runs_of(const plt_grid_level *l, int x, int
     const int inner = y == 0, outer = !inner; /* rows lie along x, or along y if that is axis 0 */
     const uint32_t cells = (uint32_t)(c->to[inner] - c->from[inner] + 1);
     const uint32_t across = l->stride[inner ? y : x];
-    const plt_grid_runs r = {.start = l->start,
-                             .cells = across == 1 ? cells : 1,
-                             .step = across,
-                             .runs = across == 1 ? 1 : cells,
-                             .row = first,
-                             .row_step = l->stride[inner ? x : y],
-                             .rows = (uint32_t)(c->to[outer] - c->from[outer] + 1)};
+    const int is_row = across == 1;
+    const plt_grid_runs r = {
+        l->start, is_row ? cells : 1,       first,
+        across,   is_row ? 1 : cells,       0,
+        first,    l->stride[inner ? x : y], (uint32_t)(c->to[outer] - c->from[outer] + 1)};
     return r;
 }
 
