@@ -78,7 +78,8 @@ head -c 256 twice.plt | crc >sum
 patch twice.plt 20 <sum
 works "an image with an id twice is traced" trace twice.plt mixed got.hits
 refused "... and no structure is made of it" twice.plt \
-    "two triangles have the same id; pack it again" trace twice.plt mixed got.hits --baseline kd-boxes
+    "two triangles have the same id; pack it again" \
+    trace twice.plt mixed got.hits --baseline kd-boxes
 for flag in '--packet 4' '--walk depth' '--structure grid' '--rays coherent' \
     '--residency streamed' '--workers 2' --turns; do
     # shellcheck disable=SC2086

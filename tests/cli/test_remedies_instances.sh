@@ -126,8 +126,8 @@ says "--instances needs a name that ends in .txt, as in marbles.txt" \
     make marbles --instances -o marbles.ply
 cured make marbles --instances -o marbles.txt
 for name in 'two words.txt' '#.txt'; do
-    says "the text of --instances names meshes after itself: no blanks in its name, nor # first, as \
-in marbles.txt" make marbles --instances -o "$name"
+    says "the text of --instances names meshes after itself: no blanks in its name, nor # first, \
+as in marbles.txt" make marbles --instances -o "$name"
     cured make marbles --instances -o marbles.txt
 done
 run pack --instances marbles.txt -o marbles.plt
