@@ -12,7 +12,7 @@
 static inline void test_record(plt_beam *b, const projector *k, const plt_record *record,
                                int all_deep) {
     float q[3][3];
-    candidate triangle = {.record = record};
+    candidate triangle = {record, NULL, 0, 0};
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         q[c][0] = plt_record_float(record, c, 0) - k->org[0];
         q[c][1] = plt_record_float(record, c, 1) - k->org[1];

@@ -19,6 +19,7 @@
 #define PLT_LINE_WIDEST (1 << 30)                     /* a margin that leaves out nothing */
 
 _Static_assert(PLT_PACKET_SIDE_MAX <= 16, "a square's coordinates have one exponent");
+/* cppcheck-suppress shiftNegativeLHS ; that is what is asked */
 _Static_assert(-1 >> 1 == -1, "the shift of a negative number leaves it negative");
 
 static inline int32_t plt_float_bits(float x) {
