@@ -62,7 +62,7 @@ plays() {
     echo "$text" | sed -n 's/^[a-z].* [0-9][0-9]*  *[0-9][0-9]*  *[0-9][0-9]*$/    &/p'
 }
 
-sequence 2400 24
+sequence 2400 40
 play 2400 FRAMES=0:20 MOST=2500000
 plays "29 marbles, a tree that is refitted" 20
 tree=$BUILD/mps2_an386-played-frames-motion-render-sequence-thesis-vertices
@@ -154,9 +154,9 @@ play 2400 FRAMES=0:1 SIZE=16x12 MOST=1000000
 verdict "a call above MOST is an error that names it" "$(
     [ "$status" -ne 0 ] && echo "$text" | grep -q '^error: a call of plt_sequence_show .*1000000' ||
         echo "status $status: $text")"
-play 2400 FRAMES=23:25 SIZE=16x12
+play 2400 FRAMES=39:41 SIZE=16x12
 verdict "frames that the image does not have are refused" "$(
-    [ "$status" -ne 0 ] && echo "$text" | grep -q 'has 24 frames; use --frames 0:24' ||
+    [ "$status" -ne 0 ] && echo "$text" | grep -q 'has 40 frames; use --frames 0:40' ||
         echo "status $status: $text")"
 "$planelet" make knot --triangles 100 -o "$out/still.ply" >/dev/null 2>&1
 "$planelet" pack "$out/still.ply" -o "$out/marbles_0.plt" >/dev/null 2>&1
@@ -172,7 +172,7 @@ firmware() { # PARAMETER ...: without the host's word on it
     text=$(FIRMWARE=$tree sh board/mps2_an386/run.sh "$out/marbles_2400.plt" "$@" 2>&1)
     status=$?
 }
-firmware size=16x12 frames=23:25
+firmware size=16x12 frames=39:41
 verdict "... by the firmware, too" "$(
     [ "$status" -eq 1 ] && echo "$text" | grep -q '^error: the image has no such frame' ||
         echo "status $status: $text")"
