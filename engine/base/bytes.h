@@ -10,6 +10,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "engine/base/float_bits.h"
+
 static inline uint32_t plt_swap_if_big(uint32_t x) {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     return x >> 24 | (x >> 8 & 0xFF00u) | (x << 8 & 0xFF0000u) | x << 24;
@@ -45,8 +47,7 @@ static inline void plt_put_u32(void *at, uint32_t x) {
 static inline float plt_get_float(const void *at) {
     float x;
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    const uint32_t bits = plt_get_u32(at);
-    memcpy(&x, &bits, sizeof x);
+    x = plt_float_of(plt_get_u32(at));
 #else
     memcpy(&x, at, sizeof x);
 #endif
@@ -54,9 +55,7 @@ static inline float plt_get_float(const void *at) {
 }
 
 static inline void plt_put_float(void *at, float x) {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    plt_put_u32(at, bits);
+    plt_put_u32(at, plt_bits_of(x));
 }
 
 static inline void plt_get_floats(float *to, const unsigned char *at, unsigned count) {

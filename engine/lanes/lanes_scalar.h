@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "engine/base/float_bits.h"
 #include "engine/lanes/unroll.h"
 
 #define PLT_LANES_REGISTERS 0
@@ -34,18 +35,6 @@ typedef struct m4 {
         r.lane[i] = (expression);                                                                  \
     }                                                                                              \
     return r
-
-static inline uint32_t plt_bits_of(float x) {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static inline float plt_float_of(uint32_t bits) {
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
 
 static inline f4 f4_load(const float *from) {
     f4 r;

@@ -24,10 +24,6 @@ typedef struct progress {
     plt_validate_level *levels;
 } progress;
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-    return a > b ? a : b;
-}
-
 static int broken(const progress *p, uint32_t at, const char *message) {
     const plt_section *bodies = plt_header_section(p->header, PLT_SECTION_BODIES);
     return plt_broken(p->o->fault, PLT_I27_BODIES, bodies->offset + at, message);
@@ -56,17 +52,6 @@ static void describe_alone(const progress *p, const plt_body *b, plt_header *alo
     memcpy(alone->info.hi, b->box.hi, sizeof b->box.hi);
     alone->section[0].offset += b->first_slot * PLT_NODE_BYTES;
     alone->section[1].offset += b->first_record * PLT_RECORD_BYTES;
-}
-
-static void add_counts(plt_info *sum, const plt_info *one) {
-    sum->nodes += one->nodes;
-    sum->leaf_lists += one->leaf_lists;
-    sum->intermediate_lists += one->intermediate_lists;
-    sum->treelets += one->treelets;
-    sum->leaf_triangles = larger(sum->leaf_triangles, one->leaf_triangles);
-    sum->local_stack_entries = larger(sum->local_stack_entries, one->local_stack_entries);
-    sum->global_stack_entries = larger(sum->global_stack_entries, one->global_stack_entries);
-    sum->depth_stack_entries = larger(sum->depth_stack_entries, one->depth_stack_entries);
 }
 
 static int check_body(progress *p, uint32_t index) {
@@ -98,7 +83,7 @@ static int check_body(progress *p, uint32_t index) {
                 plt_header_section(p->header, PLT_SECTION_BODIES)->offset + index * PLT_BODY_BYTES);
         }
     }
-    add_counts(&p->counted, &counted);
+    plt_counts_add(&p->counted, &counted);
     p->slots += b.slots;
     p->records += b.records;
     return status;

@@ -11,6 +11,7 @@
 
 #include <stdint.h>
 
+#include "engine/base/float_bits.h"
 #include "engine/planelet_config.h"
 
 #define PLT_LINE_FIRST 16.0f
@@ -22,18 +23,6 @@ _Static_assert(PLT_PACKET_SIDE_MAX <= 16, "a square's coordinates have one expon
 /* cppcheck-suppress shiftNegativeLHS ; that is what is asked */
 _Static_assert(-1 >> 1 == -1, "the shift of a negative number leaves it negative");
 
-static inline int32_t plt_float_bits(float x) {
-    int32_t bits;
-    __builtin_memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static inline float plt_bits_float(int32_t bits) {
-    float x;
-    __builtin_memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 /* Lines after `before`, up to `last`: their numbers. */
 typedef struct plt_lines {
     int32_t before, last;
@@ -43,8 +32,8 @@ typedef struct plt_lines {
  * PLT_LINE_WIDEST: above 32 that is more, and below 16 there is no line. The bits are halved first,
  * so that nothing overflows. */
 static inline plt_lines plt_lines_between(float least, float most, int32_t margin) {
-    const plt_lines l = {((plt_float_bits(least) >> 1) - margin) >> (PLT_LINE_BITS - 1),
-                         plt_float_bits(most) >> PLT_LINE_BITS};
+    const plt_lines l = {(((int32_t)plt_bits_of(least) >> 1) - margin) >> (PLT_LINE_BITS - 1),
+                         (int32_t)plt_bits_of(most) >> PLT_LINE_BITS};
     return l;
 }
 
@@ -64,7 +53,7 @@ static inline uint32_t plt_lines_last(plt_lines l, int32_t end) {
 
 /* The coordinate of a line of the square, counted from its first. */
 static inline float plt_line_at(uint32_t line) {
-    return plt_bits_float(((int32_t)line + PLT_LINE_NUMBER) << PLT_LINE_BITS);
+    return plt_float_of((line + PLT_LINE_NUMBER) << PLT_LINE_BITS);
 }
 
 #endif

@@ -7,7 +7,8 @@
 #include "engine/trace/exact.h"
 
 #include <stdint.h>
-#include <string.h>
+
+#include "engine/base/float_bits.h"
 
 typedef struct pair {
     float high, low; /* value = high + low, |low| <= 2^-24 |high| */
@@ -20,13 +21,8 @@ static float absolute(float x) {
 float plt_power_to_one(const float v[3]) {
     const float x = absolute(v[0]), y = absolute(v[1]), z = absolute(v[2]);
     const float xy = x > y ? x : y, most = xy > z ? xy : z;
-    uint32_t bits;
-    float p;
-    memcpy(&bits, &most, sizeof bits);
-    const uint32_t exponent = bits >> 23 & 0xFF;
-    bits = (exponent == 0 ? 253u : 254u - exponent) << 23;
-    memcpy(&p, &bits, sizeof p);
-    return p;
+    const uint32_t exponent = plt_bits_of(most) >> 23 & 0xFF;
+    return plt_float_of((exponent == 0 ? 253u : 254u - exponent) << 23);
 }
 
 static pair sum(float a, float b) {

@@ -3,15 +3,9 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/wide.h"
 
-#include <string.h>
+#include "engine/base/float_bits.h"
 
 enum { LOWEST = -447 }; /* the power of two of bit 0: three times that of a subnormal */
-
-static uint32_t bits_of(float x) {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
 
 /* |x| = mantissa * 2^(place - 149) */
 static uint32_t mantissa_of(uint32_t bits) {
@@ -41,7 +35,7 @@ static void add_words(plt_wide *sum, const uint32_t word[4], unsigned first, uns
 }
 
 void plt_wide_add(plt_wide *sum, float a, float b, float c) {
-    const uint32_t x = bits_of(a), y = bits_of(b), z = bits_of(c);
+    const uint32_t x = plt_bits_of(a), y = plt_bits_of(b), z = plt_bits_of(c);
     const uint64_t xy = (uint64_t)mantissa_of(x) * mantissa_of(y);
     const uint32_t third = mantissa_of(z);
     if (xy == 0 || third == 0) {
@@ -88,10 +82,7 @@ plt_scaled plt_wide_value(plt_wide *sum) {
 }
 
 static float power_of_two(int exponent) { /* -126 .. 127 */
-    const uint32_t bits = (uint32_t)(exponent + 127) << 23;
-    float p;
-    memcpy(&p, &bits, sizeof p);
-    return p;
+    return plt_float_of((uint32_t)(exponent + 127) << 23);
 }
 
 float plt_scaled_float(plt_scaled x, int exponent) {

@@ -11,6 +11,7 @@
 #include "engine/image/items.h"
 #include "engine/instances/matrices.h"
 #include "engine/planelet_crc32.h"
+#include "engine/scene/counts.h"
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/image_size.h"
 
@@ -23,24 +24,6 @@ int instances_place(const packed *body, const float matrix[PLT_MATRIX_FLOATS], p
     const int good = plt_placed_set(&placed, matrix, &own, &spread);
     *box = placed.box;
     return good;
-}
-
-static uint32_t larger(uint32_t a, uint32_t b) {
-    return a > b ? a : b;
-}
-
-/* Counts of all bodies together; needs are the largest. */
-static void add_body(plt_info *sum, const plt_info *one) {
-    sum->triangles += one->triangles;
-    sum->nodes += one->nodes;
-    sum->node_slots += one->node_slots;
-    sum->leaf_lists += one->leaf_lists;
-    sum->intermediate_lists += one->intermediate_lists;
-    sum->treelets += one->treelets;
-    sum->leaf_triangles = larger(sum->leaf_triangles, one->leaf_triangles);
-    sum->local_stack_entries = larger(sum->local_stack_entries, one->local_stack_entries);
-    sum->global_stack_entries = larger(sum->global_stack_entries, one->global_stack_entries);
-    sum->depth_stack_entries = larger(sum->depth_stack_entries, one->depth_stack_entries);
 }
 
 /* -1: the triangles of all bodies, or of all instances, are more than ids there are. */
@@ -57,7 +40,7 @@ static int count(const instance_set *all, plt_info *info, const char *name, fail
     for (uint32_t i = 0; i < all->bodies; i++) {
         triangles += all->body[i].info.triangles;
         slots += all->body[i].info.node_slots;
-        add_body(info, &all->body[i].info);
+        plt_counts_add(info, &all->body[i].info);
     }
     for (uint32_t i = 0; i < all->instances; i++) {
         placed += all->body[all->body_of[i]].info.triangles;
@@ -68,6 +51,8 @@ static int count(const instance_set *all, plt_info *info, const char *name, fail
                         "2^32 - 2; reduce their meshes",
                         (unsigned long long)triangles, (unsigned long long)placed);
     }
+    info->triangles = (uint32_t)triangles;
+    info->node_slots = (uint32_t)slots;
     info->placed_triangles = (uint32_t)placed;
     return 0;
 }
