@@ -67,7 +67,8 @@ rebuild_files := engine/rebuild.c engine/motion/rebuild.c $(subtree_files)
 records_files := engine/move_some.c engine/rebuild.c $(addprefix engine/motion/,corners.c dirty.c \
     node_box.c rebuild.c refit.c vertices.c) \
     $(subtree_files)
-motion_files := engine/move.c engine/move_some.c engine/rebuild.c $(wildcard engine/motion/*.c)
+motion_files := engine/move.c engine/motion_room.c engine/move_some.c engine/rebuild.c \
+    $(wildcard engine/motion/*.c)
 grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_grid.c \
     engine/trace/grid_*.c engine/trace/traverse_grid.c engine/shade/beam_grid.c \
     engine/shade/beam_references.c engine/shade/beam_slopes.c)
@@ -189,6 +190,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
 # precision cannot decide: firmware compiles it for size.
 ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engine/calls.c \
+    engine/motion_room.c \
     engine/base/between.c engine/move.c engine/move_some.c engine/rebuild.c \
     engine/motion/dirty.c engine/motion/moving.c engine/motion/rebuild.c engine/scene/*.c \
     engine/tree/*/validate*.c \

@@ -8,10 +8,9 @@
 #include "engine/engine.h"
 #include "engine/grid_room.h"
 #include "engine/image/fetch.h"
-#include "engine/image/header_at.h"
 #include "engine/instances_room.h"
 #include "engine/layout.h"
-#include "engine/move.h"
+#include "engine/motion_room.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
@@ -257,160 +256,6 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 #endif
 }
 
-/* Once its parts are cut. */
-static int open_sequence(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
-                         plt_fault *fault) {
-#if PLT_WITH_SEQUENCE
-    if (e->options.movable && plt_is_streamed(e->scene.format)) {
-        e->sequence.frames = e->scene.info.frames;
-        e->sequence.at = PLT_FRAME_NONE;
-    } else if (e->options.movable && header != NULL && header->info.frames > 0) {
-        const int is_mapped = e->source.mapped != NULL;
-        const plt_sequence_room room = {.topology = is_mapped ? NULL : part[PLT_PART_TOPOLOGY],
-                                        .offsets = is_mapped ? NULL : part[PLT_PART_OFFSETS],
-                                        .window = is_mapped ? NULL : part[PLT_PART_WINDOW],
-                                        .vertex = part[PLT_PART_VERTICES]};
-        int status = plt_sequence_open(&e->sequence, header, &e->source, &room, fault);
-#if PLT_WITH_VERTICES
-        if (status == PLT_OK && plt_is_over_vertices(e)) {
-            plt_beside_start(e, part);
-            status = plt_sequence_show(e, 0, fault); /* which records would have */
-        }
-#endif
-        return status;
-    }
-#endif
-    (void)e;
-    (void)header;
-    (void)part;
-    (void)fault;
-    return PLT_OK;
-}
-
-#if PLT_WITH_SUBTREES
-/* The records, nodes and scratch of one subtree, then what is kept of all. */
-static void start_subtrees(plt_engine *e, unsigned char *part) {
-    plt_rebuild *r = &e->moving.rebuild;
-    const plt_info *info = &e->scene.info, sized = sized_for(e);
-    const uint32_t most = e->options.rebuild_most;
-    const uint32_t room = plt_subtree_room(info->triangles, sized.nodes, most);
-    const uint32_t triangles = plt_subtree_triangles(info->triangles, most);
-    unsigned char *nodes = part + plt_arena_cut_bytes((size_t)triangles * PLT_RECORD_BYTES);
-    unsigned char *scratch = nodes + (size_t)room * PLT_NODE_BYTES;
-    r->records = (plt_record *)(void *)part;
-    r->nodes = (plt_node *)(void *)nodes;
-    r->build.scratch = scratch;
-    r->build.scratch_bytes = (size_t)plt_layout_part_scratch(room);
-    e->moving.subtrees.at = (plt_subtree *)(void *)(scratch + r->build.scratch_bytes);
-    plt_subtrees_find(&e->moving.subtrees, &e->scene.thesis, most, info->leaf_triangles, room,
-                      scratch);
-}
-#endif
-
-/* Rebuilds: the records, nodes and scratch of a second tree. */
-static void start_rebuilds(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
-#if PLT_WITH_REBUILD
-    plt_rebuild *r = &e->moving.rebuild;
-    r->refit.levels = e->moving.levels;
-#if PLT_WITH_MOVE_SOME
-    r->places = e->moving.dirty.places;
-#endif
-#if PLT_WITH_SUBTREES
-    if (o->layout->bytes[PLT_PART_REBUILD] > 0 && e->options.rebuild_most > 0) {
-        start_subtrees(e, part[PLT_PART_REBUILD]);
-        return;
-    }
-#endif
-    if (o->layout->bytes[PLT_PART_REBUILD] > 0) {
-        const size_t records =
-            plt_arena_cut_bytes((size_t)e->scene.info.triangles * PLT_RECORD_BYTES);
-        const size_t nodes = (size_t)r->room * PLT_NODE_BYTES;
-        r->records = part[PLT_PART_REBUILD];
-        r->nodes = (plt_node *)(void *)((char *)part[PLT_PART_REBUILD] + records);
-        r->old_room =
-            e->scene.info.node_slots + (uint32_t)(o->layout->bytes[PLT_PART_ROOM] / PLT_NODE_BYTES);
-        r->build.scratch = (char *)part[PLT_PART_REBUILD] + records + nodes;
-        r->build.scratch_bytes = (size_t)o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
-    }
-#else
-    (void)e;
-    (void)o;
-    (void)part;
-#endif
-}
-
-/* Some triangles can move: where each is. */
-static int start_some(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
-#if PLT_WITH_MOVE_SOME
-    plt_dirty *d = &e->moving.dirty;
-    const uint32_t count = e->scene.info.triangles;
-    if (e->options.moves_some) {
-        const size_t bytes = plt_arena_cut_bytes((size_t)plt_dirty_bytes(count));
-        d->places = part[PLT_PART_DIRTY];
-        d->bits = d->places + count;
-        d->levels = (plt_dirty_level *)(void *)((char *)part[PLT_PART_DIRTY] + bytes);
-#if PLT_WITH_SUBTREES
-        d->subtrees = &e->moving.subtrees;
-#endif
-        if (!plt_dirty_find(d, plt_records_of(e), count)) {
-            return plt_fault_set(o->fault, PLT_ERR_ARGUMENT, 0,
-                                 "two triangles have one id: they can only be moved together");
-        }
-    }
-#else
-    (void)e;
-    (void)o;
-    (void)part;
-#endif
-    return PLT_OK;
-}
-
-/* Compact blocks that move: where each is. */
-static int start_blocks(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
-#if PLT_WITH_BLOCK_MOTION
-    plt_block_refit_open(&e->moving.blocks, part[PLT_PART_BLOCKS], &e->scene.compact);
-    if (e->moving.blocks.vertices != e->scene.info.block_vertices) {
-        return plt_broken(o->fault, PLT_I24_TOPOLOGY, PLT_AT_BLOCK_VERTICES,
-                          "the header's count of vertices is not the blocks'");
-    }
-#else
-    (void)e;
-    (void)o;
-    (void)part;
-#endif
-    return PLT_OK;
-}
-
-/* Movable scenes: what a refit needs, and how good the tree is at first. */
-static int start_motion(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
-    int status = PLT_OK;
-#if PLT_WITH_MOTION
-    plt_moving *m = &e->moving;
-    if (e->options.movable && plt_has_moving_blocks(e)) {
-        return plt_is_streamed(e->scene.format) ? PLT_OK : start_blocks(e, o, part);
-    }
-    if (e->options.movable && !plt_is_over_vertices(e)) {
-        m->levels = part[PLT_PART_REFIT];
-        m->is_new = 1;
-        m->areas.scale = plt_areas_scale(&e->scene.box);
-        m->areas.is_wanted = e->options.rebuild;
-        status = start_some(e, o, part);
-        start_rebuilds(e, o, part);
-#if PLT_WITH_THESIS
-        plt_refit_all(e);
-#endif
-    }
-#else
-    (void)start_blocks;
-    (void)start_some;
-    (void)start_rebuilds;
-    (void)e;
-    (void)o;
-    (void)part;
-#endif
-    return status;
-}
-
 /* The scene is open: a traversal, a packet and a tile buffer over it. `header`: of an image that
  * is opened in one step, as all that have a sequence are. */
 static int start_worker(plt_engine *e, const plt_header *header, plt_fault *fault) {
@@ -434,12 +279,13 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
         status = start_wave(e, &o, part);
     }
     if (status == PLT_OK) {
-        status = start_motion(e, &o, part);
+        const plt_info sized = sized_for(e);
+        status = plt_motion_room_set(e, &o, &sized, part);
     }
     if (status == PLT_OK) {
         status = plt_instances_room_set(e, header, part, fault);
     }
-    return status == PLT_OK ? open_sequence(e, header, part, fault) : status;
+    return status == PLT_OK ? plt_motion_room_sequence(e, header, part, fault) : status;
 }
 
 /* An arena that is too small: how many bytes would do. */
