@@ -26,15 +26,7 @@ static packed make_image(uint32_t seed) {
                                .is_compact = 1,
                                .is_stills = 1,
                                .without_ids = seed % 4 == 3};
-    mesh m = {0};
-    sequence_rig s;
-    shape_soup(&m, rig_triangles(20 + 60 * seed, c.scene.pack.leaf_triangles), 0.4f, seed);
-    sequence_rig_pack(&s, &m, &c);
-    const packed image = s.image;
-    s.image.bytes = NULL;
-    sequence_rig_close(&s);
-    mesh_free(&m);
-    return image;
+    return sequence_rig_image(&c, rig_triangles(20 + 60 * seed, c.scene.pack.leaf_triangles), seed);
 }
 
 /* ---- sealing ---------------------------------------------------------------------- */

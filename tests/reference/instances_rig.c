@@ -113,6 +113,15 @@ void instances_rig_pack(instances_rig *r, const instances_config *c) {
     instances_finish(&r->image);
 }
 
+packed instances_rig_image(const instances_config *c) {
+    instances_rig r;
+    instances_rig_pack(&r, c);
+    const packed image = r.image;
+    r.image.bytes = NULL;
+    instances_rig_close(&r);
+    return image;
+}
+
 int instances_rig_open(instances_rig *r, const instances_config *c, size_t short_by) {
     const plt_options o = c->scene.run;
     r->link.image = r->image.bytes;

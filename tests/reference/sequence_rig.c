@@ -76,6 +76,18 @@ void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config
     sequence_free(&s);
 }
 
+packed sequence_rig_image(const sequence_config *config, uint32_t triangles, uint64_t seed) {
+    mesh m = {0};
+    sequence_rig s;
+    shape_soup(&m, triangles, 0.4f, seed);
+    sequence_rig_pack(&s, &m, config);
+    const packed image = s.image;
+    s.image.bytes = NULL;
+    sequence_rig_close(&s);
+    mesh_free(&m);
+    return image;
+}
+
 int sequence_rig_open(sequence_rig *r, const sequence_config *config, size_t short_by) {
     plt_options o = config->scene.run;
     o.movable = 1;
