@@ -7,7 +7,6 @@
 #include "engine/tree/compact/leaf.h"
 #include "tests/hostile/sequences.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 #define NAN_BITS 0x7FC00000u

@@ -12,7 +12,6 @@
 #include "engine/engine.h"
 #include "host_tools/base/heap.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 typedef struct widths {
