@@ -5,8 +5,7 @@
 
 #include "engine/engine.h"
 #include "tests/reference/block_refit_check.h"
-#include "tests/reference/frames.h"
-#include "tests/reference/rays.h"
+#include "tests/reference/compare.h"
 #include "tests/reference/sequence_rig.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
@@ -35,28 +34,6 @@ static void make_mesh(mesh *m, uint32_t leaf_triangles) {
 
 /* ---- what is to be the same ------------------------------------------------------- */
 
-static void compare_hits(plt_engine *shown, plt_engine *fresh, const mesh *m, int any,
-                         const char *name) {
-    static plt_ray rays[RAYS];
-    static plt_hit hits[RAYS], due[RAYS];
-    random_state r = {m->triangles};
-    rays_mixed(rays, RAYS, m, &r);
-    CHECK(plt_trace(shown, rays, hits, RAYS, any) == PLT_OK, "%s", name);
-    CHECK(plt_trace(fresh, rays, due, RAYS, any) == PLT_OK, "%s", name);
-    CHECK(memcmp(hits, due, sizeof due) == 0, "%s: hits, any %d", name, any);
-}
-
-static plt_frame view_of(const plt_engine *e) {
-    static const float from[3] = {1.0f, 0.8f, 2.2f};
-    const plt_info *info = plt_engine_info(e);
-    float eye[3], look[3];
-    for (int a = 0; a < 3; a++) {
-        look[a] = 0.5f * (info->lo[a] + info->hi[a]);
-        eye[a] = look[a] + from[a] * (info->hi[0] - info->lo[0] + 1.0f);
-    }
-    return frame_of(eye, look, 29, 23, PLT_SHADE_TRIANGLE);
-}
-
 static void check_blocks(const sequence_rig *s, uint32_t k, const char *name) {
     const plt_engine *e = s->engine;
     plt_block_tree tree = e->scene.compact;
@@ -84,14 +61,7 @@ static void shows(sequence_rig *s, const sequence_config *c, uint32_t k, const c
     resident.run.prefetch = 0;
     resident.run.store_bytes = 0;
     CHECK(rig_open(&fresh, &s->frame[k], &resident) == PLT_OK, "%s: %s", name, fresh.fault.message);
-    const plt_info *now = plt_engine_info(s->engine), *due = plt_engine_info(fresh.engine);
-    for (int a = 0; a < 3; a++) {
-        CHECK(now->lo[a] == due->lo[a] && now->hi[a] == due->hi[a], "%s: box", name);
-    }
-    compare_hits(s->engine, fresh.engine, &s->frame[k], 0, name);
-    compare_hits(s->engine, fresh.engine, &s->frame[k], 1, name);
-    const plt_frame f = view_of(fresh.engine);
-    CHECK(frame_hash(s->engine, &f, 500) == frame_hash(fresh.engine, &f, 500), "%s: picture", name);
+    compare_scenes(s->engine, fresh.engine, &s->frame[k], name);
     rig_close(&fresh);
 }
 
@@ -305,7 +275,7 @@ static void while_rendering(sequence_config c) {
     if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
         show(&s, &c, 0);
         for (uint32_t k = 0; k + 1 < c.frames; k++) {
-            const plt_frame f = view_of(s.engine);
+            const plt_frame f = compare_view(s.engine, 1.0f, PLT_SHADE_TRIANGLE);
             for (int fails = (int)c.is_stills; fails >= 0; fails--) {
                 CHECK(plt_render_begin(s.engine, &f) == PLT_OK, "begun");
                 for (uint32_t i = 0; i <= 3 * k; i++) {

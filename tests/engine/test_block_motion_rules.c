@@ -7,7 +7,6 @@
 #include "engine/tree/compact/leaf.h"
 #include "tests/hostile/sequences.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 #define NAN_BITS 0x7FC00000u
@@ -22,25 +21,7 @@ static packed make_image(int without_ids) {
                                .is_mapped = 1,
                                .is_compact = 1,
                                .without_ids = without_ids};
-    mesh m = {0};
-    sequence_rig s;
-    shape_soup(&m, TRIANGLES, 0.4f, 3);
-    sequence_rig_pack(&s, &m, &c);
-    const packed image = s.image;
-    s.image.bytes = NULL;
-    sequence_rig_close(&s);
-    mesh_free(&m);
-    return image;
-}
-
-static unsigned char *copy_of(const packed *image) {
-    unsigned char *bytes = malloc(image->size);
-    memcpy(bytes, image->bytes, image->size);
-    return bytes;
-}
-
-static uint32_t section(const unsigned char *bytes, unsigned i) {
-    return plt_get_u32(bytes + 104 + 16 * i + 4);
+    return sequence_rig_image(&c, TRIANGLES, 3);
 }
 
 static void refused(unsigned char *bytes, uint32_t size, char kind, unsigned rule, uint32_t offset,
@@ -93,7 +74,7 @@ static void every_header_word(void) {
     packed image = make_image(0);
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         char what[40];
-        unsigned char *bytes = copy_of(&image);
+        unsigned char *bytes = hostile_copy(image.bytes, image.size);
         snprintf(what, sizeof what, "%u at %u", changes[i].value, changes[i].at);
         plt_put_u32(bytes + changes[i].at, changes[i].value);
         if (changes[i].rule == 'I') {
@@ -103,7 +84,7 @@ static void every_header_word(void) {
         }
         free(bytes);
     }
-    unsigned char *bytes = copy_of(&image);
+    unsigned char *bytes = hostile_copy(image.bytes, image.size);
     bytes[84] ^= 1;
     refused(bytes, image.size, 'R', 14, 188, "a box beside the points of the lattice");
     free(bytes);
@@ -116,11 +97,11 @@ static void every_number(void) {
     CHECK(image.info.block_vertices == 3 * TRIANGLES && image.info.vertices == 60, "%u and %u",
           image.info.block_vertices, image.info.vertices);
     for (uint32_t i = 0; i < image.info.block_vertices; i++) {
-        unsigned char *bytes = copy_of(&image);
+        unsigned char *bytes = hostile_copy(image.bytes, image.size);
         for (uint32_t b = 6 * i; b < 6 * i + 6; b++) {
-            bytes[section(bytes, 2) + b / 8] |= (unsigned char)(1u << b % 8);
+            bytes[hostile_begin(bytes, 2) + b / 8] |= (unsigned char)(1u << b % 8);
         }
-        refused(bytes, image.size, 'I', 24, section(bytes, 2) + 6 * i / 8, "a number");
+        refused(bytes, image.size, 'I', 24, hostile_begin(bytes, 2) + 6 * i / 8, "a number");
         free(bytes);
     }
     pack_free(&image);
@@ -137,7 +118,7 @@ static first_block open_first(unsigned char *bytes) {
     const plt_lattice_box frame = {{0, 0, 0},
                                    {(1u << BITS) - 1, (1u << BITS) - 1, (1u << BITS) - 1}};
     first_block f;
-    unsigned char *at = bytes + section(bytes, 0);
+    unsigned char *at = bytes + hostile_begin(bytes, 0);
     plt_block_open(&f.b, at, BITS);
     while (f.b.leaves == 0) {
         at += plt_block_bytes(&f.b);
@@ -153,7 +134,7 @@ static void vertices_outside(void) {
     packed image = make_image(0);
     for (unsigned a = 0; a < 3; a++) {
         for (unsigned beyond = 0; beyond < 2; beyond++) {
-            unsigned char *bytes = copy_of(&image);
+            unsigned char *bytes = hostile_copy(image.bytes, image.size);
             const first_block f = open_first(bytes);
             plt_lattice_box bounds;
             plt_block_bounds(&f.b, BITS, &bounds);
@@ -163,9 +144,7 @@ static void vertices_outside(void) {
                 f.part[bit / 8] = (unsigned char)((f.part[bit / 8] & ~(1u << bit % 8)) |
                                                   (value >> k & 1u) << bit % 8);
             }
-            refused(bytes, image.size, 'I', 21,
-                    section(bytes, 0) + (uint32_t)(f.b.bytes - bytes) - section(bytes, 0),
-                    "outside");
+            refused(bytes, image.size, 'I', 21, (uint32_t)(f.b.bytes - bytes), "outside");
             free(bytes);
         }
     }
@@ -176,7 +155,7 @@ static void vertices_outside(void) {
  * the string of new vertices are not as many. A turn that is none gives some rotation. */
 static void turns(void) {
     packed image = make_image(0);
-    unsigned char *bytes = copy_of(&image);
+    unsigned char *bytes = hostile_copy(image.bytes, image.size);
     const first_block f = open_first(bytes);
     const uint32_t end = f.g.positions + 3 * BITS * f.g.vertices + 2 * f.g.triangles;
     CHECK(end <= 8 * f.b.geometry_bytes && end > 8 * f.b.geometry_bytes - 64,
@@ -201,21 +180,17 @@ static void short_part(void) {
                                    .lattice_bits = BITS,
                                    .is_mapped = 1,
                                    .is_compact = 1};
-        mesh m = {0};
-        sequence_rig s;
-        shape_soup(&m, n, 0.4f, 3);
-        sequence_rig_pack(&s, &m, &c);
-        first_block f = open_first(s.image.bytes);
+        packed image = sequence_rig_image(&c, n, 3);
+        first_block f = open_first(image.bytes);
         const uint32_t positions_end = f.g.positions + 3 * BITS * f.g.vertices;
-        if (s.image.info.treelets == 1 && positions_end <= 8 * (f.b.geometry_bytes - 8)) {
-            unsigned char *head = s.image.bytes + section(s.image.bytes, 0);
+        if (image.info.treelets == 1 && positions_end <= 8 * (f.b.geometry_bytes - 8)) {
+            unsigned char *head = image.bytes + hostile_begin(image.bytes, 0);
             plt_put_u32(head, plt_get_u32(head) - (1u << 6)); /* G is 8 bytes less */
-            plt_put_u32(s.image.bytes + 224, s.image.info.triangle_bytes - 8);
-            refused(s.image.bytes, s.image.size, 'I', 14, section(s.image.bytes, 0), "short");
+            plt_put_u32(image.bytes + 224, image.info.triangle_bytes - 8);
+            refused(image.bytes, image.size, 'I', 14, hostile_begin(image.bytes, 0), "short");
             n = TRIANGLES + 40;
         }
-        sequence_rig_close(&s);
-        mesh_free(&m);
+        pack_free(&image);
     }
 }
 

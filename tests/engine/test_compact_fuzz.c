@@ -5,8 +5,8 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/fuzz/fuzz_blocks.c"
 
+#include "tests/hostile/mutations.h"
 #include "tests/reference/compact_rig.h"
-#include "tests/reference/random.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -73,8 +73,7 @@ static void fuzz(uint32_t seed, uint32_t mutations) {
 }
 
 int main(void) {
-    const char *soak = getenv("PLANELET_SOAK");
-    const uint32_t mutations = MUTATIONS * (soak != NULL && soak[0] == '1' ? 100 : 1);
+    const uint32_t mutations = mutations_of(MUTATIONS);
     test("mutated blocks are refused, or are decoded and traced without harm");
     for (uint32_t seed = 0; seed < SEEDS; seed++) {
         fuzz(seed, mutations);

@@ -152,16 +152,10 @@ static void must_break(const packed *image, unsigned char *bytes, uint32_t at, u
     free(bytes);
 }
 
-static unsigned char *copy_of(const packed *image) {
-    unsigned char *bytes = malloc(image->size);
-    memcpy(bytes, image->bytes, image->size);
-    return bytes;
-}
-
 /* `count` bytes at `at` become `value`. */
 static void bend(const packed *image, uint32_t at, uint64_t value, uint32_t count, uint8_t rule,
                  const char *what) {
-    unsigned char *bytes = copy_of(image);
+    unsigned char *bytes = hostile_copy(image->bytes, image->size);
     for (uint32_t i = 0; i < count; i++) {
         bytes[at + i] = (unsigned char)(value >> 8 * i);
     }
@@ -237,11 +231,11 @@ static void bent_kinds(const packed *image) {
     const some_block f = open_at(image, 0);
     const uint32_t mask_bytes = (2 * f.b.nodes + 7) / 8;
     bend(image, f.mask_at, 0, 1, 11, "a root without inner children");
-    unsigned char *bytes = copy_of(image);
+    unsigned char *bytes = hostile_copy(image->bytes, image->size);
     memset(bytes + f.mask_at, 0xFF, mask_bytes);
     memset(bytes + f.mask_at + mask_bytes, 0, mask_bytes);
     must_break(image, bytes, f.mask_at, 11, "nothing but inner children");
-    bytes = copy_of(image);
+    bytes = hostile_copy(image->bytes, image->size);
     memset(bytes + f.mask_at, 0xFF, 2 * mask_bytes);
     must_break(image, bytes, f.mask_at, 255, "nothing but edges");
 }
@@ -252,7 +246,7 @@ static void bent_bounds(const packed *image) {
     const uint32_t bounds_bytes = plt_block_bounds_bytes(f.bits), width = f.bits <= 16 ? 16 : 21;
     for (uint32_t axis = 0; axis < 3; axis++) {
         plt_lattice_box bounds;
-        unsigned char *bytes = copy_of(image), *at = bytes + f.bounds_at;
+        unsigned char *bytes = hostile_copy(image->bytes, image->size), *at = bytes + f.bounds_at;
         plt_block_bounds(&f.b, f.bits, &bounds);
         memset(at, 0, bounds_bytes);
         for (uint32_t a = 0; a < 3; a++) {
@@ -295,7 +289,7 @@ static void moved_starts(const packed *image, const some_block *f) {
     uint32_t by_rule = 0;
     for (uint32_t bit = f->g.starts; bit + 1 < f->g.swaps; bit++) {
         if (bit_at(image, f, bit) && !bit_at(image, f, bit + 1)) {
-            unsigned char *bytes = copy_of(image);
+            unsigned char *bytes = hostile_copy(image->bytes, image->size);
             bytes[f->geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
             bytes[f->geometry_at + (bit + 1) / 8] ^= (unsigned char)(1u << (bit + 1) % 8);
             compact_seal(bytes, image->size, 1);
@@ -312,7 +306,7 @@ static void bent_references(const packed *image, const some_block *f) {
     const uint32_t known = f->g.vertices < 4 ? 0 : f->g.slots - f->g.vertices;
     CHECK(known > 0 && f->g.ref_bits > 0, "no reference to change");
     for (uint32_t beyond = 0; beyond < 2; beyond++) {
-        unsigned char *bytes = copy_of(image);
+        unsigned char *bytes = hostile_copy(image->bytes, image->size);
         for (uint32_t i = 0; i < f->g.ref_bits; i++) {
             const uint32_t bit = f->g.refs + i;
             const uint32_t value = beyond ? 1 : (f->g.vertices - 1) >> i & 1;
@@ -326,7 +320,7 @@ static void bent_references(const packed *image, const some_block *f) {
 static void bent_strips(const packed *image) {
     const some_block f = open_at(image, second_address(image));
     for (uint32_t bit = f.g.starts; bit < f.g.positions; bit++) {
-        unsigned char *bytes = copy_of(image);
+        unsigned char *bytes = hostile_copy(image->bytes, image->size);
         bytes[f.geometry_at + bit / 8] ^= (unsigned char)(1u << bit % 8);
         compact_seal(bytes, image->size, 1);
         const hostile_result r = meet(bytes, image->size, "a strip's bit", bit);

@@ -19,16 +19,7 @@ enum { INSTANCES = 4, FRAME = PLT_MATRICES_HEAD + INSTANCES * PLT_MATRIX_BYTES }
 static packed make_image(void) {
     const instances_config c = {
         rig_config_of(2, 1, PLT_BUILD_HOST, PLT_SPLIT_SAH), INSTANCES, INSTANCES_RIGID, 4.0f, 1, 2};
-    instances_rig s;
-    instances_rig_pack(&s, &c);
-    const packed image = s.image;
-    s.image.bytes = NULL;
-    instances_rig_close(&s);
-    return image;
-}
-
-static uint32_t section(const packed *image, unsigned i) {
-    return plt_get_u32(image->bytes + 104 + 16 * i + 4);
+    return instances_rig_image(&c);
 }
 
 static hostile_result open_image(const unsigned char *bytes, uint32_t size, uint8_t streamed) {
@@ -48,16 +39,10 @@ static void check(const unsigned char *bytes, uint32_t size, char kind, unsigned
     }
 }
 
-static unsigned char *heap_copy(const packed *image) {
-    unsigned char *bytes = aligned_alloc(PLT_ALIGN, image->size);
-    memcpy(bytes, image->bytes, image->size);
-    return bytes;
-}
-
 /* One word of an image is another. */
 static void refused(const packed *image, uint32_t at, uint32_t value, char kind, unsigned rule,
                     uint32_t offset) {
-    unsigned char *bytes = heap_copy(image);
+    unsigned char *bytes = hostile_copy(image->bytes, image->size);
     plt_put_u32(bytes + at, value);
     hostile_seal_instances(bytes, image->size);
     check(bytes, image->size, kind, rule, offset);
@@ -87,7 +72,7 @@ static void header(const packed *image) {
 
 /* Of body 1: ranges, box and root; the place of an instance's body. */
 static void bodies(const packed *image) {
-    const uint32_t table = section(image, 2), body = table + PLT_BODY_BYTES;
+    const uint32_t table = hostile_begin(image->bytes, 2), body = table + PLT_BODY_BYTES;
     const unsigned char *at = image->bytes + body;
     const uint32_t instances = table + 3 * PLT_BODY_BYTES;
     refused(image, body, PLT_LINK_NONE, 'I', 27, body);
@@ -107,14 +92,15 @@ static void bodies(const packed *image) {
     refused(image, 28, plt_get_u32(image->bytes + 28) - 1, 'I', 8, 28);
     refused(image, body, 0x7FFFFFE2u, 'I', 1, body);
     refused(image, body + 24, 0x3F000000, 'I', 5,
-            section(image, 1) + PLT_RECORD_BYTES * plt_get_u32(at + 12));
+            hostile_begin(image->bytes, 1) + PLT_RECORD_BYTES * plt_get_u32(at + 12));
 }
 
 /* A node of body 1 with a link beyond its own slots, and a record with an id that is not of it. */
 static void trees(const packed *image) {
-    const unsigned char *at = image->bytes + section(image, 2) + PLT_BODY_BYTES;
-    const uint32_t node = section(image, 0) + PLT_NODE_BYTES * plt_get_u32(at + 4);
-    const uint32_t record = section(image, 1) + PLT_RECORD_BYTES * plt_get_u32(at + 12);
+    const unsigned char *at = image->bytes + hostile_begin(image->bytes, 2) + PLT_BODY_BYTES;
+    const uint32_t node = hostile_begin(image->bytes, 0) + PLT_NODE_BYTES * plt_get_u32(at + 4);
+    const uint32_t record =
+        hostile_begin(image->bytes, 1) + PLT_RECORD_BYTES * plt_get_u32(at + 12);
     const uint32_t link = plt_get_u32(image->bytes + node + 24);
     refused(image, node + 24, (link & PLT_LINK_OWNERS) | 0x7FFFFFE2u, 'I', 1, node);
     refused(image, record + 36, plt_get_u32(at + 16) | 0x80000000u, 'I', 7, record + 36);
@@ -123,7 +109,7 @@ static void trees(const packed *image) {
 /* A frame that opening does not read. */
 static void shown(const packed *image, uint32_t at, uint32_t value, int seals, unsigned rule,
                   uint32_t offset) {
-    unsigned char *bytes = heap_copy(image);
+    unsigned char *bytes = hostile_copy(image->bytes, image->size);
     plt_engine *e;
     plt_fault fault;
     plt_put_u32(bytes + at, value);
@@ -146,7 +132,7 @@ static void shown(const packed *image, uint32_t at, uint32_t value, int seals, u
 }
 
 static void frames(const packed *image) {
-    const uint32_t at = section(image, 3), two = at + 2 * FRAME;
+    const uint32_t at = hostile_begin(image->bytes, 3), two = at + 2 * FRAME;
     shown(image, two, 0, 0, 28, two);
     shown(image, two + 60, ONE, 0, 28, two);
     for (uint32_t i = 0; i < INSTANCES; i++) {
@@ -160,8 +146,8 @@ static void frames(const packed *image) {
 
 /* Each byte of sections and header that is damaged without a new checksum. */
 static void damage(const packed *image) {
-    unsigned char *bytes = heap_copy(image);
-    const uint32_t end = section(image, 3) + FRAME;
+    unsigned char *bytes = hostile_copy(image->bytes, image->size);
+    const uint32_t end = hostile_begin(image->bytes, 3) + FRAME;
     uint32_t found = 0, all = 0;
     for (uint32_t at = 0; at < end; at += at < 256 ? 1 : 13) {
         bytes[at] ^= 16;

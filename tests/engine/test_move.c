@@ -65,7 +65,7 @@ static void small_scenes(void) {
                         rig fresh;
                         CHECK(mover_move(&v, &m) == PLT_OK, "%s", v.fault.message);
                         CHECK(rig_open(&fresh, &m, &c) == PLT_OK, "%s", fresh.fault.message);
-                        mover_same_hits(&v, &fresh, &m, "a list");
+                        compare_rays(v.engine, fresh.engine, &m, "a list");
                         rig_close(&fresh);
                     } else {
                         move_and_compare(&v, &m, &c, way);
@@ -150,7 +150,7 @@ static void bad_corners(void) {
             corners[at][i % 9] = was;
         }
         free(corners);
-        mover_same_hits(&v, &fresh, &m, "after refusals");
+        compare_rays(v.engine, fresh.engine, &m, "after refusals");
         corners = mover_corners(&m);
         corners[0][0] = PLT_COORD_MAX;
         CHECK(plt_move(v.engine, (const float(*)[9])corners, &v.fault) == PLT_OK, "at 2^40");

@@ -4,15 +4,14 @@
 #include <stdlib.h>
 
 #include "engine/engine.h"
+#include "tests/reference/compare.h"
 #include "tests/reference/frame_decoder.h"
-#include "tests/reference/frames.h"
-#include "tests/reference/rays.h"
 #include "tests/reference/sequence_rig.h"
 #include "tests/reference/shapes.h"
 #include "tests/reference/tree_check.h"
 #include "tests/test.h"
 
-enum { RAYS = 128, ORDERS = 24 };
+enum { ORDERS = 24 };
 
 static uint32_t treelet(uint32_t nodes) {
     return rig_is_tiny() ? 1 : nodes;
@@ -38,32 +37,6 @@ static sequence_config config_of(uint32_t k, uint8_t build, uint32_t bits, uint3
 }
 
 /* ---- what is to be the same ------------------------------------------------------- */
-
-static void compare_hits(plt_engine *shown, plt_engine *fresh, const mesh *m, const char *name) {
-    static plt_ray rays[RAYS];
-    static plt_hit hits[RAYS], due[RAYS];
-    random_state r = {m->triangles};
-    rays_mixed(rays, RAYS, m, &r);
-    CHECK(plt_trace(shown, rays, hits, RAYS, 0) == PLT_OK, "%s", name);
-    CHECK(plt_trace(fresh, rays, due, RAYS, 0) == PLT_OK, "%s", name);
-    CHECK(memcmp(hits, due, sizeof due) == 0, "%s: hits", name);
-}
-
-static plt_frame view_of(const plt_engine *e) {
-    static const float from[3] = {1.0f, 0.8f, 2.2f};
-    const plt_info *info = plt_engine_info(e);
-    float eye[3], look[3];
-    for (int a = 0; a < 3; a++) {
-        look[a] = 0.5f * (info->lo[a] + info->hi[a]);
-        eye[a] = look[a] + from[a] * (info->hi[0] - info->lo[0] + 1.0f);
-    }
-    return frame_of(eye, look, 29, 23, PLT_SHADE_TRIANGLE);
-}
-
-static void compare_frames(plt_engine *shown, plt_engine *fresh, const char *name) {
-    const plt_frame f = view_of(fresh);
-    CHECK(frame_hash(shown, &f, 500) == frame_hash(fresh, &f, 500), "%s: picture", name);
-}
 
 /* Boxes are tight, lists and treelets as before. */
 static void check_tree(const sequence_rig *s, const char *name) {
@@ -105,13 +78,7 @@ static void shows(sequence_rig *s, const sequence_config *c, uint32_t k, const c
     check_tree(s, name);
     check_records(s, k, name);
     CHECK(rig_open(&fresh, &s->frame[k], &c->scene) == PLT_OK, "%s: %s", name, fresh.fault.message);
-    const plt_info *now = plt_engine_info(s->engine), *due = plt_engine_info(fresh.engine);
-    CHECK(memcmp(&s->engine->scene.box, &fresh.engine->scene.box, sizeof(plt_box)) == 0 ||
-              (now->lo[0] == due->lo[0] && now->lo[1] == due->lo[1] && now->lo[2] == due->lo[2] &&
-               now->hi[0] == due->hi[0] && now->hi[1] == due->hi[1] && now->hi[2] == due->hi[2]),
-          "%s: box", name);
-    compare_hits(s->engine, fresh.engine, &s->frame[k], name);
-    compare_frames(s->engine, fresh.engine, name);
+    compare_scenes(s->engine, fresh.engine, &s->frame[k], name);
     rig_close(&fresh);
 }
 
@@ -286,11 +253,11 @@ static void beside_rendering(void) {
         if (sequence_rig_start(&s, &m, &c) == PLT_OK) {
             for (uint32_t k = 0; k < c.frames; k++) {
                 show(&s, &c, k);
-                const plt_frame view = view_of(s.engine);
+                const plt_frame view = compare_view(s.engine, 1.0f, PLT_SHADE_TRIANGLE);
                 const uint64_t due = frame_hash(s.engine, &view, 500);
                 CHECK(render_beside(&s, &view, (k + 1) % c.frames) == due, "frame %u", k);
             }
-            const plt_frame view = view_of(s.engine);
+            const plt_frame view = compare_view(s.engine, 1.0f, PLT_SHADE_TRIANGLE);
             CHECK(plt_render_begin(s.engine, &view) == PLT_OK &&
                       plt_sequence_show(s.engine, 2, &s.fault) == PLT_OK &&
                       plt_render_step(s.engine, 100) == PLT_OK,

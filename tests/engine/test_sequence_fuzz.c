@@ -5,19 +5,12 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/fuzz/fuzz_sequence.c"
 
-#include "tests/reference/random.h"
+#include "tests/fuzz/image_mutations.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
-#include "tests/test.h"
 
 enum { SEEDS = 14, FIRST_OF_BLOCKS = 8, MUTATIONS = 3000 };
 
-typedef struct input {
-    unsigned char *bytes; /* the byte that selects options, then the image */
-    size_t size;
-} input;
-
-static input seed_input(uint32_t seed) {
+static packed seed_image(uint32_t seed) {
     static const uint32_t bits[4] = {0, 12, 16, 21};
     const int is_compact = seed >= FIRST_OF_BLOCKS;
     const uint8_t build = (uint8_t)(is_compact ? PLT_BUILD_HOST : seed % 3);
@@ -29,73 +22,24 @@ static input seed_input(uint32_t seed) {
         .is_mapped = 1,
         .is_compact = is_compact,
         .without_ids = seed % 2};
-    mesh m = {0};
-    sequence_rig s;
-    shape_soup(&m, rig_triangles(3 + 9 * seed, 1), 0.4f, seed);
-    sequence_rig_pack(&s, &m, &c);
-    const input in = {malloc(s.image.size + 1), s.image.size + 1};
-    memcpy(in.bytes + 1, s.image.bytes, s.image.size);
-    sequence_rig_close(&s);
-    mesh_free(&m);
-    return in;
+    return sequence_rig_image(&c, rig_triangles(3 + 9 * seed, 1), seed);
 }
 
-static const uint32_t words[] = {0,          1,          2,          3,          64,
-                                 0x7FC00000, 0x7F800000, 0xFF800000, 0x80000000, 0x7FFFFFFF,
-                                 0xFFFFFFFF, 0x53800000, 0x53800001, 0x07FFFFFF};
-
 /* Half of the damage is to the header's fields of the sequence, or to its sections. */
-static uint32_t place(const input *in, random_state *r) {
-    const uint32_t image = (uint32_t)in->size - 1;
-    const uint32_t frames = plt_get_u32(in->bytes + 1 + 104 + 16 * 2 + 4);
+static uint32_t place(const unsigned char *image, uint32_t size, random_state *r) {
+    const uint32_t frames = hostile_begin(image, 2);
     switch (random_below(r, 4)) {
     case 0:
         return 168 + random_below(r, 44);
     case 1:
-        return random_below(r, image);
+        return random_below(r, size);
     default:
-        return frames < image ? frames + random_below(r, image - frames) : 0;
+        return frames < size ? frames + random_below(r, size - frames) : 0;
     }
-}
-
-static void mutate(input *in, random_state *r) {
-    const uint32_t image = (uint32_t)in->size - 1;
-    for (uint32_t times = 1 + random_below(r, 3); times > 0; times--) {
-        const uint32_t at = place(in, r);
-        unsigned char *word = in->bytes + 1 + (at & ~3u) % (image - 3);
-        switch (random_below(r, 4)) {
-        case 0:
-            in->bytes[1 + at] ^= (unsigned char)(1u << random_below(r, 8));
-            break;
-        case 1:
-            in->bytes[1 + at] = (unsigned char)random_bits(r);
-            break;
-        case 2:
-            plt_put_u32(word, words[random_below(r, sizeof words / sizeof words[0])]);
-            break;
-        default:
-            plt_put_u32(word, plt_get_u32(word) + 4 * (random_below(r, 7) - 3));
-        }
-    }
-}
-
-static void fuzz(uint32_t seed, uint32_t mutations) {
-    random_state r = {seed};
-    const input in = seed_input(seed);
-    for (uint32_t i = 0; i < mutations; i++) {
-        input one = {malloc(in.size), in.size};
-        memcpy(one.bytes, in.bytes, in.size);
-        one.bytes[0] = (unsigned char)(random_bits(&r) | 16);
-        mutate(&one, &r);
-        CHECK(LLVMFuzzerTestOneInput(one.bytes, one.size) == 0, "seed %u, mutation %u", seed, i);
-        free(one.bytes);
-    }
-    free(in.bytes);
 }
 
 int main(void) {
-    const char *soak = getenv("PLANELET_SOAK");
-    const uint32_t mutations = MUTATIONS * (soak != NULL && soak[0] == '1' ? 100 : 1);
+    const uint32_t mutations = mutations_of(MUTATIONS);
     test("mutated images with frames are refused with a reason, or all frames are shown or are");
     for (uint32_t seed = 0; seed < SEEDS; seed++) {
         fuzz(seed, mutations);

@@ -6,7 +6,6 @@
  * SPDX-License-Identifier: MIT */
 #include "tests/hostile/sequences.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 #define NAN_BITS 0x7FC00000u
@@ -21,29 +20,11 @@ static packed make_image(uint32_t bits, uint32_t key_every) {
                                .key_every = key_every,
                                .lattice_bits = bits,
                                .is_mapped = 1};
-    mesh m = {0};
-    sequence_rig s;
-    shape_soup(&m, VERTICES / 3, 0.4f, 3);
-    sequence_rig_pack(&s, &m, &c);
-    const packed image = s.image;
-    s.image.bytes = NULL;
-    sequence_rig_close(&s);
-    mesh_free(&m);
-    return image;
-}
-
-static unsigned char *copy_of(const packed *image) {
-    unsigned char *bytes = malloc(image->size);
-    memcpy(bytes, image->bytes, image->size);
-    return bytes;
-}
-
-static uint32_t section(const unsigned char *bytes, unsigned i) {
-    return plt_get_u32(bytes + 104 + 16 * i + 4);
+    return sequence_rig_image(&c, VERTICES / 3, 3);
 }
 
 static uint32_t frame_at(const unsigned char *bytes, uint32_t frame) {
-    return section(bytes, 3) + plt_get_u32(bytes + section(bytes, 3) + 4 * frame);
+    return hostile_begin(bytes, 3) + plt_get_u32(bytes + hostile_begin(bytes, 3) + 4 * frame);
 }
 
 static hostile_result open_image(const unsigned char *bytes, uint32_t size, uint8_t streamed,
@@ -74,7 +55,7 @@ typedef struct change {
 static void header_words(uint32_t bits, const change *changes, size_t count) {
     packed image = make_image(bits, 2);
     for (size_t i = 0; i < count; i++) {
-        unsigned char *bytes = copy_of(&image);
+        unsigned char *bytes = hostile_copy(image.bytes, image.size);
         plt_put_u32(bytes + changes[i].at, changes[i].value);
         refused(bytes, image.size, 'R', changes[i].rule, changes[i].offset);
         free(bytes);
@@ -125,12 +106,13 @@ static void every_header_word(void) {
 static void every_offset(void) {
     packed image = make_image(14, 2);
     for (uint32_t i = 0; i <= FRAMES; i++) {
-        const uint32_t at = section(image.bytes, 3) + 4 * i, was = plt_get_u32(image.bytes + at);
+        const uint32_t at = hostile_begin(image.bytes, 3) + 4 * i,
+                       was = plt_get_u32(image.bytes + at);
         const uint32_t values[] = {0,       was - 4,    was + 4,
                                    was + 1, 0xFFFFFFFC, image.info.frame_bytes + 4};
         for (unsigned v = 0; v < 6; v++) {
             const int is_inner = i > 0 && i < FRAMES;
-            unsigned char *bytes = copy_of(&image);
+            unsigned char *bytes = hostile_copy(image.bytes, image.size);
             plt_put_u32(bytes + at, values[v]);
             if (is_inner && (v == 1 || v == 2)) { /* still behind each other: blocks do not fit */
                 hostile_seal_sequence(bytes, image.size);
@@ -155,11 +137,11 @@ static void every_offset(void) {
 static void every_index(void) {
     packed image = make_image(0, 2);
     for (uint32_t i = 0; i < VERTICES; i++) {
-        unsigned char *bytes = copy_of(&image);
+        unsigned char *bytes = hostile_copy(image.bytes, image.size);
         for (uint32_t b = 6 * i; b < 6 * i + 6; b++) {
-            bytes[section(bytes, 2) + b / 8] |= (unsigned char)(1u << b % 8);
+            bytes[hostile_begin(bytes, 2) + b / 8] |= (unsigned char)(1u << b % 8);
         }
-        refused(bytes, image.size, 'I', 24, section(bytes, 2) + i / 3 * 18 / 8);
+        refused(bytes, image.size, 'I', 24, hostile_begin(bytes, 2) + i / 3 * 18 / 8);
         free(bytes);
     }
     pack_free(&image);
@@ -208,7 +190,7 @@ static void every_flip(void) {
 /* A frame where another one should be, with all its checks. */
 static void exchanged(void) {
     packed image = make_image(0, 1);
-    unsigned char *bytes = copy_of(&image);
+    unsigned char *bytes = hostile_copy(image.bytes, image.size);
     const uint32_t one = frame_at(bytes, 1), two = frame_at(bytes, 2), three = frame_at(bytes, 3);
     memcpy(bytes + one, image.bytes + two, two - one < three - two ? two - one : three - two);
     breaks(bytes, image.size, 1, 25, one, "another frame");
@@ -219,7 +201,7 @@ static void exchanged(void) {
 static void forged_blocks(void) {
     packed image = make_image(0, 1);
     const uint32_t at = frame_at(image.bytes, 2);
-    unsigned char *bytes = copy_of(&image);
+    unsigned char *bytes = hostile_copy(image.bytes, image.size);
     bytes[at + 4] |= 0x3F; /* width 63 */
     hostile_seal_sequence(bytes, image.size);
     breaks(bytes, image.size, 2, 25, at, "a width above 32");
@@ -265,7 +247,7 @@ static void forged_floats(void) {
     packed image = make_image(0, 1);
     const uint32_t at = frame_at(image.bytes, 2);
     for (unsigned i = 0; i < 6; i++) {
-        unsigned char *bytes = copy_of(&image);
+        unsigned char *bytes = hostile_copy(image.bytes, image.size);
         plt_fault fault;
         for (uint32_t b = 0; b < 32; b++) { /* the least x, from bit 50 on */
             const uint32_t bit = 8 * at + 50 + b;

@@ -8,10 +8,9 @@
 #include <stdlib.h>
 
 #include "engine/tree/compact/block_tree.h"
+#include "tests/hostile/mutations.h"
 #include "tests/hostile/sequences.h"
-#include "tests/reference/random.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 enum { SEEDS = 6, MUTATIONS = 600, AT_NODE_BYTES = 220, AT_TRIANGLE_BYTES = 224 };
@@ -26,15 +25,7 @@ static packed make_image(uint32_t seed) {
                                .is_compact = 1,
                                .is_stills = 1,
                                .without_ids = seed % 4 == 3};
-    mesh m = {0};
-    sequence_rig s;
-    shape_soup(&m, rig_triangles(20 + 60 * seed, c.scene.pack.leaf_triangles), 0.4f, seed);
-    sequence_rig_pack(&s, &m, &c);
-    const packed image = s.image;
-    s.image.bytes = NULL;
-    sequence_rig_close(&s);
-    mesh_free(&m);
-    return image;
+    return sequence_rig_image(&c, rig_triangles(20 + 60 * seed, c.scene.pack.leaf_triangles), seed);
 }
 
 /* ---- sealing ---------------------------------------------------------------------- */
@@ -96,8 +87,6 @@ static const char *show(plt_engine *e) {
     return NULL;
 }
 
-static const uint32_t words[] = {0, 1, 2, 8, 63, 255, 0xFFFF, 0x7FC00000, 0x7FFFFFFF, 0xFFFFFFFF};
-
 /* Half of the damage is to the first bytes of blocks, where their sizes are. */
 static void damage(unsigned char *bytes, uint32_t size, random_state *r) {
     const uint32_t way = random_below(r, 8);
@@ -105,11 +94,7 @@ static void damage(unsigned char *bytes, uint32_t size, random_state *r) {
                         : way == 1 ? 72 + random_below(r, 24)
                         : way < 5  ? 256 + random_below(r, size - 256 < 64 ? size - 256 : 64)
                                    : 256 + random_below(r, size - 256);
-    if (random_below(r, 4) == 0 && at + 4 <= size) {
-        plt_put_u32(bytes + at, words[random_below(r, sizeof words / sizeof words[0])]);
-    } else {
-        bytes[at] ^= (unsigned char)(1u << random_below(r, 8));
-    }
+    mutate_at(bytes, size, at, r);
 }
 
 static void try_images(unsigned times) {
@@ -136,9 +121,8 @@ static void try_images(unsigned times) {
 }
 
 int main(void) {
-    const char *soak = getenv("PLANELET_SOAK");
     test("stills that are damaged and sealed again: frames show or are refused, and rays, too");
-    try_images(soak != NULL && soak[0] == '1' ? 100 * MUTATIONS : MUTATIONS);
+    try_images(mutations_of(MUTATIONS));
     CHECK(shown > 2000 && refused > 200 && traced > 1000, "%lu shown, %lu refused, %lu traced",
           shown, refused, traced);
     return test_done();

@@ -6,13 +6,12 @@
 #include <stdlib.h>
 
 #include "engine/engine.h"
-#include "tests/reference/frames.h"
-#include "tests/reference/rays.h"
+#include "tests/reference/compare.h"
 #include "tests/reference/sequence_rig.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
-enum { RAYS = 192, ORDERS = 12 };
+enum { ORDERS = 12 };
 
 /* An image, and an engine of each kind over it. */
 typedef struct pair {
@@ -68,31 +67,10 @@ static void close_both(pair *p) {
 
 /* ---- what is to be the same ------------------------------------------------------- */
 
-static void compare_hits(pair *p, const mesh *m, int any) {
-    static plt_ray rays[RAYS];
-    static plt_hit hits[RAYS], due[RAYS];
-    random_state r = {m->triangles};
-    rays_mixed(rays, RAYS, m, &r);
-    CHECK(plt_trace(p->without.engine, rays, hits, RAYS, any) == PLT_OK, "%s", p->name);
-    CHECK(plt_trace(p->with.engine, rays, due, RAYS, any) == PLT_OK, "%s", p->name);
-    CHECK(memcmp(hits, due, sizeof due) == 0, "%s: hits, any %d", p->name, any);
-}
-
-static plt_frame view_of(const plt_engine *e, uint8_t shader) {
-    static const float from[3] = {1.0f, 0.8f, 2.2f};
-    const plt_info *info = plt_engine_info(e);
-    float eye[3], look[3];
-    for (int a = 0; a < 3; a++) {
-        look[a] = 0.5f * (info->lo[a] + info->hi[a]);
-        eye[a] = look[a] + from[a] * (info->hi[0] - info->lo[0] + 0.3f);
-    }
-    return frame_of(eye, look, 37, 27, shader);
-}
-
 /* From outside, from within, where triangles are not projected, and with a field so wide that none
  * is. */
 static void compare_frames(pair *p) {
-    plt_frame f = view_of(p->with.engine, PLT_SHADE_EYELIGHT);
+    plt_frame f = compare_view(p->with.engine, 0.3f, PLT_SHADE_EYELIGHT);
     CHECK(frame_hash(p->without.engine, &f, 500) == frame_hash(p->with.engine, &f, 500),
           "%s: picture", p->name);
     for (int a = 0; a < 3; a++) {
@@ -127,8 +105,7 @@ static void compare(pair *p, uint32_t frame) {
     plt_stats_reset(p->with.engine);
     plt_stats_reset(p->without.engine);
     compare_nodes(p);
-    compare_hits(p, &p->with.frame[frame], 0);
-    compare_hits(p, &p->with.frame[frame], 1);
+    compare_rays(p->without.engine, p->with.engine, &p->with.frame[frame], p->name);
     compare_frames(p);
     plt_stats_get(p->with.engine, &due);
     plt_stats_get(p->without.engine, &is);
@@ -249,7 +226,7 @@ static void ties(void) {
 /* The picture of the frame that is shown, while frame `next` comes in steps; how many of them. */
 static unsigned render_beside(pair *p, uint32_t next, uint64_t due) {
     plt_engine *e = p->without.engine;
-    const plt_frame view = view_of(p->with.engine, PLT_SHADE_TRIANGLE);
+    const plt_frame view = compare_view(p->with.engine, 0.3f, PLT_SHADE_TRIANGLE);
     unsigned steps = 0;
     int coming = plt_sequence_begin(e, next, &p->without.fault);
     CHECK(coming == PLT_OK, "%s", p->without.fault.message);
@@ -280,7 +257,7 @@ static void beside_rendering(void) {
             for (uint32_t k = 0; k < 2 * c.frames; k++) {
                 const uint32_t next = (k + 1) % c.frames;
                 show(&p, k % c.frames);
-                const plt_frame view = view_of(p.with.engine, PLT_SHADE_TRIANGLE);
+                const plt_frame view = compare_view(p.with.engine, 0.3f, PLT_SHADE_TRIANGLE);
                 const plt_node *nodes = p.without.engine->scene.thesis.nodes;
                 const unsigned steps =
                     render_beside(&p, next, frame_hash(p.with.engine, &view, 500));

@@ -9,33 +9,15 @@
  * runs this with mutations of its own.
  *
  * SPDX-License-Identifier: MIT */
-#include <stdio.h>
-
+#include "tests/fuzz/image_target.h"
 #include "tests/hostile/sequences.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+static void seal_image(unsigned char *bytes, uint32_t size) {
+    hostile_seal_sequence(bytes, size);
+}
 
-static unsigned long images_opened;
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    if (size < 1 || size > 1u << 20) {
-        return 0;
-    }
+static hostile_result try_image(const unsigned char *bytes, uint32_t size, uint8_t first) {
     const hostile_config config = {
-        .streamed = data[0] & 1, .order = data[0] >> 1 & 1, .packet_side = 2};
-    const uint32_t count = (uint32_t)size - 1;
-    unsigned char *bytes = malloc(count > 0 ? count : 1);
-    memcpy(bytes, data + 1, count);
-    if (data[0] & 16) {
-        hostile_seal_sequence(bytes, count);
-    }
-    const hostile_result r =
-        hostile_try_sequence(bytes, count, config, HOSTILE_RECORDS + (data[0] >> 5) % 3);
-    free(bytes);
-    images_opened += r.status == PLT_OK;
-    if (r.sentence != NULL) {
-        fprintf(stderr, "%s\n", r.sentence);
-        abort();
-    }
-    return 0;
+        .streamed = first & 1, .order = first >> 1 & 1, .packet_side = 2};
+    return hostile_try_sequence(bytes, size, config, HOSTILE_RECORDS + (first >> 5) % 3);
 }

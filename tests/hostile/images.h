@@ -53,6 +53,18 @@ static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
     }
 }
 
+/* A copy to damage; free() it. */
+static inline unsigned char *hostile_copy(const unsigned char *image, uint32_t size) {
+    unsigned char *bytes = malloc(size);
+    memcpy(bytes, image, size);
+    return bytes;
+}
+
+/* Where section `i` begins, as the table has it. */
+static inline uint32_t hostile_begin(const unsigned char *image, uint32_t i) {
+    return plt_get_u32(image + HOSTILE_SECTION + 16 * i + 4);
+}
+
 /* A section as entry `i` of the table has it. `bytes` is NULL if that is not of this kind, or does
  * not lie in the image. */
 typedef struct hostile_section {

@@ -7,23 +7,23 @@
 #define HOSTILE_INSTANCES_H
 
 #include "engine/instances/matrices.h"
-#include "tests/hostile/images.h"
+#include "tests/hostile/frames.h"
 
-enum { HOSTILE_INSTANCES_MOST = 4096, HOSTILE_MATRICES_FRAMES = 64 };
+enum { HOSTILE_INSTANCES_MOST = 4096 };
 
 /* Makes the checks of all frames right, and of all sections and the header. */
 static inline void hostile_seal_instances(unsigned char *bytes, uint32_t size) {
     if (size < HOSTILE_HEADER) {
         return;
     }
-    const uint32_t frames = plt_get_u32(bytes + 192), instances = plt_get_u32(bytes + 208);
+    const uint32_t frames = plt_get_u32(bytes + HOSTILE_AT_FRAMES),
+                   instances = plt_get_u32(bytes + 208);
     for (uint32_t i = 0; i < 4; i++) {
         unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
         const hostile_section s = hostile_section_at(bytes, size, i, plt_get_u32(entry));
         const uint32_t frame = PLT_MATRICES_HEAD + instances * PLT_MATRIX_BYTES;
-        for (uint32_t k = 0;
-             i == 3 && s.bytes != NULL && instances <= HOSTILE_INSTANCES_MOST && k < frames &&
-             k < HOSTILE_MATRICES_FRAMES && (k + 1) * frame <= s.count;
+        for (uint32_t k = 0; i == 3 && s.bytes != NULL && instances <= HOSTILE_INSTANCES_MOST &&
+                             k < frames && k < HOSTILE_FRAMES_MOST && (k + 1) * frame <= s.count;
              k++) {
             unsigned char *at = s.bytes + k * frame;
             plt_put_u32(at, plt_matrices_check(at, frame, k));
@@ -34,12 +34,6 @@ static inline void hostile_seal_instances(unsigned char *bytes, uint32_t size) {
     }
     hostile_seal_header(bytes, size);
 }
-
-typedef struct hostile_placed {
-    uint32_t shown, refused; /* frames */
-} hostile_placed;
-
-static hostile_placed hostile_placed_all;
 
 /* Hits name triangles that are there. */
 static inline const char *hostile_trace_instances(plt_engine *e) {
@@ -62,24 +56,8 @@ static inline const char *hostile_trace_instances(plt_engine *e) {
     return NULL;
 }
 
-/* Each frame shows, or is refused with a reason; what is shown then can be traced. */
 static inline const char *hostile_show_instances(plt_engine *e) {
-    const uint32_t frames = plt_engine_info(e)->frames;
-    for (uint32_t i = 0; i < frames && i < HOSTILE_MATRICES_FRAMES; i++) {
-        plt_fault fault;
-        const int status = plt_sequence_show(e, i * 3 % frames, &fault);
-        hostile_placed_all.shown += status == PLT_OK;
-        hostile_placed_all.refused += status != PLT_OK;
-        if (status != PLT_OK && !(status == PLT_ERR_IMAGE && fault.kind == 'I' &&
-                                  (fault.rule == 28 || fault.rule == 29))) {
-            return "a frame is refused without a rule";
-        }
-        const char *sentence = i % 4 == 0 ? hostile_trace_instances(e) : NULL;
-        if (sentence != NULL) {
-            return sentence;
-        }
-    }
-    return hostile_trace_instances(e);
+    return hostile_show_frames(e, 28, hostile_trace_instances);
 }
 
 static inline hostile_result hostile_try_instances(const unsigned char *bytes, uint32_t size,

@@ -8,23 +8,9 @@
 #define HOSTILE_SEQUENCES_H
 
 #include "engine/motion/frame_block.h"
-#include "tests/hostile/images.h"
-
-enum { HOSTILE_FRAMES_MOST = 64, HOSTILE_AT_FRAMES = 192 };
-
-typedef struct hostile_frames {
-    uint32_t shown, refused; /* frames */
-} hostile_frames;
+#include "tests/hostile/frames.h"
 
 /* ---- sealing ---------------------------------------------------------------- */
-
-static inline unsigned char *hostile_section_of(unsigned char *bytes, uint32_t size, unsigned i,
-                                                uint32_t *count) {
-    const unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
-    const uint32_t offset = plt_get_u32(entry + 4);
-    *count = plt_get_u32(entry + 8);
-    return offset <= size && *count <= size - offset ? bytes + offset : NULL;
-}
 
 /* Makes the checks of all blocks of a frame right, as long as each fits. */
 static inline void hostile_seal_frame(unsigned char *at, uint32_t bytes, uint32_t vertices,
@@ -64,16 +50,16 @@ static inline void hostile_seal_sequence(unsigned char *bytes, uint32_t size) {
         hostile_seal_blocks(bytes, size);
     }
     for (unsigned i = 0; i < 4 && size >= HOSTILE_HEADER; i++) {
-        uint32_t count;
-        unsigned char *section = hostile_section_of(bytes, size, i, &count);
-        if (section != NULL && i == 3 && bits <= 21) {
-            hostile_seal_frames(section, count, frames, plt_get_u32(bytes + 188),
+        unsigned char *entry = bytes + HOSTILE_SECTION + 16 * i;
+        const hostile_section s = hostile_section_at(bytes, size, i, plt_get_u32(entry));
+        if (s.bytes != NULL && i == 3 && bits <= 21) {
+            hostile_seal_frames(s.bytes, s.count, frames, plt_get_u32(bytes + 188),
                                 bits > 0 ? bits : PLT_FRAME_FLOAT_BITS);
         }
         const uint64_t offsets = 4 * ((uint64_t)frames + 1);
-        const uint32_t summed = i == 3 && offsets < count ? (uint32_t)offsets : count;
-        if (section != NULL) {
-            plt_put_u32(bytes + HOSTILE_SECTION + 16 * i + 12, plt_crc32(0, section, summed));
+        const uint32_t summed = i == 3 && offsets < s.count ? (uint32_t)offsets : s.count;
+        if (s.bytes != NULL) {
+            plt_put_u32(entry + 12, plt_crc32(0, s.bytes, summed));
         }
     }
     hostile_seal_header(bytes, size);
@@ -81,26 +67,8 @@ static inline void hostile_seal_sequence(unsigned char *bytes, uint32_t size) {
 
 /* ---- trying ------------------------------------------------------------------ */
 
-static hostile_frames hostile_frames_all;
-
-/* Each frame shows, or is refused with a reason; what is shown then can be traced. */
 static inline const char *hostile_show(plt_engine *e) {
-    const uint32_t frames = plt_engine_info(e)->frames;
-    for (uint32_t i = 0; i < frames && i < HOSTILE_FRAMES_MOST; i++) {
-        plt_fault fault;
-        const int status = plt_sequence_show(e, i * 7 % frames, &fault);
-        hostile_frames_all.shown += status == PLT_OK;
-        hostile_frames_all.refused += status != PLT_OK;
-        if (status != PLT_OK && !(status == PLT_ERR_IMAGE && fault.kind == 'I' &&
-                                  (fault.rule == 25 || fault.rule == 26))) {
-            return "a frame is refused without a rule";
-        }
-        const char *sentence = i % 8 == 0 ? hostile_trace(e) : NULL;
-        if (sentence != NULL) {
-            return sentence;
-        }
-    }
-    return hostile_trace(e);
+    return hostile_show_frames(e, 25, hostile_trace);
 }
 
 static inline hostile_result hostile_try_sequence(const unsigned char *bytes, uint32_t size,

@@ -47,8 +47,7 @@ static int open_tree(mover *v, const posed *f, tree t, unsigned frame, double *s
     CHECK(status == 0, "%s", why.text);
     const plt_source source = rig_source(&v->image);
     v->bytes = plt_arena_need(&v->image.info, 1, &c.run);
-    v->arena = aligned_alloc(PLT_ALIGN, v->bytes + MOVER_GUARD);
-    memset(v->arena, 0x5A, v->bytes + MOVER_GUARD);
+    v->arena = guarded_arena(&v->link, v->bytes);
     return plt_open(&v->engine, v->arena, v->bytes, &source, &c.run, &v->fault);
 }
 

@@ -12,7 +12,6 @@
 #include "engine/engine.h"
 #include "host_tools/base/heap.h"
 #include "tests/reference/sequence_rig.h"
-#include "tests/reference/shapes.h"
 #include "tests/test.h"
 
 typedef struct widths {
@@ -145,15 +144,7 @@ static packed small_image(void) {
                                .lattice_bits = 16,
                                .is_mapped = 1,
                                .is_compact = 1};
-    mesh m = {0};
-    sequence_rig s;
-    shape_soup(&m, rig_triangles(300, 2), 0.4f, 5);
-    sequence_rig_pack(&s, &m, &c);
-    const packed image = s.image;
-    s.image.bytes = NULL;
-    sequence_rig_close(&s);
-    mesh_free(&m);
-    return image;
+    return sequence_rig_image(&c, rig_triangles(300, 2), 5);
 }
 
 int main(int argc, char **argv) {

@@ -54,8 +54,7 @@ static void set_up(runner *r, const posed *f, policy p) {
     r->options = c.run;
     r->v.bytes = plt_arena_need(&r->v.image.info, 1, &c.run) +
                  (p == GRID ? (size_t)80 * f->frame[0].triangles / PLT_ALIGN * PLT_ALIGN : 0);
-    r->v.arena = aligned_alloc(PLT_ALIGN, r->v.bytes + MOVER_GUARD);
-    memset(r->v.arena, 0x5A, r->v.bytes + MOVER_GUARD);
+    r->v.arena = guarded_arena(&r->v.link, r->v.bytes);
 }
 
 /* ---- frames ------------------------------------------------------------------------ */

@@ -7,10 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/reference/guarded.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
-
-enum { GUARD = 64 };
 
 /* ---- matrices --------------------------------------------------------------------- */
 
@@ -113,17 +112,21 @@ void instances_rig_pack(instances_rig *r, const instances_config *c) {
     instances_finish(&r->image);
 }
 
+packed instances_rig_image(const instances_config *c) {
+    instances_rig r;
+    instances_rig_pack(&r, c);
+    const packed image = r.image;
+    r.image.bytes = NULL;
+    instances_rig_close(&r);
+    return image;
+}
+
 int instances_rig_open(instances_rig *r, const instances_config *c, size_t short_by) {
     const plt_options o = c->scene.run;
-    r->link.image = r->image.bytes;
-    r->link.bytes = r->image.size;
-    const plt_source source = c->is_mapped ? rig_source(&r->image) : fake_source(&r->link);
+    const plt_source source = guarded_source(&r->link, &r->image, c->is_mapped);
     r->arena_bytes = plt_arena_need(&r->image.info, c->is_mapped, &o) - short_by;
     free(r->arena);
-    r->arena = aligned_alloc(PLT_ALIGN, r->arena_bytes + GUARD);
-    memset(r->arena, 0x5A, r->arena_bytes + GUARD);
-    r->link.arena = r->arena;
-    r->link.arena_bytes = r->arena_bytes;
+    r->arena = guarded_arena(&r->link, r->arena_bytes);
     return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &o, &r->fault);
 }
 
@@ -135,10 +138,7 @@ int instances_rig_start(instances_rig *r, const instances_config *c) {
 }
 
 int instances_rig_close(instances_rig *r) {
-    int good = 1;
-    for (unsigned i = 0; i < GUARD && r->arena != NULL; i++) {
-        good &= r->arena[r->arena_bytes + i] == 0x5A;
-    }
+    const int good = guarded_whole(r->arena, r->arena_bytes);
     for (int i = 0; i < INSTANCES_RIG_BODIES; i++) {
         mesh_free(&r->body[i]);
         pack_free(&r->packed[i]);

@@ -49,6 +49,9 @@ void instances_rig_matrix(float m[PLT_MATRIX_FLOATS], enum instances_kind kind, 
 /* Makes bodies and matrices, and packs them. */
 void instances_rig_pack(instances_rig *r, const instances_config *config);
 
+/* The image alone; pack_free() it. */
+packed instances_rig_image(const instances_config *config);
+
 /* Opens the image in an arena of just its need, less `short_by` bytes. A status of plt_open. */
 int instances_rig_open(instances_rig *r, const instances_config *config, size_t short_by);
 

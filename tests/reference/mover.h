@@ -7,17 +7,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "board/fake/fake.h"
 #include "engine/engine.h"
-#include "tests/reference/frames.h"
-#include "tests/reference/rays.h"
-#include "tests/reference/rig.h"
+#include "tests/reference/compare.h"
+#include "tests/reference/guarded.h"
 #include "tests/reference/shapes.h"
 #include "tests/reference/tree_check.h"
 #include "tests/test.h"
 
-enum { MOVER_RAYS = 256, MOVER_WAYS = 8 };
-enum { MOVER_GUARD = 64 };
+enum { MOVER_WAYS = 8 };
 
 typedef struct mover {
     packed image;
@@ -47,14 +44,9 @@ static inline int mover_open(mover *v, const mesh *m, const rig_config *config, 
     const size_t bytes = v->bytes;
     memset(v, 0, sizeof *v);
     CHECK(mover_pack(v, m, &config->pack, &f) == 0, "%s", f.text);
-    v->link.image = v->image.bytes;
-    v->link.bytes = v->image.size;
-    const plt_source source = is_mapped ? rig_source(&v->image) : fake_source(&v->link);
+    const plt_source source = guarded_source(&v->link, &v->image, is_mapped);
     v->bytes = bytes > 0 ? bytes : plt_arena_need(&v->image.info, is_mapped, &o);
-    v->arena = aligned_alloc(PLT_ALIGN, v->bytes + MOVER_GUARD);
-    memset(v->arena, 0x5A, v->bytes + MOVER_GUARD);
-    v->link.arena = v->arena;
-    v->link.arena_bytes = v->bytes;
+    v->arena = guarded_arena(&v->link, v->bytes);
     const int status = plt_open(&v->engine, v->arena, v->bytes, &source, &o, &v->fault);
     CHECK(status == PLT_OK || bytes > 0, "%s: %s", rig_name(config), v->fault.message);
     return status;
@@ -62,8 +54,8 @@ static inline int mover_open(mover *v, const mesh *m, const rig_config *config, 
 
 /* Also checks that nothing was written behind the arena. */
 static inline void mover_close(mover *v) {
-    for (unsigned i = 0; i < MOVER_GUARD; i++) {
-        CHECK(v->arena[v->bytes + i] == 0x5A, "written behind the arena");
+    for (unsigned i = 0; i < GUARDED_BYTES; i++) {
+        CHECK(v->arena[v->bytes + i] == GUARDED_PATTERN, "written behind the arena");
     }
     free(v->arena);
     pack_free(&v->image);
@@ -152,30 +144,6 @@ static inline void mover_deform(mesh *m, unsigned way) {
 
 /* ---- what is to be the same ------------------------------------------------------- */
 
-static inline void mover_same_hits(mover *v, rig *fresh, const mesh *m, const char *name) {
-    static plt_ray rays[MOVER_RAYS];
-    static plt_hit moved[MOVER_RAYS], due[MOVER_RAYS];
-    random_state r = {m->triangles};
-    rays_mixed(rays, MOVER_RAYS, m, &r);
-    for (int any = 0; any < 2; any++) {
-        CHECK(plt_trace(v->engine, rays, moved, MOVER_RAYS, any) == PLT_OK, "%s", name);
-        CHECK(plt_trace(fresh->engine, rays, due, MOVER_RAYS, any) == PLT_OK, "%s", name);
-        CHECK(memcmp(moved, due, sizeof due) == 0, "%s, any %d: hits", name, any);
-    }
-}
-
-static inline void mover_same_frame(mover *v, rig *fresh, const char *name) {
-    static const float from[3] = {1.0f, 0.8f, 2.2f};
-    const plt_info *info = plt_engine_info(fresh->engine);
-    float eye[3], look[3];
-    for (int a = 0; a < 3; a++) {
-        look[a] = 0.5f * (info->lo[a] + info->hi[a]);
-        eye[a] = look[a] + from[a] * (info->hi[0] - info->lo[0] + 1.0f);
-    }
-    const plt_frame f = frame_of(eye, look, 37, 29, PLT_SHADE_TRIANGLE);
-    CHECK(frame_hash(v->engine, &f, 500) == frame_hash(fresh->engine, &f, 500), "%s: frame", name);
-}
-
 /* Where subtrees have been rebuilt, stack needs are bounds. */
 static inline void mover_check_needs(const plt_info *info, const tree_facts *facts, int are_bounds,
                                      const char *name) {
@@ -229,12 +197,7 @@ static inline void mover_compare(mover *v, const mesh *m, const rig_config *conf
     still.run.rebuild_most = 0;
     mover_check_tree(v, name);
     if (rig_open(&fresh, m, &still) == PLT_OK) {
-        const plt_info *now = plt_engine_info(v->engine), *due = plt_engine_info(fresh.engine);
-        CHECK(now->lo[0] == due->lo[0] && now->lo[1] == due->lo[1] && now->lo[2] == due->lo[2] &&
-                  now->hi[0] == due->hi[0] && now->hi[1] == due->hi[1] && now->hi[2] == due->hi[2],
-              "%s: box", name);
-        mover_same_hits(v, &fresh, m, name);
-        mover_same_frame(v, &fresh, name);
+        compare_scenes(v->engine, fresh.engine, m, name);
         rig_close(&fresh);
     }
 }

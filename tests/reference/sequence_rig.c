@@ -7,11 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/reference/guarded.h"
 #include "tests/reference/random.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
-
-enum { GUARD = 64 };
 
 /* A twist that grows, a drift, and a shiver of one vertex in three. */
 void sequence_deform(mesh *m, const mesh *first, uint32_t k) {
@@ -76,19 +75,26 @@ void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config
     sequence_free(&s);
 }
 
+packed sequence_rig_image(const sequence_config *config, uint32_t triangles, uint64_t seed) {
+    mesh m = {0};
+    sequence_rig s;
+    shape_soup(&m, triangles, 0.4f, seed);
+    sequence_rig_pack(&s, &m, config);
+    const packed image = s.image;
+    s.image.bytes = NULL;
+    sequence_rig_close(&s);
+    mesh_free(&m);
+    return image;
+}
+
 int sequence_rig_open(sequence_rig *r, const sequence_config *config, size_t short_by) {
     plt_options o = config->scene.run;
     o.movable = 1;
     o.residency = (uint8_t)(config->is_stills ? PLT_RESIDENCY_STREAMED : 0);
-    r->link.image = r->image.bytes;
-    r->link.bytes = r->image.size;
-    const plt_source source = config->is_mapped ? rig_source(&r->image) : fake_source(&r->link);
+    const plt_source source = guarded_source(&r->link, &r->image, config->is_mapped);
     r->arena_bytes = plt_arena_need(&r->image.info, config->is_mapped, &o) - short_by;
     free(r->arena);
-    r->arena = aligned_alloc(PLT_ALIGN, r->arena_bytes + GUARD);
-    memset(r->arena, 0x5A, r->arena_bytes + GUARD);
-    r->link.arena = r->arena;
-    r->link.arena_bytes = r->arena_bytes;
+    r->arena = guarded_arena(&r->link, r->arena_bytes);
     return plt_open(&r->engine, r->arena, r->arena_bytes, &source, &o, &r->fault);
 }
 
@@ -100,10 +106,7 @@ int sequence_rig_start(sequence_rig *r, const mesh *first, const sequence_config
 }
 
 int sequence_rig_close(sequence_rig *r) {
-    int good = 1;
-    for (unsigned i = 0; i < GUARD && r->arena != NULL; i++) {
-        good &= r->arena[r->arena_bytes + i] == 0x5A;
-    }
+    const int good = guarded_whole(r->arena, r->arena_bytes);
     for (uint32_t k = 0; k < r->frames; k++) {
         mesh_free(&r->frame[k]);
     }

@@ -41,6 +41,9 @@ plt_lattice sequence_lattice(uint32_t bits);
 /* Deforms `first`, moves all frames onto the lattice and packs them. */
 void sequence_rig_pack(sequence_rig *r, const mesh *first, const sequence_config *config);
 
+/* The image alone, of a soup of so many triangles; pack_free() it. */
+packed sequence_rig_image(const sequence_config *config, uint32_t triangles, uint64_t seed);
+
 /* Opens the image in an arena of just its need, less `short_by` bytes. A status of plt_open. */
 int sequence_rig_open(sequence_rig *r, const sequence_config *config, size_t short_by);
 
