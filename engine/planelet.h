@@ -708,9 +708,9 @@ void plt_fault_get(const plt_engine *engine, plt_fault *fault);
 
 /* ---- statistics ------------------------------------------------------ */
 
-/* A frame of thesis nodes or of a list, depth first, is traced by beams where four lanes are not
- * one register (DESIGN.md, section 6): a packet is then one beam, and its triangles are tested
- * once for all of its pixels. */
+/* Frames, depth first, are traced by beams where four lanes are not one register (DESIGN.md,
+ * section 6), but for those of streamed thesis nodes and of instances: a packet is then one beam,
+ * and its triangles are tested once for all of its pixels. */
 typedef struct plt_stats {
     uint64_t rays;           /* of packets that were begun, and of waves */
     uint64_t node_visits;    /* nodes decoded, once per packet, or per hull of its rays; of a grid

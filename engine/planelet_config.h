@@ -164,8 +164,8 @@
 #endif
 
 /* Most inner nodes on a path from the root: 8 .. 512. The builder keeps to it,
- * opening refuses a deeper tree. Cost: 48 bytes of the depth-first stack
- * at most (a scene takes what it needs, not the maximum). */
+ * opening refuses a deeper tree. Cost: 12 to 80 bytes of the depth-first stack
+ * (a scene takes what it needs, not the maximum; DESIGN.md, section 3). */
 #ifndef PLT_DEPTH_MAX
 #define PLT_DEPTH_MAX 64
 #endif

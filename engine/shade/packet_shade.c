@@ -14,7 +14,7 @@
 /* Directions of a group whose rays are all longest along axis z, up to their signs, the largest
  * component 1: slopes are the other two. */
 static inline void get_directions(const plt_group_rays *g, int z, f4 to[3]) {
-    static const float ones[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+    const float ones[4] = {1.0f, 1.0f, 1.0f, 1.0f};
     const float *row[3] = {ones, ones, ones};
     row[plt_axis_after[z]] = g->slope[0];
     row[plt_axis_after[plt_axis_after[z]]] = g->slope[1];

@@ -16,7 +16,7 @@
      "name: 000, 001 ...; the scene was packed from one of them (thesis nodes, resident)"},        \
     {                                                                                              \
         "--frames", "A:B",                                                                         \
-            "frames A to B - 1 of --moved (default 0:1), or of the sequence in the image, 0 to "   \
+            "frames A to B - 1 of --moved (default 0:1), or of those in the image, 0 to "          \
             "99999"                                                                                \
     }
 

@@ -41,8 +41,9 @@ const arg_command hid_command_show = {
     "show",
     "FILE... | -",
     "Shows pictures (PNG, PPM, PGM), films (Y4M; - is standard input) and packed scenes, rendered "
-    "live. A film keeps its time: frames that come too late are left out. Where the link is too "
-    "slow, planelet lets moving colours be a little off; what stands still for a "
+    "live, whose own frames are played over and over. A film keeps its time: frames that come too "
+    "late are left out. Where the link is too slow, planelet lets moving colours be a little off; "
+    "what stands still for a "
     "tenth of a second is exact. Drivers other than planelet are " DISPLAY_DISCLAIMER ".",
     flags,
     1,
