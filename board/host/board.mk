@@ -18,7 +18,8 @@ OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
 PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
 # What both programs of host_tools and the tests share; cli/ is planelet's own part,
 # hid/ planelet-hid's (hid.mk).
-TOOLS := $(filter-out host_tools/cli/% host_tools/hid/%,$(sort $(wildcard host_tools/*/*.c)))
+TOOLS := $(filter-out host_tools/cli/% host_tools/hid/%,\
+    $(sort $(wildcard host_tools/*/*.c host_tools/baselines/*/*.c)))
 CLI := $(sort $(wildcard host_tools/cli/*.c))
 HOST := $(sort $(wildcard board/host/*.c))
 # The portable firmware runs on the host too, on the fake board.

@@ -4,10 +4,11 @@
  * A frame is plt_move, and a rebuild when one is due, all of it before the frame is traced.
  *
  * SPDX-License-Identifier: MIT */
+#include "host_tools/baselines/engine_structure.h"
+
 #include <string.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/baselines/kinds.h"
 #include "host_tools/pack/pack.h"
 
 enum variant { TREE, TREE_NEVER, TREE_ALWAYS, GRID };

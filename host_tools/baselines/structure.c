@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/baselines/kinds.h"
+#include "host_tools/baselines/base/kind.h"
+#include "host_tools/baselines/engine_structure.h"
+#include "host_tools/baselines/kd/kd_structure.h"
 
 /* Ids have 27 bits (tree/primitive_id.h). */
 enum { MOST_TRIANGLES = 1 << 27 };

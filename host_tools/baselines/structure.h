@@ -9,7 +9,7 @@
 
 #include "engine/planelet.h"
 #include "host_tools/base/fail.h"
-#include "host_tools/baselines/structure_types.h"
+#include "host_tools/baselines/base/structure_types.h"
 #include "host_tools/mesh/mesh.h"
 
 typedef struct structure_kind structure_kind;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/baselines/kd_trace.h"
+#include "host_tools/baselines/kd/kd_trace.h"
 #include "tests/reference/grid_scenes.h"
 #include "tests/reference/rays.h"
 #include "tests/reference/rig.h"

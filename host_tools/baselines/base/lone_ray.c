@@ -1,7 +1,7 @@
 /* lone_ray - see lone_ray.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/lone_ray.h"
+#include "host_tools/baselines/base/lone_ray.h"
 
 #include <math.h>
 #include <string.h>

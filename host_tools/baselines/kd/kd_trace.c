@@ -1,7 +1,7 @@
 /* kd_trace - see kd_trace.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_trace.h"
+#include "host_tools/baselines/kd/kd_trace.h"
 
 #include <math.h>
 

@@ -3,11 +3,12 @@
  * A frame is a new tree, in the memory of the last one.
  *
  * SPDX-License-Identifier: MIT */
+#include "host_tools/baselines/kd/kd_structure.h"
+
 #include <string.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/baselines/kd_packet.h"
-#include "host_tools/baselines/kinds.h"
+#include "host_tools/baselines/kd/kd_packet.h"
 
 enum variant { KD, BOXES, FAST, LAZY };
 

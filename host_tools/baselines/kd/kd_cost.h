@@ -11,7 +11,7 @@
 #ifndef BASELINES_KD_COST_H
 #define BASELINES_KD_COST_H
 
-#include "host_tools/baselines/kd_cell.h"
+#include "host_tools/baselines/kd/kd_cell.h"
 
 #define KD_TEST 1.5f
 #define KD_BONUS 0.8f

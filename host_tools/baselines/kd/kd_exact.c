@@ -1,12 +1,12 @@
 /* kd_exact - see kd_exact.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_exact.h"
+#include "host_tools/baselines/kd/kd_exact.h"
 
 #include <string.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/baselines/kd_sweep.h"
+#include "host_tools/baselines/kd/kd_sweep.h"
 
 /* Of one cell, along each axis: one block. */
 typedef struct events {

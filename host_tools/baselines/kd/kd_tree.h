@@ -9,7 +9,7 @@
 #ifndef BASELINES_KD_TREE_H
 #define BASELINES_KD_TREE_H
 
-#include "host_tools/baselines/kd_cell.h"
+#include "host_tools/baselines/kd/kd_cell.h"
 
 /* Inner: `plane` across axis link & 3, the lower child is node link >> 2, the upper the next one.
  * Leaf: link & 3 is 3, link >> 2 the number of references, `first` the first item. Not split yet:

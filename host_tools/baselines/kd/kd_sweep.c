@@ -1,7 +1,7 @@
 /* kd_sweep - see kd_sweep.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_sweep.h"
+#include "host_tools/baselines/kd/kd_sweep.h"
 
 #include <stdlib.h>
 

@@ -12,8 +12,8 @@
 #ifndef BASELINES_KD_TRACE_H
 #define BASELINES_KD_TRACE_H
 
-#include "host_tools/baselines/kd_build.h"
-#include "host_tools/baselines/lone_ray.h"
+#include "host_tools/baselines/base/lone_ray.h"
+#include "host_tools/baselines/kd/kd_build.h"
 
 typedef struct kd_counts {
     uint64_t visits, planes, tests, sieved;

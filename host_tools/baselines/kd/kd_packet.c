@@ -1,7 +1,7 @@
 /* kd_packet - see kd_packet.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_packet.h"
+#include "host_tools/baselines/kd/kd_packet.h"
 
 #include <math.h>
 

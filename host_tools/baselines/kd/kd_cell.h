@@ -4,7 +4,7 @@
 #ifndef BASELINES_KD_CELL_H
 #define BASELINES_KD_CELL_H
 
-#include "host_tools/baselines/kd_stray.h"
+#include "host_tools/baselines/kd/kd_stray.h"
 
 /* Both arrays are heap blocks of the cell's own. */
 typedef struct kd_cell {

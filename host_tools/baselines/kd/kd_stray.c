@@ -4,7 +4,7 @@
  * O(N log N)", 2006 (perfect splits); Sutherland, Hodgman, "Reentrant polygon clipping", 1974.
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_stray.h"
+#include "host_tools/baselines/kd/kd_stray.h"
 
 #include <math.h>
 

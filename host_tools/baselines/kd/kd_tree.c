@@ -1,7 +1,7 @@
 /* kd_tree - see kd_tree.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_tree.h"
+#include "host_tools/baselines/kd/kd_tree.h"
 
 #include <string.h>
 

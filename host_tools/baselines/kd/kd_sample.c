@@ -1,7 +1,7 @@
 /* kd_sample - see kd_sample.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_sample.h"
+#include "host_tools/baselines/kd/kd_sample.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* kd_cell - see kd_cell.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_cell.h"
+#include "host_tools/baselines/kd/kd_cell.h"
 
 #include <string.h>
 

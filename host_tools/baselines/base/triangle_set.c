@@ -1,7 +1,7 @@
 /* triangle_set - see triangle_set.h
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/triangle_set.h"
+#include "host_tools/baselines/base/triangle_set.h"
 
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/pack.h"

@@ -11,7 +11,7 @@
 #ifndef BASELINES_KD_SAMPLE_H
 #define BASELINES_KD_SAMPLE_H
 
-#include "host_tools/baselines/kd_cost.h"
+#include "host_tools/baselines/kd/kd_cost.h"
 
 kd_cut kd_sample(const kd_cell *c);
 

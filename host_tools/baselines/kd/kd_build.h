@@ -4,7 +4,7 @@
 #ifndef BASELINES_KD_BUILD_H
 #define BASELINES_KD_BUILD_H
 
-#include "host_tools/baselines/kd_tree.h"
+#include "host_tools/baselines/kd/kd_tree.h"
 
 typedef struct kd_way {
     uint8_t is_exact;   /* 1: by all places (kd_sweep.h); 0: by samples (kd_sample.h) */

@@ -22,7 +22,7 @@
 #ifndef BASELINES_KD_STRAY_H
 #define BASELINES_KD_STRAY_H
 
-#include "host_tools/baselines/triangle_set.h"
+#include "host_tools/baselines/base/triangle_set.h"
 
 typedef struct kd_plane {
     float normal[3]; /* of length 1 */

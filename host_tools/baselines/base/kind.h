@@ -1,12 +1,12 @@
-/* kinds - what every structure has: the functions behind structure.h
+/* kind - what every structure has: the functions behind structure.h
  *
  * SPDX-License-Identifier: MIT */
-#ifndef BASELINES_KINDS_H
-#define BASELINES_KINDS_H
+#ifndef BASELINES_KIND_H
+#define BASELINES_KIND_H
 
 #include "engine/planelet.h"
 #include "host_tools/base/fail.h"
-#include "host_tools/baselines/structure_types.h"
+#include "host_tools/baselines/base/structure_types.h"
 #include "host_tools/mesh/mesh.h"
 
 /* `self` is what open returned. Rays and bytes are asked of statistics in one call. */
@@ -22,9 +22,5 @@ typedef struct structure_kind {
     void (*forget)(void *self);
     void (*close)(void *self);
 } structure_kind;
-
-extern const structure_kind structure_tree, structure_tree_never, structure_tree_always,
-    structure_grid;
-extern const structure_kind structure_kd, structure_kd_boxes, structure_kd_fast, structure_kd_lazy;
 
 #endif

@@ -3,11 +3,11 @@
  * A tree that is built whole goes by the same steps as one that is built on demand.
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/baselines/kd_build.h"
+#include "host_tools/baselines/kd/kd_build.h"
 
-#include "host_tools/baselines/kd_exact.h"
-#include "host_tools/baselines/kd_sample.h"
-#include "host_tools/baselines/kd_sweep.h"
+#include "host_tools/baselines/kd/kd_exact.h"
+#include "host_tools/baselines/kd/kd_sample.h"
+#include "host_tools/baselines/kd/kd_sweep.h"
 
 static kd_cut choose(const kd_cell *c) {
     if (c->levels == 0 || c->count == 0) {

@@ -10,7 +10,7 @@
 #ifndef BASELINES_KD_EXACT_H
 #define BASELINES_KD_EXACT_H
 
-#include "host_tools/baselines/kd_tree.h"
+#include "host_tools/baselines/kd/kd_tree.h"
 
 /* The root cell is the tree's, whatever is returned. -1: no memory. */
 int kd_build_exactly(kd_tree *t, const kd_scene *s, const kd_cell *root);

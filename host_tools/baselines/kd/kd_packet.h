@@ -11,7 +11,7 @@
 #ifndef BASELINES_KD_PACKET_H
 #define BASELINES_KD_PACKET_H
 
-#include "host_tools/baselines/kd_trace.h"
+#include "host_tools/baselines/kd/kd_trace.h"
 
 enum { KD_PACKET = 64 };
 

@@ -7,7 +7,7 @@
 #ifndef BASELINES_KD_SWEEP_H
 #define BASELINES_KD_SWEEP_H
 
-#include "host_tools/baselines/kd_cost.h"
+#include "host_tools/baselines/kd/kd_cost.h"
 
 /* A box begins or ends. In order by place, ends first. */
 typedef struct kd_event {
