@@ -68,10 +68,10 @@ int baseline_open(baseline *b, const plt_engine *engine, const char *name, fail 
     const plt_record *records = records_of(scene);
     mesh m = {0};
     if (scene->info.instances > 0) {
-        return fail_set(f, name, "--baseline is for one mesh; pack it without --instances");
+        return fail_set(f, name, "baselines are for one mesh; pack it without --instances");
     }
     if (records == NULL && scene->info.triangles > 0) {
-        return fail_set(f, name, "--baseline is for float triangles; pack it with --nodes thesis");
+        return fail_set(f, name, "baselines are for float triangles; pack it with --nodes thesis");
     }
     int status = mesh_reserve(&m, 3 * (size_t)scene->info.triangles, scene->info.triangles, f);
     if (status == 0 && fill_mesh(&m, records, scene->info.triangles) != 0) {

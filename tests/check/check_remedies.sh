@@ -67,6 +67,7 @@ but for vertices of many slivers
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
 hits of %s rays differ between modes; please report this | likewise
+hits of %s rays differ from those of %s; please report this | likewise
 %s; please report this | likewise, of a C array
 two triangles have the same id; pack it again | a forged image does; test_baseline has one
 %ux%u has more than %d tiles of 16x16; choose a smaller one | likewise: the command looks before

@@ -61,7 +61,7 @@ flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebu
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json $scene_flags
 # shellcheck disable=SC2086
-flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags
+flags bench --kinds --hits --nodes --packets --walks --repeat --size --against --json $view_flags
 
 misused "an unknown command is wrong usage" "'frob'" frob
 misused "help of an unknown command is wrong usage" "'frob'" help frob
