@@ -55,7 +55,7 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
-    --rebuild-most --records --beside --repeat --chroma --json \
+    --rebuild-most --records --beside --baseline --repeat --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
