@@ -372,9 +372,9 @@ static int run_all(rendering *r, args *a, fail *f) {
     return commit_output(&r->stats_out, f);
 }
 
-static const char *const for_engine[] = {
-    "--packet", "--walk",   "--structure", "--residency", "--schedule", "--workers", "--turns",
-    "--moved",  "--frames", "--rebuild",   "--records",   "--beside",   NULL};
+static const char *const for_engine[] = {"--packet",   "--walk",    "--structure", "--residency",
+                                         "--schedule", "--workers", "--turns",     "--moved",
+                                         "--frames",   "--rebuild", NULL};
 
 static void read_flags(rendering *r, args *a) {
     unsigned width = 512, height = 512;

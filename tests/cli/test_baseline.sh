@@ -99,8 +99,7 @@ verdict "... with what was traced and counted" "$(
         structure_bytes; do
         number $count <got.json | awk '{ exit !($1 > 0) }' || echo "$count"
     done)"
-for flag in '--packet 4' '--schedule branch' '--workers 2' '--residency streamed' \
-    '--shader eyelight --records always'; do
+for flag in '--packet 4' '--schedule branch' '--workers 2' '--residency streamed'; do
     # shellcheck disable=SC2086
     misused "render --baseline with $flag" "is for the engine" \
         render knot.plt -o got.ppm --baseline bvh $flag
