@@ -36,6 +36,7 @@ host_tools/base
 host_tools/picture
 host_tools/mesh
 host_tools/scenes
+host_tools/treelets
 host_tools/pack
 host_tools/baselines/base
 host_tools/baselines/packet
