@@ -73,6 +73,10 @@ void args_help(const char *program, const arg_command *c) {
     if (c->notes != NULL) {
         printf("\n%s", c->notes);
     }
+    if (c->print_notes != NULL) {
+        putchar('\n');
+        c->print_notes(stdout);
+    }
 }
 
 /* The flag whose name is the first `length` characters of `word`, or -1. */

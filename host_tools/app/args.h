@@ -9,6 +9,7 @@
 #define ARGS_H
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 typedef struct arg_flag {
     const char *name;  /* "--leaf" or "-o" */
@@ -22,7 +23,8 @@ typedef struct arg_command {
     const char *about;     /* a sentence */
     const arg_flag *flags; /* ended by a name of NULL */
     int files_least, files_most;
-    const char *notes; /* the end of the help, as it is printed; NULL: none */
+    const char *notes;             /* the end of the help, as it is printed; NULL: none */
+    void (*print_notes)(FILE *to); /* the same, of what is listed elsewhere; NULL: nothing is */
 } arg_command;
 
 enum { ARGS_FLAGS_MAX = 32 };

@@ -165,10 +165,17 @@ static void forget_tree(void *self) {
     plt_stats_reset(((engine_structure *)self)->engine);
 }
 
+static const structure_switch tree_switches[] = {
+    STRUCTURE_SIDE_SWITCHES, STRUCTURE_SIDE_16_SWITCH, STRUCTURE_SINGLE_SWITCH, {NULL, NULL, 0, 0}};
+
+static const structure_switch grid_switches[] = {
+    STRUCTURE_SIDE_SWITCHES, STRUCTURE_SIDE_16_SWITCH, {NULL, NULL, 0, 0}};
+
 #define ENGINE_KIND(NAME, VARIANT, ABOUT)                                                          \
     {                                                                                              \
         .name = NAME, .about = ABOUT, .variant = VARIANT, .open = open_tree, .move = move_tree,    \
-        .trace = trace_tree, .count = count_tree, .forget = forget_tree, .close = close_engine     \
+        .trace = trace_tree, .count = count_tree, .forget = forget_tree, .close = close_engine,    \
+        .switches = (VARIANT) == GRID ? grid_switches : tree_switches                              \
     }
 
 const structure_kind structure_tree =

@@ -7,6 +7,7 @@
 
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/base/kind.h"
+#include "host_tools/baselines/bvh/bvh_structure.h"
 #include "host_tools/baselines/engine_structure.h"
 #include "host_tools/baselines/kd/kd_structure.h"
 
@@ -19,10 +20,17 @@ struct built_structure {
     size_t triangles;
 };
 
-static const structure_kind *const kinds[] = {
-    &structure_tree,    &structure_tree_never, &structure_tree_always,
-    &structure_grid,    &structure_kd,         &structure_kd_boxes,
-    &structure_kd_fast, &structure_kd_lazy,    NULL};
+static const structure_kind *const kinds[] = {&structure_tree,
+                                              &structure_tree_never,
+                                              &structure_tree_always,
+                                              &structure_grid,
+                                              &structure_kd,
+                                              &structure_kd_boxes,
+                                              &structure_kd_fast,
+                                              &structure_kd_lazy,
+                                              &structure_bvh,
+                                              &structure_wbvh,
+                                              NULL};
 
 const structure_kind *const *structure_kinds(void) {
     return kinds;
@@ -42,6 +50,11 @@ const char *structure_name(const structure_kind *kind) {
 
 const char *structure_about(const structure_kind *kind) {
     return kind->about;
+}
+
+const structure_switch *structure_switches(const structure_kind *kind) {
+    static const structure_switch none[] = {{NULL, NULL, 0, 0}};
+    return kind->switches != NULL ? kind->switches : none;
 }
 
 built_structure *structure_open(const structure_kind *kind, const mesh *m,

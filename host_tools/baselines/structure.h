@@ -7,6 +7,8 @@
 #ifndef BASELINES_STRUCTURE_H
 #define BASELINES_STRUCTURE_H
 
+#include <stdio.h>
+
 #include "engine/planelet.h"
 #include "host_tools/base/fail.h"
 #include "host_tools/baselines/base/structure_types.h"
@@ -20,6 +22,20 @@ const structure_kind *const *structure_kinds(void);
 const structure_kind *structure_find(const char *name); /* NULL: there is none */
 const char *structure_name(const structure_kind *kind);
 const char *structure_about(const structure_kind *kind);
+
+/* Its switches; one without a name ends them. */
+const structure_switch *structure_switches(const structure_kind *kind);
+
+/* "NAME" or "NAME:SWITCH,SWITCH,...": the kind and its options. NULL: there is no such kind, or no
+ * such switch, or two of them do not go together; `f` says what there is. `what` is for errors. */
+const structure_kind *structure_read(const char *text, const char *what, structure_options *options,
+                                     fail *f);
+
+/* Whether what is chosen goes together; -1: as above. */
+int structure_suits(const structure_kind *kind, const structure_options *options, fail *f);
+
+/* The kinds and their switches, as lines of a help. A name means the same for all kinds. */
+void structure_print_kinds(FILE *to);
 
 /* Builds one of `m`, which is not needed any more; ids are places in it. `name` is for errors. NULL
  * when there is no memory, or the mesh is beyond what the kind can hold. */

@@ -12,7 +12,26 @@
 
 enum { RUN = 16384 }; /* rays between two looks at the clock of the progress */
 
-const char *const baseline_names[] = {"kd", "kd-boxes", "kd-fast", "kd-lazy", NULL};
+void baseline_print_notes(FILE *to) {
+    fprintf(to, "NAME of --baseline, and its switches, of those joined by | one at most:\n");
+    structure_print_kinds(to);
+}
+
+void baseline_read(baseline *b, args *a, const char *const *others) {
+    fail f = {""};
+    if (!args_has(a, "--baseline")) {
+        return;
+    }
+    for (unsigned i = 0; others[i] != NULL; i++) {
+        if (args_has(a, others[i])) {
+            args_complain(a, "%s is for the engine; leave it or --baseline out", others[i]);
+        }
+    }
+    b->kind = structure_read(args_text(a, "--baseline", ""), "--baseline", &b->options, &f);
+    if (b->kind == NULL) {
+        args_complain(a, "%s", f.text);
+    }
+}
 
 static const plt_record *records_of(const plt_scene *scene) {
     return scene->format == PLT_FORMAT_THESIS ? scene->thesis.records
@@ -44,9 +63,7 @@ static int fill_mesh(mesh *m, const plt_record *records, uint32_t count) {
     return 0;
 }
 
-int baseline_open(baseline *b, unsigned which, const plt_engine *engine, const char *name,
-                  fail *f) {
-    static const structure_options options = {.one_by_one = 1};
+int baseline_open(baseline *b, const plt_engine *engine, const char *name, fail *f) {
     const plt_scene *scene = &engine->scene;
     const plt_record *records = records_of(scene);
     mesh m = {0};
@@ -62,7 +79,7 @@ int baseline_open(baseline *b, unsigned which, const plt_engine *engine, const c
     }
     if (status == 0) {
         const double began = clock_processor_seconds();
-        b->s = structure_open(structure_find(baseline_names[which]), &m, &options, name, f);
+        b->s = structure_open(b->kind, &m, &b->options, name, f);
         b->build_seconds = clock_processor_seconds() - began;
     }
     mesh_free(&m);
@@ -96,23 +113,54 @@ int baseline_trace(baseline *b, const plt_ray *rays, plt_hit *hits, uint32_t cou
     return status;
 }
 
-int baseline_print(const baseline *b, output *o, fail *f) {
-    const structure_statistics s = structure_count(b->s);
-    const double seconds = b->seconds > 1e-9 ? b->seconds : 1e-9;
+static double share(uint64_t part, uint64_t whole) {
+    return whole > 0 ? (double)part / (double)whole : 0.0;
+}
+
+/* As the thesis counts them (structure_types.h). */
+static void print_packets(const structure_statistics *s, output *o, fail *f) {
     output_print(o, f,
-                 "{\n  \"rays\": %" PRIu32
-                 ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n"
-                 "  \"build_seconds\": %.9f,\n",
-                 b->rays, b->seconds, 1e-6 * b->rays / seconds, b->build_seconds);
+                 "  \"packets\": %" PRIu64 ",\n  \"one_sign_packets\": %" PRIu64
+                 ",\n  \"packet_node_intersections\": %" PRIu64
+                 ",\n  \"packet_triangle_intersections\": %" PRIu64 ",\n",
+                 s->packets, s->one_sign, s->packet_nodes, s->packet_triangles);
+    output_print(
+        o, f,
+        "  \"masked_out_at_nodes\": %.6f,\n  \"masked_out_at_triangles\": %.6f,\n"
+        "  \"masked_out\": %.6f,\n  \"early_hits\": %" PRIu64 ",\n  \"frustum_misses\": %" PRIu64
+        ",\n",
+        share(s->masked_at_nodes, s->rays_at_nodes),
+        share(s->masked_at_triangles, s->rays_at_triangles),
+        share(s->masked_at_nodes + s->masked_at_triangles, s->rays_at_nodes + s->rays_at_triangles),
+        s->early_hits, s->frustum_misses);
+}
+
+int baseline_print_counts(const baseline *b, output *o, fail *f) {
+    const structure_statistics s = structure_count(b->s);
+    output_print(o, f, "  \"structure\": \"%s\",\n  \"build_seconds\": %.9f,\n",
+                 structure_name(b->kind), b->build_seconds);
     output_print(o, f,
                  "  \"node_visits\": %" PRIu64 ",\n  \"plane_tests\": %" PRIu64
                  ",\n  \"triangle_tests\": %" PRIu64 ",\n  \"strays_sieved\": %" PRIu64
                  ",\n  \"build_work\": %" PRIu64 ",\n",
                  s.node_visits, s.box_tests, s.triangle_tests, s.sieved, s.build_work);
-    return output_print(
-        o, f,
-        "  \"nodes\": %" PRIu32 ",\n  \"leaves\": %" PRIu32 ",\n  \"unsplit\": %" PRIu32
-        ",\n  \"references\": %" PRIu32 ",\n  \"strays\": %" PRIu32
-        ",\n  \"structure_bytes\": %" PRIu64 ",\n  \"triangle_bytes\": %" PRIu64 "\n}\n",
-        s.nodes, s.leaves, s.unsplit, s.references, s.strays, s.bytes, s.triangle_bytes);
+    if (s.packets > 0) {
+        print_packets(&s, o, f);
+    }
+    return output_print(o, f,
+                        "  \"nodes\": %" PRIu32 ",\n  \"leaves\": %" PRIu32
+                        ",\n  \"unsplit\": %" PRIu32 ",\n  \"references\": %" PRIu32
+                        ",\n  \"strays\": %" PRIu32 ",\n  \"structure_bytes\": %" PRIu64
+                        ",\n  \"thesis_bytes\": %" PRIu64 ",\n  \"triangle_bytes\": %" PRIu64,
+                        s.nodes, s.leaves, s.unsplit, s.references, s.strays, s.bytes,
+                        s.thesis_bytes, s.triangle_bytes);
+}
+
+int baseline_print(const baseline *b, output *o, fail *f) {
+    const double seconds = b->seconds > 1e-9 ? b->seconds : 1e-9;
+    output_print(o, f,
+                 "{\n  \"rays\": %" PRIu32 ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n",
+                 b->rays, b->seconds, 1e-6 * b->rays / seconds);
+    baseline_print_counts(b, o, f);
+    return output_print(o, f, "\n}\n");
 }

@@ -33,11 +33,7 @@ static const arg_flag flags[] = {
     {"--order", "file|sorted",
      "rays are traced as they come, or sorted by where they begin and point, so that neighbours "
      "meet the same parts of the scene; hits are written as the rays came (default file)"},
-    {"--baseline", "kd|kd-boxes|kd-fast|kd-lazy",
-     "through a kd-tree of the scene's triangles instead, one by one: of their parts by the "
-     "surface "
-     "area heuristic, of their boxes, of boxes by samples of the heuristic, or that as rays come; "
-     "hits are the same"},
+    BASELINE_FLAG,
     MOVED_FLAGS,
     REBUILDS_FLAGS,
     {"--repeat", "N",
@@ -60,7 +56,8 @@ const arg_command command_trace = {
         "..., and each frame's hits are a file.",
     .flags = flags,
     .files_least = 3,
-    .files_most = 3};
+    .files_most = 3,
+    .print_notes = baseline_print_notes};
 
 static const char *const orders[] = {"file", "sorted", NULL};
 static const char *const kinds[] = {"auto", "coherent", "incoherent", NULL};
@@ -81,7 +78,6 @@ typedef struct tracing {
     uint64_t traced; /* rays of a run */
     frame_times times;
     crew_times took; /* of the best run */
-    int baseline;    /* place in baseline_names; below 0: the engine traces */
     baseline built;
 } tracing;
 
@@ -237,8 +233,8 @@ static int open_all(tracing *t, args *a, const char *json, fail *f) {
     if (t->moved.is_played && played_refused(&t->s, t->scene_path, &t->moved.range, f) != 0) {
         return -1;
     }
-    if (t->baseline >= 0 && baseline_open(&t->built, (unsigned)t->baseline, t->s.engine,
-                                          scene_name(t->scene_path), f) != 0) {
+    if (t->built.kind != NULL &&
+        baseline_open(&t->built, t->s.engine, scene_name(t->scene_path), f) != 0) {
         return -1;
     }
     if (!is_numbered(t, t->hits_path)) {
@@ -278,21 +274,9 @@ static void close_all(tracing *t) {
     frame_times_free(&t->times);
 }
 
-/* Below 0: the engine traces. */
-static int read_baseline(args *a) {
-    static const char *const others[] = {"--packet",    "--walk",    "--structure", "--rays",
+static const char *const for_engine[] = {"--packet",    "--walk",    "--structure", "--rays",
                                          "--residency", "--workers", "--turns",     "--moved",
                                          "--frames",    "--rebuild", NULL};
-    if (!args_has(a, "--baseline")) {
-        return -1;
-    }
-    for (unsigned i = 0; others[i] != NULL; i++) {
-        if (args_has(a, others[i])) {
-            args_complain(a, "%s is for the engine; leave it or --baseline out", others[i]);
-        }
-    }
-    return (int)args_choice(a, "--baseline", baseline_names, 0);
-}
 
 static void read_flags(tracing *t, args *a, const char *json) {
     t->scene_path = a->file[0];
@@ -301,7 +285,7 @@ static void read_flags(tracing *t, args *a, const char *json) {
     t->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     t->sorts = args_choice(a, "--order", orders, 0) == 1;
     t->any = args_has(a, "--any");
-    t->baseline = read_baseline(a);
+    baseline_read(&t->built, a, for_engine);
     moved_read(&t->moved, &t->s, a);
     rebuilds_read(&t->rebuilds, &t->s, a, moved_is(&t->moved));
     destination_differ(a, "HITS and --json", t->hits_path, json);
@@ -313,7 +297,7 @@ static void read_flags(tracing *t, args *a, const char *json) {
     }
     t->s.options.count_touched = json != NULL;
     t->s.options.rays = (uint8_t)args_choice(a, "--rays", kinds, PLT_RAYS_AUTO);
-    if (t->s.options.rays != PLT_RAYS_COHERENT && t->baseline < 0) {
+    if (t->s.options.rays != PLT_RAYS_COHERENT && t->built.kind == NULL) {
         t->s.options.rays_in_flight = RAYS_IN_FLIGHT;
         t->s.options.wide = !moved_is(&t->moved); /* it would not move along */
     }

@@ -17,6 +17,8 @@ out of memory; close other programs | $few
 %s %s: out of memory; close other programs | $few
 %u triangles: out of memory for a kd-tree, which had %llu bytes; leave some out, or take another \
 structure | test_baselines gives less memory
+%u triangles: out of memory for a hierarchy; leave some out | likewise
+%s has no switches; leave ':%.*s' out | all structures have some so far
 %zu triangles: more than %u; leave some out | $large
 %zu triangles cannot move to be %zu; open a new one | no command moves them; test_baselines does
 this build cannot open it; choose another structure | no command opens the engine so

@@ -21,7 +21,7 @@ for scene in knot list device city; do
     for any in '' --any; do
         # shellcheck disable=SC2086
         run trace $scene.plt mixed due.hits $any
-        for kind in kd kd-boxes kd-fast kd-lazy; do
+        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh; do
             # shellcheck disable=SC2086
             works "$scene by $kind $any" trace $scene.plt mixed got.hits $any --baseline $kind \
                 --json $kind.json
@@ -29,6 +29,12 @@ for scene in knot list device city; do
         done
     done
     cp kd.json $scene.json
+done
+for kind in kd:8x8 bvh:sah,leaf-4,16x16,early,frustum wbvh:bits,4x4 \
+    wbvh:median,leaf-1,no-early,no-frustum; do
+    run trace city.plt mixed due.hits
+    works "city by $kind" trace city.plt mixed got.hits --baseline $kind --json switched.json
+    same due.hits got.hits "... has the hits of the engine"
 done
 works "sorted rays come back as they were" trace city.plt mixed got.hits --order sorted \
     --baseline kd --repeat 3
@@ -41,6 +47,25 @@ verdict "its nodes, visits, tests and bytes are counted" "$(
             [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
         done
     done)"
+# ahead: 1024 rays from a point to a square of the city, neighbours beside each other.
+awk 'BEGIN { while (i < 1024) {
+    x = i % 4 + 4 * int(i / 16) % 32; y = int(i / 4) % 4 + 4 * int(i / 128); i++
+    print 30, 40, 30, 0, x - 40, -40, y - 40, 1e30 } }' | rays ahead
+run trace city.plt ahead due.hits
+for kind in bvh wbvh; do
+    works "a view by $kind" trace city.plt ahead got.hits --baseline $kind --json $kind.json
+    same due.hits got.hits "... has the hits of the engine"
+done
+verdict "... and of packets what the thesis counts" "$(
+    for kind in bvh wbvh; do
+        for count in packets packet_node_intersections packet_triangle_intersections \
+            thesis_bytes; do
+            [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
+        done
+    done
+    [ "$(number early_hits <wbvh.json)" -gt 0 ] || echo "wbvh: no early hits"
+    [ "$(number frustum_misses <wbvh.json)" -gt 0 ] || echo "wbvh: no frustum misses"
+    [ "$(number early_hits <bvh.json)" -eq 0 ] || echo "bvh: early hits")"
 verdict "... walls and boxes have no strays, a lazy tree has cells left, others have none" "$(
     [ "$(number strays <knot.json)" -gt 0 ] || echo "kd: no strays"
     [ "$(number strays <city.json)" -eq 0 ] || echo "kd, across an axis: strays"
@@ -86,5 +111,17 @@ for flag in '--packet 4' '--walk depth' '--structure grid' '--rays coherent' \
     misused "--baseline with $flag" "is for the engine" \
         trace knot.plt mixed got.hits --baseline kd $flag
 done
-misused "another kind" "not 'bvh'" trace knot.plt mixed got.hits --baseline bvh
+misused "another kind" "no structure is called 'bvhs'; choose tree, " \
+    trace knot.plt mixed got.hits --baseline bvhs
+misused "another switch" "wbvh has no switch 'k4'; choose median, " \
+    trace knot.plt mixed got.hits --baseline wbvh:k4
+misused "two of a kind" "give one of median or sah" \
+    trace knot.plt mixed got.hits --baseline wbvh:sah,4x4,median
+run trace --help
+cp out help
+verdict "the help has every structure with its switches, and says what they mean" "$(
+    for line in '  wbvh  *hierarchy' '  kd  *kd-tree' '  *median|sah leaf-1|leaf-2' \
+        '  sah  *splits by the surface' '  16x16  *packets of 256' '  single  *rays one'; do
+        grep -q -- "^$line" help || echo "no line: $line"
+    done)"
 finish

@@ -45,6 +45,13 @@ says "--baseline is for float triangles; pack it with --nodes thesis" trace comp
     --baseline kd
 run pack quad.ply -o thesis.plt --nodes thesis
 cured trace thesis.plt ray hit --baseline kd
+says "no structure is called '%.*s'; choose %s" trace quad.plt ray hit --baseline kdtree
+cured trace quad.plt ray hit --baseline kd
+says "%s has no switch '%.*s'; choose %s" trace quad.plt ray hit --baseline kd:fast
+cured trace quad.plt ray hit --baseline kd:single
+says "'%s' is a second choice of one kind; give one of %s" \
+    trace quad.plt ray hit --baseline wbvh:sah,leaf-2,median
+cured trace quad.plt ray hit --baseline wbvh:leaf-2,median
 
 printf '%s\n' 'body q quad.ply' 'instance a q' >list.txt
 run pack --instances list.txt -o placed.plt

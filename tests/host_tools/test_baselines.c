@@ -127,8 +127,20 @@ static void compare(built_structure *s, const due *d, const char *name, unsigned
     }
 }
 
+/* What is counted of packets; nothing of those that have none. */
+static void check_packets(const structure_statistics *q, const mesh *m, const char *name) {
+    CHECK(q->packets <= q->rays && q->one_sign <= q->packets, "%s: packets", name);
+    CHECK(q->masked_at_nodes <= q->rays_at_nodes, "%s: masked at nodes", name);
+    CHECK(q->masked_at_triangles <= q->rays_at_triangles, "%s: masked at triangles", name);
+    CHECK(q->packet_nodes <= q->rays_at_nodes, "%s: rays at nodes", name);
+    CHECK(q->packet_triangles <= q->rays_at_triangles, "%s: rays at triangles", name);
+    CHECK(q->early_hits + q->frustum_misses <= 2 * q->packet_nodes, "%s: short cuts", name);
+    CHECK(q->packets == 0 || q->references >= m->triangles, "%s: references", name);
+}
+
 static void check_counts(const built_structure *s, const mesh *m, const char *name) {
     const structure_statistics q = structure_count(s);
+    check_packets(&q, m, name);
     const int is_kd = strncmp(name, "kd", 2) == 0;
     CHECK(q.rays > 0 && q.bytes + q.triangle_bytes >= 40 * m->triangles, "%s: counts", name);
     CHECK(!is_kd || q.unsplit > 0 || q.leaves <= q.nodes + 1, "%s: leaves", name);
@@ -136,17 +148,41 @@ static void check_counts(const built_structure *s, const mesh *m, const char *na
     CHECK(strcmp(name, "kd") == 0 || q.strays == 0, "%s: strays", name);
 }
 
-/* One kind, opened with the mesh and moved to others. */
+/* Of each group of switches one, or none. */
+static structure_options choose(const structure_kind *kind, random_state *r) {
+    structure_options o = {.packet_side = 0};
+    for (const structure_switch *s = structure_switches(kind); s->name != NULL; s++) {
+        if (random_below(r, 2)) {
+            o.choice[s->group] = s->value;
+        }
+    }
+    o.packet_side = o.choice[STRUCTURE_SIDE] > 1 ? o.choice[STRUCTURE_SIDE] : 0;
+    o.packet_side = o.packet_side <= PLT_PACKET_SIDE_MAX ? o.packet_side : PLT_PACKET_SIDE_MAX;
+    o.one_by_one = o.choice[STRUCTURE_SIDE] == 1;
+    return o;
+}
+
+static int are_suited(const structure_kind *kind, const structure_options *o) {
+    fail f = {""};
+    return structure_suits(kind, o, &f) == 0;
+}
+
+/* One kind, opened with the mesh and moved to others: as it is by itself, and by its switches. */
 static void run_kind(const structure_kind *kind, const mesh *m, const mesh *moved,
                      const due *before, const due *after, unsigned scene) {
     const char *name = structure_name(kind);
-    for (int way = 0; way < 2; way++) {
+    const int has_own = structure_switches(kind)->group != STRUCTURE_SIDE;
+    random_state r = {scene + 9};
+    for (int way = 0; way < (has_own ? 6 : 2); way++) {
         fail f = {""};
-        built_structure *s = structure_open(kind, m,
-                                            way == 0    ? &by_rays
-                                            : scene % 2 ? &by_few
-                                                        : &by_many,
-                                            "it", &f);
+        const structure_options o = way == 0    ? by_rays
+                                    : way > 1   ? choose(kind, &r)
+                                    : scene % 2 ? by_few
+                                                : by_many;
+        if (!are_suited(kind, &o)) {
+            continue;
+        }
+        built_structure *s = structure_open(kind, m, &o, "it", &f);
         CHECK(s != NULL || rig_is_tiny(), "scene %u, %s: %s", scene, name, f.text);
         if (s == NULL) {
             continue;
@@ -264,14 +300,14 @@ static int trace_within(const structure_kind *kind, const mesh *m, const due *d,
 }
 
 static void bounded_memory(void) {
-    static const char *const names[] = {"kd", "kd-boxes", "kd-fast", "kd-lazy"};
+    static const char *const names[] = {"kd", "kd-boxes", "kd-fast", "kd-lazy", "bvh", "wbvh"};
     static due d;
     random_state r = {5};
     mesh m = {0};
-    test("kd-trees that memory runs out for say so, give all back, and can be built later");
+    test("structures that memory runs out for say so, give all back, and can be built later");
     shape_soup(&m, rig_triangles(90, 1), 0.5f, 9);
     CHECK(make_due(&d, &m, &r), "the list");
-    for (unsigned i = 0; i < 4; i++) {
+    for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {
         unsigned could = 0, could_not = 0;
         for (uint64_t bytes = 64; could < 3; bytes += bytes / 16) {
             const int is_done = trace_within(structure_find(names[i]), &m, &d, bytes);
@@ -307,9 +343,44 @@ static void refusals(void) {
     mesh_free(&n);
 }
 
+/* ---- words ---------------------------------------------------------------------------- */
+
+static void check_word(const char *text, const char *said) {
+    structure_options o;
+    fail f = {""};
+    const structure_kind *kind = structure_read(text, "it", &o, &f);
+    CHECK(kind == NULL && strstr(f.text, said) != NULL, "%s: %s", text, f.text);
+}
+
+static void words(void) {
+    structure_options o = {.packet_side = 9};
+    fail f = {""};
+    test("names and switches are read, and what does not go says what does");
+    CHECK(structure_read("kd", "it", &o, &f) == structure_find("kd"), "%s", f.text);
+    CHECK(o.one_by_one == 1 && o.packet_side == 0, "kd: rays go one by one");
+    CHECK(structure_read("kd:4x4", "it", &o, &f) == structure_find("kd"), "%s", f.text);
+    CHECK(o.one_by_one == 0 && o.packet_side == 4, "kd: packets");
+    CHECK(structure_read("wbvh:bits,leaf-3,16x16", "it", &o, &f) == structure_find("wbvh"), "%s",
+          f.text);
+    CHECK(o.packet_side == 16 && o.choice[STRUCTURE_LEAF] == 3 &&
+              o.choice[STRUCTURE_MASKS] == STRUCTURE_BITS && o.choice[STRUCTURE_SPLITS] == 0,
+          "wbvh: switches");
+    check_word("wbv", "no structure is called 'wbv'; choose tree, tree-never, ");
+    check_word("", "no structure is called ''");
+    check_word("wbvh:", "wbvh has no switch ''; choose median, sah, ");
+    check_word("wbvh:leaf-1,", "no switch ''");
+    check_word("wbvh:leaf-12", "no switch 'leaf-12'");
+    check_word("kd:sah", "kd has no switch 'sah'; choose 2x2, 4x4, 8x8 or single");
+    check_word("bvh:4x4,sah,8x8",
+               "'8x8' is a second choice of one kind; give one of 2x2, 4x4, 8x8 "
+               "or 16x16");
+    check_word("bvh:sah,sah", "give one of median or sah");
+}
+
 int main(int argc, char **argv) {
     const int is_soak = argc > 1 && strcmp(argv[1], "soak") == 0;
     refusals();
+    words();
     bounded_memory();
     named_scenes();
     random_scenes(is_soak);

@@ -21,6 +21,11 @@ typedef struct structure_kind {
     void (*count)(const void *self, structure_statistics *to);
     void (*forget)(void *self);
     void (*close)(void *self);
+    const structure_switch *switches; /* NULL: there are none; one without a name ends them */
+    uint8_t one_by_one; /* 1: tools trace rays one by one, unless a switch asks for packets */
+    /* Whether switches go together, each being one of its group; NULL: all do. -1: it says which do
+     * not, and those that would. */
+    int (*suits)(const structure_options *o, fail *f);
 } structure_kind;
 
 #endif

@@ -190,10 +190,14 @@ static void forget_kd(void *self) {
     k->tracing.counts = (kd_counts){0, 0, 0, 0};
 }
 
+static const structure_switch switches[] = {
+    STRUCTURE_SIDE_SWITCHES, STRUCTURE_SINGLE_SWITCH, {NULL, NULL, 0, 0}};
+
 #define KD_KIND(NAME, VARIANT, ABOUT)                                                              \
     {                                                                                              \
         .name = NAME, .about = ABOUT, .variant = VARIANT, .open = open_kd, .move = move_kd,        \
-        .trace = trace_kd, .count = count_kd, .forget = forget_kd, .close = close_kd               \
+        .trace = trace_kd, .count = count_kd, .forget = forget_kd, .close = close_kd,              \
+        .switches = switches, .one_by_one = 1                                                      \
     }
 
 const structure_kind structure_kd =
