@@ -328,11 +328,10 @@ static void say_treelets(const pack_treelets_stats *t) {
     if (t->tried == 0) {
         return;
     }
-    note("treelets of %" PRIu32 ": %" PRIu32 " complete, %" PRIu32 " incomplete, %" PRIu64
-         " free slot%s; a random line enters %.2f%s",
-         s->size, s->complete, s->treelets - s->complete, s->free_slots,
-         s->free_slots == 1 ? "" : "s", s->entered,
-         t->tried > 1 ? "; --json has all sizes that were tried" : "");
+    note("treelets of %" PRIu32 ", of %" PRIu32 " size%s tried: %" PRIu32 " complete, %" PRIu32
+         " incomplete, %" PRIu64 " free slot%s, %.2f entered by a random line",
+         s->size, t->tried, t->tried == 1 ? "" : "s", s->complete, s->treelets - s->complete,
+         s->free_slots, s->free_slots == 1 ? "" : "s", s->entered);
 }
 
 static void say_quality(const quality_stats *q) {
