@@ -135,6 +135,16 @@ static void print_packets(const structure_statistics *s, output *o, fail *f) {
         s->early_hits, s->frustum_misses);
 }
 
+/* What its switches save, or take. */
+static void print_bph(const structure_statistics *s, output *o, fail *f) {
+    output_print(o, f,
+                 "  \"early_tests\": %" PRIu64 ",\n  \"frustum_tests\": %" PRIu64
+                 ",\n  \"reconstructions\": %" PRIu64 ",\n  \"recomputed_boxes\": %" PRIu64
+                 ",\n  \"plane_matches\": %" PRIu64 ",\n  \"intermediates\": %" PRIu32 ",\n",
+                 s->early_tests, s->frustum_tests, s->reconstructions, s->recomputed,
+                 s->plane_matches, s->intermediates);
+}
+
 int baseline_print_counts(const baseline *b, output *o, fail *f) {
     const structure_statistics s = structure_count(b->s);
     output_print(o, f, "  \"structure\": \"%s\",\n  \"build_seconds\": %.9f,\n",
@@ -146,6 +156,9 @@ int baseline_print_counts(const baseline *b, output *o, fail *f) {
                  s.node_visits, s.box_tests, s.triangle_tests, s.sieved, s.build_work);
     if (s.packets > 0) {
         print_packets(&s, o, f);
+    }
+    if (s.plane_matches > 0) {
+        print_bph(&s, o, f);
     }
     return output_print(o, f,
                         "  \"nodes\": %" PRIu32 ",\n  \"leaves\": %" PRIu32

@@ -36,10 +36,11 @@ host_tools/base
 host_tools/picture
 host_tools/mesh
 host_tools/scenes
+host_tools/treelets
 host_tools/pack
 host_tools/baselines/base
 host_tools/baselines/packet
-host_tools/baselines/kd host_tools/baselines/bvh
+host_tools/baselines/kd host_tools/baselines/bvh host_tools/baselines/bph
 host_tools/baselines
 host_tools/link
 host_tools/app

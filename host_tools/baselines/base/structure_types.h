@@ -31,6 +31,12 @@ typedef struct structure_statistics {
     uint64_t packet_triangles, rays_at_triangles, masked_at_triangles;
     uint64_t early_hits;     /* boxes that the first active rays met, and so no other was asked */
     uint64_t frustum_misses; /* that the hull of all rays missed, likewise */
+    /* Of a BPH (bph_trace.h). */
+    uint64_t early_tests, frustum_tests;
+    uint64_t reconstructions; /* boxes of children, where an early hit had left rays unknown */
+    uint64_t recomputed;      /* boxes of an intermediate node's lists, from their triangles */
+    uint64_t plane_matches;   /* planes matched with near and far, for a packet or a ray */
+    uint32_t intermediates;   /* now: intermediate nodes, which are leaves */
 } structure_statistics;
 
 /* What switches choose, each its group of values; 0: as the kind does it by itself. A kind's own
