@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "host_tools/tables/pages.h"
+#include "host_tools/tables/page_lines.h"
 #include "host_tools/tables/plot.h"
 
 enum { WIDE = 1000, HIGH = 400, SPLIT_AT = 660 };
@@ -30,7 +30,7 @@ static void name_series(plot *p, unsigned series, const char *name) {
 
 static void name_group(plot *p, const char *name, const gallery_about *about) {
     char label[SHEET_LABEL];
-    pages_label(label, name, about);
+    page_label(label, name, about);
     snprintf(p->group[p->groups++], PLOT_NAME, "%.*s", PLOT_NAME - 1, label);
 }
 
@@ -64,15 +64,15 @@ static void draw_per_triangle(drawing *d, const book *b) {
     snprintf(p.unit, sizeof p.unit, "bytes/triangle");
     name_series(&p, 0, "ours");
     for (unsigned k = 0; k < BOOK_SIZES; k++) {
-        pages_mean ours = {0.0, 0}, theirs = {0.0, 0};
+        page_mean ours = {0.0, 0}, theirs = {0.0, 0};
         for (unsigned i = 0; i < PRINTED_SCENES; i++) {
             if (b->scene[i].is_there) {
-                pages_add(&ours, b->scene[i].size[k].of[FIGURE_BYTES] / b->scene[i].triangles);
-                pages_add(&theirs, printed_bytes(i, 1 + k) / printed_scenes[i].triangles);
+                page_add(&ours, b->scene[i].size[k].of[FIGURE_BYTES] / b->scene[i].triangles);
+                page_add(&theirs, printed_bytes(i, 1 + k) / printed_scenes[i].triangles);
             }
         }
-        p.bar[p.groups][0] = pages_mean_of(&ours);
-        p.mark[p.groups][0] = pages_mean_of(&theirs);
+        p.bar[p.groups][0] = page_mean_of(&ours);
+        p.mark[p.groups][0] = page_mean_of(&theirs);
         name_group(&p, size_names[k], &own);
     }
     plot_draw(&p, d, (plot_area){SPLIT_AT, 0, WIDE, HIGH});

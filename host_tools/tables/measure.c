@@ -76,9 +76,8 @@ static void take_rays(const structure_statistics *c, figures *to) {
     }
 }
 
-/* DEVELOPMENT: of a kind that is not there yet nothing is measured. */
-int is_absent(const char *text);
-int is_absent(const char *text) {
+/* Of a kind that this build does not have nothing is measured. */
+static int is_absent(const char *text) {
     char name[32];
     snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
     return structure_find(name) == NULL;

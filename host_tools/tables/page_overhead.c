@@ -1,7 +1,8 @@
 /* page_overhead - Table 5.6: what more packets meet because of treelets
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/tables/pages.h"
+#include "host_tools/tables/page_kinds.h"
+#include "host_tools/tables/page_lines.h"
 
 enum { COLUMNS = BOOK_TREELETS, AVERAGE = PRINTED_SCENES };
 
@@ -26,37 +27,37 @@ static void put_share(sheet *s, const char *what, const double *values, double w
 static void put_scene(sheet *s, const book_scene *scene, unsigned number, const char *label,
                       double *theirs) {
     double values[BOOK_ORDERS][COLUMNS];
-    pages_printed(s, 6, number, label, "printed");
+    page_printed(s, 6, number, label, "printed");
     for (unsigned c = 0; c < COLUMNS; c++) {
         theirs[c] = printed_value(printed_cell(6, number, c));
     }
     put_share(s, "... % more", theirs, theirs[0]);
     for (unsigned order = 0; order < BOOK_ORDERS; order++) {
         count(scene->treed[order], values[order]);
-        pages_line(s, order_lines[order], values[order], COLUMNS, 1);
+        page_line(s, order_lines[order], values[order], COLUMNS, 1);
         put_share(s, share_lines[order], values[order], values[BOOK_ORDER_THESIS][0]);
         if (order == BOOK_ORDER_THESIS) {
-            pages_ratio(s, "ratio", values[order], theirs, COLUMNS);
+            page_ratio(s, "ratio", values[order], theirs, COLUMNS);
         }
     }
 }
 
 static void put_means(sheet *s, const book *b) {
     double mean[COLUMNS];
-    pages_printed(s, 6, AVERAGE, "AVG", "printed");
+    page_printed(s, 6, AVERAGE, "AVG", "printed");
     for (unsigned order = 0; order < BOOK_ORDERS; order++) {
-        pages_mean sum[COLUMNS] = {{0.0, 0}};
+        page_mean sum[COLUMNS] = {{0.0, 0}};
         for (unsigned i = 0; i < PRINTED_SCENES; i++) {
             double values[COLUMNS];
             count(b->scene[i].treed[order], values);
             for (unsigned c = 0; c < COLUMNS; c++) {
-                pages_add(&sum[c], values[c]);
+                page_add(&sum[c], values[c]);
             }
         }
         for (unsigned c = 0; c < COLUMNS; c++) {
-            mean[c] = pages_mean_of(&sum[c]);
+            mean[c] = page_mean_of(&sum[c]);
         }
-        pages_line(s, order_lines[order], mean, COLUMNS, 1);
+        page_line(s, order_lines[order], mean, COLUMNS, 1);
         put_share(s, share_lines[order], mean, mean[0]);
     }
 }
@@ -66,7 +67,7 @@ void page_overhead(sheet *s, const book *b) {
     for (unsigned i = 0; i < PRINTED_SCENES; i++) {
         if (b->scene[i].is_there) {
             char label[SHEET_LABEL];
-            pages_label(label, printed_scenes[i].name, &b->scene[i].about);
+            page_label(label, printed_scenes[i].name, &b->scene[i].about);
             put_scene(s, &b->scene[i], i, label, theirs);
         }
     }

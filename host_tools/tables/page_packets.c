@@ -1,7 +1,8 @@
 /* page_packets - Table 5.4: what packets meet in the BPH
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/tables/pages.h"
+#include "host_tools/tables/page_kinds.h"
+#include "host_tools/tables/page_lines.h"
 
 enum { COLUMNS = 3 * BOOK_SIDES };
 
@@ -17,17 +18,17 @@ static void count(const figures traced[BOOK_SIDES], double *to) {
 static void put_scene(sheet *s, const book_scene *scene, unsigned number) {
     double median[COLUMNS], sah[COLUMNS], theirs[COLUMNS];
     char label[SHEET_LABEL];
-    pages_label(label, printed_scenes[number].name, &scene->about);
-    pages_printed(s, 4, number, label, "printed");
+    page_label(label, printed_scenes[number].name, &scene->about);
+    page_printed(s, 4, number, label, "printed");
     for (unsigned c = 0; c < COLUMNS; c++) {
         theirs[c] = printed_value(printed_cell(4, number, c));
     }
     count(scene->traced[BOOK_MEDIAN], median);
     count(scene->traced[BOOK_SAH], sah);
-    pages_line(s, "ours, median", median, COLUMNS, 1);
-    pages_ratio(s, "ratio", median, theirs, COLUMNS);
-    pages_line(s, "ours, SAH", sah, COLUMNS, 1);
-    pages_ratio(s, "SAH : median", sah, median, COLUMNS);
+    page_line(s, "ours, median", median, COLUMNS, 1);
+    page_ratio(s, "ratio", median, theirs, COLUMNS);
+    page_line(s, "ours, SAH", sah, COLUMNS, 1);
+    page_ratio(s, "SAH : median", sah, median, COLUMNS);
 }
 
 void page_packets(sheet *s, const book *b) {

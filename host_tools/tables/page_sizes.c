@@ -6,7 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "host_tools/tables/pages.h"
+#include "host_tools/tables/page_kinds.h"
+#include "host_tools/tables/page_lines.h"
 
 enum { COLUMNS = 1 + BOOK_SIZES, FIRST = 1 };
 
@@ -23,8 +24,8 @@ static void put_scene(sheet *s, const book *b, unsigned number) {
     const book_scene *scene = &b->scene[number];
     double ours[COLUMNS], theirs[COLUMNS];
     char label[SHEET_LABEL], text[SHEET_TEXT];
-    pages_label(label, printed_scenes[number].name, &scene->about);
-    pages_printed(s, 1, number, label, "printed");
+    page_label(label, printed_scenes[number].name, &scene->about);
+    page_printed(s, 1, number, label, "printed");
     sheet_line *line = sheet_add(s, "", "ours");
     sheet_with_commas(text, sizeof text, scene->triangles);
     sheet_put_text(line, 0, scene->triangles, text);
@@ -40,27 +41,27 @@ static void put_scene(sheet *s, const book *b, unsigned number) {
     for (unsigned c = FIRST; c < COLUMNS; c++) {
         sheet_put(line, c, ours[c], 1);
     }
-    pages_ratio(s, "ratio", ours, theirs, COLUMNS);
+    page_ratio(s, "ratio", ours, theirs, COLUMNS);
 }
 
 /* The mean over all rows of one structure's bytes over another's, in percent. */
 static void put_share(sheet *s, const book *b, const char *row, unsigned of) {
-    pages_mean ours[BOOK_SIZES] = {{0.0, 0}}, theirs[BOOK_SIZES] = {{0.0, 0}};
+    page_mean ours[BOOK_SIZES] = {{0.0, 0}}, theirs[BOOK_SIZES] = {{0.0, 0}};
     for (unsigned i = 0; i < PRINTED_SCENES; i++) {
         for (unsigned k = 0; k < of && b->scene[i].is_there; k++) {
             const figures *size = b->scene[i].size;
-            pages_add(&ours[k], 100.0 * size[of].of[FIGURE_BYTES] / size[k].of[FIGURE_BYTES]);
-            pages_add(&theirs[k],
-                      100.0 * printed_bytes(i, FIRST + of) / printed_bytes(i, FIRST + k));
+            page_add(&ours[k], 100.0 * size[of].of[FIGURE_BYTES] / size[k].of[FIGURE_BYTES]);
+            page_add(&theirs[k],
+                     100.0 * printed_bytes(i, FIRST + of) / printed_bytes(i, FIRST + k));
         }
     }
     sheet_line *printed = sheet_add(s, row, "printed, mean %");
     for (unsigned k = 0; k < of; k++) {
-        sheet_put(printed, FIRST + k, pages_mean_of(&theirs[k]), 0);
+        sheet_put(printed, FIRST + k, page_mean_of(&theirs[k]), 0);
     }
     sheet_line *own = sheet_add(s, "", "ours, mean %");
     for (unsigned k = 0; k < of; k++) {
-        sheet_put(own, FIRST + k, pages_mean_of(&ours[k]), 0);
+        sheet_put(own, FIRST + k, page_mean_of(&ours[k]), 0);
     }
 }
 

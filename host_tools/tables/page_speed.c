@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "host_tools/tables/pages.h"
+#include "host_tools/tables/page_kinds.h"
+#include "host_tools/tables/page_lines.h"
 
 #define THEIR_HERTZ 1.7e9 /* section 5.1 */
 #define THEIR_RAYS (512.0 * 512.0)
@@ -43,16 +44,16 @@ static void fill(speed *to, const figures race[BOOK_SIDES][BOOK_RACERS], unsigne
 static void put_row(sheet *s, const char *name, const gallery_about *about, const speed *v,
                     int has_cycles) {
     char label[SHEET_LABEL];
-    pages_label(label, name, about);
+    page_label(label, name, about);
     sheet_line *line = sheet_add(s, label, "printed, fps");
     for (unsigned c = 0; c < COLUMNS; c++) {
         sheet_put(line, c, v->fps[c], 0);
     }
-    pages_line(s, "printed, cycles/ray", v->their_cycles, COLUMNS, 0);
-    pages_line(s, has_cycles ? "ours, cycles/ray" : "ours, ns/ray", v->cost, COLUMNS, 0);
-    pages_line(s, "printed, x wBVH", v->their_factor, COLUMNS, 2);
-    pages_line(s, "ours, x wBVH", v->factor, COLUMNS, 2);
-    pages_ratio(s, "ratio of those", v->factor, v->their_factor, COLUMNS);
+    page_line(s, "printed, cycles/ray", v->their_cycles, COLUMNS, 0);
+    page_line(s, has_cycles ? "ours, cycles/ray" : "ours, ns/ray", v->cost, COLUMNS, 0);
+    page_line(s, "printed, x wBVH", v->their_factor, COLUMNS, 2);
+    page_line(s, "ours, x wBVH", v->factor, COLUMNS, 2);
+    page_ratio(s, "ratio of those", v->factor, v->their_factor, COLUMNS);
 }
 
 /* Whether the system lets cycles be counted: then it did in all rows. */
@@ -79,19 +80,19 @@ static void set_columns(sheet *s) {
 static void put_mean(sheet *s, const speed *rows, unsigned count, const char *name) {
     double ours[COLUMNS], theirs[COLUMNS];
     for (unsigned c = 0; c < COLUMNS; c++) {
-        pages_mean own = {0.0, 0}, printed = {0.0, 0};
+        page_mean own = {0.0, 0}, printed = {0.0, 0};
         for (unsigned i = 0; i < count; i++) {
-            pages_add(&own, log(rows[i].factor[c]));
-            pages_add(&printed, log(rows[i].their_factor[c]));
+            page_add(&own, log(rows[i].factor[c]));
+            page_add(&printed, log(rows[i].their_factor[c]));
         }
-        ours[c] = exp(pages_mean_of(&own));
-        theirs[c] = exp(pages_mean_of(&printed));
+        ours[c] = exp(page_mean_of(&own));
+        theirs[c] = exp(page_mean_of(&printed));
     }
     sheet_line *line = sheet_add(s, name, "printed, x wBVH");
     for (unsigned c = 0; c < COLUMNS; c++) {
         sheet_put(line, c, theirs[c], 2);
     }
-    pages_line(s, "ours, x wBVH", ours, COLUMNS, 2);
+    page_line(s, "ours, x wBVH", ours, COLUMNS, 2);
 }
 
 void page_speed(sheet *s, const book *b) {

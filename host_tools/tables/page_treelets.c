@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "host_tools/tables/pages.h"
+#include "host_tools/tables/page_kinds.h"
+#include "host_tools/tables/page_lines.h"
 
 enum { COLUMNS = PRINTED_TREELET_SIZES, INCOMPLETE = PRINTED_SCENES, BYTES = PRINTED_SCENES + 1 };
 
@@ -28,11 +29,11 @@ static double least_of(double nodes, unsigned size) {
     return PRINTED_NODE_BYTES * (size * ceil(nodes / size) - nodes);
 }
 
-static void put_scene(sheet *s, const book_scene *scene, unsigned number, pages_mean *bytes,
-                      pages_mean *incomplete) {
+static void put_scene(sheet *s, const book_scene *scene, unsigned number, page_mean *bytes,
+                      page_mean *incomplete) {
     char label[SHEET_LABEL];
-    pages_label(label, printed_scenes[number].name, &scene->about);
-    pages_printed(s, 5, number, label, "printed");
+    page_label(label, printed_scenes[number].name, &scene->about);
+    page_printed(s, 5, number, label, "printed");
     sheet_line *rule = sheet_add(s, "", "their nodes");
     sheet_line *ours = sheet_add(s, "", "ours");
     sheet_line *share = sheet_add(s, "", "ours, % of size");
@@ -42,13 +43,13 @@ static void put_scene(sheet *s, const book_scene *scene, unsigned number, pages_
         put(rule, c, least_of(printed_nodes(number), printed_treelet_sizes[c]), (double)NAN);
         put(ours, c, empty, f->of[FIGURE_INCOMPLETE]);
         sheet_put(share, c, 100.0 * empty / f->of[FIGURE_BYTES], 2);
-        pages_add(&bytes[c], empty);
-        pages_add(&incomplete[c], f->of[FIGURE_INCOMPLETE]);
+        page_add(&bytes[c], empty);
+        page_add(&incomplete[c], f->of[FIGURE_INCOMPLETE]);
     }
 }
 
 void page_treelets(sheet *s, const book *b) {
-    pages_mean bytes[COLUMNS] = {{0.0, 0}}, incomplete[COLUMNS] = {{0.0, 0}};
+    page_mean bytes[COLUMNS] = {{0.0, 0}}, incomplete[COLUMNS] = {{0.0, 0}};
     double mean[COLUMNS];
     for (unsigned i = 0; i < PRINTED_SCENES; i++) {
         if (b->scene[i].is_there) {
@@ -56,14 +57,14 @@ void page_treelets(sheet *s, const book *b) {
         }
     }
     for (unsigned c = 0; c < COLUMNS; c++) {
-        mean[c] = pages_mean_of(&incomplete[c]);
+        mean[c] = page_mean_of(&incomplete[c]);
     }
-    pages_printed(s, 5, INCOMPLETE, "AVG incTL", "printed");
-    pages_line(s, "ours", mean, COLUMNS, 2);
-    pages_printed(s, 5, BYTES, "AVG bytes", "printed");
+    page_printed(s, 5, INCOMPLETE, "AVG incTL", "printed");
+    page_line(s, "ours", mean, COLUMNS, 2);
+    page_printed(s, 5, BYTES, "AVG bytes", "printed");
     sheet_line *line = sheet_add(s, "", "ours");
     for (unsigned c = 0; c < COLUMNS; c++) {
-        put(line, c, pages_mean_of(&bytes[c]), (double)NAN);
+        put(line, c, page_mean_of(&bytes[c]), (double)NAN);
     }
     sheet_note(s,
                "their nodes: 32 bytes for each node that the thesis's tree, whose nodes Table "

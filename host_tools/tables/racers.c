@@ -9,11 +9,6 @@
 #include "host_tools/base/clock.h"
 
 int racers_add(racers *all, const char *text, const mesh *m, const char *name, fail *f) {
-    int is_absent(const char *);
-    if (is_absent(text)) {
-        all->count++;
-        return 0;
-    }
     structure_options options = {.packet_side = 0};
     const structure_kind *kind = structure_read(text, name, &options, f);
     racer *r = &all->racer[all->count];
@@ -33,8 +28,6 @@ void racers_close(racers *all) {
 int racers_move(racers *all, const mesh *m, fail *f) {
     int status = 0;
     for (unsigned i = 0; i < all->count && status == 0; i++) {
-        if (all->racer[i].s == NULL)
-            continue;
         status = structure_move(all->racer[i].s, m, f);
     }
     return status;
@@ -76,8 +69,6 @@ int racers_run(racers *all, stage *s, unsigned rounds, counters *c, fail *f) {
     uint64_t first = 0;
     for (unsigned round = 0; round < rounds; round++) {
         for (unsigned i = 0; i < all->count; i++) {
-            if (all->racer[i].s == NULL)
-                continue;
             if (trace(&all->racer[i], s, c, &best[i], f) != 0) {
                 return -1;
             }
