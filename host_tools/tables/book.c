@@ -21,6 +21,11 @@ static const char *const size_jobs[BOOK_SIZES] = {[BOOK_BVH] = "size:bvh:median"
 static const char *const traced_jobs[BOOK_SPLITS] = {
     [BOOK_MEDIAN] = "trace:bph:median,leaf-1,%s", [BOOK_SAH] = "trace:bph:sah,leaf-1,%s"};
 
+/* NULL: not measured. */
+static const char *const order_jobs[BOOK_ORDERS] = {[BOOK_ORDER_THESIS] = NULL,
+                                                    [BOOK_ORDER_SORTED] = "order:two-stage,%s",
+                                                    [BOOK_ORDER_DEPTH] = "order:depth,%s"};
+
 static const char *const race_jobs[BOOK_RACERS] = {[BOOK_RACE_WBVH] = "wbvh:%s",
                                                    [BOOK_RACE_BPH] = "bph:median,leaf-1,%s",
                                                    [BOOK_RACE_ENGINE] = "tree:%s"};
@@ -90,8 +95,26 @@ static int take_treelets(book *b, stage *s, book_scene *to, fail *f) {
     char job[JOB];
     int status = 0;
     for (unsigned i = 0; i < PRINTED_TREELET_SIZES && status == 0; i++) {
-        snprintf(job, sizeof job, "pack:median,leaf-1,treelet-%u", printed_treelet_sizes[i]);
+        snprintf(job, sizeof job, "slots:%u", printed_treelet_sizes[i]);
         status = take(b, s, job, &to->treelets[i], f);
+    }
+    return status;
+}
+
+/* Without treelets is with one per node: both stages are depth first then. */
+static int take_orders(book *b, stage *s, book_scene *to, fail *f) {
+    char job[JOB];
+    int status = 0;
+    for (unsigned i = 0; i < BOOK_ORDERS * BOOK_TREELETS && status == 0; i++) {
+        const unsigned order = i / BOOK_TREELETS, column = i % BOOK_TREELETS;
+        if (order_jobs[order] != NULL) {
+            char size[16] = "1";
+            if (column > 0) {
+                snprintf(size, sizeof size, "%u", printed_treelet_sizes[column - 1]);
+            }
+            fill_in(job, order_jobs[order], size);
+            status = take(b, s, job, &to->treed[order][column], f);
+        }
     }
     return status;
 }
@@ -155,6 +178,9 @@ static int write_scene(book *b, unsigned number, fail *f) {
     if (status == 0 && book_has(b, 5)) {
         status = take_treelets(b, &s, to, f);
     }
+    if (status == 0 && book_has(b, 6)) {
+        status = take_orders(b, &s, to, f);
+    }
     if (status == 0 && b->options.pictures && (status = stage_look(&s, &b->meter.look, f)) == 0) {
         to->picture = s.picture;
         memset(&s.picture, 0, sizeof s.picture);
@@ -205,8 +231,9 @@ static unsigned jobs_of(const book *b) {
     const unsigned races = book_has(b, 3) ? BOOK_SIDES : 0;
     const unsigned traced = book_has(b, 4) ? BOOK_SPLITS * BOOK_SIDES : 0;
     const unsigned treelets = book_has(b, 5) ? PRINTED_TREELET_SIZES : 0;
+    const unsigned orders = book_has(b, 6) ? BOOK_ORDERS * BOOK_TREELETS : 0;
     const unsigned rows = bits_of(b->options.rows);
-    return rows * (sizes + races + traced + treelets) + PRINTED_ANIMATIONS * races;
+    return rows * (sizes + races + traced + treelets + orders) + PRINTED_ANIMATIONS * races;
 }
 
 static int wants_animation(const book *b, unsigned number) {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "host_tools/baselines/structure.h"
-#include "host_tools/pack/pack.h"
+#include "host_tools/tables/measure_nodes.h"
 #include "host_tools/tables/racers.h"
 
 figures figures_none(void) {
@@ -17,43 +17,6 @@ figures figures_none(void) {
         none.of[i] = (double)NAN;
     }
     return none;
-}
-
-/* ---- the packer ---------------------------------------------------------- */
-
-/* "median,leaf-1,treelet-64" */
-static int read_packing(const char *text, pack_options *o) {
-    char splits[8];
-    unsigned leaf, nodes;
-    char end;
-    if (sscanf(text, "%7[a-z],leaf-%u,treelet-%u%c", splits, &leaf, &nodes, &end) != 3) {
-        return -1;
-    }
-    o->splits = strcmp(splits, "median") == 0 ? PLT_SPLIT_MEDIAN : PLT_SPLIT_SAH;
-    o->build = PLT_BUILD_HOST;
-    o->leaf_triangles = leaf;
-    o->treelet_nodes = nodes;
-    return 0;
-}
-
-static int measure_packing(stage *s, const char *text, figures *to, fail *f) {
-    pack_options options = {.leaf_triangles = 1};
-    packed image = {0};
-    if (read_packing(text, &options) != 0) {
-        return fail_set(f, s->name, "there is no packing '%s'; please report this", text);
-    }
-    if (pack_mesh(&image, &s->m, &options, s->name, f) != 0) {
-        return -1;
-    }
-    to->of[FIGURE_TRIANGLES] = image.info.triangles;
-    to->of[FIGURE_NODES] = image.info.nodes;
-    to->of[FIGURE_BYTES] = 32.0 * image.info.nodes;
-    to->of[FIGURE_SLOTS] = image.info.node_slots;
-    to->of[FIGURE_LEAVES] = image.info.leaf_lists;
-    to->of[FIGURE_INTERMEDIATES] = image.info.intermediate_lists;
-    to->of[FIGURE_TREELETS] = image.info.treelets;
-    pack_free(&image);
-    return 0;
 }
 
 /* ---- structures ---------------------------------------------------------- */
@@ -118,6 +81,12 @@ int measure_job(meter *m, stage *s, const char *job, figures *to, fail *f) {
     *to = figures_none();
     if (strncmp(job, "pack:", 5) == 0) {
         return measure_packing(s, job + 5, to, f);
+    }
+    if (strncmp(job, "slots:", 6) == 0) {
+        return measure_slots(s, job + 6, to, f);
+    }
+    if (strncmp(job, "order:", 6) == 0) {
+        return stage_look(s, &m->look, f) == 0 ? measure_order(s, job + 6, to, f) : -1;
     }
     const int is_traced = strncmp(job, "trace:", 6) == 0;
     return measure_structure(m, s, job + (is_traced ? 6 : 5), is_traced, to, f);

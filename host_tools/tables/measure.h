@@ -1,8 +1,7 @@
 /* measure - one structure on a stage: what it takes, what packets meet in it, how long that is
  *
- * A job is a text: "pack:median,leaf-1,treelet-64" are thesis nodes as the packer makes them,
- * without rays; "size:KIND:SWITCHES" a structure without rays, "trace:KIND:SWITCHES" one with
- * (baselines/structure.h).
+ * A job is a text: "size:KIND:SWITCHES" is a structure without rays, "trace:KIND:SWITCHES" one with
+ * (baselines/structure.h); "pack:", "slots:" and "order:" are of thesis nodes (measure_nodes.h).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef MEASURE_H

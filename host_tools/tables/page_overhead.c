@@ -35,7 +35,7 @@ static void put_scene(sheet *s, const book_scene *scene, unsigned number, const 
     for (unsigned order = 0; order < BOOK_ORDERS; order++) {
         count(scene->treed[order], values[order]);
         page_line(s, order_lines[order], values[order], COLUMNS, 1);
-        put_share(s, share_lines[order], values[order], values[BOOK_ORDER_THESIS][0]);
+        put_share(s, share_lines[order], values[order], values[order][0]);
         if (order == BOOK_ORDER_THESIS) {
             page_ratio(s, "ratio", values[order], theirs, COLUMNS);
         }
@@ -72,4 +72,8 @@ void page_overhead(sheet *s, const book *b) {
         }
     }
     put_means(s, b);
+    sheet_note(s,
+               "sorted: the engine's two stages, a treelet's edges the nearest first, and tested "
+               "again when they are taken. depth first: the engine's own order, over nodes in "
+               "treelets. The first column is depth first, without treelets.");
 }
