@@ -44,9 +44,10 @@ const arg_command command_tables = {
     .files_least = 0,
     .files_most = PRINTED_TABLES + 1,
     .notes =
-        "Rows with a star are of meshes that stand in for the thesis's. Frames per second are\n"
-        "given as how many times as fast a structure is as our wBVH in the same run, and as\n"
-        "cycles per ray, or nanoseconds where the system does not let cycles be counted.\n"};
+        "Rows with a star are of meshes that stand in for the thesis's. Frames per\n"
+        "second are given as how many times as fast a structure is as our wBVH in the\n"
+        "same run, and as cycles per ray, or nanoseconds where the system does not let\n"
+        "cycles be counted.\n"};
 
 typedef struct tables {
     book book;

@@ -38,7 +38,7 @@ static void draw_sizes(drawing *d, const book *b) {
     plot p;
     plot_clear(&p);
     p.is_log = 1;
-    snprintf(p.title, sizeof p.title, "Memory consumption; black lines: as printed");
+    snprintf(p.title, sizeof p.title, "Memory consumption (black lines: as printed)");
     snprintf(p.unit, sizeof p.unit, "bytes");
     for (unsigned k = 0; k < BOOK_SIZES; k++) {
         name_series(&p, k, size_names[k]);

@@ -139,6 +139,11 @@ static int run_step(racers *all, meter *m, stage *s, const measure_motion *motio
     int status = 0;
     if (step > 0) {
         status = motion->frame(motion->context, step, &now, f);
+        if (status == 0 && now.triangles != s->m.triangles) {
+            status = fail_set(f, s->name,
+                              "frame %u has %zu triangles, the first %zu; write all from one mesh",
+                              step, now.triangles, s->m.triangles);
+        }
         status = status == 0 ? racers_move(all, &now, f) : status;
     }
     mesh_free(&now);

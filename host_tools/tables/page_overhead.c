@@ -74,6 +74,6 @@ void page_overhead(sheet *s, const book *b) {
     put_means(s, b);
     sheet_note(s,
                "sorted: the engine's two stages, a treelet's edges the nearest first, and tested "
-               "again when they are taken. depth first: the engine's own order, over nodes in "
-               "treelets. The first column is depth first, without treelets.");
+               "again when they are taken. depth first: the engine's own order, which may count "
+               "a packet twice at a node, once for each of its hulls, over nodes in treelets.");
 }

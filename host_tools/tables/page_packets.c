@@ -39,5 +39,5 @@ void page_packets(sheet *s, const book *b) {
     }
     sheet_note(s,
                "Means over all packets of the views. Trees split in the spatial median, as the "
-               "thesis does, or by the surface area heuristic; one triangle per leaf.");
+               "thesis does, or by the surface area heuristic, one triangle per leaf.");
 }

@@ -74,6 +74,6 @@ void page_sizes(sheet *s, const book *b) {
     put_share(s, b, "BPH of it", BOOK_BPH);
     put_share(s, b, "BPH2 of it", BOOK_BPH2);
     sheet_note(s,
-               "K are 1000 bytes. Ratios are of bytes per triangle; that of the shuttle's BPH2 "
+               "K are 1000 bytes. Ratios are of bytes per triangle, and that of the shuttle's BPH2 "
                "is to 8K, not to the misprint.");
 }

@@ -119,10 +119,10 @@ void page_speed(sheet *s, const book *b) {
     sheet_note(s,
                "x wBVH: how many times as fast as our wBVH, which traced the same packets in "
                "turn with it. Planelet is the engine's own tree. Printed cycles are 1.7 GHz "
-               "over frames of 512x512 rays, with shading; ours are without.");
+               "over frames of 512x512 rays, with shading. Ours are without.");
     sheet_note(s, has_cycles ? "Cycles are those that the processor counts (perf_event_open)."
                              : "The system does not let cycles be counted: ours are nanoseconds "
                                "of the processor's time per ray.");
-    sheet_note(s, "Animations: %u frames each, evenly spread; trees are refitted from the first.",
+    sheet_note(s, "Animations: %u frames each, evenly spread. Trees are refitted from the first.",
                b->options.steps);
 }

@@ -40,9 +40,9 @@ static const char *const cell_51[] = {
 static const char *const remark_51[] = {
     "0.8K of BPH2 in the shuttle's row is taken for a misprint of 8K: ten times less than the "
     "other rows' 11 to 13 bytes per triangle.",
-    "Section 2.2 says 16 and 12 bytes per triangle of BPH and BPH2; the table has 17.8 to 20.2 and "
+    "Section 2.2 says 16 and 12 bytes per triangle of BPH and BPH2. The table has 17.8 to 20.2 and "
     "10.9 to 12.7.",
-    "Section 2.2 says 64 bytes per triangle of a BVH; the table has 49 to 53.", NULL};
+    "Section 2.2 says 64 bytes per triangle of a BVH. The table has 49 to 53.", NULL};
 
 static const char *const column_52[] = {"% of total leafs", "bytes saved", "% of total size"};
 static const char *const group_52[] = {"", "", ""};
@@ -53,7 +53,7 @@ static const char *const cell_52[] = {
     "61", "9,231,712", "35", "61", "11,535,216", "35", "64", "-",         "36"};
 static const char *const remark_52[] = {
     "All bytes saved are multiples of 28, and only 28 per intermediate node gives the node counts "
-    "of Table 5.1; the caption says 32, with which 37 to 45 % would be saved.",
+    "of Table 5.1. The caption says 32, with which 37 to 45 % would be saved.",
     NULL};
 
 static const char *const column_53[] = {"4x4", "8x8", "16x16", "4x4", "8x8", "16x16"};
@@ -121,7 +121,7 @@ static const char *const cell_56[] = {
     "26", "31", "33", "43", "35", "30", "34", "33", "33", "38", "30", "44", "43", "56", "53",
     "39", "41", "39", "41", "43", "18", "22", "22", "24", "23", "21", "22", "22", "23", "25"};
 static const char *const remark_56[] = {
-    "The text says 20 to 35 % more for larger scenes; the table has up to 87 % (buddha, TL7).",
+    "The text says 20 to 35 % more for larger scenes. The table has up to 87 % (buddha, TL7).",
     NULL};
 
 static const printed_table tables[PRINTED_TABLES] = {
