@@ -57,13 +57,19 @@ typedef struct make_order {
     uint64_t triangles;
     uint32_t seed;
     unsigned frame;
+    int has_frames; /* asked for: --frame or --frames */
 } make_order;
 
 static int read_mesh(mesh *m, const make_order *o, fail *f) {
     char *name = frame_range_file(o->mesh, o->frame);
     mesh_report report = {0};
-    const int status = name == NULL ? fail_set(f, o->mesh, "out of memory; close other programs")
-                                    : mesh_read(m, name, o->frame, &report, f);
+    int status = name == NULL ? fail_set(f, o->mesh, "out of memory; close other programs")
+                              : mesh_read(m, name, o->frame, &report, f);
+    if (status == 0 && o->has_frames && report.sequences == 0 && strcmp(name, o->mesh) == 0) {
+        status = fail_set(f, name,
+                          "has no sequence, so no frames; leave out --frame(s), or name files "
+                          "with a '{}'");
+    }
     free(name);
     return status;
 }
@@ -104,11 +110,28 @@ static int write_scene(const make_order *o, const char *path, fail *f) {
     return status;
 }
 
+/* Before any is written, so that none is that is still to be read (base/files.h). */
+static int read_all(make_order o, unsigned frames, fail *f) {
+    const unsigned first = o.frame;
+    progress p;
+    int status = 0;
+    progress_begin(&p, "reading frames", frames);
+    for (unsigned i = 0; i < frames && status == 0; i++) {
+        mesh m = {0};
+        o.frame = first + i;
+        status = read_mesh(&m, &o, f);
+        mesh_free(&m);
+        progress_show(&p, i + 1);
+    }
+    progress_end(&p);
+    return status;
+}
+
 static int write_frames(make_order o, const char *pattern, unsigned frames, fail *f) {
     const unsigned first = o.frame;
     char path[4096];
     progress p;
-    int status = 0;
+    int status = strcmp(o.name, "mesh") == 0 ? read_all(o, frames, f) : 0;
     progress_begin(&p, "making frames", frames);
     for (unsigned i = 0; i < frames && status == 0; i++) {
         o.frame = first + i;
@@ -209,7 +232,8 @@ int run_make(args *a) {
                               .mesh = a->files > 1 ? a->file[1] : NULL,
                               .triangles = args_number(a, "--triangles", most, 2, 10000000),
                               .seed = (uint32_t)args_number(a, "--seed", 0, 0, 999999),
-                              .frame = (unsigned)args_number(a, "--frame", 0, 0, 99999)};
+                              .frame = (unsigned)args_number(a, "--frame", 0, 0, 99999),
+                              .has_frames = args_has(a, "--frame") || args_has(a, "--frames")};
     const unsigned frames = (unsigned)args_number(a, "--frames", 1, 1, 100000);
     if (!a->wrong) {
         check_usage(a, order.name, out);

@@ -135,11 +135,27 @@ static int make_room(pack_meshes *p, char **path, int files, fail *f) {
     return 0;
 }
 
+static int read_files(pack_meshes *p, fail *f) {
+    uint64_t sequences = 0;
+    for (int i = 0; i < p->files; i++) {
+        if (read_file(p, &p->file[i], f) != 0) {
+            return -1;
+        }
+        p->mesh_end[i] = p->m.triangles;
+        sequences += p->file[i].report.sequences;
+    }
+    return p->has_frame && sequences == 0
+               ? fail_set(f, pack_shown(&p->file[0]),
+                          "has no sequence, so no frame %u; leave out --frame, or pack a recipe "
+                          "that has one",
+                          p->frame)
+               : 0;
+}
+
 int pack_meshes_read(pack_meshes *p, char **path, int files, fail *f) {
     int status = make_room(p, path, files, f);
-    for (int i = 0; i < files && status == 0; i++) {
-        status = read_file(p, &p->file[i], f);
-        p->mesh_end[i] = p->m.triangles;
+    if (status == 0) {
+        status = read_files(p, f);
     }
     if (status == 0 && p->m.triangles == 0) {
         return pack_nothing_to_trace(&p->file[0], f);

@@ -151,6 +151,7 @@ static int add_mesh(reader *r, const source *s, const placement *p) {
                                  &inner);
     }
     heap_drop(path);
+    r->report->sequences += s->frames > 0;
     return result == 0 ? 0 : fail_line(r, inner.text);
 }
 

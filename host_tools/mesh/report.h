@@ -48,9 +48,10 @@ typedef struct mesh_report {
     int centred; /* asked for: recipes place meshes from their wide coordinates */
     uint64_t count[REPORT_ITEMS];
     report_miscount miscount;
-    double moved;      /* greatest distance a corner moved in single precision, in lengths of its
-                        * shortest edge; of meshes that recipes placed */
-    uint64_t vanished; /* triangles an edge of which lost its length so */
+    double moved;       /* greatest distance a corner moved in single precision, in lengths of its
+                         * shortest edge; of meshes that recipes placed */
+    uint64_t vanished;  /* triangles an edge of which lost its length so */
+    uint64_t sequences; /* of files that a recipe names, a frame of which was read */
 } mesh_report;
 
 void report_add_miscount(mesh_report *r, report_miscount more);

@@ -59,6 +59,11 @@ for frame in 1 2; do
 done
 works "frames of a name" make mesh 'way_{}.ply' --frames 1 --frame 4 -o 'mesh_{}.ply'
 same way_004.ply mesh_004.ply "... the one with that number"
+cp wave_000.ply kept.ply
+echo 'wave_{}.ply*3+1 2 0 0 0' >turned.txt
+refused "frames over those that they are made of" wave_000.ply "input" \
+    make mesh turned.txt --frames 3 -o 'wave_{}.ply'
+same kept.ply wave_000.ply "... which stay as they were"
 misused "a mesh of none" "planelet make mesh MESH" make mesh -o x.ply
 misused "a mesh of two" "one MESH" make mesh wave_000.ply wave_001.ply -o x.ply
 misused "a mesh of so many triangles" "no --triangles" make mesh wave_000.ply -o x.ply \

@@ -351,6 +351,15 @@ mended 's/\*1/*1000/'
 recipe 'q_{}.ply*3+x 1 0 0 0'
 refused_as "'+' needs the first frame after it; write a whole number from 0"
 mended 's/+x/+0/'
+says "has no sequence, so no frame %u; leave out --frame, or pack a recipe that has one" \
+    pack quad.ply --frame 2 -o cured.plt
+packs 2 quad.ply
+packs 2 bad.txt --frame 2
+says "has no sequence, so no frames; leave out --frame(s), or name files with a '{}'" \
+    make mesh quad.ply --frames 2 -o 'cured_{}.ply'
+cured make mesh quad.ply -o cured.ply
+cured make mesh 'q_{}.ply' --frames 2 -o 'cured_{}.ply'
+cured make mesh bad.txt --frames 2 -o 'cured_{}.ply'
 for wrong in 'q_{}.ply' 'q.ply*3'; do
     recipe "$wrong 1 0 0 0"
     refused_as "a sequence has both {} and *N; write name_{}.ply*N"
