@@ -132,22 +132,36 @@ static void read_fov(args *a, float *fov) {
     }
 }
 
-void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
-    float fov = 45.0f;
+static void look_at_the_middle(const plt_info *info, plt_camera *c) {
     c->up[0] = c->up[2] = 0.0f;
     c->up[1] = 1.0f;
     for (int i = 0; i < 3; i++) {
         c->look[i] = info->triangles > 0 ? 0.5f * info->lo[i] + 0.5f * info->hi[i] : 0.0f;
     }
+}
+
+static void set_fov(plt_camera *c, float degrees) {
+    c->tan_half_fov = (float)tan(0.5 * (double)degrees * DEGREE);
+}
+
+void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
+    float fov = 45.0f;
+    look_at_the_middle(info, c);
     read_point(a, "--up", c->up);
     read_point(a, "--look", c->look);
     read_fov(a, &fov);
-    c->tan_half_fov = (float)tan(0.5 * (double)fov * DEGREE);
+    set_fov(c, fov);
     if (args_has(a, "--eye")) {
         read_point(a, "--eye", c->eye);
     } else {
         fit(info, width, height, c);
     }
+}
+
+void view_of_all(const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
+    look_at_the_middle(info, c);
+    set_fov(c, 45.0f);
+    fit(info, width, height, c);
 }
 
 static int refuse(const args *a, const plt_camera *c, fail *f) {

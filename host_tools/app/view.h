@@ -21,6 +21,9 @@
 void view_camera(args *a, const plt_info *info, unsigned width, unsigned height,
                  plt_camera *camera);
 
+/* The same without flags. */
+void view_of_all(const plt_info *info, unsigned width, unsigned height, plt_camera *camera);
+
 /* -1 when the engine refuses the camera of this frame, or of one of the others of its orbit:
  * `f` says why, and which flag helps; else 0. */
 int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f);

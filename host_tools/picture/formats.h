@@ -6,9 +6,12 @@
 #ifndef FORMATS_H
 #define FORMATS_H
 #include "host_tools/base/output.h"
+#include "host_tools/picture/bits.h"
 #include "host_tools/picture/picture.h"
 
 int png_frame(output *o, const picture *p, fail *f);
+/* The same file in memory: appended to `file`, which is aligned. */
+int png_pack(bits *file, const picture *p, fail *f);
 int ppm_frame(output *o, const picture *p, fail *f);
 
 typedef enum y4m_chroma { Y4M_420, Y4M_444 } y4m_chroma;

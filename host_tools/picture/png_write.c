@@ -24,15 +24,12 @@ static void put_big(uint8_t *to, uint32_t value) {
     }
 }
 
-static int chunk(output *o, const char *name, const uint8_t *data, size_t size, fail *f) {
-    uint8_t head[8], tail[4];
-    put_big(head, (uint32_t)size);
-    memcpy(head + 4, name, 4);
-    put_big(tail, plt_crc32(plt_crc32(0, head + 4, 4), data, size));
-    if (output_write(o, head, sizeof head, f) || (size && output_write(o, data, size, f))) {
-        return -1;
-    }
-    return output_write(o, tail, sizeof tail, f);
+static void chunk(bits *file, const char *name, const uint8_t *data, size_t size) {
+    const uint8_t *letters = (const uint8_t *)name;
+    bits_big32(file, (uint32_t)size);
+    bits_bytes(file, letters, 4);
+    bits_bytes(file, data, size);
+    bits_big32(file, plt_crc32(plt_crc32(0, letters, 4), data, size));
 }
 
 /* out[f] = the row under filter f. `above` is a row of zeros for the first. */
@@ -87,6 +84,13 @@ static void filter_picture(const picture *p, uint8_t *filtered, uint8_t *scratch
     }
 }
 
+static int out_of_memory(const picture *p, fail *f) {
+    return fail_set(f, NULL,
+                    "PNG of %u x %u pixels: out of memory; "
+                    "write .ppm, which needs none, or a smaller picture",
+                    p->width, p->height);
+}
+
 static int compress(const picture *p, bits *packed, fail *f) {
     const size_t bytes = PIXEL * (size_t)p->width, size = (bytes + 1) * p->height;
     uint8_t *filtered = malloc(size), *scratch = malloc((PNG_FILTERS + 1) * bytes);
@@ -97,40 +101,41 @@ static int compress(const picture *p, bits *packed, fail *f) {
     }
     free(filtered);
     free(scratch);
-    if (wrong) {
-        return fail_set(f, NULL,
-                        "PNG of %u x %u pixels: out of memory; "
-                        "write .ppm, which needs none, or a smaller picture",
-                        p->width, p->height);
-    }
-    return 0;
+    return wrong ? out_of_memory(p, f) : 0;
 }
 
-static int write_chunks(output *o, const picture *p, const bits *packed, fail *f) {
+static void put_chunks(bits *file, const picture *p, const bits *packed) {
     uint8_t header[13] = {0};
     put_big(header, p->width);
     put_big(header + 4, p->height);
     header[8] = 8; /* bits per channel */
     header[9] = 2; /* RGB */
-    if (output_write(o, png_signature, sizeof png_signature, f) ||
-        chunk(o, "IHDR", header, sizeof header, f)) {
-        return -1;
-    }
+    bits_bytes(file, png_signature, sizeof png_signature);
+    chunk(file, "IHDR", header, sizeof header);
     for (size_t at = 0; at < packed->size; at += IDAT_MAX) {
         const size_t rest = packed->size - at;
-        if (chunk(o, "IDAT", packed->bytes + at, rest < IDAT_MAX ? rest : IDAT_MAX, f)) {
-            return -1;
-        }
+        chunk(file, "IDAT", packed->bytes + at, rest < IDAT_MAX ? rest : IDAT_MAX);
     }
-    return chunk(o, "IEND", NULL, 0, f);
+    chunk(file, "IEND", NULL, 0);
 }
 
-int png_frame(output *o, const picture *p, fail *f) {
+int png_pack(bits *file, const picture *p, fail *f) {
     bits packed = {0};
     int result = compress(p, &packed, f);
     if (result == 0) {
-        result = write_chunks(o, p, &packed, f);
+        put_chunks(file, p, &packed);
+        result = file->failed ? out_of_memory(p, f) : 0;
     }
     bits_free(&packed);
+    return result;
+}
+
+int png_frame(output *o, const picture *p, fail *f) {
+    bits file = {0};
+    int result = png_pack(&file, p, f);
+    if (result == 0) {
+        result = output_write(o, file.bytes, file.size, f);
+    }
+    bits_free(&file);
     return result;
 }

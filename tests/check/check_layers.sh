@@ -44,6 +44,7 @@ host_tools/baselines/kd host_tools/baselines/bvh host_tools/baselines/bph
 host_tools/baselines
 host_tools/link
 host_tools/app
+host_tools/tables
 host_tools/hid/device
 host_tools/hid/drivers host_tools/hid/sources
 host_tools/cli host_tools/hid

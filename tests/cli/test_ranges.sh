@@ -174,4 +174,11 @@ refused "up without direction is just that" camera "up has no direction; change 
 verdict "no refused camera left a picture" "$(
     ls x.ppm 2>/dev/null
     left_behind)"
+range --size "a multiple of 16, to 2048" "15 16 2048 2049" tables --rows ground --views 1 1
+range --views "1 to 16" "0 1 16 17" tables --rows ground --size 16 4
+few='tables --rows ground --size 16 --views 1 3'
+# shellcheck disable=SC2086
+range --frames "2 to 500" "1 2 500 501" $few --rounds 1
+# shellcheck disable=SC2086
+range --rounds "1 to 100" "0 1 100 101" $few --frames 2
 finish

@@ -9,7 +9,7 @@ run pack quad.ply -o quad.plt
 
 works "planelet --help" --help
 verdict "... names every command" "$(
-    for command in make pack info render trace serve bench; do
+    for command in make pack info render trace serve bench tables; do
         grep -q "^  planelet $command " out || echo "not a word about $command"
     done)"
 cp out overview
@@ -62,6 +62,16 @@ flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild
     --rebuild-most --repeat --json $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --against --json $view_flags
+
+# Without files it makes all tables, as test_tables does.
+works "planelet tables --help" tables --help
+verdict "... names its flags and no other" "$(
+    sed -n 's/^  \(-[-a-z]*\).*/\1/p' out | sort >named
+    for flag in --scenes -o --rows --size --views --frames --rounds --json --help; do
+        echo "$flag"
+    done | sort | diff - named)"
+verdict "... fits in 80 columns" "$(awk 'length > 80' out)"
+misused "planelet tables refuses a flag that it does not have" --frobnicate tables --frobnicate
 
 misused "an unknown command is wrong usage" "'frob'" frob
 misused "help of an unknown command is wrong usage" "'frob'" help frob
