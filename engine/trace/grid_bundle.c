@@ -34,14 +34,9 @@ static void set_one(plt_grid_state *s) {
     }
 }
 
-void plt_grid_set_bounds(plt_grid_state *s) {
+static void set_some(plt_grid_state *s) {
     plt_mask m = s->bundle.groups;
     f4 base = f4_all(PLT_BOX_FAR), end = base;
-    s->bundle.first = plt_mask_first(m);
-    if ((m & (m - 1)) == 0) {
-        set_one(s);
-        return;
-    }
     while (m != 0) {
         const unsigned quad = plt_mask_first(m) / 4;
         base = f4_min(base, f4_load(s->ends[quad].base));
@@ -50,6 +45,32 @@ void plt_grid_set_bounds(plt_grid_state *s) {
     }
     f4_store(s->bundle.base, base);
     f4_store(s->bundle.rate, f4_mul(f4_sub(end, base), f4_all(1.0f / s->turn.length)));
+}
+
+static void set_frustum(plt_grid_bundle *u, const plt_grid_turn *t) {
+    plt_grid_frustum *f = &u->frustum;
+    f4_store(f->least, f4_all(-PLT_BOX_FAR));
+    f4_store(f->most, f4_all(PLT_BOX_FAR));
+    f4_store(f->least_rate, f4_all(-PLT_BOX_FAR));
+    f4_store(f->most_rate, f4_all(PLT_BOX_FAR));
+    for (int i = 0; i < 2; i++) {
+        const int axis = i == 0 ? t->x : t->y;
+        f->least[axis] = u->base[i] - t->margin;
+        f->most[axis] = t->margin - u->base[i + 2];
+        f->least_rate[axis] = u->rate[i];
+        f->most_rate[axis] = -u->rate[i + 2];
+    }
+}
+
+void plt_grid_set_bounds(plt_grid_state *s) {
+    const plt_mask m = s->bundle.groups;
+    s->bundle.first = plt_mask_first(m);
+    if ((m & (m - 1)) == 0) {
+        set_one(s);
+    } else {
+        set_some(s);
+    }
+    set_frustum(&s->bundle, &s->turn);
 }
 
 static float least_from(const plt_grid_state *s) {

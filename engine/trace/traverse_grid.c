@@ -24,7 +24,8 @@ typedef struct visit {
     plt_grid_state *s;
     const plt_record *records;
     uint32_t *mailbox;
-    plt_mask groups; /* that seek hits there */
+    uint32_t met, mark; /* what the bundle finds there, and leaves */
+    plt_mask groups;    /* that seek hits there */
     plt_mask tested;
     uint32_t cells, references;
     uint64_t tests; /* a group each */
@@ -52,20 +53,17 @@ static inline void test_groups(visit *v, const plt_record *record, const f4 corn
     v->tests += plt_mask_count(groups);
 }
 
+/* A record that the bundle has not met. */
 static inline void visit_record(visit *v, uint32_t index) {
     const plt_grid_state *s = v->s;
     const plt_record *record = &v->records[index];
-    plt_grid_shape g;
     f4 corner[3];
-    if (v->mailbox[index] == s->bundle.stamp && (s->without & PLT_GRID_WITHOUT_MAILBOX) == 0) {
-        return;
-    }
-    v->mailbox[index] = s->bundle.stamp;
+    v->mailbox[index] = v->mark;
     plt_mask groups = v->groups & v->p->active;
     plt_record_rows(record, corner);
-    plt_grid_shape_set(&g, &s->turn, v->p->scene, corner);
     if ((s->without & PLT_GRID_WITHOUT_CULLING) == 0) {
-        groups = plt_grid_cull(s, &g, groups);
+        const plt_grid_shape g = plt_grid_shape_of(v->p->scene, corner);
+        groups = plt_grid_cull(s, v->p->scene, &g, groups);
     }
     if (groups != 0) {
         test_groups(v, record, corner, groups);
@@ -82,11 +80,16 @@ static int overlap(const plt_grid_view *view, const plt_grid_turn *t, const plt_
            plt_grid_between(c, 1, bound[1], -bound[3], l->last[t->y]);
 }
 
-static void visit_references(visit *v, const uint32_t *reference, uint32_t count) {
-    v->references += count;
-    for (uint32_t i = 0; i < count; i++) {
-        visit_record(v, reference[i]);
+/* The first of references `first` to `end` that the bundle has not met, or is a crowded cell's;
+ * `end` if there is none. */
+static inline uint32_t skip_met(const visit *v, const uint32_t *reference, uint32_t first,
+                                uint32_t end) {
+    const uint32_t *const mailbox = v->mailbox, met = v->met;
+    while (first < end && (reference[first] & PLT_GRID_CROWDED) == 0 &&
+           mailbox[reference[first]] == met) {
+        first++;
     }
+    return first;
 }
 
 /* Cells of one slice of a crowded cell. */
@@ -96,7 +99,10 @@ static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const 
     uint32_t first, end;
     while (plt_grid_next_run(&runs, &first, &end)) {
         v->cells += runs.cells;
-        visit_references(v, &l->reference[first], end - first);
+        v->references += end - first;
+        while ((first = skip_met(v, l->reference, first, end)) < end) {
+            visit_record(v, l->reference[first++]);
+        }
     }
 }
 
@@ -156,7 +162,7 @@ static void visit_crowded(visit *v, const plt_grid_level *l) {
 static void visit_run(visit *v, const plt_grid *grid, uint32_t first, uint32_t end) {
     const uint32_t *reference = grid->top.reference;
     v->references += end - first;
-    while (first < end) {
+    while ((first = skip_met(v, reference, first, end)) < end) {
         if ((reference[first] & PLT_GRID_CROWDED) != 0) {
             visit_crowded(v, &grid->crowded[reference[first] & ~PLT_GRID_CROWDED]);
             first += reference[first + 1];
@@ -222,6 +228,8 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
                .s = s,
                .records = t->scene->gridded.records,
                .mailbox = plt_grid_mailbox(s),
+               .met = u->stamp,
+               .mark = (s->without & PLT_GRID_WITHOUT_MAILBOX) != 0 ? 0 : u->stamp,
                .groups = u->groups};
     const plt_grid_view view = plt_grid_view_of(s, p, top);
     if (overlap(&view, &s->turn, top, front, back, &r) &&
