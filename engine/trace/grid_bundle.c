@@ -47,21 +47,6 @@ static void set_some(plt_grid_state *s) {
     f4_store(s->bundle.rate, f4_mul(f4_sub(end, base), f4_all(1.0f / s->turn.length)));
 }
 
-static void set_frustum(plt_grid_bundle *u, const plt_grid_turn *t) {
-    plt_grid_frustum *f = &u->frustum;
-    f4_store(f->least, f4_all(-PLT_BOX_FAR));
-    f4_store(f->most, f4_all(PLT_BOX_FAR));
-    f4_store(f->least_rate, f4_all(-PLT_BOX_FAR));
-    f4_store(f->most_rate, f4_all(PLT_BOX_FAR));
-    for (int i = 0; i < 2; i++) {
-        const int axis = i == 0 ? t->x : t->y;
-        f->least[axis] = u->base[i] - t->margin;
-        f->most[axis] = t->margin - u->base[i + 2];
-        f->least_rate[axis] = u->rate[i];
-        f->most_rate[axis] = -u->rate[i + 2];
-    }
-}
-
 void plt_grid_set_bounds(plt_grid_state *s) {
     const plt_mask m = s->bundle.groups;
     s->bundle.first = plt_mask_first(m);
@@ -70,7 +55,10 @@ void plt_grid_set_bounds(plt_grid_state *s) {
     } else {
         set_some(s);
     }
-    set_frustum(&s->bundle, &s->turn);
+    for (int i = 0; i < 4; i++) {
+        f4_store(s->bundle.all.base[i], f4_all(s->bundle.base[i]));
+        f4_store(s->bundle.all.rate[i], f4_all(s->bundle.rate[i]));
+    }
 }
 
 static float least_from(const plt_grid_state *s) {

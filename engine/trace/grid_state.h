@@ -49,26 +49,20 @@ typedef struct plt_grid_turn {
     float plane;        /* at depth 0, as a coordinate of the scene */
     float length;       /* bounds hold up to here, all of the grid */
     float margin;       /* what anything is moved by, to be sure */
-    float close;        /* triangles at least so deep are seen by slopes alone, if rays have one
-                           origin; else PLT_BOX_FAR */
+    float close;        /* of one origin: triangles so deep are looked at by slopes; PLT_BOX_FAR */
+    float offset[4][4]; /* what makes coordinates, or minus them, reach towards a bound: the scene's
+                           least corner and the margin; each in all lanes */
     plt_mask groups;    /* with rays */
     uint32_t next;      /* group that the next bundle begins with */
     uint8_t lanes_left; /* of group `next`, if its rays go one by one */
 } plt_grid_turn;
 
-/* A bundle's bounds as the scene's axes have them: for each what no ray is below, and none above,
- * moved by the turn's margin. [axis]; those that are not across have no bounds. */
-typedef struct plt_grid_frustum {
-    float least[4], most[4];           /* where the turn's plane is */
-    float least_rate[4], most_rate[4]; /* for each step of depth */
-} plt_grid_frustum;
-
 typedef struct plt_grid_bundle {
     plt_mask groups; /* those that may still hit something, as far as is known */
     unsigned first;  /* its lowest group */
     float base[4], rate[4];
-    plt_grid_frustum frustum;
-    float soonest; /* depth up to which all of its groups seek hits */
+    plt_grid_bounds all; /* the same in all lanes */
+    float soonest;       /* depth up to which all of its groups seek hits */
     int32_t slice, last, step;
     uint32_t stamp; /* in the mailbox: triangles that it has met */
 } plt_grid_bundle;

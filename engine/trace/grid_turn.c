@@ -118,6 +118,14 @@ static void set_plane(const plt_grid_state *s, plt_grid_turn *t, const plt_packe
     t->margin = MARGIN * larger(reach * PLT_BOX_ERROR, furthest * PLT_ORIGIN_ERROR);
 }
 
+static void set_offsets(plt_grid_turn *t, const plt_box *scene) {
+    const float x = scene->lo[t->x], y = scene->lo[t->y];
+    f4_store(t->offset[0], f4_all(t->margin - x));
+    f4_store(t->offset[1], f4_all(t->margin - y));
+    f4_store(t->offset[2], f4_all(t->margin + x));
+    f4_store(t->offset[3], f4_all(t->margin + y));
+}
+
 /* Of four rays: where they are at depths 0 and length, and the depths that they seek hits at. */
 typedef struct four_rays {
     f4 x[2], y[2];
@@ -255,7 +263,7 @@ static void set_sixteen(plt_grid_state *s, unsigned index) {
     }
 }
 
-#if PLT_WITH_HULLS
+#if PLT_WITH_HULLS && PLT_LANES_REGISTERS
 /* Least and greatest slopes of four groups, whose rays have one origin, along one axis. */
 PLT_INLINED void collect_slopes(const plt_group_rays *g, int i, float sign, f4 *least,
                                 f4 *minus_most) {
@@ -307,6 +315,7 @@ static int set_plain_quads(plt_grid_state *s, const plt_packet *p) {
 
 static void set_turn(plt_grid_state *s, const plt_packet *p) {
     set_plane(s, &s->turn, p);
+    set_offsets(&s->turn, p->scene);
     const int are_set = set_plain_quads(s, p);
     for (unsigned i = 0; i < PLT_GRID_QUADS && !are_set; i++) {
         if ((s->turn.groups >> (4 * i) & 15u) != 0) {
