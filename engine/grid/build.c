@@ -63,7 +63,7 @@ static size_t choose_cells(plt_grid *g, const plt_grid_job *job, const plt_grid_
         const uint64_t fit = (job->bytes - front) / 4;
         const uint64_t most = fit < REFERENCES_MOST ? fit : REFERENCES_MOST;
         lay_out(g);
-        const uint64_t references = plt_grid_level_count(top, items, most);
+        const uint64_t references = plt_grid_level_count(top, items, most, 1);
         if (references <= most) {
             g->references = (uint32_t)references;
             return front + 4 * (size_t)references;

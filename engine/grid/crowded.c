@@ -9,9 +9,10 @@
 
 enum {
     CROWDED_LEAST = 256, /* references; and a sixteenth of all triangles, */
-    CROWDED_SURE = 1024, /* or so many */
+    CROWDED_SURE = 2048, /* or so many */
     CROWDED_MOST = 64,   /* cells */
-    SHARES_MOST = 16     /* references of a level per item: else it has fewer cells */
+    SHARES_MOST = 16,    /* references of a level per item: else it has fewer cells; */
+    ASKED = 8            /* as one item in so many says, or else all do */
 };
 #define CROWDED_DENSITY 8.0f /* cells per item */
 #define GROWN 1.0e-3f        /* of a cell, and ... */
@@ -76,9 +77,12 @@ static uint64_t choose_cells(plt_grid_level *l, const plt_grid_items *items, con
         const uint64_t room_for = (bytes - starts) / 4,
                        shares = SHARES_MOST * (uint64_t)items->count;
         const uint64_t most = room_for < shares ? room_for : shares;
+        if (plt_grid_level_count(l, items, most, ASKED) > most) {
+            continue;
+        }
         l->start = (uint32_t *)(void *)room;
         l->reference = (uint32_t *)(void *)(room + starts);
-        const uint64_t references = plt_grid_level_count(l, items, most);
+        const uint64_t references = plt_grid_level_count(l, items, most, 1);
         if (references <= most) {
             return references;
         }

@@ -34,14 +34,9 @@ static void set_one(plt_grid_state *s) {
     }
 }
 
-void plt_grid_set_bounds(plt_grid_state *s) {
+static void set_some(plt_grid_state *s) {
     plt_mask m = s->bundle.groups;
     f4 base = f4_all(PLT_BOX_FAR), end = base;
-    s->bundle.first = plt_mask_first(m);
-    if ((m & (m - 1)) == 0) {
-        set_one(s);
-        return;
-    }
     while (m != 0) {
         const unsigned quad = plt_mask_first(m) / 4;
         base = f4_min(base, f4_load(s->ends[quad].base));
@@ -50,6 +45,20 @@ void plt_grid_set_bounds(plt_grid_state *s) {
     }
     f4_store(s->bundle.base, base);
     f4_store(s->bundle.rate, f4_mul(f4_sub(end, base), f4_all(1.0f / s->turn.length)));
+}
+
+void plt_grid_set_bounds(plt_grid_state *s) {
+    const plt_mask m = s->bundle.groups;
+    s->bundle.first = plt_mask_first(m);
+    if ((m & (m - 1)) == 0) {
+        set_one(s);
+    } else {
+        set_some(s);
+    }
+    for (int i = 0; i < 4; i++) {
+        f4_store(s->bundle.all.base[i], f4_all(s->bundle.base[i]));
+        f4_store(s->bundle.all.rate[i], f4_all(s->bundle.rate[i]));
+    }
 }
 
 static float least_from(const plt_grid_state *s) {

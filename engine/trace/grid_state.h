@@ -49,6 +49,9 @@ typedef struct plt_grid_turn {
     float plane;        /* at depth 0, as a coordinate of the scene */
     float length;       /* bounds hold up to here, all of the grid */
     float margin;       /* what anything is moved by, to be sure */
+    float close;        /* of one origin: triangles so deep are looked at by slopes; PLT_BOX_FAR */
+    float offset[4][4]; /* what makes coordinates, or minus them, reach towards a bound: the scene's
+                           least corner and the margin; each in all lanes */
     plt_mask groups;    /* with rays */
     uint32_t next;      /* group that the next bundle begins with */
     uint8_t lanes_left; /* of group `next`, if its rays go one by one */
@@ -58,7 +61,8 @@ typedef struct plt_grid_bundle {
     plt_mask groups; /* those that may still hit something, as far as is known */
     unsigned first;  /* its lowest group */
     float base[4], rate[4];
-    float soonest; /* depth up to which all of its groups seek hits */
+    plt_grid_bounds all; /* the same in all lanes */
+    float soonest;       /* depth up to which all of its groups seek hits */
     int32_t slice, last, step;
     uint32_t stamp; /* in the mailbox: triangles that it has met */
 } plt_grid_bundle;
@@ -91,6 +95,7 @@ typedef struct plt_grid_state {
     float until[4 * PLT_GRID_QUADS]; /* ... and up to which it seeks hits */
     plt_grid_bounds group[PLT_GRID_QUADS];
     plt_grid_bounds quad[PLT_GRID_SIXTEENS];
+    plt_grid_bounds sixteen; /* of packets of more than 16 groups */
     plt_grid_quad ends[PLT_GRID_QUADS];
 #endif
 } plt_grid_state;

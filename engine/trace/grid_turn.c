@@ -18,6 +18,7 @@
 #define DEPTH_LONG 1.00000095f /* 1 + 2^-20: hulls.c */
 #define DEPTH_TINY 8.2718061e-25f
 #define LENGTH_LEAST 0.0625f /* of the reach */
+#define CLOSE 0.0009765625f  /* 2^-10, likewise */
 
 static inline float larger(float a, float b) {
     return a > b ? a : b;
@@ -36,8 +37,22 @@ static unsigned lanes_of(const plt_group_rays *g, int z, int down) {
     return g->axis_lanes[z] & (down ? downs : ~downs);
 }
 
+/* All groups have four rays that run the same way along one axis, and seek hits without an end. */
+static inline int is_plain(const plt_packet *p) {
+#if PLT_WITH_HULLS
+    return p->along && p->unbounded;
+#else
+    (void)p;
+    return 0;
+#endif
+}
+
 static plt_mask choose_lanes(plt_grid_state *s, const plt_packet *p, int z, int down) {
     plt_mask groups = 0;
+    if (is_plain(p)) {
+        memset(s->lanes, 15, sizeof s->lanes);
+        return p->slabs.negative[z] == (uint32_t)down ? p->active : 0;
+    }
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
         const unsigned i = plt_mask_first(m);
         s->lanes[i] = (uint8_t)lanes_of(&p->rays[i], z, down);
@@ -80,8 +95,10 @@ static inline float most_lane(f4 a) {
 static void set_plane(const plt_grid_state *s, plt_grid_turn *t, const plt_packet *p) {
     const float lo = p->scene->lo[t->z], hi = p->scene->hi[t->z];
     float reach = p->reach, furthest = 0.0f;
+    t->close = PLT_BOX_FAR;
     if (p->slabs.coherence == PLT_ONE_ORIGIN) {
         t->plane = p->org[t->z];
+        t->close = reach * CLOSE;
         for (int a = 0; a < 3; a++) {
             furthest = larger(furthest, __builtin_fabsf(p->org[a]));
         }
@@ -101,29 +118,45 @@ static void set_plane(const plt_grid_state *s, plt_grid_turn *t, const plt_packe
     t->margin = MARGIN * larger(reach * PLT_BOX_ERROR, furthest * PLT_ORIGIN_ERROR);
 }
 
+static void set_offsets(plt_grid_turn *t, const plt_box *scene) {
+    const float x = scene->lo[t->x], y = scene->lo[t->y];
+    f4_store(t->offset[0], f4_all(t->margin - x));
+    f4_store(t->offset[1], f4_all(t->margin - y));
+    f4_store(t->offset[2], f4_all(t->margin + x));
+    f4_store(t->offset[3], f4_all(t->margin + y));
+}
+
 /* Of four rays: where they are at depths 0 and length, and the depths that they seek hits at. */
 typedef struct four_rays {
     f4 x[2], y[2];
     f4 from, until;
 } four_rays;
 
+static inline void depths_of(const plt_grid_turn *t, const plt_packet *p, unsigned group, f4 *from,
+                             f4 *until) {
+    const plt_group_rays *g = &p->rays[group];
+    const f4 goes = f4_mul(f4_load(p->slabs.group[group].tmax), f4_abs(f4_load(g->dir[t->z])));
+    const f4 most = f4_add(f4_mul(goes, f4_all(DEPTH_LONG)), f4_all(DEPTH_TINY));
+    *from = f4_mul(f4_all(t->sign), f4_sub(f4_load(g->org[t->z]), f4_all(t->plane)));
+    *until = f4_add(*from, most);
+}
+
 static four_rays rays_of(const plt_grid_turn *t, const plt_packet *p, unsigned group,
                          unsigned lanes) {
     const plt_group_rays *g = &p->rays[group];
-    const f4 along = f4_load(g->org[t->z]), sign = f4_all(t->sign);
+    const f4 along = f4_load(g->org[t->z]);
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     const f4 ahead = f4_sub(f4_all(t->plane), along), way = f4_all(t->sign * t->length);
     const f4 lo_x = f4_all(p->scene->lo[t->x]), lo_y = f4_all(p->scene->lo[t->y]);
-    const f4 from = f4_mul(sign, f4_sub(along, f4_all(t->plane)));
-    const f4 goes = f4_mul(f4_load(p->slabs.group[group].tmax), f4_abs(f4_load(g->dir[t->z])));
-    const f4 most = f4_add(f4_mul(goes, f4_all(DEPTH_LONG)), f4_all(DEPTH_TINY));
     four_rays r;
+    f4 from, until;
+    depths_of(t, p, group, &from, &until);
     r.x[0] = fill(f4_add(f4_sub(f4_load(g->org[t->x]), lo_x), f4_mul(slope_x, ahead)), lanes);
     r.y[0] = fill(f4_add(f4_sub(f4_load(g->org[t->y]), lo_y), f4_mul(slope_y, ahead)), lanes);
     r.x[1] = f4_add(r.x[0], fill(f4_mul(slope_x, way), lanes));
     r.y[1] = f4_add(r.y[0], fill(f4_mul(slope_y, way), lanes));
     r.from = fill(from, lanes);
-    r.until = fill(f4_add(from, most), lanes);
+    r.until = fill(until, lanes);
     return r;
 }
 
@@ -198,26 +231,93 @@ static void set_quad(plt_grid_state *s, const plt_packet *p, unsigned quad) {
     }
 }
 
-/* Quads, from what was found of each. */
+static void set_lane(plt_grid_bounds *b, unsigned lane, const plt_grid_turn *t, f4 base, f4 end) {
+    float four[2][4];
+    f4_store(four[0], base);
+    f4_store(four[1], f4_mul(f4_sub(end, base), f4_all(1.0f / t->length)));
+    for (int i = 0; i < 4; i++) {
+        b->base[i][lane] = four[0][i];
+        b->rate[i][lane] = four[1][i];
+    }
+}
+
+/* Quads, and all of them together, from what was found of each. */
 static void set_sixteen(plt_grid_state *s, unsigned index) {
     plt_grid_bounds *b = &s->quad[index];
-    const float per_length = 1.0f / s->turn.length;
+    f4 least_base = f4_all(PLT_BOX_FAR), least_end = least_base;
     for (unsigned lane = 0; lane < 4; lane++) {
         const unsigned quad = 4 * index + lane;
         if (quad >= PLT_GRID_QUADS || (s->turn.groups >> (4 * quad) & 15u) == 0) {
             set_nothing(b, lane);
             continue;
         }
-        for (int i = 0; i < 4; i++) {
-            b->base[i][lane] = s->ends[quad].base[i];
-            b->rate[i][lane] = (s->ends[quad].end[i] - s->ends[quad].base[i]) * per_length;
-        }
+        const f4 base = f4_load(s->ends[quad].base), end = f4_load(s->ends[quad].end);
+        set_lane(b, lane, &s->turn, base, end);
+        least_base = f4_min(least_base, base);
+        least_end = f4_min(least_end, end);
+    }
+    if ((s->turn.groups >> (16 * index) & 0xFFFFu) == 0) {
+        set_nothing(&s->sixteen, index);
+    } else {
+        set_lane(&s->sixteen, index, &s->turn, least_base, least_end);
     }
 }
 
+#if PLT_WITH_HULLS && PLT_LANES_REGISTERS
+/* Least and greatest slopes of four groups, whose rays have one origin, along one axis. */
+PLT_INLINED void collect_slopes(const plt_group_rays *g, int i, float sign, f4 *least,
+                                f4 *minus_most) {
+    f4 row[4];
+    PLT_UNROLLED for (int k = 0; k < 4; k++) {
+        row[k] = f4_mul(f4_load(g[k].slope[i]), f4_all(sign));
+    }
+    least_and_most(row, least, minus_most);
+}
+
+/* The same as set_quad, of a plain packet of one origin, which is on the turn's plane: slopes are
+ * what bounds gain with depth. */
+static void set_plain_quad(plt_grid_state *s, const plt_packet *p, unsigned quad) {
+    const plt_grid_turn *t = &s->turn;
+    const plt_group_rays *g = &p->rays[4 * quad];
+    const float x = p->org[t->x] - p->scene->lo[t->x], y = p->org[t->y] - p->scene->lo[t->y];
+    const f4 base = plt_grid_four(x, y, -x, -y);
+    plt_grid_bounds *b = &s->group[quad];
+    f4 rate[4];
+    collect_slopes(g, 0, t->sign, &rate[0], &rate[2]);
+    collect_slopes(g, 1, t->sign, &rate[1], &rate[3]);
+    PLT_UNROLLED for (int i = 0; i < 4; i++) {
+        f4_store(b->base[i], f4_lane(base, i));
+        f4_store(b->rate[i], rate[i]);
+    }
+    f4_store(s->ends[quad].base, base);
+    f4_store(s->ends[quad].end, f4_add(base, f4_mul(least_of_rows(rate), f4_all(t->length))));
+    f4_store(&s->from[4 * quad], f4_zero());
+    f4_store(&s->until[4 * quad], f4_all(PLT_BOX_FAR));
+}
+
+/* 0: the packet is not as plain as that. */
+static int set_plain_quads(plt_grid_state *s, const plt_packet *p) {
+    if (!is_plain(p) || p->slabs.coherence != PLT_ONE_ORIGIN || p->groups % 4 != 0) {
+        return 0;
+    }
+    for (unsigned i = 0; i < p->groups / 4; i++) {
+        set_plain_quad(s, p, i);
+    }
+    return 1;
+}
+#else
+static int set_plain_quads(plt_grid_state *s, const plt_packet *p) {
+    (void)s;
+    (void)p;
+    return 0;
+}
+#endif
+
 static void set_turn(plt_grid_state *s, const plt_packet *p) {
     set_plane(s, &s->turn, p);
-    for (unsigned i = 0; i < PLT_GRID_QUADS; i++) {
+    set_offsets(&s->turn, p->scene);
+    const int are_set = set_plain_quads(s, p);
+    for (unsigned i = 0; i < PLT_GRID_QUADS && !are_set; i++) {
         if ((s->turn.groups >> (4 * i) & 15u) != 0) {
             set_quad(s, p, i);
         }
@@ -273,7 +373,9 @@ void plt_grid_one_lane(plt_grid_state *s, const plt_packet *p, unsigned group, u
 }
 
 float plt_grid_until(const plt_grid_turn *t, const plt_packet *p, unsigned group, unsigned lanes) {
-    return most_lane(rays_of(t, p, group, lanes).until);
+    f4 from, until;
+    depths_of(t, p, group, &from, &until);
+    return most_lane(fill(until, lanes));
 }
 
 #endif

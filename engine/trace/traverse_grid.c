@@ -24,6 +24,9 @@ typedef struct visit {
     plt_grid_state *s;
     const plt_record *records;
     uint32_t *mailbox;
+    uint32_t met, mark; /* what the bundle finds there, and leaves */
+    uint32_t waiting[PLT_GRID_TOGETHER],
+        wait;        /* records to be looked at together, and how many there are */
     plt_mask groups; /* that seek hits there */
     plt_mask tested;
     uint32_t cells, references;
@@ -39,8 +42,9 @@ static inline float longest_side(const f4 c[3]) {
     return longest[0];
 }
 
-static inline void test_groups(visit *v, const plt_record *record, const f4 corner[3],
-                               plt_mask groups) {
+static inline void test_groups(visit *v, const plt_record *record, plt_mask groups) {
+    f4 corner[3];
+    plt_record_rows(record, corner);
 #if PLT_WITH_HULLS
     const plt_triangle_rows rows = {{corner[0], corner[1], corner[2]},
                                     plt_get_u32(&record->word[9])};
@@ -52,23 +56,70 @@ static inline void test_groups(visit *v, const plt_record *record, const f4 corn
     v->tests += plt_mask_count(groups);
 }
 
-static inline void visit_record(visit *v, uint32_t index) {
+/* Lane `lane` of both in all lanes. */
+static inline plt_grid_sides sides_of_lane(float (*to)[4], const float near[4], const float far[4],
+                                           unsigned lane) {
+    const plt_grid_sides s = {
+        {f4_all(to[0][lane]), f4_all(to[1][lane]), f4_all(to[2][lane]), f4_all(to[3][lane])},
+        f4_all(near[lane]),
+        f4_all(far[lane])};
+    return s;
+}
+
+/* Records of `lanes`, which the bundle may meet. */
+PLT_GRID_PART void test_four(visit *v, const plt_record *const record[4], unsigned lanes,
+                             const plt_grid_sides *of, int by_rates) {
     const plt_grid_state *s = v->s;
-    const plt_record *record = &v->records[index];
-    plt_grid_shape g;
-    f4 corner[3];
-    if (v->mailbox[index] == s->bundle.stamp && (s->without & PLT_GRID_WITHOUT_MAILBOX) == 0) {
+    const unsigned without_groups = PLT_GRID_WITHOUT_GROUPS | PLT_GRID_WITHOUT_CULLING;
+    float to[4][4], near[4], far[4];
+    for (int i = 0; i < 4; i++) {
+        f4_store(to[i], of->to[i]);
+    }
+    f4_store(near, of->near);
+    f4_store(far, of->far);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const unsigned lane = (unsigned)__builtin_ctz(lanes);
+        plt_mask groups = v->groups & v->p->active;
+        if ((groups & (groups - 1)) != 0 && (s->without & without_groups) == 0) {
+            const plt_grid_sides sides = sides_of_lane(to, near, far, lane);
+            groups = plt_grid_meet_groups(s, &sides, groups, by_rates);
+        }
+        if (groups != 0) {
+            test_groups(v, record[lane], groups);
+        }
+    }
+}
+
+/* Looks at the records that wait, at least one. */
+static void visit_waiting(visit *v) {
+    const plt_grid_state *s = v->s;
+    const plt_record *record[PLT_GRID_TOGETHER];
+    plt_grid_sides sides;
+    for (unsigned i = 0; i < PLT_GRID_TOGETHER; i++) {
+        record[i] = &v->records[v->waiting[i < v->wait ? i : 0]];
+    }
+    unsigned lanes = plt_grid_cull(s, record, &sides);
+    lanes = ((s->without & PLT_GRID_WITHOUT_CULLING) == 0 ? lanes : 15u) & ((1u << v->wait) - 1u);
+    v->wait = 0;
+#if PLT_LANES_REGISTERS
+    if (lanes == 0) {
         return;
     }
-    v->mailbox[index] = s->bundle.stamp;
-    plt_mask groups = v->groups & v->p->active;
-    plt_record_rows(record, corner);
-    plt_grid_shape_set(&g, &s->turn, v->p->scene, corner);
-    if ((s->without & PLT_GRID_WITHOUT_CULLING) == 0) {
-        groups = plt_grid_cull(s, &g, groups);
+    if ((lanes & ~m4_mask(f4_le(f4_all(s->turn.close), sides.near))) == 0) {
+        plt_grid_set_limits(s, &sides);
+        test_four(v, record, lanes, &sides, 1);
+        return;
     }
-    if (groups != 0) {
-        test_groups(v, record, corner, groups);
+#endif
+    test_four(v, record, lanes, &sides, 0);
+}
+
+/* A record that the bundle has not met waits until there are so many. */
+static inline void visit_record(visit *v, uint32_t index) {
+    v->mailbox[index] = v->mark;
+    v->waiting[v->wait++] = index;
+    if (v->wait == PLT_GRID_TOGETHER) {
+        visit_waiting(v);
     }
 }
 
@@ -82,11 +133,16 @@ static int overlap(const plt_grid_view *view, const plt_grid_turn *t, const plt_
            plt_grid_between(c, 1, bound[1], -bound[3], l->last[t->y]);
 }
 
-static void visit_references(visit *v, const uint32_t *reference, uint32_t count) {
-    v->references += count;
-    for (uint32_t i = 0; i < count; i++) {
-        visit_record(v, reference[i]);
+/* The first of references `first` to `end` that the bundle has not met, or is a crowded cell's;
+ * `end` if there is none. */
+static inline uint32_t skip_met(const visit *v, const uint32_t *reference, uint32_t first,
+                                uint32_t end) {
+    const uint32_t *const mailbox = v->mailbox, met = v->met;
+    while (first < end && (reference[first] & PLT_GRID_CROWDED) == 0 &&
+           mailbox[reference[first]] == met) {
+        first++;
     }
+    return first;
 }
 
 /* Cells of one slice of a crowded cell. */
@@ -96,13 +152,19 @@ static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const 
     uint32_t first, end;
     while (plt_grid_next_run(&runs, &first, &end)) {
         v->cells += runs.cells;
-        visit_references(v, &l->reference[first], end - first);
+        v->references += end - first;
+        while ((first = skip_met(v, l->reference, first, end)) < end) {
+            visit_record(v, l->reference[first++]);
+        }
     }
 }
 
-/* How deep groups seek hits that have found some. */
+/* Ends a slice: how deep groups seek hits that have found some. */
 static void set_until(visit *v) {
     plt_grid_state *s = v->s;
+    if (v->wait > 0) {
+        visit_waiting(v);
+    }
     plt_packet *p = v->p;
     plt_mask tested = v->tested;
     v->tested = 0;
@@ -156,7 +218,7 @@ static void visit_crowded(visit *v, const plt_grid_level *l) {
 static void visit_run(visit *v, const plt_grid *grid, uint32_t first, uint32_t end) {
     const uint32_t *reference = grid->top.reference;
     v->references += end - first;
-    while (first < end) {
+    while ((first = skip_met(v, reference, first, end)) < end) {
         if ((reference[first] & PLT_GRID_CROWDED) != 0) {
             visit_crowded(v, &grid->crowded[reference[first] & ~PLT_GRID_CROWDED]);
             first += reference[first + 1];
@@ -222,6 +284,8 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
                .s = s,
                .records = t->scene->gridded.records,
                .mailbox = plt_grid_mailbox(s),
+               .met = u->stamp,
+               .mark = (s->without & PLT_GRID_WITHOUT_MAILBOX) != 0 ? 0 : u->stamp,
                .groups = u->groups};
     const plt_grid_view view = plt_grid_view_of(s, p, top);
     if (overlap(&view, &s->turn, top, front, back, &r) &&
