@@ -7,6 +7,8 @@
 
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/base/kind.h"
+#include "host_tools/baselines/bih/bih_structure.h"
+#include "host_tools/baselines/bkd/bkd_structure.h"
 #include "host_tools/baselines/bvh/bvh_structure.h"
 #include "host_tools/baselines/engine_structure.h"
 #include "host_tools/baselines/kd/kd_structure.h"
@@ -30,6 +32,8 @@ static const structure_kind *const kinds[] = {&structure_tree,
                                               &structure_kd_lazy,
                                               &structure_bvh,
                                               &structure_wbvh,
+                                              &structure_bkd,
+                                              &structure_bih,
                                               NULL};
 
 const structure_kind *const *structure_kinds(void) {
