@@ -312,9 +312,15 @@ static void order(const mesh *m, const due *d) {
     const structure_statistics near = count_by("bph:4x4", m, d);
     const structure_statistics left = count_by("bph:4x4,left", m, d);
     test("the nearer child first finds hits sooner than the left one");
+    const structure_statistics early = count_by("bph:4x4,early", m, d);
+    const structure_statistics early_left = count_by("bph:4x4,early,left", m, d);
     CHECK(near.packet_nodes < left.packet_nodes && near.packet_triangles < left.packet_triangles,
           "%llu and %llu nodes", (unsigned long long)near.packet_nodes,
           (unsigned long long)left.packet_nodes);
+    CHECK(20 * early.packet_nodes < 21 * near.packet_nodes &&
+              early.packet_nodes < early_left.packet_nodes,
+          "early: %llu and %llu nodes", (unsigned long long)early.packet_nodes,
+          (unsigned long long)early_left.packet_nodes);
 }
 
 static void any_hit(const mesh *m, const due *d) {
@@ -335,8 +341,9 @@ static void any_hit(const mesh *m, const due *d) {
 
 /* A square, and a soup behind it that no ray comes to. */
 static void hidden(void) {
-    static const char *const all[] = {"bph:4x4", "bph:4x4,naive", "bph:4x4,early", "bph:4x4,mixed",
-                                      "bph:4x4,early,frustum,naive"};
+    static const char *const all[] = {
+        "bph:4x4",       "bph:4x4,naive",         "bph:4x4,early",
+        "bph:4x4,mixed", "bph:4x4,early,frustum", "bph:4x4,early,frustum,naive"};
     static due d;
     mesh m = {0}, front = {0};
     fail f = {""};
@@ -363,6 +370,10 @@ static void hidden(void) {
         const structure_statistics c = trace_by(s, &d, 16, 0, all[i]);
         CHECK(c.packet_nodes == 1 && c.packet_triangles == 2, "%s: %llu nodes, %llu triangles",
               all[i], (unsigned long long)c.packet_nodes, (unsigned long long)c.packet_triangles);
+        CHECK(i < 4 || c.frustum_misses > 0, "%s: no ray goes as far", all[i]);
+        const structure_statistics any = trace_by(s, &d, 16, 1, all[i]);
+        CHECK(any.triangle_tests < 32 && c.triangle_tests == 32, "%s: %llu tests for any hit",
+              all[i], (unsigned long long)any.triangle_tests);
         structure_close(s);
     }
     mesh_free(&m);

@@ -11,6 +11,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
+#include "host_tools/baselines/bph/bph_trace.h"
 #include "host_tools/baselines/structure.h"
 #include "tests/measure/meshes.h"
 #include "tests/reference/frame_rays.h"
@@ -185,6 +186,20 @@ static void print_switches(const mesh *m, const plt_ray *rays) {
     }
 }
 
+/* What waits on the stack for a child, by packets. */
+static void print_entries(void) {
+    static const char *const lines[] = {"bph:4x4", "bph:16x16", "bph:16x16,range",
+                                        "bph:16x16,early,frustum", "bph:16x16,naive"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        structure_options o;
+        fail f = {""};
+        CHECK(structure_read(lines[i], "it", &o, &f) != NULL, "%s", f.text);
+        const bph_way way = bph_way_of(&o);
+        printf("  %-28s %6" PRIu32 " bytes to a stack entry\n", lines[i],
+               bph_trace_entry_bytes(&way, (uint32_t)o.packet_side * o.packet_side));
+    }
+}
+
 static void measure(const mesh *m, const char *name) {
     const printed *p = printed_of(name, m);
     side = rig_is_tiny() ? 32 : m->triangles == 20000 ? 128 : 512;
@@ -193,6 +208,7 @@ static void measure(const mesh *m, const char *name) {
     print_sizes(m, p);
     print_packets(m, rays, p);
     print_switches(m, rays);
+    print_entries();
     free(rays);
     free(first_hits);
     first_hits = NULL;
