@@ -40,7 +40,7 @@ host_tools/treelets
 host_tools/pack
 host_tools/baselines/base
 host_tools/baselines/packet
-host_tools/baselines/kd host_tools/baselines/bvh
+host_tools/baselines/kd host_tools/baselines/bvh host_tools/baselines/treelets
 host_tools/baselines
 host_tools/link
 host_tools/app
