@@ -33,7 +33,7 @@ done
 for kind in kd:8x8 bvh:sah,leaf-4,16x16,early,frustum wbvh:bits,4x4 \
     wbvh:median,leaf-1,no-early,no-frustum bph:naive,single \
     bph:sah,counts,range,left,early,frustum,16x16 bph:leaf-2,recompute,all,mixed,4x4 \
-    wbvh:median,leaf-1,no-early,no-frustum bkd:exact,sah,single bkd:boxes,range,16x16,early \
+    bkd:exact,sah,single bkd:boxes,range,16x16,early \
     bih:leaf-4,4x4 bih:median,boxes,bits,frustum; do
     run trace city.plt mixed due.hits
     works "city by $kind" trace city.plt mixed got.hits --baseline $kind --json switched.json
