@@ -33,7 +33,7 @@ void baseline_read(baseline *b, args *a, const char *const *others) {
     }
 }
 
-static const plt_record *records_of(const plt_scene *scene) {
+const plt_record *baseline_records(const plt_scene *scene) {
     return scene->format == PLT_FORMAT_THESIS ? scene->thesis.records
            : scene->format == PLT_FORMAT_LIST ? scene->list.records
                                               : NULL;
@@ -65,13 +65,13 @@ static int fill_mesh(mesh *m, const plt_record *records, uint32_t count) {
 
 int baseline_open(baseline *b, const plt_engine *engine, const char *name, fail *f) {
     const plt_scene *scene = &engine->scene;
-    const plt_record *records = records_of(scene);
+    const plt_record *records = baseline_records(scene);
     mesh m = {0};
     if (scene->info.instances > 0) {
-        return fail_set(f, name, "--baseline is for one mesh; pack it without --instances");
+        return fail_set(f, name, "baselines are for one mesh; pack it without --instances");
     }
     if (records == NULL && scene->info.triangles > 0) {
-        return fail_set(f, name, "--baseline is for float triangles; pack it with --nodes thesis");
+        return fail_set(f, name, "baselines are for float triangles; pack it with --nodes thesis");
     }
     int status = mesh_reserve(&m, 3 * (size_t)scene->info.triangles, scene->info.triangles, f);
     if (status == 0 && fill_mesh(&m, records, scene->info.triangles) != 0) {
@@ -169,11 +169,15 @@ int baseline_print_counts(const baseline *b, output *o, fail *f) {
                         s.thesis_bytes, s.triangle_bytes);
 }
 
+void baseline_print_rays(output *o, uint64_t rays, double seconds, fail *f) {
+    const double at_least = seconds > 1e-9 ? seconds : 1e-9;
+    output_print(o, f, "  \"rays\": %" PRIu64 ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n",
+                 rays, seconds, 1e-6 * (double)rays / at_least);
+}
+
 int baseline_print(const baseline *b, output *o, fail *f) {
-    const double seconds = b->seconds > 1e-9 ? b->seconds : 1e-9;
-    output_print(o, f,
-                 "{\n  \"rays\": %" PRIu32 ",\n  \"seconds\": %.9f,\n  \"mrays_per_s\": %.3f,\n",
-                 b->rays, b->seconds, 1e-6 * b->rays / seconds);
+    output_print(o, f, "{\n");
+    baseline_print_rays(o, b->rays, b->seconds, f);
     baseline_print_counts(b, o, f);
     return output_print(o, f, "\n}\n");
 }

@@ -7,6 +7,7 @@
 #define BASELINE_H
 
 #include "engine/planelet.h"
+#include "engine/scene/scene.h"
 #include "host_tools/app/args.h"
 #include "host_tools/base/output.h"
 #include "host_tools/baselines/structure.h"
@@ -36,12 +37,16 @@ void baseline_read(baseline *b, args *a, const char *const *others);
 int baseline_open(baseline *b, const plt_engine *engine, const char *name, fail *f);
 void baseline_close(baseline *b);
 
+/* The float records of a scene; NULL: it has others, or none. */
+const plt_record *baseline_records(const plt_scene *scene);
+
 /* The best of `repeat` runs; counts are of the last. */
 int baseline_trace(baseline *b, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
                    unsigned repeat, fail *f);
 
-/* An object of JSON; or its members alone. */
+/* An object of JSON; or its members alone: what was traced, by the clock; what was counted. */
 int baseline_print(const baseline *b, output *o, fail *f);
+void baseline_print_rays(output *o, uint64_t rays, double seconds, fail *f);
 int baseline_print_counts(const baseline *b, output *o, fail *f);
 
 #endif

@@ -12,6 +12,8 @@
 #include "host_tools/app/phase.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
+#include "host_tools/cli/baseline.h"
+#include "host_tools/cli/bench_against.h"
 #include "host_tools/cli/bench_measure.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/pack_meshes.h"
@@ -31,6 +33,7 @@ static const arg_flag flags[] = {
      "wide, over a wide form of them; structures go without what they do not have (default all)"},
     {"--repeat", "N", "trace so often; 1 to 1000 (default 5)"},
     {"--size", "WxH", "primary rays, each side 1 to 4096 (default 256x256)"},
+    AGAINST_FLAG,
     VIEW_FLAGS,
     {"--json", "STATS", "write all figures to this file; - is standard output, without the table"},
     {NULL, NULL, NULL}};
@@ -56,7 +59,13 @@ const arg_command command_bench = {
         "slowest to the fastest, as a share of the median. The rest is per ray:\n"
         "instructions, cycles and branch misses, where the system lets a program count\n"
         "them, visits of nodes, tests of groups of four rays against a box, and of\n"
-        "groups against a triangle. A star marks the best of each structure.\n"};
+        "groups against a triangle. A star marks the best of each structure.\n"
+        "\n"
+        "With --against both trace all rays in turns, and hits are compared: Mray/s are\n"
+        "the best of all rounds, ratio is how many times as fast the engine is by them,\n"
+        "median of the rounds' ratios; visits of nodes are per packet of that side,\n"
+        "tests of groups against a triangle per ray, bytes of nodes per triangle.\n",
+    .print_notes = baseline_print_notes};
 
 typedef struct bench {
     args *a;
@@ -64,6 +73,7 @@ typedef struct bench {
     plt_frame frame;                             /* of the primary rays */
     bench_meter meter;
     bench_rows rows;
+    against against;
     ray_kinds rays; /* of the scene that is measured; none yet: no room either */
     output *table, *json;
 } bench;
@@ -189,6 +199,19 @@ static int is_without(const scene *s, const bench_mode *mode) {
            s->options.wide != mode->options.wide;
 }
 
+/* The engine against structures. Rays are made with an engine that is opened for that. */
+static int measure_against(bench *b, scene *s, const char *path, fail *f) {
+    plt_fault fault;
+    s->options = (plt_options){.packet_side = SCENE_USUAL_PACKET};
+    const int opened = scene_start(s, path, &fault);
+    if (opened != PLT_OK) {
+        return scene_refused(s, path, opened, &fault, f);
+    }
+    return make_rays(b, s->engine, scene_name(path), f) == 0
+               ? against_measure(&b->against, s, path, &b->rays, f)
+               : -1;
+}
+
 /* Every mode of an image that is attached or held. */
 static int measure_image(bench *b, scene *s, const char *path, fail *f) {
     plt_fault fault;
@@ -198,6 +221,9 @@ static int measure_image(bench *b, scene *s, const char *path, fail *f) {
     int status = plt_image_info(&s->file.source, &info, &fault);
     if (status != PLT_OK) {
         return scene_refused(s, path, status, &fault, f);
+    }
+    if (b->against.count > 0) {
+        return measure_against(b, s, path, f);
     }
     list_modes(&modes, b, &info);
     if (modes.count == 0) {
@@ -305,7 +331,8 @@ static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
     fail name = {""}; /* hides control characters */
     fail_set(&name, NULL, "%s", scene_name(path));
     output_print(b->table, f, "%s%s: %" PRIu32 " triangles", first > 0 ? "\n" : "", name.text,
-                 b->rows.row[first].triangles);
+                 b->against.count > 0 ? b->against.row[first].triangles
+                                      : b->rows.row[first].triangles);
     for (unsigned kind = 0; kind < RAY_KINDS; kind++) {
         if (b->kinds >> kind & 1u) {
             output_print(b->table, f, "%s %" PRIu32 " %s", before, b->rays.of[kind].count,
@@ -314,13 +341,16 @@ static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
         }
     }
     output_print(b->table, f, " rays\n");
+    if (b->against.count > 0) {
+        return against_print(&b->against, first, b->table, f);
+    }
     return bench_rows_print(&b->rows, first, &b->meter.counters, b->table, f);
 }
 
 static int measure_all(bench *b, fail *f) {
     int status = 0;
     for (int i = 0; i < b->a->files && status == 0; i++) {
-        const unsigned first = b->rows.count;
+        const unsigned first = b->against.count > 0 ? b->against.rows : b->rows.count;
         char *path = b->a->file[i];
         status = is_image(path) ? measure_file(b, path, f) : measure_mesh(b, path, f);
         if (status == 0) {
@@ -338,7 +368,11 @@ static int write_json(bench *b, fail *f) {
     }
     output_print(o, f, "{\n  \"repeat\": %u,\n  \"width\": %u,\n  \"height\": %u,\n",
                  b->meter.repeat, b->frame.width, b->frame.height);
-    bench_rows_json(&b->rows, &b->meter.counters, o, f);
+    if (b->against.count > 0) {
+        against_json(&b->against, o, f);
+    } else {
+        bench_rows_json(&b->rows, &b->meter.counters, o, f);
+    }
     b->json = NULL;
     if (output_print(o, f, "\n}\n") != 0) {
         output_abandon(o);
@@ -368,7 +402,9 @@ static int finish_table(bench *b, fail *f) {
     if (o == NULL) {
         return 0;
     }
-    print_missing(&b->meter.counters, o, f);
+    if (b->against.count == 0) {
+        print_missing(&b->meter.counters, o, f);
+    }
     return output_commit(o, f);
 }
 
@@ -391,6 +427,22 @@ static int run_all(bench *b, fail *f) {
     return status;
 }
 
+/* Structures are of float triangles, as thesis nodes have them. */
+static void read_against(bench *b, args *a) {
+    against_read(&b->against, a);
+    if (b->against.count == 0) {
+        return;
+    }
+    if (args_has(a, "--walks") || args_has(a, "--nodes")) {
+        args_complain(a, "--against has one walk and thesis nodes; leave out --walks and --nodes");
+    }
+    b->nodes = 1u << PLT_NODES_THESIS;
+    b->against.kinds = b->kinds;
+    b->against.hits = b->hits;
+    b->against.packets = b->packets;
+    b->against.repeat = b->meter.repeat;
+}
+
 static void read_flags(bench *b, args *a) {
     static const char *const packets[] = {"2", "4", "8", "16", NULL};
     unsigned width = 256, height = 256;
@@ -404,6 +456,7 @@ static void read_flags(bench *b, args *a) {
     args_size(a, "--size", SIDE_MOST, &width, &height);
     b->frame.width = (uint16_t)width;
     b->frame.height = (uint16_t)height;
+    read_against(b, a);
 }
 
 int run_bench(args *a) {
@@ -414,6 +467,7 @@ int run_bench(args *a) {
     output_abandon(b.table);
     output_abandon(b.json);
     bench_rows_free(&b.rows);
+    against_free(&b.against);
     if (a->wrong) {
         return 2;
     }

@@ -21,6 +21,7 @@
 #include "host_tools/app/view.h"
 #include "host_tools/base/output.h"
 #include "host_tools/base/progress.h"
+#include "host_tools/cli/baseline_render.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/picture/terminal.h"
 
@@ -39,6 +40,7 @@ static const arg_flag flags[] = {
     MOVED_FLAGS,
     REBUILDS_FLAGS,
     VERTICES_FLAGS,
+    BASELINE_FLAG,
     {"--repeat", "N",
      "render all that N times, report the best time, and counts of the last; 1 to 1000000 (default "
      "1)"},
@@ -57,7 +59,8 @@ const arg_command command_render = {
         "standard input.",
     .flags = flags,
     .files_least = 1,
-    .files_most = 1};
+    .files_most = 1,
+    .print_notes = baseline_print_notes};
 
 enum { FRAMES_PER_SECOND = 25 };
 /* What writing a PNG takes: the filtered rows, and the packed ones in memory that doubles. */
@@ -71,6 +74,8 @@ typedef struct rendering {
     unsigned frames, repeat;
     moved moved;
     rebuilds rebuilds;
+    baseline baseline; /* kind: NULL: the engine renders */
+    baseline_colours colours;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
@@ -114,7 +119,19 @@ static uint32_t tiles_per_run(const plt_engine *e) {
     return tiles > 0 ? tiles : 1;
 }
 
-/* `before` frames are there already. */
+static uint64_t tiles_of(const plt_frame *f) {
+    const uint64_t columns = (f->width + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE;
+    return columns * ((f->height + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE);
+}
+
+/* A frame by a structure; `before` frames are there already. */
+static int render_baseline(rendering *r, progress *bar, uint64_t before, crew_times *took,
+                           fail *f) {
+    return baseline_render(&r->baseline, &r->colours, &r->frame, &r->shown, &took->seconds, bar,
+                           before * tiles_of(&r->frame), f);
+}
+
+/* By the engine. */
 static int render_frame(rendering *r, progress *bar, uint64_t before, crew_times *took, fail *f) {
     crew *c = &r->s.crew;
     int status = PLT_OK;
@@ -206,11 +223,16 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
     crew_times took = {.seconds = 0.0};
     int status = 0;
     scene_reset_stats(&r->s);
+    if (r->baseline.s != NULL) {
+        structure_forget(r->baseline.s);
+    }
     for (unsigned i = 0; i < r->frames && status == 0; i++) {
         const frame_time before = time_so_far(r, &took);
         status = prepare_frame(r, i, f);
         if (status == 0) {
-            status = render_frame(r, bar, (uint64_t)run * r->frames + i, &took, f);
+            const uint64_t done = (uint64_t)run * r->frames + i;
+            status = r->baseline.s != NULL ? render_baseline(r, bar, done, &took, f)
+                                           : render_frame(r, bar, done, &took, f);
         }
         const frame_time behind = time_so_far(r, &took);
         frame_times_keep(&r->times, i, &before, &behind, run == 0);
@@ -220,11 +242,6 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
     }
     crew_times_keep(&r->took, &took, run == 0);
     return status;
-}
-
-static uint64_t tiles_of(const plt_frame *f) {
-    const uint64_t columns = (f->width + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE;
-    return columns * ((f->height + PLT_TILE_SIDE - 1u) / PLT_TILE_SIDE);
 }
 
 static int render_frames(rendering *r, fail *f) {
@@ -272,7 +289,13 @@ static int write_stats(const rendering *r, output *o, fail *f) {
         rebuilds_print(o, &r->rebuilds, &r->s, r->repeat, f);
         vertices_print(o, &r->s, f);
     }
-    scene_print_stats(o, &r->s, &r->took, f);
+    if (r->baseline.s != NULL) {
+        baseline_print_rays(o, (uint64_t)r->frames * r->frame.width * r->frame.height,
+                            r->took.seconds, f);
+        baseline_print_counts(&r->baseline, o, f);
+    } else {
+        scene_print_stats(o, &r->s, &r->took, f);
+    }
     return output_print(o, f, "\n}\n");
 }
 
@@ -302,6 +325,11 @@ static int open_all(rendering *r, args *a, fail *f) {
     r->path = a->file[0];
     if (scene_open(&r->s, a, a->file[0], f) != 0 ||
         (r->moved.is_played && played_refused(&r->s, r->path, &r->moved.range, f) != 0)) {
+        return -1;
+    }
+    if (r->baseline.kind != NULL &&
+        (baseline_open(&r->baseline, r->s.engine, scene_name(r->path), f) != 0 ||
+         baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {
         return -1;
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
@@ -344,6 +372,10 @@ static int run_all(rendering *r, args *a, fail *f) {
     return commit_output(&r->stats_out, f);
 }
 
+static const char *const for_engine[] = {"--packet",   "--walk",    "--structure", "--residency",
+                                         "--schedule", "--workers", "--turns",     "--moved",
+                                         "--frames",   "--rebuild", NULL};
+
 static void read_flags(rendering *r, args *a) {
     unsigned width = 512, height = 512;
     args_size(a, "--size", PICTURE_SIDE_MAX, &width, &height);
@@ -357,6 +389,7 @@ static void read_flags(rendering *r, args *a) {
     }
     rebuilds_read(&r->rebuilds, &r->s, a, moved_is(&r->moved));
     vertices_read(&r->s, a, r->moved.is_played);
+    baseline_read(&r->baseline, a, for_engine);
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
@@ -379,6 +412,8 @@ int run_render(args *a) {
     const int status = a->wrong ? -1 : run_all(&r, a, &f);
     output_abandon(r.picture_out);
     output_abandon(r.stats_out);
+    baseline_close(&r.baseline);
+    baseline_colours_free(&r.colours);
     scene_close(&r.s);
     picture_free(&r.shown);
     free(r.hashes);

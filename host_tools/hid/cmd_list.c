@@ -18,6 +18,7 @@ const arg_command hid_command_list = {
     flags,
     0,
     0,
+    NULL,
     NULL};
 
 static void print_device(const port_info *p, const driver *by) {

@@ -20,6 +20,7 @@ const arg_command hid_command_rules = {
     flags,
     0,
     0,
+    NULL,
     NULL};
 
 static void print_driver(const driver *by) {

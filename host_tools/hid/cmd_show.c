@@ -48,6 +48,7 @@ const arg_command hid_command_show = {
     flags,
     1,
     100000,
+    NULL,
     NULL};
 
 typedef struct showing {

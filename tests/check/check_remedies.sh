@@ -67,6 +67,7 @@ but for vertices of many slivers
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
 hits of %s rays differ between modes; please report this | likewise
+hits of %s rays differ from those of %s; please report this | likewise
 %s; please report this | likewise, of a C array
 %s has other hits than %s; please report this | likewise
 there is no measurement '%s'; please report this | likewise

@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_baseline.sh - planelet trace --baseline: kd-trees have the engine's hits, bit for bit
+# test_baseline.sh - planelet trace and render --baseline: the engine's hits and frames, bit for bit
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh
@@ -75,6 +75,38 @@ verdict "... walls and boxes have no strays, a lazy tree has cells left, others 
 verdict "... and a lazy tree is no larger than the same one built whole" "$(
     [ "$(number nodes <kd-lazy.json)" -lt "$(number nodes <kd-fast.json)" ] ||
         echo "$(number nodes <kd-lazy.json) nodes")"
+# ---- render ------------------------------------------------------------------------------
+
+# frames FILE: what says which frames they were.
+frames() {
+    grep '"frame_hash' "$1"
+}
+for shader in eyelight normal triangle; do
+    run render knot.plt -o due.y4m --size 53x41 --orbit 2 --shader $shader --json due.json
+    frames due.json >due.frames
+    for kind in kd bvh wbvh:4x4 wbvh:bits,16x16; do
+        works "render by $kind, $shader" render knot.plt -o got.y4m --size 53x41 --orbit 2 \
+            --shader $shader --baseline $kind --repeat 2 --json got.json
+        frames got.json >got.frames
+        same due.frames got.frames "... are the engine's frames, by their hashes"
+        same due.y4m got.y4m "... and by their pixels"
+    done
+done
+verdict "... with what was traced and counted" "$(
+    [ "$(number rays <got.json)" -eq $((2 * 53 * 41)) ] || echo "rays"
+    [ "$(number packets <got.json)" -eq 24 ] || echo "$(number packets <got.json) packets"
+    for count in seconds packet_node_intersections packet_triangle_intersections masked_out \
+        structure_bytes; do
+        number $count <got.json | awk '{ exit !($1 > 0) }' || echo "$count"
+    done)"
+for flag in '--packet 4' '--schedule branch' '--workers 2' '--residency streamed'; do
+    # shellcheck disable=SC2086
+    misused "render --baseline with $flag" "is for the engine" \
+        render knot.plt -o got.ppm --baseline bvh $flag
+done
+
+# ---- what cannot be ------------------------------------------------------------------------
+
 run pack knot.ply -o compact.plt --nodes compact
 refused "lattice triangles are refused" compact.plt "pack it with --nodes thesis" \
     trace compact.plt mixed got.hits --baseline kd

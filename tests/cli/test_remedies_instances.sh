@@ -147,7 +147,7 @@ cured render marbles.plt --structure tree -o x.ppm --size 8x8
 says "%s; leave out --rebuild" render marbles.plt --frames 0:1 --rebuild always -o x.ppm --size 8x8
 cured render marbles.plt --frames 0:1 -o x.ppm --size 8x8
 head -c 32 /dev/zero >ray
-says "--baseline is for one mesh; pack it without --instances" \
+says "baselines are for one mesh; pack it without --instances" \
     trace marbles.plt ray hit --baseline kd
 run pack ground.ply -o ground.plt
 cured trace ground.plt ray hit --baseline kd

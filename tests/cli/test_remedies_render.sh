@@ -219,6 +219,19 @@ done
 says "no such mode is for its nodes; add --walks depth" \
     bench compact.plt --size 9x9 --repeat 1 --walks two-stage
 cured bench compact.plt --size 9x9 --repeat 1 --walks two-stage,depth
+against='bench ground.plt --size 9x9 --repeat 1 --kinds primary --packets 8 --against'
+# shellcheck disable=SC2086
+{
+    says "--against has one walk and thesis nodes; leave out --walks and --nodes" \
+        $against kd --nodes thesis
+    cured $against kd
+    says "--against takes %d structures at most" \
+        $against 'kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd'
+    cured $against 'kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd'
+    says "a name of %zu characters; choose each switch once" \
+        $against "wbvh:$(awk 'BEGIN { while (i++ < 20) printf "sah,sah," }')"
+    cured $against wbvh:sah
+}
 
 # ---- links: cmd_serve.c, host_tools/link ----------------------------------------------------
 

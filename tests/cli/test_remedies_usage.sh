@@ -41,7 +41,7 @@ cured render quad.plt -o x.png --size 64x48
 says "%s is for the engine; leave it or --baseline out" trace quad.plt ray hit --baseline kd \
     --packet 4
 cured trace quad.plt ray hit --baseline kd
-says "--baseline is for float triangles; pack it with --nodes thesis" trace compact.plt ray hit \
+says "baselines are for float triangles; pack it with --nodes thesis" trace compact.plt ray hit \
     --baseline kd
 run pack quad.ply -o thesis.plt --nodes thesis
 cured trace thesis.plt ray hit --baseline kd
@@ -55,7 +55,7 @@ cured trace quad.plt ray hit --baseline wbvh:leaf-2,median
 
 printf '%s\n' 'body q quad.ply' 'instance a q' >list.txt
 run pack --instances list.txt -o placed.plt
-says "--baseline is for one mesh; pack it without --instances" trace placed.plt ray hit \
+says "baselines are for one mesh; pack it without --instances" trace placed.plt ray hit \
     --baseline kd
 cured trace thesis.plt ray hit --baseline kd
 

@@ -55,13 +55,13 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
-    --rebuild-most --records --beside --repeat --chroma --json \
+    --rebuild-most --records --beside --baseline --repeat --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json $scene_flags
 # shellcheck disable=SC2086
-flags bench --kinds --hits --nodes --packets --walks --repeat --size --json $view_flags
+flags bench --kinds --hits --nodes --packets --walks --repeat --size --against --json $view_flags
 
 # Without files it makes all tables, as test_tables does.
 works "planelet tables --help" tables --help

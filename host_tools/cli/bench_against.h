@@ -1,0 +1,68 @@
+/* bench_against - the engine and a structure of host_tools/baselines by turns, with the same rays
+ *
+ * A round traces all rays with the engine's packets, depth first, then with the structure. Times
+ * are of the processor, the best of all rounds each; what other programs take away hits both alike,
+ * and the median of the rounds' ratios says so again. Hits are compared bit for bit.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef BENCH_AGAINST_H
+#define BENCH_AGAINST_H
+
+#include "host_tools/app/args.h"
+#include "host_tools/app/ray_kinds.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/base/output.h"
+#include "host_tools/base/progress.h"
+#include "host_tools/baselines/structure.h"
+
+enum { AGAINST_MOST = 16, AGAINST_NAME = 96 };
+
+typedef struct against_row {
+    const char *scene;
+    char name[AGAINST_NAME]; /* as it was given */
+    uint8_t kind, any;       /* enum ray_kind */
+    uint8_t packet_side;
+    uint32_t triangles, rays;
+    double engine_seconds, seconds, build_seconds;
+    double ratio; /* median of the rounds: the structure's time over the engine's */
+    plt_stats engine;
+    uint64_t engine_bytes; /* of its nodes */
+    structure_statistics counts;
+} against_row;
+
+/* One that is wanted. */
+typedef struct against_wanted {
+    char name[AGAINST_NAME];
+    const structure_kind *kind;
+    structure_options options;
+    int has_side; /* a switch says it */
+} against_wanted;
+
+typedef struct against {
+    against_wanted wanted[AGAINST_MOST];
+    unsigned count; /* 0: nothing is */
+    unsigned kinds, hits, packets, repeat;
+    against_row *row; /* owned */
+    unsigned rows, room;
+} against;
+
+#define AGAINST_FLAG                                                                               \
+    {                                                                                              \
+        "--against", "LIST",                                                                       \
+            "the engine's packets, depth first, against structures as listed below, with blanks "  \
+            "between, by turns; nothing else is measured"                                          \
+    }
+
+/* Reads the flag. */
+void against_read(against *to, args *a);
+void against_free(against *a);
+
+/* Every structure with every packet, kind of ray and question, through an image that is attached.
+ */
+int against_measure(against *a, scene *s, const char *path, const ray_kinds *rays, fail *f);
+
+/* Rows from `first` on as a table; all rows as a list of JSON. */
+int against_print(const against *a, unsigned first, output *o, fail *f);
+int against_json(const against *a, output *o, fail *f);
+
+#endif
