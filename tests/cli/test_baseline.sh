@@ -21,7 +21,7 @@ for scene in knot list device city; do
     for any in '' --any; do
         # shellcheck disable=SC2086
         run trace $scene.plt mixed due.hits $any
-        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh; do
+        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh bph; do
             # shellcheck disable=SC2086
             works "$scene by $kind $any" trace $scene.plt mixed got.hits $any --baseline $kind \
                 --json $kind.json
@@ -31,7 +31,8 @@ for scene in knot list device city; do
     cp kd.json $scene.json
 done
 for kind in kd:8x8 bvh:sah,leaf-4,16x16,early,frustum wbvh:bits,4x4 \
-    wbvh:median,leaf-1,no-early,no-frustum; do
+    wbvh:median,leaf-1,no-early,no-frustum bph:naive,single \
+    bph:sah,counts,range,left,early,frustum,16x16 bph:leaf-2,recompute,all,mixed,4x4; do
     run trace city.plt mixed due.hits
     works "city by $kind" trace city.plt mixed got.hits --baseline $kind --json switched.json
     same due.hits got.hits "... has the hits of the engine"
@@ -52,12 +53,12 @@ awk 'BEGIN { while (i < 1024) {
     x = i % 4 + 4 * int(i / 16) % 32; y = int(i / 4) % 4 + 4 * int(i / 128); i++
     print 30, 40, 30, 0, x - 40, -40, y - 40, 1e30 } }' | rays ahead
 run trace city.plt ahead due.hits
-for kind in bvh wbvh; do
+for kind in bvh wbvh bph; do
     works "a view by $kind" trace city.plt ahead got.hits --baseline $kind --json $kind.json
     same due.hits got.hits "... has the hits of the engine"
 done
 verdict "... and of packets what the thesis counts" "$(
-    for kind in bvh wbvh; do
+    for kind in bvh wbvh bph; do
         for count in packets packet_node_intersections packet_triangle_intersections \
             thesis_bytes; do
             [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
@@ -66,6 +67,16 @@ verdict "... and of packets what the thesis counts" "$(
     [ "$(number early_hits <wbvh.json)" -gt 0 ] || echo "wbvh: no early hits"
     [ "$(number frustum_misses <wbvh.json)" -gt 0 ] || echo "wbvh: no frustum misses"
     [ "$(number early_hits <bvh.json)" -eq 0 ] || echo "bvh: early hits")"
+works "a view by a BPH of all short cuts" trace city.plt ahead got.hits \
+    --baseline bph:early,frustum,recompute --json short.json
+same due.hits got.hits "... has the hits of the engine"
+verdict "... and what they took is counted" "$(
+    for count in early_tests frustum_tests recomputed_boxes plane_matches intermediates; do
+        [ "$(number $count <short.json)" -gt 0 ] || echo "$count"
+    done
+    [ "$(number early_tests <bph.json)" -eq 0 ] || echo "early tests without early hits"
+    [ "$(number plane_tests <short.json)" -lt "$(number plane_tests <bph.json)" ] ||
+        echo "$(number plane_tests <short.json) plane tests")"
 verdict "... walls and boxes have no strays, a lazy tree has cells left, others have none" "$(
     [ "$(number strays <knot.json)" -gt 0 ] || echo "kd: no strays"
     [ "$(number strays <city.json)" -eq 0 ] || echo "kd, across an axis: strays"

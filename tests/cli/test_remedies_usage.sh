@@ -52,6 +52,17 @@ cured trace quad.plt ray hit --baseline kd:single
 says "'%s' is a second choice of one kind; give one of %s" \
     trace quad.plt ray hit --baseline wbvh:sah,leaf-2,median
 cured trace quad.plt ray hit --baseline wbvh:leaf-2,median
+# Switches of a BPH: host_tools/baselines/bph/bph_switches.c.
+says "counts and recompute: an intermediate node has the sum of two counts, so it is not known \
+where its second list begins; give counts with direct or unmerged, or recompute with leaf-1, \
+leaf-2, leaf-3 or leaf-4" trace quad.plt ray hit --baseline bph:counts,recompute
+cured trace quad.plt ray hit --baseline bph:counts,direct
+says "early and all: of rays that all go along none is the first active one; give early with bits \
+or range" trace quad.plt ray hit --baseline bph:early,all
+cured trace quad.plt ray hit --baseline bph:early,range
+says "frustum and mixed: rays whose signs are not known to be equal have no hull; give frustum \
+with equal" trace quad.plt ray hit --baseline bph:frustum,mixed
+cured trace quad.plt ray hit --baseline bph:frustum,equal
 
 printf '%s\n' 'body q quad.ply' 'instance a q' >list.txt
 run pack --instances list.txt -o placed.plt

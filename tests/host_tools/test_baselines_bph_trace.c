@@ -317,6 +317,58 @@ static void order(const mesh *m, const due *d) {
           (unsigned long long)left.packet_nodes);
 }
 
+static void any_hit(const mesh *m, const due *d) {
+    test("rays that want any hit go on for no more once they have one");
+    for (int is_naive = 0; is_naive < 2; is_naive++) {
+        const char *text = is_naive ? "bph:4x4,naive" : "bph:4x4";
+        built_structure *s = open_by(text, m);
+        const structure_statistics near = trace_by(s, d, 256, 0, text);
+        const structure_statistics any = trace_by(s, d, 256, 1, text);
+        CHECK(any.packet_nodes < near.packet_nodes && any.triangle_tests < near.triangle_tests &&
+                  any.masked_at_nodes * near.rays_at_nodes >
+                      near.masked_at_nodes * any.rays_at_nodes,
+              "%llu and %llu nodes", (unsigned long long)any.packet_nodes,
+              (unsigned long long)near.packet_nodes);
+        structure_close(s);
+    }
+}
+
+/* A square, and a soup behind it that no ray comes to. */
+static void hidden(void) {
+    static const char *const all[] = {"bph:4x4", "bph:4x4,naive", "bph:4x4,early", "bph:4x4,mixed",
+                                      "bph:4x4,early,frustum,naive"};
+    static due d;
+    mesh m = {0}, front = {0};
+    fail f = {""};
+    test("what has waited is left out when hits have come before it");
+    shape_soup(&m, rig_triangles(120, 1) - 2, 0.3f, 21);
+    shape_transform(&m, 4.0f, 0.0f, 0.0f, 30.0f); /* the first split is between them */
+    shape_sheet(&front, 1, 2);
+    for (unsigned i = 0; i < 6; i++) {
+        const float *p = shape_corner(&front, i / 3, i % 3);
+        CHECK(mesh_add_vertex(&m, p[0], p[1], p[2], &f) == 0, "%s", f.text);
+    }
+    const uint32_t at = (uint32_t)m.vertices - 6;
+    CHECK(mesh_add_triangle(&m, at, at + 1, at + 2, &f) == 0 &&
+              mesh_add_triangle(&m, at + 3, at + 4, at + 5, &f) == 0,
+          "%s", f.text);
+    for (unsigned i = 0; i < RAYS; i++) {
+        const float eye[3] = {0.1f, 0.1f, -3.0f};
+        const float dir[3] = {(float)(i % 4) / 16.0f, (float)(i / 4 % 4) / 16.0f, 1.0f};
+        d.rays[i] = ray_make(eye, dir, 0.0f, RAYS_FAR);
+    }
+    CHECK(trace_list(&d, &m) && d.hits[0][0].triangle >= m.triangles - 2, "the square is not hit");
+    for (unsigned i = 0; i < sizeof all / sizeof *all; i++) {
+        built_structure *s = open_by(all[i], &m);
+        const structure_statistics c = trace_by(s, &d, 16, 0, all[i]);
+        CHECK(c.packet_nodes == 1 && c.packet_triangles == 2, "%s: %llu nodes, %llu triangles",
+              all[i], (unsigned long long)c.packet_nodes, (unsigned long long)c.packet_triangles);
+        structure_close(s);
+    }
+    mesh_free(&m);
+    mesh_free(&front);
+}
+
 static void formats(const mesh *m, const due *d) {
     const structure_statistics one = count_by("bph:4x4", m, d);
     const structure_statistics two = count_by("bph:4x4,leaf-2", m, d);
@@ -343,6 +395,7 @@ static void counts(void) {
         masks(&m, &d);
         intermediates(&m, &d);
         order(&m, &d);
+        any_hit(&m, &d);
         formats(&m, &d);
     }
     mesh_free(&m);
@@ -435,6 +488,7 @@ int main(void) {
     figure_8_1();
     combinations();
     counts();
+    hidden();
     bounded_memory();
     return test_done();
 }

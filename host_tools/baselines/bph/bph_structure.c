@@ -14,17 +14,18 @@
 typedef struct bph_structure {
     bph_tree tree;
     bph_tracing *tracing;
+    uint32_t triangles;
     uint32_t packet; /* rays */
     uint64_t build_work;
     int is_whole; /* 0: memory ran out, and there is no tree to trace */
     char name[64];
 } bph_structure;
 
-static int out_of_memory(bph_structure *b, const mesh *m, fail *f) {
+static int out_of_memory(bph_structure *b, fail *f) {
     bph_tree_free(&b->tree);
     b->is_whole = 0;
-    return fail_set(f, b->name, "%zu triangles: out of memory for a BPH; leave some out",
-                    m->triangles);
+    return fail_set(f, b->name, "%u triangles: out of memory for a hierarchy; leave some out",
+                    (unsigned)b->triangles);
 }
 
 /* From triangles to a binary BVH, and from that to planes. -1: no memory. */
@@ -54,7 +55,7 @@ static int build(bph_structure *b, const mesh *m, fail *f) {
     t->stack = heap_get(bph_trace_entries(&b->tree) * sizeof *t->stack);
     t->tree = &b->tree;
     b->is_whole = status == 0 && t->stack != NULL;
-    return b->is_whole ? 0 : out_of_memory(b, m, f);
+    return b->is_whole ? 0 : out_of_memory(b, f);
 }
 
 static void close_bph(void *self) {
@@ -84,6 +85,7 @@ static void *open_bph(unsigned variant, const mesh *m, const structure_options *
         return NULL;
     }
     b->tracing->way = bph_way_of(o);
+    b->triangles = (uint32_t)m->triangles;
     if (build(b, m, f) != 0) {
         close_bph(b);
         return NULL;
@@ -108,7 +110,7 @@ static int move_bph(void *self, const mesh *m, fail *f) {
     if (m->triangles > 0) {
         move_records(&b->tree, m);
         if (bph_refit(&b->tree) == BPH_REFIT_NO_MEMORY) {
-            return out_of_memory(b, m, f);
+            return out_of_memory(b, f);
         }
     }
     return 0;
@@ -138,7 +140,7 @@ static int trace_bph(void *self, const plt_ray *rays, plt_hit *hits, uint32_t co
                      fail *f) {
     bph_structure *b = self;
     if (!b->is_whole) {
-        return fail_set(f, b->name, "out of memory for a BPH; leave some triangles out");
+        return out_of_memory(b, f);
     }
     b->tracing->any = any;
     b->tracing->counts.rays += count;

@@ -1,7 +1,7 @@
 /* bph_tree - the Bounding Plane Hierarchy in all of its formats
  *
  * Nodes are the thesis's, 32 bytes (tree/thesis/node.h). Lists of K triangles at most end where a
- * record says so; lists of any length have a count beside the link, 40 bytes a node, and the two
+ * record says so; lists of any length have a count beside the link, 40 bytes per node; the two
  * lists of an intermediate node one count, of both: where the second begins is not known then.
  *
  * Source: Karrenberg 2007, chapter 3 and section 8.1.4.
