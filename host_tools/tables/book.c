@@ -21,10 +21,17 @@ static const char *const size_jobs[BOOK_SIZES] = {[BOOK_BVH] = "size:bvh:median"
 static const char *const traced_jobs[BOOK_SPLITS] = {
     [BOOK_MEDIAN] = "trace:bph:median,leaf-1,%s", [BOOK_SAH] = "trace:bph:sah,leaf-1,%s"};
 
-/* NULL: not measured. */
-static const char *const order_jobs[BOOK_ORDERS] = {[BOOK_ORDER_THESIS] = NULL,
+static const char *const order_jobs[BOOK_ORDERS] = {[BOOK_ORDER_THESIS] = "figure:%s",
+                                                    [BOOK_ORDER_NEAR] = "figure:%s,near",
                                                     [BOOK_ORDER_SORTED] = "order:two-stage,%s",
                                                     [BOOK_ORDER_DEPTH] = "order:depth,%s"};
+
+/* Without treelets, depth first, the nearer child first. */
+static const char *const plain_jobs[BOOK_ORDERS] = {
+    [BOOK_ORDER_THESIS] = "trace:bph:median,leaf-1,4x4",
+    [BOOK_ORDER_NEAR] = "trace:bph:median,leaf-1,4x4",
+    [BOOK_ORDER_SORTED] = "order:two-stage,1",
+    [BOOK_ORDER_DEPTH] = "order:depth,1"};
 
 static const char *const race_jobs[BOOK_RACERS] = {[BOOK_RACE_WBVH] = "wbvh:%s",
                                                    [BOOK_RACE_BPH] = "bph:median,leaf-1,%s",
@@ -101,20 +108,18 @@ static int take_treelets(book *b, stage *s, book_scene *to, fail *f) {
     return status;
 }
 
-/* Without treelets is with one per node: both stages are depth first then. */
 static int take_orders(book *b, stage *s, book_scene *to, fail *f) {
-    char job[JOB];
+    char job[JOB], size[16];
     int status = 0;
     for (unsigned i = 0; i < BOOK_ORDERS * BOOK_TREELETS && status == 0; i++) {
         const unsigned order = i / BOOK_TREELETS, column = i % BOOK_TREELETS;
-        if (order_jobs[order] != NULL) {
-            char size[16] = "1";
-            if (column > 0) {
-                snprintf(size, sizeof size, "%u", printed_treelet_sizes[column - 1]);
-            }
+        if (column == 0) {
+            snprintf(job, sizeof job, "%s", plain_jobs[order]);
+        } else {
+            snprintf(size, sizeof size, "%u", printed_treelet_sizes[column - 1]);
             fill_in(job, order_jobs[order], size);
-            status = take(b, s, job, &to->treed[order][column], f);
         }
+        status = take(b, s, job, &to->treed[order][column], f);
     }
     return status;
 }

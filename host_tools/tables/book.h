@@ -13,7 +13,13 @@
 enum book_size { BOOK_BVH, BOOK_WBVH, BOOK_BKD, BOOK_BPH, BOOK_BPH2, BOOK_SIZES };
 enum book_split { BOOK_MEDIAN, BOOK_SAH, BOOK_SPLITS };
 enum book_racer { BOOK_RACE_WBVH, BOOK_RACE_BPH, BOOK_RACE_ENGINE, BOOK_RACERS };
-enum book_order { BOOK_ORDER_THESIS, BOOK_ORDER_SORTED, BOOK_ORDER_DEPTH, BOOK_ORDERS };
+enum book_order {
+    BOOK_ORDER_THESIS, /* Figure 4.2 */
+    BOOK_ORDER_NEAR,   /* likewise, with the nearer edge pushed last */
+    BOOK_ORDER_SORTED,
+    BOOK_ORDER_DEPTH,
+    BOOK_ORDERS
+};
 enum { BOOK_SIDES = 3, BOOK_TREELETS = 1 + PRINTED_TREELET_SIZES }; /* 0: without treelets */
 
 extern const char *const book_sides[BOOK_SIDES]; /* "4x4" ... */

@@ -8,8 +8,10 @@
 
 #include "engine/image/header.h"
 #include "host_tools/app/scene.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/pack/node_tree.h"
 #include "host_tools/pack/pack.h"
+#include "host_tools/tables/figure_42.h"
 
 enum { NODES_SIDE = 4 }; /* of packets */
 
@@ -100,11 +102,34 @@ int measure_order(stage *s, const char *text, figures *to, fail *f) {
     return status;
 }
 
-/* ---- slots ------------------------------------------------------------------ */
+/* ---- Figure 4.2 --------------------------------------------------------------- */
 
 static int out_of_memory(const stage *s, fail *f) {
     return fail_set(f, s->name, "out of memory; close other programs");
 }
+
+int measure_figure_42(stage *s, const char *text, figures *to, fail *f) {
+    unsigned size;
+    figure_42 *t = heap_get(sizeof *t);
+    if (sscanf(text, "%u", &size) != 1) {
+        heap_drop(t);
+        return refuse(s, text, f);
+    }
+    int status = t != NULL ? figure_42_open(t, &s->m, size) : -1;
+    if (status == 0) {
+        t->near_last = strstr(text, ",near") != NULL;
+        status = figure_42_trace(t, s->rays, s->hits, s->count);
+        to->of[FIGURE_RAYS] = s->count;
+        to->of[FIGURE_PACKETS] = (double)t->packets;
+        to->of[FIGURE_NODE_ISECTS] = (double)t->nodes;
+        to->of[FIGURE_TRIANGLE_ISECTS] = (double)t->triangles;
+        figure_42_close(t);
+    }
+    heap_drop(t);
+    return status == 0 ? 0 : out_of_memory(s, f);
+}
+
+/* ---- slots ------------------------------------------------------------------ */
 
 /* Of thesis nodes, which come first in their image. */
 static int form(const packed *image, unsigned size, treelet_layout *to) {

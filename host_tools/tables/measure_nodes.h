@@ -14,6 +14,9 @@ int measure_packing(stage *s, const char *text, figures *to, fail *f);
  * per leaf, in treelets of that size. The stage has its rays. */
 int measure_order(stage *s, const char *text, figures *to, fail *f);
 
+/* "64" or "64,near": packets of 4x4 through treelets of that size by Figure 4.2 (figure_42.h). */
+int measure_figure_42(stage *s, const char *text, figures *to, fail *f);
+
 /* "64": the same nodes in treelets of that size, breadth first, in slots by the thesis's rule. */
 int measure_slots(stage *s, const char *text, figures *to, fail *f);
 

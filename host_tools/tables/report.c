@@ -11,7 +11,7 @@ static const char head[] =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
     "<meta name=\"viewport\" content=\"width=device-width\">\n"
     "<title>Planelet: the thesis's tables beside ours</title>\n<style>\n"
-    "body { font-family: sans-serif;color: #202020;margin: 2em auto;max-width: 68em; "
+    "body { font-family: sans-serif;color: #202020;margin: 2em auto;max-width: 68em;"
     "padding: 0 1em;line-height: 1.4;}\n"
     "h1 { font-size: 1.5em;} h2 { font-size: 1.15em;margin-top: 2.4em;}\n"
     ".wide { overflow-x: auto;}\n"
