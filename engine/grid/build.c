@@ -5,6 +5,7 @@
 
 #include "engine/grid/crowded.h"
 #include "engine/grid/level.h"
+#include "engine/grid/macro.h"
 
 /* Starts have 32 bits. A grid of one cell has fewer, 2^27 at most. */
 #define REFERENCES_MOST 0xFFFFFFFFu
@@ -13,14 +14,18 @@ static size_t rounded(size_t bytes) {
     return (bytes + PLT_ALIGN - 1) & ~(size_t)(PLT_ALIGN - 1);
 }
 
-/* Of the grid, its starts and rectangles. */
-static size_t front_bytes(uint64_t cells, uint32_t slices) {
-    const uint64_t starts = 4 * (cells + 1), rects = sizeof(plt_grid_rect) * (uint64_t)slices;
-    return rounded(sizeof(plt_grid)) + rounded((size_t)starts) + rounded((size_t)rects);
+/* Of the grid, its starts, rectangles and macro cells. */
+static size_t front_bytes(const plt_grid_level *l) {
+    const uint64_t starts = 4 * ((uint64_t)plt_grid_cells(l) + 1);
+    const uint64_t rects =
+        sizeof(plt_grid_rect) * ((uint64_t)l->cells[0] + l->cells[1] + l->cells[2]);
+    return rounded(sizeof(plt_grid)) + rounded((size_t)starts) + rounded((size_t)rects) +
+           rounded(plt_grid_macro_bytes(l));
 }
 
 static uint64_t bytes_for(uint64_t per_triangle, uint32_t triangles) {
-    const uint64_t bytes = front_bytes(1, 3) + per_triangle * triangles;
+    const plt_grid_level one = {.cells = {1, 1, 1, 0}};
+    const uint64_t bytes = front_bytes(&one) + per_triangle * triangles;
     return (bytes + PLT_ALIGN - 1) / PLT_ALIGN * PLT_ALIGN;
 }
 
@@ -45,6 +50,8 @@ static size_t lay_out(plt_grid *g) {
         at += top->cells[a] * sizeof(plt_grid_rect);
     }
     at = rounded(at);
+    plt_grid_macro_begin(g, base + at);
+    at += rounded(plt_grid_macro_bytes(top));
     g->top.reference = (uint32_t *)(void *)(base + at);
     return at;
 }
@@ -55,8 +62,7 @@ static size_t choose_cells(plt_grid *g, const plt_grid_job *job, const plt_grid_
     for (;; wanted *= 0.5f) {
         plt_grid_level_set(&g->top, job->box, wanted);
         const plt_grid_level *top = &g->top;
-        const uint32_t slices = top->cells[0] + top->cells[1] + top->cells[2];
-        const size_t front = front_bytes(plt_grid_cells(top), slices);
+        const size_t front = front_bytes(top);
         if (front > job->bytes || (job->bytes - front) / 4 < job->count) {
             continue; /* of one cell, which has each once, it is not */
         }
@@ -87,6 +93,7 @@ static void take_row(const plt_grid *g, const uint32_t *start, uint32_t y, uint3
             first = x < first ? x : first;
             last = x;
             take(&g->rect[0][x], y, z);
+            plt_grid_macro_add(g, x, y, z);
         }
     }
     if (first < cells) {

@@ -4,8 +4,8 @@
  * row are side by side, and so are their references. A cell that is crowded can have a level of its
  * own: the first of its references is then its number, and the second how many references it has.
  *
- *     plt_grid | start, 4 bytes a cell and 4 | rectangles, 8 bytes a slice | references, 4 bytes
- *     each | of each crowded cell: its level, start, references
+ *     plt_grid | start, 4 bytes a cell and 4 | rectangles, 8 bytes a slice | macro cells, a bit
+ *     each | references, 4 bytes each | of each crowded cell: its level, start, references
  *
  * Invariant: let p be any point of a triangle's own box, in the scene's box. The triangle is among
  * the references of the cell plt_grid_cell(p), and of its cell there, if that has a level of its
@@ -44,8 +44,19 @@ typedef struct plt_grid_rect {
     uint16_t lo[2], hi[2];
 } plt_grid_rect;
 
+/* Macro cells (macro.h). */
+#define PLT_WITH_MACRO_CELLS (PLT_WITH_GROUPS && PLT_LANES_REGISTERS)
+
+typedef struct plt_grid_macro {
+    uint32_t *bits;     /* one per macro cell, x, then y, then z: it has references */
+    uint32_t stride[3]; /* bits */
+} plt_grid_macro;
+
 typedef struct plt_grid {
     plt_grid_level top;
+#if PLT_WITH_MACRO_CELLS
+    plt_grid_macro macro;
+#endif
     plt_grid_rect *rect[3]; /* [cells along the axis] */
     plt_grid_level *crowded;
     uint32_t crowded_count;

@@ -129,6 +129,7 @@ int plt_grid_next_bundle(plt_grid_state *s, const plt_packet *p, const plt_grid_
     plt_grid_bundle *u = &s->bundle;
     while (take_groups(s, p, top)) {
         if (plt_grid_first_slice(t, top, least_from(s), &u->slice)) {
+            u->slab = -1;
             u->step = t->sign > 0.0f ? 1 : -1;
             u->last = t->sign > 0.0f ? (int32_t)top->cells[t->z] - 1 : 0;
             u->soonest = -PLT_BOX_FAR;

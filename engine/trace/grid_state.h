@@ -40,7 +40,8 @@ enum plt_grid_without {
     PLT_GRID_WITHOUT_MAILBOX = 1,
     PLT_GRID_WITHOUT_CULLING = 2, /* of triangles beside the frustum, or beside groups */
     PLT_GRID_WITHOUT_GROUPS = 4,  /* of triangles beside groups */
-    PLT_GRID_WITHOUT_RECTANGLES = 8
+    PLT_GRID_WITHOUT_RECTANGLES = 8,
+    PLT_GRID_WITHOUT_MACRO = 16 /* of slabs whose macro cells are empty */
 };
 
 typedef struct plt_grid_turn {
@@ -64,6 +65,7 @@ typedef struct plt_grid_bundle {
     plt_grid_bounds all; /* the same in all lanes */
     float soonest;       /* depth up to which all of its groups seek hits */
     int32_t slice, last, step;
+    int32_t slab;   /* of macro cells: it was looked at; -1: none */
     uint32_t stamp; /* in the mailbox: triangles that it has met */
 } plt_grid_bundle;
 #endif

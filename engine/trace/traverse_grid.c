@@ -8,6 +8,7 @@
  * traversal", 2006. Why hits are those of any tree: DESIGN.md, section 7.9.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/grid/macro.h"
 #include "engine/trace/grid_bundle.h"
 #include "engine/trace/grid_cull.h"
 #include "engine/trace/grid_turn.h"
@@ -261,6 +262,32 @@ static void drop_groups(plt_grid_state *s, const plt_packet *p, float depth) {
     }
 }
 
+#if PLT_WITH_MACRO_CELLS
+/* Goes on to the end of a slab in which the bundle reaches no macro cell that has references. 0: it
+ * reaches one, or was there before. */
+static int skip_slab(const plt_grid_view *view, const plt_grid_turn *t, const plt_grid *grid,
+                     plt_grid_bundle *u) {
+    const int32_t slab = u->slice / PLT_GRID_MACRO, most = (int32_t)grid->top.cells[t->z] - 1;
+    const int32_t lowest = slab * PLT_GRID_MACRO, end = lowest + PLT_GRID_MACRO - 1;
+    const int32_t highest = end < most ? end : most;
+    plt_grid_patch r;
+    if (slab == u->slab) {
+        return 0;
+    }
+    const float lower = view->plane + (float)lowest * view->size;
+    const float upper = view->plane + (float)(highest + 1) * view->size;
+    const float front = u->step > 0 ? lower : upper, back = u->step > 0 ? upper : lower;
+    u->slab = slab;
+    if (overlap(view, t, &grid->top, front, back, &r) &&
+        !plt_grid_macro_is_empty(grid, t->x, t->y, t->z, slab, &r)) {
+        return 0;
+    }
+    u->slice = (u->step > 0 ? highest : lowest) + u->step;
+    u->groups = u->slice < 0 || u->slice > most ? 0 : u->groups;
+    return 1;
+}
+#endif
+
 /* The bundle's current slice, and on to the next. Returns cells looked at, and 1. */
 static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
     const plt_grid *grid = t->scene->gridded.grid;
@@ -279,6 +306,12 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
     if (u->groups == 0) {
         return 1;
     }
+    const plt_grid_view view = plt_grid_view_of(s, p, top);
+#if PLT_WITH_MACRO_CELLS
+    if ((s->without & PLT_GRID_WITHOUT_MACRO) == 0 && skip_slab(&view, &s->turn, grid, u)) {
+        return 1;
+    }
+#endif
     visit v = {.t = t,
                .p = p,
                .s = s,
@@ -287,7 +320,6 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
                .met = u->stamp,
                .mark = (s->without & PLT_GRID_WITHOUT_MAILBOX) != 0 ? 0 : u->stamp,
                .groups = u->groups};
-    const plt_grid_view view = plt_grid_view_of(s, p, top);
     if (overlap(&view, &s->turn, top, front, back, &r) &&
         ((s->without & PLT_GRID_WITHOUT_RECTANGLES) != 0 ||
          plt_grid_cut(&r, &grid->rect[s->turn.z][slice]))) {

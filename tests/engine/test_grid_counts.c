@@ -4,7 +4,7 @@
  * paper's table for a hand; and with groups of four rays looked at, too. Counts are the same on
  * every machine, so those of a mesh that is made here are compared exactly; of a MESH (the hand:
  * 14 million without, 0.9 with both, it says there) it is how much they save. Hits are the same
- * throughout.
+ * throughout. And how many slices and cells macro cells save, in frames.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
@@ -13,6 +13,7 @@
 #include "engine/engine.h"
 #include "engine/trace/grid_state.h"
 #include "host_tools/scenes/scenes.h"
+#include "tests/measure/animation.h"
 #include "tests/measure/meshes.h"
 #include "tests/reference/frame_rays.h"
 #include "tests/reference/grid_rig.h"
@@ -76,6 +77,74 @@ static void of_marbles(void) {
     mesh_free(&m);
 }
 
+/* ---- macro cells -------------------------------------------------------------------------- */
+
+typedef struct slices {
+    uint64_t steps, cells; /* a step goes through a slice, or past a slab that is empty */
+} slices;
+
+#if PLT_WITH_MACRO_CELLS
+static slices slices_of(plt_engine *e, const plt_frame *frame, uint8_t without, uint64_t hash) {
+    plt_stats q;
+    plt_grid_state_of(&e->traversal)->without = without;
+    plt_stats_reset(e);
+    const frame_result r = frame_render(e, frame, 1);
+    CHECK(r.status == PLT_OK && r.hash == hash, "another frame");
+    free(r.rgb);
+    plt_stats_get(e, &q);
+    const slices s = {r.steps - r.tiles, q.node_visits};
+    return s;
+}
+
+/* With macro cells, and without. 0: such packets are not possible. */
+static int count_slices(const mesh *m, uint16_t side, uint8_t packet, slices of[2]) {
+    grid_rig g;
+    rig_config c = rig_config_of(4, 64, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    c.run.packet_side = packet;
+    if (rig_is_tiny() || PLT_PACKET_SIDE_MAX < packet ||
+        !grid_rig_open(&g, m, &c, (size_t)80 * m->triangles)) {
+        return 0;
+    }
+    float lo[3], hi[3];
+    shape_box(m, lo, hi);
+    const plt_frame frame = animation_view(lo, hi, 0.0, 0, 0, side);
+    const uint64_t hash = frame_hash(g.tree.engine, &frame, 1000000);
+    of[0] = slices_of(g.engine, &frame, 0, hash);
+    of[1] = slices_of(g.engine, &frame, PLT_GRID_WITHOUT_MACRO, hash);
+    printf(
+        "    %ux%u in %ux%u: %llu slices and slabs, %llu cells; without macro cells %llu slices, "
+        "%llu cells\n",
+        side, side, packet, packet, (unsigned long long)of[0].steps,
+        (unsigned long long)of[0].cells, (unsigned long long)of[1].steps,
+        (unsigned long long)of[1].cells);
+    grid_rig_close(&g);
+    return 1;
+}
+#else
+static int count_slices(const mesh *m, uint16_t side, uint8_t packet, slices of[2]) {
+    (void)m;
+    (void)side;
+    (void)packet;
+    (void)of;
+    return 0;
+}
+#endif
+
+static void of_macro_cells(void) {
+    slices of[2];
+    mesh m = {0};
+    fail f = {""};
+    test("a knot: as many slices and cells with and without macro cells as ever");
+    CHECK(scene_knot(&m, 20000, &f) == 0, "%s", f.text);
+    if (count_slices(&m, SIDE, PACKET, of)) {
+        CHECK(of[0].steps == 8167 && of[0].cells == 21086, "%llu, %llu",
+              (unsigned long long)of[0].steps, (unsigned long long)of[0].cells);
+        CHECK(of[1].steps == 14320 && of[1].cells == 22348, "without: %llu, %llu",
+              (unsigned long long)of[1].steps, (unsigned long long)of[1].cells);
+    }
+    mesh_free(&m);
+}
+
 /* Mailbox and culling take off at least six of seven, groups at least nine of ten. */
 static void of_mesh(const mesh *m, const char *name) {
     uint64_t count[KINDS];
@@ -87,9 +156,14 @@ static void of_mesh(const mesh *m, const char *name) {
         CHECK(10 * count[4] <= count[0], "groups take off no more than %.1f times",
               (double)count[0] / (double)count[4]);
     }
+    slices of[2];
+    if (count_slices(m, 512, 16, of)) {
+        CHECK(of[0].steps <= of[1].steps && of[0].cells <= of[1].cells, "macro cells add some");
+    }
 }
 
 int main(int argc, char **argv) {
     of_marbles();
+    of_macro_cells();
     return argc > 1 ? measure_meshes(argc, argv, "meshes that are given", of_mesh) : test_done();
 }
