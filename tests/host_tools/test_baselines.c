@@ -10,6 +10,7 @@
 
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/structure.h"
+#include "host_tools/pack/pack.h"
 #include "tests/reference/brute.h"
 #include "tests/reference/grid_scenes.h"
 #include "tests/reference/mover.h"
@@ -346,6 +347,96 @@ static void refusals(void) {
     mesh_free(&n);
 }
 
+/* ---- hierarchies ------------------------------------------------------------------------ */
+
+static structure_statistics count_of(const char *text, const mesh *m) {
+    structure_options o;
+    fail f = {""};
+    structure_statistics none;
+    memset(&none, 0, sizeof none);
+    const structure_kind *kind = structure_read(text, "it", &o, &f);
+    CHECK(kind != NULL, "%s", f.text);
+    built_structure *s = kind != NULL ? structure_open(kind, m, &o, "it", &f) : NULL;
+    CHECK(s != NULL, "%s", f.text);
+    const structure_statistics q = s != NULL ? structure_count(s) : none;
+    structure_close(s);
+    return q;
+}
+
+/* The engine's tree of the same splits: nodes of the BPH, and its lists. */
+static void check_against_bph(const mesh *m, uint8_t splits, uint8_t leaf, const char *text) {
+    const pack_options o = {
+        .leaf_triangles = leaf, .treelet_nodes = 1, .splits = splits, .build = PLT_BUILD_HOST};
+    packed image = {0};
+    fail f = {""};
+    CHECK(pack_mesh(&image, m, &o, "it", &f) == 0, "%s", f.text);
+    const structure_statistics q = count_of(text, m);
+    const uint32_t lists = image.info.leaf_lists + image.info.intermediate_lists;
+    CHECK(q.nodes == image.info.nodes, "%s: %u nodes, not %u", text, q.nodes, image.info.nodes);
+    CHECK(q.leaves == q.nodes + 1 && lists > q.nodes, "%s: %u lists", text, q.leaves);
+    CHECK(q.thesis_bytes == 84 * (uint64_t)q.nodes, "%s: bytes", text);
+    pack_free(&image);
+}
+
+static void hierarchies(void) {
+    static const uint32_t sizes[] = {1, 2, 3, 5, 12, 60, 300};
+    test("the thesis's hierarchy has the nodes of its BPH; by cost leaves have 1 to 4 triangles");
+    for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        mesh m = {0};
+        shape_soup(&m, rig_triangles(sizes[i], 1), 0.2f, 40 + i);
+        check_against_bph(&m, PLT_SPLIT_MEDIAN, 1, "bvh");
+        check_against_bph(&m, PLT_SPLIT_SAH, 1, "bvh:sah");
+        check_against_bph(&m, PLT_SPLIT_MEDIAN, 2, "bvh:leaf-2");
+        const uint32_t n = (uint32_t)m.triangles;
+        const structure_statistics one = count_of("wbvh:leaf-1,median", &m),
+                                   four = count_of("wbvh", &m);
+        CHECK(one.leaves == n && one.nodes == n - 1, "one: %u leaves", one.leaves);
+        CHECK(one.bytes == 32 * (2 * (uint64_t)n - 1), "one: bytes");
+        CHECK(4 * four.leaves >= n && (n < 60 || four.leaves < n), "four: %u", four.leaves);
+        CHECK(four.nodes + 1 == four.leaves && four.references == n, "four: nodes");
+        mesh_free(&m);
+    }
+}
+
+/* Rays side by side from one point to a square, which a packet is the same as. */
+static void counted(void) {
+    static plt_ray rays[64];
+    static plt_hit got[64];
+    mesh m = {0};
+    structure_options o;
+    fail f = {""};
+    test("of a packet that meets two triangles' boxes all visits, tests and masks are known");
+    const float corners[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 4, 0, 0, 5, 0, 0, 4, 1, 0};
+    CHECK(mesh_reserve(&m, 6, 2, &f) == 0, "%s", f.text);
+    memcpy(m.vertex, corners, sizeof corners);
+    for (unsigned i = 0; i < 6; i++) {
+        m.triangle[i] = i;
+    }
+    m.vertices = 6;
+    m.triangles = 2;
+    for (unsigned i = 0; i < 64; i++) { /* groups 0 to 7 over the first box, the others beside it */
+        const float x = i < 32 ? 0.5f : 2.5f;
+        rays[i] = (plt_ray){.org = {x, 0.1f, 9.0f}, .dir = {0.0f, 0.0f, -1.0f}, .tmax = 99.0f};
+    }
+    const structure_kind *kind = structure_read("wbvh:leaf-1,no-early,8x8", "it", &o, &f);
+    built_structure *s = kind != NULL ? structure_open(kind, &m, &o, "it", &f) : NULL;
+    CHECK(s != NULL && structure_trace(s, rays, got, 64, 0, &f) == 0, "%s", f.text);
+    const structure_statistics q = structure_count(s);
+    const int is_whole = !rig_is_tiny();
+    CHECK(got[0].triangle == 0 && got[63].triangle == PLT_MISS, "hits");
+    CHECK(!is_whole || (q.packets == 1 && q.one_sign == 1), "packets");
+    CHECK(!is_whole || q.packet_nodes == 3, "%u nodes", (unsigned)q.packet_nodes);
+    CHECK(!is_whole || q.packet_triangles == 1, "%u triangles", (unsigned)q.packet_triangles);
+    CHECK(!is_whole || (q.rays_at_nodes == 192 && q.masked_at_nodes == 0), "%u masked",
+          (unsigned)q.masked_at_nodes);
+    CHECK(!is_whole || (q.rays_at_triangles == 64 && q.masked_at_triangles == 32), "%u masked",
+          (unsigned)q.masked_at_triangles);
+    CHECK(!is_whole || (q.frustum_misses == 1 && q.early_hits == 0), "short cuts");
+    CHECK(!is_whole || q.triangle_tests == 8, "%u tests", (unsigned)q.triangle_tests);
+    structure_close(s);
+    mesh_free(&m);
+}
+
 /* ---- words ---------------------------------------------------------------------------- */
 
 static void check_word(const char *text, const char *said) {
@@ -384,6 +475,8 @@ int main(int argc, char **argv) {
     const int is_soak = argc > 1 && strcmp(argv[1], "soak") == 0;
     refusals();
     words();
+    hierarchies();
+    counted();
     bounded_memory();
     named_scenes();
     random_scenes(is_soak);
