@@ -57,6 +57,8 @@ for kind in bvh wbvh bkd bih; do
     works "a view by $kind" trace city.plt ahead got.hits --baseline $kind --json $kind.json
     same due.hits got.hits "... has the hits of the engine"
 done
+works "a view by kd-trees" trace city.plt ahead got.hits --baseline kd:8x8 --json view.json
+same due.hits got.hits "... has the hits of the engine"
 verdict "... and of packets what the thesis counts" "$(
     for kind in bvh wbvh bkd bih; do
         for count in packets packet_node_intersections packet_triangle_intersections \
@@ -64,6 +66,8 @@ verdict "... and of packets what the thesis counts" "$(
             [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
         done
     done
+    [ "$(number packet_node_intersections <view.json)" -gt 0 ] || echo "kd: no nodes of packets"
+    [ "$(number packet_triangle_intersections <view.json)" -gt 0 ] || echo "kd: no triangles"
     [ "$(number early_hits <wbvh.json)" -gt 0 ] || echo "wbvh: no early hits"
     [ "$(number frustum_misses <wbvh.json)" -gt 0 ] || echo "wbvh: no frustum misses"
     [ "$(number early_hits <bvh.json)" -eq 0 ] || echo "bvh: early hits")"

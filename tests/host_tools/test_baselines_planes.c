@@ -78,6 +78,13 @@ static float slack(const looked *t, float plane) {
     return t->layout == SMALL ? ldexpf(fabsf(plane), -15) + 1e-40f : 0.0f;
 }
 
+/* Planes that 24 bits hold are not moved. */
+static int is_short(float plane) {
+    uint32_t bits;
+    memcpy(&bits, &plane, sizeof bits);
+    return (bits & 0xFFu) == 0;
+}
+
 static void check_planes(const looked *t, const planes_view *v, const below of[2]) {
     const uint32_t a = v->axis;
     for (int c = 0; c < 2; c++) {
@@ -89,6 +96,7 @@ static void check_planes(const looked *t, const planes_view *v, const below of[2
         if (t->layout != INTERVALS || c == 0) {
             CHECK(v->hi[c] >= hi && v->hi[c] - hi <= slack(t, hi), "hi %a of %a", (double)v->hi[c],
                   (double)hi);
+            CHECK(v->hi[c] == hi || !is_short(hi), "%a was moved", (double)hi);
         }
     }
 }
@@ -408,6 +416,61 @@ static void nasty_rays(void) {
     CHECK(hits > ROUNDS * RAYS / 16, "%u hits", hits);
 }
 
+/* ---- counts -------------------------------------------------------------------------------- */
+
+static structure_statistics traced(const mesh *m, const char *spec, const plt_ray *rays,
+                                   uint32_t at_once) {
+    structure_options o;
+    plt_hit hits[RAYS];
+    structure_statistics q = {.rays = 0};
+    fail f = {""};
+    const structure_kind *kind = structure_read(spec, "it", &o, &f);
+    built_structure *s = kind != NULL ? structure_open(kind, m, &o, "it", &f) : NULL;
+    CHECK(s != NULL, "%s: %s", spec, f.text);
+    for (uint32_t i = 0; i < RAYS && s != NULL; i += at_once) {
+        CHECK(structure_trace(s, rays + i, hits + i, at_once, 0, &f) == 0, "%s", f.text);
+    }
+    if (s != NULL) {
+        q = structure_count(s);
+    }
+    structure_close(s);
+    return q;
+}
+
+static int is_about(uint64_t a, uint64_t b) {
+    return a <= b + b / 20 + 4 && b <= a + a / 20 + 4;
+}
+
+/* The same planes clip both, by the same numbers. Lone rays are clipped by others, hardly so. */
+static void counts(void) {
+    static const char *const kinds[] = {"bkd", "bkd:exact,sah", "bih", "bih:median,leaf-3"};
+    random_state r = {8};
+    test("intervals and boxes come to the same nodes and triangles, and lone rays to nearly those");
+    for (unsigned i = 0; i < 4 * ROUNDS / 5; i++) {
+        static plt_ray rays[RAYS];
+        char rest[64], room[64], lone[64];
+        const char *kind = kinds[i % 4], *more = strchr(kind, ':') != NULL ? "," : ":";
+        mesh m = {0};
+        shape_soup(&m, rig_triangles(400, 1), 0.1f, i);
+        rays_camera(rays, RAYS, &m, &r);
+        snprintf(rest, sizeof rest, "%s%s2x2", kind, more);
+        snprintf(room, sizeof room, "%s%s2x2,boxes", kind, more);
+        snprintf(lone, sizeof lone, "%s%ssingle", kind, more);
+        const structure_statistics a = traced(&m, rest, rays, RAYS),
+                                   b = traced(&m, room, rays, RAYS);
+        CHECK(a.packet_nodes > 0 && a.packet_nodes == b.packet_nodes, "%s: %llu and %llu nodes",
+              kind, (unsigned long long)a.packet_nodes, (unsigned long long)b.packet_nodes);
+        CHECK(a.packet_triangles == b.packet_triangles && a.masked_at_nodes == b.masked_at_nodes &&
+                  a.masked_at_triangles == b.masked_at_triangles,
+              "%s: triangles, or rays", kind);
+        const structure_statistics one = traced(&m, rest, rays, 1), c = traced(&m, lone, rays, 1);
+        CHECK(is_about(one.node_visits, c.node_visits), "%s: %llu and %llu visits", kind,
+              (unsigned long long)one.node_visits, (unsigned long long)c.node_visits);
+        CHECK(is_about(one.packet_triangles, c.triangle_tests), "%s: tests", kind);
+        mesh_free(&m);
+    }
+}
+
 /* ---- switches ------------------------------------------------------------------------------ */
 
 static void check_refused(const char *spec, const char *said) {
@@ -431,6 +494,7 @@ int main(void) {
     sizes();
     grids();
     nasty_rays();
+    counts();
     switches();
     return test_done();
 }
