@@ -12,6 +12,8 @@
 #include "host_tools/baselines/bvh/bvh_structure.h"
 #include "host_tools/baselines/engine_structure.h"
 #include "host_tools/baselines/kd/kd_structure.h"
+#include "host_tools/baselines/treelet_trees/treelet_trees_structure.h"
+#include "host_tools/baselines/treelets/treelets_structure.h"
 
 /* Ids have 27 bits (tree/primitive_id.h). */
 enum { MOST_TRIANGLES = 1 << 27 };
@@ -34,6 +36,10 @@ static const structure_kind *const kinds[] = {&structure_tree,
                                               &structure_wbvh,
                                               &structure_bkd,
                                               &structure_bih,
+                                              &structure_treelets,
+                                              &structure_bvh_treelets,
+                                              &structure_bkd_treelets,
+                                              &structure_bih_treelets,
                                               NULL};
 
 const structure_kind *const *structure_kinds(void) {

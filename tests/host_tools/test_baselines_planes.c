@@ -471,6 +471,44 @@ static void counts(void) {
     }
 }
 
+/* ---- treelets ------------------------------------------------------------------------------ */
+
+static void treelets(void) {
+    static const char *const forms[][3] = {{"bvh-treelets:4x4", "bvh:4x4", "56"},
+                                           {"bkd-treelets:4x4", "bkd:exact,4x4", "24"},
+                                           {"bih-treelets:4x4", "bih:4x4", "16"}};
+    static const char *const sizes[] = {"tl2", "tl7", "tl16"};
+    static const uint32_t counts[] = {2, 7, 16};
+    uint64_t depth = 0, figure = 0, plain = 0;
+    random_state r = {12};
+    test("other trees in treelets: few slots are free, and depth first costs no nodes");
+    for (unsigned i = 0; i < 9; i++) {
+        static plt_ray rays[RAYS];
+        char one[64], other[64];
+        mesh m = {0};
+        shape_soup(&m, rig_triangles(400, 1), 0.1f, i);
+        rays_camera(rays, RAYS, &m, &r);
+        snprintf(one, sizeof one, "%s,%s,depth", forms[i % 3][0], sizes[i / 3]);
+        snprintf(other, sizeof other, "%s,%s", forms[i % 3][0], sizes[i / 3]);
+        const structure_statistics a = traced(&m, one, rays, RAYS),
+                                   b = traced(&m, other, rays, RAYS),
+                                   c = traced(&m, forms[i % 3][1], rays, RAYS);
+        const uint64_t node = (uint64_t)atoi(forms[i % 3][2]), block = node * counts[i / 3];
+        CHECK(a.nodes == m.triangles - 1 && a.leaves == m.triangles, "%s: nodes", one);
+        CHECK(a.bytes % block == 0 && a.bytes >= a.nodes * node, "%s: bytes", one);
+        CHECK(a.bytes < a.nodes * node + 4 * block, "%s: %llu bytes", one,
+              (unsigned long long)a.bytes);
+        depth += i % 3 > 0 ? a.packet_nodes : 0;
+        figure += i % 3 > 0 ? b.packet_nodes : 0;
+        plain += i % 3 > 0 ? c.packet_nodes : 0;
+        mesh_free(&m);
+    }
+    CHECK(is_about(depth, plain), "%llu nodes, %llu", (unsigned long long)depth,
+          (unsigned long long)plain);
+    CHECK(figure > depth || rig_is_tiny(), "%llu nodes in the thesis's order",
+          (unsigned long long)figure);
+}
+
 /* ---- switches ------------------------------------------------------------------------------ */
 
 static void check_refused(const char *spec, const char *said) {
@@ -495,6 +533,7 @@ int main(void) {
     grids();
     nasty_rays();
     counts();
+    treelets();
     switches();
     return test_done();
 }
