@@ -21,7 +21,8 @@ for scene in knot list device city; do
     for any in '' --any; do
         # shellcheck disable=SC2086
         run trace $scene.plt mixed due.hits $any
-        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh bkd bih bph; do
+        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh bkd bih bph \
+            bvh-treelets bkd-treelets bih-treelets; do
             # shellcheck disable=SC2086
             works "$scene by $kind $any" trace $scene.plt mixed got.hits $any --baseline $kind \
                 --json $kind.json
@@ -55,17 +56,21 @@ awk 'BEGIN { while (i < 1024) {
     x = i % 4 + 4 * int(i / 16) % 32; y = int(i / 4) % 4 + 4 * int(i / 128); i++
     print 30, 40, 30, 0, x - 40, -40, y - 40, 1e30 } }' | rays ahead
 run trace city.plt ahead due.hits
-for kind in bvh wbvh bkd bih bph; do
+for kind in bvh wbvh bkd bih bph bvh-treelets bkd-treelets bih-treelets; do
     works "a view by $kind" trace city.plt ahead got.hits --baseline $kind --json $kind.json
     same due.hits got.hits "... has the hits of the engine"
 done
+works "a view by kd-trees" trace city.plt ahead got.hits --baseline kd:8x8 --json view.json
+same due.hits got.hits "... has the hits of the engine"
 verdict "... and of packets what the thesis counts" "$(
-    for kind in bvh wbvh bkd bih bph; do
+    for kind in bvh wbvh bkd bih bph bvh-treelets bkd-treelets bih-treelets; do
         for count in packets packet_node_intersections packet_triangle_intersections \
             thesis_bytes; do
             [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
         done
     done
+    [ "$(number packet_node_intersections <view.json)" -gt 0 ] || echo "kd: no nodes of packets"
+    [ "$(number packet_triangle_intersections <view.json)" -gt 0 ] || echo "kd: no triangles"
     [ "$(number early_hits <wbvh.json)" -gt 0 ] || echo "wbvh: no early hits"
     [ "$(number frustum_misses <wbvh.json)" -gt 0 ] || echo "wbvh: no frustum misses"
     [ "$(number early_hits <bvh.json)" -eq 0 ] || echo "bvh: early hits")"

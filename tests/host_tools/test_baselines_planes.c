@@ -78,6 +78,13 @@ static float slack(const looked *t, float plane) {
     return t->layout == SMALL ? ldexpf(fabsf(plane), -15) + 1e-40f : 0.0f;
 }
 
+/* Planes that 24 bits hold are not moved. */
+static int is_short(float plane) {
+    uint32_t bits;
+    memcpy(&bits, &plane, sizeof bits);
+    return (bits & 0xFFu) == 0;
+}
+
 static void check_planes(const looked *t, const planes_view *v, const below of[2]) {
     const uint32_t a = v->axis;
     for (int c = 0; c < 2; c++) {
@@ -89,6 +96,7 @@ static void check_planes(const looked *t, const planes_view *v, const below of[2
         if (t->layout != INTERVALS || c == 0) {
             CHECK(v->hi[c] >= hi && v->hi[c] - hi <= slack(t, hi), "hi %a of %a", (double)v->hi[c],
                   (double)hi);
+            CHECK(v->hi[c] == hi || !is_short(hi), "%a was moved", (double)hi);
         }
     }
 }
@@ -408,6 +416,101 @@ static void nasty_rays(void) {
     CHECK(hits > ROUNDS * RAYS / 16, "%u hits", hits);
 }
 
+/* ---- counts -------------------------------------------------------------------------------- */
+
+static structure_statistics traced(const mesh *m, const char *spec, const plt_ray *rays,
+                                   uint32_t at_once) {
+    structure_options o;
+    plt_hit hits[RAYS];
+    structure_statistics q = {.rays = 0};
+    fail f = {""};
+    const structure_kind *kind = structure_read(spec, "it", &o, &f);
+    built_structure *s = kind != NULL ? structure_open(kind, m, &o, "it", &f) : NULL;
+    CHECK(s != NULL, "%s: %s", spec, f.text);
+    for (uint32_t i = 0; i < RAYS && s != NULL; i += at_once) {
+        CHECK(structure_trace(s, rays + i, hits + i, at_once, 0, &f) == 0, "%s", f.text);
+    }
+    if (s != NULL) {
+        q = structure_count(s);
+    }
+    structure_close(s);
+    return q;
+}
+
+static int is_about(uint64_t a, uint64_t b) {
+    return a <= b + b / 20 + 4 && b <= a + a / 20 + 4;
+}
+
+/* The same planes clip both, by the same numbers. Lone rays are clipped by others, hardly so. */
+static void counts(void) {
+    static const char *const kinds[] = {"bkd", "bkd:exact,sah", "bih", "bih:median,leaf-3"};
+    random_state r = {8};
+    test("intervals and boxes come to the same nodes and triangles, and lone rays to nearly those");
+    for (unsigned i = 0; i < 4 * ROUNDS / 5; i++) {
+        static plt_ray rays[RAYS];
+        char rest[64], room[64], lone[64];
+        const char *kind = kinds[i % 4], *more = strchr(kind, ':') != NULL ? "," : ":";
+        mesh m = {0};
+        shape_soup(&m, rig_triangles(400, 1), 0.1f, i);
+        rays_camera(rays, RAYS, &m, &r);
+        snprintf(rest, sizeof rest, "%s%s2x2", kind, more);
+        snprintf(room, sizeof room, "%s%s2x2,boxes", kind, more);
+        snprintf(lone, sizeof lone, "%s%ssingle", kind, more);
+        const structure_statistics a = traced(&m, rest, rays, RAYS),
+                                   b = traced(&m, room, rays, RAYS);
+        CHECK(a.packet_nodes > 0 && a.packet_nodes == b.packet_nodes, "%s: %llu and %llu nodes",
+              kind, (unsigned long long)a.packet_nodes, (unsigned long long)b.packet_nodes);
+        CHECK(a.packet_triangles == b.packet_triangles && a.masked_at_nodes == b.masked_at_nodes &&
+                  a.masked_at_triangles == b.masked_at_triangles,
+              "%s: triangles, or rays", kind);
+        const structure_statistics one = traced(&m, rest, rays, 1), c = traced(&m, lone, rays, 1);
+        CHECK(is_about(one.node_visits, c.node_visits), "%s: %llu and %llu visits", kind,
+              (unsigned long long)one.node_visits, (unsigned long long)c.node_visits);
+        CHECK(is_about(one.packet_triangles, c.triangle_tests), "%s: tests", kind);
+        mesh_free(&m);
+    }
+}
+
+/* ---- treelets ------------------------------------------------------------------------------ */
+
+static void treelets(void) {
+    static const char *const forms[][3] = {{"bvh-treelets:4x4", "bvh:4x4", "56"},
+                                           {"bkd-treelets:4x4", "bkd:exact,4x4", "24"},
+                                           {"bih-treelets:4x4", "bih:4x4", "16"}};
+    static const char *const sizes[] = {"tl2", "tl7", "tl16"};
+    static const uint32_t counts[] = {2, 7, 16};
+    uint64_t depth = 0, figure = 0, plain = 0;
+    random_state r = {12};
+    test(
+        "other trees in treelets: at most an eighth of slots is free, and depth first costs no "
+        "nodes");
+    for (unsigned i = 0; i < 9; i++) {
+        static plt_ray rays[RAYS];
+        char one[64], other[64];
+        mesh m = {0};
+        shape_soup(&m, rig_triangles(400, 1), 0.1f, i);
+        rays_camera(rays, RAYS, &m, &r);
+        snprintf(one, sizeof one, "%s,%s,depth", forms[i % 3][0], sizes[i / 3]);
+        snprintf(other, sizeof other, "%s,%s", forms[i % 3][0], sizes[i / 3]);
+        const structure_statistics a = traced(&m, one, rays, RAYS),
+                                   b = traced(&m, other, rays, RAYS),
+                                   c = traced(&m, forms[i % 3][1], rays, RAYS);
+        const uint64_t node = (uint64_t)atoi(forms[i % 3][2]), block = node * counts[i / 3];
+        CHECK(a.nodes == m.triangles - 1 && a.leaves == m.triangles, "%s: nodes", one);
+        CHECK(a.bytes % block == 0 && a.bytes >= a.nodes * node, "%s: bytes", one);
+        CHECK(a.bytes < a.nodes * node * 9 / 8 + block, "%s: %llu bytes", one,
+              (unsigned long long)a.bytes);
+        depth += i % 3 > 0 ? a.packet_nodes : 0;
+        figure += i % 3 > 0 ? b.packet_nodes : 0;
+        plain += i % 3 > 0 ? c.packet_nodes : 0;
+        mesh_free(&m);
+    }
+    CHECK(is_about(depth, plain), "%llu nodes, %llu", (unsigned long long)depth,
+          (unsigned long long)plain);
+    CHECK(figure > depth || rig_is_tiny(), "%llu nodes in the thesis's order",
+          (unsigned long long)figure);
+}
+
 /* ---- switches ------------------------------------------------------------------------------ */
 
 static void check_refused(const char *spec, const char *said) {
@@ -431,6 +534,8 @@ int main(void) {
     sizes();
     grids();
     nasty_rays();
+    counts();
+    treelets();
     switches();
     return test_done();
 }

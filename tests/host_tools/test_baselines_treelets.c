@@ -152,6 +152,8 @@ static void expect(enum treelet_order order, int again, int any, const char *vis
  * of these the right one is on top (checklist of the thesis: text and Figure 4.2 do not agree). */
 static void figure_as_printed(void) {
     expect(TREELET_FIGURE, 0, 0, "13254876");
+    expect(TREELET_TEXT, 0, 0, "12367485");
+    expect(TREELET_MIRRORED, 0, 0, "13254876"); /* left is near here */
     expect(TREELET_SORTED, 1, 0, "12348567");
     expect(TREELET_LEAF_FIRST, 1, 0, "12348567");
     expect(TREELET_HEAP, 1, 0, "12345678");

@@ -38,12 +38,17 @@ static void begin(kd_packet *p, const kd_tree *t, kd_parts *parts) {
     }
 }
 
-static int is_anywhere(const kd_parts *p) {
-    int is_there = 0;
+/* Rays that have a part. */
+static uint32_t count_parts(const kd_parts *p) {
+    uint32_t count = 0;
     for (int i = 0; i < KD_PACKET; i++) {
-        is_there |= p->from[i] <= p->to[i];
+        count += p->from[i] <= p->to[i];
     }
-    return is_there;
+    return count;
+}
+
+static int is_anywhere(const kd_parts *p) {
+    return count_parts(p) > 0;
 }
 
 /* Parts of the child that comes first in `here`, of the other in `later`. */
@@ -81,6 +86,10 @@ static void meet(kd_packet *p, kd_tracing *k, uint64_t *tested, uint32_t triangl
     }
     uint64_t left = wanted & ~tested[triangle];
     tested[triangle] |= wanted;
+    if (left != 0) {
+        const uint32_t active = (uint32_t)__builtin_popcountll(left);
+        packet_count_triangles(&k->packets, 1, p->count, active);
+    }
     for (; left != 0; left &= left - 1) {
         const int i = __builtin_ctzll(left);
         k->counts.tests++;
@@ -147,6 +156,7 @@ int kd_packet_trace(kd_packet *p, kd_tracing *k, uint64_t *tested) {
             }
             k->counts.visits++;
             k->counts.planes += KD_PACKET / 4;
+            packet_count_node(&k->packets, p->count, count_parts(&here));
             entries += (unsigned)step(p, &k->tree->node[here.node], &here, &p->stack[entries]);
         }
         k->counts.visits++;

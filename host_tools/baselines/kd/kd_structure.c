@@ -127,6 +127,8 @@ static int trace_together(kd_structure *k, const plt_ray *rays, plt_hit *hits, u
     }
     if (p->count > 0 && kd_packet_fits(p, &k->scene)) {
         next_number(k);
+        k->tracing.packets.packets++;
+        k->tracing.packets.signs++;
         status = kd_packet_trace(p, &k->tracing, k->tested);
     } else {
         for (uint32_t i = 0; i < p->count && status == 0; i++) {
@@ -169,7 +171,16 @@ static void count_kd(const void *self, structure_statistics *to) {
     const kd_structure *k = self;
     const uint64_t each = sizeof(plt_record) + sizeof *k->tracing.mailbox +
                           (k->way.is_clipped ? sizeof *k->scene.plane : 0);
+    const packet_counts *p = &k->tracing.packets;
     *to = (structure_statistics){.rays = k->rays,
+                                 .packets = p->packets,
+                                 .one_sign = p->signs,
+                                 .packet_nodes = p->nodes,
+                                 .rays_at_nodes = p->node_rays,
+                                 .masked_at_nodes = p->node_rays_out,
+                                 .packet_triangles = p->triangles,
+                                 .rays_at_triangles = p->triangle_rays,
+                                 .masked_at_triangles = p->triangle_rays_out,
                                  .node_visits = k->tracing.counts.visits,
                                  .box_tests = k->tracing.counts.planes,
                                  .triangle_tests = k->tracing.counts.tests,
@@ -188,6 +199,7 @@ static void forget_kd(void *self) {
     kd_structure *k = self;
     k->rays = 0;
     k->tracing.counts = (kd_counts){0, 0, 0, 0};
+    k->tracing.packets = (packet_counts){.rays = 0};
 }
 
 static const structure_switch switches[] = {

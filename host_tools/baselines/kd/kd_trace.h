@@ -14,6 +14,7 @@
 
 #include "host_tools/baselines/base/lone_ray.h"
 #include "host_tools/baselines/kd/kd_build.h"
+#include "host_tools/baselines/packet/packet_counts.h"
 
 typedef struct kd_counts {
     uint64_t visits, planes, tests, sieved;
@@ -26,6 +27,7 @@ typedef struct kd_tracing {
     uint32_t number;   /* of the ray, from 1 */
     int any;
     kd_counts counts;
+    packet_counts packets; /* that go together, as the thesis counts them */
 } kd_tracing;
 
 enum { KD_STACK = 64 }; /* levels are at most 8 + 1.3 * 27 (kd_cell.c) */

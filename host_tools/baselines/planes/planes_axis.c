@@ -64,13 +64,11 @@ static int axis_of(const planes_source *s, const binary_node *n) {
     return best;
 }
 
+/* Their weights have been asked for, and are not again. */
 static void swap_children(planes_source *s, uint32_t first) {
     const binary_node n = s->tree->node[first];
-    const float weight = s->weight[first];
     s->tree->node[first] = s->tree->node[first + 1];
     s->tree->node[first + 1] = n;
-    s->weight[first] = s->weight[first + 1];
-    s->weight[first + 1] = weight;
 }
 
 planes_cut planes_source_cut(planes_source *s, uint32_t node) {

@@ -53,7 +53,7 @@ static unsigned visit(const treelet_tracing *t, const treelet_entry *at, treelet
     t->nodes->children(t->nodes->self, plt_link_index(at->link), &at->box, child);
     if (t->order != TREELET_FIGURE) {
         const plt_box box[2] = {child[0].box, child[1].box};
-        first = plt_nearer_child(&p->rays, box) ^ 1u;
+        first = plt_nearer_child(&p->rays, box) ^ (t->order == TREELET_MIRRORED ? 0u : 1u);
     }
     for (unsigned k = 0; k < 2; k++) {
         const treelet_child *c = &child[first ^ k];

@@ -2,9 +2,10 @@
  *
  * TREELET_FIGURE is the thesis's, exactly as Figure 4.2 has it: nodes of the treelet in hand wait
  * on a local stack, the left child pushed first, edges that leave it and leaves on a global one, as
- * they come. Nothing is ordered, and what comes off a stack is not tested again. The others push
- * the farther child first, and hold what comes off a stack against its box again, as hits may hide
- * it by now; switches turn that off.
+ * they come. Nothing is ordered, and what comes off a stack is not tested again. The text of 4.2
+ * does not agree with it, if left is near (3.5.4): there the last edge comes from the far side.
+ * Those have orders of their own. The others push the farther child first. By default all but
+ * those three hold what comes off a stack against its box again, as hits may hide it by now.
  *
  * Counted are visits: a packet at a node, whose children are tested.
  *
@@ -20,6 +21,8 @@
 
 enum treelet_order {
     TREELET_FIGURE,
+    TREELET_TEXT,       /* the nearer child of a node first, so that far edges are on top */
+    TREELET_MIRRORED,   /* the farther one first, so that near edges are */
     TREELET_SORTED,     /* the edges of a treelet, nearest on top of the global stack (8.2.4) */
     TREELET_LEAF_FIRST, /* likewise, leaves on top of nodes (4.3) */
     TREELET_HEAP,       /* of all edges that wait the nearest is next (8.2.4) */

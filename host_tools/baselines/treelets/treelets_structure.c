@@ -41,7 +41,7 @@ static void choose(treelets_structure *s, const structure_options *o) {
     s->options.wish.slots = chosen(o, TREELETS_SLOTS, TREELET_SLOTS_THESIS);
     s->options.edges = (enum node_edges)chosen(o, TREELETS_BIT, NODE_EDGES_PARITY);
     s->tracing.order = (enum treelet_order)order;
-    s->tracing.tests_again = (uint8_t)(chosen(o, TREELETS_AGAIN, order == TREELET_FIGURE) == 0);
+    s->tracing.tests_again = (uint8_t)(chosen(o, TREELETS_AGAIN, order <= TREELET_MIRRORED) == 0);
 }
 
 static int build(treelets_structure *s, const mesh *m, fail *f) {
@@ -146,6 +146,10 @@ static const structure_switch switches[] = {
     {"tl10k", "of 10,000", TREELETS_SIZE, 9},
     {"figure", "edges as they come, the last first, as the thesis's Figure 4.2 has it",
      TREELETS_ORDER, TREELET_FIGURE + 1},
+    {"text", "likewise, near children first within a treelet, as its text has it", TREELETS_ORDER,
+     TREELET_TEXT + 1},
+    {"mirrored", "likewise, far ones first, so that near edges are on top", TREELETS_ORDER,
+     TREELET_MIRRORED + 1},
     {"sorted", "the edges of a treelet by distance", TREELETS_ORDER, TREELET_SORTED + 1},
     {"leaf-first", "likewise, and leaves before nodes", TREELETS_ORDER, TREELET_LEAF_FIRST + 1},
     {"heap", "of all edges that wait the nearest", TREELETS_ORDER, TREELET_HEAP + 1},
