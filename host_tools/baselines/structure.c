@@ -7,6 +7,8 @@
 
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/base/kind.h"
+#include "host_tools/baselines/bih/bih_structure.h"
+#include "host_tools/baselines/bkd/bkd_structure.h"
 #include "host_tools/baselines/bph/bph_structure.h"
 #include "host_tools/baselines/bvh/bvh_structure.h"
 #include "host_tools/baselines/engine_structure.h"
@@ -21,10 +23,13 @@ struct built_structure {
     size_t triangles;
 };
 
-static const structure_kind *const kinds[] = {
-    &structure_tree, &structure_tree_never, &structure_tree_always, &structure_grid,
-    &structure_kd,   &structure_kd_boxes,   &structure_kd_fast,     &structure_kd_lazy,
-    &structure_bvh,  &structure_wbvh,       &structure_bph,         NULL};
+static const structure_kind *const kinds[] = {&structure_tree,        &structure_tree_never,
+                                              &structure_tree_always, &structure_grid,
+                                              &structure_kd,          &structure_kd_boxes,
+                                              &structure_kd_fast,     &structure_kd_lazy,
+                                              &structure_bvh,         &structure_wbvh,
+                                              &structure_bkd,         &structure_bih,
+                                              &structure_bph,         NULL};
 
 const structure_kind *const *structure_kinds(void) {
     return kinds;

@@ -39,19 +39,9 @@ static void take_rays(const structure_statistics *c, figures *to) {
     }
 }
 
-/* Of a kind that this build does not have nothing is measured. */
-static int is_absent(const char *text) {
-    char name[32];
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-    return structure_find(name) == NULL;
-}
-
 static int measure_structure(meter *m, stage *s, const char *text, int is_traced, figures *to,
                              fail *f) {
     structure_options options = {.packet_side = 0};
-    if (is_absent(text)) {
-        return 0;
-    }
     const structure_kind *kind = structure_read(text, s->name, &options, f);
     built_structure *built = NULL;
     int status = kind != NULL ? 0 : -1;

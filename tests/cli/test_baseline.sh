@@ -21,7 +21,7 @@ for scene in knot list device city; do
     for any in '' --any; do
         # shellcheck disable=SC2086
         run trace $scene.plt mixed due.hits $any
-        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh bph; do
+        for kind in kd kd-boxes kd-fast kd-lazy bvh wbvh bkd bih bph; do
             # shellcheck disable=SC2086
             works "$scene by $kind $any" trace $scene.plt mixed got.hits $any --baseline $kind \
                 --json $kind.json
@@ -31,7 +31,8 @@ for scene in knot list device city; do
     cp kd.json $scene.json
 done
 for kind in kd:8x8 bvh:sah,leaf-4,16x16,early,frustum wbvh:bits,4x4 \
-    wbvh:median,leaf-1,no-early,no-frustum bph:naive,single \
+    wbvh:median,leaf-1,no-early,no-frustum bkd:exact,sah,single bkd:boxes,range,16x16,early \
+    bih:leaf-4,4x4 bih:median,boxes,bits,frustum bph:naive,single \
     bph:sah,counts,range,left,early,frustum,16x16 bph:leaf-2,recompute,all,mixed,4x4; do
     run trace city.plt mixed due.hits
     works "city by $kind" trace city.plt mixed got.hits --baseline $kind --json switched.json
@@ -53,12 +54,12 @@ awk 'BEGIN { while (i < 1024) {
     x = i % 4 + 4 * int(i / 16) % 32; y = int(i / 4) % 4 + 4 * int(i / 128); i++
     print 30, 40, 30, 0, x - 40, -40, y - 40, 1e30 } }' | rays ahead
 run trace city.plt ahead due.hits
-for kind in bvh wbvh bph; do
+for kind in bvh wbvh bkd bih; do
     works "a view by $kind" trace city.plt ahead got.hits --baseline $kind --json $kind.json
     same due.hits got.hits "... has the hits of the engine"
 done
 verdict "... and of packets what the thesis counts" "$(
-    for kind in bvh wbvh bph; do
+    for kind in bvh wbvh bkd bih; do
         for count in packets packet_node_intersections packet_triangle_intersections \
             thesis_bytes; do
             [ "$(number $count <$kind.json)" -gt 0 ] || echo "$kind: $count"
@@ -164,6 +165,7 @@ run trace --help
 cp out help
 verdict "the help has every structure with its switches, and says what they mean" "$(
     for line in '  wbvh  *hierarchy' '  kd  *kd-tree' '  *median|sah leaf-1|leaf-2' \
+        '  bkd  *B-KD' '  bih  *bounding interval' '  exact  *planes are floats' \
         '  sah  *splits by the surface' '  16x16  *packets of 256' '  single  *rays one'; do
         grep -q -- "^$line" help || echo "no line: $line"
     done)"

@@ -63,6 +63,14 @@ cured trace quad.plt ray hit --baseline bph:early,range
 says "frustum and mixed: rays whose signs are not known to be equal have no hull; give frustum \
 with equal" trace quad.plt ray hit --baseline bph:frustum,mixed
 cured trace quad.plt ray hit --baseline bph:frustum,equal
+says "how packets go is not for rays one by one; leave it out, or choose 4x4" \
+    trace quad.plt ray hit --baseline bkd:single,boxes
+cured trace quad.plt ray hit --baseline bkd:single
+cured trace quad.plt ray hit --baseline bkd:4x4,boxes
+says "range, bits, early and frustum are of boxes; leave them out, or add it" \
+    trace quad.plt ray hit --baseline bih:early,range
+cured trace quad.plt ray hit --baseline bih
+cured trace quad.plt ray hit --baseline bih:early,range,boxes
 
 printf '%s\n' 'body q quad.ply' 'instance a q' >list.txt
 run pack --instances list.txt -o placed.plt

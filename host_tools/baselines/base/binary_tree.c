@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "host_tools/base/heap.h"
+#include "host_tools/baselines/base/binary_halve.h"
 
 typedef struct range {
     uint32_t node, begin, end;
@@ -108,7 +109,8 @@ static void build_range(binary_tree *t, building *b, const range *r, const binar
     plt_record_items items = {t->record, &b->bins};
     plt_box half[2];
     const plt_box *whole = &t->node[r->node].box;
-    const uint32_t middle = plt_split_records(&items, &how, whole, half);
+    const uint32_t middle = o->by_grid ? binary_halve(&items, &how, &t->node[0].box, whole, half)
+                                       : plt_split_records(&items, &how, whole, half);
     t->work += count;
     if (may_stay && is_dearer(whole, half, middle - r->begin, count)) {
         set_leaf(t, r);

@@ -29,6 +29,7 @@ typedef struct binary_options {
     uint8_t splits;  /* enum plt_splits */
     uint8_t leaf;    /* triangles that may stay together, 1 .. 255 */
     uint8_t by_cost; /* 1: they do where a split would cost more; 0: always */
+    uint8_t by_grid; /* 1: splits are those of binary_halve.h instead */
 } binary_options;
 
 /* A test of a box costs as much as that of `BINARY_BOX_COST` triangles. */
