@@ -13,6 +13,7 @@
 #include "host_tools/baselines/bvh/bvh_structure.h"
 #include "host_tools/baselines/engine_structure.h"
 #include "host_tools/baselines/kd/kd_structure.h"
+#include "host_tools/baselines/treelets/treelets_structure.h"
 
 /* Ids have 27 bits (tree/primitive_id.h). */
 enum { MOST_TRIANGLES = 1 << 27 };
@@ -23,13 +24,12 @@ struct built_structure {
     size_t triangles;
 };
 
-static const structure_kind *const kinds[] = {&structure_tree,        &structure_tree_never,
-                                              &structure_tree_always, &structure_grid,
-                                              &structure_kd,          &structure_kd_boxes,
-                                              &structure_kd_fast,     &structure_kd_lazy,
-                                              &structure_bvh,         &structure_wbvh,
-                                              &structure_bkd,         &structure_bih,
-                                              &structure_bph,         NULL};
+static const structure_kind *const kinds[] = {
+    &structure_tree,    &structure_tree_never, &structure_tree_always,
+    &structure_grid,    &structure_kd,         &structure_kd_boxes,
+    &structure_kd_fast, &structure_kd_lazy,    &structure_bvh,
+    &structure_wbvh,    &structure_bkd,        &structure_bih,
+    &structure_bph,     &structure_treelets,   NULL};
 
 const structure_kind *const *structure_kinds(void) {
     return kinds;

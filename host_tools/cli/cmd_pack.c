@@ -43,9 +43,16 @@ static const arg_flag flags[] = {
     {"--leaf", "1|2|4", "most triangles per list (default 2)"},
     {"--nodes", "thesis|compact",
      "32 bytes per node, or about 7 in compact blocks on a lattice (default thesis)"},
-    {"--treelet", "N", "nodes per treelet, 1 to 1000000 (default 64)"},
-    {"--fill", "bfs", "how treelets fill: breadth first"},
-    {"--slots", "thesis", "how free slots are reused: exact fit, else the largest"},
+    {"--treelet", "N|auto",
+     "nodes per treelet, 1 to 1000000, or those of 8, 16 .. 256 for which rays have least to do "
+     "(default 64)"},
+    {"--fill", "bfs|area|full",
+     "which nodes treelets take: breadth first; those with the largest boxes; or so that most "
+     "treelets are complete and are entered seldom, of at most 10000 nodes (default bfs)"},
+    {"--slots", "thesis|newest|none",
+     "where incomplete treelets go: where they fit exactly, else where most is free; into the "
+     "newest block with room, near what leads to them; or into blocks of their own (default "
+     "thesis)"},
     {"--geometry", "float|lattice[:BITS]",
      "float, 40 bytes per triangle, bit exact; compact and --sequence also: a lattice of 12 to 21 "
      "bits per axis (default lattice:16)"},
@@ -315,6 +322,18 @@ static void say_losses(const pack_job *job, const packed *image) {
     }
 }
 
+/* Of those that are formed here, and what else was tried. */
+static void say_treelets(const pack_treelets_stats *t) {
+    const pack_treelet_score *s = &t->of[t->best];
+    if (t->tried == 0) {
+        return;
+    }
+    note("treelets of %" PRIu32 ", of %" PRIu32 " size%s tried: %" PRIu32 " complete, %" PRIu32
+         " incomplete, %" PRIu64 " free slot%s, %.2f entered by a random line",
+         s->size, t->tried, t->tried == 1 ? "" : "s", s->complete, s->treelets - s->complete,
+         s->free_slots, s->free_slots == 1 ? "" : "s", s->entered);
+}
+
 static void say_quality(const quality_stats *q) {
     if (q->passes > 0) {
         char frames[40] = "";
@@ -501,18 +520,39 @@ static void read_instances(pack_job *job, args *a) {
     }
 }
 
+/* Other treelets than the builder's are formed of the nodes of one tree that stays as it is. */
+static void read_treelets(pack_job *job, args *a) {
+    static const char *const fills[] = {"bfs", "area", "full", NULL};
+    static const char *const rules[] = {"thesis", "newest", "none", NULL};
+    pack_options *o = &job->options;
+    o->treelet_nodes = strcmp(args_text(a, "--treelet", ""), "auto") == 0
+                           ? PACK_TREELET_AUTO
+                           : (uint32_t)args_number(a, "--treelet", 64, 1, 1000000);
+    o->fill = (uint8_t)args_choice(a, "--fill", fills, TREELET_FILL_BFS);
+    o->slots = (uint8_t)args_choice(a, "--slots", rules, TREELET_SLOTS_THESIS);
+    const int differ = o->treelet_nodes == PACK_TREELET_AUTO || o->fill != TREELET_FILL_BFS ||
+                       o->slots != TREELET_SLOTS_THESIS;
+    if (differ &&
+        (o->build != PLT_BUILD_HOST || job->frames.wanted ||
+         strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0 || args_has(a, "--instances"))) {
+        args_complain(a,
+                      "--fill area|full, --slots newest|none and --treelet auto take --nodes "
+                      "thesis and --build host, without --sequence and --instances");
+    } else if (o->fill == TREELET_FILL_FULL && o->treelet_nodes > TREELET_FULL_MOST) {
+        args_complain(a, "--fill full takes --treelet 1 to %u or auto; --fill area takes any",
+                      TREELET_FULL_MOST);
+    }
+}
+
 static void read_flags(pack_job *job, args *a) {
     static const char *const builds[] = {"host", "device", "none", NULL};
     static const char *const splits[] = {"sah", "median", NULL};
     static const char *const leaves[] = {"1", "2", "4", NULL};
-    static const char *const thesis[] = {"thesis", NULL}, *const bfs[] = {"bfs", NULL};
     job->options.build = (uint8_t)args_choice(a, "--build", builds, PLT_BUILD_HOST);
     job->options.splits = (uint8_t)args_choice(a, "--splits", splits, PLT_SPLIT_SAH);
     job->options.leaf_triangles = 1u << args_choice(a, "--leaf", leaves, 1);
-    job->options.treelet_nodes = (uint32_t)args_number(a, "--treelet", 64, 1, 1000000);
-    args_choice(a, "--fill", bfs, 0);
-    args_choice(a, "--slots", thesis, 0);
     pack_frames_read(&job->frames, a);
+    read_treelets(job, a);
     read_format(job, a);
     read_instances(job, a);
     read_checks(job, a);
@@ -548,6 +588,7 @@ int run_pack(args *a) {
     }
     if (status == 0) {
         say_quality(&job.quality);
+        say_treelets(&image.treelets);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         pack_memory_explain(a->file[0], &f);

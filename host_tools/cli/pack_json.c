@@ -100,6 +100,26 @@ static int write_quality(output *o, const quality_stats *q, fail *f) {
                         q->out_of_time ? "true" : "false");
 }
 
+/* Of those that are formed here: all sizes that were tried, the one taken among them. */
+static int write_treelets(output *o, const pack_treelets_stats *t, fail *f) {
+    if (t->tried == 0) {
+        return output_print(o, f, "  \"treelets\": null,\n");
+    }
+    int status =
+        output_print(o, f, "  \"treelets\": {\n    \"size\": %" PRIu32 ",\n    \"tried\": [\n",
+                     t->of[t->best].size);
+    for (uint32_t i = 0; i < t->tried && status == 0; i++) {
+        const pack_treelet_score *s = &t->of[i];
+        status = output_print(o, f,
+                              "      {\"size\": %" PRIu32 ", \"complete\": %" PRIu32
+                              ", \"incomplete\": %" PRIu32 ", \"free_slots\": %" PRIu64
+                              ",\n       \"entered_per_line\": %.6g, \"cost\": %.6g}%s\n",
+                              s->size, s->complete, s->treelets - s->complete, s->free_slots,
+                              s->entered, s->cost, i + 1 < t->tried ? "," : "");
+    }
+    return status != 0 ? -1 : output_print(o, f, "    ]\n  },\n");
+}
+
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
                     const quality_stats *quality, const pack_memory *memory, fail *f) {
     int status =
@@ -122,6 +142,9 @@ int pack_json_write(output *o, const pack_meshes *in, const packed *image, const
     }
     if (status == 0) {
         status = write_quality(o, quality, f);
+    }
+    if (status == 0) {
+        status = write_treelets(o, &image->treelets, f);
     }
     return status == 0 ? write_loss(o, loss, f) : -1;
 }

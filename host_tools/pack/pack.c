@@ -16,6 +16,7 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/checks.h"
 #include "host_tools/pack/image_size.h"
+#include "host_tools/pack/node_tree.h"
 
 typedef struct packing {
     const mesh *m;
@@ -33,6 +34,12 @@ typedef struct packing {
 static int out_of_memory(const packing *p, fail *f) {
     return fail_set(f, p->name, "%zu triangles: out of memory; pack on a larger machine",
                     p->triangles);
+}
+
+static int no_room(const packing *p, fail *f) {
+    return fail_set(f, p->name,
+                    "treelets that do not share blocks so take more than an image has; use --slots "
+                    "thesis, or a smaller --treelet");
 }
 
 void pack_record(plt_record *r, const mesh *m, size_t triangle) {
@@ -143,6 +150,61 @@ static int make_room(packing *p, packed *image, fail *f) {
     return 0;
 }
 
+/* What the builder made in treelets of one node goes into others, in an image of that size. */
+static int move_nodes(packing *p, packed *image, const node_tree *t, const treelet_layout *l,
+                      fail *f) {
+    plt_info *info = &p->header.info;
+    const uint64_t slots = (uint64_t)l->blocks * info->treelet_nodes;
+    const uint64_t nodes = slots * PLT_NODE_BYTES + PLT_ALIGN;
+    const uint64_t records = plt_header_section_bytes(info, PLT_SECTION_TRIANGLES);
+    const uint64_t size = PLT_HEADER_BYTES + nodes + records + (info->has_checks ? slots : 0);
+    if (slots > PLT_INDEX_MAX || size > UINT32_MAX) {
+        return no_room(p, f);
+    }
+    unsigned char *bytes = heap_get_aligned(size + PLT_ALIGN);
+    if (bytes == NULL) {
+        return out_of_memory(p, f);
+    }
+    plt_node *to = (plt_node *)(void *)(bytes + PLT_HEADER_BYTES);
+    plt_record *behind = (plt_record *)(void *)(bytes + PLT_HEADER_BYTES + nodes);
+    node_tree_write(t, l, info->treelet_nodes, NODE_EDGES_DIRECT, p->nodes, to);
+    memcpy(behind, p->records, (size_t)info->triangles * PLT_RECORD_BYTES);
+    heap_drop(image->bytes);
+    image->bytes = bytes;
+    p->nodes = to;
+    p->records = behind;
+    info->node_slots = (uint32_t)slots;
+    p->header.root = plt_link_make(l->slot[0], 0);
+    return 0;
+}
+
+static int form_treelets(packing *p, packed *image, fail *f) {
+    plt_info *info = &p->header.info;
+    plt_box box;
+    memcpy(box.lo, info->lo, sizeof box.lo);
+    memcpy(box.hi, info->hi, sizeof box.hi);
+    node_tree t = {.slot = NULL};
+    treelet_layout l;
+    if (info->node_slots == 0) { /* no node, in treelets of any size */
+        info->treelet_nodes = p->options->treelet_nodes;
+        info->treelet_nodes += info->treelet_nodes == PACK_TREELET_AUTO ? 64 : 0;
+        return 0;
+    }
+    if (node_tree_read(&t, p->nodes, plt_link_index(p->header.root), info->node_slots, &box) != 0) {
+        return out_of_memory(p, f);
+    }
+    int status = pack_treelets_form(&l, &t, p->options, &image->treelets);
+    if (status != 0) {
+        status = status == TREELETS_NO_ROOM ? no_room(p, f) : out_of_memory(p, f);
+    } else {
+        info->treelet_nodes = image->treelets.of[image->treelets.best].size;
+        status = move_nodes(p, image, &t, &l, f);
+    }
+    treelets_free(&l);
+    node_tree_free(&t);
+    return status;
+}
+
 /* Fills a section up from `used` bytes to `bytes`; returns its CRC. */
 static uint32_t close_section(unsigned char *section, uint64_t used, uint64_t bytes) {
     memset(section + used, 0, (size_t)(bytes - used));
@@ -189,13 +251,14 @@ static int assemble(packing *p, packed *image, fail *f) {
 
 static int pack(packing *p, packed *image, fail *f) {
     plt_info *info = &p->header.info;
+    const int differ = pack_treelets_differ(p->options);
     info->triangles = info->source_triangles = (uint32_t)p->triangles;
     info->leaf_triangles = p->options->leaf_triangles;
-    info->treelet_nodes = p->options->treelet_nodes;
+    info->treelet_nodes = differ ? 1 : p->options->treelet_nodes;
     info->splits = p->options->splits;
     info->build = p->options->build;
     info->has_checks = p->options->checks && info->build == PLT_BUILD_HOST &&
-                       info->treelet_nodes <= PLT_STREAMED_TREELET_MOST; /* else they are no use */
+                       p->options->treelet_nodes <= PLT_STREAMED_TREELET_MOST; /* else no use */
     if (make_room(p, image, f) != 0) {
         return -1;
     }
@@ -208,7 +271,8 @@ static int pack(packing *p, packed *image, fail *f) {
         info->lo[a] = box.lo[a];
         info->hi[a] = box.hi[a];
     }
-    const int status = info->build == PLT_BUILD_HOST ? build(p, f) : leave_unbuilt(p);
+    int status = info->build == PLT_BUILD_HOST ? build(p, f) : leave_unbuilt(p);
+    status = status == 0 && differ ? form_treelets(p, image, f) : status;
     if (status != 0 || (info->build != PLT_BUILD_DEVICE && validate(p, f) != 0)) {
         return -1;
     }
@@ -216,7 +280,7 @@ static int pack(packing *p, packed *image, fail *f) {
 }
 
 static int pack_all(packing *p, packed *image, fail *f) {
-    const packed nothing = {NULL, 0, {0}};
+    const packed nothing = {.size = 0};
     *image = nothing;
     p->triangles = p->m->triangles;
     if (image_size_check_thesis(p->name, p->triangles, p->options, f) != 0) {

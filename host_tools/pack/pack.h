@@ -10,6 +10,7 @@
 #include "host_tools/base/fail.h"
 #include "host_tools/base/output.h"
 #include "host_tools/pack/pack_options.h"
+#include "host_tools/pack/pack_treelets.h"
 #include "host_tools/pack/snapped.h"
 
 /* A whole image in memory; aligned to PLT_ALIGN, freed by pack_free. */
@@ -17,6 +18,7 @@ typedef struct packed {
     unsigned char *bytes;
     uint32_t size;
     plt_info info;
+    pack_treelets_stats treelets; /* of those that are formed here */
 } packed;
 
 /* Triangle i of the mesh gets primitive id i. `name` is for errors. */

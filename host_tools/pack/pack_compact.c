@@ -368,7 +368,7 @@ static int pack(compacting *c, fail *f) {
 
 int pack_compact(packed *image, const mesh *m, const compact_options *options, const char *name,
                  lattice_loss *loss, fail *f) {
-    const packed nothing = {NULL, 0, {0}};
+    const packed nothing = {.size = 0};
     compacting c = {
         .m = m, .options = options, .name = name, .source_triangles = m->triangles, .image = image};
     if (options->quality != NULL) {

@@ -12,6 +12,7 @@
 #include "host_tools/mesh/position_table.h"
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/list_tree.h"
+#include "host_tools/pack/pack_treelets.h"
 #include "host_tools/pack/quality.h"
 
 enum { SMALL_THINGS = 4096 }; /* heads of blocks, and what rounds them up */
@@ -33,18 +34,30 @@ static uint32_t count32(uint64_t triangles) {
     return triangles > PLT_INDEX_MAX ? PLT_INDEX_MAX : (uint32_t)triangles;
 }
 
+/* Another image, and what it takes to choose its slots. */
+static uint64_t forming_bytes(const pack_options *o, uint32_t triangles) {
+    const uint32_t nodes = plt_build_nodes_bound(triangles);
+    const uint64_t each = PLT_NODE_BYTES + (o->checks ? 1 : 0);
+    return PLT_HEADER_BYTES + (uint64_t)triangles * PLT_RECORD_BYTES +
+           each * pack_treelets_slots(o, nodes) + pack_treelets_bytes(o, nodes) + SMALL_THINGS;
+}
+
 /* ---- thesis nodes (pack.c) ------------------------------------------------------------------- */
 
 uint64_t pack_need_thesis(const pack_options *o, int is_high, const pack_counts *n) {
     const uint32_t triangles = count32(n->triangles);
     const int builds = o->build == PLT_BUILD_HOST;
-    const uint64_t nodes = node_bytes(triangles, o->treelet_nodes);
+    const int forms = pack_treelets_differ(o);
+    const uint32_t treelet = forms ? 1 : o->treelet_nodes;
+    const uint64_t nodes = node_bytes(triangles, treelet);
     const uint64_t image = PLT_HEADER_BYTES + (uint64_t)triangles * PLT_RECORD_BYTES +
                            (builds ? nodes + (o->checks ? nodes / PLT_NODE_BYTES : 0) : 0) +
                            SMALL_THINGS;
     const uint64_t kept = n->held - (o->spend != NULL ? n->mesh : 0);
-    const uint64_t building = builds ? scratch_bytes(triangles, o->treelet_nodes) : 0;
-    return image + greater(n->held, kept + building + (is_high ? quality_bytes(triangles) : 0));
+    uint64_t building = builds ? scratch_bytes(triangles, treelet) : 0;
+    building = building + (is_high ? quality_bytes(triangles) : 0);
+    building = greater(building, forms ? forming_bytes(o, triangles) : 0);
+    return image + greater(n->held, kept + building);
 }
 
 /* ---- compact blocks (pack_compact.c) --------------------------------------------------------- */

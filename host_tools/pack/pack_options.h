@@ -8,17 +8,21 @@
 #include "engine/base/lattice.h"
 #include "host_tools/mesh/mesh.h"
 #include "host_tools/pack/quality.h"
+#include "host_tools/treelets/treelet_tree.h"
+
+#define PACK_TREELET_AUTO 0u
 
 typedef struct pack_options {
     uint8_t splits;          /* enum plt_splits */
     uint8_t build;           /* enum plt_build */
     uint32_t leaf_triangles; /* K */
-    uint32_t treelet_nodes;  /* N */
+    uint32_t treelet_nodes;  /* N; PACK_TREELET_AUTO: what does best (pack_treelets.h) */
     mesh *spend;             /* the mesh itself: its arrays are freed as soon as they are of no
                               * use, so that others fit; NULL: it stays */
     uint8_t checks;          /* of PLT_BUILD_HOST: what is streamed has checks (checks.h) */
     const poses *poses;      /* of pack_mesh_better: the tree is to be good for these, too, and
                               * `spend` is NULL; NULL: for the mesh alone */
+    uint8_t fill, slots;     /* enum treelet_fill, enum treelet_slots; 0 if it is not built here */
 } pack_options;
 
 /* Vertices of a sequence (sequence.h) that blocks are to have room for (moving.h). */

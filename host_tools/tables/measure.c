@@ -75,12 +75,6 @@ int measure_job(meter *m, stage *s, const char *job, figures *to, fail *f) {
     if (strncmp(job, "slots:", 6) == 0) {
         return measure_slots(s, job + 6, to, f);
     }
-    if (strncmp(job, "figure:", 7) == 0) {
-        return stage_look(s, &m->look, f) == 0 ? measure_figure_42(s, job + 7, to, f) : -1;
-    }
-    if (strncmp(job, "order:", 6) == 0) {
-        return stage_look(s, &m->look, f) == 0 ? measure_order(s, job + 6, to, f) : -1;
-    }
     const int is_traced = strncmp(job, "trace:", 6) == 0;
     return measure_structure(m, s, job + (is_traced ? 6 : 5), is_traced, to, f);
 }

@@ -94,6 +94,39 @@ for leaf in 1 2 4; do
     done
 done
 
+# of_treelets FIELD FILE: of the first size that pack --json has.
+of_treelets() {
+    sed -n "s/.*\"$1\": \([0-9]*\).*/\1/p" "$2" | head -n 1
+}
+for fill in bfs area full; do
+    for slots in thesis newest none; do
+        for treelet in 1 7 64 10000; do
+            flags="--fill $fill --slots $slots --treelet $treelet"
+            # shellcheck disable=SC2086
+            run pack small.ply -o small.plt $flags --json pack.json
+            verdict "pack $flags: the values of info fit together" "$(
+                cat err
+                check_info small.ply small.plt 2 "$treelet"
+                free=$(of_treelets free_slots pack.json)
+                [ "$fill $slots" = "bfs thesis" ] || [ "${free:-x}" = $((node_slots - nodes)) ] ||
+                    echo "$free slots are free")"
+        done
+    done
+done
+run pack small.ply -o auto.plt --treelet auto --json pack.json
+verdict "pack --treelet auto: one of the sizes that can be streamed" "$(
+    cat err
+    size=$(of_treelets size pack.json)
+    case $size in
+        8 | 16 | 32 | 64 | 128 | 256) check_info small.ply auto.plt 2 "$size" ;;
+        *) echo "it is $size" ;;
+    esac)"
+run pack small.ply -o full.plt --treelet 16 --fill full --json full.json
+run pack small.ply -o area.plt --treelet 16 --fill area --json area.json
+verdict "treelets that are filled up are mostly complete" "$(
+    full=$(of_treelets incomplete full.json) area=$(of_treelets incomplete area.json)
+    [ "$full" -gt 0 ] && [ "$((2 * full))" -lt "$area" ] || echo "$full and $area are incomplete")"
+
 run pack small.ply -o default.plt
 run pack small.ply -o said.plt --build host --splits sah --leaf 2 --nodes thesis --treelet 64 \
     --fill bfs --slots thesis --geometry float --frame 0

@@ -140,6 +140,15 @@ cured render ground.plt -o x.png --packet 4
 cured_by "$PLANELET" render ground.plt -o x.png --packet 8
 PROGRAM=
 
+# Treelets of a node or two, in blocks of a million slots each.
+run make knot --triangles 4000 -o knot.ply
+for remedy in '--slots thesis --treelet 1000' '--slots none --treelet 100'; do
+    says "treelets that do not share blocks so take more than an image has; use --slots thesis, or \
+a smaller --treelet" pack knot.ply -o x.plt --slots none --treelet 1000
+    # shellcheck disable=SC2086
+    cured pack knot.ply -o x.plt $remedy
+done
+
 # ---- memory -----------------------------------------------------------------------------
 
 run make knot --triangles 1000 -o part.ply

@@ -185,6 +185,24 @@ compact='quad.ply -o x.plt --nodes compact'
     done
     cured pack $compact --build host
     cured pack $compact --build device
+    for flags in '--fill area' '--fill full' '--slots newest' '--slots none' '--treelet auto'; do
+        for other in '--nodes compact' '--build device' '--build none' '--sequence' \
+            '--instances'; do
+            case $other in
+                --sequence) from="--sequence quad.ply" ;;
+                *) from="quad.ply $other" ;;
+            esac
+            says "--fill area|full, --slots newest|none and --treelet auto take --nodes thesis \
+and --build host, without --sequence and --instances" pack $from -o x.plt $flags
+        done
+        cured pack quad.ply -o x.plt $flags --nodes thesis --build host
+    done
+    says "--fill full takes --treelet 1 to %u or auto; --fill area takes any" \
+        pack quad.ply -o x.plt --fill full --treelet 10001
+    cured pack quad.ply -o x.plt --fill full --treelet 10000
+    cured pack quad.ply -o x.plt --fill full --treelet 1
+    cured pack quad.ply -o x.plt --fill full --treelet auto
+    cured pack quad.ply -o x.plt --fill area --treelet 10001
     says "--centre and --origin both choose the origin; leave one out" \
         pack quad.ply -o x.plt --centre --origin 1,0,0
     cured pack quad.ply -o x.plt --centre

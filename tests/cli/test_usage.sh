@@ -116,8 +116,8 @@ misused "pack --nodes compact refuses --build none" compact \
 # Every value that is a word or a number, just out of its range.
 for pair in --build=thing --splits=middle --quality=best --quality-time=0 --tree-for=last \
     --leaf=3 --leaf=0 --nodes=small --treelet=0 \
-    --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=area \
-    --slots=newest --geometry=lattice --geometry=double --checks=some --numbers=some \
+    --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=volume \
+    --slots=oldest --geometry=lattice --geometry=double --checks=some --numbers=some \
     --numbers=none --tolerance=0.1 --reduce=0 --frame=-1; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done

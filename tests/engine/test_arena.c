@@ -87,7 +87,7 @@ static packed image_of(uint32_t triangles, uint8_t build, uint32_t k, uint32_t n
     mesh m = {0};
     packed image;
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, build, k, n, NULL, 0, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, build, k, n, NULL, 0, NULL, 0, 0};
     shape_soup(&m, triangles, 0.5f, triangles);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);

@@ -71,7 +71,7 @@ static void look(const packed *image, int scene) {
 }
 
 static void pack_and_look(const mesh *m, int scene, uint32_t k, uint32_t n, uint8_t splits) {
-    const pack_options options = {splits, PLT_BUILD_HOST, k, n, NULL, 0, NULL};
+    const pack_options options = {splits, PLT_BUILD_HOST, k, n, NULL, 0, NULL, 0, 0};
     packed image, again;
     fail f = {""};
     CHECK(pack_mesh(&image, m, &options, "test", &f) == 0, "scene %d: %s", scene, f.text);
@@ -149,7 +149,7 @@ static void short_of_room(uint32_t n) {
     mesh m = {0};
     fail f = {""};
     shape_soup(&m, 100, 0.4f, 9);
-    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_DEVICE, 1, n, NULL, 0, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_DEVICE, 1, n, NULL, 0, NULL, 0, 0};
     packed image;
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     const uint32_t bound = plt_build_slots_bound(plt_build_nodes_bound(100), n);
@@ -190,7 +190,7 @@ static void depth_limit(void) {
         mesh m = {0};
         packed image;
         fail f = {""};
-        const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 2, NULL, 0, NULL};
+        const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 2, NULL, 0, NULL, 0, 0};
         shape_exponential(&m, most + more);
         CHECK((pack_mesh(&image, &m, &options, "test", &f) == 0) == (more == 0), "%u: %s",
               most + more, f.text);

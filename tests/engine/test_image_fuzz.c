@@ -44,7 +44,9 @@ static packed thesis_image(int seed) {
                                   1u + (uint32_t)seed,
                                   NULL,
                                   seed < 6,
-                                  NULL};
+                                  NULL,
+                                  0,
+                                  0};
     shape_soup(&m, seed == 8 ? 0 : 3u + 5u * (uint32_t)seed, 0.7f, (uint64_t)seed);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);

@@ -163,7 +163,7 @@ static void bent_values(packed *image) {
 
 /* `levels` nodes in a row, each with a list and the next; the last with two. */
 static packed chain(uint32_t levels) {
-    packed image = {NULL, 0, {0}};
+    packed image = {.size = 0};
     plt_header h = {.info = {.triangles = levels + 1,
                              .nodes = levels,
                              .node_slots = levels,

@@ -15,7 +15,7 @@ static packed image;
 static void make_image(void) {
     mesh m = {0};
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 0, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 0, NULL, 0, 0};
     shape_soup(&m, 20, 0.8f, 1);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     mesh_free(&m);
@@ -158,7 +158,7 @@ static void checked(void) {
     const packed unchecked = image;
     mesh m = {0};
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 1, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 1, 3, NULL, 1, NULL, 0, 0};
     shape_soup(&m, 20, 0.8f, 1);
     CHECK(pack_mesh(&image, &m, &options, "test", &f) == 0, "%s", f.text);
     CHECK(plt_get_u32(image.bytes + 128) == 960, "20 triangles take three pages");

@@ -27,9 +27,9 @@ typedef struct subject {
 static subject subjects[IMAGES];
 
 static packed thesis_image(mesh *m, uint8_t build) {
-    packed image = {NULL, 0, {0}};
+    packed image = {.size = 0};
     fail f = {""};
-    const pack_options options = {PLT_SPLIT_SAH, build, 2, 3, NULL, 0, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, build, 2, 3, NULL, 0, NULL, 0, 0};
     if (pack_mesh(&image, m, &options, "test", &f) != 0) {
         image.bytes = NULL;
     }

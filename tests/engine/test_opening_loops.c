@@ -126,8 +126,8 @@ static void sums_are_long(const char *name, packed *image) {
 }
 
 static packed thesis_image(uint32_t triangles, uint8_t build) {
-    const pack_options options = {PLT_SPLIT_SAH, build, 2, 8, NULL, 0, NULL};
-    packed image = {NULL, 0, {0}};
+    const pack_options options = {PLT_SPLIT_SAH, build, 2, 8, NULL, 0, NULL, 0, 0};
+    packed image = {.size = 0};
     fail f = {""};
     mesh m = {0};
     shape_soup(&m, triangles, 0.1f, 1);

@@ -13,6 +13,8 @@
 
 /* Without checks: as images were before there were any. */
 static int is_unchecked;
+/* Of the treelets of images that follow. */
+static uint8_t its_fill, its_slots;
 
 /* Resident scenes are refused where the two-stage order, which they could be traced in, would need
  * too large a stack; with treelets of one node it does not. */
@@ -21,7 +23,9 @@ static packed image_of(const mesh *m, uint32_t k, uint32_t n) {
                             .build = PLT_BUILD_HOST,
                             .leaf_triangles = k,
                             .treelet_nodes = rig_is_tiny() ? 1 : n,
-                            .checks = !is_unchecked};
+                            .checks = !is_unchecked,
+                            .fill = its_fill,
+                            .slots = its_slots};
     packed image = {0};
     fail f = {""};
     CHECK(pack_mesh(&image, m, &o, "test", &f) == 0, "%s", f.text);
@@ -83,6 +87,16 @@ static void all_stores(uint32_t triangles, uint32_t k, uint32_t n) {
         same(&s, side, 4u << 20);
     }
     pack_free(&s.image);
+}
+
+static void all_treelets(void) {
+    for (its_fill = 0; its_fill < TREELET_FILLS; its_fill++) {
+        for (its_slots = TREELET_SLOTS_THESIS; its_slots <= TREELET_SLOTS_NONE; its_slots++) {
+            all_stores(3000, 2, 16);
+            all_stores(3000, 1, 64);
+        }
+    }
+    its_fill = its_slots = 0;
 }
 
 static void few_triangles(uint32_t few, uint32_t k) {
@@ -537,6 +551,8 @@ int main(void) {
     every_schedule(schedule,
                    "hits and frames are those of the resident scene, whatever treelets and store",
                    soaks);
+    test("treelets of all fills and slots that pack forms");
+    all_treelets();
     is_unchecked = 1;
     unchecked("the same of images whose parts have no checks");
     is_unchecked = 0;

@@ -58,7 +58,7 @@ static mesh make(int scene) {
 
 static int packed_as(packed *image, const mesh *m, uint32_t k, uint32_t n, uint8_t splits) {
     fail f = {""};
-    const pack_options options = {splits, PLT_BUILD_HOST, k, n, NULL, 0, NULL};
+    const pack_options options = {splits, PLT_BUILD_HOST, k, n, NULL, 0, NULL, 0, 0};
     const int status = pack_mesh(image, m, &options, "test", &f);
     CHECK(status == 0, "%s", f.text);
     return status == 0;

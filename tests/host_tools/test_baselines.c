@@ -302,8 +302,8 @@ static int trace_within(const structure_kind *kind, const mesh *m, const due *d,
 }
 
 static void bounded_memory(void) {
-    static const char *const names[] = {"kd",  "kd-boxes", "kd-fast", "kd-lazy",
-                                        "bvh", "wbvh",     "bkd",     "bih"};
+    static const char *const names[] = {"kd",   "kd-boxes", "kd-fast", "kd-lazy", "bvh",
+                                        "wbvh", "bkd",      "bih",     "treelets"};
     static due d;
     random_state r = {5};
     mesh m = {0};

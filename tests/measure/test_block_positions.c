@@ -123,7 +123,7 @@ static void measure(const packed *image, const char *name) {
 }
 
 static packed file_of(const char *path) {
-    packed image = {NULL, 0, {0}};
+    packed image = {.size = 0};
     FILE *f = fopen(path, "rb");
     fseek(f, 0, SEEK_END);
     image.size = (uint32_t)ftell(f);

@@ -79,7 +79,7 @@ static void render_orbit(plt_engine *engine, int frames) {
 }
 
 static plt_engine *engine_of_mesh(const mesh *m, packed *image) {
-    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 2, 32, NULL, 0, NULL};
+    const pack_options options = {PLT_SPLIT_SAH, PLT_BUILD_HOST, 2, 32, NULL, 0, NULL, 0, 0};
     fail f = {""};
     CHECK(pack_mesh(image, m, &options, "film", &f) == 0, "%s", f.text);
     const plt_source source = {image->bytes, (uint32_t)image->size, NULL, NULL, NULL};

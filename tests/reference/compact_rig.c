@@ -30,7 +30,7 @@ compact_config compact_config_of(uint32_t leaf_triangles, uint8_t bits, uint8_t 
 }
 
 packed compact_packed(mesh *m, const compact_config *config) {
-    packed image = {NULL, 0, {0}};
+    packed image = {.size = 0};
     fail f = {""};
     lattice_loss loss;
     if (pack_compact(&image, m, &config->pack, "test", &loss, &f) != 0) {

@@ -111,7 +111,7 @@ static subtree convert(converting *c, const plt_block *b, uint32_t node) {
 }
 
 static packed assemble(const converting *c, plt_header *h) {
-    packed image = {NULL, 0, {0}};
+    packed image = {.size = 0};
     unsigned char header[PLT_HEADER_BYTES];
     plt_header_write(header, h);
     image.size = h->info.image_bytes;

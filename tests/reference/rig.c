@@ -10,7 +10,7 @@
 rig_config rig_config_of(uint32_t leaf_triangles, uint32_t treelet_nodes, uint8_t build,
                          uint8_t splits) {
     const rig_config config = {
-        {splits, build, leaf_triangles, treelet_nodes, NULL, 1, NULL},
+        {splits, build, leaf_triangles, treelet_nodes, NULL, 1, NULL, 0, 0},
         {.packet_side = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, .count_touched = 1}};
     return config;
 }
