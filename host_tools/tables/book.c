@@ -21,17 +21,15 @@ static const char *const size_jobs[BOOK_SIZES] = {[BOOK_BVH] = "size:bvh:median"
 static const char *const traced_jobs[BOOK_SPLITS] = {
     [BOOK_MEDIAN] = "trace:bph:median,leaf-1,%s", [BOOK_SAH] = "trace:bph:sah,leaf-1,%s"};
 
-static const char *const order_jobs[BOOK_ORDERS] = {[BOOK_ORDER_THESIS] = "figure:%s",
-                                                    [BOOK_ORDER_NEAR] = "figure:%s,near",
-                                                    [BOOK_ORDER_SORTED] = "order:two-stage,%s",
-                                                    [BOOK_ORDER_DEPTH] = "order:depth,%s"};
+static const char *const order_jobs[BOOK_ORDERS] = {
+    [BOOK_ORDER_FIGURE] = "trace:treelets:figure,4x4,%s",
+    [BOOK_ORDER_TEXT] = "trace:treelets:text,4x4,%s",
+    [BOOK_ORDER_MIRRORED] = "trace:treelets:mirrored,4x4,%s",
+    [BOOK_ORDER_SORTED] = "trace:treelets:sorted,4x4,%s",
+    [BOOK_ORDER_DEPTH] = "trace:treelets:depth,4x4,%s"};
 
-/* Without treelets, depth first, the nearer child first. */
-static const char *const plain_jobs[BOOK_ORDERS] = {
-    [BOOK_ORDER_THESIS] = "trace:bph:median,leaf-1,4x4",
-    [BOOK_ORDER_NEAR] = "trace:bph:median,leaf-1,4x4",
-    [BOOK_ORDER_SORTED] = "order:two-stage,1",
-    [BOOK_ORDER_DEPTH] = "order:depth,1"};
+static const char *const treelet_words[PRINTED_TREELET_SIZES] = {
+    "tl2", "tl3", "tl7", "tl8", "tl16", "tl64", "tl256", "tl512", "tl10k"};
 
 static const char *const race_jobs[BOOK_RACERS] = {[BOOK_RACE_WBVH] = "wbvh:%s",
                                                    [BOOK_RACE_BPH] = "bph:median,leaf-1,%s",
@@ -108,16 +106,16 @@ static int take_treelets(book *b, stage *s, book_scene *to, fail *f) {
     return status;
 }
 
+/* Without treelets, in the first column, is the same for all orders. */
 static int take_orders(book *b, stage *s, book_scene *to, fail *f) {
-    char job[JOB], size[16];
+    char job[JOB];
     int status = 0;
     for (unsigned i = 0; i < BOOK_ORDERS * BOOK_TREELETS && status == 0; i++) {
         const unsigned order = i / BOOK_TREELETS, column = i % BOOK_TREELETS;
         if (column == 0) {
-            snprintf(job, sizeof job, "%s", plain_jobs[order]);
+            fill_in(job, traced_jobs[BOOK_MEDIAN], book_sides[0]);
         } else {
-            snprintf(size, sizeof size, "%u", printed_treelet_sizes[column - 1]);
-            fill_in(job, order_jobs[order], size);
+            fill_in(job, order_jobs[order], treelet_words[column - 1]);
         }
         status = take(b, s, job, &to->treed[order][column], f);
     }

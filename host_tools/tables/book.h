@@ -13,9 +13,11 @@
 enum book_size { BOOK_BVH, BOOK_WBVH, BOOK_BKD, BOOK_BPH, BOOK_BPH2, BOOK_SIZES };
 enum book_split { BOOK_MEDIAN, BOOK_SAH, BOOK_SPLITS };
 enum book_racer { BOOK_RACE_WBVH, BOOK_RACE_BPH, BOOK_RACE_ENGINE, BOOK_RACERS };
+/* In which order edges that leave a treelet are taken (baselines/treelets/treelet_orders.h). */
 enum book_order {
-    BOOK_ORDER_THESIS, /* Figure 4.2 */
-    BOOK_ORDER_NEAR,   /* likewise, with the nearer edge pushed last */
+    BOOK_ORDER_FIGURE,
+    BOOK_ORDER_TEXT,
+    BOOK_ORDER_MIRRORED,
     BOOK_ORDER_SORTED,
     BOOK_ORDER_DEPTH,
     BOOK_ORDERS

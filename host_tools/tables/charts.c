@@ -90,12 +90,13 @@ static void fill_race(plot *p, const figures race[BOOK_SIDES][BOOK_RACERS], unsi
     }
 }
 
-static void start_race(plot *p) {
+static void start_race(plot *p, int moving) {
     static const char *const names[2] = {"BPH", "Planelet"};
     plot_clear(p);
     p->is_log = 1;
     p->line = 1.0;
-    snprintf(p->title, sizeof p->title, "Black lines: the BPH as printed");
+    snprintf(p->title, sizeof p->title, "%s (black lines: the BPH as printed)",
+             charts_titles[moving ? 2 : 1]);
     snprintf(p->unit, sizeof p->unit, "times as fast as the wBVH");
     for (unsigned k = 0; k < 2 * BOOK_SIDES; k++) {
         char name[PLOT_NAME];
@@ -106,7 +107,7 @@ static void start_race(plot *p) {
 
 static void draw_still(drawing *d, const book *b) {
     plot p;
-    start_race(&p);
+    start_race(&p, 0);
     for (unsigned i = 0; i < PRINTED_SCENES; i++) {
         if (b->scene[i].is_there) {
             fill_race(&p, b->scene[i].race, i);
@@ -118,7 +119,7 @@ static void draw_still(drawing *d, const book *b) {
 
 static void draw_moving(drawing *d, const book *b) {
     plot p;
-    start_race(&p);
+    start_race(&p, 1);
     for (unsigned i = 0; i < PRINTED_ANIMATIONS; i++) {
         if (b->animation[i].is_there) {
             fill_race(&p, b->animation[i].race, PRINTED_SCENES + i);

@@ -39,19 +39,9 @@ static void take_rays(const structure_statistics *c, figures *to) {
     }
 }
 
-/* Of a kind that this build does not have nothing is measured. */
-static int is_absent(const char *text) {
-    char name[32];
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-    return structure_find(name) == NULL;
-}
-
 static int measure_structure(meter *m, stage *s, const char *text, int is_traced, figures *to,
                              fail *f) {
     structure_options options = {.packet_side = 0};
-    if (is_absent(text)) {
-        return 0;
-    }
     const structure_kind *kind = structure_read(text, s->name, &options, f);
     built_structure *built = NULL;
     int status = kind != NULL ? 0 : -1;
@@ -84,12 +74,6 @@ int measure_job(meter *m, stage *s, const char *job, figures *to, fail *f) {
     }
     if (strncmp(job, "slots:", 6) == 0) {
         return measure_slots(s, job + 6, to, f);
-    }
-    if (strncmp(job, "figure:", 7) == 0) {
-        return stage_look(s, &m->look, f) == 0 ? measure_figure_42(s, job + 7, to, f) : -1;
-    }
-    if (strncmp(job, "order:", 6) == 0) {
-        return stage_look(s, &m->look, f) == 0 ? measure_order(s, job + 6, to, f) : -1;
     }
     const int is_traced = strncmp(job, "trace:", 6) == 0;
     return measure_structure(m, s, job + (is_traced ? 6 : 5), is_traced, to, f);

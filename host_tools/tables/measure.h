@@ -1,7 +1,7 @@
 /* measure - one structure on a stage: what it takes, what packets meet in it, how long that is
  *
  * A job is a text: "size:KIND:SWITCHES" is a structure without rays, "trace:KIND:SWITCHES" one with
- * (baselines/structure.h); "pack:", "slots:", "order:" and "figure:" are of thesis nodes
+ * (baselines/structure.h); "pack:" and "slots:" are of thesis nodes
  * (measure_nodes.h).
  *
  * SPDX-License-Identifier: MIT */

@@ -7,13 +7,8 @@
 #include <string.h>
 
 #include "engine/image/header.h"
-#include "host_tools/app/scene.h"
-#include "host_tools/base/heap.h"
 #include "host_tools/pack/node_tree.h"
 #include "host_tools/pack/pack.h"
-#include "host_tools/tables/figure_42.h"
-
-enum { NODES_SIDE = 4 }; /* of packets */
 
 static int refuse(const stage *s, const char *text, fail *f) {
     return fail_set(f, s->name, "there is no measurement '%s'; please report this", text);
@@ -56,80 +51,11 @@ int measure_packing(stage *s, const char *text, figures *to, fail *f) {
     return 0;
 }
 
-/* ---- orders ---------------------------------------------------------------- */
-
-static int trace(stage *s, const packed *image, uint8_t order, plt_stats *stats, fail *f) {
-    scene on = SCENE_CLOSED;
-    plt_fault fault;
-    host_scene_hold(&on.file, image->bytes, image->size, 0);
-    on.source = on.file.source;
-    on.arena_bytes = host_arena_bytes();
-    on.options.packet_side = NODES_SIDE;
-    on.options.order = order;
-    const int opened = scene_start(&on, s->name, &fault);
-    int status = opened == PLT_OK ? 0 : scene_refused(&on, s->name, opened, &fault, f);
-    if (status == 0) {
-        plt_stats_reset(on.engine);
-        plt_trace(on.engine, s->rays, s->hits, s->count, 0); /* mapped: has no failures */
-        plt_stats_get(on.engine, stats);
-    }
-    scene_close(&on);
-    return status;
-}
-
-int measure_order(stage *s, const char *text, figures *to, fail *f) {
-    pack_options options = {
-        .splits = PLT_SPLIT_MEDIAN, .build = PLT_BUILD_HOST, .leaf_triangles = 1};
-    char order[16];
-    packed image = {0};
-    plt_stats stats;
-    if (sscanf(text, "%15[a-z-],%u", order, &options.treelet_nodes) != 2) {
-        return refuse(s, text, f);
-    }
-    int status = pack_mesh(&image, &s->m, &options, s->name, f);
-    if (status == 0) {
-        const int is_depth = strcmp(order, "depth") == 0;
-        status =
-            trace(s, &image, is_depth ? PLT_ORDER_DEPTH_FIRST : PLT_ORDER_TWO_STAGE, &stats, f);
-    }
-    if (status == 0) {
-        take_info(&image.info, to);
-        to->of[FIGURE_RAYS] = s->count;
-        to->of[FIGURE_PACKETS] = s->count / (NODES_SIDE * NODES_SIDE);
-        to->of[FIGURE_NODE_ISECTS] = (double)stats.node_visits;
-    }
-    pack_free(&image);
-    return status;
-}
-
-/* ---- Figure 4.2 --------------------------------------------------------------- */
+/* ---- slots ------------------------------------------------------------------ */
 
 static int out_of_memory(const stage *s, fail *f) {
     return fail_set(f, s->name, "out of memory; close other programs");
 }
-
-int measure_figure_42(stage *s, const char *text, figures *to, fail *f) {
-    unsigned size;
-    figure_42 *t = heap_get(sizeof *t);
-    if (sscanf(text, "%u", &size) != 1) {
-        heap_drop(t);
-        return refuse(s, text, f);
-    }
-    int status = t != NULL ? figure_42_open(t, &s->m, size) : -1;
-    if (status == 0) {
-        t->near_last = strstr(text, ",near") != NULL;
-        status = figure_42_trace(t, s->rays, s->hits, s->count);
-        to->of[FIGURE_RAYS] = s->count;
-        to->of[FIGURE_PACKETS] = (double)t->packets;
-        to->of[FIGURE_NODE_ISECTS] = (double)t->nodes;
-        to->of[FIGURE_TRIANGLE_ISECTS] = (double)t->triangles;
-        figure_42_close(t);
-    }
-    heap_drop(t);
-    return status == 0 ? 0 : out_of_memory(s, f);
-}
-
-/* ---- slots ------------------------------------------------------------------ */
 
 /* Of thesis nodes, which come first in their image. */
 static int form(const packed *image, unsigned size, treelet_layout *to) {

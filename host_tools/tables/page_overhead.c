@@ -6,8 +6,8 @@
 
 enum { COLUMNS = BOOK_TREELETS, AVERAGE = PRINTED_SCENES };
 
-static const char *const order_lines[BOOK_ORDERS] = {"Figure 4.2", "..., near last", "sorted edges",
-                                                     "depth first"};
+static const char *const order_lines[BOOK_ORDERS] = {"Figure 4.2", "text of 4.2", "mirrored",
+                                                     "sorted", "depth first"};
 
 static void count(const figures treed[BOOK_TREELETS], double *to) {
     for (unsigned c = 0; c < COLUMNS; c++) {
@@ -35,7 +35,7 @@ static void put_scene(sheet *s, const book_scene *scene, unsigned number, const 
         count(scene->treed[order], values[order]);
         page_line(s, order_lines[order], values[order], COLUMNS, 1);
         put_share(s, "... % more", values[order], values[order][0]);
-        if (order == BOOK_ORDER_THESIS) {
+        if (order == BOOK_ORDER_MIRRORED) {
             page_ratio(s, "ratio", values[order], theirs, COLUMNS);
         }
     }
@@ -72,12 +72,12 @@ void page_overhead(sheet *s, const book *b) {
     }
     put_means(s, b);
     sheet_note(s,
-               "Figure 4.2: to the letter, with children pushed as they come. near last: likewise, "
-               "with a node's nearer edge pushed last and its nearer child first. The printed "
-               "figures lie between the two.");
+               "The first column is the BPH without treelets, the nearer child first. Figure 4.2: "
+               "edges as they come, to the letter. text of 4.2: likewise, the nearer child of a "
+               "node first, so that far edges are on top. mirrored: the farther one first, so "
+               "that near edges are: it comes nearest to the printed figures, and the ratio is of "
+               "it. None of the three tests again what has waited.");
     sheet_note(s,
-               "sorted edges: the engine's two stages, a treelet's edges the nearest first, and "
-               "tested again when they are taken. depth first: the engine's own order, which "
-               "may count a packet twice at a node, once for each of its hulls. The first "
-               "column of each line is the same without treelets, depth first.");
+               "sorted: a treelet's edges by distance, and tested again when they are taken. "
+               "depth first: across treelets, as the engine does with scenes in memory.");
 }

@@ -11,12 +11,18 @@
 
 enum { COLUMNS = 1 + BOOK_SIZES, FIRST = 1 };
 
+/* Of the BPH all digits are known (printed.h), of the others those that are printed. */
+static double their_bytes(unsigned scene, unsigned size) {
+    return size == BOOK_BPH ? (double)PRINTED_NODE_BYTES * printed_nodes(scene)
+                            : printed_bytes(scene, FIRST + size);
+}
+
 static void per_triangle(const book_scene *scene, unsigned number, double *ours, double *theirs) {
     ours[0] = scene->triangles;
     theirs[0] = printed_scenes[number].triangles;
     for (unsigned k = 0; k < BOOK_SIZES; k++) {
         ours[FIRST + k] = scene->size[k].of[FIGURE_BYTES] / scene->triangles;
-        theirs[FIRST + k] = printed_bytes(number, FIRST + k) / theirs[0];
+        theirs[FIRST + k] = their_bytes(number, k) / theirs[0];
     }
 }
 
@@ -75,5 +81,6 @@ void page_sizes(sheet *s, const book *b) {
     put_share(s, b, "BPH2 of it", BOOK_BPH2);
     sheet_note(s,
                "K are 1000 bytes. Ratios are of bytes per triangle, and that of the shuttle's BPH2 "
-               "is to 8K, not to the misprint.");
+               "is to 8K, not to the misprint. The BPH's printed bytes per triangle are from its "
+               "nodes, which Table 5.2 gives, the others from rounded thousands.");
 }

@@ -73,7 +73,8 @@ static scale scale_of(const plot *p, plot_area inner) {
         s.least = s.most = 1.0; /* nothing to show */
     }
     if (s.is_log) {
-        s.least = power_below(s.least);
+        const double least = s.least, power = power_below(least);
+        s.least = 5.0 * power <= least ? 5.0 * power : 2.0 * power <= least ? 2.0 * power : power;
         s.most = fmax(10.0 * s.least, s.most * 1.15);
     } else {
         const double step = nice_step(s.most);
@@ -104,13 +105,19 @@ static void tick(drawing *d, const scale *s, plot_area inner, double value) {
     drawing_letters(d, inner.x - 5.0, y + 3.5, DRAWING_END, 1, INK, text);
 }
 
+static void tick_within(drawing *d, const scale *s, plot_area inner, double value) {
+    if (value > 0.999 * s->least && value <= s->most) {
+        tick(d, s, inner, value);
+    }
+}
+
 static void draw_ticks(drawing *d, const scale *s, plot_area inner) {
     if (s->is_log) {
-        for (double v = s->least; v <= s->most; v *= 10.0) {
-            tick(d, s, inner, v);
+        for (double v = power_below(s->least); v <= s->most; v *= 10.0) {
+            tick_within(d, s, inner, v);
             if (s->most / s->least <= 100.0) {
-                tick(d, s, inner, 2.0 * v);
-                tick(d, s, inner, 5.0 * v);
+                tick_within(d, s, inner, 2.0 * v);
+                tick_within(d, s, inner, 5.0 * v);
             }
         }
     } else {

@@ -14,14 +14,14 @@ typedef struct plot_area {
 } plot_area;
 
 typedef struct plot {
-    char title[2 * PLOT_NAME], unit[2 * PLOT_NAME];
+    char title[3 * PLOT_NAME], unit[2 * PLOT_NAME];
     unsigned groups, series;
     char group[PLOT_GROUPS][PLOT_NAME];
     char name[PLOT_SERIES][PLOT_NAME];
     uint32_t colour[PLOT_SERIES];
     double bar[PLOT_GROUPS][PLOT_SERIES];  /* NaN: there is none */
     double mark[PLOT_GROUPS][PLOT_SERIES]; /* likewise */
-    int is_log;  /* values are above 0; bars begin at the lowest power of ten */
+    int is_log;  /* values are above 0; bars begin at 1, 2 or 5 times a power of ten */
     double line; /* across all groups, at this value; NaN: none */
 } plot;
 
