@@ -159,34 +159,39 @@ static inline unsigned plt_grid_meet_rates(const plt_grid_bounds *b, const plt_g
     return m4_mask(m4_and(x, y));
 }
 
-PLT_INLINED unsigned plt_grid_meet_four(const plt_grid_bounds *b, const plt_grid_sides *of,
-                                        int by_rates) {
-    return by_rates ? plt_grid_meet_rates(b, of) : plt_grid_meet(b, of);
+/* Those of `groups` that may meet a triangle whose limits are in all lanes. Quads are not asked:
+ * how many there are cannot be foreseen, and that costs more than their groups do. */
+PLT_INLINED plt_mask plt_grid_meet_limits(const plt_grid_state *s, const plt_grid_sides *limit,
+                                          plt_mask groups) {
+    plt_mask met = 0;
+    unsigned sixteens = PLT_GRID_SIXTEENS > 1 ? plt_grid_meet_rates(&s->sixteen, limit) : 1;
+    for (; sixteens != 0; sixteens &= sixteens - 1) {
+        const unsigned i = (unsigned)__builtin_ctz(sixteens);
+        PLT_UNROLLED for (unsigned k = 0; k < 4 && k < PLT_GRID_QUADS; k++) {
+            const unsigned quad = 4 * i + k;
+            met |= (plt_mask)plt_grid_meet_rates(&s->group[quad], limit) << (4 * quad);
+        }
+    }
+    return met & groups;
 }
 #define PLT_GRID_PART PLT_INLINED
 #else
-static unsigned plt_grid_meet_four(const plt_grid_bounds *b, const plt_grid_sides *of,
-                                   int by_rates) {
-    (void)by_rates;
-    return plt_grid_meet(b, of);
-}
 #define PLT_GRID_PART static
 #endif
 
-/* Those of `groups` that may meet a triangle, whose sides, or limits, are in all lanes. */
+/* ... whose sides are. */
 PLT_GRID_PART plt_mask plt_grid_meet_groups(const plt_grid_state *s, const plt_grid_sides *of,
-                                            plt_mask groups, int by_rates) {
+                                            plt_mask groups) {
     plt_mask met = 0;
-    unsigned sixteens = PLT_GRID_SIXTEENS > 1 ? plt_grid_meet_four(&s->sixteen, of, by_rates) : 1;
+    unsigned sixteens = PLT_GRID_SIXTEENS > 1 ? plt_grid_meet(&s->sixteen, of) : 1;
     for (; sixteens != 0; sixteens &= sixteens - 1) {
         const unsigned i = (unsigned)__builtin_ctz(sixteens);
         if ((groups >> (16 * i) & 0xFFFFu) == 0) {
             continue;
         }
-        unsigned quads = plt_grid_meet_four(&s->quad[i], of, by_rates);
-        for (; quads != 0; quads &= quads - 1) {
+        for (unsigned quads = plt_grid_meet(&s->quad[i], of); quads != 0; quads &= quads - 1) {
             const unsigned quad = 4 * i + (unsigned)__builtin_ctz(quads);
-            met |= (plt_mask)plt_grid_meet_four(&s->group[quad], of, by_rates) << (4 * quad);
+            met |= (plt_mask)plt_grid_meet(&s->group[quad], of) << (4 * quad);
         }
     }
     return met & groups;

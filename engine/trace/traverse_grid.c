@@ -18,6 +18,8 @@
 
 #if PLT_WITH_GRID
 
+enum { WAITING = 8 * PLT_GRID_TOGETHER };
+
 /* What is the same for all references of a slice. */
 typedef struct visit {
     plt_traversal *t;
@@ -25,10 +27,9 @@ typedef struct visit {
     plt_grid_state *s;
     const plt_record *records;
     uint32_t *mailbox;
-    uint32_t met, mark; /* what the bundle finds there, and leaves */
-    uint32_t waiting[PLT_GRID_TOGETHER],
-        wait;        /* records to be looked at together, and how many there are */
-    plt_mask groups; /* that seek hits there */
+    uint32_t met, mark;      /* what the bundle finds there, and leaves */
+    uint32_t *waiting, wait; /* records to be looked at, and how many there are */
+    plt_mask groups;         /* that seek hits there */
     plt_mask tested;
     uint32_t cells, references;
     uint64_t tests; /* a group each */
@@ -83,7 +84,12 @@ PLT_GRID_PART void test_four(visit *v, const plt_record *const record[4], unsign
         plt_mask groups = v->groups & v->p->active;
         if ((groups & (groups - 1)) != 0 && (s->without & without_groups) == 0) {
             const plt_grid_sides sides = sides_of_lane(to, near, far, lane);
-            groups = plt_grid_meet_groups(s, &sides, groups, by_rates);
+#if PLT_LANES_REGISTERS
+            groups = by_rates ? plt_grid_meet_limits(s, &sides, groups)
+                              : plt_grid_meet_groups(s, &sides, groups);
+#else
+            groups = plt_grid_meet_groups(s, &sides, groups);
+#endif
         }
         if (groups != 0) {
             test_groups(v, record[lane], groups);
@@ -91,17 +97,16 @@ PLT_GRID_PART void test_four(visit *v, const plt_record *const record[4], unsign
     }
 }
 
-/* Looks at the records that wait, at least one. */
-static void visit_waiting(visit *v) {
+/* Looks at records that wait, `count` of them, from 1 to PLT_GRID_TOGETHER. */
+static void visit_records(visit *v, const uint32_t *waiting, uint32_t count) {
     const plt_grid_state *s = v->s;
     const plt_record *record[PLT_GRID_TOGETHER];
     plt_grid_sides sides;
     for (unsigned i = 0; i < PLT_GRID_TOGETHER; i++) {
-        record[i] = &v->records[v->waiting[i < v->wait ? i : 0]];
+        record[i] = &v->records[waiting[i < count ? i : 0]];
     }
     unsigned lanes = plt_grid_cull(s, record, &sides);
-    lanes = ((s->without & PLT_GRID_WITHOUT_CULLING) == 0 ? lanes : 15u) & ((1u << v->wait) - 1u);
-    v->wait = 0;
+    lanes = ((s->without & PLT_GRID_WITHOUT_CULLING) == 0 ? lanes : 15u) & ((1u << count) - 1u);
 #if PLT_LANES_REGISTERS
     if (lanes == 0) {
         return;
@@ -115,13 +120,36 @@ static void visit_waiting(visit *v) {
     test_four(v, record, lanes, &sides, 0);
 }
 
-/* A record that the bundle has not met waits until there are so many. */
-static inline void visit_record(visit *v, uint32_t index) {
-    v->mailbox[index] = v->mark;
-    v->waiting[v->wait++] = index;
-    if (v->wait == PLT_GRID_TOGETHER) {
-        visit_waiting(v);
+/* ... at all of them. */
+static void visit_waiting(visit *v) {
+    const uint32_t count = v->wait;
+    v->wait = 0;
+    for (uint32_t i = 0; i < count; i += PLT_GRID_TOGETHER) {
+        const uint32_t left = count - i;
+        visit_records(v, v->waiting + i, left < PLT_GRID_TOGETHER ? left : PLT_GRID_TOGETHER);
     }
+}
+
+/* Lets the records of references from `first` on wait that the bundle has not met, up to `end`, or
+ * one that is a crowded cell's: where it stops. No jump depends on which were met: half of them
+ * would be foreseen wrong. */
+static uint32_t add_references(visit *v, const uint32_t *reference, uint32_t first, uint32_t end) {
+    uint32_t *const mailbox = v->mailbox, *const waiting = v->waiting;
+    const uint32_t met = v->met, mark = v->mark;
+    uint32_t wait = v->wait;
+    for (; first < end && (reference[first] & PLT_GRID_CROWDED) == 0; first++) {
+        const uint32_t index = reference[first];
+        waiting[wait] = index;
+        wait += mailbox[index] != met;
+        mailbox[index] = mark;
+        if (wait == WAITING) {
+            v->wait = wait;
+            visit_waiting(v);
+            wait = 0;
+        }
+    }
+    v->wait = wait;
+    return first;
 }
 
 /* What the bundle's groups may reach of a slice. 0: nothing. */
@@ -134,18 +162,6 @@ static int overlap(const plt_grid_view *view, const plt_grid_turn *t, const plt_
            plt_grid_between(c, 1, bound[1], -bound[3], l->last[t->y]);
 }
 
-/* The first of references `first` to `end` that the bundle has not met, or is a crowded cell's;
- * `end` if there is none. */
-static inline uint32_t skip_met(const visit *v, const uint32_t *reference, uint32_t first,
-                                uint32_t end) {
-    const uint32_t *const mailbox = v->mailbox, met = v->met;
-    while (first < end && (reference[first] & PLT_GRID_CROWDED) == 0 &&
-           mailbox[reference[first]] == met) {
-        first++;
-    }
-    return first;
-}
-
 /* Cells of one slice of a crowded cell. */
 static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const plt_grid_patch *c) {
     const plt_grid_turn *t = &v->s->turn;
@@ -154,19 +170,15 @@ static void visit_inner(visit *v, const plt_grid_level *l, int32_t slice, const 
     while (plt_grid_next_run(&runs, &first, &end)) {
         v->cells += runs.cells;
         v->references += end - first;
-        while ((first = skip_met(v, l->reference, first, end)) < end) {
-            visit_record(v, l->reference[first++]);
-        }
+        add_references(v, l->reference, first, end);
     }
 }
 
 /* Ends a slice: how deep groups seek hits that have found some. */
 static void set_until(visit *v) {
     plt_grid_state *s = v->s;
-    if (v->wait > 0) {
-        visit_waiting(v);
-    }
     plt_packet *p = v->p;
+    visit_waiting(v);
     plt_mask tested = v->tested;
     v->tested = 0;
 #if PLT_WITH_HULLS
@@ -219,13 +231,9 @@ static void visit_crowded(visit *v, const plt_grid_level *l) {
 static void visit_run(visit *v, const plt_grid *grid, uint32_t first, uint32_t end) {
     const uint32_t *reference = grid->top.reference;
     v->references += end - first;
-    while ((first = skip_met(v, reference, first, end)) < end) {
-        if ((reference[first] & PLT_GRID_CROWDED) != 0) {
-            visit_crowded(v, &grid->crowded[reference[first] & ~PLT_GRID_CROWDED]);
-            first += reference[first + 1];
-        } else {
-            visit_record(v, reference[first++]);
-        }
+    while ((first = add_references(v, reference, first, end)) < end) {
+        visit_crowded(v, &grid->crowded[reference[first] & ~PLT_GRID_CROWDED]);
+        first += reference[first + 1];
     }
 }
 
@@ -312,6 +320,7 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
         return 1;
     }
 #endif
+    uint32_t waiting[WAITING];
     visit v = {.t = t,
                .p = p,
                .s = s,
@@ -319,6 +328,7 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
                .mailbox = plt_grid_mailbox(s),
                .met = u->stamp,
                .mark = (s->without & PLT_GRID_WITHOUT_MAILBOX) != 0 ? 0 : u->stamp,
+               .waiting = waiting,
                .groups = u->groups};
     if (overlap(&view, &s->turn, top, front, back, &r) &&
         ((s->without & PLT_GRID_WITHOUT_RECTANGLES) != 0 ||
