@@ -26,7 +26,7 @@ include engine/engine.mk
 
 .PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
         compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        play profile clean help FORCE
+        treelets play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -184,6 +184,11 @@ policies: all $(OUT)/tests/measure/test_policy_times
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
 streamed: all $(OUT)/tests/measure/test_node_bytes
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/streamed.sh "$(SCENES)" "$(PEER)"
+
+##measure treelets: treelets by every order, fill and rule for slots: make treelets SCENES=folder
+treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test_treelet_slots
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' PROGRAMS='$(OUT)/tests/measure' \
+	    sh tests/measure/treelets.sh "$(SCENES)"
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
 against: all

@@ -18,6 +18,9 @@ out of memory; close other programs | $few
 %u triangles: out of memory for a kd-tree, which had %llu bytes; leave some out, or take another \
 structure | test_baselines gives less memory
 %u triangles: out of memory for a hierarchy; leave some out | likewise
+out of memory for treelets; leave out triangles, or choose smaller ones | likewise
+out of memory for treelets; leave out triangles | likewise
+out of memory for edges that wait; choose smaller treelets | likewise
 %s has no switches; leave ':%.*s' out | all structures have some so far
 %zu triangles: more than %u; leave some out | $large
 %zu triangles cannot move to be %zu; open a new one | no command moves them; test_baselines does

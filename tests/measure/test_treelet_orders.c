@@ -2,8 +2,8 @@
  *
  * Packets of 4x4 rays of a frame of 512x512, spatial median, one triangle per list, as in the
  * thesis. The first column has no treelets at all: two boxes per node, depth first (bvh). Hits are
- * the same in all of them. Without a MESH it takes three small scenes, fewer
- * pixels, and is one test more.
+ * the same in all of them. Without a MESH it takes three small scenes, fewer pixels, and is one
+ * test more.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
