@@ -41,7 +41,9 @@ static plt_options options_of(const engine_structure *e, const structure_options
                       .rebuild = is_tree && rebuilds[e->variant] != PLT_REBUILD_NEVER};
     if (is_tree) {
         to.rays_in_flight = 32;
-        to.rays = o->one_by_one ? PLT_RAYS_INCOHERENT : PLT_RAYS_AUTO;
+        to.rays = o->one_by_one        ? PLT_RAYS_INCOHERENT
+                  : o->packet_side > 0 ? PLT_RAYS_COHERENT
+                                       : PLT_RAYS_AUTO;
     }
     return to;
 }

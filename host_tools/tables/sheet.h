@@ -13,7 +13,7 @@
 #include "host_tools/base/fail.h"
 #include "host_tools/base/output.h"
 
-enum { SHEET_COLUMNS = 12, SHEET_TEXT = 24, SHEET_LABEL = 40, SHEET_NOTE = 360 };
+enum { SHEET_COLUMNS = 12, SHEET_TEXT = 24, SHEET_LABEL = 40, SHEET_NOTE = 480 };
 
 typedef struct sheet_cell {
     char text[SHEET_TEXT]; /* "": nothing to say */
