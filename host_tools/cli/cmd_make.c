@@ -57,7 +57,7 @@ typedef struct make_order {
     uint64_t triangles;
     uint32_t seed;
     unsigned frame;
-    int has_frames; /* asked for: --frame or --frames */
+    int has_frames; /* more than one is asked for, or a later one */
 } make_order;
 
 static int read_mesh(mesh *m, const make_order *o, fail *f) {
@@ -228,13 +228,14 @@ static int write_poses(const args *a, const char *out, unsigned frames, fail *f)
 int run_make(args *a) {
     const char *out = args_text(a, "-o", NULL);
     const unsigned most = strcmp(a->file[0], "marbles") == 0 ? SCENE_MARBLES_MOST : 100000;
+    const unsigned frames = (unsigned)args_number(a, "--frames", 1, 1, 100000);
     const make_order order = {.name = a->file[0],
                               .mesh = a->files > 1 ? a->file[1] : NULL,
                               .triangles = args_number(a, "--triangles", most, 2, 10000000),
                               .seed = (uint32_t)args_number(a, "--seed", 0, 0, 999999),
                               .frame = (unsigned)args_number(a, "--frame", 0, 0, 99999),
-                              .has_frames = args_has(a, "--frame") || args_has(a, "--frames")};
-    const unsigned frames = (unsigned)args_number(a, "--frames", 1, 1, 100000);
+                              .has_frames =
+                                  frames > 1 || args_number(a, "--frame", 0, 0, 99999) > 0};
     if (!a->wrong) {
         check_usage(a, order.name, out);
         if (are_poses(order.name) && !a->wrong) {

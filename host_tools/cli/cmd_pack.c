@@ -501,7 +501,7 @@ static void read_quality(pack_job *job, args *a) {
 static void read_mesh_flags(pack_meshes *in, args *a) {
     in->most = (size_t)args_number(a, "--reduce", 0, 1, 1000000000);
     in->frame = (unsigned)args_number(a, "--frame", 0, 0, 99999);
-    in->has_frame = args_has(a, "--frame");
+    in->has_frame = in->frame > 0;
     in->repair = args_has(a, "--repair");
     in->centre = args_has(a, "--centre");
     if (args_doubles(a, "--origin", in->shift, 3) && in->centre) {

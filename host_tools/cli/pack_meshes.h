@@ -8,7 +8,7 @@
 typedef struct pack_meshes {
     /* Asked for. */
     unsigned frame; /* of a recipe's sequences */
-    int has_frame;  /* it was asked for, so there must be one */
+    int has_frame;  /* a later one was asked for, so there must be one */
     int repair;
     int centre;      /* move the middle of the box to 0; else `shift` is subtracted */
     double shift[3]; /* what is subtracted, in the end */

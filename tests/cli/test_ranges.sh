@@ -72,7 +72,9 @@ range --quality-time "1 to 86400" "0 1 86400 86401" pack quad.ply -o x.plt --qua
 range --reduce "1 to 1000000000" "0 1000000000 1000000000 1000000001" pack quad.ply -o x.plt
 range --memory "1048576 to 1125899906842624" "1048575 1048576 1125899906842624 1125899906842625" \
     pack quad.ply -o x.plt
-range --frame "0 to 99999" "-1 0 99999 100000" pack recipe.txt -o x.plt
+cp quad.ply quad_000.ply
+echo 'quad_{}.ply*1 1 0 0 0' >turns.txt
+range --frame "0 to 99999" "-1 0 99999 100000" pack turns.txt -o x.plt
 range --rate "1 to 1000" "0 1 1000 1001" pack --sequence quad.ply quad.ply -o x.plt
 range --key "1 to 100000" "0 1 100000 100001" pack --sequence quad.ply quad.ply -o x.plt
 for frames in 0:1 99999:100000; do
