@@ -69,8 +69,8 @@ static inline plt_grid_sides sides_of_lane(float (*to)[4], const float near[4], 
 }
 
 /* Records of `lanes`, which the bundle may meet. */
-PLT_GRID_PART void test_four(visit *v, const plt_record *const record[4], unsigned lanes,
-                             const plt_grid_sides *of, int by_rates) {
+PLT_GRID_PART void test_four(visit *v, const plt_record *const record[PLT_GRID_TOGETHER],
+                             unsigned lanes, const plt_grid_sides *of, int by_rates) {
     const plt_grid_state *s = v->s;
     const unsigned without_groups = PLT_GRID_WITHOUT_GROUPS | PLT_GRID_WITHOUT_CULLING;
     float to[4][4], near[4], far[4];

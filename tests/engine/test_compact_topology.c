@@ -179,8 +179,8 @@ static int files(const char *scene_name, const char *rays_name, uint8_t side,
         fprintf(stderr, "%s\n", f.text);
         return 1;
     }
-    packed image = {
-        aligned_alloc(64, (image_file.size + 63) / 64 * 64), (uint32_t)image_file.size, {0}};
+    packed image = {.bytes = aligned_alloc(64, (image_file.size + 63) / 64 * 64),
+                    .size = (uint32_t)image_file.size};
     memcpy(image.bytes, image_file.bytes, image_file.size);
     const uint32_t count = (uint32_t)(ray_file.size / sizeof(plt_ray));
     plt_ray *rays = malloc(ray_file.size);

@@ -29,7 +29,7 @@ static void write_file(const char *name, const void *bytes, size_t count) {
 /* Reads the file at `path`: how many frames came, the last one in `p`. */
 static int read_frames(picture *p, fail *f) {
     static const arg_flag none[] = {{NULL, NULL, NULL}};
-    static const arg_command command = {"show", "", "", none, 0, 1, NULL};
+    static const arg_command command = {"show", "", "", none, 0, 1, NULL, NULL};
     args a = {.program = "planelet-hid", .command = &command};
     frames s = {0};
     int count = 0, status = frames_open(&s, &a, path, 8, 8, f);

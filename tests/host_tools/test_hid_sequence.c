@@ -24,7 +24,7 @@ static const arg_flag flags[] = {{"--shader", "NAME", ""},
                                  VIEW_FLAGS,
                                  SCENE_FLAGS,
                                  {NULL, NULL, NULL}};
-static const arg_command command = {"show", "", "", flags, 0, 1, NULL};
+static const arg_command command = {"show", "", "", flags, 0, 1, NULL, NULL};
 
 /* Five frames, 25 per second, in a file. */
 static void make_scene(sequence_rig *s, int is_damaged) {

@@ -30,7 +30,7 @@ static int break_after(const char *bytes) {
 /* Frames that came; the last status in `status`. */
 static int read_frames(int *status, fail *f) {
     static const arg_flag none[] = {{NULL, NULL, NULL}};
-    static const arg_command command = {"show", "", "", none, 0, 1, NULL};
+    static const arg_command command = {"show", "", "", none, 0, 1, NULL, NULL};
     args a = {.program = "planelet-hid", .command = &command};
     frames s = {0};
     picture p = {0};

@@ -14,7 +14,7 @@
 #include "host_tools/baselines/structure.h"
 #include "tests/measure/animation.h"
 
-enum { FRAMES_MOST = 1000, SIDE = 256, PIXELS = SIDE * SIDE, APART = 16384, KINDS_MOST = 16 };
+enum { FRAMES_MOST = 1000, SIDE = 256, PIXELS = SIDE * SIDE, APART = 16384, KINDS_MOST = 32 };
 
 /* Of one structure, over all frames but the first, which is built when it is opened. */
 typedef struct row {
@@ -174,6 +174,10 @@ static void open_all(bench *b, const mesh *m) {
     for (const structure_kind *const *kind = structure_kinds(); *kind != NULL; kind++) {
         row *r = &b->rows[b->kinds];
         fail f = {""};
+        CHECK(b->kinds < KINDS_MOST, "more kinds than rows");
+        if (b->kinds == KINDS_MOST) {
+            return;
+        }
         const double began = clock_processor_seconds();
         r->s = structure_open(*kind, m, &options, "it", &f);
         r->open_seconds = clock_processor_seconds() - began;
