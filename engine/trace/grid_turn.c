@@ -285,8 +285,11 @@ static void set_plain_quad(plt_grid_state *s, const plt_packet *p, unsigned quad
     f4 rate[4];
     collect_slopes(g, 0, t->sign, &rate[0], &rate[2]);
     collect_slopes(g, 1, t->sign, &rate[1], &rate[3]);
+    f4_store(b->base[0], f4_lane(base, 0));
+    f4_store(b->base[1], f4_lane(base, 1));
+    f4_store(b->base[2], f4_lane(base, 2));
+    f4_store(b->base[3], f4_lane(base, 3));
     PLT_UNROLLED for (int i = 0; i < 4; i++) {
-        f4_store(b->base[i], f4_lane(base, i));
         f4_store(b->rate[i], rate[i]);
     }
     f4_store(s->ends[quad].base, base);
