@@ -163,11 +163,12 @@ static inline unsigned plt_grid_meet_rates(const plt_grid_bounds *b, const plt_g
  * how many there are cannot be foreseen, and that costs more than their groups do. */
 PLT_INLINED plt_mask plt_grid_meet_limits(const plt_grid_state *s, const plt_grid_sides *limit,
                                           plt_mask groups) {
+    enum { QUADS = PLT_GRID_QUADS < 4 ? PLT_GRID_QUADS : 4 }; /* of a sixteen */
     plt_mask met = 0;
     unsigned sixteens = PLT_GRID_SIXTEENS > 1 ? plt_grid_meet_rates(&s->sixteen, limit) : 1;
     for (; sixteens != 0; sixteens &= sixteens - 1) {
         const unsigned i = (unsigned)__builtin_ctz(sixteens);
-        PLT_UNROLLED for (unsigned k = 0; k < 4 && k < PLT_GRID_QUADS; k++) {
+        PLT_UNROLLED for (unsigned k = 0; k < QUADS; k++) {
             const unsigned quad = 4 * i + k;
             met |= (plt_mask)plt_grid_meet_rates(&s->group[quad], limit) << (4 * quad);
         }
