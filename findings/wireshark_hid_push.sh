@@ -41,8 +41,8 @@ bodies = {
 descriptor = bytes.fromhex("0501 0904 a101 " + bodies[sys.argv[1]] + " c0")
 report = bytes.fromhex("010203" if sys.argv[1] == "repeat" else "fbff812c01")
 device = bytes.fromhex("1201000200000040 0912 0100 0001 000000 01")
-interface = bytes.fromhex("0904000001 030000 00 092111010001 22") + struct.pack("<H", len(descriptor))
-interface += bytes.fromhex("0705810340000a")
+interface = bytes.fromhex("0904000001 030000 00 092111010001 22")
+interface += struct.pack("<H", len(descriptor)) + bytes.fromhex("0705810340000a")
 configuration = struct.pack("<BBHBBBBB", 9, 2, 9 + len(interface), 1, 1, 0, 0x80, 50) + interface
 
 out = open(sys.argv[2], "wb")
@@ -75,7 +75,7 @@ seen=$(for kind in plain push repeat; do
     [ -s "$folder/report" ] || exit 2
     echo "$kind: $(grep -c ' = ' "$folder/report") fields," \
         "padding $(grep -c Padding "$folder/report")"
-done)
+done) || exit 2
 echo "$seen"
 [ "$seen" = "plain: 10 fields, padding 0
 push: 0 fields, padding 0
