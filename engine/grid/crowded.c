@@ -77,11 +77,11 @@ static uint64_t choose_cells(plt_grid_level *l, const plt_grid_items *items, con
         const uint64_t room_for = (bytes - starts) / 4,
                        shares = SHARES_MOST * (uint64_t)items->count;
         const uint64_t most = room_for < shares ? room_for : shares;
-        if (plt_grid_level_count(l, items, most, ASKED) > most) {
-            continue;
-        }
         l->start = (uint32_t *)(void *)room;
         l->reference = (uint32_t *)(void *)(room + starts);
+        if (plt_grid_level_count(l, items, most / ASKED, ASKED) > most / ASKED) {
+            continue;
+        }
         const uint64_t references = plt_grid_level_count(l, items, most, 1);
         if (references <= most) {
             return references;

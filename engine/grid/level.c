@@ -124,32 +124,22 @@ PLT_INLINED const plt_record *item_at(const plt_grid_items *items, uint32_t i) {
     return &items->records[items->list != NULL ? items->list[i] : i];
 }
 
-static inline uint64_t cells_of(const range *r) {
-    return (uint64_t)(r->to[0] - r->from[0] + 1) * (r->to[1] - r->from[1] + 1) *
-           (r->to[2] - r->from[2] + 1);
-}
-
 uint64_t plt_grid_level_count(const plt_grid_level *l, const plt_grid_items *items, uint64_t most,
                               uint32_t every) {
     const cells4 c = cells4_of(l);
     const uint32_t row = l->stride[1], layer = l->stride[2];
     uint32_t *count = l->start;
     uint64_t sum = 0;
-    if (every == 1) {
-        memset(count, 0, ((size_t)plt_grid_cells(l) + 1) * sizeof *count);
-    }
+    memset(count, 0, ((size_t)plt_grid_cells(l) + 1) * sizeof *count);
     for (uint32_t i = 0; i < items->count && sum <= most; i += every) {
         const range r = range_of(&c, item_at(items, i));
-        if (every > 1) {
-            sum += every * cells_of(&r);
-            continue;
-        }
         if (r.single) {
             count[r.from[2] * layer + r.from[1] * row + r.from[0]]++;
             sum++;
             continue;
         }
-        sum += cells_of(&r);
+        sum += (uint64_t)(r.to[0] - r.from[0] + 1) * (r.to[1] - r.from[1] + 1) *
+               (r.to[2] - r.from[2] + 1);
         for (uint32_t z = r.from[2]; z <= r.to[2]; z++) {
             for (uint32_t y = r.from[1]; y <= r.to[1]; y++) {
                 uint32_t *const at = &count[z * layer + y * row];

@@ -19,9 +19,8 @@ typedef struct plt_grid_items {
  * number allows. Sets all but start and reference. */
 void plt_grid_level_set(plt_grid_level *level, const plt_box *box, float wanted);
 
-/* Counts into start[cell] how many items reach into each cell, if `every` is 1. Returns the sum, or
- * more than `most`: then it has stopped there. Of one item in so `every` many it is about the sum
- * of all, and nothing is written. */
+/* Counts into start[cell] how many items reach into each cell: of all, or of one in so `every`
+ * many. Returns the sum, or more than `most`: then it has stopped there. */
 uint64_t plt_grid_level_count(const plt_grid_level *level, const plt_grid_items *items,
                               uint64_t most, uint32_t every);
 

@@ -141,7 +141,7 @@ static int make_scene(mesh *m, int scene, const char **name) {
     *name = names[scene];
     return scene == 0   ? scene_knot(m, triangles, &f)
            : scene == 1 ? scene_terrain(m, triangles, &f)
-                        : scene_marbles(m, triangles, 10, &f);
+                        : scene_marbles(m, rig_is_tiny() ? 160 : triangles, 10, &f);
 }
 
 int main(int argc, char **argv) {
