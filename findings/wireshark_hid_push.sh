@@ -75,7 +75,7 @@ seen=$(for kind in plain push repeat; do
     [ -s "$folder/report" ] || exit 2
     echo "$kind: $(grep -c ' = ' "$folder/report") fields," \
         "padding $(grep -c Padding "$folder/report")"
-done)
+done) || exit 2
 echo "$seen"
 [ "$seen" = "plain: 10 fields, padding 0
 push: 0 fields, padding 0
