@@ -186,6 +186,13 @@ verdict "of a folder of meshes those are taken that are there" "$(
     grep -q '^shuttle\*' out || echo "shuttle has none"
     table 1 | awk '/^bunny/ { on = 1 } on && $1 == "ours" { print $2; exit }' | grep -qx 900 ||
         table 1)"
+ln -s meshes '<i>&"x'
+run tables --rows ground --size 16 --views 1 --scenes '<i>&"x' -o marked 1
+verdict "a name that is markup is a text of the page" "$(
+    finished
+    grep -qF 'Meshes are from &#60;i&#62;&#38;&#34;x. ' marked/tables.html ||
+        grep -o 'Meshes are.*' marked/tables.html
+    ! grep -F '<i>' marked/tables.html)"
 mkdir -p meshes/wooddoll meshes/horse_poses
 for i in 000 003 028; do
     cp meshes/bunny.ply meshes/wooddoll/wooddoll_$i.ply
