@@ -245,14 +245,6 @@ static int write_animation(book *b, unsigned number, fail *f) {
     return status;
 }
 
-static unsigned bits_of(unsigned set) {
-    unsigned count = 0;
-    for (; set > 0; set >>= 1) {
-        count += set & 1u;
-    }
-    return count;
-}
-
 static int wants_animation(const book *b, unsigned number) {
     return book_has(b, 3) && (b->options.rows >> printed_animations[number].scene & 1u);
 }
@@ -263,7 +255,8 @@ static unsigned jobs_of(const book *b) {
     const unsigned traced = book_has(b, 4) ? BOOK_SPLITS * BOOK_SIDES : 0;
     const unsigned treelets = book_has(b, 5) ? PRINTED_TREELET_SIZES : 0;
     const unsigned orders = book_has(b, 6) ? BOOK_ORDERS * BOOK_TREELETS : 0;
-    unsigned jobs = bits_of(b->options.rows) * (sizes + races + traced + treelets + orders);
+    const unsigned rows = (unsigned)__builtin_popcount(b->options.rows);
+    unsigned jobs = rows * (sizes + races + traced + treelets + orders);
     for (unsigned i = 0; i < PRINTED_ANIMATIONS; i++) {
         jobs += wants_animation(b, i) ? BOOK_SIDES : 0;
     }
