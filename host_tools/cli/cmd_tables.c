@@ -208,8 +208,15 @@ static int write_json(tables *t, fail *f) {
     return finish(o, output_print(o, f, "  ]\n}\n"), f);
 }
 
-/* Outputs of one name are opened before the long run, so that it is not for nothing. */
+/* Outputs of one name are opened before the long run, so that it is not for nothing; behind the
+ * folder, which the JSON may go to. */
 static int open_outputs(tables *t, fail *f) {
+    if (t->folder != NULL) {
+        if (make_folder(t->folder, f) != 0 || cache_open(&t->cache, t->folder, f) != 0) {
+            return -1;
+        }
+        t->book.cache = &t->cache;
+    }
     if (t->json == NULL || strcmp(t->json, "-") != 0) {
         t->text = output_open_text("-", f);
         if (t->text == NULL) {
@@ -218,12 +225,6 @@ static int open_outputs(tables *t, fail *f) {
     }
     if (t->json != NULL && (t->out_json = output_open_text(t->json, f)) == NULL) {
         return -1;
-    }
-    if (t->folder != NULL) {
-        if (make_folder(t->folder, f) != 0 || cache_open(&t->cache, t->folder, f) != 0) {
-            return -1;
-        }
-        t->book.cache = &t->cache;
     }
     return 0;
 }

@@ -40,9 +40,11 @@ static const char *const moving_jobs[BOOK_RACERS] = {[BOOK_RACE_WBVH] = "wbvh:%s
                                                      [BOOK_RACE_BPH] = "bph:median,leaf-1,%s",
                                                      [BOOK_RACE_ENGINE] = "tree-never:%s"};
 
-/* What a figure of a scene depends on. */
-static uint64_t key_of(const book *b, const stage *s, const char *job, unsigned more) {
-    const uint64_t numbers[] = {b->program, s->hash, b->meter.look.side, b->meter.look.views, more};
+/* What a figure depends on: a mesh, or several, what is done with them, and rays if there are. */
+static uint64_t key_of(const book *b, uint64_t meshes, const char *job, const stage_options *look,
+                       unsigned rounds) {
+    const uint64_t numbers[] = {b->program, meshes, look != NULL ? look->side : 0,
+                                look != NULL ? look->views : 0, rounds};
     const uint64_t hash = hash_bytes((const uint8_t *)numbers, sizeof numbers);
     return hash_update(hash, (const uint8_t *)job, strlen(job));
 }
@@ -56,9 +58,13 @@ static void show(book *b, const stage *s, const char *job) {
     progress_show(&b->bar, b->done);
 }
 
+static int has_rays(const char *job) {
+    return strncmp(job, "trace:", 6) == 0;
+}
+
 /* From the cache, or measured. */
 static int take(book *b, stage *s, const char *job, figures *to, fail *f) {
-    const uint64_t key = key_of(b, s, job, 0);
+    const uint64_t key = key_of(b, s->hash, job, has_rays(job) ? &b->meter.look : NULL, 0);
     b->done++;
     if (in_cache(b, key, to)) {
         b->from_cache++;
@@ -122,9 +128,9 @@ static int take_orders(book *b, stage *s, book_scene *to, fail *f) {
     return status;
 }
 
-/* All racers of one side are measured together, or none. */
-static int take_race(book *b, stage *s, const measure_motion *motion, unsigned side,
-                     figures to[BOOK_RACERS], fail *f) {
+/* All racers of one side are measured together, or none. `meshes`: of all frames. */
+static int take_race(book *b, stage *s, const measure_motion *motion, uint64_t meshes,
+                     unsigned side, figures to[BOOK_RACERS], fail *f) {
     char job[BOOK_RACERS][JOB], name[JOB + 8];
     const char *racer[BOOK_RACERS];
     uint64_t key[BOOK_RACERS];
@@ -134,7 +140,7 @@ static int take_race(book *b, stage *s, const measure_motion *motion, unsigned s
         fill_in(job[i], (motion != NULL ? moving_jobs : race_jobs)[i], book_sides[side]);
         snprintf(name, sizeof name, "race:%s", job[i]);
         racer[i] = job[i];
-        key[i] = key_of(b, s, name, b->meter.rounds << 16 | (motion != NULL ? motion->steps : 0));
+        key[i] = key_of(b, meshes, name, &b->meter.look, b->meter.rounds);
         found += in_cache(b, key[i], &to[i]);
     }
     if (found == BOOK_RACERS) {
@@ -152,11 +158,29 @@ static int take_race(book *b, stage *s, const measure_motion *motion, unsigned s
     return status;
 }
 
+/* Of all frames, so that a cache knows one that has changed; without a cache 0. */
+static int hash_frames(const book *b, const stage *s, const measure_motion *motion, uint64_t *to,
+                       fail *f) {
+    int status = 0;
+    *to = b->cache != NULL ? s->hash : 0;
+    for (unsigned i = 1; i < motion->steps && b->cache != NULL && status == 0; i++) {
+        mesh m = {0};
+        status = motion->frame(motion->context, i, &m, f);
+        if (status == 0) {
+            const uint64_t hash = stage_hash(&m);
+            *to = hash_update(*to, (const uint8_t *)&hash, sizeof hash);
+        }
+        mesh_free(&m);
+    }
+    return status;
+}
+
 static int take_races(book *b, stage *s, const measure_motion *motion,
                       figures to[BOOK_SIDES][BOOK_RACERS], fail *f) {
-    int status = 0;
+    uint64_t meshes = s->hash;
+    int status = motion != NULL ? hash_frames(b, s, motion, &meshes, f) : 0;
     for (unsigned i = 0; i < BOOK_SIDES && status == 0; i++) {
-        status = take_race(b, s, motion, i, to[i], f);
+        status = take_race(b, s, motion, meshes, i, to[i], f);
     }
     return status;
 }
@@ -221,12 +245,8 @@ static int write_animation(book *b, unsigned number, fail *f) {
     return status;
 }
 
-static unsigned bits_of(unsigned set) {
-    unsigned count = 0;
-    for (; set > 0; set >>= 1) {
-        count += set & 1u;
-    }
-    return count;
+static int wants_animation(const book *b, unsigned number) {
+    return book_has(b, 3) && (b->options.rows >> printed_animations[number].scene & 1u);
 }
 
 static unsigned jobs_of(const book *b) {
@@ -235,12 +255,12 @@ static unsigned jobs_of(const book *b) {
     const unsigned traced = book_has(b, 4) ? BOOK_SPLITS * BOOK_SIDES : 0;
     const unsigned treelets = book_has(b, 5) ? PRINTED_TREELET_SIZES : 0;
     const unsigned orders = book_has(b, 6) ? BOOK_ORDERS * BOOK_TREELETS : 0;
-    const unsigned rows = bits_of(b->options.rows);
-    return rows * (sizes + races + traced + treelets + orders) + PRINTED_ANIMATIONS * races;
-}
-
-static int wants_animation(const book *b, unsigned number) {
-    return book_has(b, 3) && (b->options.rows >> printed_animations[number].scene & 1u);
+    const unsigned rows = (unsigned)__builtin_popcount(b->options.rows);
+    unsigned jobs = rows * (sizes + races + traced + treelets + orders);
+    for (unsigned i = 0; i < PRINTED_ANIMATIONS; i++) {
+        jobs += wants_animation(b, i) ? BOOK_SIDES : 0;
+    }
+    return jobs;
 }
 
 static void blank(figures *first, unsigned count) {

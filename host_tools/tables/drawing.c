@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "host_tools/base/heap.h"
+#include "host_tools/tables/markup.h"
 
 void drawing_free(drawing *d) {
     heap_drop(d->item);
@@ -56,18 +57,6 @@ void drawing_letters(drawing *d, double x, double y, drawing_anchor anchor, unsi
     add(d, &item);
 }
 
-/* What XML does not hold in a text as references, what is not ASCII as '?'. */
-static void svg_text(const char *text, output *o, fail *f) {
-    for (; *text != '\0'; text++) {
-        const unsigned char c = (unsigned char)*text;
-        if (c == '<' || c == '>' || c == '&') {
-            output_print(o, f, "&#%u;", (unsigned)c);
-        } else {
-            output_print(o, f, "%c", c >= ' ' && c <= '~' ? c : '?');
-        }
-    }
-}
-
 static void svg_item(const drawing_item *i, output *o, fail *f) {
     static const char *const anchors[] = {"start", "middle", "end"};
     if (i->shape == DRAWING_RECTANGLE) {
@@ -85,7 +74,7 @@ static void svg_item(const drawing_item *i, output *o, fail *f) {
                      "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%.0f\" "
                      "fill=\"#%06x\">",
                      i->x, i->y, anchors[i->anchor], 10.0 * i->width, (unsigned)i->colour);
-        svg_text(i->text, o, f);
+        markup_text(o, i->text, f);
         output_print(o, f, "</text>\n");
     }
 }

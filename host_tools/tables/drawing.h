@@ -13,7 +13,7 @@
 #include "host_tools/picture/picture.h"
 
 enum { DRAWING_TEXT = 120, DRAWING_PIXELS = 2 /* per unit */ };
-enum { DRAWING_ADVANCE = 6, DRAWING_HEIGHT = 7 }; /* units of a letter, in text of scale 1 */
+enum { DRAWING_ADVANCE = 6 }; /* units of a letter, in text of scale 1 */
 
 typedef enum drawing_shape { DRAWING_RECTANGLE, DRAWING_LINE, DRAWING_LETTERS } drawing_shape;
 typedef enum drawing_anchor { DRAWING_START, DRAWING_MIDDLE, DRAWING_END } drawing_anchor;

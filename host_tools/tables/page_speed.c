@@ -76,7 +76,7 @@ static void set_columns(sheet *s) {
     }
 }
 
-/* Means over the rows from `first` on are geometric: of factors. */
+/* Geometric: of factors. */
 static void put_mean(sheet *s, const speed *rows, unsigned count, const char *name) {
     double ours[COLUMNS], theirs[COLUMNS];
     for (unsigned c = 0; c < COLUMNS; c++) {
@@ -119,7 +119,7 @@ void page_speed(sheet *s, const book *b) {
     sheet_note(s,
                "x wBVH: how many times as fast as our wBVH, which traced the same packets in "
                "turn with it. Planelet is the engine's own tree. Printed cycles are 1.7 GHz "
-               "over frames of 512x512 rays, with shading. Ours are without.");
+               "over frames of 512x512 rays, with shading. Ours are without. Means are geometric.");
     sheet_note(s, has_cycles ? "Cycles are those that the processor counts (perf_event_open)."
                              : "The system does not let cycles be counted: ours are nanoseconds "
                                "of the processor's time per ray.");

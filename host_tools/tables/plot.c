@@ -9,6 +9,7 @@
 
 #define INK 0x202020u
 #define GRID 0xD8D8D8u
+#define LOG_LEAST 1e-12 /* so that powers of ten below it are numbers */
 
 /* Told apart without colours by their order, and by people who do not see red or green: the hues
  * of Okabe and Ito, "Color Universal Design", 2008. */
@@ -34,10 +35,11 @@ typedef struct scale {
     int is_log;
 } scale;
 
-static void take_in(double value, double *least, double *most) {
-    if (isfinite(value)) {
-        *least = fmin(*least, value);
-        *most = fmax(*most, value);
+/* A logarithm has no place for what is not above 0: such bars have no height. */
+static void take_in(scale *s, double value) {
+    if (isfinite(value) && (!s->is_log || value >= LOG_LEAST)) {
+        s->least = fmin(s->least, value);
+        s->most = fmax(s->most, value);
     }
 }
 
@@ -51,6 +53,7 @@ static double nice_step(double most) {
     return most / step > 5.0 ? step : most / step > 2.0 ? 0.5 * step : 0.2 * step;
 }
 
+/* Of a value from LOG_LEAST up. */
 static double power_below(double value) {
     double power = 1.0;
     for (; power > value; power /= 10.0) {
@@ -64,11 +67,11 @@ static scale scale_of(const plot *p, plot_area inner) {
     scale s = {.least = (double)INFINITY, .top = inner.y, .bottom = inner.y2, .is_log = p->is_log};
     for (unsigned g = 0; g < p->groups; g++) {
         for (unsigned k = 0; k < p->series; k++) {
-            take_in(p->bar[g][k], &s.least, &s.most);
-            take_in(p->mark[g][k], &s.least, &s.most);
+            take_in(&s, p->bar[g][k]);
+            take_in(&s, p->mark[g][k]);
         }
     }
-    take_in(p->line, &s.least, &s.most);
+    take_in(&s, p->line);
     if (!(s.most > 0.0)) {
         s.least = s.most = 1.0; /* nothing to show */
     }

@@ -21,7 +21,7 @@ typedef struct plot {
     uint32_t colour[PLOT_SERIES];
     double bar[PLOT_GROUPS][PLOT_SERIES];  /* NaN: there is none */
     double mark[PLOT_GROUPS][PLOT_SERIES]; /* likewise */
-    int is_log;  /* values are above 0; bars begin at 1, 2 or 5 times a power of ten */
+    int is_log; /* bars begin at 1, 2 or 5 times a power of ten; those not above 0 have no height */
     double line; /* across all groups, at this value; NaN: none */
 } plot;
 

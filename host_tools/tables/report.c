@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "host_tools/picture/formats.h"
+#include "host_tools/tables/markup.h"
 
 static const char head[] =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -28,18 +29,6 @@ static const char head[] =
     ".scenes img { width: 100%;height: auto;display: block;}\n"
     "svg { max-width: 100%;height: auto;}\n"
     "</style>\n</head>\n<body>\n";
-
-/* What HTML does not hold in a text as references; what is not printable as '?'. */
-static void put_text(const char *text, output *o, fail *f) {
-    for (; *text != '\0'; text++) {
-        const unsigned char c = (unsigned char)*text;
-        if (c == '<' || c == '>' || c == '&' || c == '"') {
-            output_print(o, f, "&#%u;", (unsigned)c);
-        } else {
-            output_print(o, f, "%c", c >= ' ' && c != 127 ? c : '?');
-        }
-    }
-}
 
 /* RFC 4648, section 4. */
 static void put_base64(const uint8_t *bytes, size_t count, output *o, fail *f) {
@@ -66,7 +55,7 @@ static int put_picture(const book_scene *s, unsigned number, output *o, fail *f)
         output_print(o, f, "\"><figcaption><b>%s%s</b>, %u triangles", printed_scenes[number].name,
                      s->about.stands_in ? "*" : "", s->triangles);
         output_print(o, f, "%s", s->about.stands_in ? "; " : "");
-        put_text(s->about.note, o, f);
+        markup_text(o, s->about.note, f);
         output_print(o, f, "</figcaption></figure>\n");
     }
     bits_free(&png);
@@ -97,7 +86,7 @@ static void put_heads(const sheet *s, output *o, fail *f) {
             for (end = c + 1; end < s->columns && !starts_group(s, end); end++) {
             }
             output_print(o, f, "<th class=\"group\" colspan=\"%u\">", end - c);
-            put_text(s->group[c], o, f);
+            markup_text(o, s->group[c], f);
             output_print(o, f, "</th>");
         }
         output_print(o, f, "</tr>\n");
@@ -105,7 +94,7 @@ static void put_heads(const sheet *s, output *o, fail *f) {
     output_print(o, f, "<tr><th class=\"row\">Scene</th><th></th>");
     for (unsigned c = 0; c < s->columns; c++) {
         output_print(o, f, "<th%s>", starts_group(s, c) ? " class=\"group\"" : "");
-        put_text(s->column[c], o, f);
+        markup_text(o, s->column[c], f);
         output_print(o, f, "</th>");
     }
     output_print(o, f, "</tr>\n");
@@ -117,13 +106,13 @@ static void put_line(const sheet *s, const sheet_line *line, output *o, fail *f)
                                                               : "";
     output_print(o, f, "<tr class=\"%s%s\"><td class=\"row\">",
                  line->row[0] != '\0' ? "first" : "next", kind);
-    put_text(line->row, o, f);
+    markup_text(o, line->row, f);
     output_print(o, f, "</td><td class=\"what\">");
-    put_text(line->what, o, f);
+    markup_text(o, line->what, f);
     output_print(o, f, "</td>");
     for (unsigned c = 0; c < s->columns; c++) {
         output_print(o, f, "<td%s>", starts_group(s, c) ? " class=\"group\"" : "");
-        put_text(line->cell[c].text, o, f);
+        markup_text(o, line->cell[c].text, f);
         output_print(o, f, "</td>");
     }
     output_print(o, f, "</tr>\n");
@@ -131,7 +120,7 @@ static void put_line(const sheet *s, const sheet_line *line, output *o, fail *f)
 
 static void put_sheet(const sheet *s, output *o, fail *f) {
     output_print(o, f, "<h2>%s: ", s->name);
-    put_text(s->title, o, f);
+    markup_text(o, s->title, f);
     output_print(o, f, "</h2>\n<div class=\"wide\"><table>\n");
     put_heads(s, o, f);
     for (unsigned i = 0; i < s->lines; i++) {
@@ -140,7 +129,7 @@ static void put_sheet(const sheet *s, output *o, fail *f) {
     output_print(o, f, "</table></div>\n<ul class=\"notes\">\n");
     for (unsigned i = 0; i < s->notes; i++) {
         output_print(o, f, "<li>");
-        put_text(s->note[i], o, f);
+        markup_text(o, s->note[i], f);
         output_print(o, f, "</li>\n");
     }
     output_print(o, f, "</ul>\n");
@@ -155,7 +144,7 @@ static void put_about(const report *r, output *o, fail *f) {
                  "thesis&#8217;s. ");
     if (r->where != NULL) {
         output_print(o, f, "Meshes are from ");
-        put_text(r->where, o, f);
+        markup_text(o, r->where, f);
         output_print(o, f, ". ");
     } else {
         output_print(o, f, "All meshes are made by planelet. ");

@@ -168,15 +168,16 @@ static void check_plot(void) {
 
 static void check_odd_plots(void) {
     const double values[] = {0.0, 1e-9, 1e12, (double)NAN};
-    test("a plot of nothing, or of the least and the most, is drawn within its sheet");
-    for (unsigned i = 0; i < 8; i++) {
+    test(
+        "a plot of nothing, or of the least and the most, alone or not, is drawn within its sheet");
+    for (unsigned i = 0; i < 16; i++) {
         drawing d = {.width = 300, .height = 200};
         plot p;
         fill_plot(&p);
-        p.is_log = i >= 4;
+        p.is_log = i / 4 % 2;
         for (unsigned g = 0; g < 3; g++) {
             p.bar[g][0] = p.mark[g][0] = values[i % 4];
-            p.bar[g][1] = (double)NAN;
+            p.bar[g][1] = i >= 8 ? 25.0 : (double)NAN;
         }
         plot_draw(&p, &d, (plot_area){0, 0, 300, 200});
         CHECK(!d.wrong && d.items > 8 && d.items < 200, "%u items", d.items);

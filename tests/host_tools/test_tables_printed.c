@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "host_tools/tables/printed.h"
@@ -128,6 +129,31 @@ static void check_shape(void) {
     CHECK(printed_bytes(PRINTED_SHUTTLE, 4) == 12000.0, "%g", printed_bytes(PRINTED_SHUTTLE, 4));
 }
 
+/* Whether a remark on Table 5.1 has the range of a column, without the ground, per triangle. */
+static void check_range(unsigned column, const char *format, unsigned remark) {
+    double least = 1e9, most = 0.0;
+    char text[32];
+    for (unsigned i = PRINTED_GROUND + 1; i < PRINTED_SCENES; i++) {
+        const double bytes = printed_bytes(i, column) / printed_scenes[i].triangles;
+        least = fmin(least, bytes);
+        most = fmax(most, bytes);
+    }
+    snprintf(text, sizeof text, format, least, most);
+    CHECK(strstr(printed_of(1)->remark[remark], text) != NULL, "%s: %s", text,
+          printed_of(1)->remark[remark]);
+}
+
+static void check_remarks(void) {
+    test("bytes per triangle in the remarks are those of the table");
+    check_range(1, "%.0f to %.0f", 2);
+    check_range(4, "%.1f to %.1f", 1);
+    test("... and so is the most that treelets of buddha cost");
+    const double more = 100.0 * (printed_value(printed_cell(6, PRINTED_BUDDHA, 3)) /
+                                     printed_value(printed_cell(6, PRINTED_BUDDHA, 0)) -
+                                 1.0);
+    CHECK(fabs(more - 87.0) < 0.5 && strstr(printed_of(6)->remark[0], "87 %") != NULL, "%g", more);
+}
+
 int main(void) {
     check_cells();
     check_nodes();
@@ -135,5 +161,6 @@ int main(void) {
     check_treelets();
     check_overhead();
     check_shape();
+    check_remarks();
     return test_done();
 }
