@@ -8,7 +8,6 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/base/triangle_set.h"
 #include "host_tools/baselines/packet/packet_triangles.h"
-#include "host_tools/pack/pack.h"
 
 typedef struct planes_structure {
     const planes_layout *layout;
@@ -74,23 +73,13 @@ static int build(planes_structure *s, const mesh *m, fail *f) {
     return 0;
 }
 
-/* The same records in the same order, from a mesh that has moved. */
-static void refill(triangle_set *t, const mesh *m) {
-    for (uint32_t i = 0; i < t->count; i++) {
-        plt_record *r = &t->record[i];
-        const int is_last = plt_record_is_last(r);
-        pack_record(r, m, plt_primitive_id(plt_get_u32(&r->word[9])));
-        plt_record_set_last(r, is_last);
-    }
-    t->box = plt_records_box(t->record, 0, t->count);
-}
-
 int planes_move(void *self, const mesh *m, fail *f) {
     planes_structure *s = self;
     if (s->layout->refit == NULL || !s->is_made) {
         return build(s, m, f);
     }
-    refill(&s->triangles, m);
+    triangle_set_move(s->triangles.record, s->triangles.count, m);
+    s->triangles.box = plt_records_box(s->triangles.record, 0, s->triangles.count);
     set_triangles(s);
     if (s->layout->refit(s->nodes, s->triangles.record) != 0) {
         return out_of_memory(s, f);
