@@ -160,12 +160,14 @@ int planes_suits(const structure_options *o, fail *f) {
     const int is_single = c[STRUCTURE_SIDE] == 1, has_boxes = c[PLANES_WAY] == PLANES_BY_ROOM;
     if (is_single &&
         (c[PLANES_WAY] | c[STRUCTURE_MASKS] | c[STRUCTURE_EARLY] | c[STRUCTURE_FRUSTUM]) != 0) {
-        return fail_set(f, "single",
-                        "how packets go is not for rays one by one; leave it out, or choose 4x4");
+        return fail_set(
+            f, "single",
+            "how packets go says nothing of rays one by one; leave it out, or give 4x4 instead");
     }
     if (!has_boxes && (c[STRUCTURE_MASKS] | c[STRUCTURE_EARLY] | c[STRUCTURE_FRUSTUM]) != 0) {
-        return fail_set(f, "intervals",
-                        "range, bits, early and frustum are of boxes; leave them out, or add it");
+        return fail_set(
+            f, "intervals",
+            "range, bits, early and frustum are for boxes; leave them out, or give boxes");
     }
     return 0;
 }
