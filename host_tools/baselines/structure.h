@@ -1,7 +1,7 @@
 /* structure - what finds hits: the engine's trees and grids, and what others have built
  *
  * One interface for all that hits can be asked of, so that tools and measuring programs compare
- * them without knowing them. All give the hits of the engine, bit for bit (MEASURING.md).
+ * them without knowing them. All give the hits of the engine, bit for bit (BASELINES.md).
  *
  * SPDX-License-Identifier: MIT */
 #ifndef BASELINES_STRUCTURE_H

@@ -54,6 +54,39 @@ void against_read(against *to, args *a) {
     }
 }
 
+/* Rays that go one by one are beside the usual packets of the engine. */
+static int has_side(const against_wanted *w, unsigned side) {
+    if (w->has_side) {
+        return w->options.choice[STRUCTURE_SIDE] == side ||
+               (w->options.choice[STRUCTURE_SIDE] == 1 && side == SCENE_USUAL_PACKET);
+    }
+    for (const structure_switch *s = structure_switches(w->kind); s->name != NULL; s++) {
+        if (s->group == STRUCTURE_SIDE && s->value == side) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Whether one of the packets is measured; a build may be without the larger ones. */
+static int is_measured(const against *a, const against_wanted *w) {
+    int is = 0;
+    for (unsigned i = 0; i < SIDES && 2u << i <= PLT_PACKET_SIDE_MAX; i++) {
+        is |= (a->packets >> i & 1u) && has_side(w, 2u << i);
+    }
+    return is;
+}
+
+void against_check(const against *of, args *a) {
+    for (unsigned i = 0; i < of->count; i++) {
+        if (!is_measured(of, &of->wanted[i])) {
+            args_complain(a,
+                          "--against %s: none of its packets is in --packets; leave --packets out",
+                          of->wanted[i].name);
+        }
+    }
+}
+
 /* ---- measuring ------------------------------------------------------------------------- */
 
 /* What is measured now. */
@@ -173,19 +206,6 @@ static int measure_kinds(against *a, pairing *p, const against_row *like, const 
         row->any = (uint8_t)any;
         if (measure_row(p, row, &rays->of[kind], a->repeat, f) != 0) {
             return -1;
-        }
-    }
-    return 0;
-}
-
-static int has_side(const against_wanted *w, unsigned side) {
-    if (w->has_side) {
-        return w->options.choice[STRUCTURE_SIDE] == side ||
-               (w->options.choice[STRUCTURE_SIDE] == 1 && side == 8);
-    }
-    for (const structure_switch *s = structure_switches(w->kind); s->name != NULL; s++) {
-        if (s->group == STRUCTURE_SIDE && s->value == side) {
-            return 1;
         }
     }
     return 0;

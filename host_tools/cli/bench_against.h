@@ -55,6 +55,8 @@ typedef struct against {
 
 /* Reads the flag. */
 void against_read(against *to, args *a);
+/* Complains of a structure that goes by none of the packets that are asked for. */
+void against_check(const against *of, args *a);
 void against_free(against *a);
 
 /* Every structure with every packet, kind of ray and question, through an image that is attached.

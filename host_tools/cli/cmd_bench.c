@@ -441,6 +441,7 @@ static void read_against(bench *b, args *a) {
     b->against.hits = b->hits;
     b->against.packets = b->packets;
     b->against.repeat = b->meter.repeat;
+    against_check(&b->against, a);
 }
 
 static void read_flags(bench *b, args *a) {

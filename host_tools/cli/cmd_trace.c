@@ -274,9 +274,9 @@ static void close_all(tracing *t) {
     frame_times_free(&t->times);
 }
 
-static const char *const for_engine[] = {"--packet",    "--walk",    "--structure", "--rays",
-                                         "--residency", "--workers", "--turns",     "--moved",
-                                         "--frames",    "--rebuild", NULL};
+static const char *const for_engine[] = {"--packet",    "--walk",     "--structure", "--rays",
+                                         "--residency", "--schedule", "--workers",   "--turns",
+                                         "--moved",     "--frames",   "--rebuild",   NULL};
 
 static void read_flags(tracing *t, args *a, const char *json) {
     t->scene_path = a->file[0];

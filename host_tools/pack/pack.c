@@ -38,7 +38,7 @@ static int out_of_memory(const packing *p, fail *f) {
 
 static int no_room(const packing *p, fail *f) {
     return fail_set(f, p->name,
-                    "treelets that do not share blocks so take more than an image has; use --slots "
+                    "treelets in blocks of their own take more than an image holds; use --slots "
                     "thesis, or a smaller --treelet");
 }
 

@@ -103,11 +103,15 @@ static uint64_t costs_bytes(uint32_t size, uint64_t nodes) {
 }
 
 uint64_t pack_treelets_bytes(const pack_options *o, uint64_t nodes) {
-    const uint32_t size = o->treelet_nodes == PACK_TREELET_AUTO ? MOST_SIZE : o->treelet_nodes;
+    const int is_auto = o->treelet_nodes == PACK_TREELET_AUTO,
+              is_full = o->fill == TREELET_FILL_FULL;
+    const uint32_t size = is_auto ? MOST_SIZE : o->treelet_nodes;
+    const uint64_t layouts = 2 + (is_auto && is_full); /* the best size's; of this size two */
     const uint64_t tree = 16 * nodes, layout = 9 * nodes, forming = 20 * nodes + 4;
-    const uint64_t costs = o->fill == TREELET_FILL_FULL ? costs_bytes(size, nodes) : 0;
+    const uint64_t costs = is_full ? costs_bytes(size, nodes) : 0;
     const uint64_t blocks = 20 * nodes + 8 * (uint64_t)size;
-    return tree + 2 * layout + forming + (costs > blocks ? costs : blocks) + 16 * heap_cost(0);
+    return tree + layouts * layout + forming + (costs > blocks ? costs : blocks) +
+           16 * heap_cost(0);
 }
 
 uint64_t pack_treelets_slots(const pack_options *o, uint32_t nodes) {

@@ -65,15 +65,15 @@ static void fill_costs(treelet_costs *c, uint32_t node) {
 }
 
 static void count_below(treelet_costs *c, const uint32_t *order) {
-    size_t at = 0;
+    uint64_t at = 0;
     for (uint32_t i = c->tree->nodes; i-- > 0;) {
         const uint32_t node = order[i], *child = c->tree->child[node];
         c->below[node] = 1;
         for (int k = 0; k < 2; k++) {
             c->below[node] += child[k] != TREELET_NO_NODE ? c->below[child[k]] : 0;
         }
-        c->at[node] = at;
-        at += (size_t)most_taken(c, node) + 1;
+        c->at[node] = (size_t)at; /* of more than there can be nothing is got */
+        at += (uint64_t)most_taken(c, node) + 1;
     }
     c->cost = heap_get(at * sizeof *c->cost);
 }

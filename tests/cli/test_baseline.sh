@@ -121,6 +121,9 @@ for flag in '--packet 4' '--schedule branch' '--workers 2' '--residency streamed
     # shellcheck disable=SC2086
     misused "render --baseline with $flag" "is for the engine" \
         render knot.plt -o got.ppm --baseline bvh $flag
+    # shellcheck disable=SC2086
+    misused "trace --baseline with $flag" "is for the engine" \
+        trace knot.plt mixed got.hits --baseline bvh $flag
 done
 
 # ---- what cannot be ------------------------------------------------------------------------

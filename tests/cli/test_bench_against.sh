@@ -49,6 +49,10 @@ small='--size 37x50 --repeat 3'
     misused "another structure" "'bwvh'; choose" bench knot.plt --against 'wbvh bwvh'
     misused "too many" "16 structures at most" bench knot.plt \
         --against 'kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd'
+    misused "packets that it does not have" "none of its packets is in --packets" \
+        bench knot.plt --against 'wbvh kd' --packets 16
+    misused "rays one by one, beside packets of 4x4" "none of its packets" \
+        bench knot.plt --against kd:single --packets 4
     misused "walks of the engine" "leave out --walks" bench knot.plt --against kd --walks wave
     refused "lattice triangles" compact.plt "pack it with --nodes thesis" bench compact.plt \
         $small --against wbvh

@@ -143,8 +143,8 @@ PROGRAM=
 # Treelets of a node or two, in blocks of 20,000 slots each.
 run make knot --triangles 100000 -o knot.ply
 for remedy in '--slots thesis --treelet 20000' '--slots none --treelet 20'; do
-    says "treelets that do not share blocks so take more than an image has; use --slots thesis, or \
-a smaller --treelet" pack knot.ply -o x.plt --leaf 1 --slots none --treelet 20000
+    says "treelets in blocks of their own take more than an image holds; use --slots thesis, or a \
+smaller --treelet" pack knot.ply -o x.plt --leaf 1 --slots none --treelet 20000
     # shellcheck disable=SC2086
     cured pack knot.ply -o x.plt --leaf 1 $remedy
 done

@@ -231,6 +231,9 @@ against='bench ground.plt --size 9x9 --repeat 1 --kinds primary --packets 8 --ag
     says "a name of %zu characters; choose each switch once" \
         $against "wbvh:$(awk 'BEGIN { while (i++ < 20) printf "sah,sah," }')"
     cured $against wbvh:sah
+    says "--against %s: none of its packets is in --packets; leave --packets out" \
+        $against wbvh:4x4
+    cured bench ground.plt --size 9x9 --repeat 1 --kinds primary --against wbvh:4x4
 }
 
 # ---- links: cmd_serve.c, host_tools/link ----------------------------------------------------

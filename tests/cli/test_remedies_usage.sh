@@ -63,11 +63,11 @@ cured trace quad.plt ray hit --baseline bph:early,range
 says "frustum and mixed: rays whose signs are not known to be equal have no hull; give frustum \
 with equal" trace quad.plt ray hit --baseline bph:frustum,mixed
 cured trace quad.plt ray hit --baseline bph:frustum,equal
-says "how packets go is not for rays one by one; leave it out, or choose 4x4" \
+says "how packets go says nothing of rays one by one; leave it out, or give 4x4 instead" \
     trace quad.plt ray hit --baseline bkd:single,boxes
 cured trace quad.plt ray hit --baseline bkd:single
 cured trace quad.plt ray hit --baseline bkd:4x4,boxes
-says "range, bits, early and frustum are of boxes; leave them out, or add it" \
+says "range, bits, early and frustum are for boxes; leave them out, or give boxes" \
     trace quad.plt ray hit --baseline bih:early,range
 cured trace quad.plt ray hit --baseline bih
 cured trace quad.plt ray hit --baseline bih:early,range,boxes

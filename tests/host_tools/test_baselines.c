@@ -304,8 +304,9 @@ static int trace_within(const structure_kind *kind, const mesh *m, const due *d,
 }
 
 static void bounded_memory(void) {
-    static const char *const names[] = {"kd",   "kd-boxes", "kd-fast", "kd-lazy",  "bvh",
-                                        "wbvh", "bkd",      "bih",     "treelets", "bih-treelets"};
+    static const char *const names[] = {"kd",       "kd-boxes",     "kd-fast", "kd-lazy",
+                                        "bvh",      "wbvh",         "bkd",     "bih",
+                                        "treelets", "bih-treelets", "bph",     "bkd-treelets"};
     static due d;
     random_state r = {5};
     mesh m = {0};
@@ -438,6 +439,35 @@ static void counted(void) {
     mesh_free(&m);
 }
 
+/* A packet of 6 rays, whose second group has two. */
+static void counted_odd(void) {
+    static plt_ray rays[6];
+    plt_hit got[6];
+    mesh m = {0};
+    structure_options o;
+    fail f = {""};
+    test("of a packet whose last group is not full no more rays are counted than there are");
+    shape_cube(&m);
+    for (unsigned i = 0; i < 6; i++) {
+        rays[i] = (plt_ray){.org = {0.0f, 0.1f, 9.0f}, .dir = {0.0f, 0.0f, -1.0f}, .tmax = 99.0f};
+    }
+    for (unsigned i = 0; i < 2; i++) {
+        const char *text = i == 0 ? "wbvh:leaf-1,range,8x8" : "wbvh:leaf-1,bits,8x8";
+        const structure_kind *kind = structure_read(text, "it", &o, &f);
+        built_structure *s = kind != NULL ? structure_open(kind, &m, &o, "it", &f) : NULL;
+        CHECK(s != NULL && structure_trace(s, rays, got, 6, 0, &f) == 0, "%s", f.text);
+        const structure_statistics q = structure_count(s);
+        CHECK(got[0].triangle != PLT_MISS && got[5].triangle == got[0].triangle, "hits");
+        CHECK(q.rays_at_triangles > 0 && q.masked_at_triangles == 0, "%s: %llu masked", text,
+              (unsigned long long)q.masked_at_triangles);
+        CHECK(q.rays_at_nodes > 0 && q.masked_at_nodes == 0, "%s: %llu masked at nodes", text,
+              (unsigned long long)q.masked_at_nodes);
+        CHECK(rig_is_tiny() || q.rays_at_triangles == 6 * q.packet_triangles, "%s: rays", text);
+        structure_close(s);
+    }
+    mesh_free(&m);
+}
+
 /* ---- words ---------------------------------------------------------------------------- */
 
 static void check_word(const char *text, const char *said) {
@@ -445,6 +475,31 @@ static void check_word(const char *text, const char *said) {
     fail f = {""};
     const structure_kind *kind = structure_read(text, "it", &o, &f);
     CHECK(kind == NULL && strstr(f.text, said) != NULL, "%s: %s", text, f.text);
+}
+
+/* What the first kind that has it says of a switch. */
+static const char *meaning_of(const char *name) {
+    for (const structure_kind *const *k = structure_kinds(); *k != NULL; k++) {
+        for (const structure_switch *s = structure_switches(*k); s->name != NULL; s++) {
+            if (strcmp(s->name, name) == 0) {
+                return s->about;
+            }
+        }
+    }
+    return "";
+}
+
+static void meanings(void) {
+    test("a switch means the same for every kind that has it");
+    for (const structure_kind *const *k = structure_kinds(); *k != NULL; k++) {
+        for (const structure_switch *s = structure_switches(*k); s->name != NULL; s++) {
+            const char *first = meaning_of(s->name);
+            CHECK(strcmp(first, s->about) == 0, "%s:%s: \"%s\", not \"%s\"", structure_name(*k),
+                  s->name, s->about, first);
+            CHECK(s->group < STRUCTURE_CHOICES && s->value > 0, "%s:%s", structure_name(*k),
+                  s->name);
+        }
+    }
 }
 
 static void words(void) {
@@ -476,8 +531,10 @@ int main(int argc, char **argv) {
     const int is_soak = argc > 1 && strcmp(argv[1], "soak") == 0;
     refusals();
     words();
+    meanings();
     hierarchies();
     counted();
+    counted_odd();
     bounded_memory();
     named_scenes();
     random_scenes(is_soak);

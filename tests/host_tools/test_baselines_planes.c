@@ -522,9 +522,9 @@ static void check_refused(const char *spec, const char *said) {
 
 static void switches(void) {
     test("switches that make no sense together say which would");
-    check_refused("bkd:early", "are of boxes; leave them out, or add it");
-    check_refused("bih:intervals,range", "are of boxes; leave them out, or add it");
-    check_refused("bih:single,boxes", "not for rays one by one; leave it out");
+    check_refused("bkd:early", "are for boxes; leave them out, or give boxes");
+    check_refused("bih:intervals,range", "are for boxes; leave them out, or give boxes");
+    check_refused("bih:single,boxes", "nothing of rays one by one; leave it out");
     check_refused("bkd:leaf-2", "no switch 'leaf-2'");
     check_refused("bkd:boxes,intervals", "give one of intervals or boxes");
 }

@@ -9,8 +9,9 @@
 /* Since structure_open, or, of rays, since structure_forget. What is not counted is 0. */
 typedef struct structure_statistics {
     uint64_t rays;
-    uint64_t node_visits;    /* nodes, leaves too, or cells; of packets once per packet */
-    uint64_t box_tests;      /* planes or boxes that a ray, or four rays, were held against */
+    uint64_t node_visits; /* nodes, or cells, and leaves but those of bvh, bph and treelets, which
+                           * are links; of packets once per packet */
+    uint64_t box_tests;   /* planes or boxes that a ray, or four rays, were held against */
     uint64_t triangle_tests; /* a ray, or four rays, against a triangle */
     uint64_t sieved;         /* triangles put aside by less than a test */
     uint64_t build_work;     /* triangles of ranges or cells that were split, once each time */

@@ -25,3 +25,12 @@ void triangle_set_free(triangle_set *t) {
     heap_drop(t->record);
     *t = (triangle_set){.record = NULL};
 }
+
+void triangle_set_move(plt_record *records, uint32_t count, const mesh *m) {
+    for (uint32_t i = 0; i < count; i++) {
+        plt_record *r = &records[i];
+        const int is_last = plt_record_is_last(r);
+        pack_record(r, m, plt_primitive_id(plt_get_u32(&r->word[9])));
+        plt_record_set_last(r, is_last);
+    }
+}

@@ -19,4 +19,8 @@ typedef struct triangle_set {
 int triangle_set_fill(triangle_set *t, const mesh *m);
 void triangle_set_free(triangle_set *t);
 
+/* Records of a mesh that has moved: each has its id's new corners, where it stands, and the same
+ * last bit. */
+void triangle_set_move(plt_record *records, uint32_t count, const mesh *m);
+
 #endif

@@ -9,7 +9,6 @@
 #include "host_tools/baselines/base/triangle_set.h"
 #include "host_tools/baselines/bph/bph_refit.h"
 #include "host_tools/baselines/bph/bph_trace.h"
-#include "host_tools/pack/pack.h"
 
 typedef struct bph_structure {
     bph_tree tree;
@@ -93,22 +92,13 @@ static void *open_bph(unsigned variant, const mesh *m, const structure_options *
     return b;
 }
 
-/* Corners of the tree's records, which stay where they are. */
-static void move_records(bph_tree *t, const mesh *m) {
-    for (uint32_t i = 0; i < t->records; i++) {
-        const int is_last = plt_record_is_last(&t->record[i]);
-        pack_record(&t->record[i], m, plt_primitive_id(plt_get_u32(&t->record[i].word[9])));
-        plt_record_set_last(&t->record[i], is_last);
-    }
-}
-
 static int move_bph(void *self, const mesh *m, fail *f) {
     bph_structure *b = self;
     if (b->tracing->way.rebuilds || !b->is_whole) {
         return build(b, m, f);
     }
     if (m->triangles > 0) {
-        move_records(&b->tree, m);
+        triangle_set_move(b->tree.record, b->tree.records, m);
         if (bph_refit(&b->tree) == BPH_REFIT_NO_MEMORY) {
             return out_of_memory(b, f);
         }

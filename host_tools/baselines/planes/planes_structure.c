@@ -8,7 +8,6 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/base/triangle_set.h"
 #include "host_tools/baselines/packet/packet_triangles.h"
-#include "host_tools/pack/pack.h"
 
 typedef struct planes_structure {
     const planes_layout *layout;
@@ -74,23 +73,13 @@ static int build(planes_structure *s, const mesh *m, fail *f) {
     return 0;
 }
 
-/* The same records in the same order, from a mesh that has moved. */
-static void refill(triangle_set *t, const mesh *m) {
-    for (uint32_t i = 0; i < t->count; i++) {
-        plt_record *r = &t->record[i];
-        const int is_last = plt_record_is_last(r);
-        pack_record(r, m, plt_primitive_id(plt_get_u32(&r->word[9])));
-        plt_record_set_last(r, is_last);
-    }
-    t->box = plt_records_box(t->record, 0, t->count);
-}
-
 int planes_move(void *self, const mesh *m, fail *f) {
     planes_structure *s = self;
     if (s->layout->refit == NULL || !s->is_made) {
         return build(s, m, f);
     }
-    refill(&s->triangles, m);
+    triangle_set_move(s->triangles.record, s->triangles.count, m);
+    s->triangles.box = plt_records_box(s->triangles.record, 0, s->triangles.count);
     set_triangles(s);
     if (s->layout->refit(s->nodes, s->triangles.record) != 0) {
         return out_of_memory(s, f);
@@ -171,12 +160,14 @@ int planes_suits(const structure_options *o, fail *f) {
     const int is_single = c[STRUCTURE_SIDE] == 1, has_boxes = c[PLANES_WAY] == PLANES_BY_ROOM;
     if (is_single &&
         (c[PLANES_WAY] | c[STRUCTURE_MASKS] | c[STRUCTURE_EARLY] | c[STRUCTURE_FRUSTUM]) != 0) {
-        return fail_set(f, "single",
-                        "how packets go is not for rays one by one; leave it out, or choose 4x4");
+        return fail_set(
+            f, "single",
+            "how packets go says nothing of rays one by one; leave it out, or give 4x4 instead");
     }
     if (!has_boxes && (c[STRUCTURE_MASKS] | c[STRUCTURE_EARLY] | c[STRUCTURE_FRUSTUM]) != 0) {
-        return fail_set(f, "intervals",
-                        "range, bits, early and frustum are of boxes; leave them out, or add it");
+        return fail_set(
+            f, "intervals",
+            "range, bits, early and frustum are for boxes; leave them out, or give boxes");
     }
     return 0;
 }

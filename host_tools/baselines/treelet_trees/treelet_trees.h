@@ -4,8 +4,8 @@
  * links. In words of 4 bytes: two boxes, or the planes of one axis, then both links, which are the
  * thesis's (engine/tree/thesis/link.h); the axis stands in bits 2 and 3 of the first.
  *
- * Source: Karrenberg 2007, chapters 1 and 4 ("Treelets can be applied to any spatial index
- * structure").
+ * Source: Karrenberg 2007, chapter 1 ("Treelets can be applied to any spatial index structure")
+ * and section 4.1.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef BASELINES_TREELET_TREES_H

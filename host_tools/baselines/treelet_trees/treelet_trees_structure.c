@@ -10,12 +10,7 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/base/triangle_set.h"
 #include "host_tools/baselines/treelet_trees/treelet_trees.h"
-#include "host_tools/baselines/treelets/treelet_orders.h"
-
-/* Its own groups of switches. */
-enum { SIZE = STRUCTURE_OWN, ORDER, FILL };
-
-static const uint32_t sizes[] = {64, 2, 3, 7, 8, 16, 64, 256, 512, 10000};
+#include "host_tools/baselines/treelets/treelets_choice.h"
 
 typedef struct treelet_structure {
     binary_options build;
@@ -64,15 +59,10 @@ static void close_trees(void *self) {
 
 static void choose(treelet_structure *s, const structure_options *o) {
     const uint8_t *c = o->choice;
-    const uint8_t order = c[ORDER] != 0 ? (uint8_t)(c[ORDER] - 1) : TREELET_FIGURE;
     s->build.splits = c[STRUCTURE_SPLITS] == STRUCTURE_SAH ? PLT_SPLIT_SAH : PLT_SPLIT_MEDIAN;
     s->build.by_grid = s->form == TREELET_BIH && c[STRUCTURE_SPLITS] == 0;
     s->build.leaf = c[STRUCTURE_LEAF] != 0 ? c[STRUCTURE_LEAF] : 1;
-    s->wish.size = sizes[c[SIZE]];
-    s->wish.fill = c[FILL] != 0 ? (uint8_t)(c[FILL] - 1) : TREELET_FILL_BFS;
-    s->wish.slots = TREELET_SLOTS_THESIS;
-    s->tracing.order = (enum treelet_order)order;
-    s->tracing.tests_again = order != TREELET_FIGURE;
+    treelets_choose(o, &s->wish, &s->tracing);
 }
 
 static void *open_trees(unsigned variant, const mesh *m, const structure_options *o,
@@ -103,7 +93,6 @@ static int move_trees(void *self, const mesh *m, fail *f) {
 static int trace_trees(void *self, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
                        fail *f) {
     treelet_structure *s = self;
-    const uint32_t most = s->packet.side * s->packet.side;
     if (!s->is_whole) {
         return out_of_memory(s, f);
     }
@@ -114,15 +103,8 @@ static int trace_trees(void *self, const plt_ray *rays, plt_hit *hits, uint32_t 
     }
     s->tracing.nodes = &s->tree.nodes;
     s->tracing.packet = &s->packet;
-    for (uint32_t i = 0; i < count; i += most) {
-        const uint32_t left = count - i, now = left < most ? left : most;
-        if (packet_begin(&s->packet, &s->triangles.box, rays + i, now, any) &&
-            treelet_trace(&s->tracing) != 0) {
-            return out_of_memory(s, f);
-        }
-        packet_store(&s->packet, hits + i);
-    }
-    return 0;
+    return treelet_trace_packets(&s->tracing, rays, hits, count, any) == 0 ? 0
+                                                                           : out_of_memory(s, f);
 }
 
 static void count_trees(const void *self, structure_statistics *to) {
@@ -143,29 +125,9 @@ static void forget_trees(void *self) {
     s->tracing.entered = 0;
 }
 
-static const structure_switch switches[] = {
-    STRUCTURE_SPLIT_SWITCHES,
-    STRUCTURE_LEAF_SWITCHES,
-    STRUCTURE_SIDE_SWITCHES,
-    STRUCTURE_SIDE_16_SWITCH,
-    {"tl2", "treelets of 2 nodes", SIZE, 1},
-    {"tl3", "of 3", SIZE, 2},
-    {"tl7", "of 7", SIZE, 3},
-    {"tl8", "of 8", SIZE, 4},
-    {"tl16", "of 16", SIZE, 5},
-    {"tl64", "of 64", SIZE, 6},
-    {"tl256", "of 256", SIZE, 7},
-    {"tl512", "of 512", SIZE, 8},
-    {"tl10k", "of 10,000", SIZE, 9},
-    {"figure", "edges as they come, the last first, as the thesis's Figure 4.2 has it", ORDER,
-     TREELET_FIGURE + 1},
-    {"sorted", "the edges of a treelet by distance", ORDER, TREELET_SORTED + 1},
-    {"leaf-first", "likewise, and leaves before nodes", ORDER, TREELET_LEAF_FIRST + 1},
-    {"depth", "depth first across treelets", ORDER, TREELET_DEPTH + 1},
-    {"bfs", "treelets fill breadth first", FILL, TREELET_FILL_BFS + 1},
-    {"area", "with the largest boxes", FILL, TREELET_FILL_AREA + 1},
-    {"full", "so that few stay incomplete", FILL, TREELET_FILL_FULL + 1},
-    {NULL, NULL, 0, 0}};
+static const structure_switch switches[] = {STRUCTURE_SPLIT_SWITCHES, STRUCTURE_LEAF_SWITCHES,
+                                            STRUCTURE_SIDE_SWITCHES,  STRUCTURE_SIDE_16_SWITCH,
+                                            TREELETS_SWITCHES,        {NULL, NULL, 0, 0}};
 
 #define TREES_KIND(NAME, FORM, ABOUT)                                                              \
     {                                                                                              \

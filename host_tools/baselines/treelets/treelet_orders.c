@@ -136,8 +136,7 @@ static void two_stages(treelet_tracing *t) {
     }
 }
 
-/* ---- depth first ------------------------------------------------------------------------------
- */
+/* ---- depth first ----------------------------------------------------------------------------- */
 
 static void depth_first(treelet_tracing *t) {
     while (t->global.count > 0 && !packet_is_done(t->packet)) {
@@ -172,4 +171,17 @@ int treelet_trace(treelet_tracing *t) {
         two_stages(t);
     }
     return t->global.is_short || t->local.is_short ? -1 : 0;
+}
+
+int treelet_trace_packets(treelet_tracing *t, const plt_ray *rays, plt_hit *hits, uint32_t count,
+                          int any) {
+    const uint32_t most = t->packet->side * t->packet->side;
+    for (uint32_t i = 0; i < count; i += most) {
+        const uint32_t left = count - i, now = left < most ? left : most;
+        if (packet_begin(t->packet, &t->nodes->box, rays + i, now, any) && treelet_trace(t) != 0) {
+            return -1;
+        }
+        packet_store(t->packet, hits + i);
+    }
+    return 0;
 }

@@ -41,6 +41,9 @@ typedef struct treelet_tracing {
 
 /* The packet has begun. -1: no memory for a stack; hits are not all found. */
 int treelet_trace(treelet_tracing *t);
+/* Packets one after the other, of a tree with triangles. -1: likewise. */
+int treelet_trace_packets(treelet_tracing *t, const plt_ray *rays, plt_hit *hits, uint32_t count,
+                          int any);
 void treelet_tracing_free(treelet_tracing *t);
 
 #endif

@@ -9,11 +9,7 @@
 
 #include "host_tools/base/heap.h"
 #include "host_tools/baselines/treelets/treelet_bph.h"
-#include "host_tools/baselines/treelets/treelet_orders.h"
-
-const uint32_t treelets_sizes[TREELETS_SIZES] = {2, 3, 7, 8, 16, 64, 256, 512, 10000};
-
-enum { SIZE_64 = 6 };
+#include "host_tools/baselines/treelets/treelets_choice.h"
 
 typedef struct treelets_structure {
     treelet_bph_options options;
@@ -25,23 +21,13 @@ typedef struct treelets_structure {
     char name[64];
 } treelets_structure;
 
-/* What a switch of a group chose, or else. */
-static uint8_t chosen(const structure_options *o, unsigned group, uint8_t otherwise) {
-    return o->choice[group] != 0 ? (uint8_t)(o->choice[group] - 1) : otherwise;
-}
-
 static void choose(treelets_structure *s, const structure_options *o) {
-    const uint8_t leaf = o->choice[STRUCTURE_LEAF];
-    const uint8_t order = chosen(o, TREELETS_ORDER, TREELET_FIGURE);
+    const uint8_t leaf = o->choice[STRUCTURE_LEAF], bit = o->choice[TREELETS_BIT];
     s->options.splits =
         o->choice[STRUCTURE_SPLITS] == STRUCTURE_SAH ? PLT_SPLIT_SAH : PLT_SPLIT_MEDIAN;
     s->options.leaf_triangles = leaf != 0 ? leaf : 1;
-    s->options.wish.size = treelets_sizes[chosen(o, TREELETS_SIZE, SIZE_64 - 1)];
-    s->options.wish.fill = chosen(o, TREELETS_FILL, TREELET_FILL_BFS);
-    s->options.wish.slots = chosen(o, TREELETS_SLOTS, TREELET_SLOTS_THESIS);
-    s->options.edges = (enum node_edges)chosen(o, TREELETS_BIT, NODE_EDGES_PARITY);
-    s->tracing.order = (enum treelet_order)order;
-    s->tracing.tests_again = (uint8_t)(chosen(o, TREELETS_AGAIN, order <= TREELET_MIRRORED) == 0);
+    s->options.edges = bit != 0 ? (enum node_edges)(bit - 1) : NODE_EDGES_PARITY;
+    treelets_choose(o, &s->options.wish, &s->tracing);
 }
 
 static int build(treelets_structure *s, const mesh *m, fail *f) {
@@ -79,24 +65,6 @@ static int move_treelets(void *self, const mesh *m, fail *f) {
     return build(self, m, f);
 }
 
-static int trace_packets(treelets_structure *s, const plt_ray *rays, plt_hit *hits, uint32_t count,
-                         int any, fail *f) {
-    const uint32_t most = s->packet.side * s->packet.side;
-    s->tracing.nodes = &s->tree.nodes;
-    s->tracing.packet = &s->packet;
-    for (uint32_t i = 0; i < count; i += most) {
-        const uint32_t left = count - i, now = left < most ? left : most;
-        if (packet_begin(&s->packet, &s->tree.nodes.box, rays + i, now, any) &&
-            treelet_trace(&s->tracing) != 0) {
-            s->is_whole = 0;
-            return fail_set(f, s->name,
-                            "out of memory for edges that wait; choose smaller treelets");
-        }
-        packet_store(&s->packet, hits + i);
-    }
-    return 0;
-}
-
 static int trace_treelets(void *self, const plt_ray *rays, plt_hit *hits, uint32_t count, int any,
                           fail *f) {
     treelets_structure *s = self;
@@ -108,7 +76,13 @@ static int trace_treelets(void *self, const plt_ray *rays, plt_hit *hits, uint32
         s->packet.counts.rays += count;
         return 0;
     }
-    return trace_packets(s, rays, hits, count, any, f);
+    s->tracing.nodes = &s->tree.nodes;
+    s->tracing.packet = &s->packet;
+    if (treelet_trace_packets(&s->tracing, rays, hits, count, any) != 0) {
+        s->is_whole = 0;
+        return fail_set(f, s->name, "out of memory for edges that wait; choose smaller treelets");
+    }
+    return 0;
 }
 
 static void count_treelets(const void *self, structure_statistics *to) {
@@ -135,40 +109,10 @@ static const structure_switch switches[] = {
     STRUCTURE_LEAF_SWITCHES,
     STRUCTURE_SIDE_SWITCHES,
     STRUCTURE_SIDE_16_SWITCH,
-    {"tl2", "treelets of 2 nodes", TREELETS_SIZE, 1},
-    {"tl3", "of 3", TREELETS_SIZE, 2},
-    {"tl7", "of 7", TREELETS_SIZE, 3},
-    {"tl8", "of 8", TREELETS_SIZE, 4},
-    {"tl16", "of 16", TREELETS_SIZE, 5},
-    {"tl64", "of 64", TREELETS_SIZE, SIZE_64},
-    {"tl256", "of 256", TREELETS_SIZE, 7},
-    {"tl512", "of 512", TREELETS_SIZE, 8},
-    {"tl10k", "of 10,000", TREELETS_SIZE, 9},
-    {"figure", "edges as they come, the last first, as the thesis's Figure 4.2 has it",
-     TREELETS_ORDER, TREELET_FIGURE + 1},
-    {"text", "likewise, near children first within a treelet, as its text has it", TREELETS_ORDER,
-     TREELET_TEXT + 1},
-    {"mirrored", "likewise, far ones first, so that near edges are on top", TREELETS_ORDER,
-     TREELET_MIRRORED + 1},
-    {"sorted", "the edges of a treelet by distance", TREELETS_ORDER, TREELET_SORTED + 1},
-    {"leaf-first", "likewise, and leaves before nodes", TREELETS_ORDER, TREELET_LEAF_FIRST + 1},
-    {"heap", "of all edges that wait the nearest", TREELETS_ORDER, TREELET_HEAP + 1},
-    {"depth", "depth first across treelets", TREELETS_ORDER, TREELET_DEPTH + 1},
-    {"again", "what comes off a stack is tested again", TREELETS_AGAIN, 1},
-    {"once", "it is not", TREELETS_AGAIN, 2},
-    {"bfs", "treelets fill breadth first", TREELETS_FILL, TREELET_FILL_BFS + 1},
-    {"area", "with the largest boxes", TREELETS_FILL, TREELET_FILL_AREA + 1},
-    {"full", "so that few stay incomplete", TREELETS_FILL, TREELET_FILL_FULL + 1},
-    {"share", "incomplete ones last, where they fit exactly, else where most is free",
-     TREELETS_SLOTS, TREELET_SLOTS_THESIS + 1},
-    {"newest", "as they come, into the newest block with room", TREELETS_SLOTS,
-     TREELET_SLOTS_NEWEST + 1},
-    {"apart", "into blocks of their own", TREELETS_SLOTS, TREELET_SLOTS_NONE + 1},
-    {"come", "as they come, where they fit exactly, else where most is free", TREELETS_SLOTS,
-     TREELET_SLOTS_COME + 1},
-    {"parity", "edges are told by the thesis's bit, which alternates", TREELETS_BIT,
+    TREELETS_SWITCHES,
+    {"parity-bit", "edges are told by the thesis's bit, which alternates", TREELETS_BIT,
      NODE_EDGES_PARITY + 1},
-    {"direct", "by the engine's, which says it", TREELETS_BIT, NODE_EDGES_DIRECT + 1},
+    {"direct-bit", "by the engine's, which says it", TREELETS_BIT, NODE_EDGES_DIRECT + 1},
     {NULL, NULL, 0, 0}};
 
 const structure_kind structure_treelets = {
