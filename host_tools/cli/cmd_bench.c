@@ -78,14 +78,6 @@ typedef struct bench {
     output *table, *json;
 } bench;
 
-static unsigned bits_of(unsigned set) {
-    unsigned count = 0;
-    for (; set > 0; set >>= 1) {
-        count += set & 1u;
-    }
-    return count;
-}
-
 /* The engine has just been opened: all structures of a scene are measured with one set. */
 static int make_rays(bench *b, plt_engine *engine, const char *name, fail *f) {
     const size_t pixels = (size_t)b->frame.width * b->frame.height;
@@ -231,8 +223,8 @@ static int measure_image(bench *b, scene *s, const char *path, fail *f) {
     }
     b->meter.passes = 0;
     progress_begin(&b->meter.bar, "tracing",
-                   (uint64_t)modes.count * bits_of(b->kinds) * bits_of(b->hits) *
-                       (b->meter.repeat + 1));
+                   (uint64_t)modes.count * (unsigned)__builtin_popcount(b->kinds) *
+                       (unsigned)__builtin_popcount(b->hits) * (b->meter.repeat + 1));
     for (unsigned i = 0; i < modes.count && status == 0; i++) {
         const bench_mode *mode = &modes.mode[i];
         s->options = mode->options;

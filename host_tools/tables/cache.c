@@ -117,12 +117,16 @@ static char *read_text(const cache *c, size_t size, fail *f) {
         fail_set(f, c->path, "out of memory; close other programs");
         return NULL;
     }
-    while (got < size) {
-        const ssize_t n = read(c->file, text + got, size - got);
-        if (n <= 0) {
-            break;
+    ssize_t n = 1;
+    while (got < size && n != 0) {
+        n = read(c->file, text + got, size - got);
+        if (n < 0 && errno != EINTR) {
+            fail_set(f, c->path, "cannot read: %s; move it away, or choose another folder for -o",
+                     strerror(errno));
+            heap_drop(text);
+            return NULL;
         }
-        got += (size_t)n;
+        got += n > 0 ? (size_t)n : 0;
     }
     for (size_t i = 0; i < got; i++) {
         text[i] = text[i] == '\0' ? ' ' : text[i];
@@ -136,10 +140,15 @@ static int refuse(const cache *c, const char *why, fail *f) {
 }
 
 static int write_all(const cache *c, const char *bytes, size_t count, fail *f) {
-    return write(c->file, bytes, count) == (ssize_t)count
-               ? 0
-               : fail_set(f, c->path, "cannot write: %s; free some space, or choose another -o",
-                          strerror(errno));
+    for (size_t done = 0; done < count;) {
+        const ssize_t n = write(c->file, bytes + done, count - done);
+        if (n < 0 && errno != EINTR) {
+            return fail_set(f, c->path, "cannot write: %s; free some space, or choose another -o",
+                            strerror(errno));
+        }
+        done += n > 0 ? (size_t)n : 0;
+    }
+    return 0;
 }
 
 static int load(cache *c, fail *f) {

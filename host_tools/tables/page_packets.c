@@ -37,7 +37,10 @@ void page_packets(sheet *s, const book *b) {
             put_scene(s, &b->scene[i], i);
         }
     }
-    sheet_note(s,
-               "Means over all packets of the views. Trees split in the spatial median, as the "
-               "thesis does, or by the surface area heuristic, one triangle per leaf.");
+    sheet_note(
+        s,
+        "Means over all packets of the views. Trees split in the spatial median, as the "
+        "thesis does, or by the surface area heuristic, one triangle per leaf. Rays that are "
+        "masked out are those of a packet at a node that had not met what is above it. At "
+        "triangles there are more (trace --baseline bph --json).");
 }

@@ -45,6 +45,9 @@ int pages_make(sheet *s, const book *b, unsigned table, fail *f) {
         s->column[c] = p->column[c];
     }
     make[table - 1](s, b);
+    if (b->options.rows != (1u << PRINTED_SCENES) - 1 && (table == 2 || table > 4)) {
+        sheet_note(s, "Printed means are of the thesis's eleven scenes, ours of the rows here.");
+    }
     note_stand_ins(s, b, table);
     for (unsigned i = 0; p->remark[i] != NULL; i++) {
         sheet_note(s, "As printed: %s", p->remark[i]);
