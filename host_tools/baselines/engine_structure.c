@@ -1,7 +1,8 @@
 /* engine_structure - the engine's trees and grid as structures
  *
  * A mesh is packed as thesis nodes and opened in an arena that has room for what moving it takes.
- * A frame is plt_move, and a rebuild when one is due, all of it before the frame is traced.
+ * A frame is plt_move, and a rebuild when one is due, all of it before the frame is traced. An
+ * engine that others have opened is traced as it is.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/baselines/engine_structure.h"
@@ -11,14 +12,14 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/pack.h"
 
-enum variant { TREE, TREE_NEVER, TREE_ALWAYS, GRID };
+enum variant { TREE, TREE_NEVER, TREE_ALWAYS, GRID, OPENED };
 
 enum { GRID_BYTES = PLT_GRID_TRIANGLE_BYTES + 8 }; /* per triangle, all that a grid takes */
 enum { STEP = 1 << 30 };                           /* a rebuild is one step */
 
 typedef struct engine_structure {
     unsigned variant;
-    packed image;
+    packed image; /* of OPENED neither this nor an arena */
     void *arena;
     plt_engine *engine;
     float (*corners)[9];
@@ -30,7 +31,8 @@ typedef struct engine_structure {
 static const uint8_t rebuilds[] = {[TREE] = PLT_REBUILD_COST,
                                    [TREE_NEVER] = PLT_REBUILD_NEVER,
                                    [TREE_ALWAYS] = PLT_REBUILD_ALWAYS,
-                                   [GRID] = PLT_REBUILD_NEVER};
+                                   [GRID] = PLT_REBUILD_NEVER,
+                                   [OPENED] = PLT_REBUILD_NEVER};
 
 static plt_options options_of(const engine_structure *e, const structure_options *o) {
     const int is_tree = e->variant != GRID;
@@ -96,6 +98,17 @@ static void *open_tree(unsigned variant, const mesh *m, const structure_options 
     return e;
 }
 
+void *engine_structure_of(plt_engine *engine, const char *name) {
+    engine_structure *e = heap_get_zeroed(sizeof *e);
+    if (e != NULL) {
+        e->variant = OPENED;
+        e->engine = engine;
+        e->triangles = plt_engine_info(engine)->triangles;
+        strncpy(e->name, name, sizeof e->name - 1);
+    }
+    return e;
+}
+
 static int fill_corners(engine_structure *e, const mesh *m, fail *f) {
     if (e->corners == NULL) {
         e->corners = heap_get((uint64_t)e->triangles * sizeof *e->corners + 1);
@@ -156,6 +169,10 @@ static void count_tree(const void *self, structure_statistics *to) {
                                  .build_work = e->build_work,
                                  .triangle_bytes = (uint64_t)e->triangles * sizeof(plt_record)};
     to->bytes = e->variant == GRID ? used - to->triangle_bytes : (uint64_t)info->node_slots * 32;
+    if (info->nodes_format == PLT_NODES_COMPACT) {
+        to->bytes = info->node_bytes;
+        to->triangle_bytes = info->triangle_bytes;
+    }
     if (e->variant != GRID) {
         to->nodes = info->nodes;
         to->leaves = info->leaf_lists + info->intermediate_lists;
@@ -187,3 +204,4 @@ const structure_kind structure_tree_never =
 const structure_kind structure_tree_always =
     ENGINE_KIND("tree-always", TREE_ALWAYS, "the same, rebuilt for each frame");
 const structure_kind structure_grid = ENGINE_KIND("grid", GRID, "the engine's grid, made anew");
+const structure_kind structure_opened = ENGINE_KIND("engine", OPENED, "the engine as it is open");

@@ -76,6 +76,18 @@ built_structure *structure_open(const structure_kind *kind, const mesh *m,
     return s;
 }
 
+built_structure *structure_of_engine(plt_engine *engine, const char *name, fail *f) {
+    built_structure *s = heap_get(sizeof *s);
+    void *self = s != NULL ? engine_structure_of(engine, name) : NULL;
+    if (self == NULL) {
+        heap_drop(s);
+        fail_set(f, name, "out of memory; close other programs");
+        return NULL;
+    }
+    *s = (built_structure){&structure_opened, self, plt_engine_info(engine)->triangles};
+    return s;
+}
+
 void structure_close(built_structure *s) {
     if (s != NULL) {
         s->kind->close(s->self);

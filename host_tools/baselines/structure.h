@@ -41,6 +41,10 @@ void structure_print_kinds(FILE *to);
  * when there is no memory, or the mesh is beyond what the kind can hold. */
 built_structure *structure_open(const structure_kind *kind, const mesh *m,
                                 const structure_options *options, const char *name, fail *f);
+/* An engine that is open, in the mode that it was opened with, as one of them: rays, counts and
+ * moves go to it. It stays its owner's, and has to outlive the structure. NULL: no memory. */
+built_structure *structure_of_engine(plt_engine *engine, const char *name, fail *f);
+
 void structure_close(built_structure *s); /* NULL is allowed */
 
 /* The same triangles, moved: what the kind does before it traces a frame. -1: another number of

@@ -8,39 +8,24 @@
 #ifndef BENCH_AGAINST_H
 #define BENCH_AGAINST_H
 
-#include "host_tools/app/args.h"
 #include "host_tools/app/ray_kinds.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/base/output.h"
-#include "host_tools/base/progress.h"
-#include "host_tools/baselines/structure.h"
-
-enum { AGAINST_MOST = 16, AGAINST_NAME = 96 };
+#include "host_tools/cli/bench_list.h"
 
 typedef struct against_row {
     const char *scene;
-    char name[AGAINST_NAME]; /* as it was given */
-    uint8_t kind, any;       /* enum ray_kind */
+    char name[BENCH_NAME]; /* as it was given */
+    uint8_t kind, any;     /* enum ray_kind */
     uint8_t packet_side;
     uint32_t triangles, rays;
     double engine_seconds, seconds, build_seconds;
     double ratio; /* median of the rounds: the structure's time over the engine's */
-    plt_stats engine;
-    uint64_t engine_bytes; /* of its nodes */
-    structure_statistics counts;
+    structure_statistics engine, counts;
 } against_row;
 
-/* One that is wanted. */
-typedef struct against_wanted {
-    char name[AGAINST_NAME];
-    const structure_kind *kind;
-    structure_options options;
-    int has_side; /* a switch says it */
-} against_wanted;
-
 typedef struct against {
-    against_wanted wanted[AGAINST_MOST];
-    unsigned count; /* 0: nothing is */
+    bench_list list; /* empty: it was not asked for */
     unsigned kinds, hits, packets, repeat;
     against_row *row; /* owned */
     unsigned rows, room;
@@ -53,10 +38,9 @@ typedef struct against {
             "between, by turns; nothing else is measured"                                          \
     }
 
-/* Reads the flag. */
+/* Reads the flag, when what else chooses is set: complains of a structure that goes by none of the
+ * packets that are asked for. */
 void against_read(against *to, args *a);
-/* Complains of a structure that goes by none of the packets that are asked for. */
-void against_check(const against *of, args *a);
 void against_free(against *a);
 
 /* Every structure with every packet, kind of ray and question, through an image that is attached.

@@ -28,7 +28,7 @@ static int print_row(const against_row *r, output *o, fail *f) {
     return output_print(o, f, " %7.1f %7.1f %7.3f %7.3f %5.1f %5.1f\n",
                         per_packet(r, r->engine.node_visits), per_packet(r, s->node_visits),
                         over(r->engine.triangle_tests, r->rays), over(s->triangle_tests, r->rays),
-                        over(r->engine_bytes, r->triangles), over(s->bytes, r->triangles));
+                        over(r->engine.bytes, r->triangles), over(s->bytes, r->triangles));
 }
 
 int against_print(const against *a, unsigned first, output *o, fail *f) {
@@ -58,8 +58,8 @@ static int json_row(const against_row *r, output *o, fail *f) {
     output_print(o, f,
                  ", \"engine_node_visits\": %" PRIu64 ", \"engine_group_tests\": %" PRIu64
                  ", \"engine_triangle_tests\": %" PRIu64 ", \"engine_node_bytes\": %" PRIu64,
-                 r->engine.node_visits, r->engine.group_tests, r->engine.triangle_tests,
-                 r->engine_bytes);
+                 r->engine.node_visits, r->engine.box_tests, r->engine.triangle_tests,
+                 r->engine.bytes);
     return output_print(o, f,
                         ", \"node_visits\": %" PRIu64 ", \"box_tests\": %" PRIu64
                         ", \"triangle_tests\": %" PRIu64

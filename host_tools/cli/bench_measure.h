@@ -1,24 +1,22 @@
-/* bench_measure - one kind of ray in one mode, several times
+/* bench_measure - one kind of ray through one structure, several times
  *
  * SPDX-License-Identifier: MIT */
 #ifndef BENCH_MEASURE_H
 #define BENCH_MEASURE_H
 
-#include "host_tools/base/progress.h"
+#include "host_tools/baselines/turns.h"
 #include "host_tools/cli/bench_rows.h"
 
-enum { BENCH_REPEAT_MOST = 1000 };
-
 typedef struct bench_meter {
-    unsigned repeat; /* 1 .. BENCH_REPEAT_MOST */
+    unsigned repeat; /* 1 .. TURNS_ROUNDS_MOST */
     counters counters;
-    plt_hit *hits; /* room for the rays */
     progress bar;
     uint64_t passes; /* all so far */
 } bench_meter;
 
 /* Traces `rays` once to see what comes of it, then `repeat` times by the clock: fills what
- * the row says came of it, but for arena_bytes. */
-void bench_measure(bench_row *row, plt_engine *engine, const ray_set *rays, bench_meter *meter);
+ * the row says came of it, but for arena_bytes and build_seconds. -1: no memory. */
+int bench_measure(bench_row *row, built_structure *s, const ray_set *rays, bench_meter *meter,
+                  fail *f);
 
 #endif

@@ -37,9 +37,14 @@ void bench_rows_free(bench_rows *rows) {
     *rows = (bench_rows){NULL, 0, 0};
 }
 
+/* What the column of nodes has. */
+static const char *nodes_of(const bench_row *r) {
+    return r->structure != NULL ? r->structure : bench_nodes_names[r->nodes];
+}
+
 /* Of one scene, structure and question: they differ in packets and walks alone. */
 static int is_alike(const bench_row *a, const bench_row *b) {
-    return a->kind == b->kind && a->any == b->any && a->nodes == b->nodes;
+    return a->kind == b->kind && a->any == b->any && strcmp(nodes_of(a), nodes_of(b)) == 0;
 }
 
 static int is_best(const bench_rows *rows, unsigned first, const bench_row *row) {
@@ -51,9 +56,9 @@ static int is_best(const bench_rows *rows, unsigned first, const bench_row *row)
     return 1;
 }
 
-static int print_title(output *o, const counters *c, fail *f) {
-    output_print(o, f, "%-8s %-8s %-8s %-6s %-9s %8s  %7s %7s", "rays", "hits", "nodes", "packet",
-                 "walk", "Mray/s", "least", "spread");
+static int print_title(int width, output *o, const counters *c, fail *f) {
+    output_print(o, f, "%-8s %-8s %-*s %-6s %-9s %8s  %7s %7s", "rays", "hits", width, "nodes",
+                 "packet", "walk", "Mray/s", "least", "spread");
     for (int i = 0; i < COUNTERS; i++) {
         if (c->file[i] >= 0) {
             output_print(o, f, " %7s", counter_titles[i]);
@@ -63,16 +68,17 @@ static int print_title(output *o, const counters *c, fail *f) {
 }
 
 /* Counts are per ray. */
-static int print_row(const bench_row *r, int best, output *o, const counters *c, fail *f) {
+static int print_row(const bench_row *r, int width, int best, output *o, const counters *c,
+                     fail *f) {
     const double rays = (double)r->rays;
     char packet[8] = "-";
     if (r->packet_side > 0) {
         snprintf(packet, sizeof packet, "%ux%u", r->packet_side, r->packet_side);
     }
-    output_print(o, f, "%-8s %-8s %-8s %-6s %-9s %8.3f%c %7.3f %5.1f %%", ray_kind_names[r->kind],
-                 bench_any_names[r->any], bench_nodes_names[r->nodes], packet,
-                 bench_walk_names[r->walk], 1e-6 * r->median, best ? '*' : ' ', 1e-6 * r->least,
-                 100.0 * (r->most - r->least) / r->median);
+    output_print(o, f, "%-8s %-8s %-*s %-6s %-9s %8.3f%c %7.3f %5.1f %%", ray_kind_names[r->kind],
+                 bench_any_names[r->any], width, nodes_of(r), packet,
+                 r->structure != NULL ? "-" : bench_walk_names[r->walk], 1e-6 * r->median,
+                 best ? '*' : ' ', 1e-6 * r->least, 100.0 * (r->most - r->least) / r->median);
     for (int i = 0; i < COUNTERS; i++) {
         if (c->file[i] >= 0) {
             output_print(o, f, i == COUNTER_BRANCH_MISSES ? " %7.2f" : " %7.0f",
@@ -80,18 +86,22 @@ static int print_row(const bench_row *r, int best, output *o, const counters *c,
         }
     }
     return output_print(o, f, " %7.3f %7.3f %7.3f\n", (double)r->stats.node_visits / rays,
-                        (double)r->stats.group_tests / rays,
-                        (double)r->stats.triangle_tests / rays);
+                        (double)r->stats.box_tests / rays, (double)r->stats.triangle_tests / rays);
 }
 
 int bench_rows_print(const bench_rows *rows, unsigned first, const counters *c, output *o,
                      fail *f) {
-    int status = print_title(o, c, f);
+    int width = 8;
+    for (unsigned i = first; i < rows->count; i++) {
+        const int length = (int)strlen(nodes_of(&rows->row[i]));
+        width = length > width ? length : width;
+    }
+    int status = print_title(width, o, c, f);
     for (unsigned kind = 0; kind < 2 * RAY_KINDS; kind++) {
         for (unsigned i = first; i < rows->count && status == 0; i++) {
             const bench_row *r = &rows->row[i];
             if (r->kind == kind / 2 && r->any == kind % 2) {
-                status = print_row(r, is_best(rows, first, r), o, c, f);
+                status = print_row(r, width, is_best(rows, first, r), o, c, f);
             }
         }
     }
@@ -101,14 +111,19 @@ int bench_rows_print(const bench_rows *rows, unsigned first, const counters *c, 
 static int json_row(const bench_row *r, output *o, const counters *c, fail *f) {
     output_print(o, f, "    {\"scene\": ");
     json_write_string(o, r->scene, f);
-    output_print(o, f,
-                 ", \"triangles\": %" PRIu32
-                 ", \"nodes\": \"%s\", \"kind\": \"%s\", "
-                 "\"hit\": \"%s\", \"packet\": %u, \"walk\": \"%s\", \"rays\": %" PRIu32
-                 ", \"hits\": %" PRIu32 ", \"hits_hash\": \"%016" PRIx64 "\"",
-                 r->triangles, bench_nodes_names[r->nodes], ray_kind_names[r->kind],
-                 bench_any_names[r->any], r->packet_side, bench_walk_names[r->walk], r->rays,
-                 r->hits, r->hash);
+    output_print(o, f, ", \"triangles\": %" PRIu32 ", \"structure\": \"%s\"", r->triangles,
+                 r->structure != NULL ? r->structure : "engine");
+    if (r->structure == NULL) {
+        output_print(o, f, ", \"nodes\": \"%s\"", bench_nodes_names[r->nodes]);
+    }
+    output_print(o, f, ", \"kind\": \"%s\", \"hit\": \"%s\", \"packet\": %u",
+                 ray_kind_names[r->kind], bench_any_names[r->any], r->packet_side);
+    if (r->structure == NULL) {
+        output_print(o, f, ", \"walk\": \"%s\"", bench_walk_names[r->walk]);
+    }
+    output_print(
+        o, f, ", \"rays\": %" PRIu32 ", \"hits\": %" PRIu64 ", \"hits_hash\": \"%016" PRIx64 "\"",
+        r->rays, r->hits, r->hash);
     output_print(o, f,
                  ", \"least_rays_per_s\": %.0f, \"median_rays_per_s\": %.0f, "
                  "\"most_rays_per_s\": %.0f",
@@ -118,11 +133,13 @@ static int json_row(const bench_row *r, output *o, const counters *c, fail *f) {
             output_print(o, f, ", \"%s\": %" PRIu64, counter_keys[i], r->counted[i]);
         }
     }
-    return output_print(o, f,
-                        ", \"node_visits\": %" PRIu64 ", \"group_tests\": %" PRIu64
-                        ", \"triangle_tests\": %" PRIu64 ", \"arena_bytes_needed\": %zu}",
-                        r->stats.node_visits, r->stats.group_tests, r->stats.triangle_tests,
-                        r->arena_bytes);
+    output_print(o, f,
+                 ", \"node_visits\": %" PRIu64 ", \"group_tests\": %" PRIu64
+                 ", \"triangle_tests\": %" PRIu64 ", \"structure_bytes\": %" PRIu64,
+                 r->stats.node_visits, r->stats.box_tests, r->stats.triangle_tests, r->stats.bytes);
+    return r->structure != NULL
+               ? output_print(o, f, ", \"build_seconds\": %.9f}", r->build_seconds)
+               : output_print(o, f, ", \"arena_bytes_needed\": %zu}", r->arena_bytes);
 }
 
 int bench_rows_json(const bench_rows *rows, const counters *c, output *o, fail *f) {

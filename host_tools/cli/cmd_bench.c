@@ -19,7 +19,7 @@
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/pack.h"
 
-enum { SIDE_MOST = 4096, PACKET_SIZES = 4, MODES_MOST = 2 * PACKET_SIZES + 2, RAYS_IN_FLIGHT = 32 };
+enum { SIDE_MOST = 4096, MODES_MOST = 2 * BENCH_SIDES + 2, RAYS_IN_FLIGHT = 32 };
 
 static const arg_flag flags[] = {
     {"--kinds", "LIST",
@@ -33,6 +33,9 @@ static const arg_flag flags[] = {
      "wide, over a wide form of them; structures go without what they do not have (default all)"},
     {"--repeat", "N", "trace so often; 1 to 1000 (default 5)"},
     {"--size", "WxH", "primary rays, each side 1 to 4096 (default 256x256)"},
+    {"--structures", "LIST",
+     "rows of these, with blanks between: engine, and structures as listed below, with the packets "
+     "of --packets that they have (default engine)"},
     AGAINST_FLAG,
     VIEW_FLAGS,
     {"--json", "STATS", "write all figures to this file; - is standard output, without the table"},
@@ -59,7 +62,8 @@ const arg_command command_bench = {
         "slowest to the fastest, as a share of the median. The rest is per ray:\n"
         "instructions, cycles and branch misses, where the system lets a program count\n"
         "them, visits of nodes, tests of groups of four rays against a box, and of\n"
-        "groups against a triangle. A star marks the best of each structure.\n"
+        "groups against a triangle, of those that --structures names as they count\n"
+        "them. A star marks the best of each structure.\n"
         "\n"
         "With --against both trace all rays in turns, and hits are compared: Mray/s are\n"
         "the best of all rounds, ratio is how many times as fast the engine is by them,\n"
@@ -73,35 +77,32 @@ typedef struct bench {
     plt_frame frame;                             /* of the primary rays */
     bench_meter meter;
     bench_rows rows;
+    bench_list structures;
     against against;
-    ray_kinds rays; /* of the scene that is measured; none yet: no room either */
+    ray_kinds rays; /* of the scene that is measured */
+    int has_rays;   /* 0: they are not made yet */
     output *table, *json;
 } bench;
 
 /* The engine has just been opened: all structures of a scene are measured with one set. */
 static int make_rays(bench *b, plt_engine *engine, const char *name, fail *f) {
-    const size_t pixels = (size_t)b->frame.width * b->frame.height;
-    if (b->meter.hits != NULL) {
+    if (b->has_rays) {
         return 0;
     }
     view_camera(b->a, plt_engine_info(engine), b->frame.width, b->frame.height, &b->frame.camera);
     if (b->a->wrong || view_refused(b->a, &b->frame, 1, f) != 0) {
         return -1;
     }
-    b->meter.hits = malloc(pixels * sizeof *b->meter.hits);
-    if (b->meter.hits == NULL) {
-        return fail_set(f, "rays", "out of memory; choose a smaller --size");
-    }
+    b->has_rays = 1;
     return ray_kinds_make(&b->rays, b->kinds, engine, &b->frame, name, f);
 }
 
 static void free_rays(bench *b) {
     ray_kinds_free(&b->rays);
-    free(b->meter.hits);
-    b->meter.hits = NULL;
+    b->has_rays = 0;
 }
 
-/* The same structure has given the same hits before, in another mode. */
+/* The same triangles have given the same hits before, in another mode or structure. */
 static int check_hits(const bench *b, unsigned first, fail *f) {
     const bench_row *row = &b->rows.row[b->rows.count - 1];
     for (unsigned i = first; i + 1 < b->rows.count; i++) {
@@ -115,8 +116,9 @@ static int check_hits(const bench *b, unsigned first, fail *f) {
     return 0;
 }
 
-/* One open engine: every kind of ray, closest and any hit. `first` row of this image. */
-static int measure_mode(bench *b, const scene *s, const bench_row *like, unsigned first, fail *f) {
+/* One structure: every kind of ray, closest and any hit. `first` row of this image. */
+static int measure_kinds(bench *b, built_structure *s, const bench_row *like, unsigned first,
+                         fail *f) {
     for (unsigned kind = 0; kind < RAY_KINDS; kind++) {
         for (unsigned any = 0; any < 2; any++) {
             if (!(b->kinds >> kind & 1u) || !(b->hits >> any & 1u)) {
@@ -129,8 +131,8 @@ static int measure_mode(bench *b, const scene *s, const bench_row *like, unsigne
             *row = *like;
             row->kind = (uint8_t)kind;
             row->any = (uint8_t)any;
-            bench_measure(row, s->engine, &b->rays.of[kind], &b->meter);
-            if (check_hits(b, first, f) != 0) {
+            if (bench_measure(row, s, &b->rays.of[kind], &b->meter, f) != 0 ||
+                check_hits(b, first, f) != 0) {
                 return -1;
             }
         }
@@ -174,7 +176,7 @@ static void add_waves(mode_list *list, const bench *b, const plt_info *info) {
 
 static void list_modes(mode_list *list, const bench *b, const plt_info *info) {
     list->count = 0;
-    for (unsigned p = 0; p < PACKET_SIZES; p++) {
+    for (unsigned p = 0; p < BENCH_SIDES; p++) {
         for (unsigned walk = BENCH_DEPTH; walk <= BENCH_TWO_STAGE; walk++) {
             const plt_options o = {.packet_side = (uint8_t)(2u << p), .order = (uint8_t)walk};
             if ((b->packets >> p & 1u) && (b->walks >> walk & 1u)) {
@@ -191,58 +193,136 @@ static int is_without(const scene *s, const bench_mode *mode) {
            s->options.wide != mode->options.wide;
 }
 
-/* The engine against structures. Rays are made with an engine that is opened for that. */
-static int measure_against(bench *b, scene *s, const char *path, fail *f) {
+/* Rays are made with an engine that is opened for that, unless they are there. */
+static int open_for_rays(bench *b, scene *s, const char *path, fail *f) {
     plt_fault fault;
     s->options = (plt_options){.packet_side = SCENE_USUAL_PACKET};
     const int opened = scene_start(s, path, &fault);
-    if (opened != PLT_OK) {
-        return scene_refused(s, path, opened, &fault, f);
-    }
-    return make_rays(b, s->engine, scene_name(path), f) == 0
-               ? against_measure(&b->against, s, path, &b->rays, f)
-               : -1;
+    return opened == PLT_OK ? make_rays(b, s->engine, scene_name(path), f)
+                            : scene_refused(s, path, opened, &fault, f);
 }
 
-/* Every mode of an image that is attached or held. */
+/* The engine against structures. */
+static int measure_against(bench *b, scene *s, const char *path, fail *f) {
+    return open_for_rays(b, s, path, f) == 0 ? against_measure(&b->against, s, path, &b->rays, f)
+                                             : -1;
+}
+
+/* The engine as it is open. */
+static int measure_engine(bench *b, const scene *s, const bench_row *like, unsigned first,
+                          fail *f) {
+    built_structure *opened = structure_of_engine(s->engine, like->scene, f);
+    const int status = opened != NULL ? measure_kinds(b, opened, like, first, f) : -1;
+    structure_close(opened);
+    return status;
+}
+
+/* Its modes; those that the arena had no room for are left out. */
+static int measure_modes(bench *b, scene *s, const char *path, const plt_info *info,
+                         const mode_list *modes, unsigned first, fail *f) {
+    plt_fault fault;
+    int status = 0;
+    for (unsigned i = 0; i < modes->count && status == 0; i++) {
+        const bench_mode *mode = &modes->mode[i];
+        s->options = mode->options;
+        const int opened = scene_start(s, path, &fault);
+        if (opened != PLT_OK) {
+            return scene_refused(s, path, opened, &fault, f);
+        }
+        if (is_without(s, mode)) {
+            continue;
+        }
+        const bench_row like = {
+            .scene = scene_name(path),
+            .nodes = info->nodes_format,
+            .walk = mode->walk,
+            .packet_side = mode->options.rays_in_flight > 0 ? 0 : mode->options.packet_side,
+            .triangles = info->triangles,
+            .arena_bytes = plt_arena_need(info, 1, &mode->options)};
+        status = make_rays(b, s->engine, like.scene, f);
+        status = status == 0 ? measure_engine(b, s, &like, first, f) : status;
+    }
+    return status;
+}
+
+/* With packets of that side; 0: rays one by one. */
+static int measure_structure(bench *b, const scene *s, const char *path, const bench_wanted *w,
+                             unsigned side, unsigned first, fail *f) {
+    baseline built = {.kind = w->kind, .options = bench_wanted_options(w, side)};
+    int status = baseline_open(&built, s->engine, scene_name(path), f);
+    if (status == 0) {
+        const bench_row like = {.scene = scene_name(path),
+                                .structure = w->name,
+                                .packet_side = (uint8_t)side,
+                                .triangles = plt_engine_info(s->engine)->triangles,
+                                .build_seconds = built.build_seconds};
+        status = measure_kinds(b, built.s, &like, first, f);
+    }
+    baseline_close(&built);
+    return status;
+}
+
+static int measure_sides(bench *b, const scene *s, const char *path, const bench_wanted *w,
+                         unsigned first, fail *f) {
+    int status = bench_wanted_has(w, 0) ? measure_structure(b, s, path, w, 0, first, f) : 0;
+    for (unsigned i = 0; i < BENCH_SIDES && status == 0; i++) {
+        const unsigned side = 2u << i;
+        if ((b->packets >> i & 1u) && side <= PLT_PACKET_SIDE_MAX && bench_wanted_has(w, side)) {
+            status = measure_structure(b, s, path, w, side, first, f);
+        }
+    }
+    return status;
+}
+
+/* Those that are asked for beside the engine, of the triangles of an engine that is opened for
+ * that. */
+static int measure_structures(bench *b, scene *s, const char *path, unsigned first, fail *f) {
+    int status = open_for_rays(b, s, path, f);
+    for (unsigned i = 0; i < b->structures.count && status == 0; i++) {
+        status = measure_sides(b, s, path, &b->structures.wanted[i], first, f);
+    }
+    return status;
+}
+
+/* Passes over the rays of all that is measured, for the progress. */
+static uint64_t count_passes(const bench *b, unsigned modes) {
+    unsigned ways = modes;
+    for (unsigned i = 0; i < b->structures.count; i++) {
+        const bench_wanted *w = &b->structures.wanted[i];
+        ways += (unsigned)bench_wanted_has(w, 0);
+        for (unsigned k = 0; k < BENCH_SIDES; k++) {
+            ways += (b->packets >> k & 1u) && bench_wanted_has(w, 2u << k);
+        }
+    }
+    return (uint64_t)ways * (unsigned)__builtin_popcount(b->kinds) *
+           (unsigned)__builtin_popcount(b->hits) * (b->meter.repeat + 1);
+}
+
+/* All of an image that is attached or held: modes of the engine, structures of its triangles. */
 static int measure_image(bench *b, scene *s, const char *path, fail *f) {
     plt_fault fault;
     plt_info info;
-    mode_list modes;
+    mode_list modes = {.count = 0};
     const unsigned first = b->rows.count;
     int status = plt_image_info(&s->file.source, &info, &fault);
     if (status != PLT_OK) {
         return scene_refused(s, path, status, &fault, f);
     }
-    if (b->against.count > 0) {
+    if (b->against.list.count > 0) {
         return measure_against(b, s, path, f);
     }
-    list_modes(&modes, b, &info);
-    if (modes.count == 0) {
-        return fail_set(f, scene_name(path), "no such mode is for its nodes; add --walks depth");
+    if (b->structures.has_engine) {
+        list_modes(&modes, b, &info);
+        if (modes.count == 0) {
+            return fail_set(f, scene_name(path),
+                            "no such mode is for its nodes; add --walks depth");
+        }
     }
     b->meter.passes = 0;
-    progress_begin(&b->meter.bar, "tracing",
-                   (uint64_t)modes.count * (unsigned)__builtin_popcount(b->kinds) *
-                       (unsigned)__builtin_popcount(b->hits) * (b->meter.repeat + 1));
-    for (unsigned i = 0; i < modes.count && status == 0; i++) {
-        const bench_mode *mode = &modes.mode[i];
-        s->options = mode->options;
-        const int opened = scene_start(s, path, &fault);
-        if (opened != PLT_OK) {
-            status = scene_refused(s, path, opened, &fault, f);
-        } else if (is_without(s, mode)) {
-            continue;
-        } else if ((status = make_rays(b, s->engine, scene_name(path), f)) == 0) {
-            const bench_row like = {
-                .scene = scene_name(path),
-                .nodes = info.nodes_format,
-                .walk = mode->walk,
-                .packet_side = mode->options.rays_in_flight > 0 ? 0 : mode->options.packet_side,
-                .triangles = info.triangles,
-                .arena_bytes = plt_arena_need(&info, 1, &mode->options)};
-            status = measure_mode(b, s, &like, first, f);
-        }
+    progress_begin(&b->meter.bar, "tracing", count_passes(b, modes.count));
+    status = measure_modes(b, s, path, &info, &modes, first, f);
+    if (status == 0 && b->structures.count > 0) {
+        status = measure_structures(b, s, path, first, f);
     }
     progress_end(&b->meter.bar);
     return status;
@@ -323,8 +403,8 @@ static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
     fail name = {""}; /* hides control characters */
     fail_set(&name, NULL, "%s", scene_name(path));
     output_print(b->table, f, "%s%s: %" PRIu32 " triangles", first > 0 ? "\n" : "", name.text,
-                 b->against.count > 0 ? b->against.row[first].triangles
-                                      : b->rows.row[first].triangles);
+                 b->against.list.count > 0 ? b->against.row[first].triangles
+                                           : b->rows.row[first].triangles);
     for (unsigned kind = 0; kind < RAY_KINDS; kind++) {
         if (b->kinds >> kind & 1u) {
             output_print(b->table, f, "%s %" PRIu32 " %s", before, b->rays.of[kind].count,
@@ -333,7 +413,7 @@ static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
         }
     }
     output_print(b->table, f, " rays\n");
-    if (b->against.count > 0) {
+    if (b->against.list.count > 0) {
         return against_print(&b->against, first, b->table, f);
     }
     return bench_rows_print(&b->rows, first, &b->meter.counters, b->table, f);
@@ -342,7 +422,7 @@ static int print_scene(bench *b, const char *path, unsigned first, fail *f) {
 static int measure_all(bench *b, fail *f) {
     int status = 0;
     for (int i = 0; i < b->a->files && status == 0; i++) {
-        const unsigned first = b->against.count > 0 ? b->against.rows : b->rows.count;
+        const unsigned first = b->against.list.count > 0 ? b->against.rows : b->rows.count;
         char *path = b->a->file[i];
         status = is_image(path) ? measure_file(b, path, f) : measure_mesh(b, path, f);
         if (status == 0) {
@@ -360,7 +440,7 @@ static int write_json(bench *b, fail *f) {
     }
     output_print(o, f, "{\n  \"repeat\": %u,\n  \"width\": %u,\n  \"height\": %u,\n",
                  b->meter.repeat, b->frame.width, b->frame.height);
-    if (b->against.count > 0) {
+    if (b->against.list.count > 0) {
         against_json(&b->against, o, f);
     } else {
         bench_rows_json(&b->rows, &b->meter.counters, o, f);
@@ -394,7 +474,7 @@ static int finish_table(bench *b, fail *f) {
     if (o == NULL) {
         return 0;
     }
-    if (b->against.count == 0) {
+    if (b->against.list.count == 0) {
         print_missing(&b->meter.counters, o, f);
     }
     return output_commit(o, f);
@@ -419,21 +499,29 @@ static int run_all(bench *b, fail *f) {
     return status;
 }
 
-/* Structures are of float triangles, as thesis nodes have them. */
 static void read_against(bench *b, args *a) {
-    against_read(&b->against, a);
-    if (b->against.count == 0) {
-        return;
-    }
-    if (args_has(a, "--walks") || args_has(a, "--nodes")) {
-        args_complain(a, "--against has one walk and thesis nodes; leave out --walks and --nodes");
-    }
-    b->nodes = 1u << PLT_NODES_THESIS;
     b->against.kinds = b->kinds;
     b->against.hits = b->hits;
     b->against.packets = b->packets;
     b->against.repeat = b->meter.repeat;
-    against_check(&b->against, a);
+    against_read(&b->against, a);
+    if (args_has(a, "--against") && (args_has(a, "--walks") || args_has(a, "--nodes"))) {
+        args_complain(a, "--against has one walk and thesis nodes; leave out --walks and --nodes");
+    }
+}
+
+static void read_structures(bench *b, args *a) {
+    bench_list_read(&b->structures, a, "--structures", 1);
+    bench_list_check(&b->structures, a, "--structures", b->packets, 0);
+    if (!args_has(a, "--structures")) {
+        b->structures.has_engine = 1;
+    } else if (args_has(a, "--against")) {
+        args_complain(a, "--structures and --against are two tables; give one of them");
+    } else if (!b->structures.has_engine && args_has(a, "--walks")) {
+        args_complain(a, "--walks are the engine's; add engine to --structures");
+    } else if (b->structures.count > 0 && args_has(a, "--nodes")) {
+        args_complain(a, "--structures are beside thesis nodes; leave out --nodes");
+    }
 }
 
 static void read_flags(bench *b, args *a) {
@@ -445,11 +533,15 @@ static void read_flags(bench *b, args *a) {
     b->nodes = args_set(a, "--nodes", bench_nodes_names, 3);
     b->packets = args_set(a, "--packets", packets, 15);
     b->walks = args_set(a, "--walks", bench_walk_names, (1u << BENCH_WALKS) - 1);
-    b->meter.repeat = (unsigned)args_number(a, "--repeat", 5, 1, BENCH_REPEAT_MOST);
+    b->meter.repeat = (unsigned)args_number(a, "--repeat", 5, 1, TURNS_ROUNDS_MOST);
     args_size(a, "--size", SIDE_MOST, &width, &height);
     b->frame.width = (uint16_t)width;
     b->frame.height = (uint16_t)height;
     read_against(b, a);
+    read_structures(b, a);
+    if (b->against.list.count + b->structures.count > 0) {
+        b->nodes = 1u << PLT_NODES_THESIS; /* structures are of float triangles, which those have */
+    }
 }
 
 int run_bench(args *a) {

@@ -175,6 +175,77 @@ verdict "... every ray hits but those from outside in random directions" "$(
         }
         END { if (outside != 14) print outside " rows of rays from outside" }')"
 
+# ---- other structures, as rows of the same table ------------------------------------------------
+
+# shellcheck disable=SC2086
+{
+    works "bench MESH --structures" bench knot.ply $small --kinds primary,shadow --json listed \
+        --structures '  wbvh:bits  engine kd:single bvh:4x4 tree '
+    cp out table
+    verdict "... rows of the engine are as without them" "$(
+        for kind in primary shadow; do
+            rows stats | counts "nodes=thesis kind=$kind " >one
+            rows listed | counts "nodes=thesis kind=$kind " | diff one -
+        done
+        rows listed | grep -c 'structure=engine ' | grep -qx 40 || grep -c engine listed)"
+    verdict "... each structure has its packets, kinds and questions, and its own counts" "$(
+        rows listed | awk '
+            {
+                split("", v)
+                for (i = 1; i <= NF; i++) { split($i, part, "="); v[part[1]] = part[2] }
+                hits = v["hits_hash"] " " v["hits"] " " v["rays"]
+                key = v["kind"] " " v["hit"]
+                if (key in seen && seen[key] != hits) print $0 ": before " seen[key]
+                seen[key] = hits
+            }
+            v["structure"] != "engine" {
+                count[v["structure"] " " v["packet"]]++
+                if ("nodes" in v || "walk" in v || "arena_bytes_needed" in v) print "engine: " $0
+                if (v["node_visits"] < 10 || v["group_tests"] < 10 || v["triangle_tests"] < 10 ||
+                    v["structure_bytes"] < 1000 || v["build_seconds"] <= 0) print "counts: " $0
+            }
+            END {
+                due = "wbvh:bits 2,wbvh:bits 4,wbvh:bits 8,wbvh:bits 16,kd:single 0,bvh:4x4 4,"
+                due = due "tree 2,tree 4,tree 8,tree 16"
+                n = split(due, row, ",")
+                for (i = 1; i <= n; i++) {
+                    if (count[row[i]] != 4) print row[i] ": " count[row[i]] " rows"
+                    delete count[row[i]]
+                }
+                for (key in count) print key ": not asked for"
+            }')"
+    verdict "... in columns as wide as their names" "$(
+        awk '/^(primary|shadow) / {
+            if (width && length != width) print
+            width = length
+            if ($3 == "kd:single" && ($4 != "-" || $5 != "-")) print
+            if ($3 == "bvh:4x4" && ($4 != "4x4" || $5 != "-")) print
+            star[$1 $2 $3] += /\*/
+        }
+        END { for (key in star) if (star[key] < 1) print key ": no star" }' table)"
+    echo 0 0 9 0 0 0 -1 1e30 | rays one
+    run trace knot.plt one one.hits --baseline wbvh --json one.json
+    verdict "... its bytes are those of trace --baseline" "$(
+        rows listed | grep 'structure=wbvh:bits .*packet=8' | head -n 1 |
+            grep -q " structure_bytes=$(number structure_bytes <one.json) " || grep wbvh listed)"
+    works "structures alone" bench knot.plt $small --kinds random --hits any --packets 8,2 \
+        --structures 'bih kd:single' --json -
+    verdict "... and nothing of the engine's" "$(
+        rows out | sed 's/.* structure=\([^ ]*\) .* packet=\([0-9]*\) .*/\1 \2/' | tr '\n' ' ' |
+            grep -qx 'bih 2 bih 8 kd:single 0 ' || cat out)"
+    misused "no structure" "no structure is called ''; choose" bench knot.plt --structures ' '
+    misused "another structure" "'bwvh'; choose" bench knot.plt --structures 'engine bwvh'
+    misused "packets that it does not have" "none of its packets is in --packets" \
+        bench knot.plt --structures wbvh:4x4 --packets 16
+    misused "walks without the engine" "add engine to --structures" \
+        bench knot.plt --structures wbvh --walks depth
+    misused "nodes that have no float triangles" "leave out --nodes" \
+        bench knot.ply --structures 'engine wbvh' --nodes compact
+    misused "two tables" "give one of them" bench knot.plt --structures wbvh --against wbvh
+    refused "lattice triangles" compact.plt "pack it with --nodes thesis" bench compact.plt \
+        $small --structures wbvh
+}
+
 # ---- what cannot be measured -------------------------------------------------------------------
 
 # shellcheck disable=SC2086

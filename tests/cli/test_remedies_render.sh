@@ -225,15 +225,26 @@ against='bench ground.plt --size 9x9 --repeat 1 --kinds primary --packets 8 --ag
     says "--against has one walk and thesis nodes; leave out --walks and --nodes" \
         $against kd --nodes thesis
     cured $against kd
-    says "--against takes %d structures at most" \
+    says "%s takes %d structures at most" \
         $against 'kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd'
     cured $against 'kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd kd'
     says "a name of %zu characters; choose each switch once" \
         $against "wbvh:$(awk 'BEGIN { while (i++ < 20) printf "sah,sah," }')"
     cured $against wbvh:sah
-    says "--against %s: none of its packets is in --packets; leave --packets out" \
+    says "%s %s: none of its packets is in --packets; leave --packets out" \
         $against wbvh:4x4
     cured bench ground.plt --size 9x9 --repeat 1 --kinds primary --against wbvh:4x4
+    says "--structures and --against are two tables; give one of them" \
+        $against wbvh --structures kd
+    cured $against wbvh
+}
+rows='bench ground.plt --size 9x9 --repeat 1 --kinds primary --packets 8 --structures'
+# shellcheck disable=SC2086
+{
+    says "--walks are the engine's; add engine to --structures" $rows wbvh --walks depth
+    cured $rows 'engine wbvh' --walks depth
+    says "--structures are beside thesis nodes; leave out --nodes" $rows wbvh --nodes thesis
+    cured $rows wbvh
 }
 
 # ---- links: cmd_serve.c, host_tools/link ----------------------------------------------------

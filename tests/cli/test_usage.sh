@@ -61,7 +61,8 @@ flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebu
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json $scene_flags
 # shellcheck disable=SC2086
-flags bench --kinds --hits --nodes --packets --walks --repeat --size --against --json $view_flags
+flags bench --kinds --hits --nodes --packets --walks --repeat --size --structures --against --json \
+    $view_flags
 
 # Without files it makes all tables, as test_tables does.
 works "planelet tables --help" tables --help
