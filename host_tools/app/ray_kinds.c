@@ -12,6 +12,7 @@
 
 #include "engine/shade/camera.h"
 #include "host_tools/app/frame.h"
+#include "host_tools/app/view_rays.h"
 
 const char *const ray_kind_names[RAY_KINDS + 1] = {"primary", "shadow",  "light",  "bounce",
                                                    "random",  "outside", "inside", NULL};
@@ -39,13 +40,8 @@ typedef struct making {
 
 static void add_primary(making *m, const plt_view *view, uint32_t x, uint32_t y) {
     ray_set *s = &m->to->of[RAYS_PRIMARY];
-    double org[3], dir[3];
-    for (int a = 0; a < 3; a++) {
-        org[a] = (double)view->eye[a];
-        dir[a] = (double)view->corner[a] + x * (double)view->right[a] + y * (double)view->down[a];
-    }
     m->pixel[s->count] = y * m->frame->width + x;
-    ray_set_add(s, org, dir, INFINITY);
+    view_ray_add(s, view, x, y);
 }
 
 static int make_primary(making *m, fail *f) {

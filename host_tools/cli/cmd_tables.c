@@ -8,6 +8,7 @@
 
 #include "host_tools/app/note.h"
 #include "host_tools/base/clock.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/picture/picture_file.h"
 #include "host_tools/tables/charts.h"
@@ -229,9 +230,19 @@ static int open_outputs(tables *t, fail *f) {
     return 0;
 }
 
+/* Before the run. */
+static void say_size(const tables *t) {
+    const stage_options *o = &t->book.meter.look;
+    note("%u pictures of %u x %u: %llu rays for each structure, %d of them at a time", o->views,
+         o->side, o->side, (unsigned long long)o->views * o->side * o->side, TURNS_BATCH);
+    note("%.0f MB of memory at most, with meshes as large as those of the thesis",
+         1e-6 * (double)book_bytes(&t->book));
+}
+
 static void say_time(const tables *t, double seconds) {
     note("%u figures measured in %.0f s, %u from %s", t->book.measured, seconds, t->book.from_cache,
          t->book.cache != NULL ? t->cache.path : "no cache");
+    note("%.0f MB of memory were in use at most", 1e-6 * (double)heap_peak());
     if (t->cache.refused > 0) {
         note("%s: %u lines are damaged and were not used", t->cache.path, t->cache.refused);
     }
@@ -239,8 +250,11 @@ static void say_time(const tables *t, double seconds) {
 
 static int run_all(tables *t, fail *f) {
     const double began = clock_seconds();
-    if (gallery_open(&t->book.gallery, t->scenes, f) != 0 || open_outputs(t, f) != 0 ||
-        book_write(&t->book, f) != 0 || write_sheets(t, f) != 0) {
+    if (gallery_open(&t->book.gallery, t->scenes, f) != 0 || open_outputs(t, f) != 0) {
+        return -1;
+    }
+    say_size(t);
+    if (book_write(&t->book, f) != 0 || write_sheets(t, f) != 0) {
         return -1;
     }
     if (t->folder != NULL &&

@@ -66,6 +66,10 @@ typedef struct book {
     char doing[64];
 } book;
 
+/* The most memory that writing it takes with meshes as large as those that were printed, whatever
+ * the size and number of pictures: rays are not kept. In bytes. */
+uint64_t book_bytes(const book *b);
+
 /* Fills the book; options, gallery, meter and cache are set. */
 int book_write(book *b, fail *f);
 void book_free(book *b);

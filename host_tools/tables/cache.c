@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -139,12 +140,26 @@ static int refuse(const cache *c, const char *why, fail *f) {
     return fail_set(f, c->path, "%s; move it away, or choose another folder for -o", why);
 }
 
+/* What was written of a line that did not fit is taken away again, so that the file has whole
+ * lines; unless others have written behind it. */
+static void take_back(const cache *c, off_t end, size_t done) {
+    struct stat about;
+    if (done > 0 && fstat(c->file, &about) == 0 && about.st_size == end + (off_t)done &&
+        ftruncate(c->file, end) != 0) {
+        return; /* it will be taken for damaged */
+    }
+}
+
 static int write_all(const cache *c, const char *bytes, size_t count, fail *f) {
+    struct stat about;
+    const off_t end = fstat(c->file, &about) == 0 ? about.st_size : 0;
     for (size_t done = 0; done < count;) {
         const ssize_t n = write(c->file, bytes + done, count - done);
         if (n < 0 && errno != EINTR) {
+            const int why = errno;
+            take_back(c, end, done);
             return fail_set(f, c->path, "cannot write: %s; free some space, or choose another -o",
-                            strerror(errno));
+                            strerror(why));
         }
         done += n > 0 ? (size_t)n : 0;
     }
@@ -178,13 +193,16 @@ static int load(cache *c, fail *f) {
     return status;
 }
 
+/* SIGXFSZ is ignored, so that a write past the limit of a file's size fails, too. */
 int cache_open(cache *c, const char *folder, fail *f) {
+    signal(SIGXFSZ, SIG_IGN);
     memset(c, 0, sizeof *c);
     c->file = -1;
     const int n = snprintf(c->path, sizeof c->path, "%s/" CACHE_NAME, folder);
     if (n < 0 || (size_t)n >= sizeof c->path) {
         return fail_set(f, folder, "the name is too long; choose a shorter one");
     }
+    const int is_new = access(c->path, F_OK) != 0;
     c->file = open(c->path, O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
     if (c->file < 0) {
         return fail_set(f, c->path, "cannot open: %s; choose a folder you own for -o",
@@ -192,6 +210,9 @@ int cache_open(cache *c, const char *folder, fail *f) {
     }
     if (load(c, f) != 0) {
         cache_close(c);
+        if (is_new) {
+            unlink(c->path);
+        }
         return -1;
     }
     return 0;

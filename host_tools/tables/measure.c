@@ -39,6 +39,19 @@ static void take_rays(const structure_statistics *c, figures *to) {
     }
 }
 
+/* All rays once, by no clock. */
+static int count_rays(stage *s, built_structure *built, const char *name, figures *to, fail *f) {
+    turns t = {.sides = 1,
+               .is_tried = 1,
+               .rays = stage_rays(s),
+               .scene = s->name,
+               .kind = "primary",
+               .side = {{.name = name, .s = built}}};
+    const int status = turns_run(&t, f);
+    take_rays(&t.side[0].counts, to);
+    return status;
+}
+
 static int measure_structure(meter *m, stage *s, const char *text, int is_traced, figures *to,
                              fail *f) {
     structure_options options = {.packet_side = 0};
@@ -53,15 +66,11 @@ static int measure_structure(meter *m, stage *s, const char *text, int is_traced
         status = built != NULL ? 0 : -1;
     }
     if (status == 0 && is_traced) {
-        structure_forget(built);
-        status = structure_trace(built, s->rays, s->hits, s->count, 0, f);
+        status = count_rays(s, built, text, to, f);
     }
     if (status == 0) {
         const structure_statistics counted = structure_count(built);
         take_counts(&counted, to);
-        if (is_traced) {
-            take_rays(&counted, to);
-        }
     }
     structure_close(built);
     return status;

@@ -3,11 +3,6 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/tables/racers.h"
 
-#include <math.h>
-
-#include "board/hash.h"
-#include "host_tools/base/clock.h"
-
 int racers_add(racers *all, const char *text, const mesh *m, const char *name, fail *f) {
     structure_options options = {.packet_side = 0};
     const structure_kind *kind = structure_read(text, name, &options, f);
@@ -33,56 +28,29 @@ int racers_move(racers *all, const mesh *m, fail *f) {
     return status;
 }
 
-/* The time of one round; `best` becomes the shorter. */
-static int trace(racer *r, stage *s, counters *c, racer_time *best, fail *f) {
-    counters_clear(c);
-    counters_go(c);
-    const double began = clock_processor_seconds();
-    const int status = structure_trace(r->s, s->rays, s->hits, s->count, 0, f);
-    const double seconds = clock_processor_seconds() - began;
-    counters_stop(c);
-    if (best->seconds == 0.0 || seconds < best->seconds) {
-        best->seconds = seconds > 1e-9 ? seconds : 1e-9;
-        best->cycles =
-            c->file[COUNTER_CYCLES] >= 0 ? (double)c->count[COUNTER_CYCLES] : (double)NAN;
-    }
-    return status;
-}
-
-static uint64_t look_at_hits(const stage *s, racer_time *best) {
-    best->hits = 0.0;
-    for (uint32_t i = 0; i < s->count; i++) {
-        best->hits += s->hits[i].triangle != PLT_MISS;
-    }
-    return hash_bytes((const uint8_t *)s->hits, s->count * sizeof *s->hits);
-}
-
-static void add_times(racer_time *to, const racer_time *t) {
-    to->rays += t->rays;
-    to->hits += t->hits;
-    to->seconds += t->seconds;
-    to->cycles += t->cycles;
+static void add_times(racer_time *to, const turns_side *of, uint64_t rays) {
+    to->rays += (double)rays;
+    to->hits += (double)of->hits;
+    to->seconds += of->best;
+    to->cycles += of->best_cycles;
 }
 
 int racers_run(racers *all, stage *s, unsigned rounds, counters *c, fail *f) {
-    racer_time best[RACERS_MOST] = {{0}};
-    uint64_t first = 0;
-    for (unsigned round = 0; round < rounds; round++) {
-        for (unsigned i = 0; i < all->count; i++) {
-            if (trace(&all->racer[i], s, c, &best[i], f) != 0) {
-                return -1;
-            }
-            const uint64_t hash = look_at_hits(s, &best[i]);
-            first = round == 0 && i == 0 ? hash : first;
-            if (hash != first) {
-                return fail_set(f, s->name, "%s has other hits than %s; please report this",
-                                all->racer[i].name, all->racer[0].name);
-            }
-        }
+    turns t = {.sides = all->count,
+               .rounds = rounds,
+               .rays = stage_rays(s),
+               .scene = s->name,
+               .kind = "primary",
+               .counters = c};
+    for (unsigned i = 0; i < all->count; i++) {
+        t.side[i].name = all->racer[i].name;
+        t.side[i].s = all->racer[i].s;
+    }
+    if (turns_run(&t, f) != 0) {
+        return -1;
     }
     for (unsigned i = 0; i < all->count; i++) {
-        best[i].rays = s->count;
-        add_times(&all->racer[i].sum, &best[i]);
+        add_times(&all->racer[i].sum, &t.side[i], t.rays.count);
     }
     return 0;
 }

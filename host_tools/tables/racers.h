@@ -9,7 +9,7 @@
 #include "host_tools/baselines/structure.h"
 #include "host_tools/tables/stage.h"
 
-enum { RACERS_MOST = 4 };
+enum { RACERS_MOST = TURNS_SIDES };
 
 typedef struct racer_time {
     double rays, hits, seconds, cycles; /* of the best round, summed over all runs; cycles may be

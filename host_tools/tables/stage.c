@@ -7,7 +7,6 @@
 
 #include "board/hash.h"
 #include "host_tools/app/frame.h"
-#include "host_tools/app/ray_kinds.h"
 #include "host_tools/app/scene.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/heap.h"
@@ -30,8 +29,7 @@ void stage_set(stage *s, const char *name, mesh *m) {
 
 void stage_free(stage *s) {
     mesh_free(&s->m);
-    heap_drop(s->rays);
-    heap_drop(s->hits);
+    heap_drop(s->look.room);
     picture_free(&s->picture);
     memset(s, 0, sizeof *s);
 }
@@ -57,35 +55,35 @@ static int render(stage *s, plt_engine *engine, const plt_camera *camera, fail *
     return status == PLT_OK ? 0 : failed(s, status, f);
 }
 
-static int add_view(stage *s, plt_engine *engine, const plt_frame *frame, fail *f) {
-    ray_kinds kinds;
-    const int status = ray_kinds_make(&kinds, 1u << RAYS_PRIMARY, engine, frame, s->name, f);
-    if (status == 0) {
-        const ray_set *made = &kinds.of[RAYS_PRIMARY];
-        memcpy(s->rays + s->count, made->rays, made->count * sizeof *made->rays);
-        s->count += made->count;
-    }
-    ray_kinds_free(&kinds);
-    return status;
+static int set_view(stage *s, const plt_camera *first, unsigned number, fail *f) {
+    plt_frame frame = {.width = (uint16_t)s->look.side, .height = (uint16_t)s->look.side};
+    view_orbit(first, (double)number / s->look.views, &frame.camera);
+    const int status = plt_view_set(&s->look.view[number], &frame);
+    return status == PLT_OK ? 0 : failed(s, status, f);
 }
 
-static int add_views(stage *s, plt_engine *engine, const stage_options *o, fail *f) {
-    const uint64_t rays = (uint64_t)o->side * o->side * o->views;
-    plt_frame frame = {.width = (uint16_t)o->side, .height = (uint16_t)o->side};
+static int set_views(stage *s, plt_engine *engine, const stage_options *o, fail *f) {
     plt_camera first;
     int status = 0;
     view_of_all(plt_engine_info(engine), o->side, o->side, &first);
-    s->rays = heap_get(rays * sizeof *s->rays);
-    s->hits = heap_get(rays * sizeof *s->hits);
-    s->count = 0;
-    if (s->rays == NULL || s->hits == NULL) {
+    s->look.side = o->side;
+    s->look.views = o->views;
+    s->look.room = heap_get(TURNS_BATCH * sizeof *s->look.room);
+    if (s->look.room == NULL) {
         return fail_set(f, "rays", "out of memory; choose a smaller --size");
     }
     for (unsigned i = 0; i < o->views && status == 0; i++) {
-        view_orbit(&first, (double)i / o->views, &frame.camera);
-        status = add_view(s, engine, &frame, f);
+        status = set_view(s, &first, i, f);
     }
     return status == 0 ? render(s, engine, &first, f) : status;
+}
+
+static const plt_ray *rays_at(void *context, uint64_t first, uint32_t count) {
+    return view_rays_make(context, first, count);
+}
+
+turns_rays stage_rays(stage *s) {
+    return (turns_rays){rays_at, &s->look, view_rays_count(&s->look)};
 }
 
 int stage_look(stage *s, const stage_options *o, fail *f) {
@@ -93,7 +91,7 @@ int stage_look(stage *s, const stage_options *o, fail *f) {
     packed image = {0};
     scene on = SCENE_CLOSED;
     plt_fault fault;
-    if (s->rays != NULL) {
+    if (s->look.room != NULL) {
         return 0;
     }
     int status = pack_mesh(&image, &s->m, &options, s->name, f);
@@ -102,7 +100,7 @@ int stage_look(stage *s, const stage_options *o, fail *f) {
         on.source = on.file.source;
         on.arena_bytes = host_arena_bytes();
         const int opened = scene_start(&on, s->name, &fault);
-        status = opened == PLT_OK ? add_views(s, on.engine, o, f)
+        status = opened == PLT_OK ? set_views(s, on.engine, o, f)
                                   : scene_refused(&on, s->name, opened, &fault, f);
     }
     scene_close(&on);

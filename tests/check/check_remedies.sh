@@ -75,7 +75,6 @@ hits of %s rays differ from those of %s; please report this | likewise
 %s has other hits than %s; please report this | likewise
 there is no measurement '%s'; please report this | likewise
 the engine ends with status %d; please report this | likewise
-cannot write: %s; free some space, or choose another -o | no disk can be filled here
 cannot read: %s; move it away, or choose another folder for -o | regular files can be read
 two triangles have the same id; pack it again | a forged image does; test_baseline has one
 %ux%u has more than %d tiles of 16x16; choose a smaller one | likewise: the command looks before

@@ -35,6 +35,23 @@ to make scenes" tables $least --scenes empty
     says "cannot make this folder: %s; choose another one for -o" tables $least -o none/none
     cured tables $least -o none
 
+    # Files of at most 512 bytes stand in for a disk that fills up; test_tables has all sizes.
+    says_by "cannot write: %s; free some space, or choose another -o" \
+        limited f 1 "$PLANELET" tables $least 5 -o filled
+    cp err full
+    cured tables $least 5 -o emptier
+    verdict "... which names the file, and leaves whole lines in it and nothing else" "$(
+        grep -q '^filled/tables.cache: ' full || cat full
+        ls -A filled | grep -vx tables.cache
+        [ "$(wc -l <filled/tables.cache)" -gt 2 ] || cat filled/tables.cache
+        tail -c 1 filled/tables.cache | od -An -c | grep -q '\\n' ||
+            tail -n 1 filled/tables.cache)"
+    says_by "cannot write: %s; free some space, or choose another -o" \
+        limited f 1 "$PLANELET" tables $least 5 -o filled
+    cured tables $least 5 -o filled
+    verdict "... nor has that run found any damage" "$(
+        cmp emptier/tables.cache filled/tables.cache)"
+
     says "there is no table '%s': 1 to 6, or figures" tables $least 7
     cured tables $least 6
     says "--size takes multiples of 16, not '%s'" tables --rows ground --views 1 1 --size 40

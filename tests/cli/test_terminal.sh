@@ -56,6 +56,15 @@ verdict "pack says triangles, bytes, seconds and what to do next" "$(
 seen err render ground.plt -o ground.png --size 64x48
 verdict "render says frames, pixels and seconds" "$(
     grep -q '^ground.png: 1 frame of 64 x 48, [0-9.e-]* s' seen || cat -v seen)"
+seen err tables --rows ground,bunny --size 48 --views 2 --frames 2 --rounds 1 1 3
+verdict "tables says rays and memory before it measures, and keeps to it" "$(
+    tr '\r\033' '\n~' <seen | grep -a . >lines
+    head -n 1 lines | grep -q '^2 pictures of 48 x 48: 4608 rays for each structure, 65536 of' ||
+        cat lines
+    said=$(sed -n '2s/^\([0-9]*\) MB of memory at most, with meshes as large .*/\1/p' lines)
+    had=$(sed -n 's/^\(.*[^0-9]\)*\([0-9]*\) MB of memory were in use at most.*/\2/p' lines)
+    [ "${had:-0}" -gt 10 ] && [ "$had" -le "${said:-0}" ] && [ "$said" -le $((2 * had)) ] ||
+        cat lines)"
 seen err trace knot.plt ray hit
 verdict "trace says rays and seconds" "$(grep -q '^hit: 1 ray, [0-9.e-]* s' seen || cat -v seen)"
 

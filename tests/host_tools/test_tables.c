@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -300,6 +301,63 @@ static void check_damage(void) {
     }
 }
 
+static void limit_files(rlim_t bytes) {
+    struct rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = bytes < limit.rlim_max ? bytes : limit.rlim_max;
+    setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+/* A limit of files' size stands in for a disk that fills up, byte for byte. */
+static void check_full(void) {
+    const figures first = some(1.0), second = some(2.0);
+    fail f = {""};
+    cache c;
+    unlink(CACHE);
+    cache_open(&c, FOLDER, &f);
+    cache_add(&c, 11, &first, &f);
+    cache_add(&c, 12, &second, &f);
+    cache_close(&c);
+    const size_t size = strlen(read_back(CACHE)), head = strcspn(text, "\n") + 1;
+    const size_t one = head + strcspn(text + head, "\n") + 1;
+    test("a full disk leaves whole lines, no new file without any, and says what to do");
+    for (size_t room = 0; room <= size; room++) {
+        const size_t due = room < head ? 0 : room < one ? head : room < size ? one : size;
+        fail g = {""};
+        unlink(CACHE);
+        limit_files(room);
+        int status = cache_open(&c, FOLDER, &g);
+        if (status == 0) {
+            status = cache_add(&c, 11, &first, &g) != 0 || cache_add(&c, 12, &second, &g) != 0;
+            cache_close(&c);
+        }
+        limit_files(RLIM_INFINITY);
+        CHECK((status == 0) == (room == size), "%zu bytes: status %d", room, status);
+        CHECK(room == size || (strncmp(g.text, CACHE ": cannot write: ", strlen(CACHE) + 16) == 0 &&
+                               strstr(g.text, "; free some space") != NULL),
+              "%zu bytes: %s", room, g.text);
+        CHECK((access(CACHE, F_OK) == 0) == (room >= head), "%zu bytes", room);
+        CHECK(strlen(read_back(CACHE)) == due, "%zu bytes: %zu, not %zu", room, strlen(text), due);
+    }
+    test("... also behind lines that were there, and the next run goes on");
+    for (size_t room = one; room <= size; room++) {
+        figures got;
+        unlink(CACHE);
+        cache_open(&c, FOLDER, &f);
+        cache_add(&c, 11, &first, &f);
+        limit_files(room);
+        const int status = cache_add(&c, 12, &second, &f);
+        limit_files(RLIM_INFINITY);
+        CHECK((status == 0) == (room == size), "%zu bytes", room);
+        CHECK(strlen(read_back(CACHE)) == (room < size ? one : size), "%zu bytes", room);
+        CHECK(cache_add(&c, 13, &second, &f) == 0, "%zu bytes", room);
+        cache_close(&c);
+        CHECK(cache_open(&c, FOLDER, &f) == 0 && c.refused == 0, "%zu bytes: %s", room, f.text);
+        CHECK(cache_find(&c, 11, &got) && cache_find(&c, 13, &got), "%zu bytes", room);
+        cache_close(&c);
+    }
+}
+
 static void check_foreign(void) {
     static const char *const others[] = {"\n", "planelet tables cache 2\n", "planelet tables cache",
                                          "an essay\n"};
@@ -365,6 +423,7 @@ int main(void) {
     check_letters();
     check_cache();
     check_damage();
+    check_full();
     check_foreign();
     check_twist();
     return test_done();
