@@ -117,22 +117,31 @@ static double share(uint64_t part, uint64_t whole) {
     return whole > 0 ? (double)part / (double)whole : 0.0;
 }
 
-/* As the thesis counts them (structure_types.h). */
-static void print_packets(const structure_statistics *s, output *o, fail *f) {
+int baseline_print_intersections(const structure_statistics *s, output *o, fail *f) {
     output_print(o, f,
-                 "  \"packets\": %" PRIu64 ",\n  \"one_sign_packets\": %" PRIu64
-                 ",\n  \"packet_node_intersections\": %" PRIu64
+                 "  \"packet_node_intersections\": %" PRIu64
                  ",\n  \"packet_triangle_intersections\": %" PRIu64 ",\n",
-                 s->packets, s->one_sign, s->packet_nodes, s->packet_triangles);
-    output_print(
-        o, f,
-        "  \"masked_out_at_nodes\": %.6f,\n  \"masked_out_at_triangles\": %.6f,\n"
-        "  \"masked_out\": %.6f,\n  \"early_hits\": %" PRIu64 ",\n  \"frustum_misses\": %" PRIu64
-        ",\n",
-        share(s->masked_at_nodes, s->rays_at_nodes),
-        share(s->masked_at_triangles, s->rays_at_triangles),
-        share(s->masked_at_nodes + s->masked_at_triangles, s->rays_at_nodes + s->rays_at_triangles),
-        s->early_hits, s->frustum_misses);
+                 s->packet_nodes, s->packet_triangles);
+    output_print(o, f,
+                 "  \"nodes_per_packet\": %.6f,\n  \"triangles_per_packet\": %.6f,\n"
+                 "  \"nodes_per_ray\": %.6f,\n  \"triangles_per_ray\": %.6f,\n",
+                 share(s->packet_nodes, s->packets), share(s->packet_triangles, s->packets),
+                 share(s->packet_nodes, s->rays), share(s->packet_triangles, s->rays));
+    return output_print(o, f,
+                        "  \"masked_out_at_nodes\": %.6f,\n  \"masked_out_at_triangles\": %.6f,\n"
+                        "  \"masked_out\": %.6f",
+                        share(s->masked_at_nodes, s->rays_at_nodes),
+                        share(s->masked_at_triangles, s->rays_at_triangles),
+                        share(s->masked_at_nodes + s->masked_at_triangles,
+                              s->rays_at_nodes + s->rays_at_triangles));
+}
+
+static void print_packets(const structure_statistics *s, output *o, fail *f) {
+    output_print(o, f, "  \"packets\": %" PRIu64 ",\n  \"one_sign_packets\": %" PRIu64 ",\n",
+                 s->packets, s->one_sign);
+    baseline_print_intersections(s, o, f);
+    output_print(o, f, ",\n  \"early_hits\": %" PRIu64 ",\n  \"frustum_misses\": %" PRIu64 ",\n",
+                 s->early_hits, s->frustum_misses);
 }
 
 /* What its switches save, or take. */

@@ -49,4 +49,7 @@ int baseline_print(const baseline *b, output *o, fail *f);
 void baseline_print_rays(output *o, uint64_t rays, double seconds, fail *f);
 int baseline_print_counts(const baseline *b, output *o, fail *f);
 
+/* Members alone: what the thesis counts of packets (structure_types.h); the last has no comma. */
+int baseline_print_intersections(const structure_statistics *s, output *o, fail *f);
+
 #endif

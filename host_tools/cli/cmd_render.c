@@ -23,6 +23,7 @@
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/baseline_render.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/counted.h"
 #include "host_tools/picture/terminal.h"
 
 static const arg_flag flags[] = {
@@ -47,9 +48,12 @@ static const arg_flag flags[] = {
     DESTINATION_CHROMA_FLAG,
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
+    COUNTED_FLAG,
     SCENE_FLAGS,
     SCENE_WORKERS_FLAGS,
     {NULL, NULL, NULL}};
+
+_Static_assert(sizeof flags / sizeof *flags - 1 <= ARGS_FLAGS_MAX, "each flag has a value");
 
 const arg_command command_render = {
     .name = "render",
@@ -76,6 +80,7 @@ typedef struct rendering {
     rebuilds rebuilds;
     baseline baseline; /* kind: NULL: the engine renders */
     baseline_colours colours;
+    counted counted;
     output *picture_out, *stats_out;
     plt_camera first; /* of frame 0 */
     uint64_t hash;    /* of the RGB bytes of all frames so far */
@@ -239,6 +244,9 @@ static int render_run(rendering *r, progress *bar, unsigned run, fail *f) {
         if (status == 0 && run == 0) {
             status = keep_frame(r, i, f);
         }
+        if (status == 0 && r->counted.engine != NULL && run + 1 == r->repeat) {
+            status = counted_frame(&r->counted, &r->frame, f);
+        }
     }
     crew_times_keep(&r->took, &took, run == 0);
     return status;
@@ -295,6 +303,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
         baseline_print_counts(&r->baseline, o, f);
     } else {
         scene_print_stats(o, &r->s, &r->took, f);
+        counted_print(&r->counted, o, f);
     }
     return output_print(o, f, "\n}\n");
 }
@@ -330,6 +339,9 @@ static int open_all(rendering *r, args *a, fail *f) {
     if (r->baseline.kind != NULL &&
         (baseline_open(&r->baseline, r->s.engine, scene_name(r->path), f) != 0 ||
          baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {
+        return -1;
+    }
+    if (counted_start(&r->counted, r->s.engine, scene_name(r->path), f) != 0) {
         return -1;
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
@@ -390,6 +402,7 @@ static void read_flags(rendering *r, args *a) {
     rebuilds_read(&r->rebuilds, &r->s, a, moved_is(&r->moved));
     vertices_read(&r->s, a, r->moved.is_played);
     baseline_read(&r->baseline, a, for_engine);
+    counted_read(&r->counted, a);
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
@@ -413,6 +426,7 @@ int run_render(args *a) {
     output_abandon(r.picture_out);
     output_abandon(r.stats_out);
     baseline_close(&r.baseline);
+    counted_end(&r.counted);
     baseline_colours_free(&r.colours);
     scene_close(&r.s);
     picture_free(&r.shown);

@@ -21,6 +21,7 @@
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/baseline.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/counted.h"
 
 /* That a worker takes at once: whole numbers of packets of every size. */
 enum { RUN_SHARED = 1024, RUN_ALONE = 65536 };
@@ -41,9 +42,12 @@ static const arg_flag flags[] = {
      "1)"},
     {"--json", "STATS",
      "write statistics, for which the arena is a bit larger; - is standard output"},
+    COUNTED_FLAG,
     SCENE_FLAGS,
     SCENE_WORKERS_FLAGS,
     {NULL, NULL, NULL}};
+
+_Static_assert(sizeof flags / sizeof *flags - 1 <= ARGS_FLAGS_MAX, "each flag has a value");
 
 const arg_command command_trace = {
     .name = "trace",
@@ -79,6 +83,7 @@ typedef struct tracing {
     frame_times times;
     crew_times took; /* of the best run */
     baseline built;
+    counted counted;
 } tracing;
 
 /* A frame's own: of the '{}' in the name. */
@@ -164,6 +169,10 @@ static int trace_frame(tracing *t, progress *bar, unsigned run, unsigned index, 
     if (trace_file(t, bar, (uint64_t)run * t->moved.range.count + index, took, f) != 0) {
         return -1;
     }
+    if (t->counted.engine != NULL && run + 1 == t->repeat &&
+        counted_rays(&t->counted, t->file.rays, t->file.hits, t->file.count, t->any, f) != 0) {
+        return -1;
+    }
     t->traced += run == 0 ? t->file.count : 0;
     return run == 0 && t->hits_out == NULL ? write_frame(t, number, f) : 0;
 }
@@ -212,6 +221,7 @@ static int write_stats(const tracing *t, output *o, fail *f) {
         rebuilds_print(o, &t->rebuilds, &t->s, t->repeat, f);
     }
     scene_print_stats(o, &t->s, &t->took, f);
+    counted_print(&t->counted, o, f);
     return output_print(o, f, "\n}\n");
 }
 
@@ -235,6 +245,9 @@ static int open_all(tracing *t, args *a, const char *json, fail *f) {
     }
     if (t->built.kind != NULL &&
         baseline_open(&t->built, t->s.engine, scene_name(t->scene_path), f) != 0) {
+        return -1;
+    }
+    if (counted_start(&t->counted, t->s.engine, scene_name(t->scene_path), f) != 0) {
         return -1;
     }
     if (!is_numbered(t, t->hits_path)) {
@@ -269,6 +282,7 @@ static void close_all(tracing *t) {
     output_abandon(t->hits_out);
     output_abandon(t->stats_out);
     baseline_close(&t->built);
+    counted_end(&t->counted);
     scene_close(&t->s);
     ray_file_free(&t->file);
     frame_times_free(&t->times);
@@ -286,6 +300,7 @@ static void read_flags(tracing *t, args *a, const char *json) {
     t->sorts = args_choice(a, "--order", orders, 0) == 1;
     t->any = args_has(a, "--any");
     baseline_read(&t->built, a, for_engine);
+    counted_read(&t->counted, a);
     moved_read(&t->moved, &t->s, a);
     rebuilds_read(&t->rebuilds, &t->s, a, moved_is(&t->moved));
     destination_differ(a, "HITS and --json", t->hits_path, json);

@@ -43,6 +43,7 @@ host_tools/baselines/packet
 host_tools/baselines/planes host_tools/baselines/treelets
 host_tools/baselines/kd host_tools/baselines/bvh host_tools/baselines/bph
 host_tools/baselines/bkd host_tools/baselines/bih host_tools/baselines/treelet_trees
+host_tools/baselines/counted
 host_tools/baselines
 host_tools/link
 host_tools/app

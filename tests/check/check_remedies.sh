@@ -19,6 +19,7 @@ out of memory; close other programs | $few
 structure | test_baselines gives less memory
 %u triangles: out of memory for a hierarchy; leave some out | likewise
 out of memory for treelets; leave out triangles, or choose smaller ones | likewise
+out of memory for counts; leave out --counts | likewise
 out of memory for treelets; leave out triangles | likewise
 out of memory for edges that wait; choose smaller treelets | likewise
 %s has no switches; leave ':%.*s' out | all structures have some so far
@@ -70,9 +71,9 @@ but for vertices of many slivers
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
 hits of %s rays differ between modes; please report this | likewise
-hits of %s rays differ from those of %s; please report this | likewise
+hits of %s rays by %s differ from those by %s; please report this | likewise
+hits that are counted differ; please report this | likewise
 %s; please report this | likewise, of a C array
-%s has other hits than %s; please report this | likewise
 there is no measurement '%s'; please report this | likewise
 the engine ends with status %d; please report this | likewise
 cannot read: %s; move it away, or choose another folder for -o | regular files can be read

@@ -208,6 +208,26 @@ says "byte %zu: the last ray is cut short (a ray has 32 bytes); write it again" 
 cp ray short
 cured trace ground.plt short x.hits
 
+# ---- counts of packets: counted.c, baselines/counted --------------------------------------------
+
+say='render ground.plt -o counted.ppm --size 9x9 --counts'
+# shellcheck disable=SC2086
+{
+    says "--counts are written to --json; add that" $say
+    cured $say --json counted.json
+    says "--baseline counts packets by itself; leave out --counts" \
+        $say --json counted.json --baseline bph
+    cured render ground.plt -o counted.ppm --size 9x9 --json counted.json --baseline bph
+    says "--counts are of packets; leave out --rays incoherent" \
+        trace ground.plt ray x.hits --counts --json counted.json --rays incoherent
+    cured trace ground.plt ray x.hits --counts --json counted.json
+    for flag in '--residency streamed' '--structure grid'; do
+        says "--counts are of resident thesis nodes; leave it out, or pack with --nodes thesis and \
+render without --residency or --structure" $say --json counted.json $flag
+        cured $say --json counted.json
+    done
+}
+
 # ---- measuring: cmd_bench.c, host_tools/app/ray_kinds.c -----------------------------------------
 
 for remedy in '--eye 0,1,8 --look 0,0,0' '--eye 0,1,9 --look 0,0,0'; do

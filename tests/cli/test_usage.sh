@@ -55,11 +55,11 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
-    --rebuild-most --records --beside --baseline --repeat --chroma --json \
+    --rebuild-most --records --beside --baseline --repeat --chroma --json --counts \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
-    --rebuild-most --repeat --json $scene_flags
+    --rebuild-most --repeat --json --counts $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --structures --against --json \
     $view_flags

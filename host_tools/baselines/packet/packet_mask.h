@@ -36,7 +36,7 @@ static inline unsigned packet_mask_lanes(const packet_mask *m, unsigned group) {
     return (unsigned)(m->word[group / 16] >> 4 * (group % 16)) & 15u;
 }
 
-/* To a group that has none yet. */
+/* Those that are in it stay. */
 static inline void packet_mask_add(packet_mask *m, unsigned group, unsigned lanes) {
     m->word[group / 16] |= (uint64_t)lanes << 4 * (group % 16);
 }
