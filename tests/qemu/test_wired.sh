@@ -107,24 +107,43 @@ verdict "a host that comes again gets its frame without sending the scene again"
 end
 
 # ---- a ring too small for a report: what comes in a burst is lost ----
+#
+# A report is 66 bytes on the line. QEMU knows no baud rate: where the machine has other work it
+# hands over a report at once, and none ever fits into a ring of 32 bytes; where it has none, a
+# ring of 64 may lose nothing. So both are tried, by turns, until one has lost bytes and sent the
+# frame. What comes has to be right in any case.
 
-trouble=$($MAKE -s BOARD=mps2_an386 PROGRAM=wired BUILD="$BUILD/small_ring" \
-    FIRMWARE_FLAGS='-DPLT_PACKET_SIDE_MAX=8 -DPLT_RING_BYTES=16' \
-    "$BUILD/small_ring/mps2_an386-wired/firmware.elf" 2>&1 >/dev/null)
+all=$BUILD
+trouble=
+for ring in 32 64; do
+    trouble=$trouble$($MAKE -s BOARD=mps2_an386 PROGRAM=wired BUILD="$all/ring_$ring" \
+        FIRMWARE_FLAGS="-DPLT_PACKET_SIDE_MAX=8 -DPLT_RING_BYTES=$ring" \
+        "$all/ring_$ring/mps2_an386-wired/firmware.elf" 2>&1 >/dev/null)
+done
 "$planelet" make knot --triangles 300 -o "$out/knot.ply" >/dev/null
 "$planelet" pack "$out/knot.ply" -o "$out/small.plt" --nodes compact --geometry lattice:14 \
     >/dev/null 2>&1
 "$planelet" render "$out/small.plt" -o "$out/small.ppm" --size 64x48 >/dev/null
-all=$BUILD
-BUILD=$BUILD/small_ring board
-serve "$out/small.plt" --size 64x48 --timeout 190
-verdict "a ring of 16 bytes: bytes are lost and counted, the frame is right all the same" "$(
-    echo "$trouble"
-    cmp "$out/served.ppm" "$out/small.ppm" 2>&1 || echo "$text"
-    [ "$(value lost_bytes)" -gt 0 ] || cat "$out/log.txt")"
+said="no ring lost bytes and sent the frame:"
+for ring in 32 64 32 64 32 64 32 64; do
+    BUILD=$all/ring_$ring board
+    serve "$out/small.plt" --size 64x48 --timeout 20
+    end
+    lost=$(value lost_bytes)
+    if [ "$status" -eq 0 ] && ! cmp "$out/served.ppm" "$out/small.ppm" >/dev/null 2>&1; then
+        said="a frame of a ring of $ring is wrong"
+        break
+    elif [ "$status" -eq 0 ] && [ "${lost:-0}" -gt 0 ]; then
+        said=
+        break
+    fi
+    said="$said
+$ring: $text; lost $lost"
+done
+verdict "a ring smaller than a report: bytes are lost and counted, the frame is right" \
+    "$trouble$said"
 sed -n 's/^frame/    &/p' "$out/log.txt" | tail -n 1
 BUILD=$all
-end
 
 text=$(FRAMES=1 SIZE=64x48 SCENE="$out/small.plt" timeout 100 \
     $MAKE -s BOARD=mps2_an386 PROGRAM=wired BUILD="$BUILD" run 2>&1)
