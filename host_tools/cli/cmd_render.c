@@ -393,6 +393,7 @@ static void read_flags(rendering *r, args *a) {
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
+    r->s.options.surface = r->frame.shader == PLT_SHADE_SMOOTH;
     r->s.spare_bytes =
         (uint64_t)(r->to.format == PICTURE_PNG ? 1 + PNG_PICTURES : 1) * 3 * width * height;
 }
