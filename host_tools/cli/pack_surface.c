@@ -43,6 +43,10 @@ void pack_surface_read(pack_surface *s, args *a) {
     }
 }
 
+static int out_of_memory(const char *name, fail *f) {
+    return fail_set(f, name, "out of memory for normals or colours; use a larger machine");
+}
+
 int pack_surface_prepare(pack_surface *s, const pack_meshes *in, fail *f) {
     const char *name = pack_shown(&in->file[0]);
     if (s->corners.wants_normals && s->corners.normals == 0) {
@@ -51,14 +55,17 @@ int pack_surface_prepare(pack_surface *s, const pack_meshes *in, fail *f) {
     if (s->corners.wants_colours && s->corners.colours == 0) {
         return fail_set(f, name, "has no colours of vertices to keep; leave out --colours");
     }
+    if ((s->corners.wants_normals && corners_want_normals(&s->corners, in->m.triangles) != 0) ||
+        (s->corners.wants_colours && corners_want_colours(&s->corners, in->m.triangles) != 0)) {
+        return out_of_memory(name, f); /* of files that have none */
+    }
     if (!s->smooths) {
         return 0;
     }
     phase_begin("smoothing", name);
     const int status = mesh_smooth(&in->m, s->degrees, &s->corners);
     phase_end();
-    return status == 0 ? 0
-                       : fail_set(f, name, "out of memory for normals; pack on a larger machine");
+    return status == 0 ? 0 : out_of_memory(name, f);
 }
 
 int pack_surface_add(pack_surface *s, const pack_meshes *in, packed *image, fail *f) {
