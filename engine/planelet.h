@@ -285,8 +285,10 @@ typedef struct plt_info {
     uint32_t bodies;           /* of an image with instances: trees that are placed; else 0 */
     uint32_t instances;        /* of those bodies, each with a matrix per frame (plt_place) */
     uint32_t placed_triangles; /* of all instances; `triangles` are those of the bodies */
-    uint32_t normal_bytes;     /* of the section of normals; 0: there are none */
-    uint32_t colour_bytes;     /* ... and of colours */
+#if PLT_WITH_SURFACE
+    uint32_t normal_bytes; /* of the section of normals; 0: there are none */
+    uint32_t colour_bytes; /* ... and of colours */
+#endif
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
