@@ -20,7 +20,7 @@
 #   vertices ... and without records, where the arena has no room for them (plt_options.records)
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
-#   surface  with normals and colours (plt_options.surface), for thesis nodes; likewise
+#   surface  with normals and colours (plt_options.surface); likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -76,7 +76,8 @@ grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_gr
 instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engine/place.c \
     engine/scene/open_instances.c engine/trace/traverse_instances.c
 surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c engine/image/further.c \
-    engine/shade/smooth.c engine/shade/beam_smooth.c
+    engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
+    engine/tree/compact/block_record.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
@@ -137,9 +138,6 @@ $(error PARTS with grid has thesis nodes: make PARTS='render thesis grid')
 endif
 ifeq ($(filter compact,$(PARTS))$(filter instances,$(PARTS)),compactinstances)
 $(error PARTS with instances has thesis nodes: make PARTS='render thesis instances')
-endif
-ifeq ($(filter compact,$(PARTS))$(filter surface,$(PARTS)),compactsurface)
-$(error PARTS with surface has thesis nodes: make PARTS='render thesis surface')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')

@@ -240,9 +240,9 @@ typedef struct plt_options {
     uint8_t surface; /* 1: hits have normals and colours (PLT_SHADE_SMOOTH, plt_surface_at): those
                       * of the image, for its bytes of them where it is not mapped; triangles that
                       * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
-                      * also 4 bytes per triangle, to find it by its number. Of scenes of thesis
-                      * nodes, lists and grids that are resident, not movable and not of instances.
-                      * Without PLT_WITH_SURFACE: 0 */
+                      * also 4 bytes per triangle, of compact blocks 6, to find it by its number. Of
+                      * scenes that are resident, not movable and not of instances; compact blocks
+                      * are not built here, and have no frames. Without PLT_WITH_SURFACE: 0 */
 } plt_options;
 
 /* Fewer triangles are not worth the bytes that are kept of them. */

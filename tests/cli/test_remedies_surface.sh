@@ -21,9 +21,12 @@ packs 1 good.obj --normals keep
 says "--smooth, --normals and --colours are of triangles that stay where they are; leave out \
 --sequence" pack good.obj -o x.plt --sequence 0:1 --smooth 40
 packs 1 good.obj --smooth 40
-says "--smooth, --normals and --colours take --nodes thesis" pack good.obj -o x.plt --smooth 40 \
-    --nodes compact
-packs 1 good.obj --smooth 40 --nodes thesis
+for other in '--build device' '--numbers none'; do
+    # shellcheck disable=SC2086
+    says "--smooth, --normals and --colours take --numbers keep and --build host with compact \
+nodes" pack good.obj -o x.plt --smooth 40 --nodes compact $other
+    packs 1 good.obj --smooth 40 --nodes compact --numbers keep --build host
+done
 says "--reduce leaves other corners than the mesh's; use --smooth for normals" pack knot.ply \
     -o x.plt --reduce 500 --normals keep
 cured pack knot.ply -o x.plt --reduce 500 --smooth 40
@@ -66,7 +69,7 @@ packs 1 good.obj --normals keep
 # ---- smooth frames: host_tools/cli/cmd_render.c, cmd_serve.c, host_tools/app/scene.c -----------
 
 run pack knot.ply -o knot.plt --smooth 40
-run pack knot.ply -o compact.plt --nodes compact
+run pack knot.ply -o compact.plt --nodes compact --build device
 size='--size 16x12'
 # shellcheck disable=SC2086
 {

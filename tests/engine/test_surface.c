@@ -169,6 +169,30 @@ static void odd_hits(void) {
     close_scene(&s);
 }
 
+/* Of a lattice, where hits are not just those of the mesh, and of float records. */
+static void compact_blocks(void) {
+    for (uint8_t floats = 0; floats < 2 && !rig_is_tiny(); floats++) {
+        for (unsigned levels = 0; levels < 4; levels++) {
+            scene s = {.m = {0}};
+            shape_cube(&s.m);
+            shape_icosphere(&s.m, levels);
+            surface_rig_paint(&s.m, &s.c);
+            CHECK(mesh_smooth(&s.m, 50, &s.c) == 0, "no memory");
+            const packed image = surface_rig_compact(&s.m, &s.c, floats);
+            const plt_source source = rig_source(&image);
+            CHECK(surface_rig_open(&s.r, image, &source, &plain) == PLT_OK, "%s",
+                  s.r.fault.message);
+            CHECK(check_hits(&s, STEP) > RAYS / 8, "few hits");
+            for (uint32_t i = 0; i < s.m.triangles; i++) { /* in blocks each is found by itself */
+                const plt_hit h = {1.0f, 0.2f, 0.3f, i};
+                check_hit(&s, &h, STEP);
+            }
+            close_scene(&s);
+        }
+    }
+    CHECK(1, "a tiny build refuses some of these trees");
+}
+
 /* ---- frames ------------------------------------------------------------------------------ */
 
 static plt_frame smooth_frame(void) {
@@ -217,6 +241,14 @@ static void same_frame(void) {
         const uint64_t hash = hash_of(&image, &options, (int)(i / 48));
         CHECK(hash == GOLDEN, "%s: %016" PRIx64, rig_name(&config), hash);
         compared++;
+        pack_free(&image);
+    }
+    for (int fetched = 0; fetched < 2 && !rig_is_tiny(); fetched++) {
+        packed image = surface_rig_compact(&m, &c, 1);
+        plt_options options = plain;
+        options.packet_side = fetched && PLT_PACKET_SIDE_MAX >= 8 ? 8 : 2;
+        const uint64_t hash = hash_of(&image, &options, fetched);
+        CHECK(hash == GOLDEN, "compact, float records: %016" PRIx64, hash);
         pack_free(&image);
     }
     CHECK(compared >= (rig_is_tiny() ? 18u : 72u), "%u frames", compared);
@@ -404,6 +436,8 @@ int main(void) {
     smooth_normals();
     test("where triangles that meet differ, each has its own: the sides of a cube are flat");
     creased_normals();
+    test("... and of compact blocks");
+    compact_blocks();
     test("without normals and colours surfaces are flat and white");
     without();
     test(

@@ -8,7 +8,7 @@
 #include "tests/fuzz/image_mutations.h"
 #include "tests/reference/surface_rig.h"
 
-enum { SEEDS = 6, MUTATIONS = 1500 };
+enum { SEEDS = 8, MUTATIONS = 1500 };
 
 static packed seed_image(uint32_t seed) {
     mesh m = {0};
@@ -21,7 +21,8 @@ static packed seed_image(uint32_t seed) {
     if (seed % 2) {
         surface_rig_colour(&m, &c, seed + 1);
     }
-    const packed image = surface_rig_image(&m, &c, &config.pack);
+    const packed image = seed < 4 || rig_is_tiny() ? surface_rig_image(&m, &c, &config.pack)
+                                                   : surface_rig_compact(&m, &c, seed % 2);
     corners_free(&c);
     mesh_free(&m);
     return image;

@@ -45,6 +45,20 @@ static inline packed surface_rig_image(const mesh *m, const mesh_corners *c,
     return image;
 }
 
+/* The same of compact blocks: float records, or a lattice of 16 bits. */
+static inline packed surface_rig_compact(const mesh *m, const mesh_corners *c, uint8_t floats) {
+    const compact_options options = {
+        .lattice_bits = 16, .numbers = 1, .floats = floats, .leaf_triangles = 2, .meshes = 1};
+    packed image = {.size = 0};
+    surface_stats stats;
+    lattice_loss loss;
+    fail f = {""};
+    CHECK(pack_compact(&image, m, &options, "test", &loss, &f) == 0 &&
+              surface_add(&image, c, "test", &stats, &f) == 0,
+          "%s", f.text);
+    return image;
+}
+
 /* Opens the image in exactly its need; r->image is it from then on. */
 static inline int surface_rig_open(rig *r, packed image, const plt_source *source,
                                    const plt_options *options) {
