@@ -40,7 +40,8 @@ extern "C" {
  * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), without records of them
  * (plt_options.records, beside; plt_motion.over_vertices, is_beside), and their tree be built anew
  * (plt_rebuild_begin); bodies can be placed by matrices (plt_place); rays can go through a grid
- * (plt_options.structure); plt_trace and
+ * (plt_options.structure); hits have normals and colours (plt_options.surface, plt_surface_at,
+ * PLT_SHADE_SMOOTH); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0

@@ -1,4 +1,4 @@
-/* surface - adds normals and colours to a finished image (SPEC.md, 4.18 to 4.20)
+/* surface - adds normals and colours to a finished image (SPEC.md, 4.18 and 4.19)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_H
