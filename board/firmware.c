@@ -5,7 +5,7 @@
  * exactly the same camera:
  *   size=320x240       pixels          eye= look= up= tan=   the camera; tan is
  *   packet=8           rays per side               of half the vertical angle
- *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle
+ *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle|smooth
  *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
  *   structure=tree|grid                            if the engine has PLT_WITH_GRID

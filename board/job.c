@@ -98,7 +98,7 @@ static int read_camera(const char *all, job *j) {
 
 static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
-    static const char *const shaders[] = {"eyelight", "normal", "triangle"};
+    static const char *const shaders[] = {"eyelight", "normal", "triangle", "smooth"};
     static const char *const residencies[] = {"resident", "streamed"};
     static const char *const schedules[] = {"branch", "batch", "task"};
     if (job_word(all, "walk", walks, 2, &j->options.order) < 0 ||
@@ -108,7 +108,11 @@ static int read_words(const char *all, job *j) {
                  &j->options.schedule) < 0) {
         return -1;
     }
-    return job_word(all, "shader", shaders, 3, &j->frame.shader);
+    if (job_word(all, "shader", shaders, 3 + PLT_WITH_SURFACE, &j->frame.shader) < 0) {
+        return -1;
+    }
+    j->options.surface = PLT_WITH_SURFACE && j->frame.shader == PLT_SHADE_SMOOTH;
+    return 0;
 }
 
 /* structure=, where there are grids. */

@@ -12,6 +12,7 @@
 #include "engine/motion/refit.h"
 #include "engine/motion/sequence.h"
 #include "engine/scene/build_compact.h"
+#include "engine/scene/surface_place.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/block_entry.h"
 #include "engine/trace/grid_state.h"
@@ -431,6 +432,18 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_MATRICES:
         return plt_has_instances(s->info) ? plt_matrices_frame_bytes(s->info) : 0;
 #endif
+#if PLT_WITH_SURFACE
+    case PLT_PART_SURFACE:
+        return s->options->surface && !s->mapped
+                   ? (uint64_t)s->info->normal_bytes + s->info->colour_bytes
+                   : 0;
+    case PLT_PART_PLACES:
+#if PLT_WITH_GROUPS
+        return s->options->surface ? plt_surface_places_bytes(s->info) : 0;
+#else
+        return 0;
+#endif
+#endif
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:
         return levels_bytes(s);
@@ -591,7 +604,7 @@ int plt_layout_options_valid(const plt_options *o) {
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
            is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) &&
-           is_structure_valid(o) && is_records_valid(o);
+           is_structure_valid(o) && is_records_valid(o) && o->surface <= PLT_WITH_SURFACE;
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
@@ -603,7 +616,8 @@ static int valid(const plt_info *info, const plt_options *o) {
            plt_scene_left_out(info, o->residency, o->structure) == NULL &&
            plt_layout_residency_valid(info, o) && plt_layout_motion_valid(info, o) &&
            plt_layout_structure_valid(info, o) && plt_layout_records_valid(info, o) &&
-           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
+           plt_layout_surface_valid(info, o) && plt_layout_order_valid(info, o) &&
+           info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

@@ -8,10 +8,12 @@
 #include "engine/engine.h"
 #include "engine/grid_room.h"
 #include "engine/image/fetch.h"
+#include "engine/image/further.h"
 #include "engine/instances_room.h"
 #include "engine/layout.h"
 #include "engine/motion_room.h"
 #include "engine/scene/worst_tree.h"
+#include "engine/surface_room.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 
@@ -32,8 +34,12 @@ static int read_header(const plt_source *source, plt_header *header, plt_fault *
         return plt_refused(fault, PLT_R1_SHORT, source->bytes,
                            "the image is shorter than its header");
     }
-    const int status = plt_fetch(source, 0, bytes, PLT_HEADER_BYTES, fault);
-    return status == PLT_OK ? plt_header_read(header, bytes, source->bytes, fault) : status;
+    int status = plt_fetch(source, 0, bytes, PLT_HEADER_BYTES, fault);
+    status = status == PLT_OK ? plt_header_read(header, bytes, source->bytes, fault) : status;
+#if PLT_WITH_FURTHER
+    status = status == PLT_OK ? plt_further_read(source, header, fault) : status;
+#endif
+    return status;
 }
 
 int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault) {
@@ -285,6 +291,9 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
     if (status == PLT_OK) {
         status = plt_instances_room_set(e, header, part, fault);
     }
+    if (status == PLT_OK) {
+        status = plt_surface_room_set(e, header, part, fault);
+    }
     return status == PLT_OK ? plt_motion_room_sequence(e, header, part, fault) : status;
 }
 
@@ -335,6 +344,11 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "without records there are only the frames of a finished tree, no "
                              "grid, and no other triangles that move or are built anew");
+    }
+    if (!plt_layout_surface_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "normals and colours are of resident scenes whose triangles stay "
+                             "where they are, of compact blocks of finished ones");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

@@ -40,7 +40,8 @@ extern "C" {
  * (plt_options.movable, plt_move, plt_move_some, plt_sequence_show), without records of them
  * (plt_options.records, beside; plt_motion.over_vertices, is_beside), and their tree be built anew
  * (plt_rebuild_begin); bodies can be placed by matrices (plt_place); rays can go through a grid
- * (plt_options.structure); plt_trace and
+ * (plt_options.structure); hits have normals and colours (plt_options.surface, plt_surface_at,
+ * PLT_SHADE_SMOOTH); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
@@ -232,11 +233,17 @@ typedef struct plt_options {
                             * depend on treelets. Without PLT_WITH_SUBTREES: 0 */
     uint8_t records;       /* enum plt_records; of movable scenes with a sequence. Without
                             * PLT_WITH_VERTICES it is not looked at */
-    uint8_t beside; /* 1: the tree of a frame that comes is refitted in plt_sequence_step, beside
-                     * the one that is shown, and plt_sequence_show is an exchange of both: of a
-                     * scene without records, for 32 bytes per node slot if the arena has them
-                     * (plt_motion.is_beside; a need has them). Not with PLT_RECORDS_ALWAYS.
-                     * Without PLT_WITH_VERTICES it is not looked at */
+    uint8_t beside;  /* 1: the tree of a frame that comes is refitted in plt_sequence_step, beside
+                      * the one that is shown, and plt_sequence_show is an exchange of both: of a
+                      * scene without records, for 32 bytes per node slot if the arena has them
+                      * (plt_motion.is_beside; a need has them). Not with PLT_RECORDS_ALWAYS.
+                      * Without PLT_WITH_VERTICES it is not looked at */
+    uint8_t surface; /* 1: hits have normals and colours (PLT_SHADE_SMOOTH, plt_surface_at): those
+                      * of the image, for its bytes of them where it is not mapped; triangles that
+                      * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
+                      * also 4 bytes per triangle, of compact blocks 6, to find it by its number. Of
+                      * scenes that are resident, not movable and not of instances; compact blocks
+                      * are not built here, and have no frames. Without PLT_WITH_SURFACE: 0 */
 } plt_options;
 
 /* Fewer triangles are not worth the bytes that are kept of them. */
@@ -279,6 +286,10 @@ typedef struct plt_info {
     uint32_t bodies;           /* of an image with instances: trees that are placed; else 0 */
     uint32_t instances;        /* of those bodies, each with a matrix per frame (plt_place) */
     uint32_t placed_triangles; /* of all instances; `triangles` are those of the bodies */
+#if PLT_WITH_SURFACE
+    uint32_t normal_bytes; /* of the section of normals; 0: there are none */
+    uint32_t colour_bytes; /* ... and of colours */
+#endif
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
@@ -406,6 +417,26 @@ typedef struct plt_hit {
  * PLT_ERR_LIMIT: this build has no rays in groups (PLT_WITH_GROUPS). Cost: see DESIGN.md,
  * section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
+
+/* ---- surfaces -------------------------------------------------------- */
+
+/* What a hit is shaded by. */
+typedef struct plt_surface_point {
+    float normal[3]; /* of length 1 up to rounding: those of the corners, weighted by u and v; the
+                      * triangle's own where it has none, or they cancel out */
+    float flat[3];   /* the triangle's own, likewise, by the winding of its corners; 0: no area */
+    float colour[3]; /* red, green, blue, 0 .. 1 each, as packed (mostly sRGB), weighted alike; 1
+                      * where there is none */
+    uint8_t has_normal, has_colour; /* of corners */
+} plt_surface_point;
+
+/* The surface where a ray of plt_trace has hit: of `hit` it looks at triangle, u and v, each of
+ * which may be any number. The same bits on every machine. PLT_OK, or PLT_ERR_ARGUMENT:
+ * plt_options.surface was 0, or there is no such triangle (PLT_MISS); *point is then left as it
+ * was. Cost: three corners looked up, some 40 operations each, one square root for each normal.
+ *
+ * Not there without PLT_WITH_SURFACE and PLT_WITH_GROUPS. */
+int plt_surface_at(const plt_engine *engine, const plt_hit *hit, plt_surface_point *point);
 
 /* ---- motion ---------------------------------------------------------- */
 
@@ -586,7 +617,9 @@ typedef struct plt_camera {
 enum plt_shader {
     PLT_SHADE_EYELIGHT = 0, /* grey by the angle to the ray (thesis, 5.1) */
     PLT_SHADE_NORMAL = 1,   /* colour by the direction of the surface */
-    PLT_SHADE_TRIANGLE = 2  /* a flat colour per triangle */
+    PLT_SHADE_TRIANGLE = 2, /* a flat colour per triangle */
+    PLT_SHADE_SMOOTH = 3    /* as eye light, by the normals and colours of plt_surface_at; of
+                             * scenes opened with plt_options.surface */
 };
 
 typedef struct plt_frame {

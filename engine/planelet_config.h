@@ -131,6 +131,13 @@
 #endif
 #endif
 
+/* Normals and colours of an image (SPEC.md, 4.18 and on; plt_options.surface). */
+#ifndef PLT_WITH_SURFACE
+#define PLT_WITH_SURFACE 1
+#endif
+/* Images may have sections behind those of tree and triangles. */
+#define PLT_WITH_FURTHER PLT_WITH_SURFACE
+
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
 #ifndef PLT_WITH_WAVE_COMPACT
@@ -324,6 +331,9 @@
 #if (PLT_WITH_INSTANCES != 0 && PLT_WITH_INSTANCES != 1) ||                                        \
     (PLT_WITH_INSTANCES && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))
 #error "PLT_WITH_INSTANCES is the digit 0, or with PLT_WITH_THESIS and PLT_WITH_GROUPS 1"
+#endif
+#if PLT_WITH_SURFACE != 0 && PLT_WITH_SURFACE != 1
+#error "PLT_WITH_SURFACE is the digit 0 or 1"
 #endif
 #if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
 #error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"

@@ -11,10 +11,12 @@ if [ -z "$scene" ]; then
     exit 2
 fi
 out=${FIRMWARE:-${BUILD:-build}/$board}
-# With a camera or shader of its own there is no host frame to compare.
-view=$(sh board/tools/host_view.sh "$scene" "$size" "$out/host.ppm") || exit 1
+shader=$(printf '%s\n' "$@" | sed -n 's/^shader=//p' | tail -n 1)
+view=$(sh board/tools/host_view.sh "$scene" "$size" "$out/host.ppm" \
+    --shader "${shader:-eyelight}") || exit 1
+# With a camera of its own there is no host frame to compare.
 case " $*" in
-*\ eye=* | *\ look=* | *\ up=* | *\ tan=* | *\ shader=*) hash= camera= ;;
+*\ eye=* | *\ look=* | *\ up=* | *\ tan=*) hash= camera= ;;
 *) hash=${view%% *} camera=${view#* } ;;
 esac
 log=$(mktemp)

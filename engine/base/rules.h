@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R16 refuse an image by its header and checksums, I1 to I29 are invariants of
+ * R1 to R18 refuse an image by its header and checksums, I1 to I29 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -23,7 +23,9 @@ enum plt_refusal {
     PLT_R13_SECTION_CRC = 13, /* checksum of a section */
     PLT_R14_LATTICE = 14,     /* the lattice and what a compact image may hold */
     PLT_R15_SEQUENCE = 15,    /* counts and lattice of a sequence */
-    PLT_R16_INSTANCES = 16    /* counts of bodies, instances and their frames */
+    PLT_R16_INSTANCES = 16,   /* counts of bodies, instances and their frames */
+    PLT_R17_FURTHER = 17,     /* the table of further sections */
+    PLT_R18_SURFACE = 18      /* what a section of normals or colours begins with */
 };
 
 enum plt_invariant {

@@ -97,6 +97,14 @@
 #define PLT_PARTS_OF_INSTANCES(ROW)
 #endif
 
+#if PLT_WITH_SURFACE
+#define PLT_PARTS_OF_SURFACES(ROW)                                                                 \
+    ROW(SURFACE, RUNS, "normals and colours, copied")                                              \
+    ROW(PLACES, RUNS, "records of triangles")
+#else
+#define PLT_PARTS_OF_SURFACES(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -116,6 +124,7 @@
     ROW(FORMAT, RUNS, "state of the format")                                                       \
     ROW(STORE, RUNS, "streamed blocks")                                                            \
     PLT_PARTS_OF_INSTANCES(ROW)                                                                    \
+    PLT_PARTS_OF_SURFACES(ROW)                                                                     \
     PLT_PARTS_OF_MOTION(ROW)                                                                       \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")                                                              \

@@ -21,6 +21,7 @@
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/cli/pack_memory.h"
 #include "host_tools/cli/pack_meshes.h"
+#include "host_tools/cli/pack_surface.h"
 #include "host_tools/pack/c_array.h"
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/lattice.h"
@@ -77,6 +78,7 @@ static const arg_flag flags[] = {
      "move the middle of the meshes to 0, in double precision, before they are narrowed to "
      "single: for coordinates far from the origin; planelet info prints the shift"},
     {"--origin", "X,Y,Z", "move the meshes so that this point becomes 0, likewise"},
+    PACK_SURFACE_FLAGS,
     {"--weld", "EPS", "make vertices of a file that are as near as EPS one, to close seams"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
     {"--memory", "BYTES",
@@ -84,6 +86,9 @@ static const arg_flag flags[] = {
      "is the same, or nothing is packed; --json says what it takes (default: any)"},
     {"--json", "STATS", "write what was read, lost and packed to this file; - is standard output"},
     {NULL, NULL, NULL}};
+
+_Static_assert(sizeof flags / sizeof flags[0] <= ARGS_FLAGS_MAX,
+               "each flag has room for its value");
 
 const arg_command command_pack = {
     .name = "pack",
@@ -126,6 +131,7 @@ typedef struct pack_job {
     pack_meshes in;
     pack_frames frames; /* --sequence */
     pack_instances_order instances;
+    pack_surface surface;
     pack_options options;
     compact_options compact; /* lattice_bits 0: thesis nodes */
     lattice_loss loss;
@@ -274,6 +280,7 @@ static int read_meshes(pack_job *job, const args *a, fail *f) {
 }
 
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
+    job->in.m.corners = pack_surface_wanted(&job->surface) ? &job->surface.corners : NULL;
     if (read_meshes(job, a, f) != 0) {
         return -1;
     }
@@ -284,7 +291,8 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
         return -1;
     }
     pack_memory_note(&job->memory, pack_shown(&job->in.file[0]));
-    if (pack_meshes_prepare(&job->in, f) != 0) {
+    if (pack_meshes_prepare(&job->in, f) != 0 ||
+        pack_surface_prepare(&job->surface, &job->in, f) != 0) {
         return -1;
     }
     job->compact.mesh_end = job->in.mesh_end;
@@ -293,7 +301,7 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     }
     if (open_outputs(job, f) != 0 ||
         (job->frames.wanted && pack_frames_scan(&job->frames, &job->in, f) != 0) ||
-        build(job, image, f) != 0) {
+        build(job, image, f) != 0 || pack_surface_add(&job->surface, &job->in, image, f) != 0) {
         return -1;
     }
     return write_all(job, image, f);
@@ -555,6 +563,7 @@ static void read_flags(pack_job *job, args *a) {
     read_treelets(job, a);
     read_format(job, a);
     read_instances(job, a);
+    pack_surface_read(&job->surface, a);
     read_checks(job, a);
     read_quality(job, a);
     job->compact.splits = job->options.splits;
@@ -589,6 +598,7 @@ int run_pack(args *a) {
     if (status == 0) {
         say_quality(&job.quality);
         say_treelets(&image.treelets);
+        pack_surface_say(&job.surface, &image);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         pack_memory_explain(a->file[0], &f);
@@ -599,6 +609,7 @@ int run_pack(args *a) {
     pack_free(&image);
     pack_frames_free(&job.frames);
     pack_meshes_free(&job.in);
+    pack_surface_free(&job.surface);
     free(job.command);
     return status == 0 ? 0 : 1;
 }

@@ -34,7 +34,8 @@ static const arg_flag flags[] = {
     {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",
-     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
+     "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each) or "
+     "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth); "
      "default eyelight"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
@@ -403,9 +404,17 @@ static void read_flags(rendering *r, args *a) {
     vertices_read(&r->s, a, r->moved.is_played);
     baseline_read(&r->baseline, a, for_engine);
     counted_read(&r->counted, a);
+    if (r->frame.shader == PLT_SHADE_SMOOTH && args_has(a, "--baseline")) {
+        args_complain(a, "--shader smooth is not for --baseline, which knows triangles alone");
+    }
+    if (r->frame.shader == PLT_SHADE_SMOOTH &&
+        strcmp(args_text(a, "--residency", "resident"), "streamed") == 0) {
+        args_complain(a, "--shader smooth takes --residency resident");
+    }
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
+    r->s.options.surface = r->frame.shader == PLT_SHADE_SMOOTH;
     r->s.spare_bytes =
         (uint64_t)(r->to.format == PICTURE_PNG ? 1 + PNG_PICTURES : 1) * 3 * width * height;
 }

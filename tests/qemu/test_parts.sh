@@ -240,6 +240,39 @@ for parts in 'render compact grid' 'grid compact'; do
     verdict "PARTS='$parts' is refused, with what it may be" "$(
         echo "$trouble" | grep -q "PARTS with grid has .*: make PARTS='" || echo "$trouble")"
 done
+# smooth FOLDER NAME [parameter]: by normals and colours of corners.
+smooth() {
+    view=$(sh board/tools/host_view.sh "$out/$2.plt" 80x60 "$out/host.ppm" --shader smooth)
+    # shellcheck disable=SC2086
+    firmware "$1" "$out/$2.plt" size=80x60 shader=smooth ${view#* } $3
+    verdict "${1##*/}, $2, smooth${3:+, $3}: the frame of the host" "$(
+        [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+            echo "status $status: $text")"
+}
+scene smooth --smooth 40
+scene smooth_compact --nodes compact --geometry lattice:14 --smooth 40
+scene smooth_device --build device --smooth 40
+surface=$BUILD/mps2_an386-frames-render-surface-thesis
+if part "render thesis frames surface" "$surface" 31744; then
+    renders "$surface" smooth
+    smooth "$surface" smooth
+    smooth "$surface" thesis
+fi
+surface=$BUILD/mps2_an386-compact-frames-render-surface
+if part "render compact frames surface" "$surface" 41984; then
+    smooth "$surface" smooth_compact packet=4
+fi
+surface=$BUILD/mps2_an386-surface-thesis
+if part "thesis surface" "$surface" 51200; then
+    smooth "$surface" smooth
+    SOURCE=file smooth "$surface" smooth
+    smooth "$surface" smooth_device
+fi
+surface=$BUILD/mps2_an386-compact-render-surface
+if part "render compact surface" "$surface" 53248; then
+    smooth "$surface" smooth_compact
+fi
+refuses "$thesis" smooth sections
 instances=$BUILD/mps2_an386-instances-render-thesis
 # shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
 # program says how long it takes.
