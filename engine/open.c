@@ -14,6 +14,7 @@
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
+#include "engine/whitted_room.h"
 
 /* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1), and
  * of fewer than the least the next smaller ones are better. */
@@ -277,6 +278,9 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
         start_batch(e, part);
         start_tasks(e, part);
         status = start_wave(e, &o, part);
+    }
+    if (status == PLT_OK) {
+        status = plt_whitted_room_set(e, part, fault);
     }
     if (status == PLT_OK) {
         const plt_info sized = sized_for(e);

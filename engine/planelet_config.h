@@ -131,6 +131,11 @@
 #endif
 #endif
 
+/* Frames with lights, shadows, mirrors and glass (PLT_SHADE_WHITTED). */
+#ifndef PLT_WITH_WHITTED
+#define PLT_WITH_WHITTED PLT_WITH_GROUPS
+#endif
+
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
 #ifndef PLT_WITH_WAVE_COMPACT
@@ -324,6 +329,9 @@
 #if (PLT_WITH_INSTANCES != 0 && PLT_WITH_INSTANCES != 1) ||                                        \
     (PLT_WITH_INSTANCES && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))
 #error "PLT_WITH_INSTANCES is the digit 0, or with PLT_WITH_THESIS and PLT_WITH_GROUPS 1"
+#endif
+#if (PLT_WITH_WHITTED != 0 && PLT_WITH_WHITTED != 1) || (PLT_WITH_WHITTED && !PLT_WITH_GROUPS)
+#error "PLT_WITH_WHITTED is the digit 0, or with PLT_WITH_GROUPS 1"
 #endif
 #if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
 #error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"

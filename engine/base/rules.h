@@ -23,7 +23,8 @@ enum plt_refusal {
     PLT_R13_SECTION_CRC = 13, /* checksum of a section */
     PLT_R14_LATTICE = 14,     /* the lattice and what a compact image may hold */
     PLT_R15_SEQUENCE = 15,    /* counts and lattice of a sequence */
-    PLT_R16_INSTANCES = 16    /* counts of bodies, instances and their frames */
+    PLT_R16_INSTANCES = 16,   /* counts of bodies, instances and their frames */
+    PLT_R19_MATERIALS = 19    /* the section of materials */
 };
 
 enum plt_invariant {

@@ -24,6 +24,7 @@ engine/scene
 engine/trace
 engine/schedule
 engine/motion
+engine/whitted
 engine/shade
 engine
 platform
