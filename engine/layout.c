@@ -432,6 +432,14 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_MATRICES:
         return plt_has_instances(s->info) ? plt_matrices_frame_bytes(s->info) : 0;
 #endif
+#if PLT_WITH_SURFACE
+    case PLT_PART_SURFACE:
+        return s->options->surface && !s->mapped
+                   ? (uint64_t)s->info->normal_bytes + s->info->colour_bytes
+                   : 0;
+    case PLT_PART_PLACES:
+        return s->options->surface && PLT_WITH_GROUPS ? 4ull * s->info->triangles : 0;
+#endif
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:
         return levels_bytes(s);
@@ -475,7 +483,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return s->options->whitted > 0 ? plt_whitted_bytes(packet_side(s), s->options->whitted - 1u)
                                        : 0;
     case PLT_PART_MATERIALS:
-        return 0;
+        return s->options->whitted > 0 && !s->mapped ? s->info->material_bytes : 0;
 #endif
 #if PLT_WITH_GRID
     case PLT_PART_GRID: /* the least; opening adds what there is room for */
@@ -604,7 +612,8 @@ int plt_layout_options_valid(const plt_options *o) {
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
            is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) &&
-           is_structure_valid(o) && is_records_valid(o) && is_whitted_valid(o);
+           is_structure_valid(o) && is_records_valid(o) && o->surface <= PLT_WITH_SURFACE &&
+           is_whitted_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {
@@ -616,7 +625,8 @@ static int valid(const plt_info *info, const plt_options *o) {
            plt_scene_left_out(info, o->residency, o->structure) == NULL &&
            plt_layout_residency_valid(info, o) && plt_layout_motion_valid(info, o) &&
            plt_layout_structure_valid(info, o) && plt_layout_records_valid(info, o) &&
-           plt_layout_order_valid(info, o) && info->treelet_nodes > 0;
+           plt_layout_surface_valid(info, o) && plt_layout_order_valid(info, o) &&
+           info->treelet_nodes > 0;
 }
 
 size_t plt_arena_need(const plt_info *info, int mapped, const plt_options *o) {

@@ -65,6 +65,20 @@ static inline int plt_layout_structure_valid(const plt_info *info, const plt_opt
            (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info));
 }
 
+/* Normals and colours are of triangles that stay where they are, and are all there. */
+static inline int plt_layout_surface_valid(const plt_info *info, const plt_options *options) {
+#if PLT_WITH_SURFACE
+    return !options->surface ||
+           (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info) &&
+            !(PLT_WITH_MOTION && options->movable) &&
+            !(PLT_WITH_STREAMED && options->residency == PLT_RESIDENCY_STREAMED));
+#else
+    (void)info;
+    (void)options;
+    return 1;
+#endif
+}
+
 /* There is to be room for a second tree. */
 static inline int plt_layout_rebuilds(const plt_info *info, const plt_options *options) {
     return PLT_WITH_REBUILD && options->movable && options->rebuild &&

@@ -8,10 +8,12 @@
 #include "engine/engine.h"
 #include "engine/grid_room.h"
 #include "engine/image/fetch.h"
+#include "engine/image/further.h"
 #include "engine/instances_room.h"
 #include "engine/layout.h"
 #include "engine/motion_room.h"
 #include "engine/scene/worst_tree.h"
+#include "engine/surface_room.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 #include "engine/whitted_room.h"
@@ -33,8 +35,12 @@ static int read_header(const plt_source *source, plt_header *header, plt_fault *
         return plt_refused(fault, PLT_R1_SHORT, source->bytes,
                            "the image is shorter than its header");
     }
-    const int status = plt_fetch(source, 0, bytes, PLT_HEADER_BYTES, fault);
-    return status == PLT_OK ? plt_header_read(header, bytes, source->bytes, fault) : status;
+    int status = plt_fetch(source, 0, bytes, PLT_HEADER_BYTES, fault);
+    status = status == PLT_OK ? plt_header_read(header, bytes, source->bytes, fault) : status;
+#if PLT_WITH_FURTHER
+    status = status == PLT_OK ? plt_further_read(source, header, fault) : status;
+#endif
+    return status;
 }
 
 int plt_image_info(const plt_source *source, plt_info *info, plt_fault *fault) {
@@ -280,7 +286,7 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
         status = start_wave(e, &o, part);
     }
     if (status == PLT_OK) {
-        status = plt_whitted_room_set(e, part, fault);
+        status = plt_whitted_room_set(e, header, part, fault);
     }
     if (status == PLT_OK) {
         const plt_info sized = sized_for(e);
@@ -288,6 +294,9 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
     }
     if (status == PLT_OK) {
         status = plt_instances_room_set(e, header, part, fault);
+    }
+    if (status == PLT_OK) {
+        status = plt_surface_room_set(e, header, part, fault);
     }
     return status == PLT_OK ? plt_motion_room_sequence(e, header, part, fault) : status;
 }
@@ -339,6 +348,11 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
                              "without records there are only the frames of a finished tree, no "
                              "grid, and no other triangles that move or are built anew");
+    }
+    if (!plt_layout_surface_valid(info, options)) {
+        return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
+                             "normals and colours are of resident thesis nodes whose triangles "
+                             "stay where they are");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
@@ -415,6 +429,18 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     return with_need(e, status, fault);
 }
 
+/* Of what was built step by step, whose header is not at hand any more. */
+static int start_built(plt_engine *e, plt_fault *fault) {
+#if PLT_WITH_WHITTED
+    plt_header header;
+    if (e->options.whitted > 0) {
+        const int status = read_header(&e->source, &header, fault);
+        return status == PLT_OK ? start_worker(e, &header, fault) : status;
+    }
+#endif
+    return start_worker(e, NULL, fault);
+}
+
 int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     plt_layout layout;
     *fault = no_fault;
@@ -429,7 +455,7 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     const plt_opening o = opening_of(e, &layout, fault);
     int status = plt_scene_build_step(&o, e->build, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
-        status = start_worker(e, NULL, fault);
+        status = start_built(e, fault);
     }
     if (status == PLT_OK) {
         e->build = NULL;

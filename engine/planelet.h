@@ -238,6 +238,12 @@ typedef struct plt_options {
                       * scene without records, for 32 bytes per node slot if the arena has them
                       * (plt_motion.is_beside; a need has them). Not with PLT_RECORDS_ALWAYS.
                       * Without PLT_WITH_VERTICES it is not looked at */
+    uint8_t surface; /* 1: hits have normals and colours (PLT_SHADE_SMOOTH, plt_surface_at): those
+                      * of the image, for its bytes of them where it is not mapped; triangles that
+                      * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
+                      * also 4 bytes per triangle, to find it by its number. Of scenes of thesis
+                      * nodes, lists and grids that are resident, not movable and not of instances.
+                      * Without PLT_WITH_SURFACE: 0 */
     uint8_t whitted; /* room for frames of PLT_SHADE_WHITTED: 1 and the most bounces that they may
                       * have, up to 1 + PLT_BOUNCES_MOST, for 73 bytes per ray of a packet, 40 more
                       * per bounce, and the image's materials if it is not mapped; 0: none. With
@@ -287,6 +293,9 @@ typedef struct plt_info {
     uint32_t bodies;           /* of an image with instances: trees that are placed; else 0 */
     uint32_t instances;        /* of those bodies, each with a matrix per frame (plt_place) */
     uint32_t placed_triangles; /* of all instances; `triangles` are those of the bodies */
+    uint32_t normal_bytes;     /* of the section of normals; 0: there are none */
+    uint32_t colour_bytes;     /* ... and of colours */
+    uint32_t material_bytes;   /* ... and of materials */
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */
@@ -414,6 +423,26 @@ typedef struct plt_hit {
  * PLT_ERR_LIMIT: this build has no rays in groups (PLT_WITH_GROUPS). Cost: see DESIGN.md,
  * section 6. */
 int plt_trace(plt_engine *engine, const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
+
+/* ---- surfaces -------------------------------------------------------- */
+
+/* What a hit is shaded by. */
+typedef struct plt_surface_point {
+    float normal[3]; /* of length 1 up to rounding: those of the corners, weighted by u and v; the
+                      * triangle's own where it has none, or they cancel out */
+    float flat[3];   /* the triangle's own, likewise, by the winding of its corners; 0: no area */
+    float colour[3]; /* red, green, blue, 0 .. 1 each, as packed (mostly sRGB), weighted alike; 1
+                      * where there is none */
+    uint8_t has_normal, has_colour; /* of corners */
+} plt_surface_point;
+
+/* The surface where a ray of plt_trace has hit: of `hit` it looks at triangle, u and v, each of
+ * which may be any number. The same bits on every machine. PLT_OK, or PLT_ERR_ARGUMENT:
+ * plt_options.surface was 0, or there is no such triangle (PLT_MISS); *point is then left as it
+ * was. Cost: three corners looked up, some 40 operations each, one square root for each normal.
+ *
+ * Not there without PLT_WITH_SURFACE and PLT_WITH_GROUPS. */
+int plt_surface_at(const plt_engine *engine, const plt_hit *hit, plt_surface_point *point);
 
 /* ---- motion ---------------------------------------------------------- */
 
@@ -595,6 +624,8 @@ enum plt_shader {
     PLT_SHADE_EYELIGHT = 0, /* grey by the angle to the ray (thesis, 5.1) */
     PLT_SHADE_NORMAL = 1,   /* colour by the direction of the surface */
     PLT_SHADE_TRIANGLE = 2, /* a flat colour per triangle */
+    PLT_SHADE_SMOOTH = 3,   /* as eye light, by the normals and colours of plt_surface_at; of
+                             * scenes opened with plt_options.surface */
     PLT_SHADE_WHITTED = 16  /* lights, shadows, mirrors and glass (plt_lighting_set), in sRGB; of
                              * engines that have room for it (plt_options.whitted) */
 };

@@ -131,10 +131,17 @@
 #endif
 #endif
 
+/* Normals and colours of an image (SPEC.md, 4.18 and on; plt_options.surface). */
+#ifndef PLT_WITH_SURFACE
+#define PLT_WITH_SURFACE 1
+#endif
+
 /* Frames with lights, shadows, mirrors and glass (PLT_SHADE_WHITTED). */
 #ifndef PLT_WITH_WHITTED
 #define PLT_WITH_WHITTED PLT_WITH_GROUPS
 #endif
+/* Images may have sections behind those of tree and triangles. */
+#define PLT_WITH_FURTHER (PLT_WITH_SURFACE || PLT_WITH_WHITTED)
 
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
@@ -329,6 +336,9 @@
 #if (PLT_WITH_INSTANCES != 0 && PLT_WITH_INSTANCES != 1) ||                                        \
     (PLT_WITH_INSTANCES && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))
 #error "PLT_WITH_INSTANCES is the digit 0, or with PLT_WITH_THESIS and PLT_WITH_GROUPS 1"
+#endif
+#if PLT_WITH_SURFACE != 0 && PLT_WITH_SURFACE != 1
+#error "PLT_WITH_SURFACE is the digit 0 or 1"
 #endif
 #if (PLT_WITH_WHITTED != 0 && PLT_WITH_WHITTED != 1) || (PLT_WITH_WHITTED && !PLT_WITH_GROUPS)
 #error "PLT_WITH_WHITTED is the digit 0, or with PLT_WITH_GROUPS 1"

@@ -177,6 +177,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
     info->vertices = info->frames = info->frame_rate = info->key_every = info->frame_bytes = 0;
     info->block_vertices = 0;
     info->bodies = info->instances = info->placed_triangles = 0;
+    info->normal_bytes = info->colour_bytes = info->material_bytes = 0;
     for (int i = 0; i < COUNTS; i++) {
         *count_field(info, i) = plt_get_u32(bytes + PLT_AT_COUNTS + 4 * i);
     }
@@ -219,7 +220,14 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
         info->primitive_id_bits > 0
             ? (uint32_t)plt_header_section_bytes(info, PLT_SECTION_PRIMITIVE_IDS)
             : 0;
+#if PLT_WITH_FURTHER
+    header->further_count = plt_get_u32(bytes + PLT_AT_FURTHER);
+    const int status_of_all = plt_header_check(header, bytes, fault);
+    header->further_at = status_of_all == PLT_OK ? plt_header_end(info) : 0;
+    return status_of_all;
+#else
     return plt_header_check(header, bytes, fault);
+#endif
 }
 
 static void set_sections(plt_header *h) {

@@ -19,6 +19,7 @@
 #define PLT_HEADER_BYTES 256
 #define PLT_SECTION_ALIGN 64
 #define PLT_SECTIONS_MOST 4
+#define PLT_FURTHER_MOST 7 /* whose table has 128 bytes at most */
 
 enum plt_section_kind {
     PLT_SECTION_NONE = 0,
@@ -32,7 +33,10 @@ enum plt_section_kind {
     PLT_SECTION_FRAMES = 8,        /* ... and their positions, frame by frame */
     PLT_SECTION_STILLS = 9,        /* compact blocks, all of them once for each frame */
     PLT_SECTION_BODIES = 10,       /* of instances: bodies, and which one each has */
-    PLT_SECTION_MATRICES = 11      /* ... and where they are, frame by frame */
+    PLT_SECTION_MATRICES = 11,     /* ... and where they are, frame by frame */
+    PLT_SECTION_NORMALS = 12,      /* further ones: normals of corners */
+    PLT_SECTION_COLOURS = 13,      /* ... and their colours */
+    PLT_SECTION_MATERIALS = 14     /* ... and what triangles are made of */
 };
 
 typedef struct plt_section {
@@ -45,6 +49,11 @@ typedef struct plt_header {
     plt_section section[PLT_SECTIONS_MOST]; /* as they lie; PLT_SECTION_NONE behind */
     plt_lattice lattice;
     plt_lattice_box lattice_box; /* of all triangles */
+#if PLT_WITH_FURTHER
+    uint32_t further_at;                   /* byte of the image where the others end */
+    uint32_t further_count;                /* 0: there is no table */
+    plt_section further[PLT_FURTHER_MOST]; /* plt_further_read; PLT_SECTION_NONE behind */
+#endif
 } plt_header;
 
 /* An image of compact blocks that move: its header has the counts of a sequence where others have
@@ -83,6 +92,11 @@ uint32_t plt_header_records(const plt_info *info);
 
 /* The section of a kind, or NULL. */
 const plt_section *plt_header_section(const plt_header *header, uint32_t kind);
+
+#if PLT_WITH_FURTHER
+/* Where the sections of the header's table end, if an image is that long. */
+uint32_t plt_header_end(const plt_info *info);
+#endif
 
 /* Bytes of a section of `count` items, padding included. */
 uint64_t plt_section_bytes(uint32_t count, uint32_t item_bytes);

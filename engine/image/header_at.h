@@ -39,7 +39,8 @@ enum plt_header_at {
     PLT_AT_NODE_BYTES = 220,
     PLT_AT_TRIANGLE_BYTES = 224,
     PLT_AT_RESERVED = 228,
-    PLT_AT_SHIFT = 232 /* three doubles, not for the engine; they end the header */
+    PLT_AT_FURTHER = 228, /* how many sections there are behind those of the table */
+    PLT_AT_SHIFT = 232    /* three doubles, not for the engine; they end the header */
 };
 
 #endif

@@ -195,6 +195,13 @@ static unsigned used_end_of(const plt_info *info) {
     return PLT_WITH_SEQUENCE && info->frames > 0 ? PLT_AT_SEQUENCE_END : 0;
 }
 
+/* A constant where there are none. */
+#if PLT_WITH_FURTHER
+#define HAS_FURTHER(h) ((h)->further_count > 0)
+#else
+#define HAS_FURTHER(h) 0
+#endif
+
 /* R10 to R12: the sections lie where they must and fill the image. */
 static int check_sections(const plt_header *h, const unsigned char *bytes, plt_fault *fault) {
     uint32_t kind[PLT_SECTIONS_MOST] = {0, 0, 0, 0};
@@ -213,13 +220,14 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
         }
         offset += due;
     }
-    if (offset != h->info.image_bytes) {
+    if (offset != h->info.image_bytes && !HAS_FURTHER(h)) {
         return plt_refused(fault, PLT_R11_SECTION, PLT_AT_IMAGE_BYTES,
                            "the sections do not fill the image");
     }
     const unsigned used_begin = used_begin_of(&h->info), used_end = used_end_of(&h->info);
     for (unsigned i = PLT_AT_SECTION + 16 * count; i < PLT_AT_SHIFT; i++) {
-        const int used = i >= used_begin && i < used_end;
+        const int used =
+            (i >= used_begin && i < used_end) || (PLT_WITH_FURTHER && i >= PLT_AT_FURTHER);
         if (!used && bytes[i] != 0) {
             return plt_refused(fault, PLT_R12_RESERVED, i, "a reserved byte is not zero");
         }

@@ -97,6 +97,17 @@ uint64_t plt_header_section_bytes(const plt_info *info, uint32_t kind) {
     }
 }
 
+#if PLT_WITH_FURTHER
+uint32_t plt_header_end(const plt_info *info) {
+    uint32_t kind[PLT_SECTIONS_MOST];
+    uint64_t end = PLT_HEADER_BYTES;
+    for (unsigned i = plt_header_kinds(info, kind); i-- > 0;) {
+        end += plt_header_section_bytes(info, kind[i]);
+    }
+    return end < UINT32_MAX ? (uint32_t)end : UINT32_MAX;
+}
+#endif
+
 const plt_section *plt_header_section(const plt_header *header, uint32_t kind) {
     for (unsigned i = 0; i < PLT_SECTIONS_MOST; i++) {
         if (header->section[i].kind == kind) {

@@ -97,6 +97,14 @@
 #define PLT_PARTS_OF_INSTANCES(ROW)
 #endif
 
+#if PLT_WITH_SURFACE
+#define PLT_PARTS_OF_SURFACES(ROW)                                                                 \
+    ROW(SURFACE, RUNS, "normals and colours, copied")                                              \
+    ROW(PLACES, RUNS, "records of triangles")
+#else
+#define PLT_PARTS_OF_SURFACES(ROW)
+#endif
+
 #if PLT_WITH_WHITTED
 #define PLT_PARTS_OF_LIGHT(ROW)                                                                    \
     ROW(WHITTED, RUNS, "pixels with lights and mirrors")                                           \
@@ -124,6 +132,7 @@
     ROW(FORMAT, RUNS, "state of the format")                                                       \
     ROW(STORE, RUNS, "streamed blocks")                                                            \
     PLT_PARTS_OF_INSTANCES(ROW)                                                                    \
+    PLT_PARTS_OF_SURFACES(ROW)                                                                     \
     PLT_PARTS_OF_MOTION(ROW)                                                                       \
     PLT_PARTS_OF_LIGHT(ROW)                                                                        \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \

@@ -15,6 +15,7 @@
 #include "engine/memory/stream.h"
 #include "engine/memory/treelet_stream.h"
 #include "engine/scene/formats.h"
+#include "engine/surface/surface_data.h"
 #include "engine/tree/bvh4.h"
 #include "engine/tree/compact/block_tree.h"
 #include "engine/tree/thesis/tree.h"
@@ -68,6 +69,23 @@ typedef struct plt_scene {
 #endif
     };
     const plt_bvh4 *bvh4; /* the tree again, as the wave wants it; NULL: not asked for */
+#if PLT_WITH_SURFACE
+    plt_surface_data surface;
+#endif
 } plt_scene;
+
+/* Of a resident scene that has them all: its records, in an order of their own; else NULL. */
+static inline const plt_record *plt_scene_records(const plt_scene *s) {
+    switch (s->format) {
+    case PLT_FORMAT_THESIS:
+        return s->thesis.records;
+    case PLT_FORMAT_LIST:
+        return s->list.records;
+    case PLT_FORMAT_GRID:
+        return s->gridded.records;
+    default:
+        return NULL;
+    }
+}
 
 #endif

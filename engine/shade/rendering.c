@@ -4,6 +4,7 @@
 #include "engine/shade/rendering.h"
 
 #include "engine/shade/packet_shade.h"
+#include "engine/shade/smooth.h"
 #include "engine/shade/tile_sky.h"
 #include "engine/shade/whitted_frame.h"
 
@@ -33,6 +34,12 @@
 #define HAS_TASKS(r) ((r)->by_tasks)
 #else
 #define HAS_TASKS(r) 0
+#endif
+
+#if PLT_WITH_SURFACE
+#define IS_SMOOTH(r) ((r)->frame.shader == PLT_SHADE_SMOOTH)
+#else
+#define IS_SMOOTH(r) 0
 #endif
 
 void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t packet_side) {
@@ -119,6 +126,9 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
     }
 #if PLT_WITH_GROUPS
     plt_view_packet(&r->view, box_of(r, t), p, pixels);
+    if (IS_SMOOTH(r)) {
+        plt_packet_want_weights(p);
+    }
     plt_traversal_begin(t, p, rays);
     if (HAS_LIGHTS(r)) {
         plt_whitted_frame_begin(r, p, pixels);
@@ -152,6 +162,45 @@ static void shade_square(const plt_rendering *r) {
 #else
     (void)r;
 #endif
+}
+
+/* The colours of a square, or packet, that is traced. */
+static void shade_traced(const plt_rendering *r, const plt_traversal *t, const plt_packet *p,
+                         const plt_pixels *pixels) {
+#if PLT_WITH_SURFACE
+    if (IS_SMOOTH(r)) {
+        const uint32_t width = plt_tile_width(&r->frame, &r->at);
+        uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
+        const uint8_t *sky = &r->sky[3 * r->at.py];
+#if PLT_WITH_BEAMS
+        if (HAS_BEAMS(r)) {
+            plt_beam_smooth(r->beam, t->scene, sky, rgb, 3 * width);
+            return;
+        }
+#endif
+#if PLT_WITH_GROUPS
+        plt_smooth_shade(t->scene, p, pixels, sky, rgb, 3 * width);
+#endif
+        return;
+    }
+#endif
+    (void)t;
+    if (HAS_BEAMS(r)) {
+        shade_square(r);
+    } else {
+        shade_packet(r, p, pixels);
+    }
+}
+
+/* Whether there is such a shader, of this scene. */
+static int is_shader(uint8_t shader, const plt_scene *scene) {
+#if PLT_WITH_SURFACE
+    if (shader == PLT_SHADE_SMOOTH) {
+        return scene->surface.is_open;
+    }
+#endif
+    (void)scene;
+    return shader <= PLT_SHADE_TRIANGLE;
 }
 
 #if PLT_WITH_BATCH
@@ -238,7 +287,7 @@ static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
 int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
     r->done = 1;
     if (frame->width == 0 || frame->height == 0 ||
-        !(frame->shader <= PLT_SHADE_TRIANGLE || plt_whitted_frame_valid(r, frame))) {
+        !(is_shader(frame->shader, t->scene) || plt_whitted_frame_valid(r, frame))) {
         return PLT_ERR_ARGUMENT;
     }
     r->frame = *frame;
@@ -292,11 +341,7 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (status != PLT_OK) {
         return status;
     }
-    if (HAS_BEAMS(r)) {
-        shade_square(r);
-    } else {
-        shade_packet(r, p, &pixels);
-    }
+    shade_traced(r, t, p, &pixels);
     r->tracing = 0;
     return plt_place_next_packet(&r->at, &r->frame, r->side) ? PLT_MORE : PLT_TILE;
 }

@@ -109,6 +109,15 @@ static inline void plt_packet_want_normals(plt_packet *packet) {
 #endif
 }
 
+/* The other way round: u and v, and where there are hulls no normals. */
+static inline void plt_packet_want_weights(plt_packet *packet) {
+#if PLT_WITH_HULLS
+    packet->surfaces = 0;
+#else
+    (void)packet;
+#endif
+}
+
 /* Turns 4 rays into group `index`; lanes from `count` on stay without a ray. */
 void plt_packet_set_group(plt_packet *packet, unsigned index, const f4 org[3], const f4 dir[3],
                           f4 tmin, f4 tmax, unsigned count);

@@ -13,6 +13,7 @@
 
 typedef struct outline {
     uint32_t *vertex;    /* of each corner, of the file; owned */
+    uint32_t *named;     /* of each corner, what mesh_faces has of it; owned */
     double (*corner)[3]; /* where they are; owned */
     uint32_t *triangle;  /* 3 corners each; owned */
     uint32_t corners, room;
@@ -50,7 +51,7 @@ int faces_mark_bad(mesh_faces *f, size_t vertex) {
 }
 
 void faces_free(mesh_faces *f) {
-    heap_drop(f->bad);
+    heap_drop(f->bad); /* not `named`, which is the intake's */
     heap_drop(f->fan);
     *f = (mesh_faces){0};
 }
@@ -88,9 +89,11 @@ static int make_room(outline *o, uint32_t corners) {
     o->vertex = vertex ? vertex : o->vertex;
     double(*corner)[3] = heap_resize(o->corner, (uint64_t)room * sizeof *corner);
     o->corner = corner ? corner : o->corner;
+    uint32_t *named = heap_resize(o->named, (uint64_t)room * sizeof *named);
+    o->named = named ? named : o->named;
     uint32_t *triangle = heap_resize(o->triangle, 3 * (uint64_t)room * sizeof *triangle);
     o->triangle = triangle ? triangle : o->triangle;
-    if (!vertex || !corner || !triangle) {
+    if (!vertex || !corner || !named || !triangle) {
         return -1;
     }
     o->room = (uint32_t)(room < UINT32_MAX ? room : UINT32_MAX);
@@ -98,17 +101,32 @@ static int make_room(outline *o, uint32_t corners) {
 }
 
 /* The corners of the face whose fan it is. */
-static void unfold(outline *o, const mesh *m, const face_fan *fan) {
-    const uint32_t *triangle = m->triangle + 3 * fan->first;
-    o->corners = fan->corners;
-    o->vertex[0] = triangle[0];
-    o->vertex[1] = triangle[1];
-    for (uint32_t k = 2; k < fan->corners; k++) {
-        o->vertex[k] = triangle[3 * (size_t)(k - 2) + 2];
+static void unfold(const uint32_t *triangle, uint32_t corners, uint32_t *to) {
+    to[0] = triangle[0];
+    to[1] = triangle[1];
+    for (uint32_t k = 2; k < corners; k++) {
+        to[k] = triangle[3 * (size_t)(k - 2) + 2];
     }
 }
 
-static int fill(resolving *r) {
+static void unfold_fan(resolving *r, const face_fan *fan) {
+    const size_t first = r->f->first_triangle;
+    r->o.corners = fan->corners;
+    unfold(r->m->triangle + 3 * fan->first, fan->corners, r->o.vertex);
+    if (r->f->named) {
+        unfold(r->f->named + 3 * (fan->first - first), fan->corners, r->o.named);
+    }
+}
+
+/* Those of a face's triangles, of which none goes further back than it came from. */
+static void take_materials(const resolving *r, size_t from, size_t count) {
+    uint16_t *of = r->m->materials != NULL ? r->m->materials->of : NULL;
+    for (size_t i = 0; i < count && of != NULL && from < r->m->materials->filled; i++) {
+        of[r->kept + i] = of[from];
+    }
+}
+
+static int fill(resolving *r, size_t from) {
     outline *o = &r->o;
     const uint32_t base = (uint32_t)r->f->first_vertex;
     for (uint32_t k = 0; k < o->corners; k++) {
@@ -124,7 +142,11 @@ static int fill(resolving *r) {
     r->count[REPORT_OVERLAPPING] += kind == POLYGON_OVERLAPS;
     for (size_t i = 0; i < 3 * ((size_t)o->corners - 2); i++) {
         r->m->triangle[3 * r->kept + i] = base + o->vertex[o->triangle[i]];
+        if (r->f->named) {
+            r->f->named[3 * (r->kept - r->f->first_triangle) + i] = o->named[o->triangle[i]];
+        }
     }
+    take_materials(r, from, o->corners - 2);
     r->kept += o->corners - 2;
     return 0;
 }
@@ -137,7 +159,13 @@ static void resolve_triangle(resolving *r, size_t from) {
     }
     for (size_t k = 0; k < 3; k++) {
         r->m->triangle[3 * r->kept + k] = t[k] + (uint32_t)r->f->first_vertex;
+        if (r->f->named) {
+            uint32_t *named = r->f->named;
+            named[3 * (r->kept - r->f->first_triangle) + k] =
+                named[3 * (from - r->f->first_triangle) + k];
+        }
     }
+    take_materials(r, from, 1);
     r->kept++;
 }
 
@@ -145,12 +173,12 @@ static int resolve_fan(resolving *r, const face_fan *fan) {
     if (make_room(&r->o, fan->corners) != 0) {
         return -1;
     }
-    unfold(&r->o, r->m, fan);
+    unfold_fan(r, fan);
     if (!are_good(r, r->o.vertex, r->o.corners)) {
         r->count[REPORT_BAD_FACES]++;
         return 0;
     }
-    return fill(r);
+    return fill(r, fan->first);
 }
 
 int faces_resolve(const mesh_faces *f, mesh *m, uint64_t count[REPORT_ITEMS]) {
@@ -170,6 +198,7 @@ int faces_resolve(const mesh_faces *f, mesh *m, uint64_t count[REPORT_ITEMS]) {
     }
     polygon_free(&r.o.scratch);
     heap_drop(r.o.vertex);
+    heap_drop(r.o.named);
     heap_drop(r.o.corner);
     heap_drop(r.o.triangle);
     return status;

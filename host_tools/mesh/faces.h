@@ -21,6 +21,7 @@ typedef struct mesh_faces {
     size_t bad_bytes;
     face_fan *fan; /* in the order of the file; owned */
     size_t fans, room;
+    uint32_t *named; /* 3 per triangle of the file, which go where their corners go; NULL: none */
 } mesh_faces;
 
 /* Each returns -1 when memory is out. */

@@ -8,6 +8,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/intake.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,6 +27,8 @@ intake intake_begin(mesh *m, const char *path, mesh_report *report, fail *f) {
         .declared = INTAKE_UNKNOWN,
         .unresolved = {.first_vertex = m->vertices, .first_triangle = m->triangles},
         .furthest = -1,
+        .named = CORNER_UNNAMED,
+        .furthest_normal = -1,
     };
 }
 
@@ -117,6 +120,20 @@ static void note_furthest(intake *in, int64_t vertex, int64_t written) {
     }
 }
 
+/* What a triangle's corners name goes beside them. */
+static int add_named(intake *in, uint32_t a, uint32_t b, uint32_t c) {
+    const uint32_t named[3] = {a, b, c};
+    const size_t at = 3 * (in->m->triangles - in->unresolved.first_triangle);
+    int status = 0;
+    if (in->furthest_normal < 0) { /* none has been named yet */
+        return 0;
+    }
+    for (size_t k = 0; k < 3 && status == 0; k++) {
+        status = corner_list_put(&in->corners.named, at + k, named[k], CORNER_UNNAMED);
+    }
+    return status;
+}
+
 static int add_triangle(intake *in, uint32_t a, uint32_t b, uint32_t c) {
     mesh *m = in->m;
     if (m->triangles == m->triangle_room && make_room(in) != 0) {
@@ -130,7 +147,11 @@ static int add_corner(intake *in, chain *c, uint32_t vertex) {
     c->corners++;
     if (c->corners == 1) {
         c->first = vertex;
+        c->named_first = in->named;
     } else if (c->corners >= 3 && !c->is_strip) {
+        if (add_named(in, c->named_first, c->named_last, in->named) != 0) {
+            return fail_memory(in);
+        }
         result = add_triangle(in, c->first, c->last, vertex);
     } else if (c->corners >= 3) {
         const int is_flipped = c->corners % 2 == 0;
@@ -139,6 +160,7 @@ static int add_corner(intake *in, chain *c, uint32_t vertex) {
     }
     c->before = c->last;
     c->last = vertex;
+    c->named_last = in->named;
     return result;
 }
 
@@ -176,12 +198,102 @@ int intake_polygon_end(intake *in, const chain *c) {
     return 0;
 }
 
+/* ---- normals and colours ----------------------------------------------------------------- */
+
+int intake_wants_normals(const intake *in) {
+    return in->m->corners && in->m->corners->wants_normals;
+}
+
+int intake_wants_colours(const intake *in) {
+    return in->m->corners && in->m->corners->wants_colours;
+}
+
+int intake_normal(intake *in, const double n[3]) {
+    const double most = fmax(fabs(n[0]), fmax(fabs(n[1]), fabs(n[2])));
+    const int good = isfinite(n[0]) && isfinite(n[1]) && isfinite(n[2]) && most > 0;
+    if (!good && !in->report->repair) {
+        return intake_fail(in,
+                           "the normal (%g %g %g) is not finite or has no length; correct it, or "
+                           "use pack --repair to do without it",
+                           n[0], n[1], n[2]);
+    }
+    in->count[REPORT_BAD_NORMALS] += !good;
+    const uint32_t item = good ? corner_normal(n) : CORNER_NO_NORMAL;
+    return corner_list_put(&in->corners.normal, in->corners.normal.count, item, CORNER_NO_NORMAL) ==
+                   0
+               ? 0
+               : fail_memory(in);
+}
+
+int intake_colour(intake *in, const double c[3], double most) {
+    int good = 1;
+    for (int i = 0; i < 3; i++) {
+        good &= c[i] >= 0 && c[i] <= most;
+    }
+    if (!good && !in->report->repair) {
+        return intake_fail(in,
+                           "the colour (%g %g %g) is not of 0 to %g each; correct it, or use pack "
+                           "--repair to do without it",
+                           c[0], c[1], c[2], most);
+    }
+    in->count[REPORT_BAD_COLOURS] += !good;
+    uint32_t part[3] = {0, 0, 0};
+    for (int i = 0; i < 3 && good; i++) {
+        part[i] = (uint32_t)(c[i] / most * 255 + 0.5);
+    }
+    const uint32_t item = good ? corner_colour(part[0], part[1], part[2]) : CORNER_NO_COLOUR;
+    return corner_list_put(&in->corners.colour, intake_vertices(in) - 1, item, CORNER_NO_COLOUR) ==
+                   0
+               ? 0
+               : fail_memory(in);
+}
+
+void intake_name_normal(intake *in, int64_t number) {
+    in->named = number < CORNER_UNNAMED ? (uint32_t)number : CORNER_UNNAMED - 1;
+    if (number > in->furthest_normal) {
+        in->furthest_normal = number;
+        in->furthest_normal_at = in->at;
+    }
+}
+
+static int is_normal_missing(const intake *in) {
+    return !in->report->repair && in->furthest_normal >= (int64_t)in->corners.normal.count;
+}
+
+static int fail_normal(intake *in) {
+    char text[160];
+    snprintf(text, sizeof text,
+             "uses normal %lld, which is not among the %zu normals; correct it, or use pack "
+             "--repair to do without it",
+             (long long)in->furthest_normal + 1, in->corners.normal.count);
+    return fail_at(in, &in->furthest_normal_at, text);
+}
+
+/* Triangles become those of the mesh, and what their corners have, too. */
+static int resolve(intake *in) {
+    const size_t vertex = in->unresolved.first_vertex, triangle = in->unresolved.first_triangle;
+    corner_list *named = &in->corners.named;
+    const size_t all = 3 * (in->m->triangles - triangle);
+    if (named->count > 0) { /* the last faces may name none */
+        if (named->count < all &&
+            corner_list_put(named, all - 1, CORNER_UNNAMED, CORNER_UNNAMED) != 0) {
+            return -1;
+        }
+        in->unresolved.named = named->item;
+    }
+    return faces_resolve(&in->unresolved, in->m, in->count) == 0
+               ? intake_corners_finish(&in->corners, in->m, vertex, triangle)
+               : -1;
+}
+
 int intake_finish(intake *in) {
     const size_t count = intake_vertices(in);
     int status = 0;
     if (!in->report->repair && in->furthest >= (int64_t)count) {
         status = fail_missing(in, &in->furthest_at, in->furthest_written, count);
-    } else if (faces_resolve(&in->unresolved, in->m, in->count) != 0) {
+    } else if (is_normal_missing(in)) {
+        status = fail_normal(in);
+    } else if (resolve(in) != 0) {
         status = fail_memory(in);
     }
     if (status != 0) {
@@ -192,10 +304,12 @@ int intake_finish(intake *in) {
         in->report->count[i] += in->count[i];
     }
     faces_free(&in->unresolved);
+    intake_corners_free(&in->corners);
     return 0;
 }
 
 void intake_undo(intake *in) {
+    intake_corners_free(&in->corners);
     in->m->vertices = in->unresolved.first_vertex;
     in->m->triangles = in->unresolved.first_triangle;
     faces_free(&in->unresolved);

@@ -10,6 +10,8 @@
 #include <stdint.h>
 
 #include "host_tools/base/fail.h"
+#include "host_tools/mesh/corners.h"
+#include "host_tools/mesh/materials.h"
 #include "host_tools/mesh/real.h"
 #include "host_tools/mesh/report.h"
 
@@ -19,6 +21,8 @@ typedef struct mesh {
     uint32_t *triangle; /* 3 vertex indices per triangle */
     size_t vertices, triangles;
     size_t vertex_room, triangle_room; /* allocated, in vertices, triangles */
+    mesh_materials *materials;         /* for readers; NULL: nobody wants them */
+    mesh_corners *corners; /* normals and colours, for readers; NULL: nobody wants them */
 } mesh;
 
 /* Appends what `path` holds (PLY, OBJ or STL by content, then by name; a

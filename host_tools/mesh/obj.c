@@ -1,9 +1,11 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
- * `v` and `f` are read, and `fo`, which was `f` before version 3.0. All other keywords are passed
- * over; what they would draw is counted, and so are lines of no known keyword, and of `call` and
- * `csh`, which would run other files and commands. A face may use a vertex that only comes later.
- * Vertices are counted from 1; a negative number counts back from the last vertex so far.
+ * `v` and `f` are read, and `fo`, which was `f` before version 3.0; `vn`, and the colours that some
+ * programs write behind a vertex, `mtllib` and `usemtl`, if someone wants them. All other keywords
+ * are passed over; what they would draw is counted, and so are lines of no known keyword, and of
+ * `call` and `csh`, which would run other files and commands. A face may use a vertex that only
+ * comes later. Vertices are counted from 1; a negative number counts back from the last vertex so
+ * far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.
@@ -70,13 +72,17 @@ static int fail_coordinate(reader *r) {
 }
 
 /* Numbers that follow z are not used: a weight, or three of a colour, or both. */
-static void read_colour(reader *r) {
+static int read_colour(reader *r, double colour[3]) {
     float number;
+    double all[4];
     int count = 0;
     while (count < 4 && !scan_line_done(&r->text) && scan_float(&r->text, &number) == 0) {
-        count++;
+        all[count++] = (double)number;
     }
-    r->in.count[REPORT_COLOURS] += count >= 3;
+    for (int i = 0; i < 3 && count >= 3; i++) {
+        colour[i] = all[count - 3 + i]; /* behind the weight, if there is one */
+    }
+    return count >= 3;
 }
 
 static int read_vertex(reader *r) {
@@ -86,13 +92,62 @@ static int read_vertex(reader *r) {
             return fail_coordinate(r);
         }
     }
-    read_colour(r);
-    return intake_vertex(&r->in, position);
+    double colour[3];
+    const int has_colour = read_colour(r, colour), kept = intake_wants_colours(&r->in);
+    r->in.count[REPORT_COLOURS] += has_colour && !kept;
+    return intake_vertex(&r->in, position) != 0 ? -1
+           : has_colour && kept                 ? intake_colour(&r->in, colour, 1)
+                                                : 0;
 }
 
-/* "7", "7/1", "7/1/3" or "7//3": only the first number is used. */
+static int read_normal(reader *r) {
+    double normal[3];
+    for (int axis = 0; axis < 3; axis++) {
+        real number;
+        if (scan_real(&r->text, &number) != 0) {
+            return fail_coordinate(r);
+        }
+        normal[axis] = number.wide;
+    }
+    return intake_normal(&r->in, normal);
+}
+
+/* The third number of a corner, if it has one: of a normal. */
+static int read_corner_normal(reader *r, word whole) {
+    size_t at = 0, slashes = 0;
+    int64_t written;
+    r->in.named = CORNER_UNNAMED;
+    while (at < whole.length && slashes < 2) {
+        slashes += whole.text[at++] == '/';
+    }
+    const word number = {whole.text + at, whole.length - at};
+    if (number.length == 0 || slashes < 2 || !intake_wants_normals(&r->in)) {
+        return 0;
+    }
+    if (word_integer(number, &written) != 0) {
+        return intake_fail(&r->in, "'%.*s' where a normal's number belongs; correct the line",
+                           WORD_SHOWN(whole));
+    }
+    const int64_t here = (int64_t)r->in.corners.normal.count;
+    if (written == 0 || written < -here) {
+        if (r->in.report->repair) {
+            return 0;
+        }
+        return intake_fail(&r->in,
+                           "uses normal %lld, which is not among the %lld normals so far; correct "
+                           "it, or use pack --repair to do without it",
+                           (long long)written, (long long)here);
+    }
+    intake_name_normal(&r->in, written > 0 ? written - 1 : here + written);
+    return 0;
+}
+
+/* "7", "7/1", "7/1/3" or "7//3": the second number is not used. */
 static int read_corner_number(reader *r, int64_t *written) {
     const word whole = scan_word(&r->text);
+    if (read_corner_normal(r, whole) != 0) {
+        return -1;
+    }
     word number = whole;
     for (size_t i = 0; i < whole.length; i++) {
         if (whole.text[i] == '/') {
@@ -130,10 +185,10 @@ static int read_face(reader *r) {
     return intake_polygon_end(&r->in, &c);
 }
 
-static void count_line(reader *r, int known) {
+static void count_line(reader *r, int known, int is_normal) {
     const report_item item = known >= 0 ? KNOWN[known].item : REPORT_UNREAD_LINES;
     r->known_lines += known >= 0;
-    if (item != REPORT_ITEMS) {
+    if (item != REPORT_ITEMS && !is_normal) {
         r->in.count[item]++;
     }
 }
@@ -157,6 +212,34 @@ static void pass_over(reader *r) {
     }
 }
 
+static int fail_materials(reader *r) {
+    return intake_fail(&r->in, "out of memory, or more than 65534 materials; split the mesh");
+}
+
+/* The rest of the line: a name, in which there may be blanks. */
+static word rest_of_line(reader *r) {
+    word w = {NULL, 0};
+    while (!scan_line_done(&r->text)) {
+        const word next = scan_word(&r->text);
+        w.text = w.length == 0 ? next.text : w.text;
+        w.length = (size_t)(next.text + next.length - w.text);
+    }
+    return w;
+}
+
+/* What the faces that follow are made of, or where materials are defined. */
+static int read_material(reader *r, int is_library) {
+    mesh_materials *m = r->in.m->materials;
+    const word name = rest_of_line(r);
+    if (is_library) {
+        return materials_read_library(m, r->in.path, name.text, name.length) == 0
+                   ? 0
+                   : fail_materials(r);
+    }
+    const int number = name.length == 0 ? 0 : materials_find(m, name.text, name.length);
+    return number >= 0 && materials_use(m, r->in.m->triangles, number) == 0 ? 0 : fail_materials(r);
+}
+
 /* A comment or a name may end in a backslash (a path): it joins no lines. */
 static int read_line(reader *r) {
     r->in.at = (location){.line = r->text.line};
@@ -166,13 +249,23 @@ static int read_line(reader *r) {
     }
     const word w = scan_word(&r->text);
     const int is_vertex = word_is(w, "v"), is_face = word_is(w, "f") || word_is(w, "fo");
+    const int is_normal = word_is(w, "vn") && intake_wants_normals(&r->in); /* else passed over */
     if (!is_text(w)) {
         return intake_fail(&r->in, "'%.*s' is no text; check that this is an OBJ file",
                            WORD_SHOWN(w));
     }
     const int known = find_known(w);
     r->text.continued = is_vertex || is_face || !may_be_path(w, known);
-    count_line(r, known);
+    const int is_library = word_is(w, "mtllib");
+    const int is_material =
+        r->in.m->materials != NULL && (is_library || word_is(w, "usemtl")); /* else passed over */
+    count_line(r, known, is_normal || is_material);
+    if (is_normal) {
+        return read_normal(r);
+    }
+    if (is_material) {
+        return read_material(r, is_library);
+    }
     if (!is_vertex && !is_face) {
         pass_over(r);
         return 0;
@@ -204,7 +297,13 @@ int obj_read(mesh *m, const input *in, mesh_report *report, fail *f) {
         .in = intake_begin(m, in->path, report, f),
         .text = scan_begin_filled(in->bytes, in->size),
     };
-    int result = read_lines(&r);
+    mesh_materials *materials = m->materials;
+    int result = materials == NULL || materials_begin(materials, m->triangles) == 0
+                     ? read_lines(&r)
+                     : fail_materials(&r);
+    if (result == 0 && materials != NULL && materials_end(materials, in->path, m->triangles) != 0) {
+        result = fail_materials(&r);
+    }
     if (result == 0) {
         result = intake_finish(&r.in);
     } else {

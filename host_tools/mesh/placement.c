@@ -62,6 +62,18 @@ static box box_of(const rotation *r, const mesh *m, size_t first_triangle, int w
     return b;
 }
 
+/* Normals turn with the mesh; how large it gets does not matter to them. */
+static void turn_normals(const rotation *r, mesh_corners *c, size_t first, size_t end) {
+    for (size_t i = 3 * first; i < 3 * end; i++) {
+        double from[3], to[3];
+        if (c->normal[i] != CORNER_NO_NORMAL) {
+            corner_direction(c->normal[i], from);
+            rotate(r, from, to);
+            c->normal[i] = corner_normal(to);
+        }
+    }
+}
+
 int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t first_triangle,
                     int wide, const char *path, fail *f) {
     rotation r;
@@ -76,6 +88,10 @@ int placement_apply(const placement *p, mesh *m, size_t first_vertex, size_t fir
     const double longest = longest_side(b.low, b.high);
     if (!(longest > 0)) {
         return fail_set(f, path, "has no extent to scale; leave it out");
+    }
+    if (m->corners != NULL && m->corners->normal != NULL &&
+        m->corners->triangles >= m->triangles) { /* the mesh has some */
+        turn_normals(&r, m->corners, first_triangle, m->triangles);
     }
     if (wide && mesh_widen(m, f) != 0) { /* floats that were exact are so no more */
         return -1;

@@ -1,7 +1,8 @@
 /* ply - reads the Polygon File Format: ASCII and binary, either order
  *
- * Elements and properties may stand in any order; what is not x, y, z or
- * a vertex list of `face` or `tristrips` is passed over, and counted if it would be drawn.
+ * Elements and properties may stand in any order; what is not x, y, z, a normal or colour that
+ * someone wants, or a vertex list of `face` or `tristrips` is passed over, and counted if it would
+ * be drawn.
  *
  * Keeps: each pass of a loop over a count from the file consumes at least one
  * byte or fails.
@@ -12,6 +13,7 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/mesh/ply_attributes.h"
 #include "host_tools/mesh/ply_body.h"
+#include "host_tools/mesh/ply_corners.h"
 #include "host_tools/mesh/ply_value.h"
 #include "host_tools/mesh/readers.h"
 
@@ -44,13 +46,46 @@ static const ply_property *find_corners(const ply_element *e) {
     return p ? p : find_property(e, "vertex_index", 1);
 }
 
-static int read_vertex(ply_reader *r, const ply_element *e, const ply_property *const axis[3]) {
+/* What an element is for. */
+typedef struct role {
+    enum { SKIP, VERTEX, FACE, STRIP } kind;
+    ply_triple axis, normal, colour; /* of vertices; the last two if they are wanted */
+    const ply_property *corners;
+} role;
+
+static int read_part(ply_reader *r, const ply_property *p, double *value) {
+    real number;
+    if (ply_coordinate(r, p->type, &number) != 0) {
+        return -1;
+    }
+    *value = number.wide;
+    return 0;
+}
+
+static int add_vertex(ply_reader *r, const role *what, const real position[3],
+                      const double normal[3], const double colour[3]) {
+    const ply_property *red = what->colour.property[0];
+    if (intake_vertex(&r->in, position) != 0 ||
+        (what->normal.property[0] != NULL && intake_normal(&r->in, normal) != 0)) {
+        return -1;
+    }
+    return red == NULL ? 0 : intake_colour(&r->in, colour, ply_colour_most(red->type));
+}
+
+static int read_vertex(ply_reader *r, const ply_element *e, const role *what) {
     real position[3] = {{0, 0}, {0, 0}, {0, 0}};
+    double normal[4] = {0, 0, 0, 0}, colour[4] = {0, 0, 0, 0};
     size_t line = 0;
     for (size_t i = 0; i < e->properties; i++) {
         const ply_property *p = &e->property[i];
-        const int k = p == axis[0] ? 0 : p == axis[1] ? 1 : p == axis[2] ? 2 : 3;
-        if (k < 3 ? ply_coordinate(r, p->type, &position[k]) != 0 : ply_skip(r, p) != 0) {
+        const unsigned k = ply_triple_part(&what->axis, p);
+        const unsigned n = ply_triple_part(&what->normal, p);
+        const unsigned c = ply_triple_part(&what->colour, p);
+        const int status = k < 3   ? ply_coordinate(r, p->type, &position[k])
+                           : n < 3 ? read_part(r, p, &normal[n])
+                           : c < 3 ? read_part(r, p, &colour[c])
+                                   : ply_skip(r, p);
+        if (status != 0) {
             return -1;
         }
         line = i == 0 ? r->data.line : line;
@@ -58,7 +93,7 @@ static int read_vertex(ply_reader *r, const ply_element *e, const ply_property *
     if (line != r->data.line) {
         r->short_line = r->short_vertices++ == 0 ? line : r->short_line;
     }
-    return intake_vertex(&r->in, position);
+    return add_vertex(r, what, position, normal, colour);
 }
 
 static int read_face(ply_reader *r, const ply_element *e, const ply_property *corners,
@@ -97,22 +132,24 @@ static int element_done(ply_reader *r) {
                        "correct the line or the header");
 }
 
-/* What an element is for. */
-typedef struct role {
-    enum { SKIP, VERTEX, FACE, STRIP } kind;
-    const ply_property *axis[3], *corners;
-} role;
-
-static int find_role(role *what, const ply_element *e, const input *in, fail *f) {
+static int find_role(role *what, const ply_reader *r, const ply_element *e, const input *in,
+                     fail *f) {
     *what = (role){.kind = SKIP};
     if (word_is(e->name, "vertex")) {
+        const ply_property **axis = what->axis.property;
         what->kind = VERTEX;
-        what->axis[0] = find_property(e, "x", 0);
-        what->axis[1] = find_property(e, "y", 0);
-        what->axis[2] = find_property(e, "z", 0);
-        if (!what->axis[0] || !what->axis[1] || !what->axis[2]) {
+        axis[0] = find_property(e, "x", 0);
+        axis[1] = find_property(e, "y", 0);
+        axis[2] = find_property(e, "z", 0);
+        if (!axis[0] || !axis[1] || !axis[2]) {
             return fail_set(f, in->path, "line %zu: the vertices lack x, y or z; add them",
                             e->line);
+        }
+        if (intake_wants_normals(&r->in)) {
+            what->normal = ply_find_normal(e);
+        }
+        if (intake_wants_colours(&r->in)) {
+            what->colour = ply_find_colour(e);
         }
     } else if (word_is(e->name, "face") || word_is(e->name, "tristrips")) {
         what->kind = word_is(e->name, "face") ? FACE : STRIP;
@@ -128,12 +165,24 @@ static int find_role(role *what, const ply_element *e, const input *in, fail *f)
 static int read_one(ply_reader *r, const ply_element *e, const role *what) {
     switch (what->kind) {
     case VERTEX:
-        return read_vertex(r, e, what->axis);
+        return read_vertex(r, e, what);
     case FACE:
     case STRIP:
         return read_face(r, e, what->corners, what->kind == STRIP);
     default:
         return skip_element(r, e);
+    }
+}
+
+/* All that is there, but for what is kept. */
+static void count_left_out(ply_reader *r, const ply_element *e, const role *what) {
+    const uint64_t normals = r->in.count[REPORT_NORMALS], colours = r->in.count[REPORT_COLOURS];
+    ply_count_attributes(e, r->in.count);
+    if (what->normal.property[0] != NULL) {
+        r->in.count[REPORT_NORMALS] = normals;
+    }
+    if (what->colour.property[0] != NULL) {
+        r->in.count[REPORT_COLOURS] = colours;
     }
 }
 
@@ -144,10 +193,10 @@ static int read_element(ply_reader *r, const ply_element *e, const input *in) {
     if (e->count == 0 || e->properties == 0) {
         return 0;
     }
-    if (find_role(&what, e, in, r->in.f) != 0) {
+    if (find_role(&what, r, e, in, r->in.f) != 0) {
         return -1;
     }
-    ply_count_attributes(e, r->in.count);
+    count_left_out(r, e, &what);
     r->in.at = (location){.what = NAMES[what.kind]};
     for (uint64_t i = 0; i < e->count; i++) {
         r->in.at.number = i;

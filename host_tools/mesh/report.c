@@ -42,6 +42,10 @@ static const struct {
     [REPORT_BAD_VERTICES] = {"bad_vertices", DROPPED,
                              "vertex that is not finite or is beyond +-2^40",
                              "vertices that are not finite or are beyond +-2^40"},
+    [REPORT_BAD_NORMALS] = {"bad_normals", DROPPED, "normal that is not finite or has no length",
+                            "normals that are not finite or have no length"},
+    [REPORT_BAD_COLOURS] = {"bad_colours", DROPPED, "colour that is out of range",
+                            "colours that are out of range"},
 };
 
 const char *report_key(report_item item) {

@@ -32,6 +32,8 @@ typedef enum report_item {
     /* Dropped because `repair` was asked for. */
     REPORT_BAD_FACES,    /* using a bad vertex or a missing one, or of too few corners */
     REPORT_BAD_VERTICES, /* NaN, infinite or too large: replaced by 0, used by nothing */
+    REPORT_BAD_NORMALS,  /* of no length, or not finite; counted if they are wanted */
+    REPORT_BAD_COLOURS,  /* out of range; likewise */
     REPORT_ITEMS,
 } report_item;
 

@@ -20,6 +20,7 @@ engine/builder
 engine/grid
 engine/instances
 engine/memory
+engine/surface
 engine/scene
 engine/trace
 engine/schedule

@@ -1,0 +1,107 @@
+/* further - see further.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/image/further.h"
+
+#if PLT_WITH_FURTHER
+
+#include <stddef.h>
+
+#include "engine/base/bytes.h"
+#include "engine/base/fault.h"
+#include "engine/base/rules.h"
+#include "engine/image/fetch.h"
+#include "engine/image/header_at.h"
+#include "engine/planelet_crc32.h"
+
+enum { TABLE_MOST = 128 };
+
+_Static_assert(PLT_FURTHER_HEAD + PLT_FURTHER_MOST * PLT_FURTHER_ENTRY <= TABLE_MOST,
+               "a table fits the stack");
+
+uint32_t plt_further_check(const unsigned char *table, uint32_t bytes) {
+    return plt_crc32(0, table + 4, bytes - 4);
+}
+
+const plt_section *plt_further_section(const plt_header *h, uint32_t kind) {
+    for (unsigned i = 0; i < PLT_FURTHER_MOST && i < h->further_count; i++) {
+        if (h->further[i].kind == kind) {
+            return &h->further[i];
+        }
+    }
+    return NULL;
+}
+
+static int refused(plt_fault *fault, uint32_t offset) {
+    return plt_refused(fault, PLT_R17_FURTHER, offset,
+                       "the table of further sections is not what it must be");
+}
+
+static int is_zero(const unsigned char *bytes, uint32_t count) {
+    unsigned any = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        any |= bytes[i];
+    }
+    return any == 0;
+}
+
+/* Kinds rise, so that each is there once; this engine knows all of them. */
+static int is_known(uint32_t kind, uint32_t before) {
+    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS;
+}
+
+static void put_bytes(plt_info *info, const plt_section *s) {
+    if (s->kind == PLT_SECTION_NORMALS) {
+        info->normal_bytes = s->bytes;
+    } else if (s->kind == PLT_SECTION_COLOURS) {
+        info->colour_bytes = s->bytes;
+    } else {
+        info->material_bytes = s->bytes;
+    }
+}
+
+static int read_entries(plt_header *h, const unsigned char *table, uint32_t bytes,
+                        plt_fault *fault) {
+    uint64_t offset = (uint64_t)h->further_at + bytes;
+    uint32_t before = 0;
+    for (uint32_t i = 0; i < h->further_count; i++) {
+        const uint32_t at = PLT_FURTHER_HEAD + i * PLT_FURTHER_ENTRY;
+        const plt_section s = {plt_get_u32(table + at), plt_get_u32(table + at + 4),
+                               plt_get_u32(table + at + 8), plt_get_u32(table + at + 12)};
+        if (!is_known(s.kind, before) || s.offset != offset || s.bytes == 0 ||
+            s.bytes % PLT_SECTION_ALIGN != 0) {
+            return refused(fault, h->further_at + at);
+        }
+        h->further[i] = s;
+        put_bytes(&h->info, &s);
+        before = s.kind;
+        offset += s.bytes;
+    }
+    return offset == h->info.image_bytes ? PLT_OK : refused(fault, PLT_AT_IMAGE_BYTES);
+}
+
+int plt_further_read(const plt_source *source, plt_header *h, plt_fault *fault) {
+    unsigned char table[TABLE_MOST];
+    if (h->further_count == 0) {
+        return PLT_OK;
+    }
+    if (h->further_count > PLT_FURTHER_MOST) {
+        return refused(fault, PLT_AT_FURTHER);
+    }
+    const uint32_t bytes = plt_further_table_bytes(h->further_count);
+    const uint32_t used = PLT_FURTHER_HEAD + h->further_count * PLT_FURTHER_ENTRY;
+    if ((uint64_t)h->further_at + bytes > h->info.image_bytes) {
+        return refused(fault, PLT_AT_IMAGE_BYTES);
+    }
+    const int status = plt_fetch(source, h->further_at, table, bytes, fault);
+    if (status != PLT_OK) {
+        return status;
+    }
+    if (plt_get_u32(table) != plt_further_check(table, bytes) || !is_zero(table + 4, 12) ||
+        !is_zero(table + used, bytes - used)) {
+        return refused(fault, h->further_at);
+    }
+    return read_entries(h, table, bytes, fault);
+}
+
+#endif

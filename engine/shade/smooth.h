@@ -1,0 +1,30 @@
+/* smooth - hits by the normals and colours of their triangles' corners
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_SHADE_SMOOTH_H
+#define PLT_SHADE_SMOOTH_H
+
+#include "engine/scene/scene.h"
+#include "engine/shade/camera.h"
+
+#if PLT_WITH_SURFACE
+
+/* Eye light of a point that is seen along `dir`: its colour, or clay, as bright as its normal faces
+ * the eye, on either side. */
+void plt_smooth_colour(const plt_surface_point *point, const float dir[3], uint8_t rgb[3]);
+
+#if PLT_WITH_GROUPS
+/* As plt_shade_pixels, of a packet whose hits have u and v. */
+void plt_smooth_shade(const plt_scene *scene, const plt_packet *packet, const plt_pixels *pixels,
+                      const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes);
+#endif
+
+#if PLT_WITH_BEAMS
+/* As plt_beam_shade. */
+struct plt_beam;
+void plt_beam_smooth(const struct plt_beam *b, const plt_scene *scene, const uint8_t *sky,
+                     uint8_t *rgb, uint32_t row_bytes);
+#endif
+
+#endif
+#endif

@@ -1,0 +1,59 @@
+/* surface_data - the normals and colours of an image, found by where corners are
+ *
+ * Triangles that meet share what they have in common: a corner's position, its floats as they are
+ * in the scene, is a key (retrieval.h) of its normal. Where triangles that meet in a position
+ * differ, a crease, the value says so, and triangle and corner are the key. So neither triangles
+ * nor corners have a number of a vertex.
+ *
+ * Invariant: once plt_surface_data_set has returned PLT_OK, all entries that any key leads to lie
+ * in their sections; whatever they hold is a normal, or a colour of the palette.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_SURFACE_SURFACE_DATA_H
+#define PLT_SURFACE_SURFACE_DATA_H
+
+#include "engine/image/header.h"
+#include "engine/surface/retrieval.h"
+
+#if PLT_WITH_SURFACE
+
+/* What a section of normals begins with, and one of colours: behind that is the palette. */
+enum {
+    PLT_NORMALS_HEAD = 16,
+    PLT_COLOURS_HEAD = 32,
+    PLT_PALETTE_BYTES = 4,
+    PLT_PALETTE_MOST = 255,
+    PLT_COLOUR_SPLIT = 255 /* triangles that meet in a corner have different colours */
+};
+
+/* By position, and by triangle and corner. */
+typedef struct plt_surface_tables {
+    plt_retrieval position, corner;
+} plt_surface_tables;
+
+typedef struct plt_surface_data {
+    plt_surface_tables normals, colours;
+    const unsigned char *palette; /* red, green, blue, 0 each */
+    uint32_t palette_count;
+    const uint32_t *place; /* by primitive id: the record; NULL: they are not to be found by it */
+    uint32_t triangles;    /* so many of them */
+    uint8_t is_open;       /* plt_options.surface */
+    uint8_t has_normals, has_colours;
+} plt_surface_data;
+
+/* `normals`, `colours`: the sections' bytes, or NULL. R18 refuses heads that do not fit them. */
+int plt_surface_data_set(plt_surface_data *d, const plt_header *header,
+                         const unsigned char *normals, const unsigned char *colours,
+                         plt_fault *fault);
+
+/* Bytes of such sections, padding not included. */
+static inline uint64_t plt_normals_bytes(uint64_t thirds) {
+    return PLT_NORMALS_HEAD + 6 * thirds;
+}
+
+static inline uint64_t plt_colours_bytes(uint64_t thirds, uint32_t palette) {
+    return PLT_COLOURS_HEAD + 3 * thirds + (uint64_t)palette * PLT_PALETTE_BYTES;
+}
+
+#endif
+#endif

@@ -1,0 +1,99 @@
+/* pack_surface - see pack_surface.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/cli/pack_surface.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "host_tools/app/note.h"
+#include "host_tools/app/phase.h"
+#include "host_tools/cli/pack_lines.h"
+#include "host_tools/mesh/smooth.h"
+
+int pack_surface_wanted(const pack_surface *s) {
+    return s->smooths || s->corners.wants_normals || s->corners.wants_colours;
+}
+
+void pack_surface_read(pack_surface *s, args *a) {
+    static const char *const choices[] = {"none", "keep", NULL};
+    s->corners.wants_normals = (int)args_choice(a, "--normals", choices, 0);
+    s->corners.wants_colours = (int)args_choice(a, "--colours", choices, 0);
+    s->smooths = args_doubles(a, "--smooth", &s->degrees, 1);
+    if (s->smooths && !(s->degrees >= 0 && s->degrees <= 180)) {
+        args_complain(a, "--smooth takes degrees from 0 to 180");
+    }
+    if (s->smooths && s->corners.wants_normals) {
+        args_complain(a, "--smooth and --normals keep are both normals; leave one out");
+    }
+    if (!pack_surface_wanted(s)) {
+        return;
+    }
+    if (args_has(a, "--sequence") || args_has(a, "--instances")) {
+        args_complain(a,
+                      "--smooth, --normals and --colours are of triangles that stay where they "
+                      "are; leave out --sequence and --instances");
+    }
+    if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0) {
+        args_complain(a, "--smooth, --normals and --colours take --nodes thesis");
+    }
+    if (args_has(a, "--reduce") && (s->corners.wants_normals || s->corners.wants_colours)) {
+        args_complain(a, "--reduce leaves other corners than the mesh's; use --smooth for normals");
+    }
+}
+
+static int out_of_memory(const char *name, fail *f) {
+    return fail_set(f, name, "out of memory for normals or colours; use a larger machine");
+}
+
+int pack_surface_prepare(pack_surface *s, const pack_meshes *in, fail *f) {
+    const char *name = pack_shown(&in->file[0]);
+    if (s->corners.wants_normals && s->corners.normals == 0) {
+        return fail_set(f, name, "has no normals to keep; use --smooth 40 to make some");
+    }
+    if (s->corners.wants_colours && s->corners.colours == 0) {
+        return fail_set(f, name, "has no colours of vertices to keep; leave out --colours");
+    }
+    if ((s->corners.wants_normals && corners_want_normals(&s->corners, in->m.triangles) != 0) ||
+        (s->corners.wants_colours && corners_want_colours(&s->corners, in->m.triangles) != 0)) {
+        return out_of_memory(name, f); /* of files that have none */
+    }
+    if (!s->smooths) {
+        return 0;
+    }
+    phase_begin("smoothing", name);
+    const int status = mesh_smooth(&in->m, s->degrees, &s->corners);
+    phase_end();
+    return status == 0 ? 0 : out_of_memory(name, f);
+}
+
+int pack_surface_add(pack_surface *s, const pack_meshes *in, packed *image, fail *f) {
+    return pack_surface_wanted(s)
+               ? surface_add(image, &s->corners, pack_shown(&in->file[0]), &s->stats, f)
+               : 0;
+}
+
+static void say_section(const char *what, const surface_section *s, const packed *image,
+                        const char *more) {
+    if (s->bytes > 0) {
+        note("%s: %" PRIu64 " by position, %" PRIu64 " by triangle, %.2f bytes per triangle%s",
+             what, s->positions, s->split,
+             (double)s->bytes / (image->info.triangles > 0 ? image->info.triangles : 1), more);
+    }
+}
+
+void pack_surface_say(const pack_surface *s, const packed *image) {
+    char more[120] = "";
+    if (s->stats.colours_distinct > s->stats.colours_kept) {
+        snprintf(more, sizeof more,
+                 ", %" PRIu32 " for %" PRIu32 " that differ, off by at most %" PRIu32 " of 255",
+                 s->stats.colours_kept, s->stats.colours_distinct, s->stats.colours_off);
+    }
+    say_section("normals", &s->stats.normals, image, "");
+    say_section("colours", &s->stats.colours, image, more);
+}
+
+void pack_surface_free(pack_surface *s) {
+    corners_free(&s->corners);
+}

@@ -1,0 +1,45 @@
+/* pack_surface - normals and colours: what of a mesh's an image keeps, or what is made of it
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PACK_SURFACE_H
+#define PACK_SURFACE_H
+#include "host_tools/app/args.h"
+#include "host_tools/cli/pack_meshes.h"
+#include "host_tools/pack/surface.h"
+
+#define PACK_SURFACE_FLAGS                                                                         \
+    {"--normals", "keep|none",                                                                     \
+     "normals of corners, for --shader smooth: those of the meshes (PLY nx ny nz, OBJ vn), 1 to "  \
+     "1.5 bytes per triangle where neighbours share them (default none)"},                         \
+        {"--smooth", "DEGREES",                                                                    \
+         "normals of corners, made of the triangles that meet there at no more than that angle, "  \
+         "0 "                                                                                      \
+         "to 180"},                                                                                \
+    {                                                                                              \
+        "--colours", "keep|none",                                                                  \
+            "colours of corners (PLY red green blue, OBJ v x y z r g b), at most 255 that "        \
+            "differ, "                                                                             \
+            "0.6 bytes per triangle (default none)"                                                \
+    }
+
+typedef struct pack_surface {
+    int smooths;    /* --smooth */
+    double degrees; /* ... so much */
+    mesh_corners corners;
+    surface_stats stats;
+} pack_surface;
+
+/* The flags; a wrong one sets a->wrong. */
+void pack_surface_read(pack_surface *s, args *a);
+int pack_surface_wanted(const pack_surface *s);
+
+/* Of meshes as they will be packed: makes normals, if they are asked for; fails when there are none
+ * to keep. */
+int pack_surface_prepare(pack_surface *s, const pack_meshes *in, fail *f);
+/* Adds them to the finished image. */
+int pack_surface_add(pack_surface *s, const pack_meshes *in, packed *image, fail *f);
+/* A line each about what there is. */
+void pack_surface_say(const pack_surface *s, const packed *image);
+void pack_surface_free(pack_surface *s);
+
+#endif

@@ -1,0 +1,26 @@
+/* surface - adds normals and colours to a finished image (SPEC.md, 4.18 to 4.20)
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef SURFACE_H
+#define SURFACE_H
+#include "host_tools/mesh/corners.h"
+#include "host_tools/pack/pack.h"
+
+/* What one of the two sections holds. */
+typedef struct surface_section {
+    uint32_t bytes;     /* with padding; 0: there is none */
+    uint64_t positions; /* of corners, by which they are found */
+    uint64_t split;     /* corners that are found by their triangle */
+} surface_section;
+
+typedef struct surface_stats {
+    surface_section normals, colours;
+    uint32_t colours_kept, colours_distinct, colours_off; /* off: palette.h, furthest */
+} surface_stats;
+
+/* Of a thesis image without a sequence or instances. `c` is by primitive id; what it does not have
+ * the image does not get. -1, and the image as it was: memory is out, or it gets too large. */
+int surface_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,
+                fail *f);
+
+#endif
