@@ -126,7 +126,7 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
     }
 #if PLT_WITH_GROUPS
     plt_view_packet(&r->view, box_of(r, t), p, pixels);
-    if (IS_SMOOTH(r)) {
+    if (IS_SMOOTH(r) || (HAS_LIGHTS(r) && plt_whitted_frame_wants_weights(t))) {
         plt_packet_want_weights(p);
     }
     plt_traversal_begin(t, p, rays);

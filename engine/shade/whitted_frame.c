@@ -4,6 +4,7 @@
 #include "engine/shade/whitted_frame.h"
 
 #include "engine/whitted/lights.h"
+#include "engine/whitted/point.h"
 #include "engine/whitted/srgb.h"
 #include "engine/whitted/whitted.h"
 
@@ -13,6 +14,10 @@ void plt_whitted_frame_set(plt_rendering *r, const plt_box *box) {
     if (r->frame.shader == PLT_SHADE_WHITTED) {
         plt_whitted_frame(r->whitted, box, r->frame.camera.eye, r->frame.camera.up);
     }
+}
+
+int plt_whitted_frame_wants_weights(const plt_traversal *t) {
+    return plt_point_is_smooth(t->scene);
 }
 
 void plt_whitted_frame_begin(plt_rendering *r, const plt_packet *packet, const plt_pixels *pixels) {

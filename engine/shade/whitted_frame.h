@@ -15,6 +15,9 @@ static inline int plt_whitted_frame_valid(const plt_rendering *r, const plt_fram
 /* Frame and view are set. */
 void plt_whitted_frame_set(plt_rendering *r, const plt_box *box);
 
+/* Hits are to have u and v, in place of normals. */
+int plt_whitted_frame_wants_weights(const plt_traversal *t);
+
 /* The packet of these pixels is set up and begun. */
 void plt_whitted_frame_begin(plt_rendering *r, const plt_packet *packet, const plt_pixels *pixels);
 
@@ -34,6 +37,11 @@ static inline int plt_whitted_frame_valid(const plt_rendering *r, const plt_fram
 static inline void plt_whitted_frame_set(const plt_rendering *r, const plt_box *box) {
     (void)r;
     (void)box;
+}
+
+static inline int plt_whitted_frame_wants_weights(const plt_traversal *t) {
+    (void)t;
+    return 0;
 }
 
 static inline void plt_whitted_frame_begin(const plt_rendering *r, const plt_packet *packet,

@@ -24,7 +24,7 @@ static int counts(const float weight[3]) {
 
 static void send(const plt_whitted *w, plt_lit_pixel *p, plt_lit_ray *ray, float side, sent *s) {
     for (int a = 0; a < 3; a++) {
-        ray->org[a] = p->ray.org[a] + side * w->lift * p->normal[a];
+        ray->org[a] = p->ray.org[a] + side * w->lift * p->side[a];
     }
     ray->level = (uint8_t)(p->ray.level + 1);
     ray->pad = 0;
@@ -46,10 +46,17 @@ static float pass(const plt_whitted *w, plt_lit_pixel *p, const plt_material *m,
         plt_materials_get(&w->materials, p->ray.inside - 1u, &left);
     }
     const float ratio = p->ray.inside > 0 ? left.index : 1.0f / m->index;
-    if (!plt_optics_refract(p->ray.dir, p->normal, ratio, ray.dir, &cosine)) {
+    const float *n = p->normal;
+    if (!plt_optics_refract(p->ray.dir, n, ratio, ray.dir, &cosine)) {
         return 1.0f;
     }
-    const float before = -plt_optics_dot(p->ray.dir, p->normal);
+    if (plt_optics_dot(ray.dir, p->side) >= 0.0f) { /* the triangle is on the other side */
+        n = p->side;
+        if (!plt_optics_refract(p->ray.dir, n, ratio, ray.dir, &cosine)) {
+            return 1.0f;
+        }
+    }
+    const float before = -plt_optics_dot(p->ray.dir, n);
     const float reflected = plt_optics_glass(left.index, p->ray.inside > 0 ? cosine : before);
     for (int c = 0; c < 3; c++) {
         ray.weight[c] = p->ray.weight[c] * m->transparency * (1.0f - reflected);
@@ -65,6 +72,9 @@ static void reflect(const plt_whitted *w, plt_lit_pixel *p, const plt_material *
     float mirror[3];
     plt_direct_mirror(m, p, mirror);
     plt_optics_reflect(p->ray.dir, p->normal, ray.dir);
+    if (plt_optics_dot(ray.dir, p->side) <= 0.0f) { /* it would go into the triangle */
+        plt_optics_reflect(p->ray.dir, p->side, ray.dir);
+    }
     for (int c = 0; c < 3; c++) {
         ray.weight[c] =
             p->ray.weight[c] * ((1.0f - m->transparency) * mirror[c] + m->transparency * glass);

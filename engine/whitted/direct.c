@@ -24,12 +24,21 @@ void plt_direct_mirror(const plt_material *m, const plt_lit_pixel *p, float to[3
     }
 }
 
+/* Linear light of an sRGB byte, off by less than half a byte's step: a polynomial of the third
+ * degree. */
+static float linear(uint8_t byte) {
+    const float x = (float)byte / 255.0f;
+    return x * (x * (x * 0.305306011f + 0.682171111f) + 0.012522878f);
+}
+
 /* What counts of diffuse light: as much as is neither reflected nor let through. */
 static void set_diffuse(const plt_material *m, const plt_lit_pixel *p, float to[3]) {
     float mirror[3];
     plt_direct_mirror(m, p, mirror);
     for (int c = 0; c < 3; c++) {
-        to[c] = p->ray.weight[c] * m->diffuse[c] * (1.0f - m->transparency) * (1.0f - mirror[c]);
+        const float share = (1.0f - m->transparency) * (1.0f - mirror[c]);
+        const float tint = p->tint[c] < 255 ? linear(p->tint[c]) : 1.0f;
+        to[c] = p->ray.weight[c] * m->diffuse[c] * tint * share;
     }
 }
 
@@ -58,7 +67,7 @@ static float cosine_to(const plt_whitted *w, const plt_lit_pixel *p, float to_li
         return 0.0f;
     }
     const float cosine = plt_optics_dot(along, p->normal);
-    return cosine > 0.0f ? cosine : 0.0f;
+    return cosine > 0.0f && plt_optics_dot(along, p->side) > 0.0f ? cosine : 0.0f;
 }
 
 uint32_t plt_direct_find(plt_whitted *w) {
@@ -77,7 +86,7 @@ float plt_direct_ray(const plt_whitted *w, const plt_lit_pixel *p, float org[3],
     const plt_light *light = &w->lighting.light[w->light];
     plt_light_towards(light, w->sample, p->turn, p->ray.org, dir);
     for (int a = 0; a < 3; a++) {
-        const float lift = p->normal[a] * w->lift;
+        const float lift = p->side[a] * w->lift;
         org[a] = p->ray.org[a] + lift;
         dir[a] = light->kind == PLT_LIGHT_POINT ? dir[a] - lift : dir[a];
     }

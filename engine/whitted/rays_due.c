@@ -4,6 +4,7 @@
 #include "engine/whitted/rays_due.h"
 
 #include "engine/whitted/direct.h"
+#include "engine/whitted/point.h"
 
 #if PLT_WITH_WHITTED
 
@@ -49,7 +50,7 @@ static void set_group(const plt_whitted *w, plt_packet *packet, uint32_t first, 
 void plt_rays_due_begin(plt_whitted *w, plt_traversal *t, plt_packet *packet, int shadows) {
     plt_packet_begin(packet, w->box, (w->rays + 3) / 4, shadows);
     if (!shadows) {
-        plt_packet_want_normals(packet);
+        plt_point_want(t->scene, packet);
     }
     for (uint32_t first = 0; first < w->rays; first += 4) {
         set_group(w, packet, first, shadows);

@@ -30,16 +30,17 @@ typedef struct plt_lit_ray {
 typedef struct plt_lit_pixel {
     float colour[3]; /* light so far, linear */
     plt_lit_ray ray; /* that is traced; of a hit its origin is the point that was hit */
-    float normal[3]; /* of a hit: of length 1, against the ray */
+    float normal[3]; /* of a hit, of length 1, against the ray: what it is shaded by */
+    float side[3];   /* ... its triangle's */
     uint8_t state;   /* enum plt_lit_state */
     uint8_t material;
     uint8_t is_lit;  /* lights count */
     uint8_t waiting; /* rays */
     uint8_t turn;    /* plt_light_turn */
-    uint8_t pad[3];
+    uint8_t tint[3]; /* sRGB of its corners; 255: they have none */
 } plt_lit_pixel;
 
-_Static_assert(sizeof(plt_lit_ray) == 40 && sizeof(plt_lit_pixel) == 72, "no holes");
+_Static_assert(sizeof(plt_lit_ray) == 40 && sizeof(plt_lit_pixel) == 84, "no holes");
 
 typedef struct plt_whitted {
     plt_lighting lighting; /* bounces: at most those that there is room for */

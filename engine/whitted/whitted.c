@@ -9,6 +9,7 @@
 #include "engine/whitted/direct.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/optics.h"
+#include "engine/whitted/point.h"
 #include "engine/whitted/rays_due.h"
 
 #if PLT_WITH_WHITTED
@@ -78,17 +79,6 @@ void plt_whitted_begin(plt_whitted *w, const plt_packet *packet) {
     w->stage = STAGE_RAYS;
 }
 
-/* The normal of what a ray has hit, against it: the triangle's, which all of it shares. A sliver
- * without one faces the ray. */
-static void set_normal(plt_lit_pixel *p, const plt_group_rays *g, unsigned lane) {
-    float n[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
-    const int has_one = plt_optics_unit(n);
-    const float side = plt_optics_dot(n, p->ray.dir) > 0.0f ? -1.0f : 1.0f;
-    for (int a = 0; a < 3; a++) {
-        p->normal[a] = has_one ? side * n[a] : -p->ray.dir[a];
-    }
-}
-
 /* Glass takes its share of a ray that ran through it for t, its direction being of length 1. */
 static void fade(const plt_whitted *w, plt_lit_pixel *p, float t) {
     plt_material m;
@@ -101,7 +91,8 @@ static void fade(const plt_whitted *w, plt_lit_pixel *p, float t) {
     }
 }
 
-static void take_hit(plt_whitted *w, plt_lit_pixel *p, const plt_packet *packet, uint32_t slot) {
+static void take_hit(plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
+                     const plt_packet *packet, uint32_t slot) {
     const plt_group_rays *g = &packet->rays[slot / 4];
     const unsigned lane = slot % 4;
     const float t = packet->slabs.group[slot / 4].tmax[lane];
@@ -109,7 +100,7 @@ static void take_hit(plt_whitted *w, plt_lit_pixel *p, const plt_packet *packet,
         p->ray.org[a] = g->org[a][lane] + t * g->dir[a][lane];
     }
     fade(w, p, t);
-    set_normal(p, g, lane);
+    plt_point_set(scene, p, g, lane);
     p->material = (uint8_t)plt_materials_find(&w->materials, g->id[lane]);
     p->state = PLT_LIT_HIT;
     plt_direct_begin(w, p);
@@ -122,7 +113,7 @@ static void take_sky(const plt_whitted *w, plt_lit_pixel *p) {
     p->state = PLT_LIT_DONE;
 }
 
-static void take_hits(plt_whitted *w, const plt_packet *packet) {
+static void take_hits(plt_whitted *w, const plt_scene *scene, const plt_packet *packet) {
     for (uint32_t i = 0; i < w->rays; i++) {
         plt_lit_pixel *p = &w->pixel[w->slot[i]];
         const plt_group_rays *g = &packet->rays[i / 4];
@@ -132,7 +123,7 @@ static void take_hits(plt_whitted *w, const plt_packet *packet) {
         if (w->is_empty || !(g->valid >> i % 4 & 1u) || g->id[i % 4] == PLT_MISS) {
             take_sky(w, p);
         } else {
-            take_hit(w, p, packet, i);
+            take_hit(w, scene, p, packet, i);
         }
     }
     w->stage = STAGE_SHADOWS;
@@ -153,7 +144,7 @@ static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t 
     }
     w->is_traced = 0;
     if (w->stage == STAGE_RAYS) {
-        take_hits(w, packet);
+        take_hits(w, t->scene, packet);
     } else {
         plt_direct_take(w, packet);
         next_sample(w);

@@ -104,7 +104,7 @@ static void read_colour(args *a, const char *flag, float to[3]) {
 void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     static const char *const FLAGS[] = {"--light", "--sky", "--ground", "--depth"};
     *l = (lights){.is_on = shader == PLT_SHADE_WHITTED, .has_lights = args_has(a, "--light")};
-    l->lighting = (plt_lighting){.sky = {0.42f, 0.52f, 0.68f}, .ground = {0.20f, 0.18f, 0.16f}};
+    l->lighting = (plt_lighting){.sky = {0.36f, 0.45f, 0.60f}, .ground = {0.17f, 0.15f, 0.13f}};
     if (!l->is_on) {
         for (int i = 0; i < 4; i++) {
             if (args_has(a, FLAGS[i])) {
@@ -144,7 +144,7 @@ static void set_sun(plt_light *to, const plt_camera *c) {
     *to = (plt_light){.kind = PLT_LIGHT_DISTANT, .samples = 4, .radius = 0.06f};
     for (int a = 0; a < 3; a++) {
         to->at[a] = (float)(0.5 * back[a] + up[a] + 0.6 * left[a]);
-        to->power[a] = 0.85f;
+        to->power[a] = 0.75f;
     }
 }
 

@@ -12,8 +12,8 @@
      "whitted: point:, sun: (x,y,z is the direction towards it) or area:, a disc of that radius "  \
      "with soft shadows, 1 to 16 samples (default 8); POWER is what white shows, of a point at a " \
      "distance of 1; up to 8 with '/' between them (default: a sun behind the camera)"},           \
-        {"--sky", "r,g,b", "whitted: light from above, linear (default 0.42,0.52,0.68)"},          \
-        {"--ground", "r,g,b", "whitted: light from below (default 0.20,0.18,0.16)"}, {             \
+        {"--sky", "r,g,b", "whitted: light from above, linear (default 0.36,0.45,0.60)"},          \
+        {"--ground", "r,g,b", "whitted: light from below (default 0.17,0.15,0.13)"}, {             \
         "--depth", "N",                                                                            \
             "whitted: rays one after another that mirrors and glass send out, 0 to 8 "             \
             "(default 4)"                                                                          \
