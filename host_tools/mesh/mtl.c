@@ -174,7 +174,7 @@ static int read_line(library *l) {
                                     WORD_SHOWN(key));
 }
 
-static int read_all(mesh_materials *m, const input *in) {
+int materials_read(mesh_materials *m, const input *in) {
     library l = {.to = m,
                  .path = in->path,
                  .text = scan_begin_filled(in->bytes, in->size),
@@ -206,7 +206,7 @@ int materials_read_library(mesh_materials *m, const char *path, const char *name
     file[folder + length] = '\0';
     const int is_there = length > 0 && strcmp(file, "-") != 0 && input_read(&in, file, &f) == 0;
     int status = is_there
-                     ? read_all(m, &in)
+                     ? materials_read(m, &in)
                      : materials_complain(m, path, "its material library '%.*s' cannot be read",
                                           (int)(length < 80 ? length : 80), name);
     input_free(&in);
