@@ -23,7 +23,7 @@ static const char library[] =
     "newmtl yellow\nKd 0.75 0.5 0.06\nKs 0.4 0.4 0.4\nNs 150\nillum 2\n"
     "newmtl white\nKd 0.75 0.73 0.7\nKs 0.4 0.4 0.4\nNs 150\nillum 2\n";
 
-/* Of the balls, in turns. */
+/* Of the balls, in turns that lead nowhere: they are laid out along spirals. */
 static const char *const turn[] = {"clear", "red",   "silver", "green", "yellow", "clear", "blue",
                                    "gold",  "white", "clear",  "red",   "green",  "silver"};
 
@@ -39,9 +39,10 @@ static int write_faces(const mesh *m, output *o, fail *f) {
         const uint32_t *t = m->triangle + 3 * i;
         if (i % BODY == 0) {
             const size_t ball = i / BODY;
-            status = output_print(o, f, "usemtl %s\n",
-                                  ball == 0 ? "wood"
-                                            : turn[(ball - 1) % (sizeof turn / sizeof turn[0])]);
+            status = output_print(
+                o, f, "usemtl %s\n",
+                ball == 0 ? "wood"
+                          : turn[(ball * ball + ball / 5) % (sizeof turn / sizeof turn[0])]);
         }
         if (status == 0) {
             status = output_print(o, f, "f %u %u %u\n", (unsigned)t[0] + 1, (unsigned)t[1] + 1,
