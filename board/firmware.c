@@ -5,7 +5,7 @@
  * exactly the same camera:
  *   size=320x240       pixels          eye= look= up= tan=   the camera; tan is
  *   packet=8           rays per side               of half the vertical angle
- *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle
+ *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle|smooth|whitted
  *   sun= point=        with shader=whitted, where the engine has PLT_WITH_WHITTED: x,y,z of the
  *                      direction or place, power, radius and samples; sky= ground= r,g,b; depth=4
  *   visits=20000       node visits per step of the main loop

@@ -133,18 +133,35 @@ static int read_lights(const char *all, job *j) {
     return 0;
 }
 
+#endif
+
+/* Those that come last are of engines that have them. */
 static int read_shader(const char *all, job *j) {
-    static const char *const shaders[] = {"eyelight", "normal", "triangle", "whitted"};
-    if (job_word(all, "shader", shaders, 4, &j->frame.shader) < 0) {
+    static const char *const shaders[] = {
+        "eyelight",
+        "normal",
+        "triangle",
+#if PLT_WITH_SURFACE
+        "smooth",
+#endif
+#if PLT_WITH_WHITTED
+        "whitted",
+#endif
+    };
+    if (job_word(all, "shader", shaders, sizeof shaders / sizeof shaders[0], &j->frame.shader) <
+        0) {
         return -1;
     }
-    if (j->frame.shader <= PLT_SHADE_TRIANGLE) {
-        return 0;
+#if PLT_WITH_WHITTED
+    if (j->frame.shader == sizeof shaders / sizeof shaders[0] - 1) {
+        j->frame.shader = PLT_SHADE_WHITTED;
+        j->options.surface = PLT_WITH_SURFACE;
+        return read_lights(all, j);
     }
-    j->frame.shader = PLT_SHADE_WHITTED;
-    return read_lights(all, j);
-}
 #endif
+    j->options.surface = PLT_WITH_SURFACE && j->frame.shader == PLT_SHADE_SMOOTH;
+    return 0;
+}
 
 static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
@@ -157,12 +174,7 @@ static int read_words(const char *all, job *j) {
                  &j->options.schedule) < 0) {
         return -1;
     }
-#if PLT_WITH_WHITTED
     return read_shader(all, j);
-#else
-    static const char *const shaders[] = {"eyelight", "normal", "triangle"};
-    return job_word(all, "shader", shaders, 3, &j->frame.shader);
-#endif
 }
 
 /* structure=, where there are grids. */

@@ -20,7 +20,7 @@
 #   vertices ... and without records, where the arena has no room for them (plt_options.records)
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
-#   surface  with normals and colours (plt_options.surface), for thesis nodes; likewise
+#   surface  with normals and colours (plt_options.surface); likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
@@ -78,7 +78,8 @@ grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_gr
 instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engine/place.c \
     engine/scene/open_instances.c engine/trace/traverse_instances.c
 surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
-    engine/shade/smooth.c engine/shade/beam_smooth.c
+    engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
+    engine/tree/compact/block_record.c
 further_files := engine/image/further.c
 whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c engine/shade/whitted_frame.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
@@ -142,9 +143,6 @@ $(error PARTS with grid has thesis nodes: make PARTS='render thesis grid')
 endif
 ifeq ($(filter compact,$(PARTS))$(filter instances,$(PARTS)),compactinstances)
 $(error PARTS with instances has thesis nodes: make PARTS='render thesis instances')
-endif
-ifeq ($(filter compact,$(PARTS))$(filter surface,$(PARTS)),compactsurface)
-$(error PARTS with surface has thesis nodes: make PARTS='render thesis surface')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')

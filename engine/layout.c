@@ -12,6 +12,7 @@
 #include "engine/motion/refit.h"
 #include "engine/motion/sequence.h"
 #include "engine/scene/build_compact.h"
+#include "engine/scene/surface_place.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/block_entry.h"
 #include "engine/trace/grid_state.h"
@@ -438,7 +439,11 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
                    ? (uint64_t)s->info->normal_bytes + s->info->colour_bytes
                    : 0;
     case PLT_PART_PLACES:
-        return s->options->surface && PLT_WITH_GROUPS ? 4ull * s->info->triangles : 0;
+#if PLT_WITH_GROUPS
+        return s->options->surface ? plt_surface_places_bytes(s->info) : 0;
+#else
+        return 0;
+#endif
 #endif
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:

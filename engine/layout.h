@@ -69,8 +69,9 @@ static inline int plt_layout_structure_valid(const plt_info *info, const plt_opt
 static inline int plt_layout_surface_valid(const plt_info *info, const plt_options *options) {
 #if PLT_WITH_SURFACE
     return !options->surface ||
-           (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info) &&
-            !(PLT_WITH_MOTION && options->movable) &&
+           ((info->nodes_format == PLT_NODES_THESIS ||
+             (info->build == PLT_BUILD_HOST && info->geometry_format <= PLT_GEOMETRY_LATTICE)) &&
+            !plt_has_instances(info) && !(PLT_WITH_MOTION && options->movable) &&
             !(PLT_WITH_STREAMED && options->residency == PLT_RESIDENCY_STREAMED));
 #else
     (void)info;

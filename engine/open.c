@@ -351,8 +351,8 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_surface_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "normals and colours are of resident thesis nodes whose triangles "
-                             "stay where they are");
+                             "normals and colours are of resident scenes whose triangles stay "
+                             "where they are, of compact blocks of finished ones");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,

@@ -241,9 +241,9 @@ typedef struct plt_options {
     uint8_t surface; /* 1: hits have normals and colours (PLT_SHADE_SMOOTH, plt_surface_at): those
                       * of the image, for its bytes of them where it is not mapped; triangles that
                       * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
-                      * also 4 bytes per triangle, to find it by its number. Of scenes of thesis
-                      * nodes, lists and grids that are resident, not movable and not of instances.
-                      * Without PLT_WITH_SURFACE: 0 */
+                      * also 4 bytes per triangle, of compact blocks 6, to find it by its number. Of
+                      * scenes that are resident, not movable and not of instances; compact blocks
+                      * are not built here, and have no frames. Without PLT_WITH_SURFACE: 0 */
     uint8_t whitted; /* room for frames of PLT_SHADE_WHITTED: 1 and the most bounces that they may
                       * have, up to 1 + PLT_BOUNCES_MOST, for 85 bytes per ray of a packet, 40 more
                       * per bounce, and the image's materials if it is not mapped; 0: none. With
@@ -293,9 +293,13 @@ typedef struct plt_info {
     uint32_t bodies;           /* of an image with instances: trees that are placed; else 0 */
     uint32_t instances;        /* of those bodies, each with a matrix per frame (plt_place) */
     uint32_t placed_triangles; /* of all instances; `triangles` are those of the bodies */
-    uint32_t normal_bytes;     /* of the section of normals; 0: there are none */
-    uint32_t colour_bytes;     /* ... and of colours */
-    uint32_t material_bytes;   /* ... and of materials */
+#if PLT_WITH_SURFACE
+    uint32_t normal_bytes; /* of the section of normals; 0: there are none */
+    uint32_t colour_bytes; /* ... and of colours */
+#endif
+#if PLT_WITH_WHITTED
+    uint32_t material_bytes; /* ... and of materials; 0: there are none */
+#endif
 } plt_info;
 
 /* Why a call failed; zero where it does not apply. */

@@ -10,6 +10,7 @@
 #include "engine/image/fetch.h"
 #include "engine/image/further.h"
 #include "engine/planelet_crc32.h"
+#include "engine/scene/surface_place.h"
 #include "engine/surface/surface_corners.h"
 
 /* Where a section lies in a mapped image, or copied to *room, which is then behind it. */
@@ -35,18 +36,6 @@ static int read_section(const plt_engine *e, const plt_section *s, unsigned char
                              "a section is damaged (checksum)");
 }
 
-/* Of an id that no record has, which is none of a hit, the first; of one that two have, either. */
-static void set_places(plt_engine *e, uint32_t *place) {
-    const plt_record *records = plt_scene_records(&e->scene);
-    const uint32_t count = e->scene.info.triangles;
-    for (uint32_t i = 0; i < count; i++) {
-        place[i] = 0;
-    }
-    for (uint32_t i = 0; i < count && records != NULL; i++) {
-        place[plt_primitive_id(plt_get_u32(&records[i].word[9]))] = i;
-    }
-}
-
 int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
     plt_surface_data *d = &e->scene.surface;
@@ -67,9 +56,7 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
     }
     d->is_open = 1;
 #if PLT_WITH_GROUPS
-    set_places(e, part[PLT_PART_PLACES]);
-    d->place = part[PLT_PART_PLACES];
-    d->triangles = e->scene.info.triangles;
+    plt_surface_places_set(&e->scene, part[PLT_PART_PLACES]);
 #endif
     return PLT_OK;
 }
@@ -77,12 +64,12 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
 #if PLT_WITH_GROUPS
 int plt_surface_at(const plt_engine *e, const plt_hit *hit, plt_surface_point *point) {
     const plt_surface_data *d = &e->scene.surface;
-    const plt_record *records = plt_scene_records(&e->scene);
     plt_surface_corners corners;
-    if (!d->is_open || records == NULL || hit->triangle >= d->triangles) {
+    plt_record room;
+    if (hit->triangle >= d->triangles) { /* 0 if it is not open */
         return PLT_ERR_ARGUMENT;
     }
-    plt_surface_corners_set(&corners, d, &records[d->place[hit->triangle]]);
+    plt_surface_corners_set(&corners, d, plt_surface_record(&e->scene, hit->triangle, &room));
     plt_surface_mix(&corners, hit->u, hit->v, point);
     return PLT_OK;
 }

@@ -51,13 +51,18 @@ static int is_known(uint32_t kind, uint32_t before) {
 }
 
 static void put_bytes(plt_info *info, const plt_section *s) {
+#if PLT_WITH_SURFACE
     if (s->kind == PLT_SECTION_NORMALS) {
         info->normal_bytes = s->bytes;
     } else if (s->kind == PLT_SECTION_COLOURS) {
         info->colour_bytes = s->bytes;
-    } else {
+    }
+#endif
+#if PLT_WITH_WHITTED
+    if (s->kind == PLT_SECTION_MATERIALS) {
         info->material_bytes = s->bytes;
     }
+#endif
 }
 
 static int read_entries(plt_header *h, const unsigned char *table, uint32_t bytes,

@@ -10,6 +10,7 @@
 
 #include <string.h>
 
+#include "engine/scene/surface_place.h"
 #include "engine/shade/surface.h"
 #include "engine/surface/surface_corners.h"
 
@@ -52,12 +53,13 @@ typedef struct shaded {
 
 static void shade_lane(const plt_scene *scene, const plt_group_rays *g, unsigned lane, shaded *s,
                        uint8_t rgb[3]) {
-    const plt_surface_data *d = &scene->surface;
+    plt_record room;
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     plt_surface_point point;
     if (g->id[lane] != s->id) {
         s->id = g->id[lane];
-        plt_surface_corners_set(&s->corners, d, &plt_scene_records(scene)[d->place[s->id]]);
+        plt_surface_corners_set(&s->corners, &scene->surface,
+                                plt_surface_record(scene, s->id, &room));
     }
     plt_surface_mix(&s->corners, g->u[lane], g->v[lane], &point);
     plt_smooth_colour(&point, dir, rgb);

@@ -1,11 +1,11 @@
 /* octahedral - a direction in 16 bits
  *
- * The unit sphere is pressed flat onto an octahedron, |x| + |y| + |z| = 1, whose lower half is
+ * The sphere is pressed flat onto an octahedron, |x| + |y| + |z| = 1, whose lower half is
  * folded outwards over the upper one: a square, of which a code holds x and y in 8 bits each,
  * -127 to 127. Codes with a byte of -128 are none of them.
  *
- * Source: Z. H. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire and Q. Meyer, A Survey of
- * Efficient Representations for Independent Unit Vectors, 2014.
+ * Source: Z. H. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire and Q. Meyer, JCGT 3 (2),
+ * 2014, which compares such codes.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_SURFACE_OCTAHEDRAL_H

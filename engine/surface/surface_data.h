@@ -35,9 +35,10 @@ typedef struct plt_surface_data {
     plt_surface_tables normals, colours;
     const unsigned char *palette; /* red, green, blue, 0 each */
     uint32_t palette_count;
-    const uint32_t *place; /* by primitive id: the record; NULL: they are not to be found by it */
-    uint32_t triangles;    /* so many of them */
-    uint8_t is_open;       /* plt_options.surface */
+    const uint32_t *place;  /* by primitive id (scene/surface_place.h) */
+    const uint16_t *within; /* of compact blocks; else NULL */
+    uint32_t triangles;     /* ids are below this; 0: they are not to be found by it */
+    uint8_t is_open;        /* plt_options.surface */
     uint8_t has_normals, has_colours;
 } plt_surface_data;
 

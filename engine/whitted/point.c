@@ -6,6 +6,7 @@
 #include "engine/whitted/optics.h"
 
 #if PLT_WITH_SURFACE
+#include "engine/scene/surface_place.h"
 #include "engine/surface/surface_corners.h"
 #endif
 
@@ -59,10 +60,11 @@ static void set_smooth(plt_lit_pixel *p, const float normal[3]) {
 
 static void set_of_corners(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
                            unsigned lane) {
-    const plt_surface_data *d = &scene->surface;
+    plt_record room;
     plt_surface_corners corners;
     plt_surface_point point;
-    plt_surface_corners_set(&corners, d, &plt_scene_records(scene)[d->place[g->id[lane]]]);
+    plt_surface_corners_set(&corners, &scene->surface,
+                            plt_surface_record(scene, g->id[lane], &room));
     plt_surface_mix(&corners, g->u[lane], g->v[lane], &point);
     set_side(p, point.flat);
     set_smooth(p, point.normal);

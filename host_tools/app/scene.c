@@ -128,6 +128,9 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
             return fail_set(f, name, "%s; pack it with --nodes thesis, or leave out --structure",
                             fault->message);
         }
+        if (s->options.surface) {
+            return fail_set(f, name, "%s; leave out --shader smooth", fault->message);
+        }
         return fail_set(f, name,
                         goes_depth_first(s)
                             ? "%s; leave out --walk two-stage"

@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "engine/image/header.h"
 #include "engine/scene/formats.h"
@@ -221,10 +222,19 @@ static void print_box_json(const plt_info *i) {
     }
 }
 
+static void print_surface_json(const plt_info *i) {
+    const double n = i->triangles > 0 ? i->triangles : 1;
+    printf("  \"normal_bytes\": %" PRIu32
+           ",\n  \"normal_bytes_per_triangle\": %.3f,\n"
+           "  \"colour_bytes\": %" PRIu32 ",\n  \"colour_bytes_per_triangle\": %.3f,\n",
+           i->normal_bytes, i->normal_bytes / n, i->colour_bytes, i->colour_bytes / n);
+}
+
 static void print_json(const plt_info *i, const plt_options *o, const derived *d) {
     printf("{\n");
     print_counts_json(i);
     print_format_json(i, d);
+    print_surface_json(i);
     print_arena_json(i, o, d);
     print_sequence_json(i);
     print_shift_json(d);
@@ -336,6 +346,24 @@ static void print_instances(const plt_info *i) {
            (double)i->frame_bytes / ((double)i->frames * i->instances));
 }
 
+/* Bytes and bytes per triangle of what hits are shaded by, if there is any. */
+static void print_surface(const char *what, uint32_t bytes, const plt_info *i) {
+    if (bytes > 0) {
+        printf("%s bytes%*s%" PRIu32 ", %.2f per triangle\n", what, (int)(13 - strlen(what)), "",
+               bytes, (double)bytes / (i->triangles > 0 ? i->triangles : 1));
+    }
+}
+
+/* With normals or colours. */
+static void print_smooth_need(const plt_info *i, const plt_options *options) {
+    plt_options o = *options;
+    o.surface = 1;
+    if (i->normal_bytes + i->colour_bytes > 0) {
+        printf("arena if smooth    %zu bytes when the image is mapped, %zu if fetched\n",
+               plt_arena_need(i, 1, &o), plt_arena_need(i, 0, &o));
+    }
+}
+
 static void print_text(const plt_info *i, const plt_options *o, const derived *d) {
     print_scene(i, d);
     print_tree(i, d);
@@ -344,6 +372,8 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     if (i->nodes_format == PLT_NODES_COMPACT) {
         print_compact(i, d);
     }
+    print_surface("normal", i->normal_bytes, i);
+    print_surface("colour", i->colour_bytes, i);
     if (i->instances > 0) {
         print_instances(i);
     } else if (i->frames > 0) {
@@ -357,6 +387,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     if (i->build != PLT_BUILD_DEVICE) {
         printf("arena if fetched   %zu bytes\n", d->arena_fetched);
     }
+    print_smooth_need(i, o);
     if (d->arena_streamed > 0) {
         printf("arena if streamed  %zu bytes, and all that is more goes to blocks\n",
                d->arena_streamed);
@@ -372,7 +403,9 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     if (status == PLT_OK) {
         s->options.movable = info->frames > 0 && info->instances == 0 &&
                              info->geometry_format != PLT_GEOMETRY_STILLS; /* frame 0 */
+        s->options.surface = info->normal_bytes + info->colour_bytes > 0;
         status = scene_start(s, path, &fault);
+        s->options.surface = 0;
     }
     if (status == PLT_ERR_IMAGE || status == PLT_ERR_SOURCE || status == PLT_ERR_ARGUMENT) {
         return scene_refused(s, path, status, &fault, f);

@@ -89,6 +89,9 @@ static const arg_flag flags[] = {
     {"--json", "STATS", "write what was read, lost and packed to this file; - is standard output"},
     {NULL, NULL, NULL}};
 
+_Static_assert(sizeof flags / sizeof flags[0] <= ARGS_FLAGS_MAX,
+               "each flag has room for its value");
+
 const arg_command command_pack = {
     .name = "pack",
     .synopsis = "MESH... -o SCENE.plt",

@@ -35,8 +35,8 @@ static const arg_flag flags[] = {
     VIEW_FLAGS,
     {"--shader", "NAME",
      "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each), "
-     "smooth (by normals and colours of the image) or whitted (lights, shadows, mirrors and "
-     "glass); "
+     "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth) or "
+     "whitted (lights, shadows, mirrors and glass); "
      "default eyelight"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
@@ -396,6 +396,13 @@ static void read_flags(rendering *r, args *a) {
     rebuilds_read(&r->rebuilds, &r->s, a, moved_is(&r->moved));
     vertices_read(&r->s, a, r->moved.is_played);
     baseline_read(&r->baseline, a, for_engine);
+    if (r->frame.shader == PLT_SHADE_SMOOTH && args_has(a, "--baseline")) {
+        args_complain(a, "--shader smooth is not for --baseline, which knows triangles alone");
+    }
+    if (r->frame.shader == PLT_SHADE_SMOOTH &&
+        strcmp(args_text(a, "--residency", "resident"), "streamed") == 0) {
+        args_complain(a, "--shader smooth takes --residency resident");
+    }
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;

@@ -182,6 +182,11 @@ static void read_flags(serving *s, args *a, serve_job *job) {
     job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
     job->verbose = args_has(a, "--verbose");
     s->shader = view_shader(a);
+    if (s->shader == PLT_SHADE_SMOOTH) {
+        args_complain(a,
+                      "--shader smooth is for planelet render; a device gets eyelight, normal or "
+                      "triangle");
+    }
     destination_read(&s->to, a, s->frames, 1, job->verbose);
     if (s->to.out != NULL && strcmp(s->to.out, "-") != 0) {
         destination_differ(a, "--socket and -o", args_text(a, "--socket", NULL), s->to.out);

@@ -14,8 +14,9 @@
 #include "host_tools/pack/instances.h"
 
 void pack_instances_read(pack_instances_order *o, args *a) {
-    static const char *const others[] = {"--sequence", "--frame",  "--centre", "--origin",
-                                         "--reduce",   "--memory", "--json",   "--checks"};
+    static const char *const others[] = {"--sequence", "--frame",   "--centre", "--origin",
+                                         "--reduce",   "--memory",  "--json",   "--checks",
+                                         "--smooth",   "--normals", "--colours"};
     o->wanted = args_has(a, "--instances");
     if (!o->wanted) {
         return;

@@ -33,10 +33,14 @@ void pack_surface_read(pack_surface *s, args *a) {
     if (args_has(a, "--sequence") || args_has(a, "--instances")) {
         args_complain(a,
                       "--smooth, --normals and --colours are of triangles that stay where they "
-                      "are; leave out --sequence and --instances");
+                      "are; leave out --sequence");
     }
-    if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0) {
-        args_complain(a, "--smooth, --normals and --colours take --nodes thesis");
+    if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0 &&
+        (strcmp(args_text(a, "--build", "host"), "host") != 0 ||
+         strcmp(args_text(a, "--numbers", "keep"), "keep") != 0)) {
+        args_complain(a,
+                      "--smooth, --normals and --colours take --numbers keep and --build host "
+                      "with compact nodes");
     }
     if (args_has(a, "--reduce") && (s->corners.wants_normals || s->corners.wants_colours)) {
         args_complain(a, "--reduce leaves other corners than the mesh's; use --smooth for normals");

@@ -214,8 +214,8 @@ static int append(const adding *a, const making *made, uint32_t count) {
     for (uint32_t i = 0; i < count; i++) {
         size += bytes_of(&made[i]);
     }
-    if (image_size_check(a->name, image->info.triangles, size, 0,
-                         "use --normals none and --colours none, or --reduce", a->f) != 0) {
+    const char *remedy = "use --normals none and --colours none, or --reduce";
+    if (image_size_check(a->name, image->info.triangles, size, 0, remedy, a->f) != 0) {
         return -1;
     }
     unsigned char *bytes = heap_get_aligned(size);

@@ -18,7 +18,8 @@ typedef struct surface_stats {
     uint32_t colours_kept, colours_distinct, colours_off; /* off: palette.h, furthest */
 } surface_stats;
 
-/* Of a thesis image without a sequence or instances. `c` is by primitive id; what it does not have
+/* Of an image without a sequence or instances, if compact with build host and primitive ids. `c` is
+ * by primitive id; what it does not have
  * the image does not get. -1, and the image as it was: memory is out, or it gets too large. */
 int surface_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,
                 fail *f);

@@ -1,8 +1,7 @@
 /* surface_code - see surface_code.h
  *
  * Of the four codes around a direction the nearest is taken, which is not always the one that
- * rounding gives (Cigolle et al., A Survey of Efficient Representations for Independent Unit
- * Vectors, 2014, "precise").
+ * rounding gives (Cigolle et al., as octahedral.h has it, "precise").
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/surface_code.h"

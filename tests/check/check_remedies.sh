@@ -35,6 +35,9 @@ out of memory for its frames; pack on a larger machine | $few
 out of memory for the frames of --tree-for all; use --tree-for first | $few
 %zu triangles: out of memory for a tree of so many frames; use --tree-for first | \
 test_pack_poses gives less memory
+out of memory for normals or colours; use a larger machine | $few
+%zu corners: out of memory for their normals and colours; pack on a larger machine | $few
+use --normals none and --colours none, or --reduce | $large
 use fewer frames, or --geometry lattice of fewer bits | $size
 use fewer frames, or reduce the meshes | $size
 bodies of %llu triangles and instances of %llu are more than 2^27 - 1 and 2^32 - 2; reduce their \
@@ -69,6 +72,7 @@ takes more than the %llu bytes that --memory gives; use --memory %llu or more | 
 but for vertices of many slivers
 status %d; please report this | cannot happen; if it does, there is somebody to tell
 the finished tree is refused: %s; please report this | likewise
+the finished image is refused: %s; please report this | likewise
 hits of %s rays differ between modes; please report this | likewise
 hits of %s rays differ from those of %s; please report this | likewise
 %s; please report this | likewise, of a C array

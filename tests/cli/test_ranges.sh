@@ -46,6 +46,7 @@ range() {
     done
 }
 
+range --smooth "0 to 180" "-1 0 180 181" pack quad.ply -o x.plt
 range --triangles "2 to 10000000" "- 2 - 10000001" make terrain -o x.ply
 range --triangles "24 to 10000000" "1 24 - 10000001" make knot -o x.ply
 refused "make --triangles 23 is no knot" knot "24 to 10000000" make knot --triangles 23 -o x.ply

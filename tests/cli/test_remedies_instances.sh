@@ -30,7 +30,7 @@ better() {
 
 list
 for flag in '--frame 1' --centre '--origin 1,2,3' '--reduce 5' '--memory 2000000' \
-    '--json stats.json' '--checks on'; do
+    '--json stats.json' '--checks on' '--smooth 40' '--normals keep' '--colours keep'; do
     # shellcheck disable=SC2086
     says "%s is not for --instances" pack --instances list.txt $flag -o x.plt
     cured pack --instances list.txt -o x.plt

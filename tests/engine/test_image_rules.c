@@ -71,7 +71,9 @@ static const change changes[] = {
     {136, 1, 1, 12, 136},
     {200, 0x80, 1, 12, 200},
     {216, 5, 4, 12, 216},
-    {231, 1, 1, 12, 231},
+    {228, 8, 4, 17, 228},
+    {231, 1, 1, 17, 228},
+    {228, 1, 4, 17, 16}, /* there is no table behind */
 };
 
 static hostile_result changed(const change *c) {

@@ -1,0 +1,88 @@
+#!/bin/sh
+# test_remedies_surface.sh - what messages about normals and colours advise, helps
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+. tests/cli/remedies.sh
+begin remedies_surface
+quad quad.ply
+run make knot --triangles 2000 -o knot.ply
+
+# ---- flags of pack: host_tools/cli/pack_surface.c -------------------------------------------
+
+says "--smooth takes degrees from 0 to 180" pack knot.ply -o x.plt --smooth 181
+cured pack knot.ply -o x.plt --smooth 180
+says "--smooth takes degrees from 0 to 180" pack knot.ply -o x.plt --smooth -1
+cured pack knot.ply -o x.plt --smooth 0
+printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\n' >good.obj
+says "--smooth and --normals keep are both normals; leave one out" pack good.obj -o x.plt \
+    --smooth 40 --normals keep
+packs 1 good.obj --normals keep
+says "--smooth, --normals and --colours are of triangles that stay where they are; leave out \
+--sequence" pack good.obj -o x.plt --sequence 0:1 --smooth 40
+packs 1 good.obj --smooth 40
+for other in '--build device' '--numbers none'; do
+    # shellcheck disable=SC2086
+    says "--smooth, --normals and --colours take --numbers keep and --build host with compact \
+nodes" pack good.obj -o x.plt --smooth 40 --nodes compact $other
+    packs 1 good.obj --smooth 40 --nodes compact --numbers keep --build host
+done
+says "--reduce leaves other corners than the mesh's; use --smooth for normals" pack knot.ply \
+    -o x.plt --reduce 500 --normals keep
+cured pack knot.ply -o x.plt --reduce 500 --smooth 40
+says "has no normals to keep; use --smooth 40 to make some" pack quad.ply -o x.plt --normals keep
+packs 2 quad.ply --smooth 40
+says "has no colours of vertices to keep; leave out --colours" pack quad.ply -o x.plt \
+    --colours keep
+packs 2 quad.ply
+
+# ---- meshes: host_tools/mesh/intake.c, obj.c ------------------------------------------------
+
+# bad SED_COMMAND: good.obj with a mistake, as bad.obj.
+bad() {
+    sed "$1" good.obj >bad.obj
+}
+# mended MESSAGE: pack refuses bad.obj, and takes it with --repair, and corrected.
+mended() {
+    says "$1" pack bad.obj -o x.plt --normals keep --colours keep
+    packs 1 bad.obj --normals keep --colours keep --repair
+    says "$1" pack bad.obj -o x.plt --normals keep --colours keep
+    packs 1 good.obj --normals keep --colours keep
+}
+bad 's/^vn 0 0 1/vn 0 0 0\nvn 0 0 1/; s,1//1,1//2,'
+mended "the normal (%g %g %g) is not finite or has no length; correct it, or use pack --repair to \
+do without it"
+bad 's/ 1 0 0$/ 1 0 7/'
+mended "the colour (%g %g %g) is not of 0 to %g each; correct it, or use pack --repair to do \
+without it"
+bad 's,2//1,2//5,'
+mended "uses normal %lld, which is not among the %zu normals; correct it, or use pack --repair to \
+do without it"
+bad 's,2//1,2//-5,'
+mended "uses normal %lld, which is not among the %lld normals so far; correct it, or use pack \
+--repair to do without it"
+bad 's,2//1,2//one,'
+says "'%.*s' where a normal's number belongs; correct the line" pack bad.obj -o x.plt \
+    --normals keep
+packs 1 good.obj --normals keep
+
+# ---- smooth frames: host_tools/cli/cmd_render.c, cmd_serve.c, host_tools/app/scene.c -----------
+
+run pack knot.ply -o knot.plt --smooth 40
+run pack knot.ply -o compact.plt --nodes compact --build device
+size='--size 16x12'
+# shellcheck disable=SC2086
+{
+    says "--shader smooth is not for --baseline, which knows triangles alone" render knot.plt \
+        -o x.png $size --shader smooth --baseline bvh
+    cured render knot.plt -o x.png $size --shader smooth
+    says "--shader smooth takes --residency resident" render knot.plt -o x.png $size \
+        --shader smooth --residency streamed
+    cured render knot.plt -o x.png $size --shader smooth --residency resident
+    says "%s; leave out --shader smooth" render compact.plt -o x.png $size --shader smooth
+    cured render compact.plt -o x.png $size
+    says "--shader smooth is for planelet render; a device gets eyelight, normal or triangle" \
+        serve knot.plt --emulate 300000 -o x.png $size --shader smooth
+    cured serve knot.plt --emulate 300000 -o x.png $size --shader normal
+}
+finish

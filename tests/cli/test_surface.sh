@@ -1,0 +1,92 @@
+#!/bin/sh
+# test_surface.sh - normals and colours, from meshes to pictures
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+. tests/cli/cli.sh
+begin surface
+run make knot --triangles 4000 -o knot.ply
+works "an image without normals" pack knot.ply -o flat.plt
+works "... with those that --smooth makes" pack knot.ply -o smooth.plt --smooth 60
+works "... none of which are split" pack knot.ply -o round.plt --smooth 180
+
+# number KEY IMAGE
+number() {
+    "$PLANELET" info "$2" --json | sed -n "s/^ *\"$1\": \([0-9.]*\).*/\1/p"
+}
+
+verdict "... takes at most 1.5 bytes per triangle more, which info prints" "$(
+    each=$(number normal_bytes_per_triangle round.plt)
+    awk -v each="$each" 'BEGIN { exit !(each > 1 && each <= 1.5) }' || echo "$each bytes"
+    more=$(($(wc -c <round.plt) - $(wc -c <flat.plt)))
+    [ "$more" -eq $(($(number normal_bytes round.plt) + 64)) ] || echo "$more bytes more"
+    "$PLANELET" info round.plt | grep -q '^normal bytes .* per triangle$' || echo "not printed"
+    [ "$(number normal_bytes flat.plt)" = 0 ] || echo "an image without has some")"
+
+# All but sizes and checks of the header, and what is behind.
+cut_header() {
+    dd if="$1" bs=1 skip=24 count=204 2>/dev/null
+    dd if="$1" bs=1 skip=232 count=$(($(wc -c <flat.plt) - 232)) 2>/dev/null
+}
+cut_header flat.plt >flat.cut
+cut_header smooth.plt >smooth.cut
+same flat.cut smooth.cut "... tree and triangles are the same"
+
+for image in flat smooth; do
+    works "$image: eye light" render $image.plt -o $image.ppm --size 64x48
+    works "$image: the shader smooth" render $image.plt -o $image.smooth.ppm --size 64x48 \
+        --shader smooth
+done
+same flat.ppm smooth.ppm "eye light does not look at normals"
+verdict "smooth does" "$(differ smooth.ppm smooth.smooth.ppm)"
+for how in "--packet 2" "--packet 16" "--walk two-stage" "--structure grid" "--source read" \
+    "--workers 2"; do
+    # shellcheck disable=SC2086
+    run render smooth.plt -o other.ppm --size 64x48 --shader smooth $how
+    same smooth.smooth.ppm other.ppm "smooth, $how: the same picture"
+done
+run pack knot.ply -o device.plt --build device --smooth 60
+run render device.plt -o other.ppm --size 64x48 --shader smooth
+same smooth.smooth.ppm other.ppm "smooth, --build device: the same picture"
+
+# ---- of meshes ---------------------------------------------------------------------------------
+
+cat >square.obj <<'EOF'
+v -1 -1 0 1 0 0
+v 1 -1 0 0 1 0
+v 1 1 0 0 0 1
+v -1 1 0 1 1 1
+vn 0 0 1
+f 1//1 2//1 3//1 4//1
+EOF
+run pack square.obj -o plain.plt
+verdict "what a mesh has and the image does not is said in one line" "$(
+    grep -qx 'square.obj: left out 4 colours, 1 normal' err || cat err)"
+works "normals and colours of a mesh" pack square.obj -o square.plt --normals keep --colours keep
+verdict "... are in the image" "$(
+    for what in colour_bytes normal_bytes; do
+        [ "$(number $what square.plt)" -gt 0 ] || echo "no $what"
+    done
+    grep -q 'left out' err && cat err)"
+works "their picture" render square.plt -o square.ppm --size 64x64 --shader smooth \
+    --eye 0,0,4 --look 0,0,0 --up 0,1,0 --fov 30
+# colour X Y: red, green and blue of a pixel of square.ppm.
+colour() {
+    tail -c "+$((14 + 3 * (64 * $2 + $1)))" square.ppm | od -An -v -t u1 -N 3 | tr -s ' '
+}
+verdict "... is red, green, blue and white in its corners" "$(
+    for corner in "5 58 red" "58 58 green" "58 5 blue" "5 5 white"; do
+        # shellcheck disable=SC2086
+        set -- $corner
+        # shellcheck disable=SC2046
+        set -- "$3" $(colour "$1" "$2")
+        case $1 in
+        red) [ "$2" -gt 180 ] && [ "$3" -lt 60 ] && [ "$4" -lt 60 ] ;;
+        green) [ "$2" -lt 60 ] && [ "$3" -gt 180 ] && [ "$4" -lt 60 ] ;;
+        blue) [ "$2" -lt 60 ] && [ "$3" -lt 60 ] && [ "$4" -gt 180 ] ;;
+        white) [ "$2" -gt 180 ] && [ "$3" -gt 180 ] && [ "$4" -gt 180 ] ;;
+        esac || echo "$*"
+    done)"
+printf "v 0 0 0\nvn nan 0 0\n" >bad.obj
+refused "a normal that is none, with its line" bad.obj "line 2: the normal" \
+    pack bad.obj -o x.plt --normals keep
+finish
