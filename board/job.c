@@ -159,7 +159,9 @@ static int read_shader(const char *all, job *j) {
         return read_lights(all, j);
     }
 #endif
-    j->options.surface = PLT_WITH_SURFACE && j->frame.shader == PLT_SHADE_SMOOTH;
+#if PLT_WITH_SURFACE
+    j->options.surface = j->frame.shader == PLT_SHADE_SMOOTH;
+#endif
     return 0;
 }
 

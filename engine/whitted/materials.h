@@ -1,4 +1,4 @@
-/* materials - what triangles are made of: the section of SPEC.md, 4.20
+/* materials - what triangles are made of: the section of SPEC.md, 4.21
  *
  * Invariant: plt_materials_check has been through what is read here, so that an index is below
  * the count and a number in its range.
