@@ -223,9 +223,10 @@ static void say_next(const char *name, const char *out, int are_instances) {
     }
     if (are_instances) {
         note("next: planelet pack --instances %s -o %s.plt", word, name);
+    } else if (has_materials(name, out)) {
+        note("next: planelet pack --materials keep --smooth 40 %s -o %s.plt", word, name);
     } else {
-        note("next: planelet pack %s%s -o %s.plt", word,
-             has_materials(name, out) ? " --materials keep --smooth 40" : "", name);
+        note("next: planelet pack %s -o %s.plt", word, name);
     }
     if (strcmp(name, "room") == 0) {
         note("then, from inside: planelet render room.plt --show %s", SCENE_ROOM_VIEW);

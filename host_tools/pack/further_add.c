@@ -10,7 +10,6 @@
 #include "engine/image/header_at.h"
 #include "engine/planelet_crc32.h"
 #include "host_tools/base/heap.h"
-#include "host_tools/pack/image_size.h"
 
 /* Sections that are there, and where their table begins, or will. */
 typedef struct before {
@@ -64,16 +63,13 @@ static int take(packed *image, unsigned char *bytes, uint32_t size, const char *
 }
 
 int further_add(packed *image, uint32_t kind, const unsigned char *section, uint32_t size,
-                const char *name, const char *remedy, fail *f) {
+                const char *name, fail *f) {
     before b;
     if (read_before(image, &b) != 0) {
         return fail_set(f, name, "there is no room for one more section; please report this");
     }
     const uint32_t grown = plt_further_table_bytes(b.count + 1) - b.bytes;
     const uint64_t all = (uint64_t)image->size + grown + size;
-    if (image_size_check(name, image->info.triangles, all, 0, remedy, f) != 0) {
-        return -1;
-    }
     unsigned char *bytes = heap_get_aligned(all);
     if (bytes == NULL) {
         return fail_set(f, name, "out of memory; use a larger machine");

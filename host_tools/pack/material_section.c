@@ -12,6 +12,7 @@
 #include "engine/whitted/materials.h"
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/further_add.h"
+#include "host_tools/pack/image_size.h"
 
 typedef struct section {
     const mesh_materials *m;
@@ -93,13 +94,16 @@ static int add(packed *image, section *s, const char *name, material_stats *stat
                         "has more than 256 materials; merge some, or use --materials none");
     }
     const uint64_t size = plt_materials_bytes(&s->as);
-    unsigned char *bytes = size <= UINT32_MAX ? heap_get_zeroed(size) : NULL;
+    if (image_size_check(name, image->info.triangles, image->size + size + FURTHER_ADD_MORE, 0,
+                         "use --materials none, or --reduce", f) != 0) {
+        return -1;
+    }
+    unsigned char *bytes = heap_get_zeroed(size);
     if (bytes == NULL) {
         return fail_set(f, name, "out of memory; use a larger machine");
     }
     put_section(bytes, s);
-    const int status = further_add(image, PLT_SECTION_MATERIALS, bytes, (uint32_t)size, name,
-                                   "use --materials none, or --reduce", f);
+    const int status = further_add(image, PLT_SECTION_MATERIALS, bytes, (uint32_t)size, name, f);
     heap_drop(bytes);
     *stats = (material_stats){s->as.count, (uint32_t)size, s->as.bits, s->as.runs};
     return status;
