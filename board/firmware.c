@@ -5,7 +5,9 @@
  * exactly the same camera:
  *   size=320x240       pixels          eye= look= up= tan=   the camera; tan is
  *   packet=8           rays per side               of half the vertical angle
- *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle|smooth
+ *   walk=depth|two     order of traversal          shader=eyelight|normal|triangle|smooth|whitted
+ *   sun= point=        with shader=whitted, where the engine has PLT_WITH_WHITTED: x,y,z of the
+ *                      direction or place, power, radius and samples; sky= ground= r,g,b; depth=4
  *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
  *   structure=tree|grid                            if the engine has PLT_WITH_GRID
@@ -87,7 +89,13 @@ static void print_frame(const plt_frame *frame, uint32_t tiles, uint32_t ticks,
 /* The main loop of a device: a step of the renderer, then whatever else there
  * is to do (here: the tile). Returns PLT_OK or an error. */
 static int render(plt_engine *engine, const job *j, uint32_t *tiles) {
-    int status = plt_render_begin(engine, &j->frame);
+#if PLT_WITH_WHITTED
+    const int lit =
+        j->frame.shader == PLT_SHADE_WHITTED ? plt_lighting_set(engine, &j->lighting) : PLT_OK;
+#else
+    const int lit = PLT_OK;
+#endif
+    int status = lit == PLT_OK ? plt_render_begin(engine, &j->frame) : lit;
     if (status < 0) {
         return status;
     }

@@ -12,9 +12,15 @@
 #define KEYS_OF_GRIDS ""
 #endif
 
+#if PLT_WITH_WHITTED
+#define KEYS_OF_LIGHTS " sun point sky ground depth"
+#else
+#define KEYS_OF_LIGHTS ""
+#endif
+
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_GRIDS;
+    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -96,9 +102,71 @@ static int read_camera(const char *all, job *j) {
     return 0;
 }
 
+#if PLT_WITH_WHITTED
+/* Where it shines from, power, radius and samples. */
+enum { LIGHT_NUMBERS = 6, DEPTH_USUAL = 4 };
+
+static int read_light(const char *all, const char *key, uint8_t kind, plt_lighting *to) {
+    float n[LIGHT_NUMBERS];
+    const int status = read_floats(all, key, n, LIGHT_NUMBERS);
+    if (status > 0) {
+        const float samples = n[5] >= 1.0f && n[5] <= 255.0f ? n[5] : 0.0f; /* 0 is refused */
+        const plt_light light = {
+            {n[0], n[1], n[2]}, {n[3], n[3], n[3]}, n[4], kind, (uint8_t)samples};
+        to->light[to->lights++] = light;
+    }
+    return status;
+}
+
+/* sun=, point=, sky=, ground= and depth=, as `planelet render` has them. */
+static int read_lights(const char *all, job *j) {
+    uint32_t depth = DEPTH_USUAL;
+    plt_lighting *l = &j->lighting;
+    if (read_light(all, "sun", PLT_LIGHT_DISTANT, l) < 0 ||
+        read_light(all, "point", PLT_LIGHT_POINT, l) < 0 ||
+        read_floats(all, "sky", l->sky, 3) < 0 || read_floats(all, "ground", l->ground, 3) < 0 ||
+        job_u32(all, "depth", 0, PLT_BOUNCES_MOST, &depth) < 0) {
+        return -1;
+    }
+    l->bounces = (uint8_t)depth;
+    j->options.whitted = (uint8_t)(1 + depth);
+    return 0;
+}
+
+#endif
+
+/* Those that come last are of engines that have them. */
+static int read_shader(const char *all, job *j) {
+    static const char *const shaders[] = {
+        "eyelight",
+        "normal",
+        "triangle",
+#if PLT_WITH_SURFACE
+        "smooth",
+#endif
+#if PLT_WITH_WHITTED
+        "whitted",
+#endif
+    };
+    if (job_word(all, "shader", shaders, sizeof shaders / sizeof shaders[0], &j->frame.shader) <
+        0) {
+        return -1;
+    }
+#if PLT_WITH_WHITTED
+    if (j->frame.shader == sizeof shaders / sizeof shaders[0] - 1) {
+        j->frame.shader = PLT_SHADE_WHITTED;
+        j->options.surface = PLT_WITH_SURFACE;
+        return read_lights(all, j);
+    }
+#endif
+#if PLT_WITH_SURFACE
+    j->options.surface = j->frame.shader == PLT_SHADE_SMOOTH;
+#endif
+    return 0;
+}
+
 static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
-    static const char *const shaders[] = {"eyelight", "normal", "triangle", "smooth"};
     static const char *const residencies[] = {"resident", "streamed"};
     static const char *const schedules[] = {"branch", "batch", "task"};
     if (job_word(all, "walk", walks, 2, &j->options.order) < 0 ||
@@ -108,11 +176,7 @@ static int read_words(const char *all, job *j) {
                  &j->options.schedule) < 0) {
         return -1;
     }
-    if (job_word(all, "shader", shaders, 3 + PLT_WITH_SURFACE, &j->frame.shader) < 0) {
-        return -1;
-    }
-    j->options.surface = PLT_WITH_SURFACE && j->frame.shader == PLT_SHADE_SMOOTH;
-    return 0;
+    return read_shader(all, j);
 }
 
 /* structure=, where there are grids. */

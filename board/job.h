@@ -9,6 +9,9 @@
 typedef struct job {
     plt_frame frame;
     plt_options options;
+#if PLT_WITH_WHITTED
+    plt_lighting lighting; /* of PLT_SHADE_WHITTED */
+#endif
     uint32_t visits; /* per step of the main loop */
     unsigned given;  /* bit 0 eye, 1 look, 2 up, 3 tan: in the parameters */
 } job;

@@ -21,6 +21,8 @@
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   surface  with normals and colours (plt_options.surface); likewise
+#   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
+#            firmware is without unless it asks for it
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -75,9 +77,11 @@ grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_gr
     engine/shade/beam_references.c engine/shade/beam_slopes.c)
 instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engine/place.c \
     engine/scene/open_instances.c engine/trace/traverse_instances.c
-surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c engine/image/further.c \
+surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
     engine/tree/compact/block_record.c
+further_files := engine/image/further.c
+whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c engine/shade/whitted_frame.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
@@ -96,9 +100,10 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices grid instances surface frames,$(PARTS)),)
+    subtree sequence vertices grid instances surface whitted frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, subtree, sequence, vertices, grid, instances, surface or frames; it has \
+    seek, motion, some, subtree, sequence, vertices, grid, instances, surface, whitted or frames; it \
+    has \
     $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
@@ -146,8 +151,8 @@ ifneq ($(filter frames,$(PARTS)),)
 ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
-ifneq ($(filter wave batch instances,$(PARTS)),)
-$(error PARTS with frames has no wave, batch or instances: make PARTS='render thesis frames')
+ifneq ($(filter wave batch instances whitted,$(PARTS)),)
+$(error PARTS with frames has no wave, batch, instances or whitted: make PARTS='render thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')
@@ -170,7 +175,9 @@ without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_subtree := $(if $(filter host,$(BOARD))$(filter subtree,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
+without_whitted := $(if $(filter host,$(BOARD))$(filter whitted,$(PARTS)),,yes)
 without_surface := $(if $(filter host,$(BOARD))$(filter surface,$(PARTS)),,yes)
+without_further := $(if $(without_whitted),$(without_surface))
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
@@ -183,7 +190,8 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_some),$(some_files)) $(if $(without_subtree),$(subtree_files)) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
     $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
-    $(if $(without_grid),$(grid_files)) $(if $(without_surface),$(surface_files)),$(ENGINE_ALL))
+    $(if $(without_whitted),$(whitted_files)) $(if $(without_surface),$(surface_files)) \
+    $(if $(without_further),$(further_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
@@ -192,6 +200,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
     $(if $(without_surface),-DPLT_WITH_SURFACE=0) \
+    $(if $(without_whitted),-DPLT_WITH_WHITTED=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
     $(if $(without_subtree),-DPLT_WITH_SUBTREES=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
@@ -211,7 +220,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/sequence.c engine/frame_put.c engine/beside.c engine/motion/beside.c \
     engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c engine/surface_room.c \
-    engine/surface/surface_data.c)
+    engine/surface/surface_data.c engine/whitted_room.c engine/whitted/materials.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

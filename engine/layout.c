@@ -21,6 +21,7 @@
 #include "engine/trace/wide_form.h"
 #include "engine/tree/compact/validate.h"
 #include "engine/tree/thesis/validate.h"
+#include "engine/whitted/state.h"
 
 #if PLT_WITH_BUILDER
 #include "engine/builder/build.h"
@@ -482,6 +483,13 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
         return wide_bytes(s);
     case PLT_PART_WAVE:
         return wave_bytes(s);
+#if PLT_WITH_WHITTED
+    case PLT_PART_WHITTED:
+        return s->options->whitted > 0 ? plt_whitted_bytes(packet_side(s), s->options->whitted - 1u)
+                                       : 0;
+    case PLT_PART_MATERIALS:
+        return s->options->whitted > 0 && !s->mapped ? s->info->material_bytes : 0;
+#endif
 #if PLT_WITH_GRID
     case PLT_PART_GRID: /* the least; opening adds what there is room for */
         return has_grid(s) ? plt_grid_least_bytes(s->info->triangles) : 0;
@@ -596,6 +604,11 @@ static int is_structure_valid(const plt_options *o) {
            (o->structure == PLT_STRUCTURE_GRID && o->wide == 0 && o->residency == 0);
 }
 
+static int is_whitted_valid(const plt_options *o) {
+    return !PLT_WITH_WHITTED || o->whitted == 0 ||
+           (o->whitted <= 1 + PLT_BOUNCES_MOST && o->schedule == PLT_SCHEDULE_BRANCH);
+}
+
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
@@ -604,7 +617,8 @@ int plt_layout_options_valid(const plt_options *o) {
            (!PLT_WITH_PREFETCH || o->prefetch <= PLT_PREFETCH_MOST) && is_batch_valid(o) &&
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
            is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) &&
-           is_structure_valid(o) && is_records_valid(o) && o->surface <= PLT_WITH_SURFACE;
+           is_structure_valid(o) && is_records_valid(o) && o->surface <= PLT_WITH_SURFACE &&
+           is_whitted_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

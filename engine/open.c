@@ -16,6 +16,7 @@
 #include "engine/surface_room.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
+#include "engine/whitted_room.h"
 
 /* Packets of a batch, unless it is said how many: more save little (DESIGN.md, section 3.1), and
  * of fewer than the least the next smaller ones are better. */
@@ -285,6 +286,9 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
         status = start_wave(e, &o, part);
     }
     if (status == PLT_OK) {
+        status = plt_whitted_room_set(e, header, part, fault);
+    }
+    if (status == PLT_OK) {
         const plt_info sized = sized_for(e);
         status = plt_motion_room_set(e, &o, &sized, part);
     }
@@ -425,6 +429,18 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     return with_need(e, status, fault);
 }
 
+/* Of what was built step by step, whose header is not at hand any more. */
+static int start_built(plt_engine *e, plt_fault *fault) {
+#if PLT_WITH_WHITTED
+    plt_header header;
+    if (e->options.whitted > 0) {
+        const int status = read_header(&e->source, &header, fault);
+        return status == PLT_OK ? start_worker(e, &header, fault) : status;
+    }
+#endif
+    return start_worker(e, NULL, fault);
+}
+
 int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     plt_layout layout;
     *fault = no_fault;
@@ -439,7 +455,7 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     const plt_opening o = opening_of(e, &layout, fault);
     int status = plt_scene_build_step(&o, e->build, splits > 0 ? splits : 1);
     if (status == PLT_OK) {
-        status = start_worker(e, NULL, fault);
+        status = start_built(e, fault);
     }
     if (status == PLT_OK) {
         e->build = NULL;

@@ -41,7 +41,8 @@ extern "C" {
  * (plt_options.records, beside; plt_motion.over_vertices, is_beside), and their tree be built anew
  * (plt_rebuild_begin); bodies can be placed by matrices (plt_place); rays can go through a grid
  * (plt_options.structure); hits have normals and colours (plt_options.surface, plt_surface_at,
- * PLT_SHADE_SMOOTH); plt_trace and
+ * PLT_SHADE_SMOOTH); frames can have lights, shadows, mirrors and glass
+ * (plt_options.whitted, plt_lighting_set); plt_trace and
  * plt_render_step report a source that fails. Images are those of 1.0. */
 #define PLT_VERSION_MAJOR 2
 #define PLT_VERSION_MINOR 0
@@ -244,7 +245,14 @@ typedef struct plt_options {
                       * also 4 bytes per triangle, of compact blocks 6, to find it by its number. Of
                       * scenes that are resident, not movable and not of instances; compact blocks
                       * are not built here, and have no frames. Without PLT_WITH_SURFACE: 0 */
+    uint8_t whitted; /* room for frames of PLT_SHADE_WHITTED: 1 and the most bounces that they may
+                      * have, up to 1 + PLT_BOUNCES_MOST, for 85 bytes per ray of a packet, 40 more
+                      * per bounce, and the image's materials if it is not mapped; 0: none. With
+                      * PLT_SCHEDULE_BRANCH. Without PLT_WITH_WHITTED it is not looked at */
 } plt_options;
+
+/* Rays one after another that a mirror or glass may send out, at most. */
+#define PLT_BOUNCES_MOST 8u
 
 /* Fewer triangles are not worth the bytes that are kept of them. */
 #define PLT_SUBTREE_LEAST 16u
@@ -289,6 +297,9 @@ typedef struct plt_info {
 #if PLT_WITH_SURFACE
     uint32_t normal_bytes; /* of the section of normals; 0: there are none */
     uint32_t colour_bytes; /* ... and of colours */
+#endif
+#if PLT_WITH_WHITTED
+    uint32_t material_bytes; /* ... and of materials; 0: there are none */
 #endif
 } plt_info;
 
@@ -618,8 +629,10 @@ enum plt_shader {
     PLT_SHADE_EYELIGHT = 0, /* grey by the angle to the ray (thesis, 5.1) */
     PLT_SHADE_NORMAL = 1,   /* colour by the direction of the surface */
     PLT_SHADE_TRIANGLE = 2, /* a flat colour per triangle */
-    PLT_SHADE_SMOOTH = 3    /* as eye light, by the normals and colours of plt_surface_at; of
+    PLT_SHADE_SMOOTH = 3,   /* as eye light, by the normals and colours of plt_surface_at; of
                              * scenes opened with plt_options.surface */
+    PLT_SHADE_WHITTED = 16  /* lights, shadows, mirrors and glass (plt_lighting_set), in sRGB; of
+                             * engines that have room for it (plt_options.whitted) */
 };
 
 typedef struct plt_frame {
@@ -638,6 +651,43 @@ typedef struct plt_tile {
 /* Starts a frame (and drops an unfinished one). Errors: PLT_ERR_ARGUMENT
  * for a camera without direction, a zero size, an unknown shader. */
 int plt_render_begin(plt_engine *engine, const plt_frame *frame);
+
+enum plt_light_kind {
+    PLT_LIGHT_POINT = 0,  /* fades by the distance squared */
+    PLT_LIGHT_DISTANT = 1 /* as a sun: from one direction, everywhere alike */
+};
+
+#define PLT_LIGHTS_MOST 8u
+#define PLT_LIGHT_SAMPLES_MOST 16u
+
+typedef struct plt_light {
+    float at[3];     /* where it is; distant: the direction towards it, of any length. Components
+                      * within +-2^40 */
+    float power[3];  /* red, green and blue that a white surface shows which faces it at a distance
+                      * of 1; of a distant one at any. 0 .. 2^40 */
+    float radius;    /* of a disc that faces what it lights: shadows are soft; distant: of one at a
+                      * distance of 1. 0: they are sharp. Up to 2^40 */
+    uint8_t kind;    /* enum plt_light_kind */
+    uint8_t samples; /* of the disc, a shadow ray each; 1 .. PLT_LIGHT_SAMPLES_MOST */
+} plt_light;
+
+/* What frames of PLT_SHADE_WHITTED are lit by. Light is linear: 1 is white, more is cut off. */
+typedef struct plt_lighting {
+    plt_light light[PLT_LIGHTS_MOST];
+    float sky[3], ground[3]; /* light from above and from below, and what rays see that miss:
+                              * between them by the angle to the frame's up. 0 .. 2^20 */
+    uint8_t lights;          /* of `light` */
+    uint8_t bounces;         /* rays that are not followed any further take the sky's light; at most
+                              * those of plt_options.whitted */
+} plt_lighting;
+
+/* Copies it; until it is called there is no light at all. Ends a frame that was being rendered.
+ * What triangles are made of their image says (SPEC.md, 4.21): of one that does not, and of
+ * instances, all are of clay. Glass throws a shadow as what is opaque does. PLT_ERR_ARGUMENT: a
+ * value is out of range, or there is no room for it; nothing has changed.
+ *
+ * Not there without PLT_WITH_WHITTED. */
+int plt_lighting_set(plt_engine *engine, const plt_lighting *lighting);
 
 /* Goes on with the frame for about `visits` node visits (at least one stack
  * entry is worked off; one entry visits at most a treelet or a list), so

@@ -135,8 +135,13 @@
 #ifndef PLT_WITH_SURFACE
 #define PLT_WITH_SURFACE 1
 #endif
+
+/* Frames with lights, shadows, mirrors and glass (PLT_SHADE_WHITTED). */
+#ifndef PLT_WITH_WHITTED
+#define PLT_WITH_WHITTED PLT_WITH_GROUPS
+#endif
 /* Images may have sections behind those of tree and triangles. */
-#define PLT_WITH_FURTHER PLT_WITH_SURFACE
+#define PLT_WITH_FURTHER (PLT_WITH_SURFACE || PLT_WITH_WHITTED)
 
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
@@ -334,6 +339,9 @@
 #endif
 #if PLT_WITH_SURFACE != 0 && PLT_WITH_SURFACE != 1
 #error "PLT_WITH_SURFACE is the digit 0 or 1"
+#endif
+#if (PLT_WITH_WHITTED != 0 && PLT_WITH_WHITTED != 1) || (PLT_WITH_WHITTED && !PLT_WITH_GROUPS)
+#error "PLT_WITH_WHITTED is the digit 0, or with PLT_WITH_GROUPS 1"
 #endif
 #if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
 #error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"

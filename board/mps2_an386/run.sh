@@ -3,7 +3,7 @@
 #
 # The scene goes into PSRAM by QEMU's loader; "" leaves that to scene=PATH, and so does
 # SOURCE=file, which gives its path: it stays in the file, and is fetched by semihosting.
-# Prints what the firmware prints, then "instructions total=N open=N render=N
+# Prints what the firmware prints, then "instructions total=N open=N render=N ... render_longest=N
 # stored_stack=N", "instructions_per_ray N" and "stack painted=N stored=N worst=N".
 # PROFILE=PATH writes a count for every instruction there. MARKS=PATH, of PROGRAM=played, a line
 # for what came before the first frame and one for each frame (board/tools/count.c); of

@@ -11,7 +11,7 @@
  * With mark=ADDRESS,marks=PATH the instruction there ends a chapter, of which PATH gets a line:
  * "chapter total=N NAME=N NAME_passes=N NAME_longest=N ...", of each region its sum, how often it
  * was passed, and the longest pass. What has not come to its END counts where it does.
- * Writes "instructions total=N NAME=N ... stored_stack=N" to FILE.
+ * Writes "instructions total=N NAME=N ... NAME_longest=N ... stored_stack=N" to FILE.
  *
  * Debian ships QEMU with plug-ins but without their header, so the calls in
  * use are declared here (QEMU, docs/devel/tcg-plugins, version 1).
@@ -180,6 +180,9 @@ static void report(plugin_id id, void *context) {
     fprintf(out, "instructions total=%" PRIu64, total);
     for (int i = 0; i < region_count; i++) {
         fprintf(out, " %s=%" PRIu64, regions[i].name, regions[i].spent);
+    }
+    for (int i = 0; i < region_count && !marks; i++) {
+        fprintf(out, " %s_longest=%" PRIu64, regions[i].name, regions[i].longest);
     }
     if (stack_high) {
         const uint64_t used = lowest_store == UINT64_MAX ? 0 : stack_high - lowest_store;

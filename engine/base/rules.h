@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R18 refuse an image by its header and checksums, I1 to I29 are invariants of
+ * R1 to R19 refuse an image by its header and checksums, I1 to I29 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -25,7 +25,8 @@ enum plt_refusal {
     PLT_R15_SEQUENCE = 15,    /* counts and lattice of a sequence */
     PLT_R16_INSTANCES = 16,   /* counts of bodies, instances and their frames */
     PLT_R17_FURTHER = 17,     /* the table of further sections */
-    PLT_R18_SURFACE = 18      /* what a section of normals or colours begins with */
+    PLT_R18_SURFACE = 18,     /* what a section of normals or colours begins with */
+    PLT_R19_MATERIALS = 19    /* the section of materials */
 };
 
 enum plt_invariant {

@@ -47,15 +47,22 @@ static int is_zero(const unsigned char *bytes, uint32_t count) {
 
 /* Kinds rise, so that each is there once; this engine knows all of them. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_COLOURS;
+    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS;
 }
 
 static void put_bytes(plt_info *info, const plt_section *s) {
+#if PLT_WITH_SURFACE
     if (s->kind == PLT_SECTION_NORMALS) {
         info->normal_bytes = s->bytes;
     } else if (s->kind == PLT_SECTION_COLOURS) {
         info->colour_bytes = s->bytes;
     }
+#endif
+#if PLT_WITH_WHITTED
+    if (s->kind == PLT_SECTION_MATERIALS) {
+        info->material_bytes = s->bytes;
+    }
+#endif
 }
 
 static int read_entries(plt_header *h, const unsigned char *table, uint32_t bytes,

@@ -35,7 +35,8 @@ enum plt_section_kind {
     PLT_SECTION_BODIES = 10,       /* of instances: bodies, and which one each has */
     PLT_SECTION_MATRICES = 11,     /* ... and where they are, frame by frame */
     PLT_SECTION_NORMALS = 12,      /* further ones: normals of corners */
-    PLT_SECTION_COLOURS = 13       /* ... and their colours */
+    PLT_SECTION_COLOURS = 13,      /* ... and their colours */
+    PLT_SECTION_MATERIALS = 14     /* ... and what triangles are made of */
 };
 
 typedef struct plt_section {

@@ -105,6 +105,14 @@
 #define PLT_PARTS_OF_SURFACES(ROW)
 #endif
 
+#if PLT_WITH_WHITTED
+#define PLT_PARTS_OF_LIGHT(ROW)                                                                    \
+    ROW(WHITTED, RUNS, "pixels with lights and mirrors")                                           \
+    ROW(MATERIALS, RUNS, "materials")
+#else
+#define PLT_PARTS_OF_LIGHT(ROW)
+#endif
+
 /* ROW(name, lifetime, what it is) in the order of the cuts. */
 #define PLT_PARTS(ROW)                                                                             \
     ROW(ENGINE, STAYS, "engine")                                                                   \
@@ -126,6 +134,7 @@
     PLT_PARTS_OF_INSTANCES(ROW)                                                                    \
     PLT_PARTS_OF_SURFACES(ROW)                                                                     \
     PLT_PARTS_OF_MOTION(ROW)                                                                       \
+    PLT_PARTS_OF_LIGHT(ROW)                                                                        \
     ROW(WIDE_FORM, RUNS, "wide form of the tree")                                                  \
     ROW(WAVE, RUNS, "rays in flight")                                                              \
     PLT_PARTS_OF_GRIDS(ROW)

@@ -6,6 +6,7 @@
 #include "engine/shade/packet_shade.h"
 #include "engine/shade/smooth.h"
 #include "engine/shade/tile_sky.h"
+#include "engine/shade/whitted_frame.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
 #define HAS_BEAMS(r) (PLT_WITH_BEAMS && (!PLT_WITH_GROUPS || (r)->beams))
@@ -20,6 +21,12 @@
 #define HAS_BATCHES(r) ((r)->batch != NULL)
 #else
 #define HAS_BATCHES(r) 0
+#endif
+
+#if PLT_WITH_WHITTED
+#define HAS_LIGHTS(r) ((r)->frame.shader == PLT_SHADE_WHITTED)
+#else
+#define HAS_LIGHTS(r) 0
 #endif
 
 /* Packets are traced elsewhere (frame_packets.h). */
@@ -46,7 +53,7 @@ void plt_rendering_init(plt_rendering *r, uint8_t *tile, void *beam, uint32_t pa
 static int has_beams(const plt_rendering *r, const plt_traversal *t) {
     const unsigned format = t->scene->format;
     return !PLT_LANES_REGISTERS && t->order == PLT_ORDER_DEPTH_FIRST && !HAS_BATCHES(r) &&
-           !HAS_TASKS(r) && plt_has_beams(format) &&
+           !HAS_TASKS(r) && !HAS_LIGHTS(r) && plt_has_beams(format) &&
            (!plt_has_store(format) || r->side >= PLT_BEAM_BLOCKS_LEAST);
 }
 
@@ -119,10 +126,13 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
     }
 #if PLT_WITH_GROUPS
     plt_view_packet(&r->view, box_of(r, t), p, pixels);
-    if (IS_SMOOTH(r)) {
+    if (IS_SMOOTH(r) || (HAS_LIGHTS(r) && plt_whitted_frame_wants_weights(t))) {
         plt_packet_want_weights(p);
     }
     plt_traversal_begin(t, p, rays);
+    if (HAS_LIGHTS(r)) {
+        plt_whitted_frame_begin(r, p, pixels);
+    }
 #else
     (void)p;
 #endif
@@ -131,6 +141,10 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
 static void shade_packet(const plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
 #if PLT_WITH_GROUPS
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
+    if (HAS_LIGHTS(r)) {
+        plt_whitted_frame_shade(r, pixels, &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
+        return;
+    }
     plt_packet_shade(p, &r->frame, pixels, &r->sky[3 * r->at.py],
                      &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
 #else
@@ -272,7 +286,8 @@ static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
 
 int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
     r->done = 1;
-    if (frame->width == 0 || frame->height == 0 || !is_shader(frame->shader, t->scene)) {
+    if (frame->width == 0 || frame->height == 0 ||
+        !(is_shader(frame->shader, t->scene) || plt_whitted_frame_valid(r, frame))) {
         return PLT_ERR_ARGUMENT;
     }
     r->frame = *frame;
@@ -280,6 +295,9 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
     if (status == PLT_OK) {
 #if PLT_WITH_INSTANCES
         set_box(r, t->scene);
+#endif
+#if PLT_WITH_GROUPS
+        plt_whitted_frame_set(r, box_of(r, t));
 #endif
         r->beams = (uint8_t)has_beams(r, t);
         if (HAS_BEAMS(r)) {
@@ -291,6 +309,13 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         plt_rendering_begin_batches(r, UINT32_MAX);
     }
     return status;
+}
+
+static int trace(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
+    if (HAS_LIGHTS(r)) {
+        return plt_whitted_frame_step(r, t, p, visits);
+    }
+    return HAS_BEAMS(r) ? plt_beam_trace(r->beam, t, visits) : plt_traverse(t, p, visits);
 }
 
 int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
@@ -309,8 +334,7 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (!r->tracing) {
         begin_packet(r, t, p, &pixels, rays);
     }
-    const int status =
-        HAS_BEAMS(r) ? plt_beam_trace(r->beam, t, visits) : plt_traverse(t, p, visits);
+    const int status = trace(r, t, p, visits);
     if (status < 0) {
         r->done = 1;
     }

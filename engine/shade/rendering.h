@@ -10,6 +10,7 @@
 #include "engine/schedule/batch.h"
 #include "engine/shade/beam.h"
 #include "engine/shade/frame_place.h"
+#include "engine/whitted/state.h"
 
 #define PLT_TILE_BUFFER_BYTES (3 * PLT_TILE_SIDE * PLT_TILE_SIDE)
 
@@ -24,6 +25,9 @@ typedef struct plt_rendering {
     plt_box box; /* of the scene, and around that what rays from the eye may miss it by */
 #endif
     plt_frame_place at; /* the current packet */
+#if PLT_WITH_WHITTED
+    plt_whitted *whitted; /* NULL: there is no room for it */
+#endif
 #if PLT_WITH_BATCH
     plt_batch *batch;      /* NULL: packets come one by one */
     plt_frame_place ahead; /* the next packet of the batch; `at` is the next to be shaded */

@@ -386,6 +386,14 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
     return status;
 }
 
+/* Lights fall on normals and colours of the image, if it has any that can be had. */
+static void choose_surface(scene *s, const plt_info *info) {
+    if (s->options.whitted > 0 && (info->normal_bytes > 0 || info->colour_bytes > 0)) {
+        s->options.surface = 1;
+        s->options.surface = plt_arena_need(info, 0, &s->options) > 0;
+    }
+}
+
 int scene_start(scene *s, const char *path, plt_fault *fault) {
     plt_info info;
     s->workers = s->workers > 0 ? s->workers : 1;
@@ -400,6 +408,7 @@ int scene_start(scene *s, const char *path, plt_fault *fault) {
             return PLT_ERR_ARGUMENT;
         }
     }
+    choose_surface(s, &info);
     void *arena = get_arena(s, &info);
     if (arena == NULL) {
         *fault = (plt_fault){.need_bytes = need_of(s, &info), .message = "there is no arena"};

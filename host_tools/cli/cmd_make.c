@@ -12,13 +12,14 @@
 #include "host_tools/base/progress.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/make_instances.h"
+#include "host_tools/cli/make_materials.h"
 #include "host_tools/cli/make_poses.h"
 #include "host_tools/scenes/scenes.h"
 
 static const arg_flag flags[] = {
     {"-o", "FILE",
      "the mesh to write, binary PLY; - is standard output; with --frames a '{}' in it becomes "
-     "000, 001 ..."},
+     "000, 001 ...; marbles as FILE.obj are of glass, metal and paint, as FILE.mtl says"},
     {"--triangles", "N",
      "about so many: a terrain has 2 to 10000000, a knot 24 to 10000000, a room 24000 to "
      "10000000 (default 100000); marbles 160 to 8800, 80 each and the tray (default 8800)"},
@@ -101,10 +102,19 @@ static int frame_path(char *to, size_t room, const char *pattern, unsigned frame
     return n < 0 || (size_t)n >= room ? -1 : 0;
 }
 
+/* Marbles in a file of OBJ are of glass, metal and paint. */
+static int has_materials(const char *name, const char *path) {
+    return strcmp(name, "marbles") == 0 && make_materials_has_name(path);
+}
+
 static int write_scene(const make_order *o, const char *path, fail *f) {
     mesh m = {0};
     phase_begin("making", path);
-    const int status = make_scene(&m, o, f) == 0 ? mesh_write_ply(&m, path, f) : -1;
+    int status = make_scene(&m, o, f);
+    if (status == 0) {
+        status = has_materials(o->name, path) ? make_materials(&m, path, f)
+                                              : mesh_write_ply(&m, path, f);
+    }
     phase_end();
     mesh_free(&m);
     return status;
@@ -213,6 +223,8 @@ static void say_next(const char *name, const char *out, int are_instances) {
     }
     if (are_instances) {
         note("next: planelet pack --instances %s -o %s.plt", word, name);
+    } else if (has_materials(name, out)) {
+        note("next: planelet pack --materials keep --smooth 40 %s -o %s.plt", word, name);
     } else {
         note("next: planelet pack %s -o %s.plt", word, name);
     }

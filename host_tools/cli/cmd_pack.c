@@ -19,6 +19,7 @@
 #include "host_tools/cli/pack_instances.h"
 #include "host_tools/cli/pack_json.h"
 #include "host_tools/cli/pack_lines.h"
+#include "host_tools/cli/pack_materials.h"
 #include "host_tools/cli/pack_memory.h"
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/cli/pack_surface.h"
@@ -79,6 +80,7 @@ static const arg_flag flags[] = {
      "single: for coordinates far from the origin; planelet info prints the shift"},
     {"--origin", "X,Y,Z", "move the meshes so that this point becomes 0, likewise"},
     PACK_SURFACE_FLAGS,
+    PACK_MATERIALS_FLAGS,
     {"--weld", "EPS", "make vertices of a file that are as near as EPS one, to close seams"},
     {"--repair", NULL, "drop what cannot be traced and say how much that was"},
     {"--memory", "BYTES",
@@ -132,6 +134,7 @@ typedef struct pack_job {
     pack_frames frames; /* --sequence */
     pack_instances_order instances;
     pack_surface surface;
+    pack_materials materials;
     pack_options options;
     compact_options compact; /* lattice_bits 0: thesis nodes */
     lattice_loss loss;
@@ -281,7 +284,8 @@ static int read_meshes(pack_job *job, const args *a, fail *f) {
 
 static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     job->in.m.corners = pack_surface_wanted(&job->surface) ? &job->surface.corners : NULL;
-    if (read_meshes(job, a, f) != 0) {
+    job->in.m.materials = job->materials.wanted ? &job->materials.materials : NULL;
+    if (read_meshes(job, a, f) != 0 || pack_materials_check(&job->materials, &job->in, f) != 0) {
         return -1;
     }
     const pack_plan plan = {&job->options, &job->compact, job->is_high};
@@ -301,7 +305,8 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     }
     if (open_outputs(job, f) != 0 ||
         (job->frames.wanted && pack_frames_scan(&job->frames, &job->in, f) != 0) ||
-        build(job, image, f) != 0 || pack_surface_add(&job->surface, &job->in, image, f) != 0) {
+        build(job, image, f) != 0 || pack_surface_add(&job->surface, &job->in, image, f) != 0 ||
+        pack_materials_add(&job->materials, &job->in, image, f) != 0) {
         return -1;
     }
     return write_all(job, image, f);
@@ -564,6 +569,7 @@ static void read_flags(pack_job *job, args *a) {
     read_format(job, a);
     read_instances(job, a);
     pack_surface_read(&job->surface, a);
+    pack_materials_read(&job->materials, a);
     read_checks(job, a);
     read_quality(job, a);
     job->compact.splits = job->options.splits;
@@ -599,6 +605,7 @@ int run_pack(args *a) {
         say_quality(&job.quality);
         say_treelets(&image.treelets);
         pack_surface_say(&job.surface, &image);
+        pack_materials_say(&job.materials, &image);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         pack_memory_explain(a->file[0], &f);
@@ -610,6 +617,7 @@ int run_pack(args *a) {
     pack_frames_free(&job.frames);
     pack_meshes_free(&job.in);
     pack_surface_free(&job.surface);
+    pack_materials_free(&job.materials);
     free(job.command);
     return status == 0 ? 0 : 1;
 }

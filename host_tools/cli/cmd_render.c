@@ -12,6 +12,7 @@
 #include "host_tools/app/destination.h"
 #include "host_tools/app/frame.h"
 #include "host_tools/app/frame_times.h"
+#include "host_tools/app/lights.h"
 #include "host_tools/app/moved.h"
 #include "host_tools/app/note.h"
 #include "host_tools/app/played.h"
@@ -34,11 +35,13 @@ static const arg_flag flags[] = {
     {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",
-     "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each) or "
-     "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth); "
+     "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each), "
+     "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth) or "
+     "whitted (lights, shadows, mirrors and glass); "
      "default eyelight"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
+    LIGHTS_FLAGS,
     MOVED_FLAGS,
     REBUILDS_FLAGS,
     VERTICES_FLAGS,
@@ -79,6 +82,7 @@ typedef struct rendering {
     unsigned frames, repeat;
     moved moved;
     rebuilds rebuilds;
+    lights lights;
     baseline baseline; /* kind: NULL: the engine renders */
     baseline_colours colours;
     counted counted;
@@ -347,6 +351,7 @@ static int open_all(rendering *r, args *a, fail *f) {
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
     r->first = frame->camera;
+    lights_set(&r->lights, &r->first, &r->s.crew);
     if (a->wrong || view_refused(a, frame, moved_is(&r->moved) ? 1 : r->frames, f) != 0 ||
         picture_make(&r->shown, frame->width, frame->height, f) != 0 || open_outputs(r, f) != 0) {
         return -1;
@@ -394,7 +399,7 @@ static void read_flags(rendering *r, args *a) {
     args_size(a, "--size", PICTURE_SIDE_MAX, &width, &height);
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
-    r->frame.shader = view_shader(a);
+    r->frame.shader = lights_shader(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
     if (moved_is(&r->moved)) {
@@ -414,6 +419,7 @@ static void read_flags(rendering *r, args *a) {
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
+    lights_read(&r->lights, a, r->frame.shader, &r->s.options);
     r->s.options.surface = r->frame.shader == PLT_SHADE_SMOOTH;
     r->s.spare_bytes =
         (uint64_t)(r->to.format == PICTURE_PNG ? 1 + PNG_PICTURES : 1) * 3 * width * height;

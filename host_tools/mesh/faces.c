@@ -118,7 +118,15 @@ static void unfold_fan(resolving *r, const face_fan *fan) {
     }
 }
 
-static int fill(resolving *r) {
+/* Those of a face's triangles, of which none goes further back than it came from. */
+static void take_materials(const resolving *r, size_t from, size_t count) {
+    uint16_t *of = r->m->materials != NULL ? r->m->materials->of : NULL;
+    for (size_t i = 0; i < count && of != NULL && from < r->m->materials->filled; i++) {
+        of[r->kept + i] = of[from];
+    }
+}
+
+static int fill(resolving *r, size_t from) {
     outline *o = &r->o;
     const uint32_t base = (uint32_t)r->f->first_vertex;
     for (uint32_t k = 0; k < o->corners; k++) {
@@ -138,6 +146,7 @@ static int fill(resolving *r) {
             r->f->named[3 * (r->kept - r->f->first_triangle) + i] = o->named[o->triangle[i]];
         }
     }
+    take_materials(r, from, o->corners - 2);
     r->kept += o->corners - 2;
     return 0;
 }
@@ -156,6 +165,7 @@ static void resolve_triangle(resolving *r, size_t from) {
                 named[3 * (from - r->f->first_triangle) + k];
         }
     }
+    take_materials(r, from, 1);
     r->kept++;
 }
 
@@ -168,7 +178,7 @@ static int resolve_fan(resolving *r, const face_fan *fan) {
         r->count[REPORT_BAD_FACES]++;
         return 0;
     }
-    return fill(r);
+    return fill(r, fan->first);
 }
 
 int faces_resolve(const mesh_faces *f, mesh *m, uint64_t count[REPORT_ITEMS]) {

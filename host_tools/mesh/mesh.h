@@ -11,6 +11,7 @@
 
 #include "host_tools/base/fail.h"
 #include "host_tools/mesh/corners.h"
+#include "host_tools/mesh/materials.h"
 #include "host_tools/mesh/real.h"
 #include "host_tools/mesh/report.h"
 
@@ -20,6 +21,7 @@ typedef struct mesh {
     uint32_t *triangle; /* 3 vertex indices per triangle */
     size_t vertices, triangles;
     size_t vertex_room, triangle_room; /* allocated, in vertices, triangles */
+    mesh_materials *materials;         /* for readers; NULL: nobody wants them */
     mesh_corners *corners; /* normals and colours, for readers; NULL: nobody wants them */
 } mesh;
 

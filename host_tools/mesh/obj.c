@@ -1,10 +1,11 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
  * `v` and `f` are read, and `fo`, which was `f` before version 3.0; `vn`, and the colours that some
- * programs write behind a vertex, if someone wants them. All other keywords are passed
- * over; what they would draw is counted, and so are lines of no known keyword, and of `call` and
- * `csh`, which would run other files and commands. A face may use a vertex that only comes later.
- * Vertices are counted from 1; a negative number counts back from the last vertex so far.
+ * programs write behind a vertex, `mtllib` and `usemtl`, if someone wants them. All other keywords
+ * are passed over; what they would draw is counted, and so are lines of no known keyword, and of
+ * `call` and `csh`, which would run other files and commands. A face may use a vertex that only
+ * comes later. Vertices are counted from 1; a negative number counts back from the last vertex so
+ * far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.
@@ -211,6 +212,34 @@ static void pass_over(reader *r) {
     }
 }
 
+static int fail_materials(reader *r) {
+    return intake_fail(&r->in, "out of memory, or more than 65534 materials; split the mesh");
+}
+
+/* The rest of the line: a name, in which there may be blanks. */
+static word rest_of_line(reader *r) {
+    word w = {NULL, 0};
+    while (!scan_line_done(&r->text)) {
+        const word next = scan_word(&r->text);
+        w.text = w.length == 0 ? next.text : w.text;
+        w.length = (size_t)(next.text + next.length - w.text);
+    }
+    return w;
+}
+
+/* What the faces that follow are made of, or where materials are defined. */
+static int read_material(reader *r, int is_library) {
+    mesh_materials *m = r->in.m->materials;
+    const word name = rest_of_line(r);
+    if (is_library) {
+        return materials_read_library(m, r->in.path, name.text, name.length) == 0
+                   ? 0
+                   : fail_materials(r);
+    }
+    const int number = name.length == 0 ? 0 : materials_find(m, name.text, name.length);
+    return number >= 0 && materials_use(m, r->in.m->triangles, number) == 0 ? 0 : fail_materials(r);
+}
+
 /* A comment or a name may end in a backslash (a path): it joins no lines. */
 static int read_line(reader *r) {
     r->in.at = (location){.line = r->text.line};
@@ -227,9 +256,15 @@ static int read_line(reader *r) {
     }
     const int known = find_known(w);
     r->text.continued = is_vertex || is_face || !may_be_path(w, known);
-    count_line(r, known, is_normal);
+    const int is_library = word_is(w, "mtllib");
+    const int is_material =
+        r->in.m->materials != NULL && (is_library || word_is(w, "usemtl")); /* else passed over */
+    count_line(r, known, is_normal || is_material);
     if (is_normal) {
         return read_normal(r);
+    }
+    if (is_material) {
+        return read_material(r, is_library);
     }
     if (!is_vertex && !is_face) {
         pass_over(r);
@@ -262,7 +297,13 @@ int obj_read(mesh *m, const input *in, mesh_report *report, fail *f) {
         .in = intake_begin(m, in->path, report, f),
         .text = scan_begin_filled(in->bytes, in->size),
     };
-    int result = read_lines(&r);
+    mesh_materials *materials = m->materials;
+    int result = materials == NULL || materials_begin(materials, m->triangles) == 0
+                     ? read_lines(&r)
+                     : fail_materials(&r);
+    if (result == 0 && materials != NULL && materials_end(materials, in->path, m->triangles) != 0) {
+        result = fail_materials(&r);
+    }
     if (result == 0) {
         result = intake_finish(&r.in);
     } else {

@@ -25,6 +25,7 @@ engine/scene
 engine/trace
 engine/schedule
 engine/motion
+engine/whitted
 engine/shade
 engine
 platform

@@ -39,6 +39,9 @@ test_pack_poses gives less memory
 out of memory for normals or colours; use a larger machine | $few
 %zu corners: out of memory for their normals and colours; pack on a larger machine | $few
 use --normals none and --colours none, or --reduce | $large
+use --materials none, or --reduce | $large
+out of memory, or more than 65534 materials; split the mesh | $few
+there is no room for one more section; please report this | no image of ours has seven
 use fewer frames, or --geometry lattice of fewer bits | $size
 use fewer frames, or reduce the meshes | $size
 bodies of %llu triangles and instances of %llu are more than 2^27 - 1 and 2^32 - 2; reduce their \

@@ -24,6 +24,13 @@ said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
 eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
 status=$?
 helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
+message="next: planelet pack --materials keep --smooth 40 %s -o %s.plt"
+rm marbles.plt
+./pty err "$PLANELET" make marbles -o marbles.obj >seen </dev/null
+said=$(grep -q -- "$(pattern "$message")" seen || cat seen)
+eval "$(tr -d '\r' <seen | sed -n 's/^next: //p')" >out 2>err
+status=$?
+helped "$([ -s marbles.plt ] || echo "no marbles.plt")"
 message="next: planelet pack --instances %s -o %s.plt"
 ./pty err "$PLANELET" make marbles --instances -o marbles.txt >seen </dev/null
 said=$(grep -q -- "$(pattern "$message")" seen || cat seen)

@@ -1,0 +1,79 @@
+/* state - what a packet of pixels with lights, mirrors and glass keeps
+ *
+ * Each pixel has the ray that is traced, or what it hit, and a stack of rays that wait. Invariant:
+ * at most one ray waits per level 1 .. bounces, as of two that a hit sends out one is traced next
+ * and their level is one more; so a stack holds as many as there may be bounces, and never runs
+ * over.
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_WHITTED_STATE_H
+#define PLT_WHITTED_STATE_H
+
+#include "engine/trace/traversal.h"
+#include "engine/whitted/materials.h"
+
+enum plt_lit_state {
+    PLT_LIT_DONE, /* no ray, or outside the frame */
+    PLT_LIT_RAY,  /* the ray is to be traced */
+    PLT_LIT_HIT
+};
+
+/* A ray that waits. 40 bytes. */
+typedef struct plt_lit_ray {
+    float org[3], dir[3]; /* dir: of length 1 */
+    float weight[3];      /* what its light counts in the pixel */
+    uint16_t inside;      /* 1 + the material of the glass that it runs through; 0: air */
+    uint8_t level;        /* bounces before it */
+    uint8_t pad;
+} plt_lit_ray;
+
+typedef struct plt_lit_pixel {
+    float colour[3]; /* light so far, linear */
+    plt_lit_ray ray; /* that is traced; of a hit its origin is the point that was hit */
+    float normal[3]; /* of a hit, of length 1, against the ray: what it is shaded by */
+    float side[3];   /* ... its triangle's */
+    uint8_t state;   /* enum plt_lit_state */
+    uint8_t material;
+    uint8_t is_lit;  /* lights count */
+    uint8_t waiting; /* rays */
+    uint8_t turn;    /* plt_light_turn */
+    uint8_t tint[3]; /* sRGB of its corners; 255: they have none */
+} plt_lit_pixel;
+
+_Static_assert(sizeof(plt_lit_ray) == 40 && sizeof(plt_lit_pixel) == 84, "no holes");
+
+typedef struct plt_whitted {
+    plt_lighting lighting; /* bounces: at most those that there is room for */
+    plt_materials materials;
+    const plt_box *box; /* of all that may be hit */
+    float up[3];        /* of length 1 */
+    float lift;         /* how far the origins of rays are above what they leave */
+    uint32_t pixels;    /* side^2 */
+    uint8_t room;       /* bounces that there is room for */
+    uint8_t stage;      /* enum of whitted.c */
+    uint8_t is_traced;  /* a packet is under way */
+    uint8_t is_empty;   /* ... that misses everything, and whose groups may not be set */
+    uint8_t light, sample;
+    uint32_t rays;        /* of the packet */
+    plt_lit_pixel *pixel; /* [pixels], in Z order */
+    plt_lit_ray *waiting; /* [pixels][room] */
+    uint8_t *slot;        /* [rays]: the pixel of each */
+} plt_whitted;
+
+#define PLT_WHITTED_ALIGNED(bytes) (((bytes) + 15u) & ~(size_t)15u)
+
+/* Bytes of all that, for packets of side^2 pixels and so many bounces. */
+static inline size_t plt_whitted_bytes(unsigned side, unsigned bounces) {
+    const size_t pixels = (size_t)side * side;
+    return PLT_WHITTED_ALIGNED(sizeof(plt_whitted)) +
+           PLT_WHITTED_ALIGNED(pixels * sizeof(plt_lit_pixel)) +
+           PLT_WHITTED_ALIGNED(pixels * bounces * sizeof(plt_lit_ray)) + pixels;
+}
+
+static inline void plt_lit_add(plt_lit_pixel *p, const float weight[3], const float light[3]) {
+    for (int c = 0; c < 3; c++) {
+        p->colour[c] += weight[c] * light[c];
+    }
+}
+
+#endif

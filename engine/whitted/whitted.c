@@ -1,0 +1,177 @@
+/* whitted - see whitted.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/whitted/whitted.h"
+
+#include <string.h>
+
+#include "engine/whitted/bounce.h"
+#include "engine/whitted/direct.h"
+#include "engine/whitted/lights.h"
+#include "engine/whitted/optics.h"
+#include "engine/whitted/point.h"
+#include "engine/whitted/rays_due.h"
+
+#if PLT_WITH_WHITTED
+
+enum stage { STAGE_RAYS, STAGE_SHADOWS };
+
+/* 2^-17 of the largest coordinate: a ray that leaves a triangle on one side does not meet it again
+ * (DESIGN.md, 9.1). */
+#define LIFT 7.62939453125e-6f
+
+plt_whitted *plt_whitted_init(void *memory, unsigned side, unsigned bounces) {
+    plt_whitted *w = memory;
+    memset(w, 0, sizeof *w);
+    w->pixels = side * side;
+    w->room = (uint8_t)bounces;
+    unsigned char *at = (unsigned char *)memory + PLT_WHITTED_ALIGNED(sizeof *w);
+    w->pixel = (plt_lit_pixel *)(void *)at;
+    at += PLT_WHITTED_ALIGNED(w->pixels * sizeof *w->pixel);
+    w->waiting = (plt_lit_ray *)(void *)at;
+    w->slot = at + PLT_WHITTED_ALIGNED((size_t)w->pixels * bounces * sizeof *w->waiting);
+    return w;
+}
+
+static float larger_size(float a, float b) {
+    const float size = __builtin_fabsf(b);
+    return size > a ? size : a;
+}
+
+void plt_whitted_frame(plt_whitted *w, const plt_box *box, const float eye[3], const float up[3]) {
+    float most = 0.0f;
+    w->box = box;
+    for (int a = 0; a < 3; a++) {
+        w->up[a] = up[a];
+        most = larger_size(most, eye[a]);
+        if (box->lo[a] <= box->hi[a]) {
+            most = larger_size(larger_size(most, box->lo[a]), box->hi[a]);
+        }
+    }
+    plt_optics_unit(w->up);
+    w->lift = most * LIFT;
+    w->is_traced = 0;
+}
+
+void plt_whitted_pixel_set(plt_whitted *w, uint32_t k, const float dir[3], uint8_t turn) {
+    plt_lit_pixel *p = &w->pixel[k];
+    memset(p, 0, sizeof *p);
+    p->state = PLT_LIT_RAY;
+    p->turn = turn;
+    for (int a = 0; a < 3; a++) {
+        p->ray.dir[a] = dir[a];
+        p->ray.weight[a] = 1.0f;
+    }
+    plt_optics_unit(p->ray.dir);
+}
+
+void plt_whitted_pixel_none(plt_whitted *w, uint32_t k) {
+    memset(&w->pixel[k], 0, sizeof w->pixel[k]);
+}
+
+void plt_whitted_begin(plt_whitted *w, const plt_packet *packet) {
+    w->rays = w->pixels;
+    for (uint32_t k = 0; k < w->pixels; k++) {
+        w->slot[k] = (uint8_t)k;
+    }
+    w->is_empty = packet->active == 0;
+    w->is_traced = 1;
+    w->stage = STAGE_RAYS;
+}
+
+/* Glass takes its share of a ray that ran through it for t, its direction being of length 1. */
+static void fade(const plt_whitted *w, plt_lit_pixel *p, float t) {
+    plt_material m;
+    if (p->ray.inside == 0) {
+        return;
+    }
+    plt_materials_get(&w->materials, p->ray.inside - 1u, &m);
+    for (int c = 0; c < 3; c++) {
+        p->ray.weight[c] *= plt_optics_fade(m.absorption[c] * t);
+    }
+}
+
+static void take_hit(plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
+                     const plt_packet *packet, uint32_t slot) {
+    const plt_group_rays *g = &packet->rays[slot / 4];
+    const unsigned lane = slot % 4;
+    const float t = packet->slabs.group[slot / 4].tmax[lane];
+    for (int a = 0; a < 3; a++) {
+        p->ray.org[a] = g->org[a][lane] + t * g->dir[a][lane];
+    }
+    fade(w, p, t);
+    plt_point_set(scene, p, g, lane);
+    p->material = (uint8_t)plt_materials_find(&w->materials, g->id[lane]);
+    p->state = PLT_LIT_HIT;
+    plt_direct_begin(w, p);
+}
+
+static void take_sky(const plt_whitted *w, plt_lit_pixel *p) {
+    float sky[3];
+    plt_light_sky(&w->lighting, plt_optics_dot(p->ray.dir, w->up), sky);
+    plt_lit_add(p, p->ray.weight, sky);
+    p->state = PLT_LIT_DONE;
+}
+
+static void take_hits(plt_whitted *w, const plt_scene *scene, const plt_packet *packet) {
+    for (uint32_t i = 0; i < w->rays; i++) {
+        plt_lit_pixel *p = &w->pixel[w->slot[i]];
+        const plt_group_rays *g = &packet->rays[i / 4];
+        if (p->state != PLT_LIT_RAY) {
+            continue; /* beside the frame */
+        }
+        if (w->is_empty || !(g->valid >> i % 4 & 1u) || g->id[i % 4] == PLT_MISS) {
+            take_sky(w, p);
+        } else {
+            take_hit(w, scene, p, packet, i);
+        }
+    }
+    w->stage = STAGE_SHADOWS;
+    w->light = w->sample = 0;
+}
+
+static void next_sample(plt_whitted *w) {
+    if (++w->sample >= w->lighting.light[w->light].samples) {
+        w->sample = 0;
+        w->light++;
+    }
+}
+
+static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
+    const int status = w->is_empty ? PLT_OK : plt_traverse(t, packet, visits);
+    if (status != PLT_OK) {
+        return status;
+    }
+    w->is_traced = 0;
+    if (w->stage == STAGE_RAYS) {
+        take_hits(w, t->scene, packet);
+    } else {
+        plt_direct_take(w, packet);
+        next_sample(w);
+    }
+    return PLT_MORE;
+}
+
+int plt_whitted_step(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
+    if (w->is_traced) {
+        return trace(w, t, packet, visits);
+    }
+    if (w->light < w->lighting.lights) {
+        w->rays = plt_direct_find(w);
+        if (w->rays > 0) {
+            plt_rays_due_begin(w, t, packet, 1);
+        } else {
+            next_sample(w);
+        }
+        return PLT_MORE;
+    }
+    w->rays = plt_bounce_all(w);
+    if (w->rays == 0) {
+        return PLT_OK;
+    }
+    w->stage = STAGE_RAYS;
+    plt_rays_due_begin(w, t, packet, 0);
+    return PLT_MORE;
+}
+
+#endif

@@ -1,0 +1,61 @@
+/* whitted_room - see whitted_room.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "engine/whitted_room.h"
+
+#include "engine/base/fault.h"
+#include "engine/base/rules.h"
+#include "engine/image/fetch.h"
+#include "engine/image/further.h"
+#include "engine/planelet_crc32.h"
+#include "engine/whitted/lights.h"
+#include "engine/whitted/whitted.h"
+
+#if PLT_WITH_WHITTED
+
+/* The section where it is mapped, or copied to `room`. */
+static int read_section(const plt_engine *e, const plt_section *s, unsigned char *room,
+                        const unsigned char **bytes, plt_fault *fault) {
+    const unsigned char *mapped = e->source.mapped;
+    int status = PLT_OK;
+    *bytes = mapped != NULL ? mapped + s->offset : room;
+    if (mapped == NULL) {
+        status = plt_fetch(&e->source, s->offset, room, s->bytes, fault);
+    }
+    if (status == PLT_OK && plt_crc32(0, *bytes, s->bytes) != s->crc) {
+        return plt_refused(fault, PLT_R13_SECTION_CRC, s->offset,
+                           "a section is damaged (checksum)");
+    }
+    return status;
+}
+
+int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
+                         plt_fault *fault) {
+    const plt_section *s = plt_further_section(h, PLT_SECTION_MATERIALS);
+    const unsigned char *bytes;
+    if (e->options.whitted == 0) {
+        return PLT_OK;
+    }
+    plt_whitted *w =
+        plt_whitted_init(part[PLT_PART_WHITTED], e->options.packet_side, e->options.whitted - 1u);
+    e->rendering.whitted = w;
+    if (s == NULL) {
+        return PLT_OK;
+    }
+    const int status = read_section(e, s, part[PLT_PART_MATERIALS], &bytes, fault);
+    return status != PLT_OK ? status
+                            : plt_materials_read(&w->materials, bytes, s->bytes,
+                                                 h->info.source_triangles, s->offset, fault);
+}
+
+int plt_lighting_set(plt_engine *e, const plt_lighting *lighting) {
+    plt_whitted *w = e->rendering.whitted;
+    if (w == NULL || !plt_lighting_valid(lighting) || lighting->bounces > w->room) {
+        return PLT_ERR_ARGUMENT;
+    }
+    w->lighting = *lighting;
+    e->rendering.done = 1;
+    return PLT_OK;
+}
+
+#endif

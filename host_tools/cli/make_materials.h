@@ -1,0 +1,15 @@
+/* make_materials - marbles of glass, metal and paint in a wooden tray, as OBJ and MTL
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef MAKE_MATERIALS_H
+#define MAKE_MATERIALS_H
+#include "host_tools/base/fail.h"
+#include "host_tools/mesh/mesh.h"
+
+/* A name that ends in .obj. */
+int make_materials_has_name(const char *out);
+
+/* Writes the marbles of scene_marbles, and NAME.mtl beside NAME.obj. */
+int make_materials(const mesh *m, const char *out, fail *f);
+
+#endif

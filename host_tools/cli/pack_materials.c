@@ -1,0 +1,69 @@
+/* pack_materials - see pack_materials.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/cli/pack_materials.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "host_tools/app/note.h"
+#include "host_tools/cli/pack_lines.h"
+
+void pack_materials_read(pack_materials *p, args *a) {
+    static const char *const choices[] = {"none", "keep", NULL};
+    p->wanted = (int)args_choice(a, "--materials", choices, 0);
+    p->strict = args_has(a, "--strict");
+    if (p->strict && !p->wanted) {
+        args_complain(a, "--strict is about materials; add --materials keep");
+    }
+    if (p->wanted && args_has(a, "--instances")) {
+        args_complain(a, "--materials are not of instances; leave out one of them");
+    }
+    if (p->wanted && args_has(a, "--reduce")) {
+        args_complain(a, "--reduce leaves other triangles than the mesh's; leave out --materials");
+    }
+}
+
+int pack_materials_check(pack_materials *p, const pack_meshes *in, fail *f) {
+    mesh_materials *m = &p->materials;
+    const char *name = pack_shown(&in->file[0]);
+    if (!p->wanted) {
+        return 0;
+    }
+    if (!m->has_names && m->troubles == 0) {
+        return fail_set(f, name, "has no materials (usemtl of OBJ); leave out --materials");
+    }
+    if (m->troubles > 0 && p->strict) {
+        f->text[0] = '\0';
+        snprintf(f->text, sizeof f->text, "%s; correct it, or leave out --strict",
+                 m->trouble[0].text);
+        return -1;
+    }
+    for (size_t i = 0; i < m->troubles; i++) {
+        fprintf(stderr, "%s; the default is used\n", m->trouble[i].text);
+    }
+    return 0;
+}
+
+int pack_materials_add(pack_materials *p, const pack_meshes *in, packed *image, fail *f) {
+    const char *name = pack_shown(&in->file[0]);
+    if (!p->wanted) {
+        return 0;
+    }
+    if (materials_use(&p->materials, image->info.source_triangles, 0) != 0) {
+        return fail_set(f, name, "out of memory; use a larger machine");
+    }
+    return material_section_add(image, &p->materials, name, &p->stats, f);
+}
+
+void pack_materials_say(const pack_materials *p, const packed *image) {
+    const uint32_t triangles = image->info.triangles > 0 ? image->info.triangles : 1;
+    if (p->stats.bytes > 0) {
+        note("materials: %" PRIu32 ", %" PRIu32 " bytes, %.2f per triangle", p->stats.materials,
+             p->stats.bytes, (double)p->stats.bytes / triangles);
+    }
+}
+
+void pack_materials_free(pack_materials *p) {
+    materials_free(&p->materials);
+}
