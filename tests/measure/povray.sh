@@ -13,7 +13,7 @@ size=${SIZE:-640x480} most=${MOST:-3}
 width=${size%x*} height=${size#*x}
 
 if ! command -v povray >/dev/null 2>&1; then
-    echo "povray.sh: there is no povray; install it (apt-get install povray), and run this again" >&2
+    echo "povray.sh: there is no povray; install it (apt-get install povray)" >&2
     exit 2
 fi
 mkdir -p "$folder"
