@@ -26,7 +26,7 @@ include engine/engine.mk
 
 .PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
         compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        treelets play profile clean help FORCE
+        treelets povray play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -189,6 +189,11 @@ streamed: all $(OUT)/tests/measure/test_node_bytes
 treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test_treelet_slots
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' PROGRAMS='$(OUT)/tests/measure' \
 	    sh tests/measure/treelets.sh "$(SCENES)"
+
+##measure povray: a picture with lights, mirror and glass beside POV-Ray's, which it needs
+povray: all $(OUT)/tests/measure/test_picture_difference
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
+	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/povray.sh
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
 against: all
