@@ -320,6 +320,16 @@ static int open_outputs(rendering *r, fail *f) {
     return r->stats_out == NULL ? -1 : frame_times_make(&r->times, r->frames, f);
 }
 
+/* What moves may come to be anywhere in its box. */
+static void aim_at(rendering *r, args *a) {
+    const int is_whole = r->s.options.residency == PLT_RESIDENCY_WHOLE;
+    const view_subject all = {.info = plt_engine_info(r->s.engine),
+                              .file = moved_is(&r->moved) ? NULL : &r->s.file,
+                              .resident = is_whole ? r->s.engine : NULL,
+                              .circles = r->frames > 1 && !moved_is(&r->moved)};
+    view_fit(a, &all, r->frame.width, r->frame.height, &r->frame.camera);
+}
+
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     r->path = a->file[0];
@@ -332,7 +342,7 @@ static int open_all(rendering *r, args *a, fail *f) {
          baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {
         return -1;
     }
-    view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
+    aim_at(r, a);
     r->first = frame->camera;
     if (a->wrong || view_refused(a, frame, moved_is(&r->moved) ? 1 : r->frames, f) != 0 ||
         picture_make(&r->shown, frame->width, frame->height, f) != 0 || open_outputs(r, f) != 0) {

@@ -49,15 +49,22 @@ verdict "... has its header and 5 frames" "$(
         wc -c <knot.y4m)"
 run render knot.plt -o - --size 40x30 --orbit 5
 same out knot.y4m "... the same on standard output"
-run render knot.plt -o one.y4m --size 40x30
+run render knot.plt -o round.y4m --size 40x30 --orbit 5 --view box
+run render knot.plt -o one.y4m --size 40x30 --view box
 verdict "... its first frame is the picture, the others differ" "$(
     start=$(head -n 1 one.y4m | wc -c)
-    cmp -n "$(wc -c <one.y4m)" one.y4m knot.y4m
+    cmp -n "$(wc -c <one.y4m)" one.y4m round.y4m
     i=0
     while [ $i -lt 5 ]; do
         tail -c +$((start + 1 + i * 1806)) knot.y4m | head -c 1806 | cksum
         i=$((i + 1))
     done | sort | uniq -d)"
+for side in front back left right side top bottom iso 30,-20 box usual; do
+    works "--view $side" render knot.plt -o "view.$side.ppm" --size 40x30 --view $side
+done
+same view.usual.ppm knot.ppm "usual is what is rendered without --view"
+same view.side.ppm view.right.ppm "side is right"
+verdict "all other views are different" "$(cksum view.[!s]*.ppm | cut -d " " -f 1 | sort | uniq -d)"
 works "a film with --chroma 444" render knot.plt -o full.y4m --size 41x31 --orbit 2 --chroma 444 \
     --json full.json
 verdict "... has its header and 2 frames of 3 bytes per pixel" "$(

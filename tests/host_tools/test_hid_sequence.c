@@ -80,7 +80,8 @@ static void by_the_clock(void) {
     unsigned seen = 0, others = 0;
     make_scene(&s, 0);
     CHECK(open_source(&source, &a, &f) == 0, "%s", f.text);
-    view_camera(&a, plt_engine_info(s.engine), SIDE, SIDE, &camera);
+    const view_subject all = {.info = plt_engine_info(s.engine)};
+    view_fit(&a, &all, SIDE, SIDE, &camera);
     for (uint32_t k = 0; k < FRAMES; k++) {
         due[k] = hash_of(&s, &a, &camera, k);
     }

@@ -100,6 +100,15 @@ static int open_scene(scene *s, args *a, const char *path, fail *f) {
     return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
 }
 
+static void aim_at(live *l, args *a) {
+    const int is_whole = l->scene.options.residency == PLT_RESIDENCY_WHOLE;
+    const view_subject all = {.info = plt_engine_info(l->scene.engine),
+                              .file = &l->scene.file,
+                              .resident = is_whole ? l->scene.engine : NULL,
+                              .circles = l->orbit > 0.0};
+    view_fit(a, &all, l->frame.width, l->frame.height, &l->frame.camera);
+}
+
 int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     live *l = calloc(1, sizeof *l);
     s->next = live_next;
@@ -117,7 +126,7 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     }
     l->frame.width = (uint16_t)width;
     l->frame.height = (uint16_t)height;
-    view_camera(a, plt_engine_info(l->scene.engine), width, height, &l->frame.camera);
+    aim_at(l, a);
     l->start = l->frame.camera;
     l->began = clock_seconds();
     return a->wrong ? -1 : view_refused(a, &l->frame, 1, f);
