@@ -71,7 +71,7 @@ static int read_angles(args *a, aim *to) {
         args_complain(
             a,
             "--view takes front, back, left, right or side, top, bottom, iso, usual, box, "
-            "or two angles, not '%s'",
+            "or an azimuth and an elevation, not '%s'",
             text);
         return SIDE_USUAL;
     }
