@@ -18,6 +18,7 @@
 #   sequence ... and with plt_sequence_show, for frames that an image holds; of compact blocks,
 #            which move by frames alone, `compact motion sequence`
 #   vertices ... and without records, where the arena has no room for them (plt_options.records)
+#   background  with frames before one colour (plt_frame.background), likewise
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
@@ -92,9 +93,10 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices grid instances frames,$(PARTS)),)
+    subtree sequence vertices background grid instances frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, subtree, sequence, vertices, grid, instances or frames; it has $(PARTS))
+    seek, motion, some, subtree, sequence, vertices, background, grid, instances or frames; \
+    it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -163,6 +165,7 @@ without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes
 without_vertices := $(if $(filter host,$(BOARD))$(filter vertices,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_subtree := $(if $(filter host,$(BOARD))$(filter subtree,$(PARTS)),,yes)
+without_background := $(if $(filter host,$(BOARD))$(filter background,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
@@ -185,6 +188,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_vertices),-DPLT_WITH_VERTICES=0) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
+    $(if $(without_background),-DPLT_WITH_BACKGROUND=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
     $(if $(without_subtree),-DPLT_WITH_SUBTREES=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single

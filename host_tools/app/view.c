@@ -7,6 +7,7 @@
 #include "host_tools/app/view.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "engine/shade/camera.h"
@@ -204,4 +205,22 @@ int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f
 uint8_t view_shader(args *a) {
     static const char *const names[] = {"eyelight", "normal", "triangle", NULL};
     return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
+}
+
+void view_background(args *a, plt_frame *frame) {
+    const char *text = args_text(a, "--background", "sky");
+    char *end;
+    if (strcmp(text, "sky") == 0) {
+        return;
+    }
+    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6) {
+        args_complain(a, "--background takes six hexadecimal digits as ff8000, or sky, not '%s'",
+                      text);
+        return;
+    }
+    const unsigned long colour = strtoul(text, &end, 16);
+    frame->has_background = 1;
+    for (int i = 0; i < 3; i++) {
+        frame->background[i] = (uint8_t)(colour >> (16 - 8 * i));
+    }
 }

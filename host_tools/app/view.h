@@ -11,15 +11,20 @@
 
 #define VIEW_FLAGS                                                                                 \
     {"--view", "SIDE",                                                                             \
-     "from where all is seen, as large as it fits: front, back, left, right or side, top, "        \
-     "bottom, "                                                                                    \
-     "iso, AZIMUTH,ELEVATION in degrees from the front to the right and up, usual (a little from " \
-     "the right and above), or box (usual, but all of the scene's box is seen from any side, as "  \
-     "for all figures)"},                                                                          \
+     "from where all is seen as large as it fits: front, back, left, right or side, top, bottom, " \
+     "iso, AZIMUTH,ELEVATION in degrees, -360 to 360 from the front to the right and -90 to 90 "   \
+     "up, usual (a little from the right and above), or box (usual, but farther away: from there " \
+     "all of the scene's box is seen, and all figures are measured)"},                             \
         {"--eye", "x,y,z", "where the camera is, within 2^40, instead of --view"},                 \
         {"--look", "x,y,z", "what it looks at, within 2^40 (default: the middle of the scene)"},   \
         {"--up", "x,y,z", "what is up, within 2^40 (default 0,1,0)"}, {                            \
         "--fov", "DEG", "vertical field of view, 0.0002 to 179.999 (default 45)"                   \
+    }
+
+#define VIEW_BACKGROUND_FLAG                                                                       \
+    {                                                                                              \
+        "--background", "RRGGBB|sky",                                                              \
+            "the colour where nothing is hit, six hexadecimal digits (default sky)"                \
     }
 
 /* Fills `camera` from the flags; what is out of range sets a->wrong. Without --eye and --view it is
@@ -51,6 +56,9 @@ int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f
 
 /* Rotates the eye about the axis through look along up; 1.0 is the whole circle. */
 void view_orbit(const plt_camera *from, double circles, plt_camera *to);
+
+/* --background into the frame. */
+void view_background(args *a, plt_frame *frame);
 
 /* --shader eyelight|normal|triangle as PLT_SHADE_..., eyelight by default. */
 uint8_t view_shader(args *a);

@@ -32,6 +32,7 @@ static const arg_flag flags[] = {
     {"--show", NULL, "draw the picture (of --orbit the last) in the terminal: " TERMINAL_INK_HELP},
     {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
+    VIEW_BACKGROUND_FLAG,
     {"--shader", "NAME",
      "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
      "default eyelight"},
@@ -392,6 +393,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
     r->frame.shader = view_shader(a);
+    view_background(a, &r->frame);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
     if (moved_is(&r->moved)) {

@@ -27,6 +27,7 @@ static const arg_flag flags[] = {
      "half blocks, two pixels per cell, or pixel by pixel by kitty's protocol or in sixels; auto "
      "asks the terminal, which has half a second to answer (default auto)"},
     VIEW_FLAGS,
+    VIEW_BACKGROUND_FLAG,
     {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
@@ -305,6 +306,7 @@ static void read_flags(viewing *v, args *a) {
     static const char *const graphics[] = {"auto", "blocks", "kitty", "sixel", NULL};
     v->screen.graphics = (enum viewer_graphics)args_choice(a, "--graphics", graphics, VIEWER_AUTO);
     v->frame.shader = view_shader(a);
+    view_background(a, &v->frame);
 }
 
 int run_view(args *a) {

@@ -84,7 +84,6 @@ static void put_band(FILE *to, const picture *p, unsigned top, uint8_t *place) {
             put_line(to, place, p->width, i);
         }
     }
-    fputc('-', to);
 }
 
 int terminal_sixel(FILE *to, const picture *p) {
@@ -95,6 +94,9 @@ int terminal_sixel(FILE *to, const picture *p) {
     fprintf(to, "\x1bP0;1;0q\"1;1;%u;%u", p->width, p->height);
     put_palette(to);
     for (unsigned y = 0; y < p->height; y += BAND) {
+        if (y > 0) {
+            fputc('-', to); /* not behind the last: that could scroll the screen */
+        }
         put_band(to, p, y, place);
     }
     fputs("\x1b\\", to);

@@ -65,6 +65,16 @@ done
 same view.usual.ppm knot.ppm "usual is what is rendered without --view"
 same view.side.ppm view.right.ppm "side is right"
 verdict "all other views are different" "$(cksum view.[!s]*.ppm | cut -d " " -f 1 | sort | uniq -d)"
+works "--background is a colour" render knot.plt -o red.ppm --size 40x30 --background fF8000
+verdict "... of every pixel that no triangle has" "$(
+    tail -c 3600 red.ppm | od -An -v -tu1 -w3 | sed -n '1p;40p;1161p;$p' | tr -s ' ' | sort -u |
+        grep -vx ' 255 128 0'
+    cmp -s red.ppm knot.ppm && echo "it is the sky")"
+run render knot.plt -o black.ppm --size 40x30 --background 000000
+verdict "... which may be black" "$(
+    [ "$(tail -c 3600 black.ppm | head -c 3 | od -An -tu1 | tr -d ' ')" = 000 ] || echo "not black")"
+run render knot.plt -o sky.ppm --size 40x30 --background sky
+same sky.ppm knot.ppm "... and sky is the sky"
 works "a film with --chroma 444" render knot.plt -o full.y4m --size 41x31 --orbit 2 --chroma 444 \
     --json full.json
 verdict "... has its header and 2 frames of 3 bytes per pixel" "$(

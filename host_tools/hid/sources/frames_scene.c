@@ -79,6 +79,7 @@ static void live_close(frames *s) {
 static void read_flags(live *l, args *a) {
     float orbit = 12.0f;
     l->frame.shader = view_shader(a);
+    view_background(a, &l->frame);
     if (args_floats(a, "--turn", &orbit, 1) && orbit < 0.0f) {
         args_complain(a, "--turn takes seconds, 0 or more");
     }
