@@ -55,7 +55,8 @@ static void make_scene(sequence_rig *s, int is_damaged) {
 
 /* What frame `k` looks like from a camera that stands still. */
 static uint64_t hash_of(sequence_rig *s, args *a, const plt_camera *camera, uint32_t k) {
-    const plt_frame f = {*camera, SIDE, SIDE, view_shader(a)};
+    const plt_frame f = {
+        .camera = *camera, .width = SIDE, .height = SIDE, .shader = view_shader(a)};
     CHECK(plt_sequence_show(s->engine, k, &s->fault) == PLT_OK, "%s", s->fault.message);
     return frame_hash(s->engine, &f, 4096);
 }
