@@ -33,7 +33,8 @@ static const arg_flag flags[] = {
     {NULL, NULL, NULL}};
 
 static const char notes[] =
-    "arrows, or the mouse with its button down: turn    + - or the wheel: nearer, farther\n"
+    "arrows, or the mouse with its button down: turn\n"
+    "+ - or the wheel: nearer, farther\n"
     "r: the first view again    space: stop the frames, go on    q or Ctrl-C: end\n";
 
 const arg_command command_view = {

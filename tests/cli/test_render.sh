@@ -64,7 +64,8 @@ for side in front back left right side top bottom iso 30,-20 box usual; do
 done
 same view.usual.ppm knot.ppm "usual is what is rendered without --view"
 same view.side.ppm view.right.ppm "side is right"
-verdict "all other views are different" "$(cksum view.[!s]*.ppm | cut -d " " -f 1 | sort | uniq -d)"
+rm view.side.ppm view.bottom.ppm # half a turn brings a knot's bottom to its top
+verdict "all other views are different" "$(cksum view.*.ppm | cut -d " " -f 1 | sort | uniq -d)"
 works "--background is a colour" render knot.plt -o red.ppm --size 40x30 --background fF8000
 verdict "... of every pixel that no triangle has" "$(
     tail -c 3600 red.ppm | od -An -v -tu1 -w3 | sed -n '1p;40p;1161p;$p' | tr -s ' ' | sort -u |

@@ -40,7 +40,7 @@ whole() {
     grep -q "^status $1\$" said || grep '^status' said
     grep -q '^modes same' said || grep '^modes' said
     grep -q '^left 0' said || grep '^left' said
-    tail -c 60 screen | grep -q "${escape}\[?1006l${escape}\[?1002l${escape}\[?25h${escape}\[?1049l" ||
+    tail -c 60 screen | tr '\033' '~' | grep -qF '~[?1006l~[?1002l~[?25h~[?1049l' ||
         { echo "the screen is not put back:" && tail -c 60 screen | cat -v; }
     cat trouble
 }
@@ -69,8 +69,8 @@ verdict "every arrow turns it, and the opposite one back" "$(
     [ "$(picture 1)" = "$(picture 3)" ] || echo "left: not back"
     [ "$(picture 1)" != "$(picture 4)" ] || echo "up: nothing"
     [ "$(picture 1)" = "$(picture 5)" ] || echo "down: not back")"
-viewed knot.plt settle send=+ settle 'send=\e[<64;5;5M' settle 'send=\e[<65;5;5M' settle send=r settle \
-    send=q
+viewed knot.plt settle send=+ settle 'send=\e[<64;5;5M' settle 'send=\e[<65;5;5M' settle \
+    send=r settle send=q
 verdict "+ and the wheel zoom, and r is the first view again" "$(
     whole 0
     [ "$(picture 1)" != "$(picture 2)" ] || echo "+: nothing"
@@ -146,7 +146,8 @@ verdict "a scene that is not there is said, and the screen is never touched" "$(
     grep -q 'missing.plt' screen || cat -v screen
     grep -q "1049" screen && echo "it was")"
 ./pty_view settle -- "$PLANELET" view - >said
-verdict "standard input is for keys" "$(grep -q 'it is for keys; name a file' screen || cat -v screen)"
+verdict "standard input is for keys" "$(
+    grep -q 'it is for keys; name a file' screen || cat -v screen)"
 misused "--graphics takes what there is" --graphics view knot.plt --graphics ascii
 misused "view takes one scene" "use it as" view
 finish
