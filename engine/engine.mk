@@ -18,6 +18,7 @@
 #   sequence ... and with plt_sequence_show, for frames that an image holds; of compact blocks,
 #            which move by frames alone, `compact motion sequence`
 #   vertices ... and without records, where the arena has no room for them (plt_options.records)
+#   background  with frames before one colour (plt_frame.background), likewise
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   surface  with normals and colours (plt_options.surface); likewise
@@ -100,11 +101,10 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices grid instances surface whitted frames,$(PARTS)),)
+    subtree sequence vertices background grid instances surface whitted frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, subtree, sequence, vertices, grid, instances, surface, whitted or frames; it \
-    has \
-    $(PARTS))
+    seek, motion, some, subtree, sequence, vertices, background, grid, instances, surface, \
+    whitted or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -173,6 +173,7 @@ without_sequence := $(if $(filter host,$(BOARD))$(filter sequence,$(PARTS)),,yes
 without_vertices := $(if $(filter host,$(BOARD))$(filter vertices,$(PARTS)),,yes)
 without_some := $(if $(filter host,$(BOARD))$(filter some,$(PARTS)),,yes)
 without_subtree := $(if $(filter host,$(BOARD))$(filter subtree,$(PARTS)),,yes)
+without_background := $(if $(filter host,$(BOARD))$(filter background,$(PARTS)),,yes)
 without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
 without_whitted := $(if $(filter host,$(BOARD))$(filter whitted,$(PARTS)),,yes)
@@ -201,6 +202,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
     $(if $(without_surface),-DPLT_WITH_SURFACE=0) \
     $(if $(without_whitted),-DPLT_WITH_WHITTED=0) \
+    $(if $(without_background),-DPLT_WITH_BACKGROUND=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
     $(if $(without_subtree),-DPLT_WITH_SUBTREES=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single

@@ -639,6 +639,10 @@ typedef struct plt_frame {
     plt_camera camera;
     uint16_t width, height; /* pixels, 1 .. 65535 */
     uint8_t shader;         /* enum plt_shader */
+#if PLT_WITH_BACKGROUND
+    uint8_t has_background; /* 1: where nothing is hit, a pixel is `background`; 0: the sky */
+    uint8_t background[3];  /* red, green, blue, as in plt_tile */
+#endif
 } plt_frame;
 
 /* A finished piece of the frame: `rgb` holds height rows of width pixels of

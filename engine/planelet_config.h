@@ -114,6 +114,9 @@
 #ifndef PLT_WITH_BEAMS
 #define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */
 #endif
+#ifndef PLT_WITH_BACKGROUND
+#define PLT_WITH_BACKGROUND 1 /* frames before one colour (plt_frame.background) */
+#endif
 #ifndef PLT_WITH_GRID /* grids (plt_options.structure) */
 #if PLT_WITH_THESIS
 #define PLT_WITH_GRID 1
@@ -332,6 +335,9 @@
 #endif
 #if (PLT_WITH_GRID != 0 && PLT_WITH_GRID != 1) || (PLT_WITH_GRID && !PLT_WITH_THESIS)
 #error "PLT_WITH_GRID is the digit 0, or with PLT_WITH_THESIS 1"
+#endif
+#if PLT_WITH_BACKGROUND != 0 && PLT_WITH_BACKGROUND != 1
+#error "PLT_WITH_BACKGROUND is the digit 0 or 1"
 #endif
 #if (PLT_WITH_INSTANCES != 0 && PLT_WITH_INSTANCES != 1) ||                                        \
     (PLT_WITH_INSTANCES && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))

@@ -30,9 +30,17 @@ static inline void even_out(const float v[3], float to[3]) {
     }
 }
 
-/* The sky: a little lighter towards the ground. */
+/* The sky: a little lighter towards the ground; or the background. */
 void plt_surface_sky(const plt_frame *frame, uint32_t y, uint8_t rgb[3]) {
     static const float top[3] = {0.10f, 0.12f, 0.16f}, bottom[3] = {0.30f, 0.34f, 0.40f};
+#if PLT_WITH_BACKGROUND
+    if (frame->has_background) {
+        rgb[0] = frame->background[0];
+        rgb[1] = frame->background[1];
+        rgb[2] = frame->background[2];
+        return;
+    }
+#endif
     const float down = ((float)y + 0.5f) / (float)frame->height;
     for (int c = 0; c < 3; c++) {
         rgb[c] = byte_of(top[c] + down * (bottom[c] - top[c]));

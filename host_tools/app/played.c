@@ -40,3 +40,22 @@ int played_to(const scene *s, const char *path, unsigned frame, fail *f) {
     }
     return 0;
 }
+
+int played_open(scene *s, args *a, const char *path, fail *f) {
+    plt_info info;
+    plt_fault fault;
+    if (scene_attach(s, a, path, f) != 0) {
+        return -1;
+    }
+    if (s->options.residency == PLT_RESIDENCY_WHOLE &&
+        plt_image_info(&s->source, &info, &fault) == PLT_OK) {
+        s->options.movable = info.frames > 0 && info.instances == 0;
+    }
+    const int status = scene_start(s, path, &fault);
+    return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
+}
+
+int played_can(const scene *s) {
+    const plt_info *info = plt_engine_info(s->engine);
+    return info->frames > 0 && (info->instances > 0 || s->options.movable);
+}

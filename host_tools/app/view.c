@@ -7,106 +7,17 @@
 #include "host_tools/app/view.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "engine/shade/camera.h"
+#include "host_tools/app/aim.h"
+#include "host_tools/app/fitting.h"
 
 #define DEGREE 0.017453292519943295
 
 /* The engine takes tangents from 1e-6 to 1e6: these are a little inside. */
 static const float FOV_LEAST = 0.0002f, FOV_MOST = 179.999f;
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double to[3]) {
-    to[0] = a[1] * b[2] - a[2] * b[1];
-    to[1] = a[2] * b[0] - a[0] * b[2];
-    to[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static int normalise(double v[3]) {
-    const double length = sqrt(dot(v, v));
-    for (int i = 0; i < 3 && length > 0.0; i++) {
-        v[i] /= length;
-    }
-    return length > 0.0;
-}
-
-/* Axes of the default view; unit length, at right angles. */
-typedef struct axes {
-    double right[3], up[3], front[3];
-} axes;
-
-static void make_axes(axes *s, const float up[3]) {
-    const double forward[2][3] = {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
-    for (int i = 0; i < 3; i++) {
-        s->up[i] = (double)up[i];
-    }
-    if (!normalise(s->up)) {
-        s->up[1] = 1.0; /* the engine refuses this camera later */
-    }
-    cross(s->up, forward[fabs(s->up[2]) > fabs(s->up[1])], s->right);
-    normalise(s->right);
-    cross(s->right, s->up, s->front);
-}
-
-/* How large a box of these edges is along `axis`. */
-static double extent(const double edge[3], const double axis[3]) {
-    return edge[0] * fabs(axis[0]) + edge[1] * fabs(axis[1]) + edge[2] * fabs(axis[2]);
-}
-
-/* From the scene to the eye: 18 degrees up for what is as high as wide, 37
- * for what is flat. */
-static void choose_back(const axes *s, const double edge[3], double back[3]) {
-    const double wide = fmax(extent(edge, s->right), extent(edge, s->front));
-    const double high = fmin(extent(edge, s->up), wide);
-    const double rise = wide > 0.0 ? 0.83 - 0.48 * high / wide : 0.35;
-    for (int i = 0; i < 3; i++) {
-        back[i] = 0.45 * s->right[i] + rise * s->up[i] + s->front[i];
-    }
-    normalise(back);
-}
-
-/* How far back along `back` the eye must stand to see all corners. */
-static double distance_to_see(const double lo[3], const double hi[3], const double middle[3],
-                              const double back[3], const double up[3], double tan_x,
-                              double tan_y) {
-    double right[3], above[3], need = 0.0;
-    cross(up, back, right);
-    normalise(right);
-    cross(back, right, above);
-    for (int k = 0; k < 8; k++) {
-        double q[3];
-        for (int i = 0; i < 3; i++) {
-            q[i] = (k >> i & 1 ? hi[i] : lo[i]) - middle[i];
-        }
-        const double near = dot(q, back);
-        need = fmax(need, near + fabs(dot(q, right)) / tan_x);
-        need = fmax(need, near + fabs(dot(q, above)) / tan_y);
-    }
-    return need > 0.0 ? 1.03 * need : 1.0;
-}
-
-static void fit(const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
-    double lo[3] = {0, 0, 0}, hi[3] = {0, 0, 0}, edge[3], middle[3], back[3];
-    axes s;
-    for (int i = 0; i < 3; i++) {
-        if (info->triangles > 0) {
-            lo[i] = (double)info->lo[i];
-            hi[i] = (double)info->hi[i];
-        }
-        edge[i] = hi[i] - lo[i];
-        middle[i] = (double)c->look[i];
-    }
-    make_axes(&s, c->up);
-    choose_back(&s, edge, back);
-    const double tan_y = (double)c->tan_half_fov;
-    const double d = distance_to_see(lo, hi, middle, back, s.up, tan_y * width / height, tan_y);
-    for (int i = 0; i < 3; i++) {
-        c->eye[i] = (float)(middle[i] + d * back[i]);
-    }
-}
 
 /* False for what is no number, too. */
 static int is_within(const float v[3]) {
@@ -144,24 +55,103 @@ static void set_fov(plt_camera *c, float degrees) {
     c->tan_half_fov = (float)tan(0.5 * (double)degrees * DEGREE);
 }
 
-void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
+/* Where --view says that the eye is. */
+enum { SIDE_USUAL = 0, SIDE_BOX, SIDE_ANGLES };
+
+static const struct {
+    const char *name;
+    double azimuth, elevation;
+} sides[] = {
+    {"front", 0, 0},  {"back", 180, 0}, {"right", 90, 0},   {"side", 90, 0},
+    {"left", -90, 0}, {"top", 0, 90},   {"bottom", 0, -90}, {"iso", 45, 35.264389682754654}};
+
+static int read_angles(args *a, aim *to) {
+    const char *text = args_text(a, "--view", "");
+    double angles[2];
+    if (strchr(text, ',') == NULL) {
+        args_complain(
+            a,
+            "--view takes front, back, left, right or side, top, bottom, iso, usual, box, "
+            "or an azimuth and an elevation, not '%s'",
+            text);
+        return SIDE_USUAL;
+    }
+    if (args_doubles(a, "--view", angles, 2) &&
+        !(fabs(angles[0]) <= 360.0 && fabs(angles[1]) <= 90.0)) {
+        args_complain(a,
+                      "--view takes an azimuth from -360 to 360 and an elevation from -90 to 90, "
+                      "not '%s'",
+                      text);
+    }
+    if (!a->wrong) {
+        to->azimuth = angles[0];
+        to->elevation = angles[1];
+    }
+    return SIDE_ANGLES;
+}
+
+static int read_side(args *a, aim *to, int otherwise) {
+    const char *text = args_text(a, "--view", NULL);
+    if (text == NULL) {
+        return otherwise;
+    }
+    if (args_has(a, "--eye")) {
+        args_complain(a, "--view and --eye both say where the camera is, give one of them");
+    }
+    if (strcmp(text, "usual") == 0 || strcmp(text, "box") == 0) {
+        return text[0] == 'b' ? SIDE_BOX : SIDE_USUAL;
+    }
+    for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
+        if (strcmp(text, sides[i].name) == 0) {
+            to->azimuth = sides[i].azimuth;
+            to->elevation = sides[i].elevation;
+            return SIDE_ANGLES;
+        }
+    }
+    return read_angles(a, to);
+}
+
+static void read_camera(args *a, aim *to, unsigned width, unsigned height, int otherwise,
+                        plt_camera *c) {
     float fov = 45.0f;
-    look_at_the_middle(info, c);
+    to->aspect = (double)width / height;
+    look_at_the_middle(to->info, c);
     read_point(a, "--up", c->up);
     read_point(a, "--look", c->look);
     read_fov(a, &fov);
     set_fov(c, fov);
+    const int side = read_side(a, to, otherwise);
+    to->has_side = side == SIDE_ANGLES;
+    to->is_fixed = args_has(a, "--look");
     if (args_has(a, "--eye")) {
         read_point(a, "--eye", c->eye);
+    } else if (side == SIDE_BOX) {
+        aim_box(to->info, width, height, c);
     } else {
-        fit(info, width, height, c);
+        aim_camera(to, c);
     }
+}
+
+void view_camera(args *a, const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
+    aim to = {.info = info};
+    read_camera(a, &to, width, height, SIDE_BOX, c);
 }
 
 void view_of_all(const plt_info *info, unsigned width, unsigned height, plt_camera *c) {
     look_at_the_middle(info, c);
     set_fov(c, 45.0f);
-    fit(info, width, height, c);
+    aim_box(info, width, height, c);
+}
+
+void view_fit(args *a, const view_subject *v, unsigned width, unsigned height, plt_camera *c) {
+    sight seen = SIGHT_CLOSED;
+    const int is_asked = !args_has(a, "--eye") && strcmp(args_text(a, "--view", ""), "box") != 0;
+    if (is_asked && v->file != NULL) {
+        sight_open(&seen, v->file, v->resident);
+    }
+    aim to = {.info = v->info, .seen = &seen, .circles = v->circles};
+    read_camera(a, &to, width, height, SIDE_USUAL, c);
+    sight_close(&seen);
 }
 
 static int refuse(const args *a, const plt_camera *c, fail *f) {
@@ -187,10 +177,10 @@ void view_orbit(const plt_camera *from, double circles, plt_camera *to) {
         axis[i] = (double)from->up[i];
         arm[i] = (double)from->eye[i] - (double)from->look[i];
     }
-    normalise(axis);
-    cross(axis, arm, side);
+    vector_normalise(axis);
+    vector_cross(axis, arm, side);
     const double c = cos(360.0 * DEGREE * circles), s = sin(360.0 * DEGREE * circles);
-    const double along = dot(axis, arm);
+    const double along = vector_dot(axis, arm);
     *to = *from;
     for (int i = 0; i < 3; i++) { /* Rodrigues */
         to->eye[i] =
@@ -215,4 +205,22 @@ int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f
 uint8_t view_shader(args *a) {
     static const char *const names[] = {"eyelight", "normal", "triangle", "smooth", NULL};
     return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
+}
+
+void view_background(args *a, plt_frame *frame) {
+    const char *text = args_text(a, "--background", "sky");
+    char *end;
+    if (strcmp(text, "sky") == 0) {
+        return;
+    }
+    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6) {
+        args_complain(a, "--background takes six hexadecimal digits as ff8000, or sky, not '%s'",
+                      text);
+        return;
+    }
+    const unsigned long colour = strtoul(text, &end, 16);
+    frame->has_background = 1;
+    for (int i = 0; i < 3; i++) {
+        frame->background[i] = (uint8_t)(colour >> (16 - 8 * i));
+    }
 }

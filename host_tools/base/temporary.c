@@ -74,10 +74,32 @@ static void reset_colours(void) {
     }
 }
 
+static int terminal_in = -1, terminal_out; /* -1: its modes are its own */
+static pid_t terminal_owner;
+static struct termios terminal_modes;
+static const char *terminal_text;
+
+/* Async-signal-safe. Of a terminal that is gone, or takes no bytes, what can be put back is. */
+static void restore_terminal(void) {
+    struct pollfd out = {.fd = terminal_out, .events = POLLOUT};
+    const int in = terminal_in;
+    if (in < 0 || terminal_owner != getpid()) {
+        return;
+    }
+    terminal_in = -1;
+    if (poll(&out, 1, 100) == 1 && (out.revents & POLLOUT) != 0 &&
+        write(terminal_out, terminal_text, strlen(terminal_text)) < 0) {
+        /* its modes are all the more to be put back */
+    }
+    tcflush(in, TCIFLUSH);
+    tcsetattr(in, TCSANOW, &terminal_modes);
+}
+
 /* SA_RESETHAND restored the default action, which follows the return. */
 static void on_end_signal(int number) {
     remove_all();
     reset_colours();
+    restore_terminal();
     raise(number);
 }
 
@@ -89,6 +111,7 @@ static void install_handlers(void) {
     }
     installed = 1;
     atexit(remove_all);
+    atexit(restore_terminal);
     struct sigaction action = {.sa_handler = on_end_signal, .sa_flags = (int)SA_RESETHAND};
     action.sa_mask = end_signals();
     for (int i = 0; i < END_SIGNAL_COUNT; i++) {
@@ -192,5 +215,22 @@ void temporary_colours(int file) {
     const sigset_t before = block_signals();
     colours_owner = getpid();
     coloured = file;
+    restore_signals(&before);
+}
+
+void temporary_terminal(int in, int out, const struct termios *modes, const char *text) {
+    install_handlers();
+    const sigset_t before = block_signals();
+    terminal_in = in;
+    terminal_out = out;
+    terminal_modes = *modes;
+    terminal_text = text;
+    terminal_owner = getpid();
+    restore_signals(&before);
+}
+
+void temporary_terminal_restore(void) {
+    const sigset_t before = block_signals();
+    restore_terminal();
     restore_signals(&before);
 }

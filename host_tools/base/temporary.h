@@ -1,4 +1,4 @@
-/* temporary - what must not outlive the program: files beside their target, sockets, colours
+/* temporary - what must not outlive the program: files beside their target, sockets, colours, modes
  *
  * A normal exit, and every signal that ends the program and can be caught, remove every
  * temporary file that was neither kept nor removed. A forked child
@@ -10,6 +10,7 @@
 #ifndef TEMPORARY_H
 #define TEMPORARY_H
 #include <sys/types.h>
+#include <termios.h>
 
 /* Caller's memory; at one address from creation to keep or remove. */
 typedef struct temporary {
@@ -30,6 +31,12 @@ int temporary_make(temporary *t, const char *path, int (*make)(void *context), v
  * file is removed. Both calls allow a temporary without a file. */
 int temporary_keep(temporary *t, const char *target);
 void temporary_remove(temporary *t);
+
+/* From now on the terminal of these two files has other modes than `modes`, and another screen,
+ * that `text`, in static storage, puts back: temporary_terminal_restore does both, drops what was
+ * typed, and so does the end of the program, by a signal or not. */
+void temporary_terminal(int in, int out, const struct termios *modes, const char *text);
+void temporary_terminal_restore(void);
 
 /* From now on `file` is a terminal with colours. */
 void temporary_colours(int file);

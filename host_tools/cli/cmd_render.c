@@ -34,6 +34,7 @@ static const arg_flag flags[] = {
     {"--show", NULL, "draw the picture (of --orbit the last) in the terminal: " TERMINAL_INK_HELP},
     {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
+    VIEW_BACKGROUND_FLAG,
     {"--shader", "NAME",
      "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each), "
      "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth) or "
@@ -334,6 +335,16 @@ static int open_outputs(rendering *r, fail *f) {
     return r->stats_out == NULL ? -1 : frame_times_make(&r->times, r->frames, f);
 }
 
+/* What moves may come to be anywhere in its box. */
+static void aim_at(rendering *r, args *a) {
+    const int is_whole = r->s.options.residency == PLT_RESIDENCY_WHOLE;
+    const view_subject all = {.info = plt_engine_info(r->s.engine),
+                              .file = moved_is(&r->moved) ? NULL : &r->s.file,
+                              .resident = is_whole ? r->s.engine : NULL,
+                              .circles = r->frames > 1 && !moved_is(&r->moved)};
+    view_fit(a, &all, r->frame.width, r->frame.height, &r->frame.camera);
+}
+
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     r->path = a->file[0];
@@ -346,11 +357,11 @@ static int open_all(rendering *r, args *a, fail *f) {
          baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {
         return -1;
     }
+    aim_at(r, a);
+    r->first = frame->camera;
     if (counted_start(&r->counted, r->s.engine, scene_name(r->path), f) != 0) {
         return -1;
     }
-    view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
-    r->first = frame->camera;
     lights_set(&r->lights, &r->first, &r->s.crew);
     if (a->wrong || view_refused(a, frame, moved_is(&r->moved) ? 1 : r->frames, f) != 0 ||
         picture_make(&r->shown, frame->width, frame->height, f) != 0 || open_outputs(r, f) != 0) {
@@ -400,6 +411,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
     r->frame.shader = lights_shader(a);
+    view_background(a, &r->frame);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
     if (moved_is(&r->moved)) {

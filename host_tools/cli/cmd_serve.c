@@ -113,7 +113,11 @@ static int read_scene(serving *s, args *a, serve_job *job, fail *f) {
     }
     job->image = s->scene.bytes;
     job->image_bytes = (uint32_t)s->scene.size;
-    view_camera(a, &info, job->width, job->height, &frame.camera);
+    host_scene held;
+    host_scene_hold(&held, s->scene.bytes, (uint32_t)s->scene.size, 0);
+    const view_subject all = {.info = &info, .file = &held, .circles = s->frames > 1};
+    view_fit(a, &all, job->width, job->height, &frame.camera);
+    host_scene_close(&held);
     s->first = frame.camera;
     return a->wrong ? -1 : view_refused(a, &frame, s->frames, f);
 }

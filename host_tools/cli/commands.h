@@ -8,6 +8,7 @@
 
 extern const arg_command command_pack, command_info, command_render, command_trace, command_make;
 extern const arg_command command_serve, command_bench, command_tables;
+extern const arg_command command_view;
 int run_pack(args *a);
 int run_info(args *a);
 int run_render(args *a);
@@ -16,5 +17,6 @@ int run_make(args *a);
 int run_serve(args *a);
 int run_bench(args *a);
 int run_tables(args *a);
+int run_view(args *a);
 
 #endif

@@ -5,9 +5,9 @@
 #include "host_tools/cli/commands.h"
 
 static const program_command commands[] = {
-    {&command_make, run_make},     {&command_pack, run_pack},    {&command_info, run_info},
-    {&command_render, run_render}, {&command_trace, run_trace},  {&command_serve, run_serve},
-    {&command_bench, run_bench},   {&command_tables, run_tables}};
+    {&command_make, run_make},     {&command_pack, run_pack},   {&command_info, run_info},
+    {&command_render, run_render}, {&command_view, run_view},   {&command_trace, run_trace},
+    {&command_serve, run_serve},   {&command_bench, run_bench}, {&command_tables, run_tables}};
 
 static const program planelet = {.name = "planelet",
                                  .about = "ray tracing in a fixed block of memory",

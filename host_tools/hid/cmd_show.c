@@ -34,6 +34,7 @@ static const arg_flag flags[] = {
     {"--json", "STATS", "write statistics; - is standard output"},
     FRAMES_SCENE_FLAGS,
     VIEW_FLAGS,
+    VIEW_BACKGROUND_FLAG,
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 

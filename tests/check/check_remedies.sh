@@ -111,6 +111,8 @@ lattice of %u bits: vertices moved by up to %.2g of the longest side, %llu trian
 area (%llu had none), %llu position%s merged, %llu T-junction%s (%llu mended); step %.9g, %llu of \
 %llu vertices stayed exactly where they were%s | likewise; its remedy stands apart
 ; nothing is left to trace | likewise
+it takes no other mode; use another terminal | every terminal takes other modes
+the picture cannot be drawn; is the terminal still there? | a terminal that goes ends the program
 %s: a standard stream is closed, and / cannot be opened; leave it open | / can always be opened here
 serve: %u frames in %.2f s, image of %u bytes; reports %u out, %u in, %u lost, %u late, %u bad; \
 %u bytes of tiles, %u tiles, %u sessions | statistics

@@ -130,6 +130,8 @@ for command in "render quad.plt -o x.ppm --size 16x16" \
     {
         range --fov "0.0002 to 179.999" "0.000199 0.0002 179.999 179.9991" $command
         range --fov "0.0002 to 179.999" "1e-4 - - 180" $command
+        range --view "-360 to 360" "-361,0 -360,0 360,0 361,0" $command
+        range --view "-90 to 90" "0,-90.01 0,-90 0,90 0,90.01" $command
         range --eye "within 2^40" "-1.1e12,0,1 -1099511627776,0,1 0,1099511627776,1 0,1.1e12,1" \
             $command
         range --up "within 2^40" "-1.1e12,1,0 -1099511627776,1,0 1,1099511627776,0 1,1.1e12,0" \

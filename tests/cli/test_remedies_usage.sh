@@ -225,6 +225,23 @@ for fov in 0.0002 179.999; do
 done
 says "%s takes three numbers from -2^40 to 2^40, not '%s'" render quad.plt -o x.png --eye 2e12,0,0
 cured render quad.plt -o x.png --eye 1099511627776,0,0
+says "--view takes front, back, left, right or side, top, bottom, iso, usual, box, or \
+an azimuth and an elevation, not '%s'" \
+    render quad.plt -o x.png --view above
+for view in front back left right side top bottom iso usual box 30,20; do
+    cured render quad.plt -o x.png --view $view --size 8x8
+done
+says "--view takes an azimuth from -360 to 360 and an elevation from -90 to 90, not '%s'" \
+    render quad.plt -o x.png --view 0,91
+cured render quad.plt -o x.png --view -360,90 --size 8x8
+says "--view and --eye both say where the camera is, give one of them" \
+    render quad.plt -o x.png --view top --eye 1,2,3
+cured render quad.plt -o x.png --view top --size 8x8
+says "--background takes six hexadecimal digits as ff8000, or sky, not '%s'" \
+    render quad.plt -o x.png --background orange
+for background in ff8000 sky; do
+    cured render quad.plt -o x.png --background $background --size 8x8
+done
 says "--chroma is for films: give -o a name that ends in .y4m" \
     render quad.plt -o x.png --chroma 444
 cured render quad.plt -o x.y4m --chroma 444 --size 8x8

@@ -49,15 +49,33 @@ verdict "... has its header and 5 frames" "$(
         wc -c <knot.y4m)"
 run render knot.plt -o - --size 40x30 --orbit 5
 same out knot.y4m "... the same on standard output"
-run render knot.plt -o one.y4m --size 40x30
+run render knot.plt -o round.y4m --size 40x30 --orbit 5 --view box
+run render knot.plt -o one.y4m --size 40x30 --view box
 verdict "... its first frame is the picture, the others differ" "$(
     start=$(head -n 1 one.y4m | wc -c)
-    cmp -n "$(wc -c <one.y4m)" one.y4m knot.y4m
+    cmp -n "$(wc -c <one.y4m)" one.y4m round.y4m
     i=0
     while [ $i -lt 5 ]; do
         tail -c +$((start + 1 + i * 1806)) knot.y4m | head -c 1806 | cksum
         i=$((i + 1))
     done | sort | uniq -d)"
+for side in front back left right side top bottom iso 30,-20 box usual; do
+    works "--view $side" render knot.plt -o "view.$side.ppm" --size 40x30 --view $side
+done
+same view.usual.ppm knot.ppm "usual is what is rendered without --view"
+same view.side.ppm view.right.ppm "side is right"
+rm view.side.ppm view.bottom.ppm # half a turn brings a knot's bottom to its top
+verdict "all other views are different" "$(cksum view.*.ppm | cut -d " " -f 1 | sort | uniq -d)"
+works "--background is a colour" render knot.plt -o red.ppm --size 40x30 --background fF8000
+verdict "... of every pixel that no triangle has" "$(
+    tail -c 3600 red.ppm | od -An -v -tu1 -w3 | sed -n '1p;40p;1161p;$p' | tr -s ' ' | sort -u |
+        grep -vx ' 255 128 0'
+    cmp -s red.ppm knot.ppm && echo "it is the sky")"
+run render knot.plt -o black.ppm --size 40x30 --background 000000
+verdict "... which may be black" "$(
+    [ "$(tail -c 3600 black.ppm | head -c 3 | od -An -tu1 | tr -d ' ')" = 000 ] || echo "not black")"
+run render knot.plt -o sky.ppm --size 40x30 --background sky
+same sky.ppm knot.ppm "... and sky is the sky"
 works "a film with --chroma 444" render knot.plt -o full.y4m --size 41x31 --orbit 2 --chroma 444 \
     --json full.json
 verdict "... has its header and 2 frames of 3 bytes per pixel" "$(

@@ -46,8 +46,10 @@ flags() {
         "$command" quad.ply --frobnicate
 }
 scene_flags='--packet --walk --structure --residency --store --schedule --batch --prefetch'
-scene_flags="$scene_flags --source --arena --workers --turns"
-view_flags='--eye --look --up --fov'
+scene_flags="$scene_flags --source --arena"
+one_flags=$scene_flags
+scene_flags="$scene_flags --workers --turns"
+view_flags='--view --eye --look --up --fov'
 flags make -o --triangles --seed --frame --frames --instances
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
     --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames \
@@ -57,13 +59,16 @@ flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
     --rebuild-most --records --beside --baseline --repeat --chroma --json --counts \
-    $view_flags $scene_flags
+    $view_flags --background $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json --counts $scene_flags
 # shellcheck disable=SC2086
 flags bench --kinds --hits --nodes --packets --walks --repeat --size --structures --against --json \
     $view_flags
+
+# shellcheck disable=SC2086
+flags view --graphics --shader --background $view_flags $one_flags
 
 # Without files it makes all tables, as test_tables does.
 works "planelet tables --help" tables --help
@@ -134,6 +139,8 @@ for pair in --packet=3 --walk=wide --structure=kd --residency=cached --store=64K
 done
 for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=-5x5 --size=x \
     --chroma=422 --chroma= \
+    --view=above --view=1 --view=361,0 --view=0,91 --view=1,2,3 --view=a,b \
+    --background=red --background=12345 --background=#123456 --background= \
     --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
     --fov=-5 --fov=x --shader=toon --orbit=0 --repeat=0; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"

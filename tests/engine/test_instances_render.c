@@ -16,10 +16,10 @@ typedef struct picture {
 
 static plt_frame frame_of(uint8_t shader, float far) {
     const plt_frame f = {
-        {{2.0f * far, 1.1f * far, 7.0f * far}, {0.1f, 0, 0}, {0, 1, 0}, 0.6f / far},
-        WIDTH,
-        HEIGHT,
-        shader};
+        .camera = {{2.0f * far, 1.1f * far, 7.0f * far}, {0.1f, 0, 0}, {0, 1, 0}, 0.6f / far},
+        .width = WIDTH,
+        .height = HEIGHT,
+        .shader = shader};
     return f;
 }
 

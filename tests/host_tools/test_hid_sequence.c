@@ -55,7 +55,8 @@ static void make_scene(sequence_rig *s, int is_damaged) {
 
 /* What frame `k` looks like from a camera that stands still. */
 static uint64_t hash_of(sequence_rig *s, args *a, const plt_camera *camera, uint32_t k) {
-    const plt_frame f = {*camera, SIDE, SIDE, view_shader(a)};
+    const plt_frame f = {
+        .camera = *camera, .width = SIDE, .height = SIDE, .shader = view_shader(a)};
     CHECK(plt_sequence_show(s->engine, k, &s->fault) == PLT_OK, "%s", s->fault.message);
     return frame_hash(s->engine, &f, 4096);
 }
@@ -80,7 +81,8 @@ static void by_the_clock(void) {
     unsigned seen = 0, others = 0;
     make_scene(&s, 0);
     CHECK(open_source(&source, &a, &f) == 0, "%s", f.text);
-    view_camera(&a, plt_engine_info(s.engine), SIDE, SIDE, &camera);
+    const view_subject all = {.info = plt_engine_info(s.engine)};
+    view_fit(&a, &all, SIDE, SIDE, &camera);
     for (uint32_t k = 0; k < FRAMES; k++) {
         due[k] = hash_of(&s, &a, &camera, k);
     }

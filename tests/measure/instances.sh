@@ -29,7 +29,7 @@ counted() {
     function=$1
     shift
     valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$function" \
-        "$PLANELET" render "$@" -o x.y4m --frames 0:$FRAMES --size 480x240 2>&1 |
+        "$PLANELET" render "$@" -o x.y4m --frames 0:$FRAMES --size 480x240 --view box 2>&1 |
         awk -v frames=$FRAMES '/Collected/ { printf "%.1f", $4 / frames / 1e6 }'
 }
 

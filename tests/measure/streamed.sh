@@ -98,7 +98,8 @@ for mesh in $meshes; do
             verdict 0 "$mesh is packed"
             continue
         }
-        row "$mesh" "$node" frame 1 render "$work/scene.plt" -o "$work/out.ppm" --size 512x512
+        row "$mesh" "$node" frame 1 render "$work/scene.plt" -o "$work/out.ppm" --size 512x512 \
+            --view box
         rays "$mesh" "$node"
     done
 done

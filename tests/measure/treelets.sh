@@ -38,7 +38,7 @@ for mesh in $meshes; do
             "$planelet" pack "$scenes/$mesh.ply" -o "$work/scene.plt" --treelet $n $flags \
                 >"$work/said" 2>&1 || cat "$work/said" >&2
             for store in 32768 98304; do
-                "$planelet" render "$work/scene.plt" -o "$work/out.ppm" --size 512x512 \
+                "$planelet" render "$work/scene.plt" -o "$work/out.ppm" --size 512x512 --view box \
                     --packet 16 --residency streamed --store $store --json "$work/json"
                 row="$row $(field treelet_fetches), $(field bytes_fetched) |"
                 hash=$(field frame_hash)

@@ -50,7 +50,8 @@ frame() {
     schedule=$1 crew=$2
     shift 2
     rm -f "$work/out.ppm" "$work/json"
-    "$planelet" render "$work/scene.plt" -o "$work/out.ppm" --size 512x512 --packet "$packet" \
+    "$planelet" render "$work/scene.plt" -o "$work/out.ppm" --size 512x512 \
+        --view box --packet "$packet" \
         --residency streamed --store "$store" --schedule "$schedule" --workers "$crew" \
         --json "$work/json" "$@" 2>"$work/said" || cat "$work/said" >&2
     cmp -s "$work/due.ppm" "$work/out.ppm"
@@ -121,7 +122,8 @@ for mesh in $meshes; do
             verdict 1 "$mesh is packed"
             continue
         }
-        "$planelet" render "$work/scene.plt" -o "$work/due.ppm" --size 512x512 2>/dev/null
+        "$planelet" render "$work/scene.plt" -o "$work/due.ppm" --size 512x512 \
+            --view box 2>/dev/null
         for schedule in branch task; do
             for crew in $crews; do
                 row "$mesh" "$node" "$schedule" "$crew"

@@ -28,8 +28,8 @@ scene() {
 built() {
     scene "compact$1" --leaf "$1" --reduce "$3" --build device
     scene "host$1" --leaf "$1" --reduce "$3" --numbers none
-    view=$(sh board/tools/host_view.sh "$out/compact$1.plt" 320x240 "$out/host.ppm")
-    whole=$(sh board/tools/host_view.sh "$out/host$1.plt" 320x240 "$out/host.ppm")
+    view=$(sh board/tools/host_view.sh "$out/compact$1.plt" 320x240 "$out/host.ppm" --view box)
+    whole=$(sh board/tools/host_view.sh "$out/host$1.plt" 320x240 "$out/host.ppm" --view box)
     # shellcheck disable=SC2086
     text=$(sh board/mps2_an386/run.sh "$out/compact$1.plt" size=320x240 ${view#* } \
         "frame=$out/device.ppm" 2>&1)

@@ -38,7 +38,7 @@ same() {
     sentence=$1 name=$2 size=$3 host=$4
     shift 4
     # shellcheck disable=SC2086
-    view=$(sh board/tools/host_view.sh "$out/$name.plt" "$size" "$out/host.ppm" $host)
+    view=$(sh board/tools/host_view.sh "$out/$name.plt" "$size" "$out/host.ppm" --view box $host)
     rm -f "$out/device.ppm"
     mapped=$out/$name.plt
     case "$*" in *scene=*) mapped= ;; esac

@@ -32,7 +32,7 @@ firmware() { # FOLDER SCENE [parameter ...]: sets text and status
 }
 
 renders() { # FOLDER NAME [parameter]
-    view=$(sh board/tools/host_view.sh "$out/$2.plt" 80x60 "$out/host.ppm")
+    view=$(sh board/tools/host_view.sh "$out/$2.plt" 80x60 "$out/host.ppm" --view box)
     # shellcheck disable=SC2086
     firmware "$1" "$out/$2.plt" size=80x60 ${view#* } $3
     verdict "${1##*/}, $2${3:+, $3}: the frame of the whole engine" "$(
@@ -126,7 +126,7 @@ shows() {
     "$planelet" pack --sequence "$out"/wave_00?.ply --geometry "$1" --nodes "${3:-thesis}" --key 4 \
         -o "$out/wave.plt" >/dev/null 2>&1
     for frame in 0 3 5; do
-        view=$(sh board/tools/host_view.sh "$out/wave.plt" 80x60 "$out/host.ppm" \
+        view=$(sh board/tools/host_view.sh "$out/wave.plt" 80x60 "$out/host.ppm" --view box \
             --frames $frame:$((frame + 1)))
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$sequence SOURCE=$2 sh board/mps2_an386/run.sh "$out/wave.plt" size=80x60 \
@@ -172,7 +172,7 @@ if part "render compact motion sequence stream" "$sequence" 68096; then
     "$planelet" pack --sequence "$out"/wave_00?.ply --geometry lattice:14 --nodes compact --stills \
         -o "$out/stills.plt" >/dev/null 2>&1
     for frame in 0 3 5; do
-        view=$(sh board/tools/host_view.sh "$out/stills.plt" 80x60 "$out/host.ppm" \
+        view=$(sh board/tools/host_view.sh "$out/stills.plt" 80x60 "$out/host.ppm" --view box \
             --residency streamed --frames $frame:$((frame + 1)))
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$sequence SOURCE=file sh board/mps2_an386/run.sh "$out/stills.plt" \
@@ -278,7 +278,7 @@ instances=$BUILD/mps2_an386-instances-render-thesis
 # program says how long it takes.
 shows_instances() {
     for frame in 0 7 3; do
-        view=$(sh board/tools/host_view.sh "$out/instances.plt" 80x60 "$out/host.ppm" \
+        view=$(sh board/tools/host_view.sh "$out/instances.plt" 80x60 "$out/host.ppm" --view box \
             --frames $frame:$((frame + 1)))
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$instances SOURCE=$1 sh board/mps2_an386/run.sh "$out/instances.plt" \
@@ -325,7 +325,7 @@ fi
 tasks=$BUILD/mps2_an386-batch-compact-render-stream-task
 if part "render compact stream batch task" "$tasks" 63360; then
     renders "$tasks" compact
-    view=$(sh board/tools/host_view.sh "$out/compact.plt" 80x60 "$out/host.ppm")
+    view=$(sh board/tools/host_view.sh "$out/compact.plt" 80x60 "$out/host.ppm" --view box)
     # shellcheck disable=SC2086
     firmware "$tasks" "$out/compact.plt" size=80x60 residency=streamed schedule=task batch=3 \
         packet=4 ${view#* }

@@ -27,7 +27,7 @@ is_small() {
 is_small "render compact stream" 55296
 
 . tests/qemu/terrain.sh
-view=$(sh board/tools/host_view.sh "$out/terrain.plt" 160x120 "$out/host.ppm")
+view=$(sh board/tools/host_view.sh "$out/terrain.plt" 160x120 "$out/host.ppm" --view box)
 
 run() { # KEY=VALUE ...
     # shellcheck disable=SC2086
@@ -105,7 +105,7 @@ folder=$BUILD/mps2_an386-render-stream-thesis scene=$out/thesis.plt
 if make_board mps2_an386 PARTS='render thesis stream'; then
     is_small "render thesis stream" 49152
     "$planelet" pack "$out/terrain.ply" -o "$scene" --treelet 16 >/dev/null 2>&1
-    view=$(sh board/tools/host_view.sh "$scene" 160x120 "$out/host.ppm")
+    view=$(sh board/tools/host_view.sh "$scene" 160x120 "$out/host.ppm" --view box)
     renders
     scene=$out/terrain.plt
     run residency=streamed

@@ -71,9 +71,12 @@ uint64_t frame_hash(plt_engine *e, const plt_frame *frame, uint32_t visits) {
 
 plt_frame frame_of(const float eye[3], const float look[3], uint16_t width, uint16_t height,
                    uint8_t shader) {
-    const plt_frame f = {{{eye[0], eye[1], eye[2]}, {look[0], look[1], look[2]}, {0, 1, 0}, 0.5f},
-                         width,
-                         height,
-                         shader};
+    const plt_frame f = {.camera = {.eye = {eye[0], eye[1], eye[2]},
+                                    .look = {look[0], look[1], look[2]},
+                                    .up = {0, 1, 0},
+                                    .tan_half_fov = 0.5f},
+                         .width = width,
+                         .height = height,
+                         .shader = shader};
     return f;
 }

@@ -26,7 +26,7 @@ typedef struct live {
 /* The frame of a sequence that the clock is at. */
 static int show_frame(live *l, const char *path, fail *f) {
     const plt_info *info = plt_engine_info(l->scene.engine);
-    if (info->frames == 0 || (info->instances == 0 && !l->scene.options.movable)) {
+    if (!played_can(&l->scene)) {
         return 0;
     }
     const double gone = (clock_seconds() - l->began) * info->frame_rate;
@@ -79,25 +79,20 @@ static void live_close(frames *s) {
 static void read_flags(live *l, args *a) {
     float orbit = 12.0f;
     l->frame.shader = view_shader(a);
+    view_background(a, &l->frame);
     if (args_floats(a, "--turn", &orbit, 1) && orbit < 0.0f) {
         args_complain(a, "--turn takes seconds, 0 or more");
     }
     l->orbit = (double)orbit;
 }
 
-/* Of an image with a sequence, to show its frames. */
-static int open_scene(scene *s, args *a, const char *path, fail *f) {
-    plt_info info;
-    plt_fault fault;
-    if (scene_attach(s, a, path, f) != 0) {
-        return -1;
-    }
-    if (s->options.residency == PLT_RESIDENCY_WHOLE &&
-        plt_image_info(&s->source, &info, &fault) == PLT_OK) {
-        s->options.movable = info.frames > 0 && info.instances == 0;
-    }
-    const int status = scene_start(s, path, &fault);
-    return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
+static void aim_at(live *l, args *a) {
+    const int is_whole = l->scene.options.residency == PLT_RESIDENCY_WHOLE;
+    const view_subject all = {.info = plt_engine_info(l->scene.engine),
+                              .file = &l->scene.file,
+                              .resident = is_whole ? l->scene.engine : NULL,
+                              .circles = l->orbit > 0.0};
+    view_fit(a, &all, l->frame.width, l->frame.height, &l->frame.camera);
 }
 
 int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
@@ -112,12 +107,12 @@ int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f) {
     }
     l->scene.file.file = -1;
     read_flags(l, a);
-    if (open_scene(&l->scene, a, s->path, f) != 0) {
+    if (played_open(&l->scene, a, s->path, f) != 0) {
         return -1;
     }
     l->frame.width = (uint16_t)width;
     l->frame.height = (uint16_t)height;
-    view_camera(a, plt_engine_info(l->scene.engine), width, height, &l->frame.camera);
+    aim_at(l, a);
     l->start = l->frame.camera;
     l->began = clock_seconds();
     return a->wrong ? -1 : view_refused(a, &l->frame, 1, f);
