@@ -102,8 +102,8 @@ flags_compact := -DPLT_WITH_THESIS=0
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
     subtree sequence vertices grid instances surface whitted frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, subtree, sequence, vertices, grid, instances, surface, whitted or frames; it \
-    has \
+    seek, motion, some, subtree, sequence, vertices, grid, instances, surface, \
+    whitted or frames; it has \
     $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
@@ -152,7 +152,8 @@ ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
 ifneq ($(filter wave batch instances whitted,$(PARTS)),)
-$(error PARTS with frames has no wave, batch, instances or whitted: make PARTS='render thesis frames')
+$(error PARTS with frames has no wave, batch, instances or whitted: make PARTS='render \
+    thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')
