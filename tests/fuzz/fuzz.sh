@@ -8,7 +8,8 @@
 . tests/check/report.sh
 . tests/fuzz/seeds.sh
 PLANELET=${PLANELET:-$BUILD/host/planelet}
-all='materials mtl image blocks sequence instances wire_tile wire_peer ply obj stl polygon recipe png'
+all='image blocks sequence instances materials mtl wire_tile wire_peer ply obj stl polygon'
+all="$all recipe png"
 seconds=${SECONDS_EACH:-60}
 work=$BUILD/fuzz
 
