@@ -32,7 +32,7 @@ int job_word(const char *parameters, const char *key, const char *const *words, 
 /* Sets what the parameters left open of the camera: the scene's box in view, from
  * the front, right and above. (`planelet render` fits its view more closely, in
  * double, and asks rays what is seen; it gives its camera to the firmware as bits, see
- * tests/qemu and DESIGN.md, 9.1.) */
+ * tests/qemu and DESIGN.md, 9.3.) */
 void job_set_camera(job *j, const plt_info *info);
 
 #endif

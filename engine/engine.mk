@@ -152,7 +152,8 @@ ifeq ($(filter thesis compact,$(PARTS)),)
 $(error PARTS with frames has thesis or compact: make PARTS='render thesis frames')
 endif
 ifneq ($(filter wave batch instances whitted,$(PARTS)),)
-$(error PARTS with frames has no wave, batch, instances or whitted: make PARTS='render thesis frames')
+$(error PARTS with frames has no wave, batch, instances or whitted: make PARTS='render \
+    thesis frames')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter thesis,$(PARTS)),streamthesis)
 $(error PARTS with frames and stream has compact: make PARTS='render compact frames stream')

@@ -686,7 +686,7 @@ typedef struct plt_lighting {
 } plt_lighting;
 
 /* Copies it; until it is called there is no light at all. Ends a frame that was being rendered.
- * What triangles are made of their image says (SPEC.md, 4.21): of one that does not, and of
+ * What triangles are made of their image says (SPEC.md, 4.20): of one that does not, and of
  * instances, all are of clay. Glass throws a shadow as what is opaque does. PLT_ERR_ARGUMENT: a
  * value is out of range, or there is no room for it; nothing has changed.
  *

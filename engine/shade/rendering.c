@@ -7,6 +7,7 @@
 #include "engine/shade/smooth.h"
 #include "engine/shade/tile_sky.h"
 #include "engine/shade/whitted_frame.h"
+#include "engine/whitted/whitted.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
 #define HAS_BEAMS(r) (PLT_WITH_BEAMS && (!PLT_WITH_GROUPS || (r)->beams))
@@ -114,6 +115,30 @@ static uint32_t pixels_at(const plt_rendering *r, const plt_frame_place *at, plt
     return plt_least(r->side, r->frame.width - all.x) * plt_least(r->side, r->frame.height - all.y);
 }
 
+#if PLT_WITH_GROUPS
+static int wants_weights(const plt_rendering *r, const plt_traversal *t) {
+#if PLT_WITH_WHITTED
+    return HAS_LIGHTS(r) && plt_whitted_frame_wants_weights(t);
+#else
+    (void)r;
+    (void)t;
+    return 0;
+#endif
+}
+
+static void begin_lights(plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
+#if PLT_WITH_WHITTED
+    if (HAS_LIGHTS(r)) {
+        plt_whitted_frame_begin(r->whitted, &r->view, p, pixels);
+    }
+#else
+    (void)r;
+    (void)p;
+    (void)pixels;
+#endif
+}
+#endif
+
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
                          const plt_pixels *pixels, uint32_t rays) {
     r->tracing = 1;
@@ -126,13 +151,11 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
     }
 #if PLT_WITH_GROUPS
     plt_view_packet(&r->view, box_of(r, t), p, pixels);
-    if (IS_SMOOTH(r) || (HAS_LIGHTS(r) && plt_whitted_frame_wants_weights(t))) {
+    if (IS_SMOOTH(r) || wants_weights(r, t)) {
         plt_packet_want_weights(p);
     }
     plt_traversal_begin(t, p, rays);
-    if (HAS_LIGHTS(r)) {
-        plt_whitted_frame_begin(r, p, pixels);
-    }
+    begin_lights(r, p, pixels);
 #else
     (void)p;
 #endif
@@ -141,10 +164,13 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
 static void shade_packet(const plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
 #if PLT_WITH_GROUPS
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
+#if PLT_WITH_WHITTED
     if (HAS_LIGHTS(r)) {
-        plt_whitted_frame_shade(r, pixels, &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
+        plt_whitted_frame_shade(r->whitted, pixels, &r->tile[3 * (r->at.py * width + r->at.px)],
+                                3 * width);
         return;
     }
+#endif
     plt_packet_shade(p, &r->frame, pixels, &r->sky[3 * r->at.py],
                      &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
 #else
@@ -284,10 +310,20 @@ static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
 }
 #endif
 
+static int has_lights(const plt_rendering *r, const plt_frame *frame) {
+#if PLT_WITH_WHITTED
+    return plt_whitted_frame_valid(r->whitted, frame);
+#else
+    (void)r;
+    (void)frame;
+    return 0;
+#endif
+}
+
 int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_traversal *t) {
     r->done = 1;
     if (frame->width == 0 || frame->height == 0 ||
-        !(is_shader(frame->shader, t->scene) || plt_whitted_frame_valid(r, frame))) {
+        !(is_shader(frame->shader, t->scene) || has_lights(r, frame))) {
         return PLT_ERR_ARGUMENT;
     }
     r->frame = *frame;
@@ -296,8 +332,8 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
 #if PLT_WITH_INSTANCES
         set_box(r, t->scene);
 #endif
-#if PLT_WITH_GROUPS
-        plt_whitted_frame_set(r, box_of(r, t));
+#if PLT_WITH_WHITTED
+        plt_whitted_frame_set(r->whitted, &r->frame, box_of(r, t));
 #endif
         r->beams = (uint8_t)has_beams(r, t);
         if (HAS_BEAMS(r)) {
@@ -312,9 +348,11 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
 }
 
 static int trace(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32_t visits) {
+#if PLT_WITH_WHITTED
     if (HAS_LIGHTS(r)) {
-        return plt_whitted_frame_step(r, t, p, visits);
+        return plt_whitted_step(r->whitted, t, p, visits);
     }
+#endif
     return HAS_BEAMS(r) ? plt_beam_trace(r->beam, t, visits) : plt_traverse(t, p, visits);
 }
 

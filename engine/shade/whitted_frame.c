@@ -10,9 +10,9 @@
 
 #if PLT_WITH_WHITTED
 
-void plt_whitted_frame_set(plt_rendering *r, const plt_box *box) {
-    if (r->frame.shader == PLT_SHADE_WHITTED) {
-        plt_whitted_frame(r->whitted, box, r->frame.camera.eye, r->frame.camera.up);
+void plt_whitted_frame_set(plt_whitted *w, const plt_frame *frame, const plt_box *box) {
+    if (frame->shader == PLT_SHADE_WHITTED) {
+        plt_whitted_frame(w, box, frame->camera.eye, frame->camera.up);
     }
 }
 
@@ -20,32 +20,28 @@ int plt_whitted_frame_wants_weights(const plt_traversal *t) {
     return plt_point_is_smooth(t->scene);
 }
 
-void plt_whitted_frame_begin(plt_rendering *r, const plt_packet *packet, const plt_pixels *pixels) {
+void plt_whitted_frame_begin(plt_whitted *w, const plt_view *view, const plt_packet *packet,
+                             const plt_pixels *pixels) {
     for (uint32_t k = 0; k < pixels->side * pixels->side; k++) {
         const uint32_t x = pixels->x + plt_z_order_x(k), y = pixels->y + plt_z_order_y(k);
         if (x < pixels->x_end && y < pixels->y_end) {
             float dir[3];
-            plt_view_direction(&r->view, x, y, dir);
-            plt_whitted_pixel_set(r->whitted, k, dir, plt_light_turn(x, y));
+            plt_view_direction(view, x, y, dir);
+            plt_whitted_pixel_set(w, k, dir, plt_light_turn(x, y));
         } else {
-            plt_whitted_pixel_none(r->whitted, k);
+            plt_whitted_pixel_none(w, k);
         }
     }
-    plt_whitted_begin(r->whitted, packet);
+    plt_whitted_begin(w, packet);
 }
 
-int plt_whitted_frame_step(plt_rendering *r, plt_traversal *t, plt_packet *packet,
-                           uint32_t visits) {
-    return plt_whitted_step(r->whitted, t, packet, visits);
-}
-
-void plt_whitted_frame_shade(const plt_rendering *r, const plt_pixels *pixels, uint8_t *rgb,
+void plt_whitted_frame_shade(const plt_whitted *w, const plt_pixels *pixels, uint8_t *rgb,
                              uint32_t row_bytes) {
     const uint32_t columns = pixels->x_end - pixels->x, rows = pixels->y_end - pixels->y;
     for (uint32_t k = 0; k < pixels->side * pixels->side; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
         for (uint32_t c = 0; x < columns && y < rows && c < 3; c++) {
-            rgb[y * row_bytes + 3 * x + c] = plt_srgb_byte(r->whitted->pixel[k].colour[c]);
+            rgb[y * row_bytes + 3 * x + c] = plt_srgb_byte(w->pixel[k].colour[c]);
         }
     }
 }

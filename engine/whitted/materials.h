@@ -1,4 +1,4 @@
-/* materials - what triangles are made of: the section of SPEC.md, 4.21
+/* materials - what triangles are made of: the section of SPEC.md, 4.20
  *
  * Invariant: plt_materials_check has been through what is read here, so that an index is below
  * the count and a number in its range.
@@ -20,7 +20,7 @@ typedef struct plt_material {
     float diffuse[3];
     float specular[3];   /* of highlights, and of what a mirror reflects */
     float emission[3];   /* light of its own, 0 .. 2^20 */
-    float absorption[3]; /* of glass: light fades by e^-absorption per unit of length, 0 .. 2^20 */
+    float absorption[3]; /* of glass: light fades by e^(-absorption x) along x, 0 .. 2^20 */
     float index;         /* of refraction, 1 .. 4 */
     float transparency;  /* 0: opaque, 1: clear glass, 0 .. 1 */
     float mirror;        /* reflects so much of `specular` face on, and all of it at a grazing

@@ -17,7 +17,7 @@
 enum stage { STAGE_RAYS, STAGE_SHADOWS };
 
 /* 2^-17 of the largest coordinate: a ray that leaves a triangle on one side does not meet it again
- * (DESIGN.md, 9.1). */
+ * (DESIGN.md, 9.2). */
 #define LIFT 7.62939453125e-6f
 
 plt_whitted *plt_whitted_init(void *memory, unsigned side, unsigned bounces) {

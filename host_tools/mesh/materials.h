@@ -13,7 +13,7 @@
 
 enum { MATERIALS_MOST = 65535 };
 
-/* As a section of an image has it (SPEC.md, 4.21). */
+/* As a section of an image has it (SPEC.md, 4.20). */
 typedef struct material_values {
     float diffuse[3], specular[3], emission[3], absorption[3];
     float index, transparency, mirror;

@@ -94,8 +94,9 @@ static int add(packed *image, section *s, const char *name, material_stats *stat
                         "has more than 256 materials; merge some, or use --materials none");
     }
     const uint64_t size = plt_materials_bytes(&s->as);
+    const char *remedy = "use --materials none, or --reduce";
     if (image_size_check(name, image->info.triangles, image->size + size + FURTHER_ADD_MORE, 0,
-                         "use --materials none, or --reduce", f) != 0) {
+                         remedy, f) != 0) {
         return -1;
     }
     unsigned char *bytes = heap_get_zeroed(size);

@@ -1,4 +1,4 @@
-/* material_section - the section of what triangles are made of (SPEC.md, 4.21)
+/* material_section - the section of what triangles are made of (SPEC.md, 4.20)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef MATERIAL_SECTION_H

@@ -16,8 +16,8 @@ printf 'newmtl a\nKd 1 0 0\nnewmtl b\nKs 1 1 1\nillum 3\n' >good.mtl
 } >good.obj
 says "--strict is about materials; add --materials keep" pack good.obj -o x.plt --strict
 packs 2 good.obj --strict --materials keep
-says "--reduce leaves other triangles than the mesh's; leave out --materials" pack good.obj -o x.plt \
-    --reduce 2 --materials keep
+says "--reduce leaves other triangles than the mesh's; leave out --materials" pack good.obj \
+    -o x.plt --reduce 2 --materials keep
 cured pack good.obj -o x.plt --reduce 2
 says "has no materials (usemtl of OBJ); leave out --materials" pack quad.ply -o x.plt \
     --materials keep
@@ -70,8 +70,9 @@ run pack good.obj -o good.plt --materials keep
 for light in point:1,2,3 sun:0,0,0,1 area:1,2,3,4 point:1,2,3,4,5 lamp:1,2,3,4 point:1,2,3,nan \
     sun:1,1,1,-1 area:1,2,3,4,1,17 area:1,2,3,4,1,0 point:1,2,3,4/ point:1e30,0,0,1 \
     area:1,2,3,4,-1 point:1,2,3,4x; do
-    says "--light takes point:x,y,z,POWER, sun:x,y,z,POWER or area:x,y,z,POWER,RADIUS, up to 8 with \
-'/' between them, not '%s'" render good.plt -o x.png --size 8x8 --shader whitted --light "$light"
+    says "--light takes point:x,y,z,POWER, sun:x,y,z,POWER or area:x,y,z,POWER,RADIUS, up \
+to 8 with '/' between them, not '%s'" \
+        render good.plt -o x.png --size 8x8 --shader whitted --light "$light"
     cured render good.plt -o x.png --size 8x8 --shader whitted \
         --light point:1,2,3,4/sun:0,1,0,1/area:1,2,3,4,0.5
 done

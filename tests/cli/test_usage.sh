@@ -54,12 +54,12 @@ flags make -o --triangles --seed --frame --frames --instances
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
     --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames \
     --stills --tree-for --rate --key --instances --centre --origin --normals --smooth \
-    --colours --weld --repair --memory --json
+    --colours --materials --strict --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
-    --rebuild-most --records --beside --baseline --repeat --chroma --json --counts \
-    $view_flags --background $scene_flags
+flags render -o --show --size --shader --light --sky --ground --depth --orbit --moved --frames \
+    --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat --chroma --json \
+    --counts $view_flags --background $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json --counts $scene_flags
@@ -126,7 +126,7 @@ for pair in --build=thing --splits=middle --quality=best --quality-time=0 --tree
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=volume \
     --slots=oldest --geometry=lattice --geometry=double --checks=some --numbers=some \
     --numbers=none --tolerance=0.1 --reduce=0 --frame=-1 --smooth=181 --normals=all \
-    --colours=8; do
+    --colours=8 --materials=all; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
 for pair in --packet=3 --walk=wide --structure=kd --residency=cached --store=64K --store=28671 \
@@ -142,7 +142,7 @@ for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=
     --view=above --view=1 --view=361,0 --view=0,91 --view=1,2,3 --view=a,b \
     --background=red --background=12345 --background=#123456 --background= \
     --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
-    --fov=-5 --fov=x --shader=toon --orbit=0 --repeat=0; do
+    --fov=-5 --fov=x --shader=toon --depth=9 --light=lamp:1 --sky=1 --orbit=0 --repeat=0; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
 done
 misused "trace refuses --repeat 0" --repeat trace quad.plt rays x --repeat 0

@@ -8,7 +8,8 @@
 . tests/check/report.sh
 . tests/fuzz/seeds.sh
 PLANELET=${PLANELET:-$BUILD/host/planelet}
-all='image blocks sequence instances materials mtl wire_tile wire_peer ply obj stl polygon recipe png'
+all='image blocks sequence instances materials mtl wire_tile wire_peer ply obj stl polygon'
+all="$all recipe png"
 seconds=${SECONDS_EACH:-60}
 work=$BUILD/fuzz
 
@@ -20,8 +21,8 @@ sources_of() { # TARGET
         find platform/wire -name '*.c' ! -name device.c
         ;;
     ply | obj | stl) find engine host_tools/base host_tools/mesh host_tools/pack -name '*.c' ;;
-    mtl) echo host_tools/base/*.c host_tools/mesh/materials.c host_tools/mesh/mtl.c host_tools/mesh/scan.c \
-        host_tools/mesh/decimal.c ;;
+    mtl) ls host_tools/base/*.c host_tools/mesh/materials.c host_tools/mesh/mtl.c \
+        host_tools/mesh/scan.c host_tools/mesh/decimal.c ;;
     polygon) echo host_tools/mesh/orient2.c host_tools/mesh/polygon*.c ;;
     recipe) # the target has an input of its own
         find engine host_tools/base host_tools/mesh host_tools/pack -name '*.c' ! -name input.c
