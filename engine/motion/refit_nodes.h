@@ -42,12 +42,14 @@ PLT_REFIT_PART void fit(plt_refit_job *job, uint32_t n, const plt_box4 *left, pl
     }
 }
 
-/* From a node to its left child. */
+/* From a node to its left child. The right one, if it is a node, is asked for meanwhile. */
 static inline uint32_t descend_one(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
-    (*top)->node = plt_link_index(link);
+    const uint32_t n = plt_link_index(link), right = plt_node_link(&job->nodes[n], 1);
+    plt_prefetch(&job->nodes[plt_link_is_leaf(right) ? n : plt_link_index(right)]);
+    (*top)->node = n;
     (*top)->is_done = 0;
     ++*top;
-    return plt_node_link(&job->nodes[plt_link_index(link)], 0);
+    return plt_node_link(&job->nodes[n], 0);
 }
 
 /* Down to the leftmost leaf below `link`, which is a node, every node on the way a level. */
