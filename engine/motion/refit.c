@@ -5,6 +5,7 @@
 
 #include "engine/lanes/lanes.h"
 
+#if PLT_LANES_REGISTERS
 /* Records that are asked for so many ahead: they come in a row, but a processor that looks ahead by
  * itself ends with each page, and is late. What lies behind the last one is not read. */
 enum { AHEAD = 48 };
@@ -16,6 +17,9 @@ static inline plt_box4 lists_box(const plt_refit_job *job, uint32_t link) {
 }
 
 #define REFIT_LISTS(job, link) lists_box(job, link)
+#else
+#define REFIT_LISTS(job, link) plt_lists_box4((job)->records, link)
+#endif
 #include "engine/motion/refit_nodes.h"
 
 void plt_refit_begin(plt_refit_job *job) {
