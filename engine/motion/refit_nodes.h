@@ -42,8 +42,20 @@ PLT_REFIT_PART void fit(plt_refit_job *job, uint32_t n, const plt_box4 *left, pl
     }
 }
 
+/* The right child of node `n`, if it is a node, is asked for. */
+static inline void ask_for_right(const plt_refit_job *job, uint32_t n) {
+#if PLT_LANES_REGISTERS
+    const uint32_t right = plt_node_link(&job->nodes[n], 1);
+    plt_prefetch(&job->nodes[plt_link_is_leaf(right) ? n : plt_link_index(right)]);
+#else
+    (void)job;
+    (void)n;
+#endif
+}
+
 /* From a node to its left child. */
 static inline uint32_t descend_one(const plt_refit_job *job, uint32_t link, plt_refit_level **top) {
+    ask_for_right(job, plt_link_index(link));
     (*top)->node = plt_link_index(link);
     (*top)->is_done = 0;
     ++*top;

@@ -25,6 +25,21 @@ typedef struct plt_vertices {
     plt_lattice lattice;            /* bits 0: vertices are floats */
 } plt_vertices;
 
+/* Whether the three numbers of a triangle are in one word from the byte that they begin in. */
+static inline int plt_vertices_are_near(const plt_vertices *v) {
+    return UINTPTR_MAX > 0xFFFFFFFFu && 3 * v->index_bits <= PLT_BITS_LONG;
+}
+
+/* Of triangle `id`, where they are. */
+static inline void plt_vertices_of_near(const plt_vertices *v, uint32_t id, uint32_t index[3]) {
+    const uint32_t width = v->index_bits;
+    const uint64_t at = (uint64_t)id * (3 * width), mask = plt_low_bits(width);
+    const uint64_t all = plt_bits_long(v->topology + (size_t)(at >> 3), (uint32_t)(at & 7));
+    index[0] = (uint32_t)(all & mask);
+    index[1] = (uint32_t)(all >> width & mask);
+    index[2] = (uint32_t)(all >> 2 * width & mask);
+}
+
 /* The vertices of triangle `id`. The topology stays packed: it is a quarter to a half of what whole
  * words would be, and more of it is in a cache. */
 static inline void plt_vertices_of(const plt_vertices *v, uint32_t id, uint32_t index[3]) {
@@ -33,11 +48,8 @@ static inline void plt_vertices_of(const plt_vertices *v, uint32_t id, uint32_t 
     const unsigned char *bits = v->topology + (size_t)(at >> 3);
     const uint32_t first = (uint32_t)(at & 7);
 #if UINTPTR_MAX > 0xFFFFFFFFu
-    if (3 * width <= PLT_BITS_LONG) {
-        const uint64_t all = plt_bits_long(bits, first), mask = plt_low_bits(width);
-        index[0] = (uint32_t)(all & mask);
-        index[1] = (uint32_t)(all >> width & mask);
-        index[2] = (uint32_t)(all >> 2 * width & mask);
+    if (plt_vertices_are_near(v)) {
+        plt_vertices_of_near(v, id, index);
         return;
     }
 #else
