@@ -8,7 +8,7 @@
 . tests/check/report.sh
 . tests/fuzz/seeds.sh
 PLANELET=${PLANELET:-$BUILD/host/planelet}
-all='image blocks sequence instances wire_tile wire_peer ply obj stl polygon recipe png'
+all='image blocks sequence instances surface wire_tile wire_peer ply obj stl polygon recipe png'
 seconds=${SECONDS_EACH:-60}
 work=$BUILD/fuzz
 
