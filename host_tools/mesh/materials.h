@@ -9,8 +9,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "host_tools/base/input.h"
-
 enum { MATERIALS_MOST = 65535 };
 
 /* As a section of an image has it (SPEC.md, 4.20). */
@@ -59,12 +57,5 @@ int materials_end(mesh_materials *m, const char *path, size_t triangles);
 int materials_complain(mesh_materials *m, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void materials_free(mesh_materials *m);
-
-/* Reads a library; lines that are wrong are troubles. -1: memory is out. */
-int materials_read(mesh_materials *m, const input *in);
-
-/* Reads a library whose name stands in the file `path`, beside it; one that cannot be read is a
- * trouble. -1: memory is out. */
-int materials_read_library(mesh_materials *m, const char *path, const char *name, size_t length);
 
 #endif

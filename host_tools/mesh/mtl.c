@@ -15,8 +15,7 @@
 #include <string.h>
 
 #include "host_tools/base/heap.h"
-#include "host_tools/base/input.h"
-#include "host_tools/mesh/materials.h"
+#include "host_tools/mesh/mtl.h"
 #include "host_tools/mesh/scan.h"
 
 enum { EXPONENT_MOST = 1024, ILLUM_MOST = 10 };
@@ -174,7 +173,7 @@ static int read_line(library *l) {
                                     WORD_SHOWN(key));
 }
 
-int materials_read(mesh_materials *m, const input *in) {
+int mtl_read(mesh_materials *m, const input *in) {
     library l = {.to = m,
                  .path = in->path,
                  .text = scan_begin_filled(in->bytes, in->size),
@@ -193,7 +192,7 @@ static size_t folder_length(const char *path) {
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
-int materials_read_library(mesh_materials *m, const char *path, const char *name, size_t length) {
+int mtl_read_beside(mesh_materials *m, const char *path, const char *name, size_t length) {
     const size_t folder = length > 0 && name[0] == '/' ? 0 : folder_length(path);
     char *file = heap_get(folder + length + 1);
     input in = {0};
@@ -206,7 +205,7 @@ int materials_read_library(mesh_materials *m, const char *path, const char *name
     file[folder + length] = '\0';
     const int is_there = length > 0 && strcmp(file, "-") != 0 && input_read(&in, file, &f) == 0;
     int status = is_there
-                     ? materials_read(m, &in)
+                     ? mtl_read(m, &in)
                      : materials_complain(m, path, "its material library '%.*s' cannot be read",
                                           (int)(length < 80 ? length : 80), name);
     input_free(&in);

@@ -12,6 +12,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/intake.h"
+#include "host_tools/mesh/mtl.h"
 #include "host_tools/mesh/readers.h"
 #include "host_tools/mesh/scan.h"
 
@@ -232,9 +233,7 @@ static int read_material(reader *r, int is_library) {
     mesh_materials *m = r->in.m->materials;
     const word name = rest_of_line(r);
     if (is_library) {
-        return materials_read_library(m, r->in.path, name.text, name.length) == 0
-                   ? 0
-                   : fail_materials(r);
+        return mtl_read_beside(m, r->in.path, name.text, name.length) == 0 ? 0 : fail_materials(r);
     }
     const int number = name.length == 0 ? 0 : materials_find(m, name.text, name.length);
     return number >= 0 && materials_use(m, r->in.m->triangles, number) == 0 ? 0 : fail_materials(r);

@@ -8,7 +8,7 @@
 . tests/check/report.sh
 . tests/fuzz/seeds.sh
 PLANELET=${PLANELET:-$BUILD/host/planelet}
-all='image blocks sequence instances materials mtl wire_tile wire_peer ply obj stl polygon'
+all='image blocks sequence instances surface materials mtl wire_tile wire_peer ply obj stl polygon'
 all="$all recipe png"
 seconds=${SECONDS_EACH:-60}
 work=$BUILD/fuzz

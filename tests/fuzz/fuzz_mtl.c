@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "host_tools/mesh/materials.h"
+#include "host_tools/mesh/mtl.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     memcpy(bytes, data, size);
     bytes[size] = 0;
     const input in = {.path = "fuzz.mtl", .bytes = bytes, .size = size};
-    if (materials_begin(&m, 0) != 0 || materials_read(&m, &in) != 0) {
+    if (materials_begin(&m, 0) != 0 || mtl_read(&m, &in) != 0) {
         abort();
     }
     for (size_t i = 0; i < m.count; i++) {

@@ -10,7 +10,8 @@
  *   - a failure is one line that begins with the file's name, and so are the report's lines;
  *   - the second reading gives what the first gave, and counts the same;
  *   - repair changes nothing in a file that needs none, and says what it has dropped;
- *   - vertices and triangles are at most as many as the file has bytes.
+ *   - vertices and triangles are at most as many as the file has bytes;
+ *   - read for its normals and colours, too, it has directions and colours, or is refused.
  *
  * What is done with a mesh that was read is in mesh_use.h.
  *
@@ -25,6 +26,7 @@
 #include "host_tools/base/input.h"
 #include "host_tools/mesh/readers.h"
 #include "host_tools/mesh/recipe.h"
+#include "host_tools/mesh/smooth.h"
 #include "tests/fuzz/mesh_use.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -205,6 +207,39 @@ static inline unsigned choice_of(const uint8_t *data, size_t size) {
 }
 
 /* `members`: what the file names counts too, and its size says nothing. */
+/* Of every corner: a normal is a direction or none, a colour is one or none. */
+static inline int corners_hold(const mesh *m, const mesh_corners *c) {
+    int holds = (c->normal == NULL && c->colour == NULL) || c->triangles >= m->triangles;
+    for (size_t i = 0; i < 3 * m->triangles && holds; i++) {
+        double n[3] = {1, 0, 0};
+        if (c->normal != NULL && c->normal[i] != CORNER_NO_NORMAL) {
+            corner_direction(c->normal[i], n);
+        }
+        const double squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        holds &= squared > 0.999 && squared < 1.001;
+        holds &=
+            c->colour == NULL || c->colour[i] == CORNER_NO_COLOUR || c->colour[i] >> 24 == 0xFF;
+    }
+    return holds;
+}
+
+/* The same file by someone who wants normals and colours, and then makes some. */
+static inline void read_corners(mesh_reader *reader, const input *in, int repair) {
+    mesh_corners c = {.wants_normals = 1, .wants_colours = 1};
+    mesh m = {.corners = &c};
+    mesh_report report = {.repair = repair};
+    fail f = {""};
+    const int status = reader(&m, in, &report, &f);
+    promise(status == 0 || (m.triangles == 0 && m.vertices == 0), "something was left", in->path);
+    promise(status == 0 || one_line_about(f.text, in->path), f.text, in->path);
+    promise(status != 0 || (mesh_holds(&m) && corners_hold(&m, &c)), "corners", in->path);
+    if (status == 0 && m.triangles < 2000 && mesh_smooth(&m, 40, &c) == 0) {
+        promise(corners_hold(&m, &c), "smooth corners", in->path);
+    }
+    mesh_free(&m);
+    corners_free(&c);
+}
+
 static inline void mesh_target_try(mesh_reader *reader, const char *path, const uint8_t *data,
                                    size_t size, int members) {
     const unsigned choice = choice_of(data, size);
@@ -226,6 +261,8 @@ static inline void mesh_target_try(mesh_reader *reader, const char *path, const 
         check_size(&plain.m, size);
         check_size(&repaired.m, size);
     }
+    read_corners(reader, &in, 0);
+    read_corners(reader, &in, 1);
     if (repaired.status == 0) {
         mesh_use(&repaired.m, choice / 4);
     }

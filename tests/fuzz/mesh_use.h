@@ -158,8 +158,8 @@ static inline uint64_t count_open(const mesh *m) {
     open_edges o;
     promise(open_edges_find(&o, m, 0, m->triangles) == 0, "memory for edges", "");
     promise(o.count <= 3 * m->triangles, "more open edges than edges", "");
-    for (size_t i = 0; i < 2 * o.count; i++) {
-        promise(o.vertex[i] < m->vertices, "an edge of no vertex", "");
+    for (size_t i = 0; i < o.ends; i++) {
+        promise(o.end[i] < m->vertices, "an edge of no vertex", "");
     }
     const uint64_t count = o.count;
     open_edges_free(&o);

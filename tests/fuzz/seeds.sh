@@ -271,8 +271,18 @@ seeds_instances() { # FOLDER
     done
 }
 
+seeds_surface() { # FOLDER
+    printf 'v %s\n' '0 0 0 1 0 0' '1 0 0 0 1 0' '0 1 0 0 0 1' '1 1 0.5 1 1 1' >"$work/body.obj"
+    printf 'f 1 2 3\nf 2 4 3\n' >>"$work/body.obj"
+    for flags in '--smooth 10' '--smooth 90 --colours keep' '--nodes compact --smooth 90'; do
+        # shellcheck disable=SC2086
+        "$PLANELET" pack "$work/body.obj" $flags -o "$work/body.plt" 2>/dev/null
+        { printf '\020'; cat "$work/body.plt"; } >"$1/$(echo "$flags" | tr -d ' -')"
+    done
+}
+
 seeds() { # TARGET FOLDER
     case $1 in
-    ply | obj | stl | recipe | png | sequence | instances) "seeds_$1" "$2" ;;
+    ply | obj | stl | recipe | png | sequence | instances | surface) "seeds_$1" "$2" ;;
     esac
 }

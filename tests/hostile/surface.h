@@ -74,7 +74,10 @@ static inline const char *hostile_trace_surface(plt_engine *e) {
             sentence = hostile_point(e, &hits[i]);
         }
     }
-    const plt_frame frame = {{{3, 2, 4}, {0, 0, 0}, {0, 1, 0}, 0.5f}, 12, 12, PLT_SHADE_SMOOTH};
+    const plt_frame frame = {.camera = {{3, 2, 4}, {0, 0, 0}, {0, 1, 0}, 0.5f},
+                             .width = 12,
+                             .height = 12,
+                             .shader = PLT_SHADE_SMOOTH};
     if (sentence == NULL && plt_render_begin(e, &frame) != PLT_OK) {
         return "a smooth frame is refused";
     }
