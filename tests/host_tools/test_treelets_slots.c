@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/treelets/full.h"
 #include "host_tools/treelets/slots.h"
-#include "tests/reference/random.h"
+#include "tests/reference/treelet_trees.h"
 #include "tests/test.h"
 
 enum { SIZE = 9, TREELETS = 400 };
@@ -109,6 +109,24 @@ static void check_left(void) {
     CHECK(left_of(alike, more) == 0, "%u", left_of(alike, more));
 }
 
+/* Without areas all nodes are as large: the first to come is the next. */
+static void check_no_areas(void) {
+    random_state r = {3};
+    treelet_tree_made t = treelet_tree_make(700, TREELETS_AS_BUILT, &r);
+    t.tree.area = NULL;
+    for (uint32_t size = 2; size <= 64; size *= 2) {
+        const treelet_wish area = {size, TREELET_FILL_AREA, TREELET_SLOTS_THESIS};
+        const treelet_wish bfs = {size, TREELET_FILL_BFS, TREELET_SLOTS_THESIS};
+        treelet_layout a, b;
+        CHECK(treelets_form(&a, &t.tree, &area) == 0 && treelets_form(&b, &t.tree, &bfs) == 0,
+              "no memory");
+        CHECK(memcmp(a.slot, b.slot, t.tree.nodes * sizeof *a.slot) == 0, "N %u", size);
+        treelets_free(&a);
+        treelets_free(&b);
+    }
+    treelet_tree_drop(&t);
+}
+
 int main(void) {
     test("the thesis's rule: a block that is just filled, else the emptiest, the last of equals");
     check_rule(TREELET_SLOTS_THESIS);
@@ -118,5 +136,7 @@ int main(void) {
     test("what an incomplete treelet costs grows with its nodes, and above half of N");
     check_price();
     check_left();
+    test("filled by area without areas, treelets are breadth first");
+    check_no_areas();
     return test_done();
 }
