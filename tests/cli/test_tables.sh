@@ -109,6 +109,22 @@ verdict "--json has all lines and columns" "$(
     grep -q '"scene": "ground\*", "line": "ours", "values": \[12, ' first.json ||
         grep -m 3 ground first.json)"
 
+verdict "... of Table 5.4 shares are per cent, and ratios those of the lines above them" "$(
+    sed -n '/"name": "Table 5.4/,/"name": "Table 5.5/p' first.json | tr -d '[]{}"' |
+        awk -F'line: |, values: ' '
+            /line: ours, median/ { n = split($3, median, ", ") }
+            /line: ours, SAH/ { split($3, sah, ", ") }
+            /line: SAH : median/ {
+                split($3, ratio, ", ")
+                for (i = 1; i <= 9; i++) {
+                    apart = ratio[i] * median[i] - sah[i]
+                    if (apart > 0.1 || apart < -0.1) print i ": " $0
+                }
+                if (!(median[9] > 1 && median[9] < 100)) print "masked: " median[9]
+                seen++
+            }
+            END { if (seen < 2) print seen + 0 " scenes" }')"
+
 small_tables ground,shuttle -o to --json again.json
 verdict "a second run measures nothing, and says the same" "$(
     finished
