@@ -125,6 +125,22 @@ verdict "... of Table 5.4 shares are per cent, and ratios those of the lines abo
             }
             END { if (seen < 2) print seen + 0 " scenes" }')"
 
+verdict "... and so are those of Table 5.6, over the first column" "$(
+    sed -n '/"name": "Table 5.6/,$p' first.json | tr -d '[]{}"' |
+        awk -F'line: |, values: ' '
+            /line: (Figure 4.2|text of 4.2|mirrored|sorted|depth first)/ { split($3, at, ", ") }
+            /line: ... % more/ && at[1] > 0 {
+                split($3, more, ", ")
+                for (i = 2; i <= 10; i++) {
+                    apart = at[i] - at[1] * (1 + more[i] / 100)
+                    if (apart > 0.1 || apart < -0.1) print i ": " $0
+                    largest = more[i] > largest ? more[i] : largest
+                }
+                at[1] = 0
+                seen++
+            }
+            END { if (seen < 10 || largest < 20) print seen + 0 " lines, " largest }')"
+
 small_tables ground,shuttle -o to --json again.json
 verdict "a second run measures nothing, and says the same" "$(
     finished
