@@ -109,6 +109,38 @@ verdict "--json has all lines and columns" "$(
     grep -q '"scene": "ground\*", "line": "ours", "values": \[12, ' first.json ||
         grep -m 3 ground first.json)"
 
+verdict "... of Table 5.4 shares are per cent, and ratios those of the lines above them" "$(
+    sed -n '/"name": "Table 5.4/,/"name": "Table 5.5/p' first.json | tr -d '[]{}"' |
+        awk -F'line: |, values: ' '
+            /line: ours, median/ { n = split($3, median, ", ") }
+            /line: ours, SAH/ { split($3, sah, ", ") }
+            /line: SAH : median/ {
+                split($3, ratio, ", ")
+                for (i = 1; i <= 9; i++) {
+                    apart = ratio[i] * median[i] - sah[i]
+                    if (apart > 0.1 || apart < -0.1) print i ": " $0
+                }
+                if (!(median[9] > 1 && median[9] < 100)) print "masked: " median[9]
+                seen++
+            }
+            END { if (seen < 2) print seen + 0 " scenes" }')"
+
+verdict "... and so are those of Table 5.6, over the first column" "$(
+    sed -n '/"name": "Table 5.6/,$p' first.json | tr -d '[]{}"' |
+        awk -F'line: |, values: ' '
+            /line: (Figure 4.2|text of 4.2|mirrored|sorted|depth first)/ { split($3, at, ", ") }
+            /line: ... % more/ && at[1] > 0 {
+                split($3, more, ", ")
+                for (i = 2; i <= 10; i++) {
+                    apart = at[i] - at[1] * (1 + more[i] / 100)
+                    if (apart > 0.1 || apart < -0.1) print i ": " $0
+                    largest = more[i] > largest ? more[i] : largest
+                }
+                at[1] = 0
+                seen++
+            }
+            END { if (seen < 10 || largest < 20) print seen + 0 " lines, " largest }')"
+
 small_tables ground,shuttle -o to --json again.json
 verdict "a second run measures nothing, and says the same" "$(
     finished

@@ -382,6 +382,7 @@ static void check_foreign(void) {
 
 static void check_twist(void) {
     mesh still = {0}, m = {0};
+    double far[8];
     fail f = {""};
     scene_knot(&still, 1500, &f);
     test("a twist begins with the mesh, keeps heights and distances from the axis, and moves");
@@ -407,7 +408,11 @@ static void check_twist(void) {
             moved = fmax(moved, hypot((double)(p[0] - q[0]), (double)(p[2] - q[2])));
         }
         CHECK(step == 0 ? moved == 0.0 : moved > 0.1, "step %u: %g", step, moved);
+        far[step] = moved;
     }
+    CHECK(far[1] < far[2] && far[2] < far[4] && fabs(far[7] - far[1]) < 1e-6 &&
+              fabs(far[6] - far[2]) < 1e-6,
+          "%g, %g, %g does not come back", far[1], far[4], far[7]);
     mesh_free(&m);
     mesh_free(&still);
 }

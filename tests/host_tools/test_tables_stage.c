@@ -10,6 +10,7 @@
 #include "host_tools/pack/pack.h"
 #include "host_tools/scenes/scenes.h"
 #include "host_tools/tables/book.h"
+#include "host_tools/tables/racers.h"
 #include "tests/test.h"
 
 #define ARENA_BYTES (8 << 20)
@@ -92,7 +93,7 @@ static void check_rays(void) {
 
 /* Bytes that are in use at most while packets, and then three structures in turn, are measured. */
 static uint64_t peak_of(size_t triangles, unsigned side, unsigned views, figures *to) {
-    static const char *const racer[MEASURE_RACERS] = {"wbvh:4x4", "bvh:4x4", "tree:4x4"};
+    static const char *const names[MEASURE_RACERS] = {"wbvh:4x4", "bvh:4x4", "tree:4x4"};
     meter m = {.look = {side, views}, .rounds = 1};
     figures raced[MEASURE_RACERS];
     fail f = {""};
@@ -102,7 +103,7 @@ static uint64_t peak_of(size_t triangles, unsigned side, unsigned views, figures
     counters_open(&m.counters);
     if (set_stage(&s, triangles) == 0) {
         CHECK(measure_job(&m, &s, "trace:wbvh:4x4", to, &f) == 0, "%s", f.text);
-        CHECK(measure_race(&m, &s, racer, raced, &f) == 0, "%s", f.text);
+        CHECK(measure_race(&m, &s, names, raced, &f) == 0, "%s", f.text);
         CHECK(raced[0].of[FIGURE_RAYS] == (double)side * side * views, "rays");
     }
     counters_close(&m.counters);
@@ -120,6 +121,35 @@ static void check_memory(void) {
     CHECK(least == most, "%llu and %llu bytes", (unsigned long long)least,
           (unsigned long long)most);
     CHECK(most < STAGE_RAY_BYTES + 400 * 600 + (1 << 20), "%llu bytes", (unsigned long long)most);
+}
+
+/* Frames of an animation add up. */
+static void check_sums(void) {
+    const stage_options look = {48, 2};
+    counters c;
+    racers all = {.count = 0};
+    fail f = {""};
+    stage s;
+    test("times, rays and hits of races are sums over all frames");
+    counters_open(&c);
+    if (set_stage(&s, 400) == 0) {
+        CHECK(stage_look(&s, &look, &f) == 0 && racers_add(&all, "wbvh", &s.m, "knot", &f) == 0,
+              "%s", f.text);
+        CHECK(racers_run(&all, &s, 2, &c, &f) == 0, "%s", f.text);
+        const racer_time once = all.racer[0].sum;
+        CHECK(once.hits > 10.0 && once.hits < once.rays && once.rays == 2.0 * 48 * 48, "%g of %g",
+              once.hits, once.rays);
+        for (int i = 0; i < 20; i++) {
+            CHECK(racers_run(&all, &s, 2, &c, &f) == 0, "%s", f.text);
+        }
+        const racer_time all_runs = all.racer[0].sum;
+        CHECK(all_runs.hits == 21.0 * once.hits && all_runs.rays == 21.0 * once.rays, "%g hits",
+              all_runs.hits);
+        CHECK(all_runs.seconds > 3.0 * once.seconds, "%g and %g s", once.seconds, all_runs.seconds);
+    }
+    racers_close(&all);
+    counters_close(&c);
+    stage_free(&s);
 }
 
 static void check_said(void) {
@@ -141,6 +171,7 @@ static void check_said(void) {
 int main(void) {
     check_rays();
     check_memory();
+    check_sums();
     check_said();
     return test_done();
 }
