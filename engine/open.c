@@ -429,12 +429,29 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     return with_need(e, status, fault);
 }
 
+#if PLT_WITH_WHITTED || PLT_WITH_SURFACE
+/* The header once more: rooms are as large as it said the first time. */
+static int read_header_again(const plt_engine *e, plt_header *header, plt_fault *fault) {
+    const plt_info *before = &e->scene.info, *now = &header->info;
+    const int status = read_header(&e->source, header, fault);
+    if (status != PLT_OK) {
+        return status;
+    }
+    return now->material_bytes == before->material_bytes &&
+                   now->normal_bytes == before->normal_bytes &&
+                   now->colour_bytes == before->colour_bytes &&
+                   now->source_triangles == before->source_triangles
+               ? PLT_OK
+               : plt_fault_set(fault, PLT_ERR_SOURCE, 0, "the source has another header now");
+}
+#endif
+
 /* Of what was built step by step, whose header is not at hand any more. */
 static int start_built(plt_engine *e, plt_fault *fault) {
 #if PLT_WITH_WHITTED || PLT_WITH_SURFACE
     plt_header header;
     if (e->options.whitted > 0 || e->options.surface) {
-        const int status = read_header(&e->source, &header, fault);
+        const int status = read_header_again(e, &header, fault);
         return status == PLT_OK ? start_worker(e, &header, fault) : status;
     }
 #endif

@@ -220,6 +220,10 @@ static int check_sections(const plt_header *h, const unsigned char *bytes, plt_f
         }
         offset += due;
     }
+    if (HAS_FURTHER(h) && offset > h->info.image_bytes) {
+        return plt_refused(fault, PLT_R17_FURTHER, PLT_AT_IMAGE_BYTES,
+                           "the image ends before its table of further sections");
+    }
     if (offset != h->info.image_bytes && !HAS_FURTHER(h)) {
         return plt_refused(fault, PLT_R11_SECTION, PLT_AT_IMAGE_BYTES,
                            "the sections do not fill the image");

@@ -5,8 +5,10 @@
 
 #include "engine/base/rules.h"
 #include "engine/whitted/materials.h"
+#include "host_tools/pack/further_add.h"
 #include "host_tools/pack/material_section.h"
 #include "tests/hostile/materials.h"
+#include "tests/hostile/surface.h"
 #include "tests/reference/lit_rig.h"
 #include "tests/reference/random.h"
 #include "tests/test.h"
@@ -225,6 +227,104 @@ static void mutated(void) {
     lit_scene_free(&s);
 }
 
+/* ---- a source that changes ------------------------------------------------------------- */
+
+/* Delivers `image`, which is exchanged for another while the engine builds. */
+static int start_some(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {
+    const packed *image = *(const packed **)context;
+    (void)tag;
+    memcpy(to, image->bytes + offset, count);
+    return 0;
+}
+
+static int wait_none(void *context, uint32_t tags) {
+    (void)context;
+    (void)tags;
+    return 0;
+}
+
+/* Compact blocks that are built by the engine, of so many materials, with as many bytes of normals,
+ * which nobody asks for, before them. */
+static packed image_to_build(lit_scene *s, unsigned materials, uint32_t normals) {
+    const compact_options options = {
+        .build = PLT_BUILD_DEVICE, .lattice_bits = 14, .numbers = 1, .leaf_triangles = 2};
+    packed image = {.bytes = NULL};
+    lattice_loss loss;
+    material_stats stats;
+    fail f = {""};
+    unsigned char *zeros = calloc(normals + 1, 1);
+    set_runs(s, materials, 1);
+    CHECK(pack_compact(&image, &s->m, &options, "test", &loss, &f) == 0, "%s", f.text);
+    CHECK(normals == 0 || further_add(&image, PLT_SECTION_NORMALS, zeros, normals, "test", &f) == 0,
+          "%s", f.text);
+    CHECK(material_section_add(&image, &s->materials, "test", &stats, &f) == 0, "%s", f.text);
+    free(zeros);
+    return image;
+}
+
+/* The status of opening `first`, which is `second` once the building has begun, in an arena of its
+ * need alone. */
+static int open_changing(const packed *first, const packed *second, plt_fault *fault) {
+    const plt_options options = {.packet_side = 2, .whitted = 4};
+    const packed *now = first;
+    const plt_source source = {
+        .bytes = second->size, .context = &now, .start = start_some, .wait = wait_none};
+    const size_t need = plt_arena_need(&first->info, 0, &options);
+    plt_engine *engine;
+    void *arena = aligned_alloc(PLT_ALIGN, need);
+    int status = plt_open_begin(&engine, arena, need, &source, &options, fault);
+    now = second;
+    while (status == PLT_MORE) {
+        status = plt_open_step(engine, 100, fault);
+    }
+    free(arena);
+    return status;
+}
+
+static void changes(void) {
+    lit_scene s;
+    plt_fault fault = {.message = ""};
+    lit_scene_make(&s);
+    packed many = image_to_build(&s, 200, 64), few = image_to_build(&s, 5, 64);
+    const uint32_t more = many.info.material_bytes - few.info.material_bytes;
+    pack_free(&few);
+    few = image_to_build(&s, 5, 64 + more);
+    test("materials that grow while a tree is built are refused, not written behind their room");
+    CHECK(few.size == many.size && (more > 0 || rig_is_tiny()), "%u bytes more", more);
+    const int same = open_changing(&few, &few, &fault);
+    CHECK(same == PLT_OK || (rig_is_tiny() && same == PLT_ERR_LIMIT), "%d: %s", same,
+          fault.message);
+    const int status = open_changing(&few, &many, &fault);
+    CHECK(status == PLT_ERR_SOURCE || (rig_is_tiny() && status <= PLT_OK), "%d: %s", status,
+          fault.message);
+    pack_free(&few);
+    pack_free(&many);
+    lit_scene_free(&s);
+}
+
+/* The header alone says that no section of its table is beyond the image. */
+static void ends_before(void) {
+    lit_scene s;
+    plt_header h;
+    plt_fault fault = {.message = ""};
+    lit_scene_make(&s);
+    packed image = image_of(&s);
+    const uint32_t table = hostile_further_at(image.bytes);
+    test("a header whose image ends before the table of further sections is refused (R17)");
+    for (uint32_t less = 0; less < 2; less++) {
+        const uint32_t size = table - 64 * less;
+        plt_put_u32(image.bytes + PLT_AT_IMAGE_BYTES, size);
+        plt_header_seal(image.bytes);
+        const int status = plt_header_read(&h, image.bytes, size, &fault);
+        CHECK(less == 0 ? status == PLT_OK
+                        : status == PLT_ERR_IMAGE && fault.rule == PLT_R17_FURTHER &&
+                              fault.offset == PLT_AT_IMAGE_BYTES,
+              "%u: %d, %c%u", less, status, fault.kind, fault.rule);
+    }
+    pack_free(&image);
+    lit_scene_free(&s);
+}
+
 int main(void) {
     finds();
     too_many();
@@ -232,5 +332,7 @@ int main(void) {
     forged();
     packed_indices();
     mutated();
+    changes();
+    ends_before();
     return test_done();
 }
