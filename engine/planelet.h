@@ -640,7 +640,9 @@ typedef struct plt_frame {
     uint16_t width, height; /* pixels, 1 .. 65535 */
     uint8_t shader;         /* enum plt_shader */
 #if PLT_WITH_BACKGROUND
-    uint8_t has_background; /* 1: where nothing is hit, a pixel is `background`; 0: the sky */
+    uint8_t has_background; /* 1: where nothing is hit, a pixel is `background`; 0: the sky. With
+                             * PLT_SHADE_WHITTED where the eye's own rays hit nothing: those of
+                             * mirrors and glass see sky and ground of plt_lighting */
     uint8_t background[3];  /* red, green, blue, as in plt_tile */
 #endif
 } plt_frame;

@@ -7,7 +7,8 @@
 #include "engine/engine.h"
 
 #if PLT_WITH_WHITTED
-/* Lays it out, if it is asked for, once all that runs was cut. */
+/* Lays it out, if it is asked for, once all that runs was cut. `header` may be NULL if it is not.
+ */
 int plt_whitted_room_set(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault);
 #else

@@ -166,8 +166,8 @@ static void shade_packet(const plt_rendering *r, const plt_packet *p, const plt_
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
 #if PLT_WITH_WHITTED
     if (HAS_LIGHTS(r)) {
-        plt_whitted_frame_shade(r->whitted, pixels, &r->tile[3 * (r->at.py * width + r->at.px)],
-                                3 * width);
+        plt_whitted_frame_shade(r->whitted, &r->frame, pixels,
+                                &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
         return;
     }
 #endif

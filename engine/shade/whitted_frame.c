@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/whitted_frame.h"
 
+#include "engine/shade/surface.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/point.h"
 #include "engine/whitted/srgb.h"
@@ -35,13 +36,28 @@ void plt_whitted_frame_begin(plt_whitted *w, const plt_view *view, const plt_pac
     plt_whitted_begin(w, packet);
 }
 
-void plt_whitted_frame_shade(const plt_whitted *w, const plt_pixels *pixels, uint8_t *rgb,
-                             uint32_t row_bytes) {
+/* What its rays brought, or the background where the frame has one and its own ray hit nothing. */
+static void shade_pixel(const plt_lit_pixel *p, const plt_frame *frame, uint8_t rgb[3]) {
+#if PLT_WITH_BACKGROUND
+    if (frame->has_background && p->ray.is_sky) {
+        plt_surface_sky(frame, 0, rgb);
+        return;
+    }
+#else
+    (void)frame;
+#endif
+    for (int c = 0; c < 3; c++) {
+        rgb[c] = plt_srgb_byte(p->colour[c]);
+    }
+}
+
+void plt_whitted_frame_shade(const plt_whitted *w, const plt_frame *frame, const plt_pixels *pixels,
+                             uint8_t *rgb, uint32_t row_bytes) {
     const uint32_t columns = pixels->x_end - pixels->x, rows = pixels->y_end - pixels->y;
     for (uint32_t k = 0; k < pixels->side * pixels->side; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
-        for (uint32_t c = 0; x < columns && y < rows && c < 3; c++) {
-            rgb[y * row_bytes + 3 * x + c] = plt_srgb_byte(w->pixel[k].colour[c]);
+        if (x < columns && y < rows) {
+            shade_pixel(&w->pixel[k], frame, &rgb[y * row_bytes + 3 * x]);
         }
     }
 }

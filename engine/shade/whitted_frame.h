@@ -24,8 +24,8 @@ void plt_whitted_frame_begin(plt_whitted *w, const plt_view *view, const plt_pac
                              const plt_pixels *pixels);
 
 /* As plt_shade_pixels. */
-void plt_whitted_frame_shade(const plt_whitted *w, const plt_pixels *pixels, uint8_t *rgb,
-                             uint32_t row_bytes);
+void plt_whitted_frame_shade(const plt_whitted *w, const plt_frame *frame, const plt_pixels *pixels,
+                             uint8_t *rgb, uint32_t row_bytes);
 #endif
 
 #endif

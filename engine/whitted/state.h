@@ -24,7 +24,7 @@ typedef struct plt_lit_ray {
     float weight[3];      /* what its light counts in the pixel */
     uint16_t inside;      /* 1 + the material of the glass that it runs through; 0: air */
     uint8_t level;        /* bounces before it */
-    uint8_t pad;
+    uint8_t is_sky;       /* 1: the own ray of a pixel, and it hit nothing */
 } plt_lit_ray;
 
 typedef struct plt_lit_pixel {

@@ -110,6 +110,7 @@ static void take_sky(const plt_whitted *w, plt_lit_pixel *p) {
     float sky[3];
     plt_light_sky(&w->lighting, plt_optics_dot(p->ray.dir, w->up), sky);
     plt_lit_add(p, p->ray.weight, sky);
+    p->ray.is_sky = p->ray.level == 0;
     p->state = PLT_LIT_DONE;
 }
 

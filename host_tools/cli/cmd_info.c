@@ -228,6 +228,8 @@ static void print_surface_json(const plt_info *i) {
            ",\n  \"normal_bytes_per_triangle\": %.3f,\n"
            "  \"colour_bytes\": %" PRIu32 ",\n  \"colour_bytes_per_triangle\": %.3f,\n",
            i->normal_bytes, i->normal_bytes / n, i->colour_bytes, i->colour_bytes / n);
+    printf("  \"material_bytes\": %" PRIu32 ",\n  \"material_bytes_per_triangle\": %.3f,\n",
+           i->material_bytes, i->material_bytes / n);
 }
 
 static void print_json(const plt_info *i, const plt_options *o, const derived *d) {
@@ -346,7 +348,7 @@ static void print_instances(const plt_info *i) {
            (double)i->frame_bytes / ((double)i->frames * i->instances));
 }
 
-/* Bytes and bytes per triangle of what hits are shaded by, if there is any. */
+/* Bytes and bytes per triangle of what hits are shaded or lit by, if there is any. */
 static void print_surface(const char *what, uint32_t bytes, const plt_info *i) {
     if (bytes > 0) {
         printf("%s bytes%*s%" PRIu32 ", %.2f per triangle\n", what, (int)(13 - strlen(what)), "",
@@ -374,6 +376,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     }
     print_surface("normal", i->normal_bytes, i);
     print_surface("colour", i->colour_bytes, i);
+    print_surface("material", i->material_bytes, i);
     if (i->instances > 0) {
         print_instances(i);
     } else if (i->frames > 0) {

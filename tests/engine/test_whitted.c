@@ -228,6 +228,47 @@ static void bounces_matter(const lit_scene *s) {
     rig_close(&r);
 }
 
+/* Renders view() with these lights, and with a background if there is one. */
+static uint8_t *pixels_with(rig *r, const plt_lighting *l, const uint8_t *background) {
+    plt_frame f = view();
+    if (background != NULL) {
+        f.has_background = 1;
+        memcpy(f.background, background, sizeof f.background);
+    }
+    CHECK(plt_lighting_set(r->engine, l) == PLT_OK, "lights");
+    const frame_result result = frame_render(r->engine, &f, 1000);
+    CHECK(result.status == PLT_OK && result.wrong == 0, "%d", result.status);
+    return result.rgb;
+}
+
+/* Which pixels' own rays miss another shader says. Mirrors and glass are in view: what they show
+ * of the sky stays. */
+static void before_a_background(const lit_scene *s) {
+    static const uint8_t orange[3] = {255, 128, 1};
+    rig r = opened(s, BOUNCES);
+    const plt_lighting l = lit_lights(BOUNCES);
+    plt_frame flat_view = view();
+    flat_view.shader = PLT_SHADE_TRIANGLE;
+    flat_view.has_background = 1;
+    memcpy(flat_view.background, orange, sizeof orange);
+    const frame_result flat = frame_render(r.engine, &flat_view, 1000);
+    uint8_t *plain = pixels_with(&r, &l, NULL), *before = pixels_with(&r, &l, orange);
+    unsigned missed = 0;
+    test("the eye's rays that miss show the background, byte for byte; all others what they did");
+    for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i += 3) {
+        const int misses = memcmp(flat.rgb + i, orange, 3) == 0;
+        const uint8_t *due = misses ? orange : plain + i;
+        missed += misses;
+        CHECK(memcmp(before + i, due, 3) == 0, "pixel %zu: %u %u %u", i / 3, before[i],
+              before[i + 1], before[i + 2]);
+    }
+    CHECK(missed > 50 && missed < WIDTH * HEIGHT - 500, "%u pixels miss", missed);
+    free(flat.rgb);
+    free(plain);
+    free(before);
+    rig_close(&r);
+}
+
 static void without_room(const lit_scene *s) {
     rig r = {.engine = NULL};
     const plt_options none = {.packet_side = 2}, many = {.packet_side = 2, .whitted = 10};
@@ -291,6 +332,7 @@ int main(void) {
     refusals();
     same_everywhere(&s);
     bounces_matter(&s);
+    before_a_background(&s);
     without_room(&s);
     odd_lights(&s);
     steps_are_bounded(&s);

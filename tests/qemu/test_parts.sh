@@ -273,6 +273,31 @@ if part "render compact surface" "$surface" 53248; then
     smooth "$surface" smooth_compact
 fi
 refuses "$thesis" smooth sections
+# lit FOLDER NAME: a frame with lights, mirrors and glass in 256 KiB.
+lit() {
+    view=$(sh board/tools/host_view.sh "$out/$2.plt" 80x60 "$out/host.ppm" --shader whitted \
+        --light sun:0.5,1,0.75,0.75,0.0625,4 --sky 0.5,0.5,0.75 --ground 0.25,0.25,0.125 --depth 4)
+    # shellcheck disable=SC2086
+    firmware "$1" "$out/$2.plt" size=80x60 arena=262144 shader=whitted \
+        sun=0.5,1,0.75,0.75,0.0625,4 sky=0.5,0.5,0.75 ground=0.25,0.25,0.125 depth=4 ${view#* }
+    echo "$text" | tr ' ' '\n' | grep '^render_longest='
+    verdict "${1##*/}, $2, lit: the frame of the host" "$(
+        [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+            echo "status $status: $text")"
+}
+"$planelet" make marbles -o "$out/marbles.obj" >/dev/null 2>&1
+for smooth in "" "--smooth 40"; do
+    # shellcheck disable=SC2086
+    "$planelet" pack "$out/marbles.obj" --materials keep $smooth --leaf 2 \
+        -o "$out/marbles${smooth:+_smooth}.plt" >/dev/null 2>&1
+done
+if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 50176; then
+    lit "$BUILD/mps2_an386-render-thesis-whitted" marbles
+fi
+whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
+if part "render thesis surface whitted" "$whitted" 54272; then
+    lit "$whitted" marbles_smooth
+fi
 instances=$BUILD/mps2_an386-instances-render-thesis
 # shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
 # program says how long it takes.
