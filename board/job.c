@@ -12,9 +12,15 @@
 #define KEYS_OF_GRIDS ""
 #endif
 
+#if PLT_WITH_SAMPLES
+#define KEYS_OF_SAMPLES " samples"
+#else
+#define KEYS_OF_SAMPLES ""
+#endif
+
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_GRIDS;
+    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_SAMPLES;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -98,7 +104,15 @@ static int read_camera(const char *all, job *j) {
 
 static int read_words(const char *all, job *j) {
     static const char *const walks[] = {"depth", "two"};
-    static const char *const shaders[] = {"eyelight", "normal", "triangle"};
+    static const char *const shaders[] = {
+        "eyelight",
+        "normal",
+        "triangle",
+#if PLT_WITH_DIAGRAMS
+        "depth",
+        "heat"
+#endif
+    };
     static const char *const residencies[] = {"resident", "streamed"};
     static const char *const schedules[] = {"branch", "batch", "task"};
     if (job_word(all, "walk", walks, 2, &j->options.order) < 0 ||
@@ -108,7 +122,7 @@ static int read_words(const char *all, job *j) {
                  &j->options.schedule) < 0) {
         return -1;
     }
-    return job_word(all, "shader", shaders, 3, &j->frame.shader);
+    return job_word(all, "shader", shaders, sizeof shaders / sizeof shaders[0], &j->frame.shader);
 }
 
 /* structure=, where there are grids. */
@@ -116,6 +130,23 @@ static int read_structure(const char *all, job *j) {
 #if PLT_WITH_GRID
     static const char *const structures[] = {"tree", "grid"};
     return job_word(all, "structure", structures, 2, &j->options.structure);
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
+/* samples=, where there are several. */
+static int read_samples(const char *all, job *j) {
+#if PLT_WITH_SAMPLES
+    static const char *const words[] = {"1", "4", "16", "adaptive"};
+    static const uint8_t samples[] = {PLT_SAMPLES_ONE, PLT_SAMPLES_FOUR, PLT_SAMPLES_SIXTEEN,
+                                      PLT_SAMPLES_ADAPTIVE};
+    uint8_t choice = 0;
+    const int status = job_word(all, "samples", words, 4, &choice);
+    j->frame.samples = samples[choice];
+    return status;
 #else
     (void)all;
     (void)j;
@@ -133,6 +164,7 @@ int job_read(job *j, const char *parameters, const char *more_keys, size_t *aren
     }
     if (read_size(parameters, &j->frame) < 0 || read_camera(parameters, j) < 0 ||
         read_words(parameters, j) < 0 || read_structure(parameters, j) < 0 ||
+        read_samples(parameters, j) < 0 ||
         job_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
         job_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
         job_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||

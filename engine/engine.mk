@@ -20,6 +20,8 @@
 #   vertices ... and without records, where the arena has no room for them (plt_options.records)
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
+#   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
+#   diagrams with pictures of distances and of node visits, likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -74,12 +76,15 @@ grid_files := $(wildcard engine/grid/*.c engine/grid_room.c engine/scene/open_gr
     engine/shade/beam_references.c engine/shade/beam_slopes.c)
 instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engine/place.c \
     engine/scene/open_instances.c engine/trace/traverse_instances.c
+samples_files := engine/shade/light.c engine/shade/beam_samples.c
+diagrams_files := engine/shade/diagram.c
+mixes_files := engine/shade/mixing.c engine/shade/beam_mix.c engine/shade/packet_mix.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
     engine/shade/camera_packet.c \
     engine/shade/camera_ranges.c \
-    engine/shade/packet_shade.c
+    engine/shade/packet_shade.c engine/shade/packet_mix.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
@@ -92,9 +97,10 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices grid instances frames,$(PARTS)),)
+    subtree sequence vertices grid instances samples diagrams frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
-    seek, motion, some, subtree, sequence, vertices, grid, instances or frames; it has $(PARTS))
+    seek, motion, some, subtree, sequence, vertices, grid, instances, samples, diagrams or frames; \
+    it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -168,6 +174,9 @@ without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,y
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
+without_samples := $(if $(filter host,$(BOARD))$(filter samples,$(PARTS)),,yes)
+without_diagrams := $(if $(filter host,$(BOARD))$(filter diagrams,$(PARTS)),,yes)
+without_mixes := $(and $(without_samples),$(without_diagrams))
 # Frames are shown by the same calls, whatever moves.
 shown_files := $(if $(filter instances,$(PARTS)),engine/sequence.c)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
@@ -177,7 +186,8 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_some),$(some_files)) $(if $(without_subtree),$(subtree_files)) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
     $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
-    $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
+    $(if $(without_samples),$(samples_files)) $(if $(without_diagrams),$(diagrams_files)) \
+    $(if $(without_mixes),$(mixes_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
@@ -185,6 +195,8 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_vertices),-DPLT_WITH_VERTICES=0) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
+    $(if $(without_samples),-DPLT_WITH_SAMPLES=0) \
+    $(if $(without_diagrams),-DPLT_WITH_DIAGRAMS=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
     $(if $(without_subtree),-DPLT_WITH_SUBTREES=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
@@ -200,7 +212,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/wide.c engine/grid/build.c engine/grid/crowded.c engine/grid_room.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
-    engine/shade/rendering.c engine/seek.c engine/shade/seek.c \
+    engine/shade/rendering.c engine/shade/mixing.c engine/seek.c engine/shade/seek.c \
     engine/sequence.c engine/frame_put.c engine/beside.c engine/motion/beside.c \
     engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c)

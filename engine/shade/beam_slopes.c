@@ -25,9 +25,13 @@ static inline float smaller(float a, float b) {
 }
 
 static void set_corners(const plt_beam *b, float dir[4][3]) {
+    const float aside = plt_view_aside(b->view);
     for (uint32_t i = 0; i < 4; i++) {
-        plt_view_direction(b->view, b->square.x + (i & 1u ? b->columns - 1 : 0),
-                           b->square.y + (i & 2u ? b->rows - 1 : 0), dir[i]);
+        const float x =
+            i & 1u ? (float)(b->square.x + b->columns - 1) + aside : (float)b->square.x - aside;
+        const float y =
+            i & 2u ? (float)(b->square.y + b->rows - 1) + aside : (float)b->square.y - aside;
+        plt_view_point(b->view, x, y, dir[i]);
     }
 }
 

@@ -175,15 +175,28 @@ PLT_INLINED void test_inside(plt_beam *b, candidate *c, const projected *p, foot
     }
 }
 
-/* The edge functions of a pixel. */
-PLT_INLINED void set_at(footprint *f, const projected *p, const plt_margins *m, uint32_t column,
-                        uint32_t row) {
-    const float x0 = plt_line_at(column) + m->pixels, y0 = plt_line_at(row) + m->pixels;
+/* The edge functions at a point of lines; `beside`: that of the margins. */
+PLT_INLINED void set_at_point(footprint *f, const projected *p, float column, float row,
+                              float beside) {
+    const float x0 = column + beside, y0 = row + beside;
     const float x[3] = {p->x[0] - x0, p->x[1] - x0, p->x[2] - x0};
     const float y[3] = {p->y[0] - y0, p->y[1] - y0, p->y[2] - y0};
     f->at[0] = x[2] * y[1] - x[1] * y[2];
     f->at[1] = x[0] * y[2] - x[2] * y[0];
     f->at[2] = x[1] * y[0] - x[0] * y[1];
+}
+
+/* Of a pixel. */
+PLT_INLINED void set_at(footprint *f, const projected *p, const plt_beam *b, uint32_t column,
+                        uint32_t row) {
+    const float beside = plt_margins_reach(&b->margins);
+#if PLT_WITH_SAMPLES
+    const plt_view *v = b->view;
+    set_at_point(f, p, plt_line_at(column) + v->aside[row & (v->across - 1)],
+                 plt_line_at(row) - v->aside[column & (v->across - 1)], beside);
+#else
+    set_at_point(f, p, plt_line_at(column), plt_line_at(row), beside);
+#endif
 }
 
 PLT_INLINED void swap(float *a, float *b) {
@@ -221,27 +234,84 @@ typedef struct rectangle {
     uint32_t left, right, top, bottom;
 } rectangle;
 
-PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const rectangle *r,
-                          footprint *f) {
-    float right[3], down[3];
+/* What is added to an edge function from pixel to pixel of a row, and from row to row. Of samples
+ * the second is to the next pixel of the frame. */
+typedef struct steps {
+#if PLT_WITH_SAMPLES
+    float right[2][3], down[2][3];
+#else
+    float right[1][3], down[1][3];
+#endif
+} steps;
+
+PLT_INLINED void set_steps(steps *s, const plt_beam *b, const projected *p) {
     PLT_UNROLLED for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        right[k] = p->y[j] - p->y[i];
-        down[k] = p->x[i] - p->x[j];
+        const float right = p->y[j] - p->y[i], down = p->x[i] - p->x[j];
+        s->right[0][k] = right;
+        s->down[0][k] = down;
+#if PLT_WITH_SAMPLES
+        if (b->view->across > 1) {
+            const float *part = b->view->part;
+            s->right[0][k] = right + part[0] * down;
+            s->right[1][k] = right + part[1] * down;
+            s->down[0][k] = down - part[0] * right;
+            s->down[1][k] = down - part[1] * right;
+        }
+#else
+        (void)b;
+#endif
     }
+}
+
+/* Whether what follows a line is of the next pixel of the frame. */
+PLT_INLINED unsigned step_after(const plt_beam *b, uint32_t line) {
+#if PLT_WITH_SAMPLES
+    const uint32_t last = b->view->across - 1;
+    return last > 0 && (line & last) == last;
+#else
+    (void)b;
+    (void)line;
+    return 0;
+#endif
+}
+
+PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const rectangle *r,
+                          footprint *f) {
+    steps s;
+    set_steps(&s, b, p);
     for (uint32_t y = r->top; y <= r->bottom; y++) {
         float e[3] = {f->at[0], f->at[1], f->at[2]};
         for (uint32_t x = r->left; x <= r->right; x++) {
             test_inside(b, c, p, f, e, x, y);
             PLT_UNROLLED for (int k = 0; k < 3; k++) {
-                e[k] += right[k];
+                e[k] += s.right[step_after(b, x)][k];
             }
         }
         PLT_UNROLLED for (int k = 0; k < 3; k++) {
-            f->at[k] += down[k];
+            f->at[k] += s.down[step_after(b, y)][k];
         }
     }
 }
+
+#if PLT_WITH_SAMPLES
+/* Triangles of more width and height together cover whole pixels, in pixels. */
+#define PLT_LARGE_SIZE 16.0f
+#include "engine/shade/footprint_samples.h"
+#endif
+
+#if PLT_WITH_SAMPLES
+/* The sample, which is aside of its lines, is not between the least and the greatest corner. */
+PLT_INLINED int is_beside(const plt_beam *b, const projected *p, uint32_t column, uint32_t row) {
+    const plt_view *v = b->view;
+    const plt_margins *m = &b->margins;
+    const float x = (plt_line_at(column) + v->aside[row & (v->across - 1)]) + m->reach;
+    const float y = (plt_line_at(row) - v->aside[column & (v->across - 1)]) + m->reach;
+    const range across = range_of(p->x), down = range_of(p->y);
+    return across.least - x > m->pixels || x - across.most > m->pixels ||
+           down.least - y > m->pixels || y - down.most > m->pixels;
+}
+#endif
 
 /* The pixels of a triangle that is projected. `apart`: one that may cover a single pixel goes a way
  * of its own, for 560 bytes. */
@@ -250,14 +320,25 @@ PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p, int apa
     if (apart && p->columns.last - p->columns.before == 1 && p->rows.last - p->rows.before == 1) {
         const uint32_t x = (uint32_t)(p->columns.last - PLT_LINE_NUMBER);
         const uint32_t y = (uint32_t)(p->rows.last - PLT_LINE_NUMBER);
-        set_at(&f, p, &b->margins, x, y);
+#if PLT_WITH_SAMPLES
+        if (b->view->across > 1 && is_beside(b, p, x, y)) {
+            return;
+        }
+#endif
+        set_at(&f, p, b, x, y);
         set_edges(&f, p, &b->margins);
         test_inside(b, c, p, &f, f.at, x, y);
         return;
     }
     const rectangle r = {plt_lines_first(p->columns), plt_lines_last(p->columns, b->end_x),
                          plt_lines_first(p->rows), plt_lines_last(p->rows, b->end_y)};
-    set_at(&f, p, &b->margins, r.left, r.top);
+#if PLT_WITH_SAMPLES
+    if (b->view->across > 1 && p->size > PLT_LARGE_SIZE * (float)(int32_t)b->view->across) {
+        test_pixels(b, c, p, &r);
+        return;
+    }
+#endif
+    set_at(&f, p, b, r.left, r.top);
     set_edges(&f, p, &b->margins);
     test_all(b, c, p, &r, &f);
 }

@@ -213,6 +213,13 @@ int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f
 }
 
 uint8_t view_shader(args *a) {
-    static const char *const names[] = {"eyelight", "normal", "triangle", NULL};
+    static const char *const names[] = {"eyelight", "normal", "triangle", "depth", "heat", NULL};
     return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
+}
+
+uint8_t view_samples(args *a) {
+    static const char *const names[] = {"1", "4", "16", "adaptive", NULL};
+    static const uint8_t samples[] = {PLT_SAMPLES_ONE, PLT_SAMPLES_FOUR, PLT_SAMPLES_SIXTEEN,
+                                      PLT_SAMPLES_ADAPTIVE};
+    return samples[args_choice(a, "--samples", names, 0)];
 }

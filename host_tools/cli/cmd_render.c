@@ -33,8 +33,13 @@ static const arg_flag flags[] = {
     {"--size", "WxH", "pixels, each side 1 to 32768 (default 512x512)"},
     VIEW_FLAGS,
     {"--shader", "NAME",
-     "eyelight (grey by the angle), normal (colour by direction) or triangle (a colour for each); "
-     "default eyelight"},
+     "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each), "
+     "depth (white where the scene's box is nearest, black where it is farthest) or heat (node "
+     "visits of a packet per pixel: black none, blue 1/64, cyan 1/4, green 4, yellow 64, red 1024, "
+     "white 16384); default eyelight"},
+    {"--samples", "N",
+     "rays per pixel: 1, 4, 16 or adaptive (4, and 16 where these differ); their mean is taken in "
+     "linear light (default 1)"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
     MOVED_FLAGS,
@@ -382,6 +387,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
     r->frame.shader = view_shader(a);
+    r->frame.samples = view_samples(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
     if (moved_is(&r->moved)) {

@@ -1,13 +1,15 @@
-#!/bin/sh
-# test_wired.sh - the firmware that is fed over a serial line, in QEMU, against the host
-# SPDX-License-Identifier: MIT
-. tests/check/report.sh
-planelet=$BUILD/host/planelet
-out=$BUILD/mps2_an386-wired/tests
-mkdir -p "$out"
-needs arm-none-eabi-gcc qemu-system-arm || { finish; exit; }
+#!/ bin / sh
+#test_wired.sh - the firmware that is fed over a serial line, in QEMU, against the host
+#SPDX - License - Identifier : MIT
+.tests / check / report.sh planelet =
+    $BUILD / host / planelet out = $BUILD / mps2_an386 - wired / tests mkdir - p "$out" needs arm -
+                                       none - eabi - gcc qemu - system - arm ||
+{
+    finish;
+    exit;
+}
 
-# ---- the demo, two frames of it ----
+#-- -- the demo, two frames of it -- --
 
 rm -f "$out/device.ppm"
 text=$(FRAMES=2 SIZE=160x120 BOARD_LOG="$out/log.txt" BUILD="$BUILD" MAKE="$MAKE" \
@@ -47,41 +49,47 @@ sed -n 's/^frame/    &/p' "$out/log.txt" | tail -n 1
 verdict "gcc compiles the wired firmware without a warning" "$(
     find "$BUILD/mps2_an386-wired" -name '*.log' -size +0 -exec cat {} +)"
 
-# ---- Ctrl-C in the midst of the demo ----
+#-- -- Ctrl - C in the midst of the demo -- --
 
 trouble=$($CC -std=c11 -Wall -Wextra tests/cli/pty.c -o "$out/pty" 2>&1)
-for bytes in 1 12000; do
-    temporary=$(mktemp -d) # a socket's path must be short
-    (unset NO_COLOR COLUMNS LINES
-        TMPDIR=$temporary FRAMES=100 SIZE=96x64 TERM=xterm BUILD="$BUILD" MAKE="$MAKE" \
-            timeout 100 "$out/pty" $bytes sh board/tools/demo.sh >"$out/seen" 2>&1 </dev/null)
-    status=$?
-    verdict "Ctrl-C after $bytes bytes of it: no board, no folder and no colour stays behind" "$(
-        echo "$trouble"
-        [ "$status" -eq 130 ] || echo "status $status"
-        ls "$temporary"
-        colour=$(tr '\033' '\n' <"$out/seen" | grep -a '^\[[0-9;]*m' | tail -n 1)
-        case $colour in '' | '[0m'*) ;; *) echo "the last colour was $colour" ;; esac)"
+for bytes in 1 12000;
+do
+    temporary = $(mktemp - d) #a socket's path must be short (
+        unset NO_COLOR COLUMNS LINES TMPDIR = $temporary FRAMES = 100 SIZE = 96x64 TERM =
+            xterm BUILD = "$BUILD" MAKE =
+                "$MAKE" timeout 100 "$out/pty" $bytes sh board / tools / demo.sh > "$out/seen" 2 >
+                &1 < / dev / null) status =
+        $ ? verdict
+                "Ctrl-C after $bytes bytes of it: no board, no folder and no colour stays behind"
+                "$(
+                echo "$trouble"["$status" - eq 130] ||
+                echo "status $status" ls
+                     "$temporary" colour = $(tr '\033' '\n' < "$out/seen" | grep - a '^\[[0-9;]*m' |
+                                             tail - n 1) case $colour in '' |
+                                           '[0m' *);
+; *) echo "the last colour was $colour" ;
+; esac)"
     rm -rf "$temporary"
 done
 
-# ---- hosts that come and go ----
+#-- -- hosts that come and go -- --
 
 folder=$(mktemp -d)
 board=
 end() {
-    [ -z "$board" ] || { kill "$board" && wait "$board"; } 2>/dev/null
-    board=
+    [ -z "$board" ] || { kill "$board" && wait "$board";
+}
+2 > / dev / null board =
 }
 trap 'end; rm -rf "$folder"' EXIT
 
-# board [parameter ...]: starts one.
+#board[parameter...] : starts one.
 board() {
     BUILD=$BUILD sh board/mps2_an386/wired.sh "$folder/wire" "$@" >"$out/log.txt" 2>&1 &
     board=$!
 }
 
-# serve SCENE [option ...]: one frame into served.ppm; sets text and status.
+#serve SCENE[option...] : one frame into served.ppm; sets text and status.
 serve() {
     rm -f "$out/served.ppm"
     text=$(timeout 200 "$planelet" serve --size 160x120 "$@" --socket "$folder/wire" \
@@ -106,7 +114,7 @@ verdict "a host that comes again gets its frame without sending the scene again"
     [ "${reports:-1000}" -lt 300 ] || echo "${reports:-no} reports went out")"
 end
 
-# ---- a ring too small for a report: what comes in a burst is lost ----
+#-- -- a ring too small for a report : what comes in a burst is lost -- --
 
 trouble=$($MAKE -s BOARD=mps2_an386 PROGRAM=wired BUILD="$BUILD/small_ring" \
     FIRMWARE_FLAGS='-DPLT_PACKET_SIDE_MAX=8 -DPLT_RING_BYTES=16' \
