@@ -46,12 +46,11 @@ static void widen(plt_beam_range *r, float x) {
 static void set_ranges(const plt_beam *b, plt_beam_range r[3]) {
     const plt_view *v = b->view;
     const uint32_t x_last = b->square.x + b->columns - 1, y_last = b->square.y + b->rows - 1;
-    const float aside = plt_view_aside(v);
     for (int a = 0; a < 3; a++) {
-        const float left = v->corner[a] + ((float)b->square.x - aside) * v->right[a];
-        const float right = v->corner[a] + ((float)x_last + aside) * v->right[a];
-        const float top = ((float)b->square.y - aside) * v->down[a];
-        const float bottom = ((float)y_last + aside) * v->down[a];
+        const float left = v->corner[a] + plt_view_least(v, (float)b->square.x) * v->right[a];
+        const float right = v->corner[a] + plt_view_most(v, (float)x_last) * v->right[a];
+        const float top = plt_view_least(v, (float)b->square.y) * v->down[a];
+        const float bottom = plt_view_most(v, (float)y_last) * v->down[a];
         r[a].least = r[a].most = left + top;
         widen(&r[a], left + bottom);
         widen(&r[a], right + top);

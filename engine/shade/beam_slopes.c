@@ -25,13 +25,14 @@ static inline float smaller(float a, float b) {
 }
 
 static void set_corners(const plt_beam *b, float dir[4][3]) {
-    const float aside = plt_view_aside(b->view);
+    const plt_view *v = b->view;
+    const uint32_t x_last = b->square.x + b->columns - 1, y_last = b->square.y + b->rows - 1;
     for (uint32_t i = 0; i < 4; i++) {
         const float x =
-            i & 1u ? (float)(b->square.x + b->columns - 1) + aside : (float)b->square.x - aside;
+            i & 1u ? plt_view_most(v, (float)x_last) : plt_view_least(v, (float)b->square.x);
         const float y =
-            i & 2u ? (float)(b->square.y + b->rows - 1) + aside : (float)b->square.y - aside;
-        plt_view_point(b->view, x, y, dir[i]);
+            i & 2u ? plt_view_most(v, (float)y_last) : plt_view_least(v, (float)b->square.y);
+        plt_view_point(v, x, y, dir[i]);
     }
 }
 

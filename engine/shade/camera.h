@@ -59,13 +59,22 @@ static inline float plt_view_y(const plt_view *v, uint32_t px, uint32_t py) {
 #endif
 }
 
-/* How far a pixel may be beside its column, or its row. */
-static inline float plt_view_aside(const plt_view *v) {
+/* As far aside of a column, or a row, as its pixels may be. */
+static inline float plt_view_least(const plt_view *v, float line) {
 #if PLT_WITH_SAMPLES
-    return v->aside_most;
+    return line - v->aside_most;
 #else
     (void)v;
-    return 0.0f;
+    return line;
+#endif
+}
+
+static inline float plt_view_most(const plt_view *v, float line) {
+#if PLT_WITH_SAMPLES
+    return line + v->aside_most;
+#else
+    (void)v;
+    return line;
 #endif
 }
 

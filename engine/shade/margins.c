@@ -25,12 +25,11 @@ static float larger(float a, float b) {
 
 /* The longest direction through a pixel: one of the frame's corners. */
 static float longest_direction(const plt_view *v, uint32_t width, uint32_t height) {
-    const float aside = plt_view_aside(v);
     float most = 0.0f;
     for (unsigned i = 0; i < 4; i++) {
         float d[3];
-        plt_view_point(v, i & 1u ? (float)(width - 1) + aside : -aside,
-                       i & 2u ? (float)(height - 1) + aside : -aside, d);
+        plt_view_point(v, i & 1u ? plt_view_most(v, (float)(width - 1)) : plt_view_least(v, 0.0f),
+                       i & 2u ? plt_view_most(v, (float)(height - 1)) : plt_view_least(v, 0.0f), d);
         most = larger(most, length(d));
     }
     return most;
@@ -98,7 +97,7 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     const float corner = 0.5f * farthest / step;
     m->step = step;
     m->direction = 3.0f * farthest;
-    set_pixels(m, rows, row, square, term, plt_view_aside(v));
+    set_pixels(m, rows, row, square, term, plt_view_most(v, 0.0f));
     m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
     const float beside = plt_margins_reach(m);
     const int is_told = beside < PIXELS_TOLD && 16.0f * beside < m->corner;
