@@ -186,16 +186,21 @@ PLT_INLINED void set_at_point(footprint *f, const projected *p, float column, fl
     f->at[2] = x[1] * y[0] - x[0] * y[1];
 }
 
-/* Of a pixel. */
-PLT_INLINED void set_at(footprint *f, const projected *p, const plt_beam *b, uint32_t column,
+/* Where two lines meet. */
+PLT_INLINED void set_at(footprint *f, const projected *p, const plt_margins *m, uint32_t column,
                         uint32_t row) {
-    const float beside = plt_margins_reach(&b->margins);
+    set_at_point(f, p, plt_line_at(column), plt_line_at(row), plt_margins_reach(m));
+}
+
+/* Of a pixel. */
+PLT_INLINED void set_at_pixel(footprint *f, const projected *p, const plt_beam *b, uint32_t column,
+                              uint32_t row) {
 #if PLT_WITH_SAMPLES
     const plt_view *v = b->view;
     set_at_point(f, p, plt_line_at(column) + v->aside[row & (v->across - 1)],
-                 plt_line_at(row) - v->aside[column & (v->across - 1)], beside);
+                 plt_line_at(row) - v->aside[column & (v->across - 1)], b->margins.reach);
 #else
-    set_at_point(f, p, plt_line_at(column), plt_line_at(row), beside);
+    set_at(f, p, &b->margins, column, row);
 #endif
 }
 
@@ -300,19 +305,6 @@ PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const r
 #include "engine/shade/footprint_samples.h"
 #endif
 
-#if PLT_WITH_SAMPLES
-/* The sample, which is aside of its lines, is not between the least and the greatest corner. */
-PLT_INLINED int is_beside(const plt_beam *b, const projected *p, uint32_t column, uint32_t row) {
-    const plt_view *v = b->view;
-    const plt_margins *m = &b->margins;
-    const float x = (plt_line_at(column) + v->aside[row & (v->across - 1)]) + m->reach;
-    const float y = (plt_line_at(row) - v->aside[column & (v->across - 1)]) + m->reach;
-    const range across = range_of(p->x), down = range_of(p->y);
-    return across.least - x > m->pixels || x - across.most > m->pixels ||
-           down.least - y > m->pixels || y - down.most > m->pixels;
-}
-#endif
-
 /* The pixels of a triangle that is projected. `apart`: one that may cover a single pixel goes a way
  * of its own, for 560 bytes. */
 PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p, int apart) {
@@ -320,12 +312,7 @@ PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p, int apa
     if (apart && p->columns.last - p->columns.before == 1 && p->rows.last - p->rows.before == 1) {
         const uint32_t x = (uint32_t)(p->columns.last - PLT_LINE_NUMBER);
         const uint32_t y = (uint32_t)(p->rows.last - PLT_LINE_NUMBER);
-#if PLT_WITH_SAMPLES
-        if (b->view->across > 1 && is_beside(b, p, x, y)) {
-            return;
-        }
-#endif
-        set_at(&f, p, b, x, y);
+        set_at_pixel(&f, p, b, x, y);
         set_edges(&f, p, &b->margins);
         test_inside(b, c, p, &f, f.at, x, y);
         return;
@@ -338,7 +325,7 @@ PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p, int apa
         return;
     }
 #endif
-    set_at(&f, p, b, r.left, r.top);
+    set_at_pixel(&f, p, b, r.left, r.top);
     set_edges(&f, p, &b->margins);
     test_all(b, c, p, &r, &f);
 }

@@ -207,7 +207,7 @@ static void camera_errors(plt_engine *e) {
     f = good;
     f.height = 0;
     refuse(e, f, "no height");
-    for (unsigned shader = 3; shader < 256; shader++) {
+    for (unsigned shader = PLT_WITH_DIAGRAMS ? 5 : 3; shader < 256; shader++) {
         f = good;
         f.shader = (uint8_t)shader;
         refuse(e, f, "an unknown shader");

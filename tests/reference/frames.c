@@ -74,6 +74,7 @@ plt_frame frame_of(const float eye[3], const float look[3], uint16_t width, uint
     const plt_frame f = {{{eye[0], eye[1], eye[2]}, {look[0], look[1], look[2]}, {0, 1, 0}, 0.5f},
                          width,
                          height,
-                         shader};
+                         shader,
+                         PLT_SAMPLES_ONE};
     return f;
 }
