@@ -246,6 +246,17 @@ void plt_beam_test_planes(plt_beam *b, const plt_record *record);
 void plt_beam_test_samples(plt_beam *b, const plt_record *record);
 #endif
 
+/* A triangle that is not projected. */
+static inline void plt_beam_test_unprojected(plt_beam *b, const plt_record *record) {
+#if PLT_WITH_SAMPLES
+    if (b->view->across > 1) {
+        plt_beam_test_samples(b, record);
+        return;
+    }
+#endif
+    plt_beam_test_planes(b, record);
+}
+
 static inline void plt_beam_take(plt_beam *b, plt_pixel *pixel, float t, uint32_t record) {
     b->open -= pixel->record == PLT_MISS;
     b->is_stored = 1;

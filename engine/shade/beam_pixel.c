@@ -62,12 +62,6 @@ typedef struct edge {
 void plt_beam_test_planes(plt_beam *b, const plt_record *record) {
     float q[3][3], margin[3];
     edge e[3];
-#if PLT_WITH_SAMPLES
-    if (b->view->across > 1) {
-        plt_beam_test_samples(b, record);
-        return;
-    }
-#endif
     plt_record_corners(record, q);
     for (int c = 0; c < 3; c++) {
         for (int a = 0; a < 3; a++) {

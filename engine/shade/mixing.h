@@ -9,7 +9,7 @@
 #define PLT_SHADE_MIXING_H
 
 #include "engine/shade/packet_mix.h"
-#include "engine/shade/rendering.h"
+#include "engine/shade/rendering_state.h"
 
 #define PLT_SHADE_LAST (PLT_WITH_DIAGRAMS ? PLT_SHADE_HEAT : PLT_SHADE_TRIANGLE)
 

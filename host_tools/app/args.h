@@ -27,7 +27,7 @@ typedef struct arg_command {
     void (*print_notes)(FILE *to); /* the same, of what is listed elsewhere; NULL: nothing is */
 } arg_command;
 
-enum { ARGS_FLAGS_MAX = 32 };
+enum { ARGS_FLAGS_MAX = 48 };
 
 typedef struct args {
     const char *program; /* "planelet" */

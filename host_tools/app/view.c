@@ -213,6 +213,11 @@ int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f
 }
 
 uint8_t view_shader(args *a) {
+    static const char *const names[] = {"eyelight", "normal", "triangle", NULL};
+    return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
+}
+
+uint8_t view_any_shader(args *a) {
     static const char *const names[] = {"eyelight", "normal", "triangle", "depth", "heat", NULL};
     return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
 }

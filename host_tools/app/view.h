@@ -31,8 +31,10 @@ int view_refused(const args *a, const plt_frame *frame, unsigned frames, fail *f
 /* Rotates the eye about the axis through look along up; 1.0 is the whole circle. */
 void view_orbit(const plt_camera *from, double circles, plt_camera *to);
 
-/* --shader eyelight|normal|triangle|depth|heat as PLT_SHADE_..., eyelight by default. */
+/* --shader eyelight|normal|triangle as PLT_SHADE_..., eyelight by default; and of these or
+ * depth|heat. */
 uint8_t view_shader(args *a);
+uint8_t view_any_shader(args *a);
 
 /* --samples 1|4|16|adaptive as PLT_SAMPLES_..., 1 by default. */
 uint8_t view_samples(args *a);

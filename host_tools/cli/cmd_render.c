@@ -279,10 +279,26 @@ static void print_hashes(output *o, const rendering *r, fail *f) {
     output_print(o, f, "],\n");
 }
 
+/* How many, and what the colours of node visits stand for. */
+static void print_samples(output *o, const rendering *r, fail *f) {
+    if (r->frame.samples == PLT_SAMPLES_ADAPTIVE) {
+        output_print(o, f, "  \"samples\": \"adaptive\",\n");
+    } else {
+        output_print(o, f, "  \"samples\": %u,\n", r->frame.samples);
+    }
+    if (r->frame.shader == PLT_SHADE_HEAT) {
+        output_print(o, f,
+                     "  \"heat_visits_per_pixel\": {\"black\": 0, \"blue\": 0.015625, "
+                     "\"cyan\": 0.25, \"green\": 4, \"yellow\": 64, \"red\": 1024, "
+                     "\"white\": 16384},\n");
+    }
+}
+
 static int write_stats(const rendering *r, output *o, fail *f) {
     output_print(o, f, "{\n  \"frame_hash\": \"%016" PRIx64 "\",\n", r->hash);
     output_print(o, f, "  \"width\": %u,\n  \"height\": %u,\n  \"frames\": %u,\n", r->frame.width,
                  r->frame.height, r->frames);
+    print_samples(o, r, f);
     print_hashes(o, r, f);
     frame_times_print(o, &r->times, moved_is(&r->moved), f);
     print_bits(o, "eye", r->first.eye, 3, f);
@@ -325,6 +341,16 @@ static int open_outputs(rendering *r, fail *f) {
     return r->stats_out == NULL ? -1 : frame_times_make(&r->times, r->frames, f);
 }
 
+/* All samples of a pixel are of one packet. */
+static int samples_fit(const rendering *r, fail *f) {
+    if (plt_packet_side(r->s.engine) > 2 || r->frame.samples < PLT_SAMPLES_SIXTEEN) {
+        return 0;
+    }
+    return fail_set(
+        f, r->path,
+        "packets of 2x2 rays have no room for 16 samples; use --samples 4 or --packet 4");
+}
+
 static int open_all(rendering *r, args *a, fail *f) {
     plt_frame *frame = &r->frame;
     r->path = a->file[0];
@@ -335,6 +361,9 @@ static int open_all(rendering *r, args *a, fail *f) {
     if (r->baseline.kind != NULL &&
         (baseline_open(&r->baseline, r->s.engine, scene_name(r->path), f) != 0 ||
          baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {
+        return -1;
+    }
+    if (samples_fit(r, f) != 0) {
         return -1;
     }
     view_camera(a, plt_engine_info(r->s.engine), frame->width, frame->height, &frame->camera);
@@ -379,14 +408,29 @@ static int run_all(rendering *r, args *a, fail *f) {
 
 static const char *const for_engine[] = {"--packet",   "--walk",    "--structure", "--residency",
                                          "--schedule", "--workers", "--turns",     "--moved",
-                                         "--frames",   "--rebuild", NULL};
+                                         "--frames",   "--rebuild", "--samples",   NULL};
+
+/* What the engine would refuse. */
+static void refuse_samples(const rendering *r, args *a) {
+    const plt_frame *f = &r->frame;
+    const int is_branch = strcmp(args_text(a, "--schedule", "branch"), "branch") == 0;
+    if (args_has(a, "--baseline") && f->shader > PLT_SHADE_TRIANGLE) {
+        args_complain(a, "--shader depth and heat are for the engine; leave out --baseline");
+    }
+    if (!is_branch && f->samples == PLT_SAMPLES_ADAPTIVE) {
+        args_complain(a, "--samples adaptive is for --schedule branch; leave out --schedule");
+    }
+    if (!is_branch && f->shader == PLT_SHADE_HEAT) {
+        args_complain(a, "--shader heat is for --schedule branch; leave out --schedule");
+    }
+}
 
 static void read_flags(rendering *r, args *a) {
     unsigned width = 512, height = 512;
     args_size(a, "--size", PICTURE_SIDE_MAX, &width, &height);
     r->frame.width = (uint16_t)width;
     r->frame.height = (uint16_t)height;
-    r->frame.shader = view_shader(a);
+    r->frame.shader = view_any_shader(a);
     r->frame.samples = view_samples(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
@@ -396,6 +440,7 @@ static void read_flags(rendering *r, args *a) {
     rebuilds_read(&r->rebuilds, &r->s, a, moved_is(&r->moved));
     vertices_read(&r->s, a, r->moved.is_played);
     baseline_read(&r->baseline, a, for_engine);
+    refuse_samples(r, a);
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;

@@ -54,7 +54,7 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
     --stills --tree-for --rate --key --instances --centre --origin --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --orbit --moved --frames --rebuild --rebuild-step \
+flags render -o --show --size --shader --samples --orbit --moved --frames --rebuild --rebuild-step \
     --rebuild-most --records --beside --baseline --repeat --chroma --json \
     $view_flags $scene_flags
 # shellcheck disable=SC2086
@@ -132,7 +132,8 @@ done
 for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=-5x5 --size=x \
     --chroma=422 --chroma= \
     --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
-    --fov=-5 --fov=x --shader=toon --orbit=0 --repeat=0; do
+    --fov=-5 --fov=x --shader=toon --samples=2 --samples=0 --samples=all --orbit=0 \
+    --repeat=0; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
 done
 misused "trace refuses --repeat 0" --repeat trace quad.plt rays x --repeat 0

@@ -447,6 +447,7 @@ static void thesis(const mesh *m, const plt_frame *f) {
 
 static void everywhere(void) {
     static const uint8_t samples[3] = {4, 16, PLT_SAMPLES_ADAPTIVE};
+    CHECK(PLT_PACKET_SIDE_MAX >= 4 || rig_is_tiny(), "packets of 4 x 4 rays");
     if (PLT_PACKET_SIDE_MAX < 4) {
         return;
     }
