@@ -28,16 +28,15 @@ void plt_depth_colour(const plt_depths *d, const float dir[3], float t, uint8_t 
     rgb[0] = rgb[1] = rgb[2] = (uint8_t)(limited * 255.0f + 0.5f);
 }
 
-/* The logarithm to base 2 of value / pixels, times 256: of the bits behind the first one a straight
- * line, off by less than 23 of 256. 0 or less below 1/64. */
-static int32_t logarithm(uint64_t value, uint32_t pixels) {
-    const uint64_t ratio = (value << 16) / pixels; /* visits of a packet are less than 2^48 */
+/* The logarithm to base 2 of a number above 0, times 256: of the bits behind the first one a
+ * straight line, off by less than 23 of 256. */
+static int32_t logarithm(uint32_t value) {
     int32_t whole = 0;
-    while (ratio >> whole > 1) {
+    while (value >> whole > 1) {
         whole++;
     }
-    const uint32_t behind = (uint32_t)((ratio << 8 >> whole) & 0xFFu);
-    return (whole - 16) * 256 + (int32_t)behind;
+    const uint32_t behind = value - (1u << whole);
+    return 256 * whole + (int32_t)(whole > 8 ? behind >> (whole - 8) : behind << (8 - whole));
 }
 
 void plt_heat_colour(uint64_t visits, uint32_t pixels, uint8_t rgb[3]) {
@@ -46,7 +45,8 @@ void plt_heat_colour(uint64_t visits, uint32_t pixels, uint8_t rgb[3]) {
                                                       {255, 255, 255}};
     const int32_t first = -6 * 256,
                   step = 4 * 256; /* 1/64 is level 1, and each 16 times the last */
-    const int32_t above = visits == 0 ? -step : logarithm(visits, pixels) - first;
+    const uint32_t some = visits > UINT32_MAX ? UINT32_MAX : (uint32_t)visits;
+    const int32_t above = some == 0 ? -step : logarithm(some) - logarithm(pixels) - first;
     const int32_t at = above + step < 0 ? 0 : above + step, last = PLT_HEAT_LEVELS - 1;
     const int32_t from = at / step < last ? at / step : last - 1;
     const int32_t part = at / step < last ? at % step : step;

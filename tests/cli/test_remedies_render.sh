@@ -117,7 +117,7 @@ for flags in '--samples adaptive' '--shader heat'; do
     cured render compact.plt -o x.png --residency streamed $flags
 done
 says "--shader depth and heat are for the engine; leave out --baseline" \
-    render knot.plt -o x.png --shader depth --baseline bvh4
+    render knot.plt -o x.png --shader depth --baseline kd
 cured render knot.plt -o x.png --shader depth
 says "packets of 2x2 rays have no room for 16 samples; use --samples 4 or --packet 4" \
     render knot.plt -o x.png --packet 2 --samples 16
