@@ -1,12 +1,19 @@
 /* footprint_samples - whole pixels of samples that a large triangle may cover
  *
- * Included by footprint.h alone. Edge functions in the middle of a pixel, and how much they differ
+ * Edge functions in the middle of a pixel, and how much they differ
  * over its samples, tell whether it is outside as a whole, or is taken as a whole; else its samples
  * are looked at one by one. So only next to edges a sample costs what a pixel does without samples.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_SHADE_FOOTPRINT_SAMPLES_H
 #define PLT_SHADE_FOOTPRINT_SAMPLES_H
+
+#include "engine/shade/footprint_edges.h"
+
+#if PLT_WITH_SAMPLES
+
+/* Triangles of more width and height together cover whole pixels, in pixels. */
+#define PLT_LARGE_SIZE 16.0f
 
 /* What a triangle's functions change by: to the next column and row of samples, and at most from
  * the middle of a pixel to one of its samples. */
@@ -134,5 +141,7 @@ PLT_RARELY void test_pixels(plt_beam *b, candidate *c, projected *p, const recta
         }
     }
 }
+
+#endif
 
 #endif
