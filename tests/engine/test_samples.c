@@ -277,7 +277,8 @@ static uint8_t any_samples(random_state *r) {
 }
 
 static uint8_t any_shader(random_state *r) {
-    return (uint8_t)random_below(r, PLT_WITH_DIAGRAMS ? 4 : 3);
+    const uint32_t shader = random_below(r, PLT_WITH_DIAGRAMS ? 4 : 3);
+    return (uint8_t)(shader == 3 ? PLT_SHADE_DEPTH : shader);
 }
 
 static rig opened(const mesh *m, random_state *r) {
@@ -295,10 +296,16 @@ static rig opened(const mesh *m, random_state *r) {
 }
 
 static plt_frame any_frame(random_state *r) {
-    plt_frame f = {.width = (uint16_t)(1 + random_below(r, SIDE_MOST)),
-                   .height = (uint16_t)(1 + random_below(r, SIDE_MOST)),
-                   .shader = any_shader(r),
-                   .samples = any_samples(r)};
+    plt_frame f = {
+        .width = (uint16_t)(1 + random_below(r, SIDE_MOST)),
+        .height = (uint16_t)(1 + random_below(r, SIDE_MOST)),
+        .shader = any_shader(r),
+#if PLT_WITH_BACKGROUND
+        .has_background = (uint8_t)random_below(r, 2),
+        .background = {250, 3, 77},
+#endif
+        .samples = any_samples(r)
+    };
     const float away = random_below(r, 3) ? 3.0f : 0.9f; /* outside, or inside */
     for (int a = 0; a < 3; a++) {
         f.camera.eye[a] = away * random_float(r, -1.0f, 1.0f);
