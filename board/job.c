@@ -18,9 +18,15 @@
 #define KEYS_OF_LIGHTS ""
 #endif
 
+#if PLT_WITH_SAMPLES
+#define KEYS_OF_SAMPLES " samples"
+#else
+#define KEYS_OF_SAMPLES ""
+#endif
+
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS;
+    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -135,7 +141,7 @@ static int read_lights(const char *all, job *j) {
 
 #endif
 
-/* Those that come last are of engines that have them. */
+/* Those that come after the first three are of engines that have them. */
 static int read_shader(const char *all, job *j) {
     static const char *const shaders[] = {
         "eyelight",
@@ -144,17 +150,36 @@ static int read_shader(const char *all, job *j) {
 #if PLT_WITH_SURFACE
         "smooth",
 #endif
+#if PLT_WITH_DIAGRAMS
+        "depth",
+        "heat",
+#endif
 #if PLT_WITH_WHITTED
         "whitted",
 #endif
     };
-    if (job_word(all, "shader", shaders, sizeof shaders / sizeof shaders[0], &j->frame.shader) <
-        0) {
+    static const uint8_t numbers[] = {
+        PLT_SHADE_EYELIGHT,
+        PLT_SHADE_NORMAL,
+        PLT_SHADE_TRIANGLE,
+#if PLT_WITH_SURFACE
+        PLT_SHADE_SMOOTH,
+#endif
+#if PLT_WITH_DIAGRAMS
+        PLT_SHADE_DEPTH,
+        PLT_SHADE_HEAT,
+#endif
+#if PLT_WITH_WHITTED
+        PLT_SHADE_WHITTED,
+#endif
+    };
+    uint8_t named = 0;
+    if (job_word(all, "shader", shaders, sizeof shaders / sizeof shaders[0], &named) < 0) {
         return -1;
     }
+    j->frame.shader = numbers[named];
 #if PLT_WITH_WHITTED
-    if (j->frame.shader == sizeof shaders / sizeof shaders[0] - 1) {
-        j->frame.shader = PLT_SHADE_WHITTED;
+    if (j->frame.shader == PLT_SHADE_WHITTED) {
         j->options.surface = PLT_WITH_SURFACE;
         return read_lights(all, j);
     }
@@ -191,6 +216,23 @@ static int read_structure(const char *all, job *j) {
 #endif
 }
 
+/* samples=, where there are several. */
+static int read_samples(const char *all, job *j) {
+#if PLT_WITH_SAMPLES
+    static const char *const words[] = {"1", "4", "16", "adaptive"};
+    static const uint8_t samples[] = {PLT_SAMPLES_ONE, PLT_SAMPLES_FOUR, PLT_SAMPLES_SIXTEEN,
+                                      PLT_SAMPLES_ADAPTIVE};
+    uint8_t choice = 0;
+    const int status = job_word(all, "samples", words, 4, &choice);
+    j->frame.samples = samples[choice];
+    return status;
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
 int job_read(job *j, const char *parameters, const char *more_keys, size_t *arena_bytes) {
     uint32_t arena = (uint32_t)*arena_bytes;
     uint32_t packet = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8, batch = 0, prefetch = 0;
@@ -201,6 +243,7 @@ int job_read(job *j, const char *parameters, const char *more_keys, size_t *aren
     }
     if (read_size(parameters, &j->frame) < 0 || read_camera(parameters, j) < 0 ||
         read_words(parameters, j) < 0 || read_structure(parameters, j) < 0 ||
+        read_samples(parameters, j) < 0 ||
         job_u32(parameters, "packet", 2, PLT_PACKET_SIDE_MAX, &packet) < 0 ||
         job_u32(parameters, "store", PLT_STORE_LEAST, arena, &j->options.store_bytes) < 0 ||
         job_u32(parameters, "batch", 1, PLT_BATCH_MOST, &batch) < 0 ||

@@ -24,6 +24,8 @@
 #   surface  with normals and colours (plt_options.surface); likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
+#   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
+#   diagrams with pictures of distances and of node visits, likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
 # Frames are traced by beams, everything else by groups of four rays. The whole engine has both;
@@ -83,12 +85,15 @@ surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/tree/compact/block_record.c
 further_files := engine/image/further.c
 whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c engine/shade/whitted_frame.c
+samples_files := engine/shade/light.c engine/shade/beam_samples.c
+diagrams_files := engine/shade/diagram.c
+mixes_files := engine/shade/mixing.c engine/shade/beam_mix.c engine/shade/packet_mix.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \
     packet_plain.c boxes.c rays.c packet_rays.c leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
     engine/shade/camera_packet.c \
     engine/shade/camera_ranges.c \
-    engine/shade/packet_shade.c
+    engine/shade/packet_shade.c engine/shade/packet_mix.c
 beams_files := $(wildcard engine/shade/beam*.c) engine/shade/margins.c \
     engine/trace/triangle_ray.c
 
@@ -101,10 +106,11 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices background grid instances surface whitted frames,$(PARTS)),)
+    subtree sequence vertices background grid instances surface whitted samples diagrams \
+    frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
     seek, motion, some, subtree, sequence, vertices, background, grid, instances, surface, \
-    whitted or frames; it has $(PARTS))
+    whitted, samples, diagrams or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -183,6 +189,9 @@ without_further := $(if $(without_whitted),$(without_surface))
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
+without_samples := $(if $(filter host,$(BOARD))$(filter samples,$(PARTS)),,yes)
+without_diagrams := $(if $(filter host,$(BOARD))$(filter diagrams,$(PARTS)),,yes)
+without_mixes := $(and $(without_samples),$(without_diagrams))
 # Frames are shown by the same calls, whatever moves.
 shown_files := $(if $(filter instances,$(PARTS)),engine/sequence.c)
 ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
@@ -193,7 +202,9 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
     $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
     $(if $(without_whitted),$(whitted_files)) $(if $(without_surface),$(surface_files)) \
-    $(if $(without_further),$(further_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
+    $(if $(without_further),$(further_files)) \
+    $(if $(without_samples),$(samples_files)) $(if $(without_diagrams),$(diagrams_files)) \
+    $(if $(without_mixes),$(mixes_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_wave),-DPLT_WITH_WAVE=0) $(if $(without_stream),-DPLT_WITH_STREAMED=0) \
     $(if $(without_batch),-DPLT_WITH_BATCH=0) $(if $(without_task),-DPLT_WITH_TASK=0) \
@@ -204,6 +215,8 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_surface),-DPLT_WITH_SURFACE=0) \
     $(if $(without_whitted),-DPLT_WITH_WHITTED=0) \
     $(if $(without_background),-DPLT_WITH_BACKGROUND=0) \
+    $(if $(without_samples),-DPLT_WITH_SAMPLES=0) \
+    $(if $(without_diagrams),-DPLT_WITH_DIAGRAMS=0) \
     $(if $(without_prefetch),-DPLT_WITH_PREFETCH=0) \
     $(if $(without_subtree),-DPLT_WITH_SUBTREES=0)
 # What runs when a scene is opened, once per frame or packet, and for the few rays that single
@@ -219,7 +232,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/trace/wide.c engine/grid/build.c engine/grid/crowded.c engine/grid_room.c \
     engine/trace/collapse_*.c engine/trace/wide_form.c \
     engine/shade/margins.c engine/shade/tile_order.c engine/shade/camera.c \
-    engine/shade/rendering.c engine/seek.c engine/shade/seek.c \
+    engine/shade/rendering.c engine/shade/mixing.c engine/seek.c engine/shade/seek.c \
     engine/sequence.c engine/frame_put.c engine/beside.c engine/motion/beside.c \
     engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c engine/surface_room.c \

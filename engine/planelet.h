@@ -631,14 +631,36 @@ enum plt_shader {
     PLT_SHADE_TRIANGLE = 2, /* a flat colour per triangle */
     PLT_SHADE_SMOOTH = 3,   /* as eye light, by the normals and colours of plt_surface_at; of
                              * scenes opened with plt_options.surface */
+    PLT_SHADE_DEPTH = 4,    /* grey by the distance from the eye: white at the nearest point of the
+                             * scene's box (the eye, if that is inside), black at its farthest
+                             * corner, and black where nothing is hit */
+    PLT_SHADE_HEAT = 5,     /* colour by the node visits of a pixel's packet (PLT_HEAT_LEVELS) */
     PLT_SHADE_WHITTED = 16  /* lights, shadows, mirrors and glass (plt_lighting_set), in sRGB; of
                              * engines that have room for it (plt_options.whitted) */
 };
+
+/* Node visits of a packet, over the pixels that it covers, as PLT_SHADE_HEAT has them: 0 (below
+ * 1/1,024) is black, 1/64 blue, 1/4 cyan, 4 green, 64 yellow, 1,024 red, 16,384 and more white.
+ * Between two of them colours go by the logarithm. */
+#define PLT_HEAT_LEVELS 7
+
+/* Rays per pixel, on a fixed rotated pattern: no two of a pixel share a row or a column. A pixel
+ * is the mean of their colours in linear light; rgb is sRGB. */
+enum plt_samples {
+    PLT_SAMPLES_ONE = 1, /* through the middle; 0 is the same */
+    PLT_SAMPLES_FOUR = 4,
+    PLT_SAMPLES_SIXTEEN = 16,
+    PLT_SAMPLES_ADAPTIVE = 255 /* 4, and where these differ by more than PLT_SAMPLES_ALIKE 16 */
+};
+
+/* Of red, green and blue, 0 to 255: colours of a pixel's samples that differ no more are alike. */
+#define PLT_SAMPLES_ALIKE 8
 
 typedef struct plt_frame {
     plt_camera camera;
     uint16_t width, height; /* pixels, 1 .. 65535 */
     uint8_t shader;         /* enum plt_shader */
+    uint8_t samples;        /* enum plt_samples */
 #if PLT_WITH_BACKGROUND
     uint8_t has_background; /* 1: where nothing is hit, a pixel is `background`; 0: the sky. With
                              * PLT_SHADE_WHITTED where the eye's own rays hit nothing: those of
@@ -655,7 +677,14 @@ typedef struct plt_tile {
 } plt_tile;
 
 /* Starts a frame (and drops an unfinished one). Errors: PLT_ERR_ARGUMENT
- * for a camera without direction, a zero size, an unknown shader. */
+ * for a camera without direction, a zero size, an unknown shader or number of samples; for more
+ * than one sample of PLT_SHADE_SMOOTH or PLT_SHADE_WHITTED; for 16 samples, or adaptive ones, where
+ * packets have 2 x 2 rays (plt_packet_side), as all rays of a pixel are of one packet; for
+ * PLT_SHADE_HEAT and PLT_SAMPLES_ADAPTIVE where many packets are under way (PLT_SCHEDULE_BATCH,
+ * PLT_SCHEDULE_TASK). Builds without samples
+ * or pictures of distances and visits (PARTS says `samples`, `diagrams`: engine.mk) do not know
+ * these shaders; without both `samples` is not looked at, and without `samples` alone only one is
+ * known. */
 int plt_render_begin(plt_engine *engine, const plt_frame *frame);
 
 enum plt_light_kind {

@@ -117,6 +117,13 @@
 #ifndef PLT_WITH_BACKGROUND
 #define PLT_WITH_BACKGROUND 1 /* frames before one colour (plt_frame.background) */
 #endif
+#ifndef PLT_WITH_SAMPLES
+#define PLT_WITH_SAMPLES 1 /* several rays per pixel (plt_frame.samples) */
+#endif
+#ifndef PLT_WITH_DIAGRAMS
+#define PLT_WITH_DIAGRAMS 1 /* PLT_SHADE_DEPTH, PLT_SHADE_HEAT */
+#endif
+#define PLT_WITH_MIXES (PLT_WITH_SAMPLES || PLT_WITH_DIAGRAMS)
 #ifndef PLT_WITH_GRID /* grids (plt_options.structure) */
 #if PLT_WITH_THESIS
 #define PLT_WITH_GRID 1
@@ -338,6 +345,12 @@
 #endif
 #if PLT_WITH_BACKGROUND != 0 && PLT_WITH_BACKGROUND != 1
 #error "PLT_WITH_BACKGROUND is the digit 0 or 1"
+#endif
+#if PLT_WITH_SAMPLES != 0 && PLT_WITH_SAMPLES != 1
+#error "PLT_WITH_SAMPLES is the digit 0 or 1"
+#endif
+#if PLT_WITH_DIAGRAMS != 0 && PLT_WITH_DIAGRAMS != 1
+#error "PLT_WITH_DIAGRAMS is the digit 0 or 1"
 #endif
 #if (PLT_WITH_INSTANCES != 0 && PLT_WITH_INSTANCES != 1) ||                                        \
     (PLT_WITH_INSTANCES && !(PLT_WITH_THESIS && PLT_WITH_GROUPS))

@@ -47,9 +47,10 @@ static void set_ranges(const plt_beam *b, plt_beam_range r[3]) {
     const plt_view *v = b->view;
     const uint32_t x_last = b->square.x + b->columns - 1, y_last = b->square.y + b->rows - 1;
     for (int a = 0; a < 3; a++) {
-        const float left = v->corner[a] + (float)b->square.x * v->right[a];
-        const float right = v->corner[a] + (float)x_last * v->right[a];
-        const float top = (float)b->square.y * v->down[a], bottom = (float)y_last * v->down[a];
+        const float left = v->corner[a] + plt_view_least(v, (float)b->square.x) * v->right[a];
+        const float right = v->corner[a] + plt_view_most(v, (float)x_last) * v->right[a];
+        const float top = plt_view_least(v, (float)b->square.y) * v->down[a];
+        const float bottom = plt_view_most(v, (float)y_last) * v->down[a];
         r[a].least = r[a].most = left + top;
         widen(&r[a], left + bottom);
         widen(&r[a], right + top);
@@ -70,7 +71,7 @@ static int set_beam(plt_beam *b) {
 static void set_rows(plt_beam *b) {
     const plt_view *v = b->view;
     const float scale = 1.0f / b->margins.det;
-    plt_view_direction(v, b->square.x, b->square.y, b->first);
+    plt_view_point(v, (float)b->square.x, (float)b->square.y, b->first);
     plt_cross(v->down, b->first, b->row_x);
     plt_cross(b->first, v->right, b->row_y);
     for (int a = 0; a < 3; a++) {

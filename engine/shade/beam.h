@@ -13,6 +13,7 @@
 #define PLT_SHADE_BEAM_H
 
 #include "engine/shade/margins.h"
+#include "engine/shade/sampling.h"
 #include "engine/trace/traversal.h"
 #include "engine/trace/triangle_ray.h"
 #include "engine/tree/compact/block_tree.h"
@@ -31,6 +32,8 @@ typedef struct plt_pixel {
 static inline uint32_t plt_pixel_record(const plt_pixel *p) {
     return p->record & ~PLT_PIXEL_BOUND;
 }
+
+#define PLT_PLANE_LEAST 7.8886090522101181e-31f /* 2^-100: what underflow takes of a plane */
 
 /* The least t at which some ray may enter a box, minus the greatest at which some may leave
  * it, and what the box leads to: of thesis nodes. 12 bytes. */
@@ -145,6 +148,13 @@ static inline int plt_beam_is_empty(const plt_beam *b) {
 void plt_beam_shade(const plt_beam *b, const plt_frame *frame, const uint8_t *sky, uint8_t *rgb,
                     uint32_t row_bytes);
 
+#if PLT_WITH_SAMPLES || PLT_WITH_DIAGRAMS
+/* The same of samples, and of distances: rows of `sky` and of `rgb` are of pixels. Adaptive: also
+ * sets s->mixed. */
+void plt_beam_mix(plt_beam *b, plt_sampling *s, const uint8_t *sky, uint8_t *rgb,
+                  uint32_t row_bytes);
+#endif
+
 /* ---- between the files of the beam --------------------------------------------- */
 
 /* Of components of directions. */
@@ -230,6 +240,22 @@ const plt_record *plt_beam_store(plt_beam *b, const plt_leaf *leaf, uint32_t tri
  * of, as planes through the eye and its edges tell. */
 void plt_beam_test_pixel(plt_beam *b, const plt_record *record, uint32_t x, uint32_t y);
 void plt_beam_test_planes(plt_beam *b, const plt_record *record);
+
+#if PLT_WITH_SAMPLES
+/* The latter where a pixel has several samples (beam_samples.c). */
+void plt_beam_test_samples(plt_beam *b, const plt_record *record);
+#endif
+
+/* A triangle that is not projected. */
+static inline void plt_beam_test_unprojected(plt_beam *b, const plt_record *record) {
+#if PLT_WITH_SAMPLES
+    if (b->view->across > 1) {
+        plt_beam_test_samples(b, record);
+        return;
+    }
+#endif
+    plt_beam_test_planes(b, record);
+}
 
 static inline void plt_beam_take(plt_beam *b, plt_pixel *pixel, float t, uint32_t record) {
     b->open -= pixel->record == PLT_MISS;

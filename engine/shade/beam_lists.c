@@ -26,7 +26,7 @@ PLT_INLINED const plt_record *find_projected(plt_beam *b, const projector *k, re
             return record;
         }
         if (how == NOT_PROJECTED) {
-            plt_beam_test_planes(b, record);
+            plt_beam_test_unprojected(b, record);
         }
     }
     return NULL;
@@ -37,7 +37,7 @@ PLT_RARELY uint32_t test_unprojected(plt_beam *b, const plt_record *begin, uint3
                                      uint32_t single) {
     const plt_record *record = begin;
     for (; lists > 0; record++) {
-        plt_beam_test_planes(b, record);
+        plt_beam_test_unprojected(b, record);
         lists -= (uint32_t)plt_record_is_last(record) | single;
     }
     return (uint32_t)(record - begin);

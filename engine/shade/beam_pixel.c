@@ -6,8 +6,6 @@
 #include "engine/shade/footprint.h"
 #include "engine/trace/triangle_common.h"
 
-#define PLANE_LEAST 7.8886090522101181e-31f /* 2^-100: what underflow takes of a plane */
-
 /* ---- the exact test ------------------------------------------------------------ */
 
 static int wins_ties(const plt_beam *b, const plt_pixel *pixel, const plt_record *record) {
@@ -77,7 +75,7 @@ void plt_beam_test_planes(plt_beam *b, const plt_record *record) {
         e[c].at = dot(normal, b->first);
         e[c].right = dot(normal, b->view->right);
         e[c].down = dot(normal, b->view->down);
-        margin[c] = b->margins.plane * (size_of(from) * size_of(to) + PLANE_LEAST);
+        margin[c] = b->margins.plane * (size_of(from) * size_of(to) + PLT_PLANE_LEAST);
     }
     for (uint32_t y = 0; y < b->rows; y++) {
         for (uint32_t x = 0; x < b->columns; x++) {

@@ -30,7 +30,7 @@ uint32_t plt_beam_references(plt_beam *b, const uint32_t *reference, uint32_t co
         if (b->margins.project) {
             test_record(b, &k, record, b->margins.all_deep);
         } else {
-            plt_beam_test_planes(b, record);
+            plt_beam_test_unprojected(b, record);
         }
         i = skip_met(reference, i + 1, count, marks);
     }

@@ -1,23 +1,7 @@
 /* beam_shade - the colours of a square of pixels
  *
  * SPDX-License-Identifier: MIT */
-#include "engine/shade/beam.h"
-#include "engine/shade/surface.h"
-
-/* The triangle that was shaded last. */
-typedef struct shaded {
-    uint32_t record, id;
-    plt_surface surface;
-} shaded;
-
-static void set_shaded(shaded *s, const plt_record *records, uint32_t record) {
-    float corner[3][3], normal[3];
-    plt_record_corners(&records[record], corner);
-    plt_hit_normal((const float(*)[3])corner, normal);
-    plt_surface_set(&s->surface, normal);
-    s->record = record;
-    s->id = plt_primitive_id(plt_get_u32(&records[record].word[9]));
-}
+#include "engine/shade/beam_surface.h"
 
 static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8_t sky[3],
                       uint8_t *rgb, shaded *s) {

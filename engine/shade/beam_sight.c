@@ -32,7 +32,7 @@ static inline plt_lines divided(range wx, float nearest, float farthest, float m
 
 /* Columns and rows that a box may reach. 0: some of it is not deep in front. */
 static int project_box(const plt_beam *b, const plt_box *box, plt_lines *x, plt_lines *y) {
-    const float margin = b->margins.pixels;
+    const float margin = plt_margins_reach(&b->margins);
     float lo[3], hi[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         lo[a] = box->lo[a] - b->origin.org[a];

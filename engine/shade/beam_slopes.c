@@ -25,9 +25,14 @@ static inline float smaller(float a, float b) {
 }
 
 static void set_corners(const plt_beam *b, float dir[4][3]) {
+    const plt_view *v = b->view;
+    const uint32_t x_last = b->square.x + b->columns - 1, y_last = b->square.y + b->rows - 1;
     for (uint32_t i = 0; i < 4; i++) {
-        plt_view_direction(b->view, b->square.x + (i & 1u ? b->columns - 1 : 0),
-                           b->square.y + (i & 2u ? b->rows - 1 : 0), dir[i]);
+        const float x =
+            i & 1u ? plt_view_most(v, (float)x_last) : plt_view_least(v, (float)b->square.x);
+        const float y =
+            i & 2u ? plt_view_most(v, (float)y_last) : plt_view_least(v, (float)b->square.y);
+        plt_view_point(v, x, y, dir[i]);
     }
 }
 

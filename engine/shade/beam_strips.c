@@ -66,7 +66,7 @@ static inline void test_triangle(plt_beam *b, const corners *from, candidate *c)
         test_footprint(b, c, &p, 1);
         break;
     case NOT_PROJECTED:
-        plt_beam_test_planes(b, record_of(b, c));
+        plt_beam_test_unprojected(b, record_of(b, c));
         break;
     case OUTSIDE:
         break;

@@ -42,7 +42,7 @@ PLT_INLINED void test_lists(plt_beam *b, const plt_vertex_lists *from, plt_lists
         plt_vertex_lists_next(from, ahead, &c.listed);
         c.record = NULL;
         if (!b->margins.project) {
-            plt_beam_test_planes(b, record_of(b, &c));
+            plt_beam_test_unprojected(b, record_of(b, &c));
             continue;
         }
         PLT_UNROLLED for (int i = 0; i < 3; i++) {

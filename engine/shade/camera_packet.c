@@ -11,11 +11,37 @@
 /* Two by two pixels, in the order of lanes. */
 static const float right_of[4] = {0, 1, 0, 1}, below_of[4] = {0, 0, 1, 1};
 
+/* Where four pixels from (x, y) on are; x and y are even. */
+static inline f4 columns_at(const plt_view *v, uint32_t x, uint32_t y) {
+    const f4 px = f4_add(f4_all((float)x), f4_load(right_of));
+#if PLT_WITH_SAMPLES
+    const float *aside = &v->aside[y & (v->across - 1)];
+    const float by[4] = {aside[0], aside[0], aside[v->across > 1], aside[v->across > 1]};
+    return f4_add(px, f4_load(by));
+#else
+    (void)v;
+    (void)y;
+    return px;
+#endif
+}
+
+static inline f4 rows_at(const plt_view *v, uint32_t x, uint32_t y) {
+    const f4 py = f4_add(f4_all((float)y), f4_load(below_of));
+#if PLT_WITH_SAMPLES
+    const float *aside = &v->aside[x & (v->across - 1)];
+    const float by[4] = {aside[0], aside[v->across > 1], aside[0], aside[v->across > 1]};
+    return f4_sub(py, f4_load(by));
+#else
+    (void)v;
+    (void)x;
+    return py;
+#endif
+}
+
 /* Four pixels from (x, y) on. */
 static void set_group(const plt_view *v, plt_packet *p, unsigned index, uint32_t x, uint32_t y,
                       unsigned lanes) {
-    const f4 px = f4_add(f4_all((float)x), f4_load(right_of));
-    const f4 py = f4_add(f4_all((float)y), f4_load(below_of));
+    const f4 px = columns_at(v, x, y), py = rows_at(v, x, y);
     f4 org[3], dir[3];
     for (int a = 0; a < 3; a++) {
         org[a] = f4_all(v->eye[a]);
@@ -46,21 +72,37 @@ static void share_nothing(plt_packet *p) {
     p->along = 0;
 }
 
-/* What groups one below the other, or side by side, have in common. */
+/* With 16 samples per pixel every other row of groups is aside of the one above it. */
+#define KINDS_OF_ROWS (PLT_WITH_SAMPLES ? 2 : 1)
+
+static inline uint32_t kind_of_row(const plt_view *v, uint32_t i) {
+    return KINDS_OF_ROWS == 2 && plt_view_across(v) == 4 ? i & 1u : 0;
+}
+
+/* What groups one below the other, or side by side, have in common: those in every row, or in
+ * every other one. */
 typedef struct grid {
-    f4 column[PLT_PACKET_SIDE_MAX / 2][3], row[PLT_PACKET_SIDE_MAX / 2][3];
+    f4 column[KINDS_OF_ROWS][PLT_PACKET_SIDE_MAX / 2][3];
+    f4 row[KINDS_OF_ROWS][PLT_PACKET_SIDE_MAX / 2][3];
 } grid;
 
-static void set_grid(grid *g, const plt_view *v, const plt_pixels *pixels) {
-    f4 px = f4_add(f4_all((float)pixels->x), f4_load(right_of));
-    f4 py = f4_add(f4_all((float)pixels->y), f4_load(below_of));
+static void set_kind(grid *g, const plt_view *v, const plt_pixels *pixels, uint32_t kind) {
+    f4 px = columns_at(v, pixels->x, pixels->y + 2 * kind);
+    f4 py = rows_at(v, pixels->x + 2 * kind, pixels->y);
     for (uint32_t i = 0; i < pixels->side / 2; i++) {
         PLT_UNROLLED for (int a = 0; a < 3; a++) {
-            g->column[i][a] = plt_view_along(v, a, px);
-            g->row[i][a] = plt_view_below(v, a, py);
+            g->column[kind][i][a] = plt_view_along(v, a, px);
+            g->row[kind][i][a] = plt_view_below(v, a, py);
         }
         px = f4_add(px, f4_all(2.0f));
         py = f4_add(py, f4_all(2.0f));
+    }
+}
+
+static void set_grid(grid *g, const plt_view *v, const plt_pixels *pixels) {
+    set_kind(g, v, pixels, 0);
+    if (KINDS_OF_ROWS == 2 && plt_view_across(v) == 4) {
+        set_kind(g, v, pixels, 1);
     }
 }
 
@@ -88,11 +130,12 @@ PLT_INLINED void set_groups(const plt_view *v, plt_packet *p, const grid *of, ui
     static const uint8_t apart[8] = {0, 1, 4, 5, 16, 17, 20, 21}; /* every other bit of Z order */
     const f4 eye[3] = {f4_all(v->eye[0]), f4_all(v->eye[1]), f4_all(v->eye[2])};
     for (uint32_t y = 0; y < side / 2; y++) {
-        const f4 row[3] = {of->row[y][0], of->row[y][1], of->row[y][2]};
+        const uint32_t kind = kind_of_row(v, y);
         plt_group_slabs *s = &p->slabs.group[2u * apart[y]];
         plt_group_rays *g = &p->rays[2u * apart[y]];
         for (uint32_t x = 0; x < side / 2; x++) {
-            set_plain(&s[apart[x]], &g[apart[x]], eye, of->column[x], row, z);
+            set_plain(&s[apart[x]], &g[apart[x]], eye, of->column[kind][x],
+                      of->row[kind_of_row(v, x)][y], z);
         }
     }
 }

@@ -14,9 +14,11 @@ static inline float larger(float a, float b) {
 
 void plt_view_ranges_set(plt_view_ranges *r, const plt_view *v, const plt_pixels *pixels) {
     static const float right_of[4] = {0, 1, 0, 1}, below_of[4] = {0, 0, 1, 1};
-    const f4 last = f4_all((float)(pixels->side - 1));
-    const f4 px = f4_add(f4_all((float)pixels->x), f4_mul(f4_load(right_of), last));
-    const f4 py = f4_add(f4_all((float)pixels->y), f4_mul(f4_load(below_of), last));
+    const f4 last = f4_all(plt_view_most(v, plt_view_most(v, (float)(pixels->side - 1))));
+    const f4 px =
+        f4_add(f4_all(plt_view_least(v, (float)pixels->x)), f4_mul(f4_load(right_of), last));
+    const f4 py =
+        f4_add(f4_all(plt_view_least(v, (float)pixels->y)), f4_mul(f4_load(below_of), last));
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 corner = plt_view_directions(v, a, px, py);
         r->least[a] = f4_min_lane(corner);

@@ -48,7 +48,7 @@ static inline void test_corners(plt_beam *b, const projector *k, const float q[3
     const enum projection how = project(b, k, q, all_deep, &p);
     if (how != PROJECTED) {
         if (how == NOT_PROJECTED) {
-            plt_beam_test_planes(b, record_of(b, c));
+            plt_beam_test_unprojected(b, record_of(b, c));
         }
         return;
     }

@@ -28,19 +28,20 @@ static float longest_direction(const plt_view *v, uint32_t width, uint32_t heigh
     float most = 0.0f;
     for (unsigned i = 0; i < 4; i++) {
         float d[3];
-        plt_view_direction(v, i & 1u ? width - 1 : 0, i & 2u ? height - 1 : 0, d);
+        plt_view_point(v, i & 1u ? plt_view_most(v, (float)(width - 1)) : plt_view_least(v, 0.0f),
+                       i & 2u ? plt_view_most(v, (float)(height - 1)) : plt_view_least(v, 0.0f), d);
         most = larger(most, length(d));
     }
     return most;
 }
 
 /* M: no rounding of a direction is above 3 u of it, on any axis. */
-static float largest_term(const plt_view *v, const plt_frame *frame) {
+static float largest_term(const plt_view *v, uint32_t width, uint32_t height) {
     float most = 0.0f;
     for (int a = 0; a < 3; a++) {
         most = larger(most, __builtin_fabsf(v->corner[a]) +
-                                (float)frame->width * __builtin_fabsf(v->right[a]) +
-                                (float)frame->height * __builtin_fabsf(v->down[a]));
+                                (float)width * __builtin_fabsf(v->right[a]) +
+                                (float)height * __builtin_fabsf(v->down[a]));
     }
     return most;
 }
@@ -56,17 +57,28 @@ static float least_depth(const float row_w[3], const float eye[3], const plt_box
 }
 
 /* The last factor: of the bias `pixels` is a part. */
-static void set_pixels(plt_margins *m, float across, float row, float square, float term) {
+static void set_pixels(plt_margins *m, float across, float row, float square, float term,
+                       float aside) {
     const float bias = 9.0f * row * m->direction;
+#if PLT_WITH_SAMPLES
+    const float first = PLT_LINE_FIRST + aside;
+#else
+    const float first = PLT_LINE_FIRST;
+    (void)aside;
+#endif
     const float sum = across * ((8.5f + 7.5f * larger(0.5f, square)) * m->direction +
                                 13.0f * (1.0f + square) * term + 4.0f * (1.0f + square)) +
-                      bias * PLT_LINE_FIRST + 128.0f;
+                      bias * first + 128.0f;
     m->pixels = PLT_U * sum / (1.0f - PLT_U * bias);
-    m->bias = PLT_LINE_FIRST + m->pixels;
+#if PLT_WITH_SAMPLES
+    m->reach = m->pixels + aside;
+#endif
+    m->bias = PLT_LINE_FIRST + plt_margins_reach(m);
     m->edge = 1.5f * m->pixels + 40.0f * PLT_U * across;
     m->edge_least = 3.0f * m->pixels * m->pixels;
     const int is_told = m->pixels >= 0.0f && m->pixels < PIXELS_MOST; /* not where too wide */
-    m->lines = is_told ? (int32_t)(m->pixels * (float)(1 << PLT_LINE_BITS)) + 2 : PLT_LINE_WIDEST;
+    m->lines = is_told ? (int32_t)(plt_margins_reach(m) * (float)(1 << PLT_LINE_BITS)) + 2
+                       : PLT_LINE_WIDEST;
 }
 
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
@@ -75,17 +87,20 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     m->det = dot(v->corner, m->row_w);
     const float det = __builtin_fabsf(m->det);
     const float right = length(v->right), down = length(v->down), step = larger(right, down);
-    const float farthest = longest_direction(v, frame->width, frame->height);
-    const float term = largest_term(v, frame);
-    const float row = right * down / det;       /* the length of row_w */
-    const float across = step * farthest / det; /* at least that of row_x and row_y */
+    const uint32_t across = plt_view_across(v);
+    const uint32_t width = across * frame->width, height = across * frame->height;
+    const float farthest = longest_direction(v, width, height);
+    const float term = largest_term(v, width, height);
+    const float row = right * down / det;     /* the length of row_w */
+    const float rows = step * farthest / det; /* at least the length of row_x and row_y */
     const float square = (float)side * step / farthest;
     const float corner = 0.5f * farthest / step;
     m->step = step;
     m->direction = 3.0f * farthest;
-    set_pixels(m, across, row, square, term);
+    set_pixels(m, rows, row, square, term, plt_view_most(v, 0.0f));
     m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
-    const int is_told = m->pixels < PIXELS_TOLD && 16.0f * m->pixels < m->corner;
+    const float beside = plt_margins_reach(m);
+    const int is_told = beside < PIXELS_TOLD && 16.0f * beside < m->corner;
     m->size = is_told ? m->corner - (float)side : -1.0f;
     m->depth = 1.75f * reach / m->direction;
     m->plane = 160.0f * PLT_U * term;

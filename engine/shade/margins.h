@@ -11,10 +11,13 @@
 #include "engine/shade/camera.h"
 
 typedef struct plt_margins {
-    float pixels;           /* between a projected corner and a ray, in pixels */
-    float bias;             /* of coordinates in pixels: PLT_LINE_FIRST and `pixels` */
+    float pixels; /* between a projected corner and a ray, in pixels */
+#if PLT_WITH_SAMPLES
+    float reach; /* `pixels`, and as far as samples are beside their lines */
+#endif
+    float bias;             /* of coordinates in pixels: PLT_LINE_FIRST and plt_margins_reach */
     float edge, edge_least; /* of edge functions: times width and height, and added to that */
-    int32_t lines;          /* twice `pixels`, as plt_lines_between takes it off */
+    int32_t lines;          /* twice plt_margins_reach, as plt_lines_between takes it off */
     float corner; /* farthest corner from a square's first pixel that is projected, in pixels */
     float size;   /* width and height of a triangle that needs no look at its corners, in pixels */
     float depth;  /* of a corner whose x alone says that it is beside a square */
@@ -27,6 +30,15 @@ typedef struct plt_margins {
     uint8_t all_deep; /* all corners in the scene's box are beyond `depth`; `project` */
     uint8_t project;  /* 0: the field is too wide or too narrow, nothing is projected */
 } plt_margins;
+
+/* Between a projected corner and the line of pixels that a ray is of. */
+static inline float plt_margins_reach(const plt_margins *m) {
+#if PLT_WITH_SAMPLES
+    return m->reach;
+#else
+    return m->pixels;
+#endif
+}
 
 /* A row of the projection times q. Where the machine multiplies and adds at once, with a rounding
  * less than the margins are for. */

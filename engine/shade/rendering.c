@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/rendering.h"
 
+#include "engine/shade/mixing.h"
 #include "engine/shade/packet_shade.h"
 #include "engine/shade/smooth.h"
 #include "engine/shade/tile_sky.h"
@@ -107,12 +108,23 @@ static void set_order(plt_rendering *r, int curves) {
 #endif
 }
 
-/* The pixels of a packet, and how many of them lie in the frame. */
+/* The rays of a packet, and how many of them lie in the frame. */
 static uint32_t pixels_at(const plt_rendering *r, const plt_frame_place *at, plt_pixels *pixels) {
+#if PLT_WITH_SAMPLES
+    plt_samples_at(r, at, pixels);
+#else
     const plt_pixels all = {r->side, at->x + at->px, at->y + at->py, r->frame.width,
                             r->frame.height};
     *pixels = all;
-    return plt_least(r->side, r->frame.width - all.x) * plt_least(r->side, r->frame.height - all.y);
+#endif
+    return plt_least(r->side, pixels->x_end - pixels->x) *
+           plt_least(r->side, pixels->y_end - pixels->y);
+}
+
+static inline void set_beam(plt_rendering *r, const plt_traversal *t) {
+    if (HAS_BEAMS(r)) {
+        plt_beam_init(r->beam, &r->view, &r->frame, t->scene, r->side);
+    }
 }
 
 #if PLT_WITH_GROUPS
@@ -142,6 +154,12 @@ static void begin_lights(plt_rendering *r, const plt_packet *p, const plt_pixels
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
                          const plt_pixels *pixels, uint32_t rays) {
     r->tracing = 1;
+#if PLT_WITH_MIXES
+    r->visits = t->stats.node_visits;
+    if (r->sampling.adapts) {
+        set_beam(r, t);
+    }
+#endif
     if ((HAS_CURVES(r) ? r->at.px == 0 : pixels->x == 0) && r->at.py == 0) {
         plt_tile_sky(&r->frame, &r->at, r->sky);
     }
@@ -161,13 +179,19 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
 #endif
 }
 
-static void shade_packet(const plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
+static void shade_packet(plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
 #if PLT_WITH_GROUPS
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
 #if PLT_WITH_WHITTED
     if (HAS_LIGHTS(r)) {
         plt_whitted_frame_shade(r->whitted, &r->frame, pixels,
                                 &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
+        return;
+    }
+#endif
+#if PLT_WITH_MIXES
+    if (plt_mixes(r)) {
+        plt_packet_mix(p, &r->sampling, pixels, plt_mix_sky(r), plt_mix_tile(r), 3 * width);
         return;
     }
 #endif
@@ -180,9 +204,15 @@ static void shade_packet(const plt_rendering *r, const plt_packet *p, const plt_
 #endif
 }
 
-static void shade_square(const plt_rendering *r) {
+static void shade_square(plt_rendering *r) {
 #if PLT_WITH_BEAMS
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
+#if PLT_WITH_MIXES
+    if (plt_mixes(r)) {
+        plt_beam_mix(r->beam, &r->sampling, plt_mix_sky(r), plt_mix_tile(r), 3 * width);
+        return;
+    }
+#endif
     plt_beam_shade(r->beam, &r->frame, &r->sky[3 * r->at.py],
                    &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
 #else
@@ -190,27 +220,42 @@ static void shade_square(const plt_rendering *r) {
 #endif
 }
 
-/* The colours of a square, or packet, that is traced. */
-static void shade_traced(const plt_rendering *r, const plt_traversal *t, const plt_packet *p,
+/* The colours of a square, or packet, by normals and colours of corners. */
+static void shade_smooth(plt_rendering *r, const plt_traversal *t, const plt_packet *p,
                          const plt_pixels *pixels) {
 #if PLT_WITH_SURFACE
-    if (IS_SMOOTH(r)) {
-        const uint32_t width = plt_tile_width(&r->frame, &r->at);
-        uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
-        const uint8_t *sky = &r->sky[3 * r->at.py];
+    const uint32_t width = plt_tile_width(&r->frame, &r->at);
+    uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
+    const uint8_t *sky = &r->sky[3 * r->at.py];
 #if PLT_WITH_BEAMS
-        if (HAS_BEAMS(r)) {
-            plt_beam_smooth(r->beam, t->scene, sky, rgb, 3 * width);
-            return;
-        }
-#endif
-#if PLT_WITH_GROUPS
-        plt_smooth_shade(t->scene, p, pixels, sky, rgb, 3 * width);
-#endif
+    if (HAS_BEAMS(r)) {
+        plt_beam_smooth(r->beam, t->scene, sky, rgb, 3 * width);
         return;
     }
 #endif
+#if PLT_WITH_GROUPS
+    plt_smooth_shade(t->scene, p, pixels, sky, rgb, 3 * width);
+#endif
+#endif
+    (void)r;
     (void)t;
+    (void)p;
+    (void)pixels;
+}
+
+/* What one packet, and no other, has traced. */
+static void shade(plt_rendering *r, const plt_traversal *t, const plt_packet *p,
+                  const plt_pixels *pixels) {
+#if PLT_WITH_DIAGRAMS
+    if (r->frame.shader == PLT_SHADE_HEAT) {
+        plt_mix_heat(r, t->stats.node_visits - r->visits);
+        return;
+    }
+#endif
+    if (IS_SMOOTH(r)) {
+        shade_smooth(r, t, p, pixels);
+        return;
+    }
     if (HAS_BEAMS(r)) {
         shade_square(r);
     } else {
@@ -226,7 +271,8 @@ static int is_shader(uint8_t shader, const plt_scene *scene) {
     }
 #endif
     (void)scene;
-    return shader <= PLT_SHADE_TRIANGLE;
+    return shader <= PLT_SHADE_TRIANGLE ||
+           (PLT_WITH_DIAGRAMS && (shader == PLT_SHADE_DEPTH || shader == PLT_SHADE_HEAT));
 }
 
 #if PLT_WITH_BATCH
@@ -245,7 +291,7 @@ void plt_rendering_begin_batches(plt_rendering *r, uint32_t tiles) {
 }
 
 int plt_rendering_ahead(plt_rendering *r) {
-    return plt_place_next_packet(&r->ahead, &r->frame, r->side) ||
+    return plt_place_next_packet(&r->ahead, &r->frame, plt_rendering_side(r)) ||
            (--r->tiles_ahead > 0 && plt_place_next_tile(&r->ahead, &r->frame, HAS_CURVES(r)));
 }
 
@@ -288,7 +334,7 @@ static int shade_next(plt_rendering *r) {
         plt_batch_clear(b);
         r->phase = BATCH_ADDS;
     }
-    return plt_place_next_packet(&r->at, &r->frame, r->side) ? PLT_MORE : PLT_TILE;
+    return plt_place_next_packet(&r->at, &r->frame, plt_rendering_side(r)) ? PLT_MORE : PLT_TILE;
 }
 
 static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
@@ -326,9 +372,17 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         !(is_shader(frame->shader, t->scene) || has_lights(r, frame))) {
         return PLT_ERR_ARGUMENT;
     }
+#if PLT_WITH_MIXES
+    if (!plt_mixing_allowed(r, frame, HAS_BATCHES(r) || HAS_TASKS(r))) {
+        return PLT_ERR_ARGUMENT;
+    }
+#endif
     r->frame = *frame;
     const int status = plt_view_set(&r->view, frame);
     if (status == PLT_OK) {
+#if PLT_WITH_MIXES
+        plt_mixing_begin(r, &t->scene->box);
+#endif
 #if PLT_WITH_INSTANCES
         set_box(r, t->scene);
 #endif
@@ -336,9 +390,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
         plt_whitted_frame_set(r->whitted, &r->frame, box_of(r, t));
 #endif
         r->beams = (uint8_t)has_beams(r, t);
-        if (HAS_BEAMS(r)) {
-            plt_beam_init(r->beam, &r->view, frame, t->scene, r->side);
-        }
+        set_beam(r, t);
         set_order(r, plt_is_streamed(t->scene->format));
         r->at.x = r->at.y = r->at.px = r->at.py = 0;
         r->tracing = r->done = 0;
@@ -379,9 +431,14 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (status != PLT_OK) {
         return status;
     }
-    shade_traced(r, t, p, &pixels);
+    shade(r, t, p, &pixels);
     r->tracing = 0;
-    return plt_place_next_packet(&r->at, &r->frame, r->side) ? PLT_MORE : PLT_TILE;
+#if PLT_WITH_SAMPLES
+    if (plt_samples_again(r)) {
+        return PLT_MORE;
+    }
+#endif
+    return plt_place_next_packet(&r->at, &r->frame, plt_rendering_side(r)) ? PLT_MORE : PLT_TILE;
 }
 
 void plt_rendering_tile(const plt_rendering *r, plt_tile *tile) {

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/seek.h"
 
+#include "engine/shade/mixing.h"
 #include "engine/shade/tile_sky.h"
 
 uint32_t plt_rendering_tiles(const plt_rendering *r) {
@@ -63,6 +64,9 @@ int plt_rendering_seek(plt_rendering *r, uint32_t tile, uint32_t count) {
 #endif
     r->at.px = r->at.py = 0;
     r->tracing = 0;
+#if PLT_WITH_SAMPLES
+    plt_samples_drop(r);
+#endif
     plt_rendering_begin_batches(r, count);
     plt_tile_sky(&r->frame, &r->at, r->sky); /* as the first tile of a row does for all of them */
     return PLT_OK;

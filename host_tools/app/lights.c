@@ -87,10 +87,10 @@ static void read_lights(plt_lighting *l, args *a) {
 }
 
 uint8_t lights_shader(args *a) {
-    static const char *const names[] = {"eyelight", "normal",  "triangle",
-                                        "smooth",   "whitted", NULL};
+    static const char *const names[] = {"eyelight", "normal", "triangle", "smooth",
+                                        "depth",    "heat",   "whitted",  NULL};
     const unsigned named = args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
-    return (uint8_t)(named > PLT_SHADE_SMOOTH ? (unsigned)PLT_SHADE_WHITTED : named);
+    return (uint8_t)(named > PLT_SHADE_HEAT ? (unsigned)PLT_SHADE_WHITTED : named);
 }
 
 static void read_colour(args *a, const char *flag, float to[3]) {

@@ -25,7 +25,8 @@ typedef struct lights {
     plt_lighting lighting;
 } lights;
 
-/* --shader of a command that has these flags, as view_shader, and `whitted`. */
+/* --shader of a command that has these flags, as view_shader, and `depth`, `heat` and
+ * `whitted`. */
 uint8_t lights_shader(args *a);
 
 /* The flags, and room for it among the options; what is wrong sets a->wrong. */

@@ -224,3 +224,10 @@ void view_background(args *a, plt_frame *frame) {
         frame->background[i] = (uint8_t)(colour >> (16 - 8 * i));
     }
 }
+
+uint8_t view_samples(args *a) {
+    static const char *const names[] = {"1", "4", "16", "adaptive", NULL};
+    static const uint8_t samples[] = {PLT_SAMPLES_ONE, PLT_SAMPLES_FOUR, PLT_SAMPLES_SIXTEEN,
+                                      PLT_SAMPLES_ADAPTIVE};
+    return samples[args_choice(a, "--samples", names, 0)];
+}

@@ -37,9 +37,13 @@ static const arg_flag flags[] = {
     VIEW_BACKGROUND_FLAG,
     {"--shader", "NAME",
      "eyelight (grey by the angle), normal (colour by direction), triangle (a colour for each), "
-     "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth) or "
-     "whitted (lights, shadows, mirrors and glass); "
-     "default eyelight"},
+     "smooth (eyelight by the normals and colours that the image has of corners: pack --smooth), "
+     "depth (white where the scene's box is nearest, black where it is farthest), heat (node "
+     "visits of a packet per pixel: black none, blue 1/64, cyan 1/4, green 4, yellow 64, red 1024, "
+     "white 16384) or whitted (lights, shadows, mirrors and glass); default eyelight"},
+    {"--samples", "N",
+     "rays per pixel: 1, 4, 16 or adaptive (4, and 16 where these differ); their mean is taken in "
+     "linear light (default 1)"},
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
     LIGHTS_FLAGS,
@@ -288,10 +292,26 @@ static void print_hashes(output *o, const rendering *r, fail *f) {
     output_print(o, f, "],\n");
 }
 
+/* How many, and what the colours of node visits stand for. */
+static void print_samples(output *o, const rendering *r, fail *f) {
+    if (r->frame.samples == PLT_SAMPLES_ADAPTIVE) {
+        output_print(o, f, "  \"samples\": \"adaptive\",\n");
+    } else {
+        output_print(o, f, "  \"samples\": %u,\n", r->frame.samples);
+    }
+    if (r->frame.shader == PLT_SHADE_HEAT) {
+        output_print(o, f,
+                     "  \"heat_visits_per_pixel\": {\"black\": 0, \"blue\": 0.015625, "
+                     "\"cyan\": 0.25, \"green\": 4, \"yellow\": 64, \"red\": 1024, "
+                     "\"white\": 16384},\n");
+    }
+}
+
 static int write_stats(const rendering *r, output *o, fail *f) {
     output_print(o, f, "{\n  \"frame_hash\": \"%016" PRIx64 "\",\n", r->hash);
     output_print(o, f, "  \"width\": %u,\n  \"height\": %u,\n  \"frames\": %u,\n", r->frame.width,
                  r->frame.height, r->frames);
+    print_samples(o, r, f);
     print_hashes(o, r, f);
     frame_times_print(o, &r->times, moved_is(&r->moved), f);
     print_bits(o, "eye", r->first.eye, 3, f);
@@ -335,6 +355,16 @@ static int open_outputs(rendering *r, fail *f) {
     return r->stats_out == NULL ? -1 : frame_times_make(&r->times, r->frames, f);
 }
 
+/* All samples of a pixel are of one packet. */
+static int samples_fit(const rendering *r, fail *f) {
+    if (plt_packet_side(r->s.engine) > 2 || r->frame.samples < PLT_SAMPLES_SIXTEEN) {
+        return 0;
+    }
+    return fail_set(
+        f, r->path,
+        "packets of 2x2 rays have no room for 16 samples; use --samples 4 or --packet 4");
+}
+
 /* What moves may come to be anywhere in its box. */
 static void aim_at(rendering *r, args *a) {
     const int is_whole = r->s.options.residency == PLT_RESIDENCY_WHOLE;
@@ -355,6 +385,9 @@ static int open_all(rendering *r, args *a, fail *f) {
     if (r->baseline.kind != NULL &&
         (baseline_open(&r->baseline, r->s.engine, scene_name(r->path), f) != 0 ||
          baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {
+        return -1;
+    }
+    if (samples_fit(r, f) != 0) {
         return -1;
     }
     aim_at(r, a);
@@ -403,7 +436,27 @@ static int run_all(rendering *r, args *a, fail *f) {
 
 static const char *const for_engine[] = {"--packet",   "--walk",    "--structure", "--residency",
                                          "--schedule", "--workers", "--turns",     "--moved",
-                                         "--frames",   "--rebuild", NULL};
+                                         "--frames",   "--rebuild", "--samples",   NULL};
+
+/* What the engine would refuse. */
+static void refuse_samples(const rendering *r, args *a) {
+    const plt_frame *f = &r->frame;
+    const int is_branch = strcmp(args_text(a, "--schedule", "branch"), "branch") == 0;
+    if (f->samples > PLT_SAMPLES_ONE &&
+        (f->shader == PLT_SHADE_SMOOTH || f->shader == PLT_SHADE_WHITTED)) {
+        args_complain(a, "--samples is not for --shader smooth and whitted; leave out --samples");
+    }
+    if (args_has(a, "--baseline") &&
+        (f->shader == PLT_SHADE_DEPTH || f->shader == PLT_SHADE_HEAT)) {
+        args_complain(a, "--shader depth and heat are for the engine; leave out --baseline");
+    }
+    if (!is_branch && f->samples == PLT_SAMPLES_ADAPTIVE) {
+        args_complain(a, "--samples adaptive is for --schedule branch; leave out --schedule");
+    }
+    if (!is_branch && f->shader == PLT_SHADE_HEAT) {
+        args_complain(a, "--shader heat is for --schedule branch; leave out --schedule");
+    }
+}
 
 static void read_flags(rendering *r, args *a) {
     unsigned width = 512, height = 512;
@@ -412,6 +465,7 @@ static void read_flags(rendering *r, args *a) {
     r->frame.height = (uint16_t)height;
     r->frame.shader = lights_shader(a);
     view_background(a, &r->frame);
+    r->frame.samples = view_samples(a);
     r->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     moved_read(&r->moved, &r->s, a);
     if (moved_is(&r->moved)) {
@@ -428,6 +482,7 @@ static void read_flags(rendering *r, args *a) {
         strcmp(args_text(a, "--residency", "resident"), "streamed") == 0) {
         args_complain(a, "--shader smooth takes --residency resident");
     }
+    refuse_samples(r, a);
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;

@@ -112,6 +112,29 @@ done
 says "--batch is for --schedule batch or task" \
     render compact.plt -o x.png --residency streamed --batch 2
 cured render compact.plt -o x.png --residency streamed --store 65536
+for flags in '--samples adaptive' '--shader heat'; do
+    # shellcheck disable=SC2086
+    case $flags in
+    *heat) says "--shader heat is for --schedule branch; leave out --schedule" \
+        render compact.plt -o x.png --residency streamed --schedule batch $flags ;;
+    *) says "--samples adaptive is for --schedule branch; leave out --schedule" \
+        render compact.plt -o x.png --residency streamed --schedule task $flags ;;
+    esac
+    # shellcheck disable=SC2086
+    cured render compact.plt -o x.png --residency streamed $flags
+done
+says "--shader depth and heat are for the engine; leave out --baseline" \
+    render knot.plt -o x.png --shader depth --baseline kd
+cured render knot.plt -o x.png --shader depth
+says "packets of 2x2 rays have no room for 16 samples; use --samples 4 or --packet 4" \
+    render knot.plt -o x.png --packet 2 --samples 16
+cured render knot.plt -o x.png --packet 2 --samples 4
+cured render knot.plt -o x.png --packet 4 --samples 16
+for shader in smooth whitted; do
+    says "--samples is not for --shader smooth and whitted; leave out --samples" \
+        render knot.plt -o x.png --shader $shader --samples 4
+done
+cured render knot.plt -o x.png --shader whitted
 says "--prefetch is for --residency streamed" render compact.plt -o x.png --prefetch 4
 cured render compact.plt -o x.png --residency streamed --prefetch 4
 says "--source dma is for --residency streamed" render compact.plt -o x.png --source dma:1,20

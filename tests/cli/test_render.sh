@@ -164,6 +164,38 @@ verdict "every shader gives another picture" "$(
     differ normal.ppm triangle.ppm
     differ triangle.ppm eyelight.ppm)"
 
+verdict "... depth and heat, too, each for its own scale" "$(
+    for shader in depth heat; do
+        run render knot.plt -o $shader.ppm --size 32x32 --shader $shader --json $shader.json
+        cat err
+        differ $shader.ppm eyelight.ppm
+    done
+    differ depth.ppm heat.ppm
+    grep -q '"heat_visits_per_pixel": {"black": 0,.*"white": 16384}' heat.json || cat heat.json
+    grep heat_visits depth.json)"
+works "--samples 4" render knot.plt -o four.ppm --size 33x32 --samples 4 --json four.json
+works "--samples 16" render knot.plt -o sixteen.ppm --size 33x32 --samples 16 --json sixteen.json
+works "--samples adaptive" render knot.plt -o adaptive.ppm --size 33x32 --samples adaptive \
+    --json adaptive.json
+works "--samples 1" render knot.plt -o one.ppm --size 33x32 --samples 1
+verdict "... so many rays, and each another picture, but one sample's is that without" "$(
+    run render knot.plt -o none.ppm --size 33x32
+    cmp one.ppm none.ppm
+    for pair in 'one four' 'four sixteen' 'sixteen adaptive' 'adaptive four'; do
+        differ "${pair% *}.ppm" "${pair#* }.ppm"
+    done
+    [ "$(number rays <four.json)" = 4224 ] || grep rays four.json
+    [ "$(number rays <sixteen.json)" = 16896 ] || grep rays sixteen.json
+    [ "$(number rays <adaptive.json)" -gt 4224 ] || grep rays adaptive.json
+    [ "$(number rays <adaptive.json)" -lt 21120 ] || grep rays adaptive.json
+    grep -q '^  "samples": 4,$' four.json || grep samples four.json
+    grep -q '^  "samples": "adaptive",$' adaptive.json || grep samples adaptive.json)"
+for how in '--packet 4' '--workers 3' '--walk two-stage' '--structure grid' '--source read'; do
+    # shellcheck disable=SC2086
+    works "samples with $how" render knot.plt -o same.ppm --size 33x32 --samples adaptive $how
+    verdict "... the same" "$(cmp same.ppm adaptive.ppm)"
+done
+
 # ---- statistics and the hash -------------------------------------------------
 
 fields='width height frames rays seconds mrays_per_s packet_side packets mixed_packets node_visits

@@ -57,9 +57,9 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
     --colours --materials --strict --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --light --sky --ground --depth --orbit --moved --frames \
-    --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat --chroma --json \
-    --counts $view_flags --background $scene_flags
+flags render -o --show --size --shader --samples --light --sky --ground --depth --orbit --moved \
+    --frames --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat --chroma \
+    --json --counts $view_flags --background $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json --counts $scene_flags
@@ -142,7 +142,8 @@ for pair in --size=512 --size=0x5 --size=5x0 --size=5x5x5 --size=70000x5 --size=
     --view=above --view=1 --view=361,0 --view=0,91 --view=1,2,3 --view=a,b \
     --background=red --background=12345 --background=#123456 --background= \
     --eye=1,2 --eye=1,2,3,4 --eye=a,b,c --eye=1,2,nan --look=1,,2 --up=inf,0,0 --fov=0 --fov=180 \
-    --fov=-5 --fov=x --shader=toon --depth=9 --light=lamp:1 --sky=1 --orbit=0 --repeat=0; do
+    --fov=-5 --fov=x --shader=toon --samples=2 --samples=0 --samples=all --depth=9 --light=lamp:1 \
+    --sky=1 --orbit=0 --repeat=0; do
     misused "render refuses $pair" "${pair%=*}" render quad.plt -o x.png "$pair"
 done
 misused "trace refuses --repeat 0" --repeat trace quad.plt rays x --repeat 0

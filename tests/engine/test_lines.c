@@ -142,6 +142,9 @@ static void too_wide(void) {
 /* A triangle of whole coordinates, turned or not: its own corners are on its edges, to the bit. */
 static void corners(void) {
     plt_margins m = {.pixels = 0.25f, .bias = 16.25f, .edge = 0.0f, .edge_least = 0.0f};
+#if PLT_WITH_SAMPLES
+    m.reach = m.pixels;
+#endif
     random_state r = {3};
     for (uint32_t i = 0; i < 2000; i++) {
         float x[3], y[3];

@@ -207,7 +207,10 @@ static void camera_errors(plt_engine *e) {
     f = good;
     f.height = 0;
     refuse(e, f, "no height");
-    for (unsigned shader = 3; shader < 256; shader++) {
+    for (unsigned shader = 3; shader < 256; shader++) { /* nothing has normals, or light */
+        if (PLT_WITH_DIAGRAMS && (shader == PLT_SHADE_DEPTH || shader == PLT_SHADE_HEAT)) {
+            continue;
+        }
         f = good;
         f.shader = (uint8_t)shader;
         refuse(e, f, "an unknown shader");

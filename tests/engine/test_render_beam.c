@@ -140,9 +140,9 @@ static uint32_t compare(tracer *t, uint32_t columns, uint32_t rows) {
     return wrong;
 }
 
-static uint32_t one_square(tracer *t, const plt_frame *f, const plt_pixels *s) {
-    const uint32_t columns = f->width - s->x < s->side ? f->width - s->x : s->side;
-    const uint32_t rows = f->height - s->y < s->side ? f->height - s->y : s->side;
+static uint32_t one_square(tracer *t, const plt_pixels *s) {
+    const uint32_t columns = s->x_end - s->x < s->side ? s->x_end - s->x : s->side;
+    const uint32_t rows = s->y_end - s->y < s->side ? s->y_end - s->y : s->side;
     plt_beam_begin(t->beam, s, &t->r.engine->traversal, columns * rows);
     do {
         t->beam->node_doubt = looks ? 1 : t->beam->node_doubt;
@@ -153,24 +153,40 @@ static uint32_t one_square(tracer *t, const plt_frame *f, const plt_pixels *s) {
     return compare(t, columns, rows);
 }
 
+/* Two frames of three are of samples: 4 per pixel of a small frame, or 16. */
+static uint32_t refined(tracer *t, const plt_frame *f, uint32_t side) {
+#if PLT_WITH_SAMPLES
+    const uint32_t across = 1u << frames_seen % 3;
+    if (across <= side && (uint32_t)f->width * f->height <= SIDE_MOST * SIDE_MOST) {
+        plt_view_refine(&t->view, across);
+    }
+#else
+    (void)f;
+    (void)side;
+#endif
+    return plt_view_across(&t->view);
+}
+
 /* `what`: for messages. */
 static void one_frame(tracer *t, const plt_frame *f, uint32_t side, const char *what) {
     if (t->r.engine == NULL || plt_view_set(&t->view, f) != PLT_OK) {
         return;
     }
     uint32_t wrong = 0;
+    const uint32_t across = refined(t, f, side), width = across * f->width;
+    const uint32_t height = across * f->height;
     t->beam = &t->memory.beam;
     plt_beam_init(t->beam, &t->view, f, &t->r.engine->scene, side);
-    for (uint32_t y = 0; y < f->height; y += side) {
-        for (uint32_t x = 0; x < f->width; x += side) {
-            const plt_pixels square = {side, x, y, f->width, f->height};
-            wrong += one_square(t, f, &square);
+    for (uint32_t y = 0; y < height; y += side) {
+        for (uint32_t x = 0; x < width; x += side) {
+            const plt_pixels square = {side, x, y, width, height};
+            wrong += one_square(t, &square);
         }
     }
     frames_seen++;
     frames_wrong += wrong > 0;
-    CHECK(wrong == 0, "%s: %u pixels of %u x %u, squares of %u", what, wrong, f->width, f->height,
-          side);
+    CHECK(wrong == 0, "%s: %u pixels of %u x %u, squares of %u, %u across", what, wrong, width,
+          height, side, across);
 }
 
 static uint32_t any_side(random_state *r) {

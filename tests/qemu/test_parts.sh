@@ -96,6 +96,25 @@ if part "render thesis frames" "$frames" 28672; then
     refuses "$frames" compact PLT_WITH_COMPACT
     refuses "$frames" device PLT_WITH_BUILDER
 fi
+samples=$BUILD/mps2_an386-diagrams-frames-render-samples-thesis
+if part "render thesis frames samples diagrams" "$samples" 40960; then
+    renders "$samples" thesis
+    for how in 'samples=4' 'samples=16' 'samples=adaptive' 'shader=depth' \
+        'shader=depth samples=4' 'shader=heat'; do
+        flags=$(echo "--$how" | sed 's/ / --/g; s/=/ /g')
+        # shellcheck disable=SC2086
+        view=$(sh board/tools/host_view.sh "$out/thesis.plt" 80x60 "$out/host.ppm" $flags)
+        # shellcheck disable=SC2086
+        firmware "$samples" "$out/thesis.plt" size=80x60 ${view#* } $how
+        case $how in
+        *heat) wanted='' ;; # of beams, not of groups
+        *) wanted=${view%% *} ;;
+        esac
+        verdict "... $how: the host's picture" "$(
+            [ "$status" -eq 0 ] && echo "$text" | grep -q "^frame_hash=$wanted" ||
+            echo "status $status, not $wanted: $text")"
+    done
+fi
 frames=$BUILD/mps2_an386-compact-frames-render
 if part "render compact frames" "$frames" 37376; then
     renders "$frames" compact

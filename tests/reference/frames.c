@@ -77,6 +77,7 @@ plt_frame frame_of(const float eye[3], const float look[3], uint16_t width, uint
                                     .tan_half_fov = 0.5f},
                          .width = width,
                          .height = height,
-                         .shader = shader};
+                         .shader = shader,
+                         .samples = PLT_SAMPLES_ONE};
     return f;
 }
