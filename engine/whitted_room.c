@@ -31,11 +31,11 @@ static int read_section(const plt_engine *e, const plt_section *s, unsigned char
 
 int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
-    const plt_section *s = plt_further_section(h, PLT_SECTION_MATERIALS);
     const unsigned char *bytes;
     if (e->options.whitted == 0) {
-        return PLT_OK;
+        return PLT_OK; /* there may be no header at hand */
     }
+    const plt_section *s = plt_further_section(h, PLT_SECTION_MATERIALS);
     plt_whitted *w =
         plt_whitted_init(part[PLT_PART_WHITTED], e->options.packet_side, e->options.whitted - 1u);
     e->rendering.whitted = w;
