@@ -313,7 +313,8 @@ static void read_flags(viewing *v, args *a) {
 int run_view(args *a) {
     viewing v = {.s = SCENE_CLOSED, .path = a->file[0], .coarse = PLAIN};
     fail f = {""};
-    struct sigaction action = {.sa_handler = on_resize};
+    /* What is being written goes on; a wait for keys ends in any case. */
+    struct sigaction action = {.sa_handler = on_resize, .sa_flags = SA_RESTART};
     is_resized = 0;
     read_flags(&v, a);
     sigaction(SIGWINCH, &action, NULL);
