@@ -307,6 +307,9 @@ static void read_flags(viewing *v, args *a) {
     static const char *const graphics[] = {"auto", "blocks", "kitty", "sixel", NULL};
     v->screen.graphics = (enum viewer_graphics)args_choice(a, "--graphics", graphics, VIEWER_AUTO);
     v->frame.shader = view_shader(a);
+    if (v->frame.shader == PLT_SHADE_SMOOTH) {
+        args_complain(a, "--shader smooth is for planelet render; view takes the others");
+    }
     view_background(a, &v->frame);
 }
 

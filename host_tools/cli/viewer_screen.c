@@ -145,7 +145,9 @@ int viewer_screen_draw(viewer_screen *s, const picture *p, const char *text, fai
 void viewer_screen_close(viewer_screen *s) {
     if (s->graphics == VIEWER_KITTY && s->is_measured) {
         terminal_kitty_end(stdout);
-        fflush(stdout);
+    }
+    if (s->is_measured) {
+        fflush(stdout); /* not at the end of the program, on a screen that is put back */
     }
     picture_free(&s->fitted);
 }
