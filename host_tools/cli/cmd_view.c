@@ -307,13 +307,17 @@ static void read_flags(viewing *v, args *a) {
     static const char *const graphics[] = {"auto", "blocks", "kitty", "sixel", NULL};
     v->screen.graphics = (enum viewer_graphics)args_choice(a, "--graphics", graphics, VIEWER_AUTO);
     v->frame.shader = view_shader(a);
+    if (v->frame.shader == PLT_SHADE_SMOOTH) {
+        args_complain(a, "--shader smooth is for planelet render; view takes the others");
+    }
     view_background(a, &v->frame);
 }
 
 int run_view(args *a) {
     viewing v = {.s = SCENE_CLOSED, .path = a->file[0], .coarse = PLAIN};
     fail f = {""};
-    struct sigaction action = {.sa_handler = on_resize};
+    /* What is being written goes on; a wait for keys ends in any case. */
+    struct sigaction action = {.sa_handler = on_resize, .sa_flags = SA_RESTART};
     is_resized = 0;
     read_flags(&v, a);
     sigaction(SIGWINCH, &action, NULL);

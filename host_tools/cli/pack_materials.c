@@ -5,6 +5,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "host_tools/app/note.h"
 #include "host_tools/cli/pack_lines.h"
@@ -18,6 +19,13 @@ void pack_materials_read(pack_materials *p, args *a) {
     }
     if (p->wanted && args_has(a, "--instances")) {
         args_complain(a, "--materials are not of instances; leave out one of them");
+    }
+    if (p->wanted && strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0 &&
+        (strcmp(args_text(a, "--build", "host"), "host") != 0 ||
+         strcmp(args_text(a, "--numbers", "keep"), "keep") != 0)) {
+        args_complain(a,
+                      "--materials are of the file's triangles; with compact nodes they take "
+                      "--numbers keep and --build host");
     }
     if (p->wanted && args_has(a, "--reduce")) {
         args_complain(a, "--reduce leaves other triangles than the mesh's; leave out --materials");
@@ -39,8 +47,11 @@ int pack_materials_check(pack_materials *p, const pack_meshes *in, fail *f) {
                  m->trouble[0].text);
         return -1;
     }
-    for (size_t i = 0; i < m->troubles; i++) {
+    for (size_t i = 0; i < m->troubles && i < MATERIALS_TROUBLES_KEPT; i++) {
         fprintf(stderr, "%s; the default is used\n", m->trouble[i].text);
+    }
+    if (m->troubles > MATERIALS_TROUBLES_KEPT) {
+        fprintf(stderr, "%s: and %zu more of these\n", name, m->troubles - MATERIALS_TROUBLES_KEPT);
     }
     return 0;
 }

@@ -33,7 +33,7 @@ void pack_surface_read(pack_surface *s, args *a) {
     if (args_has(a, "--sequence") || args_has(a, "--instances")) {
         args_complain(a,
                       "--smooth, --normals and --colours are of triangles that stay where they "
-                      "are; leave out --sequence");
+                      "are; leave out --sequence or --instances");
     }
     if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0 &&
         (strcmp(args_text(a, "--build", "host"), "host") != 0 ||

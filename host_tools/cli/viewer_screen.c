@@ -32,6 +32,9 @@ static void wait_for_bytes(viewer_screen *s, double seconds) {
     if (ready < 0 && errno != EINTR) {
         s->is_gone = 1;
     }
+    if (ready == 0 && seconds > 0.0) {
+        terminal_input_pause(&s->input);
+    }
     if (ready <= 0) {
         return;
     }
@@ -110,6 +113,7 @@ void viewer_screen_measure(viewer_screen *s) {
     }
     s->width = s->width > 0 ? s->width : 1;
     s->height = s->height > 0 ? s->height : 1;
+    s->is_measured = 1;
     fputs("\x1b[0m\x1b[2J", stdout);
 }
 
@@ -139,9 +143,11 @@ int viewer_screen_draw(viewer_screen *s, const picture *p, const char *text, fai
 }
 
 void viewer_screen_close(viewer_screen *s) {
-    if (s->graphics == VIEWER_KITTY) {
+    if (s->graphics == VIEWER_KITTY && s->is_measured) {
         terminal_kitty_end(stdout);
-        fflush(stdout);
+    }
+    if (s->is_measured) {
+        fflush(stdout); /* not at the end of the program, on a screen that is put back */
     }
     picture_free(&s->fitted);
 }

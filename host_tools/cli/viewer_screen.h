@@ -17,7 +17,8 @@ typedef struct viewer_screen {
     unsigned width, height; /* pixels of a picture */
     picture fitted;         /* as it is drawn */
     terminal_input input;
-    int is_gone; /* standard input has ended */
+    int is_gone;     /* standard input has ended */
+    int is_measured; /* something may have been drawn */
 } viewer_screen;
 
 /* Finds out what the terminal can draw, if that is to be found out: it has half a second to

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MATERIALS_MOST = 65535 };
+enum { MATERIALS_MOST = 65535, MATERIALS_TROUBLES_KEPT = 16, MATERIALS_LIBRARIES_MOST = 256 };
 
 /* As a section of an image has it (SPEC.md, 4.20). */
 typedef struct material_values {
@@ -19,26 +19,30 @@ typedef struct material_values {
 } material_values;
 
 typedef struct mesh_material {
-    char *name; /* owned; NULL: of triangles without one */
+    char *name;    /* owned; NULL: of triangles without one */
+    size_t length; /* of the name, whose bytes may be any */
     material_values values;
     int is_defined; /* some file says what it is; else it has the values of none */
 } mesh_material;
 
-/* What could not be found, for a line about it: "FILE: what". */
+/* What could not be found, for a line about it: "FILE: what", without control characters. */
 typedef struct materials_trouble {
-    char text[240];
+    char text[320];
 } materials_trouble;
 
 typedef struct mesh_materials {
     mesh_material *material; /* [0]: of triangles that have none; owned */
     size_t count, room;
-    uint16_t *of; /* by triangle of the mesh; owned */
+    uint16_t *by_name; /* numbers from `scope` on; owned */
+    uint16_t *of;      /* by triangle of the mesh; owned */
     size_t of_room;
-    size_t filled;              /* triangles that have one */
-    size_t scope;               /* first of the names of this file */
-    uint16_t current;           /* of the faces that follow */
-    materials_trouble *trouble; /* owned */
-    size_t troubles, trouble_room;
+    size_t filled;    /* triangles that have one */
+    size_t scope;     /* first of the names of this file */
+    uint16_t current; /* of the faces that follow */
+    materials_trouble trouble[MATERIALS_TROUBLES_KEPT];
+    size_t troubles; /* all of them, of which the first are kept */
+    char **library;  /* names of those that this file has read; owned */
+    size_t libraries;
     int has_names; /* some face has a material */
 } mesh_materials;
 
@@ -50,11 +54,14 @@ material_values material_none(void);
 int materials_begin(mesh_materials *m, size_t triangles);
 /* The number of a name, which need not be defined yet; -1. */
 int materials_find(mesh_materials *m, const char *name, size_t length);
+/* Whether a library of this file is to be read: 0 if it was, or, which becomes a trouble, if
+ * MATERIALS_LIBRARIES_MOST were. */
+int materials_library(mesh_materials *m, const char *path, const char *name, size_t length);
 /* `triangles` are there; those that follow have material `number`. */
 int materials_use(mesh_materials *m, size_t triangles, int number);
 /* The file ends: names that were used and are not defined become troubles. */
 int materials_end(mesh_materials *m, const char *path, size_t triangles);
-int materials_complain(mesh_materials *m, const char *path, const char *format, ...)
+void materials_complain(mesh_materials *m, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void materials_free(mesh_materials *m);
 

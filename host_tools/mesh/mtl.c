@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "host_tools/base/heap.h"
 #include "host_tools/mesh/mtl.h"
@@ -167,10 +168,11 @@ static int read_line(library *l) {
     if (word_is(key, "newmtl")) {
         return begin(l);
     }
-    return read_value(l, key)
-               ? 0
-               : materials_complain(l->to, l->path, "line %zu has no number behind '%.*s'", line,
-                                    WORD_SHOWN(key));
+    if (!read_value(l, key)) {
+        materials_complain(l->to, l->path, "line %zu has no number behind '%.*s'", line,
+                           WORD_SHOWN(key));
+    }
+    return 0;
 }
 
 int mtl_read(mesh_materials *m, const input *in) {
@@ -192,22 +194,31 @@ static size_t folder_length(const char *path) {
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
+/* What is no file (a pipe that nobody writes to) could be waited for without end. */
+static int is_file(const char *path) {
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISREG(about.st_mode);
+}
+
 int mtl_read_beside(mesh_materials *m, const char *path, const char *name, size_t length) {
     const size_t folder = length > 0 && name[0] == '/' ? 0 : folder_length(path);
-    char *file = heap_get(folder + length + 1);
+    const int wanted = materials_library(m, path, name, length);
+    char *file = wanted > 0 ? heap_get(folder + length + 1) : NULL;
     input in = {0};
     fail f = {""};
+    int status = 0;
     if (file == NULL) {
-        return -1;
+        return wanted != 0 ? -1 : 0;
     }
     memcpy(file, path, folder);
     memcpy(file + folder, name, length);
     file[folder + length] = '\0';
-    const int is_there = length > 0 && strcmp(file, "-") != 0 && input_read(&in, file, &f) == 0;
-    int status = is_there
-                     ? mtl_read(m, &in)
-                     : materials_complain(m, path, "its material library '%.*s' cannot be read",
-                                          (int)(length < 80 ? length : 80), name);
+    if (length > 0 && strcmp(file, "-") != 0 && is_file(file) && input_read(&in, file, &f) == 0) {
+        status = mtl_read(m, &in);
+    } else {
+        materials_complain(m, path, "its material library '%.*s' cannot be read",
+                           (int)(length < 80 ? length : 80), name);
+    }
     input_free(&in);
     heap_drop(file);
     return status;

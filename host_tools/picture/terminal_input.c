@@ -87,6 +87,11 @@ static terminal_event take(terminal_input *in, size_t bytes, terminal_event e) {
     return e;
 }
 
+/* What is broken off by a byte that cannot be in it was keys, such as Alt and [. */
+static terminal_event take_broken(terminal_input *in, size_t bytes) {
+    return take(in, bytes, (terminal_event){TERMINAL_OTHER, 0, 0, 0});
+}
+
 static terminal_event take_sequence(terminal_input *in) {
     size_t at = 2;
     while (at < in->count && in->bytes[at] >= 0x20 && in->bytes[at] <= 0x3F) {
@@ -95,7 +100,16 @@ static terminal_event take_sequence(terminal_input *in) {
     if (at == in->count) {
         return (terminal_event){TERMINAL_NOTHING, 0, 0, 0};
     }
-    return take(in, at + 1, sequence(in->bytes + 2, in->bytes + at));
+    return in->bytes[at] < 0x20 ? take_broken(in, at)
+                                : take(in, at + 1, sequence(in->bytes + 2, in->bytes + at));
+}
+
+/* Whether a string may hold the byte at `at`: no control character but for layout (8 to 13), nor an
+ * Escape that is not that of ST. */
+static int is_in_string(const terminal_input *in, size_t at) {
+    const uint8_t byte = in->bytes[at];
+    return byte == ESCAPE ? at + 1 == in->count || in->bytes[at + 1] == '\\'
+                          : byte >= 0x20 || (byte >= 8 && byte <= 13);
 }
 
 /* An APC or another string, up to ST; BEL ends an OSC as well. */
@@ -109,6 +123,9 @@ static terminal_event take_string(terminal_input *in) {
                 e.code = memcmp(in->bytes + at - 4, ";OK", 3) == 0;
             }
             return take(in, at + 1, e);
+        }
+        if (!is_in_string(in, at)) {
+            return take_broken(in, at);
         }
     }
     return (terminal_event){TERMINAL_NOTHING, 0, 0, 0};
@@ -142,5 +159,13 @@ terminal_event terminal_input_take(terminal_input *in) {
         return take_string(in);
     default: /* a key with Alt, or Escape before another key */
         return take(in, 1, (terminal_event){TERMINAL_OTHER, 0, 0, 0});
+    }
+}
+
+/* Not of SS3 and CSI: people hold keys that send those, and their parts may come apart. */
+void terminal_input_pause(terminal_input *in) {
+    const uint8_t second = in->count > 1 && in->bytes[0] == ESCAPE ? in->bytes[1] : 0;
+    if (second != 0 && strchr("P]_^X", second) != NULL) {
+        take_broken(in, 2);
     }
 }

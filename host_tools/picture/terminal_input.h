@@ -43,4 +43,8 @@ void terminal_input_add(terminal_input *in, size_t bytes);
 /* The next event. What is longer than any sequence that is known is dropped. */
 terminal_event terminal_input_take(terminal_input *in);
 
+/* Nothing has come for a while: what looked like the beginning of a string (Escape and one of
+ * P ] _ ^ X) was Alt and a key. */
+void terminal_input_pause(terminal_input *in);
+
 #endif

@@ -16,7 +16,8 @@
 #include "host_tools/base/temporary.h"
 
 static const char entering[] = "\x1b[?1049h\x1b[?25l\x1b[?1002h\x1b[?1006h\x1b[2J";
-static const char leaving[] = "\x1b[0m\x1b[?1006l\x1b[?1002l\x1b[?25h\x1b[?1049l";
+/* First ST and 2026: a picture that was being drawn is at its end. */
+static const char leaving[] = "\x1b\\\x1b[?2026l\x1b[0m\x1b[?1006l\x1b[?1002l\x1b[?25h\x1b[?1049l";
 
 static struct termios before;
 

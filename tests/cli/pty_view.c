@@ -7,6 +7,7 @@
  *   answer=TEXT     what the terminal says, once, to CSI c
  *   resize=CxR      another size
  *   signal=NUMBER   to the command
+ *   deaf=MS         takes nothing that comes for so many milliseconds
  *   close           the terminal is gone
  *   type=TEXT       keys that the command need not read: they must not be left
  * At the end prints "status N" (128 + n: by signal n; 199: it did not end), "modes same|changed",
@@ -131,6 +132,9 @@ static void step(const char *text, pid_t child) {
         resize(master, value);
     } else if (strncmp(text, "signal=", 7) == 0) {
         kill(child, atoi(value));
+    } else if (strncmp(text, "deaf=", 5) == 0) {
+        const struct timespec t = {atoi(value) / 1000, atoi(value) % 1000 * 1000000L};
+        nanosleep(&t, NULL);
     } else if (strcmp(text, "close") == 0) {
         close(master);
         master = -1;

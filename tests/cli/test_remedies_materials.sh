@@ -26,6 +26,12 @@ run make marbles --instances --triangles 160 -o marbles.txt
 says "--materials are not of instances; leave out one of them" pack --instances marbles.txt \
     -o x.plt --materials keep
 cured pack --instances marbles.txt -o x.plt
+for numbers in "--numbers none" "--build device"; do
+    # shellcheck disable=SC2086
+    says "--materials are of the file's triangles; with compact nodes they take --numbers keep and \
+--build host" pack good.obj -o x.plt --materials keep --nodes compact $numbers
+    packs 2 good.obj --materials keep --nodes compact
+done
 for mistake in 's/good.mtl/gone.mtl/' 's/usemtl b/usemtl c/'; do
     sed "$mistake" good.obj >bad.obj
     says "%s; correct it, or leave out --strict" pack bad.obj -o x.plt --materials keep --strict
@@ -46,6 +52,41 @@ sed 's/Kd 1 0 0/Kd red/' good.mtl >bad.mtl
 sed 's/good.mtl/bad.mtl/' good.obj >bad.obj
 says "%s; correct it, or leave out --strict" pack bad.obj -o x.plt --materials keep --strict
 packs 2 bad.obj --materials keep
+# Whatever a mesh writes, and however often, is said in a few lines that a terminal can be shown.
+awk 'BEGIN { for (i = 0; i < 40; i++) print "newmtl a\nKd" }' >bad.mtl
+printf 'usemtl \033]0;\007c\n' >>bad.obj
+run pack bad.obj -o x.plt --materials keep
+verdict "of forty troubles sixteen are said, and how many more there are" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    grep -c '; the default is used$' err | grep -qx 16 || cat err
+    grep -qx 'bad.obj: and 26 more of these' err || cat err)"
+sed '/^mtllib/d; s/usemtl b/usemtl \x1b]0;\x07c/' good.obj >bad.obj
+run pack bad.obj -o x.plt --materials keep
+verdict "a name's control characters are not" "$(
+    grep -qF "no library defines the material '?]0;?c'; the default is used" err || cat -v err
+    tr -d '\n' <err | grep '[[:cntrl:]]' | cat -v)"
+awk 'BEGIN { for (i = 0; i < 300; i++) print "mtllib gone" i ".mtl\nmtllib good.mtl" }' >bad.obj
+sed '/^mtllib/d' good.obj >>bad.obj
+run pack bad.obj -o x.plt --materials keep
+verdict "a library is read once, and of more than 256 the rest is not" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    grep -qx 'bad.obj: and 284 more of these' err || cat err)"
+awk 'BEGIN {
+    print "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"
+    for (i = 0; i < 720000; i++) print "usemtl one_of_many_" (i * 7919) % 60000
+}' >bad.obj
+timeout 60 "$PLANELET" pack bad.obj -o x.plt --materials keep 2>err
+status=$?
+verdict "names are found quickly among many" "$(
+    [ "$status" -eq 0 ] || echo "status $status: 0.7 s were enough, 60 are not"
+    grep -qx 'bad.obj: and 59984 more of these' err || cat err)"
+mkfifo pipe.mtl
+sed 's/good.mtl/pipe.mtl/' good.obj >bad.obj
+timeout 20 "$PLANELET" pack bad.obj -o x.plt --materials keep 2>err
+status=$?
+verdict "a library that is a pipe is not waited for" "$(
+    [ "$status" -eq 0 ] || echo "status $status"
+    grep -qF "its material library 'pipe.mtl' cannot be read" err || cat err)"
 # many COUNT: a triangle each of so many materials.
 many() {
     awk -v count="$1" 'BEGIN {

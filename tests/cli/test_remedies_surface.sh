@@ -19,7 +19,7 @@ says "--smooth and --normals keep are both normals; leave one out" pack good.obj
     --smooth 40 --normals keep
 packs 1 good.obj --normals keep
 says "--smooth, --normals and --colours are of triangles that stay where they are; leave out \
---sequence" pack good.obj -o x.plt --sequence 0:1 --smooth 40
+--sequence or --instances" pack good.obj -o x.plt --sequence 0:1 --smooth 40
 packs 1 good.obj --smooth 40
 for other in '--build device' '--numbers none'; do
     # shellcheck disable=SC2086

@@ -27,6 +27,8 @@ in_terminal() {
 
 says "standard input and output are none; use planelet render" view quad.plt
 cured render quad.plt -o x.png
+says "--shader smooth is for planelet render; view takes the others" view quad.plt --shader smooth
+cured_by in_terminal + quad.plt --shader normal
 says_by "it is for keys; name a file" in_terminal + -
 cured_by in_terminal + quad.plt
 away=--------------------------

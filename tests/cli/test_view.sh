@@ -99,6 +99,22 @@ for signal in 1 2 15; do
     viewed knot.plt settle signal=$signal
     verdict "signal $signal ends it, and it leaves the terminal whole" "$(whole $((128 + signal)))"
 done
+more='--graphics sixel'
+viewed knot.plt deaf=1500 resize=60x20 deaf=300 settle send=q
+verdict "another size while a picture is being written does not end it" "$(whole 0)"
+more='--graphics sixel'
+viewed knot.plt deaf=1500 signal=15
+verdict "a picture that is cut short is at its end before the screen is put back" "$(
+    tr '\033' '~' <screen | grep -q 'P0;1;0q' || echo "nothing is drawn"
+    tail -c 60 screen | tr '\033' '~' | grep -qF '~\~[?2026l~[0m~[?1006l' || tail -c 60 screen |
+        cat -v
+    grep -q '^modes same' said || cat said)"
+for keys in P ] _ ^ X; do
+    viewed knot.plt settle "send=\\e$keys" settle send=q
+    verdict "Alt and $keys does not make it deaf to q" "$(whole 0)"
+    viewed knot.plt settle "send=\\e$keys\\003"
+    verdict "... nor to Ctrl-C" "$(whole 0)"
+done
 viewed knot.plt settle close
 verdict "a terminal that is gone ends it" "$(
     grep -q '^status \(0\|1\|129\)$' said || cat said)"
@@ -148,6 +164,10 @@ verdict "a scene that is not there is said, and the screen is never touched" "$(
 ./pty_view settle -- "$PLANELET" view - >said
 verdict "standard input is for keys" "$(
     grep -q 'it is for keys; name a file' screen || cat -v screen)"
+verdict "what is no terminal gets nothing" "$(
+    "$PLANELET" view knot.plt --graphics kitty 2>&1 >drawn </dev/null | grep -q '^terminal: ' ||
+        echo "it is not refused"
+    [ -s drawn ] && cat -v drawn)"
 misused "--graphics takes what there is" --graphics view knot.plt --graphics ascii
 misused "view takes one scene" "use it as" view
 finish

@@ -68,6 +68,40 @@ static void check_events(void) {
     }
 }
 
+/* Alt and a key may look like the beginning of a string, and must not make the viewer deaf. */
+static void check_broken(void) {
+    static const char *const begun[] = {"\x1bP", "\x1b]",    "\x1b_",  "\x1b^",   "\x1bX",
+                                        "\x1b[", "\x1b[<12", "\x1b]a", "\x1b_Gi="};
+    const terminal_event other = {TERMINAL_OTHER, 0, 0, 0}, end = {TERMINAL_KEY, 3, 0, 0};
+    const terminal_event up = {TERMINAL_KEY, TERMINAL_UP, 0, 0}, q = {TERMINAL_KEY, 'q', 0, 0};
+    const terminal_event nothing = {TERMINAL_NOTHING, 0, 0, 0};
+    for (size_t i = 0; i < sizeof begun / sizeof begun[0]; i++) {
+        terminal_input in = {.count = 0};
+        add(&in, begun[i], strlen(begun[i]));
+        expect(&in, &nothing, begun[i]);
+        add(&in, "\3\x1b[A", 4);
+        expect(&in, &other, begun[i]);
+        expect(&in, &end, begun[i]);
+        expect(&in, &up, begun[i]);
+        add(&in, begun[i], strlen(begun[i]));
+        add(&in, "\x1b[A", 3);
+        expect(&in, &other, begun[i]);
+        expect(&in, &up, begun[i]);
+    }
+    for (size_t i = 0; i < 5; i++) { /* strings */
+        terminal_input in = {.count = 0};
+        add(&in, begun[i], 2);
+        terminal_input_pause(&in);
+        add(&in, "q", 1);
+        expect(&in, &q, begun[i]);
+    }
+    terminal_input in = {.count = 0};
+    add(&in, "\x1b[", 2); /* a key may come in two parts */
+    terminal_input_pause(&in);
+    add(&in, "A", 1);
+    expect(&in, &up, "[A");
+}
+
 /* Whatever comes, it is taken in the end. */
 static void check_noise(void) {
     static const char letters[] = "\x1b\x1b\x1b[]_PO;;<?0123456789ABMmct\\\a zq\xff";
@@ -268,6 +302,7 @@ int main(void) {
     test("keys, the mouse and answers are understood, wherever their bytes are cut");
     check_events();
     test("whatever a terminal sends is taken in the end");
+    check_broken();
     check_noise();
     test("kitty's protocol brings every pixel, in pieces of at most 4096 letters");
     check_kitty();
