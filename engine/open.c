@@ -431,9 +431,9 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
 
 /* Of what was built step by step, whose header is not at hand any more. */
 static int start_built(plt_engine *e, plt_fault *fault) {
-#if PLT_WITH_WHITTED
+#if PLT_WITH_WHITTED || PLT_WITH_SURFACE
     plt_header header;
-    if (e->options.whitted > 0) {
+    if (e->options.whitted > 0 || e->options.surface) {
         const int status = read_header(&e->source, &header, fault);
         return status == PLT_OK ? start_worker(e, &header, fault) : status;
     }

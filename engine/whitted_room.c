@@ -33,7 +33,7 @@ int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PL
                          plt_fault *fault) {
     const unsigned char *bytes;
     if (e->options.whitted == 0) {
-        return PLT_OK; /* there may be no header at hand */
+        return PLT_OK; /* and there may be no header */
     }
     const plt_section *s = plt_further_section(h, PLT_SECTION_MATERIALS);
     plt_whitted *w =

@@ -22,7 +22,8 @@ esac
 count=$("$planelet" info "$scene" --json | sed -n 's/^  "frames": \([0-9]*\),*$/\1/p')
 [ "${count:-0}" -gt 0 ] || say "$scene has no frames; planelet pack --sequence makes them" 1
 frames=${FRAMES:-0:$count}
-"$planelet" render "$scene" --view box --size "$size" --frames "$frames" --json "$out/host.json" || exit 1
+"$planelet" render "$scene" --view box --size "$size" --frames "$frames" \
+    --json "$out/host.json" || exit 1
 camera=$(awk -F '"' '$2 ~ /^(eye|look|up|tan)$/ { printf " %s=%s", $2, $4 }' "$out/host.json")
 # shellcheck disable=SC2086
 MARKS=$out/marks.txt QEMU_SECONDS=${QEMU_SECONDS:-7200} sh "board/$board/run.sh" "$scene" \

@@ -73,7 +73,8 @@ verdict "... of every pixel that no triangle has" "$(
     cmp -s red.ppm knot.ppm && echo "it is the sky")"
 run render knot.plt -o black.ppm --size 40x30 --background 000000
 verdict "... which may be black" "$(
-    [ "$(tail -c 3600 black.ppm | head -c 3 | od -An -tu1 | tr -d ' ')" = 000 ] || echo "not black")"
+    [ "$(tail -c 3600 black.ppm | head -c 3 | od -An -tu1 | tr -d ' ')" = 000 ] ||
+        echo "not black")"
 run render knot.plt -o sky.ppm --size 40x30 --background sky
 same sky.ppm knot.ppm "... and sky is the sky"
 works "a film with --chroma 444" render knot.plt -o full.y4m --size 41x31 --orbit 2 --chroma 444 \

@@ -151,8 +151,8 @@ done
 run pack t.ply -o many.plt --treelet 2
 run render many.plt -o many.ppm --size 203x151 --view box
 # shellcheck disable=SC2086
-works "packets with more edges than a worker keeps" render many.plt -o x.ppm --size 203x151 --view box \
-    $streamed --packet 16 --schedule task --workers 2 --turns --json many.json
+works "packets with more edges than a worker keeps" render many.plt -o x.ppm --size 203x151 \
+    --view box $streamed --packet 16 --schedule task --workers 2 --turns --json many.json
 same many.ppm x.ppm "... the same picture"
 verdict "... edges go back and out again, and are counted" "$(
     counted many

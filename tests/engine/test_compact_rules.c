@@ -52,8 +52,8 @@ static const change changes[] = {
     {AT_LO + 20, TWO_40 + 1, 4, BOTH, 14, AT_BOX},
     {AT_LO + 12, 0xFF800000, 4, LATTICE, 14, AT_BOX}, /* hi below lo */
     {AT_LO + 12, 0xFF800000, 4, FLOATS, 9, AT_LO},
-    {228, 1, 1, BOTH, 12, 228},
-    {231, 1, 1, BOTH, 12, 231}, /* the last before the shift */
+    {228, 1, 1, BOTH, 17, 16},  /* there is no table behind */
+    {231, 1, 1, BOTH, 17, 228}, /* the last byte before the shift */
 };
 
 static packed image_of(int floats) {
