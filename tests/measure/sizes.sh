@@ -51,7 +51,8 @@ totals() {
 # only where PARTS says so.
 public() {
     awk '/^[a-z].*[ *]plt_(render_(tiles|seek)|batch_packets|trace_begin|task_.*)\(/ { next }
-        /^[a-z].*[ *]plt_(move.*|motion_get|rebuild_.*|sequence_.*|place|instance_.*|surface_at|lighting_set)\(/ { next }
+        /^[a-z].*[ *]plt_(move.*|motion_get|rebuild_.*|sequence_.*|place|instance_.*)\(/ { next }
+        /^[a-z].*[ *]plt_(surface_at|lighting_set)\(/ { next }
         /^[a-z].*[ *]plt_[a-z_]+\(/ {
         sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
 }
