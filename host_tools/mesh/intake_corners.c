@@ -37,7 +37,7 @@ static int finish_normals(const intake_corners *in, const mesh *m, size_t first_
         return -1;
     }
     for (size_t i = 3 * first_triangle; i < 3 * m->triangles; i++) {
-        const size_t at = in->named.count > 0
+        const size_t at = in->named.count > 0 || in->is_numbered
                               ? item_of(&in->named, i - 3 * first_triangle, CORNER_UNNAMED)
                               : m->triangle[i] - first_vertex;
         c->normal[i] = item_of(&in->normal, at, CORNER_NO_NORMAL);

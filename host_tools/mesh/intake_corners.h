@@ -15,10 +15,11 @@ typedef struct corner_list {
 } corner_list;
 
 typedef struct intake_corners {
-    corner_list normal; /* as mesh_corners has them */
-    corner_list colour; /* by vertex of the file; CORNER_NO_COLOUR for those that have none */
-    corner_list named;  /* by corner of the file's triangles, in their order: a number in `normal`,
-                         * or CORNER_UNNAMED. Empty: normals are by vertex */
+    corner_list normal;  /* as mesh_corners has them */
+    corner_list colour;  /* by vertex of the file; CORNER_NO_COLOUR for those that have none */
+    corner_list named;   /* by corner of the file's triangles, in their order: a number in `normal`,
+                          * or CORNER_UNNAMED. Empty: normals are by vertex, unless ... */
+    uint8_t is_numbered; /* ... they have numbers of their own, which no corner names */
 } intake_corners;
 
 #define CORNER_UNNAMED UINT32_MAX

@@ -110,6 +110,7 @@ static int read_normal(reader *r) {
         }
         normal[axis] = number.wide;
     }
+    r->in.corners.is_numbered = 1;
     return intake_normal(&r->in, normal);
 }
 

@@ -84,6 +84,17 @@ static void reads_obj(void) {
     mesh_free(&m);
 }
 
+/* Their numbers are not those of vertices. */
+static void reads_unnamed(void) {
+    test("OBJ: normals that no corner names are nobody's");
+    mesh m = must_read(OBJ, "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 1 0 0\nvn 0 1 0\nvn 0 0 1\nf 1 2 3\n");
+    for (size_t i = 0; i < 3; i++) {
+        CHECK(c.normal == NULL || c.normal[i] == CORNER_NO_NORMAL, "corner %zu has one", i);
+    }
+    CHECK(c.normals == 0 && m.triangles == 1, "%llu", (unsigned long long)c.normals);
+    mesh_free(&m);
+}
+
 /* A dart is filled from its notch, not from its first corner. */
 static void reads_polygons(void) {
     test("OBJ: corners of polygons keep their normals, however they are cut");
@@ -304,6 +315,7 @@ static void smooths_slivers(void) {
 int main(void) {
     mesh_folder();
     reads_obj();
+    reads_unnamed();
     reads_polygons();
     refuses_obj();
     repairs();
