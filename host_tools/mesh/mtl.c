@@ -200,19 +200,27 @@ static int is_file(const char *path) {
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-int mtl_read_beside(mesh_materials *m, const char *path, const char *name, size_t length) {
+/* The path of a library beside `path`; owned. NULL: memory is out. */
+static char *path_beside(const char *path, const char *name, size_t length) {
     const size_t folder = length > 0 && name[0] == '/' ? 0 : folder_length(path);
+    char *file = heap_get(folder + length + 1);
+    if (file != NULL) {
+        memcpy(file, path, folder);
+        memcpy(file + folder, name, length);
+        file[folder + length] = '\0';
+    }
+    return file;
+}
+
+static int read_one(mesh_materials *m, const char *path, const char *name, size_t length) {
     const int wanted = materials_library(m, path, name, length);
-    char *file = wanted > 0 ? heap_get(folder + length + 1) : NULL;
+    char *file = wanted > 0 ? path_beside(path, name, length) : NULL;
     input in = {0};
     fail f = {""};
     int status = 0;
     if (file == NULL) {
         return wanted != 0 ? -1 : 0;
     }
-    memcpy(file, path, folder);
-    memcpy(file + folder, name, length);
-    file[folder + length] = '\0';
     if (length > 0 && strcmp(file, "-") != 0 && is_file(file) && input_read(&in, file, &f) == 0) {
         status = mtl_read(m, &in);
     } else {
@@ -221,5 +229,28 @@ int mtl_read_beside(mesh_materials *m, const char *path, const char *name, size_
     }
     input_free(&in);
     heap_drop(file);
+    return status;
+}
+
+static int is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+int mtl_read_beside(mesh_materials *m, const char *path, const char *names, size_t length) {
+    char *whole = path_beside(path, names, length);
+    if (whole == NULL) {
+        return -1;
+    }
+    const int is_one = is_file(whole);
+    size_t at = 0;
+    int status = is_one || length == 0 ? read_one(m, path, names, length) : 0;
+    while (!is_one && at < length && status == 0) {
+        size_t end = at;
+        for (; end < length && !is_blank(names[end]); end++) {
+        }
+        status = end > at ? read_one(m, path, names + at, end - at) : 0;
+        at = end + 1;
+    }
+    heap_drop(whole);
     return status;
 }

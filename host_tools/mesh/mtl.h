@@ -9,8 +9,8 @@
 /* Reads a library; lines that are wrong are troubles. -1: memory is out. */
 int mtl_read(mesh_materials *m, const input *in);
 
-/* Reads a library whose name stands in the file `path`, beside it; one that cannot be read is a
- * trouble. -1: memory is out. */
-int mtl_read_beside(mesh_materials *m, const char *path, const char *name, size_t length);
+/* Reads libraries whose names stand in the file `path`, beside it, with blanks between; all of it
+ * is one name if there is such a file. One that cannot be read is a trouble. -1: memory is out. */
+int mtl_read_beside(mesh_materials *m, const char *path, const char *names, size_t length);
 
 #endif

@@ -80,6 +80,16 @@ status=$?
 verdict "names are found quickly among many" "$(
     [ "$status" -eq 0 ] || echo "status $status: 0.7 s were enough, 60 are not"
     grep -qx 'bad.obj: and 59984 more of these' err || cat err)"
+printf 'newmtl a\nKd 1 0 0\n' >first.mtl
+printf 'newmtl b\nKs 1 1 1\nillum 3\n' >'next one.mtl'
+cp 'next one.mtl' next.mtl
+sed 's/good.mtl/first.mtl next.mtl/' good.obj >two.obj
+sed 's/good.mtl/first.mtl/; s/usemtl a/mtllib next one.mtl\n&/' good.obj >blank.obj
+run pack good.obj -o good.plt --materials keep
+for names in two blank; do
+    run pack $names.obj -o $names.plt --materials keep --strict
+    same $names.plt good.plt "all libraries of a line are read, or one with a blank: $names"
+done
 mkfifo pipe.mtl
 sed 's/good.mtl/pipe.mtl/' good.obj >bad.obj
 timeout 20 "$PLANELET" pack bad.obj -o x.plt --materials keep 2>err
