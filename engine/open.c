@@ -437,12 +437,15 @@ static int read_header_again(const plt_engine *e, plt_header *header, plt_fault 
     if (status != PLT_OK) {
         return status;
     }
-    return now->material_bytes == before->material_bytes &&
-                   now->normal_bytes == before->normal_bytes &&
-                   now->colour_bytes == before->colour_bytes &&
-                   now->source_triangles == before->source_triangles
-               ? PLT_OK
-               : plt_fault_set(fault, PLT_ERR_SOURCE, 0, "the source has another header now");
+    int same = now->source_triangles == before->source_triangles;
+#if PLT_WITH_WHITTED
+    same &= now->material_bytes == before->material_bytes;
+#endif
+#if PLT_WITH_SURFACE
+    same &= now->normal_bytes == before->normal_bytes && now->colour_bytes == before->colour_bytes;
+#endif
+    return same ? PLT_OK
+                : plt_fault_set(fault, PLT_ERR_SOURCE, 0, "the source has another header now");
 }
 #endif
 

@@ -19,9 +19,9 @@ verdict "make demo-firmware ends well, and draws the frames in the terminal" "$(
     [ "$(echo "$text" | grep -c '[-=+*#]\{4\}')" -ge 5 ] || echo "$text")"
 
 frame=57615 # bytes of a PPM of 160x120
-"$planelet" render "$scene" -o "$out/host.ppm" --size 160x120 >/dev/null
+"$planelet" render "$scene" -o "$out/host_{}.ppm" --size 160x120 --orbit 2 >/dev/null
 verdict "the first frame that came is the host's direct render, bit for bit" "$(
-    head -c $frame "$out/device.ppm" | cmp - "$out/host.ppm" 2>&1)"
+    head -c $frame "$out/device.ppm" | cmp - "$out/host_000.ppm" 2>&1)"
 "$planelet" serve "$scene" --emulate 262144 -o "$out/emulated.ppm" --size 160x120 \
     --orbit 2 2>/dev/null
 verdict "both frames are those of a device that the host emulates" "$(
