@@ -20,6 +20,7 @@ verdict "make demo-firmware ends well, and draws the frames in the terminal" "$(
 
 frame=57615 # bytes of a PPM of 160x120
 "$planelet" render "$scene" -o "$out/host_{}.ppm" --size 160x120 --orbit 2 >/dev/null
+"$planelet" render "$scene" -o "$out/host.ppm" --size 160x120 >/dev/null
 verdict "the first frame that came is the host's direct render, bit for bit" "$(
     head -c $frame "$out/device.ppm" | cmp - "$out/host_000.ppm" 2>&1)"
 "$planelet" serve "$scene" --emulate 262144 -o "$out/emulated.ppm" --size 160x120 \
