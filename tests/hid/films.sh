@@ -24,7 +24,7 @@ cat "$folder"/scene/*-320x240.ppm >"$folder/marbles.ppm"
 cat "$folder"/scene/*-128x64.ppm >"$folder/small.ppm"
 scene=$(ls "$folder"/scene/*.plt | head -n 1)
 # The header, and 15 of 300 frames.
-"$planelet" render "$scene" --size 320x240 --orbit 300 --chroma 444 \
+"$planelet" render "$scene" --view box --size 320x240 --orbit 300 --chroma 444 \
     -o "$folder/scene/orbit.y4m" >/dev/null
 {
     head -n 1 "$folder/scene/orbit.y4m" | sed 's/ F25:1//' # no time of its own
