@@ -5,38 +5,111 @@
 # "FAIL SENTENCE" lines and ends in "N passed, N failed". One that crashes,
 # runs over its time or prints no count is one failure more. The failures are
 # listed again at the end, each with the last of what it said, before the sum.
+#
+# TEST_JOBS tests run at a time, as many as there are processors, two at most,
+# unless it says otherwise; what they print comes in the order of the arguments.
+# Scripts outside tests/cli build what they test, all in one tree: one at a time.
 # SPDX-License-Identifier: MIT
-limit=${TEST_SECONDS:-1200} # check_variants.sh builds and runs all programs
+limit=${TEST_SECONDS:-2400} # check_variants.sh builds and runs all programs
+jobs=${TEST_JOBS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
+[ -n "$TEST_JOBS" ] || [ "$jobs" -le 2 ] || jobs=2
 passed=0 failed=0
-log=$(mktemp) failures=$(mktemp)
-trap 'rm -f "$log" "$failures"' EXIT
-for program in "$@"; do
-    printf '== %s\n' "${program##*/}"
-    case $program in
-    *.sh) timeout "$limit" sh "$program" >"$log" 2>&1 ;;
-    *) timeout "$limit" "$program" >"$log" 2>&1 ;;
+room=$(mktemp -d)
+workers=
+trap 'rm -rf "$room"' EXIT
+trap '[ -z "$workers" ] || kill $workers 2>/dev/null; wait; exit 130' HUP INT TERM
+
+# What a shell runs in the background ignores interrupts; tests are to meet them as they are.
+plainly='env --default-signal=INT,QUIT'
+$plainly true 2>/dev/null || plainly=
+
+# run NUMBER TEST: leaves what it printed in NUMBER.log, then its status and seconds in NUMBER.end.
+run() {
+    began=$(date +%s)
+    case $2 in
+    *.sh) $plainly timeout "$limit" sh "$2" >"$room/$1.log" 2>&1 & ;;
+    *) $plainly timeout "$limit" "$2" >"$room/$1.log" 2>&1 & ;;
     esac
-    status=$?
+    child=$!
+    wait "$child"
+    echo "$? $(($(date +%s) - began))" >"$room/$1.status"
+    mv "$room/$1.status" "$room/$1.end"
+}
+
+# builds TEST: it is one of those that run one at a time.
+builds() {
+    case $1 in
+    */cli/*) return 1 ;;
+    *.sh) return 0 ;;
+    esac
+    return 1
+}
+
+# work builders|others|all TEST...: runs those that nobody has begun.
+work() {
+    kind=$1 number=0 child=
+    shift
+    trap '[ -z "$child" ] || kill "$child" 2>/dev/null; exit 1' TERM
+    trap - EXIT
+    for test in "$@"; do
+        number=$((number + 1))
+        case $kind in
+        builders) builds "$test" || continue ;;
+        others) ! builds "$test" || continue ;;
+        esac
+        mkdir "$room/$number" 2>/dev/null || continue
+        run "$number" "$test"
+    done
+}
+
+# report NUMBER TEST: prints what it printed, once it has ended, and counts.
+report() {
+    while [ ! -e "$room/$1.end" ]; do
+        sleep 0.1
+    done
+    read -r status seconds <"$room/$1.end"
+    log=$room/$1.log name=${2##*/}
+    printf '== %s (%s s)\n' "$name" "$seconds"
     cat "$log"
     counts=$(sed -n 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' "$log" | tail -n 1)
     p=${counts% *} f=${counts#* }
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0}))
-    awk -v name="${program##*/}" '
+    awk -v name="$name" '
         /^    / { detail[++count] = $0; next }
         sub(/^FAIL /, "") {
             print name ": " $0
             for (i = count > LINES ? count - LINES + 1 : 1; i <= count; i++) print detail[i]
         }
-        { count = 0 }' LINES=6 "$log" >>"$failures"
+        { count = 0 }' LINES=6 "$log" >>"$room/failures"
     if [ -z "$counts" ] || { [ "$status" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
-        echo "FAIL ${program##*/} ended with status $status"
-        echo "${program##*/}: ended with status $status" >>"$failures"
+        echo "FAIL $name ended with status $status"
+        echo "$name: ended with status $status" >>"$room/failures"
         failed=$((failed + 1))
     fi
+}
+
+# A test that runs tests of its own runs them one after another.
+export TEST_JOBS=1
+if [ "$jobs" -gt 1 ]; then
+    (work builders "$@"; work others "$@") &
+else
+    work all "$@" &
+fi
+workers=$!
+while [ "$jobs" -gt 1 ]; do
+    work others "$@" &
+    workers="$workers $!"
+    jobs=$((jobs - 1))
 done
-if [ -s "$failures" ]; then
+number=0
+for test in "$@"; do
+    number=$((number + 1))
+    report "$number" "$test"
+done
+wait
+if [ -s "$room/failures" ]; then
     echo "== failed"
-    cat "$failures"
+    cat "$room/failures"
 fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
