@@ -4,7 +4,8 @@
 # All sizes from 1x1 to 64x64 in every sampling go through djpeg and ImageMagick, which may not say
 # a word; a picture's files are compared in size, cost and error with cjpeg's of the same tables.
 # Debian packages: libjpeg-turbo-progs, imagemagick. Exit status 2 when djpeg is not there; without
-# ImageMagick its part is left out, and it says so. SIDE for other sizes. SPDX-License-Identifier: MIT
+# ImageMagick its part is left out, and it says so. Set SIDE for other sizes.
+# SPDX-License-Identifier: MIT
 set -u
 program=${PROGRAM:-build/host/tests/measure/test_jpeg_files}
 folder=${1:-${BUILD:-build}/jpeg}
