@@ -26,7 +26,7 @@ include engine/engine.mk
 
 .PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
         compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        treelets povray play profile clean help FORCE
+        treelets povray jpeg play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -194,6 +194,10 @@ treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test
 povray: all $(OUT)/tests/measure/test_picture_difference
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
 	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/povray.sh
+
+##measure jpeg: JPEG files before djpeg and ImageMagick, and beside cjpeg's, which it needs
+jpeg: all $(OUT)/tests/measure/test_jpeg_files
+	@BUILD='$(BUILD)' PROGRAM='$(OUT)/tests/measure/test_jpeg_files' sh tests/measure/jpeg.sh
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
 against: all

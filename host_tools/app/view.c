@@ -207,6 +207,11 @@ uint8_t view_shader(args *a) {
     return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
 }
 
+uint8_t view_shader_of_triangles(args *a) {
+    static const char *const names[] = {"eyelight", "normal", "triangle", NULL};
+    return (uint8_t)args_choice(a, "--shader", names, PLT_SHADE_EYELIGHT);
+}
+
 void view_background(args *a, plt_frame *frame) {
     const char *text = args_text(a, "--background", "sky");
     char *end;

@@ -63,6 +63,9 @@ void view_background(args *a, plt_frame *frame);
 /* --shader eyelight|normal|triangle|smooth as PLT_SHADE_..., eyelight by default. */
 uint8_t view_shader(args *a);
 
+/* The same without smooth, for scenes whose normals and colours are not opened. */
+uint8_t view_shader_of_triangles(args *a);
+
 /* --samples 1|4|16|adaptive as PLT_SAMPLES_..., 1 by default. */
 uint8_t view_samples(args *a);
 

@@ -34,7 +34,9 @@ static const arg_flag flags[] = {
      "give up after so long without a part of a frame, or a request for one of the scene, up to "
      "1000000; 0: never (default 60)"},
     VIEW_FLAGS,
+    VIEW_BACKGROUND_FLAG,
     {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
+    {"--samples", "1|4|16|adaptive", "rays per pixel, as of render (default 1)"},
     {"--verbose", NULL, "say what the link does, and statistics at the end"},
     {NULL, NULL, NULL}};
 
@@ -58,12 +60,19 @@ typedef struct serving {
     stream_link link;
     plt_camera first;
     unsigned frames;
-    uint8_t shader;
+    plt_frame wish; /* shader, samples, background */
     unsigned port;
     size_t memory; /* of the emulated device */
     destination to;
     output *out;
 } serving;
+
+static uint8_t samples_of(uint8_t samples) {
+    return samples == PLT_SAMPLES_FOUR       ? WIRE_SAMPLES_FOUR
+           : samples == PLT_SAMPLES_SIXTEEN  ? WIRE_SAMPLES_SIXTEEN
+           : samples == PLT_SAMPLES_ADAPTIVE ? WIRE_SAMPLES_ADAPTIVE
+                                             : WIRE_SAMPLES_ONE;
+}
 
 static void view_of(void *context, unsigned number, wire_view *v) {
     const serving *s = context;
@@ -75,7 +84,10 @@ static void view_of(void *context, unsigned number, wire_view *v) {
     memcpy(v->look, c.look, sizeof c.look);
     memcpy(v->up, c.up, sizeof c.up);
     v->tan_half_fov = c.tan_half_fov;
-    v->shader = s->shader;
+    v->shader = s->wish.shader;
+    v->samples = samples_of(s->wish.samples);
+    v->has_background = s->wish.has_background;
+    memcpy(v->background, s->wish.background, sizeof v->background);
 }
 
 static int receive_frame(void *context, unsigned number, const picture *p, fail *f) {
@@ -185,12 +197,9 @@ static void read_flags(serving *s, args *a, serve_job *job) {
     job->frames = s->frames = (unsigned)args_number(a, "--orbit", 1, 1, 100000);
     job->patience_ms = 1000 * (uint32_t)args_number(a, "--timeout", 60, 0, 1000000);
     job->verbose = args_has(a, "--verbose");
-    s->shader = view_shader(a);
-    if (s->shader == PLT_SHADE_SMOOTH) {
-        args_complain(a,
-                      "--shader smooth is for planelet render; a device gets eyelight, normal or "
-                      "triangle");
-    }
+    s->wish.shader = view_shader_of_triangles(a);
+    s->wish.samples = view_samples(a);
+    view_background(a, &s->wish);
     destination_read(&s->to, a, s->frames, 1, job->verbose);
     if (s->to.out != NULL && strcmp(s->to.out, "-") != 0) {
         destination_differ(a, "--socket and -o", args_text(a, "--socket", NULL), s->to.out);

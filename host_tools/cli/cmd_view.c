@@ -1,8 +1,7 @@
 /* cmd_view - planelet view: a scene in the terminal, turned by keys and the mouse
  *
  * A picture is rendered in steps, and between two of them the terminal is listened to: a key begins
- * the next picture at once. While the camera moves, pictures are as coarse as it takes to have one
- * in time; at rest they become finer, until four pixels are the mean of each that is drawn.
+ * the next picture at once. How fine it is, coarse.h says.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -11,10 +10,12 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "host_tools/app/coarse.h"
 #include "host_tools/app/frame.h"
 #include "host_tools/app/played.h"
 #include "host_tools/app/pose.h"
 #include "host_tools/app/scene.h"
+#include "host_tools/app/steer.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/clock.h"
 #include "host_tools/cli/commands.h"
@@ -48,13 +49,9 @@ const arg_command command_view = {
     .files_most = 1,
     .notes = notes};
 
-/* Finest: twice as many pixels across as are drawn. Then as many, half, a quarter, an eighth. */
-enum { FINEST = 0, PLAIN = 1, COARSEST = 4 };
-
-static const double IN_TIME = 0.06; /* seconds that a picture may take while the camera moves */
-static const double LISTEN = 0.02;  /* seconds between two looks at the terminal */
-static const double LONGEST = 0.25; /* seconds that nothing is looked at */
-static const double STEP = 7.5, CELL = 3.0, NEARER = 1.15; /* degrees, degrees, a factor */
+static const double LISTEN = 0.02;             /* seconds between two looks at the terminal */
+static const double LONGEST = 0.25;            /* seconds that nothing is looked at */
+static const double CELL = 3.0, NEARER = 1.15; /* degrees, a factor */
 
 typedef struct viewing {
     scene s;
@@ -63,9 +60,8 @@ typedef struct viewing {
     pose pose;
     viewer_screen screen;
     picture shown;
-    unsigned level, coarse; /* of the next picture, and of the first after a move */
-    int is_due;             /* there is something to render */
-    int is_still;           /* frames do not go on */
+    coarse coarse;
+    int is_still; /* frames do not go on */
     int ends;
     double played; /* seconds of the sequence that have gone */
     double now;    /* clock, when they had */
@@ -80,41 +76,26 @@ static void on_resize(int number) {
     is_resized = 1;
 }
 
-static void move_on(viewing *v) {
-    v->is_due = 1;
-    v->level = v->coarse;
-}
-
-static int turn(viewing *v, double azimuth, double elevation) {
-    return pose_turn(&v->pose, azimuth, elevation);
-}
-
-static int reset(viewing *v) {
-    const plt_camera first = v->pose.first;
-    pose_begin(&v->pose, &first);
-    return 1;
-}
-
 /* Returns whether the camera has moved. */
 static int take_key(viewing *v, int key) {
     switch (key) {
     case TERMINAL_LEFT:
-        return turn(v, -STEP, 0.0);
+        return steer(&v->pose, STEER_LEFT);
     case TERMINAL_RIGHT:
-        return turn(v, STEP, 0.0);
+        return steer(&v->pose, STEER_RIGHT);
     case TERMINAL_UP:
-        return turn(v, 0.0, STEP);
+        return steer(&v->pose, STEER_UP);
     case TERMINAL_DOWN:
-        return turn(v, 0.0, -STEP);
+        return steer(&v->pose, STEER_DOWN);
     case '+':
     case '=':
-        return pose_zoom(&v->pose, NEARER);
+        return steer(&v->pose, STEER_NEARER);
     case '-':
     case '_':
-        return pose_zoom(&v->pose, 1.0 / NEARER);
+        return steer(&v->pose, STEER_FARTHER);
     case 'r':
     case 'R':
-        return reset(v);
+        return steer(&v->pose, STEER_RESET);
     case ' ':
         v->is_still = !v->is_still;
         return 0;
@@ -133,7 +114,7 @@ static int take_drag(viewing *v, const terminal_event *e) {
     const int x = e->x - v->drag_x, y = e->y - v->drag_y;
     v->drag_x = e->x;
     v->drag_y = e->y;
-    return (x != 0 || y != 0) && turn(v, -CELL * x, 2.0 * CELL * y);
+    return (x != 0 || y != 0) && pose_turn(&v->pose, -CELL * x, 2.0 * CELL * y);
 }
 
 static int take_press(viewing *v, const terminal_event *e) {
@@ -153,7 +134,7 @@ static void take_input(viewing *v) {
                                             : 0;
     }
     if (moved) {
-        move_on(v);
+        coarse_moved(&v->coarse);
     }
     v->ends |= v->screen.is_gone;
 }
@@ -165,7 +146,7 @@ static int follow(viewing *v, fail *f) {
     if (is_resized) {
         is_resized = 0;
         viewer_screen_measure(&v->screen);
-        move_on(v);
+        coarse_moved(&v->coarse);
     }
     v->played += v->is_still ? 0.0 : now - v->now;
     v->now = now;
@@ -177,13 +158,8 @@ static int follow(viewing *v, fail *f) {
         return 0;
     }
     v->at = at;
-    move_on(v);
+    coarse_moved(&v->coarse);
     return played_to(&v->s, v->path, at, f);
-}
-
-static unsigned side_of(unsigned side, unsigned level) {
-    const unsigned scaled = level == FINEST ? 2 * side : side >> (level - PLAIN);
-    return scaled > 0 ? scaled : 1;
 }
 
 enum { FAILED = -1, COMPLETE, DROPPED };
@@ -192,10 +168,10 @@ enum { FAILED = -1, COMPLETE, DROPPED };
  * picture would never be complete. */
 static int render(viewing *v, fail *f) {
     double listened = clock_seconds();
-    v->frame.width = (uint16_t)side_of(v->screen.width, v->level);
-    v->frame.height = (uint16_t)side_of(v->screen.height, v->level);
+    v->frame.width = (uint16_t)coarse_side(&v->coarse, v->screen.width);
+    v->frame.height = (uint16_t)coarse_side(&v->coarse, v->screen.height);
     v->frame.camera = pose_camera(&v->pose);
-    v->is_due = 0;
+    v->coarse.is_due = 0;
     if (picture_resize(&v->shown, v->frame.width, v->frame.height, f) != 0) {
         return FAILED;
     }
@@ -214,20 +190,12 @@ static int render(viewing *v, fail *f) {
             listened = clock_seconds();
             viewer_screen_wait(&v->screen, 0.0);
             take_input(v);
-            if (v->ends || v->is_due || is_resized) {
+            if (v->ends || v->coarse.is_due || is_resized) {
                 return DROPPED;
             }
         }
     }
     return COMPLETE;
-}
-
-static void adapt(viewing *v, double seconds) {
-    if (v->level == v->coarse && seconds > IN_TIME && v->coarse < COARSEST) {
-        v->coarse++;
-    } else if (v->level == v->coarse && seconds < IN_TIME / 6.0 && v->coarse > PLAIN) {
-        v->coarse--;
-    }
 }
 
 /* A picture, and the next finer one is due. */
@@ -236,20 +204,18 @@ static int show_next(viewing *v, fail *f) {
     const double began = clock_seconds();
     const int status = render(v, f);
     if (status != COMPLETE) {
-        v->is_due = 1;
+        v->coarse.is_due = 1;
         return status == FAILED ? -1 : 0;
     }
-    adapt(v, clock_seconds() - began);
+    coarse_complete(&v->coarse, clock_seconds() - began);
     snprintf(text, sizeof text, "%s  arrows, mouse: turn  + -: zoom  r: reset%s  q: quit", v->path,
              played_can(&v->s) ? "  space: stop, go on" : "");
-    v->is_due = v->level > FINEST;
-    v->level -= v->is_due;
     return viewer_screen_draw(&v->screen, &v->shown, text, f);
 }
 
 /* Until the next frame is due; a resize that no wait has noticed is, a moment later. */
 static double rest(const viewing *v) {
-    if (v->is_due) {
+    if (v->coarse.is_due) {
         return 0.0;
     }
     const plt_info *info = plt_engine_info(v->s.engine);
@@ -261,9 +227,9 @@ static double rest(const viewing *v) {
 static int view_until_end(viewing *v, fail *f) {
     viewer_screen_ask(&v->screen);
     v->now = clock_seconds();
-    move_on(v);
+    coarse_moved(&v->coarse);
     while (!v->ends) {
-        if (follow(v, f) != 0 || (v->is_due && show_next(v, f) != 0)) {
+        if (follow(v, f) != 0 || (v->coarse.is_due && show_next(v, f) != 0)) {
             return -1;
         }
         if (!is_resized) {
@@ -314,7 +280,7 @@ static void read_flags(viewing *v, args *a) {
 }
 
 int run_view(args *a) {
-    viewing v = {.s = SCENE_CLOSED, .path = a->file[0], .coarse = PLAIN};
+    viewing v = {.s = SCENE_CLOSED, .path = a->file[0], .coarse = COARSE_BEGUN};
     fail f = {""};
     /* What is being written goes on; a wait for keys ends in any case. */
     struct sigaction action = {.sa_handler = on_resize, .sa_flags = SA_RESTART};

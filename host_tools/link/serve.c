@@ -182,6 +182,20 @@ static int refusal(serving *s, fail *f) {
     if (state == WIRE_SCENE_LARGE) {
         return refuse_size(s, f);
     }
+    if (code == WIRE_E_SAMPLES) {
+        return fail_set(f, "device",
+                        "its engine does not take so many samples; use --samples 4, or 1");
+    }
+    if (wire_view_left_out(&s->view) & WIRE_VIEW_BACKGROUND) {
+        return fail_set(f, "device",
+                        "its firmware knows no background; leave out --background, or build it "
+                        "anew with PLT_WITH_BACKGROUND");
+    }
+    if (wire_view_left_out(&s->view) & WIRE_VIEW_SAMPLES) {
+        return fail_set(f, "device",
+                        "its firmware knows one sample per pixel; leave out --samples, or build "
+                        "it anew with PLT_WITH_SAMPLES");
+    }
     if (code == WIRE_E_VIEW) {
         return fail_set(f, "device",
                         "eye and look coincide, up runs along the view, or one of them is beyond "

@@ -9,7 +9,7 @@
  *   hello                                    who is there
  *   peer                                     sessions, time
  *   frames_show, frames_rate, frames_out,    the services (services.h)
- *   tiles_out, frames_in, scene_*, view, blocks_*
+ *   tiles_out, frames_in, scene_*, view, keys, blocks_*
  *   state, report, queue, bytes              the base
  *
  * So a service knows no other peer's business than its own: it leaves what it
@@ -45,6 +45,8 @@ enum wire_type {
     WIRE_SET = 0x1D,
     WIRE_STATS_ASK = 0x1E,
     WIRE_STATS = 0x1F,
+    WIRE_KEYS_ARE = 0x20,
+    WIRE_KEYS_HAVE = 0x21,
     WIRE_TILE = 0x80
 };
 

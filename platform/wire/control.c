@@ -110,6 +110,10 @@ uint32_t wire_control_write(wire_peer *peer, unsigned type, uint8_t *body) {
         return write_set(peer, body);
     case WIRE_STATS:
         return write_stats(peer, body);
+    case WIRE_KEYS_ARE:
+        return wire_keys_out_write(peer->keys_out, body);
+    case WIRE_KEYS_HAVE:
+        return wire_keys_in_write(peer->keys_in, body);
     default:
         return 0;
     }
@@ -139,6 +143,10 @@ static uint32_t bytes_wanted(const wire_peer *peer, unsigned type) {
         return peer->blocks_out != NULL ? 9 : 0;
     case WIRE_BLOCK_REFUSE:
         return peer->blocks_in != NULL ? 5 : 0;
+    case WIRE_KEYS_ARE:
+        return peer->keys_in != NULL ? 2 : 0;
+    case WIRE_KEYS_HAVE:
+        return peer->keys_out != NULL ? 1 : 0;
     case WIRE_ERROR:
         return 5;
     case WIRE_SET:
@@ -170,17 +178,24 @@ static void receive(wire_peer *peer, unsigned type, const uint8_t *body, uint32_
         wire_scene_out_receive(peer->scene_out, body);
         break;
     case WIRE_VIEW:
-        wire_view_in_receive(peer->view_in, body);
+        wire_view_in_receive(peer->view_in, body, bytes);
         wire_queue_control(peer, WIRE_VIEW_HAVE);
         break;
     case WIRE_VIEW_HAVE:
-        wire_view_out_receive(peer->view_out, body);
+        wire_view_out_receive(peer->view_out, body, bytes);
         break;
     case WIRE_BLOCK_ASK:
         wire_blocks_out_receive(peer->blocks_out, body, bytes);
         break;
     case WIRE_BLOCK_REFUSE:
         wire_blocks_in_receive(peer->blocks_in, body);
+        break;
+    case WIRE_KEYS_ARE:
+        wire_keys_in_receive(peer->keys_in, body, bytes);
+        wire_queue_control(peer, WIRE_KEYS_HAVE);
+        break;
+    case WIRE_KEYS_HAVE:
+        wire_keys_out_receive(peer->keys_out, body);
         break;
     case WIRE_ERROR:
         receive_error(peer, body, bytes);

@@ -14,6 +14,9 @@ enum step { NEEDS_SCENE, NEEDS_VIEW, BEGINS, RENDERS, HAS_TILE, ENDS, RESTS, HAS
 /* No view has it whose frame is waited for: of a frame that is given up. */
 enum { MARK_FAILED = 0x80 };
 
+/* A number of samples that no engine takes. */
+enum { NO_SAMPLES = 2 };
+
 int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options *options,
                      void *memory, size_t memory_bytes, uint32_t now_ms) {
     wire_setup own = *setup;
@@ -30,6 +33,8 @@ int wire_device_open(wire_device *d, const wire_setup *setup, const plt_options 
     wire_frames_out_open(&d->out, &d->peer);
     wire_scene_in_open(&d->scene, &d->peer, memory, own.caps.arena_bytes);
     wire_view_in_open(&d->view, &d->peer);
+    d->view.obeys = (PLT_WITH_BACKGROUND ? WIRE_VIEW_BACKGROUND : 0) |
+                    (PLT_WITH_SAMPLES ? WIRE_VIEW_SAMPLES : 0);
     return status;
 }
 
@@ -165,25 +170,50 @@ static void end_orphan(wire_device *d) {
     }
 }
 
-static int begin(wire_device *d) {
+/* The frame that the view asks for, as far as this engine has it. */
+static plt_frame get_frame(const wire_device *d) {
     const wire_view *v = &d->view.view;
-    end_orphan(d);
     plt_frame frame = {.width = d->out.width, .height = d->out.height, .shader = v->shader};
     memcpy(frame.camera.eye, v->eye, sizeof v->eye);
     memcpy(frame.camera.look, v->look, sizeof v->look);
     memcpy(frame.camera.up, v->up, sizeof v->up);
     frame.camera.tan_half_fov = v->tan_half_fov;
+#if PLT_WITH_SAMPLES
+    static const uint8_t samples[] = {PLT_SAMPLES_ONE, PLT_SAMPLES_FOUR, PLT_SAMPLES_SIXTEEN,
+                                      PLT_SAMPLES_ADAPTIVE};
+    frame.samples = v->samples < sizeof samples ? samples[v->samples] : NO_SAMPLES;
+#endif
+#if PLT_WITH_BACKGROUND
+    frame.has_background = v->has_background;
+    memcpy(frame.background, v->background, sizeof v->background);
+#endif
+    return frame;
+}
+
+/* Whether the engine takes the frame; if it does not, the host is told what it does not take. */
+static int is_begun(wire_device *d) {
+    plt_frame frame = get_frame(d);
+    if (plt_render_begin(d->engine, &frame) == PLT_OK) {
+        return 1;
+    }
+    const int is_many = frame.samples > PLT_SAMPLES_ONE;
+    frame.samples = PLT_SAMPLES_ONE;
+    wire_error_send(&d->peer,
+                    is_many && plt_render_begin(d->engine, &frame) == PLT_OK ? WIRE_E_SAMPLES
+                                                                             : WIRE_E_VIEW,
+                    d->view.view.number);
+    return 0;
+}
+
+static int begin(wire_device *d) {
+    end_orphan(d);
     d->is_viewed = d->is_failed = 0;
-    const int sent = wire_frame_begin(&d->out, v->number);
+    const int sent = wire_frame_begin(&d->out, d->view.view.number);
     if (sent != WIRE_OK) {
         d->is_viewed = 1;
         return 0;
     }
-    d->step = RENDERS;
-    if (plt_render_begin(d->engine, &frame) != PLT_OK) {
-        wire_error_send(&d->peer, WIRE_E_VIEW, v->number);
-        d->step = ENDS;
-    }
+    d->step = is_begun(d) ? RENDERS : ENDS;
     return 1;
 }
 

@@ -110,6 +110,12 @@ void wire_session_begin(wire_peer *peer) {
     if (peer->blocks_in != NULL) {
         wire_blocks_in_begin(peer->blocks_in);
     }
+    if (peer->keys_out != NULL) {
+        wire_keys_out_begin(peer->keys_out);
+    }
+    if (peer->keys_in != NULL) {
+        wire_keys_in_begin(peer->keys_in);
+    }
     if (peer->role == WIRE_HOST) {
         wire_queue_control(peer, WIRE_PING); /* shows the device that its welcome came */
     }
@@ -162,6 +168,9 @@ static void poll_session(wire_peer *peer, uint32_t now) {
     }
     if (peer->blocks_in != NULL) {
         wire_blocks_in_poll(peer->blocks_in);
+    }
+    if (peer->keys_out != NULL) {
+        wire_keys_out_poll(peer->keys_out);
     }
 }
 

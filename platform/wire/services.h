@@ -40,10 +40,19 @@ void wire_scene_in_bytes(wire_scene_in *in, const uint8_t *bytes, uint32_t count
 void wire_view_out_begin(wire_view_out *out);
 void wire_view_out_poll(wire_view_out *out);
 uint32_t wire_view_out_write(wire_view_out *out, uint8_t *body);
-void wire_view_out_receive(wire_view_out *out, const uint8_t *body);
+void wire_view_out_receive(wire_view_out *out, const uint8_t *body, uint32_t bytes);
 
 uint32_t wire_view_in_write(const wire_view_in *in, uint8_t *body);
-void wire_view_in_receive(wire_view_in *in, const uint8_t *body);
+void wire_view_in_receive(wire_view_in *in, const uint8_t *body, uint32_t bytes);
+
+void wire_keys_out_begin(wire_keys_out *out);
+void wire_keys_out_poll(wire_keys_out *out);
+uint32_t wire_keys_out_write(const wire_keys_out *out, uint8_t *body);
+void wire_keys_out_receive(wire_keys_out *out, const uint8_t *body);
+
+void wire_keys_in_begin(wire_keys_in *in);
+uint32_t wire_keys_in_write(const wire_keys_in *in, uint8_t *body);
+void wire_keys_in_receive(wire_keys_in *in, const uint8_t *body, uint32_t bytes);
 
 int wire_blocks_out_fill(wire_blocks_out *out);
 uint32_t wire_blocks_out_write(wire_blocks_out *out, uint8_t *body);

@@ -45,6 +45,7 @@
 #include "platform/wire/wire_block.h"
 #include "platform/wire/wire_format.h"
 #include "platform/wire/wire_frames.h"
+#include "platform/wire/wire_keys.h"
 #include "platform/wire/wire_peer.h"
 #include "platform/wire/wire_scene.h"
 #include "platform/wire/wire_tile.h"

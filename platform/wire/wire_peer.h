@@ -53,7 +53,8 @@ enum wire_feature {
     WIRE_SCENES = 8,      /* sends a scene image, and blocks of it on request */
     WIRE_BRIGHTNESS = 16, /* obeys WIRE_SET_BRIGHTNESS */
     WIRE_READS = 32,      /* its panel can be read: tiles may say only what differs */
-    WIRE_STREAMS = 64     /* renders scenes larger than its memory, of which it asks for blocks */
+    WIRE_STREAMS = 64,    /* renders scenes larger than its memory, of which it asks for blocks */
+    WIRE_KEYS = 128       /* device: has keys; host: wants to know of them (wire_keys.h) */
 };
 
 typedef struct wire_caps {
@@ -98,8 +99,9 @@ enum wire_code {
     WIRE_E_SCENE = 3,   /* the image was refused: rule << 24 | offset & 0xFFFFFF */
     WIRE_E_ARENA = 4,   /* `detail`: bytes it would need */
     WIRE_E_SOURCE = 5,  /* a block did not come: its offset */
-    WIRE_E_VIEW = 6,    /* the camera has no direction */
-    WIRE_E_BLOCK = 7    /* a request outside the image: its offset */
+    WIRE_E_VIEW = 6,    /* the camera has no direction, or the shader is none */
+    WIRE_E_BLOCK = 7,   /* a request outside the image: its offset */
+    WIRE_E_SAMPLES = 8  /* the engine does not take so many samples of this scene, or shader */
 };
 
 enum wire_setting { WIRE_SET_BRIGHTNESS = 1 /* 0 .. 100 */ };
@@ -112,6 +114,8 @@ struct wire_blocks_out;
 struct wire_blocks_in;
 struct wire_view_out;
 struct wire_view_in;
+struct wire_keys_out;
+struct wire_keys_in;
 
 struct wire_queue;
 
@@ -135,6 +139,8 @@ typedef struct wire_peer {
     struct wire_view_in *view_in;
     struct wire_blocks_out *blocks_out;
     struct wire_blocks_in *blocks_in;
+    struct wire_keys_out *keys_out;
+    struct wire_keys_in *keys_in;
     struct wire_queue *queue; /* of data messages, shared by the parts that send */
 
     wire_caps own, other, next_other;

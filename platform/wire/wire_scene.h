@@ -71,10 +71,23 @@ void wire_scene_in_verdict(wire_scene_in *in, unsigned state);
 
 /* ---- views --------------------------------------------------------------------- */
 
-/* What to render: floats as in plt_camera, and a shader. */
+/* Of a view: what devices that are older, or whose engine is built without it, leave out. */
+enum wire_view_more { WIRE_VIEW_BACKGROUND = 1, WIRE_VIEW_SAMPLES = 2 };
+
+/* Per pixel. Others, up to 15, are refused. */
+enum wire_samples {
+    WIRE_SAMPLES_ONE = 0,
+    WIRE_SAMPLES_FOUR = 1,
+    WIRE_SAMPLES_SIXTEEN = 2,
+    WIRE_SAMPLES_ADAPTIVE = 3
+};
+
+/* What to render: floats as in plt_camera, and the rest as in plt_frame. */
 typedef struct wire_view {
     float eye[3], look[3], up[3], tan_half_fov;
     uint8_t shader;
+    uint8_t samples; /* enum wire_samples */
+    uint8_t has_background, background[3];
     uint8_t number; /* counts views; filled in by wire_view_send */
 } wire_view;
 
@@ -83,17 +96,23 @@ typedef struct wire_view_out {
     wire_view view;
     uint32_t sent_ms;
     uint8_t have, is_set;
+    uint8_t obeyed; /* enum wire_view_more, as the device has said; once it has */
 } wire_view_out;
 
 typedef struct wire_view_in {
     wire_view view;
     uint8_t fresh;
+    uint8_t obeys; /* enum wire_view_more: set by whoever renders */
 } wire_view_in;
 
 void wire_view_out_open(wire_view_out *out, wire_peer *peer);
 
 /* Sends a view, at once and at every later session; the latest wins. */
 void wire_view_send(wire_view_out *out, const wire_view *view);
+
+/* What the latest view asks for and its device leaves out: enum wire_view_more. 0: nothing, or the
+ * device has not answered. */
+unsigned wire_view_left_out(const wire_view_out *out);
 
 void wire_view_in_open(wire_view_in *in, wire_peer *peer);
 

@@ -103,6 +103,8 @@ choose another with --driver | sizes come from Linux's /sys; the driver is chose
 test_hid_remedies
 the display reports error %u (%u); see platform/WIRE.md | something to read: its list of errors
 no display is plugged in (%u HID devices; --all lists them) | no failure, and list --all is tried
+stopped before the display was back | says what was done; test_hid_session does it
+stopped before the display had answered | likewise
 %04x:%04x went away; waiting for it | says what the program does; test_hid_session waits, too
 is a Blender file; export it from there as PLY, OBJ or STL | needs Blender
 ; primitive ids are positions in the image | says what is the case

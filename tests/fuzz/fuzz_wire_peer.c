@@ -6,7 +6,7 @@
  *
  * A session is brought up, then the input is cut into reports whose checksum
  * is made right, so that what is behind it is reached: the parsers of both
- * channels, frames, scene and blocks, at a device or (first byte odd) a host.
+ * channels, frames, scene, blocks and keys, at a device or (first byte odd) a host.
  * Promised: no byte outside panel, image and reports; every call ends.
  *
  * SPDX-License-Identifier: MIT */
@@ -33,6 +33,8 @@ typedef struct side {
     wire_view_in view_in;
     wire_blocks_out blocks_out;
     wire_blocks_in blocks_in;
+    wire_keys_out keys_out;
+    wire_keys_in keys_in;
     uint8_t *panel, *image, *block; /* from malloc, for sanitizers */
 } side;
 
@@ -63,6 +65,8 @@ static void open_side(side *s, unsigned role, unsigned format) {
     wire_view_out_open(&s->view_out, &s->peer);
     wire_view_in_open(&s->view_in, &s->peer);
     wire_blocks_in_open(&s->blocks_in, &s->peer, no_pump, NULL);
+    wire_keys_out_open(&s->keys_out, &s->peer);
+    wire_keys_in_open(&s->keys_in, &s->peer);
     if (role == WIRE_HOST) {
         wire_scene_out_open(&s->scene_out, &s->peer, s->image, IMAGE);
         wire_blocks_out_open(&s->blocks_out, &s->peer, s->image, IMAGE);

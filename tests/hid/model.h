@@ -22,7 +22,8 @@ typedef struct model_kind {
     unsigned width, height;
     uint8_t output_number, feature_number, input_number;
     uint16_t output_bytes, feature_bytes, input_bytes;
-    int (*open)(model *m);                                          /* may be NULL */
+    int (*open)(model *m); /* may be NULL */
+    int lossy; /* squares of 24x24 pixels may be off by so much, mean of squares of 8-bit values */
     void (*output)(model *m, const uint8_t *report, size_t bytes);  /* number first, if any */
     void (*feature)(model *m, const uint8_t *report, size_t bytes); /* likewise; may be NULL */
     size_t (*input)(model *m, uint8_t *report, size_t room);        /* likewise; may be NULL */
@@ -47,6 +48,7 @@ struct model {
 };
 
 extern const model_kind model_planelet, model_mini, model_nova, model_apex, model_nexus;
+extern const model_kind model_deck, model_deck_xl, model_deck_neo, model_deck_plus;
 const model_kind *model_kind_named(const char *name); /* NULL: there is none */
 
 /* The shape is for Planelet panels; 0 means 64x48, RGB565, a panel that cannot
@@ -67,7 +69,7 @@ size_t model_descriptor(const model *m, uint8_t *to);
 
 /* Compares the panel with pictures of pattern.h. Returns the first number in
  * from .. from + count - 1 whose picture, seen through the panel's format, is
- * on the panel in every pixel, or -1. */
+ * on the panel in every pixel, as exactly as its kind can, or -1. */
 int model_shows_pattern(const model *m, unsigned from, unsigned count);
 
 /* Of a Planelet panel over a lossy link: whether each row of each tile of 16 x 16

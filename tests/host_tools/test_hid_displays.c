@@ -68,7 +68,7 @@ static void open_bench(bench *b, const model_kind *kind) {
     fake_plug(0, &b->device);
     const driver *by = find_display(&wish, &info, &f);
     CHECK(by != NULL && strcmp(by->name, kind->name) == 0, "%s", f.text);
-    CHECK(by != NULL && display_open(&b->display, by, &info, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(by != NULL && display_open(&b->display, by, &info, NULL, &f) == DISPLAY_OK, "%s", f.text);
     picture_make(&b->shown, b->display.width, b->display.height, &f);
 }
 
@@ -218,8 +218,16 @@ static void nova_patience(void) {
     show(&b, 5);
     CHECK(model_shows_pattern(b.model, 5, 1) == 5, "after three refusals");
     fake_bus.refuse_features = 1000;
-    CHECK(b.display.by->show(&b.display, &b.shown, &f) == DISPLAY_GONE, "gone after ten");
-    CHECK(fake_bus.refuse_features == 990, "%u", 1000 - fake_bus.refuse_features);
+    CHECK(b.display.by->show(&b.display, &b.shown, &f) == DISPLAY_GONE, "gone after ten each");
+    CHECK(fake_bus.refuse_features == 980, "both windows: %u", 1000 - fake_bus.refuse_features);
+    fake_bus.refuse_features = 0;
+    test("nova: what is not acknowledged counts as delivered, and the right half comes, too");
+    fake_bus.late_ms = 120;
+    show(&b, 6);
+    CHECK(model_shows_pattern(b.model, 6, 1) == 6, "half a picture");
+    test("nova: ... but not once it is unplugged");
+    fake_bus.unplug_after = 1;
+    CHECK(b.display.by->show(&b.display, &b.shown, &f) == DISPLAY_GONE, "delivered to nobody");
     close_bench(&b);
 }
 

@@ -328,9 +328,28 @@ static void showing(void) {
     CHECK(session_open(&s, &f) == 0 && shows(&s, &f), "%s", f.text);
     fake_unplug(0);
     CHECK(!shows(&s, &f), "shown");
-    says(&f, "the display did not come back in %.0f seconds; plug it in");
+    says(&f, "the display did not come back in %g seconds; plug it in");
     fake_plug(0, &device);
     start_again(&s);
+
+    test("it refuses every report: plug it in again, or choose another");
+    model *nexus = model_make(&model_nexus, (model_shape){0});
+    const fake_device deaf = device_of(&nexus, "1-2:1.0");
+    fake_plug(1, &deaf);
+    s = wish_for("1-2:1.0", NULL, -1);
+    CHECK(session_open(&s, &f) == 0, "%s", f.text);
+    fake_bus.refuse_outputs = UINT32_MAX;
+    CHECK(!shows(&s, &f), "shown");
+    says(&f,
+         "the display is there, but refuses reports; plug it in again, or choose another with "
+         "--device or --driver");
+    fake_bus.refuse_outputs = 0;
+    start_again(&s);
+    s = wish_for("1-1:1.0", NULL, -1);
+    CHECK(session_open(&s, &f) == 0 && shows(&s, &f), "%s", f.text);
+    session_close(&s);
+    fake_unplug(1);
+    model_free(nexus);
 
     test("it came back with another size: start again");
     s = wish_for(NULL, NULL, -1);

@@ -1,6 +1,10 @@
 /* test_hid_session - unplugged in the middle of a frame, and back again
  *
  * SPDX-License-Identifier: MIT */
+#include <signal.h>
+#include <sys/time.h>
+
+#include "host_tools/base/clock.h"
 #include "host_tools/hid/device/session.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "tests/hid/model.h"
@@ -121,6 +125,98 @@ static void other_device(void) {
     close_bench(&b);
 }
 
+static const model_kind *const kinds[] = {&model_nexus, &model_mini, &model_nova, &model_apex};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+static void refuse_all(void) {
+    fake_bus.refuse_outputs = fake_bus.refuse_features = UINT32_MAX;
+}
+
+static void refuses(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    open_bench(&b, kind);
+    b.session.patience = 0.5;
+    b.session.brightness = -1;
+    refuse_all();
+    const double began = clock_seconds();
+    CHECK(show(&b, 1, &f) == -1, "%s: shown", kind->name);
+    CHECK(strstr(f.text, "is there, but refuses reports"), "%s: %s", kind->name, f.text);
+    CHECK(clock_seconds() - began < 2.5, "%s: %.1f s", kind->name, clock_seconds() - began);
+    CHECK(fake_bus.opens <= 8, "%s: opened %u times", kind->name, (unsigned)fake_bus.opens);
+    fake_bus.refuse_outputs = fake_bus.refuse_features = 0;
+    CHECK(show(&b, 2, &f) == 0 && model_shows_pattern(b.model, 2, 1) == 2, "%s: %s", kind->name,
+          f.text);
+    close_bench(&b);
+}
+
+static volatile sig_atomic_t stop;
+static double stopped_at;
+
+static void on_alarm(int number) {
+    (void)number;
+    stop = 1;
+    stopped_at = clock_seconds();
+}
+
+static void alarm_in(unsigned ms) {
+    const struct sigaction action = {.sa_handler = on_alarm};
+    const struct itimerval when = {.it_value = {.tv_usec = (suseconds_t)(1000 * ms)}};
+    stop = 0;
+    sigaction(SIGALRM, &action, NULL);
+    setitimer(ITIMER_REAL, &when, NULL);
+}
+
+/* The 0.2 s that are promised, and some for a busy machine. */
+static void ends_soon(const model_kind *kind, const fail *f, const char *why) {
+    const double late = clock_seconds() - stopped_at;
+    CHECK(stop && late < 0.5, "%s: %.3f s after the signal", kind->name, late);
+    CHECK(strstr(f->text, why), "%s: %s", kind->name, f->text);
+}
+
+static void stops_waiting(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    open_bench(&b, kind);
+    b.session.patience = 60.0;
+    b.session.stop = &stop;
+    refuse_all();
+    alarm_in(250);
+    CHECK(show(&b, 1, &f) == -1, "%s: shown", kind->name);
+    ends_soon(kind, &f, "stopped before the display was back");
+    fake_unplug(0);
+    f = (fail){""};
+    alarm_in(150);
+    CHECK(show(&b, 1, &f) == -1, "%s: shown", kind->name);
+    ends_soon(kind, &f, "stopped before the display was back");
+    close_bench(&b);
+}
+
+static void stops_sending(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    open_bench(&b, kind);
+    b.session.display.stop = b.session.stop = &stop;
+    fake_bus.slow_us = 30000;
+    alarm_in(100);
+    CHECK(show(&b, 1, &f) == 0 && session_confirm(&b.session, &f) == 0, "%s", f.text);
+    ends_soon(kind, &f, "");
+    close_bench(&b);
+}
+
+static void barred(void) {
+    bench b;
+    fail f = {""};
+    test("back, but it may not be opened: the reason is said, not that it is away");
+    open_bench(&b, &model_apex);
+    b.session.patience = 0.3;
+    fake_bus.denied = 1;
+    refuse_all();
+    CHECK(show(&b, 1, &f) == -1, "shown");
+    CHECK(strstr(f.text, "cannot open") || strstr(f.text, "no permission"), "%s", f.text);
+    close_bench(&b);
+}
+
 static void no_brightness(void) {
     fail f = {""};
     test("brightness of a display that has none is an error that says so");
@@ -154,6 +250,18 @@ int main(void) {
     }
     never_back();
     other_device();
+    test("a display that opens and refuses every report: pauses, a limit, a sentence");
+    for (unsigned i = 0; i < KINDS; i++) {
+        refuses(kinds[i]);
+    }
+    test("a signal ends a wait for a display that refuses reports, or is away");
+    for (unsigned i = 0; i < KINDS; i++) {
+        stops_waiting(kinds[i]);
+    }
+    test("... and a picture whose reports take 30 ms each");
+    stops_sending(&model_nexus);
+    stops_sending(&model_mini);
+    barred();
     no_brightness();
     return test_done();
 }

@@ -185,6 +185,10 @@ int hid_write(hid_device *h, const unsigned char *data, size_t length) {
     }
     const uint64_t number = fake_bus.outputs++;
     clock_sleep(1e-6 * fake_bus.slow_us);
+    if (fake_bus.refuse_outputs > 0) {
+        fake_bus.refuse_outputs--;
+        return -1;
+    }
     fake_bus.wrong += d->numbered ? data[0] == 0 : data[0] != 0;
     if (one_in(fake_bus.short_writes, number)) {
         return (int)length / 2;
@@ -210,6 +214,10 @@ int hid_send_feature_report(hid_device *h, const unsigned char *data, size_t len
     const size_t skip = data[0] == 0 ? 1 : 0;
     d->feature(d->context, data + skip, length - skip);
     count_towards_unplug();
+    if (fake_bus.late_ms > 0) {
+        clock_sleep(1e-3 * fake_bus.late_ms);
+        return -1;
+    }
     return (int)length;
 }
 

@@ -40,6 +40,9 @@ extern struct fake_bus {
     unsigned drop_outputs;    /* of every n output reports one is taken and never arrives */
     unsigned short_writes;    /* of every n output reports one is taken in part */
     unsigned refuse_features; /* the next n feature reports fail */
+    unsigned refuse_outputs;  /* the next n output reports fail */
+    unsigned late_ms;         /* feature reports are carried out, but so much later reported as
+                               * failed; 0: never */
     unsigned slow_us;         /* every write takes so long */
     int denied;               /* enumeration shows devices, no open works */
     uint64_t unplug_after;    /* so many reports from now the first device goes; 0: never */

@@ -26,15 +26,16 @@ int display_is_stopped(display *d) {
         return 0;
     }
     d->stopped = d->stopped > 0.0 ? d->stopped : clock_seconds();
-    return clock_seconds() - d->stopped > 1.0;
+    return clock_seconds() - d->stopped > 0.15;
 }
 
 int display_status(int port_status) {
     return port_status == PORT_OK ? DISPLAY_OK : DISPLAY_GONE;
 }
 
-int display_open(display *d, const driver *by, const port_info *info, fail *f) {
-    *d = (display){.by = by, .reports = report_sizes_at(info->path)};
+int display_open(display *d, const driver *by, const port_info *info,
+                 const volatile sig_atomic_t *stop, fail *f) {
+    *d = (display){.by = by, .reports = report_sizes_at(info->path), .stop = stop};
     d->port = port_open(info, f);
     if (d->port == NULL) {
         return DISPLAY_FAILED;

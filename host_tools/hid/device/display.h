@@ -53,7 +53,7 @@ struct driver {
     const driver_id *ids; /* ended by vendor 0 */
     int from_notes;       /* DISPLAY_DISCLAIMER is true of it */
 
-    /* `display` holds port and driver, the rest is zero. Fills it. */
+    /* `display` holds port, driver, reports and stop, the rest is zero. Fills it. */
     int (*open)(display *d, fail *f);
 
     /* Shows a picture of the panel's size: returns when the last of it
@@ -74,11 +74,13 @@ struct driver {
 /* The first of `drivers` (ended by NULL) that is for this device, or NULL. */
 const driver *driver_for(const driver *const *drivers, const port_info *info);
 
-/* Opens port and driver; on failure all is closed. */
-int display_open(display *d, const driver *by, const port_info *info, fail *f);
+/* Opens port and driver; on failure all is closed. `stop` may be NULL. */
+int display_open(display *d, const driver *by, const port_info *info,
+                 const volatile sig_atomic_t *stop, fail *f);
 void display_close(display *d); /* after a failed open it does nothing */
 
-/* Whether `stop` was set a second ago: time enough for the rest of a picture. */
+/* Whether `stop` was set 0.15 s ago: time enough for the rest of most pictures. For loops that send
+ * many reports. */
 int display_is_stopped(display *d);
 
 /* The display_status for a port_status. A report that was cut leaves the device in

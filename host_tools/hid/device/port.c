@@ -20,9 +20,17 @@
 
 #include "host_tools/base/clock.h"
 
+enum { KEPT_BYTES = 64 };
+
+/* A feature report that takes so long to fail was carried out but not acknowledged: the system's
+ * own limits are one second (libusb) and five. A refusal comes at once. */
+static const double LATE = 0.1;
+
 struct port {
     hid_device *device;
     port_statistics statistics;
+    uint8_t kept[KEPT_BYTES]; /* an input report that came when nobody asked for one */
+    int kept_bytes;
 };
 
 /* A code point to UTF-8, 1 to 4 bytes; what is no code point becomes '?'. */
@@ -137,14 +145,40 @@ int port_output(port *p, const uint8_t *report, size_t bytes) {
     return count_report(p, hid_write(p->device, report, bytes), bytes);
 }
 
+/* Reading fails only when the device is gone. */
+static int is_there(port *p) {
+    uint8_t report[KEPT_BYTES];
+    const int got = hid_read_timeout(p->device, report, sizeof report, 0);
+    if (got > 0) {
+        memcpy(p->kept, report, (size_t)got);
+        p->kept_bytes = got;
+    }
+    return got >= 0;
+}
+
 int port_feature(port *p, const uint8_t *report, size_t bytes) {
-    return count_report(p, hid_send_feature_report(p->device, report, bytes), bytes);
+    const double began = clock_seconds();
+    int sent = hid_send_feature_report(p->device, report, bytes);
+    if (sent < 0 && clock_seconds() - began >= LATE && is_there(p)) {
+        sent = (int)bytes;
+    }
+    return count_report(p, sent, bytes);
+}
+
+static int take_kept(port *p, uint8_t *report, size_t room) {
+    const size_t bytes = (size_t)p->kept_bytes < room ? (size_t)p->kept_bytes : room;
+    memcpy(report, p->kept, bytes);
+    p->kept_bytes = 0;
+    return (int)bytes;
 }
 
 /* A device that ends a report with an empty packet makes hidapi on libusb
  * return 0 at once: whether the time is over only the clock shows. */
 int port_input(port *p, uint8_t *report, size_t room, unsigned wait_ms) {
     const double end = clock_seconds() + 1e-3 * wait_ms;
+    if (p->kept_bytes > 0) {
+        return take_kept(p, report, room);
+    }
     for (;;) {
         const double left = end - clock_seconds();
         const int wait = left > 0.0 ? (int)(1e3 * left) + 1 : 0;

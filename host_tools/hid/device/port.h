@@ -40,7 +40,8 @@ port *port_open(const port_info *info, fail *f);
 void port_close(port *p); /* NULL is allowed */
 
 /* Hands over one output report, or one feature report. PORT_OK means
- * that the system has it; only an answer shows that the device has it. */
+ * that the system has it; only an answer shows that the device has it. A feature report that is
+ * not acknowledged in time, by a device that is still there, counts as delivered. */
 int port_output(port *p, const uint8_t *report, size_t bytes);
 int port_feature(port *p, const uint8_t *report, size_t bytes);
 

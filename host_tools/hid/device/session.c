@@ -8,12 +8,9 @@
 #include <stdio.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/device/retry.h"
 
 static const double LOOK_SECONDS = 0.1;
-
-static int stopped(const session *s) {
-    return s->stop != NULL && *s->stop;
-}
 
 static int set_brightness(session *s, fail *f) {
     const driver *by = s->display.by;
@@ -40,8 +37,7 @@ static int check_size(session *s, fail *f) {
 }
 
 static int open_display(session *s, const driver *by, fail *f) {
-    int status = display_open(&s->display, by, &s->info, f);
-    s->display.stop = s->stop;
+    int status = display_open(&s->display, by, &s->info, s->stop, f);
     if (status == DISPLAY_OK && by->near != NULL) {
         by->near(&s->display, s->near, s->fps);
     }
@@ -62,6 +58,8 @@ int session_open(session *s, fail *f) {
     const int status = open_display(s, by, f);
     if (status == DISPLAY_GONE) {
         fail_set(f, s->info.path, "the display went away or does not answer; plug it in again");
+    } else if (status == DISPLAY_STOPPED) {
+        fail_set(f, s->info.path, "stopped before the display had answered");
     }
     if (status != DISPLAY_OK) {
         return -1;
@@ -69,29 +67,45 @@ int session_open(session *s, fail *f) {
     return picture_make(&s->panel, s->display.width, s->display.height, f);
 }
 
-/* Waits until the device is there and opens, or `patience` ends. Failed opens are not
- * reported: right after a plug-in the system may still be setting permissions. */
-static int come_back(session *s, fail *f) {
+/* What there is to say when there are no more tries: why the last did not work. */
+static int say_end(const session *s, enum retry_status end, const retry *r, fail *f) {
+    if (end == RETRY_STOPPED) {
+        return fail_set(f, s->info.path, "stopped before the display was back");
+    }
+    if (r->why.text[0] != '\0') {
+        *f = r->why;
+        return DISPLAY_FAILED;
+    }
+    return fail_set(f, s->info.path, "the display did not come back in %g seconds; plug it in",
+                    s->patience);
+}
+
+/* Waits until the device is there and opens, or there are no more tries. A failed open is not the
+ * end: right after a plug-in the system may still be setting permissions. */
+static int come_back(session *s, retry *r, fail *f) {
     const driver *by = s->display.by;
-    const double end = clock_seconds() + s->patience;
+    enum retry_status next;
     session_statistics(s, &s->before);
     display_close(&s->display);
-    fprintf(stderr, "%04x:%04x went away; waiting for it\n", s->info.vendor, s->info.id);
-    do {
-        fail why = {""};
-        if (find_again(&s->info) && open_display(s, by, &why) == DISPLAY_OK) {
+    while ((next = retry_next(r, LOOK_SECONDS)) == RETRY_AGAIN) {
+        r->why = (fail){""};
+        if (find_again(&s->info) && open_display(s, by, &r->why) == DISPLAY_OK) {
             s->reconnects++;
+            fail_set(&r->why, s->info.path,
+                     "the display is there, but refuses reports; plug it in again, or choose "
+                     "another with --device or --driver");
             return check_size(s, f);
         }
-        clock_sleep(LOOK_SECONDS);
-    } while (clock_seconds() < end && !stopped(s));
-    return fail_set(f, s->info.path, "the display did not come back in %.0f seconds; plug it in",
-                    s->patience);
+    }
+    return say_end(s, next, r, f);
 }
 
 /* Shows `panel`; or, with `confirm`, waits until the device has confirmed it. */
 static int put_picture(session *s, int confirm, fail *f) {
     const driver *by = s->display.by;
+    if (s->display.port == NULL) { /* the last picture did not bring it back */
+        return DISPLAY_GONE;
+    }
     int status = !confirm || s->again ? by->show(&s->display, &s->panel, f) : DISPLAY_OK;
     if (status == DISPLAY_OK && by->confirm != NULL && (confirm || s->again)) {
         status = by->confirm(&s->display, f);
@@ -100,9 +114,11 @@ static int put_picture(session *s, int confirm, fail *f) {
     return status;
 }
 
-/* Until the picture is out; a display that came back gets all of it. */
+/* Until the picture is out; a display that came back gets all of it. The tries for one picture
+ * have one limit, however often the display opens and then refuses it. */
 static int deliver(session *s, int confirm, fail *f) {
     double gone = 0.0;
+    retry tries;
     for (;;) {
         const int status = put_picture(s, confirm, f);
         if (status == DISPLAY_OK) {
@@ -112,8 +128,12 @@ static int deliver(session *s, int confirm, fail *f) {
             return 0;
         }
         s->again = 1;
-        gone = gone > 0.0 ? gone : clock_seconds();
-        if (status == DISPLAY_FAILED || come_back(s, f) != DISPLAY_OK) {
+        if (status == DISPLAY_GONE && gone <= 0.0) {
+            gone = clock_seconds();
+            retry_begin(&tries, s->patience, s->stop);
+            fprintf(stderr, "%04x:%04x went away; waiting for it\n", s->info.vendor, s->info.id);
+        }
+        if (status == DISPLAY_FAILED || come_back(s, &tries, f) != DISPLAY_OK) {
             return -1;
         }
     }

@@ -15,7 +15,7 @@ typedef struct session {
     enum fit_mode fit;
     int brightness;                    /* percent; -1 leaves it as it is */
     unsigned near, fps;                /* of what moves, arguments of driver.near */
-    double patience;                   /* seconds to wait for a display that is gone */
+    double patience;                   /* seconds: a display that is gone, or refuses reports */
     const volatile sig_atomic_t *stop; /* set from outside: wait no longer */
 
     display display;
@@ -31,12 +31,13 @@ typedef struct session {
  * A display that is not there is an error at once. */
 int session_open(session *s, fail *f);
 
-/* Shows a picture of any size. If the display is unplugged, says so on standard
- * error, looks for it every 100 ms and shows the whole picture when it is back. */
+/* Shows a picture of any size. If the display is unplugged, or refuses reports, says so on standard
+ * error, looks for it every 100 ms and shows the whole picture when it is back. -1, when it is not
+ * after `patience`, or within 0.2 s of `stop`: `f` says which, and why. */
 int session_show(session *s, const picture *p, fail *f);
 
-/* Waits until the device has confirmed the picture, if its protocol can, or until a
- * second after `stop`. */
+/* Waits until the device has confirmed the picture, if its protocol can, or until shortly
+ * after `stop`. */
 int session_confirm(session *s, fail *f);
 
 /* Keeps the link alive between pictures: call it at least ten times per second

@@ -55,6 +55,9 @@ static int nexus_show(display *d, const picture *p, fail *f) {
     (void)f;
     for (unsigned part = 0; part * PART_BYTES < FRAME_BYTES && status == PORT_OK; part++) {
         status = send_part(d->port, p, part);
+        if (display_is_stopped(d)) {
+            return DISPLAY_STOPPED;
+        }
     }
     return display_status(status);
 }

@@ -8,13 +8,14 @@
  *     6  w columns of h / 8 bytes from left to right, lowest bit on top
  *
  * The device refuses a feature report now and then; it is then sent again,
- * up to ten times, after 1, 4, 9 ... ms. Brightness (1 .. 10) and the
- * return to the device's own picture are output reports of 64 bytes.
+ * up to ten times, after 1, 4, 9 ... ms. Both windows are sent, whatever
+ * becomes of the first. Brightness (1 .. 10) and the return to the device's own
+ * picture are output reports of 64 bytes.
  *
  * Source: ggoled (JerwuQu), facts only. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
-#include "host_tools/base/clock.h"
+#include "host_tools/hid/device/retry.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire_format.h"
 
@@ -31,16 +32,20 @@ enum {
     TRIES = 10
 };
 
-static int send_feature(port *p, const uint8_t *report) {
+static const double LONGEST = 5.0; /* seconds that tries may begin in */
+
+static int send_feature(display *d, const uint8_t *report) {
+    retry tries;
     int status = PORT_GONE;
-    for (unsigned i = 0; i < TRIES && status != PORT_OK; i++) {
-        clock_sleep(1e-3 * (i * i));
-        status = port_feature(p, report, FEATURE_BYTES);
+    retry_begin(&tries, LONGEST, d->stop);
+    while (status != PORT_OK && tries.tries < TRIES &&
+           retry_next(&tries, 1e-3 * (tries.tries * tries.tries)) == RETRY_AGAIN) {
+        status = port_feature(d->port, report, FEATURE_BYTES);
     }
     return status;
 }
 
-static int send_window(port *to, const picture *p, unsigned left) {
+static int send_window(display *d, const picture *p, unsigned left) {
     uint8_t report[FEATURE_BYTES] = {NUMBER, DRAW, (uint8_t)left, 0, WINDOW, HEIGHT};
     for (unsigned y = 0; y < HEIGHT; y++) {
         uint8_t row[WINDOW / 8];
@@ -50,14 +55,15 @@ static int send_window(port *to, const picture *p, unsigned left) {
             report[6 + x * (HEIGHT / 8) + y / 8] |= (uint8_t)(lit << y % 8);
         }
     }
-    return send_feature(to, report);
+    return send_feature(d, report);
 }
 
 static int nova_show(display *d, const picture *p, fail *f) {
     int status = PORT_OK;
     (void)f;
-    for (unsigned left = 0; left < WIDTH && status == PORT_OK; left += WINDOW) {
-        status = send_window(d->port, p, left);
+    for (unsigned left = 0; left < WIDTH; left += WINDOW) {
+        const int sent = send_window(d, p, left);
+        status = sent != PORT_OK ? sent : status;
     }
     return display_status(status);
 }

@@ -77,7 +77,7 @@ static int is_other_size(const display *d) {
 
 /* Exchanges reports until `is_so`, and not one more: with nothing new to show the wire
  * continues to refine what is there. GONE when nothing is heard for `patience_ms`,
- * FAILED when the call lasts longer than a whole picture may, STOPPED a second after
+ * FAILED when the call lasts longer than a whole picture may, STOPPED shortly after
  * `stop` was set. */
 static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;

@@ -80,18 +80,18 @@ static void key_image(const picture *p, unsigned key, uint8_t *to) {
     }
 }
 
-static int send_key(port *to, unsigned key, const uint8_t *image) {
+static int send_key(display *d, unsigned key, const uint8_t *image) {
     for (unsigned page = 0, at = 0; at < BMP_BYTES; page++, at += PAGE_BYTES) {
         const unsigned left = BMP_BYTES - at;
         uint8_t report[REPORT_BYTES] = {
             2, 1, (uint8_t)page, 0, left <= PAGE_BYTES, (uint8_t)(key + 1)};
         memcpy(report + HEAD_BYTES, image + at, left < PAGE_BYTES ? left : PAGE_BYTES);
-        const int status = port_output(to, report, sizeof report);
-        if (status != PORT_OK) {
-            return status;
+        const int status = port_output(d->port, report, sizeof report);
+        if (status != PORT_OK || display_is_stopped(d)) {
+            return status != PORT_OK ? display_status(status) : DISPLAY_STOPPED;
         }
     }
-    return PORT_OK;
+    return DISPLAY_OK;
 }
 
 static int mini_show(display *d, const picture *p, fail *f) {
@@ -103,9 +103,9 @@ static int mini_show(display *d, const picture *p, fail *f) {
             continue;
         }
         m->known[key] = 0;
-        const int status = send_key(d->port, key, m->next);
-        if (status != PORT_OK) {
-            return display_status(status);
+        const int status = send_key(d, key, m->next);
+        if (status != DISPLAY_OK) {
+            return status;
         }
         memcpy(m->shown[key], m->next, BMP_BYTES);
         m->known[key] = 1;

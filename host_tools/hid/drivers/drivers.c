@@ -5,8 +5,11 @@
 
 #include <string.h>
 
-const driver *const drivers[] = {&driver_planelet, &driver_streamdeck_mini, &driver_nova,
-                                 &driver_apex,     &driver_nexus,           NULL};
+const driver *const drivers[] = {&driver_planelet,       &driver_streamdeck_mini,
+                                 &driver_streamdeck,     &driver_streamdeck_xl,
+                                 &driver_streamdeck_neo, &driver_streamdeck_plus,
+                                 &driver_nova,           &driver_apex,
+                                 &driver_nexus,          NULL};
 
 const driver *driver_named(const char *name) {
     for (unsigned i = 0; drivers[i] != NULL; i++) {

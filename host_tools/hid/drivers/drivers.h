@@ -8,7 +8,9 @@
 
 /* All drivers, ended by NULL; the best tested first. */
 extern const driver *const drivers[];
-extern const driver driver_planelet, driver_streamdeck_mini, driver_nova, driver_apex, driver_nexus;
+extern const driver driver_planelet, driver_streamdeck_mini, driver_streamdeck,
+    driver_streamdeck_xl, driver_streamdeck_neo, driver_streamdeck_plus, driver_nova, driver_apex,
+    driver_nexus;
 
 const driver *driver_named(const char *name); /* NULL: there is none */
 

@@ -1,0 +1,314 @@
+/* driver_streamdeck - Elgato Stream Decks whose keys take JPEG files: 15 and 32 keys, Neo, +
+ *
+ * The keys are used as one picture without gaps, key 0 top left, row by row. A key's image is a
+ * JPEG file, which lies upside down (both ways turned) but on a Stream Deck +. It goes in output
+ * reports of 1024 bytes:
+ *
+ *     0  02 07     report number, command
+ *     2  key       from 0
+ *     3  last      1 in the last report of a key, which then changes
+ *     4  bytes     of the file in this report, little-endian
+ *     6  part      0, 1, ..., little-endian
+ *     8 1016 bytes of the file, zeros after its end
+ *
+ * A Stream Deck + has a strip of 800x100 below its keys. It shows the 60 rows of the picture there,
+ * which are as wide as the keys and so 5/3 times as large, in reports that begin
+ *
+ *     0  02 0C     2  x, y, width, height     10  last     11  part     13  bytes     16 the file
+ *
+ * A file has the best quality, 95 at most, with which it takes 1.5 bytes per pixel, 8 reports for a
+ * key of 72x72: with a chroma sample per pixel if that leaves a quality of 85, else with one for
+ * 2x2 pixels. Only keys that changed since the last picture are sent. Brightness and the device's
+ * own picture are feature reports of 32 bytes.
+ *
+ * Sources: Elgato, "Main Protocol: General Reference", docs.elgato.com, read 2026; the npm package
+ * @elgato-stream-deck/core 7.6.3 (J. Waller), facts only. Not run on hardware.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/picture/jpeg.h"
+
+enum {
+    REPORT_BYTES = 1024,
+    KEY_HEAD = 8,
+    STRIP_HEAD = 16,
+    FEATURE_BYTES = 32,
+    STRIP_WIDTH = 800,
+    STRIP_HEIGHT = 100,
+    STRIP_ROWS = 60, /* of the picture */
+    KEYS_MOST = 32,
+    FULL_CHROMA_LEAST = 85,
+    QUALITY_MOST = 95
+};
+
+typedef struct layout {
+    unsigned columns, rows, side;
+    int turned; /* keys lie upside down */
+    int strip;
+} layout;
+
+typedef struct deck {
+    layout of;
+    picture shown;                /* of the whole panel */
+    uint8_t known[KEYS_MOST + 1]; /* what is `shown` is on the key, or on the strip behind them */
+    picture key, strip;           /* as they are sent */
+    uint8_t *file;
+    size_t room;
+} deck;
+
+/* ---- pictures of keys and strip --------------------------------------------------------- */
+
+static const uint8_t *pixel(const picture *p, unsigned x, unsigned y) {
+    return p->rgb + 3 * ((size_t)y * p->width + x);
+}
+
+/* The part of the panel that a key is: its first column and row. */
+static void key_place(const layout *of, unsigned key, unsigned *left, unsigned *top) {
+    *left = key % of->columns * of->side;
+    *top = key / of->columns * of->side;
+}
+
+static int is_same(const picture *a, const picture *b, unsigned left, unsigned top, unsigned width,
+                   unsigned height) {
+    for (unsigned y = top; y < top + height; y++) {
+        if (memcmp(pixel(a, left, y), pixel(b, left, y), (size_t)3 * width) != 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void key_image(const picture *panel, const layout *of, unsigned key, picture *to) {
+    unsigned left, top;
+    key_place(of, key, &left, &top);
+    for (unsigned y = 0; y < of->side; y++) {
+        for (unsigned x = 0; x < of->side; x++) {
+            const unsigned column = of->turned ? of->side - 1 - x : x;
+            const unsigned row = of->turned ? of->side - 1 - y : y;
+            memcpy(to->rgb + 3 * (y * of->side + x), pixel(panel, left + column, top + row), 3);
+        }
+    }
+}
+
+/* 5 pixels for 3, each the nearest one's. */
+static void strip_image(const picture *panel, picture *to) {
+    const unsigned top = panel->height - STRIP_ROWS;
+    for (unsigned y = 0; y < STRIP_HEIGHT; y++) {
+        for (unsigned x = 0; x < STRIP_WIDTH; x++) {
+            memcpy(to->rgb + 3 * (y * STRIP_WIDTH + x),
+                   pixel(panel, (2 * x + 1) * 3 / 10, top + (2 * y + 1) * 3 / 10), 3);
+        }
+    }
+}
+
+/* ---- files ------------------------------------------------------------------------------ */
+
+/* Its size; the file is of the quality that the room allows. */
+static size_t jpeg_of(deck *k, const picture *p) {
+    const size_t budget = (size_t)p->width * p->height * 3 / 2;
+    const size_t room = budget < k->room ? budget : k->room;
+    unsigned quality;
+    size_t bytes = jpeg_fit(p, JPEG_444, FULL_CHROMA_LEAST, QUALITY_MOST, &quality, k->file, room);
+    if (bytes > room) {
+        bytes = jpeg_fit(p, JPEG_420, JPEG_QUALITY_LEAST, QUALITY_MOST, &quality, k->file, room);
+    }
+    return bytes;
+}
+
+static void put_u16(uint8_t *to, size_t value) {
+    to[0] = (uint8_t)value;
+    to[1] = (uint8_t)(value >> 8);
+}
+
+/* The file in as many reports as it takes; `head` of them says how they begin, and where in them
+ * last, bytes and part are. */
+static int send_file(display *d, const uint8_t *head, size_t head_bytes, size_t bytes) {
+    const deck *k = d->state;
+    const size_t most = REPORT_BYTES - head_bytes;
+    const int is_key = head_bytes == KEY_HEAD;
+    for (size_t part = 0, at = 0; at < bytes; part++, at += most) {
+        const size_t now = bytes - at < most ? bytes - at : most;
+        uint8_t report[REPORT_BYTES] = {0};
+        memcpy(report, head, head_bytes);
+        report[is_key ? 3 : 10] = at + now == bytes;
+        put_u16(report + (is_key ? 4 : 13), now);
+        put_u16(report + (is_key ? 6 : 11), part);
+        memcpy(report + head_bytes, k->file + at, now);
+        const int status = port_output(d->port, report, sizeof report);
+        if (status != PORT_OK || display_is_stopped(d)) {
+            return status != PORT_OK ? display_status(status) : DISPLAY_STOPPED;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+static int send_key(display *d, const picture *p, unsigned key) {
+    deck *k = d->state;
+    const uint8_t head[KEY_HEAD] = {2, 7, (uint8_t)key};
+    key_image(p, &k->of, key, &k->key);
+    return send_file(d, head, sizeof head, jpeg_of(k, &k->key));
+}
+
+static int send_strip(display *d, const picture *p) {
+    deck *k = d->state;
+    uint8_t head[STRIP_HEAD] = {2, 0x0C};
+    put_u16(head + 6, STRIP_WIDTH);
+    put_u16(head + 8, STRIP_HEIGHT);
+    strip_image(p, &k->strip);
+    return send_file(d, head, sizeof head, jpeg_of(k, &k->strip));
+}
+
+/* Sends key `key`, or what lies behind the last one, the strip, if it changed. */
+static int renew(display *d, const picture *p, unsigned key) {
+    deck *k = d->state;
+    const int is_strip = key == k->of.columns * k->of.rows;
+    unsigned left = 0, top = p->height - STRIP_ROWS;
+    if (!is_strip) {
+        key_place(&k->of, key, &left, &top);
+    }
+    const unsigned width = is_strip ? p->width : k->of.side;
+    const unsigned height = is_strip ? STRIP_ROWS : k->of.side;
+    if (k->known[key] && is_same(p, &k->shown, left, top, width, height)) {
+        return DISPLAY_OK;
+    }
+    k->known[key] = 0;
+    const int status = is_strip ? send_strip(d, p) : send_key(d, p, key);
+    if (status != DISPLAY_OK) {
+        return status;
+    }
+    for (unsigned y = top; y < top + height; y++) {
+        memcpy(k->shown.rgb + 3 * ((size_t)y * p->width + left), pixel(p, left, y),
+               (size_t)3 * width);
+    }
+    k->known[key] = 1;
+    return DISPLAY_OK;
+}
+
+/* ---- the driver ------------------------------------------------------------------------- */
+
+static int deck_show(display *d, const picture *p, fail *f) {
+    const deck *k = d->state;
+    const unsigned count = k->of.columns * k->of.rows + (k->of.strip ? 1 : 0);
+    (void)f;
+    for (unsigned key = 0; key < count; key++) {
+        const int status = renew(d, p, key);
+        if (status != DISPLAY_OK) {
+            return status;
+        }
+    }
+    return DISPLAY_OK;
+}
+
+static int deck_brightness(display *d, unsigned percent, fail *f) {
+    const uint8_t report[FEATURE_BYTES] = {3, 8, (uint8_t)percent};
+    (void)f;
+    return display_status(port_feature(d->port, report, sizeof report));
+}
+
+static int deck_release(display *d, fail *f) {
+    const uint8_t report[FEATURE_BYTES] = {3, 2};
+    (void)f;
+    return display_status(port_feature(d->port, report, sizeof report));
+}
+
+static void deck_close(display *d) {
+    deck *k = d->state;
+    picture_free(&k->shown);
+    picture_free(&k->key);
+    picture_free(&k->strip);
+    free(k->file);
+    free(k);
+    d->state = NULL;
+}
+
+static int open_as(display *d, layout of, fail *f) {
+    deck *k = calloc(1, sizeof *k);
+    if (k == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    d->state = k;
+    d->width = of.columns * of.side;
+    d->height = of.rows * of.side + (of.strip ? STRIP_ROWS : 0);
+    k->of = of;
+    k->room = (size_t)3 * STRIP_WIDTH * STRIP_HEIGHT / 2;
+    k->file = malloc(k->room);
+    if (k->file == NULL) {
+        fail_set(f, NULL, "out of memory; close other programs");
+    }
+    if (k->file == NULL || picture_make(&k->shown, d->width, d->height, f) != 0 ||
+        picture_make(&k->key, of.side, of.side, f) != 0 ||
+        picture_make(&k->strip, STRIP_WIDTH, STRIP_HEIGHT, f) != 0) {
+        deck_close(d);
+        return DISPLAY_FAILED;
+    }
+    return DISPLAY_OK;
+}
+
+static int open_15(display *d, fail *f) {
+    return open_as(d, (layout){.columns = 5, .rows = 3, .side = 72, .turned = 1}, f);
+}
+
+static int open_32(display *d, fail *f) {
+    return open_as(d, (layout){.columns = 8, .rows = 4, .side = 96, .turned = 1}, f);
+}
+
+static int open_neo(display *d, fail *f) {
+    return open_as(d, (layout){.columns = 4, .rows = 2, .side = 96, .turned = 1}, f);
+}
+
+static int open_plus(display *d, fail *f) {
+    return open_as(d, (layout){.columns = 4, .rows = 2, .side = 120, .strip = 1}, f);
+}
+
+static const driver_id ids_15[] = {
+    {0x0FD9, 0x006D, 0}, {0x0FD9, 0x0080, 0}, {0x0FD9, 0x00A5, 0}, {0x0FD9, 0x00B9, 0}, {0, 0, 0}};
+static const driver_id ids_32[] = {
+    {0x0FD9, 0x006C, 0}, {0x0FD9, 0x008F, 0}, {0x0FD9, 0x00BA, 0}, {0, 0, 0}};
+static const driver_id ids_neo[] = {{0x0FD9, 0x009A, 0}, {0, 0, 0}};
+static const driver_id ids_plus[] = {{0x0FD9, 0x0084, 0}, {0, 0, 0}};
+
+const driver driver_streamdeck = {
+    .name = "streamdeck",
+    .about = "Elgato Stream Deck V2, MK.2 and 15-key module, 15 keys as 360x216",
+    .ids = ids_15,
+    .from_notes = 1,
+    .open = open_15,
+    .show = deck_show,
+    .brightness = deck_brightness,
+    .release = deck_release,
+    .close = deck_close};
+
+const driver driver_streamdeck_xl = {
+    .name = "streamdeck-xl",
+    .about = "Elgato Stream Deck XL and 32-key module, 32 keys as 768x384",
+    .ids = ids_32,
+    .from_notes = 1,
+    .open = open_32,
+    .show = deck_show,
+    .brightness = deck_brightness,
+    .release = deck_release,
+    .close = deck_close};
+
+const driver driver_streamdeck_neo = {.name = "streamdeck-neo",
+                                      .about = "Elgato Stream Deck Neo, eight keys as 384x192",
+                                      .ids = ids_neo,
+                                      .from_notes = 1,
+                                      .open = open_neo,
+                                      .show = deck_show,
+                                      .brightness = deck_brightness,
+                                      .release = deck_release,
+                                      .close = deck_close};
+
+const driver driver_streamdeck_plus = {
+    .name = "streamdeck-plus",
+    .about = "Elgato Stream Deck +, eight keys and the strip as 480x300",
+    .ids = ids_plus,
+    .from_notes = 1,
+    .open = open_plus,
+    .show = deck_show,
+    .brightness = deck_brightness,
+    .release = deck_release,
+    .close = deck_close};

@@ -1,0 +1,258 @@
+/* test_hid_streamdeck - Stream Decks that take JPEG files, on a fake of hidapi
+ *
+ * The model and these bytes come from the same published notes as the driver; files are read by a
+ * decoder that knows T.81 only. Nothing here ran on hardware.
+ *
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+
+#include "host_tools/hid/device/display.h"
+#include "host_tools/hid/device/find.h"
+#include "host_tools/hid/drivers/drivers.h"
+#include "tests/hid/model.h"
+#include "tests/hid/pattern.h"
+#include "tests/reference/fake_hidapi.h"
+#include "tests/test.h"
+
+enum { KINDS = 4, REPORT_BYTES = 1024, RECORD = 700 };
+
+static const model_kind *const kinds[KINDS] = {&model_deck, &model_deck_xl, &model_deck_neo,
+                                               &model_deck_plus};
+
+static struct {
+    uint8_t bytes[RECORD][REPORT_BYTES];
+    unsigned count;
+} record;
+
+static void keep(const uint8_t *report, size_t bytes) {
+    if (record.count < RECORD && bytes <= REPORT_BYTES) {
+        memset(record.bytes[record.count], 0, REPORT_BYTES);
+        memcpy(record.bytes[record.count++], report, bytes);
+    }
+}
+
+static void on_output(void *context, const uint8_t *report, size_t bytes) {
+    model *m = context;
+    keep(report, bytes);
+    m->kind->output(m, report, bytes);
+}
+
+static void on_feature(void *context, const uint8_t *report, size_t bytes) {
+    model *m = context;
+    keep(report, bytes);
+    m->kind->feature(m, report, bytes);
+}
+
+typedef struct bench {
+    model *model;
+    fake_device device;
+    display display;
+    picture shown;
+} bench;
+
+static void open_bench(bench *b, const model_kind *kind) {
+    fail f = {""};
+    port_info info;
+    const find_wish wish = {.drivers = drivers};
+    memset(b, 0, sizeof *b);
+    record.count = 0;
+    fake_bus_reset();
+    b->model = model_make(kind, (model_shape){0});
+    b->device = (fake_device){.path = "1-1:1.0",
+                              .vendor = kind->vendor,
+                              .product = kind->id,
+                              .numbered = 1,
+                              .context = b->model,
+                              .output = on_output,
+                              .feature = on_feature};
+    fake_plug(0, &b->device);
+    const driver *by = find_display(&wish, &info, &f);
+    CHECK(by != NULL && strcmp(by->name, kind->name) == 0, "%s", f.text);
+    CHECK(by != NULL && display_open(&b->display, by, &info, NULL, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(b->display.width == kind->width && b->display.height == kind->height, "%ux%u",
+          b->display.width, b->display.height);
+    picture_make(&b->shown, b->display.width, b->display.height, &f);
+}
+
+static void close_bench(bench *b) {
+    CHECK(b->model->wrong == 0, "%s", b->model->why);
+    CHECK(fake_bus.wrong == 0, "hidapi was used against its rules");
+    display_close(&b->display);
+    CHECK(fake_bus.open == 0, "the device stays open");
+    picture_free(&b->shown);
+    model_free(b->model);
+}
+
+static int show(bench *b) {
+    fail f = {""};
+    record.count = 0;
+    return b->display.by->show(&b->display, &b->shown, &f);
+}
+
+static void sentence(const model_kind *kind, const char *text) {
+    char whole[160];
+    snprintf(whole, sizeof whole, "%s: %s", kind->name, text);
+    test(whole);
+}
+
+/* A picture as a scene has it: shades that change slowly, and edges. */
+static void shaded(picture *p, unsigned turn) {
+    for (unsigned y = 0; y < p->height; y++) {
+        for (unsigned x = 0; x < p->width; x++) {
+            uint8_t *rgb = p->rgb + 3 * ((size_t)y * p->width + x);
+            const double dx = x - p->width / 2.0, dy = y - p->height / 2.0;
+            const double far = sqrt(dx * dx + dy * dy) / p->height;
+            const int inside = far < 0.4;
+            rgb[0] = (uint8_t)(inside ? 240 - 300 * far : 40 + y * 60 / p->height + turn);
+            rgb[1] = (uint8_t)(inside ? 200 - 200 * far : 60 + x * 60 / p->width);
+            rgb[2] = (uint8_t)(inside ? 90 + turn : 120);
+        }
+    }
+}
+
+static void near_enough(const model_kind *kind) {
+    bench b;
+    sentence(kind, "shaded pictures are on the panel to at least 38 dB");
+    open_bench(&b, kind);
+    for (unsigned turn = 0; turn < 3; turn++) {
+        double sum = 0;
+        shaded(&b.shown, turn);
+        CHECK(show(&b) == DISPLAY_OK, "turn %u", turn);
+        const size_t count = (size_t)3 * b.shown.width * b.shown.height;
+        for (size_t i = 0; i < count; i++) {
+            const double off = (double)b.shown.rgb[i] - b.model->rgb[i];
+            sum += off * off;
+        }
+        const double decibels = 10 * log10(255 * 255 / (sum / (double)count));
+        CHECK(decibels >= 38, "%.1f dB", decibels);
+        printf("    %s: %.1f dB, %u reports\n", kind->name, decibels, record.count);
+    }
+    close_bench(&b);
+}
+
+static void pattern(const model_kind *kind) {
+    bench b;
+    sentence(kind, "patterns with noise and thin lines are on the panel, and no other");
+    open_bench(&b, kind);
+    for (unsigned n = 0; n < 6; n++) {
+        pattern_fill(n, b.shown.width, b.shown.height, b.shown.rgb);
+        CHECK(show(&b) == DISPLAY_OK, "picture %u", n);
+        CHECK(model_shows_pattern(b.model, n, 1) == (int)n, "picture %u", n);
+        CHECK(model_shows_pattern(b.model, n + 1, 1) == -1, "picture %u is another one", n);
+    }
+    close_bench(&b);
+}
+
+static void changes(const model_kind *kind) {
+    bench b;
+    sentence(kind, "only keys that changed are sent again");
+    open_bench(&b, kind);
+    shaded(&b.shown, 0);
+    CHECK(show(&b) == DISPLAY_OK, "first");
+    CHECK(show(&b) == DISPLAY_OK && record.count == 0, "%u reports for nothing", record.count);
+    const unsigned changed = b.model->changes;
+    b.shown.rgb[0] ^= 0xFF;
+    CHECK(show(&b) == DISPLAY_OK, "one key");
+    CHECK(b.model->changes == changed + 1, "%u changes", b.model->changes - changed);
+    for (unsigned i = 0; i < record.count; i++) {
+        CHECK(record.bytes[i][1] == 7 && record.bytes[i][2] == 0, "not key 0");
+    }
+    b.shown.rgb[3 * b.shown.width * b.shown.height - 1] ^= 0xFF;
+    CHECK(show(&b) == DISPLAY_OK, "the last pixel");
+    CHECK(b.model->changes == changed + 2, "%u changes", b.model->changes - changed);
+    CHECK(record.count > 0 && record.bytes[0][1] == (kind == &model_deck_plus ? 0x0C : 7), "%02x",
+          record.bytes[0][1]);
+    close_bench(&b);
+}
+
+static void budget(const model_kind *kind) {
+    bench b;
+    uint32_t seed = 7;
+    sentence(kind, "noise takes no more reports than 1.5 bytes per pixel");
+    open_bench(&b, kind);
+    for (unsigned i = 0; i < 3 * b.shown.width * b.shown.height; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        b.shown.rgb[i] = (uint8_t)(seed >> 24);
+    }
+    CHECK(show(&b) == DISPLAY_OK, "noise");
+    const unsigned side = kind->width == 360 ? 72 : kind->height == 300 ? 120 : 96;
+    const unsigned keys = kind->width / side * (kind->height / side);
+    const unsigned most = keys * ((side * side * 3 / 2 + 1015) / 1016) +
+                          (kind->height == 300 ? (800 * 100 * 3 / 2 + 1007) / 1008 : 0);
+    CHECK(record.count <= most && record.count > keys, "%u reports of %u", record.count, most);
+    close_bench(&b);
+}
+
+static void unplugged(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    sentence(kind, "unplugged before any report it says so");
+    for (unsigned after = 1; after < 5; after++) {
+        open_bench(&b, kind);
+        fake_bus.unplug_after = after;
+        pattern_fill(after, b.shown.width, b.shown.height, b.shown.rgb);
+        CHECK(b.display.by->show(&b.display, &b.shown, &f) == DISPLAY_GONE, "%u", after);
+        CHECK(f.text[0] == '\0', "no sentence: it may come back");
+        close_bench(&b);
+    }
+}
+
+static void features(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    static const uint8_t brightness[32] = {3, 8, 70}, reset[32] = {3, 2};
+    sentence(kind, "brightness and the device's own picture are the bytes of the notes");
+    open_bench(&b, kind);
+    CHECK(b.display.by->brightness(&b.display, 70, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(b.display.by->release(&b.display, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(record.count == 2 && memcmp(record.bytes[0], brightness, 32) == 0 &&
+              memcmp(record.bytes[1], reset, 32) == 0,
+          "%u reports", record.count);
+    CHECK(b.model->brightness == 70 && b.model->releases == 1, "%d", b.model->brightness);
+    close_bench(&b);
+}
+
+static void head_bytes(void) {
+    bench b;
+    test("streamdeck: a key of one colour is one report, with the bytes of the notes");
+    open_bench(&b, &model_deck);
+    memset(b.shown.rgb, 200, (size_t)3 * b.shown.width * b.shown.height);
+    CHECK(show(&b) == DISPLAY_OK, "grey");
+    CHECK(record.count == 15, "%u reports", record.count);
+    for (unsigned i = 0; i < record.count; i++) {
+        const uint8_t *r = record.bytes[i];
+        const unsigned bytes = r[4] + 256u * r[5];
+        CHECK(r[0] == 2 && r[1] == 7 && r[2] == i && r[3] == 1 && r[6] == 0 && r[7] == 0, "%u", i);
+        CHECK(r[8] == 0xFF && r[9] == 0xD8 && r[8 + bytes - 2] == 0xFF && r[8 + bytes - 1] == 0xD9,
+              "no JPEG file of %u bytes", bytes);
+    }
+    close_bench(&b);
+    test("streamdeck-plus: the strip is a file of 800x100 with the bytes of the notes");
+    open_bench(&b, &model_deck_plus);
+    CHECK(show(&b) == DISPLAY_OK, "black");
+    static const uint8_t head[10] = {2, 0x0C, 0, 0, 0, 0, 0x20, 0x03, 100, 0};
+    CHECK(record.count == 11, "%u reports", record.count);
+    for (unsigned part = 0; part < 3; part++) {
+        const uint8_t *r = record.bytes[8 + part];
+        const unsigned bytes = r[13] + 256u * r[14];
+        CHECK(memcmp(r, head, 10) == 0 && r[10] == (part == 2) && r[11] == part && r[12] == 0 &&
+                  r[15] == 0,
+              "part %u", part);
+        CHECK(part == 2 ? bytes < 1008 : bytes == 1008, "%u bytes in part %u", bytes, part);
+    }
+    close_bench(&b);
+}
+
+int main(void) {
+    for (unsigned i = 0; i < KINDS; i++) {
+        near_enough(kinds[i]);
+        pattern(kinds[i]);
+        changes(kinds[i]);
+        budget(kinds[i]);
+        unplugged(kinds[i]);
+        features(kinds[i]);
+    }
+    head_bytes();
+    return test_done();
+}
