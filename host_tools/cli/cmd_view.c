@@ -29,7 +29,9 @@ static const arg_flag flags[] = {
      "asks the terminal, which has half a second to answer (default auto)"},
     VIEW_FLAGS,
     VIEW_BACKGROUND_FLAG,
-    {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
+    {"--shader", "NAME",
+     "eyelight, normal, triangle, or, of scenes with normals or colours (pack --smooth), smooth "
+     "(default eyelight)"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
@@ -273,9 +275,7 @@ static void read_flags(viewing *v, args *a) {
     static const char *const graphics[] = {"auto", "blocks", "kitty", "sixel", NULL};
     v->screen.graphics = (enum viewer_graphics)args_choice(a, "--graphics", graphics, VIEWER_AUTO);
     v->frame.shader = view_shader(a);
-    if (v->frame.shader == PLT_SHADE_SMOOTH) {
-        args_complain(a, "--shader smooth is for planelet render; view takes the others");
-    }
+    v->s.options.surface = v->frame.shader == PLT_SHADE_SMOOTH;
     view_background(a, &v->frame);
 }
 
