@@ -167,6 +167,9 @@ void session_tick(session *s) {
 
 void session_steer(session *s, unsigned count[STEER_ACTIONS]) {
     keys_take(&s->keys, &s->display.keys, s->display.by->keys, clock_seconds(), count);
+    for (unsigned action = 0; action < STEER_ACTIONS; action++) {
+        s->steered += count[action];
+    }
 }
 
 int session_release(session *s, fail *f) {

@@ -22,7 +22,8 @@ typedef struct session {
     port_info info;
     picture panel; /* what is shown, at the panel's size; owned */
     keys_track keys;
-    int again; /* the display came back and has not confirmed `panel` */
+    uint64_t steered; /* what keys asked for, in all */
+    int again;        /* the display came back and has not confirmed `panel` */
     unsigned shown, reconnects;
     double longest_gap;     /* seconds from an unplug to the whole picture again */
     port_statistics before; /* of the displays before the last unplug */
