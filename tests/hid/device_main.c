@@ -21,7 +21,7 @@
  * reads=1 has a panel that can be read, show=1 draws it in the terminal,
  * eager=1 goes before all other processes whenever a report waits for it,
  * key=1 .. has keys, and presses this one of them four times, each for a tenth of
- * a second, once something is shown.
+ * a second, once something is shown; then it says "pressed".
  *
  * SPDX-License-Identifier: MIT */
 #include <sched.h>
@@ -165,6 +165,10 @@ static void press_keys(device *d) {
     due = clock_seconds() + 0.1;
     changes++;
     d->model->kind->key(d->model, key - 1, changes % 2 == 1);
+    if (changes == 8) {
+        printf("pressed\n");
+        fflush(stdout);
+    }
 }
 
 int device_goes_on(device *d) {
