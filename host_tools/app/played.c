@@ -49,7 +49,7 @@ int played_open(scene *s, args *a, const char *path, fail *f) {
     }
     if (s->options.residency == PLT_RESIDENCY_WHOLE &&
         plt_image_info(&s->source, &info, &fault) == PLT_OK) {
-        s->options.movable = info.frames > 0 && info.instances == 0;
+        s->options.movable = info.frames > 0 && info.instances == 0 && !s->options.surface;
     }
     const int status = scene_start(s, path, &fault);
     return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);

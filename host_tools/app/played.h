@@ -15,7 +15,8 @@ int played_refused(const scene *s, const char *path, const frame_range *range, f
  * of the engines may show it. */
 int played_to(const scene *s, const char *path, unsigned frame, fail *f);
 
-/* Opens a scene whose frames, if the image has any, can be played: scene_open. */
+/* Opens a scene whose frames, if the image has any, can be played: scene_open. With options.surface
+ * its first frame is all that there is, as nothing moves. */
 int played_open(scene *s, args *a, const char *path, fail *f);
 /* Whether there are frames to play. */
 int played_can(const scene *s);

@@ -5,7 +5,6 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,6 +19,7 @@
 #include "host_tools/base/clock.h"
 #include "host_tools/cli/commands.h"
 #include "host_tools/cli/viewer_screen.h"
+#include "host_tools/cli/viewer_signals.h"
 #include "host_tools/picture/terminal.h"
 #include "host_tools/picture/terminal_mode.h"
 
@@ -29,14 +29,17 @@ static const arg_flag flags[] = {
      "asks the terminal, which has half a second to answer (default auto)"},
     VIEW_FLAGS,
     VIEW_BACKGROUND_FLAG,
-    {"--shader", "NAME", "eyelight, normal or triangle (default eyelight)"},
+    {"--shader", "NAME",
+     "eyelight, normal, triangle, or, of scenes with normals or colours (pack --smooth), smooth "
+     "(default eyelight)"},
     SCENE_FLAGS,
     {NULL, NULL, NULL}};
 
 static const char notes[] =
     "arrows, or the mouse with its button down: turn\n"
     "+ - or the wheel: nearer, farther\n"
-    "r: the first view again    space: stop the frames, go on    q or Ctrl-C: end\n";
+    "r: the first view again    space: stop the frames, go on\n"
+    "q or Ctrl-C: end    Ctrl-Z: the shell, until fg\n";
 
 const arg_command command_view = {
     .name = "view",
@@ -69,13 +72,6 @@ typedef struct viewing {
     int drag_x, drag_y;
 } viewing;
 
-static volatile sig_atomic_t is_resized;
-
-static void on_resize(int number) {
-    (void)number;
-    is_resized = 1;
-}
-
 /* Returns whether the camera has moved. */
 static int take_key(viewing *v, int key) {
     switch (key) {
@@ -98,6 +94,9 @@ static int take_key(viewing *v, int key) {
         return steer(&v->pose, STEER_RESET);
     case ' ':
         v->is_still = !v->is_still;
+        return 0;
+    case 26: /* Ctrl-Z */
+        viewer_signals_stop();
         return 0;
     case 'q':
     case 'Q':
@@ -139,15 +138,20 @@ static void take_input(viewing *v) {
     v->ends |= v->screen.is_gone;
 }
 
-/* The terminal's size, and the frame that the clock is at. */
+/* The terminal, and the frame that the clock is at; of a sequence none goes by while the program is
+ * stopped. */
 static int follow(viewing *v, fail *f) {
     const plt_info *info = plt_engine_info(v->s.engine);
-    const double now = clock_seconds();
-    if (is_resized) {
-        is_resized = 0;
+    const int signals = viewer_signals_take();
+    if (signals < 0) {
+        return fail_set(f, "terminal", "it takes no other mode; use another terminal");
+    }
+    if (signals > 0) {
         viewer_screen_measure(&v->screen);
         coarse_moved(&v->coarse);
     }
+    const double now = clock_seconds();
+    v->now = signals > 0 ? now : v->now;
     v->played += v->is_still ? 0.0 : now - v->now;
     v->now = now;
     if (!played_can(&v->s)) {
@@ -190,7 +194,7 @@ static int render(viewing *v, fail *f) {
             listened = clock_seconds();
             viewer_screen_wait(&v->screen, 0.0);
             take_input(v);
-            if (v->ends || v->coarse.is_due || is_resized) {
+            if (v->ends || v->coarse.is_due || viewer_signals_wait()) {
                 return DROPPED;
             }
         }
@@ -232,7 +236,7 @@ static int view_until_end(viewing *v, fail *f) {
         if (follow(v, f) != 0 || (v->coarse.is_due && show_next(v, f) != 0)) {
             return -1;
         }
-        if (!is_resized) {
+        if (!viewer_signals_wait()) {
             viewer_screen_wait(&v->screen, rest(v));
         }
         take_input(v);
@@ -273,20 +277,15 @@ static void read_flags(viewing *v, args *a) {
     static const char *const graphics[] = {"auto", "blocks", "kitty", "sixel", NULL};
     v->screen.graphics = (enum viewer_graphics)args_choice(a, "--graphics", graphics, VIEWER_AUTO);
     v->frame.shader = view_shader(a);
-    if (v->frame.shader == PLT_SHADE_SMOOTH) {
-        args_complain(a, "--shader smooth is for planelet render; view takes the others");
-    }
+    v->s.options.surface = v->frame.shader == PLT_SHADE_SMOOTH;
     view_background(a, &v->frame);
 }
 
 int run_view(args *a) {
     viewing v = {.s = SCENE_CLOSED, .path = a->file[0], .coarse = COARSE_BEGUN};
     fail f = {""};
-    /* What is being written goes on; a wait for keys ends in any case. */
-    struct sigaction action = {.sa_handler = on_resize, .sa_flags = SA_RESTART};
-    is_resized = 0;
     read_flags(&v, a);
-    sigaction(SIGWINCH, &action, NULL);
+    viewer_signals_catch();
     const int status = a->wrong ? -1 : open_all(&v, a, &f) != 0 ? -1 : view_until_end(&v, &f);
     viewer_screen_close(&v.screen);
     terminal_mode_leave();

@@ -8,11 +8,12 @@
 #include "host_tools/hid/drivers/drivers.h"
 
 static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no driver is for"},
+                                 {"--keys", NULL, "what the keys of each display do to a scene"},
                                  {NULL, NULL, NULL}};
 
 const arg_command hid_command_list = {
     "list",
-    "[--all]",
+    "[--all] [--keys]",
     "Lists displays that are plugged in: path, vid:pid, serial number, driver, names. "
     "Drivers with a * are " DISPLAY_DISCLAIMER ".",
     flags,
@@ -36,7 +37,43 @@ static void print_drivers(void) {
     printf("* " DISPLAY_DISCLAIMER "\n");
 }
 
+static int has_reset(const display_key *keys) {
+    for (; keys->name != NULL; keys++) {
+        if (keys->action == STEER_RESET) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void print_keys(const driver *by) {
+    if (by->keys == NULL) {
+        printf("\n%s: none\n", by->name);
+        return;
+    }
+    printf("\n%s:\n", by->name);
+    for (const display_key *k = by->keys; k->name != NULL; k++) {
+        printf("  %-16s %s\n", k->name, steer_names[k->action]);
+    }
+    if (!has_reset(by->keys)) {
+        printf("  %-16s %s\n", "nearer, farther", steer_names[STEER_RESET]);
+    }
+}
+
+static int print_all_keys(void) {
+    printf(
+        "what the keys of displays do to a scene that is shown, again and again while they are "
+        "held:\n");
+    for (unsigned i = 0; drivers[i] != NULL; i++) {
+        print_keys(drivers[i]);
+    }
+    return 0;
+}
+
 int hid_run_list(args *a) {
+    if (args_has(a, "--keys")) {
+        return print_all_keys();
+    }
     port_info list[FIND_ROOM];
     const unsigned count = port_list(list, FIND_ROOM);
     unsigned shown = 0;

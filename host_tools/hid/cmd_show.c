@@ -42,7 +42,8 @@ const arg_command hid_command_show = {
     "show",
     "FILE... | -",
     "Shows pictures (PNG, PPM, PGM), films (Y4M; - is standard input) and packed scenes, rendered "
-    "live, whose own frames are played over and over. A film keeps its time: frames that come too "
+    "live, whose own frames are played over and over; the display's keys turn them (list --keys). "
+    "A film keeps its time: frames that come too "
     "late are left out. Where the link is too slow, planelet lets moving colours be a little off; "
     "what stands still for a "
     "tenth of a second is exact. Drivers other than planelet are " DISPLAY_DISCLAIMER ".",
@@ -76,6 +77,10 @@ static void on_signal(int number) {
 static int tick(void *context) {
     session_tick(context);
     return stop;
+}
+
+static void steer_by(void *context, unsigned count[STEER_ACTIONS]) {
+    session_steer(context, count);
 }
 
 static void pause_until(session *s, double end) {
@@ -206,7 +211,9 @@ static int run_all(showing *s, args *a, fail *f) {
     }
     const double began = clock_seconds();
     progress_begin(&s->bar, "showing, frame", s->limit);
-    s->source = (frames){.from = {.tick = tick, .context = &s->session}};
+    s->source = (frames){.from = {.tick = tick, .context = &s->session},
+                         .keys = s->session.display.by->keys,
+                         .steer = steer_by};
     const int status = show_files(s, a, f) != 0 ? -1 : session_confirm(&s->session, f);
     const double seconds = clock_seconds() - began;
     progress_end(&s->bar);

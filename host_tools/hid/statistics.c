@@ -38,12 +38,14 @@ int statistics_write(const statistics *a, const session *s, output *o, double se
                      "  \"frames_per_s\": %.3f,\n  \"steady_frames_per_s\": %.3f,\n"
                      "  \"steady_reports_per_frame\": %.2f,\n"
                      "  \"reports\": %llu,\n  \"bytes\": %llu,\n"
-                     "  \"reconnects\": %u,\n  \"longest_gap_s\": %.3f\n}\n",
+                     "  \"reconnects\": %u,\n  \"longest_gap_s\": %.3f,\n"
+                     "  \"steered\": %llu\n}\n",
                      s->display.by->name, s->panel.width, s->panel.height, s->shown,
                      (unsigned long long)a->left_out, seconds,
                      seconds > 0.0 ? s->shown / seconds : 0.0, steady_rate(a, s),
                      steady_reports(a, s), (unsigned long long)p.reports,
-                     (unsigned long long)p.bytes, s->reconnects, s->longest_gap) != 0) {
+                     (unsigned long long)p.bytes, s->reconnects, s->longest_gap,
+                     (unsigned long long)s->steered) != 0) {
         output_abandon(o);
         return -1;
     }

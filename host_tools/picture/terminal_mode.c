@@ -19,20 +19,30 @@ static const char entering[] = "\x1b[?1049h\x1b[?25l\x1b[?1002h\x1b[?1006h\x1b[2
 /* First ST and 2026: a picture that was being drawn is at its end. */
 static const char leaving[] = "\x1b\\\x1b[?2026l\x1b[0m\x1b[?1006l\x1b[?1002l\x1b[?25h\x1b[?1049l";
 
-static struct termios before;
+static struct termios before, within;
+static int files[2]; /* in, out */
+
+int terminal_mode_again(void) {
+    const ssize_t bytes = sizeof entering - 1;
+    return tcsetattr(files[0], TCSAFLUSH, &within) != 0 ||
+                   write(files[1], entering, (size_t)bytes) != bytes
+               ? -1
+               : 0;
+}
 
 int terminal_mode_enter(int in, int out) {
     if (!isatty(in) || !isatty(out) || tcgetattr(in, &before) != 0) {
         return -1;
     }
-    struct termios now = before;
-    now.c_iflag &= ~(tcflag_t)(BRKINT | ICRNL | INLCR | IGNCR | ISTRIP | IXON);
-    now.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | IEXTEN | ISIG);
-    now.c_cc[VMIN] = 1;
-    now.c_cc[VTIME] = 0;
+    within = before;
+    files[0] = in;
+    files[1] = out;
+    within.c_iflag &= ~(tcflag_t)(BRKINT | ICRNL | INLCR | IGNCR | ISTRIP | IXON);
+    within.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | IEXTEN | ISIG);
+    within.c_cc[VMIN] = 1;
+    within.c_cc[VTIME] = 0;
     temporary_terminal(in, out, &before, leaving);
-    if (tcsetattr(in, TCSAFLUSH, &now) != 0 ||
-        write(out, entering, sizeof entering - 1) != (ssize_t)(sizeof entering - 1)) {
+    if (terminal_mode_again() != 0) {
         terminal_mode_leave();
         return -1;
     }

@@ -12,6 +12,10 @@
  * files of one terminal. One terminal at a time. */
 int terminal_mode_enter(int in, int out);
 
+/* After terminal_mode_enter: all of it once more, as others may have changed it while the program
+ * was stopped; what is put back is what it was at first. */
+int terminal_mode_again(void);
+
 /* What was typed and not read is dropped. Without terminal_mode_enter: nothing. */
 void terminal_mode_leave(void);
 

@@ -1,14 +1,16 @@
 /* pty_view - runs a command in a terminal of its own, presses keys, and looks at what is left
  *
- * pty_view STEP... -- COMMAND ARGUMENT...: the command is the leader of a session whose terminal
- * has 80 x 24 cells. Steps, one after the other:
- *   settle          until nothing has come for 0.7 s (20 s at most), then prints "picture HASH
- * BYTES": of what came since the last CSI H send=TEXT       \e is Escape, \NNN an octal byte
- *   answer=TEXT     what the terminal says, once, to CSI c
- *   resize=CxR      another size
+ * pty_view STEP... -- COMMAND ARGUMENT...: the command is a job in the foreground of a
+ * session whose terminal has 80 x 24 cells, and whose leader does what a shell does for its jobs.
+ * Steps, one after the other: settle          until nothing has come for 0.7 s (20 s at most), then
+ * prints "picture HASH BYTES": of what came since the last CSI H send=TEXT       \e is Escape, \NNN
+ * an octal byte answer=TEXT     what the terminal says, once, to CSI c resize=CxR      another size
  *   signal=NUMBER   to the command
  *   deaf=MS         takes nothing that comes for so many milliseconds
  *   close           the terminal is gone
+ *   stopped         waits until the command is stopped, then prints "stopped modes same|changed
+ * screen back|kept"
+ *   fg              lets it go on, in the foreground
  *   type=TEXT       keys that the command need not read: they must not be left
  * At the end prints "status N" (128 + n: by signal n; 199: it did not end), "modes same|changed",
  * "left N" (bytes in the terminal's queue), and all that came to the file `screen`.
@@ -119,7 +121,40 @@ static void resize(int file, const char *text) {
     ioctl(file, TIOCSWINSZ, &size);
 }
 
-static void step(const char *text, pid_t child) {
+/* What the leader says: the job's number, then S for every time that it is stopped. */
+static int from_leader = -1;
+static pid_t job;
+
+static int is_same(const struct termios *a, const struct termios *b) {
+    return a->c_iflag == b->c_iflag && a->c_oflag == b->c_oflag && a->c_cflag == b->c_cflag &&
+           a->c_lflag == b->c_lflag && memcmp(a->c_cc, b->c_cc, sizeof a->c_cc) == 0;
+}
+
+static int ends_with(const char *text) {
+    const size_t length = strlen(text);
+    return count >= length && memcmp(all + count - length, text, length) == 0;
+}
+
+static void await_stop(int slave, const struct termios *before) {
+    struct pollfd p = {from_leader, POLLIN, 0};
+    struct termios is;
+    const double end = now() + 10;
+    char said = 0;
+    while (now() < end && poll(&p, 1, 0) == 0) {
+        listen_for(0.02);
+    }
+    if (poll(&p, 1, 0) <= 0 || read(from_leader, &said, 1) != 1 || said != 'S' ||
+        tcgetattr(slave, &is) != 0) {
+        printf("not stopped\n");
+        return;
+    }
+    while (listen_for(0.0) > 0) {
+    }
+    printf("stopped modes %s screen %s\n", is_same(&is, before) ? "same" : "changed",
+           ends_with("\x1b[?25h\x1b[?1049l") ? "back" : "kept");
+}
+
+static void step(const char *text, pid_t leader) {
     const char *equals = strchr(text, '=');
     const char *value = equals == NULL ? "" : equals + 1;
     if (strcmp(text, "settle") == 0) {
@@ -131,7 +166,9 @@ static void step(const char *text, pid_t child) {
     } else if (strncmp(text, "resize=", 7) == 0) {
         resize(master, value);
     } else if (strncmp(text, "signal=", 7) == 0) {
-        kill(child, atoi(value));
+        kill(job, atoi(value));
+    } else if (strcmp(text, "fg") == 0) {
+        kill(leader, SIGUSR1);
     } else if (strncmp(text, "deaf=", 5) == 0) {
         const struct timespec t = {atoi(value) / 1000, atoi(value) % 1000 * 1000000L};
         nanosleep(&t, NULL);
@@ -155,13 +192,43 @@ static int wait_for(pid_t child) {
             nanosleep(&t, NULL);
         }
     }
+    kill(job, SIGKILL);
     kill(child, SIGKILL);
     waitpid(child, &status, 0);
     return NOT_ENDED;
 }
 
+static void on_signal(int number) {
+    (void)number;
+}
+
+static void take_terminal(pid_t group) {
+    tcsetpgrp(STDIN_FILENO, group);
+}
+
+/* Never returns: as a shell, for the one job that it has. */
+static void lead(pid_t number, int say) {
+    const struct sigaction wakes = {.sa_handler = on_signal};
+    int status;
+    signal(SIGHUP, SIG_IGN);
+    sigaction(SIGUSR1, &wakes, NULL);
+    for (;;) {
+        if (waitpid(number, &status, WUNTRACED) != number) { /* SIGUSR1 */
+            take_terminal(number);
+            kill(-number, SIGCONT);
+        } else if (WIFSTOPPED(status)) {
+            take_terminal(getpid());
+            if (write(say, "S", 1) != 1) {
+                _exit(127);
+            }
+        } else {
+            _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+        }
+    }
+}
+
 /* In a session of its own, whose terminal this is. */
-static void become(char **command, const char *name) {
+static void become(char **command, const char *name, int say) {
     setsid();
     const int slave = open(name, O_RDWR);
     close(master);
@@ -169,6 +236,19 @@ static void become(char **command, const char *name) {
         dup2(slave, i);
     }
     close(slave);
+    signal(SIGTTOU, SIG_IGN); /* to give the terminal to others from the background */
+    const pid_t number = fork();
+    if (number != 0) {
+        setpgid(number, number);
+        if (write(say, &number, sizeof number) != sizeof number) {
+            _exit(127);
+        }
+        lead(number, say);
+    }
+    close(say);
+    setpgid(0, 0);
+    take_terminal(getpid());
+    signal(SIGTTOU, SIG_DFL);
     execvp(command[0], command);
     _exit(127);
 }
@@ -178,9 +258,7 @@ static void report(int slave, const struct termios *before, int status) {
     int left = -1;
     printf("status %d\n", status);
     if (master >= 0 && tcgetattr(slave, &after) == 0) {
-        const int same = after.c_iflag == before->c_iflag && after.c_oflag == before->c_oflag &&
-                         after.c_cflag == before->c_cflag && after.c_lflag == before->c_lflag &&
-                         memcmp(after.c_cc, before->c_cc, sizeof after.c_cc) == 0;
+        const int same = is_same(&after, before);
         after.c_lflag &= ~(tcflag_t)ICANON; /* else bytes of an unfinished line are not counted */
         tcsetattr(slave, TCSANOW, &after);
         ioctl(slave, FIONREAD, &left);
@@ -212,16 +290,30 @@ int main(int argc, char **argv) {
     if (i + 1 >= argc) {
         return NO_TERMINAL;
     }
+    int says[2];
+    if (pipe(says) != 0) {
+        return NO_TERMINAL;
+    }
     const pid_t child = fork();
     if (child == 0) {
         close(slave);
-        become(argv + i + 1, name);
+        close(says[0]);
+        become(argv + i + 1, name, says[1]);
+    }
+    close(says[1]);
+    from_leader = says[0];
+    if (read(from_leader, &job, sizeof job) != sizeof job) {
+        return NO_TERMINAL;
     }
     for (int k = 1; k < i; k++) {
         if (strcmp(argv[k], "close") == 0) {
             close(slave);
         }
-        step(argv[k], child);
+        if (strcmp(argv[k], "stopped") == 0) {
+            await_stop(slave, &before);
+        } else {
+            step(argv[k], child);
+        }
         fflush(stdout);
     }
     report(slave, &before, wait_for(child));

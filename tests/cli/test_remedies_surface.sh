@@ -81,8 +81,5 @@ size='--size 16x12'
     cured render knot.plt -o x.png $size --shader smooth --residency resident
     says "%s; leave out --shader smooth" render compact.plt -o x.png $size --shader smooth
     cured render compact.plt -o x.png $size
-    says "--shader smooth is for planelet render; a device gets eyelight, normal or triangle" \
-        serve knot.plt --emulate 300000 -o x.png $size --shader smooth
-    cured serve knot.plt --emulate 300000 -o x.png $size --shader normal
 }
 finish

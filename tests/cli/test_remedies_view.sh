@@ -27,8 +27,10 @@ in_terminal() {
 
 says "standard input and output are none; use planelet render" view quad.plt
 cured render quad.plt -o x.png
-says "--shader smooth is for planelet render; view takes the others" view quad.plt --shader smooth
-cured_by in_terminal + quad.plt --shader normal
+run pack --nodes compact --build device quad.ply -o compact.plt
+says_by "%s; leave out --shader smooth" in_terminal + compact.plt --shader smooth
+cured_by in_terminal + compact.plt
+cured_by in_terminal + quad.plt --shader smooth
 says_by "it is for keys; name a file" in_terminal + -
 cured_by in_terminal + quad.plt
 away=--------------------------

@@ -30,6 +30,9 @@ for link in "--listen 40123" --pty "--socket x.socket" "--emulate 600000"; do
         at_once --fov $link -o x.png --fov 180
         at_once --eye $link -o x.png --eye 1,2
         at_once --shader $link -o x.png --shader toon
+        at_once --shader $link -o x.png --shader smooth
+        at_once --samples $link -o x.png --samples 2
+        at_once --background $link -o x.png --background 12345
         at_once --report $link -o x.png --report 7
         at_once --format $link -o x.png --format rgb
     }
@@ -56,6 +59,13 @@ verdict "nothing was written" "$(
 works "serve to a file" serve knot.plt --emulate 600000 -o served.ppm --size 48x32
 run render knot.plt -o rendered.ppm --size 48x32
 same served.ppm rendered.ppm "... gives the picture of render"
+for samples in 4 16 adaptive; do
+    works "serve --samples $samples --background" serve knot.plt --emulate 600000 -o served.ppm \
+        --size 48x32 --samples $samples --background ff8000
+    run render knot.plt -o more.ppm --size 48x32 --samples $samples --background ff8000
+    same served.ppm more.ppm "... gives the picture of render"
+    verdict "... which is another than without" "$(cmp -s more.ppm rendered.ppm && echo "it is not")"
+done
 "$PLANELET" serve - --emulate 600000 -o piped.ppm --size 48x32 <knot.plt 2>err
 same piped.ppm rendered.ppm "... also of a scene on standard input"
 works "serve --orbit" serve knot.plt --emulate 600000 -o served.y4m --orbit 3 --size 48x32

@@ -99,6 +99,32 @@ for signal in 1 2 15; do
     viewed knot.plt settle signal=$signal
     verdict "signal $signal ends it, and it leaves the terminal whole" "$(whole $((128 + signal)))"
 done
+
+# ---- stopped, and in the foreground again -----------------------------------------
+
+viewed knot.plt settle 'send=\e[C' settle 'send=\032' stopped fg settle 'send=\e[D' settle send=q
+verdict "Ctrl-Z stops it, and leaves the terminal whole" "$(
+    whole 0
+    grep -q '^stopped modes same screen back' said || cat said)"
+verdict "... fg shows the picture again, and keys turn it" "$(
+    [ "$(picture 3)" = "$(picture 2)" ] || echo "another picture"
+    [ "$(picture 4)" = "$(picture 1)" ] || echo "left: not back")"
+viewed knot.plt settle signal=20 stopped fg settle signal=20 stopped fg settle send=q
+verdict "a SIGTSTP of others does, too, and again" "$(
+    whole 0
+    [ "$(grep -c '^stopped modes same screen back' said)" -eq 2 ] || cat said
+    [ "$(picture 1)" = "$(picture 3)" ] || echo "another picture")"
+viewed knot.plt settle signal=19 stopped fg settle send=q
+verdict "after a SIGSTOP, which nobody can catch, it is drawn anew" "$(
+    whole 0
+    grep -q '^stopped modes changed screen kept' said || cat said
+    [ "$(picture 1)" = "$(picture 2)" ] || echo "another picture"
+    [ "$(tr '\033' '\n' <screen | grep -c '^\[?1049h')" -eq 2 ] || echo "no screen of its own")"
+viewed knot.plt settle 'send=\032' stopped signal=15 fg
+verdict "what is stopped can be ended" "$(
+    grep -q '^status 143' said || cat said
+    grep -q '^modes same' said || cat said)"
+
 more='--graphics sixel'
 viewed knot.plt deaf=1500 resize=60x20 deaf=300 settle send=q
 verdict "another size while a picture is being written does not end it" "$(whole 0)"

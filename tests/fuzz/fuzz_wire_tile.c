@@ -4,7 +4,7 @@
  *       platform/wire/tile_*.c platform/wire/model*.c platform/wire/wire_format.c
  *
  * The first four bytes choose coder, format, shape, and the size of the pieces
- * the rest comes in. Promised (WIRE.md, section 9): it ends, reports at most
+ * the rest comes in. Promised (WIRE.md, section 10): it ends, reports at most
  * `height` rows, and reads and writes nothing outside its bytes and reader.
  * tests/test_wire_fuzz.c runs this with mutations of its own in `make test`.
  *

@@ -19,7 +19,9 @@
  * path=/dev/hidgN, die_after=REPORTS, slow=MICROSECONDS, first=NUMBER of the
  * first picture to expect, blind=1 compares nothing (when speed is measured),
  * reads=1 has a panel that can be read, show=1 draws it in the terminal,
- * eager=1 goes before all other processes whenever a report waits for it.
+ * eager=1 goes before all other processes whenever a report waits for it,
+ * key=1 .. has keys, and presses this one of them four times, each for a tenth of
+ * a second, once something is shown; then it says "pressed".
  *
  * SPDX-License-Identifier: MIT */
 #include <sched.h>
@@ -128,6 +130,7 @@ static model *make_model(const model_kind *kind, unsigned format) {
                                .format = format,
                                .report_bytes = (unsigned)number("report", 10),
                                .reads = (int)number("reads", 10),
+                               .has_keys = number("key", 10) > 0,
                                .in_bytes = (unsigned)number("in", 10)};
     model *m = model_make(kind, shape);
     if (m == NULL) {
@@ -151,7 +154,25 @@ static void say_what_was_seen(const device *d) {
     fflush(stdout);
 }
 
+/* Counts from 1. */
+static void press_keys(device *d) {
+    static double due;
+    static unsigned changes;
+    const unsigned key = (unsigned)number("key", 10);
+    if (key == 0 || d->model->changes == 0 || changes == 8 || clock_seconds() < due) {
+        return;
+    }
+    due = clock_seconds() + 0.1;
+    changes++;
+    d->model->kind->key(d->model, key - 1, changes % 2 == 1);
+    if (changes == 8) {
+        printf("pressed\n");
+        fflush(stdout);
+    }
+}
+
 int device_goes_on(device *d) {
+    press_keys(d);
     if (change) {
         model *old = d->model;
         change = 0;

@@ -4,7 +4,7 @@
 # 30 per second in ten seconds
 #
 # 320x240 else. Streams of PPM keep every colour exact. Films that are newer than the
-# program that makes them are kept.
+# program that makes them are kept. knot.plt: a scene, to be turned by keys.
 # SPDX-License-Identifier: MIT
 set -e
 planelet=${OUT:-${BUILD:-build}/host}/planelet
@@ -30,5 +30,7 @@ scene=$(ls "$folder"/scene/*.plt | head -n 1)
     head -n 1 "$folder/scene/orbit.y4m" | sed 's/ F25:1//' # no time of its own
     tail -n +2 "$folder/scene/orbit.y4m" | head -c $((15 * (6 + 3 * 320 * 240)))
 } >"$folder/scene/last.y4m"
+"$planelet" make knot --triangles 300 -o "$folder/scene/knot.ply" >/dev/null
+"$planelet" pack "$folder/scene/knot.ply" -o "$folder/knot.plt" >/dev/null
 mv "$folder/scene/last.y4m" "$folder/orbit.y4m" # all films are there
 rm -r "$folder/scene"

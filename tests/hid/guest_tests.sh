@@ -169,3 +169,35 @@ lists() {
     done
     stop
 }
+
+# Keys: input reports through the kernel and hidapi. Each press is counted once, however
+# many reports of the link come between.
+keyed() { # DRIVER BACKEND [key=value ...]
+    name=$1 backend=$2
+    shift 2
+    start usbip "$name" blind=1 key=3 "$@"
+    "./planelet-hid-$backend" show knot.plt --turn 0 --json "$scratch/json" \
+        >"$scratch/host" 2>&1 &
+    host=$!
+    for i in $(seq 300); do
+        grep -q pressed "$scratch/device" && break
+        usleep 200000
+    done
+    sleep 4 # a picture takes seconds on a busy machine, and keys are heard between two
+    kill -TERM $host
+    wait $host
+    status=$?
+    stop
+    verdict "$name over usbip, $backend: four presses of a key turn a scene four times" "$(
+        [ $status -eq 0 ] && [ "$(value wrong)" = 0 ] ||
+            { echo "$status: $line"; cat "$scratch/host"; }
+        [ "$(statistic steered)" = 4 ] ||
+            { echo "$(statistic steered) times; $line"; cat "$scratch/host"; })"
+}
+
+keyed_displays() {
+    for backend in hidraw-sanitize libusb; do
+        keyed planelet $backend size=64x48
+        keyed streamdeck-mini $backend speed=high
+    done
+}

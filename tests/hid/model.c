@@ -37,6 +37,7 @@ model *model_make(const model_kind *kind, model_shape shape) {
     m->height = otherwise(kind->height, otherwise(shape.height, 48));
     m->format = shape.format;
     m->reads = shape.reads;
+    m->has_keys = shape.has_keys;
     m->report_bytes = otherwise(kind->output_bytes, otherwise(shape.report_bytes, 64));
     m->in_bytes = otherwise(shape.in_bytes, kind->input_bytes);
     m->brightness = -1;

@@ -27,6 +27,7 @@ typedef struct model_kind {
     void (*output)(model *m, const uint8_t *report, size_t bytes);  /* number first, if any */
     void (*feature)(model *m, const uint8_t *report, size_t bytes); /* likewise; may be NULL */
     size_t (*input)(model *m, uint8_t *report, size_t room);        /* likewise; may be NULL */
+    void (*key)(model *m, unsigned key, int is_down);               /* may be NULL: no keys */
 } model_kind;
 
 struct model {
@@ -36,6 +37,7 @@ struct model {
     unsigned report_bytes; /* of its output reports */
     unsigned in_bytes;     /* of its input reports */
     int reads;             /* of a Planelet panel: it is memory that can be read */
+    int has_keys;          /* of a Planelet panel; without, it is an older firmware's */
     uint8_t *rgb;          /* what the panel shows, 3 bytes per pixel; owned */
     unsigned changes;      /* times the panel was completed or changed */
     unsigned wrong;        /* breaches of the protocol ... */
@@ -57,6 +59,7 @@ typedef struct model_shape {
     unsigned width, height, format, report_bytes;
     int reads;
     unsigned in_bytes; /* at most 64 */
+    int has_keys;
 } model_shape;
 model *model_make(const model_kind *kind, model_shape shape);
 void model_free(model *m);

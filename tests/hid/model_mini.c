@@ -9,11 +9,20 @@
 
 #include "tests/hid/model.h"
 
-enum { SIDE = 80, KEYS = 6, FILE_BYTES = 54 + 3 * SIDE * SIDE, PAGE = 1008, PAGES = 20 };
+enum {
+    SIDE = 80,
+    KEYS = 6,
+    FILE_BYTES = 54 + 3 * SIDE * SIDE,
+    PAGE = 1008,
+    PAGES = 20,
+    QUEUE = 64
+};
 
 typedef struct mini {
     uint8_t file[PAGES * PAGE];
     unsigned next, key; /* page; key that is being sent */
+    uint8_t down[KEYS], told[QUEUE][KEYS];
+    unsigned waiting; /* of told */
 } mini;
 
 static int mini_open(model *m) {
@@ -84,6 +93,27 @@ static void mini_feature(model *m, const uint8_t *r, size_t bytes) {
     }
 }
 
+/* A report for every change, as many as the kernel keeps. */
+static void mini_key(model *m, unsigned key, int is_down) {
+    mini *d = m->state;
+    if (key < KEYS && d->waiting < QUEUE) {
+        d->down[key] = is_down != 0;
+        memcpy(d->told[d->waiting++], d->down, KEYS);
+    }
+}
+
+static size_t mini_input(model *m, uint8_t *report, size_t room) {
+    mini *d = m->state;
+    if (d->waiting == 0 || room < 17) {
+        return 0;
+    }
+    memset(report, 0, 17);
+    report[0] = 1;
+    memcpy(report + 1, d->told[0], KEYS);
+    memmove(d->told[0], d->told[1], --d->waiting * sizeof d->told[0]);
+    return 17;
+}
+
 const model_kind model_mini = {.name = "streamdeck-mini",
                                .vendor = 0x0FD9,
                                .id = 0x0063,
@@ -97,4 +127,6 @@ const model_kind model_mini = {.name = "streamdeck-mini",
                                .input_bytes = 16,
                                .open = mini_open,
                                .output = mini_output,
+                               .input = mini_input,
+                               .key = mini_key,
                                .feature = mini_feature};

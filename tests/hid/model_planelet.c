@@ -13,6 +13,7 @@ enum { WINDOW = 16 };
 typedef struct own {
     wire_peer peer;
     wire_frames_in in;
+    wire_keys_out keys;
     uint32_t shown;
     uint8_t pixels[]; /* of a panel that can be read, in its format */
 } own;
@@ -54,10 +55,21 @@ static int own_open(model *m) {
                               .stride = stride,
                               .row = m->reads ? NULL : take_row,
                               .context = m};
-    return wire_peer_open(&o->peer, &setup, clock_ms()) != WIRE_OK ||
-                   wire_frames_in_open(&o->in, &o->peer, &panel) != WIRE_OK
-               ? -1
-               : 0;
+    if (wire_peer_open(&o->peer, &setup, clock_ms()) != WIRE_OK ||
+        wire_frames_in_open(&o->in, &o->peer, &panel) != WIRE_OK) {
+        return -1;
+    }
+    if (m->has_keys) {
+        wire_keys_out_open(&o->keys, &o->peer);
+    }
+    return 0;
+}
+
+static void own_key(model *m, unsigned key, int is_down) {
+    own *o = m->state;
+    if (m->has_keys) {
+        wire_key_set(&o->keys, key, is_down);
+    }
 }
 
 static void own_output(model *m, const uint8_t *report, size_t bytes) {
@@ -91,4 +103,5 @@ const model_kind model_planelet = {.name = "planelet",
                                    .input_bytes = 64,
                                    .open = own_open,
                                    .output = own_output,
-                                   .input = own_input};
+                                   .input = own_input,
+                                   .key = own_key};

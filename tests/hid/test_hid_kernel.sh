@@ -29,7 +29,7 @@ for backend in hidraw libusb; do
     cp "$out/planelet-hid-$backend" "$work/t/planelet-hid-$backend"
     cp "$out/hid-sanitize/$backend" "$work/t/planelet-hid-$backend-sanitize"
 done
-cp "$work"/films/*.ppm "$work/films/orbit.y4m" "$out/hid-bench/device" \
+cp "$work"/films/*.ppm "$work/films/orbit.y4m" "$work/films/knot.plt" "$out/hid-bench/device" \
     "$out/hid-bench/make_pattern" tests/hid/guest_*.sh "$work/t/"
 trouble=$(sh tests/hid/initramfs.sh "$kernel" "$work/initramfs" "$work"/t/* 2>&1) ||
     give_up "the guest's files are packed" "$trouble"

@@ -49,8 +49,8 @@ static void on_change(void *context, model *m) {
 
 static void new_model(bench *b) {
     model_free(b->model);
-    b->model = model_make(&model_planelet,
-                          (model_shape){70, 50, b->format, b->report_bytes, b->reads, b->in_bytes});
+    b->model = model_make(&model_planelet, (model_shape){70, 50, b->format, b->report_bytes,
+                                                         b->reads, b->in_bytes, 0});
     b->model->changed = on_change;
     b->model->context = b;
 }

@@ -11,6 +11,7 @@
 #include <signal.h>
 
 #include "host_tools/base/fail.h"
+#include "host_tools/hid/device/keys.h"
 #include "host_tools/hid/device/port.h"
 #include "host_tools/hid/device/report_size.h"
 #include "host_tools/picture/picture.h"
@@ -38,6 +39,7 @@ typedef struct display {
     report_sizes reports;
     const volatile sig_atomic_t *stop; /* may be NULL: set from outside, to wait no longer */
     double stopped;                    /* clock: when a driver first saw it set; 0: not yet */
+    keys_state keys;                   /* as the driver has heard; for a list of its own */
     void *state;                       /* the driver's, allocated in open, freed in close */
 } display;
 
@@ -48,10 +50,11 @@ typedef struct driver_id {
 } driver_id;
 
 struct driver {
-    const char *name;     /* "nexus" */
-    const char *about;    /* "Corsair iCUE Nexus, 640x48" */
-    const driver_id *ids; /* ended by vendor 0 */
-    int from_notes;       /* DISPLAY_DISCLAIMER is true of it */
+    const char *name;        /* "nexus" */
+    const char *about;       /* "Corsair iCUE Nexus, 640x48" */
+    const driver_id *ids;    /* ended by vendor 0 */
+    int from_notes;          /* DISPLAY_DISCLAIMER is true of it */
+    const display_key *keys; /* ended by a name of NULL; NULL: it has none that are known */
 
     /* `display` holds port, driver, reports and stop, the rest is zero. Fills it. */
     int (*open)(display *d, fail *f);
@@ -62,7 +65,7 @@ struct driver {
 
     /* NULL where there is none: */
     int (*confirm)(display *d, fail *f); /* until the device has confirmed the picture */
-    int (*tick)(display *d);             /* keeps a link alive; at least 10 times per second */
+    int (*tick)(display *d); /* keeps a link alive, reads keys; at least 10 times per second */
     int (*brightness)(display *d, unsigned percent, fail *f);
     /* How far off colours may be while they move: so many steps, or
      * DISPLAY_NEAR_AUTO: the fewest with which `fps` frames per second get through. */

@@ -38,6 +38,7 @@ static int check_size(session *s, fail *f) {
 
 static int open_display(session *s, const driver *by, fail *f) {
     int status = display_open(&s->display, by, &s->info, s->stop, f);
+    s->keys = (keys_track){.is_reset = 0}; /* what was held is not held here */
     if (status == DISPLAY_OK && by->near != NULL) {
         by->near(&s->display, s->near, s->fps);
     }
@@ -161,6 +162,13 @@ int session_confirm(session *s, fail *f) {
 void session_tick(session *s) {
     if (s->display.port != NULL && s->display.by->tick != NULL) {
         s->display.by->tick(&s->display);
+    }
+}
+
+void session_steer(session *s, unsigned count[STEER_ACTIONS]) {
+    keys_take(&s->keys, &s->display.keys, s->display.by->keys, clock_seconds(), count);
+    for (unsigned action = 0; action < STEER_ACTIONS; action++) {
+        s->steered += count[action];
     }
 }
 

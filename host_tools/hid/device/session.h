@@ -21,7 +21,9 @@ typedef struct session {
     display display;
     port_info info;
     picture panel; /* what is shown, at the panel's size; owned */
-    int again;     /* the display came back and has not confirmed `panel` */
+    keys_track keys;
+    uint64_t steered; /* what keys asked for, in all */
+    int again;        /* the display came back and has not confirmed `panel` */
     unsigned shown, reconnects;
     double longest_gap;     /* seconds from an unplug to the whole picture again */
     port_statistics before; /* of the displays before the last unplug */
@@ -43,6 +45,10 @@ int session_confirm(session *s, fail *f);
 /* Keeps the link alive between pictures: call it at least ten times per second
  * while a picture is rendered or stays. */
 void session_tick(session *s);
+
+/* What the display's keys ask for since the last call: how often each action. Keys are heard by
+ * session_tick. */
+void session_steer(session *s, unsigned count[STEER_ACTIONS]);
 
 /* The device's own picture again, where it has one. */
 int session_release(session *s, fail *f);

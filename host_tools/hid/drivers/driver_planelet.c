@@ -24,6 +24,7 @@ enum {
 typedef struct planelet {
     wire_peer peer;
     wire_frames_out out;
+    wire_keys_in keys;
     picture frame;
     uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
     uint32_t begun; /* ms: when the call that waits now began */
@@ -41,6 +42,7 @@ static int read_reports(display *d, unsigned wait_ms) {
             return bytes == 0 ? PORT_OK : PORT_GONE;
         }
         wire_on_report(&p->peer, report, (size_t)bytes, clock_ms());
+        memcpy(d->keys.changes, p->keys.changes, sizeof p->keys.changes);
         wait_ms = 0;
     }
 }
@@ -156,6 +158,7 @@ static int open_end(planelet *p, report_sizes sizes, fail *f) {
     p->begun = clock_ms();
     p->whole = UINT32_MAX; /* the greeting has a limit of its own */
     wire_frames_out_open(&p->out, &p->peer);
+    wire_keys_in_open(&p->keys, &p->peer);
     wire_on_link(&p->peer, 1, clock_ms());
     return DISPLAY_OK;
 }
@@ -286,12 +289,20 @@ static void planelet_near(display *d, unsigned steps, unsigned fps) {
     }
 }
 
+/* In the order of enum wire_key. */
+static const display_key keys[] = {
+    {"left", STEER_LEFT, 0, 0},   {"right", STEER_RIGHT, 0, 0},   {"up", STEER_UP, 0, 0},
+    {"down", STEER_DOWN, 0, 0},   {"nearer", STEER_NEARER, 0, 0}, {"farther", STEER_FARTHER, 0, 0},
+    {"reset", STEER_RESET, 0, 0}, {"still", STEER_STILL, 0, 0},   {NULL, STEER_LEFT, 0, 0}};
+_Static_assert((int)STEER_STILL == (int)WIRE_KEY_STILL, "keys of the wire and of a scene");
+
 /* pid.codes reserves 1209:0001 for tests; a product needs an id of its own. */
 static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
 
 const driver driver_planelet = {.name = "planelet",
                                 .about = "Planelet's own wire, any size (platform/WIRE.md)",
                                 .ids = ids,
+                                .keys = keys,
                                 .open = planelet_open,
                                 .show = planelet_show,
                                 .confirm = planelet_confirm,

@@ -13,7 +13,12 @@
  *     16 1008 bytes of the file, zeros after its end
  *
  * Brightness and reset are feature reports of 17 bytes. Only keys that
- * changed since the last picture are sent.
+ * changed since the last picture are sent. An input report comes when a key
+ * is pressed or released: 01, then a byte per key, not 0 while it is down.
+ *
+ * A scene is turned by the lower row and the upper middle, as by arrow keys;
+ * left and right of that are nearer and farther, and both together are the
+ * first view again.
  *
  * Sources: Elgato, "Stream Deck Mini Protocol", docs.elgato.com, read 2026;
  * python-elgato-streamdeck (D. Camera), facts only. Not run on hardware.
@@ -22,6 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/hid/device/symbols.h"
 #include "host_tools/hid/drivers/drivers.h"
 
 enum {
@@ -33,7 +39,12 @@ enum {
     PAGE_BYTES = REPORT_BYTES - HEAD_BYTES,
     BMP_HEAD_BYTES = 54,
     BMP_BYTES = BMP_HEAD_BYTES + 3 * KEY_SIDE * KEY_SIDE,
-    FEATURE_BYTES = 17
+    FEATURE_BYTES = 17,
+    INPUT_BYTES = 64, /* at most */
+    INPUTS_MOST = 32, /* in one tick: a device that never stops is not listened to for ever */
+    INPUT = 1,        /* number of the report */
+    SYMBOL_X = 4,     /* in a key's lower left corner */
+    SYMBOL_Y = KEY_SIDE - SYMBOL_SIDE - 4
 };
 
 typedef struct mini {
@@ -113,6 +124,27 @@ static int mini_show(display *d, const picture *p, fail *f) {
     return DISPLAY_OK;
 }
 
+/* A report of another number, or a short one, is no keys' report. */
+static void take_report(display *d, const uint8_t *report, size_t bytes) {
+    if (bytes >= 1 + KEYS && report[0] == INPUT) {
+        for (unsigned key = 0; key < KEYS; key++) {
+            keys_set(&d->keys, key, report[1 + key] != 0);
+        }
+    }
+}
+
+static int mini_tick(display *d) {
+    for (unsigned i = 0; i < INPUTS_MOST; i++) {
+        uint8_t report[INPUT_BYTES];
+        const int bytes = port_input(d->port, report, sizeof report, 0);
+        if (bytes <= 0) {
+            return bytes == 0 ? DISPLAY_OK : DISPLAY_GONE;
+        }
+        take_report(d, report, (size_t)bytes);
+    }
+    return DISPLAY_OK;
+}
+
 static int mini_brightness(display *d, unsigned percent, fail *f) {
     const uint8_t report[FEATURE_BYTES] = {0x05, 0x55, 0xAA, 0xD1, 0x01, (uint8_t)percent};
     (void)f;
@@ -137,6 +169,15 @@ static void mini_close(display *d) {
     d->state = NULL;
 }
 
+#define AT(column, row) (column) * KEY_SIDE + SYMBOL_X, (row)*KEY_SIDE + SYMBOL_Y
+static const display_key keys[] = {{"top left", STEER_NEARER, AT(0, 0)},
+                                   {"top middle", STEER_UP, AT(1, 0)},
+                                   {"top right", STEER_FARTHER, AT(2, 0)},
+                                   {"bottom left", STEER_LEFT, AT(0, 1)},
+                                   {"bottom middle", STEER_DOWN, AT(1, 1)},
+                                   {"bottom right", STEER_RIGHT, AT(2, 1)},
+                                   {NULL, STEER_LEFT, 0, 0}};
+
 static const driver_id ids[] = {
     {0x0FD9, 0x0063, 0}, {0x0FD9, 0x0090, 0}, {0x0FD9, 0x00B3, 0}, {0x0FD9, 0x00B8, 0}, {0, 0, 0}};
 
@@ -147,6 +188,8 @@ const driver driver_streamdeck_mini = {
     .from_notes = 1,
     .open = mini_open,
     .show = mini_show,
+    .tick = mini_tick,
+    .keys = keys,
     .brightness = mini_brightness,
     .release = mini_release,
     .close = mini_close};

@@ -5,6 +5,7 @@
 #define HID_FRAMES_H
 
 #include "host_tools/base/fail.h"
+#include "host_tools/hid/device/keys.h"
 #include "host_tools/hid/sources/stream.h"
 #include "host_tools/picture/picture.h"
 
@@ -20,6 +21,10 @@ struct frames {
     stream from;      /* its tick is called while a frame is awaited or rendered */
     void *state;      /* owned by the kind of source */
     double period;    /* seconds per frame, as the film says; 0: none */
+    /* Set by whoever opens it, like `from`: the keys of the display that it is for, NULL where
+     * there are none, and what they ask for since the last call, of from.context. */
+    const display_key *keys;
+    void (*steer)(void *context, unsigned count[STEER_ACTIONS]);
 };
 
 /* The stream ended too early. Returns -1; `f` says that it could not be read or, if it

@@ -14,8 +14,13 @@ int frames_png(frames *s, fail *f);
 int frames_scene(frames *s, args *a, unsigned width, unsigned height, fail *f);
 
 #define FRAMES_SCENE_FLAGS                                                                         \
-    {"--shader", "eyelight|normal|triangle", "a scene's colours"}, {                               \
-        "--turn", "SECONDS", "time of an orbit around a scene; 0: no motion (default 12)"          \
+    {"--shader", "eyelight|normal|triangle|smooth",                                                \
+     "a scene's colours; smooth is for scenes with normals or colours (pack --smooth)"},           \
+        {"--turn", "SECONDS",                                                                      \
+         "time of an orbit around a scene, until a key of the display turns it; 0: no motion "     \
+         "(default 12)"},                                                                          \
+    {                                                                                              \
+        "--bare", NULL, "a scene without symbols of what the display's keys do"                    \
     }
 
 #endif

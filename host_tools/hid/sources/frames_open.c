@@ -50,5 +50,5 @@ void frames_close(frames *s) {
         s->close(s);
     }
     stream_close(&s->from);
-    *s = (frames){.from = s->from};
+    *s = (frames){.from = s->from, .keys = s->keys, .steer = s->steer};
 }

@@ -11,7 +11,7 @@
 
 /* Opens a file or, as "-", standard input: Y4M, PPM, PGM, PNG, or a packed scene, which
  * is rendered live, `width` x `height`, as the flags say. `s` is zero but for from.tick
- * and its context. */
+ * and its context, keys and steer. */
 int frames_open(frames *s, args *a, const char *path, unsigned width, unsigned height, fail *f);
 void frames_close(frames *s); /* also after a failed open */
 
