@@ -64,7 +64,8 @@ for samples in 4 16 adaptive; do
         --size 48x32 --samples $samples --background ff8000
     run render knot.plt -o more.ppm --size 48x32 --samples $samples --background ff8000
     same served.ppm more.ppm "... gives the picture of render"
-    verdict "... which is another than without" "$(cmp -s more.ppm rendered.ppm && echo "it is not")"
+    verdict "... which is another than without" "$(
+        cmp -s more.ppm rendered.ppm && echo "it is not")"
 done
 "$PLANELET" serve - --emulate 600000 -o piped.ppm --size 48x32 <knot.plt 2>err
 same piped.ppm rendered.ppm "... also of a scene on standard input"

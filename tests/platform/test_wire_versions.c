@@ -117,6 +117,9 @@ static void older_device(const packed *image) {
     v.has_background = 1;
     wire_view_send(&e.view, &v);
     CHECK(wire_view_left_out(&e.view) == 0, "it has not answered");
+    body[0] = (uint8_t)(e.view.view.number + 9);
+    deliver(&e.host, WIRE_VIEW_HAVE, body,
+            2); /* whose second byte must not be taken for this one's */
     body[0] = e.view.view.number;
     deliver(&e.host, WIRE_VIEW_HAVE, body, 1);
     CHECK(wire_view_left_out(&e.view) == WIRE_VIEW_BACKGROUND, "%u", wire_view_left_out(&e.view));
@@ -183,6 +186,7 @@ static void presses_arrive(void) {
         }
         wire_key_set(&k.out, 3, 1);
         wire_key_set(&k.out, WIRE_KEYS_MOST, 1);
+        step_keys(3);
         k.cable.faults = (fake_faults){0};
         step_keys(500);
         for (unsigned key = 0; key < WIRE_KEYS_MOST; key++) {
