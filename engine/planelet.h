@@ -298,6 +298,9 @@ typedef struct plt_info {
     uint32_t normal_bytes; /* of the section of normals; 0: there are none */
     uint32_t colour_bytes; /* ... and of colours */
 #endif
+#if PLT_WITH_PAGES
+    uint32_t page_bytes; /* ... and of both, page by page */
+#endif
 #if PLT_WITH_WHITTED
     uint32_t material_bytes; /* ... and of materials; 0: there are none */
 #endif
