@@ -72,6 +72,12 @@ static int is_known(uint32_t kind, uint32_t before) {
                              (PLT_WITH_PAGES && kind == PLT_SECTION_PAGES));
 }
 
+/* Normals and colours are of triangles that stay where they are, and none is of bodies, whose
+ * triangles have numbers of their own. */
+static int is_allowed(const plt_info *info, uint32_t kind) {
+    return info->instances == 0 && (info->frames == 0 || kind == PLT_SECTION_MATERIALS);
+}
+
 static void put_bytes(plt_info *info, const plt_section *s) {
 #if PLT_WITH_SURFACE
     if (s->kind == PLT_SECTION_NORMALS) {
@@ -103,6 +109,10 @@ static int read_entries(plt_header *h, const unsigned char *table, uint32_t byte
         if (!is_known(s.kind, before) || s.offset != offset || s.bytes == 0 ||
             s.bytes % PLT_SECTION_ALIGN != 0) {
             return refused(fault, h->further_at + at);
+        }
+        if (!is_allowed(&h->info, s.kind)) {
+            return plt_refused(fault, PLT_R17_FURTHER, h->further_at + at,
+                               "an image with frames or instances has a section that it must not");
         }
         h->further[i] = s;
         put_bytes(&h->info, &s);

@@ -22,7 +22,7 @@ enum {
     PLT_PAGES_CHUNK = 256,
     PLT_PAGES_IN_CHUNK = 62,
     PLT_PAGE_HEAD = 4,          /* bytes in front of its tables */
-    PLT_PAGE_BYTES_MOST = 4096, /* of a page */
+    PLT_PAGE_BYTES_MOST = 8184, /* of a page */
     PLT_PAGE_SHIFT_LEAST = 6,   /* triangles of a page, as a power of two */
     PLT_PAGE_SHIFT_MOST = 12
 };

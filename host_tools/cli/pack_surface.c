@@ -86,7 +86,7 @@ int pack_surface_add(pack_surface *s, const pack_meshes *in, packed *image, fail
     if (!pack_surface_wanted(s)) {
         return 0;
     }
-    return s->paged ? surface_pages_add(image, &s->corners, name, &s->stats, f)
+    return s->paged ? surface_pages_add(image, &s->corners, SURFACE_PAGES_USUAL, name, &s->stats, f)
                     : surface_add(image, &s->corners, name, &s->stats, f);
 }
 

@@ -15,8 +15,6 @@
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/surface_making.h"
 
-enum { SHIFT_USUAL = 11 };
-
 /* A section in the making. */
 typedef struct paging {
     adding all; /* triangles of the image, and room for them */
@@ -183,7 +181,7 @@ static int make(paging *p) {
     }
     p->has = (p->c->normal != NULL ? PLT_PAGES_NORMALS : 0u) |
              (p->c->colour != NULL ? PLT_PAGES_COLOURS : 0u);
-    p->shift = SHIFT_USUAL + 1;
+    p->shift++;
     do {
         p->shift--;
         status = status == 0 || status == 1 ? put_all(p) : status;
@@ -191,9 +189,9 @@ static int make(paging *p) {
     return status == 0 ? add_section(p) : -1; /* the smallest pages are never too large */
 }
 
-int surface_pages_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,
-                      fail *f) {
-    paging p = {.c = c, .stats = stats};
+int surface_pages_add(packed *image, const mesh_corners *c, uint32_t shift, const char *name,
+                      surface_stats *stats, fail *f) {
+    paging p = {.c = c, .stats = stats, .shift = shift};
     *stats = (surface_stats){.colours_kept = 0};
     int status = surface_begin(&p.all, image, name, f);
     if (status == 0) {

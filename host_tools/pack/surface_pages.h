@@ -5,8 +5,10 @@
 #define SURFACE_PAGES_H
 #include "host_tools/pack/surface.h"
 
-/* As surface_add, instead of it; further sections that the image has are of lower kinds. */
-int surface_pages_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,
-                      fail *f);
+/* As surface_add. `shift`: a page has 2^shift triangles at most, 6 .. 12; fewer where it would be
+ * too large. */
+enum { SURFACE_PAGES_USUAL = 11 };
+int surface_pages_add(packed *image, const mesh_corners *c, uint32_t shift, const char *name,
+                      surface_stats *stats, fail *f);
 
 #endif
