@@ -124,6 +124,12 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
                                   "--frames",
                             fault->message);
         }
+        if (s->options.structure == PLT_STRUCTURE_GRID && s->options.surface) {
+            return fail_set(f, name,
+                            "%s; pack it with --nodes thesis --surface tables, or leave out "
+                            "--structure",
+                            fault->message);
+        }
         if (s->options.structure == PLT_STRUCTURE_GRID) {
             return fail_set(f, name, "%s; pack it with --nodes thesis, or leave out --structure",
                             fault->message);
