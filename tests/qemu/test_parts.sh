@@ -291,6 +291,20 @@ surface=$BUILD/mps2_an386-compact-render-surface
 if part "render compact surface" "$surface" 53248; then
     smooth "$surface" smooth_compact
 fi
+# Page by page, of scenes that stay in their source; and of one that is resident.
+scene pages --smooth 40 --surface pages
+scene pages_compact --nodes compact --geometry lattice:14 --smooth 40 --surface pages
+for words in compact-frames-render-stream-surface:58368 compact-render-stream-surface:80000 \
+    render-stream-surface-thesis:80000; do
+    pages=$BUILD/mps2_an386-${words%:*}
+    name=pages_compact
+    [ "${words#*thesis}" = "$words" ] || name=pages
+    if part "$(echo "${words%:*}" | tr - ' ')" "$pages" "${words#*:}"; then
+        smooth "$pages" $name packet=4
+        SOURCE=file smooth "$pages" $name "residency=streamed packet=8"
+        SOURCE=file smooth "$pages" $name "residency=streamed packet=4 arena=65536"
+    fi
+done
 refuses "$thesis" smooth sections
 # lit FOLDER NAME: a frame with lights, mirrors and glass in 256 KiB.
 lit() {
