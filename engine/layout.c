@@ -430,7 +430,8 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_RECORD_CACHE:
         return record_cache_bytes(s);
     case PLT_PART_TOUCHED:
-        return s->options->count_touched ? 4ull * plt_touched_words(s->format, s->sized_for) : 0;
+        return s->options->count_touched ? 4ull * plt_touched_all_words(s->format, s->sized_for)
+                                         : 0;
     case PLT_PART_PACKET:
         return packet_bytes(s);
 #if PLT_WITH_BATCH

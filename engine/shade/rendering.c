@@ -224,7 +224,8 @@ static void shade_square(plt_rendering *r) {
 #endif
 }
 
-/* The colours of a square, or packet, by normals and colours of corners. */
+/* The colours of a square, or packet, by normals and colours of corners. PLT_OK, or what a fetch
+ * failed with. */
 static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
                         const plt_pixels *pixels) {
 #if PLT_WITH_SURFACE
@@ -247,24 +248,22 @@ static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
     return PLT_OK;
 }
 
-/* What one packet, and no other, has traced. PLT_OK, or what a fetch failed with. */
-static int shade(plt_rendering *r, plt_traversal *t, const plt_packet *p,
-                 const plt_pixels *pixels) {
+/* What one packet, and no other, has traced. */
+static void shade(plt_rendering *r, const plt_traversal *t, const plt_packet *p,
+                  const plt_pixels *pixels) {
 #if PLT_WITH_DIAGRAMS
     if (r->frame.shader == PLT_SHADE_HEAT) {
         plt_mix_heat(r, t->stats.node_visits - r->visits);
-        return PLT_OK;
+        return;
     }
+#else
+    (void)t;
 #endif
-    if (IS_SMOOTH(r)) {
-        return shade_smooth(r, t, p, pixels);
-    }
     if (HAS_BEAMS(r)) {
         shade_square(r);
     } else {
         shade_packet(r, p, pixels);
     }
-    return PLT_OK;
 }
 
 /* Whether there is such a shader, of this scene. */
@@ -429,12 +428,17 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
         begin_packet(r, t, p, &pixels, rays);
     }
     int status = trace(r, t, p, visits);
-    status = status == PLT_OK ? shade(r, t, p, &pixels) : status;
+    if (IS_SMOOTH(r) && status == PLT_OK) { /* which may have to fetch */
+        status = shade_smooth(r, t, p, &pixels);
+    }
     if (status < 0) {
         r->done = 1;
     }
     if (status != PLT_OK) {
         return status;
+    }
+    if (!IS_SMOOTH(r)) {
+        shade(r, t, p, &pixels);
     }
     r->tracing = 0;
 #if PLT_WITH_SAMPLES

@@ -39,8 +39,8 @@ static int set_streamed(plt_traversal *t, const plt_record *record, uint32_t ind
                         plt_surface_corners *corners) {
     const plt_surface_data *d = &t->scene->surface;
     plt_surface_data page;
-    const int status = plt_page_fetch(fetcher_of(t), d, plt_touched_pages_bit(t->scene),
-                                      index >> d->pages.shift, &page);
+    const uint32_t bit = 32 * plt_touched_words((enum plt_format)t->scene->format, &t->scene->info);
+    const int status = plt_page_fetch(fetcher_of(t), d, bit, index >> d->pages.shift, &page);
     if (status == PLT_OK) {
         plt_surface_corners_set(corners, &page, record);
     }

@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-/* Of what a tree has. Blocks of thesis nodes have an index; if they are streamed, slots have, and
+/* Blocks of thesis nodes have an index; if they are streamed, slots have, and
  * pages of records; compact blocks lie at multiples of 8. */
-static uint32_t words_of_tree(enum plt_format format, const plt_info *info) {
+uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
     if (PLT_WITH_GRID && format == PLT_FORMAT_GRID) {
         return 0; /* nodes are not looked at */
     }
@@ -22,22 +22,6 @@ static uint32_t words_of_tree(enum plt_format format, const plt_info *info) {
     }
     return info->node_slots / info->treelet_nodes / 32 + 1;
 }
-
-uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
-    const uint32_t words = words_of_tree(format, info);
-#if PLT_WITH_PAGES
-    if (plt_is_streamed(format) && info->page_bytes > 0) {
-        return words + plt_pages_touched_words(info->triangles);
-    }
-#endif
-    return words;
-}
-
-#if PLT_WITH_PAGES
-uint32_t plt_touched_pages_bit(const plt_scene *scene) {
-    return 32 * words_of_tree((enum plt_format)scene->format, &scene->info);
-}
-#endif
 
 void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_options *options,
                         void *const part[PLT_PARTS_COUNT]) {
@@ -62,7 +46,7 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
 #endif
     if (options->count_touched) {
         t->touched = part[PLT_PART_TOUCHED];
-        t->touched_words = plt_touched_words((enum plt_format)scene->format, &scene->info);
+        t->touched_words = plt_touched_all_words((enum plt_format)scene->format, &scene->info);
     }
 #if PLT_WITH_GROUPS
     plt_state_init(t);

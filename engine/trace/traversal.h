@@ -92,13 +92,19 @@ size_t plt_entry_bytes(enum plt_format format, unsigned order);
 /* Bytes of a format's state. */
 size_t plt_state_bytes(enum plt_format format);
 
-/* Words of a bit per block that can be fetched. */
+/* Words of a bit per part of a tree that can be fetched. */
 uint32_t plt_touched_words(enum plt_format format, const plt_info *info);
 
+/* With those of pages (surface/page_fetch.h), which are behind them. */
+static inline uint32_t plt_touched_all_words(enum plt_format format, const plt_info *info) {
+    uint32_t words = plt_touched_words(format, info);
 #if PLT_WITH_PAGES
-/* The first of those bits that is a page's (surface/page_fetch.h). */
-uint32_t plt_touched_pages_bit(const plt_scene *scene);
+    if (plt_is_streamed(format) && info->page_bytes > 0) {
+        words += plt_pages_touched_words(info->triangles);
+    }
 #endif
+    return words;
+}
 
 /* Lays a traversal over the parts of an arena (scene/parts.h), by enum plt_part; those
  * of 0 bytes may be anything. */
