@@ -82,7 +82,7 @@ instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engi
     engine/scene/open_instances.c engine/trace/traverse_instances.c
 surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
-    engine/tree/compact/block_record.c
+    engine/tree/compact/block_record.c engine/trace/kept.c engine/trace/surface_hit.c
 further_files := engine/image/further.c
 whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c engine/shade/whitted_frame.c
 samples_files := engine/shade/light.c engine/shade/beam_samples.c
@@ -236,7 +236,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/sequence.c engine/frame_put.c engine/beside.c engine/motion/beside.c \
     engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c engine/surface_room.c \
-    engine/surface/surface_data.c engine/whitted_room.c engine/whitted/materials.c)
+    engine/surface/surface_data.c engine/surface/surface_pages.c engine/surface/page_fetch.c \
+    engine/whitted_room.c engine/whitted/materials.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

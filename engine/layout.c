@@ -16,6 +16,7 @@
 #include "engine/scene/worst_tree.h"
 #include "engine/trace/block_entry.h"
 #include "engine/trace/grid_state.h"
+#include "engine/trace/kept.h"
 #include "engine/trace/treelet_entry.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
@@ -382,6 +383,37 @@ static uint64_t rebuild_bytes(const subject *s) {
 }
 #endif
 
+#if PLT_WITH_SURFACE
+/* Tables, if there are any; else pages, or of those that stay where they are what they begin with.
+ */
+static uint64_t surface_bytes(const subject *s) {
+#if PLT_WITH_PAGES
+    const uint32_t pages = s->info->page_bytes;
+    if (plt_is_streamed(s->format)) {
+        return pages < PLT_PAGES_ROOM ? pages : PLT_PAGES_ROOM;
+    }
+    if (!plt_layout_has_tables(s->info)) {
+        return pages;
+    }
+#endif
+    return (uint64_t)s->info->normal_bytes + s->info->colour_bytes;
+}
+#endif
+
+#if PLT_WITH_PAGES
+/* A triangle per ray of a packet; of beams, the numbers of those that they share. */
+static uint64_t kept_bytes(const subject *s) {
+    const uint64_t rays = (uint64_t)packet_side(s) * packet_side(s);
+    const int shares = PLT_WITH_BEAMS && plt_has_store(s->format) && s->info->page_bytes > 0;
+    if (!s->options->surface || !(plt_is_streamed(s->format) || shares)) {
+        return 0;
+    }
+    return PLT_WITH_GROUPS && plt_is_streamed(s->format)
+               ? rays * sizeof(plt_kept)
+               : 4ull * plt_beam_store_records(packet_side(s));
+}
+#endif
+
 /* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
@@ -398,7 +430,8 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_RECORD_CACHE:
         return record_cache_bytes(s);
     case PLT_PART_TOUCHED:
-        return s->options->count_touched ? 4ull * plt_touched_words(s->format, s->sized_for) : 0;
+        return s->options->count_touched ? 4ull * plt_touched_all_words(s->format, s->sized_for)
+                                         : 0;
     case PLT_PART_PACKET:
         return packet_bytes(s);
 #if PLT_WITH_BATCH
@@ -435,15 +468,19 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
 #endif
 #if PLT_WITH_SURFACE
     case PLT_PART_SURFACE:
-        return s->options->surface && !s->mapped
-                   ? (uint64_t)s->info->normal_bytes + s->info->colour_bytes
-                   : 0;
+        return s->options->surface && !s->mapped ? surface_bytes(s) : 0;
     case PLT_PART_PLACES:
 #if PLT_WITH_GROUPS
-        return s->options->surface ? plt_surface_places_bytes(s->info) : 0;
+        return s->options->surface && !plt_is_streamed(s->format)
+                   ? plt_surface_places_bytes(s->info)
+                   : 0;
 #else
         return 0;
 #endif
+#endif
+#if PLT_WITH_PAGES
+    case PLT_PART_KEPT:
+        return kept_bytes(s);
 #endif
 #if PLT_WITH_MOTION
     case PLT_PART_REFIT:

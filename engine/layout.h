@@ -65,14 +65,38 @@ static inline int plt_layout_structure_valid(const plt_info *info, const plt_opt
            (info->nodes_format == PLT_NODES_THESIS && !plt_has_instances(info));
 }
 
-/* Normals and colours are of triangles that stay where they are, and are all there. */
+#if PLT_WITH_PAGES
+/* The image has tables of normals and colours, which are resident alone. */
+static inline int plt_layout_has_tables(const plt_info *info) {
+    return info->normal_bytes + info->colour_bytes > 0;
+}
+
+/* What is asked for comes page by page, or what is there is, which names triangles in the order of
+ * the image. */
+static inline int plt_layout_pages_valid(const plt_info *info, const plt_options *options) {
+    const int has_pages = info->page_bytes > 0;
+    return options->residency == PLT_RESIDENCY_STREAMED
+               ? options->schedule == PLT_SCHEDULE_BRANCH &&
+                     (has_pages || !plt_layout_has_tables(info))
+               : !has_pages || plt_layout_has_tables(info) ||
+                     (info->build != PLT_BUILD_DEVICE &&
+                      !(PLT_WITH_GRID && options->structure == PLT_STRUCTURE_GRID));
+}
+#else
+static inline int plt_layout_pages_valid(const plt_info *info, const plt_options *options) {
+    (void)info;
+    return !(PLT_WITH_STREAMED && options->residency == PLT_RESIDENCY_STREAMED);
+}
+#endif
+
+/* Normals and colours are of triangles that stay where they are. */
 static inline int plt_layout_surface_valid(const plt_info *info, const plt_options *options) {
 #if PLT_WITH_SURFACE
     return !options->surface ||
            ((info->nodes_format == PLT_NODES_THESIS ||
              (info->build == PLT_BUILD_HOST && info->geometry_format <= PLT_GEOMETRY_LATTICE)) &&
             !plt_has_instances(info) && !(PLT_WITH_MOTION && options->movable) &&
-            !(PLT_WITH_STREAMED && options->residency == PLT_RESIDENCY_STREAMED));
+            plt_layout_pages_valid(info, options));
 #else
     (void)info;
     (void)options;

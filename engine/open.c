@@ -351,8 +351,14 @@ static int refuse(const plt_info *info, const plt_options *options, plt_fault *f
     }
     if (!plt_layout_surface_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
-                             "normals and colours are of resident scenes whose triangles stay "
-                             "where they are, of compact blocks of finished ones");
+                             plt_layout_pages_valid(info, options)
+                                 ? "normals and colours are of scenes whose triangles stay where "
+                                   "they are, of compact blocks of finished ones"
+                             : PLT_WITH_STREAMED && options->residency == PLT_RESIDENCY_STREAMED
+                                 ? "normals and colours of streamed scenes come in pages, and one "
+                                   "packet after the other"
+                                 : "pages of normals and colours are of triangles in the order of "
+                                   "the image, which grids are not");
     }
     if (!plt_layout_order_valid(info, options)) {
         return plt_fault_set(fault, PLT_ERR_ARGUMENT, 0,
@@ -443,6 +449,9 @@ static int read_header_again(const plt_engine *e, plt_header *header, plt_fault 
 #endif
 #if PLT_WITH_SURFACE
     same &= now->normal_bytes == before->normal_bytes && now->colour_bytes == before->colour_bytes;
+#endif
+#if PLT_WITH_PAGES
+    same &= now->page_bytes == before->page_bytes;
 #endif
     return same ? PLT_OK
                 : plt_fault_set(fault, PLT_ERR_SOURCE, 0, "the source has another header now");

@@ -242,9 +242,11 @@ typedef struct plt_options {
     uint8_t surface; /* 1: hits have normals and colours (PLT_SHADE_SMOOTH, plt_surface_at): those
                       * of the image, for its bytes of them where it is not mapped; triangles that
                       * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
-                      * also 4 bytes per triangle, of compact blocks 6, to find it by its number. Of
-                      * scenes that are resident, not movable and not of instances; compact blocks
-                      * are not built here, and have no frames. Without PLT_WITH_SURFACE: 0 */
+                      * also 4 bytes per triangle, of compact blocks 6, to find it by its number.
+                      * Streamed: of an image that has them in pages (SPEC.md, 4.21), by schedule
+                      * branch, for 44 bytes per ray of a packet. Of scenes that are not movable and
+                      * not of instances; compact blocks are not built here, and have no frames;
+                      * grids have no pages. Without PLT_WITH_SURFACE: 0 */
     uint8_t whitted; /* room for frames of PLT_SHADE_WHITTED: 1 and the most bounces that they may
                       * have, up to 1 + PLT_BOUNCES_MOST, for 85 bytes per ray of a packet, 40 more
                       * per bounce, and the image's materials if it is not mapped; 0: none. With
@@ -297,6 +299,9 @@ typedef struct plt_info {
 #if PLT_WITH_SURFACE
     uint32_t normal_bytes; /* of the section of normals; 0: there are none */
     uint32_t colour_bytes; /* ... and of colours */
+#endif
+#if PLT_WITH_PAGES
+    uint32_t page_bytes; /* ... and of both, page by page */
 #endif
 #if PLT_WITH_WHITTED
     uint32_t material_bytes; /* ... and of materials; 0: there are none */
@@ -443,8 +448,9 @@ typedef struct plt_surface_point {
 
 /* The surface where a ray of plt_trace has hit: of `hit` it looks at triangle, u and v, each of
  * which may be any number. The same bits on every machine. PLT_OK, or PLT_ERR_ARGUMENT:
- * plt_options.surface was 0, or there is no such triangle (PLT_MISS); *point is then left as it
- * was. Cost: three corners looked up, some 40 operations each, one square root for each normal.
+ * plt_options.surface was 0, the scene is streamed, or there is no such triangle (PLT_MISS);
+ * *point is then left as it was. Cost: three corners looked up, some 40 operations each, one square
+ * root for each normal.
  *
  * Not there without PLT_WITH_SURFACE and PLT_WITH_GROUPS. */
 int plt_surface_at(const plt_engine *engine, const plt_hit *hit, plt_surface_point *point);

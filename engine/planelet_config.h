@@ -150,6 +150,8 @@
 #ifndef PLT_WITH_WHITTED
 #define PLT_WITH_WHITTED PLT_WITH_GROUPS
 #endif
+/* ... of scenes that are streamed, page by page. */
+#define PLT_WITH_PAGES (PLT_WITH_SURFACE && PLT_WITH_STREAMED)
 /* Images may have sections behind those of tree and triangles. */
 #define PLT_WITH_FURTHER (PLT_WITH_SURFACE || PLT_WITH_WHITTED)
 

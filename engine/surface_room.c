@@ -5,58 +5,108 @@
 
 #if PLT_WITH_SURFACE
 
-#include "engine/base/fault.h"
-#include "engine/base/rules.h"
 #include "engine/image/fetch.h"
 #include "engine/image/further.h"
-#include "engine/planelet_crc32.h"
 #include "engine/scene/surface_place.h"
-#include "engine/surface/surface_corners.h"
+#include "engine/trace/kept.h"
+#include "engine/trace/surface_hit.h"
 
-/* Where a section lies in a mapped image, or copied to *room, which is then behind it. */
-static int read_section(const plt_engine *e, const plt_section *s, unsigned char **room,
-                        const unsigned char **bytes, plt_fault *fault) {
-    *bytes = NULL;
-    if (s == NULL) {
-        return PLT_OK;
-    }
-    if (e->source.mapped != NULL) {
-        *bytes = (const unsigned char *)e->source.mapped + s->offset;
-    } else {
-        const int status = plt_fetch(&e->source, s->offset, *room, s->bytes, fault);
-        if (status != PLT_OK) {
-            return status;
-        }
-        *bytes = *room;
+/* A section, of which there is one: where it is mapped, or copied to *room, which is behind it
+ * then. */
+static int load(const plt_engine *e, const plt_section *s, unsigned char **room,
+                const unsigned char **bytes, plt_fault *fault) {
+    const int status = plt_further_load(&e->source, s, *room, bytes, fault);
+    if (e->source.mapped == NULL) {
         *room += s->bytes;
     }
-    return plt_crc32(0, *bytes, s->bytes) == s->crc
-               ? PLT_OK
-               : plt_refused(fault, PLT_R13_SECTION_CRC, s->offset,
-                             "a section is damaged (checksum)");
+    return status;
 }
+
+static int open_tables(plt_engine *e, const plt_header *h, unsigned char *room, plt_fault *fault) {
+    const plt_section *of_normals = plt_further_section(h, PLT_SECTION_NORMALS),
+                      *of_colours = plt_further_section(h, PLT_SECTION_COLOURS);
+    const unsigned char *normals = NULL, *colours = NULL;
+    int status = PLT_OK;
+    if (of_normals != NULL) {
+        status = load(e, of_normals, &room, &normals, fault);
+    }
+    if (status == PLT_OK && of_colours != NULL) {
+        status = load(e, of_colours, &room, &colours, fault);
+    }
+    return status == PLT_OK ? plt_surface_data_set(&e->scene.surface, h, normals, colours, fault)
+                            : status;
+}
+
+#if PLT_WITH_PAGES
+/* What pages begin with, where it is mapped, or copied. */
+static int load_head(const plt_engine *e, const plt_section *s, unsigned char *room,
+                     const unsigned char **bytes, plt_fault *fault) {
+    const uint32_t count = s->bytes < PLT_PAGES_ROOM ? s->bytes : PLT_PAGES_ROOM;
+    if (e->source.mapped != NULL) {
+        *bytes = (const unsigned char *)e->source.mapped + s->offset;
+        return PLT_OK;
+    }
+    *bytes = room;
+    return plt_fetch(&e->source, s->offset, room, count, fault);
+}
+
+static int open_pages(plt_engine *e, const plt_section *s, unsigned char *room, plt_fault *fault) {
+    plt_surface_data *d = &e->scene.surface;
+    const int is_streamed = plt_is_streamed(e->scene.format);
+    const unsigned char *bytes = NULL;
+    int status = is_streamed ? load_head(e, s, room, &bytes, fault)
+                             : plt_further_load(&e->source, s, room, &bytes, fault);
+    if (status == PLT_OK) {
+        status = plt_surface_pages_set(d, s, bytes, !is_streamed, e->scene.info.triangles, fault);
+    }
+    return status == PLT_OK && !is_streamed
+               ? plt_surface_pages_validate(d, 0, d->pages.pages, fault)
+               : status;
+}
+
+static int open_surface(plt_engine *e, const plt_header *h, unsigned char *room, plt_fault *fault) {
+    const plt_section *pages = plt_further_section(h, PLT_SECTION_PAGES);
+    const int has_tables = plt_further_section(h, PLT_SECTION_NORMALS) != NULL ||
+                           plt_further_section(h, PLT_SECTION_COLOURS) != NULL;
+    return pages != NULL && (plt_is_streamed(e->scene.format) || !has_tables)
+               ? open_pages(e, pages, room, fault)
+               : open_tables(e, h, room, fault);
+}
+
+static void keep_hits(plt_engine *e, void *room) {
+#if PLT_WITH_GROUPS
+    const uint32_t side = e->options.packet_side;
+    if (plt_is_streamed(e->scene.format)) {
+        plt_kept_init(room, side * side);
+    }
+#else
+    (void)e;
+    (void)room;
+#endif
+}
+#else
+static int open_surface(plt_engine *e, const plt_header *h, unsigned char *room, plt_fault *fault) {
+    return open_tables(e, h, room, fault);
+}
+#endif
 
 int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
-    plt_surface_data *d = &e->scene.surface;
-    const unsigned char *normals = NULL, *colours = NULL;
-    unsigned char *room = part[PLT_PART_SURFACE];
     if (!e->options.surface) {
         return PLT_OK;
     }
-    int status =
-        read_section(e, plt_further_section(h, PLT_SECTION_NORMALS), &room, &normals, fault);
-    if (status == PLT_OK) {
-        status =
-            read_section(e, plt_further_section(h, PLT_SECTION_COLOURS), &room, &colours, fault);
-    }
-    status = status == PLT_OK ? plt_surface_data_set(d, h, normals, colours, fault) : status;
+    const int status = open_surface(e, h, part[PLT_PART_SURFACE], fault);
     if (status != PLT_OK) {
         return status;
     }
-    d->is_open = 1;
+    e->scene.surface.is_open = 1;
+#if PLT_WITH_PAGES
+    keep_hits(e, part[PLT_PART_KEPT]);
+#endif
 #if PLT_WITH_GROUPS
-    plt_surface_places_set(&e->scene, part[PLT_PART_PLACES]);
+    if (!plt_is_streamed(e->scene.format)) {
+        plt_surface_places_set(&e->scene, part[PLT_PART_PLACES]);
+    }
 #endif
     return PLT_OK;
 }
@@ -65,11 +115,10 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
 int plt_surface_at(const plt_engine *e, const plt_hit *hit, plt_surface_point *point) {
     const plt_surface_data *d = &e->scene.surface;
     plt_surface_corners corners;
-    plt_record room;
     if (hit->triangle >= d->triangles) { /* 0 if it is not open */
         return PLT_ERR_ARGUMENT;
     }
-    plt_surface_corners_set(&corners, d, plt_surface_record(&e->scene, hit->triangle, &room));
+    plt_surface_of_id(&e->scene, hit->triangle, &corners);
     plt_surface_mix(&corners, hit->u, hit->v, point);
     return PLT_OK;
 }

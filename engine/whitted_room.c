@@ -3,31 +3,11 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/whitted_room.h"
 
-#include "engine/base/fault.h"
-#include "engine/base/rules.h"
-#include "engine/image/fetch.h"
 #include "engine/image/further.h"
-#include "engine/planelet_crc32.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/whitted.h"
 
 #if PLT_WITH_WHITTED
-
-/* The section where it is mapped, or copied to `room`. */
-static int read_section(const plt_engine *e, const plt_section *s, unsigned char *room,
-                        const unsigned char **bytes, plt_fault *fault) {
-    const unsigned char *mapped = e->source.mapped;
-    int status = PLT_OK;
-    *bytes = mapped != NULL ? mapped + s->offset : room;
-    if (mapped == NULL) {
-        status = plt_fetch(&e->source, s->offset, room, s->bytes, fault);
-    }
-    if (status == PLT_OK && plt_crc32(0, *bytes, s->bytes) != s->crc) {
-        return plt_refused(fault, PLT_R13_SECTION_CRC, s->offset,
-                           "a section is damaged (checksum)");
-    }
-    return status;
-}
 
 int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
@@ -42,7 +22,7 @@ int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PL
     if (s == NULL) {
         return PLT_OK;
     }
-    const int status = read_section(e, s, part[PLT_PART_MATERIALS], &bytes, fault);
+    const int status = plt_further_load(&e->source, s, part[PLT_PART_MATERIALS], &bytes, fault);
     return status != PLT_OK ? status
                             : plt_materials_read(&w->materials, bytes, s->bytes,
                                                  h->info.source_triangles, s->offset, fault);

@@ -19,6 +19,19 @@ enum { TABLE_MOST = 128 };
 _Static_assert(PLT_FURTHER_HEAD + PLT_FURTHER_MOST * PLT_FURTHER_ENTRY <= TABLE_MOST,
                "a table fits the stack");
 
+static int is_zero(const unsigned char *bytes, uint32_t count) {
+    unsigned any = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        any |= bytes[i];
+    }
+    return any == 0;
+}
+
+int plt_further_is_full(const plt_section *s, const unsigned char *bytes, uint64_t used) {
+    return used <= s->bytes && s->bytes - used < PLT_SECTION_ALIGN &&
+           is_zero(bytes + used, (uint32_t)(s->bytes - used));
+}
+
 uint32_t plt_further_check(const unsigned char *table, uint32_t bytes) {
     return plt_crc32(0, table + 4, bytes - 4);
 }
@@ -32,22 +45,37 @@ const plt_section *plt_further_section(const plt_header *h, uint32_t kind) {
     return NULL;
 }
 
+int plt_further_load(const plt_source *source, const plt_section *s, unsigned char *room,
+                     const unsigned char **bytes, plt_fault *fault) {
+    const unsigned char *mapped = source->mapped;
+    *bytes = mapped != NULL ? mapped + s->offset : room;
+    if (mapped == NULL) {
+        const int status = plt_fetch(source, s->offset, room, s->bytes, fault);
+        if (status != PLT_OK) {
+            return status;
+        }
+    }
+    return plt_crc32(0, *bytes, s->bytes) == s->crc
+               ? PLT_OK
+               : plt_refused(fault, PLT_R13_SECTION_CRC, s->offset,
+                             "a section is damaged (checksum)");
+}
+
 static int refused(plt_fault *fault, uint32_t offset) {
     return plt_refused(fault, PLT_R17_FURTHER, offset,
                        "the table of further sections is not what it must be");
 }
 
-static int is_zero(const unsigned char *bytes, uint32_t count) {
-    unsigned any = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        any |= bytes[i];
-    }
-    return any == 0;
-}
-
 /* Kinds rise, so that each is there once; this engine knows all of them. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS;
+    return kind > before && ((kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS) ||
+                             (PLT_WITH_PAGES && kind == PLT_SECTION_PAGES));
+}
+
+/* Normals and colours are of triangles that stay where they are, and none is of bodies, whose
+ * triangles have numbers of their own. */
+static int is_allowed(const plt_info *info, uint32_t kind) {
+    return info->instances == 0 && (info->frames == 0 || kind == PLT_SECTION_MATERIALS);
 }
 
 static void put_bytes(plt_info *info, const plt_section *s) {
@@ -56,6 +84,11 @@ static void put_bytes(plt_info *info, const plt_section *s) {
         info->normal_bytes = s->bytes;
     } else if (s->kind == PLT_SECTION_COLOURS) {
         info->colour_bytes = s->bytes;
+    }
+#endif
+#if PLT_WITH_PAGES
+    if (s->kind == PLT_SECTION_PAGES) {
+        info->page_bytes = s->bytes;
     }
 #endif
 #if PLT_WITH_WHITTED
@@ -76,6 +109,10 @@ static int read_entries(plt_header *h, const unsigned char *table, uint32_t byte
         if (!is_known(s.kind, before) || s.offset != offset || s.bytes == 0 ||
             s.bytes % PLT_SECTION_ALIGN != 0) {
             return refused(fault, h->further_at + at);
+        }
+        if (!is_allowed(&h->info, s.kind)) {
+            return plt_refused(fault, PLT_R17_FURTHER, h->further_at + at,
+                               "an image with frames or instances has a section that it must not");
         }
         h->further[i] = s;
         put_bytes(&h->info, &s);

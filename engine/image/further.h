@@ -26,5 +26,13 @@ int plt_further_read(const plt_source *source, plt_header *header, plt_fault *fa
 /* NULL: the image has none of that kind. */
 const plt_section *plt_further_section(const plt_header *header, uint32_t kind);
 
+/* Sets *bytes to where the section lies in a mapped image, or to `room`, which it is copied to.
+ * PLT_OK, PLT_ERR_SOURCE, or PLT_ERR_IMAGE: R13. */
+int plt_further_load(const plt_source *source, const plt_section *section, unsigned char *room,
+                     const unsigned char **bytes, plt_fault *fault);
+
+/* What fills a section up behind `used` bytes of it is less than PLT_SECTION_ALIGN, and 0. */
+int plt_further_is_full(const plt_section *section, const unsigned char *bytes, uint64_t used);
+
 #endif
 #endif

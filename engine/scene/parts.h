@@ -97,10 +97,17 @@
 #define PLT_PARTS_OF_INSTANCES(ROW)
 #endif
 
+#if PLT_WITH_PAGES
+#define PLT_PARTS_OF_PAGES(ROW) ROW(KEPT, RUNS, "triangles of hits")
+#else
+#define PLT_PARTS_OF_PAGES(ROW)
+#endif
+
 #if PLT_WITH_SURFACE
 #define PLT_PARTS_OF_SURFACES(ROW)                                                                 \
     ROW(SURFACE, RUNS, "normals and colours, copied")                                              \
-    ROW(PLACES, RUNS, "records of triangles")
+    ROW(PLACES, RUNS, "records of triangles")                                                      \
+    PLT_PARTS_OF_PAGES(ROW)
 #else
 #define PLT_PARTS_OF_SURFACES(ROW)
 #endif

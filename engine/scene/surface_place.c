@@ -71,4 +71,18 @@ const plt_record *plt_surface_record(const plt_scene *s, uint32_t id, plt_record
     return &plt_scene_records(s)[d->place[id]];
 }
 
+#if PLT_WITH_PAGES
+uint32_t plt_surface_index(const plt_scene *s, uint32_t id) {
+    const plt_surface_data *d = &s->surface;
+#if PLT_WITH_COMPACT
+    if (d->within != NULL) {
+        uint32_t first, count;
+        plt_block_triangles(&s->compact, 8 * d->place[id], &first, &count);
+        return first + d->within[id];
+    }
+#endif
+    return d->place[id];
+}
+#endif
+
 #endif

@@ -29,5 +29,10 @@ void plt_surface_places_set(plt_scene *scene, void *room);
 /* The record of an id below scene->surface.triangles: where it is, or made in `room`. */
 const plt_record *plt_surface_record(const plt_scene *scene, uint32_t id, plt_record *room);
 
+#if PLT_WITH_PAGES
+/* The number of that triangle in the image; not of grids, whose records are in another order. */
+uint32_t plt_surface_index(const plt_scene *scene, uint32_t id);
+#endif
+
 #endif
 #endif

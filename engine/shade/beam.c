@@ -112,6 +112,10 @@ void plt_beam_begin(plt_beam *b, const plt_pixels *square, plt_traversal *t, uin
 #if PLT_BEAMS_STORE
     b->next = 0;
 #endif
+#if PLT_BEAMS_STORE && PLT_WITH_PAGES
+    b->index =
+        t->scene->surface.is_paged && b->records == b->store ? (uint32_t *)(void *)t->kept : NULL;
+#endif
     t->waiting = 0;
     if (set_beam(b)) {
         plt_beam_push_root(b, t);

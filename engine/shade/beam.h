@@ -92,7 +92,20 @@ typedef struct plt_beam {
     plt_record *store; /* of strips, or vertices: `records` is that, behind the pixels */
     uint32_t next;     /* where to look for a record of it that no pixel has */
 #endif
+#if PLT_BEAMS_STORE && PLT_WITH_PAGES
+    uint32_t *index; /* in the image, of records of the store; NULL: nobody asks */
+#endif
 } plt_beam;
+
+/* Of a record that pixels have. Without pages 0. */
+static inline uint32_t plt_beam_image_index(const plt_beam *b, uint32_t record) {
+#if PLT_BEAMS_STORE && PLT_WITH_PAGES
+    return b->index != NULL ? b->index[record] : record;
+#else
+    (void)b;
+    return PLT_WITH_PAGES ? record : 0;
+#endif
+}
 
 /* Bytes of a beam and, behind it, the pixels of side^2 rays. */
 static inline size_t plt_beam_bytes(unsigned side) {

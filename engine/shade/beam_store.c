@@ -24,5 +24,10 @@ const plt_record *plt_beam_store(plt_beam *b, const plt_leaf *leaf, uint32_t tri
     }
     const plt_primitive_ids *ids = b->tree->ids.bytes == NULL ? NULL : &b->tree->ids;
     plt_put_u32(&r->word[9], plt_primitive_word_find(ids, index));
+#if PLT_WITH_PAGES
+    if (b->index != NULL) {
+        b->index[r - b->store] = index;
+    }
+#endif
     return r;
 }

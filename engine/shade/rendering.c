@@ -169,9 +169,13 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
     }
 #if PLT_WITH_GROUPS
     plt_view_packet(&r->view, box_of(r, t), p, pixels);
-    if (IS_SMOOTH(r) || wants_weights(r, t)) {
+    const int keeps = IS_SMOOTH(r) || wants_weights(r, t);
+    if (keeps) {
         plt_packet_want_weights(p);
     }
+#if PLT_WITH_PAGES
+    t->keeps = (uint8_t)(keeps && plt_is_streamed(t->scene->format));
+#endif
     plt_traversal_begin(t, p, rays);
     begin_lights(r, p, pixels);
 #else
@@ -220,27 +224,28 @@ static void shade_square(plt_rendering *r) {
 #endif
 }
 
-/* The colours of a square, or packet, by normals and colours of corners. */
-static void shade_smooth(plt_rendering *r, const plt_traversal *t, const plt_packet *p,
-                         const plt_pixels *pixels) {
+/* The colours of a square, or packet, by normals and colours of corners. PLT_OK, or what a fetch
+ * failed with. */
+static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
+                        const plt_pixels *pixels) {
 #if PLT_WITH_SURFACE
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
     uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
     const uint8_t *sky = &r->sky[3 * r->at.py];
 #if PLT_WITH_BEAMS
     if (HAS_BEAMS(r)) {
-        plt_beam_smooth(r->beam, t->scene, sky, rgb, 3 * width);
-        return;
+        return plt_beam_smooth(r->beam, t, sky, rgb, 3 * width);
     }
 #endif
 #if PLT_WITH_GROUPS
-    plt_smooth_shade(t->scene, p, pixels, sky, rgb, 3 * width);
+    return plt_smooth_shade(t, p, pixels, sky, rgb, 3 * width);
 #endif
 #endif
     (void)r;
     (void)t;
     (void)p;
     (void)pixels;
+    return PLT_OK;
 }
 
 /* What one packet, and no other, has traced. */
@@ -251,11 +256,9 @@ static void shade(plt_rendering *r, const plt_traversal *t, const plt_packet *p,
         plt_mix_heat(r, t->stats.node_visits - r->visits);
         return;
     }
+#else
+    (void)t;
 #endif
-    if (IS_SMOOTH(r)) {
-        shade_smooth(r, t, p, pixels);
-        return;
-    }
     if (HAS_BEAMS(r)) {
         shade_square(r);
     } else {
@@ -424,14 +427,19 @@ int plt_rendering_step(plt_rendering *r, plt_traversal *t, plt_packet *p, uint32
     if (!r->tracing) {
         begin_packet(r, t, p, &pixels, rays);
     }
-    const int status = trace(r, t, p, visits);
+    int status = trace(r, t, p, visits);
+    if (IS_SMOOTH(r) && status == PLT_OK) { /* which may have to fetch */
+        status = shade_smooth(r, t, p, &pixels);
+    }
     if (status < 0) {
         r->done = 1;
     }
     if (status != PLT_OK) {
         return status;
     }
-    shade(r, t, p, &pixels);
+    if (!IS_SMOOTH(r)) {
+        shade(r, t, p, &pixels);
+    }
     r->tracing = 0;
 #if PLT_WITH_SAMPLES
     if (plt_samples_again(r)) {

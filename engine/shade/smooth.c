@@ -10,9 +10,8 @@
 
 #include <string.h>
 
-#include "engine/scene/surface_place.h"
 #include "engine/shade/surface.h"
-#include "engine/surface/surface_corners.h"
+#include "engine/trace/surface_hit.h"
 
 static float dot(const float a[3], const float b[3]) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
@@ -51,25 +50,30 @@ typedef struct shaded {
     plt_surface_corners corners;
 } shaded;
 
-static void shade_lane(const plt_scene *scene, const plt_group_rays *g, unsigned lane, shaded *s,
-                       uint8_t rgb[3]) {
-    plt_record room;
+static int shade_ray(plt_traversal *t, const plt_packet *p, uint32_t ray, shaded *s,
+                     uint8_t rgb[3]) {
+    const plt_group_rays *g = &p->rays[ray / 4];
+    const unsigned lane = ray % 4;
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     plt_surface_point point;
     if (g->id[lane] != s->id) {
+        const int status = plt_surface_of_ray(t, p, ray, &s->corners);
+        if (status != PLT_OK) {
+            return status;
+        }
         s->id = g->id[lane];
-        plt_surface_corners_set(&s->corners, &scene->surface,
-                                plt_surface_record(scene, s->id, &room));
     }
     plt_surface_mix(&s->corners, g->u[lane], g->v[lane], &point);
     plt_smooth_colour(&point, dir, rgb);
+    return PLT_OK;
 }
 
-void plt_smooth_shade(const plt_scene *scene, const plt_packet *p, const plt_pixels *pixels,
-                      const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
+int plt_smooth_shade(plt_traversal *t, const plt_packet *p, const plt_pixels *pixels,
+                     const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
     const uint32_t columns = pixels->x_end - pixels->x, rows = pixels->y_end - pixels->y;
     shaded s = {.id = PLT_MISS};
-    for (uint32_t k = 0; k < pixels->side * pixels->side; k++) {
+    int status = PLT_OK;
+    for (uint32_t k = 0; k < pixels->side * pixels->side && status == PLT_OK; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
         const plt_group_rays *g = &p->rays[k / 4];
         if (x >= columns || y >= rows) {
@@ -79,9 +83,10 @@ void plt_smooth_shade(const plt_scene *scene, const plt_packet *p, const plt_pix
         if (p->active == 0 || !(g->valid >> k % 4 & 1u) || g->id[k % 4] == PLT_MISS) {
             memcpy(to, &sky[3 * y], 3);
         } else {
-            shade_lane(scene, g, k % 4, &s, to);
+            status = shade_ray(t, p, k, &s, to);
         }
     }
+    return status;
 }
 
 #endif

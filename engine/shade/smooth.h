@@ -4,8 +4,8 @@
 #ifndef PLT_SHADE_SMOOTH_H
 #define PLT_SHADE_SMOOTH_H
 
-#include "engine/scene/scene.h"
 #include "engine/shade/camera.h"
+#include "engine/trace/traversal.h"
 
 #if PLT_WITH_SURFACE
 
@@ -14,16 +14,16 @@
 void plt_smooth_colour(const plt_surface_point *point, const float dir[3], uint8_t rgb[3]);
 
 #if PLT_WITH_GROUPS
-/* As plt_shade_pixels, of a packet whose hits have u and v. */
-void plt_smooth_shade(const plt_scene *scene, const plt_packet *packet, const plt_pixels *pixels,
-                      const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes);
+/* As plt_shade_pixels, of a packet whose hits have u and v. PLT_OK, or what a fetch failed with. */
+int plt_smooth_shade(plt_traversal *t, const plt_packet *packet, const plt_pixels *pixels,
+                     const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes);
 #endif
 
 #if PLT_WITH_BEAMS
-/* As plt_beam_shade. */
+/* As plt_beam_shade; likewise. */
 struct plt_beam;
-void plt_beam_smooth(const struct plt_beam *b, const plt_scene *scene, const uint8_t *sky,
-                     uint8_t *rgb, uint32_t row_bytes);
+int plt_beam_smooth(const struct plt_beam *b, plt_traversal *t, const uint8_t *sky, uint8_t *rgb,
+                    uint32_t row_bytes);
 #endif
 
 #endif

@@ -31,8 +31,29 @@ typedef struct plt_surface_tables {
     plt_retrieval position, corner;
 } plt_surface_tables;
 
+#if PLT_WITH_PAGES
+/* ... of so many triangles each (surface_pages.h). */
+typedef struct plt_surface_pages {
+    const unsigned char *resident; /* the section, if it is there as a whole; else NULL */
+    uint32_t at, bytes;            /* where it lies in the image, and how long it is */
+    uint32_t chunks_at, pages_at;  /* of it: the directory, and the pages */
+    uint32_t pages;
+    uint8_t shift; /* a page has 2^shift triangles, in the order of the image */
+    uint8_t has;   /* bits of surface_pages.h */
+} plt_surface_pages;
+#endif
+
 typedef struct plt_surface_data {
+#if PLT_WITH_PAGES
+    union {
+        struct {
+            plt_surface_tables normals, colours;
+        };
+        plt_surface_pages pages; /* if is_paged */
+    };
+#else
     plt_surface_tables normals, colours;
+#endif
     const unsigned char *palette; /* red, green, blue, 0 each */
     uint32_t palette_count;
     const uint32_t *place;  /* by primitive id (scene/surface_place.h) */
@@ -40,7 +61,25 @@ typedef struct plt_surface_data {
     uint32_t triangles;     /* ids are below this; 0: they are not to be found by it */
     uint8_t is_open;        /* plt_options.surface */
     uint8_t has_normals, has_colours;
+#if PLT_WITH_PAGES
+    uint8_t is_paged; /* page by page; else the tables are those of all triangles */
+#endif
 } plt_surface_data;
+
+#if PLT_WITH_PAGES
+static inline int plt_surface_is_paged(const plt_surface_data *d) {
+    return d->is_paged;
+}
+#else
+static inline int plt_surface_is_paged(const plt_surface_data *d) {
+    (void)d;
+    return 0;
+}
+#endif
+
+/* Both tables, one behind the other, from `entries` on; `head`: PLT_NORMALS_HEAD bytes. */
+void plt_surface_tables_set(plt_surface_tables *tables, const unsigned char *head,
+                            const unsigned char *entries, uint32_t entry_bytes);
 
 /* `normals`, `colours`: the sections' bytes, or NULL. R18 refuses heads that do not fit them. */
 int plt_surface_data_set(plt_surface_data *d, const plt_header *header,

@@ -16,6 +16,8 @@
  *   float blocks_root_end(tree)     where the whole tree ends
  *   float blocks_edge_end(o, link)  where the subtree behind an edge of the block ends
  *   void blocks_set_end(hi, end)    notes it in a place; here nobody needs it
+ *   void blocks_keep(t, p, run, groups)          triangles of the run that they hit, if they are
+ * kept
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_BLOCKS_RESIDENT_H
@@ -97,6 +99,14 @@ static inline float blocks_edge_end(const plt_opened_block *o, uint32_t link) {
 static inline void blocks_set_end(float hi[4], float end) {
     (void)hi;
     (void)end;
+}
+
+static inline void blocks_keep(const plt_traversal *t, const plt_packet *p, const void *run,
+                               plt_mask groups) {
+    (void)t;
+    (void)p;
+    (void)run;
+    (void)groups;
 }
 
 #endif

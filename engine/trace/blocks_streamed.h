@@ -15,6 +15,7 @@
 #include "engine/memory/stream.h"
 #include "engine/trace/block_place.h"
 #include "engine/trace/block_target.h"
+#include "engine/trace/kept.h"
 #include "engine/trace/tasks.h"
 #include "engine/trace/traversal.h"
 
@@ -138,6 +139,20 @@ static inline float blocks_edge_end(const plt_opened_block *o, uint32_t link) {
 
 static inline void blocks_set_end(float hi[4], float end) {
     hi[3] = end;
+}
+
+static inline void blocks_keep(const plt_traversal *t, const plt_packet *p, const plt_leaf_run *run,
+                               plt_mask groups) {
+#if PLT_WITH_PAGES && PLT_WITH_GROUPS
+    if (plt_keeps(t, p)) {
+        plt_keep_strips(t->kept, p, blocks_tree(t), &blocks_current(t)->geometry, run, groups);
+    }
+#else
+    (void)t;
+    (void)p;
+    (void)run;
+    (void)groups;
+#endif
 }
 
 #endif

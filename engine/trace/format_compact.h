@@ -195,6 +195,7 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
     run.first = plt_block_leaf(o, place->target, &run.count);
     t->stats.triangle_tests += (uint64_t)run.count * plt_mask_count(groups);
     plt_leaf_groups(tree, &o->geometry, &run, p, groups);
+    blocks_keep(t, p, &run, groups);
     return PLT_OK;
 }
 

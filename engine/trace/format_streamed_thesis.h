@@ -19,6 +19,7 @@
 #include "engine/memory/treelet_stream.h"
 #include "engine/trace/format.h"
 #include "engine/trace/format_meets.h"
+#include "engine/trace/kept.h"
 #include "engine/trace/leaf_records.h"
 #include "engine/trace/tasks.h"
 #include "engine/trace/thesis_place.h"
@@ -137,6 +138,20 @@ static inline void format_child(const format_children *c, unsigned child, format
                        : c->scope;
 }
 
+static inline void keep_records(const plt_traversal *t, const plt_packet *p,
+                                const plt_lists_left *left, plt_mask groups) {
+#if PLT_WITH_PAGES
+    if (plt_keeps(t, p)) {
+        plt_keep_records(t->kept, p, left->at, left->record - left->count, left->count, groups);
+    }
+#else
+    (void)t;
+    (void)p;
+    (void)left;
+    (void)groups;
+#endif
+}
+
 /* Lists that go on in the next page are tested record by record up to there. */
 static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_place *place,
                               plt_mask groups) {
@@ -155,6 +170,7 @@ static inline int format_leaf(plt_traversal *t, plt_packet *p, const format_plac
             plt_record_groups(p, &left.at[i], longest, groups);
         }
         t->stats.triangle_tests += (uint64_t)left.count * plt_mask_count(groups);
+        keep_records(t, p, &left, groups);
     }
     return PLT_OK;
 }

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-/* Blocks of thesis nodes have an index; if they are streamed, slots have, and pages of records;
- * compact blocks lie at multiples of 8. */
+/* Blocks of thesis nodes have an index; if they are streamed, slots have, and
+ * pages of records; compact blocks lie at multiples of 8. */
 uint32_t plt_touched_words(enum plt_format format, const plt_info *info) {
     if (PLT_WITH_GRID && format == PLT_FORMAT_GRID) {
         return 0; /* nodes are not looked at */
@@ -30,6 +30,11 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
     t->order = options->order;
     t->stack = part[PLT_PART_STACK];
     t->local = part[PLT_PART_LOCAL_STACK];
+#if PLT_WITH_PAGES
+    if (options->order == PLT_ORDER_DEPTH_FIRST) {
+        t->kept = part[PLT_PART_KEPT];
+    }
+#endif
 #if PLT_WITH_HULLS
     t->leaves = part[PLT_PART_LEAVES];
 #endif
@@ -41,7 +46,7 @@ void plt_traversal_init(plt_traversal *t, const plt_scene *scene, const plt_opti
 #endif
     if (options->count_touched) {
         t->touched = part[PLT_PART_TOUCHED];
-        t->touched_words = plt_touched_words((enum plt_format)scene->format, &scene->info);
+        t->touched_words = plt_touched_all_words((enum plt_format)scene->format, &scene->info);
     }
 #if PLT_WITH_GROUPS
     plt_state_init(t);

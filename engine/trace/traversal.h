@@ -13,6 +13,7 @@
 
 #include "engine/scene/parts.h"
 #include "engine/scene/scene.h"
+#include "engine/surface/page_fetch.h"
 #include "engine/trace/packet.h"
 
 typedef struct plt_traversal {
@@ -22,9 +23,19 @@ typedef struct plt_traversal {
     uint8_t prefetch;     /* as plt_options */
     uint16_t entry_bytes; /* of the stack */
 #endif
+#if PLT_WITH_PAGES
+    uint8_t keeps; /* hits of packets are kept (kept.h) */
+#endif
     void *stack;      /* entries: depth first, or the global stack */
     uint32_t waiting; /* entries on it; 0: the packet is done */
-    void *local;      /* two-stage only */
+#if PLT_WITH_PAGES
+    union {
+        void *local;           /* two-stage only */
+        struct plt_kept *kept; /* depth first only: [side^2], or numbers of a beam's records */
+    };
+#else
+    void *local; /* two-stage only */
+#endif
 #if PLT_WITH_HULLS
     void *leaves;            /* hulls only: they wait to be tested */
     unsigned leaves_waiting; /* PLT_LEAVES_WAITING and two at most */
@@ -81,8 +92,19 @@ size_t plt_entry_bytes(enum plt_format format, unsigned order);
 /* Bytes of a format's state. */
 size_t plt_state_bytes(enum plt_format format);
 
-/* Words of a bit per block that can be fetched. */
+/* Words of a bit per part of a tree that can be fetched. */
 uint32_t plt_touched_words(enum plt_format format, const plt_info *info);
+
+/* With those of pages (surface/page_fetch.h), which are behind them. */
+static inline uint32_t plt_touched_all_words(enum plt_format format, const plt_info *info) {
+    uint32_t words = plt_touched_words(format, info);
+#if PLT_WITH_PAGES
+    if (plt_is_streamed(format) && info->page_bytes > 0) {
+        words += plt_pages_touched_words(info->triangles);
+    }
+#endif
+    return words;
+}
 
 /* Lays a traversal over the parts of an arena (scene/parts.h), by enum plt_part; those
  * of 0 bytes may be anything. */

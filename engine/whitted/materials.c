@@ -5,6 +5,7 @@
 
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
+#include "engine/image/further.h"
 
 #if PLT_WITH_WHITTED
 
@@ -15,10 +16,12 @@ static uint64_t index_bytes(const plt_materials *m) {
     return m->bits > 0 ? ((uint64_t)m->triangles * m->bits + 7) / 8 : 5ull * m->runs;
 }
 
+static uint64_t used_bytes(const plt_materials *m) {
+    return PLT_MATERIALS_HEAD + (uint64_t)m->count * PLT_MATERIAL_BYTES + index_bytes(m);
+}
+
 uint64_t plt_materials_bytes(const plt_materials *m) {
-    const uint64_t used =
-        PLT_MATERIALS_HEAD + (uint64_t)m->count * PLT_MATERIAL_BYTES + index_bytes(m);
-    return (used + 63) & ~63ull;
+    return (used_bytes(m) + 63) & ~63ull;
 }
 
 /* The most that each float of a material may be; the least is 0, of an index 1. */
@@ -89,7 +92,8 @@ int plt_materials_read(plt_materials *m, const unsigned char *section, uint32_t 
     m->bits = plt_get_u32(section + AT_BITS);
     m->runs = plt_get_u32(section + AT_RUNS);
     m->triangles = plt_get_u32(section + AT_TRIANGLES);
-    if (!are_counts(m, section, triangles) || plt_materials_bytes(m) != bytes) {
+    const plt_section all = {.bytes = bytes};
+    if (!are_counts(m, section, triangles) || !plt_further_is_full(&all, section, used_bytes(m))) {
         return refused(fault, offset, "a count of the materials is out of range");
     }
     m->index = m->table + (size_t)m->count * PLT_MATERIAL_BYTES;

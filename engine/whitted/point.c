@@ -6,8 +6,7 @@
 #include "engine/whitted/optics.h"
 
 #if PLT_WITH_SURFACE
-#include "engine/scene/surface_place.h"
-#include "engine/surface/surface_corners.h"
+#include "engine/trace/surface_hit.h"
 #endif
 
 #if PLT_WITH_WHITTED
@@ -58,35 +57,39 @@ static void set_smooth(plt_lit_pixel *p, const float normal[3]) {
     }
 }
 
-static void set_of_corners(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
-                           unsigned lane) {
-    plt_record room;
+static int set_of_corners(plt_traversal *t, plt_lit_pixel *p, const plt_packet *packet,
+                          uint32_t ray) {
+    const plt_group_rays *g = &packet->rays[ray / 4];
     plt_surface_corners corners;
     plt_surface_point point;
-    plt_surface_corners_set(&corners, &scene->surface,
-                            plt_surface_record(scene, g->id[lane], &room));
-    plt_surface_mix(&corners, g->u[lane], g->v[lane], &point);
+    const int status = plt_surface_of_ray(t, packet, ray, &corners);
+    if (status != PLT_OK) {
+        return status;
+    }
+    plt_surface_mix(&corners, g->u[ray % 4], g->v[ray % 4], &point);
     set_side(p, point.flat);
     set_smooth(p, point.normal);
     for (int c = 0; c < 3; c++) {
         const float colour = point.has_colour ? point.colour[c] : 1.0f;
         p->tint[c] = (uint8_t)(int32_t)(colour * 255.0f + 0.5f);
     }
+    return PLT_OK;
 }
 #endif
 
-void plt_point_set(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
-                   unsigned lane) {
+int plt_point_set(plt_traversal *t, plt_lit_pixel *p, const plt_packet *packet, uint32_t ray) {
 #if PLT_WITH_SURFACE
-    if (scene->surface.is_open) {
-        set_of_corners(scene, p, g, lane);
-        return;
+    if (t->scene->surface.is_open) {
+        return set_of_corners(t, p, packet, ray);
     }
 #endif
-    (void)scene;
+    (void)t;
+    const plt_group_rays *g = &packet->rays[ray / 4];
+    const unsigned lane = ray % 4;
     const float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
     set_side(p, normal);
     p->tint[0] = p->tint[1] = p->tint[2] = 255;
+    return PLT_OK;
 }
 
 #endif

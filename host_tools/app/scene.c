@@ -124,12 +124,22 @@ int scene_refused(const scene *s, const char *path, int status, const plt_fault 
                                   "--frames",
                             fault->message);
         }
+        if (s->options.structure == PLT_STRUCTURE_GRID && s->options.surface) {
+            return fail_set(f, name,
+                            "%s; pack it with --nodes thesis --surface tables, or leave out "
+                            "--structure",
+                            fault->message);
+        }
         if (s->options.structure == PLT_STRUCTURE_GRID) {
             return fail_set(f, name, "%s; pack it with --nodes thesis, or leave out --structure",
                             fault->message);
         }
         if (s->options.surface) {
-            return fail_set(f, name, "%s; leave out --shader smooth", fault->message);
+            return fail_set(f, name,
+                            s->options.residency == PLT_RESIDENCY_STREAMED
+                                ? "%s; pack it with --surface pages, and use --schedule branch"
+                                : "%s; leave out --shader smooth",
+                            fault->message);
         }
         return fail_set(f, name,
                         goes_depth_first(s)
@@ -388,7 +398,8 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
 
 /* Lights fall on normals and colours of the image, if it has any that can be had. */
 static void choose_surface(scene *s, const plt_info *info) {
-    if (s->options.whitted > 0 && (info->normal_bytes > 0 || info->colour_bytes > 0)) {
+    if (s->options.whitted > 0 &&
+        (info->normal_bytes > 0 || info->colour_bytes > 0 || info->page_bytes > 0)) {
         s->options.surface = 1;
         s->options.surface = plt_arena_need(info, 0, &s->options) > 0;
     }

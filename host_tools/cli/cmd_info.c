@@ -228,6 +228,8 @@ static void print_surface_json(const plt_info *i) {
            ",\n  \"normal_bytes_per_triangle\": %.3f,\n"
            "  \"colour_bytes\": %" PRIu32 ",\n  \"colour_bytes_per_triangle\": %.3f,\n",
            i->normal_bytes, i->normal_bytes / n, i->colour_bytes, i->colour_bytes / n);
+    printf("  \"page_bytes\": %" PRIu32 ",\n  \"page_bytes_per_triangle\": %.3f,\n", i->page_bytes,
+           i->page_bytes / n);
     printf("  \"material_bytes\": %" PRIu32 ",\n  \"material_bytes_per_triangle\": %.3f,\n",
            i->material_bytes, i->material_bytes / n);
 }
@@ -360,7 +362,7 @@ static void print_surface(const char *what, uint32_t bytes, const plt_info *i) {
 static void print_smooth_need(const plt_info *i, const plt_options *options) {
     plt_options o = *options;
     o.surface = 1;
-    if (i->normal_bytes + i->colour_bytes > 0) {
+    if (i->normal_bytes + i->colour_bytes + i->page_bytes > 0) {
         printf("arena if smooth    %zu bytes when the image is mapped, %zu if fetched\n",
                plt_arena_need(i, 1, &o), plt_arena_need(i, 0, &o));
     }
@@ -376,6 +378,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     }
     print_surface("normal", i->normal_bytes, i);
     print_surface("colour", i->colour_bytes, i);
+    print_surface("page", i->page_bytes, i);
     print_surface("material", i->material_bytes, i);
     if (i->instances > 0) {
         print_instances(i);
@@ -406,7 +409,7 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     if (status == PLT_OK) {
         s->options.movable = info->frames > 0 && info->instances == 0 &&
                              info->geometry_format != PLT_GEOMETRY_STILLS; /* frame 0 */
-        s->options.surface = info->normal_bytes + info->colour_bytes > 0;
+        s->options.surface = info->normal_bytes + info->colour_bytes + info->page_bytes > 0;
         status = scene_start(s, path, &fault);
         s->options.surface = 0;
     }

@@ -478,10 +478,6 @@ static void read_flags(rendering *r, args *a) {
     if (r->frame.shader == PLT_SHADE_SMOOTH && args_has(a, "--baseline")) {
         args_complain(a, "--shader smooth is not for --baseline, which knows triangles alone");
     }
-    if (r->frame.shader == PLT_SHADE_SMOOTH &&
-        strcmp(args_text(a, "--residency", "resident"), "streamed") == 0) {
-        args_complain(a, "--shader smooth takes --residency resident");
-    }
     refuse_samples(r, a);
     r->repeat = (unsigned)args_number(a, "--repeat", 1, 1, 1000000);
     destination_read(&r->to, a, r->frames, 0, 0);

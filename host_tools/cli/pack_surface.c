@@ -11,6 +11,7 @@
 #include "host_tools/app/phase.h"
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/mesh/smooth.h"
+#include "host_tools/pack/surface_pages.h"
 
 int pack_surface_wanted(const pack_surface *s) {
     return s->smooths || s->corners.wants_normals || s->corners.wants_colours;
@@ -27,8 +28,16 @@ void pack_surface_read(pack_surface *s, args *a) {
     if (s->smooths && s->corners.wants_normals) {
         args_complain(a, "--smooth and --normals keep are both normals; leave one out");
     }
+    static const char *const ways[] = {"tables", "pages", NULL};
+    s->paged = (int)args_choice(a, "--surface", ways, 0);
     if (!pack_surface_wanted(s)) {
+        if (args_has(a, "--surface")) {
+            args_complain(a, "--surface is of normals and colours; use --smooth 40 or --colours");
+        }
         return;
+    }
+    if (s->paged && strcmp(args_text(a, "--build", "host"), "device") == 0) {
+        args_complain(a, "--surface pages takes --build host, whose triangles keep their order");
     }
     if (args_has(a, "--sequence") || args_has(a, "--instances")) {
         args_complain(a,
@@ -73,9 +82,20 @@ int pack_surface_prepare(pack_surface *s, const pack_meshes *in, fail *f) {
 }
 
 int pack_surface_add(pack_surface *s, const pack_meshes *in, packed *image, fail *f) {
-    return pack_surface_wanted(s)
-               ? surface_add(image, &s->corners, pack_shown(&in->file[0]), &s->stats, f)
-               : 0;
+    const char *name = pack_shown(&in->file[0]);
+    if (!pack_surface_wanted(s)) {
+        return 0;
+    }
+    return s->paged ? surface_pages_add(image, &s->corners, SURFACE_PAGES_USUAL, name, &s->stats, f)
+                    : surface_add(image, &s->corners, name, &s->stats, f);
+}
+
+static void say_pages(const surface_stats *s, const packed *image, const char *more) {
+    note("pages: %" PRIu32 " of %" PRIu32 " triangles, %" PRIu64 " normals and %" PRIu64
+         " colours by position, %" PRIu64 " and %" PRIu64 " by triangle, %.2f bytes per triangle%s",
+         s->pages_count, s->each, s->normals.positions, s->colours.positions, s->normals.split,
+         s->colours.split,
+         (double)s->pages.bytes / (image->info.triangles > 0 ? image->info.triangles : 1), more);
 }
 
 static void say_section(const char *what, const surface_section *s, const packed *image,
@@ -93,6 +113,10 @@ void pack_surface_say(const pack_surface *s, const packed *image) {
         snprintf(more, sizeof more,
                  ", %" PRIu32 " for %" PRIu32 " that differ, off by at most %" PRIu32 " of 255",
                  s->stats.colours_kept, s->stats.colours_distinct, s->stats.colours_off);
+    }
+    if (s->paged && pack_surface_wanted(s)) {
+        say_pages(&s->stats, image, more);
+        return;
     }
     say_section("normals", &s->stats.normals, image, "");
     say_section("colours", &s->stats.colours, image, more);

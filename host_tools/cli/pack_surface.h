@@ -15,16 +15,20 @@
          "normals of corners, made of the triangles that meet there at no more than that angle, "  \
          "0 "                                                                                      \
          "to 180"},                                                                                \
+        {"--colours", "keep|none",                                                                 \
+         "colours of corners (PLY red green blue, OBJ v x y z r g b), at most 255 that "           \
+         "differ, "                                                                                \
+         "0.6 bytes per triangle (default none)"},                                                 \
     {                                                                                              \
-        "--colours", "keep|none",                                                                  \
-            "colours of corners (PLY red green blue, OBJ v x y z r g b), at most 255 that "        \
-            "differ, "                                                                             \
-            "0.6 bytes per triangle (default none)"                                                \
+        "--surface", "tables|pages",                                                               \
+            "how an image has them: in tables that are resident, or page by page, so that they "   \
+            "are streamed, too, for 0.1 bytes per triangle more (default tables)"                  \
     }
 
 typedef struct pack_surface {
     int smooths;    /* --smooth */
     double degrees; /* ... so much */
+    int paged;      /* --surface pages */
     mesh_corners corners;
     surface_stats stats;
 } pack_surface;

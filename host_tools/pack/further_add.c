@@ -36,14 +36,36 @@ static void put_entry(unsigned char *to, uint32_t kind, uint32_t offset, uint32_
     plt_put_u32(to + 12, crc);
 }
 
-/* The sections that were there move as far as the table has grown. */
-static void put_table(unsigned char *bytes, const before *b, uint32_t grown, uint32_t kind,
-                      uint32_t size, uint32_t end) {
-    unsigned char *table = bytes + b->table, *entry = table + PLT_FURTHER_HEAD;
-    for (uint32_t i = 0; i < b->count; i++, entry += PLT_FURTHER_ENTRY) {
-        plt_put_u32(entry + 4, plt_get_u32(entry + 4) + grown);
+/* How many of those that are there have lower kinds; *at: the byte where the last of them ends. */
+static uint32_t find_place(const unsigned char *bytes, const before *b, uint32_t kind,
+                           uint32_t *at) {
+    const unsigned char *entry = bytes + b->table + PLT_FURTHER_HEAD;
+    uint32_t i = 0;
+    *at = b->table + b->bytes;
+    for (; i < b->count && plt_get_u32(entry) < kind; i++, entry += PLT_FURTHER_ENTRY) {
+        *at = plt_get_u32(entry + 4) + plt_get_u32(entry + 8);
     }
-    put_entry(entry, kind, end - size, size, plt_crc32(0, bytes + end - size, size));
+    return i;
+}
+
+/* The sections that were there move as far as the table has grown, those behind the new one also by
+ * that. */
+static void put_table(unsigned char *bytes, const unsigned char *old, const before *b,
+                      uint32_t place, const unsigned char *added, uint32_t grown) {
+    const unsigned char *from = old + b->table + PLT_FURTHER_HEAD;
+    unsigned char *table = bytes + b->table, *entry = table + PLT_FURTHER_HEAD;
+    uint32_t end = 0;
+    for (uint32_t i = 0; i <= b->count; i++, entry += PLT_FURTHER_ENTRY) {
+        if (i == place) {
+            memcpy(entry, added, PLT_FURTHER_ENTRY);
+        } else {
+            const uint32_t more = grown + (i > place ? plt_get_u32(added + 8) : 0);
+            memcpy(entry, from, PLT_FURTHER_ENTRY);
+            plt_put_u32(entry + 4, plt_get_u32(entry + 4) + more);
+            from += PLT_FURTHER_ENTRY;
+        }
+        end = plt_get_u32(entry + 4) + plt_get_u32(entry + 8);
+    }
     plt_put_u32(table, plt_further_check(table, plt_further_table_bytes(b->count + 1)));
     plt_put_u32(bytes + PLT_AT_FURTHER, b->count + 1);
     plt_put_u32(bytes + PLT_AT_IMAGE_BYTES, end);
@@ -75,10 +97,15 @@ int further_add(packed *image, uint32_t kind, const unsigned char *section, uint
         return fail_set(f, name, "out of memory; use a larger machine");
     }
     const uint32_t old = b.table + b.bytes; /* where the sections behind the table begin */
+    uint32_t at;
+    const uint32_t place = find_place(image->bytes, &b, kind, &at);
+    unsigned char entry[PLT_FURTHER_ENTRY];
+    put_entry(entry, kind, at + grown, size, plt_crc32(0, section, size));
     memcpy(bytes, image->bytes, old);
     memset(bytes + old, 0, grown);
-    memcpy(bytes + old + grown, image->bytes + old, image->size - old);
-    memcpy(bytes + image->size + grown, section, size);
-    put_table(bytes, &b, grown, kind, size, (uint32_t)all);
+    memcpy(bytes + old + grown, image->bytes + old, at - old);
+    memcpy(bytes + at + grown, section, size);
+    memcpy(bytes + at + grown + size, image->bytes + at, image->size - at);
+    put_table(bytes, image->bytes, &b, place, entry, grown);
     return take(image, bytes, (uint32_t)all, name, f);
 }

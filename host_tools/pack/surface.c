@@ -14,34 +14,10 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/palette.h"
-#include "host_tools/pack/retrieval_build.h"
 #include "host_tools/pack/surface_code.h"
-#include "host_tools/pack/surface_triangles.h"
+#include "host_tools/pack/surface_making.h"
 
-/* A corner of a triangle, and what it has. */
-typedef struct corner {
-    uint32_t key[3], value, number; /* number: 3 * primitive id + corner */
-} corner;
-
-/* One section in the making. */
-typedef struct making {
-    retrieval_table position, corner;
-    uint32_t entry_bytes, kind;
-    palette *colours; /* NULL: of normals */
-    surface_section *stats;
-} making;
-
-typedef struct adding {
-    packed *image;
-    surface_triangle *triangle;
-    corner *corners;      /* of all triangles, sorted by key and number */
-    retrieval_pair *pair; /* room for twice as many */
-    size_t count;         /* of corners */
-    const char *name;
-    fail *f;
-} adding;
-
-static int out_of_memory(const adding *a) {
+int surface_out_of_memory(const adding *a) {
     return fail_set(a->f, a->name,
                     "%zu corners: out of memory for their normals and colours; pack on a larger "
                     "machine",
@@ -101,7 +77,7 @@ static void find_pairs(const adding *a, uint32_t split, size_t *positions, size_
 }
 
 /* Where most positions are split, all corners by themselves take less. */
-static int make_tables(const adding *a, making *m, uint32_t split) {
+int surface_make_tables(const adding *a, making *m, uint32_t split) {
     size_t positions, corners;
     find_pairs(a, split, &positions, &corners);
     if (retrieval_third(positions) + retrieval_third(corners) > retrieval_third(a->count)) {
@@ -118,12 +94,12 @@ static int make_tables(const adding *a, making *m, uint32_t split) {
     return retrieval_build(&m->position, a->pair, positions) == 0 &&
                    retrieval_build(&m->corner, a->pair + positions, corners) == 0
                ? 0
-               : out_of_memory(a);
+               : surface_out_of_memory(a);
 }
 
 /* ---- values ------------------------------------------------------------------------------ */
 
-static void set_corners(adding *a, const mesh_corners *c, const palette *colours) {
+void surface_set_corners(adding *a, const mesh_corners *c, const palette *colours) {
     for (size_t i = 0; i < a->count; i++) {
         const surface_triangle *t = &a->triangle[i / 3];
         corner *to = &a->corners[i];
@@ -135,7 +111,7 @@ static void set_corners(adding *a, const mesh_corners *c, const palette *colours
     qsort(a->corners, a->count, sizeof *a->corners, by_key);
 }
 
-static int make_palette(const adding *a, const mesh_corners *c, palette *p, surface_stats *stats) {
+int surface_make_palette(const adding *a, const mesh_corners *c, palette *p, surface_stats *stats) {
     uint32_t *colour = heap_get(4 * (uint64_t)(a->count + 1));
     for (size_t i = 0; i < a->count && colour != NULL; i++) {
         colour[i] = surface_colour(c->colour[3 * (size_t)a->triangle[i / 3].id + i % 3]);
@@ -145,7 +121,7 @@ static int make_palette(const adding *a, const mesh_corners *c, palette *p, surf
     stats->colours_kept = p->count;
     stats->colours_distinct = p->distinct;
     stats->colours_off = p->furthest;
-    return status == 0 ? 0 : out_of_memory(a);
+    return status == 0 ? 0 : surface_out_of_memory(a);
 }
 
 /* ---- bytes ------------------------------------------------------------------------------- */
@@ -161,7 +137,7 @@ static uint64_t bytes_of(const making *m) {
                                 : padded(plt_colours_bytes(thirds, m->colours->count));
 }
 
-static unsigned char *put_entries(unsigned char *to, const retrieval_table *t, uint32_t bytes) {
+unsigned char *surface_put_entries(unsigned char *to, const retrieval_table *t, uint32_t bytes) {
     for (uint32_t i = 0; i < 3 * t->third; i++) {
         for (uint32_t k = 0; k < bytes; k++) {
             *to++ = (unsigned char)(t->entry[i] >> 8 * k);
@@ -183,7 +159,8 @@ static void put_section(unsigned char *to, const making *m) {
             memcpy(at, m->colours->colour[i], 3);
         }
     }
-    put_entries(put_entries(at, &m->position, m->entry_bytes), &m->corner, m->entry_bytes);
+    surface_put_entries(surface_put_entries(at, &m->position, m->entry_bytes), &m->corner,
+                        m->entry_bytes);
 }
 
 /* Behind the image, with a table; `made`: by rising kinds. */
@@ -220,7 +197,7 @@ static int append(const adding *a, const making *made, uint32_t count) {
     }
     unsigned char *bytes = heap_get_aligned(size);
     if (bytes == NULL) {
-        return out_of_memory(a);
+        return surface_out_of_memory(a);
     }
     memcpy(bytes, image->bytes, image->size);
     memset(bytes + image->size, 0, (size_t)(size - image->size));
@@ -247,8 +224,8 @@ static int make_all(adding *a, const mesh_corners *c, surface_stats *stats) {
         making *m = &made[count++];
         m->kind = PLT_SECTION_NORMALS;
         m->stats = &stats->normals;
-        set_corners(a, c, NULL);
-        status = make_tables(a, m, PLT_NORMAL_SPLIT);
+        surface_set_corners(a, c, NULL);
+        status = surface_make_tables(a, m, PLT_NORMAL_SPLIT);
     }
     if (status == 0 && c->colour != NULL) {
         making *m = &made[count++];
@@ -256,10 +233,10 @@ static int make_all(adding *a, const mesh_corners *c, surface_stats *stats) {
                       .kind = PLT_SECTION_COLOURS,
                       .colours = &colours,
                       .stats = &stats->colours};
-        status = make_palette(a, c, &colours, stats);
+        status = surface_make_palette(a, c, &colours, stats);
         if (status == 0) {
-            set_corners(a, c, &colours);
-            status = make_tables(a, m, PLT_COLOUR_SPLIT);
+            surface_set_corners(a, c, &colours);
+            status = surface_make_tables(a, m, PLT_COLOUR_SPLIT);
         }
     }
     status = status == 0 && count > 0 ? append(a, made, count) : status;
@@ -271,23 +248,31 @@ static int make_all(adding *a, const mesh_corners *c, surface_stats *stats) {
     return status;
 }
 
+int surface_begin(adding *a, packed *image, const char *name, fail *f) {
+    const uint64_t count = 3 * (uint64_t)image->info.triangles;
+    *a = (adding){.image = image, .count = (size_t)count, .name = name, .f = f};
+    a->triangle = heap_get((count / 3 + 1) * sizeof *a->triangle);
+    a->corners = heap_get((count + 1) * sizeof *a->corners);
+    a->pair = heap_get(2 * (count + 1) * sizeof *a->pair);
+    if (a->triangle == NULL || a->corners == NULL || a->pair == NULL) {
+        return surface_out_of_memory(a);
+    }
+    surface_triangles_read(a->triangle, image);
+    return 0;
+}
+
+void surface_end(adding *a) {
+    heap_drop(a->triangle);
+    heap_drop(a->corners);
+    heap_drop(a->pair);
+}
+
 int surface_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,
                 fail *f) {
-    const uint64_t count = 3 * (uint64_t)image->info.triangles;
-    adding a = {.image = image, .count = (size_t)count, .name = name, .f = f};
+    adding a;
     *stats = (surface_stats){.colours_kept = 0};
-    a.triangle = heap_get((count / 3 + 1) * sizeof *a.triangle);
-    a.corners = heap_get((count + 1) * sizeof *a.corners);
-    a.pair = heap_get(2 * (count + 1) * sizeof *a.pair);
-    int status = 0;
-    if (a.triangle == NULL || a.corners == NULL || a.pair == NULL) {
-        status = out_of_memory(&a);
-    } else {
-        surface_triangles_read(a.triangle, image);
-        status = make_all(&a, c, stats);
-    }
-    heap_drop(a.triangle);
-    heap_drop(a.corners);
-    heap_drop(a.pair);
+    int status = surface_begin(&a, image, name, f);
+    status = status == 0 ? make_all(&a, c, stats) : status;
+    surface_end(&a);
     return status;
 }

@@ -15,6 +15,8 @@ typedef struct surface_section {
 
 typedef struct surface_stats {
     surface_section normals, colours;
+    surface_section pages;                                /* of both: bytes */
+    uint32_t pages_count, each;                           /* how many, and triangles of each */
     uint32_t colours_kept, colours_distinct, colours_off; /* off: palette.h, furthest */
 } surface_stats;
 

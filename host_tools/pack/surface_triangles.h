@@ -12,7 +12,7 @@ typedef struct surface_triangle {
     uint32_t key[3][3];
 } surface_triangle;
 
-/* All of a finished image, in any order; `to` has room for its info's triangles. */
+/* All of a finished image, in its order; `to` has room for its info's triangles. */
 void surface_triangles_read(surface_triangle *to, const packed *image);
 
 #endif

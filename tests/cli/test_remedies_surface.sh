@@ -36,6 +36,13 @@ says "has no colours of vertices to keep; leave out --colours" pack quad.ply -o 
     --colours keep
 packs 2 quad.ply
 
+says "--surface is of normals and colours; use --smooth 40 or --colours" pack knot.ply -o x.plt \
+    --surface pages
+cured pack knot.ply -o x.plt --surface pages --smooth 40
+says "--surface pages takes --build host, whose triangles keep their order" pack knot.ply -o x.plt \
+    --surface pages --smooth 40 --build device
+cured pack knot.ply -o x.plt --surface pages --smooth 40 --build host
+
 # ---- meshes: host_tools/mesh/intake.c, obj.c ------------------------------------------------
 
 # bad SED_COMMAND: good.obj with a mistake, as bad.obj.
@@ -69,6 +76,7 @@ packs 1 good.obj --normals keep
 # ---- smooth frames: host_tools/cli/cmd_render.c, cmd_serve.c, host_tools/app/scene.c -----------
 
 run pack knot.ply -o knot.plt --smooth 40
+run pack knot.ply -o pages.plt --smooth 40 --surface pages
 run pack knot.ply -o compact.plt --nodes compact --build device
 size='--size 16x12'
 # shellcheck disable=SC2086
@@ -76,9 +84,16 @@ size='--size 16x12'
     says "--shader smooth is not for --baseline, which knows triangles alone" render knot.plt \
         -o x.png $size --shader smooth --baseline bvh
     cured render knot.plt -o x.png $size --shader smooth
-    says "--shader smooth takes --residency resident" render knot.plt -o x.png $size \
-        --shader smooth --residency streamed
-    cured render knot.plt -o x.png $size --shader smooth --residency resident
+    says "%s; pack it with --surface pages, and use --schedule branch" render knot.plt -o x.png \
+        $size --shader smooth --residency streamed
+    cured render pages.plt -o x.png $size --shader smooth --residency streamed
+    says "%s; pack it with --surface pages, and use --schedule branch" render pages.plt -o x.png \
+        $size --shader smooth --residency streamed --schedule batch
+    cured render pages.plt -o x.png $size --shader smooth --residency streamed --schedule branch
+    says "%s; pack it with --nodes thesis --surface tables, or leave out --structure" render \
+        pages.plt -o x.png $size --shader smooth --structure grid
+    cured render knot.plt -o x.png $size --shader smooth --structure grid
+    cured render pages.plt -o x.png $size --shader smooth
     says "%s; leave out --shader smooth" render compact.plt -o x.png $size --shader smooth
     cured render compact.plt -o x.png $size
 }

@@ -48,6 +48,30 @@ run pack knot.ply -o device.plt --build device --smooth 60
 run render device.plt -o other.ppm --size 64x48 --shader smooth
 same smooth.smooth.ppm other.ppm "smooth, --build device: the same picture"
 
+# ---- page by page ------------------------------------------------------------------------------
+
+run make marbles -o marbles.obj
+for nodes in thesis compact; do
+    run pack marbles.obj -o tables.plt --nodes $nodes --smooth 40 --materials keep
+    run pack marbles.obj -o pages.plt --nodes $nodes --smooth 40 --materials keep --surface pages
+    verdict "$nodes: pages of normals, whose bytes info prints, and no others" "$(
+        [ "$(number page_bytes pages.plt)" -gt 0 ] || echo "no pages"
+        [ "$(number normal_bytes pages.plt)" = 0 ] || echo "tables, too"
+        [ "$(number page_bytes tables.plt)" = 0 ] || echo "pages, unasked"
+        "$PLANELET" info pages.plt | grep -q '^page bytes .* per triangle$' || echo "not printed")"
+    for shader in smooth "whitted --light sun:0.5,1,0.75,0.75,0.0625,4"; do
+        # shellcheck disable=SC2086
+        run render tables.plt -o due.ppm --size 40x30 --shader $shader
+        for how in "" "--residency streamed" "--residency streamed --store 28672" \
+            "--residency streamed --source read --prefetch 4" \
+            "--residency streamed --workers 2 --packet 8"; do
+            # shellcheck disable=SC2086
+            run render pages.plt -o other.ppm --size 40x30 --shader $shader $how
+            same due.ppm other.ppm "$nodes, ${shader%% *} by pages, $how: the same picture"
+        done
+    done
+done
+
 # ---- of meshes ---------------------------------------------------------------------------------
 
 cat >square.obj <<'EOF'

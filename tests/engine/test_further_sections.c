@@ -5,10 +5,14 @@
  * beyond it.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/image/further.h"
+#include "host_tools/pack/further_add.h"
 #include "host_tools/pack/material_section.h"
 #include "tests/hostile/mutations.h"
 #include "tests/hostile/surface.h"
+#include "tests/reference/instances_rig.h"
 #include "tests/reference/lit_rig.h"
+#include "tests/reference/sequence_rig.h"
 #include "tests/reference/surface_rig.h"
 
 enum { MUTATIONS = 1200, FLOATS = 1, KINDS = 4 };
@@ -166,7 +170,85 @@ static void mutations(void) {
     }
 }
 
+/* ---- one section --------------------------------------------------------------------------- */
+
+static void loads(void) {
+    test("a section is loaded from where it is mapped, or through a source that may fail");
+    enum { AT = 128, BYTES = 192 };
+    static unsigned char image[AT + BYTES] __attribute__((aligned(PLT_ALIGN)));
+    unsigned char room[BYTES + 1];
+    const unsigned char *bytes;
+    plt_fault fault = {.message = ""};
+    for (unsigned i = 0; i < sizeof image; i++) {
+        image[i] = (unsigned char)(7 * i);
+    }
+    plt_section s = {PLT_SECTION_NORMALS, AT, BYTES, plt_crc32(0, image + AT, BYTES)};
+    failing f = {.stream = {image, sizeof image, 0}};
+    const plt_source mapped = {.mapped = image, .bytes = sizeof image},
+                     fetched = {NULL, sizeof image, &f, start_failing, wait_failing};
+    CHECK(plt_further_load(&mapped, &s, NULL, &bytes, &fault) == PLT_OK && bytes == image + AT,
+          "%s", fault.message);
+    room[BYTES] = 99;
+    CHECK(plt_further_load(&fetched, &s, room, &bytes, &fault) == PLT_OK && bytes == room &&
+              memcmp(room, image + AT, BYTES) == 0 && room[BYTES] == 99,
+          "%s", fault.message);
+    const uint32_t calls = f.calls;
+    CHECK(calls >= 2, "%u calls", calls);
+    for (f.fails_at = 1; f.fails_at <= calls; f.fails_at++) {
+        f.calls = 0;
+        CHECK(plt_further_load(&fetched, &s, room, &bytes, &fault) == PLT_ERR_SOURCE, "call %u",
+              f.fails_at);
+    }
+    s.crc ^= 1;
+    f.fails_at = 0;
+    for (int i = 0; i < 2; i++) {
+        CHECK(plt_further_load(i ? &mapped : &fetched, &s, room, &bytes, &fault) == PLT_ERR_IMAGE &&
+                  fault.kind == 'R' && fault.rule == 13 && fault.offset == AT,
+              "%s", fault.message);
+    }
+}
+
+/* The image with such a section of 64 bytes: is it refused where that has its entry? */
+static void check_kind(packed image, uint32_t kind, int is_allowed) {
+    static const unsigned char section[64] = {0};
+    plt_fault fault = {.message = ""};
+    plt_info info;
+    fail f = {""};
+    const int status = further_add(&image, kind, section, sizeof section, "test", &f);
+    const plt_source source = {.mapped = image.bytes, .bytes = image.size};
+    CHECK((status == 0) == is_allowed, "kind %u: %s", kind, f.text);
+    const int read = plt_image_info(&source, &info, &fault);
+    CHECK(is_allowed ? read == PLT_OK
+                     : read == PLT_ERR_IMAGE && fault.kind == 'R' && fault.rule == 17 &&
+                           fault.offset == hostile_further_at(image.bytes) + 16,
+          "kind %u: rule %u at %u", kind, fault.rule, fault.offset);
+    pack_free(&image);
+}
+
+static void forbidden(void) {
+    static const uint32_t kinds[] = {PLT_SECTION_NORMALS, PLT_SECTION_COLOURS,
+                                     PLT_SECTION_MATERIALS, PLT_SECTION_PAGES};
+    test("images with frames have no normals and colours, and those with instances nothing at all");
+    for (unsigned i = 0; i < 4; i++) {
+        const rig_config scene = rig_config_of(2, 8, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+        const sequence_config moving = {.scene = scene, .frames = 2, .key_every = 1};
+        const instances_config placed = {.scene = scene, .instances = 2, .apart = 3, .seed = 5};
+        check_kind(sequence_rig_image(&moving, 20, 3), kinds[i], kinds[i] == PLT_SECTION_MATERIALS);
+        check_kind(instances_rig_image(&placed), kinds[i], 0);
+        lit_scene s;
+        packed still = {.size = 0};
+        lit_scene_make(&s);
+        const rig_config none = rig_config_of(2, 8, PLT_BUILD_NONE, PLT_SPLIT_SAH);
+        fail f = {""};
+        CHECK(pack_mesh(&still, &s.m, &none.pack, "test", &f) == 0, "%s", f.text);
+        check_kind(still, kinds[i], 1);
+        lit_scene_free(&s);
+    }
+}
+
 int main(void) {
+    loads();
+    forbidden();
     failures();
     mutations();
     return test_done();

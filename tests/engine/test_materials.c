@@ -169,6 +169,12 @@ static void forged(void) {
     forge(&image, at + 8, plt_get_u32(m.index + 4), "third run");
     forge(&image, at + 4 * (m.runs - 1), m.triangles, "last run");
     forge(&image, at + 4 * m.runs, m.count, "material");
+    test("what fills the section up is 0, or it is refused");
+    const uint32_t bytes = hostile_materials_at(image.bytes, image.size).bytes;
+    CHECK(at + 5 * m.runs + 4 <= bytes, "there is no padding");
+    forge(&image, bytes - 4, 1, "padding");
+    forge(&image, bytes - 4, 1u << 31, "padding");
+    forge(&image, at + 5 * m.runs, 1, "padding");
     test("a section that is damaged is refused by its checksum (R13)");
     plt_fault fault = {.message = ""};
     image.bytes[hostile_materials_at(image.bytes, image.size).offset + 70] ^= 1;

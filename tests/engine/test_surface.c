@@ -348,6 +348,18 @@ static void refused(uint32_t at, uint32_t value, unsigned rule, uint32_t offset)
           r.fault.offset, rule, offset);
 }
 
+/* Padding that is not 0. */
+static void refused_byte(uint32_t at, unsigned rule, uint32_t offset) {
+    CHECK(forged.bytes[at] == 0, "byte %u is no padding", at);
+    refused(at - 3, plt_get_u32(forged.bytes + at - 3) | 1u << 24, rule, offset);
+}
+
+/* What fills a section up, behind its tables. */
+static uint32_t padding_at(uint32_t section, uint32_t head, uint32_t entry_bytes) {
+    const unsigned char *s = forged.bytes + section;
+    return section + head + 3 * entry_bytes * (plt_get_u32(s + 4) + plt_get_u32(s + 12));
+}
+
 static void rules(void) {
     mesh m = {0};
     mesh_corners c = {0};
@@ -385,6 +397,10 @@ static void rules(void) {
     refused(colours + 16, 256, 18, colours);
     refused(colours + 20, 1, 18, colours);
     refused(colours + 28, 1, 18, colours);
+    CHECK(padding_at(normals, 16, 2) < colours, "normals have no padding");
+    refused_byte(colours - 1, 18, normals);
+    refused_byte(padding_at(normals, 16, 2), 18, normals);
+    refused_byte(forged.size - 1, 18, colours);
     unsigned char *bytes = hostile_copy(forged.bytes, forged.size);
     bytes[colours + 40] ^= 1;
     const hostile_config config_of = {1, 0, 2, 0};
@@ -417,6 +433,9 @@ static void forged_tables(void) {
     forged = surface_rig_image(&m, &c, &plain_config.pack);
     const uint32_t normals = hostile_further_at(forged.bytes) + 64;
     const uint32_t colours = normals + forged.info.normal_bytes;
+    const uint32_t normal_end = padding_at(normals, 16, 2);
+    const uint32_t palette = 4 * plt_get_u32(forged.bytes + colours + 16);
+    const uint32_t colour_end = padding_at(colours, 32 + palette, 1);
     for (unsigned i = 0; i < 200; i++) {
         unsigned char *bytes = hostile_copy(forged.bytes, forged.size);
         for (uint32_t k = normals + 16; k < forged.size; k++) {
@@ -424,6 +443,8 @@ static void forged_tables(void) {
             bytes[k] = is_head ? bytes[k] : (unsigned char)random_bits(&state);
         }
         bytes[normals] = bytes[colours] = (unsigned char)random_bits(&state);
+        memset(bytes + normal_end, 0, colours - normal_end);
+        memset(bytes + colour_end, 0, forged.size - colour_end);
         hostile_seal_surface(bytes, forged.size);
         const hostile_result r = hostile_try_surface(bytes, forged.size, config);
         CHECK(r.status == PLT_OK && r.sentence == NULL, "%s", r.sentence);

@@ -272,7 +272,7 @@ scene smooth --smooth 40
 scene smooth_compact --nodes compact --geometry lattice:14 --smooth 40
 scene smooth_device --build device --smooth 40
 surface=$BUILD/mps2_an386-frames-render-surface-thesis
-if part "render thesis frames surface" "$surface" 31744; then
+if part "render thesis frames surface" "$surface" 32256; then
     renders "$surface" smooth
     smooth "$surface" smooth
     smooth "$surface" thesis
@@ -291,6 +291,20 @@ surface=$BUILD/mps2_an386-compact-render-surface
 if part "render compact surface" "$surface" 53248; then
     smooth "$surface" smooth_compact
 fi
+# Page by page, of scenes that stay in their source; and of one that is resident.
+scene pages --smooth 40 --surface pages
+scene pages_compact --nodes compact --geometry lattice:14 --smooth 40 --surface pages
+for words in compact-frames-render-stream-surface:53248 compact-render-stream-surface:65536 \
+    render-stream-surface-thesis:56320; do
+    pages=$BUILD/mps2_an386-${words%:*}
+    name=pages_compact
+    [ "${words#*thesis}" = "$words" ] || name=pages
+    if part "$(echo "${words%:*}" | tr - ' ')" "$pages" "${words#*:}"; then
+        smooth "$pages" $name packet=4
+        SOURCE=file smooth "$pages" $name "residency=streamed packet=8"
+        SOURCE=file smooth "$pages" $name "residency=streamed packet=4 arena=65536"
+    fi
+done
 refuses "$thesis" smooth sections
 # lit FOLDER NAME: a frame with lights, mirrors and glass in 256 KiB.
 lit() {
@@ -310,11 +324,11 @@ for smooth in "" "--smooth 40"; do
     "$planelet" pack "$out/marbles.obj" --materials keep $smooth --leaf 2 \
         -o "$out/marbles${smooth:+_smooth}.plt" >/dev/null 2>&1
 done
-if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 50176; then
+if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 50432; then
     lit "$BUILD/mps2_an386-render-thesis-whitted" marbles
 fi
 whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
-if part "render thesis surface whitted" "$whitted" 54272; then
+if part "render thesis surface whitted" "$whitted" 54784; then
     lit "$whitted" marbles_smooth
 fi
 instances=$BUILD/mps2_an386-instances-render-thesis

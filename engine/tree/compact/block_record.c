@@ -31,8 +31,8 @@ static uint32_t read_strip(const plt_geometry *g, uint32_t triangle, plt_leaf *l
     return triangle - begin;
 }
 
-static void put_corners(const plt_lattice *lattice, const plt_leaf *leaf, uint32_t triangle,
-                        plt_record *record) {
+void plt_leaf_record(const plt_lattice *lattice, const plt_leaf *leaf, uint32_t triangle,
+                     plt_record *record) {
     const uint32_t *position[3];
     uint64_t key[3];
     for (unsigned c = 0; c < 3; c++) {
@@ -63,7 +63,7 @@ void plt_block_record(const plt_block_tree *tree, uint32_t address, uint32_t tri
         return;
     }
     plt_geometry_open(&g, &block, &bounds, tree->leaf_triangles);
-    put_corners(&tree->lattice, &leaf, read_strip(&g, triangle, &leaf), record);
+    plt_leaf_record(&tree->lattice, &leaf, read_strip(&g, triangle, &leaf), record);
     plt_put_u32(&record->word[9],
                 plt_primitive_word_find(tree->ids.bytes != NULL ? &tree->ids : NULL,
                                         g.first_triangle + triangle));

@@ -13,6 +13,10 @@
 uint32_t plt_block_triangles(const plt_block_tree *tree, uint32_t address, uint32_t *first,
                              uint32_t *count);
 
+/* The corners of a triangle of a leaf that has been read, in canonical order. */
+void plt_leaf_record(const plt_lattice *lattice, const plt_leaf *leaf, uint32_t triangle,
+                     plt_record *record);
+
 /* Triangle `triangle` of that block, in canonical order, with its id word. Cost: the block's
  * strings are counted, some 500 instructions. */
 void plt_block_record(const plt_block_tree *tree, uint32_t address, uint32_t triangle,
