@@ -714,12 +714,15 @@ typedef struct plt_lighting {
     uint8_t lights;          /* of `light` */
     uint8_t bounces;         /* rays that are not followed any further take the sky's light; at most
                               * those of plt_options.whitted */
+    uint8_t solid_shadows;   /* 0: light comes through glass, straight, less what its surfaces
+                              * reflect and it absorbs; 1: glass throws a shadow as what is opaque
+                              * does, for less work */
 } plt_lighting;
 
 /* Copies it; until it is called there is no light at all. Ends a frame that was being rendered.
  * What triangles are made of their image says (SPEC.md, 4.20): of one that does not, and of
- * instances, all are of clay. Glass throws a shadow as what is opaque does. PLT_ERR_ARGUMENT: a
- * value is out of range, or there is no room for it; nothing has changed.
+ * instances, all are of clay. PLT_ERR_ARGUMENT: a value is out of range, or there is no room for
+ * it; nothing has changed.
  *
  * Not there without PLT_WITH_WHITTED. */
 int plt_lighting_set(plt_engine *engine, const plt_lighting *lighting);

@@ -11,6 +11,7 @@
 #include "engine/whitted/optics.h"
 #include "engine/whitted/point.h"
 #include "engine/whitted/rays_due.h"
+#include "engine/whitted/shadows.h"
 
 #if PLT_WITH_WHITTED
 
@@ -29,7 +30,9 @@ plt_whitted *plt_whitted_init(void *memory, unsigned side, unsigned bounces) {
     w->pixel = (plt_lit_pixel *)(void *)at;
     at += PLT_WHITTED_ALIGNED(w->pixels * sizeof *w->pixel);
     w->waiting = (plt_lit_ray *)(void *)at;
-    w->slot = at + PLT_WHITTED_ALIGNED((size_t)w->pixels * bounces * sizeof *w->waiting);
+    at += PLT_WHITTED_ALIGNED((size_t)w->pixels * bounces * sizeof *w->waiting);
+    w->shadow = (plt_lit_shadow *)(void *)at;
+    w->slot = at + PLT_WHITTED_ALIGNED(w->pixels * sizeof *w->shadow);
     return w;
 }
 
@@ -129,12 +132,36 @@ static void take_hits(plt_whitted *w, const plt_scene *scene, const plt_packet *
     }
     w->stage = STAGE_SHADOWS;
     w->light = w->sample = 0;
+    w->is_on_way = 0;
 }
 
 static void next_sample(plt_whitted *w) {
     if (++w->sample >= w->lighting.light[w->light].samples) {
         w->sample = 0;
         w->light++;
+    }
+}
+
+static void take_shadows(plt_whitted *w, const plt_packet *packet) {
+    if (plt_shadows_are_clear(w)) {
+        w->rays = plt_shadows_take(w, packet);
+        w->is_on_way = w->rays > 0;
+    } else {
+        plt_direct_take(w, packet);
+    }
+    if (!w->is_on_way) {
+        next_sample(w);
+    }
+}
+
+/* The rays to the current sample, or those of them that go on. */
+static void find_shadows(plt_whitted *w) {
+    if (w->is_on_way) {
+        return;
+    }
+    w->rays = plt_direct_find(w);
+    if (plt_shadows_are_clear(w)) {
+        plt_shadows_begin(w);
     }
 }
 
@@ -147,8 +174,7 @@ static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t 
     if (w->stage == STAGE_RAYS) {
         take_hits(w, t->scene, packet);
     } else {
-        plt_direct_take(w, packet);
-        next_sample(w);
+        take_shadows(w, packet);
     }
     return PLT_MORE;
 }
@@ -158,7 +184,7 @@ int plt_whitted_step(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint3
         return trace(w, t, packet, visits);
     }
     if (w->light < w->lighting.lights) {
-        w->rays = plt_direct_find(w);
+        find_shadows(w);
         if (w->rays > 0) {
             plt_rays_due_begin(w, t, packet, 1);
         } else {

@@ -310,11 +310,11 @@ for smooth in "" "--smooth 40"; do
     "$planelet" pack "$out/marbles.obj" --materials keep $smooth --leaf 2 \
         -o "$out/marbles${smooth:+_smooth}.plt" >/dev/null 2>&1
 done
-if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 50176; then
+if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 51712; then
     lit "$BUILD/mps2_an386-render-thesis-whitted" marbles
 fi
 whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
-if part "render thesis surface whitted" "$whitted" 54272; then
+if part "render thesis surface whitted" "$whitted" 55808; then
     lit "$whitted" marbles_smooth
 fi
 instances=$BUILD/mps2_an386-instances-render-thesis
