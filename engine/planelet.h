@@ -645,7 +645,10 @@ enum plt_shader {
 #define PLT_HEAT_LEVELS 7
 
 /* Rays per pixel, on a fixed rotated pattern: no two of a pixel share a row or a column. A pixel
- * is the mean of their colours in linear light; rgb is sRGB. */
+ * is the mean of their colours in linear light; rgb is sRGB. With PLT_SHADE_SMOOTH, DEPTH and
+ * WHITTED each has the colour of where it hits, which is a byte each of red, green and blue, as a
+ * pixel's own would be; with the others that of the triangle that it hits, seen through the pixel's
+ * middle. They take no memory beside the packet's. */
 enum plt_samples {
     PLT_SAMPLES_ONE = 1, /* through the middle; 0 is the same */
     PLT_SAMPLES_FOUR = 4,
@@ -677,11 +680,10 @@ typedef struct plt_tile {
 } plt_tile;
 
 /* Starts a frame (and drops an unfinished one). Errors: PLT_ERR_ARGUMENT
- * for a camera without direction, a zero size, an unknown shader or number of samples; for more
- * than one sample of PLT_SHADE_SMOOTH or PLT_SHADE_WHITTED; for 16 samples, or adaptive ones, where
- * packets have 2 x 2 rays (plt_packet_side), as all rays of a pixel are of one packet; for
- * PLT_SHADE_HEAT and PLT_SAMPLES_ADAPTIVE where many packets are under way (PLT_SCHEDULE_BATCH,
- * PLT_SCHEDULE_TASK). Builds without samples
+ * for a camera without direction, a zero size, an unknown shader or number of samples; for 16
+ * samples, or adaptive ones, where packets have 2 x 2 rays (plt_packet_side), as all rays of a
+ * pixel are of one packet; for PLT_SHADE_HEAT and PLT_SAMPLES_ADAPTIVE where many packets are under
+ * way (PLT_SCHEDULE_BATCH, PLT_SCHEDULE_TASK). Builds without samples
  * or pictures of distances and visits (PARTS says `samples`, `diagrams`: engine.mk) do not know
  * these shaders; without both `samples` is not looked at, and without `samples` alone only one is
  * known. */

@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/beam.h"
+#include "engine/shade/pixel_mix.h"
 #include "engine/shade/smooth.h"
 
 #if PLT_WITH_SURFACE && PLT_WITH_BEAMS
@@ -55,5 +56,43 @@ void plt_beam_smooth(const plt_beam *b, const plt_scene *scene, const uint8_t *s
         }
     }
 }
+
+#if PLT_WITH_SAMPLES
+/* Pixel (x, y) of the square. */
+static void mix(const plt_beam *b, const plt_scene *scene, plt_sampling *s, uint32_t x, uint32_t y,
+                const uint8_t sky[3], shaded *last, uint8_t rgb[3]) {
+    const uint32_t across = s->across, end_x = across * (x + 1), end_y = across * (y + 1);
+    plt_mix m;
+    plt_mix_begin(&m);
+    for (uint32_t row = across * y; row < end_y; row++) {
+        for (uint32_t column = across * x; column < end_x; column++) {
+            uint8_t colour[3] = {sky[0], sky[1], sky[2]};
+            if (b->pixel[row * b->square.side + column].record != PLT_MISS) {
+                shade_pixel(b, scene, column, row, last, colour);
+            }
+            plt_mix_add(&m, colour);
+        }
+    }
+    plt_mix_put(s, &m, plt_mixed_bit(s, b->square.side, x, y), rgb);
+}
+
+void plt_beam_smooth_mix(const plt_beam *b, const plt_scene *scene, plt_sampling *s,
+                         const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
+    shaded last = {.record = PLT_MISS};
+    const int is_empty = plt_beam_is_empty(b);
+    for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
+        for (uint32_t x = 0; x < b->columns / s->across; x++) {
+            if (!plt_is_shaded(s, plt_mixed_bit(s, b->square.side, x, y))) {
+                continue;
+            }
+            if (is_empty) {
+                memcpy(&rgb[3 * x], sky, 3);
+            } else {
+                mix(b, scene, s, x, y, sky, &last, &rgb[3 * x]);
+            }
+        }
+    }
+}
+#endif
 
 #endif

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "engine/scene/surface_place.h"
+#include "engine/shade/pixel_mix.h"
 #include "engine/shade/surface.h"
 #include "engine/surface/surface_corners.h"
 
@@ -65,24 +66,48 @@ static void shade_lane(const plt_scene *scene, const plt_group_rays *g, unsigned
     plt_smooth_colour(&point, dir, rgb);
 }
 
+/* Of ray k. */
+static void shade_ray(const plt_scene *scene, const plt_packet *p, uint32_t k, const uint8_t sky[3],
+                      shaded *s, uint8_t rgb[3]) {
+    const plt_group_rays *g = &p->rays[k / 4];
+    if (p->active == 0 || !(g->valid >> k % 4 & 1u) || g->id[k % 4] == PLT_MISS) {
+        memcpy(rgb, sky, 3);
+    } else {
+        shade_lane(scene, g, k % 4, s, rgb);
+    }
+}
+
 void plt_smooth_shade(const plt_scene *scene, const plt_packet *p, const plt_pixels *pixels,
                       const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
     const uint32_t columns = pixels->x_end - pixels->x, rows = pixels->y_end - pixels->y;
     shaded s = {.id = PLT_MISS};
     for (uint32_t k = 0; k < pixels->side * pixels->side; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
-        const plt_group_rays *g = &p->rays[k / 4];
-        if (x >= columns || y >= rows) {
-            continue;
-        }
-        uint8_t *to = &rgb[y * row_bytes + 3 * x];
-        if (p->active == 0 || !(g->valid >> k % 4 & 1u) || g->id[k % 4] == PLT_MISS) {
-            memcpy(to, &sky[3 * y], 3);
-        } else {
-            shade_lane(scene, g, k % 4, &s, to);
+        if (x < columns && y < rows) {
+            shade_ray(scene, p, k, &sky[3 * y], &s, &rgb[y * row_bytes + 3 * x]);
         }
     }
 }
+
+#if PLT_WITH_SAMPLES
+void plt_smooth_mix(const plt_scene *scene, const plt_packet *p, plt_sampling *s,
+                    const plt_pixels *pixels, const uint8_t *sky, uint8_t *rgb,
+                    uint32_t row_bytes) {
+    shaded last = {.id = PLT_MISS};
+    plt_mix_pixels k;
+    plt_mix_pixels_set(&k, s, pixels);
+    while (plt_mix_pixels_next(&k, s)) {
+        plt_mix m;
+        plt_mix_begin(&m);
+        for (uint32_t i = 0; i < k.rays; i++) {
+            uint8_t colour[3];
+            shade_ray(scene, p, k.first + i, &sky[3 * k.y], &last, colour);
+            plt_mix_add(&m, colour);
+        }
+        plt_mix_put(s, &m, k.bit, &rgb[k.y * row_bytes + 3 * k.x]);
+    }
+}
+#endif
 
 #endif
 #endif

@@ -72,9 +72,9 @@ void plt_whitted_pixel_none(plt_whitted *w, uint32_t k) {
     memset(&w->pixel[k], 0, sizeof w->pixel[k]);
 }
 
-void plt_whitted_begin(plt_whitted *w, const plt_packet *packet) {
-    w->rays = w->pixels;
-    for (uint32_t k = 0; k < w->pixels; k++) {
+void plt_whitted_begin(plt_whitted *w, const plt_packet *packet, uint32_t rays) {
+    w->rays = rays;
+    for (uint32_t k = 0; k < rays; k++) {
         w->slot[k] = (uint8_t)k;
     }
     w->is_empty = packet->active == 0;
