@@ -133,8 +133,16 @@ demo: all
 	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.y4m --size 480x240 \
 	    --moved '$(DEMO)/marbles_{}.ply' --frames 0:75 --eye 9,17,30 --look 0,-1.5,0.5 --fov 33
 	@rm -f $(DEMO)/marbles_???.ply
-	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
-	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
+	$(PLANELET) make marbles --frame 60 -o $(DEMO)/tray.obj
+	$(PLANELET) pack $(DEMO)/tray.obj -o $(DEMO)/tray.plt --materials keep --smooth 40 \
+	    2>$(DEMO)/tray.txt # that boards and table are no closed bodies
+	$(PLANELET) render $(DEMO)/tray.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
+	    --eye 6,10,22 --look 1.2,-0.6,5 --fov 35 --shader whitted --depth 6 --samples 4 \
+	    --light sun:-0.8,0.9,-0.15,1.5,0.03,2 --sky 0.4,0.58,0.9 --ground 0.26,0.2,0.15 \
+	    --show --json $(DEMO)/marbles.json
+	@awk -F '[:,]' '{ gsub(/[" ]/, "") } { n[$$1] = $$2 } END { \
+	    print n["rays"] " rays, to lights, off mirrors and through glass, in " \
+	        n["arena_peak_bytes"] " bytes of an arena of " n["arena_bytes"] }' $(DEMO)/marbles.json
 	@echo "the picture is $(DEMO)/marbles.png, the films $(DEMO)/knot.y4m and marbles.y4m"
 	@[ ! -d '$(SCENES)/wooddoll' ] || $(MAKE) --no-print-directory demo-wooddoll
 

@@ -304,7 +304,7 @@ lit() {
         [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
             echo "status $status: $text")"
 }
-"$planelet" make marbles -o "$out/marbles.obj" >/dev/null 2>&1
+"$planelet" make marbles --triangles 1680 -o "$out/marbles.obj" >/dev/null 2>&1
 for smooth in "" "--smooth 40"; do
     # shellcheck disable=SC2086
     "$planelet" pack "$out/marbles.obj" --materials keep $smooth --leaf 2 \
