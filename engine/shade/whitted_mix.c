@@ -36,22 +36,28 @@ void plt_whitted_mix(const plt_whitted *w, plt_sampling *s, const plt_pixels *pi
 
 /* ---- adaptive ---------------------------------------------------------------------- */
 
-/* The first pixel of some, and not of them any more. */
-static uint32_t next_of(uint64_t *some) {
-    uint32_t bit = 0;
-    while ((*some >> bit & 1u) == 0) {
-        bit++;
+/* Pixels of the square in Z order, so that those of a packet are neighbours. */
+static uint64_t bit_of(uint32_t place) {
+    return (uint64_t)1 << (8 * plt_z_order_y(place) + plt_z_order_x(place));
+}
+
+/* The next place from `place` on that is one of some; there is one. */
+static uint32_t next_of(uint64_t some, uint32_t place) {
+    while ((some & bit_of(place)) == 0) {
+        place++;
     }
-    *some &= *some - 1;
-    return bit;
+    return place;
 }
 
 uint64_t plt_whitted_mix_some(const plt_whitted *w, const plt_sampling *s) {
-    uint64_t left = s->mixed;
-    for (uint32_t rays = 0; rays < w->pixels && left != 0; rays += FINER * FINER) {
-        left &= left - 1;
+    uint64_t some = 0;
+    uint32_t rays = 0;
+    for (uint32_t place = 0; place < 64 && rays < w->pixels; place++) {
+        const uint64_t bit = s->mixed & bit_of(place);
+        some |= bit;
+        rays += bit != 0 ? FINER * FINER : 0;
     }
-    return s->mixed & ~left;
+    return some;
 }
 
 /* Four samples of a pixel, from the sample at (x, y): a group of the packet. */
@@ -74,23 +80,29 @@ static void set_group(plt_whitted *w, plt_packet *packet, const plt_view *view, 
     plt_packet_set_group(packet, first / 4, org, along, f4_zero(), f4_all(PLT_VIEW_FAR), 4);
 }
 
-void plt_whitted_mix_again(plt_whitted *w, plt_traversal *t, plt_packet *packet,
-                           const plt_view *view, const plt_sampling *s, uint32_t x, uint32_t y) {
+static uint32_t rays_of(uint64_t some) {
     uint32_t rays = 0;
-    for (uint64_t some = plt_whitted_mix_some(w, s); some != 0; some &= some - 1) {
+    for (; some != 0; some &= some - 1) {
         rays += FINER * FINER;
     }
+    return rays;
+}
+
+void plt_whitted_mix_again(plt_whitted *w, plt_traversal *t, plt_packet *packet,
+                           const plt_view *view, const plt_sampling *s, uint32_t x, uint32_t y) {
+    const uint64_t some = plt_whitted_mix_some(w, s);
+    const uint32_t rays = rays_of(some);
     plt_packet_begin(packet, w->box, rays / 4, 0);
     plt_point_want(t->scene, packet);
-    uint32_t k = 0;
-    for (uint64_t some = plt_whitted_mix_some(w, s); some != 0;) {
-        const uint32_t bit = next_of(&some);
-        const uint32_t first_x = FINER * (x + bit % 8), first_y = FINER * (y + bit / 8);
+    for (uint32_t k = 0, place = 0; k < rays; place++) {
+        place = next_of(some, place);
+        const uint32_t first_x = FINER * (x + plt_z_order_x(place));
+        const uint32_t first_y = FINER * (y + plt_z_order_y(place));
         for (uint32_t i = 0; i < FINER * FINER; i += 4, k += 4) {
             set_group(w, packet, view, k, first_x + plt_z_order_x(i), first_y + plt_z_order_y(i));
         }
     }
-    for (; k < w->pixels; k++) {
+    for (uint32_t k = rays; k < w->pixels; k++) {
         plt_whitted_pixel_none(w, k);
     }
     plt_packet_finish(packet);
@@ -100,10 +112,12 @@ void plt_whitted_mix_again(plt_whitted *w, plt_traversal *t, plt_packet *packet,
 
 void plt_whitted_mix_finer(const plt_whitted *w, plt_sampling *s, uint8_t *rgb,
                            uint32_t row_bytes) {
-    uint32_t k = 0;
-    for (uint64_t some = plt_whitted_mix_some(w, s); some != 0; k += FINER * FINER) {
-        const uint32_t bit = next_of(&some);
-        mix(w, s, k, bit, &rgb[bit / 8 * row_bytes + 3 * (bit % 8)]);
+    const uint64_t some = plt_whitted_mix_some(w, s);
+    const uint32_t rays = rays_of(some);
+    for (uint32_t k = 0, place = 0; k < rays; k += FINER * FINER, place++) {
+        place = next_of(some, place);
+        const uint32_t x = plt_z_order_x(place), y = plt_z_order_y(place);
+        mix(w, s, k, 8 * y + x, &rgb[y * row_bytes + 3 * x]);
     }
 }
 

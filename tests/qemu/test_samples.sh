@@ -17,8 +17,8 @@ value() { # NAME: of the first NAME=value in the text
     echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | head -n 1
 }
 
-# same "WORDS" MOST SCENE PARAMETERS FLAGS: the firmware with these parts has the host's picture, and
-# is not larger than it may be.
+# same "WORDS" MOST SCENE PARAMETERS FLAGS: the firmware with these parts has the host's picture,
+# and is not larger than it may be.
 same() {
     folder=$BUILD/mps2_an386-$(echo "$1" | tr ' ' '\n' | sort | paste -sd-)
     make_board mps2_an386 PARTS="$1" || return 1
