@@ -24,9 +24,9 @@ lanes_scalar :=
 
 include engine/engine.mk
 
-.PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
+.PHONY: all firmware demo demo-wooddoll demo-bunny demo-firmware setup test check sizes bench scenes peers \
         compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        treelets povray play profile clean help FORCE
+        treelets povray stages play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -154,6 +154,11 @@ demo-wooddoll: all
 	$(PLANELET) render $(DEMO)/wooddoll.plt -o $(DEMO)/wooddoll.y4m --size 320x320 --frames 0:29
 	@echo "the wooddoll is at a run in $(DEMO)/wooddoll.y4m"
 
+##try demo-bunny: README's second picture, by a board in QEMU: make demo-bunny BUNNY=bunny.ply
+demo-bunny: all
+	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= SIZE='$(SIZE)' \
+	    sh board/tools/bunny.sh '$(BUNNY)'
+
 ##try demo-firmware: a board in QEMU gets a scene over a serial line, and shows frames (FRAMES=25)
 demo-firmware: all
 	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= FRAMES='$(FRAMES)' SIZE='$(SIZE)' \
@@ -202,6 +207,11 @@ treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test
 povray: all $(OUT)/tests/measure/test_picture_difference
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
 	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/povray.sh
+
+##measure stages: costs of shadows, mirrors, glass and samples, beside eye light (DEVICE= no board)
+stages: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= \
+	    sh tests/measure/stages.sh
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
 against: all

@@ -27,7 +27,7 @@ static const look looks[STILL_PAINTS] = {
                      "Tf 0.36 0.9 0.48\nillum 7\n"},
     [STILL_BLUE] = {"blue",
                     "Kd 0 0 0\nKs 0.8 0.8 0.8\nNs 600\nNi 1.5\nd 0\n"
-                    "Tf 0.36 0.62 0.97\nillum 7\n"},
+                    "Tf 0.22 0.56 0.97\nillum 7\n"},
     [STILL_AMBER] = {"amber",
                      "Kd 0 0 0\nKs 0.8 0.8 0.8\nNs 600\nNi 1.5\nd 0\n"
                      "Tf 0.97 0.66 0.14\nillum 7\n"},
