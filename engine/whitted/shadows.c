@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/whitted/shadows.h"
 
-#include "engine/whitted/bounce.h"
 #include "engine/whitted/direct.h"
 #include "engine/whitted/optics.h"
 
