@@ -24,9 +24,9 @@ lanes_scalar :=
 
 include engine/engine.mk
 
-.PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
+.PHONY: all firmware demo demo-wooddoll demo-bunny demo-firmware setup test check sizes bench scenes peers \
         compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        treelets povray jpeg play profile clean help FORCE
+        treelets povray stages jpeg play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -133,8 +133,16 @@ demo: all
 	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.y4m --size 480x240 \
 	    --moved '$(DEMO)/marbles_{}.ply' --frames 0:75 --eye 9,17,30 --look 0,-1.5,0.5 --fov 33
 	@rm -f $(DEMO)/marbles_???.ply
-	$(PLANELET) render $(DEMO)/marbles.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
-	    --eye 9,17,30 --look 0,-1.5,0.5 --fov 33 --show
+	$(PLANELET) make marbles --frame 60 -o $(DEMO)/tray.obj
+	$(PLANELET) pack $(DEMO)/tray.obj -o $(DEMO)/tray.plt --materials keep --smooth 40 \
+	    2>$(DEMO)/tray.txt # that boards and table are no closed bodies
+	$(PLANELET) render $(DEMO)/tray.plt -o $(DEMO)/marbles.png --arena 262144 --size 640x320 \
+	    --eye 6,10,22 --look 1.2,-0.6,5 --fov 35 --shader whitted --depth 6 --samples 4 \
+	    --light sun:-0.8,0.9,-0.15,1.5,0.03,2 --sky 0.4,0.58,0.9 --ground 0.26,0.2,0.15 \
+	    --show --json $(DEMO)/marbles.json
+	@awk -F '[:,]' '{ gsub(/[" ]/, "") } { n[$$1] = $$2 } END { \
+	    print n["rays"] " rays, to lights, off mirrors and through glass, in " \
+	        n["arena_peak_bytes"] " bytes of an arena of " n["arena_bytes"] }' $(DEMO)/marbles.json
 	@echo "the picture is $(DEMO)/marbles.png, the films $(DEMO)/knot.y4m and marbles.y4m"
 	@[ ! -d '$(SCENES)/wooddoll' ] || $(MAKE) --no-print-directory demo-wooddoll
 
@@ -145,6 +153,11 @@ demo-wooddoll: all
 	    -o $(DEMO)/wooddoll.plt
 	$(PLANELET) render $(DEMO)/wooddoll.plt -o $(DEMO)/wooddoll.y4m --size 320x320 --frames 0:29
 	@echo "the wooddoll is at a run in $(DEMO)/wooddoll.y4m"
+
+##try demo-bunny: README's second picture, by a board in QEMU: make demo-bunny BUNNY=bunny.ply
+demo-bunny: all
+	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= SIZE='$(SIZE)' \
+	    sh board/tools/bunny.sh '$(BUNNY)'
 
 ##try demo-firmware: a board in QEMU gets a scene over a serial line, and shows frames (FRAMES=25)
 demo-firmware: all
@@ -194,6 +207,11 @@ treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test
 povray: all $(OUT)/tests/measure/test_picture_difference
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
 	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/povray.sh
+
+##measure stages: costs of shadows, mirrors, glass and samples, beside eye light (DEVICE= no board)
+stages: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= \
+	    sh tests/measure/stages.sh
 
 ##measure jpeg: JPEG files before djpeg and ImageMagick, and beside cjpeg's, which it needs
 jpeg: all $(OUT)/tests/measure/test_jpeg_files

@@ -13,7 +13,7 @@
 #endif
 
 #if PLT_WITH_WHITTED
-#define KEYS_OF_LIGHTS " sun point sky ground depth"
+#define KEYS_OF_LIGHTS " sun point sky ground depth shadows"
 #else
 #define KEYS_OF_LIGHTS ""
 #endif
@@ -124,14 +124,18 @@ static int read_light(const char *all, const char *key, uint8_t kind, plt_lighti
     return status;
 }
 
-/* sun=, point=, sky=, ground= and depth=, as `planelet render` has them. */
+/* sun=, point=, sky=, ground=, depth= and shadows=, as `planelet render` has them. */
 static int read_lights(const char *all, job *j) {
+    static const char *const shadows[] = {"clear", "solid"};
     uint32_t depth = DEPTH_USUAL;
     plt_lighting *l = &j->lighting;
     if (read_light(all, "sun", PLT_LIGHT_DISTANT, l) < 0 ||
         read_light(all, "point", PLT_LIGHT_POINT, l) < 0 ||
         read_floats(all, "sky", l->sky, 3) < 0 || read_floats(all, "ground", l->ground, 3) < 0 ||
         job_u32(all, "depth", 0, PLT_BOUNCES_MOST, &depth) < 0) {
+        return -1;
+    }
+    if (job_word(all, "shadows", shadows, 2, &l->solid_shadows) < 0) {
         return -1;
     }
     l->bounces = (uint8_t)depth;

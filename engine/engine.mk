@@ -84,8 +84,9 @@ surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
     engine/tree/compact/block_record.c engine/trace/kept.c engine/trace/surface_hit.c
 further_files := engine/image/further.c
-whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c engine/shade/whitted_frame.c
-samples_files := engine/shade/light.c engine/shade/beam_samples.c
+whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c \
+    engine/shade/whitted_frame.c engine/shade/whitted_mix.c
+samples_files := engine/shade/light.c engine/shade/beam_samples.c engine/shade/whitted_mix.c
 diagrams_files := engine/shade/diagram.c
 mixes_files := engine/shade/mixing.c engine/shade/beam_mix.c engine/shade/packet_mix.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_lanes.c hulls.c packet.c \

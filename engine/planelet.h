@@ -651,7 +651,10 @@ enum plt_shader {
 #define PLT_HEAT_LEVELS 7
 
 /* Rays per pixel, on a fixed rotated pattern: no two of a pixel share a row or a column. A pixel
- * is the mean of their colours in linear light; rgb is sRGB. */
+ * is the mean of their colours in linear light; rgb is sRGB. With PLT_SHADE_SMOOTH, DEPTH and
+ * WHITTED each has the colour of where it hits, which is a byte each of red, green and blue, as a
+ * pixel's own would be; with the others that of the triangle that it hits, seen through the pixel's
+ * middle. They take no memory beside the packet's. */
 enum plt_samples {
     PLT_SAMPLES_ONE = 1, /* through the middle; 0 is the same */
     PLT_SAMPLES_FOUR = 4,
@@ -683,11 +686,10 @@ typedef struct plt_tile {
 } plt_tile;
 
 /* Starts a frame (and drops an unfinished one). Errors: PLT_ERR_ARGUMENT
- * for a camera without direction, a zero size, an unknown shader or number of samples; for more
- * than one sample of PLT_SHADE_SMOOTH or PLT_SHADE_WHITTED; for 16 samples, or adaptive ones, where
- * packets have 2 x 2 rays (plt_packet_side), as all rays of a pixel are of one packet; for
- * PLT_SHADE_HEAT and PLT_SAMPLES_ADAPTIVE where many packets are under way (PLT_SCHEDULE_BATCH,
- * PLT_SCHEDULE_TASK). Builds without samples
+ * for a camera without direction, a zero size, an unknown shader or number of samples; for 16
+ * samples, or adaptive ones, where packets have 2 x 2 rays (plt_packet_side), as all rays of a
+ * pixel are of one packet; for PLT_SHADE_HEAT and PLT_SAMPLES_ADAPTIVE where many packets are under
+ * way (PLT_SCHEDULE_BATCH, PLT_SCHEDULE_TASK). Builds without samples
  * or pictures of distances and visits (PARTS says `samples`, `diagrams`: engine.mk) do not know
  * these shaders; without both `samples` is not looked at, and without `samples` alone only one is
  * known. */
@@ -720,12 +722,15 @@ typedef struct plt_lighting {
     uint8_t lights;          /* of `light` */
     uint8_t bounces;         /* rays that are not followed any further take the sky's light; at most
                               * those of plt_options.whitted */
+    uint8_t solid_shadows;   /* 0: light comes through glass, straight, less what its surfaces
+                              * reflect and it absorbs; 1: glass throws a shadow as what is opaque
+                              * does, for less work */
 } plt_lighting;
 
 /* Copies it; until it is called there is no light at all. Ends a frame that was being rendered.
  * What triangles are made of their image says (SPEC.md, 4.20): of one that does not, and of
- * instances, all are of clay. Glass throws a shadow as what is opaque does. PLT_ERR_ARGUMENT: a
- * value is out of range, or there is no room for it; nothing has changed.
+ * instances, all are of clay. PLT_ERR_ARGUMENT: a value is out of range, or there is no room for
+ * it; nothing has changed.
  *
  * Not there without PLT_WITH_WHITTED. */
 int plt_lighting_set(plt_engine *engine, const plt_lighting *lighting);

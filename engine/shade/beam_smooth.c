@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/beam.h"
+#include "engine/shade/pixel_mix.h"
 #include "engine/shade/smooth.h"
 
 #if PLT_WITH_SURFACE && PLT_WITH_BEAMS
@@ -64,5 +65,51 @@ int plt_beam_smooth(const plt_beam *b, plt_traversal *t, const uint8_t *sky, uin
     }
     return PLT_OK;
 }
+
+#if PLT_WITH_SAMPLES
+/* Pixel (x, y) of the square. */
+static int mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, uint32_t x, uint32_t y,
+               const uint8_t sky[3], shaded *last, uint8_t rgb[3]) {
+    const uint32_t across = s->across, end_x = across * (x + 1), end_y = across * (y + 1);
+    plt_mix m;
+    plt_mix_begin(&m);
+    for (uint32_t row = across * y; row < end_y; row++) {
+        for (uint32_t column = across * x; column < end_x; column++) {
+            uint8_t colour[3] = {sky[0], sky[1], sky[2]};
+            if (b->pixel[row * b->square.side + column].record != PLT_MISS) {
+                const int status = shade_pixel(b, t, column, row, last, colour);
+                if (status != PLT_OK) {
+                    return status;
+                }
+            }
+            plt_mix_add(&m, colour);
+        }
+    }
+    plt_mix_put(s, &m, plt_mixed_bit(s, b->square.side, x, y), rgb);
+    return PLT_OK;
+}
+
+int plt_beam_smooth_mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, const uint8_t *sky,
+                        uint8_t *rgb, uint32_t row_bytes) {
+    shaded last = {.record = PLT_MISS};
+    const int is_empty = plt_beam_is_empty(b);
+    for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
+        for (uint32_t x = 0; x < b->columns / s->across; x++) {
+            if (!plt_is_shaded(s, plt_mixed_bit(s, b->square.side, x, y))) {
+                continue;
+            }
+            if (is_empty) {
+                memcpy(&rgb[3 * x], sky, 3);
+                continue;
+            }
+            const int status = mix(b, t, s, x, y, sky, &last, &rgb[3 * x]);
+            if (status != PLT_OK) {
+                return status;
+            }
+        }
+    }
+    return PLT_OK;
+}
+#endif
 
 #endif

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/mixing.h"
 
+#include "engine/shade/whitted_mix.h"
+
 #if PLT_WITH_MIXES
 
 /* Adaptive: of a quarter that is traced again, along a side. */
@@ -22,9 +24,6 @@ int plt_mixing_allowed(const plt_rendering *r, const plt_frame *frame, int many)
     const uint32_t across = plt_samples_across(frame->samples);
     const int adapts = frame->samples == PLT_SAMPLES_ADAPTIVE;
     if (many && (adapts || frame->shader == PLT_SHADE_HEAT)) {
-        return 0;
-    }
-    if (across > 1 && (frame->shader == PLT_SHADE_SMOOTH || frame->shader == PLT_SHADE_WHITTED)) {
         return 0;
     }
     return across > 0 && (PLT_WITH_SAMPLES || across == 1) && r->side >= (adapts ? 4 : across);
@@ -98,11 +97,32 @@ static uint64_t pixels_of(uint32_t quarter, uint32_t part) {
     return all << (8 * (part >> 1) * quarter + (part & 1u) * quarter);
 }
 
+#if PLT_WITH_WHITTED
+/* Pixels with lights: as many as a packet holds. */
+static int lights_again(plt_rendering *r) {
+    plt_sampling *s = &r->sampling;
+    if (s->across == 4) {
+        s->mixed &= ~plt_whitted_mix_some(r->whitted, s);
+    }
+    if (s->mixed == 0) {
+        plt_samples_drop(r);
+        return 0;
+    }
+    set_view(r, 4);
+    return 1;
+}
+#endif
+
 int plt_samples_again(plt_rendering *r) {
     plt_sampling *s = &r->sampling;
     if (!s->adapts) {
         return 0;
     }
+#if PLT_WITH_WHITTED
+    if (r->frame.shader == PLT_SHADE_WHITTED) {
+        return lights_again(r);
+    }
+#endif
     for (uint32_t part = s->across == 2 ? 0 : s->part + 1u; part < 4; part++) {
         if ((s->mixed & pixels_of(r->side / 4, part)) != 0) {
             s->part = (uint8_t)part;

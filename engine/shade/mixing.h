@@ -2,7 +2,8 @@
  *
  * Adaptive: a packet of four samples per pixel is traced, and shaded. Where the four colours of a
  * pixel are not alike, so are the quarters of its square that such pixels lie in, with 16 samples,
- * each a packet like any other: a step of the frame is bounded as before.
+ * each a packet like any other: a step of the frame is bounded as before. With lights it is those
+ * pixels alone, as many at a time as a packet holds.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_SHADE_MIXING_H

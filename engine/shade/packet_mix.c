@@ -1,7 +1,5 @@
 /* packet_mix - the colours of a packet of samples, and of distances
  *
- * Rays are in Z order, so those of a pixel follow each other.
- *
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/packet_mix.h"
 
@@ -113,18 +111,13 @@ static void shade(const place *at, plt_sampling *s, uint32_t rays, uint32_t bit,
 
 void plt_packet_mix(const plt_packet *p, plt_sampling *s, const plt_pixels *pixels,
                     const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
-    const uint32_t across = s->across, rays = across * across, side = pixels->side / across;
-    const uint32_t first_x = pixels->x / across, first_y = pixels->y / across;
-    const uint32_t columns = pixels->x_end / across - first_x;
-    const uint32_t rows = pixels->y_end / across - first_y;
-    for (uint32_t k = 0; k < side * side; k++) {
-        const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
-        const uint32_t bit = plt_mixed_bit(s, pixels->side, x, y);
-        if (x < columns && y < rows && plt_is_shaded(s, bit)) {
-            place at = {.p = p, .first = rays * k, .sky = &sky[3 * y]};
-            plt_view_direction(&s->middle, first_x + x, first_y + y, at.dir);
-            shade(&at, s, rays, bit, &rgb[y * row_bytes + 3 * x]);
-        }
+    const uint32_t first_x = pixels->x / s->across, first_y = pixels->y / s->across;
+    plt_mix_pixels k;
+    plt_mix_pixels_set(&k, s, pixels);
+    while (plt_mix_pixels_next(&k, s)) {
+        place at = {.p = p, .first = k.first, .sky = &sky[3 * k.y]};
+        plt_view_direction(&s->middle, first_x + k.x, first_y + k.y, at.dir);
+        shade(&at, s, k.rays, k.bit, &rgb[k.y * row_bytes + 3 * k.x]);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "engine/shade/smooth.h"
 #include "engine/shade/tile_sky.h"
 #include "engine/shade/whitted_frame.h"
+#include "engine/shade/whitted_mix.h"
 #include "engine/whitted/whitted.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
@@ -151,6 +152,16 @@ static void begin_lights(plt_rendering *r, const plt_packet *p, const plt_pixels
 }
 #endif
 
+/* Pixels with lights, wherever they are in the square, that are traced again. */
+static inline int has_some(const plt_rendering *r) {
+#if PLT_WITH_WHITTED && PLT_WITH_SAMPLES
+    return HAS_LIGHTS(r) && r->sampling.adapts && r->sampling.across == 4;
+#else
+    (void)r;
+    return 0;
+#endif
+}
+
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
                          const plt_pixels *pixels, uint32_t rays) {
     r->tracing = 1;
@@ -167,6 +178,13 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
         plt_beam_begin(r->beam, pixels, t, rays);
         return;
     }
+#if PLT_WITH_WHITTED && PLT_WITH_SAMPLES
+    if (has_some(r)) {
+        plt_whitted_mix_again(r->whitted, t, p, &r->view, &r->sampling, r->at.x + r->at.px,
+                              r->at.y + r->at.py);
+        return;
+    }
+#endif
 #if PLT_WITH_GROUPS
     plt_view_packet(&r->view, box_of(r, t), p, pixels);
     const int keeps = IS_SMOOTH(r) || wants_weights(r, t);
@@ -183,13 +201,29 @@ static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
 #endif
 }
 
+#if PLT_WITH_WHITTED
+static void shade_lights(plt_rendering *r, const plt_pixels *pixels, uint8_t *rgb,
+                         uint32_t row_bytes) {
+#if PLT_WITH_SAMPLES
+    if (has_some(r)) {
+        plt_whitted_mix_finer(r->whitted, &r->sampling, rgb, row_bytes);
+        return;
+    }
+    if (r->sampling.across > 1) {
+        plt_whitted_mix(r->whitted, &r->sampling, pixels, rgb, row_bytes);
+        return;
+    }
+#endif
+    plt_whitted_frame_shade(r->whitted, &r->frame, pixels, rgb, row_bytes);
+}
+#endif
+
 static void shade_packet(plt_rendering *r, const plt_packet *p, const plt_pixels *pixels) {
 #if PLT_WITH_GROUPS
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
 #if PLT_WITH_WHITTED
     if (HAS_LIGHTS(r)) {
-        plt_whitted_frame_shade(r->whitted, &r->frame, pixels,
-                                &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
+        shade_lights(r, pixels, &r->tile[3 * (r->at.py * width + r->at.px)], 3 * width);
         return;
     }
 #endif
@@ -224,6 +258,26 @@ static void shade_square(plt_rendering *r) {
 #endif
 }
 
+#if PLT_WITH_SURFACE && PLT_WITH_SAMPLES
+static int mix_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
+                      const plt_pixels *pixels) {
+    const uint32_t row_bytes = 3 * plt_tile_width(&r->frame, &r->at);
+    uint8_t *rgb = plt_mix_tile(r);
+    const uint8_t *sky = plt_mix_sky(r);
+#if PLT_WITH_BEAMS
+    if (HAS_BEAMS(r)) {
+        return plt_beam_smooth_mix(r->beam, t, &r->sampling, sky, rgb, row_bytes);
+    }
+#endif
+#if PLT_WITH_GROUPS
+    return plt_smooth_mix(t, p, &r->sampling, pixels, sky, rgb, row_bytes);
+#endif
+    (void)p;
+    (void)pixels;
+    return PLT_OK;
+}
+#endif
+
 /* The colours of a square, or packet, by normals and colours of corners. PLT_OK, or what a fetch
  * failed with. */
 static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
@@ -232,6 +286,11 @@ static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
     uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
     const uint8_t *sky = &r->sky[3 * r->at.py];
+#if PLT_WITH_SAMPLES
+    if (r->sampling.across > 1) {
+        return mix_smooth(r, t, p, pixels);
+    }
+#endif
 #if PLT_WITH_BEAMS
     if (HAS_BEAMS(r)) {
         return plt_beam_smooth(r->beam, t, sky, rgb, 3 * width);

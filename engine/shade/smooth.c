@@ -10,6 +10,7 @@
 
 #include <string.h>
 
+#include "engine/shade/pixel_mix.h"
 #include "engine/shade/surface.h"
 #include "engine/trace/surface_hit.h"
 
@@ -50,8 +51,8 @@ typedef struct shaded {
     plt_surface_corners corners;
 } shaded;
 
-static int shade_ray(plt_traversal *t, const plt_packet *p, uint32_t ray, shaded *s,
-                     uint8_t rgb[3]) {
+static int shade_lane(plt_traversal *t, const plt_packet *p, uint32_t ray, shaded *s,
+                      uint8_t rgb[3]) {
     const plt_group_rays *g = &p->rays[ray / 4];
     const unsigned lane = ray % 4;
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
@@ -68,6 +69,17 @@ static int shade_ray(plt_traversal *t, const plt_packet *p, uint32_t ray, shaded
     return PLT_OK;
 }
 
+/* Of ray k. */
+static int shade_ray(plt_traversal *t, const plt_packet *p, uint32_t k, const uint8_t sky[3],
+                     shaded *s, uint8_t rgb[3]) {
+    const plt_group_rays *g = &p->rays[k / 4];
+    if (p->active == 0 || !(g->valid >> k % 4 & 1u) || g->id[k % 4] == PLT_MISS) {
+        memcpy(rgb, sky, 3);
+        return PLT_OK;
+    }
+    return shade_lane(t, p, k, s, rgb);
+}
+
 int plt_smooth_shade(plt_traversal *t, const plt_packet *p, const plt_pixels *pixels,
                      const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
     const uint32_t columns = pixels->x_end - pixels->x, rows = pixels->y_end - pixels->y;
@@ -75,19 +87,35 @@ int plt_smooth_shade(plt_traversal *t, const plt_packet *p, const plt_pixels *pi
     int status = PLT_OK;
     for (uint32_t k = 0; k < pixels->side * pixels->side && status == PLT_OK; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
-        const plt_group_rays *g = &p->rays[k / 4];
-        if (x >= columns || y >= rows) {
-            continue;
-        }
-        uint8_t *to = &rgb[y * row_bytes + 3 * x];
-        if (p->active == 0 || !(g->valid >> k % 4 & 1u) || g->id[k % 4] == PLT_MISS) {
-            memcpy(to, &sky[3 * y], 3);
-        } else {
-            status = shade_ray(t, p, k, &s, to);
+        if (x < columns && y < rows) {
+            status = shade_ray(t, p, k, &sky[3 * y], &s, &rgb[y * row_bytes + 3 * x]);
         }
     }
     return status;
 }
+
+#if PLT_WITH_SAMPLES
+int plt_smooth_mix(plt_traversal *t, const plt_packet *p, plt_sampling *s, const plt_pixels *pixels,
+                   const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
+    shaded last = {.id = PLT_MISS};
+    plt_mix_pixels k;
+    plt_mix_pixels_set(&k, s, pixels);
+    while (plt_mix_pixels_next(&k, s)) {
+        plt_mix m;
+        plt_mix_begin(&m);
+        for (uint32_t i = 0; i < k.rays; i++) {
+            uint8_t colour[3];
+            const int status = shade_ray(t, p, k.first + i, &sky[3 * k.y], &last, colour);
+            if (status != PLT_OK) {
+                return status;
+            }
+            plt_mix_add(&m, colour);
+        }
+        plt_mix_put(s, &m, k.bit, &rgb[k.y * row_bytes + 3 * k.x]);
+    }
+    return PLT_OK;
+}
+#endif
 
 #endif
 #endif

@@ -5,6 +5,7 @@
 #define PLT_SHADE_SMOOTH_H
 
 #include "engine/shade/camera.h"
+#include "engine/shade/sampling.h"
 #include "engine/trace/traversal.h"
 
 #if PLT_WITH_SURFACE
@@ -17,6 +18,12 @@ void plt_smooth_colour(const plt_surface_point *point, const float dir[3], uint8
 /* As plt_shade_pixels, of a packet whose hits have u and v. PLT_OK, or what a fetch failed with. */
 int plt_smooth_shade(plt_traversal *t, const plt_packet *packet, const plt_pixels *pixels,
                      const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes);
+
+#if PLT_WITH_SAMPLES
+/* As plt_packet_mix, likewise: each sample has the colour of where it hits, along its own ray. */
+int plt_smooth_mix(plt_traversal *t, const plt_packet *packet, plt_sampling *s,
+                   const plt_pixels *pixels, const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes);
+#endif
 #endif
 
 #if PLT_WITH_BEAMS
@@ -24,6 +31,12 @@ int plt_smooth_shade(plt_traversal *t, const plt_packet *packet, const plt_pixel
 struct plt_beam;
 int plt_beam_smooth(const struct plt_beam *b, plt_traversal *t, const uint8_t *sky, uint8_t *rgb,
                     uint32_t row_bytes);
+
+#if PLT_WITH_SAMPLES
+/* As plt_beam_mix; likewise. */
+int plt_beam_smooth_mix(const struct plt_beam *b, plt_traversal *t, plt_sampling *s,
+                        const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes);
+#endif
 #endif
 
 #endif

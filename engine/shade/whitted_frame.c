@@ -33,11 +33,10 @@ void plt_whitted_frame_begin(plt_whitted *w, const plt_view *view, const plt_pac
             plt_whitted_pixel_none(w, k);
         }
     }
-    plt_whitted_begin(w, packet);
+    plt_whitted_begin(w, packet, w->pixels);
 }
 
-/* What its rays brought, or the background where the frame has one and its own ray hit nothing. */
-static void shade_pixel(const plt_lit_pixel *p, const plt_frame *frame, uint8_t rgb[3]) {
+void plt_whitted_frame_colour(const plt_lit_pixel *p, const plt_frame *frame, uint8_t rgb[3]) {
 #if PLT_WITH_BACKGROUND
     if (frame->has_background && p->ray.is_sky) {
         plt_surface_sky(frame, 0, rgb);
@@ -57,7 +56,7 @@ void plt_whitted_frame_shade(const plt_whitted *w, const plt_frame *frame, const
     for (uint32_t k = 0; k < pixels->side * pixels->side; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
         if (x < columns && y < rows) {
-            shade_pixel(&w->pixel[k], frame, &rgb[y * row_bytes + 3 * x]);
+            plt_whitted_frame_colour(&w->pixel[k], frame, &rgb[y * row_bytes + 3 * x]);
         }
     }
 }

@@ -23,6 +23,10 @@ int plt_whitted_frame_wants_weights(const plt_traversal *t);
 void plt_whitted_frame_begin(plt_whitted *w, const plt_view *view, const plt_packet *packet,
                              const plt_pixels *pixels);
 
+/* What a pixel's rays brought, or the background where the frame has one and its own ray hit
+ * nothing. */
+void plt_whitted_frame_colour(const plt_lit_pixel *pixel, const plt_frame *frame, uint8_t rgb[3]);
+
 /* As plt_shade_pixels. */
 void plt_whitted_frame_shade(const plt_whitted *w, const plt_frame *frame, const plt_pixels *pixels,
                              uint8_t *rgb, uint32_t row_bytes);

@@ -18,17 +18,13 @@ typedef struct sent {
     unsigned count;
 } sent;
 
-static int counts(const float weight[3]) {
-    return weight[0] >= PLT_LIT_LEAST || weight[1] >= PLT_LIT_LEAST || weight[2] >= PLT_LIT_LEAST;
-}
-
 static void send(const plt_whitted *w, plt_lit_pixel *p, plt_lit_ray *ray, float side, sent *s) {
     for (int a = 0; a < 3; a++) {
         ray->org[a] = p->ray.org[a] + side * w->lift * p->side[a];
     }
     ray->level = (uint8_t)(p->ray.level + 1);
     ray->is_sky = 0;
-    if (p->ray.level < w->lighting.bounces && counts(ray->weight)) {
+    if (p->ray.level < w->lighting.bounces && plt_lit_counts(ray->weight)) {
         s->ray[s->count++] = *ray;
         return;
     }

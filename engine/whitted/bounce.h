@@ -6,9 +6,6 @@
 
 #include "engine/whitted/state.h"
 
-/* Rays of less than this in all colours are not followed, but take the sky's light. */
-#define PLT_LIT_LEAST 0.001953125f /* 1 / 512 */
-
 /* All hits are shaded: each pixel goes on with one of the rays that its hit sends out, or one that
  * waits. Those go into `slot`; returns how many. */
 uint32_t plt_bounce_all(plt_whitted *w);

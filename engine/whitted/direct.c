@@ -93,8 +93,7 @@ float plt_direct_ray(const plt_whitted *w, const plt_lit_pixel *p, float org[3],
     return light->kind == PLT_LIGHT_POINT ? BEFORE_LIGHT : FAR;
 }
 
-/* The light of a sample that reaches a hit. */
-static void light_up(const plt_whitted *w, plt_lit_pixel *p) {
+void plt_direct_add(const plt_whitted *w, plt_lit_pixel *p, const float through[3]) {
     const plt_light *light = &w->lighting.light[w->light];
     plt_material m;
     float diffuse[3], to[3], half[3];
@@ -113,15 +112,16 @@ static void light_up(const plt_whitted *w, plt_lit_pixel *p) {
         plt_optics_power(glint < 1.0f ? (glint > 0.0f ? glint : 0.0f) : 1.0f, m.exponent);
     for (int c = 0; c < 3; c++) {
         const float share = diffuse[c] * facing + p->ray.weight[c] * m.specular[c] * shine;
-        p->colour[c] += light->power[c] * bright * share;
+        p->colour[c] += light->power[c] * bright * share * through[c];
     }
 }
 
 void plt_direct_take(plt_whitted *w, const plt_packet *packet) {
+    static const float all[3] = {1, 1, 1};
     for (uint32_t i = 0; i < w->rays; i++) {
         const plt_group_rays *g = &packet->rays[i / 4];
         if (g->id[i % 4] == PLT_MISS) {
-            light_up(w, &w->pixel[w->slot[i]]);
+            plt_direct_add(w, &w->pixel[w->slot[i]], all);
         }
     }
 }

@@ -17,7 +17,10 @@ uint32_t plt_direct_find(plt_whitted *w);
 /* The shadow ray of one of them; returns its tmax. */
 float plt_direct_ray(const plt_whitted *w, const plt_lit_pixel *pixel, float org[3], float dir[3]);
 
-/* The rays are traced: adds the light of those that nothing was in the way of. */
+/* Adds the light of the sample that reaches a hit: the share `through` of it. */
+void plt_direct_add(const plt_whitted *w, plt_lit_pixel *pixel, const float through[3]);
+
+/* The rays, of any hit, are traced: adds the light of those that nothing was in the way of. */
 void plt_direct_take(plt_whitted *w, const plt_packet *packet);
 
 /* Of what an opaque mirror reflects, red, green and blue; 0 of others. */

@@ -10,7 +10,8 @@
 #if PLT_WITH_WHITTED
 
 enum { AT_COUNT = 0, AT_BITS = 4, AT_RUNS = 8, AT_TRIANGLES = 12, AT_RESERVED = 16 };
-enum { FLOATS = 15 }; /* of a material, before its exponent */
+enum { AT_TRANSPARENCY = 52 }; /* in a material */
+enum { FLOATS = 15 };          /* of a material, before its exponent */
 
 static uint64_t index_bytes(const plt_materials *m) {
     return m->bits > 0 ? ((uint64_t)m->triangles * m->bits + 7) / 8 : 5ull * m->runs;
@@ -97,11 +98,14 @@ int plt_materials_read(plt_materials *m, const unsigned char *section, uint32_t 
         return refused(fault, offset, "a count of the materials is out of range");
     }
     m->index = m->table + (size_t)m->count * PLT_MATERIAL_BYTES;
+    m->has_glass = 0;
     for (uint32_t i = 0; i < m->count; i++) {
-        if (!is_material(m->table + (size_t)i * PLT_MATERIAL_BYTES)) {
+        const unsigned char *at = m->table + (size_t)i * PLT_MATERIAL_BYTES;
+        if (!is_material(at)) {
             return refused(fault, offset + PLT_MATERIALS_HEAD + i * PLT_MATERIAL_BYTES,
                            "a number of a material is out of range");
         }
+        m->has_glass |= plt_get_float(at + AT_TRANSPARENCY) > 0.0f;
     }
     if (!(m->bits > 0 ? are_indices(m) : are_runs(m))) {
         return refused(fault, offset + PLT_MATERIALS_HEAD + m->count * PLT_MATERIAL_BYTES,
@@ -145,7 +149,7 @@ void plt_materials_get(const plt_materials *m, uint32_t number, plt_material *to
     plt_get_floats(to->emission, at + 24, 3);
     plt_get_floats(to->absorption, at + 36, 3);
     to->index = plt_get_float(at + 48);
-    to->transparency = plt_get_float(at + 52);
+    to->transparency = plt_get_float(at + AT_TRANSPARENCY);
     to->mirror = plt_get_float(at + 56);
     to->exponent = plt_get_u32(at + 60);
 }

@@ -36,6 +36,7 @@ typedef struct plt_materials {
     const unsigned char *index; /* behind them */
     uint32_t count, bits;       /* bits: of an index: 1, 2, 4, 8; 0: there are runs */
     uint32_t runs, triangles;
+    uint8_t has_glass; /* light passes through some material */
 } plt_materials;
 
 /* Bytes of a section, its head and padding included. */

@@ -5,6 +5,7 @@
 
 #include "engine/whitted/direct.h"
 #include "engine/whitted/point.h"
+#include "engine/whitted/shadows.h"
 
 #if PLT_WITH_WHITTED
 
@@ -14,7 +15,7 @@
 typedef struct four {
     _Alignas(16) float org[3][4];
     _Alignas(16) float dir[3][4];
-    _Alignas(16) float tmax[4];
+    _Alignas(16) float tmin[4], tmax[4];
 } four;
 
 static void put_ray(four *rays, unsigned lane, const float org[3], const float dir[3], float tmax) {
@@ -31,26 +32,33 @@ static void set_lane(const plt_whitted *w, four *rays, uint32_t slot, int shadow
         float org[3], dir[3];
         const float tmax = plt_direct_ray(w, p, org, dir);
         put_ray(rays, slot % 4, org, dir, tmax);
+        if (plt_shadows_are_clear(w)) {
+            rays->tmin[slot % 4] = w->shadow[w->slot[slot]].from;
+        }
     } else {
         put_ray(rays, slot % 4, p->ray.org, p->ray.dir, FAR);
     }
 }
 
 static void set_group(const plt_whitted *w, plt_packet *packet, uint32_t first, int shadows) {
-    four rays = {{{0}}, {{0}}, {0}};
+    four rays = {{{0}}, {{0}}, {0}, {0}};
     const uint32_t left = w->rays - first, count = left < 4 ? left : 4;
     for (uint32_t i = 0; i < count; i++) {
         set_lane(w, &rays, first + i, shadows);
     }
     const f4 org[3] = {f4_load(rays.org[0]), f4_load(rays.org[1]), f4_load(rays.org[2])};
     const f4 dir[3] = {f4_load(rays.dir[0]), f4_load(rays.dir[1]), f4_load(rays.dir[2])};
-    plt_packet_set_group(packet, first / 4, org, dir, f4_zero(), f4_load(rays.tmax), count);
+    plt_packet_set_group(packet, first / 4, org, dir, f4_load(rays.tmin), f4_load(rays.tmax),
+                         count);
 }
 
 void plt_rays_due_begin(plt_whitted *w, plt_traversal *t, plt_packet *packet, int shadows) {
-    plt_packet_begin(packet, w->box, (w->rays + 3) / 4, shadows);
+    const int clear = plt_shadows_are_clear(w);
+    plt_packet_begin(packet, w->box, (w->rays + 3) / 4, shadows && !clear);
     if (!shadows) {
         plt_point_want(t->scene, packet);
+    } else if (clear) {
+        plt_packet_want_normals(packet);
     }
     for (uint32_t first = 0; first < w->rays; first += 4) {
         set_group(w, packet, first, shadows);

@@ -40,6 +40,15 @@ typedef struct plt_lit_pixel {
     uint8_t tint[3]; /* sRGB of its corners; 255: they have none */
 } plt_lit_pixel;
 
+/* A ray to a light, where there is glass. 20 bytes. */
+typedef struct plt_lit_shadow {
+    float through[3];  /* of the light, what has come so far */
+    float from;        /* its tmin: behind the surfaces that it has passed */
+    uint16_t inside;   /* as plt_lit_ray */
+    uint16_t surfaces; /* of glass, that it has passed */
+} plt_lit_shadow;
+
+_Static_assert(sizeof(plt_lit_shadow) == 20, "no holes");
 _Static_assert(sizeof(plt_lit_ray) == 40 && sizeof(plt_lit_pixel) == 84, "no holes");
 
 typedef struct plt_whitted {
@@ -54,10 +63,12 @@ typedef struct plt_whitted {
     uint8_t is_traced;  /* a packet is under way */
     uint8_t is_empty;   /* ... that misses everything, and whose groups may not be set */
     uint8_t light, sample;
-    uint32_t rays;        /* of the packet */
-    plt_lit_pixel *pixel; /* [pixels], in Z order */
-    plt_lit_ray *waiting; /* [pixels][room] */
-    uint8_t *slot;        /* [rays]: the pixel of each */
+    uint8_t is_on_way;      /* rays of the sample go on behind glass */
+    uint32_t rays;          /* of the packet */
+    plt_lit_pixel *pixel;   /* [pixels], in Z order */
+    plt_lit_ray *waiting;   /* [pixels][room] */
+    plt_lit_shadow *shadow; /* [pixels] */
+    uint8_t *slot;          /* [rays]: the pixel of each */
 } plt_whitted;
 
 #define PLT_WHITTED_ALIGNED(bytes) (((bytes) + 15u) & ~(size_t)15u)
@@ -67,7 +78,15 @@ static inline size_t plt_whitted_bytes(unsigned side, unsigned bounces) {
     const size_t pixels = (size_t)side * side;
     return PLT_WHITTED_ALIGNED(sizeof(plt_whitted)) +
            PLT_WHITTED_ALIGNED(pixels * sizeof(plt_lit_pixel)) +
-           PLT_WHITTED_ALIGNED(pixels * bounces * sizeof(plt_lit_ray)) + pixels;
+           PLT_WHITTED_ALIGNED(pixels * bounces * sizeof(plt_lit_ray)) +
+           PLT_WHITTED_ALIGNED(pixels * sizeof(plt_lit_shadow)) + pixels;
+}
+
+/* Rays of less than this in all colours are not followed, but take the sky's light. */
+#define PLT_LIT_LEAST 0.001953125f /* 1 / 512 */
+
+static inline int plt_lit_counts(const float weight[3]) {
+    return weight[0] >= PLT_LIT_LEAST || weight[1] >= PLT_LIT_LEAST || weight[2] >= PLT_LIT_LEAST;
 }
 
 static inline void plt_lit_add(plt_lit_pixel *p, const float weight[3], const float light[3]) {

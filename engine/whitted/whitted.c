@@ -11,6 +11,7 @@
 #include "engine/whitted/optics.h"
 #include "engine/whitted/point.h"
 #include "engine/whitted/rays_due.h"
+#include "engine/whitted/shadows.h"
 
 #if PLT_WITH_WHITTED
 
@@ -29,7 +30,9 @@ plt_whitted *plt_whitted_init(void *memory, unsigned side, unsigned bounces) {
     w->pixel = (plt_lit_pixel *)(void *)at;
     at += PLT_WHITTED_ALIGNED(w->pixels * sizeof *w->pixel);
     w->waiting = (plt_lit_ray *)(void *)at;
-    w->slot = at + PLT_WHITTED_ALIGNED((size_t)w->pixels * bounces * sizeof *w->waiting);
+    at += PLT_WHITTED_ALIGNED((size_t)w->pixels * bounces * sizeof *w->waiting);
+    w->shadow = (plt_lit_shadow *)(void *)at;
+    w->slot = at + PLT_WHITTED_ALIGNED(w->pixels * sizeof *w->shadow);
     return w;
 }
 
@@ -69,9 +72,9 @@ void plt_whitted_pixel_none(plt_whitted *w, uint32_t k) {
     memset(&w->pixel[k], 0, sizeof w->pixel[k]);
 }
 
-void plt_whitted_begin(plt_whitted *w, const plt_packet *packet) {
-    w->rays = w->pixels;
-    for (uint32_t k = 0; k < w->pixels; k++) {
+void plt_whitted_begin(plt_whitted *w, const plt_packet *packet, uint32_t rays) {
+    w->rays = rays;
+    for (uint32_t k = 0; k < rays; k++) {
         w->slot[k] = (uint8_t)k;
     }
     w->is_empty = packet->active == 0;
@@ -134,6 +137,7 @@ static int take_hits(plt_whitted *w, plt_traversal *t, const plt_packet *packet)
     }
     w->stage = STAGE_SHADOWS;
     w->light = w->sample = 0;
+    w->is_on_way = 0;
     return status;
 }
 
@@ -141,6 +145,29 @@ static void next_sample(plt_whitted *w) {
     if (++w->sample >= w->lighting.light[w->light].samples) {
         w->sample = 0;
         w->light++;
+    }
+}
+
+static void take_shadows(plt_whitted *w, const plt_packet *packet) {
+    if (plt_shadows_are_clear(w)) {
+        w->rays = plt_shadows_take(w, packet);
+        w->is_on_way = w->rays > 0;
+    } else {
+        plt_direct_take(w, packet);
+    }
+    if (!w->is_on_way) {
+        next_sample(w);
+    }
+}
+
+/* The rays to the current sample, or those of them that go on. */
+static void find_shadows(plt_whitted *w) {
+    if (w->is_on_way) {
+        return;
+    }
+    w->rays = plt_direct_find(w);
+    if (plt_shadows_are_clear(w)) {
+        plt_shadows_begin(w);
     }
 }
 
@@ -153,8 +180,7 @@ static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t 
     if (w->stage == STAGE_RAYS) {
         status = take_hits(w, t, packet);
     } else {
-        plt_direct_take(w, packet);
-        next_sample(w);
+        take_shadows(w, packet);
     }
     return status == PLT_OK ? PLT_MORE : status;
 }
@@ -164,7 +190,7 @@ int plt_whitted_step(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint3
         return trace(w, t, packet, visits);
     }
     if (w->light < w->lighting.lights) {
-        w->rays = plt_direct_find(w);
+        find_shadows(w);
         if (w->rays > 0) {
             plt_rays_due_begin(w, t, packet, 1);
         } else {

@@ -24,8 +24,9 @@ void plt_whitted_frame(plt_whitted *w, const plt_box *box, const float eye[3], c
 void plt_whitted_pixel_set(plt_whitted *w, uint32_t k, const float dir[3], uint8_t turn);
 void plt_whitted_pixel_none(plt_whitted *w, uint32_t k);
 
-/* The packet of the pixels' own rays is begun, ray k for pixel k. */
-void plt_whitted_begin(plt_whitted *w, const plt_packet *packet);
+/* The packet of the pixels' own rays is begun, ray k for pixel k; of those from `rays` on there are
+ * none. */
+void plt_whitted_begin(plt_whitted *w, const plt_packet *packet, uint32_t rays);
 
 /* PLT_OK: all pixels have their colour; PLT_MORE, or what a fetch failed with. */
 int plt_whitted_step(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits);

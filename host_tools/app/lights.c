@@ -102,11 +102,12 @@ static void read_colour(args *a, const char *flag, float to[3]) {
 }
 
 void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
-    static const char *const FLAGS[] = {"--light", "--sky", "--ground", "--depth"};
+    static const char *const WORDS[] = {"clear", "solid", NULL};
+    static const char *const FLAGS[] = {"--light", "--sky", "--ground", "--depth", "--shadows"};
     *l = (lights){.is_on = shader == PLT_SHADE_WHITTED, .has_lights = args_has(a, "--light")};
     l->lighting = (plt_lighting){.sky = {0.36f, 0.45f, 0.60f}, .ground = {0.17f, 0.15f, 0.13f}};
     if (!l->is_on) {
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 5; i++) {
             if (args_has(a, FLAGS[i])) {
                 args_complain(a, "%s is for --shader whitted; add that", FLAGS[i]);
             }
@@ -119,6 +120,7 @@ void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     read_colour(a, "--sky", l->lighting.sky);
     read_colour(a, "--ground", l->lighting.ground);
     l->lighting.bounces = (uint8_t)args_number(a, "--depth", BOUNCES_USUAL, 0, PLT_BOUNCES_MOST);
+    l->lighting.solid_shadows = (uint8_t)args_choice(a, "--shadows", WORDS, 0);
     options->whitted = (uint8_t)(1 + l->lighting.bounces);
     if (strcmp(args_text(a, "--schedule", "branch"), "branch") != 0) {
         args_complain(a, "--shader whitted takes --schedule branch");

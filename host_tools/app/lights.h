@@ -13,7 +13,10 @@
      "with soft shadows, 1 to 16 samples (default 8); POWER is what white shows, of a point at a " \
      "distance of 1; up to 8 with '/' between them (default: a sun behind the camera)"},           \
         {"--sky", "r,g,b", "whitted: light from above, linear (default 0.36,0.45,0.60)"},          \
-        {"--ground", "r,g,b", "whitted: light from below (default 0.17,0.15,0.13)"}, {             \
+        {"--ground", "r,g,b", "whitted: light from below (default 0.17,0.15,0.13)"},               \
+        {"--shadows", "clear|solid",                                                               \
+         "whitted: of glass: light comes through it, or none, for less work (default clear)"},     \
+    {                                                                                              \
         "--depth", "N",                                                                            \
             "whitted: rays one after another that mirrors and glass send out, 0 to 8 "             \
             "(default 4)"                                                                          \

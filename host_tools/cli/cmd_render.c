@@ -442,10 +442,6 @@ static const char *const for_engine[] = {"--packet",   "--walk",    "--structure
 static void refuse_samples(const rendering *r, args *a) {
     const plt_frame *f = &r->frame;
     const int is_branch = strcmp(args_text(a, "--schedule", "branch"), "branch") == 0;
-    if (f->samples > PLT_SAMPLES_ONE &&
-        (f->shader == PLT_SHADE_SMOOTH || f->shader == PLT_SHADE_WHITTED)) {
-        args_complain(a, "--samples is not for --shader smooth and whitted; leave out --samples");
-    }
     if (args_has(a, "--baseline") &&
         (f->shader == PLT_SHADE_DEPTH || f->shader == PLT_SHADE_HEAT)) {
         args_complain(a, "--shader depth and heat are for the engine; leave out --baseline");

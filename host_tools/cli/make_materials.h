@@ -4,12 +4,12 @@
 #ifndef MAKE_MATERIALS_H
 #define MAKE_MATERIALS_H
 #include "host_tools/base/fail.h"
-#include "host_tools/mesh/mesh.h"
+#include "host_tools/scenes/painted.h"
 
 /* A name that ends in .obj. */
 int make_materials_has_name(const char *out);
 
-/* Writes the marbles of scene_marbles, and NAME.mtl beside NAME.obj. */
-int make_materials(const mesh *m, const char *out, fail *f);
+/* Writes what still_marbles made, and NAME.mtl beside NAME.obj. */
+int make_materials(const painted *p, const char *out, fail *f);
 
 #endif

@@ -130,11 +130,7 @@ says "packets of 2x2 rays have no room for 16 samples; use --samples 4 or --pack
     render knot.plt -o x.png --packet 2 --samples 16
 cured render knot.plt -o x.png --packet 2 --samples 4
 cured render knot.plt -o x.png --packet 4 --samples 16
-for shader in smooth whitted; do
-    says "--samples is not for --shader smooth and whitted; leave out --samples" \
-        render knot.plt -o x.png --shader $shader --samples 4
-done
-cured render knot.plt -o x.png --shader whitted
+cured render knot.plt -o x.png --shader whitted --samples adaptive --depth 1
 says "--prefetch is for --residency streamed" render compact.plt -o x.png --prefetch 4
 cured render compact.plt -o x.png --residency streamed --prefetch 4
 says "--source dma is for --residency streamed" render compact.plt -o x.png --source dma:1,20

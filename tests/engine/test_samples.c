@@ -18,6 +18,7 @@
 #include "tests/reference/frames.h"
 #include "tests/reference/random.h"
 #include "tests/reference/rig.h"
+#include "tests/reference/samples.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -34,27 +35,6 @@ static uint32_t frames_seen, pixels_mixed, pixels_refined;
 static double light_of(int byte) {
     const double x = byte / 255.0;
     return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
-}
-
-/* The byte whose light is nearest to light / samples, the greater of two, among all. */
-static int due_byte(int64_t light, int64_t samples) {
-    int best = 0;
-    for (int b = 1; b < 256; b++) {
-        if (llabs(samples * plt_linear[b] - light) <= llabs(samples * plt_linear[best] - light)) {
-            best = b;
-        }
-    }
-    return best;
-}
-
-static void due_mean(uint32_t samples, const uint8_t (*of)[3], uint8_t rgb[3]) {
-    for (int c = 0; c < 3; c++) {
-        int64_t light = 0;
-        for (uint32_t i = 0; i < samples; i++) {
-            light += plt_linear[of[i][c]];
-        }
-        rgb[c] = (uint8_t)due_byte(light, samples);
-    }
 }
 
 static void check_light(void) {
@@ -75,7 +55,7 @@ static void check_mean(const uint8_t (*of)[3], uint32_t samples) {
         plt_mix_add(&m, of[i]);
     }
     plt_mix_get(&m, samples, got);
-    due_mean(samples, of, due);
+    samples_mean(samples, of, due);
     CHECK(memcmp(got, due, 3) == 0, "%u samples: %u %u %u, due %u %u %u", samples, got[0], got[1],
           got[2], due[0], due[1], due[2]);
 }
@@ -99,7 +79,7 @@ static void check_means(void) {
     for (int b = 0; b < 256; b++) {
         memset(of, b, sizeof of);
         uint8_t mean[3];
-        due_mean(16, (const uint8_t(*)[3])of, mean);
+        samples_mean(16, (const uint8_t(*)[3])of, mean);
         CHECK(mean[0] == b, "equal colours have themselves for a mean: %d", b);
         check_mean((const uint8_t(*)[3])of, 16);
     }
@@ -232,7 +212,7 @@ static void due_frame(plt_engine *e, const plt_frame *f, uint32_t across, uint8_
             }
         }
         mixed[i] = most > PLT_SAMPLES_ALIKE;
-        due_mean(n, (const uint8_t(*)[3])of, rgb + 3 * i);
+        samples_mean(n, (const uint8_t(*)[3])of, rgb + 3 * i);
     }
 }
 

@@ -210,9 +210,6 @@ static uint64_t hash_of(const packed *image, const plt_options *options, int str
     const int status = surface_rig_open(&r, none, streamed ? &fetched : &mapped, options);
     CHECK(status == PLT_OK || (status == PLT_ERR_LIMIT && rig_is_tiny()), "%s", r.fault.message);
     CHECK(plt_render_begin(r.engine, &frame) == PLT_OK, "a smooth frame is refused");
-    plt_frame four = frame;
-    four.samples = PLT_SAMPLES_FOUR;
-    CHECK(plt_render_begin(r.engine, &four) == PLT_ERR_ARGUMENT, "smooth and four samples");
     const uint64_t hash = frame_hash(r.engine, &frame, 1000);
     r.image.bytes = NULL;
     free(r.arena);

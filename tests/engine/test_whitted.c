@@ -168,9 +168,6 @@ static plt_frame view(void) {
 static uint64_t hash_with(rig *r, const plt_lighting *l, uint32_t visits) {
     const plt_frame f = view();
     CHECK(plt_lighting_set(r->engine, l) == PLT_OK, "lights");
-    plt_frame four = f;
-    four.samples = PLT_SAMPLES_FOUR;
-    CHECK(plt_render_begin(r->engine, &four) == PLT_ERR_ARGUMENT, "lights and four samples");
     const frame_result result = frame_render(r->engine, &f, visits);
     CHECK(result.status == PLT_OK && result.wrong == 0, "%d, %u", result.status, result.wrong);
     free(result.rgb);

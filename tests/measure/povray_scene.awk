@@ -20,16 +20,8 @@ function begin(name) {
     triangles = 0
 }
 
-# The mesh since begin, with a POV-Ray texture and what else belongs to it; with a shadow of its
-# own a second time, opaque, which shows in that alone.
-function finish(texture, throws) {
-    write_mesh(texture)
-    if (throws) {
-        write_mesh("texture { pigment { rgb 0 } } no_image no_reflection")
-    }
-}
-
-function write_mesh(texture, i) {
+# The mesh since begin, with a POV-Ray texture and what else belongs to it.
+function finish(texture, i) {
     print "mesh2 { vertex_vectors {", count - base >pov
     for (i = base; i < count; i++) {
         print ",", points[i] >pov
@@ -41,7 +33,7 @@ function write_mesh(texture, i) {
     print "} inside_vector <0,0,1>", texture, "}" >pov
 }
 
-function sphere(name, x, y, z, r, texture, throws, i, j, a, b, pi, first, next_one) {
+function sphere(name, x, y, z, r, texture, i, j, a, b, pi, first, next_one) {
     pi = 4 * atan2(1, 1)
     begin(name)
     for (i = 0; i <= 24; i++) {
@@ -64,7 +56,7 @@ function sphere(name, x, y, z, r, texture, throws, i, j, a, b, pi, first, next_o
         first = base + 2 + 48 * 22
         triangle(first + j, first + next_one, count)
     }
-    finish(texture, throws)
+    finish(texture)
 }
 
 function material(name, text) {
@@ -101,9 +93,9 @@ BEGIN {
     # Schlick's formula: all that grazes it, by the fifth power.
     sphere("mirror", 0.2, 1, -1, 1, "texture { pigment { rgb 0.05 } finish { diffuse 1 " ambient \
         " specular 0.8 roughness 0.001 reflection { 0.8, 1 falloff 5 } } }")
-    # It fades by e^(-d / fade_distance), and its shadow is that of something opaque.
+    # It fades by e^(-d / fade_distance), and so does light that comes through.
     glass = sprintf("interior { ior 1.5 fade_power 1001 fade_distance %.9f fade_color rgb 0 }",
         -1 / log(0.8))
     sphere("glass", 1.8, 0.7, 0.9, 0.7, "texture { pigment { rgbt <0,0,0,1> } finish { diffuse 0 " \
-        "ambient 0 reflection { 0, 1 fresnel on } conserve_energy } } no_shadow " glass, 1)
+        "ambient 0 reflection { 0, 1 fresnel on } conserve_energy } } " glass)
 }

@@ -318,17 +318,17 @@ lit() {
         [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
             echo "status $status: $text")"
 }
-"$planelet" make marbles -o "$out/marbles.obj" >/dev/null 2>&1
+"$planelet" make marbles --triangles 1680 -o "$out/marbles.obj" >/dev/null 2>&1
 for smooth in "" "--smooth 40"; do
     # shellcheck disable=SC2086
     "$planelet" pack "$out/marbles.obj" --materials keep $smooth --leaf 2 \
         -o "$out/marbles${smooth:+_smooth}.plt" >/dev/null 2>&1
 done
-if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 50432; then
+if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 51712; then
     lit "$BUILD/mps2_an386-render-thesis-whitted" marbles
 fi
 whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
-if part "render thesis surface whitted" "$whitted" 54784; then
+if part "render thesis surface whitted" "$whitted" 55808; then
     lit "$whitted" marbles_smooth
 fi
 instances=$BUILD/mps2_an386-instances-render-thesis
