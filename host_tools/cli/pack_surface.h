@@ -22,7 +22,7 @@
     {                                                                                              \
         "--surface", "tables|pages",                                                               \
             "how an image has them: in tables that are resident, or page by page, so that they "   \
-            "are streamed, too, for 0.1 bytes per triangle more (default tables)"                  \
+            "are streamed, too, for 0.2 bytes per triangle more (default tables)"                  \
     }
 
 typedef struct pack_surface {
