@@ -347,6 +347,7 @@ static void open_turning(turning *t, const model_kind *kind, const char *seconds
 
 static void close_turning(turning *t) {
     frames_close(&t->source);
+    args_free(&t->args);
     close_bench(&t->bench);
 }
 
