@@ -248,7 +248,7 @@ typedef struct plt_options {
                       * not of instances; compact blocks are not built here, and have no frames;
                       * grids have no pages. Without PLT_WITH_SURFACE: 0 */
     uint8_t whitted; /* room for frames of PLT_SHADE_WHITTED: 1 and the most bounces that they may
-                      * have, up to 1 + PLT_BOUNCES_MOST, for 85 bytes per ray of a packet, 40 more
+                      * have, up to 1 + PLT_BOUNCES_MOST, for 105 bytes per ray of a packet, 40 more
                       * per bounce, and the image's materials if it is not mapped; 0: none. With
                       * PLT_SCHEDULE_BRANCH. Without PLT_WITH_WHITTED it is not looked at */
 } plt_options;

@@ -57,8 +57,8 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
     --colours --surface --materials --strict --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
-flags render -o --show --size --shader --samples --light --sky --ground --depth --orbit --moved \
-    --frames --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat \
+flags render -o --show --size --shader --samples --light --sky --ground --shadows --depth --orbit \
+    --moved --frames --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat \
     --chroma --json --counts $view_flags --background $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
