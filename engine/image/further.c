@@ -47,7 +47,7 @@ static int is_zero(const unsigned char *bytes, uint32_t count) {
 
 /* Kinds rise, so that each is there once; this engine knows all of them. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS;
+    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_TEXCOORDS;
 }
 
 static void put_bytes(plt_info *info, const plt_section *s) {
@@ -56,6 +56,11 @@ static void put_bytes(plt_info *info, const plt_section *s) {
         info->normal_bytes = s->bytes;
     } else if (s->kind == PLT_SECTION_COLOURS) {
         info->colour_bytes = s->bytes;
+    }
+#endif
+#if PLT_WITH_TEXCOORDS
+    if (s->kind == PLT_SECTION_TEXCOORDS) {
+        info->texcoord_bytes = s->bytes;
     }
 #endif
 #if PLT_WITH_WHITTED
