@@ -22,6 +22,7 @@
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   surface  with normals and colours (plt_options.surface); likewise
+#   texcoords ... and texture coordinates (plt_surface_point.texcoord), likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
 #   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
@@ -83,6 +84,7 @@ instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engi
 surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
     engine/tree/compact/block_record.c engine/trace/kept.c engine/trace/surface_hit.c
+texcoord_files := engine/surface/texcoords.c
 further_files := engine/image/further.c
 whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c \
     engine/shade/whitted_frame.c engine/shade/whitted_mix.c
@@ -107,11 +109,11 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices background grid instances surface whitted samples diagrams \
-    frames,$(PARTS)),)
+    subtree sequence vertices background grid instances surface texcoords whitted samples \
+    diagrams frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
     seek, motion, some, subtree, sequence, vertices, background, grid, instances, surface, \
-    whitted, samples, diagrams or frames; it has $(PARTS))
+    texcoords, whitted, samples, diagrams or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -151,6 +153,9 @@ endif
 ifeq ($(filter compact,$(PARTS))$(filter instances,$(PARTS)),compactinstances)
 $(error PARTS with instances has thesis nodes: make PARTS='render thesis instances')
 endif
+ifeq ($(filter surface,$(PARTS))$(filter texcoords,$(PARTS)),texcoords)
+$(error PARTS with texcoords has surface: make PARTS='render thesis surface texcoords')
+endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
@@ -186,6 +191,7 @@ without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
 without_whitted := $(if $(filter host,$(BOARD))$(filter whitted,$(PARTS)),,yes)
 without_surface := $(if $(filter host,$(BOARD))$(filter surface,$(PARTS)),,yes)
+without_texcoords := $(if $(filter host,$(BOARD))$(filter texcoords,$(PARTS)),,yes)
 without_further := $(if $(without_whitted),$(without_surface))
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
@@ -203,6 +209,7 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
     $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
     $(if $(without_whitted),$(whitted_files)) $(if $(without_surface),$(surface_files)) \
+    $(if $(without_texcoords),$(texcoord_files)) \
     $(if $(without_further),$(further_files)) \
     $(if $(without_samples),$(samples_files)) $(if $(without_diagrams),$(diagrams_files)) \
     $(if $(without_mixes),$(mixes_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
@@ -214,6 +221,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
     $(if $(without_surface),-DPLT_WITH_SURFACE=0) \
+    $(if $(without_texcoords),-DPLT_WITH_TEXCOORDS=0) \
     $(if $(without_whitted),-DPLT_WITH_WHITTED=0) \
     $(if $(without_background),-DPLT_WITH_BACKGROUND=0) \
     $(if $(without_samples),-DPLT_WITH_SAMPLES=0) \

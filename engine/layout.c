@@ -387,16 +387,20 @@ static uint64_t rebuild_bytes(const subject *s) {
 /* Tables, if there are any; else pages, or of those that stay where they are what they begin with.
  */
 static uint64_t surface_bytes(const subject *s) {
+    uint64_t bytes = (uint64_t)s->info->normal_bytes + s->info->colour_bytes;
 #if PLT_WITH_PAGES
     const uint32_t pages = s->info->page_bytes;
     if (plt_is_streamed(s->format)) {
         return pages < PLT_PAGES_ROOM ? pages : PLT_PAGES_ROOM;
     }
     if (!plt_layout_has_tables(s->info)) {
-        return pages;
+        bytes += pages;
     }
 #endif
-    return (uint64_t)s->info->normal_bytes + s->info->colour_bytes;
+#if PLT_WITH_TEXCOORDS
+    bytes += s->info->texcoord_bytes;
+#endif
+    return bytes;
 }
 #endif
 

@@ -22,20 +22,36 @@ static int load(const plt_engine *e, const plt_section *s, unsigned char **room,
     return status;
 }
 
-static int open_tables(plt_engine *e, const plt_header *h, unsigned char *room, plt_fault *fault) {
+static int open_tables(plt_engine *e, const plt_header *h, unsigned char **room, plt_fault *fault) {
     const plt_section *of_normals = plt_further_section(h, PLT_SECTION_NORMALS),
                       *of_colours = plt_further_section(h, PLT_SECTION_COLOURS);
     const unsigned char *normals = NULL, *colours = NULL;
     int status = PLT_OK;
     if (of_normals != NULL) {
-        status = load(e, of_normals, &room, &normals, fault);
+        status = load(e, of_normals, room, &normals, fault);
     }
     if (status == PLT_OK && of_colours != NULL) {
-        status = load(e, of_colours, &room, &colours, fault);
+        status = load(e, of_colours, room, &colours, fault);
     }
     return status == PLT_OK ? plt_surface_data_set(&e->scene.surface, h, normals, colours, fault)
                             : status;
 }
+
+#if PLT_WITH_TEXCOORDS
+/* Of a scene that is resident. */
+static int open_texcoords(plt_engine *e, const plt_header *h, unsigned char **room,
+                          plt_fault *fault) {
+    plt_surface_data *d = &e->scene.surface;
+    const plt_section *s = plt_further_section(h, PLT_SECTION_TEXCOORDS);
+    const unsigned char *bytes;
+    d->has_texcoords = s != NULL && !plt_is_streamed(e->scene.format);
+    if (!d->has_texcoords) {
+        return PLT_OK;
+    }
+    const int status = load(e, s, room, &bytes, fault);
+    return status == PLT_OK ? plt_texcoords_set(&d->texcoords, s, bytes, fault) : status;
+}
+#endif
 
 #if PLT_WITH_PAGES
 /* What pages begin with, where it is mapped, or copied. */
@@ -50,12 +66,12 @@ static int load_head(const plt_engine *e, const plt_section *s, unsigned char *r
     return plt_fetch(&e->source, s->offset, room, count, fault);
 }
 
-static int open_pages(plt_engine *e, const plt_section *s, unsigned char *room, plt_fault *fault) {
+static int open_pages(plt_engine *e, const plt_section *s, unsigned char **room, plt_fault *fault) {
     plt_surface_data *d = &e->scene.surface;
     const int is_streamed = plt_is_streamed(e->scene.format);
     const unsigned char *bytes = NULL;
-    int status = is_streamed ? load_head(e, s, room, &bytes, fault)
-                             : plt_further_load(&e->source, s, room, &bytes, fault);
+    int status =
+        is_streamed ? load_head(e, s, *room, &bytes, fault) : load(e, s, room, &bytes, fault);
     if (status == PLT_OK) {
         status = plt_surface_pages_set(d, s, bytes, !is_streamed, e->scene.info.triangles, fault);
     }
@@ -64,7 +80,8 @@ static int open_pages(plt_engine *e, const plt_section *s, unsigned char *room, 
                : status;
 }
 
-static int open_surface(plt_engine *e, const plt_header *h, unsigned char *room, plt_fault *fault) {
+static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room,
+                        plt_fault *fault) {
     const plt_section *pages = plt_further_section(h, PLT_SECTION_PAGES);
     const int has_tables = plt_further_section(h, PLT_SECTION_NORMALS) != NULL ||
                            plt_further_section(h, PLT_SECTION_COLOURS) != NULL;
@@ -85,7 +102,8 @@ static void keep_hits(plt_engine *e, void *room) {
 #endif
 }
 #else
-static int open_surface(plt_engine *e, const plt_header *h, unsigned char *room, plt_fault *fault) {
+static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room,
+                        plt_fault *fault) {
     return open_tables(e, h, room, fault);
 }
 #endif
@@ -95,7 +113,11 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
     if (!e->options.surface) {
         return PLT_OK;
     }
-    const int status = open_surface(e, h, part[PLT_PART_SURFACE], fault);
+    unsigned char *room = part[PLT_PART_SURFACE];
+    int status = open_surface(e, h, &room, fault);
+#if PLT_WITH_TEXCOORDS
+    status = status == PLT_OK ? open_texcoords(e, h, &room, fault) : status;
+#endif
     if (status != PLT_OK) {
         return status;
     }

@@ -68,11 +68,11 @@ static int refused(plt_fault *fault, uint32_t offset) {
 
 /* Kinds rise, so that each is there once; this engine knows all of them. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && ((kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS) ||
+    return kind > before && ((kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_TEXCOORDS) ||
                              (PLT_WITH_PAGES && kind == PLT_SECTION_PAGES));
 }
 
-/* Normals and colours are of triangles that stay where they are, and none is of bodies, whose
+/* What corners have is of triangles that stay where they are, and none is of bodies, whose
  * triangles have numbers of their own. */
 static int is_allowed(const plt_info *info, uint32_t kind) {
     return info->instances == 0 && (info->frames == 0 || kind == PLT_SECTION_MATERIALS);
@@ -89,6 +89,11 @@ static void put_bytes(plt_info *info, const plt_section *s) {
 #if PLT_WITH_PAGES
     if (s->kind == PLT_SECTION_PAGES) {
         info->page_bytes = s->bytes;
+    }
+#endif
+#if PLT_WITH_TEXCOORDS
+    if (s->kind == PLT_SECTION_TEXCOORDS) {
+        info->texcoord_bytes = s->bytes;
     }
 #endif
 #if PLT_WITH_WHITTED

@@ -183,6 +183,9 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
 #if PLT_WITH_PAGES
     info->page_bytes = 0;
 #endif
+#if PLT_WITH_TEXCOORDS
+    info->texcoord_bytes = 0;
+#endif
 #if PLT_WITH_WHITTED
     info->material_bytes = 0;
 #endif

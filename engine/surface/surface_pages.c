@@ -37,7 +37,7 @@ static int set_pages(plt_surface_data *d, const plt_section *s, const unsigned c
     plt_surface_pages *p = &d->pages;
     const uint32_t has = plt_get_u32(head + AT_HAS), shift = plt_get_u32(head + AT_SHIFT);
     const uint32_t palette = plt_get_u32(head + AT_PALETTE);
-    const uint32_t most = (has & PLT_PAGES_COLOURS) != 0 ? PLT_PALETTE_MOST : 0;
+    const uint32_t most = (has & PLT_PAGES_COLOURS) != 0 ? PLT_PALETTE_SMALL : 0;
     if (has == 0 || has > PLT_PAGES_ALL || shift < PLT_PAGE_SHIFT_LEAST ||
         shift > PLT_PAGE_SHIFT_MOST || palette > most || (palette == 0) != (most == 0) ||
         !is_zero(head + AT_RESERVED, PLT_PAGES_HEAD - AT_RESERVED)) {
@@ -95,14 +95,13 @@ int plt_pages_chunk_valid(const plt_surface_pages *p, uint32_t chunk, const unsi
     return valid;
 }
 
-static uint64_t tables_bytes(const unsigned char *head, uint32_t entry_bytes) {
-    return TABLES_HEAD +
-           3ull * entry_bytes * ((uint64_t)plt_get_u32(head + 4) + plt_get_u32(head + 12));
+/* Bits of an entry of each kind of tables. */
+static uint32_t bits_of(uint32_t kind) {
+    return kind == 0 ? PLT_NORMAL_BITS : PLT_PAGES_COLOUR_BITS;
 }
 
-/* Bytes of an entry of each kind of tables. */
-static uint32_t entry_bytes_of(uint32_t kind) {
-    return kind == 0 ? 2 : 1;
+static uint64_t tables_bytes(const unsigned char *head, uint32_t bits) {
+    return TABLES_HEAD + plt_surface_tables_bytes(head, bits);
 }
 
 int plt_surface_page_valid(const plt_surface_data *d, uint32_t page, const unsigned char *bytes,
@@ -115,16 +114,16 @@ int plt_surface_page_valid(const plt_surface_data *d, uint32_t page, const unsig
         if (at + TABLES_HEAD > count) {
             return 0;
         }
-        at += tables_bytes(bytes + at, entry_bytes_of(kind));
+        at += tables_bytes(bytes + at, bits_of(kind));
     }
     return at == count && plt_get_u32(bytes) ==
                               plt_pages_check(page, bytes + PLT_PAGE_HEAD, count - PLT_PAGE_HEAD);
 }
 
 static const unsigned char *set_tables(plt_surface_tables *t, const unsigned char *head,
-                                       uint32_t entry_bytes) {
-    plt_surface_tables_set(t, head, head + TABLES_HEAD, entry_bytes);
-    return head + tables_bytes(head, entry_bytes);
+                                       uint32_t bits) {
+    plt_surface_tables_set(t, head, head + TABLES_HEAD, bits);
+    return head + tables_bytes(head, bits);
 }
 
 void plt_surface_page_view(plt_surface_data *view, const plt_surface_data *d,
@@ -133,13 +132,17 @@ void plt_surface_page_view(plt_surface_data *view, const plt_surface_data *d,
     memset(view, 0, sizeof *view);
     view->palette = d->palette;
     view->palette_count = d->palette_count;
+#if PLT_WITH_TEXCOORDS
+    view->has_texcoords = d->has_texcoords;
+    view->texcoords = d->texcoords;
+#endif
     view->has_normals = d->has_normals;
     view->has_colours = d->has_colours;
     if (d->has_normals) {
-        at = set_tables(&view->normals, at, entry_bytes_of(0));
+        at = set_tables(&view->normals, at, bits_of(0));
     }
     if (d->has_colours) {
-        set_tables(&view->colours, at, entry_bytes_of(1));
+        set_tables(&view->colours, at, bits_of(1));
     }
 }
 

@@ -24,14 +24,15 @@ enum {
     PLT_PAGE_HEAD = 4,          /* bytes in front of its tables */
     PLT_PAGE_BYTES_MOST = 8184, /* of a page */
     PLT_PAGE_SHIFT_LEAST = 6,   /* triangles of a page, as a power of two */
-    PLT_PAGE_SHIFT_MOST = 12
+    PLT_PAGE_SHIFT_MOST = 12,
+    PLT_PAGES_COLOUR_BITS = 8 /* of an entry: palettes are small */
 };
 
 /* What pages have tables of: bits, in the order of their tables. */
 enum { PLT_PAGES_NORMALS = 1, PLT_PAGES_COLOURS = 2, PLT_PAGES_ALL = 3 };
 
 /* Head and palette, as much as there may be. */
-#define PLT_PAGES_ROOM (PLT_PAGES_HEAD + PLT_PALETTE_MOST * PLT_PALETTE_BYTES)
+#define PLT_PAGES_ROOM (PLT_PAGES_HEAD + PLT_PALETTE_SMALL * PLT_PALETTE_BYTES)
 
 #define PLT_PAGES_CHUNK_DAMAGED "where pages of normals and colours are is damaged (check)"
 #define PLT_PAGES_PAGE_DAMAGED "normals and colours of some triangles are damaged (check)"

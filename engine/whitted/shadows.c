@@ -51,7 +51,7 @@ static int goes_on(const plt_whitted *w, plt_lit_shadow *s, const plt_packet *pa
         n[a] = g->normal[a][lane];
     }
     const float length = __builtin_sqrtf(plt_optics_dot(dir, dir));
-    const int has_one = plt_optics_unit(n) && plt_optics_unit(dir);
+    const int has_one = plt_normalise(n) && plt_normalise(dir);
     const float cosine = has_one ? __builtin_fabsf(plt_optics_dot(n, dir)) : 1.0f;
     cross(w, s, &m, number, (t - s->from) * length, cosine);
     s->from = t + w->lift / length;

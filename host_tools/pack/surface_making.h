@@ -8,6 +8,7 @@
 #include "host_tools/pack/retrieval_build.h"
 #include "host_tools/pack/surface.h"
 #include "host_tools/pack/surface_triangles.h"
+#include "host_tools/pack/texcoord_code.h"
 
 /* A corner of a triangle, and what it has. */
 typedef struct corner {
@@ -16,10 +17,13 @@ typedef struct corner {
 
 /* One section in the making. */
 typedef struct making {
-    retrieval_table position, corner;
-    uint32_t entry_bytes, kind;
-    palette *colours; /* NULL: of normals */
+    const mesh_corners *c;
+    uint32_t kind, bits; /* bits: of an entry */
+    uint32_t split;      /* the value which says that a position does not tell */
     surface_section *stats;
+    palette colours;         /* of kind PLT_SECTION_COLOURS */
+    texcoord_code texcoords; /* of kind PLT_SECTION_TEXCOORDS */
+    retrieval_table position, corner;
 } making;
 
 typedef struct adding {
@@ -39,16 +43,18 @@ void surface_end(adding *a);
 /* What to say of it; -1. */
 int surface_out_of_memory(const adding *a);
 
-/* Sets a->corners to those of its a->count / 3 triangles, with normals, or colours. */
-void surface_set_corners(adding *a, const mesh_corners *c, const palette *colours);
+/* Sets a->corners to those of its a->count / 3 triangles, with what `m` is of. */
+void surface_set_corners(adding *a, making *m);
 
-/* Both tables of those; `split`: what a position says that has none. -1: memory is out. */
-int surface_make_tables(const adding *a, making *m, uint32_t split);
+/* Both tables of those. -1: memory is out. */
+int surface_make_tables(const adding *a, making *m);
 
-/* Of all colours. Likewise. */
-int surface_make_palette(const adding *a, const mesh_corners *c, palette *p, surface_stats *stats);
+/* Of all colours, which may be `near` off before there are more than PALETTE_FEW; bits and split of
+ * `m` follow. Likewise. */
+int surface_make_palette(const adding *a, making *m, uint32_t near, surface_stats *stats);
 
-/* A table's entries of so many bytes each; returns what is behind them. */
-unsigned char *surface_put_entries(unsigned char *to, const retrieval_table *t, uint32_t bytes);
+/* A table's entries of so many bits each, the lowest first, over zeros; returns what is behind
+ * them. */
+unsigned char *surface_put_entries(unsigned char *to, const retrieval_table *t, uint32_t bits);
 
 #endif

@@ -16,10 +16,13 @@
 #include "host_tools/pack/surface_making.h"
 
 /* A section in the making. */
+/* A page's entries of colours are bytes: a palette of more would not do. */
+enum { ANY_DISTANCE = 255 };
+
 typedef struct paging {
     adding all; /* triangles of the image, and room for them */
     const mesh_corners *c;
-    palette colours;
+    making colours; /* their palette */
     surface_stats *stats;
     unsigned char *bytes; /* of the section; room for `room` */
     uint64_t room, used;
@@ -48,16 +51,15 @@ static int reserve(paging *p, uint64_t bytes) {
 
 /* ---- a page ------------------------------------------------------------------------------ */
 
-/* The tables of some triangles, behind what is used. */
-static int put_tables(paging *p, adding *some, const palette *colours) {
-    surface_section *s = colours == NULL ? &p->stats->normals : &p->stats->colours;
+/* The tables of some triangles, behind what is used; `of`: kind, bits, split and palette. */
+static int put_tables(paging *p, adding *some, const making *of, surface_section *s) {
     surface_section of_page = {0};
-    making m = {.entry_bytes = colours == NULL ? 2 : 1, .stats = &of_page};
-    surface_set_corners(some, p->c, colours);
-    int status =
-        surface_make_tables(some, &m, colours == NULL ? PLT_NORMAL_SPLIT : PLT_COLOUR_SPLIT);
-    const uint64_t entries = 3 * ((uint64_t)m.position.third + m.corner.third);
-    const uint64_t bytes = PLT_NORMALS_HEAD + entries * m.entry_bytes;
+    making m = *of;
+    m.stats = &of_page;
+    surface_set_corners(some, &m);
+    int status = surface_make_tables(some, &m);
+    const uint64_t bytes = PLT_NORMALS_HEAD + plt_retrieval_bytes(m.position.third, m.bits) +
+                           plt_retrieval_bytes(m.corner.third, m.bits);
     status = status == 0 ? reserve(p, bytes) : status;
     if (status == 0) {
         unsigned char *to = p->bytes + p->used;
@@ -65,8 +67,8 @@ static int put_tables(paging *p, adding *some, const palette *colours) {
         plt_put_u32(to + 4, m.position.third);
         plt_put_u32(to + 8, m.corner.seed);
         plt_put_u32(to + 12, m.corner.third);
-        surface_put_entries(surface_put_entries(to + PLT_NORMALS_HEAD, &m.position, m.entry_bytes),
-                            &m.corner, m.entry_bytes);
+        to = surface_put_entries(to + PLT_NORMALS_HEAD, &m.position, m.bits);
+        surface_put_entries(to, &m.corner, m.bits);
         p->used += bytes;
         s->positions += of_page.positions;
         s->split += of_page.split;
@@ -74,6 +76,12 @@ static int put_tables(paging *p, adding *some, const palette *colours) {
     retrieval_free(&m.position);
     retrieval_free(&m.corner);
     return status;
+}
+
+static int put_normals(paging *p, adding *some) {
+    const making of = {
+        .c = p->c, .kind = PLT_SECTION_NORMALS, .bits = PLT_NORMAL_BITS, .split = PLT_NORMAL_SPLIT};
+    return put_tables(p, some, &of, &p->stats->normals);
 }
 
 static int put_page(paging *p, uint32_t page) {
@@ -85,10 +93,10 @@ static int put_page(paging *p, uint32_t page) {
     int status = reserve(p, PLT_PAGE_HEAD);
     p->used += PLT_PAGE_HEAD;
     if (status == 0 && p->c->normal != NULL) {
-        status = put_tables(p, &some, NULL);
+        status = put_normals(p, &some);
     }
     if (status == 0 && p->c->colour != NULL) {
-        status = put_tables(p, &some, &p->colours);
+        status = put_tables(p, &some, &p->colours, &p->stats->colours);
     }
     if (status == 0) {
         unsigned char *at = p->bytes + begin;
@@ -124,9 +132,9 @@ static void seal(const paging *p, uint32_t chunks_at) {
     unsigned char *head = p->bytes;
     plt_put_u32(head, p->has);
     plt_put_u32(head + 4, p->shift);
-    plt_put_u32(head + 8, p->colours.count);
-    for (uint32_t i = 0; i < p->colours.count; i++) {
-        memcpy(head + PLT_PAGES_HEAD + i * PLT_PALETTE_BYTES, p->colours.colour[i], 3);
+    plt_put_u32(head + 8, p->colours.colours.count);
+    for (uint32_t i = 0; i < p->colours.colours.count; i++) {
+        memcpy(head + PLT_PAGES_HEAD + i * PLT_PALETTE_BYTES, p->colours.colours.colour[i], 3);
     }
     plt_put_u32(head + 12, plt_pages_head_check(head, chunks_at));
 }
@@ -134,7 +142,7 @@ static void seal(const paging *p, uint32_t chunks_at) {
 /* With pages of so many triangles; 1: one is too large. */
 static int put_all(paging *p) {
     const uint32_t triangles = p->all.image->info.triangles;
-    const uint32_t chunks_at = PLT_PAGES_HEAD + p->colours.count * PLT_PALETTE_BYTES;
+    const uint32_t chunks_at = PLT_PAGES_HEAD + p->colours.colours.count * PLT_PALETTE_BYTES;
     p->pages = (uint32_t)(((uint64_t)triangles + (1u << p->shift) - 1) >> p->shift);
     p->stats->normals = p->stats->colours = (surface_section){0};
     p->used = 0;
@@ -177,7 +185,8 @@ static int add_section(paging *p) {
 static int make(paging *p) {
     int status = 0;
     if (p->c->colour != NULL) {
-        status = surface_make_palette(&p->all, p->c, &p->colours, p->stats);
+        p->colours = (making){.c = p->c, .kind = PLT_SECTION_COLOURS};
+        status = surface_make_palette(&p->all, &p->colours, ANY_DISTANCE, p->stats);
     }
     p->has = (p->c->normal != NULL ? PLT_PAGES_NORMALS : 0u) |
              (p->c->colour != NULL ? PLT_PAGES_COLOURS : 0u);
@@ -198,7 +207,10 @@ int surface_pages_add(packed *image, const mesh_corners *c, uint32_t shift, cons
         status = make(&p);
     }
     surface_end(&p.all);
-    palette_free(&p.colours);
+    if (status == 0 && c->texcoord[0] != NULL) {
+        status = surface_add_texcoords(image, c, name, stats, f);
+    }
+    palette_free(&p.colours.colours);
     heap_drop(p.bytes);
     return status;
 }

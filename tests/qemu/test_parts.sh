@@ -331,6 +331,18 @@ whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
 if part "render thesis surface whitted" "$whitted" 55808; then
     lit "$whitted" marbles_smooth
 fi
+PLANELET=$planelet sh tests/measure/unwrap.sh "$out/parts.ply" "$out/textured.obj"
+"$planelet" pack "$out/textured.obj" --smooth 40 --colours keep --texcoords keep --leaf 2 \
+    -o "$out/textured.plt" >/dev/null 2>&1
+smooth "$whitted" textured
+textured=$BUILD/mps2_an386-render-surface-texcoords-thesis
+if part "render thesis surface texcoords" "$textured" 46080; then
+    smooth "$textured" textured
+    SOURCE=file smooth "$textured" textured
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis texcoords' 2>&1)
+verdict "PARTS with texcoords and without surface is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with texcoords has .*: make PARTS='" || echo "$trouble")"
 instances=$BUILD/mps2_an386-instances-render-thesis
 # shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
 # program says how long it takes.
