@@ -189,12 +189,12 @@ static int refusal(serving *s, fail *f) {
     if (wire_view_left_out(&s->view) & WIRE_VIEW_BACKGROUND) {
         return fail_set(f, "device",
                         "its firmware knows no background; leave out --background, or build it "
-                        "anew with PLT_WITH_BACKGROUND");
+                        "with PARTS that say background");
     }
     if (wire_view_left_out(&s->view) & WIRE_VIEW_SAMPLES) {
         return fail_set(f, "device",
                         "its firmware knows one sample per pixel; leave out --samples, or build "
-                        "it anew with PLT_WITH_SAMPLES");
+                        "it with PARTS that say samples");
     }
     if (code == WIRE_E_VIEW) {
         return fail_set(f, "device",

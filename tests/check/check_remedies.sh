@@ -97,10 +97,10 @@ speaks version %u of the protocol, this program %d; build both from the same sou
 there is one version; test_wire_hello provokes it
 its engine does not take so many samples; use --samples 4, or 1 | needs an engine of packets of \
 2 x 2; test_wire_versions provokes it
-its firmware knows no background; leave out --background, or build it anew with \
-PLT_WITH_BACKGROUND | needs such a firmware; likewise
-its firmware knows one sample per pixel; leave out --samples, or build it anew with \
-PLT_WITH_SAMPLES | likewise
+its firmware knows no background; leave out --background, or build it with PARTS that say \
+background | needs such a firmware; likewise
+its firmware knows one sample per pixel; leave out --samples, or build it with PARTS that say \
+samples | likewise
 no permission to use %04x:%04x; install the udev rule: planelet-hid rules | sudo tee \
 /etc/udev/rules.d/70-planelet.rules && sudo udevadm control --reload, then plug the display in \
 again | test_hid_rules does so in a machine of its own
