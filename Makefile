@@ -25,8 +25,8 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-wooddoll demo-bunny demo-firmware setup test check sizes bench \
-        scenes peers compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        treelets povray stages play profile clean help FORCE
+        scenes peers compact streamed moving policies workers against sanitize tiny scalar fuzz \
+        exporters run treelets povray stages play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
