@@ -24,9 +24,9 @@ lanes_scalar :=
 
 include engine/engine.mk
 
-.PHONY: all firmware demo demo-wooddoll demo-bunny demo-firmware setup test check sizes bench scenes \
-        peers surface compact streamed moving policies workers against sanitize tiny scalar fuzz \
-        exporters run treelets povray stages jpeg play profile clean help FORCE
+.PHONY: all firmware demo demo-wooddoll demo-bunny demo-firmware setup test check sizes bench \
+        scenes peers surface compact streamed moving policies workers against sanitize tiny scalar \
+        fuzz exporters run treelets povray stages jpeg play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:

@@ -18,7 +18,8 @@ verdict "README's picture is the one that make demo makes" "$(
     cmp tests/golden/marbles.png "$BUILD/demo/marbles.png" 2>&1)"
 verdict "... and has the hash that pictures.txt has" "$(
     hash=$(sed -n 's/.*"frame_hash": "\([^"]*\)".*/\1/p' "$BUILD/demo/marbles.json")
-    grep -q "^marbles.png 640 320 $hash\$" tests/golden/pictures.txt || echo "it has ${hash:-none}")"
+    grep -q "^marbles.png 640 320 $hash\$" tests/golden/pictures.txt ||
+        echo "it has ${hash:-none}")"
 verdict "README shows the pictures whose hashes pictures.txt has, and no others" "$(
     sed -n 's/^!\[..*\](tests\/golden\/\(.*\))$/\1/p' README.md | sort >"$out/shown.txt"
     sed -n 's/^\([a-z]*\.png\) .*/\1/p' tests/golden/pictures.txt | sort | diff - "$out/shown.txt")"

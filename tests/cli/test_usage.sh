@@ -58,8 +58,8 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --samples --light --sky --ground --shadows --depth --orbit \
-    --moved --frames --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat \
-    --chroma --json --counts $view_flags --background $scene_flags
+    --moved --frames --rebuild --rebuild-step --rebuild-most --records --beside --baseline \
+    --repeat --chroma --json --counts $view_flags --background $scene_flags
 # shellcheck disable=SC2086
 flags trace --any --rays --order --baseline --moved --frames --rebuild --rebuild-step \
     --rebuild-most --repeat --json --counts $scene_flags
