@@ -70,10 +70,10 @@ static void mix(const plt_beam *b, const plt_scene *scene, plt_sampling *s, uint
             if (b->pixel[row * b->square.side + column].record != PLT_MISS) {
                 shade_pixel(b, scene, column, row, last, colour);
             }
-            plt_mix_add(&m, colour);
+            plt_mix_add(&m, colour, 1);
         }
     }
-    plt_mix_put(s, &m, plt_mixed_bit(s, b->square.side, x, y), rgb);
+    plt_mix_put(s, &m, plt_mixed_bit(s, x, y), rgb);
 }
 
 void plt_beam_smooth_mix(const plt_beam *b, const plt_scene *scene, plt_sampling *s,
@@ -82,7 +82,7 @@ void plt_beam_smooth_mix(const plt_beam *b, const plt_scene *scene, plt_sampling
     const int is_empty = plt_beam_is_empty(b);
     for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
         for (uint32_t x = 0; x < b->columns / s->across; x++) {
-            if (!plt_is_shaded(s, plt_mixed_bit(s, b->square.side, x, y))) {
+            if (!plt_is_shaded(s, plt_mixed_bit(s, x, y))) {
                 continue;
             }
             if (is_empty) {

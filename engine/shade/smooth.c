@@ -102,7 +102,7 @@ void plt_smooth_mix(const plt_scene *scene, const plt_packet *p, plt_sampling *s
         for (uint32_t i = 0; i < k.rays; i++) {
             uint8_t colour[3];
             shade_ray(scene, p, k.first + i, &sky[3 * k.y], &last, colour);
-            plt_mix_add(&m, colour);
+            plt_mix_add(&m, colour, 1);
         }
         plt_mix_put(s, &m, k.bit, &rgb[k.y * row_bytes + 3 * k.x]);
     }

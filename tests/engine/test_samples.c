@@ -52,7 +52,7 @@ static void check_mean(const uint8_t (*of)[3], uint32_t samples) {
     plt_mix m;
     plt_mix_begin(&m);
     for (uint32_t i = 0; i < samples; i++) {
-        plt_mix_add(&m, of[i]);
+        plt_mix_add(&m, of[i], 1);
     }
     plt_mix_get(&m, samples, got);
     samples_mean(samples, of, due);
