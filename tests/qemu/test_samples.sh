@@ -28,10 +28,10 @@ same() {
         [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le "$2" ] || echo "$bytes bytes")"
     for samples in 4 16 adaptive; do
         # shellcheck disable=SC2086
-        view=$(sh board/tools/host_view.sh "$out/$3.plt" 48x36 "$out/host.ppm" $5 \
+        view=$(sh board/tools/host_view.sh "$out/$3.plt" 32x24 "$out/host.ppm" $5 \
             --samples $samples)
         # shellcheck disable=SC2086
-        text=$(FIRMWARE=$folder sh board/mps2_an386/run.sh "$out/$3.plt" size=48x36 arena=262144 \
+        text=$(FIRMWARE=$folder sh board/mps2_an386/run.sh "$out/$3.plt" size=32x24 arena=262144 \
             $4 samples=$samples ${view#* } 2>&1)
         verdict "... $3, $samples samples: the frame of the host" "$(
             [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
