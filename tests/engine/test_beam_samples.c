@@ -223,7 +223,7 @@ static void walls(void) {
         mesh_free(&m);
     }
     CHECK(wrong == 0, "%u pairs of walls", wrong);
-    CHECK(bound - before > 1000, "%u samples were taken by a bound", bound - before);
+    CHECK(SIDE < 8 || bound - before > 1000, "%u samples were taken by a bound", bound - before);
 }
 
 int main(void) {
