@@ -4,7 +4,7 @@
  * pixel, and how much they differ over its samples, tell whether it is surely outside, or surely
  * inside. The sum of the planes is n . d of the triangle's normal n, and n . q the same for all of
  * its corners q: so inside t = n . q / n . d is bounded, too, and where that is close enough no
- * sample is tested exactly. Margins: DESIGN.md, section 7.10.
+ * sample is tested exactly. Margins: DESIGN.md, section 7.7.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/lanes/unroll.h"
@@ -13,9 +13,9 @@
 
 #if PLT_WITH_SAMPLES
 
-#define VOLUME_ERROR (128.0f * PLT_U) /* of n . q, times the sizes of all three corners */
-#define SHAPE_ERROR (512.0f * PLT_U)  /* of t, times the cube of the largest, over n . q */
-#define NEAR_ERROR (16.0f * PLT_U)    /* of t, times the largest, over t */
+#define VOLUME_ERROR (48.0f * PLT_U) /* of n . q, times the sizes of all three corners */
+#define SHAPE_ERROR (448.0f * PLT_U) /* of t, times the cube of the largest, over n . q */
+#define NEAR_ERROR (4.0f * PLT_U)    /* of t, times the largest, over t */
 #define ERROR_MOST 0x1p-8f
 
 static float dot(const float a[3], const float b[3]) {
@@ -30,11 +30,11 @@ static float size_of(const float a[3]) {
     return larger(larger(__builtin_fabsf(a[0]), __builtin_fabsf(a[1])), __builtin_fabsf(a[2]));
 }
 
-/* Planes through the eye and an edge, times the direction in the middle of the current pixel; how
- * much they change to the next, and by how much a sample's may be above or below, the margin
- * included. */
+/* Planes through the eye and an edge, times the direction in the middle of the square's first
+ * pixel; how much they change to the next, and by how much a sample's may be above or below, the
+ * margin included. */
 typedef struct planes {
-    float at[3], row[3], right[3], down[3], beside[3];
+    float first[3], right[3], down[3], beside[3];
     float volume, volume_error; /* n . q, and how far off it may be */
     float error, near;          /* of t: a share of it, and one that is to be divided by it */
 } planes;
@@ -51,7 +51,7 @@ static void set_plane(planes *p, const plt_beam *b, int c, const float from[3], 
     plt_cross(from, to, normal);
     const float right = dot(normal, b->view->right), down = dot(normal, b->view->down);
     const float margin = b->margins.plane * (size_of(from) * size_of(to) + PLT_PLANE_LEAST);
-    p->row[c] = dot(normal, b->first) + middle * (right + down);
+    p->first[c] = dot(normal, b->first) + middle * (right + down);
     p->right[c] = across * right;
     p->down[c] = across * down;
     p->beside[c] = spread_of(b->view, middle, right, down) + margin;
@@ -122,25 +122,27 @@ static unsigned sides_of(const planes *p, const float at[3]) {
     return sides;
 }
 
+/* In pixel (x, y): products, as what is added from pixel to pixel would round once for each. */
+static void planes_at(const planes *p, uint32_t x, uint32_t y, float at[3]) {
+    const float right = (float)(int32_t)x, down = (float)(int32_t)y;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        at[c] = (p->first[c] + down * p->down[c]) + right * p->right[c];
+    }
+}
+
 void plt_beam_test_samples(plt_beam *b, const plt_record *record) {
     const uint32_t across = b->view->across;
     planes p;
     set_planes(&p, b, record);
-    for (uint32_t y = 0; y < b->rows; y += across) {
-        float at[3] = {p.row[0], p.row[1], p.row[2]};
-        for (uint32_t x = 0; x < b->columns; x += across) {
+    for (uint32_t y = 0; across * y < b->rows; y++) {
+        for (uint32_t x = 0; across * x < b->columns; x++) {
+            float at[3], t[2];
+            planes_at(&p, x, y, at);
             const unsigned sides = sides_of(&p, at);
-            float t[2];
             if ((sides & 3u) != 3) {
                 const int known = (sides & 4u) == 0 && bounds_of(&p, at, t);
-                test_pixel(b, record, known ? t : NULL, x, y);
+                test_pixel(b, record, known ? t : NULL, across * x, across * y);
             }
-            PLT_UNROLLED for (int c = 0; c < 3; c++) {
-                at[c] += p.right[c];
-            }
-        }
-        PLT_UNROLLED for (int c = 0; c < 3; c++) {
-            p.row[c] += p.down[c];
         }
     }
 }

@@ -82,10 +82,10 @@ static int mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, uint32_t x,
                     return status;
                 }
             }
-            plt_mix_add(&m, colour);
+            plt_mix_add(&m, colour, 1);
         }
     }
-    plt_mix_put(s, &m, plt_mixed_bit(s, b->square.side, x, y), rgb);
+    plt_mix_put(s, &m, plt_mixed_bit(s, x, y), rgb);
     return PLT_OK;
 }
 
@@ -95,7 +95,7 @@ int plt_beam_smooth_mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, co
     const int is_empty = plt_beam_is_empty(b);
     for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
         for (uint32_t x = 0; x < b->columns / s->across; x++) {
-            if (!plt_is_shaded(s, plt_mixed_bit(s, b->square.side, x, y))) {
+            if (!plt_is_shaded(s, plt_mixed_bit(s, x, y))) {
                 continue;
             }
             if (is_empty) {

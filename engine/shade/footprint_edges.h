@@ -240,61 +240,63 @@ typedef struct rectangle {
 } rectangle;
 
 /* What is added to an edge function from pixel to pixel of a row, and from row to row. Of samples
- * the second is to the next pixel of the frame. */
-typedef struct steps {
+ * the second is to the next pixel of the frame; of single ones both are the same. */
 #if PLT_WITH_SAMPLES
-    float right[2][3], down[2][3];
+#define PLT_STEPS 2
 #else
-    float right[1][3], down[1][3];
+#define PLT_STEPS 1
 #endif
+
+typedef struct steps {
+    float right[PLT_STEPS][3], down[PLT_STEPS][3];
 } steps;
 
 PLT_INLINED void set_steps(steps *s, const plt_beam *b, const projected *p) {
     PLT_UNROLLED for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         const float right = p->y[j] - p->y[i], down = p->x[i] - p->x[j];
-        s->right[0][k] = right;
-        s->down[0][k] = down;
 #if PLT_WITH_SAMPLES
-        if (b->view->across > 1) {
-            const float *part = b->view->part;
-            s->right[0][k] = right + part[0] * down;
-            s->right[1][k] = right + part[1] * down;
-            s->down[0][k] = down - part[0] * right;
-            s->down[1][k] = down - part[1] * right;
+        const float *part = b->view->part;
+        PLT_UNROLLED for (int after = 0; after < PLT_STEPS; after++) {
+            s->right[after][k] = right + part[after] * down;
+            s->down[after][k] = down - part[after] * right;
         }
 #else
         (void)b;
+        s->right[0][k] = right;
+        s->down[0][k] = down;
 #endif
     }
 }
 
-/* Whether what follows a line is of the next pixel of the frame. */
-PLT_INLINED unsigned step_after(const plt_beam *b, uint32_t line) {
+/* The step that follows a line; `last`: of a pixel. */
+PLT_INLINED const float *step_after(const float of[PLT_STEPS][3], uint32_t line, uint32_t last) {
 #if PLT_WITH_SAMPLES
-    const uint32_t last = b->view->across - 1;
-    return last > 0 && (line & last) == last;
+    return (line & last) == last ? of[1] : of[0];
 #else
-    (void)b;
     (void)line;
-    return 0;
+    (void)last;
+    return of[0];
 #endif
 }
 
 PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const rectangle *r,
                           footprint *f) {
+    const uint32_t last = plt_view_across(b->view) - 1;
     steps s;
     set_steps(&s, b, p);
     for (uint32_t y = r->top; y <= r->bottom; y++) {
         float e[3] = {f->at[0], f->at[1], f->at[2]};
         for (uint32_t x = r->left; x <= r->right; x++) {
             test_inside(b, c, p, f, e, x, y);
+            const float *right = step_after((const float(*)[3])s.right, x, last);
             PLT_UNROLLED for (int k = 0; k < 3; k++) {
-                e[k] += s.right[step_after(b, x)][k];
+                e[k] += right[k];
             }
         }
+        const float *down = step_after((const float(*)[3])s.down, y, last);
         PLT_UNROLLED for (int k = 0; k < 3; k++) {
-            f->at[k] += s.down[step_after(b, y)][k];
+            f->at[k] += down[k];
         }
     }
 }

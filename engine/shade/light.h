@@ -28,9 +28,10 @@ static inline void plt_mix_begin(plt_mix *m) {
     }
 }
 
-static inline void plt_mix_add(plt_mix *m, const uint8_t rgb[3]) {
+/* A colour that so many samples have. */
+static inline void plt_mix_add(plt_mix *m, const uint8_t rgb[3], uint32_t samples) {
     for (int c = 0; c < 3; c++) {
-        m->light[c] += plt_linear[rgb[c]];
+        m->light[c] += samples * plt_linear[rgb[c]];
         m->least[c] = rgb[c] < m->least[c] ? rgb[c] : m->least[c];
         m->most[c] = rgb[c] > m->most[c] ? rgb[c] : m->most[c];
     }

@@ -7,19 +7,6 @@
 
 #if PLT_WITH_MIXES
 
-/* Adaptive: of a quarter that is traced again, along a side. */
-static uint32_t quarter_of(const plt_rendering *r) {
-    return r->sampling.across == 4 && r->sampling.adapts ? r->side / 4 : 0;
-}
-
-static uint32_t column_of(const plt_rendering *r) {
-    return (r->sampling.part & 1u) * quarter_of(r);
-}
-
-static uint32_t row_of(const plt_rendering *r) {
-    return (uint32_t)(r->sampling.part >> 1) * quarter_of(r);
-}
-
 int plt_mixing_allowed(const plt_rendering *r, const plt_frame *frame, int many) {
     const uint32_t across = plt_samples_across(frame->samples);
     const int adapts = frame->samples == PLT_SAMPLES_ADAPTIVE;
@@ -27,6 +14,13 @@ int plt_mixing_allowed(const plt_rendering *r, const plt_frame *frame, int many)
         return 0;
     }
     return across > 0 && (PLT_WITH_SAMPLES || across == 1) && r->side >= (adapts ? 4 : across);
+}
+
+static void set_part(plt_sampling *s, uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) {
+    s->x = (uint8_t)x;
+    s->y = (uint8_t)y;
+    s->columns = (uint8_t)columns;
+    s->rows = (uint8_t)rows;
 }
 
 static void set_view(plt_rendering *r, uint32_t across) {
@@ -42,8 +36,8 @@ void plt_mixing_begin(plt_rendering *r, const plt_box *scene) {
     s->frame = &r->frame;
     s->middle = r->view;
     s->adapts = r->frame.samples == PLT_SAMPLES_ADAPTIVE;
-    s->part = 0;
     s->mixed = 0;
+    set_part(s, 0, 0, 0, 0);
 #if PLT_WITH_DIAGRAMS
     plt_depths_set(&s->depths, scene, r->view.eye);
 #else
@@ -54,11 +48,11 @@ void plt_mixing_begin(plt_rendering *r, const plt_box *scene) {
 
 uint8_t *plt_mix_tile(const plt_rendering *r) {
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
-    return &r->tile[3 * ((r->at.py + row_of(r)) * width + r->at.px + column_of(r))];
+    return &r->tile[3 * ((r->at.py + r->sampling.y) * width + r->at.px + r->sampling.x)];
 }
 
 const uint8_t *plt_mix_sky(const plt_rendering *r) {
-    return &r->sky[3 * (r->at.py + row_of(r))];
+    return &r->sky[3 * (r->at.py + r->sampling.y)];
 }
 
 #if PLT_WITH_DIAGRAMS
@@ -80,21 +74,60 @@ void plt_mix_heat(const plt_rendering *r, uint64_t visits) {
 #if PLT_WITH_SAMPLES
 
 void plt_samples_at(const plt_rendering *r, const plt_frame_place *at, plt_pixels *pixels) {
-    const uint32_t across = r->sampling.across;
-    const plt_pixels all = {r->side, across * (at->x + at->px + column_of(r)),
-                            across * (at->y + at->py + row_of(r)), across * r->frame.width,
-                            across * r->frame.height};
+    const plt_sampling *s = &r->sampling;
+    const uint32_t across = s->across, x = at->x + at->px + s->x, y = at->y + at->py + s->y;
+    const plt_pixels all = {r->side, across * x, across * y,
+                            across * (s->columns > 0 ? x + s->columns : r->frame.width),
+                            across * (s->columns > 0 ? y + s->rows : r->frame.height)};
     *pixels = all;
 }
 
-/* Pixels of a quarter of the square, as plt_sampling.mixed has them. */
-static uint64_t pixels_of(uint32_t quarter, uint32_t part) {
-    const uint64_t row = (1u << quarter) - 1u;
+static uint64_t pixels_of(const plt_sampling *s) {
+    const uint64_t row = (1u << s->columns) - 1u;
     uint64_t all = 0;
-    for (uint32_t y = 0; y < quarter; y++) {
-        all |= row << 8 * y;
+    for (uint32_t y = s->y; y < (uint32_t)s->y + s->rows; y++) {
+        all |= row << (8 * y + s->x);
     }
-    return all << (8 * (part >> 1) * quarter + (part & 1u) * quarter);
+    return all;
+}
+
+/* The columns of so many rows from `y` on that some pixel is mixed in, a bit each. */
+static uint32_t columns_of(uint64_t mixed, uint32_t y, uint32_t rows) {
+    uint32_t columns = 0;
+    for (uint32_t i = y; i < y + rows; i++) {
+        columns |= (uint32_t)(mixed >> 8 * i) & 0xFFu;
+    }
+    return columns;
+}
+
+static uint32_t lowest(uint32_t bits) {
+    uint32_t n = 0;
+    while ((bits >> n & 1u) == 0) {
+        n++;
+    }
+    return n;
+}
+
+/* The first rows, and of these the first columns, in which there are mixed pixels, side by side at
+ * most, and no wider than they must be: so squares of 2 side by 2 side have at most four such
+ * parts.
+ */
+static void next_part(plt_sampling *s, uint32_t side) {
+    uint32_t y = 0, rows = side;
+    while (columns_of(s->mixed, y, 1) == 0) {
+        y++;
+    }
+    rows = y + rows > 8 ? 8 - y : rows;
+    const uint32_t x = lowest(columns_of(s->mixed, y, rows));
+    const uint32_t few = (1u << side) - 1u;
+    while ((columns_of(s->mixed, y + rows - 1, 1) >> x & few) == 0) {
+        rows--;
+    }
+    uint32_t columns = side;
+    while ((columns_of(s->mixed, y, rows) >> x & 1u << (columns - 1)) == 0) {
+        columns--;
+    }
+    set_part(s, x, y, columns, rows);
 }
 
 #if PLT_WITH_WHITTED
@@ -123,12 +156,11 @@ int plt_samples_again(plt_rendering *r) {
         return lights_again(r);
     }
 #endif
-    for (uint32_t part = s->across == 2 ? 0 : s->part + 1u; part < 4; part++) {
-        if ((s->mixed & pixels_of(r->side / 4, part)) != 0) {
-            s->part = (uint8_t)part;
-            set_view(r, 4);
-            return 1;
-        }
+    s->mixed &= ~pixels_of(s);
+    if (s->mixed != 0) {
+        next_part(s, r->side / 4);
+        set_view(r, 4);
+        return 1;
     }
     plt_samples_drop(r);
     return 0;
@@ -136,8 +168,8 @@ int plt_samples_again(plt_rendering *r) {
 
 void plt_samples_drop(plt_rendering *r) {
     if (r->sampling.adapts) {
-        r->sampling.part = 0;
         r->sampling.mixed = 0;
+        set_part(&r->sampling, 0, 0, 0, 0);
         set_view(r, 2);
     }
 }

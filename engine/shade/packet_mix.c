@@ -91,7 +91,7 @@ static void mix(const place *at, plt_sampling *s, uint32_t rays, uint32_t bit, u
         if (i == at->first || has_depths(s) || !are_alike(at->p, i - 1, i)) {
             colour_of(at, s, i, colour);
         }
-        plt_mix_add(&m, colour);
+        plt_mix_add(&m, colour, 1);
     }
     plt_mix_put(s, &m, bit, rgb);
 }

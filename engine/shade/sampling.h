@@ -17,10 +17,13 @@ typedef struct plt_sampling {
     const plt_frame *frame;
     plt_view middle; /* through the middles of pixels */
     plt_depths depths;
-    uint64_t mixed; /* adaptive: bit 8 y + x: colours of pixel (x, y) of the square are not alike */
+    uint64_t mixed; /* adaptive: bit 8 y + x: colours of pixel (x, y) of the square are not alike,
+                     * and it has not been traced again */
     uint8_t across; /* samples along a pixel's side: 1, 2 or 4; of the current square */
     uint8_t adapts;
-    uint8_t part; /* adaptive, across 4: which quarter of the square is traced again */
+    uint8_t x,
+        y; /* adaptive, across 4: the pixel of the square that what is traced again begins at */
+    uint8_t columns, rows; /* ... and its pixels; 0: all of the square is traced */
 } plt_sampling;
 
 /* Samples along a pixel's side, to begin with; 0: there is no such number. */

@@ -97,7 +97,7 @@ int plt_smooth_mix(plt_traversal *t, const plt_packet *p, plt_sampling *s, const
             if (status != PLT_OK) {
                 return status;
             }
-            plt_mix_add(&m, colour);
+            plt_mix_add(&m, colour, 1);
         }
         plt_mix_put(s, &m, k.bit, &rgb[k.y * row_bytes + 3 * k.x]);
     }

@@ -20,7 +20,7 @@ static void mix(const plt_whitted *w, plt_sampling *s, uint32_t first, uint32_t 
     for (uint32_t i = first; i < first + (uint32_t)s->across * s->across; i++) {
         uint8_t colour[3];
         plt_whitted_frame_colour(&w->pixel[i], s->frame, colour);
-        plt_mix_add(&m, colour);
+        plt_mix_add(&m, colour, 1);
     }
     plt_mix_put(s, &m, bit, rgb);
 }

@@ -15,6 +15,7 @@
 #include "engine/shade/light.h"
 #include "engine/shade/surface.h"
 #include "tests/reference/compact_rig.h"
+#include "tests/reference/frame_scenes.h"
 #include "tests/reference/frames.h"
 #include "tests/reference/random.h"
 #include "tests/reference/rig.h"
@@ -52,7 +53,7 @@ static void check_mean(const uint8_t (*of)[3], uint32_t samples) {
     plt_mix m;
     plt_mix_begin(&m);
     for (uint32_t i = 0; i < samples; i++) {
-        plt_mix_add(&m, of[i]);
+        plt_mix_add(&m, of[i], 1);
     }
     plt_mix_get(&m, samples, got);
     samples_mean(samples, of, due);
@@ -127,14 +128,6 @@ static void check_pattern(void) {
 
 /* ---- frames ---------------------------------------------------------------------------- */
 
-static const plt_record *record_of(const plt_scene *s, uint32_t id) {
-    const plt_record *r = s->format == PLT_FORMAT_LIST ? s->list.records : s->thesis.records;
-    while (plt_primitive_id(plt_get_u32(&r->word[9])) != id) {
-        r++;
-    }
-    return r;
-}
-
 #if PLT_WITH_DIAGRAMS
 /* By the eye's distances from the box, in double, and rounded as the engine does. */
 static void due_depth(const plt_engine *e, const plt_frame *f, uint32_t ray, uint8_t rgb[3]) {
@@ -178,7 +171,7 @@ static void due_colour(const plt_engine *e, const plt_frame *f, const plt_view *
     }
     float corner[3][3], normal[3], dir[3];
     plt_surface surface;
-    plt_record_corners(record_of(&e->scene, hits[ray].triangle), corner);
+    plt_record_corners(frame_scenes_record(&e->scene, hits[ray].triangle), corner);
     plt_hit_normal((const float(*)[3])corner, normal);
     plt_view_direction(middle, x, y, dir);
     plt_surface_set(&surface, normal);
@@ -251,106 +244,19 @@ static void one_frame(const rig *r, const plt_frame *f, const char *what) {
     free(got.rgb);
 }
 
-static uint8_t any_samples(random_state *r) {
+static void set_samples(plt_frame *f, random_state *r) {
     static const uint8_t samples[3] = {4, 16, PLT_SAMPLES_ADAPTIVE};
-    return samples[random_below(r, 3)];
-}
-
-static uint8_t any_shader(random_state *r) {
     const uint32_t shader = random_below(r, PLT_WITH_DIAGRAMS ? 4 : 3);
-    return (uint8_t)(shader == 3 ? PLT_SHADE_DEPTH : shader);
-}
-
-static rig opened(const mesh *m, random_state *r) {
-    rig_config config = rig_config_of(1 + random_below(r, 4), 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
-    rig opened;
-    config.run.packet_side = (uint8_t)(2u << random_below(r, 4));
-    if (config.run.packet_side > PLT_PACKET_SIDE_MAX) {
-        config.run.packet_side = PLT_PACKET_SIDE_MAX;
-    }
-    config.run.order = random_below(r, 5) == 0 ? PLT_ORDER_TWO_STAGE : PLT_ORDER_DEPTH_FIRST;
-    const int status = rig_open(&opened, m, &config);
-    CHECK(status == PLT_OK || (status == PLT_ERR_LIMIT && rig_is_tiny()), "%s",
-          opened.fault.message);
-    return opened;
-}
-
-static plt_frame any_frame(random_state *r) {
-    plt_frame f = {
-        .width = (uint16_t)(1 + random_below(r, SIDE_MOST)),
-        .height = (uint16_t)(1 + random_below(r, SIDE_MOST)),
-        .shader = any_shader(r),
+    f->shader = (uint8_t)(shader == 3 ? PLT_SHADE_DEPTH : shader);
+    f->samples = samples[random_below(r, 3)];
 #if PLT_WITH_BACKGROUND
-        .has_background = (uint8_t)random_below(r, 2),
-        .background = {250, 3, 77},
+    static const uint8_t pink[3] = {250, 3, 77};
+    f->has_background = (uint8_t)random_below(r, 2);
+    memcpy(f->background, pink, sizeof pink);
 #endif
-        .samples = any_samples(r)
-    };
-    const float away = random_below(r, 3) ? 3.0f : 0.9f; /* outside, or inside */
-    for (int a = 0; a < 3; a++) {
-        f.camera.eye[a] = away * random_float(r, -1.0f, 1.0f);
-        f.camera.look[a] = random_float(r, -0.5f, 0.5f);
-    }
-    f.camera.up[random_below(r, 3)] = 1.0f;
-    f.camera.tan_half_fov = tanf(random_float(r, 0.05f, 1.2f));
-    return f;
 }
 
-static void cameras(const mesh *m, uint32_t frames, const char *what) {
-    random_state r = {frames};
-    for (uint32_t i = 0; i < frames; i++) {
-        rig scene = opened(m, &r);
-        const plt_frame f = any_frame(&r);
-        one_frame(&scene, &f, what);
-        rig_close(&scene);
-    }
-}
-
-static void anywhere(void) {
-    mesh m = {0};
-    shape_soup(&m, rig_triangles(300, 1), 0.4f, 1);
-    cameras(&m, 40, "large triangles");
-    mesh_free(&m);
-    shape_soup(&m, rig_triangles(3000, 1), 0.04f, 2);
-    cameras(&m, 40, "small triangles");
-    mesh_free(&m);
-    shape_icosphere(&m, rig_is_tiny() ? 1 : 3);
-    cameras(&m, 40, "a sphere");
-    mesh_free(&m);
-    shape_needles(&m, rig_triangles(200, 1) / 4);
-    cameras(&m, 30, "slivers");
-    mesh_free(&m);
-    shape_coincident(&m, 5);
-    shape_degenerate(&m);
-    cameras(&m, 30, "odd triangles");
-    mesh_free(&m);
-}
-
-/* Down on two sheets of squares, the upper one moved, that lie on or close above one another. */
-static void down(void) {
-    static const float apart[4] = {0.0f, 1e-6f, 1e-3f, 0.1f};
-    random_state r = {7};
-    for (uint32_t i = 0; i < 64; i++) {
-        mesh m = {0};
-        const float moved = random_below(&r, 2) ? 0.0f : 0.25f;
-        shape_sheet(&m, 4, 1);
-        shape_transform(&m, 1.0f, moved, apart[i % 4], moved);
-        shape_sheet(&m, 4, 1);
-        rig scene = opened(&m, &r);
-        const float x = 0.25f * (float)random_below(&r, 9) - 1.0f, height = (i & 8) ? 2.0f : -1.37f;
-        const plt_frame f = {.width = (uint16_t)(17 + random_below(&r, 24)),
-                             .height = (uint16_t)(17 + random_below(&r, 24)),
-                             .shader = any_shader(&r),
-                             .samples = any_samples(&r),
-                             .camera = {.eye = {x, height, 0.0f},
-                                        .look = {x, 0.0f, 0.0f},
-                                        .up = {0, 0, 1},
-                                        .tan_half_fov = (i & 16) ? 0.5f : 1.0f}};
-        one_frame(&scene, &f, "sheets");
-        rig_close(&scene);
-        mesh_free(&m);
-    }
-}
+static const frame_scenes scenes = {.side_most = SIDE_MOST, .set = set_samples, .each = one_frame};
 
 /* ---- formats and orders -------------------------------------------------------------------- */
 
@@ -482,9 +388,9 @@ int main(void) {
     test("no two samples of a pixel share a row or a column, and their middle is the pixel's");
     check_pattern();
     test("frames of cameras anywhere have the mean of their samples' hits");
-    anywhere();
+    frame_scenes_anywhere(&scenes);
     test("so have views straight down on grids");
-    down();
+    frame_scenes_down(&scenes);
     test("every format, order and schedule gives the same pictures");
     everywhere();
     test("one sample is what 0 is, and other numbers are refused");

@@ -28,10 +28,10 @@ same() {
         [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le "$2" ] || echo "$bytes bytes")"
     for samples in 4 16 adaptive; do
         # shellcheck disable=SC2086
-        view=$(sh board/tools/host_view.sh "$out/$3.plt" 48x36 "$out/host.ppm" $5 \
+        view=$(sh board/tools/host_view.sh "$out/$3.plt" 32x24 "$out/host.ppm" $5 \
             --samples $samples)
         # shellcheck disable=SC2086
-        text=$(FIRMWARE=$folder sh board/mps2_an386/run.sh "$out/$3.plt" size=48x36 arena=262144 \
+        text=$(FIRMWARE=$folder sh board/mps2_an386/run.sh "$out/$3.plt" size=32x24 arena=262144 \
             $4 samples=$samples ${view#* } 2>&1)
         verdict "... $3, $samples samples: the frame of the host" "$(
             [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
@@ -47,9 +47,9 @@ for smooth in "" "--smooth 40"; do
 done
 "$planelet" make knot --triangles 2000 -o "$out/samples.ply" >/dev/null
 "$planelet" pack "$out/samples.ply" --smooth 40 -o "$out/samples.plt" >/dev/null 2>&1
-same "render thesis whitted samples" 65536 lit "shader=whitted $lights" "--shader whitted $flags"
-same "render thesis surface whitted samples" 65536 lit_smooth "shader=whitted $lights" \
+same "render thesis whitted samples" 55808 lit "shader=whitted $lights" "--shader whitted $flags"
+same "render thesis surface whitted samples" 60416 lit_smooth "shader=whitted $lights" \
     "--shader whitted $flags"
-same "render thesis surface whitted samples" 65536 samples "shader=smooth" "--shader smooth"
-same "render thesis frames surface samples" 65536 samples "shader=smooth" "--shader smooth"
+same "render thesis surface whitted samples" 60416 samples "shader=smooth" "--shader smooth"
+same "render thesis frames surface samples" 41472 samples "shader=smooth" "--shader smooth"
 finish
