@@ -28,8 +28,8 @@ FILENAME == ARGV[2] && match($0, /region `[A-Z]*' overflowed by [0-9]+ bytes/) {
 
 END {
     if ("RAM" in too_many) {
-        printf "error: an arena of %d bytes and a stack of %d do not fit on %s: of its %d bytes of " \
-               "RAM %d are left for both; ARENA_BYTES and STACK_BYTES are in its board.mk\n",
+        printf "error: an arena of %d bytes and a stack of %d do not fit on %s: of its %d bytes " \
+               "of RAM %d are left for both; ARENA_BYTES and STACK_BYTES are in its board.mk\n",
                arena, stack, board, size["RAM"], arena + stack - too_many["RAM"]
     }
     if ("FLASH" in too_many) {

@@ -5,6 +5,7 @@
 # bytes of code and constants of the engine and of the firmware, RAM, arena, stack, and what a ray
 # takes. SPDX-License-Identifier: MIT
 . tests/check/report.sh
+export BUILD
 planelet=$BUILD/host/planelet
 folder=$BUILD/boards
 scene="$folder/a knot, of 600.plt" # a blank and a comma, which QEMU and the firmware end words by
@@ -33,7 +34,7 @@ for board in $(boards); do
     make_board "$board" || continue
     verdict "$board: gcc compiles the firmware without a warning" "$(
         find "$out" -name '*.log' -size +0 -exec cat {} +)"
-    text=$(BUILD=$BUILD FIRMWARE=$out sh board/tools/run_like_host.sh "$board" "$scene" "$size" 2>&1)
+    text=$(FIRMWARE=$out sh board/tools/run_like_host.sh "$board" "$scene" "$size" 2>&1)
     status=$?
     hash=$(value frame_hash)
     wanted=${wanted:-$hash}
@@ -44,7 +45,7 @@ for board in $(boards); do
     verdict "$board: the stack stays below its bound, $(value painted) of $(value worst)" "$(
         [ "$(value painted)" -gt 0 ] && [ "$(value painted)" -le "$(value worst)" ] &&
             [ "$(value stored)" -le "$(value worst)" ] || echo "$text")"
-    engine=$(find "$out/engine" -name '*.o')
+    engine=$(sed -n "s|^LOAD \\($out/engine/.*\\.o\\)\$|\\1|p" "$out/firmware.map")
     stack=$(echo "$text" | sed -n 's/^stack painted=.* bytes=//p')
     arena=$(echo "$text" | sed -n 's/^arena .* bytes=//p')
     # shellcheck disable=SC2086
@@ -57,15 +58,16 @@ $arena,$(value peak),$stack,$(value worst),$(value painted),\
 $(echo "$text" | sed -n 's/^instructions_per_ray //p'),$hash" >>"$table"
 done
 
-text=$(BUILD=$BUILD FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 arena=1000 2>&1)
+text=$(FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 arena=1000 2>&1)
 verdict "an arena that is too small: both sizes are said" "$(
     echo "$text" | grep -q '^error: .*need_bytes=[1-9][0-9]* arena_bytes=1000$' || echo "$text")"
 head -c 16777216 /dev/zero >"$folder/large.plt"
-text=$(BUILD=$BUILD FIRMWARE=$out sh "board/$board/run.sh" "$folder/large.plt" size=16x12 2>&1)
+text=$(FIRMWARE=$out sh "board/$board/run.sh" "$folder/large.plt" size=16x12 2>&1)
 verdict "a scene that is too large: both sizes are said" "$(
-    echo "$text" | grep -q '^error: the scene has 16777216 bytes, and this board has room for [1-9]' ||
+    echo "$text" |
+        grep -q '^error: the scene has 16777216 bytes, and this board has room for [1-9]' ||
         echo "$text")"
-text=$(SOURCE=file BUILD=$BUILD FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 2>&1)
+text=$(SOURCE=file FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 2>&1)
 verdict "a file whose name has a blank and a comma is opened by semihosting" "$(
     echo "$text" | grep -q '^scene triangles=600 ' || echo "$text" | grep -q need_bytes ||
         echo "$text")"

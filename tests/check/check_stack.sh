@@ -9,7 +9,7 @@ if make_board mps2_an386; then
     verdict "the worst path has no recursion, no frame of unknown size, no unknown callee" \
         "$(grep '^error' "$out/stack.txt"; grep -q '^worst' "$out/stack.txt" || echo 'no figure')"
     verdict "no frame of the firmware is larger than $FRAME_LIMIT bytes" "$(
-        stack_of "$out" "engine platform board" -v root=cortex_m_start \
+        stack_of "$out" "engine platform board" -v root=machine_start \
             -v indirect='scene_start scene_wait' -v limit="$FRAME_LIMIT" | grep '^error')"
 fi
 
