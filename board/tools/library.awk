@@ -2,8 +2,8 @@
 #
 #   objdump -dtr LIBRARY.a | awk -f library.awk >LIBRARY.ci
 #
-# Every function of a member gets all that any of its functions pushes, together, and calls
-# whatever any of them calls: the result is a bound. Calls by relocation lead to other
+# Every function of a member gets all that its functions push, together, and calls whatever
+# any of them calls: the result is a bound. Calls by relocation lead to other
 # members, other jumps stay in their own. Knows pushes of Thumb and RISC-V.
 # SPDX-License-Identifier: MIT
 
