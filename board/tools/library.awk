@@ -9,7 +9,8 @@
 
 function flush(    i, j) {
     for (i = 1; i <= functions; i++) {
-        printf "node: { title: \"%s\" label: \"%s\\n%d bytes (static)\" }\n", name[i], name[i], bytes
+        printf "node: { title: \"%s\" label: \"%s\\n%d bytes (static)\" }\n",
+            name[i], name[i], bytes
         for (j = 1; j <= calls; j++) {
             if (!(target[j] in own)) {
                 printf "edge: { sourcename: \"%s\" targetname: \"%s\" }\n", name[i], target[j]
