@@ -19,14 +19,22 @@ DEPENDENCIES = -MMD -MP
 # four bytes; -fbuiltin gives the knowledge back.
 FREESTANDING := -ffreestanding -fbuiltin
 
-lanes_sse := -DPLT_LANES='"platform/lanes_sse.h"'
-lanes_scalar :=
+lanes_flags = $(if $(filter-out scalar,$(LANES)),-DPLT_LANES='"platform/lanes_$(LANES).h"')
 
+# What a board is, first: some have no room for the whole engine (BOARD_PARTS).
+ifneq ($(BOARD),host)
+ifeq ($(wildcard board/$(BOARD)/board.mk),)
+$(error there is no board/$(BOARD)/board.mk; boards: $(BOARDS))
+endif
+include board/$(BOARD)/board.mk
+PARTS ?= $(BOARD_PARTS)
+endif
 include engine/engine.mk
 
-.PHONY: all firmware demo demo-wooddoll demo-bunny demo-firmware setup test check sizes bench \
-        scenes peers surface compact streamed moving policies workers against sanitize tiny scalar \
-        fuzz exporters run treelets povray stages jpeg play profile clean help FORCE
+.PHONY: all firmware boards test-boards demo demo-wooddoll demo-bunny demo-firmware setup test \
+        check sizes bench scenes peers surface compact streamed moving policies workers against \
+        sanitize tiny scalar fuzz exporters run treelets povray stages jpeg play profile clean help \
+        FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -90,6 +98,20 @@ sizes: all
 	    $(MAKE) --no-print-directory BOARD=mps2_an386 PARTS="$$parts" >/dev/null || exit 1; \
 	done
 	@BUILD='$(BUILD)' CC='$(CC)' sh tests/measure/sizes.sh
+
+# ---- every board ---------------------------------------------------------
+
+DEVICES := $(filter-out host,$(BOARDS))
+
+##build boards: the firmware of every board of board/
+boards:
+	@for board in $(DEVICES); do \
+	    $(MAKE) --no-print-directory -s BOARD=$$board || exit 1; \
+	done
+
+##test test-boards: builds and runs every board in its emulator, its frames beside the host's
+test-boards: all
+	@$(SCRIPT) tests/boards/test_boards.sh
 
 # ---- other builds of the same tests --------------------------------------
 

@@ -3,18 +3,16 @@
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
 # built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
-# sequences. The worst stack is computed from the call graph before linking, and
+# sequences; PROGRAM=faults is a test of start-up without the engine. The worst stack is computed from the call graph before linking, and
 # the linker script refuses a smaller stack. No C library is linked; its headers
-# are used.
+# are used. Of the compiler's own library, libgcc, boards have what they ask for by
+# LIBGCC := yes, and its functions are in the call graph, too.
 # SPDX-License-Identifier: MIT
 
-ifeq ($(wildcard board/$(BOARD)/board.mk),)
-$(error there is no board/$(BOARD)/board.mk; boards: $(BOARDS))
-endif
-include board/$(BOARD)/board.mk
-
 PROGRAM ?=
-OUT := $(BUILD)/$(BOARD)$(addprefix -,$(PROGRAM))$(PARTS_NAME)
+# The usual parts of a board have no name in its folder's.
+OUT := $(BUILD)/$(BOARD)$(addprefix -,$(PROGRAM))$(if $(filter-out \
+       $(sort $(BOARD_PARTS)),$(PARTS))$(filter-out $(PARTS),$(BOARD_PARTS)),$(PARTS_NAME))
 HOST_CC ?= cc
 # An environment that has CC would hand this one on: the host's make gets its own.
 override CC := $(CROSS)gcc
@@ -23,51 +21,66 @@ TEST_PROGRAMS :=
 COMMON := $(filter-out board/firmware.c,$(wildcard board/*.c))
 program_ := board/firmware.c
 program_played := $(wildcard board/played/*.c)
+program_faults := tests/boards/faults.c
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
 $(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
 endif
-FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) $(wildcard board/$(BOARD)/*.c) \
-                   $(wildcard platform/$(PLATFORM_FAMILY)/*.c))
+FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
+                   $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
-FIRMWARE_OBJECTS := $(call objects,$(ENGINE) $(FIRMWARE))
+FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE))
 
 # Where calls by pointer lead, beyond the board's SOURCE_FUNCTIONS: what a wired board streams
 # comes by the wire, which waits for reports.
 POINTERS_wired := $(if $(without_stream),,plt_fetch>wire_source_start plt_fetch>wire_source_wait \
                   wire_source_wait>pump_held pump_held>await_reports)
 
+STACK_ROOT ?= machine_start
+SOURCE_FUNCTIONS ?= scene_start scene_wait
+LINK_SCRIPT ?= board/$(BOARD)/memory.ld
+
 OPTIMISE_FOR := -O2
 $(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
 
 # Loops stay loops: memcpy must not become a call of itself, nor a search for
 # the end of a text a call of strlen.
-COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) $(lanes_$(LANES)) \
+COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) $(lanes_flags) \
           -ffunction-sections -fdata-sections -fcallgraph-info=su,da \
           -fno-tree-loop-distribute-patterns \
           -DPLT_BLOCKS_LEVELS=0 \
+          -DPLT_BOARD_NAME='"$(BOARD)"' $(BOARD_FLAGS) \
           -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(PARTS_FLAGS) $(FIRMWARE_FLAGS)
 
 ##build make BOARD=name [PROGRAM=wired] [PARTS='render thesis compact']: build/name/firmware.elf
 firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
 
 $(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
-                     $(wildcard platform/$(PLATFORM_FAMILY)/*.ld)
+                     platform/bare/sections.ld
 	@echo "$(CC) $@"
 	@$(CC) $(CPU) -nostdlib -L. -T $(LINK_SCRIPT) -Wl,--gc-sections,-Map=$(OUT)/firmware.map \
 	    -Wl,--defsym=plt_arena_bytes=$(ARENA_BYTES),--defsym=plt_stack_bytes=$(STACK_BYTES) \
 	    -Wl,--defsym=plt_stack_worst=$$(sed -n 's/^worst \([0-9]*\).*/\1/p' $(OUT)/stack.txt) \
-	    -o $@ $(FIRMWARE_OBJECTS)
+	    -o $@ $(FIRMWARE_OBJECTS) $(if $(LIBGCC),-lgcc) 2>$(OUT)/link.txt || \
+	    { awk -v board=$(BOARD) -v arena=$(ARENA_BYTES) -v stack=$(STACK_BYTES) \
+	        -f board/tools/too_large.awk $(OUT)/firmware.map $(OUT)/link.txt >&2; exit 1; }
 	@$(CROSS)size $@
 
 # The deepest path from start-up; fails on recursion and on stack frames of
 # unknown size.
-$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) board/tools/stack.awk board/$(BOARD)/board.mk
+$(OUT)/stack.txt: $(FIRMWARE_OBJECTS) board/tools/stack.awk board/tools/library.awk \
+                  board/$(BOARD)/board.mk $(if $(LIBGCC),$(OUT)/libgcc.ci)
 	@$(CROSS)objdump -d $(FIRMWARE_OBJECTS) | awk -v root='$(STACK_ROOT)' -v out='$(OUT)/' \
 	    -v indirect='$(SOURCE_FUNCTIONS) $(POINTERS_$(PROGRAM))' \
 	    -v interrupt='$(INTERRUPTS_$(PROGRAM))' \
 	    -v entry='$(INTERRUPT_FRAME)' -f board/tools/stack.awk \
-	    $(FIRMWARE_OBJECTS:.o=.ci) - >$@ || { cat $@ >&2; exit 1; }
+	    $(FIRMWARE_OBJECTS:.o=.ci) $(if $(LIBGCC),$(OUT)/libgcc.ci) - >$@ || \
+	    { cat $@ >&2; exit 1; }
+
+# The call graph of the compiler's library, from its code.
+$(OUT)/libgcc.ci: $(OUT)/flags board/tools/library.awk
+	@$(CROSS)objdump -dtr "$$($(CC) $(CPU) -print-libgcc-file-name)" | \
+	    awk -f board/tools/library.awk >$@
 
 $(OUT)/%.o: %.c $(OUT)/flags
 	$(call compile,$(COMMAND))

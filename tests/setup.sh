@@ -7,6 +7,8 @@
 # tool:package
 wanted='qemu-system-arm:qemu-system-arm
 arm-none-eabi-gcc:gcc-arm-none-eabi
+qemu-system-riscv32:qemu-system-misc
+riscv64-unknown-elf-gcc:gcc-riscv64-unknown-elf
 g++:g++
 cppcheck:cppcheck
 clang-format:clang-format

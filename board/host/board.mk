@@ -33,8 +33,8 @@ TOOL_OBJECTS := $(call objects,$(PLATFORM) $(TOOLS) $(HOST))
 TEST_OBJECTS := $(call objects,$(REFERENCE) $(FAKE))
 TEST_PROGRAMS := $(patsubst tests/%.c,$(OUT)/tests/%,$(TESTS))
 
-ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_$(LANES)) $(CFLAGS)
-HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_$(LANES)) \
+ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_flags) $(CFLAGS)
+HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_flags) \
                -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(CFLAGS)
 
 ##build all: the host program build/host/planelet and the engine as build/host/libplanelet.a

@@ -6,12 +6,9 @@ CPU := -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16
 LANES := scalar
 ARENA_BYTES := 262144
 STACK_BYTES := 8192
-PLATFORM_FAMILY := cortex_m
-LINK_SCRIPT := board/mps2_an386/memory.ld
-# For the stack bound: where it starts, and where plt_source's pointers may lead.
-STACK_ROOT := cortex_m_start
-SOURCE_FUNCTIONS := scene_start scene_wait
-# The handler that may come on top of it once, and what the CPU itself stacks: 26
+SHARED := platform/bare platform/cortex_m platform/cortex_m/armv7m board/semihosted board/fpgaio
+BOARD_FLAGS := -DPLT_FPGAIO=0x40028000u -DPLT_CLOCK_HERTZ=25000000u
+# The handler that may come on top of the stack once, and what the CPU itself stacks: 26
 # words with those of the FPU, and one to align.
 INTERRUPTS_wired := serial_interrupt
 INTERRUPT_FRAME := 108

@@ -7,6 +7,7 @@
 # FIRMWARE is the folder that it was built in (build/mps2_an386-wired). PROFILE=PATH writes
 # a count for every instruction there when it ends.
 # SPDX-License-Identifier: MIT
+. board/tools/limit.sh
 folder=${FIRMWARE:-${BUILD:-build}/mps2_an386-wired}
 socket=$1
 shift
@@ -19,6 +20,7 @@ parameters=$(printf '%s' "$*" | sed 's/,/,,/g')
 set --
 [ -z "$PROFILE" ] ||
     set -- -plugin "$folder/libcount.so,out=/dev/null,code=0:0x100000,profile=$PROFILE"
+limit_self
 exec qemu-system-arm -M mps2-an386 -display none -monitor none -serial null \
     -chardev "socket,id=wire,path=$path,reconnect=1" -serial chardev:wire \
     -chardev stdio,id=text,signal=off \

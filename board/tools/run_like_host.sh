@@ -19,6 +19,7 @@ case " $*" in
 *\ eye=* | *\ look=* | *\ up=* | *\ tan=*) hash= camera= ;;
 *) hash=${view%% *} camera=${view#* } ;;
 esac
+rm -f "$out/frame.ppm"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 # shellcheck disable=SC2086
@@ -26,6 +27,14 @@ sh "board/$board/run.sh" "$scene" "size=$size" $camera "frame=$out/frame.ppm" "$
 status=$?
 cat "$log"
 [ -z "$hash" ] && exit $status
+# Of a board that keeps no frame the file of frame= has it.
+if [ $status -eq 0 ] && ! grep -q '^frame_hash=' "$log"; then
+    bytes=$((${size%x*} * ${size#*x} * 3))
+    tail -c $bytes "$out/host.ppm" >"$out/host.rgb"
+    if tail -c $bytes "$out/frame.ppm" | cmp -s - "$out/host.rgb"; then
+        echo "frame_hash=$hash" | tee -a "$log"
+    fi
+fi
 if grep -q "^frame_hash=$hash\$" "$log"; then
     echo "the host renders the same frame"
 elif [ $status -eq 0 ]; then

@@ -4,8 +4,8 @@
 #       [-v interrupt='NAME ...' -v entry=BYTES] [-v limit=BYTES] [-v out=FOLDER/] \
 #       -f stack.awk FILE.ci ... -
 #
-# Reads the output of -fcallgraph-info=su,da, and the disassembly of the same
-# objects (below FOLDER), because GCC 12 leaves out what a function pushes for
+# Reads the output of -fcallgraph-info=su,da (of a library that has none library.awk's), and
+# the disassembly of the same objects (below FOLDER), because GCC 12 leaves out what a function pushes for
 # arguments that came in registers: a stack frame is the larger of GCC's value
 # and the sum of all pushes and decrements of sp. Prints "worst BYTES ROOT" for
 # the root with the deepest path, the path itself with the frame of every
@@ -104,7 +104,9 @@ function add_indirect(title,    i, count, names, pair, own, any) {
     label = field("label")
     if (match(label, /[0-9]+ bytes \([a-z,]+\)/)) {
         size = substr(label, RSTART, RLENGTH)
-        frame[title] = size + 0
+        if (size + 0 >= frame[title]) { # of two members of a library the larger
+            frame[title] = size + 0
+        }
         by_name[bare(title)] = title
         if (size ~ /dynamic/ && size !~ /bounded/) {
             complain("the frame of " bare(title) " has no fixed size")
@@ -122,7 +124,7 @@ function add_indirect(title,    i, count, names, pair, own, any) {
     }
 }
 
-# ---- Thumb disassembly ----
+# ---- disassembly of Thumb and RISC-V ----
 
 /file format/ {
     file = $1
@@ -169,6 +171,9 @@ function constant(text) { # the number behind the last '#'
         pushed[in_code] += constant(rest)
     } else if (op ~ /^sub/ && rest ~ /^sp,/) {
         complain("the frame of " bare(in_code) " has no fixed size")
+    } else if (op ~ /^addi/ && rest ~ /^sp,sp,-/) {
+        sub(/^sp,sp,-/, "", rest)
+        pushed[in_code] += rest + 0
     } else if (op ~ /^str/ && rest ~ /\[sp, #-[0-9]+\]!/) {
         sub(/\]!.*/, "", rest)
         pushed[in_code] += constant(rest)

@@ -5,7 +5,7 @@
 #define PLT_CORTEX_M_FAULT_H
 
 /* Handler of every fault: prints "FAULT" and the fault registers on one line
- * and ends with CORTEX_M_FAULT_STATUS. */
+ * and ends with MACHINE_FAULT_STATUS. */
 void fault_entry(void);
 
 #endif

@@ -29,7 +29,9 @@ engine/whitted
 engine/shade
 engine
 platform
-platform/wire platform/cortex_m
+platform/bare platform/headers platform/soft_float platform/wire
+platform/cortex_m/armv6m platform/cortex_m/armv7m platform/cortex_m/armv8m platform/riscv
+platform/cortex_m
 board
 board/wired board/played
 board/*
@@ -58,10 +60,12 @@ tests'
 # The one exception is the contract between a board and its start-up code: what a board
 # gives to the firmware (board.h, "given by the board") and to the start-up (start.h),
 # which therefore call up into it. start.h is read by all who keep the contract.
-contract='^platform/cortex_m/start$'
-given_by_board='^(board_[a-z0-9_]*|cortex_m_(main|print|exit))$'
+contract='^platform/bare/start$'
+given_by_board='^(board_[a-z0-9_]*|machine_(main|print|exit))$'
+# ... and a family of CPUs to what all of them share: how it stops for a debugger.
+given_by_family='^semihost_call$'
 # What a compiler calls on its own is nobody's choice.
-given_to_all='^(memcpy|memmove|memset|memcmp)$'
+given_to_all='^(memcpy|memmove|memset|memcmp|sqrtf)$'
 
 product='engine platform board host_tools'
 firmwares=${FIRMWARES-mps2_an386 mps2_an386-wired}
@@ -132,13 +136,15 @@ linked() {
         "$3" -g "$object" | awk -v unit="${unit%.o}" '
             NF == 2 && $1 == "U" { print "refers", $2, unit }
             NF == 3 { print "defines", $3, unit }'
-    done | sort | awk -v given="$given_by_board" -v all="$given_to_all" '
+    done | sort | awk -v given="$given_by_board" -v family="$given_by_family" \
+        -v all="$given_to_all" '
         $1 == "defines" { definers[$2] = definers[$2] " " $3; next }
         $2 ~ all { next }
         {
             n = split(definers[$2], definer, " ")
             for (i = 1; i <= n; i++) {
-                if (!(definer[i] ~ /^board\// && $2 ~ given)) {
+                if (!(definer[i] ~ /^board\// && $2 ~ given) &&
+                    !(definer[i] ~ /^platform\// && $2 ~ family)) {
                     print $3, definer[i], $2, $3 ".o"
                 }
             }

@@ -9,7 +9,7 @@ if make_board mps2_an386; then
     verdict "the worst path has no recursion, no frame of unknown size, no unknown callee" \
         "$(grep '^error' "$out/stack.txt"; grep -q '^worst' "$out/stack.txt" || echo 'no figure')"
     verdict "no frame of the firmware is larger than $FRAME_LIMIT bytes" "$(
-        stack_of "$out" "engine platform board" -v root=cortex_m_start \
+        stack_of "$out" "engine platform board" -v root=machine_start \
             -v indirect='scene_start scene_wait' -v limit="$FRAME_LIMIT" | grep '^error')"
 fi
 
@@ -40,5 +40,17 @@ C
     seen "a frame of unknown size is seen" of_any_size "no fixed size"
     seen "a call by pointer is seen" by_pointer "by a pointer"
     seen "a callee without call graph is seen" calls_unknown "no call graph for unknown"
+    cat >"$folder/soft.c" <<'C'
+double soft(double a, double b);
+double soft(double a, double b) { return a * b; }
+C
+    (cd "$folder" && arm-none-eabi-gcc -mthumb -mcpu=cortex-m3 -O1 -c soft.c \
+        -fcallgraph-info=su,da)
+    arm-none-eabi-objdump -dtr "$(arm-none-eabi-gcc -mthumb -mcpu=cortex-m3 \
+        -print-libgcc-file-name)" | awk -f board/tools/library.awk >"$folder/libgcc.ci"
+    verdict "what the compiler's library pushes is seen in its code" "$(
+        awk -v root=soft -f board/tools/stack.awk "$folder/soft.ci" "$folder/libgcc.ci" |
+            awk '$2 == "__aeabi_dmul" { pushed = $1 } END { exit !(pushed >= 16) }' ||
+            echo "__aeabi_dmul pushes r4, r5, r6 and lr; not seen")"
 fi
 finish

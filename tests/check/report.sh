@@ -50,12 +50,24 @@ stack_of() {
 
 # make_board BOARD [VARIABLE=...]: builds its firmware; a failed check when that fails.
 make_board() {
-    needs arm-none-eabi-gcc || return 1
     board=$1
     shift
+    needs "$(cross_of "$board")gcc" || return 1
     trouble=$($MAKE -s BOARD="$board" "$@" 2>&1 >/dev/null) && return 0
     verdict "the firmware of $board builds" "${trouble:-make BOARD=$board $* failed}"
     return 1
+}
+
+# boards: those which have an emulator here to run them, all folders of board/ with a board.mk but
+# the host's. cross_of BOARD: the prefix of its compiler.
+boards() {
+    for file in board/*/board.mk; do
+        board=${file#board/} board=${board%/board.mk}
+        [ "$board" = host ] || echo "$board"
+    done
+}
+cross_of() {
+    sed -n 's/^CROSS := //p' "board/$1/board.mk"
 }
 
 finish() {

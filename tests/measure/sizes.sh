@@ -100,7 +100,8 @@ echo "worst C stack of the Cortex-M4F, bytes: frame by frame"
 sed -n 's/^worst \([0-9]*\).*/\1 from start-up, the board and the source included/p;/^ /p' \
     "$arm/stack.txt"
 echo "worst C stack of each public function (functions of a source not counted)"
-lines=$(stack_of "$arm" "engine platform/cortex_m" -v root="$(public)" -v outward=1) || status=1
+lines=$(stack_of "$arm" "engine platform/bare platform/cortex_m" -v root="$(public)" \
+    -v outward=1) || status=1
 printf '%s\n' "$lines" | awk '
     /^error/ { print }
     /^(worst|root)/ { printf "%8d %s\n", $2, $3 }' | sort -rn

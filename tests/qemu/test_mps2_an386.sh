@@ -106,7 +106,8 @@ refused "a scene too large for the arena: status 1, the bytes it needs" 1 \
 refused "an arena made too small: status 1, the bytes it needs" 1 '^error: .*need_bytes=[1-9]' \
     "$out/marbles.plt" arena=4096
 refused "a missing file: status 1" 1 '^error: cannot open' "" "scene=$out/missing.plt"
-refused "a frame larger than the board's memory: status 1" 1 '^error: the frame is larger' \
+refused "a frame larger than the board's memory: status 1" 1 \
+    '^error: the frame has 48000000 bytes, and this board has room for 4194304$' \
     "$out/knot.plt" size=4000x4000
 refused "an unknown parameter: status 2" 2 '^error: unknown parameter' "$out/knot.plt" colour=red
 finish

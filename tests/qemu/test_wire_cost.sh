@@ -2,6 +2,7 @@
 # test_wire_cost.sh - instructions per pixel of the wire's codec on a Cortex-M4F, in QEMU
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
+. board/tools/limit.sh
 needs arm-none-eabi-gcc qemu-system-arm && make_board mps2_an386 || { finish; exit; }
 
 out=$BUILD/mps2_an386/tests
@@ -13,7 +14,7 @@ trouble=$(arm-none-eabi-gcc -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-
     -Wl,--defsym=plt_arena_bytes=16,--defsym=plt_stack_bytes=4096,--defsym=plt_stack_worst=4096 \
     -o "$elf" tests/qemu/wire_cost.c platform/wire/wire_format.c platform/wire/model.c \
     platform/wire/tile_encode.c platform/wire/tile_decode.c \
-    engine/base/crc32.c platform/cortex_m/*.c 2>&1)
+    engine/base/crc32.c platform/bare/*.c platform/cortex_m/*.c platform/cortex_m/armv7m/*.c 2>&1)
 verdict "the codec links for a Cortex-M4F without a library" "$trouble"
 
 symbol() {
@@ -23,7 +24,8 @@ plugin=$BUILD/mps2_an386/libcount.so,out=$out/wire_cost.txt
 for region in hash encode decode near; do
     plugin=$plugin,region=$region:$(symbol wire_${region}_begin):$(symbol wire_${region}_end)
 done
-timeout 60 qemu-system-arm -M mps2-an386 -display none -monitor none -serial null -icount shift=0 \
+QEMU_SECONDS=60
+limited qemu-system-arm -M mps2-an386 -display none -monitor none -serial null -icount shift=0 \
     -semihosting-config enable=on,target=native -plugin "$plugin" -kernel "$elf"
 status=$?
 verdict "tiles encoded there have the bytes they have here, and come back bit for bit" "$(

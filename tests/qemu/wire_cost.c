@@ -5,8 +5,8 @@
  * those of every machine, with 2 when they are not.
  *
  * SPDX-License-Identifier: MIT */
-#include "platform/cortex_m/semihost.h"
-#include "platform/cortex_m/start.h"
+#include "platform/bare/semihost.h"
+#include "platform/bare/start.h"
 #include "platform/wire/hash.h"
 #include "tests/reference/wire_picture.h"
 
@@ -26,11 +26,11 @@ MARK(wire_hash_end)
 
 __attribute__((section(".arena"), used)) static unsigned char arena[16];
 
-void cortex_m_print(const char *text) {
+void machine_print(const char *text) {
     semihost_print(text);
 }
 
-_Noreturn void cortex_m_exit(int status) {
+_Noreturn void machine_exit(int status) {
     semihost_exit(status);
 }
 
@@ -64,7 +64,7 @@ static int decode(wire_tile_shape shape, unsigned coder, uint32_t bytes) {
     return event == WIRE_TILE_DONE;
 }
 
-_Noreturn void cortex_m_main(void) {
+_Noreturn void machine_main(void) {
     const wire_tile_shape shape = {WIRE_RGB565, 16, 16};
     uint32_t wrong = 0, crc = 0;
     for (unsigned tile = 0; tile < PICTURE_TILES; tile++) {

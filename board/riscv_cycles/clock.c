@@ -1,0 +1,21 @@
+/* clock - a board's clock is the cycle counter of its RISC-V
+ *
+ * PLT_CLOCK_HERTZ, of board.mk, is how often it counts per second.
+ *
+ * SPDX-License-Identifier: MIT */
+#include "board/board.h"
+
+uint32_t board_ticks(void) {
+    uintptr_t cycles;
+    __asm__ volatile(
+        ".option push\n"
+        ".option arch, +zicsr\n"
+        "csrr %0, mcycle\n"
+        ".option pop\n"
+        : "=r"(cycles));
+    return (uint32_t)cycles;
+}
+
+uint32_t board_ticks_per_second(void) {
+    return PLT_CLOCK_HERTZ;
+}
