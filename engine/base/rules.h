@@ -1,6 +1,6 @@
 /* rules - the numbers of the rules that SPEC.md, section 5, gives
  *
- * R1 to R19 refuse an image by its header and checksums, I1 to I29 are invariants of
+ * R1 to R20 refuse an image by its header and checksums, I1 to I30 are invariants of
  * what its sections hold. SPEC.md has each in full; here they have names.
  *
  * SPDX-License-Identifier: MIT */
@@ -26,7 +26,8 @@ enum plt_refusal {
     PLT_R16_INSTANCES = 16,   /* counts of bodies, instances and their frames */
     PLT_R17_FURTHER = 17,     /* the table of further sections */
     PLT_R18_SURFACE = 18,     /* what a section of normals or colours begins with */
-    PLT_R19_MATERIALS = 19    /* the section of materials */
+    PLT_R19_MATERIALS = 19,   /* the section of materials */
+    PLT_R20_TEXTURES = 20     /* the section of textures, and of which materials have them */
 };
 
 enum plt_invariant {
@@ -57,7 +58,8 @@ enum plt_invariant {
     PLT_I26_POSITIONS = 26,  /* positions of a frame are within 2^40 */
     PLT_I27_BODIES = 27,   /* bodies follow each other and fill the sections; instances have one */
     PLT_I28_MATRICES = 28, /* the check of a frame of matrices is right */
-    PLT_I29_PLACED = 29    /* matrices can be inverted, and place bodies within 2^40 */
+    PLT_I29_PLACED = 29,   /* matrices can be inverted, and place bodies within 2^40 */
+    PLT_I30_TILES = 30     /* the check of a tile that is fetched is right */
 };
 
 #endif

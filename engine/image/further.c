@@ -47,7 +47,7 @@ static int is_zero(const unsigned char *bytes, uint32_t count) {
 
 /* Kinds rise, so that each is there once; this engine knows all of them. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_MATERIALS;
+    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_TILES;
 }
 
 static void put_bytes(plt_info *info, const plt_section *s) {
@@ -61,6 +61,13 @@ static void put_bytes(plt_info *info, const plt_section *s) {
 #if PLT_WITH_WHITTED
     if (s->kind == PLT_SECTION_MATERIALS) {
         info->material_bytes = s->bytes;
+    }
+#endif
+#if PLT_WITH_TEXTURE
+    if (s->kind == PLT_SECTION_TEXTURES) {
+        info->texture_bytes = s->bytes;
+    } else if (s->kind == PLT_SECTION_TILES) {
+        info->tile_bytes = s->bytes;
     }
 #endif
 }
