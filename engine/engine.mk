@@ -22,6 +22,7 @@
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   surface  with normals and colours (plt_options.surface); likewise
+#   texcoords ... and texture coordinates, likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
 #   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
@@ -106,11 +107,11 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices background grid instances surface whitted samples diagrams \
-    frames,$(PARTS)),)
+    subtree sequence vertices background grid instances surface texcoords whitted samples \
+    diagrams frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
     seek, motion, some, subtree, sequence, vertices, background, grid, instances, surface, \
-    whitted, samples, diagrams or frames; it has $(PARTS))
+    texcoords, whitted, samples, diagrams or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -150,6 +151,9 @@ endif
 ifeq ($(filter compact,$(PARTS))$(filter instances,$(PARTS)),compactinstances)
 $(error PARTS with instances has thesis nodes: make PARTS='render thesis instances')
 endif
+ifeq ($(filter surface,$(PARTS))$(filter texcoords,$(PARTS)),texcoords)
+$(error PARTS with texcoords has surface: make PARTS='render thesis surface texcoords')
+endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
@@ -185,6 +189,7 @@ without_grid := $(if $(filter host,$(BOARD))$(filter grid,$(PARTS)),,yes)
 without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,yes)
 without_whitted := $(if $(filter host,$(BOARD))$(filter whitted,$(PARTS)),,yes)
 without_surface := $(if $(filter host,$(BOARD))$(filter surface,$(PARTS)),,yes)
+without_texcoords := $(if $(filter host,$(BOARD))$(filter texcoords,$(PARTS)),,yes)
 without_further := $(if $(without_whitted),$(without_surface))
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
@@ -213,6 +218,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_some),-DPLT_WITH_MOVE_SOME=0) $(if $(without_grid),-DPLT_WITH_GRID=0) \
     $(if $(without_instances),-DPLT_WITH_INSTANCES=0) \
     $(if $(without_surface),-DPLT_WITH_SURFACE=0) \
+    $(if $(without_texcoords),-DPLT_WITH_TEXCOORDS=0) \
     $(if $(without_whitted),-DPLT_WITH_WHITTED=0) \
     $(if $(without_background),-DPLT_WITH_BACKGROUND=0) \
     $(if $(without_samples),-DPLT_WITH_SAMPLES=0) \

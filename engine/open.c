@@ -451,6 +451,9 @@ static int read_header_again(const plt_engine *e, plt_header *header, plt_fault 
 #if PLT_WITH_SURFACE
     same &= now->normal_bytes == before->normal_bytes && now->colour_bytes == before->colour_bytes;
 #endif
+#if PLT_WITH_TEXCOORDS
+    same &= now->texcoord_bytes == before->texcoord_bytes;
+#endif
     return same ? PLT_OK
                 : plt_fault_set(fault, PLT_ERR_SOURCE, 0, "the source has another header now");
 }

@@ -317,6 +317,9 @@ typedef struct plt_info {
     uint32_t normal_bytes; /* of the section of normals; 0: there are none */
     uint32_t colour_bytes; /* ... and of colours */
 #endif
+#if PLT_WITH_TEXCOORDS
+    uint32_t texcoord_bytes; /* ... and of texture coordinates */
+#endif
 #if PLT_WITH_WHITTED
     uint32_t material_bytes; /* ... and of materials; 0: there are none */
 #endif
@@ -462,6 +465,15 @@ typedef struct plt_surface_point {
     float colour[3]; /* red, green, blue, 0 .. 1 each, as packed (mostly sRGB), weighted alike; 1
                       * where there is none */
     uint8_t has_normal, has_colour; /* of corners */
+#if PLT_WITH_TEXCOORDS
+    uint8_t has_texcoord;
+    float texcoord[2];    /* u to the right, v up, of a texture between 0 and 1, weighted alike; not
+                           * wrapped: whoever samples does. Each within +-2^20. 0 without */
+    float texcoord_scale; /* how much texture there is to the surface: the square root of the area
+                           * that the triangle covers of it over the triangle's own, so in texture
+                           * widths per unit of length; the same all over a triangle. 0: there are
+                           * no coordinates, or one of the areas is 0 */
+#endif
 } plt_surface_point;
 
 /* The surface where a ray of plt_trace has hit: of `hit` it looks at triangle, u and v, each of

@@ -146,6 +146,11 @@
 #define PLT_WITH_SURFACE 1
 #endif
 
+/* ... and its texture coordinates (SPEC.md, 4.21; plt_surface_point.texcoord). */
+#ifndef PLT_WITH_TEXCOORDS
+#define PLT_WITH_TEXCOORDS PLT_WITH_SURFACE
+#endif
+
 /* Frames with lights, shadows, mirrors and glass (PLT_SHADE_WHITTED). */
 #ifndef PLT_WITH_WHITTED
 #define PLT_WITH_WHITTED PLT_WITH_GROUPS
@@ -363,6 +368,10 @@
 #endif
 #if PLT_WITH_SURFACE != 0 && PLT_WITH_SURFACE != 1
 #error "PLT_WITH_SURFACE is the digit 0 or 1"
+#endif
+#if (PLT_WITH_TEXCOORDS != 0 && PLT_WITH_TEXCOORDS != 1) ||                                        \
+    (PLT_WITH_TEXCOORDS && !PLT_WITH_SURFACE)
+#error "PLT_WITH_TEXCOORDS is the digit 0, or with PLT_WITH_SURFACE 1"
 #endif
 #if (PLT_WITH_WHITTED != 0 && PLT_WITH_WHITTED != 1) || (PLT_WITH_WHITTED && !PLT_WITH_GROUPS)
 #error "PLT_WITH_WHITTED is the digit 0, or with PLT_WITH_GROUPS 1"

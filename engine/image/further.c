@@ -58,6 +58,11 @@ static void put_bytes(plt_info *info, const plt_section *s) {
         info->colour_bytes = s->bytes;
     }
 #endif
+#if PLT_WITH_TEXCOORDS
+    if (s->kind == PLT_SECTION_TEXCOORDS) {
+        info->texcoord_bytes = s->bytes;
+    }
+#endif
 #if PLT_WITH_WHITTED
     if (s->kind == PLT_SECTION_MATERIALS) {
         info->material_bytes = s->bytes;

@@ -180,6 +180,9 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
 #if PLT_WITH_SURFACE
     info->normal_bytes = info->colour_bytes = 0;
 #endif
+#if PLT_WITH_TEXCOORDS
+    info->texcoord_bytes = 0;
+#endif
 #if PLT_WITH_WHITTED
     info->material_bytes = 0;
 #endif

@@ -37,6 +37,7 @@ enum plt_section_kind {
     PLT_SECTION_NORMALS = 12,      /* further ones: normals of corners */
     PLT_SECTION_COLOURS = 13,      /* ... and their colours */
     PLT_SECTION_MATERIALS = 14,    /* ... and what triangles are made of */
+    PLT_SECTION_TEXCOORDS = 15,    /* ... and where textures lie on them */
     PLT_SECTION_TEXTURES = 16,     /* ... and textures, and which materials have them */
     PLT_SECTION_TILES = 17         /* ... and their texels */
 };
