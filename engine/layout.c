@@ -625,10 +625,10 @@ static int is_whitted_valid(const plt_options *o) {
 /* Textures lie on surfaces that lights show. */
 static int is_textures_valid(const plt_options *o) {
 #if PLT_WITH_TEXTURE
-    return o->textures == 0 ? o->texture_bytes == 0
-                            : o->textures <= PLT_TEXTURES_BILINEAR && o->whitted > 0 &&
-                                  o->surface == 1 &&
-                                  (o->texture_bytes == 0 || o->texture_bytes >= PLT_TEXTURE_LEAST);
+    return o->textures == 0
+               ? o->texture_bytes == 0
+               : o->textures <= PLT_TEXTURES_BILINEAR && o->whitted > 0 && o->surface == 1 &&
+                     (o->texture_bytes == 0 || o->texture_bytes >= PLT_TEXTURE_LEAST);
 #else
     (void)o;
     return 1;

@@ -760,8 +760,8 @@ typedef struct plt_lighting {
 int plt_lighting_set(plt_engine *engine, const plt_lighting *lighting);
 
 #if PLT_WITH_TEXTURE
-/* Tiles of textures that were looked for in their room, since plt_stats_reset; all 0 where the image
- * is mapped. */
+/* Tiles of textures that were looked for in their room, since plt_stats_reset; all 0 where the
+ * image is mapped. */
 typedef struct plt_texture_stats {
     uint64_t found;   /* were there; a tile that is asked for again and again counts once */
     uint64_t fetched; /* came from the source */

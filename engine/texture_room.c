@@ -32,10 +32,10 @@ static int read_directory(const plt_engine *e, plt_directory *d, const plt_secti
     }
     const unsigned char *bytes = mapped != NULL ? mapped + textures->offset : room;
     status = status == PLT_OK ? check_crc(textures, bytes, fault) : status;
-    return status != PLT_OK ? status
-                            : plt_directory_read(d, bytes, textures->bytes,
-                                                 tiles != NULL ? tiles->bytes : 0,
-                                                 textures->offset, fault);
+    return status != PLT_OK
+               ? status
+               : plt_directory_read(d, bytes, textures->bytes, tiles != NULL ? tiles->bytes : 0,
+                                    textures->offset, fault);
 }
 
 int plt_texture_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
@@ -60,7 +60,7 @@ int plt_texture_room_set(plt_engine *e, const plt_header *h, void *const part[PL
     return status;
 }
 
-static const plt_textures *textures_of(const plt_engine *e) {
+static plt_textures *textures_of(const plt_engine *e) {
     return e->rendering.whitted != NULL ? e->rendering.whitted->textures : NULL;
 }
 
@@ -68,6 +68,30 @@ void plt_texture_stats_get(const plt_engine *e, plt_texture_stats *stats) {
     const plt_texture_stats none = {0};
     const plt_textures *t = textures_of(e);
     *stats = t != NULL ? t->tiles.stats : none;
+}
+
+void plt_texture_stats_reset(plt_engine *e) {
+    const plt_texture_stats none = {0};
+    plt_textures *t = textures_of(e);
+    if (t != NULL) {
+        t->tiles.stats = none;
+    }
+}
+
+void plt_texture_forget(plt_engine *e) {
+    plt_textures *t = textures_of(e);
+    if (t != NULL) {
+        t->tiles.failed = 0;
+    }
+}
+
+int plt_texture_failed(const plt_engine *e, plt_fault *fault) {
+    const plt_textures *t = textures_of(e);
+    if (t == NULL || !t->tiles.failed) {
+        return 0;
+    }
+    *fault = t->tiles.fault;
+    return 1;
 }
 
 #endif

@@ -25,6 +25,11 @@ static inline uint32_t plt_texture_tiles_bytes(const plt_options *options) {
  * `header` may be NULL if they are not. */
 int plt_texture_room_set(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault);
+
+/* The fetch of a tile has failed since it was forgotten; why. */
+int plt_texture_failed(const plt_engine *e, plt_fault *fault);
+void plt_texture_forget(plt_engine *e);
+void plt_texture_stats_reset(plt_engine *e);
 #else
 static inline int plt_texture_room_set(const plt_engine *e, const plt_header *header,
                                        void *const part[PLT_PARTS_COUNT], const plt_fault *fault) {
@@ -33,6 +38,20 @@ static inline int plt_texture_room_set(const plt_engine *e, const plt_header *he
     (void)part;
     (void)fault;
     return PLT_OK;
+}
+
+static inline int plt_texture_failed(const plt_engine *e, const plt_fault *fault) {
+    (void)e;
+    (void)fault;
+    return 0;
+}
+
+static inline void plt_texture_forget(const plt_engine *e) {
+    (void)e;
+}
+
+static inline void plt_texture_stats_reset(const plt_engine *e) {
+    (void)e;
 }
 #endif
 

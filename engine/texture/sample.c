@@ -7,7 +7,7 @@
 
 #if PLT_WITH_TEXTURE
 
-#include "engine/texture/linear.h"
+#include "engine/base/linear.h"
 #include "engine/texture/texel.h"
 
 /* 1/256 of a texel: the weights of neighbours. A level's sides are at most 2^14, so positions are

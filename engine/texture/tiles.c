@@ -34,7 +34,7 @@ void plt_tiles_init(plt_tiles *t, const plt_source *source, uint32_t at, void *r
     t->time = 0;
     t->last = PLT_TILE_NONE;
     t->stats = none;
-    plt_fault_set(&t->fault, PLT_OK, 0, "no fault");
+    t->failed = 0;
     for (uint32_t i = 0; t->mapped == NULL && i < t->sets * t->ways; i++) {
         t->slot[i].number = PLT_TILE_NONE;
         t->slot[i].used = 0;
@@ -90,6 +90,7 @@ int plt_tiles_get(plt_tiles *t, uint32_t number, const unsigned char **texels) {
         if (slot->number != number) {
             const int status = fetch(t, number, slot);
             if (status != PLT_OK) {
+                t->failed = 1;
                 return status;
             }
         } else {

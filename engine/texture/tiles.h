@@ -35,7 +35,8 @@ typedef struct plt_tiles {
     uint32_t last; /* tile that was asked for last, and where it is */
     const unsigned char *last_bytes;
     plt_texture_stats stats;
-    plt_fault fault; /* why the last call failed */
+    plt_fault fault; /* why a call failed, if `failed` */
+    uint8_t failed;  /* until it is cleared */
 } plt_tiles;
 
 /* The check of a tile, of its number and 128 bytes. */

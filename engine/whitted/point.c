@@ -4,6 +4,7 @@
 #include "engine/whitted/point.h"
 
 #include "engine/whitted/optics.h"
+#include "engine/whitted/paint.h"
 
 #if PLT_WITH_SURFACE
 #include "engine/scene/surface_place.h"
@@ -58,8 +59,8 @@ static void set_smooth(plt_lit_pixel *p, const float normal[3]) {
     }
 }
 
-static void set_of_corners(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
-                           unsigned lane) {
+static int set_of_corners(const plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
+                          const plt_group_rays *g, unsigned lane) {
     plt_record room;
     plt_surface_corners corners;
     plt_surface_point point;
@@ -72,21 +73,23 @@ static void set_of_corners(const plt_scene *scene, plt_lit_pixel *p, const plt_g
         const float colour = point.has_colour ? point.colour[c] : 1.0f;
         p->tint[c] = (uint8_t)(int32_t)(colour * 255.0f + 0.5f);
     }
+    return plt_paint_point(w, p, &point);
 }
 #endif
 
-void plt_point_set(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
-                   unsigned lane) {
+int plt_point_set(const plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
+                  const plt_group_rays *g, unsigned lane) {
 #if PLT_WITH_SURFACE
     if (scene->surface.is_open) {
-        set_of_corners(scene, p, g, lane);
-        return;
+        return set_of_corners(w, scene, p, g, lane);
     }
 #endif
+    (void)w;
     (void)scene;
     const float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
     set_side(p, normal);
     p->tint[0] = p->tint[1] = p->tint[2] = 255;
+    return PLT_OK;
 }
 
 #endif

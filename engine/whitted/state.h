@@ -53,7 +53,7 @@ typedef struct plt_whitted {
     plt_materials materials;
 #if PLT_WITH_TEXTURE
     plt_textures *textures; /* NULL: there are none */
-    float pixel;            /* side of a pixel at a distance of 1 */
+    float angle;            /* side of a pixel at a distance of 1 */
 #endif
     const plt_box *box; /* of all that may be hit */
     float up[3];        /* of length 1 */

@@ -605,7 +605,7 @@ int run_pack(args *a) {
         say_quality(&job.quality);
         say_treelets(&image.treelets);
         pack_surface_say(&job.surface, &image);
-        pack_materials_say(&job.materials, &image);
+        pack_materials_say(&job.materials, &job.in, &image);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         pack_memory_explain(a->file[0], &f);

@@ -1,0 +1,51 @@
+/* pack_textures - the pictures of materials: what of them an image keeps
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PACK_TEXTURES_H
+#define PACK_TEXTURES_H
+#include "host_tools/app/args.h"
+#include "host_tools/mesh/materials.h"
+#include "host_tools/pack/material_section.h"
+#include "host_tools/pack/texture_section.h"
+
+#define PACK_TEXTURES_FLAGS                                                                        \
+    {                                                                                              \
+        "--textures", "rgb565|blocks|none",                                                        \
+            "with --materials: pictures that MTL names by map_Kd, PNG or PPM: 2 bytes per texel, " \
+            "or half a byte and less true; a third more for smaller copies (default rgb565)"       \
+    }
+
+/* A picture that was read, or could not be: then it has no pixels. */
+typedef struct pack_picture {
+    const char *path; /* of a map; not owned */
+    unsigned number;  /* of the picture; PACK_NO_PICTURE: it was not read */
+} pack_picture;
+
+#define PACK_NO_PICTURE 0xFFFFu
+
+typedef struct pack_textures {
+    int wanted; /* 0: none */
+    uint8_t format;
+    pack_picture *file; /* by path; owned */
+    size_t files;
+    picture *picture; /* that differ; owned */
+    unsigned pictures;
+    texture_stats stats;
+} pack_textures;
+
+/* The flag; `materials`: those are wanted. A wrong one sets a->wrong. */
+void pack_textures_read(pack_textures *t, args *a, int materials);
+
+/* Reads the pictures of all materials that triangles have. One that cannot be used is said, or with
+ * `strict` a failure. */
+int pack_textures_open(pack_textures *t, const mesh_materials *m, int strict, fail *f);
+
+/* Adds them to an image that has the materials; `number`: as material_section_add sets it. */
+int pack_textures_add(pack_textures *t, const mesh_materials *m, const uint16_t *number,
+                      packed *image, const char *name, fail *f);
+
+/* Lines about what there is, and what is left out. */
+void pack_textures_say(const pack_textures *t, const mesh_materials *m, const char *name);
+void pack_textures_free(pack_textures *t);
+
+#endif
