@@ -166,7 +166,8 @@ static void say_left(const mesh_materials *m, const char *name) {
         }
     }
     if (length > 0) {
-        note("%s: of its materials' pictures and their options these are left out: %s", name, list);
+        fprintf(stderr, "%s: of its materials' pictures and their options these are left out: %s\n",
+                name, list);
     }
 }
 

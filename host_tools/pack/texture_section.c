@@ -179,8 +179,9 @@ int texture_section_add(packed *image, const texture_set *set, const char *name,
     job j = {.set = set};
     const uint32_t tiles = all_tiles(set);
     const uint64_t size = plt_tiles_bytes(tiles) + plt_directory_bytes(set->pictures, set->paints);
+    const char *remedy = "use --textures blocks, or none";
     if (image_size_check(name, image->info.triangles, image->size + size + 2 * FURTHER_ADD_MORE, 0,
-                         "use --textures blocks, or none", f) != 0 ||
+                         remedy, f) != 0 ||
         put_all(image, &j, tiles, name, f) != 0) {
         return -1;
     }
