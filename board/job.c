@@ -124,6 +124,19 @@ static int read_light(const char *all, const char *key, uint8_t kind, plt_lighti
     return status;
 }
 
+/* textures=, likewise. */
+static int read_textures(const char *all, job *j) {
+#if PLT_WITH_TEXTURE
+    static const char *const filters[] = {"none", "nearest", "bilinear"};
+    j->options.textures = PLT_TEXTURES_BILINEAR;
+    return job_word(all, "textures", filters, 3, &j->options.textures);
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
 /* sun=, point=, sky=, ground= and depth=, as `planelet render` has them. */
 static int read_lights(const char *all, job *j) {
     uint32_t depth = DEPTH_USUAL;
@@ -181,6 +194,9 @@ static int read_shader(const char *all, job *j) {
 #if PLT_WITH_WHITTED
     if (j->frame.shader == PLT_SHADE_WHITTED) {
         j->options.surface = PLT_WITH_SURFACE;
+        if (read_textures(all, j) < 0) {
+            return -1;
+        }
         return read_lights(all, j);
     }
 #endif

@@ -29,18 +29,17 @@ static float area_of(const plt_whitted *w, const plt_lit_pixel *p, const plt_sur
     return across * across / (cosine > TILT_LEAST ? cosine : TILT_LEAST);
 }
 
-int plt_paint_point(const plt_whitted *w, plt_lit_pixel *p, const plt_surface_point *point) {
+void plt_paint_point(plt_whitted *w, plt_lit_pixel *p, const plt_surface_point *point) {
     float texel[3];
-    if (w->textures == NULL || !point->has_texcoord) {
-        return PLT_OK;
+    if (w->textures == NULL || !point->has_texcoord || w->failed < PLT_OK) {
+        return;
     }
-    const int status =
+    w->failed =
         plt_texture_sample(w->textures, p->material, point->texcoord, area_of(w, p, point), texel);
-    for (int c = 0; c < 3 && status == PLT_OK; c++) {
+    for (int c = 0; c < 3 && w->failed == PLT_OK; c++) {
         const float tint = (float)plt_linear[p->tint[c]] / 65535.0f;
         p->tint[c] = plt_srgb_byte(tint * texel[c]);
     }
-    return status;
 }
 
 #endif

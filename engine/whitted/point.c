@@ -4,7 +4,6 @@
 #include "engine/whitted/point.h"
 
 #include "engine/whitted/optics.h"
-#include "engine/whitted/paint.h"
 
 #if PLT_WITH_SURFACE
 #include "engine/scene/surface_place.h"
@@ -59,8 +58,8 @@ static void set_smooth(plt_lit_pixel *p, const float normal[3]) {
     }
 }
 
-static int set_of_corners(const plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
-                          const plt_group_rays *g, unsigned lane) {
+static void set_of_corners(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
+                           unsigned lane, plt_surface_point *to) {
     plt_record room;
     plt_surface_corners corners;
     plt_surface_point point;
@@ -73,23 +72,34 @@ static int set_of_corners(const plt_whitted *w, const plt_scene *scene, plt_lit_
         const float colour = point.has_colour ? point.colour[c] : 1.0f;
         p->tint[c] = (uint8_t)(int32_t)(colour * 255.0f + 0.5f);
     }
-    return plt_paint_point(w, p, &point);
+    if (to != NULL) {
+        *to = point;
+    }
 }
 #endif
 
-int plt_point_set(const plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
-                  const plt_group_rays *g, unsigned lane) {
+#if PLT_WITH_TEXTURE
+void plt_point_set(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g, unsigned lane,
+                   plt_surface_point *surface) {
+    surface->has_texcoord = 0;
+#else
+void plt_point_set(const plt_scene *scene, plt_lit_pixel *p, const plt_group_rays *g,
+                   unsigned lane) {
+#endif
 #if PLT_WITH_SURFACE
     if (scene->surface.is_open) {
-        return set_of_corners(w, scene, p, g, lane);
+#if PLT_WITH_TEXTURE
+        set_of_corners(scene, p, g, lane, surface);
+#else
+        set_of_corners(scene, p, g, lane, NULL);
+#endif
+        return;
     }
 #endif
-    (void)w;
     (void)scene;
     const float normal[3] = {g->normal[0][lane], g->normal[1][lane], g->normal[2][lane]};
     set_side(p, normal);
     p->tint[0] = p->tint[1] = p->tint[2] = 255;
-    return PLT_OK;
 }
 
 #endif

@@ -54,6 +54,7 @@ typedef struct plt_whitted {
 #if PLT_WITH_TEXTURE
     plt_textures *textures; /* NULL: there are none */
     float angle;            /* side of a pixel at a distance of 1 */
+    int failed;             /* what a fetch has failed with; PLT_OK: none has */
 #endif
     const plt_box *box; /* of all that may be hit */
     float up[3];        /* of length 1 */

@@ -92,8 +92,8 @@ static void fade(const plt_whitted *w, plt_lit_pixel *p, float t) {
     }
 }
 
-static int take_hit(plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
-                    const plt_packet *packet, uint32_t slot) {
+static void take_hit(plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
+                     const plt_packet *packet, uint32_t slot) {
     const plt_group_rays *g = &packet->rays[slot / 4];
     const unsigned lane = slot % 4;
     const float t = packet->slabs.group[slot / 4].tmax[lane];
@@ -101,12 +101,19 @@ static int take_hit(plt_whitted *w, const plt_scene *scene, plt_lit_pixel *p,
         p->ray.org[a] = g->org[a][lane] + t * g->dir[a][lane];
     }
     fade(w, p, t);
+#if PLT_WITH_TEXTURE
+    plt_surface_point surface;
     plt_paint_far(&p->ray, g, lane, t);
+    plt_point_set(scene, p, g, lane, &surface);
+#else
+    plt_point_set(scene, p, g, lane);
+#endif
     p->material = (uint8_t)plt_materials_find(&w->materials, g->id[lane]);
-    const int status = plt_point_set(w, scene, p, g, lane);
+#if PLT_WITH_TEXTURE
+    plt_paint_point(w, p, &surface);
+#endif
     p->state = PLT_LIT_HIT;
     plt_direct_begin(w, p);
-    return status;
 }
 
 static void take_sky(const plt_whitted *w, plt_lit_pixel *p) {
@@ -117,9 +124,8 @@ static void take_sky(const plt_whitted *w, plt_lit_pixel *p) {
     p->state = PLT_LIT_DONE;
 }
 
-static int take_hits(plt_whitted *w, const plt_scene *scene, const plt_packet *packet) {
-    int status = PLT_OK;
-    for (uint32_t i = 0; i < w->rays && status == PLT_OK; i++) {
+static void take_hits(plt_whitted *w, const plt_scene *scene, const plt_packet *packet) {
+    for (uint32_t i = 0; i < w->rays; i++) {
         plt_lit_pixel *p = &w->pixel[w->slot[i]];
         const plt_group_rays *g = &packet->rays[i / 4];
         if (p->state != PLT_LIT_RAY) {
@@ -128,12 +134,11 @@ static int take_hits(plt_whitted *w, const plt_scene *scene, const plt_packet *p
         if (w->is_empty || !(g->valid >> i % 4 & 1u) || g->id[i % 4] == PLT_MISS) {
             take_sky(w, p);
         } else {
-            status = take_hit(w, scene, p, packet, i);
+            take_hit(w, scene, p, packet, i);
         }
     }
     w->stage = STAGE_SHADOWS;
     w->light = w->sample = 0;
-    return status;
 }
 
 static void next_sample(plt_whitted *w) {
@@ -144,18 +149,18 @@ static void next_sample(plt_whitted *w) {
 }
 
 static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
-    int status = w->is_empty ? PLT_OK : plt_traverse(t, packet, visits);
+    const int status = w->is_empty ? PLT_OK : plt_traverse(t, packet, visits);
     if (status != PLT_OK) {
         return status;
     }
     w->is_traced = 0;
     if (w->stage == STAGE_RAYS) {
-        status = take_hits(w, t->scene, packet);
+        take_hits(w, t->scene, packet);
     } else {
         plt_direct_take(w, packet);
         next_sample(w);
     }
-    return status < PLT_OK ? status : PLT_MORE;
+    return plt_paint_status(w);
 }
 
 int plt_whitted_step(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
