@@ -85,6 +85,7 @@ instances_files := $(wildcard engine/instances/*.c) engine/instances_room.c engi
 surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/shade/smooth.c engine/shade/beam_smooth.c engine/scene/surface_place.c \
     engine/tree/compact/block_record.c
+texcoord_files := engine/surface/texcoords.c
 further_files := engine/image/further.c
 whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c engine/shade/whitted_frame.c
 texture_files := $(wildcard engine/texture/*.c) engine/texture_room.c engine/whitted/paint.c
@@ -216,6 +217,7 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_sequence),$(filter-out $(shown_files),$(sequence_files))) \
     $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
     $(if $(without_whitted),$(whitted_files)) $(if $(without_surface),$(surface_files)) \
+    $(if $(without_texcoords),$(texcoord_files)) \
     $(if $(without_further),$(further_files)) $(if $(without_texture),$(texture_files)) \
     $(if $(without_samples),$(samples_files)) $(if $(without_diagrams),$(diagrams_files)) \
     $(if $(without_mixes),$(mixes_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))

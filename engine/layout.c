@@ -389,6 +389,16 @@ static int has_textures(const subject *s) {
 }
 #endif
 
+#if PLT_WITH_SURFACE
+static uint64_t surface_bytes(const plt_info *info) {
+    uint64_t bytes = (uint64_t)info->normal_bytes + info->colour_bytes;
+#if PLT_WITH_TEXCOORDS
+    bytes += info->texcoord_bytes;
+#endif
+    return bytes;
+}
+#endif
+
 /* One line per row of the table in scene/parts.h. */
 static uint64_t part_bytes(enum plt_part part, const subject *s) {
     switch (part) {
@@ -442,9 +452,7 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
 #endif
 #if PLT_WITH_SURFACE
     case PLT_PART_SURFACE:
-        return s->options->surface && !s->mapped
-                   ? (uint64_t)s->info->normal_bytes + s->info->colour_bytes
-                   : 0;
+        return s->options->surface && !s->mapped ? surface_bytes(s->info) : 0;
     case PLT_PART_PLACES:
 #if PLT_WITH_GROUPS
         return s->options->surface ? plt_surface_places_bytes(s->info) : 0;

@@ -470,8 +470,8 @@ typedef struct plt_surface_point {
     float texcoord[2];    /* u to the right, v up, of a texture between 0 and 1, weighted alike; not
                            * wrapped: whoever samples does. Each within +-2^20. 0 without */
     float texcoord_scale; /* how much texture there is to the surface: the square root of the area
-                           * that the triangle covers of it over the triangle's own, so in texture
-                           * widths per unit of length; the same all over a triangle. 0: there are
+                           * that the triangle covers of it over the triangle's own, so in textures
+                           * per length of 1; the same all over a triangle. 0: there are
                            * no coordinates, or one of the areas is 0 */
 #endif
 } plt_surface_point;

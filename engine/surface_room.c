@@ -36,6 +36,19 @@ static int read_section(const plt_engine *e, const plt_section *s, unsigned char
                              "a section is damaged (checksum)");
 }
 
+#if PLT_WITH_TEXCOORDS
+static int read_texcoords(plt_engine *e, const plt_header *h, unsigned char **room,
+                          plt_fault *fault) {
+    plt_surface_data *d = &e->scene.surface;
+    const plt_section *s = plt_further_section(h, PLT_SECTION_TEXCOORDS);
+    const unsigned char *bytes;
+    const int status = read_section(e, s, room, &bytes, fault);
+    d->has_texcoords = s != NULL;
+    return status == PLT_OK && s != NULL ? plt_texcoords_set(&d->texcoords, s, bytes, fault)
+                                         : status;
+}
+#endif
+
 int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
     plt_surface_data *d = &e->scene.surface;
@@ -51,6 +64,9 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
             read_section(e, plt_further_section(h, PLT_SECTION_COLOURS), &room, &colours, fault);
     }
     status = status == PLT_OK ? plt_surface_data_set(d, h, normals, colours, fault) : status;
+#if PLT_WITH_TEXCOORDS
+    status = status == PLT_OK ? read_texcoords(e, h, &room, fault) : status;
+#endif
     if (status != PLT_OK) {
         return status;
     }

@@ -10,31 +10,19 @@
 
 #include <string.h>
 
+#include "engine/base/vector.h"
 #include "engine/scene/surface_place.h"
 #include "engine/shade/surface.h"
 #include "engine/surface/surface_corners.h"
 
-static float dot(const float a[3], const float b[3]) {
-    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
-/* The largest component is 1 then: squares neither vanish nor overflow. */
-static void even_out(const float v[3], float to[3]) {
-    const float x = __builtin_fabsf(v[0]), y = __builtin_fabsf(v[1]), z = __builtin_fabsf(v[2]);
-    const float xy = x > y ? x : y, most = xy > z ? xy : z;
-    for (int a = 0; a < 3; a++) {
-        to[a] = v[a] / most;
-    }
-}
-
 void plt_smooth_colour(const plt_surface_point *p, const float dir[3], uint8_t rgb[3]) {
     static const float clay[3] = {PLT_CLAY_RED, PLT_CLAY_GREEN, PLT_CLAY_BLUE};
-    const float squared = dot(p->normal, p->normal);
-    float d[3], facing = 1.0f;
-    even_out(dir, d);
+    const float squared = plt_dot(p->normal, p->normal);
+    float d[3] = {dir[0], dir[1], dir[2]}, facing = 1.0f;
+    plt_even_out(d);
     if (squared > 0.0f) { /* else a sliver: as if it faced the eye */
-        const float along = dot(p->normal, d);
-        facing = __builtin_sqrtf(along * along / (squared * dot(d, d)));
+        const float along = plt_dot(p->normal, d);
+        facing = __builtin_sqrtf(along * along / (squared * plt_dot(d, d)));
         facing = facing < 1.0f ? facing : 1.0f;
     }
     for (int c = 0; c < 3; c++) {

@@ -11,10 +11,12 @@
 #ifndef PLT_SURFACE_RETRIEVAL_H
 #define PLT_SURFACE_RETRIEVAL_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 typedef struct plt_retrieval {
-    const unsigned char *entry; /* 3 thirds of `third` entries each */
+    const unsigned char *entry; /* 3 thirds of `third` entries each, one behind the other, bit by
+                                 * bit from the lowest of a byte on */
     uint32_t third;             /* 0: there are no keys */
     uint32_t seed;
 } plt_retrieval;
@@ -47,6 +49,34 @@ static inline void plt_retrieval_places(uint32_t third, uint32_t seed, const uin
     place[0] = plt_hash_below(c, third);
     place[1] = third + plt_hash_below(d, third);
     place[2] = 2 * third + plt_hash_below(plt_hash_mixed(b + 0x85EBCA6Bu * d), third);
+}
+
+/* Bytes of so many thirds' entries. */
+static inline uint64_t plt_retrieval_bytes(uint32_t third, uint32_t bits) {
+    return (3 * (uint64_t)third * bits + 7) / 8;
+}
+
+/* An entry of 1 to 32 bits. */
+static inline uint32_t plt_retrieval_entry(const unsigned char *entries, uint32_t bits,
+                                           uint32_t place) {
+    const uint64_t at = (uint64_t)place * bits;
+    const unsigned char *byte = entries + (size_t)(at / 8);
+    const uint32_t shift = (uint32_t)at % 8, bytes = (shift + bits + 7) / 8;
+    uint64_t all = 0;
+    for (uint32_t i = 0; i < bytes; i++) {
+        all |= (uint64_t)byte[i] << 8 * i;
+    }
+    return (uint32_t)(all >> shift) & 0xFFFFFFFFu >> (32 - bits);
+}
+
+/* What a table of such entries gives for a key; it has one. */
+static inline uint32_t plt_retrieval_value(const plt_retrieval *t, uint32_t bits,
+                                           const uint32_t key[3]) {
+    uint32_t place[3];
+    plt_retrieval_places(t->third, t->seed, key, place);
+    return plt_retrieval_entry(t->entry, bits, place[0]) ^
+           plt_retrieval_entry(t->entry, bits, place[1]) ^
+           plt_retrieval_entry(t->entry, bits, place[2]);
 }
 
 #endif

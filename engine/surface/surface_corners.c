@@ -7,73 +7,30 @@
 
 #if PLT_WITH_SURFACE
 
+#include "engine/base/vector.h"
 #include "engine/surface/octahedral.h"
 
 /* ---- what tables say ------------------------------------------------------------------- */
 
-static uint32_t normal_at(const plt_retrieval *t, const uint32_t key[3]) {
-    uint32_t place[3], code = 0;
-    plt_retrieval_places(t->third, t->seed, key, place);
-    for (int i = 0; i < 3; i++) {
-        const unsigned char *entry = t->entry + 2 * (size_t)place[i];
-        code ^= entry[0] | (uint32_t)entry[1] << 8;
-    }
-    return code;
-}
-
-static uint32_t colour_at(const plt_retrieval *t, const uint32_t key[3]) {
-    uint32_t place[3];
-    plt_retrieval_places(t->third, t->seed, key, place);
-    return t->entry[place[0]] ^ t->entry[place[1]] ^ t->entry[place[2]];
-}
-
 static int finds_normal(const plt_surface_tables *t, const uint32_t key[3],
                         const uint32_t corner_key[3], float to[3]) {
-    uint32_t code = t->position.third > 0 ? normal_at(&t->position, key) : PLT_NORMAL_SPLIT;
-    if (code == PLT_NORMAL_SPLIT && t->corner.third > 0) {
-        code = normal_at(&t->corner, corner_key);
-    }
+    const uint32_t code = plt_surface_value(t, PLT_NORMAL_BITS, PLT_NORMAL_SPLIT, key, corner_key);
     plt_octahedral_normal(code, to);
     return code != PLT_NORMAL_NONE && code != PLT_NORMAL_SPLIT;
 }
 
 static void find_colour(const plt_surface_data *d, const uint32_t key[3],
                         const uint32_t corner_key[3], float to[3]) {
-    const plt_surface_tables *t = &d->colours;
-    uint32_t index = t->position.third > 0 ? colour_at(&t->position, key) : PLT_COLOUR_SPLIT;
-    if (index == PLT_COLOUR_SPLIT && t->corner.third > 0) {
-        index = colour_at(&t->corner, corner_key);
-    }
-    index = index < d->palette_count ? index : d->palette_count - 1;
+    const uint32_t count = d->palette_count;
+    uint32_t index = plt_surface_value(&d->colours, plt_colour_bits(count), plt_colour_split(count),
+                                       key, corner_key);
+    index = index < count ? index : count - 1;
     for (uint32_t c = 0; c < 3; c++) {
         to[c] = (float)d->palette[PLT_PALETTE_BYTES * index + c] / 255.0f;
     }
 }
 
 /* ---- the triangle's own ---------------------------------------------------------------- */
-
-static float largest(const float v[3]) {
-    const float x = __builtin_fabsf(v[0]), y = __builtin_fabsf(v[1]), z = __builtin_fabsf(v[2]);
-    const float xy = x > y ? x : y;
-    return xy > z ? xy : z;
-}
-
-/* Divided by the largest component first, so that no square vanishes or overflows. 0 stays. */
-static void normalise(float v[3]) {
-    const float most = largest(v);
-    if (!(most > 0.0f)) {
-        return;
-    }
-    float squared = 0.0f;
-    for (int a = 0; a < 3; a++) {
-        v[a] = v[a] / most;
-        squared = squared + v[a] * v[a];
-    }
-    const float length = __builtin_sqrtf(squared);
-    for (int a = 0; a < 3; a++) {
-        v[a] = v[a] / length;
-    }
-}
 
 /* Edges are divided likewise: of a tiny triangle their products would vanish. */
 static void flat_normal(const float corner[3][3], float to[3]) {
@@ -82,16 +39,51 @@ static void flat_normal(const float corner[3][3], float to[3]) {
         for (int a = 0; a < 3; a++) {
             edge[e][a] = corner[e + 1][a] - corner[0][a];
         }
-        normalise(edge[e]);
+        plt_normalise(edge[e]);
     }
-    for (int a = 0; a < 3; a++) {
-        const int b = a < 2 ? a + 1 : 0, c = b < 2 ? b + 1 : 0;
-        to[a] = edge[0][b] * edge[1][c] - edge[0][c] * edge[1][b];
-    }
-    normalise(to);
+    plt_cross(edge[0], edge[1], to);
+    plt_normalise(to);
 }
 
-/* ---- both ------------------------------------------------------------------------------ */
+/* ---- texture coordinates --------------------------------------------------------------- */
+
+#if PLT_WITH_TEXCOORDS
+/* `canonical`: which corner of the record is the mesh's first. */
+static void set_texcoords(plt_surface_corners *c, const plt_texcoords *t, uint32_t id,
+                          uint32_t canonical, const float corner[3][3]) {
+    float at[3][3];
+    for (uint32_t j = 0; j < 3; j++, canonical++) {
+        uint32_t key[3], corner_key[3];
+        canonical = canonical < 3 ? canonical : 0;
+        plt_surface_key(corner[canonical], key);
+        plt_surface_corner_key(id, j, corner_key);
+        if (!plt_texcoord_find(t, key, corner_key, c->texcoord[j])) {
+            c->has_texcoords = 0;
+            return;
+        }
+        for (int a = 0; a < 3; a++) {
+            at[j][a] = corner[canonical][a];
+        }
+    }
+    c->texcoord_scale = plt_texcoord_scale((const float(*)[3])at, (const float(*)[2])c->texcoord);
+}
+
+static float bounded(float x) {
+    return x >= -PLT_TEXCOORD_MOST && x <= PLT_TEXCOORD_MOST ? x : 0.0f; /* of NaN, too */
+}
+
+static void mix_texcoords(const plt_surface_corners *c, float u, float v, plt_surface_point *p) {
+    const float w = (1.0f - u) - v;
+    for (int a = 0; a < 2; a++) {
+        p->texcoord[a] =
+            bounded((w * c->texcoord[0][a] + u * c->texcoord[1][a]) + v * c->texcoord[2][a]);
+    }
+    p->texcoord_scale = c->texcoord_scale;
+    p->has_texcoord = 1;
+}
+#endif
+
+/* ---- all ------------------------------------------------------------------------------ */
 
 void plt_surface_corners_set(plt_surface_corners *c, const plt_surface_data *d,
                              const plt_record *record) {
@@ -115,6 +107,13 @@ void plt_surface_corners_set(plt_surface_corners *c, const plt_surface_data *d,
         }
         canonical++;
     }
+#if PLT_WITH_TEXCOORDS
+    c->has_texcoords = d->has_texcoords;
+    if (d->has_texcoords) {
+        set_texcoords(c, &d->texcoords, id, plt_primitive_rotation(word),
+                      (const float(*)[3])corner);
+    }
+#endif
 }
 
 static void weigh(const float of[3][3], float u, float v, float to[3]) {
@@ -134,9 +133,10 @@ void plt_surface_mix(const plt_surface_corners *c, float u, float v, plt_surface
     if (c->has_normals) {
         float sum[3];
         weigh((const float(*)[3])c->normal, u, v, sum);
-        if (largest(sum) > 0x1p-10f && largest(sum) < 0x1p60f) { /* else they cancel out, or u and v
-                                                                  * are none of a hit */
-            normalise(sum);
+        if (plt_largest(sum) > 0x1p-10f &&
+            plt_largest(sum) < 0x1p60f) { /* else they cancel out, or u and v
+                                           * are none of a hit */
+            plt_normalise(sum);
             for (int a = 0; a < 3; a++) {
                 p->normal[a] = sum[a];
             }
@@ -149,6 +149,11 @@ void plt_surface_mix(const plt_surface_corners *c, float u, float v, plt_surface
             p->colour[a] = x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f; /* of NaN 0 */
         }
     }
+#if PLT_WITH_TEXCOORDS
+    if (c->has_texcoords) {
+        mix_texcoords(c, u, v, p);
+    }
+#endif
 }
 
 #endif

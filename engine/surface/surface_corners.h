@@ -15,6 +15,10 @@ typedef struct plt_surface_corners {
     float colour[3][3]; /* if has_colours; 0 .. 1 */
     float flat[3];      /* the triangle's own, of length 1; 0: it has no area */
     uint8_t has_normals, has_colours;
+#if PLT_WITH_TEXCOORDS
+    uint8_t has_texcoords;
+    float texcoord[3][2], texcoord_scale; /* if has_texcoords; the scale as a point has it */
+#endif
 } plt_surface_corners;
 
 /* The key of a corner by where it is: -0 is 0. */

@@ -10,25 +10,6 @@
 #include "engine/base/rules.h"
 #include "engine/image/further.h"
 
-/* Both tables, one behind the other, from `entries` on. */
-static void set_tables(plt_surface_tables *t, const unsigned char *head,
-                       const unsigned char *entries, uint32_t entry_bytes) {
-    t->position.seed = plt_get_u32(head);
-    t->position.third = plt_get_u32(head + 4);
-    t->corner.seed = plt_get_u32(head + 8);
-    t->corner.third = plt_get_u32(head + 12);
-    t->position.entry = entries;
-    t->corner.entry = entries + 3 * entry_bytes * (uint64_t)t->position.third;
-}
-
-static uint64_t thirds_of(const unsigned char *head) {
-    return (uint64_t)plt_get_u32(head + 4) + plt_get_u32(head + 12);
-}
-
-static int fills(const plt_section *s, uint64_t used) {
-    return used <= s->bytes && s->bytes - used < PLT_SECTION_ALIGN;
-}
-
 static int refused(const plt_section *s, plt_fault *fault) {
     return plt_refused(fault, PLT_R18_SURFACE, s->offset,
                        "a section of normals or colours is not as large as its tables");
@@ -36,10 +17,10 @@ static int refused(const plt_section *s, plt_fault *fault) {
 
 static int set_normals(plt_surface_data *d, const plt_section *s, const unsigned char *bytes,
                        plt_fault *fault) {
-    if (!fills(s, plt_normals_bytes(thirds_of(bytes)))) {
+    if (!plt_surface_fills(s, plt_normals_bytes(bytes))) {
         return refused(s, fault);
     }
-    set_tables(&d->normals, bytes, bytes + PLT_NORMALS_HEAD, 2);
+    plt_surface_tables_set(&d->normals, bytes, bytes + PLT_NORMALS_HEAD, PLT_NORMAL_BITS);
     d->has_normals = 1;
     return PLT_OK;
 }
@@ -50,12 +31,13 @@ static int set_colours(plt_surface_data *d, const plt_section *s, const unsigned
     const uint32_t rest =
         plt_get_u32(bytes + 20) | plt_get_u32(bytes + 24) | plt_get_u32(bytes + 28);
     if (palette < 1 || palette > PLT_PALETTE_MOST || rest != 0 ||
-        !fills(s, plt_colours_bytes(thirds_of(bytes), palette))) {
+        !plt_surface_fills(s, plt_colours_bytes(bytes, palette))) {
         return refused(s, fault);
     }
     d->palette = bytes + PLT_COLOURS_HEAD;
     d->palette_count = palette;
-    set_tables(&d->colours, bytes, d->palette + (uint64_t)palette * PLT_PALETTE_BYTES, 1);
+    plt_surface_tables_set(&d->colours, bytes, d->palette + palette * PLT_PALETTE_BYTES,
+                           plt_colour_bits(palette));
     d->has_colours = 1;
     return PLT_OK;
 }

@@ -63,7 +63,7 @@ static float cosine_to(const plt_whitted *w, const plt_lit_pixel *p, float to_li
     const float bright =
         plt_light_towards(light, w->sample, p->turn, p->ray.org, to_light) / light->samples;
     float along[3] = {to_light[0], to_light[1], to_light[2]};
-    if (!(bright > 0.0f) || !plt_optics_unit(along)) {
+    if (!(bright > 0.0f) || !plt_normalise(along)) {
         return 0.0f;
     }
     const float cosine = plt_optics_dot(along, p->normal);
@@ -102,13 +102,13 @@ static void light_up(const plt_whitted *w, plt_lit_pixel *p) {
     set_diffuse(&m, p, diffuse);
     const float bright =
         plt_light_towards(light, w->sample, p->turn, p->ray.org, to) / light->samples;
-    plt_optics_unit(to);
+    plt_normalise(to);
     for (int a = 0; a < 3; a++) {
         half[a] = to[a] - p->ray.dir[a];
     }
     const float facing = plt_optics_dot(to, p->normal);
     const float glint =
-        plt_optics_unit(half) ? plt_optics_dot(half, p->normal) : 0.0f; /* it may be above 1 */
+        plt_normalise(half) ? plt_optics_dot(half, p->normal) : 0.0f; /* it may be above 1 */
     const float shine =
         plt_optics_power(glint < 1.0f ? (glint > 0.0f ? glint : 0.0f) : 1.0f, m.exponent);
     for (int c = 0; c < 3; c++) {

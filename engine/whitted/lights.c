@@ -95,7 +95,7 @@ float plt_light_towards(const plt_light *l, unsigned sample, uint8_t turn, const
         axis[a] = is_point ? l->at[a] - point[a] : l->at[a];
         to[a] = axis[a];
     }
-    if (!plt_optics_unit(axis)) {
+    if (!plt_normalise(axis)) {
         return 0.0f;
     }
     if (is_point) {

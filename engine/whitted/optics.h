@@ -11,28 +11,11 @@
 #define PLT_WHITTED_OPTICS_H
 
 #include "engine/base/float_bits.h"
+#include "engine/base/vector.h"
 #include "engine/lanes/unroll.h"
 
 static inline float plt_optics_dot(const float a[3], const float b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* Makes a vector as long as 1, however long it was; 0: it has no direction, and stays. */
-static inline int plt_optics_unit(float v[3]) {
-    const float x = __builtin_fabsf(v[0]), y = __builtin_fabsf(v[1]), z = __builtin_fabsf(v[2]);
-    float most = x > y ? x : y;
-    most = z > most ? z : most;
-    if (!(most > 0.0f)) {
-        return 0;
-    }
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        v[a] /= most; /* first, so that no square overflows or vanishes */
-    }
-    const float length = __builtin_sqrtf(plt_optics_dot(v, v));
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        v[a] /= length;
-    }
-    return 1;
 }
 
 /* x^n by squaring, x in 0 .. 1: off by at most n 2^-23 of itself (each product rounds by 2^-24,
@@ -73,7 +56,7 @@ static inline void plt_optics_reflect(const float d[3], const float n[3], float 
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         to[a] = d[a] - twice * n[a];
     }
-    plt_optics_unit(to);
+    plt_normalise(to);
 }
 
 /* Through it, where light is 1 / `ratio` times as fast on the other side. Sets `cosine`, of the
@@ -89,7 +72,7 @@ static inline int plt_optics_refract(const float d[3], const float n[3], float r
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         to[a] = ratio * d[a] + (ratio * along - *cosine) * n[a];
     }
-    return plt_optics_unit(to);
+    return plt_normalise(to);
 }
 
 /* What glass of that index reflects: `cosine` is that of the larger of both angles. */

@@ -35,7 +35,7 @@ void plt_point_want(const plt_scene *scene, plt_packet *packet) {
 /* The triangle's, against the ray; a sliver without one faces it. */
 static void set_side(plt_lit_pixel *p, const float normal[3]) {
     float n[3] = {normal[0], normal[1], normal[2]};
-    const int has_one = plt_optics_unit(n);
+    const int has_one = plt_normalise(n);
     const float side = plt_optics_dot(n, p->ray.dir) > 0.0f ? -1.0f : 1.0f;
     for (int a = 0; a < 3; a++) {
         p->side[a] = has_one ? side * n[a] : -p->ray.dir[a];
@@ -47,7 +47,7 @@ static void set_side(plt_lit_pixel *p, const float normal[3]) {
 /* That of the corners, on the same side as the triangle's, unless it faces away from the ray. */
 static void set_smooth(plt_lit_pixel *p, const float normal[3]) {
     float n[3] = {normal[0], normal[1], normal[2]};
-    if (!plt_optics_unit(n)) {
+    if (!plt_normalise(n)) {
         return;
     }
     const float side = plt_optics_dot(n, p->side) < 0.0f ? -1.0f : 1.0f;

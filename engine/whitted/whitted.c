@@ -49,7 +49,7 @@ void plt_whitted_frame(plt_whitted *w, const plt_box *box, const float eye[3], c
             most = larger_size(larger_size(most, box->lo[a]), box->hi[a]);
         }
     }
-    plt_optics_unit(w->up);
+    plt_normalise(w->up);
     w->lift = most * LIFT;
     w->is_traced = 0;
 }
@@ -63,7 +63,7 @@ void plt_whitted_pixel_set(plt_whitted *w, uint32_t k, const float dir[3], uint8
         p->ray.dir[a] = dir[a];
         p->ray.weight[a] = 1.0f;
     }
-    plt_optics_unit(p->ray.dir);
+    plt_normalise(p->ray.dir);
 }
 
 void plt_whitted_pixel_none(plt_whitted *w, uint32_t k) {

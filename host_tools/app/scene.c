@@ -389,7 +389,7 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
 /* Lights fall on normals, colours and textures of the image, if it has any that can be had. */
 static void choose_surface(scene *s, const plt_info *info) {
     if (s->options.whitted > 0 &&
-        (info->normal_bytes > 0 || info->colour_bytes > 0 || info->texture_bytes > 0)) {
+        (info->normal_bytes > 0 || info->colour_bytes > 0 || info->texcoord_bytes > 0)) {
         s->options.surface = 1;
         s->options.surface = plt_arena_need(info, 0, &s->options) > 0;
     }

@@ -230,6 +230,8 @@ static void print_surface_json(const plt_info *i) {
            ",\n  \"normal_bytes_per_triangle\": %.3f,\n"
            "  \"colour_bytes\": %" PRIu32 ",\n  \"colour_bytes_per_triangle\": %.3f,\n",
            i->normal_bytes, i->normal_bytes / n, i->colour_bytes, i->colour_bytes / n);
+    printf("  \"texcoord_bytes\": %" PRIu32 ",\n  \"texcoord_bytes_per_triangle\": %.3f,\n",
+           i->texcoord_bytes, i->texcoord_bytes / n);
     printf("  \"material_bytes\": %" PRIu32 ",\n  \"material_bytes_per_triangle\": %.3f,\n",
            i->material_bytes, i->material_bytes / n);
 }
@@ -351,6 +353,10 @@ static void print_instances(const plt_info *i) {
            (double)i->frame_bytes / ((double)i->frames * i->instances));
 }
 
+static int has_surface(const plt_info *i) {
+    return i->normal_bytes > 0 || i->colour_bytes > 0 || i->texcoord_bytes > 0;
+}
+
 /* Bytes and bytes per triangle of what hits are shaded or lit by, if there is any. */
 static void print_surface(const char *what, uint32_t bytes, const plt_info *i) {
     if (bytes > 0) {
@@ -359,11 +365,11 @@ static void print_surface(const char *what, uint32_t bytes, const plt_info *i) {
     }
 }
 
-/* With normals or colours. */
+/* With normals, colours or texture coordinates. */
 static void print_smooth_need(const plt_info *i, const plt_options *options) {
     plt_options o = *options;
     o.surface = 1;
-    if (i->normal_bytes + i->colour_bytes > 0) {
+    if (has_surface(i)) {
         printf("arena if smooth    %zu bytes when the image is mapped, %zu if fetched\n",
                plt_arena_need(i, 1, &o), plt_arena_need(i, 0, &o));
     }
@@ -379,6 +385,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     }
     print_surface("normal", i->normal_bytes, i);
     print_surface("colour", i->colour_bytes, i);
+    print_surface("texcoord", i->texcoord_bytes, i);
     print_surface("material", i->material_bytes, i);
     texture_list_print(&d->textures);
     if (i->instances > 0) {
@@ -410,7 +417,7 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     if (status == PLT_OK) {
         s->options.movable = info->frames > 0 && info->instances == 0 &&
                              info->geometry_format != PLT_GEOMETRY_STILLS; /* frame 0 */
-        s->options.surface = info->normal_bytes + info->colour_bytes > 0;
+        s->options.surface = has_surface(info);
         status = scene_start(s, path, &fault);
         s->options.surface = 0;
     }

@@ -12,14 +12,21 @@
 #include "host_tools/cli/pack_lines.h"
 #include "host_tools/mesh/smooth.h"
 
+static int wants_of_file(const mesh_corners *c) {
+    return c->wants_normals || c->wants_colours || c->wants_texcoords;
+}
+
 int pack_surface_wanted(const pack_surface *s) {
-    return s->smooths || s->corners.wants_normals || s->corners.wants_colours;
+    return s->smooths || wants_of_file(&s->corners);
 }
 
 void pack_surface_read(pack_surface *s, args *a) {
     static const char *const choices[] = {"none", "keep", NULL};
+    static const char *const texcoords[] = {"none", "keep", "fine", NULL};
     s->corners.wants_normals = (int)args_choice(a, "--normals", choices, 0);
     s->corners.wants_colours = (int)args_choice(a, "--colours", choices, 0);
+    s->corners.wants_texcoords = (int)args_choice(a, "--texcoords", texcoords, 0);
+    s->corners.has_fine_texcoords = s->corners.wants_texcoords == 2;
     s->smooths = args_doubles(a, "--smooth", &s->degrees, 1);
     if (s->smooths && !(s->degrees >= 0 && s->degrees <= 180)) {
         args_complain(a, "--smooth takes degrees from 0 to 180");
@@ -32,17 +39,17 @@ void pack_surface_read(pack_surface *s, args *a) {
     }
     if (args_has(a, "--sequence") || args_has(a, "--instances")) {
         args_complain(a,
-                      "--smooth, --normals and --colours are of triangles that stay where they "
-                      "are; leave out --sequence or --instances");
+                      "--smooth, --normals, --colours and --texcoords are of triangles that stay "
+                      "where they are; leave out --sequence or --instances");
     }
     if (strcmp(args_text(a, "--nodes", "thesis"), "compact") == 0 &&
         (strcmp(args_text(a, "--build", "host"), "host") != 0 ||
          strcmp(args_text(a, "--numbers", "keep"), "keep") != 0)) {
         args_complain(a,
-                      "--smooth, --normals and --colours take --numbers keep and --build host "
-                      "with compact nodes");
+                      "--smooth, --normals, --colours and --texcoords take --numbers keep and "
+                      "--build host with compact nodes");
     }
-    if (args_has(a, "--reduce") && (s->corners.wants_normals || s->corners.wants_colours)) {
+    if (args_has(a, "--reduce") && wants_of_file(&s->corners)) {
         args_complain(a, "--reduce leaves other corners than the mesh's; use --smooth for normals");
     }
 }
@@ -59,7 +66,11 @@ int pack_surface_prepare(pack_surface *s, const pack_meshes *in, fail *f) {
     if (s->corners.wants_colours && s->corners.colours == 0) {
         return fail_set(f, name, "has no colours of vertices to keep; leave out --colours");
     }
-    if ((s->corners.wants_normals && corners_want_normals(&s->corners, in->m.triangles) != 0) ||
+    if (s->corners.wants_texcoords && s->corners.texcoords == 0) {
+        return fail_set(f, name, "has no texture coordinates to keep; leave out --texcoords");
+    }
+    if ((s->corners.wants_texcoords && corners_want_texcoords(&s->corners, in->m.triangles) != 0) ||
+        (s->corners.wants_normals && corners_want_normals(&s->corners, in->m.triangles) != 0) ||
         (s->corners.wants_colours && corners_want_colours(&s->corners, in->m.triangles) != 0)) {
         return out_of_memory(name, f); /* of files that have none */
     }
@@ -88,14 +99,18 @@ static void say_section(const char *what, const surface_section *s, const packed
 }
 
 void pack_surface_say(const pack_surface *s, const packed *image) {
-    char more[120] = "";
-    if (s->stats.colours_distinct > s->stats.colours_kept) {
+    const surface_stats *st = &s->stats;
+    char more[140] = "";
+    if (st->colours_distinct > st->colours_kept) {
         snprintf(more, sizeof more,
-                 ", %" PRIu32 " for %" PRIu32 " that differ, off by at most %" PRIu32 " of 255",
-                 s->stats.colours_kept, s->stats.colours_distinct, s->stats.colours_off);
+                 ", %" PRIu32 " for %" PRIu32 " that differ, off by at most %" PRIu32
+                 " of 255, %.2f on average",
+                 st->colours_kept, st->colours_distinct, st->colours_off, st->colours_mean);
     }
-    say_section("normals", &s->stats.normals, image, "");
-    say_section("colours", &s->stats.colours, image, more);
+    say_section("normals", &st->normals, image, "");
+    say_section("colours", &st->colours, image, more);
+    snprintf(more, sizeof more, ", off by at most %.2g of a texture", st->texcoords_off);
+    say_section("texture coordinates", &st->texcoords, image, more);
 }
 
 void pack_surface_free(pack_surface *s) {

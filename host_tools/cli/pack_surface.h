@@ -1,4 +1,5 @@
-/* pack_surface - normals and colours: what of a mesh's an image keeps, or what is made of it
+/* pack_surface - normals, colours, texture coordinates: what of a mesh's an image keeps, or what is
+ * made of it
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PACK_SURFACE_H
@@ -15,11 +16,13 @@
          "normals of corners, made of the triangles that meet there at no more than that angle, "  \
          "0 "                                                                                      \
          "to 180"},                                                                                \
+        {"--colours", "keep|none",                                                                 \
+         "colours of corners (PLY red green blue, OBJ v x y z r g b), 0.6 bytes per triangle, or " \
+         "0.9 and a palette where 255 would be far off (default none)"},                           \
     {                                                                                              \
-        "--colours", "keep|none",                                                                  \
-            "colours of corners (PLY red green blue, OBJ v x y z r g b), at most 255 that "        \
-            "differ, "                                                                             \
-            "0.6 bytes per triangle (default none)"                                                \
+        "--texcoords", "keep|fine|none",                                                           \
+            "texture coordinates of corners (PLY u v or s t, OBJ vt), in 24 bits, 1.9 bytes per "  \
+            "triangle, or in 32 (default none)"                                                    \
     }
 
 typedef struct pack_surface {

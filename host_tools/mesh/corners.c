@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "engine/base/float_bits.h"
 #include "host_tools/base/heap.h"
 
 static const double LARGEST = 32767.0;
@@ -53,31 +54,49 @@ static int want(uint32_t **items, size_t before, size_t triangles, uint32_t none
     return 0;
 }
 
-static int want_both(mesh_corners *c, size_t triangles, int normals, int colours) {
-    const size_t before = c->triangles;
-    if (normals &&
-        want(&c->normal, c->normal != NULL ? before : 0, triangles, CORNER_NO_NORMAL) != 0) {
-        return -1;
-    }
-    if (colours &&
-        want(&c->colour, c->colour != NULL ? before : 0, triangles, CORNER_NO_COLOUR) != 0) {
-        return -1;
+enum { NORMALS = 1, COLOURS = 2, TEXCOORDS = 4 };
+
+/* Those that are there, and these. */
+static int want_all(mesh_corners *c, size_t triangles, unsigned more) {
+    const struct {
+        uint32_t **items, none;
+        unsigned kind;
+    } lists[] = {{&c->normal, CORNER_NO_NORMAL, NORMALS},
+                 {&c->colour, CORNER_NO_COLOUR, COLOURS},
+                 {&c->texcoord[0], CORNER_NO_TEXCOORD, TEXCOORDS},
+                 {&c->texcoord[1], CORNER_NO_TEXCOORD, TEXCOORDS}};
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+        const int is_there = *lists[i].items != NULL;
+        if ((is_there || (more & lists[i].kind) != 0) &&
+            want(lists[i].items, is_there ? c->triangles : 0, triangles, lists[i].none) != 0) {
+            return -1;
+        }
     }
     c->triangles = triangles;
     return 0;
 }
 
 int corners_want_normals(mesh_corners *c, size_t triangles) {
-    return want_both(c, triangles, 1, c->colour != NULL);
+    return want_all(c, triangles, NORMALS);
 }
 
 int corners_want_colours(mesh_corners *c, size_t triangles) {
-    return want_both(c, triangles, c->normal != NULL, 1);
+    return want_all(c, triangles, COLOURS);
+}
+
+int corners_want_texcoords(mesh_corners *c, size_t triangles) {
+    return want_all(c, triangles, TEXCOORDS);
+}
+
+uint32_t corner_texcoord(double coordinate) {
+    return plt_bits_of((float)coordinate + 0.0f); /* -0 is 0 */
 }
 
 void corners_free(mesh_corners *c) {
     heap_drop(c->normal);
     heap_drop(c->colour);
-    c->normal = c->colour = NULL;
+    heap_drop(c->texcoord[0]);
+    heap_drop(c->texcoord[1]);
+    c->normal = c->colour = c->texcoord[0] = c->texcoord[1] = NULL;
     c->triangles = 0;
 }

@@ -12,10 +12,10 @@
 #include "host_tools/mesh/polygon.h"
 
 typedef struct outline {
-    uint32_t *vertex;    /* of each corner, of the file; owned */
-    uint32_t *named;     /* of each corner, what mesh_faces has of it; owned */
-    double (*corner)[3]; /* where they are; owned */
-    uint32_t *triangle;  /* 3 corners each; owned */
+    uint32_t *vertex;              /* of each corner, of the file; owned */
+    uint32_t *named[CORNER_NAMES]; /* of each corner, what mesh_faces has of it; owned */
+    double (*corner)[3];           /* where they are; owned */
+    uint32_t *triangle;            /* 3 corners each; owned */
     uint32_t corners, room;
     polygon scratch;
 } outline;
@@ -89,11 +89,15 @@ static int make_room(outline *o, uint32_t corners) {
     o->vertex = vertex ? vertex : o->vertex;
     double(*corner)[3] = heap_resize(o->corner, (uint64_t)room * sizeof *corner);
     o->corner = corner ? corner : o->corner;
-    uint32_t *named = heap_resize(o->named, (uint64_t)room * sizeof *named);
-    o->named = named ? named : o->named;
+    int has_names = 1;
+    for (int k = 0; k < CORNER_NAMES; k++) {
+        uint32_t *named = heap_resize(o->named[k], (uint64_t)room * sizeof *named);
+        o->named[k] = named ? named : o->named[k];
+        has_names &= named != NULL;
+    }
     uint32_t *triangle = heap_resize(o->triangle, 3 * (uint64_t)room * sizeof *triangle);
     o->triangle = triangle ? triangle : o->triangle;
-    if (!vertex || !corner || !named || !triangle) {
+    if (!vertex || !corner || !has_names || !triangle) {
         return -1;
     }
     o->room = (uint32_t)(room < UINT32_MAX ? room : UINT32_MAX);
@@ -113,8 +117,10 @@ static void unfold_fan(resolving *r, const face_fan *fan) {
     const size_t first = r->f->first_triangle;
     r->o.corners = fan->corners;
     unfold(r->m->triangle + 3 * fan->first, fan->corners, r->o.vertex);
-    if (r->f->named) {
-        unfold(r->f->named + 3 * (fan->first - first), fan->corners, r->o.named);
+    for (int k = 0; k < CORNER_NAMES; k++) {
+        if (r->f->named[k]) {
+            unfold(r->f->named[k] + 3 * (fan->first - first), fan->corners, r->o.named[k]);
+        }
     }
 }
 
@@ -123,6 +129,16 @@ static void take_materials(const resolving *r, size_t from, size_t count) {
     uint16_t *of = r->m->materials != NULL ? r->m->materials->of : NULL;
     for (size_t i = 0; i < count && of != NULL && from < r->m->materials->filled; i++) {
         of[r->kept + i] = of[from];
+    }
+}
+
+/* Corner `corner` of the next triangle names what is in from[kind][at]. */
+static void take_names(const resolving *r, size_t corner, uint32_t *const from[CORNER_NAMES],
+                       size_t at) {
+    for (int k = 0; k < CORNER_NAMES; k++) {
+        if (r->f->named[k]) {
+            r->f->named[k][3 * (r->kept - r->f->first_triangle) + corner] = from[k][at];
+        }
     }
 }
 
@@ -142,9 +158,7 @@ static int fill(resolving *r, size_t from) {
     r->count[REPORT_OVERLAPPING] += kind == POLYGON_OVERLAPS;
     for (size_t i = 0; i < 3 * ((size_t)o->corners - 2); i++) {
         r->m->triangle[3 * r->kept + i] = base + o->vertex[o->triangle[i]];
-        if (r->f->named) {
-            r->f->named[3 * (r->kept - r->f->first_triangle) + i] = o->named[o->triangle[i]];
-        }
+        take_names(r, i, o->named, o->triangle[i]);
     }
     take_materials(r, from, o->corners - 2);
     r->kept += o->corners - 2;
@@ -159,11 +173,7 @@ static void resolve_triangle(resolving *r, size_t from) {
     }
     for (size_t k = 0; k < 3; k++) {
         r->m->triangle[3 * r->kept + k] = t[k] + (uint32_t)r->f->first_vertex;
-        if (r->f->named) {
-            uint32_t *named = r->f->named;
-            named[3 * (r->kept - r->f->first_triangle) + k] =
-                named[3 * (from - r->f->first_triangle) + k];
-        }
+        take_names(r, k, r->f->named, 3 * (from - r->f->first_triangle) + k);
     }
     take_materials(r, from, 1);
     r->kept++;
@@ -198,7 +208,9 @@ int faces_resolve(const mesh_faces *f, mesh *m, uint64_t count[REPORT_ITEMS]) {
     }
     polygon_free(&r.o.scratch);
     heap_drop(r.o.vertex);
-    heap_drop(r.o.named);
+    for (int k = 0; k < CORNER_NAMES; k++) {
+        heap_drop(r.o.named[k]);
+    }
     heap_drop(r.o.corner);
     heap_drop(r.o.triangle);
     return status;

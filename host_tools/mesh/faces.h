@@ -9,6 +9,9 @@
 #define FACES_H
 #include "host_tools/mesh/mesh.h"
 
+/* What corners name by numbers of their own. */
+enum { NAMED_NORMAL, NAMED_TEXCOORD, CORNER_NAMES };
+
 /* A face of more than three corners: its fan begins with triangle `first`. */
 typedef struct face_fan {
     size_t first;
@@ -21,7 +24,8 @@ typedef struct mesh_faces {
     size_t bad_bytes;
     face_fan *fan; /* in the order of the file; owned */
     size_t fans, room;
-    uint32_t *named; /* 3 per triangle of the file, which go where their corners go; NULL: none */
+    uint32_t *named[CORNER_NAMES]; /* 3 per triangle of the file, which go where their corners go;
+                                    * NULL: none */
 } mesh_faces;
 
 /* Each returns -1 when memory is out. */

@@ -27,8 +27,8 @@ intake intake_begin(mesh *m, const char *path, mesh_report *report, fail *f) {
         .declared = INTAKE_UNKNOWN,
         .unresolved = {.first_vertex = m->vertices, .first_triangle = m->triangles},
         .furthest = -1,
-        .named = CORNER_UNNAMED,
-        .furthest_normal = -1,
+        .named = {CORNER_UNNAMED, CORNER_UNNAMED},
+        .furthest_named = {-1, -1},
     };
 }
 
@@ -121,15 +121,14 @@ static void note_furthest(intake *in, int64_t vertex, int64_t written) {
 }
 
 /* What a triangle's corners name goes beside them. */
-static int add_named(intake *in, uint32_t a, uint32_t b, uint32_t c) {
-    const uint32_t named[3] = {a, b, c};
+static int add_named(intake *in, const chain *c) {
     const size_t at = 3 * (in->m->triangles - in->unresolved.first_triangle);
     int status = 0;
-    if (in->furthest_normal < 0) { /* none has been named yet */
-        return 0;
-    }
-    for (size_t k = 0; k < 3 && status == 0; k++) {
-        status = corner_list_put(&in->corners.named, at + k, named[k], CORNER_UNNAMED);
+    for (int kind = 0; kind < CORNER_NAMES; kind++) {
+        const uint32_t named[3] = {c->named_first[kind], c->named_last[kind], in->named[kind]};
+        for (size_t k = 0; k < 3 && in->furthest_named[kind] >= 0 && status == 0; k++) {
+            status = corner_list_put(&in->corners.named[kind], at + k, named[k], CORNER_UNNAMED);
+        }
     }
     return status;
 }
@@ -147,9 +146,9 @@ static int add_corner(intake *in, chain *c, uint32_t vertex) {
     c->corners++;
     if (c->corners == 1) {
         c->first = vertex;
-        c->named_first = in->named;
+        memcpy(c->named_first, in->named, sizeof c->named_first);
     } else if (c->corners >= 3 && !c->is_strip) {
-        if (add_named(in, c->named_first, c->named_last, in->named) != 0) {
+        if (add_named(in, c) != 0) {
             return fail_memory(in);
         }
         result = add_triangle(in, c->first, c->last, vertex);
@@ -160,7 +159,7 @@ static int add_corner(intake *in, chain *c, uint32_t vertex) {
     }
     c->before = c->last;
     c->last = vertex;
-    c->named_last = in->named;
+    memcpy(c->named_last, in->named, sizeof c->named_last);
     return result;
 }
 
@@ -198,7 +197,7 @@ int intake_polygon_end(intake *in, const chain *c) {
     return 0;
 }
 
-/* ---- normals and colours ----------------------------------------------------------------- */
+/* ---- normals, colours and texture coordinates ------------------------------------------------ */
 
 int intake_wants_normals(const intake *in) {
     return in->m->corners && in->m->corners->wants_normals;
@@ -206,6 +205,10 @@ int intake_wants_normals(const intake *in) {
 
 int intake_wants_colours(const intake *in) {
     return in->m->corners && in->m->corners->wants_colours;
+}
+
+int intake_wants_texcoords(const intake *in) {
+    return in->m->corners && in->m->corners->wants_texcoords;
 }
 
 int intake_normal(intake *in, const double n[3]) {
@@ -248,38 +251,96 @@ int intake_colour(intake *in, const double c[3], double most) {
                : fail_memory(in);
 }
 
-void intake_name_normal(intake *in, int64_t number) {
-    in->named = number < CORNER_UNNAMED ? (uint32_t)number : CORNER_UNNAMED - 1;
-    if (number > in->furthest_normal) {
-        in->furthest_normal = number;
-        in->furthest_normal_at = in->at;
+static int put_texcoord(intake *in, uint32_t u, uint32_t v) {
+    corner_list *list = in->corners.texcoord;
+    return corner_list_put(&list[0], list[0].count, u, CORNER_NO_TEXCOORD) == 0 &&
+                   corner_list_put(&list[1], list[1].count, v, CORNER_NO_TEXCOORD) == 0
+               ? 0
+               : fail_memory(in);
+}
+
+int intake_no_texcoord(intake *in) {
+    return put_texcoord(in, CORNER_NO_TEXCOORD, CORNER_NO_TEXCOORD);
+}
+
+int intake_texcoord(intake *in, const double t[2]) {
+    const int good = fabs(t[0]) <= CORNER_TEXCOORD_MOST && fabs(t[1]) <= CORNER_TEXCOORD_MOST;
+    if (!good && !in->report->repair) {
+        return intake_fail(in,
+                           "the texture coordinates (%g %g) are not finite or beyond +-65536; "
+                           "correct them, or use pack --repair to do without them",
+                           t[0], t[1]);
+    }
+    in->count[REPORT_BAD_TEXTURES] += !good;
+    return good ? put_texcoord(in, corner_texcoord(t[0]), corner_texcoord(t[1]))
+                : intake_no_texcoord(in);
+}
+
+/* ---- and corners that name them -------------------------------------------------------------- */
+
+static const char *const NAMES[CORNER_NAMES][2] = {{"normal", "normals"},
+                                                   {"texture coordinate", "texture coordinates"}};
+
+static size_t count_of(const intake *in, int kind) {
+    return kind == NAMED_NORMAL ? in->corners.normal.count : in->corners.texcoord[0].count;
+}
+
+void intake_name(intake *in, int kind, int64_t number) {
+    in->named[kind] = number < CORNER_UNNAMED ? (uint32_t)number : CORNER_UNNAMED - 1;
+    if (number > in->furthest_named[kind]) {
+        in->furthest_named[kind] = number;
+        in->furthest_named_at[kind] = in->at;
     }
 }
 
-static int is_normal_missing(const intake *in) {
-    return !in->report->repair && in->furthest_normal >= (int64_t)in->corners.normal.count;
+int intake_name_written(intake *in, int kind, int64_t written) {
+    const int64_t here = (int64_t)count_of(in, kind);
+    if (written != 0 && written >= -here) {
+        intake_name(in, kind, written > 0 ? written - 1 : here + written);
+        return 0;
+    }
+    if (in->report->repair) {
+        return 0;
+    }
+    return intake_fail(in,
+                       "uses %s %lld, which is not among the %lld %s so far; correct "
+                       "it, or use pack --repair to do without it",
+                       NAMES[kind][0], (long long)written, (long long)here, NAMES[kind][1]);
 }
 
-static int fail_normal(intake *in) {
-    char text[160];
+static int are_names_missing(const intake *in, int kind) {
+    return !in->report->repair && in->furthest_named[kind] >= (int64_t)count_of(in, kind);
+}
+
+static int fail_name(intake *in, int kind) {
+    char text[200];
     snprintf(text, sizeof text,
-             "uses normal %lld, which is not among the %zu normals; correct it, or use pack "
+             "uses %s %lld, which is not among the %zu %s; correct it, or use pack "
              "--repair to do without it",
-             (long long)in->furthest_normal + 1, in->corners.normal.count);
-    return fail_at(in, &in->furthest_normal_at, text);
+             NAMES[kind][0], (long long)in->furthest_named[kind] + 1, count_of(in, kind),
+             NAMES[kind][1]);
+    return fail_at(in, &in->furthest_named_at[kind], text);
+}
+
+/* The last faces may name none. */
+static int end_names(intake *in, int kind) {
+    corner_list *named = &in->corners.named[kind];
+    const size_t all = 3 * (in->m->triangles - in->unresolved.first_triangle);
+    if (named->count > 0 && named->count < all &&
+        corner_list_put(named, all - 1, CORNER_UNNAMED, CORNER_UNNAMED) != 0) {
+        return -1;
+    }
+    in->unresolved.named[kind] = named->count > 0 ? named->item : NULL;
+    return 0;
 }
 
 /* Triangles become those of the mesh, and what their corners have, too. */
 static int resolve(intake *in) {
     const size_t vertex = in->unresolved.first_vertex, triangle = in->unresolved.first_triangle;
-    corner_list *named = &in->corners.named;
-    const size_t all = 3 * (in->m->triangles - triangle);
-    if (named->count > 0) { /* the last faces may name none */
-        if (named->count < all &&
-            corner_list_put(named, all - 1, CORNER_UNNAMED, CORNER_UNNAMED) != 0) {
+    for (int kind = 0; kind < CORNER_NAMES; kind++) {
+        if (end_names(in, kind) != 0) {
             return -1;
         }
-        in->unresolved.named = named->item;
     }
     return faces_resolve(&in->unresolved, in->m, in->count) == 0
                ? intake_corners_finish(&in->corners, in->m, vertex, triangle)
@@ -291,8 +352,10 @@ int intake_finish(intake *in) {
     int status = 0;
     if (!in->report->repair && in->furthest >= (int64_t)count) {
         status = fail_missing(in, &in->furthest_at, in->furthest_written, count);
-    } else if (is_normal_missing(in)) {
-        status = fail_normal(in);
+    } else if (are_names_missing(in, NAMED_NORMAL)) {
+        status = fail_name(in, NAMED_NORMAL);
+    } else if (are_names_missing(in, NAMED_TEXCOORD)) {
+        status = fail_name(in, NAMED_TEXCOORD);
     } else if (resolve(in) != 0) {
         status = fail_memory(in);
     }

@@ -31,16 +31,16 @@ typedef struct intake {
     mesh_faces unresolved;
     int64_t furthest, furthest_written; /* greatest index not yet there */
     location furthest_at;
-    intake_corners corners;  /* if m->corners wants them */
-    uint32_t named;          /* of the next corner, a normal; CORNER_UNNAMED */
-    int64_t furthest_normal; /* greatest number named; -1: none is */
-    location furthest_normal_at;
+    intake_corners corners;               /* if m->corners wants them */
+    uint32_t named[CORNER_NAMES];         /* of the next corner; CORNER_UNNAMED */
+    int64_t furthest_named[CORNER_NAMES]; /* greatest number named; -1: none is */
+    location furthest_named_at[CORNER_NAMES];
 } intake;
 
 /* A polygon or a triangle strip being read. */
 typedef struct chain {
     uint32_t first, before, last;
-    uint32_t named_first, named_last; /* normals of those; strips name none */
+    uint32_t named_first[CORNER_NAMES], named_last[CORNER_NAMES]; /* of those; strips name none */
     uint64_t corners;
     size_t first_triangle;
     int is_strip;
@@ -57,16 +57,25 @@ int intake_corner(intake *in, chain *c, int64_t vertex, int64_t written);
 /* Faces of one and two corners are points and lines: left out and counted. */
 int intake_polygon_end(intake *in, const chain *c);
 
-/* Whether normals, or colours of vertices, are to be handed in. */
+/* Whether normals, colours of vertices, or texture coordinates are to be handed in. */
 int intake_wants_normals(const intake *in);
 int intake_wants_colours(const intake *in);
+int intake_wants_texcoords(const intake *in);
 
 /* A normal of any length, the next one of the file; or a colour of 0 to `most` each, of the vertex
  * handed in last. Others are refused, or with `repair` left out and counted. */
 int intake_normal(intake *in, const double normal[3]);
 int intake_colour(intake *in, const double colour[3], double most);
-/* The next corner names a normal, counted from 0; it may come later. */
-void intake_name_normal(intake *in, int64_t number);
+/* u and v, the next ones of the file; likewise. */
+int intake_texcoord(intake *in, const double texcoord[2]);
+/* The next ones are none, which nobody misses. */
+int intake_no_texcoord(intake *in);
+/* The next corner names a normal or texture coordinates (NAMED_), counted from 0; they may come
+ * later. */
+void intake_name(intake *in, int kind, int64_t number);
+/* It names what the file writes as `written`: from 1 on, or less than 0, back from the last one so
+ * far. */
+int intake_name_written(intake *in, int kind, int64_t written);
 
 int intake_finish(intake *in);
 void intake_undo(intake *in);

@@ -1,13 +1,14 @@
-/* intake_corners - normals and colours of a file, until its triangles are known
+/* intake_corners - normals, colours and texture coordinates of a file, until its triangles are
+ * known
  *
- * Readers hand them in as the file has them: normals by vertex, or numbered for themselves and
- * named by corners; colours by vertex.
+ * Readers hand them in as the file has them: normals and texture coordinates by vertex, or numbered
+ * for themselves and named by corners; colours by vertex.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef INTAKE_CORNERS_H
 #define INTAKE_CORNERS_H
 #include "host_tools/mesh/corners.h"
-#include "host_tools/mesh/mesh.h"
+#include "host_tools/mesh/faces.h"
 
 typedef struct corner_list {
     uint32_t *item; /* owned */
@@ -15,11 +16,14 @@ typedef struct corner_list {
 } corner_list;
 
 typedef struct intake_corners {
-    corner_list normal;  /* as mesh_corners has them */
-    corner_list colour;  /* by vertex of the file; CORNER_NO_COLOUR for those that have none */
-    corner_list named;   /* by corner of the file's triangles, in their order: a number in `normal`,
-                          * or CORNER_UNNAMED. Empty: normals are by vertex, unless ... */
-    uint8_t is_numbered; /* ... they have numbers of their own, which no corner names */
+    corner_list normal;      /* as mesh_corners has them */
+    corner_list texcoord[2]; /* likewise, u and v, as many of both */
+    corner_list colour;      /* by vertex of the file; CORNER_NO_COLOUR for those that have none */
+    corner_list named[CORNER_NAMES]; /* by corner of the file's triangles, in their order: a number
+                                      * in `normal` or `texcoord`, or CORNER_UNNAMED. Empty: they
+                                      * are by vertex, unless ... */
+    uint8_t
+        is_numbered[CORNER_NAMES]; /* ... they have numbers of their own, which no corner names */
 } intake_corners;
 
 #define CORNER_UNNAMED UINT32_MAX

@@ -1,11 +1,11 @@
 /* obj - reads vertices and faces of Wavefront OBJ
  *
- * `v` and `f` are read, and `fo`, which was `f` before version 3.0; `vn`, and the colours that some
- * programs write behind a vertex, `mtllib` and `usemtl`, if someone wants them. All other keywords
- * are passed over; what they would draw is counted, and so are lines of no known keyword, and of
- * `call` and `csh`, which would run other files and commands. A face may use a vertex that only
- * comes later. Vertices are counted from 1; a negative number counts back from the last vertex so
- * far.
+ * `v` and `f` are read, and `fo`, which was `f` before version 3.0; `vn`, `vt`, and the colours
+ * that some programs write behind a vertex, `mtllib` and `usemtl`, if someone wants them. All other
+ * keywords are passed over; what they would draw is counted, and so are lines of no known keyword,
+ * and of `call` and `csh`, which would run other files and commands. A face may use a vertex that
+ * only comes later. Vertices are counted from 1; a negative number counts back from the last vertex
+ * so far.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B1,
  * Object Files, 1995.
@@ -63,6 +63,13 @@ static int is_text(word w) {
     return 1;
 }
 
+/* Up to the end of the line, which may be that of another that it is joined to. */
+static void pass_over(reader *r) {
+    while (!scan_line_done(&r->text) && *r->text.at != '#') {
+        scan_word(&r->text);
+    }
+}
+
 static int fail_coordinate(reader *r) {
     const word w = scan_word(&r->text);
     if (w.length == 0) {
@@ -110,54 +117,63 @@ static int read_normal(reader *r) {
         }
         normal[axis] = number.wide;
     }
-    r->in.corners.is_numbered = 1;
+    r->in.corners.is_numbered[NAMED_NORMAL] = 1;
     return intake_normal(&r->in, normal);
 }
 
-/* The third number of a corner, if it has one: of a normal. */
-static int read_corner_normal(reader *r, word whole) {
-    size_t at = 0, slashes = 0;
-    int64_t written;
-    r->in.named = CORNER_UNNAMED;
-    while (at < whole.length && slashes < 2) {
-        slashes += whole.text[at++] == '/';
+/* u, v and w, of which the last two are optional, and w is not used. */
+static int read_texcoord(reader *r) {
+    double texcoord[2] = {0, 0};
+    for (int axis = 0; axis < 2; axis++) {
+        real number;
+        if (axis > 0 && (scan_line_done(&r->text) || *r->text.at == '#')) {
+            break;
+        }
+        if (scan_real(&r->text, &number) != 0) {
+            return fail_coordinate(r);
+        }
+        texcoord[axis] = number.wide;
     }
-    const word number = {whole.text + at, whole.length - at};
-    if (number.length == 0 || slashes < 2 || !intake_wants_normals(&r->in)) {
+    pass_over(r);
+    r->in.corners.is_numbered[NAMED_TEXCOORD] = 1;
+    return intake_texcoord(&r->in, texcoord);
+}
+
+/* The number behind so many slashes; of length 0 if there is none. */
+static word number_behind(word whole, size_t slashes) {
+    size_t at = 0, end;
+    while (at < whole.length && slashes > 0) {
+        slashes -= whole.text[at++] == '/';
+    }
+    for (end = at; end < whole.length && whole.text[end] != '/'; end++) {
+    }
+    return (word){whole.text + at, slashes > 0 ? 0 : end - at};
+}
+
+/* What a corner names behind its vertex, if someone wants that. */
+static int read_corner_name(reader *r, word whole, int kind, int is_wanted) {
+    const word number = number_behind(whole, kind == NAMED_NORMAL ? 2 : 1);
+    int64_t written;
+    r->in.named[kind] = CORNER_UNNAMED;
+    if (number.length == 0 || !is_wanted) {
         return 0;
     }
     if (word_integer(number, &written) != 0) {
-        return intake_fail(&r->in, "'%.*s' where a normal's number belongs; correct the line",
-                           WORD_SHOWN(whole));
+        return intake_fail(&r->in, "'%.*s' where %s number belongs; correct the line",
+                           WORD_SHOWN(whole),
+                           kind == NAMED_NORMAL ? "a normal's" : "a texture coordinate's");
     }
-    const int64_t here = (int64_t)r->in.corners.normal.count;
-    if (written == 0 || written < -here) {
-        if (r->in.report->repair) {
-            return 0;
-        }
-        return intake_fail(&r->in,
-                           "uses normal %lld, which is not among the %lld normals so far; correct "
-                           "it, or use pack --repair to do without it",
-                           (long long)written, (long long)here);
-    }
-    intake_name_normal(&r->in, written > 0 ? written - 1 : here + written);
-    return 0;
+    return intake_name_written(&r->in, kind, written);
 }
 
-/* "7", "7/1", "7/1/3" or "7//3": the second number is not used. */
+/* "7", "7/1", "7/1/3" or "7//3": a vertex, texture coordinates and a normal. */
 static int read_corner_number(reader *r, int64_t *written) {
     const word whole = scan_word(&r->text);
-    if (read_corner_normal(r, whole) != 0) {
+    if (read_corner_name(r, whole, NAMED_TEXCOORD, intake_wants_texcoords(&r->in)) != 0 ||
+        read_corner_name(r, whole, NAMED_NORMAL, intake_wants_normals(&r->in)) != 0) {
         return -1;
     }
-    word number = whole;
-    for (size_t i = 0; i < whole.length; i++) {
-        if (whole.text[i] == '/') {
-            number.length = i;
-            break;
-        }
-    }
-    if (word_integer(number, written) != 0) {
+    if (word_integer(number_behind(whole, 0), written) != 0) {
         return intake_fail(&r->in, "'%.*s' where a vertex number belongs; correct the line",
                            WORD_SHOWN(whole));
     }
@@ -187,10 +203,10 @@ static int read_face(reader *r) {
     return intake_polygon_end(&r->in, &c);
 }
 
-static void count_line(reader *r, int known, int is_normal) {
+static void count_line(reader *r, int known, int is_kept) {
     const report_item item = known >= 0 ? KNOWN[known].item : REPORT_UNREAD_LINES;
     r->known_lines += known >= 0;
-    if (item != REPORT_ITEMS && !is_normal) {
+    if (item != REPORT_ITEMS && !is_kept) {
         r->in.count[item]++;
     }
 }
@@ -205,13 +221,6 @@ static int may_be_path(word w, int known) {
         }
     }
     return known < 0;
-}
-
-/* Up to the end of the line, which may be that of another that it is joined to. */
-static void pass_over(reader *r) {
-    while (!scan_line_done(&r->text) && *r->text.at != '#') {
-        scan_word(&r->text);
-    }
 }
 
 static int fail_materials(reader *r) {
@@ -250,6 +259,7 @@ static int read_line(reader *r) {
     const word w = scan_word(&r->text);
     const int is_vertex = word_is(w, "v"), is_face = word_is(w, "f") || word_is(w, "fo");
     const int is_normal = word_is(w, "vn") && intake_wants_normals(&r->in); /* else passed over */
+    const int is_texcoord = word_is(w, "vt") && intake_wants_texcoords(&r->in);
     if (!is_text(w)) {
         return intake_fail(&r->in, "'%.*s' is no text; check that this is an OBJ file",
                            WORD_SHOWN(w));
@@ -259,9 +269,9 @@ static int read_line(reader *r) {
     const int is_library = word_is(w, "mtllib");
     const int is_material =
         r->in.m->materials != NULL && (is_library || word_is(w, "usemtl")); /* else passed over */
-    count_line(r, known, is_normal || is_material);
-    if (is_normal) {
-        return read_normal(r);
+    count_line(r, known, is_normal || is_texcoord || is_material);
+    if (is_normal || is_texcoord) {
+        return is_normal ? read_normal(r) : read_texcoord(r);
     }
     if (is_material) {
         return read_material(r, is_library);

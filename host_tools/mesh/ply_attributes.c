@@ -9,14 +9,23 @@ static const struct {
     const char *name;
     report_item item;
 } PROPERTIES[] = {
-    {"nx", REPORT_NORMALS},          {"normal_x", REPORT_NORMALS},
-    {"red", REPORT_COLOURS},         {"r", REPORT_COLOURS},
-    {"diffuse_red", REPORT_COLOURS}, {"s", REPORT_TEXTURES},
-    {"u", REPORT_TEXTURES},          {"texture_u", REPORT_TEXTURES},
-    {"s0", REPORT_TEXTURES},         {"texcoord", REPORT_TEXTURES},
-    {"texture_uv", REPORT_TEXTURES}, {"material_index", REPORT_MATERIALS},
-    {"rgb", REPORT_COLOURS},         {"rgba", REPORT_COLOURS},
-    {"color", REPORT_COLOURS},       {"intensity_red", REPORT_COLOURS},
+    {"nx", REPORT_NORMALS},
+    {"normal_x", REPORT_NORMALS},
+    {"red", REPORT_COLOURS},
+    {"r", REPORT_COLOURS},
+    {"diffuse_red", REPORT_COLOURS},
+    {"s", REPORT_TEXTURES},
+    {"u", REPORT_TEXTURES},
+    {"texture_u", REPORT_TEXTURES},
+    {"s0", REPORT_TEXTURES},
+    {"texcoord", REPORT_TEXTURES},
+    {"texture_s", REPORT_TEXTURES},
+    {"texture_uv", REPORT_TEXTURES},
+    {"material_index", REPORT_MATERIALS},
+    {"rgb", REPORT_COLOURS},
+    {"rgba", REPORT_COLOURS},
+    {"color", REPORT_COLOURS},
+    {"intensity_red", REPORT_COLOURS},
 };
 
 /* One kind is counted once, however many properties it takes. */

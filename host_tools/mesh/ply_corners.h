@@ -1,4 +1,4 @@
-/* ply_corners - which properties of a PLY file's vertices are normals and colours
+/* ply_corners - which properties of a PLY file are normals, colours and texture coordinates
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLY_CORNERS_H
@@ -15,6 +15,11 @@ ply_triple ply_find_normal(const ply_element *e);
 ply_triple ply_find_colour(const ply_element *e);
 /* The greatest colour of that type. */
 double ply_colour_most(ply_type type);
+
+/* Two, of float or double. */
+ply_triple ply_find_texcoord(const ply_element *e);
+/* The list of a face's corners, u and v of each, of float or double; NULL: there is none. */
+const ply_property *ply_find_texcoord_list(const ply_element *e);
 
 /* Which of the three `p` is; 3: none. */
 unsigned ply_triple_part(const ply_triple *t, const ply_property *p);

@@ -46,6 +46,9 @@ static const struct {
                             "normals that are not finite or have no length"},
     [REPORT_BAD_COLOURS] = {"bad_colours", DROPPED, "colour that is out of range",
                             "colours that are out of range"},
+    [REPORT_BAD_TEXTURES] = {"bad_texture_coordinates", DROPPED,
+                             "texture coordinate that is not finite or is beyond +-65536",
+                             "texture coordinates that are not finite or are beyond +-65536"},
 };
 
 const char *report_key(report_item item) {

@@ -34,6 +34,7 @@ typedef enum report_item {
     REPORT_BAD_VERTICES, /* NaN, infinite or too large: replaced by 0, used by nothing */
     REPORT_BAD_NORMALS,  /* of no length, or not finite; counted if they are wanted */
     REPORT_BAD_COLOURS,  /* out of range; likewise */
+    REPORT_BAD_TEXTURES, /* texture coordinates; likewise */
     REPORT_ITEMS,
 } report_item;
 

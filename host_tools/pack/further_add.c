@@ -11,12 +11,13 @@
 #include "engine/planelet_crc32.h"
 #include "host_tools/base/heap.h"
 
-/* Sections that are there, and where their table begins, or will. */
+/* Sections that are there, where their table begins, or will, and what goes before the new one. */
 typedef struct before {
     uint32_t count, table, bytes; /* bytes: of the table */
+    uint32_t lower, at;           /* sections of lower kinds, and where they end */
 } before;
 
-static int read_before(const packed *image, before *b) {
+static int read_before(const packed *image, uint32_t kind, before *b) {
     plt_header h;
     plt_fault fault;
     if (plt_header_read(&h, image->bytes, image->size, &fault) != PLT_OK) {
@@ -25,6 +26,13 @@ static int read_before(const packed *image, before *b) {
     b->count = h.further_count;
     b->table = h.further_at;
     b->bytes = b->count > 0 ? plt_further_table_bytes(b->count) : 0;
+    b->lower = 0;
+    b->at = b->table + b->bytes;
+    const unsigned char *entry = image->bytes + b->table + PLT_FURTHER_HEAD;
+    for (; b->lower < b->count && plt_get_u32(entry) < kind; entry += PLT_FURTHER_ENTRY) {
+        b->at += plt_get_u32(entry + 8);
+        b->lower++;
+    }
     return b->count < PLT_FURTHER_MOST ? 0 : -1;
 }
 
@@ -36,14 +44,20 @@ static void put_entry(unsigned char *to, uint32_t kind, uint32_t offset, uint32_
     plt_put_u32(to + 12, crc);
 }
 
-/* The sections that were there move as far as the table has grown. */
+/* The sections that were there move as far as the table has grown, and those of higher kinds by the
+ * new one, too. */
 static void put_table(unsigned char *bytes, const before *b, uint32_t grown, uint32_t kind,
                       uint32_t size, uint32_t end) {
-    unsigned char *table = bytes + b->table, *entry = table + PLT_FURTHER_HEAD;
-    for (uint32_t i = 0; i < b->count; i++, entry += PLT_FURTHER_ENTRY) {
-        plt_put_u32(entry + 4, plt_get_u32(entry + 4) + grown);
+    unsigned char *table = bytes + b->table, *entries = table + PLT_FURTHER_HEAD;
+    const uint32_t at = b->at + grown;
+    for (uint32_t i = b->count; i-- > 0;) {
+        unsigned char *from = entries + i * PLT_FURTHER_ENTRY;
+        unsigned char *to = from + (i < b->lower ? 0 : PLT_FURTHER_ENTRY);
+        memmove(to, from, PLT_FURTHER_ENTRY);
+        plt_put_u32(to + 4, plt_get_u32(to + 4) + grown + (i < b->lower ? 0 : size));
     }
-    put_entry(entry, kind, end - size, size, plt_crc32(0, bytes + end - size, size));
+    put_entry(entries + b->lower * PLT_FURTHER_ENTRY, kind, at, size,
+              plt_crc32(0, bytes + at, size));
     plt_put_u32(table, plt_further_check(table, plt_further_table_bytes(b->count + 1)));
     plt_put_u32(bytes + PLT_AT_FURTHER, b->count + 1);
     plt_put_u32(bytes + PLT_AT_IMAGE_BYTES, end);
@@ -65,7 +79,7 @@ static int take(packed *image, unsigned char *bytes, uint32_t size, const char *
 int further_add(packed *image, uint32_t kind, const unsigned char *section, uint32_t size,
                 const char *name, fail *f) {
     before b;
-    if (read_before(image, &b) != 0) {
+    if (read_before(image, kind, &b) != 0) {
         return fail_set(f, name, "there is no room for one more section; please report this");
     }
     const uint32_t grown = plt_further_table_bytes(b.count + 1) - b.bytes;
@@ -77,8 +91,9 @@ int further_add(packed *image, uint32_t kind, const unsigned char *section, uint
     const uint32_t old = b.table + b.bytes; /* where the sections behind the table begin */
     memcpy(bytes, image->bytes, old);
     memset(bytes + old, 0, grown);
-    memcpy(bytes + old + grown, image->bytes + old, image->size - old);
-    memcpy(bytes + image->size + grown, section, size);
+    memcpy(bytes + old + grown, image->bytes + old, b.at - old);
+    memcpy(bytes + b.at + grown, section, size);
+    memcpy(bytes + b.at + grown + size, image->bytes + b.at, image->size - b.at);
     put_table(bytes, &b, grown, kind, size, (uint32_t)all);
     return take(image, bytes, (uint32_t)all, name, f);
 }

@@ -6,17 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/image/further.h"
-#include "engine/image/header_at.h"
-#include "engine/planelet_crc32.h"
 #include "engine/surface/octahedral.h"
 #include "engine/surface/surface_data.h"
 #include "host_tools/base/heap.h"
+#include "host_tools/pack/further_add.h"
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/palette.h"
 #include "host_tools/pack/retrieval_build.h"
 #include "host_tools/pack/surface_code.h"
 #include "host_tools/pack/surface_triangles.h"
+#include "host_tools/pack/texcoord_code.h"
 
 /* A corner of a triangle, and what it has. */
 typedef struct corner {
@@ -25,10 +24,13 @@ typedef struct corner {
 
 /* One section in the making. */
 typedef struct making {
-    retrieval_table position, corner;
-    uint32_t entry_bytes, kind;
-    palette *colours; /* NULL: of normals */
+    const mesh_corners *c;
+    uint32_t kind, bits; /* bits: of an entry */
+    uint32_t split;      /* the value which says that a position does not tell */
     surface_section *stats;
+    palette colours;         /* of kind PLT_SECTION_COLOURS */
+    texcoord_code texcoords; /* of kind PLT_SECTION_TEXCOORDS */
+    retrieval_table position, corner;
 } making;
 
 typedef struct adding {
@@ -101,9 +103,9 @@ static void find_pairs(const adding *a, uint32_t split, size_t *positions, size_
 }
 
 /* Where most positions are split, all corners by themselves take less. */
-static int make_tables(const adding *a, making *m, uint32_t split) {
+static int make_tables(const adding *a, making *m) {
     size_t positions, corners;
-    find_pairs(a, split, &positions, &corners);
+    find_pairs(a, m->split, &positions, &corners);
     if (retrieval_third(positions) + retrieval_third(corners) > retrieval_third(a->count)) {
         positions = 0;
         corners = 0;
@@ -123,152 +125,164 @@ static int make_tables(const adding *a, making *m, uint32_t split) {
 
 /* ---- values ------------------------------------------------------------------------------ */
 
-static void set_corners(adding *a, const mesh_corners *c, const palette *colours) {
+/* Where in mesh_corners a corner of the image is. */
+static size_t source_of(const adding *a, size_t i) {
+    return 3 * (size_t)a->triangle[i / 3].id + i % 3;
+}
+
+static uint32_t value_of(making *m, size_t source) {
+    const mesh_corners *c = m->c;
+    switch (m->kind) {
+    case PLT_SECTION_NORMALS:
+        return surface_normal_code(c->normal[source]);
+    case PLT_SECTION_COLOURS:
+        return palette_index(&m->colours, surface_colour(c->colour[source]));
+    default:
+        return texcoord_code_value(&m->texcoords, c->texcoord[0][source], c->texcoord[1][source]);
+    }
+}
+
+static void set_corners(adding *a, making *m) {
     for (size_t i = 0; i < a->count; i++) {
-        const surface_triangle *t = &a->triangle[i / 3];
         corner *to = &a->corners[i];
-        memcpy(to->key, t->key[i % 3], sizeof to->key);
-        to->number = 3 * t->id + (uint32_t)(i % 3);
-        to->value = colours == NULL ? surface_normal_code(c->normal[to->number])
-                                    : palette_index(colours, surface_colour(c->colour[to->number]));
+        memcpy(to->key, a->triangle[i / 3].key[i % 3], sizeof to->key);
+        to->number = (uint32_t)source_of(a, i);
+        to->value = value_of(m, to->number);
     }
     qsort(a->corners, a->count, sizeof *a->corners, by_key);
 }
 
-static int make_palette(const adding *a, const mesh_corners *c, palette *p, surface_stats *stats) {
+static int make_palette(const adding *a, making *m, surface_stats *stats) {
+    palette *p = &m->colours;
     uint32_t *colour = heap_get(4 * (uint64_t)(a->count + 1));
     for (size_t i = 0; i < a->count && colour != NULL; i++) {
-        colour[i] = surface_colour(c->colour[3 * (size_t)a->triangle[i / 3].id + i % 3]);
+        colour[i] = surface_colour(m->c->colour[source_of(a, i)]);
     }
-    const int status = colour == NULL ? -1 : palette_make(p, colour, a->count, PLT_PALETTE_MOST);
+    const int status =
+        colour == NULL ? -1 : palette_make(p, colour, a->count, SURFACE_COLOURS_NEAR);
     heap_drop(colour);
     stats->colours_kept = p->count;
     stats->colours_distinct = p->distinct;
     stats->colours_off = p->furthest;
+    stats->colours_mean = p->mean;
+    m->bits = plt_colour_bits(p->count);
+    m->split = plt_colour_split(p->count);
     return status == 0 ? 0 : out_of_memory(a);
 }
 
+static void make_steps(const adding *a, making *m) {
+    m->texcoords = texcoord_code_begin();
+    m->bits = m->c->has_fine_texcoords ? TEXCOORD_BITS_FINE : TEXCOORD_BITS;
+    for (size_t i = 0; i < a->count; i++) {
+        const size_t at = source_of(a, i);
+        texcoord_code_add(&m->texcoords, m->c->texcoord[0][at], m->c->texcoord[1][at]);
+    }
+    texcoord_code_end(&m->texcoords, m->bits);
+    m->split = plt_texcoord_split(&m->texcoords.steps);
+}
+
 /* ---- bytes ------------------------------------------------------------------------------- */
+
+enum { HEAD_MOST = PLT_COLOURS_HEAD + PALETTE_MANY * PLT_PALETTE_BYTES };
+
+/* All of a section but the entries; where these begin. */
+static uint32_t put_head(unsigned char *to, const making *m) {
+    plt_put_u32(to, m->position.seed);
+    plt_put_u32(to + 4, m->position.third);
+    plt_put_u32(to + 8, m->corner.seed);
+    plt_put_u32(to + 12, m->corner.third);
+    if (m->kind == PLT_SECTION_COLOURS) {
+        plt_put_u32(to + 16, m->colours.count);
+        for (uint32_t i = 0; i < m->colours.count; i++) {
+            memcpy(to + PLT_COLOURS_HEAD + i * PLT_PALETTE_BYTES, m->colours.colour[i], 3);
+        }
+        return PLT_COLOURS_HEAD + m->colours.count * PLT_PALETTE_BYTES;
+    }
+    for (uint32_t a = 0; a < 2 && m->kind == PLT_SECTION_TEXCOORDS; a++) {
+        plt_put_u32(to + PLT_TEXCOORDS_AT_BITS + 4 * a, m->texcoords.steps.bits[a]);
+        plt_put_float(to + PLT_TEXCOORDS_AT_FROM + 4 * a, m->texcoords.steps.from[a]);
+        plt_put_float(to + PLT_TEXCOORDS_AT_STEP + 4 * a, m->texcoords.steps.step[a]);
+    }
+    return m->kind == PLT_SECTION_NORMALS ? PLT_NORMALS_HEAD : PLT_TEXCOORDS_HEAD;
+}
+
+/* Bit by bit, the lowest first, over zeros. */
+static unsigned char *put_entries(unsigned char *to, const retrieval_table *t, uint32_t bits) {
+    for (uint64_t i = 0; i < 3 * (uint64_t)t->third; i++) {
+        const uint64_t at = i * bits, shifted = (uint64_t)t->entry[i] << at % 8;
+        for (uint32_t k = 0; k < (at % 8 + bits + 7) / 8; k++) {
+            to[at / 8 + k] |= (unsigned char)(shifted >> 8 * k);
+        }
+    }
+    return to + plt_retrieval_bytes(t->third, bits);
+}
 
 static uint64_t padded(uint64_t bytes) {
     return (bytes + PLT_SECTION_ALIGN - 1) & ~(uint64_t)(PLT_SECTION_ALIGN - 1);
 }
 
-static uint64_t bytes_of(const making *m) {
-    const uint64_t thirds = (uint64_t)m->position.third + m->corner.third;
-    return m->kind == 0         ? 0
-           : m->colours == NULL ? padded(plt_normals_bytes(thirds))
-                                : padded(plt_colours_bytes(thirds, m->colours->count));
-}
-
-static unsigned char *put_entries(unsigned char *to, const retrieval_table *t, uint32_t bytes) {
-    for (uint32_t i = 0; i < 3 * t->third; i++) {
-        for (uint32_t k = 0; k < bytes; k++) {
-            *to++ = (unsigned char)(t->entry[i] >> 8 * k);
-        }
-    }
-    return to;
-}
-
-static void put_section(unsigned char *to, const making *m) {
-    plt_put_u32(to, m->position.seed);
-    plt_put_u32(to + 4, m->position.third);
-    plt_put_u32(to + 8, m->corner.seed);
-    plt_put_u32(to + 12, m->corner.third);
-    unsigned char *at = to + PLT_NORMALS_HEAD;
-    if (m->colours != NULL) {
-        plt_put_u32(at, m->colours->count);
-        at = to + PLT_COLOURS_HEAD;
-        for (uint32_t i = 0; i < m->colours->count; i++, at += PLT_PALETTE_BYTES) {
-            memcpy(at, m->colours->colour[i], 3);
-        }
-    }
-    put_entries(put_entries(at, &m->position, m->entry_bytes), &m->corner, m->entry_bytes);
-}
-
-/* Behind the image, with a table; `made`: by rising kinds. */
-static void put_all(unsigned char *bytes, uint32_t end, const making *made, uint32_t count) {
-    const uint32_t table_bytes = plt_further_table_bytes(count);
-    unsigned char *table = bytes + end;
-    uint32_t offset = end + table_bytes;
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t size = (uint32_t)bytes_of(&made[i]);
-        unsigned char *entry = table + PLT_FURTHER_HEAD + i * PLT_FURTHER_ENTRY;
-        put_section(bytes + offset, &made[i]);
-        plt_put_u32(entry, made[i].kind);
-        plt_put_u32(entry + 4, offset);
-        plt_put_u32(entry + 8, size);
-        plt_put_u32(entry + 12, plt_crc32(0, bytes + offset, size));
-        made[i].stats->bytes = size;
-        offset += size;
-    }
-    plt_put_u32(table, plt_further_check(table, table_bytes));
-    plt_put_u32(bytes + PLT_AT_FURTHER, count);
-    plt_put_u32(bytes + PLT_AT_IMAGE_BYTES, offset);
-    plt_header_seal(bytes);
-}
-
-static int append(const adding *a, const making *made, uint32_t count) {
+/* Among those that the image has, by their kinds. */
+static int append(const adding *a, const making *m) {
+    const char *remedy = "use --normals none, --colours none and --texcoords none, or --reduce";
+    const uint64_t room = padded(HEAD_MOST + plt_retrieval_bytes(m->position.third, m->bits) +
+                                 plt_retrieval_bytes(m->corner.third, m->bits));
     packed *image = a->image;
-    uint64_t size = (uint64_t)image->size + plt_further_table_bytes(count);
-    for (uint32_t i = 0; i < count; i++) {
-        size += bytes_of(&made[i]);
-    }
-    const char *remedy = "use --normals none and --colours none, or --reduce";
-    if (image_size_check(a->name, image->info.triangles, size, 0, remedy, a->f) != 0) {
+    if (image_size_check(a->name, image->info.triangles, image->size + room + FURTHER_ADD_MORE, 0,
+                         remedy, a->f) != 0) {
         return -1;
     }
-    unsigned char *bytes = heap_get_aligned(size);
+    unsigned char *bytes = heap_get_zeroed(room);
     if (bytes == NULL) {
         return out_of_memory(a);
     }
-    memcpy(bytes, image->bytes, image->size);
-    memset(bytes + image->size, 0, (size_t)(size - image->size));
-    put_all(bytes, image->size, made, count);
-    heap_drop(image->bytes);
-    image->bytes = bytes;
-    image->size = (uint32_t)size;
-    const plt_source source = {.mapped = bytes, .bytes = image->size};
-    plt_fault fault;
-    return plt_image_info(&source, &image->info, &fault) == PLT_OK
-               ? 0
-               : fail_set(a->f, a->name, "the finished image is refused: %s; please report this",
-                          fault.message);
+    unsigned char *end = bytes + put_head(bytes, m);
+    end = put_entries(end, &m->position, m->bits);
+    end = put_entries(end, &m->corner, m->bits);
+    const uint32_t size = (uint32_t)padded((uint64_t)(end - bytes));
+    const int status = further_add(image, m->kind, bytes, size, a->name, a->f);
+    m->stats->bytes = status == 0 ? size : 0;
+    heap_drop(bytes);
+    return status;
 }
 
 /* ---- all --------------------------------------------------------------------------------- */
 
-static int make_all(adding *a, const mesh_corners *c, surface_stats *stats) {
-    making made[2] = {{.entry_bytes = 2}, {.entry_bytes = 1}};
-    palette colours = {.count = 0};
-    uint32_t count = 0;
-    int status = 0;
-    if (c->normal != NULL) {
-        making *m = &made[count++];
-        m->kind = PLT_SECTION_NORMALS;
-        m->stats = &stats->normals;
-        set_corners(a, c, NULL);
-        status = make_tables(a, m, PLT_NORMAL_SPLIT);
-    }
-    if (status == 0 && c->colour != NULL) {
-        making *m = &made[count++];
-        *m = (making){.entry_bytes = 1,
-                      .kind = PLT_SECTION_COLOURS,
-                      .colours = &colours,
-                      .stats = &stats->colours};
-        status = make_palette(a, c, &colours, stats);
-        if (status == 0) {
-            set_corners(a, c, &colours);
-            status = make_tables(a, m, PLT_COLOUR_SPLIT);
-        }
-    }
-    status = status == 0 && count > 0 ? append(a, made, count) : status;
-    for (int i = 0; i < 2; i++) {
-        retrieval_free(&made[i].position);
-        retrieval_free(&made[i].corner);
-    }
-    palette_free(&colours);
+static int make_section(adding *a, making *m) {
+    set_corners(a, m);
+    const int status = make_tables(a, m) == 0 ? append(a, m) : -1;
+    retrieval_free(&m->position);
+    retrieval_free(&m->corner);
     return status;
+}
+
+static int make_normals(adding *a, const mesh_corners *c, surface_stats *stats) {
+    making m = {.c = c,
+                .kind = PLT_SECTION_NORMALS,
+                .bits = PLT_NORMAL_BITS,
+                .split = PLT_NORMAL_SPLIT,
+                .stats = &stats->normals};
+    return make_section(a, &m);
+}
+
+static int make_colours(adding *a, const mesh_corners *c, surface_stats *stats) {
+    making m = {.c = c, .kind = PLT_SECTION_COLOURS, .stats = &stats->colours};
+    const int status = make_palette(a, &m, stats) == 0 ? make_section(a, &m) : -1;
+    palette_free(&m.colours);
+    return status;
+}
+
+static int make_texcoords(adding *a, const mesh_corners *c, surface_stats *stats) {
+    making m = {.c = c, .kind = PLT_SECTION_TEXCOORDS, .stats = &stats->texcoords};
+    make_steps(a, &m);
+    const int status = make_section(a, &m);
+    stats->texcoords_off = m.texcoords.off;
+    return status;
+}
+
+static int make_all(adding *a, const mesh_corners *c, surface_stats *stats) {
+    int status = c->normal != NULL ? make_normals(a, c, stats) : 0;
+    status = status == 0 && c->colour != NULL ? make_colours(a, c, stats) : status;
+    return status == 0 && c->texcoord[0] != NULL ? make_texcoords(a, c, stats) : status;
 }
 
 int surface_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,

@@ -38,7 +38,7 @@ out of memory for the frames of --tree-for all; use --tree-for first | $few
 test_pack_poses gives less memory
 out of memory for normals or colours; use a larger machine | $few
 %zu corners: out of memory for their normals and colours; pack on a larger machine | $few
-use --normals none and --colours none, or --reduce | $large
+use --normals none, --colours none and --texcoords none, or --reduce | $large
 use --materials none, or --reduce | $large
 use --textures blocks, or none | $large
 out of memory, or more than 65534 materials; split the mesh | $few

@@ -368,7 +368,7 @@ static void rules(void) {
     refused(table + 48, 14, 17, table);      /* behind the last entry */
     refused(table + 16, 13, 17, table + 32); /* both of colours */
     refused(table + 16, 11, 17, table + 16);
-    refused(table + 32, 15, 17, table + 32); /* none that there is */
+    refused(table + 32, 99, 17, table + 32); /* none that there is */
     refused(table + 20, normals + 64, 17, table + 16);
     refused(table + 24, 0, 17, table + 16);
     refused(table + 24, forged.info.normal_bytes + 1, 17, table + 16);

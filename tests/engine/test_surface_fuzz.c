@@ -21,6 +21,10 @@ static packed seed_image(uint32_t seed) {
     if (seed % 2) {
         surface_rig_colour(&m, &c, seed + 1);
     }
+    if (seed % 4 >= 2) {
+        surface_rig_unwrap(&m, &c, 1.0f + (float)seed);
+        c.has_fine_texcoords = seed > 4;
+    }
     const packed image = seed < 4 || rig_is_tiny() ? surface_rig_image(&m, &c, &config.pack)
                                                    : surface_rig_compact(&m, &c, seed % 2);
     corners_free(&c);

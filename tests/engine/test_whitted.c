@@ -67,7 +67,7 @@ static void directions(void) {
             d[a] = random_float(&r, -1, 1);
             n[a] = random_float(&r, -1, 1);
         }
-        if (!plt_optics_unit(d) || !plt_optics_unit(n) || plt_optics_dot(d, n) >= -0.001f) {
+        if (!plt_normalise(d) || !plt_normalise(n) || plt_optics_dot(d, n) >= -0.001f) {
             continue;
         }
         const float ratio = random_float(&r, 0.4f, 2.0f), c = -plt_optics_dot(d, n);

@@ -207,9 +207,12 @@ static inline unsigned choice_of(const uint8_t *data, size_t size) {
 }
 
 /* `members`: what the file names counts too, and its size says nothing. */
-/* Of every corner: a normal is a direction or none, a colour is one or none. */
+/* Of every corner: a normal is a direction or none, a colour is one or none, and texture
+ * coordinates are two numbers or none. */
 static inline int corners_hold(const mesh *m, const mesh_corners *c) {
-    int holds = (c->normal == NULL && c->colour == NULL) || c->triangles >= m->triangles;
+    int holds = (c->normal == NULL && c->colour == NULL && c->texcoord[0] == NULL) ||
+                c->triangles >= m->triangles;
+    holds &= (c->texcoord[0] == NULL) == (c->texcoord[1] == NULL);
     for (size_t i = 0; i < 3 * m->triangles && holds; i++) {
         double n[3] = {1, 0, 0};
         if (c->normal != NULL && c->normal[i] != CORNER_NO_NORMAL) {
@@ -219,13 +222,19 @@ static inline int corners_hold(const mesh *m, const mesh_corners *c) {
         holds &= squared > 0.999 && squared < 1.001;
         holds &=
             c->colour == NULL || c->colour[i] == CORNER_NO_COLOUR || c->colour[i] >> 24 == 0xFF;
+        for (int a = 0; a < 2 && c->texcoord[0] != NULL && c->texcoord[1] != NULL; a++) {
+            const float x = plt_float_of(c->texcoord[a][i]);
+            holds &= c->texcoord[a][i] == CORNER_NO_TEXCOORD
+                         ? c->texcoord[!a][i] == c->texcoord[a][i]
+                         : fabsf(x) <= 65536.0f;
+        }
     }
     return holds;
 }
 
 /* The same file by someone who wants normals and colours, and then makes some. */
 static inline void read_corners(mesh_reader *reader, const input *in, int repair) {
-    mesh_corners c = {.wants_normals = 1, .wants_colours = 1};
+    mesh_corners c = {.wants_normals = 1, .wants_colours = 1, .wants_texcoords = 1};
     mesh m = {.corners = &c};
     mesh_report report = {.repair = repair};
     fail f = {""};

@@ -1,8 +1,10 @@
-/* test_mesh_corners - normals and colours of PLY and OBJ, corner by corner, and smoothing
+/* test_mesh_corners - normals, colours and texture coordinates of PLY and OBJ, corner by corner,
+ * and smoothing
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "engine/base/float_bits.h"
 #include "host_tools/mesh/smooth.h"
 #include "tests/hostile/mesh_files.h"
 #include "tests/reference/shapes.h"
@@ -26,7 +28,7 @@ static mesh read_corners(const char *path, const char *text, int repair, mesh_re
                          fail *f) {
     mesh m = {.corners = &c};
     corners_free(&c);
-    c = (mesh_corners){.wants_normals = 1, .wants_colours = 1};
+    c = (mesh_corners){.wants_normals = 1, .wants_colours = 1, .wants_texcoords = 1};
     *report = (mesh_report){.repair = repair};
     file_write(path, text, strlen(text));
     mesh_read(&m, path, 0, report, f);
@@ -65,11 +67,24 @@ static void has_colour(size_t at, uint32_t red, uint32_t green, uint32_t blue) {
     CHECK(c.colour[at] == corner_colour(red, green, blue), "corner %zu: %08x", at, c.colour[at]);
 }
 
+static void has_texcoord(size_t at, double u, double v) {
+    CHECK(c.texcoord[1] != NULL && at < 3 * c.triangles, "corner %zu is not there", at);
+    CHECK(c.texcoord[0][at] == corner_texcoord(u) && c.texcoord[1][at] == corner_texcoord(v),
+          "corner %zu: (%g %g) for (%g %g)", at, (double)plt_float_of(c.texcoord[0][at]),
+          (double)plt_float_of(c.texcoord[1][at]), u, v);
+}
+
+static void has_no_texcoord(size_t at) {
+    CHECK(c.texcoord[0] == NULL ||
+              (c.texcoord[0][at] == CORNER_NO_TEXCOORD && c.texcoord[1][at] == CORNER_NO_TEXCOORD),
+          "corner %zu has some", at);
+}
+
 static void reads_obj(void) {
     test("OBJ: a corner has the normal that it names, by number or counted back, wherever it is");
     mesh m = must_read(OBJ,
                        "v 0 0 0 0.2 0.4 1\nv 1 0 0 1 0.2 0.4 1\nv 1 1 0 0 0 0\n"
-                       "vn 0 0 5\nf 1//1 2/9/-1 3//2\nvn 1 2 3\nf 3 2//1 1//\n");
+                       "vn 0 0 5\nf 1//1 2//-1 3//2\nvn 1 2 3\nf 3 2//1 1//\n");
     has_normal(0, 0, 0, 1);
     has_normal(1, 0, 0, 1);
     has_normal(2, 1, 2, 3);
@@ -81,6 +96,147 @@ static void reads_obj(void) {
     has_colour(1, 51, 102, 255); /* behind a weight */
     has_colour(2, 0, 0, 0);
     has_colour(3, 0, 0, 0);
+    mesh_free(&m);
+}
+
+static void reads_obj_textures(void) {
+    test("OBJ: ... and the texture coordinates, of one number to three, whatever their size");
+    mesh m = must_read(OBJ, SQUARE
+                       "vt 0.25 0.5\nvt 0.75 # one\nvn 0 0 1\nf 1/1/1 2/2 3/-2/1 4//1\n"
+                       "vt -3 17.5 2\nvt -0 65536\nf 1/4 2/3/1 3\n");
+    CHECK(m.triangles == 3 && c.texcoords == 7, "%zu triangles, %llu", m.triangles,
+          (unsigned long long)c.texcoords);
+    static const double due[4][2] = {{0.25, 0.5}, {0.75, 0}, {0.25, 0.5}, {NAN, NAN}};
+    for (size_t i = 0; i < 6; i++) { /* of the square, however it is cut */
+        if (m.triangle[i] == 3) {
+            has_no_texcoord(i);
+        } else {
+            has_texcoord(i, due[m.triangle[i]][0], due[m.triangle[i]][1]);
+        }
+        if (m.triangle[i] == 1) {
+            CHECK(c.normal[i] == CORNER_NO_NORMAL, "corner %zu names no normal", i);
+        } else {
+            has_normal(i, 0, 0, 1);
+        }
+    }
+    has_texcoord(6, 0, 65536);
+    has_texcoord(7, -3, 17.5);
+    has_no_texcoord(8);
+    CHECK(c.normals == 6, "%llu", (unsigned long long)c.normals);
+    mesh_free(&m);
+    m = must_read(OBJ, SQUARE "vt 0 0\nvt 0 1\nvt 1 1\nf 1 2 3\n");
+    CHECK(c.texcoords == 0, "those that no corner names are somebody's");
+    mesh_free(&m);
+}
+
+static void refuses_obj_textures(void) {
+    test("OBJ: texture coordinates that are none, or not there, are refused, with their line");
+    must_fail(OBJ, SQUARE "vt nan 0\n",
+              "line 5: the texture coordinates (nan 0) are not finite or beyond +-65536; correct "
+              "them, or use pack --repair to do without them");
+    must_fail(OBJ, SQUARE "vt 0 -inf\n", "line 5: the texture coordinates (0 -inf)");
+    must_fail(OBJ, SQUARE "vt 65536.1 0\n", "line 5: the texture coordinates (65536.1 0)");
+    must_fail(OBJ, SQUARE "vt\n", "line 5: a coordinate is missing; correct the line");
+    must_fail(OBJ, SQUARE "vt 1 x\n", "line 5: 'x' where a coordinate belongs");
+    must_fail(OBJ, SQUARE "vt 0 0\nf 1/1 2/1 3/2\nf 1 2 3\n",
+              "line 6: uses texture coordinate 2, which is not among the 1 texture coordinates; "
+              "correct it, or use pack --repair to do without it");
+    must_fail(OBJ, SQUARE "vt 0 0\nf 1/1 2/-2 3/1\n",
+              "line 6: uses texture coordinate -2, which is not among the 1 texture coordinates so "
+              "far; correct it, or use pack --repair to do without it");
+    must_fail(OBJ, SQUARE "vt 0 0\nf 1/1 2/0 3/1\n", "line 6: uses texture coordinate 0, which");
+    must_fail(OBJ, SQUARE "vt 0 0\nf 1/1 2/y/1 3/1\n",
+              "line 6: '2/y/1' where a texture coordinate's number belongs; correct the line");
+    mesh_report report;
+    fail f = {""};
+    mesh m = read_corners(OBJ, SQUARE "vt nan 0\nvt 2 3\nf 1/1 2/2 3/9\n", 1, &report, &f);
+    CHECK(f.text[0] == '\0' && m.triangles == 1, "%s", f.text);
+    CHECK(report.count[REPORT_BAD_TEXTURES] == 1, "%llu",
+          (unsigned long long)report.count[REPORT_BAD_TEXTURES]);
+    has_no_texcoord(0);
+    has_texcoord(1, 2, 3);
+    has_no_texcoord(2);
+    mesh_free(&m);
+}
+
+#define TEXTURED(u, v, list)                                                                       \
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float " u                                   \
+    "\nproperty float x\n"                                                                         \
+    "property float y\nproperty float z\nproperty double " v "\nelement face 2\n" list             \
+    "end_header\n"
+#define INDICES "property list uchar int vertex_indices\n"
+#define TEXCOORDS "property list uchar float texcoord\n"
+#define CORNERS "0 0 0 0 0\n2 1 0 0 0.5\n-1 1 1 0 0.25\n7 0 1 0 0.75\n"
+
+static void reads_ply_textures(void) {
+    test("PLY: texture coordinates of vertices, by each of their names");
+    static const char *const TEXTS[] = {
+        TEXTURED("u", "v", INDICES), TEXTURED("s", "t", INDICES), TEXTURED("S0", "T0", INDICES),
+        TEXTURED("texture_u", "texture_v", INDICES), TEXTURED("texture_s", "texture_t", INDICES)};
+    for (size_t i = 0; i < 5; i++) {
+        char text[600];
+        snprintf(text, sizeof text, "%s" CORNERS "4 0 1 2 3\n3 2 0 1\n", TEXTS[i]);
+        mesh m = must_read(PLY, text);
+        static const double due[4][2] = {{0, 0}, {2, 0.5}, {-1, 0.25}, {7, 0.75}};
+        CHECK(m.triangles == 3 && c.texcoords == 9, "%zu triangles", m.triangles);
+        for (size_t k = 0; k < 9; k++) {
+            has_texcoord(k, due[m.triangle[k]][0], due[m.triangle[k]][1]);
+        }
+        mesh_free(&m);
+    }
+}
+
+static void reads_ply_lists(void) {
+    test("PLY: texture coordinates of a face's corners, before its vertices and behind; none, too");
+    static const char *const TEXTS[] = {TEXTURED("u", "v", INDICES TEXCOORDS) CORNERS
+                                        "4 0 1 2 3 8 0 1 2 3 4 5 6 7\n3 2 0 1 6 9 8 7 6 5 4\n",
+                                        TEXTURED("u", "v", TEXCOORDS INDICES) CORNERS
+                                        "8 0 1 2 3 4 5 6 7 4 0 1 2 3\n6 9 8 7 6 5 4 3 2 0 1\n",
+                                        TEXTURED("u", "v", INDICES TEXCOORDS) CORNERS
+                                        "4 0 1 2 3 0\n3 2 0 1 6 9 8 7 6 5 4\n"};
+    for (size_t i = 0; i < 3; i++) {
+        mesh m = must_read(PLY, TEXTS[i]);
+        CHECK(m.triangles == 3 && c.texcoords == (i < 2 ? 9 : 3), "%zu triangles", m.triangles);
+        for (size_t k = 0; k < 6; k++) {
+            if (i < 2) {
+                has_texcoord(k, 2 * m.triangle[k], 2 * m.triangle[k] + 1);
+            } else {
+                has_no_texcoord(k);
+            }
+        }
+        for (size_t k = 0; k < 3; k++) {
+            has_texcoord(6 + k, 9.0 - 2 * (double)k, 8.0 - 2 * (double)k);
+        }
+        mesh_free(&m);
+    }
+}
+
+static void refuses_ply_textures(void) {
+    test("PLY: lists of other lengths, and numbers that are none, are refused, with the face");
+    static const char ODD[] = TEXTURED("u", "v", INDICES TEXCOORDS) CORNERS
+        "3 0 1 2 5 0 1 2 3 4\n3 2 0 1 8 9 8 7 6 5 4 3 2\n";
+    must_fail(PLY, ODD,
+              "line 17, face 0: 5 numbers in its list texcoord, where its corners need 6; correct "
+              "it, or use pack --repair to do without it");
+    must_fail(PLY,
+              TEXTURED("u", "v", INDICES TEXCOORDS) CORNERS
+              "3 0 1 2 6 0 1 2 3 4 5\n3 2 0 1 8 9 8 7 6 5 4 3 2\n",
+              "line 18, face 1: 8 numbers in its list texcoord, where its corners need 6");
+    must_fail(PLY,
+              TEXTURED("u", "v", INDICES TEXCOORDS) CORNERS
+              "3 0 1 2 6 0 1 2 nan 4 5\n3 2 0 1 6 9 8 7 6 5 4\n",
+              "line 17, face 0: the texture coordinates (2 nan) are not finite");
+    mesh_report report;
+    fail f = {""};
+    mesh m = read_corners(PLY, ODD, 1, &report, &f);
+    CHECK(f.text[0] == '\0' && m.triangles == 2, "%s", f.text);
+    has_texcoord(0, 0, 1);
+    has_texcoord(1, 2, 3);
+    has_no_texcoord(2);
+    has_texcoord(3, 9, 8);
+    has_texcoord(5, 5, 4);
+    CHECK(report.count[REPORT_TEXTURES] == 4, "those of vertices are left out: %llu",
+          (unsigned long long)report.count[REPORT_TEXTURES]);
     mesh_free(&m);
 }
 
@@ -315,12 +471,17 @@ static void smooths_slivers(void) {
 int main(void) {
     mesh_folder();
     reads_obj();
+    reads_obj_textures();
     reads_unnamed();
     reads_polygons();
     refuses_obj();
+    refuses_obj_textures();
     repairs();
     reads_ply();
     refuses_ply();
+    reads_ply_textures();
+    reads_ply_lists();
+    refuses_ply_textures();
     reads_no_others();
     turns();
     smooths_cube();

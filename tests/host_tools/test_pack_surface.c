@@ -8,6 +8,7 @@
 #include "host_tools/pack/palette.h"
 #include "host_tools/pack/retrieval_build.h"
 #include "host_tools/pack/surface_code.h"
+#include "host_tools/pack/texcoord_code.h"
 #include "tests/reference/random.h"
 #include "tests/reference/surface_rig.h"
 
@@ -86,33 +87,131 @@ static void every_code(void) {
     }
 }
 
+static uint32_t colour_of(const palette *p, uint32_t colour) {
+    const uint8_t *c = p->colour[palette_index(p, colour)];
+    return c[0] | (uint32_t)c[1] << 8 | (uint32_t)c[2] << 16;
+}
+
+/* The palette's own word on how far off it is, and nothing nearer than what it takes. */
+static void check_palette(const palette *p, const uint32_t *colour, size_t count, int is_nearest) {
+    uint32_t furthest = 0;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t is = colour_of(p, colour[i]);
+        int least = 1 << 30, squared = 0;
+        for (int a = 0; a < 24; a += 8) {
+            const int off = abs((int)(colour[i] >> a & 255) - (int)(is >> a & 255));
+            furthest = (uint32_t)off > furthest ? (uint32_t)off : furthest;
+            sum += (uint64_t)off;
+            squared += off * off;
+        }
+        for (uint32_t k = 0; k < p->count && is_nearest; k++) {
+            int other = 0;
+            for (int a = 0; a < 3; a++) {
+                const int off = (int)(colour[i] >> 8 * a & 255) - p->colour[k][a];
+                other += off * off;
+            }
+            least = other < least ? other : least;
+        }
+        CHECK(!is_nearest || least == squared, "colour %06x: %d, not %d", colour[i], squared,
+              least);
+    }
+    CHECK(furthest == p->furthest, "%u, not %u", p->furthest, furthest);
+    CHECK(fabs(p->mean - (double)sum / (3.0 * (double)count)) < 1e-9, "%g on average", p->mean);
+}
+
 static void keeps_few(void) {
-    test("colours that are few stay what they are; of many none is far from what stands for it");
+    test("colours that are few stay what they are");
     uint32_t many[4096];
     palette p;
     for (uint32_t i = 0; i < 4096; i++) {
         many[i] = (i & 15) * 17 | (i >> 4 & 15) * 17 << 8 | (i >> 8) * 17 << 16;
     }
-    CHECK(palette_make(&p, many, 255, 255) == 0 && p.count == 255 && p.furthest == 0, "%u, %u",
+    CHECK(palette_make(&p, many, 255, 2) == 0 && p.count == 255 && p.furthest == 0, "%u, %u",
           p.count, p.furthest);
     for (uint32_t i = 0; i < 255; i++) {
-        const uint8_t *c = p.colour[palette_index(&p, many[i])];
-        CHECK((c[0] | (uint32_t)c[1] << 8 | (uint32_t)c[2] << 16) == many[i], "colour %u", i);
+        CHECK(colour_of(&p, many[i]) == many[i], "colour %u", i);
     }
     palette_free(&p);
-    CHECK(palette_make(&p, many, 4096, 255) == 0 && p.count == 255 && p.distinct == 4096,
-          "%u of %u", p.count, p.distinct);
-    CHECK(p.furthest <= 34, "%u of 255", p.furthest);
+    CHECK(palette_make(&p, many, 2047, 2) == 0 && p.count == 2047 && p.furthest == 0, "%u, %u",
+          p.count, p.furthest);
+    check_palette(&p, many, 2047, 1);
+    palette_free(&p);
+    CHECK(palette_make(&p, many, 0, 2) == 0 && p.count == 1, "%u of none", p.count);
+    palette_free(&p);
+}
+
+static void keeps_many(void) {
+    test("of many none is far from what stands for it, which is the nearest that there is");
+    uint32_t many[4096];
+    palette p;
     for (uint32_t i = 0; i < 4096; i++) {
-        const uint8_t *c = p.colour[palette_index(&p, many[i])];
-        for (int a = 0; a < 3; a++) {
-            CHECK((uint32_t)abs((int)(many[i] >> 8 * a & 255) - c[a]) <= p.furthest, "colour %u",
-                  i);
-        }
+        many[i] = (i & 15) * 17 | (i >> 4 & 15) * 17 << 8 | (i >> 8) * 17 << 16;
     }
+    CHECK(palette_make(&p, many, 4096, 34) == 0 && p.count == 255 && p.distinct == 4096, "%u of %u",
+          p.count, p.distinct);
+    CHECK(p.furthest <= 34, "%u of 255", p.furthest);
+    check_palette(&p, many, 4096, 0);
     palette_free(&p);
-    CHECK(palette_make(&p, many, 0, 255) == 0 && p.count == 1, "%u of none", p.count);
+    random_state r = {11};
+    for (uint32_t i = 0; i < 4096; i++) {
+        many[i] = random_bits(&r) & 0x7FFFFF;
+    }
+    CHECK(palette_make(&p, many, 4096, 2) == 0 && p.count == 2047, "%u", p.count);
+    CHECK(p.furthest <= 20 && p.mean < 3, "%u, %g", p.furthest, p.mean);
+    check_palette(&p, many, 4096, 1);
     palette_free(&p);
+    for (uint32_t i = 0; i < 4096; i++) { /* a thousand pairs that are next to each other */
+        many[i] = ((i >> 1 & 15) * 8 + (i & 1)) | (i >> 6) * 3 << 8;
+    }
+    CHECK(palette_make(&p, many, 4096, 2) == 0 && p.count < 2047 && p.furthest <= 2,
+          "%u, off by %u", p.count, p.furthest);
+    palette_free(&p);
+}
+
+static void codes_steps(void) {
+    test("texture coordinates are off by half a step at most; bits go where steps are large");
+    static const struct {
+        double low[2], high[2];
+        uint32_t bits, share;
+    } CASES[] = {{{0, 0}, {1, 1}, 24, 12},        {{-3, 2}, {29, 4}, 24, 14},
+                 {{0, 0}, {0.001, 60000}, 24, 8}, {{0, 0}, {1, 1}, 32, 16},
+                 {{5, 5}, {5, 5}, 24, 12},        {{-65536, 0}, {65536, 1}, 32, 16}};
+    random_state r = {5};
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        texcoord_code t = texcoord_code_begin();
+        texcoord_code_add(&t, CORNER_NO_TEXCOORD, CORNER_NO_TEXCOORD);
+        texcoord_code_add(&t, corner_texcoord(CASES[i].low[0]), corner_texcoord(CASES[i].high[1]));
+        texcoord_code_add(&t, corner_texcoord(CASES[i].high[0]), corner_texcoord(CASES[i].low[1]));
+        texcoord_code_end(&t, CASES[i].bits);
+        CHECK(t.steps.bits[0] == CASES[i].share &&
+                  t.steps.bits[0] + t.steps.bits[1] == CASES[i].bits,
+              "case %zu: %u and %u bits", i, t.steps.bits[0], t.steps.bits[1]);
+        for (int k = 0; k < 2000; k++) {
+            uint32_t at[2];
+            float is[2];
+            for (int a = 0; a < 2; a++) {
+                const double share = k < 4 ? k >> a & 1 : (double)random_float(&r, 0.0f, 1.0f);
+                at[a] =
+                    corner_texcoord(CASES[i].low[a] + share * (CASES[i].high[a] - CASES[i].low[a]));
+            }
+            const uint32_t value = texcoord_code_value(&t, at[0], at[1]);
+            plt_texcoord_decode(&t.steps, value, is);
+            CHECK((value & plt_texcoord_split(&t.steps)) != plt_texcoord_split(&t.steps),
+                  "it has another meaning");
+            for (int a = 0; a < 2; a++) {
+                const double due = (double)plt_float_of(at[a]), step = (double)t.steps.step[a];
+                const double off = fabs((double)is[a] - due);
+                CHECK(off <= 0.5001 * step + 1e-6 * fabs(due), "case %zu, axis %d: %g for %g", i, a,
+                      (double)is[a], due);
+                CHECK(off <= t.off, "%g is more than it says, %g", off, t.off);
+            }
+        }
+        const uint32_t none = texcoord_code_value(&t, CORNER_NO_TEXCOORD, CORNER_NO_TEXCOORD);
+        CHECK((none & plt_texcoord_split(&t.steps)) == plt_texcoord_split(&t.steps) &&
+                  none != plt_texcoord_split(&t.steps),
+              "%x", none);
+    }
 }
 
 static surface_stats stats_of(const mesh *m, const mesh_corners *c, packed *image) {
@@ -133,20 +232,24 @@ static surface_stats stats_of(const mesh *m, const mesh_corners *c, packed *imag
 }
 
 static void takes_little(void) {
-    test("a smooth mesh takes at most 1.5 and 1 bytes per triangle; tree and triangles stay");
+    test("a smooth mesh takes at most 1.5, 1 and 2 bytes per triangle; tree and triangles stay");
     mesh m = {0};
     mesh_corners c = {0};
     packed image;
     shape_icosphere(&m, 4);
     CHECK(mesh_smooth(&m, 180, &c) == 0, "no memory");
     surface_rig_colour(&m, &c, 8);
+    surface_rig_unwrap(&m, &c, 2);
     const surface_stats s = stats_of(&m, &c, &image);
     const double n = (double)m.triangles;
-    CHECK(s.normals.bytes / n <= 1.5 && s.colours.bytes / n <= 1.0, "%g and %g",
-          s.normals.bytes / n, s.colours.bytes / n);
+    CHECK(s.normals.bytes / n <= 1.5 && s.colours.bytes / n <= 1.0 && s.texcoords.bytes / n <= 2.0,
+          "%g, %g and %g", s.normals.bytes / n, s.colours.bytes / n, s.texcoords.bytes / n);
+    CHECK(s.texcoords.split == 0 && s.texcoords_off < 2 * 0.5 / 2047, "%g", s.texcoords_off);
     CHECK(s.normals.split == 0 && s.normals.positions == m.triangles / 2 + 2, "%llu, %llu",
           (unsigned long long)s.normals.positions, (unsigned long long)s.normals.split);
-    CHECK(image.info.normal_bytes == s.normals.bytes && image.info.colour_bytes == s.colours.bytes,
+    CHECK(image.info.normal_bytes == s.normals.bytes &&
+              image.info.colour_bytes == s.colours.bytes &&
+              image.info.texcoord_bytes == s.texcoords.bytes,
           "the info has others");
     pack_free(&image);
     corners_free(&c);
@@ -180,6 +283,8 @@ int main(void) {
     is_near();
     every_code();
     keeps_few();
+    keeps_many();
+    codes_steps();
     takes_little();
     splits();
     return test_done();

@@ -1,4 +1,5 @@
-/* surface - opens untrusted images with normals and colours, and asks for those of hits
+/* surface - opens untrusted images with normals, colours and texture coordinates, and asks for
+ * those of hits
  *
  * As hostile/images.h has it of others.
  *
@@ -59,6 +60,16 @@ static inline const char *hostile_point(const plt_engine *e, const plt_hit *hit)
         if (!(p.colour[c] >= 0 && p.colour[c] <= 1)) {
             return "a colour is out of range";
         }
+    }
+    const float most = p.has_texcoord ? 0x1p20f : 0.0f;
+    for (int a = 0; a < 2; a++) {
+        if (!(p.texcoord[a] >= -most && p.texcoord[a] <= most)) {
+            return "a texture coordinate is out of range";
+        }
+    }
+    if (!(p.texcoord_scale >= 0 && p.texcoord_scale < 0x1p60f) ||
+        (!p.has_texcoord && p.texcoord_scale != 0)) {
+        return "a texture's scale is out of range";
     }
     return NULL;
 }

@@ -34,6 +34,29 @@ static inline void surface_rig_paint(const mesh *m, mesh_corners *c) {
     }
 }
 
+/* Coordinates by where corners are: u along x, `repeats` times over, v against y, half as often. */
+static inline void surface_rig_unwrap(const mesh *m, mesh_corners *c, float repeats) {
+    CHECK(corners_want_texcoords(c, m->triangles) == 0, "no memory");
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        const float *p = m->vertex + 3 * (size_t)m->triangle[i];
+        c->texcoord[0][i] = corner_texcoord((double)(repeats * (0.5f + 0.5f * p[0])));
+        c->texcoord[1][i] = corner_texcoord((double)(-0.5f * repeats * p[1]));
+    }
+}
+
+/* Coordinates by triangle: no position has any. Every ninth triangle's last corner has none. */
+static inline void surface_rig_tile(const mesh *m, mesh_corners *c) {
+    static const double corner[3][2] = {{0, 0}, {1, 0}, {0.25, 0.75}};
+    CHECK(corners_want_texcoords(c, m->triangles) == 0, "no memory");
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        const int is_none = i % 27 == 26;
+        for (int a = 0; a < 2; a++) {
+            const double at = corner[i % 3][a] + (double)(i / 3 % 7);
+            c->texcoord[a][i] = is_none ? CORNER_NO_TEXCOORD : corner_texcoord(at);
+        }
+    }
+}
+
 static inline packed surface_rig_image(const mesh *m, const mesh_corners *c,
                                        const pack_options *options) {
     packed image = {.size = 0};
