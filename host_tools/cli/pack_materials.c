@@ -11,11 +11,11 @@
 #include "host_tools/base/heap.h"
 #include "host_tools/cli/pack_lines.h"
 
-void pack_materials_read(pack_materials *p, args *a) {
+void pack_materials_read(pack_materials *p, args *a, mesh_corners *corners) {
     static const char *const choices[] = {"none", "keep", NULL};
     p->wanted = (int)args_choice(a, "--materials", choices, 0);
     p->strict = args_has(a, "--strict");
-    pack_textures_read(&p->textures, a, p->wanted);
+    pack_textures_read(&p->textures, a, p->wanted, corners);
     if (p->strict && !p->wanted) {
         args_complain(a, "--strict is about materials; add --materials keep");
     }

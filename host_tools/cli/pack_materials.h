@@ -23,8 +23,8 @@ typedef struct pack_materials {
     pack_textures textures;
 } pack_materials;
 
-/* The flags; a wrong one sets a->wrong. */
-void pack_materials_read(pack_materials *p, args *a);
+/* The flags; a wrong one sets a->wrong. Textures want the corners' texture coordinates. */
+void pack_materials_read(pack_materials *p, args *a, mesh_corners *corners);
 
 /* Once the meshes are read: says what was not found, or with --strict fails. */
 int pack_materials_check(pack_materials *p, const pack_meshes *in, fail *f);

@@ -14,10 +14,19 @@
 #include "host_tools/base/input.h"
 #include "host_tools/picture/picture_read.h"
 
-void pack_textures_read(pack_textures *t, args *a, int materials) {
+void pack_textures_read(pack_textures *t, args *a, int materials, mesh_corners *c) {
     static const char *const choices[] = {"rgb565", "blocks", "none", NULL};
     const unsigned choice = (unsigned)args_choice(a, "--textures", choices, 0);
-    t->wanted = materials && choice < 2;
+    const int moves = args_has(a, "--sequence");
+    t->wanted =
+        materials && choice < 2 && !moves && (!args_has(a, "--texcoords") || c->wants_texcoords);
+    t->wants_texcoords = t->wanted && !c->wants_texcoords;
+    c->wants_texcoords |= t->wants_texcoords;
+    if (args_has(a, "--textures") && moves) {
+        args_complain(a,
+                      "--textures are of triangles that stay where they are; leave out "
+                      "--sequence");
+    }
     t->format = choice == 1 ? PLT_TEXTURE_BLOCKS : PLT_TEXTURE_RGB565;
     if (args_has(a, "--textures") && !materials) {
         args_complain(a, "--textures are of materials; add --materials keep");
@@ -121,6 +130,22 @@ int pack_textures_open(pack_textures *t, const mesh_materials *m, int strict, fa
     return status;
 }
 
+void pack_textures_settle(pack_textures *t, mesh_corners *c, const char *name) {
+    if (!t->wanted) {
+        return;
+    }
+    if (t->pictures > 0 && c->texcoords == 0) {
+        fprintf(stderr, "%s: left out its pictures, as it has no texture coordinates\n", name);
+        pack_textures_free(t);
+    }
+    if (t->pictures == 0 && t->wants_texcoords) {
+        if (c->texcoords > 0) {
+            fprintf(stderr, "%s: left out its texture coordinates, as it has no picture\n", name);
+        }
+        c->wants_texcoords = 0;
+    }
+}
+
 static float limited(float x) {
     return x > -PLT_PAINT_MOST ? (x < PLT_PAINT_MOST ? x : PLT_PAINT_MOST) : -PLT_PAINT_MOST;
 }
@@ -185,5 +210,5 @@ void pack_textures_free(pack_textures *t) {
     }
     heap_drop(t->picture);
     heap_drop(t->file);
-    *t = (pack_textures){.wanted = 0};
+    *t = (pack_textures){.wants_texcoords = t->wants_texcoords};
 }

@@ -4,6 +4,7 @@
 #ifndef PACK_TEXTURES_H
 #define PACK_TEXTURES_H
 #include "host_tools/app/args.h"
+#include "host_tools/mesh/corners.h"
 #include "host_tools/mesh/materials.h"
 #include "host_tools/pack/material_section.h"
 #include "host_tools/pack/texture_section.h"
@@ -24,7 +25,8 @@ typedef struct pack_picture {
 #define PACK_NO_PICTURE 0xFFFFu
 
 typedef struct pack_textures {
-    int wanted; /* 0: none */
+    int wanted;          /* 0: none */
+    int wants_texcoords; /* nobody else does */
     uint8_t format;
     pack_picture *file; /* by path; owned */
     size_t files;
@@ -33,8 +35,13 @@ typedef struct pack_textures {
     texture_stats stats;
 } pack_textures;
 
-/* The flag; `materials`: those are wanted. A wrong one sets a->wrong. */
-void pack_textures_read(pack_textures *t, args *a, int materials);
+/* The flag; `materials`: those are wanted. A wrong one sets a->wrong. Textures want the corners'
+ * texture coordinates, unless --texcoords says what becomes of those. */
+void pack_textures_read(pack_textures *t, args *a, int materials, mesh_corners *c);
+
+/* The meshes and pictures are read: without texture coordinates there are no textures, and
+ * coordinates that only textures want are left out where there are none. */
+void pack_textures_settle(pack_textures *t, mesh_corners *c, const char *name);
 
 /* Reads the pictures of all materials that triangles have. One that cannot be used is said, or with
  * `strict` a failure. */
