@@ -17,14 +17,15 @@ typedef struct texture_scene {
     lit_scene lit;
     picture picture[TEXTURE_PICTURES]; /* of sides 1 to 70, some smooth, some noise */
     texture_paint paint[LIT_MATERIALS + 1];
-    packed image; /* list of triangles, with materials and textures */
+    packed image; /* with materials, textures and coordinates */
     texture_stats stats;
     uint32_t at, bytes;            /* the section of textures */
     uint32_t tiles_at, tile_bytes; /* ... and of tiles */
 } texture_scene;
 
 /* All of one format. Materials 0 to 5 have pictures 0 to 5, with clamp, scale and offset of some.
- */
+ * An image of that kind, or a list of triangles. */
+void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum lit_image kind);
 void texture_scene_make(texture_scene *s, uint8_t format, uint32_t seed);
 void texture_scene_free(texture_scene *s);
 
