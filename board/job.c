@@ -23,10 +23,15 @@
 #else
 #define KEYS_OF_SAMPLES ""
 #endif
+#if PLT_WITH_TEXTURE
+#define KEYS_OF_TEXTURES " textures"
+#else
+#define KEYS_OF_TEXTURES ""
+#endif
 
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES;
+    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES KEYS_OF_TEXTURES;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -124,7 +129,7 @@ static int read_light(const char *all, const char *key, uint8_t kind, plt_lighti
     return status;
 }
 
-/* textures=, likewise. */
+/* textures=, as `planelet render` has it. */
 static int read_textures(const char *all, job *j) {
 #if PLT_WITH_TEXTURE
     static const char *const filters[] = {"none", "nearest", "bilinear"};
@@ -137,7 +142,7 @@ static int read_textures(const char *all, job *j) {
 #endif
 }
 
-/* sun=, point=, sky=, ground= and depth=, as `planelet render` has them. */
+/* sun=, point=, sky=, ground= and depth=, likewise. */
 static int read_lights(const char *all, job *j) {
     uint32_t depth = DEPTH_USUAL;
     plt_lighting *l = &j->lighting;

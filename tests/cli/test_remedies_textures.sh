@@ -49,8 +49,9 @@ run render quad.plt -o p.png --size 9x7
 painted 'map_Kd p.ppm'
 says "--textures are of materials; add --materials keep" pack good.obj -o x.plt --textures blocks
 packs 2 good.obj --textures blocks --materials keep
-says "there is no such picture; correct the name in the MTL" pack good.obj -o x.plt \
-    --materials keep --strict
+says "--textures are of triangles that stay where they are; leave out --sequence" pack good.obj \
+    -o x.plt --textures blocks --materials keep --sequence
+packs 2 good.obj --textures blocks --materials keep
 painted 'map_Kd gone.png'
 says "there is no such picture; correct the name in the MTL" pack good.obj -o x.plt \
     --materials keep --strict
