@@ -23,10 +23,15 @@
 #else
 #define KEYS_OF_SAMPLES ""
 #endif
+#if PLT_WITH_TEXTURE
+#define KEYS_OF_TEXTURES " textures"
+#else
+#define KEYS_OF_TEXTURES ""
+#endif
 
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES;
+    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES KEYS_OF_TEXTURES;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 
@@ -124,7 +129,20 @@ static int read_light(const char *all, const char *key, uint8_t kind, plt_lighti
     return status;
 }
 
-/* sun=, point=, sky=, ground=, depth= and shadows=, as `planelet render` has them. */
+/* textures=, as `planelet render` has it. */
+static int read_textures(const char *all, job *j) {
+#if PLT_WITH_TEXTURE
+    static const char *const filters[] = {"none", "nearest", "bilinear"};
+    j->options.textures = PLT_TEXTURES_BILINEAR;
+    return job_word(all, "textures", filters, 3, &j->options.textures);
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
+/* sun=, point=, sky=, ground=, depth= and shadows=, likewise. */
 static int read_lights(const char *all, job *j) {
     static const char *const shadows[] = {"clear", "solid"};
     uint32_t depth = DEPTH_USUAL;
@@ -185,6 +203,9 @@ static int read_shader(const char *all, job *j) {
 #if PLT_WITH_WHITTED
     if (j->frame.shader == PLT_SHADE_WHITTED) {
         j->options.surface = PLT_WITH_SURFACE;
+        if (read_textures(all, j) < 0) {
+            return -1;
+        }
         return read_lights(all, j);
     }
 #endif

@@ -7,6 +7,7 @@
 #include "engine/move.h"
 #include "engine/schedule/batch_rays.h"
 #include "engine/task.h"
+#include "engine/texture_room.h"
 #include "engine/trace/rays.h"
 #include "engine/trace/wave.h"
 
@@ -18,6 +19,7 @@ const plt_info *plt_engine_info(const plt_engine *e) {
 int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count, int any) {
     const uint32_t most = (uint32_t)e->options.packet_side * e->options.packet_side;
     e->rendering.done = 1;
+    plt_texture_forget(e);
 #if PLT_WITH_TASK
     if (e->is_worker) {
         return plt_task_trace(e, rays, hits, count, any);
@@ -49,6 +51,7 @@ int plt_trace(plt_engine *e, const plt_ray *rays, plt_hit *hits, uint32_t count,
 #endif
 
 int plt_render_begin(plt_engine *e, const plt_frame *frame) {
+    plt_texture_forget(e);
 #if PLT_WITH_TASK
     if (e->is_worker && e->dispatch.most == 0) {
         return PLT_ERR_ARGUMENT;
@@ -72,6 +75,9 @@ void plt_render_tile(const plt_engine *e, plt_tile *tile) {
 }
 
 void plt_fault_get(const plt_engine *e, plt_fault *fault) {
+    if (plt_texture_failed(e, fault)) {
+        return;
+    }
 #if PLT_WITH_STREAMED
     if (plt_is_streamed(e->scene.format)) {
         const void *state = e->traversal.state;
@@ -94,6 +100,7 @@ void plt_stats_reset(plt_engine *e) {
     plt_rebuild_before_reset(e);
 #endif
     plt_traversal_reset_stats(&e->traversal);
+    plt_texture_stats_reset(e);
 #if PLT_WITH_TASK
     const plt_task_stats none = {0};
     e->dispatch.stats = none;

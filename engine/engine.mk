@@ -25,6 +25,7 @@
 #   texcoords ... and texture coordinates (plt_surface_point.texcoord), likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
+#   texture  ... whose surfaces have textures, with texcoords and whitted; likewise
 #   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
 #   diagrams with pictures of distances and of node visits, likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
@@ -88,6 +89,7 @@ texcoord_files := engine/surface/texcoords.c
 further_files := engine/image/further.c
 whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c \
     engine/shade/whitted_frame.c engine/shade/whitted_mix.c
+texture_files := $(wildcard engine/texture/*.c) engine/texture_room.c engine/whitted/paint.c
 samples_files := engine/shade/light.c engine/shade/beam_samples.c engine/shade/whitted_mix.c
 diagrams_files := engine/shade/diagram.c
 mixes_files := engine/shade/mixing.c engine/shade/beam_mix.c engine/shade/packet_mix.c
@@ -109,11 +111,11 @@ flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
-    subtree sequence vertices background grid instances surface texcoords whitted samples \
-    diagrams frames,$(PARTS)),)
+    subtree sequence vertices background grid instances surface texcoords whitted texture \
+    samples diagrams frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
     seek, motion, some, subtree, sequence, vertices, background, grid, instances, surface, \
-    texcoords, whitted, samples, diagrams or frames; it has $(PARTS))
+    texcoords, whitted, texture, samples, diagrams or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -156,6 +158,12 @@ endif
 ifeq ($(filter surface,$(PARTS))$(filter texcoords,$(PARTS)),texcoords)
 $(error PARTS with texcoords has surface: make PARTS='render thesis surface texcoords')
 endif
+ifeq ($(filter texture,$(PARTS)),texture)
+ifneq ($(sort $(filter texcoords whitted,$(PARTS))),texcoords whitted)
+$(error PARTS with texture has surface, texcoords and whitted: make PARTS='render thesis surface \
+    texcoords whitted texture')
+endif
+endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
 endif
@@ -192,6 +200,7 @@ without_instances := $(if $(filter host,$(BOARD))$(filter instances,$(PARTS)),,y
 without_whitted := $(if $(filter host,$(BOARD))$(filter whitted,$(PARTS)),,yes)
 without_surface := $(if $(filter host,$(BOARD))$(filter surface,$(PARTS)),,yes)
 without_texcoords := $(if $(filter host,$(BOARD))$(filter texcoords,$(PARTS)),,yes)
+without_texture := $(if $(filter host,$(BOARD))$(filter texture,$(PARTS)),,yes)
 without_further := $(if $(without_whitted),$(without_surface))
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
@@ -210,7 +219,7 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_vertices),$(vertices_files)) $(if $(without_instances),$(instances_files)) \
     $(if $(without_whitted),$(whitted_files)) $(if $(without_surface),$(surface_files)) \
     $(if $(without_texcoords),$(texcoord_files)) \
-    $(if $(without_further),$(further_files)) \
+    $(if $(without_further),$(further_files)) $(if $(without_texture),$(texture_files)) \
     $(if $(without_samples),$(samples_files)) $(if $(without_diagrams),$(diagrams_files)) \
     $(if $(without_mixes),$(mixes_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
@@ -223,6 +232,7 @@ PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
     $(if $(without_surface),-DPLT_WITH_SURFACE=0) \
     $(if $(without_texcoords),-DPLT_WITH_TEXCOORDS=0) \
     $(if $(without_whitted),-DPLT_WITH_WHITTED=0) \
+    $(if $(without_texture),-DPLT_WITH_TEXTURE=0) \
     $(if $(without_background),-DPLT_WITH_BACKGROUND=0) \
     $(if $(without_samples),-DPLT_WITH_SAMPLES=0) \
     $(if $(without_diagrams),-DPLT_WITH_DIAGRAMS=0) \
@@ -246,7 +256,8 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c engine/surface_room.c \
     engine/surface/surface_data.c engine/surface/surface_pages.c engine/surface/page_fetch.c \
-    engine/whitted_room.c engine/whitted/materials.c)
+    engine/whitted_room.c engine/whitted/materials.c \
+    engine/texture_room.c engine/texture/directory.c engine/texture/tiles.c)
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

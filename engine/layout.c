@@ -14,6 +14,7 @@
 #include "engine/scene/build_compact.h"
 #include "engine/scene/surface_place.h"
 #include "engine/scene/worst_tree.h"
+#include "engine/texture_room.h"
 #include "engine/trace/block_entry.h"
 #include "engine/trace/grid_state.h"
 #include "engine/trace/kept.h"
@@ -383,6 +384,12 @@ static uint64_t rebuild_bytes(const subject *s) {
 }
 #endif
 
+#if PLT_WITH_TEXTURE
+static int has_textures(const subject *s) {
+    return s->options->textures > 0 && s->info->texture_bytes > 0;
+}
+#endif
+
 #if PLT_WITH_SURFACE
 /* Tables, if there are any; else pages, or of those that stay where they are what they begin with.
  */
@@ -531,6 +538,12 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_MATERIALS:
         return s->options->whitted > 0 && !s->mapped ? s->info->material_bytes : 0;
 #endif
+#if PLT_WITH_TEXTURE
+    case PLT_PART_TEXTURES:
+        return has_textures(s) ? plt_texture_room_bytes(s->info, s->mapped) : 0;
+    case PLT_PART_TILES:
+        return has_textures(s) && !s->mapped ? plt_texture_tiles_bytes(s->options) : 0;
+#endif
 #if PLT_WITH_GRID
     case PLT_PART_GRID: /* the least; opening adds what there is room for */
         return has_grid(s) ? plt_grid_least_bytes(s->info->triangles) : 0;
@@ -650,6 +663,19 @@ static int is_whitted_valid(const plt_options *o) {
            (o->whitted <= 1 + PLT_BOUNCES_MOST && o->schedule == PLT_SCHEDULE_BRANCH);
 }
 
+/* Textures lie on surfaces that lights show. */
+static int is_textures_valid(const plt_options *o) {
+#if PLT_WITH_TEXTURE
+    return o->textures == 0
+               ? o->texture_bytes == 0
+               : o->textures <= PLT_TEXTURES_BILINEAR && o->whitted > 0 && o->surface == 1 &&
+                     (o->texture_bytes == 0 || o->texture_bytes >= PLT_TEXTURE_LEAST);
+#else
+    (void)o;
+    return 1;
+#endif
+}
+
 int plt_layout_options_valid(const plt_options *o) {
     const unsigned side = o->packet_side;
     return (side & (side - 1)) == 0 && side != 1 && side <= PLT_PACKET_SIDE_MAX &&
@@ -659,7 +685,7 @@ int plt_layout_options_valid(const plt_options *o) {
            o->order <= PLT_ORDER_TWO_STAGE && o->count_touched <= 1 && is_wave_valid(o) &&
            is_motion_valid(o) && (!PLT_WITH_MOTION || is_subtree_valid(o)) &&
            is_structure_valid(o) && is_records_valid(o) && o->surface <= PLT_WITH_SURFACE &&
-           is_whitted_valid(o);
+           is_whitted_valid(o) && is_textures_valid(o);
 }
 
 int plt_layout_order_valid(const plt_info *info, const plt_options *o) {

@@ -14,6 +14,7 @@
 #include "engine/motion_room.h"
 #include "engine/scene/worst_tree.h"
 #include "engine/surface_room.h"
+#include "engine/texture_room.h"
 #include "engine/trace/wave_state.h"
 #include "engine/trace/wide_form.h"
 #include "engine/whitted_room.h"
@@ -289,6 +290,9 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
         status = plt_whitted_room_set(e, header, part, fault);
     }
     if (status == PLT_OK) {
+        status = plt_texture_room_set(e, header, part, fault);
+    }
+    if (status == PLT_OK) {
         const plt_info sized = sized_for(e);
         status = plt_motion_room_set(e, &o, &sized, part);
     }
@@ -446,6 +450,9 @@ static int read_header_again(const plt_engine *e, plt_header *header, plt_fault 
     int same = now->source_triangles == before->source_triangles;
 #if PLT_WITH_WHITTED
     same &= now->material_bytes == before->material_bytes;
+#endif
+#if PLT_WITH_TEXTURE
+    same &= now->texture_bytes == before->texture_bytes && now->tile_bytes == before->tile_bytes;
 #endif
 #if PLT_WITH_SURFACE
     same &= now->normal_bytes == before->normal_bytes && now->colour_bytes == before->colour_bytes;

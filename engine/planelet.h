@@ -251,7 +251,26 @@ typedef struct plt_options {
                       * have, up to 1 + PLT_BOUNCES_MOST, for 105 bytes per ray of a packet, 40 more
                       * per bounce, and the image's materials if it is not mapped; 0: none. With
                       * PLT_SCHEDULE_BRANCH. Without PLT_WITH_WHITTED it is not looked at */
+#if PLT_WITH_TEXTURE
+    uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_WHITTED, with
+                             * `whitted` and `surface` */
+    uint32_t texture_bytes; /* with textures of an image that is not mapped: room for their tiles,
+                             * 140 bytes each (PLT_TEXTURE_LEAST), as many as fit; 0: for
+                             * PLT_TEXTURE_TILES. Less is fetched more often; pictures are alike */
+#endif
 } plt_options;
+
+#if PLT_WITH_TEXTURE
+/* Whether surfaces have their textures, and how texels become colours. */
+enum plt_texture_filter {
+    PLT_TEXTURES_NONE = 0,    /* none: they are as if their material had none */
+    PLT_TEXTURES_NEAREST = 1, /* the texel that a point lies in */
+    PLT_TEXTURES_BILINEAR = 2 /* the four around it, weighted */
+};
+
+#define PLT_TEXTURE_LEAST 140u /* a tile */
+#define PLT_TEXTURE_TILES 64u  /* unless it is said how many */
+#endif
 
 /* Rays one after another that a mirror or glass may send out, at most. */
 #define PLT_BOUNCES_MOST 8u
@@ -308,6 +327,10 @@ typedef struct plt_info {
 #endif
 #if PLT_WITH_WHITTED
     uint32_t material_bytes; /* ... and of materials; 0: there are none */
+#endif
+#if PLT_WITH_TEXTURE
+    uint32_t texture_bytes; /* ... and of textures, and which materials have them */
+    uint32_t tile_bytes;    /* ... and of their tiles */
 #endif
 } plt_info;
 
@@ -746,6 +769,19 @@ typedef struct plt_lighting {
  *
  * Not there without PLT_WITH_WHITTED. */
 int plt_lighting_set(plt_engine *engine, const plt_lighting *lighting);
+
+#if PLT_WITH_TEXTURE
+/* Tiles of textures that were looked for in their room, since plt_stats_reset; all 0 where the
+ * image is mapped. */
+typedef struct plt_texture_stats {
+    uint64_t found;   /* were there; a tile that is asked for again and again counts once */
+    uint64_t fetched; /* came from the source */
+    uint64_t bytes_fetched;
+    uint64_t retries; /* came late, short or wrong */
+} plt_texture_stats;
+
+void plt_texture_stats_get(const plt_engine *engine, plt_texture_stats *stats);
+#endif
 
 /* Goes on with the frame for about `visits` node visits (at least one stack
  * entry is worked off; one entry visits at most a treelet or a list), so

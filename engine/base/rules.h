@@ -27,6 +27,7 @@ enum plt_refusal {
     PLT_R17_FURTHER = 17,     /* the table of further sections */
     PLT_R18_SURFACE = 18,     /* what a section of normals or colours begins with */
     PLT_R19_MATERIALS = 19,   /* the section of materials */
+    PLT_R20_TEXTURES = 20,    /* the section of textures, and of which materials have them */
     PLT_R21_PAGES = 21        /* what a section of pages begins with */
 };
 
@@ -59,6 +60,7 @@ enum plt_invariant {
     PLT_I27_BODIES = 27,   /* bodies follow each other and fill the sections; instances have one */
     PLT_I28_MATRICES = 28, /* the check of a frame of matrices is right */
     PLT_I29_PLACED = 29,   /* matrices can be inverted, and place bodies within 2^40 */
+    PLT_I30_TILES = 30,    /* the check of a tile that is fetched is right */
     PLT_I31_PAGES = 31     /* pages of normals and colours, and where they are, are right */
 };
 

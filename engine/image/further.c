@@ -68,14 +68,20 @@ static int refused(plt_fault *fault, uint32_t offset) {
 
 /* Kinds rise, so that each is there once; this engine knows all of them. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && ((kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_TEXCOORDS) ||
+    return kind > before && ((kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_TILES) ||
                              (PLT_WITH_PAGES && kind == PLT_SECTION_PAGES));
+}
+
+/* They name triangles by their primitive ids, or none. */
+static int is_of_materials(uint32_t kind) {
+    return kind == PLT_SECTION_MATERIALS || kind == PLT_SECTION_TEXTURES ||
+           kind == PLT_SECTION_TILES;
 }
 
 /* What corners have is of triangles that stay where they are, and none is of bodies, whose
  * triangles have numbers of their own. */
 static int is_allowed(const plt_info *info, uint32_t kind) {
-    return info->instances == 0 && (info->frames == 0 || kind == PLT_SECTION_MATERIALS);
+    return info->instances == 0 && (info->frames == 0 || is_of_materials(kind));
 }
 
 static void put_bytes(plt_info *info, const plt_section *s) {
@@ -99,6 +105,13 @@ static void put_bytes(plt_info *info, const plt_section *s) {
 #if PLT_WITH_WHITTED
     if (s->kind == PLT_SECTION_MATERIALS) {
         info->material_bytes = s->bytes;
+    }
+#endif
+#if PLT_WITH_TEXTURE
+    if (s->kind == PLT_SECTION_TEXTURES) {
+        info->texture_bytes = s->bytes;
+    } else if (s->kind == PLT_SECTION_TILES) {
+        info->tile_bytes = s->bytes;
     }
 #endif
 }

@@ -189,6 +189,9 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
 #if PLT_WITH_WHITTED
     info->material_bytes = 0;
 #endif
+#if PLT_WITH_TEXTURE
+    info->texture_bytes = info->tile_bytes = 0;
+#endif
     for (int i = 0; i < COUNTS; i++) {
         *count_field(info, i) = plt_get_u32(bytes + PLT_AT_COUNTS + 4 * i);
     }

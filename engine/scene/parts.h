@@ -112,10 +112,19 @@
 #define PLT_PARTS_OF_SURFACES(ROW)
 #endif
 
+#if PLT_WITH_TEXTURE
+#define PLT_PARTS_OF_TEXTURES(ROW)                                                                 \
+    ROW(TEXTURES, RUNS, "textures")                                                                \
+    ROW(TILES, RUNS, "tiles of textures")
+#else
+#define PLT_PARTS_OF_TEXTURES(ROW)
+#endif
+
 #if PLT_WITH_WHITTED
 #define PLT_PARTS_OF_LIGHT(ROW)                                                                    \
     ROW(WHITTED, RUNS, "pixels with lights and mirrors")                                           \
-    ROW(MATERIALS, RUNS, "materials")
+    ROW(MATERIALS, RUNS, "materials")                                                              \
+    PLT_PARTS_OF_TEXTURES(ROW)
 #else
 #define PLT_PARTS_OF_LIGHT(ROW)
 #endif

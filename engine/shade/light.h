@@ -9,10 +9,7 @@
 #ifndef PLT_SHADE_LIGHT_H
 #define PLT_SHADE_LIGHT_H
 
-#include "engine/planelet.h"
-
-/* Of each byte, 65,535 for the last. */
-extern const uint16_t plt_linear[256];
+#include "engine/base/linear.h"
 
 /* Up to 16 colours. 18 bytes, rounded up. */
 typedef struct plt_mix {

@@ -23,6 +23,9 @@ static void send(const plt_whitted *w, plt_lit_pixel *p, plt_lit_ray *ray, float
         ray->org[a] = p->ray.org[a] + side * w->lift * p->side[a];
     }
     ray->level = (uint8_t)(p->ray.level + 1);
+#if PLT_WITH_TEXTURE
+    ray->before = p->ray.before;
+#endif
     ray->is_sky = 0;
     if (p->ray.level < w->lighting.bounces && plt_lit_counts(ray->weight)) {
         s->ray[s->count++] = *ray;

@@ -58,7 +58,7 @@ static void set_smooth(plt_lit_pixel *p, const float normal[3]) {
 }
 
 static int set_of_corners(plt_traversal *t, plt_lit_pixel *p, const plt_packet *packet,
-                          uint32_t ray) {
+                          uint32_t ray, plt_surface_point *to) {
     const plt_group_rays *g = &packet->rays[ray / 4];
     plt_surface_corners corners;
     plt_surface_point point;
@@ -73,14 +73,27 @@ static int set_of_corners(plt_traversal *t, plt_lit_pixel *p, const plt_packet *
         const float colour = point.has_colour ? point.colour[c] : 1.0f;
         p->tint[c] = (uint8_t)(int32_t)(colour * 255.0f + 0.5f);
     }
+    if (to != NULL) {
+        *to = point;
+    }
     return PLT_OK;
 }
 #endif
 
+#if PLT_WITH_TEXTURE
+int plt_point_set(plt_traversal *t, plt_lit_pixel *p, const plt_packet *packet, uint32_t ray,
+                  plt_surface_point *surface) {
+    surface->has_texcoord = 0;
+#else
 int plt_point_set(plt_traversal *t, plt_lit_pixel *p, const plt_packet *packet, uint32_t ray) {
+#endif
 #if PLT_WITH_SURFACE
     if (t->scene->surface.is_open) {
-        return set_of_corners(t, p, packet, ray);
+#if PLT_WITH_TEXTURE
+        return set_of_corners(t, p, packet, ray, surface);
+#else
+        return set_of_corners(t, p, packet, ray, NULL);
+#endif
     }
 #endif
     (void)t;

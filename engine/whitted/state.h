@@ -9,6 +9,7 @@
 #ifndef PLT_WHITTED_STATE_H
 #define PLT_WHITTED_STATE_H
 
+#include "engine/texture/sample.h"
 #include "engine/trace/traversal.h"
 #include "engine/whitted/materials.h"
 
@@ -18,13 +19,16 @@ enum plt_lit_state {
     PLT_LIT_HIT
 };
 
-/* A ray that waits. 40 bytes. */
+/* A ray that waits. 40 bytes, with textures 44. */
 typedef struct plt_lit_ray {
     float org[3], dir[3]; /* dir: of length 1 */
     float weight[3];      /* what its light counts in the pixel */
     uint16_t inside;      /* 1 + the material of the glass that it runs through; 0: air */
     uint8_t level;        /* bounces before it */
     uint8_t is_sky;       /* 1: the own ray of a pixel, and it hit nothing */
+#if PLT_WITH_TEXTURE
+    float before; /* how far light has to go from its origin to the eye */
+#endif
 } plt_lit_ray;
 
 typedef struct plt_lit_pixel {
@@ -49,11 +53,18 @@ typedef struct plt_lit_shadow {
 } plt_lit_shadow;
 
 _Static_assert(sizeof(plt_lit_shadow) == 20, "no holes");
-_Static_assert(sizeof(plt_lit_ray) == 40 && sizeof(plt_lit_pixel) == 84, "no holes");
+_Static_assert(sizeof(plt_lit_ray) == (PLT_WITH_TEXTURE ? 44 : 40) &&
+                   sizeof(plt_lit_pixel) == sizeof(plt_lit_ray) + 44,
+               "no holes");
 
 typedef struct plt_whitted {
     plt_lighting lighting; /* bounces: at most those that there is room for */
     plt_materials materials;
+#if PLT_WITH_TEXTURE
+    plt_textures *textures; /* NULL: there are none */
+    float angle;            /* side of a pixel at a distance of 1 */
+    int failed;             /* what a fetch has failed with; PLT_OK: none has */
+#endif
     const plt_box *box; /* of all that may be hit */
     float up[3];        /* of length 1 */
     float lift;         /* how far the origins of rays are above what they leave */

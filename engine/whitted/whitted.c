@@ -9,6 +9,7 @@
 #include "engine/whitted/direct.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/optics.h"
+#include "engine/whitted/paint.h"
 #include "engine/whitted/point.h"
 #include "engine/whitted/rays_due.h"
 #include "engine/whitted/shadows.h"
@@ -103,11 +104,20 @@ static int take_hit(plt_whitted *w, plt_traversal *traversal, plt_lit_pixel *p,
         p->ray.org[a] = g->org[a][lane] + t * g->dir[a][lane];
     }
     fade(w, p, t);
+#if PLT_WITH_TEXTURE
+    plt_surface_point surface;
+    plt_paint_far(&p->ray, g, lane, t);
+    const int status = plt_point_set(traversal, p, packet, slot, &surface);
+#else
     const int status = plt_point_set(traversal, p, packet, slot);
+#endif
     if (status != PLT_OK) {
         return status;
     }
     p->material = (uint8_t)plt_materials_find(&w->materials, g->id[lane]);
+#if PLT_WITH_TEXTURE
+    plt_paint_point(w, p, &surface);
+#endif
     p->state = PLT_LIT_HIT;
     plt_direct_begin(w, p);
     return PLT_OK;
@@ -182,7 +192,7 @@ static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t 
     } else {
         take_shadows(w, packet);
     }
-    return status == PLT_OK ? PLT_MORE : status;
+    return status == PLT_OK ? plt_paint_status(w) : status;
 }
 
 int plt_whitted_step(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {

@@ -15,19 +15,21 @@
 
 typedef struct scene {
     host_scene file;
-    plt_source source;    /* of the file, or of a simulated board over it */
-    dma board;            /* with --source dma:...; outstanding 0: there is none */
-    input stream;         /* standard input, in memory */
-    plt_options options;  /* by the flags; count_touched and the wave by the command, before
-                           * scene_attach; scene_start leaves out the wide form, and then the
-                           * wave, where the arena has no room for them */
-    plt_engine *engine;   /* NULL: not opened; else the first worker's */
-    unsigned workers;     /* by --workers; 0 is 1 */
-    crew crew;            /* all of them */
-    size_t arena_bytes;   /* of each */
-    int arena_is_given;   /* by --arena */
-    uint64_t spare_bytes; /* what the command takes from the system after scene_start */
-    int arena_is_missing; /* the system does not give it */
+    plt_source source;      /* of the file, or of a simulated board over it */
+    dma board;              /* with --source dma:...; outstanding 0: there is none */
+    input stream;           /* standard input, in memory */
+    plt_options options;    /* by the flags; count_touched and the wave by the command, before
+                             * scene_attach; scene_start leaves out the wide form, and then the
+                             * wave, where the arena has no room for them */
+    uint8_t textures;       /* enum plt_texture_filter, of an image that has some ... */
+    uint32_t texture_bytes; /* ... and plt_options.texture_bytes then */
+    plt_engine *engine;     /* NULL: not opened; else the first worker's */
+    unsigned workers;       /* by --workers; 0 is 1 */
+    crew crew;              /* all of them */
+    size_t arena_bytes;     /* of each */
+    int arena_is_given;     /* by --arena */
+    uint64_t spare_bytes;   /* what the command takes from the system after scene_start */
+    int arena_is_missing;   /* the system does not give it */
 } scene;
 
 /* What an arena is made for if neither packets nor bytes were asked for. */

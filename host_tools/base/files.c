@@ -234,3 +234,8 @@ void files_finished(file_written *w, const char *target) {
         remember(&finished, &about, w->name);
     }
 }
+
+int files_is_file(const char *path) {
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISREG(about.st_mode);
+}

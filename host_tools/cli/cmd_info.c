@@ -17,6 +17,7 @@
 #include "host_tools/cli/arena_parts.h"
 #include "host_tools/cli/breakdown.h"
 #include "host_tools/cli/commands.h"
+#include "host_tools/cli/texture_list.h"
 #include "host_tools/pack/shift.h"
 
 static const arg_flag flags[] = {
@@ -44,6 +45,7 @@ static const char *const build_names[] = {"host", "device", "none"};
 /* What info prints beyond plt_info. */
 typedef struct derived {
     breakdown parts;
+    texture_list textures;
     int has_parts; /* compact, and opened */
     uint64_t tree_bytes, geometry_bytes, overhead_bytes;
     double tree_each, geometry_each; /* per triangle */
@@ -241,6 +243,7 @@ static void print_json(const plt_info *i, const plt_options *o, const derived *d
     print_counts_json(i);
     print_format_json(i, d);
     print_surface_json(i);
+    texture_list_print_json(&d->textures);
     print_arena_json(i, o, d);
     print_sequence_json(i);
     print_shift_json(d);
@@ -387,6 +390,7 @@ static void print_text(const plt_info *i, const plt_options *o, const derived *d
     print_surface("page", i->page_bytes, i);
     print_surface("texcoord", i->texcoord_bytes, i);
     print_surface("material", i->material_bytes, i);
+    texture_list_print(&d->textures);
     if (i->instances > 0) {
         print_instances(i);
     } else if (i->frames > 0) {
@@ -435,8 +439,15 @@ static int inspect(scene *s, const char *path, plt_info *info, fail *f) {
     return status;
 }
 
+static int list_textures(const scene *s, const char *path, texture_list *to, fail *f) {
+    plt_fault fault;
+    const int status = texture_list_read(to, &s->file.source, &fault);
+    return status == PLT_OK ? 0 : scene_refused(s, path, status, &fault, f);
+}
+
 int run_info(args *a) {
     scene s = SCENE_CLOSED;
+    texture_list textures = {.section = NULL};
     plt_info info;
     fail f = {""};
     int status = scene_attach(&s, a, a->file[0], &f);
@@ -447,10 +458,14 @@ int run_info(args *a) {
         status = inspect(&s, a->file[0], &info, &f);
     }
     if (status == 0) {
+        status = list_textures(&s, a->file[0], &textures, &f);
+    }
+    if (status == 0) {
         const int lists_packets = s.options.packet_side == 0;
         s.options.packet_side = lists_packets ? SCENE_USUAL_PACKET : s.options.packet_side;
         derived d = derive(&info, &s.options);
         d.lists_packets = lists_packets;
+        d.textures = textures;
         d.has_parts = s.engine != NULL && info.nodes_format == PLT_NODES_COMPACT;
         shift_read(&s.file.source, d.shift);
         if (d.has_parts) {
@@ -459,6 +474,7 @@ int run_info(args *a) {
         args_has(a, "--json") ? print_json(&info, &s.options, &d)
                               : print_text(&info, &s.options, &d);
     }
+    texture_list_free(&textures);
     scene_close(&s);
     if (a->wrong) {
         return 2;

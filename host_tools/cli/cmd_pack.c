@@ -288,6 +288,8 @@ static int pack_files(pack_job *job, const args *a, packed *image, fail *f) {
     if (read_meshes(job, a, f) != 0 || pack_materials_check(&job->materials, &job->in, f) != 0) {
         return -1;
     }
+    pack_textures_settle(&job->materials.textures, &job->surface.corners,
+                         pack_shown(&job->in.file[0]));
     const pack_plan plan = {&job->options, &job->compact, job->is_high};
     job->options.spend = job->compact.spend = job->frames.wanted ? NULL : &job->in.m;
     job->compact.meshes = (unsigned)a->files;
@@ -569,7 +571,7 @@ static void read_flags(pack_job *job, args *a) {
     read_format(job, a);
     read_instances(job, a);
     pack_surface_read(&job->surface, a);
-    pack_materials_read(&job->materials, a);
+    pack_materials_read(&job->materials, a, &job->surface.corners);
     read_checks(job, a);
     read_quality(job, a);
     job->compact.splits = job->options.splits;
@@ -605,7 +607,7 @@ int run_pack(args *a) {
         say_quality(&job.quality);
         say_treelets(&image.treelets);
         pack_surface_say(&job.surface, &image);
-        pack_materials_say(&job.materials, &image);
+        pack_materials_say(&job.materials, &job.in, &image);
         say_done(&job, &image, clock_seconds() - began);
     } else {
         pack_memory_explain(a->file[0], &f);

@@ -18,6 +18,7 @@
 #include "host_tools/app/played.h"
 #include "host_tools/app/rebuilds.h"
 #include "host_tools/app/scene.h"
+#include "host_tools/app/textures.h"
 #include "host_tools/app/vertices.h"
 #include "host_tools/app/view.h"
 #include "host_tools/base/output.h"
@@ -47,6 +48,7 @@ static const arg_flag flags[] = {
     {"--orbit", "N",
      "a film: N frames once around the scene, 25 per second; 1 to 100000 (default 1)"},
     LIGHTS_FLAGS,
+    TEXTURES_FLAGS,
     MOVED_FLAGS,
     REBUILDS_FLAGS,
     VERTICES_FLAGS,
@@ -328,6 +330,7 @@ static int write_stats(const rendering *r, output *o, fail *f) {
                             r->took.seconds, f);
         baseline_print_counts(&r->baseline, o, f);
     } else {
+        textures_print(o, &r->s, f);
         scene_print_stats(o, &r->s, &r->took, f);
         counted_print(&r->counted, o, f);
     }
@@ -479,6 +482,7 @@ static void read_flags(rendering *r, args *a) {
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
     lights_read(&r->lights, a, r->frame.shader, &r->s.options);
+    textures_read(&r->s, a, r->frame.shader);
     r->s.options.surface = r->frame.shader == PLT_SHADE_SMOOTH;
     r->s.spare_bytes =
         (uint64_t)(r->to.format == PICTURE_PNG ? 1 + PNG_PICTURES : 1) * 3 * width * height;

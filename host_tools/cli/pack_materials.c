@@ -8,12 +8,14 @@
 #include <string.h>
 
 #include "host_tools/app/note.h"
+#include "host_tools/base/heap.h"
 #include "host_tools/cli/pack_lines.h"
 
-void pack_materials_read(pack_materials *p, args *a) {
+void pack_materials_read(pack_materials *p, args *a, mesh_corners *corners) {
     static const char *const choices[] = {"none", "keep", NULL};
     p->wanted = (int)args_choice(a, "--materials", choices, 0);
     p->strict = args_has(a, "--strict");
+    pack_textures_read(&p->textures, a, p->wanted, corners);
     if (p->strict && !p->wanted) {
         args_complain(a, "--strict is about materials; add --materials keep");
     }
@@ -53,7 +55,7 @@ int pack_materials_check(pack_materials *p, const pack_meshes *in, fail *f) {
     if (m->troubles > MATERIALS_TROUBLES_KEPT) {
         fprintf(stderr, "%s: and %zu more of these\n", name, m->troubles - MATERIALS_TROUBLES_KEPT);
     }
-    return 0;
+    return pack_textures_open(&p->textures, m, p->strict, f);
 }
 
 int pack_materials_add(pack_materials *p, const pack_meshes *in, packed *image, fail *f) {
@@ -64,17 +66,28 @@ int pack_materials_add(pack_materials *p, const pack_meshes *in, packed *image, 
     if (materials_use(&p->materials, image->info.source_triangles, 0) != 0) {
         return fail_set(f, name, "out of memory; use a larger machine");
     }
-    return material_section_add(image, &p->materials, name, &p->stats, f);
+    uint16_t *number = heap_get(p->materials.count * sizeof *number);
+    if (number == NULL) {
+        return fail_set(f, name, "out of memory; use a larger machine");
+    }
+    int status = material_section_add(image, &p->materials, number, name, &p->stats, f);
+    if (status == 0) {
+        status = pack_textures_add(&p->textures, &p->materials, number, image, name, f);
+    }
+    heap_drop(number);
+    return status;
 }
 
-void pack_materials_say(const pack_materials *p, const packed *image) {
+void pack_materials_say(const pack_materials *p, const pack_meshes *in, const packed *image) {
     const uint32_t triangles = image->info.triangles > 0 ? image->info.triangles : 1;
     if (p->stats.bytes > 0) {
         note("materials: %" PRIu32 ", %" PRIu32 " bytes, %.2f per triangle", p->stats.materials,
              p->stats.bytes, (double)p->stats.bytes / triangles);
+        pack_textures_say(&p->textures, &p->materials, pack_shown(&in->file[0]));
     }
 }
 
 void pack_materials_free(pack_materials *p) {
+    pack_textures_free(&p->textures);
     materials_free(&p->materials);
 }

@@ -161,6 +161,7 @@ int materials_end(mesh_materials *m, const char *path, size_t triangles) {
 void materials_free(mesh_materials *m) {
     for (size_t i = 0; i < m->count; i++) {
         heap_drop(m->material[i].name);
+        heap_drop(m->material[i].map.path);
     }
     forget_libraries(m);
     heap_drop(m->library);

@@ -18,10 +18,18 @@ typedef struct material_values {
     uint32_t exponent;
 } material_values;
 
+/* The picture of map_Kd, and how it lies. */
+typedef struct material_map {
+    char *path; /* owned; NULL: there is none */
+    float scale[3], offset[3];
+    int clamp;
+} material_map;
+
 typedef struct mesh_material {
     char *name;    /* owned; NULL: of triangles without one */
     size_t length; /* of the name, whose bytes may be any */
     material_values values;
+    material_map map;
     int is_defined; /* some file says what it is; else it has the values of none */
 } mesh_material;
 
@@ -43,7 +51,8 @@ typedef struct mesh_materials {
     size_t troubles; /* all of them, of which the first are kept */
     char **library;  /* names of those that this file has read; owned */
     size_t libraries;
-    int has_names; /* some face has a material */
+    int has_names;      /* some face has a material */
+    uint32_t maps_left; /* bits of maps and their options that are there, and not read */
 } mesh_materials;
 
 /* A white that is not too bright, without highlights. */
@@ -63,6 +72,8 @@ int materials_use(mesh_materials *m, size_t triangles, int number);
 int materials_end(mesh_materials *m, const char *path, size_t triangles);
 void materials_complain(mesh_materials *m, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+/* How MTL names what a bit of maps_left stands for, in lower case; NULL: it has no such bit. */
+const char *materials_map_left(unsigned bit);
 void materials_free(mesh_materials *m);
 
 #endif

@@ -1,9 +1,9 @@
 /* mtl - reads the materials of a Wavefront library
  *
- * newmtl, Kd, Ks, Ke, Ns, Ni, d, Tr, Tf and illum; all other lines are passed over. illum 0 has no
- * lights: its Kd glows; 1 has no highlights; from 3 on Ks is what a mirror reflects; 4, 6, 7 and 9
- * are glass, as is what has a d below 1 whatever its illum. Of glass Tf is what comes through one
- * unit of length (Beer's law). Values beyond the ranges of an image are brought into them.
+ * newmtl, Kd, Ks, Ke, Ns, Ni, d, Tr, Tf, illum and map_Kd; all other lines are passed over. illum 0
+ * has no lights: its Kd glows; 1 has no highlights; from 3 on Ks is what a mirror reflects; 4, 6, 7
+ * and 9 are glass, as is what has a d below 1 whatever its illum. Of glass Tf is what comes through
+ * one unit of length (Beer's law). Values beyond the ranges of an image are brought into them.
  *
  * Source: Wavefront Technologies, Advanced Visualizer Manual, appendix B2, "MTL material format",
  * 1995.
@@ -13,10 +13,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "host_tools/base/files.h"
 #include "host_tools/base/heap.h"
 #include "host_tools/mesh/mtl.h"
+#include "host_tools/mesh/mtl_map.h"
 #include "host_tools/mesh/scan.h"
 
 enum { EXPONENT_MOST = 1024, ILLUM_MOST = 10 };
@@ -85,19 +86,8 @@ static void finish(library *l) {
     l->to->material[d->number].is_defined = 1;
 }
 
-/* The rest of the line without blanks around it. */
-static word rest_of_line(scan *s) {
-    word w = {NULL, 0};
-    while (!scan_line_done(s)) {
-        const word next = scan_word(s);
-        w.text = w.length == 0 ? next.text : w.text;
-        w.length = (size_t)(next.text + next.length - w.text);
-    }
-    return w;
-}
-
 static int begin(library *l) {
-    const word name = rest_of_line(&l->text);
+    const word name = scan_rest(&l->text);
     finish(l);
     l->d = (definition){.values = material_none(),
                         .filter = {1, 1, 1},
@@ -110,7 +100,13 @@ static int begin(library *l) {
         return 0;
     }
     l->d.number = materials_find(l->to, name.text, name.length);
-    return l->d.number < 0 ? -1 : 0;
+    if (l->d.number < 0) {
+        return -1;
+    }
+    material_map *map = &l->to->material[l->d.number].map; /* of an earlier definition */
+    heap_drop(map->path);
+    map->path = NULL;
+    return 0;
 }
 
 /* One number counts for all three, as a missing one does. */
@@ -159,6 +155,22 @@ static int read_value(library *l, word key) {
     return 1;
 }
 
+/* map_Kd, and lines like it. -1: memory is out. */
+static int read_map(library *l, word key, size_t line) {
+    material_map none = {.path = NULL};
+    material_map *to = l->d.number < 0 ? &none : &l->to->material[l->d.number].map;
+    if (!word_is_in_any_case(key, "map_kd")) {
+        return 0;
+    }
+    const int status = mtl_map_read(l->to, to, &l->text, l->path);
+    if (status == 0) {
+        materials_complain(l->to, l->path, "line %zu has no file behind '%.*s'", line,
+                           WORD_SHOWN(key));
+    }
+    heap_drop(none.path);
+    return status < 0 ? -1 : 0;
+}
+
 static int read_line(library *l) {
     const size_t line = l->text.line;
     if (scan_line_done(&l->text) || *l->text.at == '#') {
@@ -167,6 +179,9 @@ static int read_line(library *l) {
     const word key = scan_word(&l->text);
     if (word_is(key, "newmtl")) {
         return begin(l);
+    }
+    if (mtl_map_is(l->to, key)) {
+        return read_map(l, key, line);
     }
     if (!read_value(l, key)) {
         materials_complain(l->to, l->path, "line %zu has no number behind '%.*s'", line,
@@ -194,12 +209,6 @@ static size_t folder_length(const char *path) {
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
-/* What is no file (a pipe that nobody writes to) could be waited for without end. */
-static int is_file(const char *path) {
-    struct stat about;
-    return stat(path, &about) == 0 && S_ISREG(about.st_mode);
-}
-
 /* The path of a library beside `path`; owned. NULL: memory is out. */
 static char *path_beside(const char *path, const char *name, size_t length) {
     const size_t folder = length > 0 && name[0] == '/' ? 0 : folder_length(path);
@@ -221,7 +230,8 @@ static int read_one(mesh_materials *m, const char *path, const char *name, size_
     if (file == NULL) {
         return wanted != 0 ? -1 : 0;
     }
-    if (length > 0 && strcmp(file, "-") != 0 && is_file(file) && input_read(&in, file, &f) == 0) {
+    if (length > 0 && strcmp(file, "-") != 0 && files_is_file(file) &&
+        input_read(&in, file, &f) == 0) {
         status = mtl_read(m, &in);
     } else {
         materials_complain(m, path, "its material library '%.*s' cannot be read",
@@ -241,7 +251,7 @@ int mtl_read_beside(mesh_materials *m, const char *path, const char *names, size
     if (whole == NULL) {
         return -1;
     }
-    const int is_one = is_file(whole);
+    const int is_one = files_is_file(whole);
     size_t at = 0;
     int status = is_one || length == 0 ? read_one(m, path, names, length) : 0;
     while (!is_one && at < length && status == 0) {

@@ -145,3 +145,13 @@ int word_integer(word w, int64_t *value) {
     const unsigned char *at = (const unsigned char *)w.text, *end = at + w.length;
     return decimal_integer(at, end, value) == end && w.length > 0 ? 0 : -1;
 }
+
+word scan_rest(scan *s) {
+    word w = {NULL, 0};
+    while (!scan_line_done(s)) {
+        const word next = scan_word(s);
+        w.text = w.length == 0 ? next.text : w.text;
+        w.length = (size_t)(next.text + next.length - w.text);
+    }
+    return w;
+}

@@ -34,6 +34,7 @@ scan scan_begin_filled(const unsigned char *bytes, size_t size);
 int scan_line_done(scan *s); /* skips blanks; 1 at the line's or text's end */
 int scan_next_line(scan *s); /* 0: there is none */
 word scan_word(scan *s);
+word scan_rest(scan *s); /* all words of the line, with the blanks between them */
 
 /* The next word as a number: 0, or -1 when it is none; then it is still
  * the next word. */

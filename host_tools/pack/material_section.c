@@ -16,11 +16,9 @@
 
 typedef struct section {
     const mesh_materials *m;
-    uint16_t *number; /* of each material in the section; UNUSED: it has none */
+    uint16_t *number; /* of each material in the section; MATERIAL_UNUSED: it has none */
     plt_materials as; /* counts alone */
 } section;
-
-enum { UNUSED = 0xFFFF };
 
 static uint32_t number_at(const section *s, uint32_t triangle) {
     return s->number[s->m->of[triangle]];
@@ -31,7 +29,7 @@ static int choose(section *s) {
     memset(s->number, 0xFF, s->m->count * sizeof *s->number);
     for (uint32_t i = 0; i < s->as.triangles; i++) {
         uint16_t *number = &s->number[s->m->of[i]];
-        if (*number == UNUSED) {
+        if (*number == MATERIAL_UNUSED) {
             if (s->as.count == PLT_MATERIALS_MOST) {
                 return 0;
             }
@@ -81,7 +79,7 @@ static void put_section(unsigned char *to, const section *s) {
     plt_put_u32(to + 12, s->as.triangles);
     unsigned char *table = to + PLT_MATERIALS_HEAD;
     for (size_t i = 0; i < s->m->count; i++) {
-        if (s->number[i] != UNUSED) {
+        if (s->number[i] != MATERIAL_UNUSED) {
             put_material(table + s->number[i] * PLT_MATERIAL_BYTES, &s->m->material[i].values);
         }
     }
@@ -110,7 +108,7 @@ static int add(packed *image, section *s, const char *name, material_stats *stat
     return status;
 }
 
-int material_section_add(packed *image, const mesh_materials *m, const char *name,
+int material_section_add(packed *image, const mesh_materials *m, uint16_t *number, const char *name,
                          material_stats *stats, fail *f) {
     section s = {.m = m, .as = {.triangles = image->info.source_triangles}};
     s.number = heap_get(m->count * sizeof *s.number);
@@ -118,6 +116,9 @@ int material_section_add(packed *image, const mesh_materials *m, const char *nam
         return fail_set(f, name, "out of memory; use a larger machine");
     }
     const int status = add(image, &s, name, stats, f);
+    if (status == 0 && number != NULL) {
+        memcpy(number, s.number, m->count * sizeof *number);
+    }
     heap_drop(s.number);
     return status;
 }

@@ -11,9 +11,12 @@ typedef struct material_stats {
     uint32_t bits, runs;       /* bits: of an index; 0: there are runs */
 } material_stats;
 
-/* Adds those that some triangle has; `m` is by primitive id. -1, and the image as it was: more
+#define MATERIAL_UNUSED 0xFFFFu
+
+/* Adds those that some triangle has; `m` is by primitive id. Sets, if it is not NULL, number[i] of
+ * material i of `m` to that in the section, or MATERIAL_UNUSED. -1, and the image as it was: more
  * than 256 materials, memory is out, or it gets too large. */
-int material_section_add(packed *image, const mesh_materials *m, const char *name,
+int material_section_add(packed *image, const mesh_materials *m, uint16_t *number, const char *name,
                          material_stats *stats, fail *f);
 
 #endif

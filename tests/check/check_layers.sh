@@ -20,6 +20,7 @@ engine/builder
 engine/grid
 engine/instances
 engine/memory
+engine/texture
 engine/surface
 engine/scene
 engine/trace

@@ -40,6 +40,7 @@ out of memory for normals or colours; use a larger machine | $few
 %zu corners: out of memory for their normals and colours; pack on a larger machine | $few
 use --normals none, --colours none and --texcoords none, or --reduce | $large
 use --materials none, or --reduce | $large
+use --textures blocks, or none | $large
 out of memory, or more than 65534 materials; split the mesh | $few
 there is no room for one more section; please report this | no image of ours has seven
 use fewer frames, or --geometry lattice of fewer bits | $size

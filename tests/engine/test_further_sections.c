@@ -55,7 +55,7 @@ static packed image_of(unsigned kind) {
             rig_config_of(2, 8, kind == 0 ? PLT_BUILD_NONE : PLT_BUILD_HOST, PLT_SPLIT_SAH);
         image = surface_rig_image(&s.m, &c, &config.pack);
     }
-    CHECK(material_section_add(&image, &s.materials, "test", &stats, &f) == 0, "%s", f.text);
+    CHECK(material_section_add(&image, &s.materials, NULL, "test", &stats, &f) == 0, "%s", f.text);
     corners_free(&c);
     lit_scene_free(&s);
     return image;

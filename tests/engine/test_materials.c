@@ -89,7 +89,7 @@ static void too_many(void) {
         set_runs(&s, 257, 1);
         CHECK(pack_mesh(&image, &s.m, &options, "test", &f) == 0, "packed");
         const uint32_t size = image.size;
-        CHECK(material_section_add(&image, &s.materials, "test", &stats, &f) != 0, "257");
+        CHECK(material_section_add(&image, &s.materials, NULL, "test", &stats, &f) != 0, "257");
         CHECK(image.size == size && image.info.material_bytes == 0, "as it was");
         CHECK(strstr(f.text, "256") != NULL, "%s", f.text);
         pack_free(&image);
@@ -263,7 +263,7 @@ static packed image_to_build(lit_scene *s, unsigned materials, uint32_t normals)
     CHECK(pack_compact(&image, &s->m, &options, "test", &loss, &f) == 0, "%s", f.text);
     CHECK(normals == 0 || further_add(&image, PLT_SECTION_NORMALS, zeros, normals, "test", &f) == 0,
           "%s", f.text);
-    CHECK(material_section_add(&image, &s->materials, "test", &stats, &f) == 0, "%s", f.text);
+    CHECK(material_section_add(&image, &s->materials, NULL, "test", &stats, &f) == 0, "%s", f.text);
     free(zeros);
     return image;
 }

@@ -52,7 +52,7 @@ totals() {
 public() {
     awk '/^[a-z].*[ *]plt_(render_(tiles|seek)|batch_packets|trace_begin|task_.*)\(/ { next }
         /^[a-z].*[ *]plt_(move.*|motion_get|rebuild_.*|sequence_.*|place|instance_.*)\(/ { next }
-        /^[a-z].*[ *]plt_(surface_at|lighting_set)\(/ { next }
+        /^[a-z].*[ *]plt_(surface_at|lighting_set|texture_stats_get)\(/ { next }
         /^[a-z].*[ *]plt_[a-z_]+\(/ {
         sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
 }

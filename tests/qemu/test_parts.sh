@@ -343,6 +343,33 @@ fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis texcoords' 2>&1)
 verdict "PARTS with texcoords and without surface is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with texcoords has .*: make PARTS='" || echo "$trouble")"
+# A frame with textures of both filters, mapped and fetched.
+printf 'P6 40 24 255 ' >"$out/checks.ppm"
+awk 'BEGIN { for (i = 0; i < 2880; i++) printf "%c", 33 + (i * 7 + int(i / 120) * 31) % 90 }' \
+    >>"$out/checks.ppm"
+printf 'newmtl a\nKd 0.9 1 0.8\nmap_Kd -s 2 3 checks.ppm\n' >"$out/checks.mtl"
+{
+    printf 'mtllib checks.mtl\nusemtl a\n'
+    printf 'v -4 0 4\nv 4 0 4\nv 4 0 -4\nv -4 0 -4\nv 0 3 0\nvt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\n'
+    printf 'f 1/1 2/2 3/3 4/4\nf 1/1 2/2 5/3\nf 3/1 4/2 5/4\n'
+} >"$out/checks.obj"
+"$planelet" pack "$out/checks.obj" --materials keep -o "$out/checks.plt" >/dev/null 2>&1
+texture=$BUILD/mps2_an386-render-surface-texcoords-texture-thesis-whitted
+if part "render thesis surface texcoords whitted texture" "$texture" 61440; then
+    for filter in nearest bilinear; do
+        view=$(sh board/tools/host_view.sh "$out/checks.plt" 80x60 "$out/host.ppm" \
+            --shader whitted --light sun:0.5,1,0.75,0.75,0.0625,4 --sky 0.5,0.5,0.75 \
+            --ground 0.25,0.25,0.125 --depth 1 --textures $filter)
+        for source in '' file; do
+            text=$(FIRMWARE=$texture SOURCE=$source sh board/mps2_an386/run.sh "$out/checks.plt" \
+                size=80x60 shader=whitted sun=0.5,1,0.75,0.75,0.0625,4 sky=0.5,0.5,0.75 \
+                ground=0.25,0.25,0.125 depth=1 textures=$filter ${view#* } 2>&1)
+            verdict "textures=$filter${source:+, from a file}: the frame of the host" "$(
+                [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                    echo "$text")"
+        done
+    done
+fi
 instances=$BUILD/mps2_an386-instances-render-thesis
 # shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
 # program says how long it takes.

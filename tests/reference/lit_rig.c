@@ -88,7 +88,7 @@ int lit_pack(packed *image, const lit_scene *s, enum lit_image kind) {
                                       .checks = 1};
         status = pack_mesh(image, &s->m, &options, "test", &f);
     }
-    return status != 0 ? -1 : material_section_add(image, &s->materials, "test", &stats, &f);
+    return status != 0 ? -1 : material_section_add(image, &s->materials, NULL, "test", &stats, &f);
 }
 
 static int start(void *context, unsigned tag, uint32_t offset, void *to, uint32_t count) {

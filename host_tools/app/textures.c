@@ -1,0 +1,40 @@
+/* textures - see textures.h
+ *
+ * SPDX-License-Identifier: MIT */
+#include "host_tools/app/textures.h"
+
+#include <inttypes.h>
+
+enum { ROOM_MOST = 1 << 30 };
+
+void textures_read(scene *s, args *a, uint8_t shader) {
+    static const char *const choices[] = {"bilinear", "nearest", "none", NULL};
+    static const uint8_t filters[] = {PLT_TEXTURES_BILINEAR, PLT_TEXTURES_NEAREST,
+                                      PLT_TEXTURES_NONE};
+    const int is_lit = shader == PLT_SHADE_WHITTED;
+    s->textures = filters[args_choice(a, "--textures", choices, 0)];
+    s->texture_bytes = (uint32_t)args_number(a, "--texture-room", 0, PLT_TEXTURE_LEAST, ROOM_MOST);
+    if (!is_lit && (args_has(a, "--textures") || args_has(a, "--texture-room"))) {
+        args_complain(a, "--textures and --texture-room are for --shader whitted; add that");
+    }
+}
+
+void textures_print(output *o, const scene *s, fail *f) {
+    plt_texture_stats sum = {0};
+    if (s->options.textures == PLT_TEXTURES_NONE) {
+        return;
+    }
+    for (unsigned i = 0; i < s->crew.count; i++) {
+        plt_texture_stats q;
+        plt_texture_stats_get(s->crew.worker[i].engine, &q);
+        sum.found += q.found;
+        sum.fetched += q.fetched;
+        sum.bytes_fetched += q.bytes_fetched;
+        sum.retries += q.retries;
+    }
+    output_print(o, f,
+                 "  \"texture_tiles_found\": %" PRIu64 ",\n  \"texture_tiles_fetched\": %" PRIu64
+                 ",\n  \"texture_bytes_fetched\": %" PRIu64 ",\n  \"texture_retries\": %" PRIu64
+                 ",\n",
+                 sum.found, sum.fetched, sum.bytes_fetched, sum.retries);
+}

@@ -1,0 +1,27 @@
+/* textures - whether surfaces have the textures of an image, by the flags
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef TEXTURES_H
+#define TEXTURES_H
+
+#include "host_tools/app/args.h"
+#include "host_tools/app/scene.h"
+#include "host_tools/base/output.h"
+
+#define TEXTURES_FLAGS                                                                             \
+    {"--textures", "bilinear|nearest|none",                                                        \
+     "whitted: textures of the image, mixed between four texels, or in squares, or not at all "    \
+     "(default bilinear)"},                                                                        \
+    {                                                                                              \
+        "--texture-room", "BYTES",                                                                 \
+            "whitted, with --source read or dma: memory for their tiles, 140 each, 140 to "        \
+            "1073741824 (default 8960)"                                                            \
+    }
+
+/* Reads the flags into the scene, for frames of that shader. Refuses through args_complain. */
+void textures_read(scene *s, args *a, uint8_t shader);
+
+/* JSON members, each ending in ",\n", if there are textures. */
+void textures_print(output *o, const scene *s, fail *f);
+
+#endif
