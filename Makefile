@@ -25,8 +25,8 @@ lanes_scalar :=
 include engine/engine.mk
 
 .PHONY: all firmware demo demo-wooddoll demo-firmware setup test check sizes bench scenes peers \
-        compact streamed moving policies workers against sanitize tiny scalar fuzz exporters run \
-        treelets povray play profile clean help FORCE
+        surface compact streamed moving policies workers against sanitize tiny scalar fuzz \
+        exporters run treelets povray play profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -166,6 +166,10 @@ peers: all
 ##measure compact: bytes, visits and speed of compact nodes: make compact SCENES=folder [PEER=...]
 compact: all $(OUT)/tests/engine/test_compact_topology
 	@sh tests/measure/compact.sh "$(SCENES)" "$(PEER)"
+
+##measure surface: bytes per triangle of what hits are shaded by: make surface SCENES=folder
+surface: all
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/surface.sh "$(SCENES)/bunny.ply"
 
 ##measure workers: what several workers make of a frame: make workers SCENES=folder
 workers: all

@@ -22,7 +22,7 @@
 #   grid     with grids instead of trees (plt_options.structure), for thesis nodes; likewise
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   surface  with normals and colours (plt_options.surface); likewise
-#   texcoords ... and texture coordinates, likewise
+#   texcoords ... and texture coordinates (plt_surface_point.texcoord), likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
 #   texture  ... whose surfaces have textures, with texcoords and whitted; likewise

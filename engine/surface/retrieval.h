@@ -59,24 +59,24 @@ static inline uint64_t plt_retrieval_bytes(uint32_t third, uint32_t bits) {
 /* An entry of 1 to 32 bits. */
 static inline uint32_t plt_retrieval_entry(const unsigned char *entries, uint32_t bits,
                                            uint32_t place) {
-    const uint64_t at = (uint64_t)place * bits;
-    const unsigned char *byte = entries + (size_t)(at / 8);
-    const uint32_t shift = (uint32_t)at % 8, bytes = (shift + bits + 7) / 8;
-    uint64_t all = 0;
-    for (uint32_t i = 0; i < bytes; i++) {
-        all |= (uint64_t)byte[i] << 8 * i;
+    const uint32_t rest = place % 8 * bits, shift = rest % 8;
+    const unsigned char *byte = entries + (size_t)(place / 8) * bits + rest / 8;
+    uint32_t value = (uint32_t)*byte >> shift;
+    for (uint32_t have = 8 - shift; have < bits; have += 8) {
+        value |= (uint32_t) * ++byte << have;
     }
-    return (uint32_t)(all >> shift) & 0xFFFFFFFFu >> (32 - bits);
+    return value & 0xFFFFFFFFu >> (32 - bits);
 }
 
 /* What a table of such entries gives for a key; it has one. */
 static inline uint32_t plt_retrieval_value(const plt_retrieval *t, uint32_t bits,
                                            const uint32_t key[3]) {
-    uint32_t place[3];
+    uint32_t place[3], value = 0;
     plt_retrieval_places(t->third, t->seed, key, place);
-    return plt_retrieval_entry(t->entry, bits, place[0]) ^
-           plt_retrieval_entry(t->entry, bits, place[1]) ^
-           plt_retrieval_entry(t->entry, bits, place[2]);
+    for (int i = 0; i < 3; i++) {
+        value ^= plt_retrieval_entry(t->entry, bits, place[i]);
+    }
+    return value;
 }
 
 #endif

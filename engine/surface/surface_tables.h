@@ -36,18 +36,10 @@ static inline int plt_surface_fills(const plt_section *s, uint64_t used) {
     return used <= s->bytes && s->bytes - used < PLT_SECTION_ALIGN;
 }
 
-/* The value of a corner; `split` says that its position does not tell, or that nothing does. */
-static inline uint32_t plt_surface_value(const plt_surface_tables *t, uint32_t bits, uint32_t split,
-                                         const uint32_t key[3], const uint32_t corner_key[3]) {
-    uint32_t value = split;
-    if (t->position.third > 0) {
-        value = plt_retrieval_value(&t->position, bits, key);
-    }
-    if (value == split && t->corner.third > 0) {
-        value = plt_retrieval_value(&t->corner, bits, corner_key);
-    }
-    return value;
-}
+/* The value of a corner, of 1 to 32 bits; `split` says that its position does not tell, or that
+ * nothing does. */
+uint32_t plt_surface_value(const plt_surface_tables *t, uint32_t bits, uint32_t split,
+                           const uint32_t key[3], const uint32_t corner_key[3]);
 
 #endif
 #endif

@@ -229,7 +229,7 @@ static int write_all(pack_job *job, const packed *image, fail *f) {
     if (status == 0 && job->json_out != NULL) {
         status =
             pack_json_write(job->json_out, &job->in, image, moves_vertices(job) ? &job->loss : NULL,
-                            &job->quality, &job->memory, f);
+                            &job->quality, &job->surface.stats, &job->memory, f);
     }
     if (status == 0 && job->json_out != NULL) {
         status = output_finish(job->json_out, f); /* before the other gets its name */

@@ -120,8 +120,24 @@ static int write_treelets(output *o, const pack_treelets_stats *t, fail *f) {
     return status != 0 ? -1 : output_print(o, f, "    ]\n  },\n");
 }
 
+/* How far the image's colours and texture coordinates are from the mesh's. */
+static int write_surface(output *o, const surface_stats *s, fail *f) {
+    int status = 0;
+    if (s->colours.bytes > 0) {
+        status =
+            output_print(o, f,
+                         "  \"colours_kept\": %" PRIu32 ",\n  \"colours_distinct\": %" PRIu32
+                         ",\n  \"colours_off\": %" PRIu32 ",\n  \"colours_off_mean\": %.3f,\n",
+                         s->colours_kept, s->colours_distinct, s->colours_off, s->colours_mean);
+    }
+    return status == 0 && s->texcoords.bytes > 0
+               ? output_print(o, f, "  \"texture_coordinates_off\": %.3g,\n", s->texcoords_off)
+               : status;
+}
+
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
-                    const quality_stats *quality, const pack_memory *memory, fail *f) {
+                    const quality_stats *quality, const surface_stats *surface,
+                    const pack_memory *memory, fail *f) {
     int status =
         output_print(o, f,
                      "{\n  \"triangles\": %" PRIu32 ",\n  \"frames\": %" PRIu32
@@ -145,6 +161,9 @@ int pack_json_write(output *o, const pack_meshes *in, const packed *image, const
     }
     if (status == 0) {
         status = write_treelets(o, &image->treelets, f);
+    }
+    if (status == 0) {
+        status = write_surface(o, surface, f);
     }
     return status == 0 ? write_loss(o, loss, f) : -1;
 }

@@ -7,9 +7,11 @@
 #include "host_tools/cli/pack_memory.h"
 #include "host_tools/cli/pack_meshes.h"
 #include "host_tools/pack/pack.h"
+#include "host_tools/pack/surface.h"
 
 /* `loss` is NULL where no vertex is on a lattice. */
 int pack_json_write(output *o, const pack_meshes *in, const packed *image, const lattice_loss *loss,
-                    const quality_stats *quality, const pack_memory *memory, fail *f);
+                    const quality_stats *quality, const surface_stats *surface,
+                    const pack_memory *memory, fail *f);
 
 #endif

@@ -56,19 +56,38 @@ v 1 -1 0 0 1 0
 v 1 1 0 0 0 1
 v -1 1 0 1 1 1
 vn 0 0 1
-f 1//1 2//1 3//1 4//1
+vt 0 0
+vt 3 0
+vt 3 -1.5
+vt 0 -1.5
+f 1/1/1 2/2/1 3/3/1 4/4/1
 EOF
 run pack square.obj -o plain.plt
 verdict "what a mesh has and the image does not is said in one line" "$(
-    grep -qx 'square.obj: left out 4 colours, 1 normal' err || cat err)"
-works "normals and colours of a mesh" pack square.obj -o square.plt --normals keep --colours keep
+    grep -qx 'square.obj: left out 4 colours, 1 normal, 4 texture coordinates' err || cat err)"
+works "normals, colours and texture coordinates of a mesh" pack square.obj -o square.plt \
+    --normals keep --colours keep --texcoords keep --json square.json
 verdict "... are in the image" "$(
-    for what in colour_bytes normal_bytes; do
+    for what in colour_bytes normal_bytes texcoord_bytes; do
         [ "$(number $what square.plt)" -gt 0 ] || echo "no $what"
     done
     grep -q 'left out' err && cat err)"
+verdict "... info prints what they take, and pack how far they are off" "$(
+    [ "$(number texcoord_bytes_per_triangle square.plt)" = 64.000 ] || "$PLANELET" info square.plt
+    "$PLANELET" info square.plt | grep -q '^texcoord bytes     128, 64.00 per triangle$' ||
+        echo "not printed"
+    off=$(sed -n 's/^ *"texture_coordinates_off": \([0-9.e-]*\),$/\1/p' square.json)
+    awk -v off="$off" 'BEGIN { exit !(off < 1e-6) }' || echo "off by $off in corners"
+    [ "$(sed -n 's/^ *"colours_off": \(.*\),$/\1/p' square.json)" = 0 ] || cat square.json)"
+works "... finer ones" pack square.obj -o fine.plt --normals keep --colours keep --texcoords fine
+verdict "... take more" "$([ "$(number texcoord_bytes fine.plt)" -gt 128 ] ||
+    "$PLANELET" info fine.plt)"
+run pack square.obj -o without.plt --normals keep --colours keep
+run render without.plt -o without.ppm --size 64x64 --shader smooth --eye 0,0,4 --look 0,0,0 \
+    --up 0,1,0 --fov 30
 works "their picture" render square.plt -o square.ppm --size 64x64 --shader smooth \
     --eye 0,0,4 --look 0,0,0 --up 0,1,0 --fov 30
+same without.ppm square.ppm "... to which texture coordinates make no difference"
 # colour X Y: red, green and blue of a pixel of square.ppm.
 colour() {
     tail -c "+$((14 + 3 * (64 * $2 + $1)))" square.ppm | od -An -v -t u1 -N 3 | tr -s ' '
@@ -86,6 +105,16 @@ verdict "... is red, green, blue and white in its corners" "$(
         white) [ "$2" -gt 180 ] && [ "$3" -gt 180 ] && [ "$4" -gt 180 ] ;;
         esac || echo "$*"
     done)"
+PLANELET=$PLANELET sh "$CLI_TESTS/../measure/unwrap.sh" knot.ply knot.obj
+works "a mesh of more colours than 255, and texture coordinates" \
+    pack knot.obj -o knot.plt --colours keep --texcoords keep --json knot.json
+verdict "... has them within 2 of 255" "$(
+    awk -F '[:,]' '/"colours_kept"/ { kept = $2 } /"colours_off"/ { off = $2 }
+        END { exit !(kept > 255 && kept <= 2047 && off <= 2) }' knot.json || cat knot.json)"
+works "... its picture" render knot.plt -o knot.ppm --size 64x48 --shader smooth
+works "... read from its file" render knot.plt -o read.ppm --size 64x48 --shader smooth \
+    --source read
+same knot.ppm read.ppm "... the same picture"
 printf "v 0 0 0\nvn nan 0 0\n" >bad.obj
 refused "a normal that is none, with its line" bad.obj "line 2: the normal" \
     pack bad.obj -o x.plt --normals keep

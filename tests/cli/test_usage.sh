@@ -54,7 +54,7 @@ flags make -o --triangles --seed --frame --frames --instances
 flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet --fill --slots \
     --geometry --tolerance --step --checks --numbers --reduce --frame --sequence --frames \
     --stills --tree-for --rate --key --instances --centre --origin --normals --smooth \
-    --colours --materials --textures --strict --weld --repair --memory --json
+    --colours --texcoords --materials --textures --strict --weld --repair --memory --json
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --samples --light --sky --ground --depth --textures \
@@ -127,7 +127,7 @@ for pair in --build=thing --splits=middle --quality=best --quality-time=0 --tree
     --treelet=1000001 --treelet=-1 --treelet=6x --treelet=99999999999999999999 --fill=volume \
     --slots=oldest --geometry=lattice --geometry=double --checks=some --numbers=some \
     --numbers=none --tolerance=0.1 --reduce=0 --frame=-1 --smooth=181 --normals=all \
-    --colours=8 --materials=all --textures=4; do
+    --colours=8 --texcoords=all --materials=all --textures=4; do
     misused "pack refuses $pair" "${pair%=*}" pack quad.ply -o x "${pair%=*}" "${pair#*=}"
 done
 for pair in --packet=3 --walk=wide --structure=kd --residency=cached --store=64K --store=28671 \

@@ -219,15 +219,16 @@ static void odd_weights(void) {
 
 /* ---- many colours ------------------------------------------------------------------------ */
 
-/* 642 positions, in as many colours; by position, and by triangle. */
+/* 642 positions, in as many colours; by position, by triangle, and by both. */
 static void many_colours(void) {
-    for (int painted = 0; painted < 2; painted++) {
+    for (int painted = 0; painted < 3; painted++) {
         for (int compact = 0; compact < (rig_is_tiny() ? 1 : 2); compact++) {
             scene s = {.m = {0}};
             shape_icosphere(&s.m, 3);
             CHECK(corners_want_colours(&s.c, s.m.triangles) == 0, "no memory");
             for (size_t i = 0; i < 3 * s.m.triangles; i++) {
-                const uint32_t k = painted ? (uint32_t)i / 3 : s.m.triangle[i];
+                const int by_triangle = painted == 1 || (painted == 2 && i < 12);
+                const uint32_t k = by_triangle ? (uint32_t)i / 3 : s.m.triangle[i];
                 s.c.colour[i] = corner_colour(k * 97 & 255, k * 31 >> 2 & 255, k * 7 & 255);
             }
             open_image(&s, compact ? surface_rig_compact(&s.m, &s.c, 1) : image_of(&s));
@@ -305,11 +306,20 @@ static void rules(void) {
             refused(texcoords + 32 + a, WRONG[i]);
         }
         refused(texcoords + 32 + a, 0x80000001u); /* a little below 0 */
-        refused(texcoords + 32 + a, 0x43803000u); /* 4095 steps of 256.4 */
+        refused(texcoords + 32 + a, 0x43800CCDu); /* 4095 steps of 256.1 */
         taken(texcoords + 32 + a, 0x43800000u);   /* ... of 256 */
         taken(texcoords + 32 + a, 0);
         taken(texcoords + 24 + a, 0xC9800000u); /* from -2^20 */
     }
+    for (uint32_t b = 1; b < 24; b++) { /* of 24 bits, as many as there are */
+        plt_put_u32(forged.bytes + texcoords + 20, 24 - b);
+        if (b < 8 || b > 16) {
+            refused(texcoords + 16, b);
+        } else {
+            taken(texcoords + 16, b);
+        }
+    }
+    plt_put_u32(forged.bytes + texcoords + 20, 12);
     for (uint32_t at = 40; at < 64; at += 4) {
         refused(texcoords + at, 0x01000000u);
     }

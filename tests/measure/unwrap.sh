@@ -17,4 +17,4 @@ vertices=$(head -c "$head" "$folder/mesh.ply" | sed -n 's/^element vertex //p')
     tail -c "+$((head + 12 + 12 * vertices))" "$folder/mesh.ply" | od -An -v -t u1 -w13 |
         awk '{ for (k = 0; k < 3; k++) { i[k] = $(4 * k + 2) + 256 * ($(4 * k + 3) + 256 * \
             ($(4 * k + 4) + 256 * $(4 * k + 5))) }; print "t", $1, i[0], i[1], i[2] }'
-} | awk -f tests/measure/unwrap.awk >"$2"
+} | awk -f "$(dirname "$0")/unwrap.awk" >"$2"

@@ -317,6 +317,18 @@ whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
 if part "render thesis surface whitted" "$whitted" 54272; then
     lit "$whitted" marbles_smooth
 fi
+PLANELET=$planelet sh tests/measure/unwrap.sh "$out/parts.ply" "$out/textured.obj"
+"$planelet" pack "$out/textured.obj" --smooth 40 --colours keep --texcoords keep --leaf 2 \
+    -o "$out/textured.plt" >/dev/null 2>&1
+smooth "$whitted" textured
+textured=$BUILD/mps2_an386-render-surface-texcoords-thesis
+if part "render thesis surface texcoords" "$textured" 46080; then
+    smooth "$textured" textured
+    SOURCE=file smooth "$textured" textured
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis texcoords' 2>&1)
+verdict "PARTS with texcoords and without surface is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with texcoords has .*: make PARTS='" || echo "$trouble")"
 # A frame with textures of both filters, mapped and fetched.
 printf 'P6 40 24 255 ' >"$out/checks.ppm"
 awk 'BEGIN { for (i = 0; i < 2880; i++) printf "%c", 33 + (i * 7 + int(i / 120) * 31) % 90 }' \
