@@ -249,7 +249,8 @@ typedef struct plt_options {
                       * grids have no pages. Without PLT_WITH_SURFACE: 0 */
     uint8_t whitted; /* room for frames of PLT_SHADE_WHITTED: 1 and the most bounces that they may
                       * have, up to 1 + PLT_BOUNCES_MOST, for 105 bytes per ray of a packet, 40 more
-                      * per bounce, and the image's materials if it is not mapped; 0: none. With
+                      * per bounce (with textures 109 and 44), and the image's materials if it is
+                      * not mapped; 0: none. With
                       * PLT_SCHEDULE_BRANCH. Without PLT_WITH_WHITTED it is not looked at */
 #if PLT_WITH_TEXTURE
     uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_WHITTED, with

@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_remedies_textures.sh - what messages about textures advise, helps; and what is left out is said
+# test_remedies_textures.sh - what messages about textures advise, helps; what is left out is said
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 . tests/cli/cli.sh

@@ -75,7 +75,7 @@ static packed image_of(unsigned kind, uint32_t shift) {
     const int status = shift > 0 ? surface_pages_add(&image, &c, shift, "test", &stats, &f)
                                  : surface_add(&image, &c, "test", &stats, &f);
     CHECK(status == 0, "%s", f.text);
-    CHECK(material_section_add(&image, &s.materials, "test", &more, &f) == 0, "%s", f.text);
+    CHECK(material_section_add(&image, &s.materials, NULL, "test", &more, &f) == 0, "%s", f.text);
     corners_free(&c);
     lit_scene_free(&s);
     return image;

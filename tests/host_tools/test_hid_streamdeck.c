@@ -44,6 +44,27 @@ static void on_feature(void *context, const uint8_t *report, size_t bytes) {
     m->kind->feature(m, report, bytes);
 }
 
+/* Input reports that wait. */
+static struct {
+    uint8_t bytes[80][64];
+    size_t size[80];
+    unsigned count, at;
+} queue;
+
+static size_t on_input(void *context, uint8_t *report, size_t room) {
+    (void)context;
+    if (queue.at == queue.count || room < queue.size[queue.at]) {
+        return 0;
+    }
+    memcpy(report, queue.bytes[queue.at], queue.size[queue.at]);
+    return queue.size[queue.at++];
+}
+
+static void add(const uint8_t *report, size_t bytes) {
+    memcpy(queue.bytes[queue.count], report, bytes);
+    queue.size[queue.count++] = bytes;
+}
+
 typedef struct bench {
     model *model;
     fake_device device;
@@ -56,7 +77,7 @@ static void open_bench(bench *b, const model_kind *kind) {
     port_info info;
     const find_wish wish = {.drivers = drivers};
     memset(b, 0, sizeof *b);
-    record.count = 0;
+    record.count = queue.count = queue.at = 0;
     fake_bus_reset();
     b->model = model_make(kind, (model_shape){0});
     b->device = (fake_device){.path = "1-1:1.0",
@@ -65,6 +86,7 @@ static void open_bench(bench *b, const model_kind *kind) {
                               .numbered = 1,
                               .context = b->model,
                               .output = on_output,
+                              .input = on_input,
                               .feature = on_feature};
     fake_plug(0, &b->device);
     const driver *by = find_display(&wish, &info, &f);
@@ -244,6 +266,93 @@ static void head_bytes(void) {
     close_bench(&b);
 }
 
+/* ---- keys and dials --------------------------------------------------------------------- */
+
+/* Changes of each entry of the driver's list that a report makes. */
+static void hear(bench *b, const uint8_t *report, size_t bytes, uint8_t changes[KEYS_MOST]) {
+    const keys_state before = b->display.keys;
+    add(report, bytes);
+    CHECK(b->display.by->tick(&b->display) == DISPLAY_OK, "gone");
+    CHECK(queue.at == queue.count, "a report waits");
+    for (unsigned k = 0; k < KEYS_MOST; k++) {
+        changes[k] = (uint8_t)(b->display.keys.changes[k] - before.changes[k]);
+    }
+}
+
+static int is_alone(const uint8_t changes[KEYS_MOST], unsigned key, unsigned by) {
+    for (unsigned k = 0; k < KEYS_MOST; k++) {
+        if (changes[k] != (k == key ? by : 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void keys(const model_kind *kind) {
+    bench b;
+    uint8_t changes[KEYS_MOST];
+    sentence(kind, "the first two rows of keys are heard, each by itself");
+    open_bench(&b, kind);
+    const unsigned side = kind->width == 360 ? 72 : kind->height == 300 ? 120 : 96;
+    const unsigned columns = kind->width / side, count = columns * (kind->height / side);
+    for (unsigned key = 0; key < count; key++) {
+        uint8_t report[64] = {1, 0, (uint8_t)count};
+        const unsigned column = key % columns, row = key / columns;
+        const int has_one = column < 4 && row < 2;
+        report[4 + key] = 1;
+        hear(&b, report, sizeof report, changes);
+        CHECK(is_alone(changes, has_one ? column + 4 * row : KEYS_MOST, 1), "key %u", key);
+        report[4 + key] = 0;
+        hear(&b, report, sizeof report, changes);
+        CHECK(is_alone(changes, has_one ? column + 4 * row : KEYS_MOST, 1), "key %u is up", key);
+    }
+    for (unsigned k = 0; k < 8; k++) {
+        const display_key *of = &b.display.by->keys[k];
+        CHECK(of->x / side == k % 4 && of->y / side == k / 4, "the symbol of %s", of->name);
+    }
+    test("streamdeck: short reports, and others, are no keys'");
+    const uint8_t other[20] = {2, 0, 15, 0, 1}, nothing[20] = {1, 0, 0, 0, 1},
+                  unknown[20] = {1, 7, 15, 0, 1}, small[6] = {1, 0, 15, 0, 0, 1};
+    hear(&b, other, sizeof other, changes);
+    CHECK(is_alone(changes, KEYS_MOST, 0), "another number");
+    hear(&b, unknown, sizeof unknown, changes);
+    CHECK(is_alone(changes, KEYS_MOST, 0), "another command");
+    hear(&b, nothing, sizeof nothing, changes);
+    CHECK(is_alone(changes, KEYS_MOST, 0), "of no bytes");
+    hear(&b, small, sizeof small, changes);
+    CHECK(is_alone(changes, KEYS_MOST, 0), "short");
+    close_bench(&b);
+}
+
+static void dials(void) {
+    bench b;
+    uint8_t changes[KEYS_MOST];
+    test("streamdeck-plus: a step of a dial is a press, and no turn is more than eight");
+    open_bench(&b, &model_deck_plus);
+    for (unsigned dial = 0; dial < 4; dial++) {
+        static const int8_t turns[] = {1, -1, 3, -5, 127, -128};
+        for (unsigned i = 0; i < sizeof turns; i++) {
+            uint8_t report[14] = {1, 3, 5, 0, 1};
+            const unsigned size = (unsigned)(turns[i] < 0 ? -turns[i] : turns[i]);
+            report[5 + dial] = (uint8_t)turns[i];
+            hear(&b, report, sizeof report, changes);
+            CHECK(is_alone(changes, dial < 3 ? 8 + 2 * dial + (turns[i] > 0) : KEYS_MOST,
+                           2 * (size < 8 ? size : 8)),
+                  "dial %u by %d", dial, turns[i]);
+        }
+    }
+    const uint8_t pressed[14] = {1, 3, 5, 0, 0, 1, 1, 1, 1};
+    hear(&b, pressed, sizeof pressed, changes);
+    CHECK(is_alone(changes, KEYS_MOST, 0), "a dial that is pressed turns nothing");
+    close_bench(&b);
+    test("streamdeck: what has no dials is not turned by them");
+    open_bench(&b, &model_deck);
+    const uint8_t turned[14] = {1, 3, 5, 0, 1, 1, 1, 1, 1};
+    hear(&b, turned, sizeof turned, changes);
+    CHECK(is_alone(changes, KEYS_MOST, 0), "turned");
+    close_bench(&b);
+}
+
 int main(void) {
     for (unsigned i = 0; i < KINDS; i++) {
         near_enough(kinds[i]);
@@ -252,7 +361,9 @@ int main(void) {
         budget(kinds[i]);
         unplugged(kinds[i]);
         features(kinds[i]);
+        keys(kinds[i]);
     }
+    dials();
     head_bytes();
     return test_done();
 }

@@ -19,7 +19,15 @@
  * A file has the best quality, 95 at most, with which it takes 1.5 bytes per pixel, 8 reports for a
  * key of 72x72: with a chroma sample per pixel if that leaves a quality of 85, else with one for
  * 2x2 pixels. Only keys that changed since the last picture are sent. Brightness and the device's
- * own picture are feature reports of 32 bytes.
+ * own picture are feature reports of 32 bytes. An input report comes when a key, or a dial of a +,
+ * is used:
+ *
+ *     0  01 00     2  bytes     4  a byte per key, 1: it is down
+ *     0  01 03     2  bytes     4  0     5  a byte per dial, 1: it is pressed
+ *     0  01 03     2  bytes     4  1     5  a byte per dial: how far it was turned, signed
+ *
+ * A scene is turned by the first two rows as on a Mini, beside them is the first view again, and
+ * what stops a sequence; by dials: left and right, down and up, and nearer and farther.
  *
  * Sources: Elgato, "Main Protocol: General Reference", docs.elgato.com, read 2026; the npm package
  * @elgato-stream-deck/core 7.6.3 (J. Waller), facts only. Not run on hardware.
@@ -28,6 +36,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/hid/device/symbols.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "host_tools/picture/jpeg.h"
 
@@ -39,7 +48,14 @@ enum {
     STRIP_WIDTH = 800,
     STRIP_HEIGHT = 100,
     STRIP_ROWS = 60, /* of the picture */
-    KEYS_MOST = 32,
+    DECK_KEYS_MOST = 32,
+    INPUT = 1, /* report number */
+    INPUT_BYTES = 512,
+    INPUTS_MOST = 32, /* in one tick: a device that never stops is not listened to for ever */
+    OF_KEYS = 0,
+    OF_DIALS = 3,
+    DIALS = 3, /* that turn a scene */
+    TURNS_MOST = 8,
     FULL_CHROMA_LEAST = 85,
     QUALITY_MOST = 95
 };
@@ -52,9 +68,10 @@ typedef struct layout {
 
 typedef struct deck {
     layout of;
-    picture shown;                /* of the whole panel */
-    uint8_t known[KEYS_MOST + 1]; /* what is `shown` is on the key, or on the strip behind them */
-    picture key, strip;           /* as they are sent */
+    picture shown; /* of the whole panel */
+    uint8_t
+        known[DECK_KEYS_MOST + 1]; /* what is `shown` is on the key, or on the strip behind them */
+    picture key, strip;            /* as they are sent */
     uint8_t *file;
     size_t room;
 } deck;
@@ -214,6 +231,54 @@ static int deck_release(display *d, fail *f) {
     return display_status(port_feature(d->port, report, sizeof report));
 }
 
+/* Keys that turn a scene, in the order of their list: key 0 to 3, and those below them. */
+static void take_keys(display *d, const uint8_t *down, size_t count) {
+    const unsigned columns = ((const deck *)d->state)->of.columns;
+    for (unsigned i = 0; i < 8; i++) {
+        const unsigned key = i % 4 + i / 4 * columns;
+        if (key < count) {
+            keys_set(&d->keys, i, down[key] != 0);
+        }
+    }
+}
+
+/* Two entries of the list for each dial, down once for every step that it was turned. */
+static void take_turns(display *d, const uint8_t *turned) {
+    for (unsigned dial = 0; dial < DIALS; dial++) {
+        const int steps = (int8_t)turned[dial], size = steps < 0 ? -steps : steps;
+        for (int i = 0; i < size && i < TURNS_MOST; i++) {
+            keys_set(&d->keys, 8 + 2 * dial + (steps > 0), 1);
+            keys_set(&d->keys, 8 + 2 * dial + (steps > 0), 0);
+        }
+    }
+}
+
+static void take_report(display *d, const uint8_t *report, size_t bytes) {
+    const deck *k = d->state;
+    if (bytes < 5 + DIALS || report[0] != INPUT) {
+        return;
+    }
+    const size_t said = report[2] | (size_t)report[3] << 8;
+    const size_t count = said < bytes - 4 ? said : bytes - 4;
+    if (report[1] == OF_KEYS) {
+        take_keys(d, report + 4, count);
+    } else if (report[1] == OF_DIALS && k->of.strip && report[4] == 1 && count > DIALS) {
+        take_turns(d, report + 5);
+    }
+}
+
+static int deck_tick(display *d) {
+    for (unsigned i = 0; i < INPUTS_MOST; i++) {
+        uint8_t report[INPUT_BYTES];
+        const int bytes = port_input(d->port, report, sizeof report, 0);
+        if (bytes <= 0) {
+            return bytes == 0 ? DISPLAY_OK : DISPLAY_GONE;
+        }
+        take_report(d, report, (size_t)bytes);
+    }
+    return DISPLAY_OK;
+}
+
 static void deck_close(display *d) {
     deck *k = d->state;
     picture_free(&k->shown);
@@ -263,6 +328,29 @@ static int open_plus(display *d, fail *f) {
     return open_as(d, (layout){.columns = 4, .rows = 2, .side = 120, .strip = 1}, f);
 }
 
+/* A symbol lies in a key's lower left corner. */
+#define AT(side, column, row) (column) * (side) + 4, ((row) + 1) * (side)-SYMBOL_SIDE - 4
+#define KEYS_OF(side)                                                                              \
+    {"top left", STEER_NEARER, AT(side, 0, 0)}, {"second of the top", STEER_UP, AT(side, 1, 0)},   \
+        {"third of the top", STEER_FARTHER, AT(side, 2, 0)},                                       \
+        {"fourth of the top", STEER_RESET, AT(side, 3, 0)},                                        \
+        {"left of the second row", STEER_LEFT, AT(side, 0, 1)},                                    \
+        {"second of the second row", STEER_DOWN, AT(side, 1, 1)},                                  \
+        {"third of the second row", STEER_RIGHT, AT(side, 2, 1)}, {                                \
+        "fourth of the second row", STEER_STILL, AT(side, 3, 1)                                    \
+    }
+
+static const display_key keys_72[] = {KEYS_OF(72), {NULL, STEER_LEFT, 0, 0}};
+static const display_key keys_96[] = {KEYS_OF(96), {NULL, STEER_LEFT, 0, 0}};
+static const display_key keys_120[] = {KEYS_OF(120),
+                                       {"first dial to the left", STEER_LEFT, 0, 0},
+                                       {"first dial to the right", STEER_RIGHT, 0, 0},
+                                       {"second dial to the left", STEER_DOWN, 0, 0},
+                                       {"second dial to the right", STEER_UP, 0, 0},
+                                       {"third dial to the left", STEER_FARTHER, 0, 0},
+                                       {"third dial to the right", STEER_NEARER, 0, 0},
+                                       {NULL, STEER_LEFT, 0, 0}};
+
 static const driver_id ids_15[] = {
     {0x0FD9, 0x006D, 0}, {0x0FD9, 0x0080, 0}, {0x0FD9, 0x00A5, 0}, {0x0FD9, 0x00B9, 0}, {0, 0, 0}};
 static const driver_id ids_32[] = {
@@ -277,6 +365,8 @@ const driver driver_streamdeck = {
     .from_notes = 1,
     .open = open_15,
     .show = deck_show,
+    .tick = deck_tick,
+    .keys = keys_72,
     .brightness = deck_brightness,
     .release = deck_release,
     .close = deck_close};
@@ -288,6 +378,8 @@ const driver driver_streamdeck_xl = {
     .from_notes = 1,
     .open = open_32,
     .show = deck_show,
+    .tick = deck_tick,
+    .keys = keys_96,
     .brightness = deck_brightness,
     .release = deck_release,
     .close = deck_close};
@@ -298,6 +390,8 @@ const driver driver_streamdeck_neo = {.name = "streamdeck-neo",
                                       .from_notes = 1,
                                       .open = open_neo,
                                       .show = deck_show,
+                                      .tick = deck_tick,
+                                      .keys = keys_96,
                                       .brightness = deck_brightness,
                                       .release = deck_release,
                                       .close = deck_close};
@@ -309,6 +403,8 @@ const driver driver_streamdeck_plus = {
     .from_notes = 1,
     .open = open_plus,
     .show = deck_show,
+    .tick = deck_tick,
+    .keys = keys_120,
     .brightness = deck_brightness,
     .release = deck_release,
     .close = deck_close};
