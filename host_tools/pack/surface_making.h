@@ -4,9 +4,11 @@
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_MAKING_H
 #define SURFACE_MAKING_H
+#include "host_tools/mesh/corners.h"
+#include "host_tools/pack/pack.h"
 #include "host_tools/pack/palette.h"
 #include "host_tools/pack/retrieval_build.h"
-#include "host_tools/pack/surface.h"
+#include "host_tools/pack/surface_stats.h"
 #include "host_tools/pack/surface_triangles.h"
 #include "host_tools/pack/texcoord_code.h"
 
@@ -39,6 +41,11 @@ typedef struct adding {
 /* Room for all of an image, and its triangles; -1: memory is out. In any case surface_end. */
 int surface_begin(adding *a, packed *image, const char *name, fail *f);
 void surface_end(adding *a);
+
+/* Where in mesh_corners a corner of the image is. */
+static inline size_t surface_source(const adding *a, size_t i) {
+    return 3 * (size_t)a->triangle[i / 3].id + i % 3;
+}
 
 /* What to say of it; -1. */
 int surface_out_of_memory(const adding *a);
