@@ -162,9 +162,21 @@ static inline int has_some(const plt_rendering *r) {
 #endif
 }
 
+/* What packets of the view have in common. */
+static inline void set_view_of_lights(const plt_rendering *r) {
+#if PLT_WITH_WHITTED
+    if (HAS_LIGHTS(r)) {
+        plt_whitted_frame_view(r->whitted, &r->frame, &r->view);
+    }
+#else
+    (void)r;
+#endif
+}
+
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
                          const plt_pixels *pixels, uint32_t rays) {
     r->tracing = 1;
+    set_view_of_lights(r);
 #if PLT_WITH_MIXES
     r->visits = t->stats.node_visits;
     if (r->sampling.adapts) {
