@@ -8,7 +8,6 @@
 #include "engine/image/fetch.h"
 #include "engine/image/further.h"
 #include "engine/scene/surface_place.h"
-#include "engine/trace/kept.h"
 #include "engine/trace/surface_hit.h"
 
 /* A section, of which there is one: where it is mapped, or copied to *room, which is behind it
@@ -89,18 +88,6 @@ static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room
                ? open_pages(e, pages, room, fault)
                : open_tables(e, h, room, fault);
 }
-
-static void keep_hits(plt_engine *e, void *room) {
-#if PLT_WITH_GROUPS
-    const uint32_t side = e->options.packet_side;
-    if (plt_is_streamed(e->scene.format)) {
-        plt_kept_init(room, side * side);
-    }
-#else
-    (void)e;
-    (void)room;
-#endif
-}
 #else
 static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room,
                         plt_fault *fault) {
@@ -122,9 +109,6 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
         return status;
     }
     e->scene.surface.is_open = 1;
-#if PLT_WITH_PAGES
-    keep_hits(e, part[PLT_PART_KEPT]);
-#endif
 #if PLT_WITH_GROUPS
     if (!plt_is_streamed(e->scene.format)) {
         plt_surface_places_set(&e->scene, part[PLT_PART_PLACES]);
