@@ -5,6 +5,7 @@
 
 #if PLT_WITH_SURFACE
 
+#include "engine/base/fault.h"
 #include "engine/image/fetch.h"
 #include "engine/image/further.h"
 #include "engine/scene/surface_place.h"
@@ -91,7 +92,14 @@ static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room
 #else
 static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room,
                         plt_fault *fault) {
-    return open_tables(e, h, room, fault);
+    const int status = open_tables(e, h, room, fault);
+    const plt_surface_data *d = &e->scene.surface;
+    return status == PLT_OK && !d->has_normals && !d->has_colours &&
+                   plt_further_section(h, PLT_SECTION_PAGES) != NULL
+               ? plt_limit(fault,
+                           "normals and colours come in pages here, and this build of the "
+                           "engine has none (PLT_WITH_STREAMED)")
+               : status;
 }
 #endif
 

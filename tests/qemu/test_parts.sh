@@ -41,9 +41,10 @@ renders() { # FOLDER NAME [parameter]
             echo "$(value frame_hash) on the device, ${view%% *} on the host")"
 }
 
-refuses() { # FOLDER NAME WORD
-    firmware "$1" "$out/$2.plt" size=80x60
-    verdict "${1##*/}, $2: refused, and $3 is named" "$(
+refuses() { # FOLDER NAME WORD [parameter]
+    # shellcheck disable=SC2086
+    firmware "$1" "$out/$2.plt" size=80x60 $4
+    verdict "${1##*/}, $2${4:+, $4}: refused, and $3 is named" "$(
         [ "$status" -eq 1 ] || echo "status $status: $text"
         echo "$text" | grep -q "^error: .*$3" || echo "printed '$text'")"
 }
@@ -305,6 +306,9 @@ for words in compact-frames-render-stream-surface:53248 compact-render-stream-su
         SOURCE=file smooth "$pages" $name "residency=streamed packet=4 arena=65536"
     fi
 done
+# Without streamed scenes pages are of no use, and in nobody's way.
+renders "$BUILD/mps2_an386-surface-thesis" pages
+refuses "$BUILD/mps2_an386-surface-thesis" pages PLT_WITH_STREAMED shader=smooth
 refuses "$thesis" smooth sections
 # lit FOLDER NAME: a frame with lights, mirrors and glass in 256 KiB.
 lit() {
