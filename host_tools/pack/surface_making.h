@@ -4,9 +4,11 @@
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_MAKING_H
 #define SURFACE_MAKING_H
+#include "host_tools/mesh/corners.h"
+#include "host_tools/pack/pack.h"
 #include "host_tools/pack/palette.h"
 #include "host_tools/pack/retrieval_build.h"
-#include "host_tools/pack/surface.h"
+#include "host_tools/pack/surface_stats.h"
 #include "host_tools/pack/surface_triangles.h"
 #include "host_tools/pack/texcoord_code.h"
 

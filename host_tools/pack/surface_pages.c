@@ -171,7 +171,7 @@ static int put_all(paging *p) {
 static int add_section(paging *p) {
     packed *image = p->all.image;
     const uint64_t size = padded(p->used);
-    const char *remedy = "use --normals none and --colours none, or --reduce";
+    const char *remedy = "use --normals none, --colours none and --texcoords none, or --reduce";
     if (image_size_check(p->all.name, image->info.triangles, image->size + size + FURTHER_ADD_MORE,
                          0, remedy, p->all.f) != 0) {
         return -1;
