@@ -62,11 +62,21 @@ work() {
     done
 }
 
+# Some worker is: one that was killed ends no test.
+are_alive() {
+    for worker in $workers; do
+        kill -0 "$worker" 2>/dev/null && return 0
+    done
+    return 1
+}
+
 # report NUMBER TEST: prints what it printed, once it has ended, and counts.
 report() {
-    while [ ! -e "$room/$1.end" ]; do
+    while [ ! -e "$room/$1.end" ] && are_alive; do
         sleep 0.1
     done
+    [ -e "$room/$1.end" ] || echo "unknown 0" >"$room/$1.end"
+    [ -e "$room/$1.log" ] || : >"$room/$1.log"
     read -r status seconds <"$room/$1.end"
     log=$room/$1.log name=${2##*/}
     printf '== %s (%s s)\n' "$name" "$seconds"
@@ -81,7 +91,7 @@ report() {
             for (i = count > LINES ? count - LINES + 1 : 1; i <= count; i++) print detail[i]
         }
         { count = 0 }' LINES=6 "$log" >>"$room/failures"
-    if [ -z "$counts" ] || { [ "$status" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
+    if [ -z "$counts" ] || { [ "$status" != 0 ] && [ "${f:-0}" -eq 0 ]; }; then
         echo "FAIL $name ended with status $status"
         echo "$name: ended with status $status" >>"$room/failures"
         failed=$((failed + 1))

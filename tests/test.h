@@ -10,6 +10,12 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Where test programs of this build may write, those of another build being run at the same time
+ * (board/host/board.mk). */
+#ifndef TEST_FOLDER
+#define TEST_FOLDER "build/test-tmp/"
+#endif
+
 static struct {
     char sentence[200];
     unsigned long checks, wrong, passed, failed;

@@ -53,7 +53,10 @@ $(OUT)/engine/%.o: engine/%.c $(OUT)/flags
 	$(call compile,$(ENGINE_COMMAND))
 
 $(OUT)/%.o: %.c $(OUT)/flags
-	$(call compile,$(HOST_COMMAND) $(PROBE_FLAGS))
+	$(call compile,$(HOST_COMMAND) $(FOLDER_FLAGS) $(PROBE_FLAGS))
+
+# Variants are tested at the same time: each writes to a folder of its own.
+$(OUT)/tests/%.o: FOLDER_FLAGS := -DTEST_FOLDER='"$(OUT)/test-tmp/"'
 
 # The lanes probes of tests/test_lanes.c, each for its own instruction set.
 ifneq ($(X86),)

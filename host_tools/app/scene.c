@@ -396,7 +396,8 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
     return status;
 }
 
-/* Lights fall on normals, colours and textures of the image, if it has any that can be had. */
+/* Lights fall on normals, colours and textures of the image, if it has any that can be had;
+ * textures of streamed scenes cannot, as their coordinates are in tables. */
 static void choose_surface(scene *s, const plt_info *info) {
     if (s->options.whitted > 0 && (info->normal_bytes > 0 || info->colour_bytes > 0 ||
                                    info->texcoord_bytes > 0 || info->page_bytes > 0)) {
@@ -404,6 +405,7 @@ static void choose_surface(scene *s, const plt_info *info) {
         s->options.surface = plt_arena_need(info, 0, &s->options) > 0;
     }
     const int has_textures = s->options.whitted > 0 && s->options.surface &&
+                             s->options.residency == PLT_RESIDENCY_WHOLE &&
                              info->texture_bytes > 0 && s->textures != PLT_TEXTURES_NONE;
     s->options.textures = has_textures ? s->textures : (uint8_t)PLT_TEXTURES_NONE;
     s->options.texture_bytes = has_textures ? s->texture_bytes : 0;

@@ -4,8 +4,19 @@
 #include "host_tools/app/textures.h"
 
 #include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
 
 enum { ROOM_MOST = 1 << 30 };
+
+static int is_streamed(args *a) {
+    return strcmp(args_text(a, "--residency", "resident"), "streamed") == 0;
+}
+
+static int is_asked_for(const scene *s, args *a) {
+    return args_has(a, "--texture-room") ||
+           (args_has(a, "--textures") && s->textures != PLT_TEXTURES_NONE);
+}
 
 void textures_read(scene *s, args *a, uint8_t shader) {
     static const char *const choices[] = {"bilinear", "nearest", "none", NULL};
@@ -16,6 +27,19 @@ void textures_read(scene *s, args *a, uint8_t shader) {
     s->texture_bytes = (uint32_t)args_number(a, "--texture-room", 0, PLT_TEXTURE_LEAST, ROOM_MOST);
     if (!is_lit && (args_has(a, "--textures") || args_has(a, "--texture-room"))) {
         args_complain(a, "--textures and --texture-room are for --shader whitted; add that");
+    }
+    if (is_lit && is_asked_for(s, a) && is_streamed(a)) {
+        args_complain(a,
+                      "--textures and --texture-room are of resident scenes; leave out "
+                      "--residency streamed");
+    }
+}
+
+void textures_say(const scene *s, const char *path) {
+    const plt_info *info = plt_engine_info(s->engine);
+    if (s->options.whitted > 0 && s->options.residency == PLT_RESIDENCY_STREAMED &&
+        info->texture_bytes > 0 && s->textures != PLT_TEXTURES_NONE) {
+        fprintf(stderr, "%s: without its textures, as it is streamed\n", path);
     }
 }
 

@@ -10,8 +10,8 @@
 
 #define TEXTURES_FLAGS                                                                             \
     {"--textures", "bilinear|nearest|none",                                                        \
-     "whitted: textures of the image, mixed between four texels, or in squares, or not at all "    \
-     "(default bilinear)"},                                                                        \
+     "whitted, resident: textures of the image, mixed between four texels, or in squares, or not " \
+     "at all (default bilinear)"},                                                                 \
     {                                                                                              \
         "--texture-room", "BYTES",                                                                 \
             "whitted, with --source read or dma: memory for their tiles, 140 each, 140 to "        \
@@ -20,6 +20,9 @@
 
 /* Reads the flags into the scene, for frames of that shader. Refuses through args_complain. */
 void textures_read(scene *s, args *a, uint8_t shader);
+
+/* Says that an image has textures which the frames do not have, if nobody asked for that. */
+void textures_say(const scene *s, const char *path);
 
 /* JSON members, each ending in ",\n", if there are textures. */
 void textures_print(output *o, const scene *s, fail *f);

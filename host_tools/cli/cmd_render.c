@@ -385,6 +385,7 @@ static int open_all(rendering *r, args *a, fail *f) {
         (r->moved.is_played && played_refused(&r->s, r->path, &r->moved.range, f) != 0)) {
         return -1;
     }
+    textures_say(&r->s, r->path);
     if (r->baseline.kind != NULL &&
         (baseline_open(&r->baseline, r->s.engine, scene_name(r->path), f) != 0 ||
          baseline_colours_make(&r->colours, r->s.engine, scene_name(r->path), f) != 0)) {

@@ -17,6 +17,10 @@ static int wants_of_file(const mesh_corners *c) {
     return c->wants_normals || c->wants_colours || c->wants_texcoords;
 }
 
+static int has_normals_or_colours(const pack_surface *s) {
+    return s->smooths || s->corners.wants_normals || s->corners.wants_colours;
+}
+
 int pack_surface_wanted(const pack_surface *s) {
     return s->smooths || wants_of_file(&s->corners);
 }
@@ -37,10 +41,10 @@ void pack_surface_read(pack_surface *s, args *a) {
     }
     static const char *const ways[] = {"tables", "pages", NULL};
     s->paged = (int)args_choice(a, "--surface", ways, 0);
+    if (args_has(a, "--surface") && !has_normals_or_colours(s)) {
+        args_complain(a, "--surface is of normals and colours; use --smooth 40 or --colours");
+    }
     if (!pack_surface_wanted(s)) {
-        if (args_has(a, "--surface")) {
-            args_complain(a, "--surface is of normals and colours; use --smooth 40 or --colours");
-        }
         return;
     }
     if (s->paged && strcmp(args_text(a, "--build", "host"), "device") == 0) {

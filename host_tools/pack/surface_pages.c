@@ -15,10 +15,10 @@
 #include "host_tools/pack/image_size.h"
 #include "host_tools/pack/surface_making.h"
 
-/* A section in the making. */
 /* A page's entries of colours are bytes: a palette of more would not do. */
 enum { ANY_DISTANCE = 255 };
 
+/* A section in the making. */
 typedef struct paging {
     adding all; /* triangles of the image, and room for them */
     const mesh_corners *c;

@@ -23,4 +23,9 @@ programs_pass "scalar lanes give the same frames and hits" scalar.txt sh -c "
     sh tests/run.sh $tests/test_render $tests/test_trace_brute"
 jobs=$(getconf _NPROCESSORS_ONLN)
 programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s -j "$jobs" tiny
+# They run beside those of the usual build: tests/run.sh.
+verdict "test programs write to the folder of their build" "$(
+    grep -rn '"build/test-tmp' tests --include='*.[ch]' | grep -v '^tests/test.h:'
+    strings -a "$BUILD/host/tests/host_tools/test_mesh_ply" | grep -q "^$BUILD/host/test-tmp/mesh/" ||
+        echo "test_mesh_ply writes elsewhere")"
 finish

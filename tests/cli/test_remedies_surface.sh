@@ -42,6 +42,8 @@ packs 2 quad.ply
 
 says "--surface is of normals and colours; use --smooth 40 or --colours" pack knot.ply -o x.plt \
     --surface pages
+says "--surface is of normals and colours; use --smooth 40 or --colours" pack knot.ply -o x.plt \
+    --surface pages --texcoords keep
 cured pack knot.ply -o x.plt --surface pages --smooth 40
 says "--surface pages takes --build host, whose triangles keep their order" pack knot.ply -o x.plt \
     --surface pages --smooth 40 --build device

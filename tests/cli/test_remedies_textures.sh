@@ -172,6 +172,22 @@ for flag in '--textures nearest' '--texture-room 1000'; do
     # shellcheck disable=SC2086
     cured render x.plt -o x.png --size 8x8 $flag --shader whitted
 done
+for flag in '--textures nearest' '--texture-room 1000'; do
+    # shellcheck disable=SC2086
+    says "--textures and --texture-room are of resident scenes; leave out --residency streamed" \
+        render x.plt -o x.png --size 8x8 --shader whitted --residency streamed $flag
+    # shellcheck disable=SC2086
+    cured render x.plt -o x.png --size 8x8 --shader whitted $flag
+done
+without='x.plt: without its textures, as it is streamed'
+run render x.plt -o x.png --size 8x8 --shader whitted --residency streamed
+verdict "a streamed scene says that it is without its textures" "$(
+    [ "$status" -eq 0 ] && grep -qx "$without" err || cat err)"
+run render x.plt -o y.png --size 8x8 --shader whitted --residency streamed --textures none
+verdict "... but not if they are not wanted" "$([ "$status" -eq 0 ] || cat err; cat err)"
+same x.png y.png "... and is the picture without them"
+run render x.plt -o x.png --size 8x8 --shader whitted
+verdict "... nor does one that has them" "$([ "$status" -eq 0 ] || cat err; cat err)"
 for room in 139 x 1073741825; do
     run render x.plt -o y.png --size 8x8 --shader whitted --texture-room "$room"
     verdict "--texture-room $room is refused in a sentence" "$(

@@ -18,7 +18,7 @@
 #include "host_tools/base/target.h"
 #include "tests/test.h"
 
-#define FOLDER "build/test-tmp/files/"
+#define FOLDER TEST_FOLDER "files/"
 
 static void make(const char *path) {
     const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);

@@ -11,13 +11,12 @@
 #include "host_tools/base/input.h"
 #include "tests/test.h"
 
-#define FOLDER "build/test-tmp/input/"
+#define FOLDER TEST_FOLDER "input/"
 #define FILE_NAME FOLDER "file"
 
 static void make_folder(void) {
-    mkdir("build", 0777);
-    mkdir("build/test-tmp", 0777);
-    mkdir("build/test-tmp/input", 0777);
+    mkdir(TEST_FOLDER, 0777);
+    mkdir(FOLDER, 0777);
 }
 
 /* `size` bytes, each different from its neighbours. */

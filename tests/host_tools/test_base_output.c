@@ -15,7 +15,7 @@
 #include "host_tools/base/output.h"
 #include "tests/test.h"
 
-#define FOLDER "build/test-tmp/output/"
+#define FOLDER TEST_FOLDER "output/"
 #define TARGET FOLDER "target"
 
 static void remove_all(void) {
@@ -33,9 +33,8 @@ static void remove_all(void) {
 }
 
 static void clean(void) {
-    mkdir("build", 0777);
-    mkdir("build/test-tmp", 0777);
-    mkdir("build/test-tmp/output", 0777);
+    mkdir(TEST_FOLDER, 0777);
+    mkdir(FOLDER, 0777);
     remove_all();
 }
 

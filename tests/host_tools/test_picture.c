@@ -14,8 +14,6 @@
 #include "host_tools/picture/picture_file.h"
 #include "tests/test.h"
 
-#define FOLDER "build/test-tmp"
-
 typedef struct stream {
     const uint8_t *in;
     size_t size, at; /* at: in bits */
@@ -272,7 +270,7 @@ static size_t there_and_back(const picture *p, const char *name) {
     fail f = {""};
     size_t size;
     unsigned width = 0, height = 0;
-    snprintf(path, sizeof path, FOLDER "/%s.png", name);
+    snprintf(path, sizeof path, TEST_FOLDER "%s.png", name);
     output *o = output_open(path, &f);
     CHECK(o && !picture_begin(o, PICTURE_PNG, p->width, p->height, 0, &f) &&
               !picture_frame(o, PICTURE_PNG, p, &f) && !output_commit(o, &f),
@@ -417,8 +415,7 @@ static void test_huffman(void) {
 }
 
 int main(void) {
-    mkdir("build", 0777);
-    mkdir(FOLDER, 0777);
+    mkdir(TEST_FOLDER, 0777);
     test_pictures();
     test_deflate();
     test_huffman();

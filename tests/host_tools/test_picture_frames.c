@@ -8,8 +8,6 @@
 #include "host_tools/picture/picture_file.h"
 #include "tests/test.h"
 
-#define FOLDER "build/test-tmp"
-
 /* Six pixels, 3 x 2: red green blue / black grey white. */
 static uint8_t six[18] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 119, 119, 119, 255, 255, 255};
 
@@ -42,8 +40,8 @@ static void test_bytes(void) {
     test("PPM: a picture of 3 x 2 pixels is exactly these 29 bytes");
     memcpy(ppm, "P6\n3 2\n255\n", 11);
     memcpy(ppm + 11, six, 18);
-    write_frames(FOLDER "/six.ppm", PICTURE_PPM, &p, 1);
-    expect(FOLDER "/six.ppm", ppm, sizeof ppm);
+    write_frames(TEST_FOLDER "six.ppm", PICTURE_PPM, &p, 1);
+    expect(TEST_FOLDER "six.ppm", ppm, sizeof ppm);
 
     test("Y4M 4:4:4: two frames of 3 x 2 pixels are exactly these bytes, full range BT.601");
     static const uint8_t frame[] =
@@ -56,8 +54,8 @@ static void test_bytes(void) {
     memcpy(y4m, head, sizeof head - 1);
     memcpy(y4m + sizeof head - 1, frame, sizeof frame - 1);
     memcpy(y4m + sizeof head - 1 + sizeof frame - 1, frame, sizeof frame - 1);
-    write_frames(FOLDER "/six.y4m", PICTURE_Y4M_444, &p, 2);
-    expect(FOLDER "/six.y4m", y4m, sizeof y4m);
+    write_frames(TEST_FOLDER "six.y4m", PICTURE_Y4M_444, &p, 2);
+    expect(TEST_FOLDER "six.y4m", y4m, sizeof y4m);
 }
 
 /* Red green blue / black grey white, 3 x 2: the chroma of the second column is that of
@@ -72,13 +70,13 @@ static void test_bytes_420(void) {
         "\x51\x91\x29\x10\x76\xEB" /* Y 81 145 41 16 118 235 */
         "\x64\xB8"                 /* Cb 100 184 */
         "\x85\x77";                /* Cr 133 119 */
-    write_frames(FOLDER "/six.y4m", PICTURE_Y4M, &p, 1);
-    expect(FOLDER "/six.y4m", film, sizeof film - 1);
+    write_frames(TEST_FOLDER "six.y4m", PICTURE_Y4M, &p, 1);
+    expect(TEST_FOLDER "six.y4m", film, sizeof film - 1);
     static const char pixel[] =
         "YUV4MPEG2 W1 H1 F25:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n"
         "FRAME\n\x51\x5A\xF0";
-    write_frames(FOLDER "/one.y4m", PICTURE_Y4M, &one, 1);
-    expect(FOLDER "/one.y4m", pixel, sizeof pixel - 1);
+    write_frames(TEST_FOLDER "one.y4m", PICTURE_Y4M, &one, 1);
+    expect(TEST_FOLDER "one.y4m", pixel, sizeof pixel - 1);
 }
 
 /* The planes of a 4:2:0 film against means in floating point, for sides of each parity. */
@@ -100,8 +98,8 @@ static void test_means_420(void) {
         for (unsigned i = 0; i < w * h * 3; i++) {
             p.rgb[i] = (uint8_t)(i % 7 == 0 ? 255 : i * 2654435761u >> 24);
         }
-        write_frames(FOLDER "/means.y4m", PICTURE_Y4M, &p, 1);
-        FILE *file = fopen(FOLDER "/means.y4m", "rb");
+        write_frames(TEST_FOLDER "means.y4m", PICTURE_Y4M, &p, 1);
+        FILE *file = fopen(TEST_FOLDER "means.y4m", "rb");
         const size_t bytes = (size_t)w * h + 2 * (size_t)((w + 1) / 2) * ((h + 1) / 2);
         CHECK(file && fgets(line, sizeof line, file) && fgets(line, sizeof line, file) &&
                   fread(planes, 1, bytes, file) == bytes && fgetc(file) == EOF,
@@ -141,8 +139,8 @@ static void test_y4m_inverse(void) {
     for (unsigned i = 0; i < 97 * 61 * 3; i++) {
         p.rgb[i] = (uint8_t)(i * 2654435761u >> 24);
     }
-    write_frames(FOLDER "/colours.y4m", PICTURE_Y4M_444, &p, 1);
-    FILE *file = fopen(FOLDER "/colours.y4m", "rb");
+    write_frames(TEST_FOLDER "colours.y4m", PICTURE_Y4M_444, &p, 1);
+    FILE *file = fopen(TEST_FOLDER "colours.y4m", "rb");
     uint8_t plane[3][97 * 61];
     char line[100];
     CHECK(file && fgets(line, sizeof line, file) && fgets(line, sizeof line, file) &&
@@ -217,8 +215,7 @@ static void test_full_disk(void) {
 }
 
 int main(void) {
-    mkdir("build", 0777);
-    mkdir(FOLDER, 0777);
+    mkdir(TEST_FOLDER, 0777);
     test_bytes();
     test_bytes_420();
     test_means_420();

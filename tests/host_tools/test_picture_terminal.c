@@ -14,12 +14,11 @@
 #include "tests/test.h"
 
 #define UP "\xE2\x96\x80"
-#define FOLDER "build/test-tmp"
 
 static char shown[1 << 20];
 
 static void show(const picture *p, picture_ink ink, unsigned columns, unsigned rows) {
-    FILE *file = fopen(FOLDER "/terminal.txt", "w+b");
+    FILE *file = fopen(TEST_FOLDER "terminal.txt", "w+b");
     CHECK(file != NULL, "no file");
     if (file) {
         CHECK(picture_show(file, p, ink, columns, rows) == 0, "not written");
@@ -139,7 +138,7 @@ static void test_sizes(void) {
 
 static void test_environment(void) {
     unsigned columns, rows;
-    FILE *file = fopen(FOLDER "/terminal.txt", "wb");
+    FILE *file = fopen(TEST_FOLDER "terminal.txt", "wb");
     test("size: COLUMNS and LINES for what is no terminal, 80 x 24 when they say nothing");
     CHECK(file != NULL, "no file");
     if (!file) {
@@ -365,8 +364,7 @@ static void test_full(void) {
 }
 
 int main(void) {
-    mkdir("build", 0777);
-    mkdir(FOLDER, 0777);
+    mkdir(TEST_FOLDER, 0777);
     test_exact();
     test_sizes();
     test_environment();

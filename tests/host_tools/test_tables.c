@@ -17,7 +17,7 @@
 #include "host_tools/tables/twist.h"
 #include "tests/test.h"
 
-#define FOLDER "build/test-tmp/tables"
+#define FOLDER TEST_FOLDER "tables"
 
 static char text[1 << 16];
 
@@ -418,8 +418,7 @@ static void check_twist(void) {
 }
 
 int main(void) {
-    mkdir("build", 0777);
-    mkdir("build/test-tmp", 0777);
+    mkdir(TEST_FOLDER, 0777);
     mkdir(FOLDER, 0777);
     check_sheet();
     check_many_lines();

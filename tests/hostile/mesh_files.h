@@ -1,6 +1,6 @@
 /* mesh_files - writes small mesh files and checks what a reader returns
  *
- * Everything is written below build/test-tmp/mesh.
+ * Everything is written below MESH_FOLDER.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef MESH_FILES_H
@@ -15,12 +15,11 @@
 #include "host_tools/mesh/mesh.h"
 #include "tests/test.h"
 
-#define MESH_FOLDER "build/test-tmp/mesh/"
+#define MESH_FOLDER TEST_FOLDER "mesh/"
 
 static inline void mesh_folder(void) {
-    mkdir("build", 0777);
-    mkdir("build/test-tmp", 0777);
-    mkdir("build/test-tmp/mesh", 0777);
+    mkdir(TEST_FOLDER, 0777);
+    mkdir(MESH_FOLDER, 0777);
 }
 
 static inline void file_write(const char *path, const void *bytes, size_t size) {

@@ -171,9 +171,9 @@ static void test_serving(void) {
     test(
         "a device in another process renders what a direct render gives: by socket, by pseudo "
         "terminal");
-    char path[64];
-    snprintf(path, sizeof path, "build/test-tmp/serve-%d", (int)getpid());
-    mkdir("build/test-tmp", 0777);
+    char path[108];
+    snprintf(path, sizeof path, TEST_FOLDER "serve-%d", (int)getpid());
+    mkdir(TEST_FOLDER, 0777);
     CHECK(link_open_socket(&l, path, &f) == 0, "%s", f.text);
     serve_over(&l, "socket");
     CHECK(link_open_pty(&l, &f) == 0, "%s", f.text);
