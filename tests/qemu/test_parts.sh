@@ -359,7 +359,7 @@ printf 'newmtl a\nKd 0.9 1 0.8\nmap_Kd -s 2 3 checks.ppm\n' >"$out/checks.mtl"
 } >"$out/checks.obj"
 "$planelet" pack "$out/checks.obj" --materials keep -o "$out/checks.plt" >/dev/null 2>&1
 texture=$BUILD/mps2_an386-render-surface-texcoords-texture-thesis-whitted
-if part "render thesis surface texcoords whitted texture" "$texture" 61696; then
+if part "render thesis surface texcoords whitted texture" "$texture" 61952; then
     for filter in nearest bilinear; do
         view=$(sh board/tools/host_view.sh "$out/checks.plt" 80x60 "$out/host.ppm" \
             --shader whitted --light sun:0.5,1,0.75,0.75,0.0625,4 --sky 0.5,0.5,0.75 \
