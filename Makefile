@@ -33,8 +33,8 @@ include engine/engine.mk
 
 .PHONY: all firmware boards test-boards demo demo-wooddoll demo-bunny demo-firmware setup test \
         check sizes bench scenes peers surface compact streamed moving policies workers against \
-        sanitize tiny scalar fuzz exporters run treelets povray stages jpeg play profile clean help \
-        FORCE
+        sanitize tiny scalar fuzz exporters run treelets povray stages jpeg play profile clean \
+        help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:

@@ -3,8 +3,9 @@
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
 # built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
-# sequences; PROGRAM=faults is a test of start-up without the engine. The worst stack is computed from the call graph before linking, and
-# the linker script refuses a smaller stack. No C library is linked; its headers
+# sequences; PROGRAM=faults is a test of start-up without the engine. The worst stack
+# is computed from the call graph before linking, and the linker script refuses a
+# smaller stack. No C library is linked; its headers
 # are used. Of the compiler's own library, libgcc, boards have what they ask for by
 # LIBGCC := yes, and its functions are in the call graph, too.
 # SPDX-License-Identifier: MIT

@@ -5,10 +5,10 @@
 
 #if PLT_WITH_SURFACE
 
+#include "engine/base/fault.h"
 #include "engine/image/fetch.h"
 #include "engine/image/further.h"
 #include "engine/scene/surface_place.h"
-#include "engine/trace/kept.h"
 #include "engine/trace/surface_hit.h"
 
 /* A section, of which there is one: where it is mapped, or copied to *room, which is behind it
@@ -89,22 +89,17 @@ static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room
                ? open_pages(e, pages, room, fault)
                : open_tables(e, h, room, fault);
 }
-
-static void keep_hits(plt_engine *e, void *room) {
-#if PLT_WITH_GROUPS
-    const uint32_t side = e->options.packet_side;
-    if (plt_is_streamed(e->scene.format)) {
-        plt_kept_init(room, side * side);
-    }
-#else
-    (void)e;
-    (void)room;
-#endif
-}
 #else
 static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room,
                         plt_fault *fault) {
-    return open_tables(e, h, room, fault);
+    const int status = open_tables(e, h, room, fault);
+    const plt_surface_data *d = &e->scene.surface;
+    return status == PLT_OK && !d->has_normals && !d->has_colours &&
+                   plt_further_section(h, PLT_SECTION_PAGES) != NULL
+               ? plt_limit(fault,
+                           "normals and colours come in pages here, and this build of the "
+                           "engine has none (PLT_WITH_STREAMED)")
+               : status;
 }
 #endif
 
@@ -122,9 +117,6 @@ int plt_surface_room_set(plt_engine *e, const plt_header *h, void *const part[PL
         return status;
     }
     e->scene.surface.is_open = 1;
-#if PLT_WITH_PAGES
-    keep_hits(e, part[PLT_PART_KEPT]);
-#endif
 #if PLT_WITH_GROUPS
     if (!plt_is_streamed(e->scene.format)) {
         plt_surface_places_set(&e->scene, part[PLT_PART_PLACES]);

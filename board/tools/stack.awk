@@ -4,9 +4,10 @@
 #       [-v interrupt='NAME ...' -v entry=BYTES] [-v limit=BYTES] [-v out=FOLDER/] \
 #       -f stack.awk FILE.ci ... -
 #
-# Reads the output of -fcallgraph-info=su,da (of a library that has none library.awk's), and
-# the disassembly of the same objects (below FOLDER), because GCC 12 leaves out what a function pushes for
-# arguments that came in registers: a stack frame is the larger of GCC's value
+# Reads the output of -fcallgraph-info=su,da (of a library that has none
+# library.awk's), and the disassembly of the same objects (below FOLDER), because
+# GCC 12 leaves out what a function pushes for arguments that came in registers:
+# a stack frame is the larger of GCC's value
 # and the sum of all pushes and decrements of sp. Prints "worst BYTES ROOT" for
 # the root with the deepest path, the path itself with the frame of every
 # function on it, and a line for each other root. Every path is followed, so

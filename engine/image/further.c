@@ -66,10 +66,10 @@ static int refused(plt_fault *fault, uint32_t offset) {
                        "the table of further sections is not what it must be");
 }
 
-/* Kinds rise, so that each is there once; this engine knows all of them. */
+/* Kinds rise, so that each is there once; this engine knows all of them, also those that it has no
+ * use for. */
 static int is_known(uint32_t kind, uint32_t before) {
-    return kind > before && ((kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_TILES) ||
-                             (PLT_WITH_PAGES && kind == PLT_SECTION_PAGES));
+    return kind > before && kind >= PLT_SECTION_NORMALS && kind <= PLT_SECTION_PAGES;
 }
 
 /* They name triangles by their primitive ids, or none. */

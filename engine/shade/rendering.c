@@ -9,6 +9,7 @@
 #include "engine/shade/tile_sky.h"
 #include "engine/shade/whitted_frame.h"
 #include "engine/shade/whitted_mix.h"
+#include "engine/trace/kept.h"
 #include "engine/whitted/whitted.h"
 
 /* A constant where there is no choice, and the compiler leaves the other way out. */
@@ -162,9 +163,33 @@ static inline int has_some(const plt_rendering *r) {
 #endif
 }
 
+/* What packets keep of hits lies where beams of the frame before may have kept numbers. */
+static void set_kept(const plt_rendering *r, const plt_traversal *t) {
+#if PLT_WITH_PAGES && PLT_WITH_GROUPS
+    if (t->scene->surface.is_open && plt_is_streamed(t->scene->format) && !HAS_BEAMS(r)) {
+        plt_kept_init(t->kept, r->side * r->side);
+    }
+#else
+    (void)r;
+    (void)t;
+#endif
+}
+
+/* What packets of the view have in common. */
+static inline void set_view_of_lights(const plt_rendering *r) {
+#if PLT_WITH_WHITTED
+    if (HAS_LIGHTS(r)) {
+        plt_whitted_frame_view(r->whitted, &r->frame, &r->view);
+    }
+#else
+    (void)r;
+#endif
+}
+
 static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
                          const plt_pixels *pixels, uint32_t rays) {
     r->tracing = 1;
+    set_view_of_lights(r);
 #if PLT_WITH_MIXES
     r->visits = t->stats.node_visits;
     if (r->sampling.adapts) {
@@ -453,6 +478,7 @@ int plt_rendering_begin(plt_rendering *r, const plt_frame *frame, const plt_trav
 #endif
         r->beams = (uint8_t)has_beams(r, t);
         set_beam(r, t);
+        set_kept(r, t);
         set_order(r, plt_is_streamed(t->scene->format));
         r->at.x = r->at.y = r->at.px = r->at.py = 0;
         r->tracing = r->done = 0;

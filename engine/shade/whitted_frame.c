@@ -16,7 +16,6 @@ void plt_whitted_frame_set(plt_whitted *w, const plt_frame *frame, const plt_box
         plt_whitted_frame(w, box, frame->camera.eye, frame->camera.up);
 #if PLT_WITH_TEXTURE
         w->failed = PLT_OK;
-        w->angle = 2.0f * frame->camera.tan_half_fov / (float)frame->height;
 #endif
     }
 }

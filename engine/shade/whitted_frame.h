@@ -16,6 +16,19 @@ static inline int plt_whitted_frame_valid(const plt_whitted *w, const plt_frame 
 /* As plt_whitted_frame, if the frame is of that kind. */
 void plt_whitted_frame_set(plt_whitted *w, const plt_frame *frame, const plt_box *box);
 
+/* Before a packet: of samples each has its own level of a texture, as its own pixel would. */
+static inline void plt_whitted_frame_view(plt_whitted *w, const plt_frame *frame,
+                                          const plt_view *view) {
+#if PLT_WITH_TEXTURE
+    const float rows = (float)(frame->height * plt_view_across(view));
+    w->angle = 2.0f * frame->camera.tan_half_fov / rows;
+#else
+    (void)w;
+    (void)frame;
+    (void)view;
+#endif
+}
+
 /* Hits are to have u and v, in place of normals. */
 int plt_whitted_frame_wants_weights(const plt_traversal *t);
 

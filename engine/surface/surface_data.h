@@ -84,13 +84,13 @@ int plt_surface_data_set(plt_surface_data *d, const plt_header *header,
                          plt_fault *fault);
 
 /* Bits of an entry with a palette of so many colours. */
-static inline uint32_t plt_colour_bits(uint32_t palette) {
-    return palette <= PLT_PALETTE_SMALL ? 8 : 11;
+static inline uint32_t plt_colour_bits(uint32_t count) {
+    return count <= PLT_PALETTE_SMALL ? 8 : 11;
 }
 
 /* The entry that is none of it: triangles that meet in a corner have different colours. */
-static inline uint32_t plt_colour_split(uint32_t palette) {
-    return palette <= PLT_PALETTE_SMALL ? PLT_PALETTE_SMALL : PLT_PALETTE_MOST;
+static inline uint32_t plt_colour_split(uint32_t count) {
+    return count <= PLT_PALETTE_SMALL ? PLT_PALETTE_SMALL : PLT_PALETTE_MOST;
 }
 
 /* Bytes of sections with such a head, padding not included. */
@@ -98,9 +98,9 @@ static inline uint64_t plt_normals_bytes(const unsigned char *head) {
     return PLT_NORMALS_HEAD + plt_surface_tables_bytes(head, PLT_NORMAL_BITS);
 }
 
-static inline uint64_t plt_colours_bytes(const unsigned char *head, uint32_t palette) {
-    return PLT_COLOURS_HEAD + (uint64_t)palette * PLT_PALETTE_BYTES +
-           plt_surface_tables_bytes(head, plt_colour_bits(palette));
+static inline uint64_t plt_colours_bytes(const unsigned char *head, uint32_t count) {
+    return PLT_COLOURS_HEAD + (uint64_t)count * PLT_PALETTE_BYTES +
+           plt_surface_tables_bytes(head, plt_colour_bits(count));
 }
 
 #endif

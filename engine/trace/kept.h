@@ -6,7 +6,7 @@
  * none.
  *
  * Invariant: a ray whose hit is of a triangle of that number has that triangle. It may be one that
- * an earlier packet has left: triangles stay what they are.
+ * an earlier packet of the frame has left: triangles stay what they are.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_KEPT_H
@@ -22,7 +22,7 @@ typedef struct plt_kept {
     uint32_t index; /* in the image */
 } plt_kept;
 
-/* So that none is any triangle's. */
+/* Before a frame: so that none is any triangle's. Beams keep something else there. */
 void plt_kept_init(plt_kept *kept, uint32_t rays);
 
 #if PLT_WITH_GROUPS

@@ -62,7 +62,7 @@ typedef struct plt_whitted {
     plt_materials materials;
 #if PLT_WITH_TEXTURE
     plt_textures *textures; /* NULL: there are none */
-    float angle;            /* side of a pixel at a distance of 1 */
+    float angle;            /* side of a pixel, or sample, at a distance of 1 */
     int failed;             /* what a fetch has failed with; PLT_OK: none has */
 #endif
     const plt_box *box; /* of all that may be hit */

@@ -8,9 +8,6 @@
 #include "host_tools/pack/pack.h"
 #include "host_tools/pack/surface_stats.h"
 
-/* Colours may be off by so much of 255 before there are more than PALETTE_FEW of them. */
-enum { SURFACE_COLOURS_NEAR = 2 };
-
 /* Of an image without a sequence or instances, if compact with build host and primitive ids. `c` is
  * by primitive id; what it does not have the image does not get. -1, and the image with less than
  * all of it: memory is out, or it gets too large. */

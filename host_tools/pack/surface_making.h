@@ -42,6 +42,11 @@ typedef struct adding {
 int surface_begin(adding *a, packed *image, const char *name, fail *f);
 void surface_end(adding *a);
 
+/* Where in mesh_corners a corner of the image is. */
+static inline size_t surface_source(const adding *a, size_t i) {
+    return 3 * (size_t)a->triangle[i / 3].id + i % 3;
+}
+
 /* What to say of it; -1. */
 int surface_out_of_memory(const adding *a);
 

@@ -1,4 +1,4 @@
-/* surface_stats - what an image got of normals, colours and texture coordinates
+/* surface_stats - what an image holds of its corners, and how well
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_STATS_H
@@ -20,5 +20,8 @@ typedef struct surface_stats {
     double colours_mean;                                  /* ... and mean */
     double texcoords_off; /* the most that one is off by, of the texture's width or height */
 } surface_stats;
+
+/* Colours may be off by so much of 255 before there are more than PALETTE_FEW of them. */
+enum { SURFACE_COLOURS_NEAR = 2 };
 
 #endif

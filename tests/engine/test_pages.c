@@ -228,6 +228,111 @@ static void same_points(void) {
     }
 }
 
+/* The section of pages of an image, and where its pages begin. */
+typedef struct pages_at {
+    uint32_t at, bytes, chunks, first, end;
+} pages_at;
+
+static pages_at find_pages(const unsigned char *bytes) {
+    const unsigned char *entry = bytes + hostile_further_at(bytes) + 16;
+    while (plt_get_u32(entry) != PLT_SECTION_PAGES) {
+        entry += 16;
+    }
+    pages_at p = {.at = plt_get_u32(entry + 4), .bytes = plt_get_u32(entry + 8)};
+    p.chunks = p.at + PLT_PAGES_HEAD + 4 * plt_get_u32(bytes + p.at + 8);
+    p.first = p.at + plt_get_u32(bytes + p.chunks + 4);
+    p.end = p.at + p.bytes;
+    return p;
+}
+
+/* A bit of every third page. */
+static void flip_pages(unsigned char *bytes) {
+    const pages_at p = find_pages(bytes);
+    for (uint32_t i = 0; i < PLT_PAGES_IN_CHUNK; i += 3) {
+        const uint32_t at = plt_get_u32(bytes + p.chunks + 4 + 4 * i);
+        if (plt_get_u32(bytes + p.chunks + 8 + 4 * i) > at) {
+            bytes[p.at + at + 8] ^= 1;
+        }
+    }
+}
+
+/* Samples of frames that are streamed; `wrong`: pages are damaged at first, which ends the frame
+ * while it is shaded, or mixed. */
+static void mixed(const packed *image, const plt_frame *frame, int wrong, uint64_t due) {
+    unsigned char *bytes = hostile_copy(image->bytes, image->size);
+    hostile_stream stream = {bytes, image->size, 0};
+    const plt_source source = {NULL, image->size, &stream, hostile_start, hostile_wait};
+    const plt_options options = options_of(PLT_RESIDENCY_STREAMED, 4, PLT_STORE_LEAST);
+    const opened o = open_by(image, &source, &options);
+    CHECK(o.status == PLT_OK, "%s", o.fault.message);
+    if (wrong) {
+        flip_pages(bytes);
+        const int status = render(&o, frame);
+        CHECK(status == PLT_ERR_IMAGE, "samples %u: %d", frame->samples, status);
+        flip_pages(bytes);
+    }
+    CHECK(begin(&o, frame) == PLT_OK, "a frame is refused");
+    CHECK(frame_hash(o.engine, frame, 1000) == due, "shader %u, samples %u, wrong %d",
+          frame->shader, frame->samples, wrong);
+    free(o.arena);
+    free(bytes);
+}
+
+static void samples(void) {
+    static const uint8_t all[3] = {PLT_SAMPLES_FOUR, PLT_SAMPLES_SIXTEEN, PLT_SAMPLES_ADAPTIVE};
+    for (unsigned kind = 0; kind < KINDS && PLT_PACKET_SIDE_MAX >= 4; kind++) {
+        packed image = image_of(kind, SHIFT);
+        const plt_options options = options_of(RESIDENT, 4, 0);
+        const plt_source source = rig_source(&image);
+        const opened o = open_by(&image, &source, &options);
+        CHECK(o.status == PLT_OK, "%s", o.fault.message);
+        for (int i = 0; i < 6; i++) {
+            plt_frame frame = frame_by(shaders[i % 2]);
+            frame.samples = all[i / 2];
+            CHECK(begin(&o, &frame) == PLT_OK, "a frame is refused");
+            const uint64_t due = frame_hash(o.engine, &frame, 1000);
+            mixed(&image, &frame, 0, due);
+            mixed(&image, &frame, 1, due);
+        }
+        free(o.arena);
+        pack_free(&image);
+    }
+}
+
+/* Whole frames by beams keep numbers where those of lights keep triangles. */
+static void after_beams(void) {
+    lit_scene s;
+    mesh_corners c = {0};
+    surface_stats stats;
+    fail f = {""};
+    packed image = {.size = 0};
+    const uint8_t side = PLT_PACKET_SIDE_MAX < 8 ? PLT_PACKET_SIDE_MAX : 8;
+    memset(&s, 0, sizeof s);
+    shape_icosphere(&s.m, rig_is_tiny() ? 0 : 1);
+    CHECK(mesh_smooth(&s.m, 40, &c) == 0, "no memory");
+    surface_rig_colour(&s.m, &c, 4);
+    pack_tree(&image, &s, 1);
+    CHECK(surface_pages_add(&image, &c, SHIFT, "test", &stats, &f) == 0, "%s", f.text);
+    hostile_stream stream = {image.bytes, image.size, 0};
+    const plt_source source = {NULL, image.size, &stream, hostile_start, hostile_wait};
+    const plt_options options = options_of(PLT_RESIDENCY_STREAMED, side, 0);
+    const opened o = open_by(&image, &source, &options);
+    CHECK(o.status == PLT_OK, "%s", o.fault.message);
+    plt_frame lit = frame_by(PLT_SHADE_WHITTED), plain = frame_by(PLT_SHADE_EYELIGHT);
+    lit.camera.tan_half_fov = plain.camera.tan_half_fov = 0.3f;
+    CHECK(begin(&o, &lit) == PLT_OK, "a frame is refused");
+    const uint64_t due = frame_hash(o.engine, &lit, 1000);
+    for (int i = 0; i < 16; i++) {
+        plain.camera.eye[0] = (float)(i - 8);
+        CHECK(render(&o, &plain) == PLT_OK && begin(&o, &lit) == PLT_OK, "a frame is refused");
+        CHECK(frame_hash(o.engine, &lit, 1000) == due, "frame %d is another", i);
+    }
+    free(o.arena);
+    corners_free(&c);
+    mesh_free(&s.m);
+    pack_free(&image);
+}
+
 /* ---- what fails -------------------------------------------------------------------------- */
 
 static void failures(void) {
@@ -255,23 +360,6 @@ static void failures(void) {
         CHECK(!f.stream.beyond, "read beyond");
         pack_free(&image);
     }
-}
-
-/* The section of pages of an image, and where its pages begin. */
-typedef struct pages_at {
-    uint32_t at, bytes, chunks, first, end;
-} pages_at;
-
-static pages_at find_pages(const unsigned char *bytes) {
-    const unsigned char *entry = bytes + hostile_further_at(bytes) + 16;
-    while (plt_get_u32(entry) != PLT_SECTION_PAGES) {
-        entry += 16;
-    }
-    pages_at p = {.at = plt_get_u32(entry + 4), .bytes = plt_get_u32(entry + 8)};
-    p.chunks = p.at + PLT_PAGES_HEAD + 4 * plt_get_u32(bytes + p.at + 8);
-    p.first = p.at + plt_get_u32(bytes + p.chunks + 4);
-    p.end = p.at + p.bytes;
-    return p;
 }
 
 /* Renders an image that is wrong, streamed: 1 if it is refused with that place and rule 31. */
@@ -473,6 +561,10 @@ static void mutations(void) {
 int main(void) {
     test("frames by pages are those by tables: resident, copied, and streamed by any store");
     same_frames();
+    test("... by lights, whatever beams have shown before");
+    after_beams();
+    test("... with several samples, also behind a frame that a damaged page has ended");
+    samples();
     test("points of hits are those by tables");
     same_points();
     test("a transfer that fails once is asked for again, that of a page, too");

@@ -335,8 +335,8 @@ static void smooth_among_lines(const mesh *m, const mesh_corners *c) {
 /* ---- the same everywhere -------------------------------------------------------------------- */
 
 /* Of every machine, in the order of all_samples. */
-static const uint64_t LIT_GOLDEN[3] = {UINT64_C(0x079a4648b60e51ea), UINT64_C(0x01d48febf01fa79b),
-                                       UINT64_C(0x3b235fb5f9586500)};
+static const uint64_t LIT_GOLDEN[3] = {UINT64_C(0xa1a4a033b1d7517b), UINT64_C(0xa613a61aa7500c76),
+                                       UINT64_C(0x19eec7b1daff3ffc)};
 static const uint64_t SMOOTH_GOLDEN[3] = {
     UINT64_C(0xeebd3093e07a19ee), UINT64_C(0xe6f564553ebf2544), UINT64_C(0x491609aadfe3f701)};
 

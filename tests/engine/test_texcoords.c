@@ -332,9 +332,12 @@ static void forged_tables(void) {
     random_state state = {7};
     const hostile_config config = {0, 0, 2, 0};
     forge();
+    const unsigned char *head = forged.bytes + texcoords;
+    const uint32_t bits = plt_get_u32(head + 16) + plt_get_u32(head + 20);
+    const uint64_t end = texcoords + plt_texcoords_bytes(head, bits); /* behind that are zeros */
     for (unsigned i = 0; i < 200; i++) {
         unsigned char *bytes = hostile_copy(forged.bytes, forged.size);
-        for (uint32_t k = texcoords + 64; k < forged.size; k++) {
+        for (uint32_t k = texcoords + 64; k < end; k++) {
             bytes[k] = (unsigned char)random_bits(&state);
         }
         bytes[texcoords] = (unsigned char)random_bits(&state);

@@ -60,7 +60,7 @@ static uint64_t by_all_ways(uint8_t filter) {
 }
 
 static void same(void) {
-    static const uint64_t golden[2] = {UINT64_C(0x1837FCF46D1408DD), UINT64_C(0x2E067124CD1B0E48)};
+    static const uint64_t golden[2] = {UINT64_C(0xDE7B9E7DDC06E14A), UINT64_C(0xAFDAA5C0C00D2C3C)};
     test(
         "frames are the same from a tree, a list and blocks, mapped or fetched, by any packet, "
         "and what they were on other machines");
@@ -154,8 +154,53 @@ static void damaged(void) {
     texture_scene_free(&s);
 }
 
+/* Tiles that a frame of so many pixels takes, each of them once. */
+static uint64_t tiles_of(const texture_scene *s, uint16_t width, uint16_t height, uint8_t samples) {
+    plt_options o = textured;
+    plt_texture_stats stats = {0};
+    plt_frame f = frame;
+    rig r;
+    f.width = width;
+    f.height = height;
+    f.samples = samples;
+    f.camera.tan_half_fov = 0.2f;
+    o.packet_side = 4;
+    o.whitted = 1;
+    o.texture_bytes = 4096 * PLT_TEXTURE_LEAST;
+    plt_lighting l = lit_lights(0);
+    r = (rig){.image = s->image};
+    CHECK(lit_open(&r, &o, 1) == PLT_OK && plt_lighting_set(r.engine, &l) == PLT_OK, "%s",
+          r.fault.message);
+    CHECK(frame_hash(r.engine, &f, 1000) != 0, "rendered");
+    plt_texture_stats_get(r.engine, &stats);
+    free(r.arena);
+    return stats.fetched;
+}
+
+static void samples(void) {
+    texture_scene s;
+    if (PLT_PACKET_SIDE_MAX < 4) {
+        return;
+    }
+    test("samples have the levels of textures that pixels as small as they have");
+    texture_scene_make(&s, PLT_TEXTURE_RGB565, 4);
+    const uint64_t coarse = tiles_of(&s, 20, 15, PLT_SAMPLES_ONE);
+    for (unsigned across = 2; across <= 4; across *= 2) {
+        const uint64_t mixed =
+            tiles_of(&s, 20, 15, across == 2 ? PLT_SAMPLES_FOUR : PLT_SAMPLES_SIXTEEN);
+        const uint64_t fine =
+            tiles_of(&s, (uint16_t)(20 * across), (uint16_t)(15 * across), PLT_SAMPLES_ONE);
+        CHECK((across == 2 || 4 * coarse < 3 * fine) && 8 * mixed > 7 * fine &&
+                  7 * mixed < 8 * fine,
+              "%u across: %u tiles, of small pixels %u, of large ones %u", across, (unsigned)mixed,
+              (unsigned)fine, (unsigned)coarse);
+    }
+    texture_scene_free(&s);
+}
+
 int main(void) {
     same();
+    samples();
     differ();
     damaged();
     return test_done();

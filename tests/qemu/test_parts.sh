@@ -41,9 +41,10 @@ renders() { # FOLDER NAME [parameter]
             echo "$(value frame_hash) on the device, ${view%% *} on the host")"
 }
 
-refuses() { # FOLDER NAME WORD
-    firmware "$1" "$out/$2.plt" size=80x60
-    verdict "${1##*/}, $2: refused, and $3 is named" "$(
+refuses() { # FOLDER NAME WORD [parameter]
+    # shellcheck disable=SC2086
+    firmware "$1" "$out/$2.plt" size=80x60 $4
+    verdict "${1##*/}, $2${4:+, $4}: refused, and $3 is named" "$(
         [ "$status" -eq 1 ] || echo "status $status: $text"
         echo "$text" | grep -q "^error: .*$3" || echo "printed '$text'")"
 }
@@ -305,6 +306,9 @@ for words in compact-frames-render-stream-surface:53248 compact-render-stream-su
         SOURCE=file smooth "$pages" $name "residency=streamed packet=4 arena=65536"
     fi
 done
+# Without streamed scenes pages are of no use, and in nobody's way.
+renders "$BUILD/mps2_an386-surface-thesis" pages
+refuses "$BUILD/mps2_an386-surface-thesis" pages PLT_WITH_STREAMED shader=smooth
 refuses "$thesis" smooth sections
 # lit FOLDER NAME: a frame with lights, mirrors and glass in 256 KiB.
 lit() {
@@ -355,7 +359,7 @@ printf 'newmtl a\nKd 0.9 1 0.8\nmap_Kd -s 2 3 checks.ppm\n' >"$out/checks.mtl"
 } >"$out/checks.obj"
 "$planelet" pack "$out/checks.obj" --materials keep -o "$out/checks.plt" >/dev/null 2>&1
 texture=$BUILD/mps2_an386-render-surface-texcoords-texture-thesis-whitted
-if part "render thesis surface texcoords whitted texture" "$texture" 61440; then
+if part "render thesis surface texcoords whitted texture" "$texture" 61696; then
     for filter in nearest bilinear; do
         view=$(sh board/tools/host_view.sh "$out/checks.plt" 80x60 "$out/host.ppm" \
             --shader whitted --light sun:0.5,1,0.75,0.75,0.0625,4 --sky 0.5,0.5,0.75 \
