@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/mesh/mtl_map.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -47,12 +48,13 @@ int mtl_map_is(mesh_materials *m, word key) {
     return bit >= 0 || word_is_in_any_case(key, "map_kd");
 }
 
-/* Up to three numbers; the last word of a line is the file's name. */
+/* Up to three numbers, finite ones; the last word of a line is the file's name. */
 static void read_numbers(scan *s, float to[3]) {
     for (int i = 0; i < 3; i++) {
         scan ahead = *s;
         float number;
-        if (scan_line_done(&ahead) || scan_float(&ahead, &number) != 0 || scan_line_done(&ahead)) {
+        if (scan_line_done(&ahead) || scan_float(&ahead, &number) != 0 || !isfinite(number) ||
+            scan_line_done(&ahead)) {
             return;
         }
         to[i] = number;

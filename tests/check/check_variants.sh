@@ -24,8 +24,9 @@ programs_pass "scalar lanes give the same frames and hits" scalar.txt sh -c "
 jobs=$(getconf _NPROCESSORS_ONLN)
 programs_pass "every program passes with tiny limits" tiny.txt $MAKE -s -j "$jobs" tiny
 # They run beside those of the usual build: tests/run.sh.
+out=${OUT:-$BUILD/host}
 verdict "test programs write to the folder of their build" "$(
     grep -rn '"build/test-tmp' tests --include='*.[ch]' | grep -v '^tests/test.h:'
-    strings -a "$BUILD/host/tests/host_tools/test_mesh_ply" | grep -q "^$BUILD/host/test-tmp/mesh/" ||
+    strings -a "$out/tests/host_tools/test_mesh_ply" | grep -q "^$out/test-tmp/mesh/" ||
         echo "test_mesh_ply writes elsewhere")"
 finish

@@ -55,6 +55,9 @@ packs 2 good.obj --textures blocks --materials keep
 painted 'map_Kd gone.png'
 says "there is no such picture; correct the name in the MTL" pack good.obj -o x.plt \
     --materials keep --strict
+painted 'map_Kd -s nan inf p.ppm'
+says "there is no such picture; correct the name in the MTL" pack good.obj -o x.plt \
+    --materials keep --strict
 painted 'map_Kd p.ppm'
 packs 2 good.obj --materials keep --strict
 painted 'map_Kd gone.png'
