@@ -122,7 +122,7 @@ static void fails_at_line(const blob *b, int line) {
     mesh m = {0};
     mesh_report report = {0};
     fail f;
-    char where[40];
+    char where[80];
     snprintf(where, sizeof where, STL ": line %d: ", line);
     CHECK(read_blob(&m, STL, b, &report, &f) == -1, "read");
     CHECK(strncmp(f.text, where, strlen(where)) == 0, "%s", f.text);

@@ -279,7 +279,7 @@ if part "render thesis frames surface" "$surface" 32256; then
     smooth "$surface" thesis
 fi
 surface=$BUILD/mps2_an386-compact-frames-render-surface
-if part "render compact frames surface" "$surface" 41984; then
+if part "render compact frames surface" "$surface" 42240; then
     smooth "$surface" smooth_compact packet=4
 fi
 surface=$BUILD/mps2_an386-surface-thesis
