@@ -5,12 +5,12 @@
 # Node.js with the NullEngine.
 # Input: one triangle as OBJ, with blanks between numbers, with tabs in the lines of vertices, and
 # with tabs in the line of the face.
-# Behaviour: what a line is, the loader finds by patterns that take any white space; it then splits a
-# vertex at blanks alone, so "1", tab, "2", tab, "3" is one word, of which parseFloat reads the 1. y
-# and z are undefined, and NaN once they are in the buffer: the triangle is there, its box and normals
-# are NaN, and nothing can be seen of it. The line of a face with tabs is dropped. Neither is
-# reported. Exporters do write tabs, and one would guess that white space is white space, as the
-# patterns say.
+# Behaviour: what a line is, the loader finds by patterns that take any white space; it then
+# splits a vertex at blanks alone, so "1", tab, "2", tab, "3" is one word, of which parseFloat reads
+# the 1. y and z are undefined, and NaN once they are in the buffer: the triangle is there, its box
+# and normals are NaN, and nothing can be seen of it. The line of a face with tabs is dropped.
+# Neither is reported. Exporters do write tabs, and one would guess that white space is white space,
+# as the patterns say.
 # Output seen: "blanks: 3 indices, -1 2 3", "vertices by tabs: 3 indices, -1 NaN NaN", "face by
 # tabs: 0 indices, 1 2 3" (x is mirrored only when there are faces).
 # Exit status 1 when that changes, 2 when the packages cannot be had. SPDX-License-Identifier: MIT
