@@ -131,6 +131,7 @@ flat_json() {
         }
         $0 == "}" { ended = 1; if (comma) print "a comma before the end"; next }
         NR > 2 && !comma { print "no comma before line " NR }
+        /^  "[a-z_]+": \[\],?$/ { comma = /,$/; if (seen[$1]++) print "twice: " $1; next }
         /^  "[a-z_]+": \[$/ { list = NR; comma = 1; if (seen[$1]++) print "twice: " $1; next }
         $0 !~ "^  \"[a-z_]+\": " value ",?$" {
             print "no member: " $0

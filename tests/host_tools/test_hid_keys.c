@@ -297,7 +297,8 @@ static void write_scene(void) {
     const char *folder = getenv("TMPDIR");
     mesh m = {0};
     rig r;
-    const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const rig_config config =
+        rig_config_of(2, rig_is_tiny() ? 1 : 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     shape_soup(&m, rig_triangles(60, 2), 0.8f, 3);
     CHECK(rig_open(&r, &m, &config) == PLT_OK, "%s", r.fault.message);
     snprintf(path, sizeof path, "%s/planelet-%ld-keys.plt", folder == NULL ? "/tmp" : folder,

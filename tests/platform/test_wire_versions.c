@@ -241,7 +241,8 @@ static void strangers_to_keys(void) {
 int main(void) {
     mesh m = {0};
     rig direct;
-    const rig_config config = rig_config_of(2, 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
+    const rig_config config =
+        rig_config_of(2, rig_is_tiny() ? 1 : 16, PLT_BUILD_HOST, PLT_SPLIT_SAH);
     shape_icosphere(&m, rig_is_tiny() ? 1 : 3);
     if (rig_open(&direct, &m, &config) != PLT_OK) {
         return 1;

@@ -84,7 +84,7 @@ int lit_pack(packed *image, const lit_scene *s, enum lit_image kind) {
                                                : kind == LIT_DEVICE ? PLT_BUILD_DEVICE
                                                                     : PLT_BUILD_HOST,
                                       .leaf_triangles = 2,
-                                      .treelet_nodes = 8,
+                                      .treelet_nodes = rig_is_tiny() ? 1 : 8,
                                       .checks = 1};
         status = pack_mesh(image, &s->m, &options, "test", &f);
     }
