@@ -47,9 +47,9 @@ for smooth in "" "--smooth 40"; do
 done
 "$planelet" make knot --triangles 2000 -o "$out/samples.ply" >/dev/null
 "$planelet" pack "$out/samples.ply" --smooth 40 -o "$out/samples.plt" >/dev/null 2>&1
-same "render thesis whitted samples" 55808 lit "shader=whitted $lights" "--shader whitted $flags"
-same "render thesis surface whitted samples" 60416 lit_smooth "shader=whitted $lights" \
+same "render thesis whitted samples" 56832 lit "shader=whitted $lights" "--shader whitted $flags"
+same "render thesis surface whitted samples" 61696 lit_smooth "shader=whitted $lights" \
     "--shader whitted $flags"
-same "render thesis surface whitted samples" 60416 samples "shader=smooth" "--shader smooth"
+same "render thesis surface whitted samples" 61696 samples "shader=smooth" "--shader smooth"
 same "render thesis frames surface samples" 41472 samples "shader=smooth" "--shader smooth"
 finish
