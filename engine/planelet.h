@@ -243,7 +243,7 @@ typedef struct plt_options {
                       * of the image, for its bytes of them where it is not mapped; triangles that
                       * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
                       * also 4 bytes per triangle, of compact blocks 6, to find it by its number.
-                      * Streamed: of an image that has them in pages (SPEC.md, 4.21), by schedule
+                      * Streamed: of an image that has them in pages (SPEC.md, 4.23), by schedule
                       * branch, for 44 bytes per ray of a packet. Of scenes that are not movable and
                       * not of instances; compact blocks are not built here, and have no frames;
                       * grids have no pages. Without PLT_WITH_SURFACE: 0 */

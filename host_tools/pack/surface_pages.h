@@ -1,4 +1,4 @@
-/* surface_pages - adds normals and colours to a finished image, page by page (SPEC.md, 4.21)
+/* surface_pages - adds normals and colours to a finished image, page by page (SPEC.md, 4.23)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_PAGES_H
