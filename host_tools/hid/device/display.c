@@ -29,6 +29,19 @@ int display_is_stopped(display *d) {
     return clock_seconds() - d->stopped > 0.15;
 }
 
+int display_hear(display *d, void (*take)(display *d, const uint8_t *report, size_t bytes)) {
+    enum { REPORTS_MOST = 32, REPORT_BYTES = 512 };
+    for (unsigned i = 0; i < REPORTS_MOST; i++) {
+        uint8_t report[REPORT_BYTES];
+        const int bytes = port_input(d->port, report, sizeof report, 0);
+        if (bytes <= 0) {
+            return bytes == 0 ? DISPLAY_OK : DISPLAY_GONE;
+        }
+        take(d, report, (size_t)bytes);
+    }
+    return DISPLAY_OK;
+}
+
 int display_status(int port_status) {
     return port_status == PORT_OK ? DISPLAY_OK : DISPLAY_GONE;
 }

@@ -86,6 +86,10 @@ void display_close(display *d); /* after a failed open it does nothing */
  * many reports. */
 int display_is_stopped(display *d);
 
+/* For driver.tick: what has come, a report at a time (its number first), but no more than 32 of
+ * them: a device that never stops is not listened to for ever. */
+int display_hear(display *d, void (*take)(display *d, const uint8_t *report, size_t bytes));
+
 /* The display_status for a port_status. A report that was cut leaves the device in
  * the middle of a frame; like an unplug it is DISPLAY_GONE, and the display is closed
  * and opened again. */

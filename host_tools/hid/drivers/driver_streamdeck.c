@@ -50,8 +50,6 @@ enum {
     STRIP_ROWS = 60, /* of the picture */
     DECK_KEYS_MOST = 32,
     INPUT = 1, /* report number */
-    INPUT_BYTES = 512,
-    INPUTS_MOST = 32, /* in one tick: a device that never stops is not listened to for ever */
     OF_KEYS = 0,
     OF_DIALS = 3,
     DIALS = 3, /* that turn a scene */
@@ -268,15 +266,7 @@ static void take_report(display *d, const uint8_t *report, size_t bytes) {
 }
 
 static int deck_tick(display *d) {
-    for (unsigned i = 0; i < INPUTS_MOST; i++) {
-        uint8_t report[INPUT_BYTES];
-        const int bytes = port_input(d->port, report, sizeof report, 0);
-        if (bytes <= 0) {
-            return bytes == 0 ? DISPLAY_OK : DISPLAY_GONE;
-        }
-        take_report(d, report, (size_t)bytes);
-    }
-    return DISPLAY_OK;
+    return display_hear(d, take_report);
 }
 
 static void deck_close(display *d) {

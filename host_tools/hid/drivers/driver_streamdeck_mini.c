@@ -40,10 +40,8 @@ enum {
     BMP_HEAD_BYTES = 54,
     BMP_BYTES = BMP_HEAD_BYTES + 3 * KEY_SIDE * KEY_SIDE,
     FEATURE_BYTES = 17,
-    INPUT_BYTES = 64, /* at most */
-    INPUTS_MOST = 32, /* in one tick: a device that never stops is not listened to for ever */
-    INPUT = 1,        /* number of the report */
-    SYMBOL_X = 4,     /* in a key's lower left corner */
+    INPUT = 1,    /* number of the report */
+    SYMBOL_X = 4, /* in a key's lower left corner */
     SYMBOL_Y = KEY_SIDE - SYMBOL_SIDE - 4
 };
 
@@ -134,15 +132,7 @@ static void take_report(display *d, const uint8_t *report, size_t bytes) {
 }
 
 static int mini_tick(display *d) {
-    for (unsigned i = 0; i < INPUTS_MOST; i++) {
-        uint8_t report[INPUT_BYTES];
-        const int bytes = port_input(d->port, report, sizeof report, 0);
-        if (bytes <= 0) {
-            return bytes == 0 ? DISPLAY_OK : DISPLAY_GONE;
-        }
-        take_report(d, report, (size_t)bytes);
-    }
-    return DISPLAY_OK;
+    return display_hear(d, take_report);
 }
 
 static int mini_brightness(display *d, unsigned percent, fail *f) {
