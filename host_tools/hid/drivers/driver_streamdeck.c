@@ -348,53 +348,21 @@ static const driver_id ids_32[] = {
 static const driver_id ids_neo[] = {{0x0FD9, 0x009A, 0}, {0, 0, 0}};
 static const driver_id ids_plus[] = {{0x0FD9, 0x0084, 0}, {0, 0, 0}};
 
-const driver driver_streamdeck = {
-    .name = "streamdeck",
-    .about = "Elgato Stream Deck V2, MK.2 and 15-key module, 15 keys as 360x216",
-    .ids = ids_15,
-    .from_notes = 1,
-    .open = open_15,
-    .show = deck_show,
-    .tick = deck_tick,
-    .keys = keys_72,
-    .brightness = deck_brightness,
-    .release = deck_release,
-    .close = deck_close};
+#define DECK(of_name, of_about, of_ids, of_open, of_keys)                                          \
+    {                                                                                              \
+        .name = of_name, .about = of_about, .ids = of_ids, .from_notes = 1, .open = of_open,       \
+        .show = deck_show, .tick = deck_tick, .keys = of_keys, .brightness = deck_brightness,      \
+        .release = deck_release, .close = deck_close                                               \
+    }
 
-const driver driver_streamdeck_xl = {
-    .name = "streamdeck-xl",
-    .about = "Elgato Stream Deck XL and 32-key module, 32 keys as 768x384",
-    .ids = ids_32,
-    .from_notes = 1,
-    .open = open_32,
-    .show = deck_show,
-    .tick = deck_tick,
-    .keys = keys_96,
-    .brightness = deck_brightness,
-    .release = deck_release,
-    .close = deck_close};
-
-const driver driver_streamdeck_neo = {.name = "streamdeck-neo",
-                                      .about = "Elgato Stream Deck Neo, eight keys as 384x192",
-                                      .ids = ids_neo,
-                                      .from_notes = 1,
-                                      .open = open_neo,
-                                      .show = deck_show,
-                                      .tick = deck_tick,
-                                      .keys = keys_96,
-                                      .brightness = deck_brightness,
-                                      .release = deck_release,
-                                      .close = deck_close};
-
-const driver driver_streamdeck_plus = {
-    .name = "streamdeck-plus",
-    .about = "Elgato Stream Deck +, eight keys and the strip as 480x300",
-    .ids = ids_plus,
-    .from_notes = 1,
-    .open = open_plus,
-    .show = deck_show,
-    .tick = deck_tick,
-    .keys = keys_120,
-    .brightness = deck_brightness,
-    .release = deck_release,
-    .close = deck_close};
+const driver driver_streamdeck =
+    DECK("streamdeck", "Elgato Stream Deck V2, MK.2 and 15-key module, 15 keys as 360x216", ids_15,
+         open_15, keys_72);
+const driver driver_streamdeck_xl =
+    DECK("streamdeck-xl", "Elgato Stream Deck XL and 32-key module, 32 keys as 768x384", ids_32,
+         open_32, keys_96);
+const driver driver_streamdeck_neo = DECK(
+    "streamdeck-neo", "Elgato Stream Deck Neo, eight keys as 384x192", ids_neo, open_neo, keys_96);
+const driver driver_streamdeck_plus =
+    DECK("streamdeck-plus", "Elgato Stream Deck +, eight keys and the strip as 480x300", ids_plus,
+         open_plus, keys_120);
