@@ -6,80 +6,8 @@
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "host_tools/hid/device/display.h"
-#include "host_tools/hid/device/find.h"
-#include "host_tools/hid/drivers/drivers.h"
-#include "tests/hid/model.h"
 #include "tests/hid/pattern.h"
-#include "tests/reference/fake_hidapi.h"
-#include "tests/test.h"
-
-enum { RECORD = 130, RECORD_BYTES = 1024 };
-
-/* The reports that came, as they came. */
-static struct {
-    uint8_t bytes[RECORD][RECORD_BYTES];
-    size_t size[RECORD];
-    unsigned count;
-} record;
-
-static void keep(const uint8_t *report, size_t bytes) {
-    if (record.count < RECORD && bytes <= RECORD_BYTES) {
-        memcpy(record.bytes[record.count], report, bytes);
-        record.size[record.count++] = bytes;
-    }
-}
-
-static void on_output(void *context, const uint8_t *report, size_t bytes) {
-    model *m = context;
-    keep(report, bytes);
-    m->kind->output(m, report, bytes);
-}
-
-static void on_feature(void *context, const uint8_t *report, size_t bytes) {
-    model *m = context;
-    keep(report, bytes);
-    m->kind->feature(m, report, bytes);
-}
-
-typedef struct bench {
-    model *model;
-    fake_device device;
-    display display;
-    picture shown;
-} bench;
-
-static void open_bench(bench *b, const model_kind *kind) {
-    fail f = {""};
-    port_info info;
-    const find_wish wish = {.drivers = drivers};
-    memset(b, 0, sizeof *b);
-    memset(&record, 0, sizeof record);
-    fake_bus_reset();
-    b->model = model_make(kind, (model_shape){0});
-    b->device = (fake_device){.path = "1-1:1.0",
-                              .vendor = kind->vendor,
-                              .product = kind->id,
-                              .interface = kind->interface,
-                              .numbered = 1,
-                              .context = b->model,
-                              .output = on_output,
-                              .feature = on_feature};
-    fake_plug(0, &b->device);
-    const driver *by = find_display(&wish, &info, &f);
-    CHECK(by != NULL && strcmp(by->name, kind->name) == 0, "%s", f.text);
-    CHECK(by != NULL && display_open(&b->display, by, &info, NULL, &f) == DISPLAY_OK, "%s", f.text);
-    picture_make(&b->shown, b->display.width, b->display.height, &f);
-}
-
-static void close_bench(bench *b) {
-    CHECK(b->model->wrong == 0, "%s", b->model->why);
-    CHECK(fake_bus.wrong == 0, "hidapi was used against its rules");
-    display_close(&b->display);
-    CHECK(fake_bus.open == 0, "the device stays open");
-    picture_free(&b->shown);
-    model_free(b->model);
-}
+#include "tests/reference/display_bench.h"
 
 static void show(bench *b, unsigned number) {
     fail f = {""};
