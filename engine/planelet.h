@@ -239,8 +239,9 @@ typedef struct plt_options {
                       * scene without records, for 32 bytes per node slot if the arena has them
                       * (plt_motion.is_beside; a need has them). Not with PLT_RECORDS_ALWAYS.
                       * Without PLT_WITH_VERTICES it is not looked at */
-    uint8_t surface; /* 1: hits have normals and colours (PLT_SHADE_SMOOTH, plt_surface_at): those
-                      * of the image, for its bytes of them where it is not mapped; triangles that
+    uint8_t surface; /* 1: hits have normals, colours and, with PLT_WITH_TEXCOORDS, texture
+                      * coordinates (PLT_SHADE_SMOOTH, plt_surface_at): those of the image,
+                      * for its bytes of them where it is not mapped; triangles that
                       * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
                       * also 4 bytes per triangle, of compact blocks 6, to find it by its number.
                       * Streamed: of an image that has them in pages (SPEC.md, 4.23), by schedule
