@@ -1,5 +1,5 @@
 #!/bin/sh
-# gcc_s390x_wide_floats.sh - with -std=c11 gcc computes floats of s390x as doubles, which have no x87
+# gcc_s390x_wide_floats.sh - with -std=c11 gcc computes floats of s390x, too, as doubles
 #
 # Software: Debian's gcc-12-s390x-linux-gnu 12.2.0-14cross1 and qemu-user 7.2.
 # Input: one line of C, a * b + c in float, with a * b a half of the last bit away from a float.
