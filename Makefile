@@ -229,7 +229,7 @@ treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' PROGRAMS='$(OUT)/tests/measure' \
 	    sh tests/measure/treelets.sh "$(SCENES)"
 
-##measure povray: a picture with lights, mirror and glass beside POV-Ray's, which it needs
+##measure povray: pictures with lights, mirror and glass beside POV-Ray's, which it needs
 povray: all $(OUT)/tests/measure/test_picture_difference
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
 	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/povray.sh
