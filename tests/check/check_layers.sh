@@ -30,8 +30,8 @@ engine/whitted
 engine/shade
 engine
 platform
-platform/bare platform/headers platform/soft_float platform/wire
-platform/cortex_m/armv6m platform/cortex_m/armv7m platform/cortex_m/armv8m platform/riscv
+platform/bare platform/headers platform/soft_float platform/ssd0323 platform/wire
+platform/cortex_m/armv6m platform/cortex_m/armv7m platform/cortex_m/armv8m platform/riscv platform/template
 platform/cortex_m
 board
 board/wired board/played
