@@ -224,6 +224,43 @@ static void test_source_fails(void) {
     }
 }
 
+/* Rendered while its parts come, some ahead: what fails once is fetched again, and what fails for
+ * good is said; a picture is never another. */
+static void test_streamed(void) {
+    static const char parameters[] = "size=24x16 residency=streamed prefetch=8";
+    static const enum fake_failure once[] = {FAKE_STALLS_AT_START, FAKE_LOSES_BYTE,
+                                             FAKE_REPEATS_BYTE, FAKE_SHORT_AT_START};
+    run_mapped("size=24x16");
+    const uint64_t want = frame_hash();
+    fake_link link = fresh(FAKE_WORKS, 0);
+    test("a streamed scene gives the same picture, in whatever order transfers end");
+    CHECK(run_fetched(&link, parameters) == FIRMWARE_DONE && frame_hash() == want, "%s", fake.text);
+    const uint32_t starts = link.starts;
+    link = fresh(FAKE_LAST_FIRST, 0);
+    CHECK(run_fetched(&link, parameters) == FIRMWARE_DONE && frame_hash() == want, "%s", fake.text);
+    CHECK(link.pending_most > 1, "only one at a time");
+    test("what fails once is got over, but at the header; what never ends is said");
+    for (unsigned k = 0; k < sizeof once / sizeof *once; k++) {
+        unsigned got_over = 0;
+        for (uint32_t i = 1; i <= starts; i++) {
+            link = fresh(once[k], i);
+            const int is_done = run_fetched(&link, parameters) == FIRMWARE_DONE;
+            CHECK(!is_done || frame_hash() == want, "a source that %s: another picture, start %u",
+                  fake_failure_name[once[k]], i);
+            CHECK(link.broken == 0 && fake_unfinished(&link) == 0, "%s", link.sentence);
+            got_over += is_done;
+        }
+        CHECK(got_over > starts / 2 && got_over + 4 >= starts, "a source that %s: %u of %u",
+              fake_failure_name[once[k]], got_over, starts);
+    }
+    for (uint32_t i = 1; i <= starts; i++) {
+        link = fresh(FAKE_NEVER_ENDS, i);
+        const int is_done = run_fetched(&link, parameters) == FIRMWARE_DONE;
+        CHECK(is_done ? frame_hash() == want : strstr(fake.text, "error: ") != NULL, "start %u", i);
+        CHECK(link.broken == 0 && fake_unfinished(&link) == 0, "%s", link.sentence);
+    }
+}
+
 int main(void) {
     const int tiny = PLT_GLOBAL_STACK_MAX < 100; /* the tiny build */
     fail f = {""};
@@ -242,6 +279,7 @@ int main(void) {
         test_failures();
         test_board_fails();
         test_source_fails();
+        test_streamed();
     }
     pack_free(&scene);
     return test_done();
