@@ -1,10 +1,10 @@
 #!/bin/sh
 # test_panel.sh - what a board's own display shows is the host's frame, in its greys
 #
-# Of every board that has one. The emulator's picture of the display is compared, byte by byte, with
-# one that is made here of the host's frame: luma, dither and place by another way, in floating point
-# and by the recursion of Bayer's matrix. Displays of 128x64 in 16 greys, four times as large in the
-# picture. SPDX-License-Identifier: MIT
+# Of every board that has one. The emulator's picture of the display is compared, byte by byte,
+# with one that is made here of the host's frame: luma, dither and place by another way, in floating
+# point and by the recursion of Bayer's matrix. Displays of 128x64 in 16 greys, four times as large
+# in the picture. SPDX-License-Identifier: MIT
 . tests/check/report.sh
 export BUILD
 planelet=$BUILD/host/planelet
