@@ -33,8 +33,8 @@ include engine/engine.mk
 
 .PHONY: all firmware boards test-boards demo demo-wooddoll demo-bunny demo-firmware setup test \
         check sizes bench scenes peers surface compact streamed moving policies workers against \
-        sanitize tiny scalar fuzz exporters run treelets povray stages jpeg play profile clean \
-        help FORCE
+        sanitize tiny scalar fuzz exporters run treelets povray stages jpeg board-figures play \
+        profile clean help FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -223,6 +223,11 @@ policies: all $(OUT)/tests/measure/test_policy_times
 ##measure streamed: what scenes in their files fetch: make streamed SCENES=folder [PEER=program]
 streamed: all $(OUT)/tests/measure/test_node_bytes
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' sh tests/measure/streamed.sh "$(SCENES)" "$(PEER)"
+
+##measure board-figures: instructions per ray on every board: SCENES=folder [ON='board ...']
+board-figures: all
+	@BUILD='$(BUILD)' CC='$(CC)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= SIZE='$(SIZE)' \
+	    BOARDS='$(ON)' sh tests/measure/boards.sh "$(SCENES)"
 
 ##measure treelets: treelets by every order, fill and rule for slots: make treelets SCENES=folder
 treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test_treelet_slots

@@ -16,7 +16,8 @@
  *   show=0             frame of the image's sequence, if the engine has PLT_WITH_SEQUENCE,
  *                      or of its instances (PLT_WITH_INSTANCES)
  *   records=auto|always|never    of its triangles, if it has PLT_WITH_VERTICES
- *   scene= bytes= frame=   are the board's: where the image is, where the frame goes
+ *   scene= bytes= frame= hold=   are the board's: where the image is, where the frame goes, how
+ *                      long a panel shows it
  *
  * Prints one line per topic, each a word and name=value items, or one line that
  * begins with "error: ". What it returns is in board.h.

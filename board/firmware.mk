@@ -131,9 +131,11 @@ profile:
 	$(error what is profiled is the other program; leave out PROGRAM=$(PROGRAM))
 else
 ##try make BOARD=name run SCENE=x.plt [SIZE=320x240] [SOURCE=file] [PARAMETERS='k=v ...']: counts
+# PANEL=PATH.ppm: what the board's display shows (lm3s6965evb: SIZE=128x64 at most).
 run: firmware
 	@$(MAKE) --no-print-directory -s BOARD=host PARTS= CC='$(HOST_CC)' all
-	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \
+	@BUILD='$(BUILD)' FIRMWARE='$(OUT)' PANEL='$(PANEL)' \
+	    sh board/tools/run_like_host.sh $(BOARD) '$(SCENE)' \
 	    '$(or $(SIZE),320x240)' $(PARAMETERS)
 
 ##measure make BOARD=name profile SCENE=x.plt: where the instructions go, by function

@@ -31,7 +31,7 @@
 
 static const char keys[] =
     "size eye look up tan packet walk shader visits arena residency store schedule batch prefetch "
-    "scene bytes frame" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES KEYS_OF_TEXTURES;
+    "scene bytes frame hold" KEYS_OF_GRIDS KEYS_OF_LIGHTS KEYS_OF_SAMPLES KEYS_OF_TEXTURES;
 
 enum { GIVEN_EYE = 1, GIVEN_LOOK = 2, GIVEN_UP = 4, GIVEN_TAN = 8 };
 

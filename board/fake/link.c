@@ -8,6 +8,24 @@
 /* plt_image_info has no arena: it reads the header to the stack. */
 enum { GARBAGE = 0xA5, HEADER_BYTES = 256 };
 
+const char *const fake_failure_name[FAKE_FAILURES] = {
+    [FAKE_WORKS] = "works",
+    [FAKE_FAILS_AT_START] = "fails at a start",
+    [FAKE_FAILS_AT_WAIT] = "fails at a wait",
+    [FAKE_FAILS_AT_CALL] = "fails at a call",
+    [FAKE_FAILS_FROM_CALL] = "fails from a call on",
+    [FAKE_SHORT_AT_START] = "comes up short",
+    [FAKE_GARBLED_AT_START] = "has a bit wrong",
+    [FAKE_GARBLED_FROM_START] = "has a bit wrong in each from a transfer on",
+    [FAKE_SILENT_AT_START] = "delivers nothing",
+    [FAKE_STALE_AT_START] = "leaves what was there",
+    [FAKE_STALLS_AT_START] = "is busy for two starts",
+    [FAKE_NEVER_ENDS] = "never ends under a tag",
+    [FAKE_LAST_FIRST] = "ends in the other order",
+    [FAKE_LOSES_BYTE] = "loses a byte",
+    [FAKE_REPEATS_BYTE] = "repeats a byte",
+};
+
 static int break_contract(fake_link *link, const char *sentence) {
     link->broken++;
     link->sentence = sentence;
@@ -42,6 +60,8 @@ static int check_start(fake_link *link, unsigned tag, uint32_t offset, const uns
 static int fails(const fake_link *link, enum fake_failure kind, uint32_t number) {
     const uint32_t call = link->starts + link->waits;
     return (link->failure == kind && number == link->at_call) ||
+           (link->failure == FAKE_STALLS_AT_START && kind == FAKE_FAILS_AT_START &&
+            (number == link->at_call || number == link->at_call + 1)) ||
            (link->failure == FAKE_FAILS_AT_CALL && call == link->at_call) ||
            (link->failure == FAKE_FAILS_FROM_CALL && call >= link->at_call);
 }
@@ -56,9 +76,29 @@ static int is_garbled(const fake_link *link, const fake_transfer *t) {
            (link->failure == FAKE_GARBLED_FROM_START && t->number >= link->at_call);
 }
 
+/* Somewhere within: a byte is left out, or comes twice. What is missing at the end stays garbage.
+ */
+static void deliver_slipped(const fake_link *link, const fake_transfer *t, int is_repeated) {
+    const unsigned char *from = link->image + t->offset;
+    const uint32_t at = (t->number * 0x9E3779B1u >> 8) % t->count, rest = t->count - at - 1;
+    memcpy(t->to, from, at + (uint32_t)is_repeated);
+    memcpy(t->to + at + is_repeated, from + at + !is_repeated, rest);
+}
+
 static int deliver(fake_link *link, const fake_transfer *t) {
     uint32_t count = t->count;
     if (is_ordered(link, t, FAKE_SILENT_AT_START) || is_ordered(link, t, FAKE_STALE_AT_START)) {
+        return 0;
+    }
+    if (is_ordered(link, t, FAKE_LOSES_BYTE) || is_ordered(link, t, FAKE_REPEATS_BYTE)) {
+        deliver_slipped(link, t, link->failure == FAKE_REPEATS_BYTE);
+        return 0;
+    }
+    if (link->failure == FAKE_LAST_FIRST) {
+        for (uint32_t i = count; i-- > 0;) {
+            t->to[i] = link->image[t->offset + i];
+        }
+        link->bytes_moved += count;
         return 0;
     }
     if (is_ordered(link, t, FAKE_SHORT_AT_START)) {
@@ -102,10 +142,19 @@ static int start(void *context, unsigned tag, uint32_t offset, void *to, uint32_
     if (!is_ordered(link, t, FAKE_STALE_AT_START)) {
         memset(to, GARBAGE, count);
     }
-    if (link->at_once && !is_ordered(link, t, FAKE_SHORT_AT_START)) {
+    if (is_ordered(link, t, FAKE_NEVER_ENDS)) {
+        link->dead_tags |= t->tag_bit;
+    }
+    if (link->at_once && !is_ordered(link, t, FAKE_SHORT_AT_START) &&
+        !(link->dead_tags & t->tag_bit)) {
         deliver(link, t);
     }
     return 0;
+}
+
+/* Which of those that wait is next: in the order in which they lie, or from the end. */
+static fake_transfer *transfer_of(fake_link *link, int index) {
+    return &link->pending[link->failure == FAKE_LAST_FIRST ? FAKE_TRANSFERS - 1 - index : index];
 }
 
 static int wait(void *context, uint32_t tags) {
@@ -115,8 +164,11 @@ static int wait(void *context, uint32_t tags) {
     if (fails(link, FAKE_FAILS_AT_WAIT, link->waits)) {
         status = -1;
     }
+    if (link->dead_tags & tags) {
+        status = -1;
+    }
     for (int i = 0; i < FAKE_TRANSFERS; i++) {
-        fake_transfer *t = &link->pending[i];
+        fake_transfer *t = transfer_of(link, i);
         if (!(t->tag_bit & tags)) {
             continue;
         }

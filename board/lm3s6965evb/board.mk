@@ -7,7 +7,8 @@ LANES := scalar
 ARENA_BYTES := 49152
 STACK_BYTES := 4096
 SHARED := platform/bare platform/cortex_m platform/cortex_m/armv7m platform/soft_float \
-          board/semihosted board/debugger_clock
+          platform/ssd0323 board/semihosted board/debugger_clock
 LIBGCC := yes
 BOARD_PARTS := render thesis frames
+BOARD_FLAGS := -DPLT_BOARD_PANEL=1
 FIRMWARE_FLAGS := -DPLT_PACKET_SIDE_MAX=8

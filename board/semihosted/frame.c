@@ -1,6 +1,7 @@
 /* frame - of a semihosted board: in its memory, where there is room, or in a file of the host
  *
- * frame=PATH writes it as a PPM. Without room, rows of tiles go where they belong in that file.
+ * frame=PATH writes it as a PPM. Without room, rows of tiles go where they belong in that file. A
+ * panel shows it as well (panel.c).
  *
  * SPDX-License-Identifier: MIT */
 #include "board/board.h"
@@ -47,6 +48,9 @@ int board_frame_begin(uint16_t width, uint16_t height) {
     const uint64_t bytes = (uint64_t)width * height * 3;
     frame_width = width;
     frame_height = height;
+    if (semihosted_panel_begin(width, height) < 0) {
+        return -1;
+    }
     if (room_bytes() > 0) {
         return bytes > room_bytes() ? semihosted_too_large("the frame", bytes, room_bytes()) : 0;
     }
@@ -58,6 +62,7 @@ int board_frame_begin(uint16_t width, uint16_t height) {
 }
 
 void board_tile(const plt_tile *tile) {
+    semihosted_panel_tile(tile);
     for (unsigned row = 0; row < tile->height; row++) {
         const uint8_t *from = tile->rgb + 3u * row * tile->width;
         const uint32_t at = ((tile->y + row) * (uint32_t)frame_width + tile->x) * 3;
@@ -74,6 +79,7 @@ void board_tile(const plt_tile *tile) {
 }
 
 const uint8_t *board_frame_end(const char *parameters) {
+    semihosted_panel_end(parameters);
     if (room_bytes() == 0) {
         if (frame_file >= 0) {
             semihost_close(frame_file);

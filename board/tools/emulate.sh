@@ -13,6 +13,7 @@
 # PROFILE=PATH writes a count for every instruction there. MARKS=PATH, of PROGRAM=played, a line
 # for what came before the first frame and one for each frame (board/tools/count.c); of
 # plt_sequence_show it has the parts, which begin where the engine's functions do.
+# PANEL=PATH.ppm writes what the board's display shows there, as QEMU draws it.
 # FIRMWARE is the folder that it was built in (build/NAME).
 # The exit status is the firmware's; 124 after QEMU_SECONDS (board/tools/limit.sh).
 # SPDX-License-Identifier: MIT
@@ -22,9 +23,9 @@ elf=$out/firmware.elf
 scene=$1
 shift
 folder=$(mktemp -d)
-log=$folder/log counts=$folder/counts
+log=$folder/log counts=$folder/counts said=$folder/said
 trap 'rm -rf "$folder"' EXIT
-: >"$log" >"$counts"
+: >"$log" >"$counts" >"$said"
 
 symbols=$("${cross}nm" "$elf")
 symbol() {
@@ -75,13 +76,41 @@ if [ -n "$scene" ]; then
         done
     fi
 fi
+# photograph: asks QEMU's monitor for a picture when the firmware says that its panel shows the
+# frame, and tells it to go on. A monitor does one command after the other, so the answer to the
+# second says that the first is done.
+photograph() {
+    until grep -q '^panel ' "$log"; do
+        sleep 0.2
+    done
+    timeout 60 cat "$folder/monitor.out" >"$said" &
+    printf '%s\n' "screendump $folder/panel.ppm" "info status" >"$folder/monitor.in"
+    until grep -q 'VM status' "$said"; do
+        sleep 0.2
+    done
+    : >"$folder/seen"
+}
+monitor='-monitor none'
+photographer=
+if [ -n "$PANEL" ]; then
+    mkfifo "$folder/monitor.in" "$folder/monitor.out"
+    monitor="-chardev pipe,id=monitor,path=$folder/monitor -mon chardev=monitor"
+    parameters="$parameters hold=$folder/seen"
+    photograph &
+    photographer=$!
+fi
 # shellcheck disable=SC2086
-limited $machine -display none -monitor none \
+limited $machine -display none $monitor \
     -serial null -icount shift=0 -chardev "file,id=text,path=$log" \
     -semihosting-config \
     "enable=on,target=native,chardev=text,arg=firmware,arg=$(escaped "$parameters")" \
     -plugin "$plugin" "$@" -kernel "$elf"
 status=$?
+if [ -n "$PANEL" ]; then
+    kill "$photographer" 2>/dev/null
+    wait "$photographer" 2>/dev/null
+    [ $status -ne 0 ] || cp "$folder/panel.ppm" "$PANEL" || status=1
+fi
 cat "$log" "$counts"
 awk '
     { for (i = 2; i <= NF; i++) { split($i, item, "="); value[$1, item[1]] = item[2] } }

@@ -2,7 +2,7 @@
 # run_like_host.sh BOARD SCENE.plt WIDTHxHEIGHT [key=value ...] - a run, compared with the host's
 #
 # Gives the firmware the camera of `planelet render`, says whether both frames
-# are the same, and leaves them in build/BOARD/frame.ppm and host.ppm.
+# are the same, and leaves them in build/BOARD/frame.ppm and host.ppm. PANEL=PATH.ppm: emulate.sh.
 # SPDX-License-Identifier: MIT
 board=$1 scene=$2 size=$3
 shift 3

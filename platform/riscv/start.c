@@ -1,9 +1,10 @@
 /* start - start-up of a RISC-V in machine mode
  *
  * Invariants: traps have a handler and the FPU is on before any compiled code runs; no interrupt
- * is enabled here, so that the worst stack is that of the call graph.
+ * is enabled here, so that the worst stack is that of the call graph; of several harts that start
+ * together the first goes on, and the others sleep.
  *
- * Source: The RISC-V Instruction Set Manual, volume II (privileged), 3.1.6, 3.1.7.
+ * Source: The RISC-V Instruction Set Manual, volume II (privileged), 3.1.5 to 3.1.7.
  *
  * SPDX-License-Identifier: MIT */
 #include "platform/bare/start.h"
@@ -28,7 +29,11 @@ __attribute__((naked, used, section(".vectors"))) void reset(void) {
     __asm__ volatile(
         ".option push\n"
         ".option arch, +zicsr\n"
-        "la t0, trap_entry\n"
+        "csrr t0, mhartid\n"
+        "2: beqz t0, 3f\n"
+        "wfi\n"
+        "j 2b\n"
+        "3: la t0, trap_entry\n"
         "csrw mtvec, t0\n" FPU_ON
         ".option pop\n"
         "la sp, plt_stack_top\n"

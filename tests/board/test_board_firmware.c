@@ -36,7 +36,17 @@ static int run_fetched(fake_link *link, const char *parameters) {
 }
 
 static uint64_t frame_hash(void) {
-    return hash_bytes(fake.frame, 3u * fake.width * fake.height);
+    const fake_frame *f = fake_last_frame();
+    return hash_bytes(f->rgb, 3u * f->width * f->height);
+}
+
+/* On a board that fails so. */
+static int run_failing(enum fake_board_failure failure, const char *parameters) {
+    fake_reset();
+    fake.source.mapped = scene.bytes;
+    fake.source.bytes = scene.size;
+    fake.failure = failure;
+    return firmware(parameters);
 }
 
 /* The value of name=value or NAME=hex in the printed text; 0 when absent. */
@@ -48,19 +58,16 @@ static unsigned long long printed(const char *name, int base) {
 static void test_frame(void) {
     test("a frame of odd size arrives whole, each pixel once, and its hash is printed");
     CHECK(run_mapped("size=77x53") == FIRMWARE_DONE, "%s", fake.text);
-    CHECK(fake.width == 77 && fake.height == 53, "%ux%u", fake.width, fake.height);
+    const fake_frame *f = fake_last_frame();
+    CHECK(f->width == 77 && f->height == 53, "%ux%u", f->width, f->height);
     CHECK(fake.frames_begun == 1 && fake.frames_ended == 1, "%u frames", fake.frames_begun);
     CHECK(fake.broken == 0, "the firmware broke the contract: %s", fake.sentence);
     CHECK(printed("frame_hash=", 16) == frame_hash(), "%s", fake.text);
     CHECK(printed("rays=", 10) == 77 * 53, "%s", fake.text);
     CHECK(printed("tiles=", 10) == fake.tile_count, "%s", fake.text);
-    CHECK(frame_hash() != hash_bytes(fake.frame, 3), "a picture");
+    CHECK(frame_hash() != hash_bytes(f->rgb, 3), "a picture");
     test("a board that keeps no frame gets no hash, and all else");
-    fake_reset();
-    fake.source.mapped = scene.bytes;
-    fake.source.bytes = scene.size;
-    fake.keeps_no_frame = 1;
-    CHECK(firmware("size=16x16") == FIRMWARE_DONE, "%s", fake.text);
+    CHECK(run_failing(FAKE_KEEPS_NO_FRAME, "size=16x16") == FIRMWARE_DONE, "%s", fake.text);
     CHECK(!strstr(fake.text, "frame_hash") && strstr(fake.text, "stats"), "%s", fake.text);
 }
 
@@ -139,15 +146,36 @@ static void test_failures(void) {
     fake.source.mapped = garbage;
     fake.source.bytes = sizeof garbage;
     CHECK(firmware("") == FIRMWARE_FAILED && strstr(fake.text, "rule=R"), "%s", fake.text);
-    fake_reset();
-    fake.scene_fails = 1;
-    CHECK(firmware("") == FIRMWARE_FAILED && strstr(fake.text, "error: "), "%s", fake.text);
-    fake_reset();
-    fake.source.mapped = scene.bytes;
-    fake.source.bytes = scene.size;
-    fake.frame_fails = 1;
-    CHECK(firmware("") == FIRMWARE_FAILED && strstr(fake.text, "error: "), "%s", fake.text);
+    CHECK(run_failing(FAKE_HAS_NO_SCENE, "") == FIRMWARE_FAILED && strstr(fake.text, "error: "),
+          "%s", fake.text);
+    CHECK(run_failing(FAKE_REFUSES_FRAME, "") == FIRMWARE_FAILED && strstr(fake.text, "error: "),
+          "%s", fake.text);
     CHECK(fake.tile_count == 0 && fake.frames_ended == 0, "tiles");
+}
+
+static void test_board_fails(void) {
+    test("an arena that is small, not aligned or not there is refused by one line");
+    CHECK(run_failing(FAKE_ARENA_IS_SMALL, "size=16x16") == FIRMWARE_FAILED, "%s", fake.text);
+    CHECK(printed("need_bytes=", 10) > FAKE_SMALL_BYTES &&
+              printed("arena_bytes=", 10) == FAKE_SMALL_BYTES,
+          "both sizes: %s", fake.text);
+    static const enum fake_board_failure wrong[] = {FAKE_ARENA_IS_SHIFTED, FAKE_ARENA_IS_NULL};
+    for (unsigned i = 0; i < 2; i++) {
+        CHECK(run_failing(wrong[i], "size=16x16") == FIRMWARE_FAILED &&
+                  strstr(fake.text, "error: ") && fake.frames_begun == 0,
+              "a board that %s: %s", fake_board_failure_name[wrong[i]], fake.text);
+    }
+    test("a clock that stands or wraps changes the time alone");
+    run_mapped("size=16x16");
+    const uint64_t want = frame_hash();
+    const unsigned long long ticks = printed(" ticks=", 10);
+    CHECK(run_failing(FAKE_CLOCK_WRAPS, "size=16x16") == FIRMWARE_DONE && frame_hash() == want &&
+              printed(" ticks=", 10) == ticks,
+          "%s", fake.text);
+    CHECK(run_failing(FAKE_CLOCK_STANDS, "size=16x16") == FIRMWARE_DONE && frame_hash() == want &&
+              printed(" ticks=", 10) == 0,
+          "%s", fake.text);
+    CHECK(fake.broken == 0, "%s", fake.sentence);
 }
 
 static void test_source_fails(void) {
@@ -168,6 +196,16 @@ static void test_source_fails(void) {
         link = fresh(FAKE_SHORT_AT_START, i);
         CHECK(run_fetched(&link, "size=16x16") == FIRMWARE_FAILED, "start %u", i);
     }
+    test("transfers that end in the other order are as good as others");
+    link = fresh(FAKE_LAST_FIRST, 0);
+    CHECK(run_fetched(&link, "size=16x16") == FIRMWARE_DONE && frame_hash() == want, "%s",
+          fake.text);
+    test("a source whose i-th transfer never ends is reported, for every i");
+    for (uint32_t i = 1; i <= starts; i++) {
+        link = fresh(FAKE_NEVER_ENDS, i);
+        CHECK(run_fetched(&link, "size=16x16") == FIRMWARE_FAILED && link.broken == 0, "start %u",
+              i);
+    }
     link = fresh(FAKE_WORKS, 0);
     run_fetched(&link, "size=16x16");
     test("one wrong bit in any transfer is found out, or was never looked at");
@@ -175,6 +213,51 @@ static void test_source_fails(void) {
         fake_link bad = fresh(FAKE_GARBLED_AT_START, i);
         const int status = run_fetched(&bad, "size=16x16");
         CHECK(status == FIRMWARE_FAILED || frame_hash() == want, "start %u went unnoticed", i);
+    }
+    test("a byte that is lost or comes twice is found out, or was never looked at");
+    static const enum fake_failure slips[] = {FAKE_LOSES_BYTE, FAKE_REPEATS_BYTE};
+    for (uint32_t i = 1; i <= 2 * link.starts; i++) {
+        fake_link bad = fresh(slips[i % 2], (i + 1) / 2);
+        const int status = run_fetched(&bad, "size=16x16");
+        CHECK(status == FIRMWARE_FAILED || frame_hash() == want, "a source that %s went unnoticed",
+              fake_failure_name[bad.failure]);
+    }
+}
+
+/* Rendered while its parts come, some ahead: what fails once is fetched again, and what fails for
+ * good is said; a picture is never another. */
+static void test_streamed(void) {
+    static const char parameters[] = "size=24x16 residency=streamed prefetch=8";
+    static const enum fake_failure once[] = {FAKE_STALLS_AT_START, FAKE_LOSES_BYTE,
+                                             FAKE_REPEATS_BYTE, FAKE_SHORT_AT_START};
+    run_mapped("size=24x16");
+    const uint64_t want = frame_hash();
+    fake_link link = fresh(FAKE_WORKS, 0);
+    test("a streamed scene gives the same picture, in whatever order transfers end");
+    CHECK(run_fetched(&link, parameters) == FIRMWARE_DONE && frame_hash() == want, "%s", fake.text);
+    const uint32_t starts = link.starts;
+    link = fresh(FAKE_LAST_FIRST, 0);
+    CHECK(run_fetched(&link, parameters) == FIRMWARE_DONE && frame_hash() == want, "%s", fake.text);
+    CHECK(link.pending_most > 1, "only one at a time");
+    test("what fails once is got over, but at the header; what never ends is said");
+    for (unsigned k = 0; k < sizeof once / sizeof *once; k++) {
+        unsigned got_over = 0;
+        for (uint32_t i = 1; i <= starts; i++) {
+            link = fresh(once[k], i);
+            const int is_done = run_fetched(&link, parameters) == FIRMWARE_DONE;
+            CHECK(!is_done || frame_hash() == want, "a source that %s: another picture, start %u",
+                  fake_failure_name[once[k]], i);
+            CHECK(link.broken == 0 && fake_unfinished(&link) == 0, "%s", link.sentence);
+            got_over += is_done;
+        }
+        CHECK(got_over > starts / 2 && got_over + 4 >= starts, "a source that %s: %u of %u",
+              fake_failure_name[once[k]], got_over, starts);
+    }
+    for (uint32_t i = 1; i <= starts; i++) {
+        link = fresh(FAKE_NEVER_ENDS, i);
+        const int is_done = run_fetched(&link, parameters) == FIRMWARE_DONE;
+        CHECK(is_done ? frame_hash() == want : strstr(fake.text, "error: ") != NULL, "start %u", i);
+        CHECK(link.broken == 0 && fake_unfinished(&link) == 0, "%s", link.sentence);
     }
 }
 
@@ -194,7 +277,9 @@ int main(void) {
         test_usage();
         test_arena();
         test_failures();
+        test_board_fails();
         test_source_fails();
+        test_streamed();
     }
     pack_free(&scene);
     return test_done();

@@ -1,9 +1,9 @@
 #!/bin/sh
 # test_boards.sh - every board renders the host's frame, bit for bit, in its own memory
 #
-# One scene for all: as large as the smallest flash. At the end a table, and boards.csv in build/:
-# bytes of code and constants of the engine and of the firmware, RAM, arena, stack, and what a ray
-# takes. SPDX-License-Identifier: MIT
+# One scene for all: as large as the smallest flash. What does not fit is refused with both sizes.
+# At the end a table, and boards.csv in build/: bytes of code and constants of the engine and of the
+# firmware, RAM, arena, stack, and what a ray takes. SPDX-License-Identifier: MIT
 . tests/check/report.sh
 export BUILD
 planelet=$BUILD/host/planelet
@@ -22,6 +22,53 @@ bytes_of() { # COLUMN OBJECT...: sum of a column of size: 1 code and constants, 
     column=$1
     shift
     "$(cross_of "$board")size" "$@" | awk -v c="$column" 'NR > 1 { s += $c } END { print s + 0 }'
+}
+
+room_for() { # scene|frame: bytes of the board's memory for it
+    "$(cross_of "$board")nm" "$out/firmware.elf" | awk -v from="plt_$1_start" -v to="plt_$1_end" '
+        function number(digits,    i, sum) {
+            for (i = 1; i <= length(digits); i++) {
+                sum = 16 * sum + index("0123456789abcdef", substr(digits, i, 1)) - 1
+            }
+            return sum
+        }
+        $3 == from { first = number($1) }
+        $3 == to { last = number($1) }
+        END { printf "%d\n", last - first }'
+}
+run() { # SCENE [key=value ...]: sets text
+    text=$(FIRMWARE=$out sh "board/$board/run.sh" "$@" 2>&1)
+}
+said() { # SENTENCE PATTERN
+    verdict "$board: $1" "$(echo "$text" | grep -q "$2" || echo "$text")"
+}
+
+# What does not fit the board is refused with both sizes, and a name with a blank is opened.
+sizes_are_said() {
+    run "$scene" size=16x12 arena=1000
+    said "an arena that is too small: both sizes are said" \
+        '^error: .*need_bytes=[1-9][0-9]* arena_bytes=1000$'
+    most=$(room_for scene)
+    head -c $((most + 1)) /dev/zero >"$folder/large.plt"
+    run "$folder/large.plt" size=16x12
+    rm -f "$folder/large.plt"
+    said "a scene that is too large: both sizes are said" \
+        "^error: the scene has $((most + 1)) bytes, and this board has room for $most\$"
+    most=$(room_for frame)
+    if [ "$most" -gt 0 ]; then
+        run "$scene" size=9000x5000
+        said "a frame that is too large: both sizes are said" \
+            "^error: the frame has 135000000 bytes, and this board has room for $most\$"
+    fi
+    text=$(SOURCE=file FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 2>&1)
+    verdict "$board: a file whose name has a blank and a comma is opened by semihosting" "$(
+        echo "$text" | grep -q '^scene triangles=600 ' || echo "$text" | grep -q need_bytes ||
+            echo "$text")"
+    text=$($MAKE -s BOARD="$board" PROGRAM=faults BUILD="$folder/refused" \
+        ARENA_BYTES=67108864 2>&1) && text="linked: $text"
+    rm -rf "$folder/refused"
+    said "an arena that does not fit does not link: both sizes are said" \
+        "arena of 67108864 bytes and a stack of [0-9]* do not fit on $board: of its [0-9]* bytes"
 }
 
 table=$BUILD/boards.csv
@@ -56,22 +103,9 @@ for board in $(boards); do
     echo "$board,$code,$data,$bss,$(bytes_of 1 "$out/firmware.elf"),$((other - arena - stack)),\
 $arena,$(value peak),$stack,$(value worst),$(value painted),\
 $(echo "$text" | sed -n 's/^instructions_per_ray //p'),$hash" >>"$table"
+    sizes_are_said
 done
 
-text=$(FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 arena=1000 2>&1)
-verdict "an arena that is too small: both sizes are said" "$(
-    echo "$text" | grep -q '^error: .*need_bytes=[1-9][0-9]* arena_bytes=1000$' || echo "$text")"
-head -c 16777216 /dev/zero >"$folder/large.plt"
-text=$(FIRMWARE=$out sh "board/$board/run.sh" "$folder/large.plt" size=16x12 2>&1)
-verdict "a scene that is too large: both sizes are said" "$(
-    echo "$text" |
-        grep -q '^error: the scene has 16777216 bytes, and this board has room for [1-9]' ||
-        echo "$text")"
-text=$(SOURCE=file FIRMWARE=$out sh "board/$board/run.sh" "$scene" size=16x12 2>&1)
-verdict "a file whose name has a blank and a comma is opened by semihosting" "$(
-    echo "$text" | grep -q '^scene triangles=600 ' || echo "$text" | grep -q need_bytes ||
-        echo "$text")"
-rm -f "$folder/large.plt"
 awk -F, '{ printf "    %-17s %7s %8s %7s %7s %6s %6s %8s  %s\n", $1, $2, $5, $7, $8, $10, $11,
     $12, $13 }' "$table"
 finish

@@ -30,9 +30,9 @@ engine/whitted
 engine/shade
 engine
 platform
-platform/bare platform/headers platform/soft_float platform/wire
+platform/bare platform/headers platform/soft_float platform/ssd0323 platform/wire
 platform/cortex_m/armv6m platform/cortex_m/armv7m platform/cortex_m/armv8m platform/riscv
-platform/cortex_m
+platform/cortex_m platform/template
 board
 board/wired board/played
 board/*

@@ -58,12 +58,12 @@ make_board() {
     return 1
 }
 
-# boards: those which have an emulator here to run them, all folders of board/ with a board.mk but
-# the host's. cross_of BOARD: the prefix of its compiler.
+# boards: those which an emulator here runs, as their run.sh says. cross_of BOARD: the prefix of its
+# compiler.
 boards() {
-    for file in board/*/board.mk; do
-        board=${file#board/} board=${board%/board.mk}
-        [ "$board" = host ] || echo "$board"
+    for file in $(grep -l '^\. board/tools/emulate.sh' board/*/run.sh); do
+        board=${file#board/}
+        echo "${board%/run.sh}"
     done
 }
 cross_of() {

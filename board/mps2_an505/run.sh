@@ -1,0 +1,5 @@
+#!/bin/sh
+# run.sh SCENE.plt|"" [key=value ...] - runs the firmware in QEMU and counts, by emulate.sh
+# SPDX-License-Identifier: MIT
+board=mps2_an505 cross=arm-none-eabi- machine='qemu-system-arm -M mps2-an505'
+. board/tools/emulate.sh

@@ -1,0 +1,73 @@
+#!/bin/sh
+# boards.sh SCENES - what a ray takes on every board: bunny and toasters, 320x240, eye light
+#
+# Compact blocks, which every board that has room for anything has room for: mapped where the image
+# fits the board's memory for scenes, else streamed from a file of the debugger's host. BOARDS are
+# some of them. A row of Markdown for each, whose frame is the host's bit for bit, or why there is
+# none. SPDX-License-Identifier: MIT
+. tests/check/report.sh
+export BUILD
+scenes=$1 size=${SIZE:-320x240}
+planelet=$BUILD/host/planelet
+folder=$BUILD/board-figures
+mkdir -p "$folder"
+wanted=${BOARDS:-$(boards)}
+
+value() { # NAME: of the last NAME=value in the text
+    echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | tail -n 1
+}
+room() { # bytes for a scene in the board's memory
+    "$(cross_of "$board")nm" "$out/firmware.elf" | awk '
+        function number(digits,    i, sum) {
+            for (i = 1; i <= length(digits); i++) {
+                sum = 16 * sum + index("0123456789abcdef", substr(digits, i, 1)) - 1
+            }
+            return sum
+        }
+        $3 == "plt_scene_start" { from = number($1) }
+        $3 == "plt_scene_end" { to = number($1) }
+        END { print to - from }'
+}
+build() { # PARTS: of the board, into $out
+    names=$(echo "$1" | tr ' ' '\n' | sort | tr '\n' '-')
+    out=$BUILD/$board-${names%-}
+    make_board "$board" PARTS="$1" >&2
+}
+row() { # HOW [key=value ...]
+    how=$1
+    shift
+    text=$(FIRMWARE=$out sh board/tools/run_like_host.sh "$board" "$image" "$size" "$@" 2>&1)
+    if echo "$text" | grep -q '^the host renders the same frame'; then
+        echo "| \`$board\` | $scene, $how | $(value peak) |" \
+            "$(echo "$text" | sed -n 's/^instructions_per_ray //p') |"
+    else
+        echo "| \`$board\` | $scene, $how | $(echo "$text" | grep -m 1 'error: ') | |"
+    fi
+}
+
+for scene in bunny toasters; do
+    "$planelet" pack "$scenes/$scene.ply" --nodes compact --geometry lattice:12 \
+        -o "$folder/$scene.plt" >"$folder/$scene.txt" 2>&1 || {
+        cat "$folder/$scene.txt" >&2
+        exit 1
+    }
+    echo "$scene: $(wc -c <"$folder/$scene.plt") bytes"
+done
+echo "| Board | Scene | Arena used | Instructions per ray |"
+echo "|---|---|---|---|"
+for board in $wanted; do
+    build 'render compact frames' || continue
+    most=$(room)
+    for scene in bunny toasters; do
+        image=$folder/$scene.plt
+        if [ "$(wc -c <"$image")" -le "$most" ]; then
+            row mapped
+        else
+            build 'render compact frames stream' || continue
+            SOURCE=file
+            export SOURCE
+            row streamed residency=streamed
+            unset SOURCE
+        fi
+    done
+done
