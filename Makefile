@@ -19,7 +19,27 @@ DEPENDENCIES = -MMD -MP
 # four bytes; -fbuiltin gives the knowledge back.
 FREESTANDING := -ffreestanding -fbuiltin
 
-lanes_flags = $(if $(filter-out scalar,$(LANES)),-DPLT_LANES='"platform/lanes_$(LANES).h"')
+# $(call lanes_line,NAME): NAME, HEADER, MACRO and FLAGS of a line of platform/lanes.txt.
+LANES_TABLE := $(shell sed '/^\#/d; s/  */|/g' platform/lanes.txt)
+LANES_NAMES := $(foreach line,$(LANES_TABLE),$(firstword $(subst |, ,$(line))))
+lanes_line = $(subst |, ,$(filter $(1)|%,$(LANES_TABLE)))
+lanes_header = $(word 2,$(call lanes_line,$(1)))
+lanes_macro = $(word 3,$(call lanes_line,$(1)))
+lanes_needs = $(wordlist 4,99,$(call lanes_line,$(1)))
+lanes_flags = $(if $(filter engine/%,$(call lanes_header,$(LANES))),,\
+    -DPLT_LANES='"$(call lanes_header,$(LANES))"') $(call lanes_needs,$(LANES))
+# A probe is one line, compiled for the tests: $(call probe,NAME,COMMAND).
+define probe
+@if [ -z "$$(sh platform/lanes.sh lacks '$(call lanes_macro,$(1))' \
+    $(2) $(call lanes_needs,$(1)))" ]; then offered=1; else offered=0; fi; \
+if [ $$offered = 1 ]; then flags='$(call lanes_needs,$(1))'; else flags=; fi; \
+mkdir -p $(@D); echo "$(CC) $@"; \
+$(2) $$flags $(DEPENDENCIES) -DPROBE=lanes_probe_$(1) -DPROBE_NAME='"$(1)"' \
+    -DPROBE_HEADER='"$(call lanes_header,$(1))"' -DPROBE_MACRO='"$(call lanes_macro,$(1))"' \
+    -DPROBE_OFFERED=$$offered -c -o $@ tests/lanes/probe.c 2>$(@:.o=.log) || \
+    { cat $(@:.o=.log) >&2; exit 1; }
+@cat $(@:.o=.log) >&2
+endef
 
 # What a board is, first: some have no room for the whole engine (BOARD_PARTS).
 ifneq ($(BOARD),host)
@@ -59,6 +79,9 @@ ifeq ($(BOARD),host)
 include board/host/board.mk
 else
 include board/firmware.mk
+endif
+ifeq ($(call lanes_line,$(LANES)),)
+$(error LANES=$(LANES) is not in platform/lanes.txt; it has $(LANES_NAMES))
 endif
 
 # ---- the whole test ----------------------------------------------------

@@ -3,7 +3,8 @@
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
 # built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
-# sequences; PROGRAM=faults is a test of start-up without the engine. The worst stack
+# sequences; PROGRAM=faults is a test of start-up, PROGRAM=lanes one of the lanes header, both
+# without the engine. The worst stack
 # is computed from the call graph before linking, and the linker script refuses a
 # smaller stack. No C library is linked; its headers
 # are used. Of the compiler's own library, libgcc, boards have what they ask for by
@@ -23,6 +24,7 @@ COMMON := $(filter-out board/firmware.c,$(wildcard board/*.c))
 program_ := board/firmware.c
 program_played := $(wildcard board/played/*.c)
 program_faults := tests/boards/faults.c
+program_lanes := tests/boards/lanes.c tests/lanes/compare.c
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
 $(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
@@ -30,12 +32,15 @@ endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
-FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE))
+FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults lanes,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE)) \
+                    $(if $(filter lanes,$(PROGRAM)),\
+                      $(patsubst %,$(OUT)/tests/lanes/probe_%.o,$(sort scalar $(LANES))))
 
 # Where calls by pointer lead, beyond the board's SOURCE_FUNCTIONS: what a wired board streams
 # comes by the wire, which waits for reports.
 POINTERS_wired := $(if $(without_stream),,plt_fetch>wire_source_start plt_fetch>wire_source_wait \
                   wire_source_wait>pump_held pump_held>await_reports)
+POINTERS_lanes := run
 
 STACK_ROOT ?= machine_start
 SOURCE_FUNCTIONS ?= scene_start scene_wait
@@ -44,9 +49,19 @@ LINK_SCRIPT ?= board/$(BOARD)/memory.ld
 OPTIMISE_FOR := -O2
 $(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
 
+LANES ?= scalar
+ifneq ($(call lanes_line,$(LANES)),)
+lacks := $(shell sh platform/lanes.sh lacks '$(call lanes_macro,$(LANES))' $(CC) $(CPU) \
+         $(call lanes_needs,$(LANES)))
+ifneq ($(lacks),)
+$(error LANES=$(LANES) is not for $(BOARD), whose compiler and CPU flags lack $(lacks))
+endif
+endif
+
 # Loops stay loops: memcpy must not become a call of itself, nor a search for
 # the end of a text a call of strlen.
-COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) $(lanes_flags) \
+COMMAND = $(PROBE_COMMAND) $(lanes_flags)
+PROBE_COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) \
           -ffunction-sections -fdata-sections -fcallgraph-info=su,da \
           -fno-tree-loop-distribute-patterns \
           -DPLT_BLOCKS_LEVELS=0 \
@@ -85,6 +100,11 @@ $(OUT)/libgcc.ci: $(OUT)/flags board/tools/library.awk
 
 $(OUT)/%.o: %.c $(OUT)/flags
 	$(call compile,$(COMMAND))
+
+$(OUT)/tests/boards/lanes.o: FIRMWARE_FLAGS += -DBOARD_LANES=$(LANES)
+$(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt platform/lanes.sh \
+                              $(OUT)/flags
+	$(call probe,$*,$(PROBE_COMMAND))
 
 # The instruction counter is a program of the host.
 $(OUT)/libcount.so: board/tools/count.c

@@ -11,8 +11,9 @@ HOST_FLAGS := -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64
 # The largest arena of the host program; pages cost nothing until touched.
 ARENA_BYTES := 1073741824
 
-X86 := $(filter x86_64-% amd64-% i386-% i486-% i586-% i686-%,$(shell $(CC) -dumpmachine))
-LANES ?= $(if $(X86),sse,scalar)
+ifeq ($(origin LANES),undefined)
+LANES := $(shell sh platform/lanes.sh usual $(CC) $(CFLAGS))
+endif
 OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
 
 PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
@@ -37,6 +38,9 @@ ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_flags) $(CF
 HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_flags) \
                -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(CFLAGS)
 
+# Without the flags of LANES, but with those of the whole build.
+PROBE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(CFLAGS)
+
 ##build all: the host program build/host/planelet and the engine as build/host/libplanelet.a
 all: $(OUT)/planelet $(OUT)/libplanelet.a
 
@@ -58,12 +62,13 @@ $(OUT)/%.o: %.c $(OUT)/flags
 # Variants are tested at the same time: each writes to a folder of its own.
 $(OUT)/tests/%.o: FOLDER_FLAGS := -DTEST_FOLDER='"$(OUT)/test-tmp/"'
 
-# The lanes probes of tests/test_lanes.c, each for its own instruction set.
-ifneq ($(X86),)
-$(OUT)/tests/reference/lanes_sse41.o: PROBE_FLAGS := -msse4.1
-$(OUT)/tests/reference/lanes_sse_fma.o: PROBE_FLAGS := -mavx2 -mfma
-$(OUT)/tests/reference/lanes_scalar_fma.o: PROBE_FLAGS := -mavx2 -mfma
-endif
+# What tests/engine/test_lanes.c compares: every line of platform/lanes.txt.
+LANES_PROBES := $(LANES_NAMES:%=$(OUT)/tests/lanes/probe_%.o)
+$(OUT)/tests/engine/test_lanes: $(LANES_PROBES) $(OUT)/tests/lanes/compare.o
+$(OUT)/tests/engine/test_lanes.o: PROBE_FLAGS = -DLANES_PROBES='$(patsubst %,X(%),$(LANES_NAMES))'
+$(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt platform/lanes.sh \
+                              $(OUT)/flags
+	$(call probe,$*,$(PROBE_COMMAND))
 
 # One program measures beside another tracer, where that is installed.
 EMBREE := $(wildcard /usr/include/embree3/rtcore.h)
@@ -74,7 +79,7 @@ $(OUT)/tests/%: $(OUT)/tests/%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECT
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread $(LIBRARIES)
 
 $(OUT)/flags: FORCE
-	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND))
+	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND) $(LANES_TABLE))
 
 include host_tools/hid/hid.mk
 

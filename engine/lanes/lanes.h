@@ -4,7 +4,7 @@
  * operations below; a platform gives them by a header of its own, named by
  * -DPLT_LANES='"platform/lanes_NAME.h"'. Without one the scalar reference
  * serves, which is also what every other header is compared with, bit for
- * bit (tests/test_lanes.c).
+ * bit (tests/engine/test_lanes.c).
  *
  * Types   f4  four floats       m4  four masks, each lane all ones or zero
  *         u4  four uint32
@@ -47,7 +47,10 @@
  *                   f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4, f4)
  *                   the bits of both lanes i to to[at[i]], in the order of lanes
  * memory            plt_prefetch(const void *): a hint, may do nothing
- *                   PLT_LANES_REGISTERS, a macro: 1 if four lanes are one register, 0 if four
+ * properties        PLT_LANES_REGISTERS, a macro: 1 if four lanes are one register, 0 if four
+ *                   PLT_LANES_FLUSH, a macro, 0 unless defined: 1 if operations may take
+ *                   subnormals for zero. A header that defines it has plt_flushed(), which is
+ *                   then not 0 until plt_flushed_clear(): the results count for nothing (8.2)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_LANES_LANES_H
@@ -66,6 +69,17 @@
 #include PLT_LANES
 #else
 #include "engine/lanes/lanes_scalar.h"
+#endif
+
+#ifndef PLT_LANES_FLUSH
+#define PLT_LANES_FLUSH 0
+
+static inline int plt_flushed(void) {
+    return 0;
+}
+
+static inline void plt_flushed_clear(void) {
+}
 #endif
 
 #endif

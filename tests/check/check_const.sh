@@ -29,12 +29,10 @@ printf '%s\n' '#include "engine/scene/scene.h"' '#include "engine/lanes/lanes.h"
     >"$planted/keeps.c"
 
 engine=$(find engine -name '*.c' | sort)
-all_lanes=scalar
-case $("$CC" -dumpmachine) in
-x86_64-* | amd64-* | i?86-*) all_lanes='scalar lanes_sse.h' ;;
-esac
+# Headers once each; those that want flags are sources of the same.
+all_lanes=$(sh platform/lanes.sh offered "$CC" | awk '$3 == "" { print $1 }')
 for kind in $all_lanes; do
-    lanes=$kind
+    lanes=lanes_$kind.h
     [ "$kind" != scalar ] || lanes=
     # shellcheck disable=SC2086
     verdict "no cast in $(echo "$engine" | grep -c .) sources drops a const (lanes: $kind)" \

@@ -1,15 +1,19 @@
-/* lanes_probe - makes a probe of the lanes header that PLT_LANES names
+/* probe - every operation of one lanes header, by number
  *
- * Included once by each lanes_*.c beside it, after PROBE (the variable's
- * name), PROBE_NAME and PROBE_HEADER are defined. Operations that give a
- * mask leave its four lanes as words, read by u4_select, and its bits,
- * read by m4_mask.
+ * Compiled once for each line of platform/lanes.txt, with PROBE, the variable's name, PROBE_NAME,
+ * PROBE_HEADER, PROBE_MACRO, and PROBE_OFFERED, whether the compiler has that macro. Operations
+ * that give a mask leave its four lanes as words, read by u4_select, and its bits, read by m4_mask.
  *
  * SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "tests/lanes/ops.h"
+
+extern const lanes_probe PROBE;
+
+#if PROBE_OFFERED
+#define PLT_LANES PROBE_HEADER
 #include "engine/lanes/lanes.h"
-#include "tests/reference/lanes_ops.h"
 
 /* Four words at an address aligned to 4 bytes only: the least alignment that load and store
  * must accept. */
@@ -171,7 +175,7 @@ static void run_words_to_mask(const lanes_in *in, uint32_t *out) {
         put_m4(out, op(m4_bits(in->mask[0]), m4_bits(in->mask[1])));                               \
         break
 
-static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
+static void run_op(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
     switch (op) {
         F_FF(f4_add);
         F_FF(f4_sub);
@@ -281,4 +285,13 @@ static void run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
     }
 }
 
-const lanes_probe PROBE = {PROBE_NAME, PROBE_HEADER, run};
+static int run(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
+    plt_flushed_clear();
+    run_op(op, in, out);
+    return plt_flushed();
+}
+
+const lanes_probe PROBE = {PROBE_NAME, PROBE_HEADER, PROBE_MACRO, PLT_LANES_FLUSH, run};
+#else
+const lanes_probe PROBE = {PROBE_NAME, PROBE_HEADER, PROBE_MACRO, 0, 0};
+#endif

@@ -1,12 +1,12 @@
-/* lanes_ops - every 4-lane operation by number and name, and what a probe is
+/* ops - every 4-lane operation by number and name, and what a probe is
  *
  * A probe is one lanes header compiled into one object: `run` does operation `op` on the bits
  * in `in` and leaves the bits of the result in `out`. Floats, integers and masks are all passed
  * as 32-bit words, so no NaN is changed.
  *
  * SPDX-License-Identifier: MIT */
-#ifndef LANES_OPS_H
-#define LANES_OPS_H
+#ifndef TESTS_LANES_OPS_H
+#define TESTS_LANES_OPS_H
 
 #include <stdint.h>
 
@@ -77,16 +77,11 @@ typedef struct lanes_in {
     unsigned mask[2];
 } lanes_in;
 
+/* `run` is 0 where the compiler cannot compile the header: it lacks `macro`. */
 typedef struct lanes_probe {
-    const char *name, *header;
-    void (*run)(enum lanes_op op, const lanes_in *in, uint32_t out[16]);
+    const char *name, *header, *macro;
+    int flush; /* PLT_LANES_FLUSH: `run` says whether an operation flushed a subnormal */
+    int (*run)(enum lanes_op op, const lanes_in *in, uint32_t out[16]);
 } lanes_probe;
-
-extern const lanes_probe lanes_probe_scalar;
-#if defined(__x86_64__) || defined(__i386__)
-#define LANES_X86 1
-extern const lanes_probe lanes_probe_scalar_fma, lanes_probe_sse2, lanes_probe_sse41,
-    lanes_probe_sse_fma;
-#endif
 
 #endif
