@@ -24,6 +24,17 @@ static void adapt(coarse *c, double seconds) {
     }
 }
 
+int coarse_give_up(coarse *c, unsigned level, double seconds) {
+    if (level >= c->first && (seconds <= IN_TIME || level >= COARSE_MOST)) {
+        return 0;
+    }
+    if (level >= c->first) {
+        c->first = level + 1;
+        c->level = c->first;
+    }
+    return 1;
+}
+
 void coarse_complete(coarse *c, double seconds) {
     adapt(c, seconds);
     c->is_due = c->level > COARSE_FINEST;

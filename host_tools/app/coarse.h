@@ -26,6 +26,11 @@ void coarse_moved(coarse *c);
  * least. */
 unsigned coarse_side(const coarse *c, unsigned side);
 
+/* The camera has moved while a picture of this level was being rendered, for so long: 1: it is to
+ * be given up for the next. One that a moving camera is shown by, which is in time, is not: there
+ * would be none. The next one is coarser if it is late. */
+int coarse_give_up(coarse *c, unsigned level, double seconds);
+
 /* It is complete, and took so long: the next finer one is due, if there is one. */
 void coarse_complete(coarse *c, double seconds);
 

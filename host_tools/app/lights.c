@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES_USUAL = 8, NUMBERS = 6, BOUNCES_USUAL = 4 };
+#include "host_tools/app/daylight.h"
+
+enum { SAMPLES_USUAL = 8, NUMBERS = 6 };
 
 static const char *const KINDS[] = {"point:", "sun:", "area:"};
 enum { POINT, SUN, AREA, KINDS_END };
@@ -105,7 +107,7 @@ void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     static const char *const WORDS[] = {"clear", "solid", NULL};
     static const char *const FLAGS[] = {"--light", "--sky", "--ground", "--depth", "--shadows"};
     *l = (lights){.is_on = shader == PLT_SHADE_WHITTED, .has_lights = args_has(a, "--light")};
-    l->lighting = (plt_lighting){.sky = {0.36f, 0.45f, 0.60f}, .ground = {0.17f, 0.15f, 0.13f}};
+    l->lighting = (plt_lighting){.sky = DAYLIGHT_SKY, .ground = DAYLIGHT_GROUND};
     if (!l->is_on) {
         for (int i = 0; i < 5; i++) {
             if (args_has(a, FLAGS[i])) {
@@ -119,7 +121,7 @@ void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     }
     read_colour(a, "--sky", l->lighting.sky);
     read_colour(a, "--ground", l->lighting.ground);
-    l->lighting.bounces = (uint8_t)args_number(a, "--depth", BOUNCES_USUAL, 0, PLT_BOUNCES_MOST);
+    l->lighting.bounces = (uint8_t)args_number(a, "--depth", DAYLIGHT_BOUNCES, 0, PLT_BOUNCES_MOST);
     l->lighting.solid_shadows = (uint8_t)args_choice(a, "--shadows", WORDS, 0);
     options->whitted = (uint8_t)(1 + l->lighting.bounces);
     if (strcmp(args_text(a, "--schedule", "branch"), "branch") != 0) {
@@ -127,32 +129,9 @@ void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     }
 }
 
-/* Behind the camera, above it and to the left: soft, as of a hazy day. */
-static void set_sun(plt_light *to, const plt_camera *c) {
-    double back[3], up[3], left[3], length = 0.0, high = 0.0;
-    for (int a = 0; a < 3; a++) {
-        back[a] = (double)c->eye[a] - (double)c->look[a];
-        up[a] = (double)c->up[a];
-        length += back[a] * back[a];
-        high += up[a] * up[a];
-    }
-    for (int a = 0; a < 3; a++) {
-        back[a] /= sqrt(length);
-        up[a] /= sqrt(high);
-    }
-    left[0] = back[1] * up[2] - back[2] * up[1];
-    left[1] = back[2] * up[0] - back[0] * up[2];
-    left[2] = back[0] * up[1] - back[1] * up[0];
-    *to = (plt_light){.kind = PLT_LIGHT_DISTANT, .samples = 4, .radius = 0.06f};
-    for (int a = 0; a < 3; a++) {
-        to->at[a] = (float)(0.5 * back[a] + up[a] + 0.6 * left[a]);
-        to->power[a] = 0.75f;
-    }
-}
-
 void lights_set(lights *l, const plt_camera *camera, crew *c) {
     if (l->is_on && !l->has_lights) {
-        set_sun(&l->lighting.light[0], camera);
+        daylight_sun(&l->lighting.light[0], camera);
         l->lighting.lights = 1;
     }
     for (unsigned i = 0; l->is_on && i < c->count; i++) {
