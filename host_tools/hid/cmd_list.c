@@ -23,7 +23,7 @@ const arg_command hid_command_list = {
     NULL};
 
 static void print_device(const port_info *p, const driver *by) {
-    printf("%-16s %04x:%04x  %-12s %-16s %s%s%s\n", p->path, p->vendor, p->id,
+    printf("%-16s %04x:%04x  %-12s %-20s %s%s%s\n", p->path, p->vendor, p->id,
            p->serial[0] == '\0' ? "-" : p->serial, by == NULL ? "-" : by->name, p->maker,
            p->maker[0] == '\0' ? "" : " ", p->product);
 }
@@ -31,7 +31,7 @@ static void print_device(const port_info *p, const driver *by) {
 static void print_drivers(void) {
     printf("\ndrivers:\n");
     for (unsigned i = 0; drivers[i] != NULL; i++) {
-        printf("  %-16s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
+        printf("  %-20s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
                drivers[i]->about);
     }
     printf("* " DISPLAY_DISCLAIMER "\n");

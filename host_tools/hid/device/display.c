@@ -7,7 +7,8 @@
 
 static int drives(const driver_id *id, const port_info *info) {
     return id->vendor == info->vendor && id->id == info->id &&
-           (id->interface == info->interface || info->interface < 0);
+           (id->interface == info->interface || info->interface < 0 ||
+            id->interface == DRIVER_ANY_INTERFACE);
 }
 
 const driver *driver_for(const driver *const *drivers, const port_info *info) {

@@ -49,12 +49,22 @@ typedef struct driver_id {
     int interface; /* of several; a device whose interface is not known matches any */
 } driver_id;
 
+enum { DRIVER_ANY_INTERFACE = -1 /* of a driver_id: it is not known which */ };
+
+/* Keys that are a picture together, and what one that goes on behind the frame around them has
+ * between two of them. Below the last row there may be more of the picture. */
+typedef struct key_grid {
+    unsigned columns, rows, side; /* pixels */
+    unsigned gap_x, gap_y;
+} key_grid;
+
 struct driver {
     const char *name;        /* "nexus" */
     const char *about;       /* "Corsair iCUE Nexus, 640x48" */
     const driver_id *ids;    /* ended by vendor 0 */
     int from_notes;          /* DISPLAY_DISCLAIMER is true of it */
     const display_key *keys; /* ended by a name of NULL; NULL: it has none that are known */
+    const key_grid *grid;    /* NULL: the panel has no gaps, or none that are known */
 
     /* `display` holds port, driver, reports and stop, the rest is zero. Fills it. */
     int (*open)(display *d, fail *f);

@@ -9,7 +9,8 @@
  *     6  length      u16, bytes of pixels: 1016, 960 in the last
  *     8  pixels
  *
- * Numbers are little-endian. Brightness is feature report 3, of 32 bytes.
+ * The panel keeps 6 bits of a colour, so the lower two come from a dither
+ * (picture/dither.h). Numbers are little-endian. Brightness is feature report 3, of 32 bytes.
  * The second interface is a keyboard; the driver is not for it.
  *
  * Source: Nexus-Manager wiki (codingncaffeine), facts only. Not run on
@@ -17,6 +18,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/picture/dither.h"
 
 enum {
     WIDTH = 640,
@@ -30,7 +32,8 @@ enum {
 
 static uint8_t frame_byte(const picture *p, unsigned at) {
     const uint8_t *rgb = p->rgb + 3 * (size_t)(at / 4);
-    return at % 4 == 3 ? 0 : rgb[2 - at % 4];
+    const unsigned pixel = at / 4;
+    return at % 4 == 3 ? 0 : dither_six_bits(rgb[2 - at % 4], pixel % WIDTH, pixel / WIDTH);
 }
 
 static int send_part(port *to, const picture *p, unsigned part) {

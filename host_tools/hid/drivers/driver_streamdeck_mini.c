@@ -29,6 +29,7 @@
 
 #include "host_tools/hid/device/symbols.h"
 #include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/hid/drivers/key_bmp.h"
 
 enum {
     KEY_SIDE = 80,
@@ -37,8 +38,8 @@ enum {
     REPORT_BYTES = 1024,
     HEAD_BYTES = 16,
     PAGE_BYTES = REPORT_BYTES - HEAD_BYTES,
-    BMP_HEAD_BYTES = 54,
-    BMP_BYTES = BMP_HEAD_BYTES + 3 * KEY_SIDE * KEY_SIDE,
+    BMP_BYTES = KEY_BMP_HEAD + 3 * KEY_SIDE * KEY_SIDE,
+    PER_METRE = 2835, /* 72 dots per inch */
     FEATURE_BYTES = 17,
     INPUT = 1,    /* number of the report */
     SYMBOL_X = 4, /* in a key's lower left corner */
@@ -51,33 +52,10 @@ typedef struct mini {
     int known[KEYS]; /* shown[k] is on the key */
 } mini;
 
-static void put_u32(uint8_t *to, uint32_t value) {
-    for (unsigned i = 0; i < 4; i++) {
-        to[i] = (uint8_t)(value >> 8 * i);
-    }
-}
-
-/* BITMAPFILEHEADER and BITMAPINFOHEADER, 72 dots per inch. */
-static void bmp_head(uint8_t *to) {
-    memset(to, 0, BMP_HEAD_BYTES);
-    to[0] = 'B';
-    to[1] = 'M';
-    put_u32(to + 2, BMP_BYTES);
-    put_u32(to + 10, BMP_HEAD_BYTES);
-    put_u32(to + 14, BMP_HEAD_BYTES - 14);
-    put_u32(to + 18, KEY_SIDE);
-    put_u32(to + 22, KEY_SIDE);
-    to[26] = 1;
-    to[28] = 24;
-    put_u32(to + 34, BMP_BYTES - BMP_HEAD_BYTES);
-    put_u32(to + 38, 2835);
-    put_u32(to + 42, 2835);
-}
-
 static void key_image(const picture *p, unsigned key, uint8_t *to) {
     const unsigned left = key % COLUMNS * KEY_SIDE, top = key / COLUMNS * KEY_SIDE;
-    bmp_head(to);
-    to += BMP_HEAD_BYTES;
+    key_bmp_head(to, KEY_SIDE, PER_METRE);
+    to += KEY_BMP_HEAD;
     for (unsigned row = 0; row < KEY_SIDE; row++) {
         for (unsigned column = 0; column < KEY_SIDE; column++, to += 3) {
             const unsigned x = left + KEY_SIDE - 1 - row, y = top + column;
@@ -168,6 +146,9 @@ static const display_key keys[] = {{"top left", STEER_NEARER, AT(0, 0)},
                                    {"bottom right", STEER_RIGHT, AT(2, 1)},
                                    {NULL, STEER_LEFT, 0, 0}};
 
+/* Gaps: as the npm package @elgato-stream-deck/core 7.6.3 has them. */
+static const key_grid grid = {COLUMNS, KEYS / COLUMNS, KEY_SIDE, 28, 28};
+
 static const driver_id ids[] = {
     {0x0FD9, 0x0063, 0}, {0x0FD9, 0x0090, 0}, {0x0FD9, 0x00B3, 0}, {0x0FD9, 0x00B8, 0}, {0, 0, 0}};
 
@@ -180,6 +161,7 @@ const driver driver_streamdeck_mini = {
     .show = mini_show,
     .tick = mini_tick,
     .keys = keys,
+    .grid = &grid,
     .brightness = mini_brightness,
     .release = mini_release,
     .close = mini_close};
