@@ -68,6 +68,8 @@ static void mini_bytes(void) {
     bench b;
     test("streamdeck-mini: header, BMP head and pixels are the bytes of the notes");
     open_bench(&b, &model_mini);
+    CHECK(record.count == 1 && record.size[0] == 1024, "%u reports at the start", record.count);
+    expect(0, 0, "020000000000000000000000000000000000");
     paint(&b, 79, 0, 0x112233);   /* key 0, top right: the first pixel of its file */
     paint(&b, 79, 1, 0x445566);   /* below it: the second */
     paint(&b, 80, 159, 0x778899); /* key 4, bottom left: the last */
@@ -94,11 +96,17 @@ static void mini_bytes(void) {
     expect(0, 0, "020100000006");
     show_painted(&b);
     CHECK(record.count == 0, "%u reports", record.count);
+    test("streamdeck-mini: ... and one that is to be sent in any case");
+    b.display.by->forget(&b.display, 2);
+    show_painted(&b);
+    CHECK(record.count == 20, "%u reports", record.count);
+    expect(0, 0, "020100000003");
     close_bench(&b);
 }
 
 static void nexus_bytes(void) {
     bench b;
+    fail f = {""};
     test("nexus: 121 reports, blocks and lengths of the notes, blue first");
     open_bench(&b, &model_nexus);
     paint(&b, 0, 0, 0x112233);
@@ -109,6 +117,12 @@ static void nexus_bytes(void) {
     expect(1, 0, "020540000100f803");
     expect(120, 0, "020540017800c003");
     expect(120, 8 + 956, "66554400000000");
+    test("nexus: the return to its own picture, and brightness up, are the bytes of the notes");
+    record.count = 0;
+    CHECK(b.display.by->release(&b.display, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(record.count == 2 && record.size[0] == 32, "%u reports", record.count);
+    expect(0, 0, "030d010100000000");
+    expect(1, 0, "0301640000000000");
     close_bench(&b);
 }
 
@@ -225,5 +239,6 @@ int main(void) {
     brightness(&model_nova, 55, 6);
     release(&model_mini);
     release(&model_nova);
+    release(&model_nexus);
     return test_done();
 }
