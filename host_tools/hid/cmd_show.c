@@ -75,8 +75,7 @@ static void on_signal(int number) {
 }
 
 static int tick(void *context) {
-    session_tick(context);
-    return stop;
+    return session_tick(context) != 0 || stop;
 }
 
 static void steer_by(void *context, unsigned count[STEER_ACTIONS]) {
@@ -84,9 +83,10 @@ static void steer_by(void *context, unsigned count[STEER_ACTIONS]) {
 }
 
 static void pause_until(session *s, double end) {
-    for (double left; !stop && (left = end - clock_seconds()) > 0.0;) {
+    int is_lost = 0;
+    for (double left; !is_lost && !stop && (left = end - clock_seconds()) > 0.0;) {
         clock_sleep(left < 0.004 ? left : 0.004);
-        session_tick(s);
+        is_lost = session_tick(s);
     }
 }
 
@@ -141,6 +141,9 @@ static int show_source(showing *s, fail *f) {
     s->film_frames = 0;
     while (!is_done(s)) {
         const int status = next_frame(s, f);
+        if (s->session.is_lost && !stop) {
+            return session_confirm(&s->session, f);
+        }
         if (status != FRAMES_ONE || stop) {
             return unless_stopped(status, f);
         }

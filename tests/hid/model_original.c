@@ -52,6 +52,10 @@ static void show_key(model *m, const uint8_t *file, unsigned key) {
 
 static void original_output(model *m, const uint8_t *r, size_t bytes) {
     original *o = m->state;
+    if (bytes == 8191 && r[0] == 2 && r[1] == 0) { /* ends what has begun */
+        o->key = 0;
+        return;
+    }
     if (bytes != 8191 || r[0] != 2 || r[1] != 1 || r[2] < 1 || r[2] > 2 || r[3] != 0 ||
         r[4] != (r[2] == 2) || r[5] < 1 || r[5] > 15 || (r[2] == 2 && r[5] != o->key)) {
         model_breach(m, "not half of a key's image in 8191 bytes, or out of order");

@@ -69,6 +69,8 @@ static void mini_bytes(void) {
     bench b;
     test("streamdeck-mini: header, BMP head and pixels are the bytes of the notes");
     open_bench(&b, &model_mini);
+    CHECK(record.count == 1 && record.size[0] == 1024, "%u reports at the start", record.count);
+    expect(0, 0, "020000000000000000000000000000000000");
     paint(&b, 79, 0, 0x112233);   /* key 0, top right: the first pixel of its file */
     paint(&b, 79, 1, 0x445566);   /* below it: the second */
     paint(&b, 80, 159, 0x778899); /* key 4, bottom left: the last */
@@ -95,11 +97,17 @@ static void mini_bytes(void) {
     expect(0, 0, "020100000006");
     show_painted(&b);
     CHECK(record.count == 0, "%u reports", record.count);
+    test("streamdeck-mini: ... and one that is to be sent in any case");
+    b.display.by->forget(&b.display, 2);
+    show_painted(&b);
+    CHECK(record.count == 20, "%u reports", record.count);
+    expect(0, 0, "020100000003");
     close_bench(&b);
 }
 
 static void nexus_bytes(void) {
     bench b;
+    fail f = {""};
     test("nexus: 121 reports, blocks and lengths of the notes, blue first");
     open_bench(&b, &model_nexus);
     paint(&b, 0, 0, 0x112233);
@@ -116,6 +124,12 @@ static void nexus_bytes(void) {
     CHECK(last[0] == dither_six_bits(0x66, 639, 47) && last[2] == dither_six_bits(0x44, 639, 47) &&
               last[3] == 0 && last[4] == 0,
           "%02x%02x%02x%02x", last[0], last[1], last[2], last[3]);
+    test("nexus: the return to its own picture, and brightness up, are the bytes of the notes");
+    record.count = 0;
+    CHECK(b.display.by->release(&b.display, &f) == DISPLAY_OK, "%s", f.text);
+    CHECK(record.count == 2 && record.size[0] == 32, "%u reports", record.count);
+    expect(0, 0, "030d010100000000");
+    expect(1, 0, "0301640000000000");
     close_bench(&b);
 }
 
@@ -408,5 +422,6 @@ int main(void) {
     release(&model_original);
     release(&model_nova);
     release(&model_nova_elite);
+    release(&model_nexus);
     return test_done();
 }

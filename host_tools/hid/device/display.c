@@ -43,6 +43,16 @@ int display_hear(display *d, void (*take)(display *d, const uint8_t *report, siz
     return DISPLAY_OK;
 }
 
+static void ignore(display *d, const uint8_t *report, size_t bytes) {
+    (void)d;
+    (void)report;
+    (void)bytes;
+}
+
+int display_tick(display *d) {
+    return d->by->tick != NULL ? d->by->tick(d) : display_hear(d, ignore);
+}
+
 int display_status(int port_status) {
     return port_status == PORT_OK ? DISPLAY_OK : DISPLAY_GONE;
 }

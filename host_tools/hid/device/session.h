@@ -24,6 +24,10 @@ typedef struct session {
     keys_track keys;
     uint64_t steered; /* what keys asked for, in all */
     int again;        /* the display came back and has not confirmed `panel` */
+    unsigned piece;   /* to be sent again next */
+    double due;       /* clock: when */
+    int is_lost;      /* a tick found the display gone for good, and nobody was told */
+    fail why;         /* ... for this reason */
     unsigned shown, reconnects;
     double longest_gap;     /* seconds from an unplug to the whole picture again */
     port_statistics before; /* of the displays before the last unplug */
@@ -43,8 +47,11 @@ int session_show(session *s, const picture *p, fail *f);
 int session_confirm(session *s, fail *f);
 
 /* Keeps the link alive between pictures: call it at least ten times per second
- * while a picture is rendered or stays. */
-void session_tick(session *s);
+ * while a picture is rendered or stays. Parts of the picture are sent again now and then, all of
+ * them within 1.5 s: a panel that lost its picture is whole again. A display that was unplugged is
+ * waited for, as by session_show. Not 0: it is not back; the next session_show or session_confirm
+ * says why. */
+int session_tick(session *s);
 
 /* What the display's keys ask for since the last call: how often each action. Keys are heard by
  * session_tick. */

@@ -86,9 +86,16 @@ static int corsair_lcd_show(display *d, const picture *p, fail *f) {
     return DISPLAY_OK;
 }
 
+static void corsair_lcd_forget(display *d, unsigned piece) {
+    corsair_lcd *l = d->state;
+    (void)piece; /* there is one */
+    l->known = 0;
+}
+
 static int corsair_lcd_open(display *d, fail *f) {
     d->width = SIDE;
     d->height = SIDE;
+    d->pieces = 1;
     d->state = calloc(1, sizeof(corsair_lcd));
     return d->state == NULL ? fail_set(f, NULL, "out of memory; close other programs") : 0;
 }
@@ -108,4 +115,5 @@ const driver driver_corsair_lcd = {.name = "corsair-lcd",
                                    .from_notes = 1,
                                    .open = corsair_lcd_open,
                                    .show = corsair_lcd_show,
+                                   .forget = corsair_lcd_forget,
                                    .close = corsair_lcd_close};

@@ -71,6 +71,11 @@ static int picolcd_show(display *d, const picture *p, fail *f) {
     return DISPLAY_OK;
 }
 
+static void picolcd_forget(display *d, unsigned piece) {
+    picolcd *l = d->state;
+    l->known[piece / PAGES][piece % PAGES] = 0;
+}
+
 static int picolcd_brightness(display *d, unsigned percent, fail *f) {
     const uint8_t report[2] = {BRIGHTNESS, (uint8_t)((percent * 255 + 50) / 100)};
     (void)f;
@@ -85,6 +90,7 @@ static void picolcd_close(display *d) {
 static int picolcd_open(display *d, fail *f) {
     d->width = CHIPS * COLUMNS;
     d->height = 8 * PAGES;
+    d->pieces = CHIPS * PAGES;
     d->state = calloc(1, sizeof(picolcd));
     if (d->state == NULL) {
         return fail_set(f, NULL, "out of memory; close other programs");
@@ -109,5 +115,6 @@ const driver driver_picolcd = {.name = "picolcd",
                                .from_notes = 1,
                                .open = picolcd_open,
                                .show = picolcd_show,
+                               .forget = picolcd_forget,
                                .brightness = picolcd_brightness,
                                .close = picolcd_close};

@@ -221,16 +221,19 @@ static int renew(display *d, const picture *p, unsigned key) {
 /* ---- the driver ------------------------------------------------------------------------- */
 
 static int deck_show(display *d, const picture *p, fail *f) {
-    const deck *k = d->state;
-    const unsigned count = k->of.columns * k->of.rows + (k->of.lower.command != 0);
     (void)f;
-    for (unsigned key = 0; key < count; key++) {
+    for (unsigned key = 0; key < d->pieces; key++) {
         const int status = renew(d, p, key);
         if (status != DISPLAY_OK) {
             return status;
         }
     }
     return DISPLAY_OK;
+}
+
+static void deck_forget(display *d, unsigned key) {
+    deck *k = d->state;
+    k->known[key] = 0;
 }
 
 static int deck_brightness(display *d, unsigned percent, fail *f) {
@@ -316,6 +319,7 @@ static int open_as(display *d, layout of, fail *f) {
     d->state = k;
     d->width = of.columns * of.side;
     d->height = of.rows * of.side + of.lower.rows;
+    d->pieces = of.columns * of.rows + (of.lower.command != 0);
     k->of = of;
     k->room = (size_t)3 * (key > lower ? key : lower) / 2;
     k->file = malloc(k->room);
@@ -362,8 +366,9 @@ static const driver_id ids_plus[] = {{0x0FD9, 0x0084, 0}, {0, 0, 0}};
 #define DECK(of_name, of_about, of_ids, of_open, of_keys, of_grid)                                 \
     {                                                                                              \
         .name = of_name, .about = of_about, .ids = of_ids, .from_notes = 1, .open = of_open,       \
-        .show = deck_show, .tick = deck_tick, .keys = of_keys, .grid = &of_grid,                   \
-        .brightness = deck_brightness, .release = deck_release, .close = deck_close                \
+        .show = deck_show, .forget = deck_forget, .tick = deck_tick, .keys = of_keys,              \
+        .grid = &of_grid, .brightness = deck_brightness, .release = deck_release,                  \
+        .close = deck_close                                                                        \
     }
 
 const driver driver_streamdeck =

@@ -12,7 +12,8 @@
  *     5  key + 1
  *     16 1008 bytes of the file, zeros after its end
  *
- * Brightness and reset are feature reports of 17 bytes. Only keys that
+ * A report of 02 and zeros ends an image that another program did not send to
+ * its end. Brightness and reset are feature reports of 17 bytes. Only keys that
  * changed since the last picture are sent. An input report comes when a key
  * is pressed or released: 01, then a byte per key, not 0 while it is down.
  *
@@ -125,16 +126,30 @@ static int mini_release(display *d, fail *f) {
     return display_status(port_feature(d->port, report, sizeof report));
 }
 
-static int mini_open(display *d, fail *f) {
-    d->width = COLUMNS * KEY_SIDE;
-    d->height = KEYS / COLUMNS * KEY_SIDE;
-    d->state = calloc(1, sizeof(mini));
-    return d->state == NULL ? fail_set(f, NULL, "out of memory; close other programs") : 0;
+static void mini_forget(display *d, unsigned key) {
+    mini *m = d->state;
+    m->known[key] = 0;
 }
 
 static void mini_close(display *d) {
     free(d->state);
     d->state = NULL;
+}
+
+static int mini_open(display *d, fail *f) {
+    const uint8_t ends_image[REPORT_BYTES] = {2};
+    d->width = COLUMNS * KEY_SIDE;
+    d->height = KEYS / COLUMNS * KEY_SIDE;
+    d->pieces = KEYS;
+    d->state = calloc(1, sizeof(mini));
+    if (d->state == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    const int status = display_status(port_output(d->port, ends_image, sizeof ends_image));
+    if (status != DISPLAY_OK) {
+        mini_close(d);
+    }
+    return status;
 }
 
 #define AT(column, row) (column) * KEY_SIDE + SYMBOL_X, (row)*KEY_SIDE + SYMBOL_Y
@@ -159,6 +174,7 @@ const driver driver_streamdeck_mini = {
     .from_notes = 1,
     .open = mini_open,
     .show = mini_show,
+    .forget = mini_forget,
     .tick = mini_tick,
     .keys = keys,
     .grid = &grid,

@@ -12,7 +12,8 @@
  *     5  key + 1   4 top left, 0 top right, 10 bottom right
  *     16 7803 bytes of the file, zeros after them
  *
- * Brightness, reset and the keys' input reports are those of a Mini
+ * A report of 02 and zeros ends an image that another program did not send to
+ * its end. Brightness, reset and the keys' input reports are those of a Mini
  * (driver_streamdeck_mini.c), keys counted from the right.
  *
  * Sources: the npm package @elgato-stream-deck/core 7.6.3 (J. Waller);
@@ -123,16 +124,30 @@ static int original_release(display *d, fail *f) {
     return display_status(port_feature(d->port, report, sizeof report));
 }
 
-static int original_open(display *d, fail *f) {
-    d->width = COLUMNS * SIDE;
-    d->height = ROWS * SIDE;
-    d->state = calloc(1, sizeof(original));
-    return d->state == NULL ? fail_set(f, NULL, "out of memory; close other programs") : 0;
+static void original_forget(display *d, unsigned key) {
+    original *o = d->state;
+    o->known[key] = 0;
 }
 
 static void original_close(display *d) {
     free(d->state);
     d->state = NULL;
+}
+
+static int original_open(display *d, fail *f) {
+    d->width = COLUMNS * SIDE;
+    d->height = ROWS * SIDE;
+    d->pieces = KEYS;
+    original *o = d->state = calloc(1, sizeof(original));
+    if (o == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    o->report[0] = 2;
+    const int status = display_status(port_output(d->port, o->report, REPORT_BYTES));
+    if (status != DISPLAY_OK) {
+        original_close(d);
+    }
+    return status;
 }
 
 static const key_grid grid = {COLUMNS, ROWS, SIDE, 25, 25}; /* gaps: as the npm package has them */
@@ -146,6 +161,7 @@ const driver driver_streamdeck_original = {.name = "streamdeck-original",
                                            .from_notes = 1,
                                            .open = original_open,
                                            .show = original_show,
+                                           .forget = original_forget,
                                            .tick = original_tick,
                                            .keys = deck_keys_72,
                                            .grid = &grid,
