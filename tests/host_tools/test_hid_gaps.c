@@ -5,7 +5,10 @@
 
 #include <stdlib.h>
 
+#include "host_tools/hid/device/session.h"
 #include "host_tools/hid/drivers/drivers.h"
+#include "tests/hid/model.h"
+#include "tests/reference/fake_hidapi.h"
 #include "tests/test.h"
 
 enum { GRIDS = 6 };
@@ -106,7 +109,54 @@ static void symbols(void) {
     }
 }
 
+/* ---- all of it --------------------------------------------------------------------------------
+ */
+
+static void on_output(void *context, const uint8_t *report, size_t bytes) {
+    model *m = context;
+    m->kind->output(m, report, bytes);
+}
+
+static void shown(void) {
+    fail f = {""};
+    picture p = {0};
+    session s = {.wish.drivers = drivers, .fit = FIT_NONE, .gaps = 1, .brightness = -1};
+    model *m = model_make(&model_mini, (model_shape){0});
+    const fake_device device = {.path = "1-1:1.0",
+                                .vendor = m->kind->vendor,
+                                .product = m->kind->id,
+                                .numbered = 1,
+                                .context = m,
+                                .output = on_output};
+    test("a session asks for a picture with gaps, and shows what is not in them");
+    fake_bus_reset();
+    fake_plug(0, &device);
+    CHECK(session_open(&s, &f) == 0, "%s", f.text);
+    const picture *size = session_picture(&s);
+    CHECK(size->width == 296 && size->height == 188, "%ux%u", size->width, size->height);
+    CHECK(session_keys(&s)[5].x == 4 + 2 * (80 + 28), "%u", session_keys(&s)[5].x);
+    CHECK(picture_make(&p, 296, 188, &f) == 0, "%s", f.text);
+    number_pixels(&p);
+    CHECK(session_show(&s, &p, &f) == 0, "%s", f.text);
+    const picture panel = {m->rgb, m->width, m->height};
+    CHECK(compare(driver_streamdeck_mini.grid, &p, &panel) == 0, "another picture");
+    session_close(&s);
+    test("a panel without gaps is told as such");
+    fake_bus_reset();
+    s = (session){.wish = {.drivers = drivers, .device = "1-1:1.0", .by = &driver_nexus},
+                  .gaps = 1,
+                  .brightness = -1};
+    fake_plug(0, &device);
+    CHECK(session_open(&s, &f) == -1, "opened");
+    CHECK(strstr(f.text, "its panel has no gaps; leave out --gaps") != NULL, "%s", f.text);
+    session_close(&s);
+    CHECK(fake_bus.open == 0 && fake_bus.wrong == 0, "%d open", fake_bus.open);
+    picture_free(&p);
+    model_free(m);
+}
+
 int main(void) {
+    shown();
     span_sizes();
     cuts();
     symbols();

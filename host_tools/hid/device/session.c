@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/device/gaps.h"
 #include "host_tools/hid/device/retry.h"
 
 static const double LOOK_SECONDS = 0.1;
@@ -52,6 +53,19 @@ static int open_display(session *s, const driver *by, fail *f) {
     return status;
 }
 
+static int make_span(session *s, fail *f) {
+    const driver *by = s->display.by;
+    unsigned width, height;
+    if (by->grid == NULL) {
+        return fail_set(f, by->name, "its panel has no gaps; leave out --gaps");
+    }
+    if (by->keys != NULL) {
+        gaps_keys(by->grid, by->keys, s->moved);
+    }
+    gaps_size(by->grid, s->panel.width, s->panel.height, &width, &height);
+    return picture_make(&s->span, width, height, f);
+}
+
 int session_open(session *s, fail *f) {
     const driver *by = find_display(&s->wish, &s->info, f);
     if (by == NULL) {
@@ -66,7 +80,19 @@ int session_open(session *s, fail *f) {
     if (status != DISPLAY_OK) {
         return -1;
     }
-    return picture_make(&s->panel, s->display.width, s->display.height, f);
+    if (picture_make(&s->panel, s->display.width, s->display.height, f) != 0) {
+        return -1;
+    }
+    return s->gaps ? make_span(s, f) : 0;
+}
+
+const picture *session_picture(const session *s) {
+    return s->gaps ? &s->span : &s->panel;
+}
+
+const display_key *session_keys(const session *s) {
+    const display_key *keys = s->display.by->keys;
+    return s->gaps && keys != NULL ? s->moved : keys;
 }
 
 /* What there is to say when there are no more tries: why the last did not work. */
@@ -192,7 +218,10 @@ static int deliver(session *s, int confirm, int status, fail *f) {
 }
 
 int session_show(session *s, const picture *p, fail *f) {
-    fit_picture(p, &s->panel, s->fit);
+    fit_picture(p, s->gaps ? &s->span : &s->panel, s->fit);
+    if (s->gaps) {
+        gaps_cut(s->display.by->grid, &s->span, &s->panel);
+    }
     if (take_loss(s, f) || deliver(s, 0, DISPLAY_OK, f) != 0) {
         return -1;
     }
@@ -250,4 +279,5 @@ void session_statistics(const session *s, port_statistics *statistics) {
 void session_close(session *s) {
     display_close(&s->display);
     picture_free(&s->panel);
+    picture_free(&s->span);
 }

@@ -13,6 +13,7 @@
 typedef struct session {
     find_wish wish;
     enum fit_mode fit;
+    int gaps;                          /* pictures go on behind the frame around keys (gaps.h) */
     int brightness;                    /* percent; -1 leaves it as it is */
     unsigned near, fps;                /* of what moves, arguments of driver.near */
     double patience;                   /* seconds: a display that is gone, or refuses reports */
@@ -20,7 +21,9 @@ typedef struct session {
 
     display display;
     port_info info;
-    picture panel; /* what is shown, at the panel's size; owned */
+    picture panel;                    /* what is shown, at the panel's size; owned */
+    picture span;                     /* with gaps: what it is cut from; owned */
+    display_key moved[KEYS_MOST + 1]; /* with gaps: the display's keys, where they are in `span` */
     keys_track keys;
     uint64_t steered; /* what keys asked for, in all */
     int again;        /* the display came back and has not confirmed `panel` */
@@ -36,6 +39,12 @@ typedef struct session {
 /* Finds and opens; `s` holds wish, fit, brightness, patience, the rest zero.
  * A display that is not there is an error at once. */
 int session_open(session *s, fail *f);
+
+/* The picture that those for this display should have the size of. */
+const picture *session_picture(const session *s);
+
+/* The display's keys, their symbols where they are in such a picture; NULL: it has none. */
+const display_key *session_keys(const session *s);
 
 /* Shows a picture of any size. If the display is unplugged, or refuses reports, says so on standard
  * error, looks for it every 100 ms and shows the whole picture when it is back. -1, when it is not
