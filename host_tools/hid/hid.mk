@@ -18,6 +18,11 @@ $(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/
 	@echo "$(CC) $@"
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 
+$(OUT)/tests/measure/test_hid_%: $(OUT)/tests/measure/test_hid_%.o $(OUT)/libhid.a \
+        $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+	@echo "$(CC) $@"
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
+
 # Only port.c includes hidapi.h. For the tests it is compiled with the fake one, for
 # each program apart from that.
 $(HID_PORT:%.c=$(OUT)/%.o): PROBE_FLAGS := -Itests/reference/fake_hidapi
@@ -95,6 +100,12 @@ $(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \
 demo-hid: all $(OUT)/planelet-hid-emulated
 	@-$(MAKE) --no-print-directory planelet-hid
 	@PLANELET='$(OUT)/planelet' HID='$(OUT)/planelet-hid' DEMO='$(DEMO)' sh tests/hid/demo.sh
+
+##measure streamdeck-peers: reports of Stream Decks beside an npm package's and Debian's library's
+.PHONY: streamdeck-peers
+streamdeck-peers: all $(OUT)/tests/measure/test_hid_deck_reports
+	@BUILD='$(BUILD)' PROGRAM='$(OUT)/tests/measure/test_hid_deck_reports' \
+	    sh tests/measure/streamdeck_peers.sh
 
 ##test test-hid: the USB bench alone; HID_GROUPS=cross,unplugged picks some of its groups
 .PHONY: test-hid
