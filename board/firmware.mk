@@ -3,11 +3,11 @@
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
 # built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
-# sequences; PROGRAM=faults is a test of start-up without the engine. The worst stack
-# is computed from the call graph before linking, and the linker script refuses a
-# smaller stack. No C library is linked; its headers
-# are used. Of the compiler's own library, libgcc, boards have what they ask for by
-# LIBGCC := yes, and its functions are in the call graph, too.
+# sequences; PROGRAM=faults is a test of start-up, PROGRAM=jpeg measures an encoder, both
+# without the engine. The worst stack is computed from the call graph before linking, and the
+# linker script refuses a smaller stack. No C library is linked; its headers are used. Of the
+# compiler's own library, libgcc, boards have what they ask for by LIBGCC := yes, and its
+# functions are in the call graph, too.
 # SPDX-License-Identifier: MIT
 
 PROGRAM ?=
@@ -23,6 +23,7 @@ COMMON := $(filter-out board/firmware.c,$(wildcard board/*.c))
 program_ := board/firmware.c
 program_played := $(wildcard board/played/*.c)
 program_faults := tests/boards/faults.c
+program_jpeg := tests/boards/jpeg.c $(wildcard host_tools/picture/jpeg*.c)
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
 $(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
@@ -30,7 +31,7 @@ endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
-FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE))
+FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults jpeg,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE))
 
 # Where calls by pointer lead, beyond the board's SOURCE_FUNCTIONS: what a wired board streams
 # comes by the wire, which waits for reports.

@@ -1,4 +1,4 @@
-// streamdeck_peer.js FOLDER - the npm package @elgato-stream-deck/core on a device that only listens
+// streamdeck_peer.js FOLDER - npm's @elgato-stream-deck/core on a device that only listens
 //
 // It gets each key's pixels and must send the same reports. JPEG files are ours, taken from our
 // reports, so those are the same but for what an encoder decides; what djpeg reads in them is

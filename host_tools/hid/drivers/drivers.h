@@ -1,4 +1,4 @@
-/* drivers - the list of all drivers
+/* drivers - the list of all drivers (../DISPLAYS.md: what they take, and why they are so)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef HID_DRIVERS_H
