@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "host_tools/hid/commands.h"
 #include "host_tools/hid/device/find.h"
@@ -74,8 +75,8 @@ int hid_run_list(args *a) {
     if (args_has(a, "--keys")) {
         return print_all_keys();
     }
-    port_info list[FIND_ROOM];
-    const unsigned count = port_list(list, FIND_ROOM);
+    port_info *list;
+    const unsigned count = port_list(&list);
     unsigned shown = 0;
     for (unsigned i = 0; i < count; i++) {
         const driver *by = driver_for(drivers, &list[i]);
@@ -87,6 +88,7 @@ int hid_run_list(args *a) {
     if (shown == 0) {
         printf("no display is plugged in (%u HID devices; --all lists them)\n", count);
     }
+    free(list);
     print_drivers();
     return 0;
 }

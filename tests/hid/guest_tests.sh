@@ -67,7 +67,7 @@ unplug() { # BACKEND
     until_devices 0
     usleep 250000
     away=$(echo "$(uptime_seconds) $gone" | awk '{ print $1 - $2 }')
-    ./device usbip planelet size=320x240 port=1 >"$scratch/device" 2>&1 &
+    ./device usbip planelet size=320x240 >"$scratch/device" 2>&1 &
     device=$!
     wait $host
     status=$?

@@ -265,6 +265,7 @@ static void no_brightness(void) {
     open_bench(&b, &model_nova);
     session_close(&b.session);
     fake_device apex = b.device;
+    apex.path = "1-2:1.0";
     apex.product = model_apex.id;
     apex.interface = 1;
     fake_plug(1, &apex);

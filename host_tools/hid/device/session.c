@@ -104,7 +104,8 @@ static int say_end(const session *s, enum retry_status end, const retry *r, fail
         *f = r->why;
         return DISPLAY_FAILED;
     }
-    return fail_set(f, s->info.path, "the display did not come back in %g seconds; plug it in",
+    return fail_set(f, s->info.path,
+                    "the display did not come back in %g seconds; plug it in where it was",
                     s->patience);
 }
 
@@ -117,7 +118,7 @@ static int come_back(session *s, retry *r, fail *f) {
     display_close(&s->display);
     while ((next = retry_next(r, LOOK_SECONDS)) == RETRY_AGAIN) {
         r->why = (fail){""};
-        if (!find_again(&s->info)) {
+        if (!find_again(&s->wish, &s->info)) {
             continue;
         }
         const int status = open_display(s, by, &r->why);
