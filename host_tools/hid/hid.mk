@@ -22,7 +22,7 @@ $(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/
 $(OUT)/tests/measure/test_hid_%: $(OUT)/tests/measure/test_hid_%.o $(OUT)/libhid.a \
         $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
+	@$(CC) $(LDFLAGS) -o $@ $^ $(OUT)/libhid.a -lm -pthread
 
 # Only port.c includes hidapi.h. For the tests it is compiled with the fake one, for
 # each program apart from that.
