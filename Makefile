@@ -268,9 +268,10 @@ stages: all
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= \
 	    sh tests/measure/stages.sh
 
-##measure jpeg: JPEG files before djpeg and ImageMagick, and beside cjpeg's, which it needs
+##measure jpeg: JPEG files before djpeg and ImageMagick, beside cjpeg's, and their cost on a board
 jpeg: all $(OUT)/tests/measure/test_jpeg_files
-	@BUILD='$(BUILD)' PROGRAM='$(OUT)/tests/measure/test_jpeg_files' sh tests/measure/jpeg.sh
+	@BUILD='$(BUILD)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= \
+	    PROGRAM='$(OUT)/tests/measure/test_jpeg_files' sh tests/measure/jpeg.sh
 
 ##measure against: this build beside another: make against BASE=checkout SCENES=folder PEER=program
 against: all

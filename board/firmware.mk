@@ -3,12 +3,11 @@
 # Engine, firmware and board become one build/BOARD/firmware.elf; PROGRAM=wired
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
 # built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
-# sequences; PROGRAM=faults is a test of start-up, PROGRAM=lanes one of the lanes header, both
-# without the engine. The worst stack
-# is computed from the call graph before linking, and the linker script refuses a
-# smaller stack. No C library is linked; its headers
-# are used. Of the compiler's own library, libgcc, boards have what they ask for by
-# LIBGCC := yes, and its functions are in the call graph, too.
+# sequences; PROGRAM=faults is a test of start-up, PROGRAM=lanes one of the lanes header,
+# PROGRAM=jpeg measures an encoder, all without the engine. The worst stack is computed from the call graph before linking, and the
+# linker script refuses a smaller stack. No C library is linked; its headers are used. Of the
+# compiler's own library, libgcc, boards have what they ask for by LIBGCC := yes, and its
+# functions are in the call graph, too.
 # SPDX-License-Identifier: MIT
 
 PROGRAM ?=
@@ -25,6 +24,7 @@ program_ := board/firmware.c
 program_played := $(wildcard board/played/*.c)
 program_faults := tests/boards/faults.c
 program_lanes := tests/boards/lanes.c tests/lanes/compare.c
+program_jpeg := tests/boards/jpeg.c $(wildcard host_tools/picture/jpeg*.c)
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
 $(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
@@ -32,7 +32,7 @@ endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
-FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults lanes,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE)) \
+FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults lanes jpeg,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE)) \
                     $(if $(filter lanes,$(PROGRAM)),\
                       $(patsubst %,$(OUT)/tests/lanes/probe_%.o,$(sort scalar $(LANES))))
 

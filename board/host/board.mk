@@ -74,9 +74,10 @@ $(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt platform/la
 EMBREE := $(wildcard /usr/include/embree3/rtcore.h)
 $(OUT)/tests/measure/test_refit_peer: LIBRARIES = $(if $(EMBREE),-lembree3)
 
+# The fake of hidapi is for those that have libhid.a, too (hid.mk).
 $(OUT)/tests/%: $(OUT)/tests/%.o $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread $(LIBRARIES)
+	@$(CC) $(LDFLAGS) -o $@ $(filter-out %/fake_hidapi.o,$^) -lm -pthread $(LIBRARIES)
 
 $(OUT)/flags: FORCE
 	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND) $(LANES_TABLE))

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "host_tools/hid/commands.h"
 #include "host_tools/hid/device/find.h"
@@ -23,7 +24,7 @@ const arg_command hid_command_list = {
     NULL};
 
 static void print_device(const port_info *p, const driver *by) {
-    printf("%-16s %04x:%04x  %-12s %-16s %s%s%s\n", p->path, p->vendor, p->id,
+    printf("%-16s %04x:%04x  %-12s %-20s %s%s%s\n", p->path, p->vendor, p->id,
            p->serial[0] == '\0' ? "-" : p->serial, by == NULL ? "-" : by->name, p->maker,
            p->maker[0] == '\0' ? "" : " ", p->product);
 }
@@ -31,7 +32,7 @@ static void print_device(const port_info *p, const driver *by) {
 static void print_drivers(void) {
     printf("\ndrivers:\n");
     for (unsigned i = 0; drivers[i] != NULL; i++) {
-        printf("  %-16s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
+        printf("  %-20s%c %s\n", drivers[i]->name, drivers[i]->from_notes ? '*' : ' ',
                drivers[i]->about);
     }
     printf("* " DISPLAY_DISCLAIMER "\n");
@@ -74,8 +75,8 @@ int hid_run_list(args *a) {
     if (args_has(a, "--keys")) {
         return print_all_keys();
     }
-    port_info list[FIND_ROOM];
-    const unsigned count = port_list(list, FIND_ROOM);
+    port_info *list;
+    const unsigned count = port_list(&list);
     unsigned shown = 0;
     for (unsigned i = 0; i < count; i++) {
         const driver *by = driver_for(drivers, &list[i]);
@@ -87,6 +88,7 @@ int hid_run_list(args *a) {
     if (shown == 0) {
         printf("no display is plugged in (%u HID devices; --all lists them)\n", count);
     }
+    free(list);
     print_drivers();
     return 0;
 }

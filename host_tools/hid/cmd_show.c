@@ -21,6 +21,7 @@ static const arg_flag flags[] = {
     {"--device", "WHICH", "vid:pid, path or serial number (default: the first display)"},
     {"--driver", "NAME|auto", "see planelet-hid list (default auto: by vid:pid)"},
     {"--fit", "contain|cover|stretch|none", "a picture of another size (default contain)"},
+    {"--gaps", NULL, "keys show what a picture as large as all of them has, not what is between"},
     {"--brightness", "0..100", "percent, where the display has it"},
     {"--near", "auto|0..15", "planelet: steps that moving colours may be off by (default auto)"},
     {"--fps", "N",
@@ -75,8 +76,7 @@ static void on_signal(int number) {
 }
 
 static int tick(void *context) {
-    session_tick(context);
-    return stop;
+    return session_tick(context) != 0 || stop;
 }
 
 static void steer_by(void *context, unsigned count[STEER_ACTIONS]) {
@@ -84,9 +84,10 @@ static void steer_by(void *context, unsigned count[STEER_ACTIONS]) {
 }
 
 static void pause_until(session *s, double end) {
-    for (double left; !stop && (left = end - clock_seconds()) > 0.0;) {
+    int is_lost = 0;
+    for (double left; !is_lost && !stop && (left = end - clock_seconds()) > 0.0;) {
         clock_sleep(left < 0.004 ? left : 0.004);
-        session_tick(s);
+        is_lost = session_tick(s);
     }
 }
 
@@ -141,6 +142,9 @@ static int show_source(showing *s, fail *f) {
     s->film_frames = 0;
     while (!is_done(s)) {
         const int status = next_frame(s, f);
+        if (s->session.is_lost && !stop) {
+            return session_confirm(&s->session, f);
+        }
         if (status != FRAMES_ONE || stop) {
             return unless_stopped(status, f);
         }
@@ -160,8 +164,8 @@ static int show_source(showing *s, fail *f) {
 
 /* A picture is a source of one frame without a period. */
 static int show_file(showing *s, args *a, const char *path, int is_last, fail *f) {
-    const unsigned width = s->session.panel.width, height = s->session.panel.height;
-    int status = unless_stopped(frames_open(&s->source, a, path, width, height, f), f);
+    const picture *size = session_picture(&s->session);
+    int status = unless_stopped(frames_open(&s->source, a, path, size->width, size->height, f), f);
     if (status == 0 && !stop) {
         const unsigned before = s->session.shown;
         status = show_source(s, f);
@@ -212,7 +216,7 @@ static int run_all(showing *s, args *a, fail *f) {
     const double began = clock_seconds();
     progress_begin(&s->bar, "showing, frame", s->limit);
     s->source = (frames){.from = {.tick = tick, .context = &s->session},
-                         .keys = s->session.display.by->keys,
+                         .keys = session_keys(&s->session),
                          .steer = steer_by};
     const int status = show_files(s, a, f) != 0 ? -1 : session_confirm(&s->session, f);
     const double seconds = clock_seconds() - began;
@@ -264,6 +268,7 @@ static void read_flags(showing *s, args *a) {
     static const char *const fits[] = {"contain", "cover", "stretch", "none", NULL};
     read_driver(&s->session, a);
     s->session.fit = (enum fit_mode)args_choice(a, "--fit", fits, FIT_CONTAIN);
+    s->session.gaps = args_has(a, "--gaps");
     s->session.brightness =
         args_has(a, "--brightness") ? (int)args_number(a, "--brightness", 0, 0, 100) : -1;
     read_near(&s->session, a, args_has(a, "--every"));

@@ -6,7 +6,8 @@
 HID_MAIN := host_tools/hid/main.c
 HID_PORT := host_tools/hid/device/port.c
 HID := $(filter-out $(HID_MAIN),$(sort $(wildcard host_tools/hid/*.c host_tools/hid/*/*.c)))
-HID_TEST_OBJECTS := $(call objects,$(HID) $(sort $(wildcard tests/hid/model*.c)))
+# Places are those of the fake's devices.
+HID_TEST_OBJECTS := $(call objects,$(filter-out %/place_system.c,$(HID)) $(sort $(wildcard tests/hid/model*.c)))
 
 # An archive: a test links only what it uses.
 $(OUT)/libhid.a: $(HID_TEST_OBJECTS)
@@ -16,7 +17,12 @@ $(OUT)/libhid.a: $(HID_TEST_OBJECTS)
 $(OUT)/tests/host_tools/test_hid_%: $(OUT)/tests/host_tools/test_hid_%.o $(OUT)/libhid.a \
         $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
+	@$(CC) $(LDFLAGS) -o $@ $^ $(OUT)/libhid.a -lm -pthread
+
+$(OUT)/tests/measure/test_hid_%: $(OUT)/tests/measure/test_hid_%.o $(OUT)/libhid.a \
+        $(TEST_OBJECTS) $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+	@echo "$(CC) $@"
+	@$(CC) $(LDFLAGS) -o $@ $^ $(OUT)/libhid.a -lm -pthread
 
 # Only port.c includes hidapi.h. For the tests it is compiled with the fake one, for
 # each program apart from that.
@@ -95,6 +101,12 @@ $(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \
 demo-hid: all $(OUT)/planelet-hid-emulated
 	@-$(MAKE) --no-print-directory planelet-hid
 	@PLANELET='$(OUT)/planelet' HID='$(OUT)/planelet-hid' DEMO='$(DEMO)' sh tests/hid/demo.sh
+
+##measure streamdeck-peers: reports of Stream Decks beside an npm package's and Debian's library's
+.PHONY: streamdeck-peers
+streamdeck-peers: all $(OUT)/tests/measure/test_hid_deck_reports
+	@BUILD='$(BUILD)' PROGRAM='$(OUT)/tests/measure/test_hid_deck_reports' \
+	    sh tests/measure/streamdeck_peers.sh
 
 ##test test-hid: the USB bench alone; HID_GROUPS=cross,unplugged picks some of its groups
 .PHONY: test-hid

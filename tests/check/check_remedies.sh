@@ -109,6 +109,8 @@ reports of %u bytes out and %u in are not for the planelet driver (8 to 1024 and
 choose another with --driver | sizes come from Linux's /sys; the driver is chosen in \
 test_hid_remedies
 the display reports error %u (%u); see platform/WIRE.md | something to read: its list of errors
+another program shows pictures on %04x:%04x; stop that one, or choose another display with \
+--device | every system that the tests run on names the process, and that is tried
 no display is plugged in (%u HID devices; --all lists them) | no failure, and list --all is tried
 stopped before the display was back | says what was done; test_hid_session does it
 stopped before the display had answered | likewise

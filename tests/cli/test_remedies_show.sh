@@ -25,6 +25,8 @@ says "--driver: there is none called '%s', planelet-hid list shows them" \
 cured list
 verdict "... the list shows the driver that was meant" "$(grep -q '^  planelet ' out || cat out)"
 cured show good.png --driver planelet
+says "its panel has no gaps; leave out --gaps" show good.png --gaps
+cured show good.png
 for flag in --hold --wait; do
     says "%s takes seconds, 0 or more" show good.png $flag -1
     cured show good.png $flag 0

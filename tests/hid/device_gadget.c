@@ -29,7 +29,8 @@ static void send_inputs(int fd, device *d) {
 
 static void handle_report(device *d, const uint8_t *report, size_t bytes) {
     const model_kind *k = d->model->kind;
-    if (k->feature != NULL && d->no_out && bytes == 1u + k->feature_bytes) {
+    const size_t feature = k->feature_bytes + (k->feature_number != 0);
+    if (k->feature != NULL && d->no_out && bytes == feature) {
         device_feature(d, report, bytes);
     } else {
         device_output(d, report, bytes);

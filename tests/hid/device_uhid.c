@@ -39,8 +39,9 @@ static void handle_event(int fd, device *d, const struct uhid_event *e) {
         device_output(d, e->u.output.data + skip, e->u.output.size - skip);
     } else if (e->type == UHID_SET_REPORT) {
         struct uhid_event answer = {.type = UHID_SET_REPORT_REPLY};
+        const size_t skip = d->model->kind->feature_number == 0 ? 1 : 0;
         answer.u.set_report_reply.id = e->u.set_report.id;
-        device_feature(d, e->u.set_report.data, e->u.set_report.size);
+        device_feature(d, e->u.set_report.data + skip, e->u.set_report.size - skip);
         put_event(fd, &answer);
     } else if (e->type == UHID_GET_REPORT) {
         struct uhid_event answer = {.type = UHID_GET_REPORT_REPLY};

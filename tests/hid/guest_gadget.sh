@@ -72,6 +72,8 @@ $pictures pictures, every pixel" \
 1024 streamdeck-mini 0fd9 0063 240x160 2
 1024 nova 1038 12cb 128x64 5 no_out=1 eager=1
 1024 apex 1038 1618 128x40 5 no_out=1 eager=1
+1024 apex-2023 1038 1628 128x40 5 no_out=1 eager=1
+1024 logitech 046d c21c 160x43 5
 64 planelet 1209 0001 96x70 4 size=96x70 no_out=1
 END
     done

@@ -25,12 +25,16 @@ real_displays() {
         display streamdeck-mini 240x160 usbip $backend 2 speed=high
         display nova 128x64 usbip $backend 5
         display apex 128x40 usbip $backend 5
+        display apex-2023 128x40 usbip $backend 5
+        display logitech 160x43 usbip $backend 5
     done
     # No acknowledgement would bring back what uhid drops when its queue is full.
     display nexus 640x48 uhid hidraw 3 eager=1
     display streamdeck-mini 240x160 uhid hidraw 2 eager=1
     display nova 128x64 uhid hidraw 5
     display apex 128x40 uhid hidraw 5
+    display apex-2023 128x40 uhid hidraw 5
+    display logitech 160x43 uhid hidraw 5
 }
 
 # Our own wire beyond the combinations of guest_cross.sh. 96x70: a tile is cut.
@@ -63,7 +67,7 @@ unplug() { # BACKEND
     until_devices 0
     usleep 250000
     away=$(echo "$(uptime_seconds) $gone" | awk '{ print $1 - $2 }')
-    ./device usbip planelet size=320x240 port=1 >"$scratch/device" 2>&1 &
+    ./device usbip planelet size=320x240 >"$scratch/device" 2>&1 &
     device=$!
     wait $host
     status=$?

@@ -7,12 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host_tools/picture/dither.h"
 #include "platform/wire/wire_format.h"
 #include "tests/hid/pattern.h"
 
-static const model_kind *const kinds[] = {&model_planelet, &model_mini,     &model_nova,
-                                          &model_apex,     &model_nexus,    &model_deck,
-                                          &model_deck_xl,  &model_deck_neo, &model_deck_plus};
+static const model_kind *const kinds[] = {
+    &model_planelet,  &model_mini,    &model_nova,     &model_nova_elite, &model_apex,
+    &model_apex_2023, &model_nexus,   &model_logitech, &model_picolcd,    &model_original,
+    &model_deck,      &model_deck_xl, &model_deck_neo, &model_deck_plus,  &model_corsair_lcd};
 
 const model_kind *model_kind_named(const char *name) {
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
@@ -91,19 +93,33 @@ size_t model_descriptor(const model *m, uint8_t *to) {
     return put(to, at, tail, sizeof tail);
 }
 
+/* A pixel as a panel of fewer bits has it. */
+static void through_bits(const model *m, uint8_t *rgb, unsigned x, unsigned y) {
+    const int lit = dither_is_lit(rgb, x, y);
+    for (unsigned c = 0; c < 3; c++) {
+        rgb[c] = m->kind->bits == 1 ? (lit ? 255 : 0) : dither_six_bits(rgb[c], x, y);
+    }
+}
+
+/* What a Neo does not show: left and right of its window. */
+static void hide_corners(const model *m, uint8_t *rgb) {
+    for (unsigned y = 192; m->kind == &model_deck_neo && y < m->height; y++) {
+        memset(rgb + 3 * (size_t)y * 384, 0, 3 * 96);
+        memset(rgb + 3 * ((size_t)y * 384 + 288), 0, 3 * 96);
+    }
+}
+
 /* Rows of a picture through the panel's format and back. */
 static void through_format(const model *m, uint8_t *rgb) {
     uint8_t row[3 * 1024];
-    const int mono = m->kind == &model_nova || m->kind == &model_apex;
-    const int own = m->kind == &model_planelet;
-    if (!mono && !own) {
-        return;
+    hide_corners(m, rgb);
+    for (unsigned i = 0; m->kind->bits != 0 && i < m->width * m->height; i++) {
+        through_bits(m, rgb + 3 * (size_t)i, i % m->width, i / m->width);
     }
-    const unsigned format = mono ? WIRE_MONO1 : m->format;
-    for (unsigned y = 0; y < m->height; y++) {
+    for (unsigned y = 0; m->kind == &model_planelet && y < m->height; y++) {
         uint8_t *at = rgb + 3 * (size_t)y * m->width;
-        wire_row_from_rgb(row, format, at, m->width, 0, y);
-        wire_row_to_rgb(at, format, row, m->width);
+        wire_row_from_rgb(row, m->format, at, m->width, 0, y);
+        wire_row_to_rgb(at, m->format, row, m->width);
     }
 }
 

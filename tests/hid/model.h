@@ -24,6 +24,7 @@ typedef struct model_kind {
     uint16_t output_bytes, feature_bytes, input_bytes;
     int (*open)(model *m); /* may be NULL */
     int lossy; /* squares of 24x24 pixels may be off by so much, mean of squares of 8-bit values */
+    int bits;  /* of each colour that its pixels keep; 1: lit or not; 0: all, or as they say */
     void (*output)(model *m, const uint8_t *report, size_t bytes);  /* number first, if any */
     void (*feature)(model *m, const uint8_t *report, size_t bytes); /* likewise; may be NULL */
     size_t (*input)(model *m, uint8_t *report, size_t room);        /* likewise; may be NULL */
@@ -49,8 +50,9 @@ struct model {
     void *state; /* the kind's; owned */
 };
 
-extern const model_kind model_planelet, model_mini, model_nova, model_apex, model_nexus;
-extern const model_kind model_deck, model_deck_xl, model_deck_neo, model_deck_plus;
+extern const model_kind model_planelet, model_mini, model_nova, model_nova_elite, model_apex,
+    model_apex_2023, model_nexus, model_logitech, model_picolcd, model_original, model_corsair_lcd,
+    model_deck, model_deck_xl, model_deck_neo, model_deck_plus;
 const model_kind *model_kind_named(const char *name); /* NULL: there is none */
 
 /* The shape is for Planelet panels; 0 means 64x48, RGB565, a panel that cannot

@@ -58,8 +58,20 @@ static void show_key(model *m, const uint8_t *pixels, unsigned key) {
     }
 }
 
+static int ends_image(const uint8_t *r, size_t bytes) {
+    unsigned other = 0;
+    for (size_t i = 1; i < bytes; i++) {
+        other |= r[i];
+    }
+    return bytes == 1024 && r[0] == 2 && other == 0;
+}
+
 static void mini_output(model *m, const uint8_t *r, size_t bytes) {
     mini *d = m->state;
+    if (ends_image(r, bytes)) {
+        d->next = PAGES;
+        return;
+    }
     if (bytes != 1024 || r[0] != 2 || r[1] != 1 || r[3] != 0 || r[5] < 1 || r[5] > KEYS) {
         model_breach(m, "not an image report of 1024 bytes");
         return;

@@ -52,11 +52,13 @@ static void nexus_output(model *m, const uint8_t *r, size_t bytes) {
 }
 
 static void nexus_feature(model *m, const uint8_t *r, size_t bytes) {
-    if (bytes != 32 || r[0] != 3 || r[1] != 1 || r[2] > 100) {
-        model_breach(m, "not a brightness report of 32 bytes");
-        return;
+    if (bytes == 32 && r[0] == 3 && r[1] == 1 && r[2] <= 100) {
+        m->brightness = r[2];
+    } else if (bytes == 32 && r[0] == 3 && r[1] == 0x0D && r[2] == 1 && r[3] == 1) {
+        m->releases++;
+    } else {
+        model_breach(m, "a feature report that is neither brightness nor return");
     }
-    m->brightness = r[2];
 }
 
 const model_kind model_nexus = {.name = "nexus",
@@ -64,6 +66,7 @@ const model_kind model_nexus = {.name = "nexus",
                                 .id = 0x1B8E,
                                 .width = WIDTH,
                                 .height = HEIGHT,
+                                .bits = 6,
                                 .output_number = 2,
                                 .feature_number = 3,
                                 .input_number = 1,

@@ -10,12 +10,12 @@
 #include "tests/hid/model.h"
 #include "tests/reference/jpeg_decode.h"
 
-enum { ROOM = 200000, STRIP = 255 };
+enum { ROOM = 200000, LOWER = 255 };
 
 typedef struct deck {
     uint8_t file[ROOM];
     size_t bytes;
-    unsigned part, key; /* due next; the key that is being sent, or STRIP */
+    unsigned part, key; /* due next; the key that is being sent, or LOWER */
 } deck;
 
 static int deck_open(model *m) {
@@ -29,6 +29,10 @@ static unsigned u16(const uint8_t *p) {
 
 static int has_strip(const model *m) {
     return m->kind->height == 300;
+}
+
+static int has_window(const model *m) {
+    return m->kind->height == 237;
 }
 
 static unsigned side_of(const model *m) {
@@ -56,6 +60,18 @@ static void show_strip(model *m, const jpeg_decoded *d) {
     }
 }
 
+/* The window's pixels, which lie upside down, in the middle of what a pixel of the picture's middle
+ * half covers. */
+static void show_window(model *m, const jpeg_decoded *d) {
+    memset(m->rgb + 3 * 192 * 384, 0, 3 * 45 * 384);
+    for (unsigned y = 0; y < 45; y++) {
+        for (unsigned x = 0; x < 192; x++) {
+            rgb_at(d, 247 - (2 * x + 1) * 248 / 384, 57 - (2 * y + 1) * 58 / 90,
+                   m->rgb + 3 * ((192 + y) * 384 + 96 + x));
+        }
+    }
+}
+
 static void show_key(model *m, const jpeg_decoded *d, unsigned key) {
     const unsigned side = side_of(m), columns = m->kind->width / side;
     for (unsigned y = 0; y < side; y++) {
@@ -69,12 +85,13 @@ static void show_key(model *m, const jpeg_decoded *d, unsigned key) {
 
 static void show(model *m, const deck *k) {
     jpeg_decoded d = jpeg_decode(k->file, k->bytes);
-    const unsigned width = k->key == STRIP ? 800 : side_of(m);
-    const unsigned height = k->key == STRIP ? 100 : side_of(m);
+    const int is_lower = k->key == LOWER;
+    const unsigned width = !is_lower ? side_of(m) : has_strip(m) ? 800 : 248;
+    const unsigned height = !is_lower ? side_of(m) : has_strip(m) ? 100 : 58;
     if (d.trouble != NULL || d.width != width || d.height != height) {
         model_breach(m, d.trouble != NULL ? d.trouble : "a JPEG file of another size");
-    } else if (k->key == STRIP) {
-        show_strip(m, &d);
+    } else if (is_lower) {
+        (has_strip(m) ? show_strip : show_window)(m, &d);
     } else {
         show_key(m, &d, k->key);
     }
@@ -119,9 +136,11 @@ static void deck_output(model *m, const uint8_t *r, size_t bytes) {
         take(m, r[2], u16(r + 6), r[3], r + 8, u16(r + 4), 1016);
     } else if (bytes == 1024 && r[0] == 2 && r[1] == 0x0C && has_strip(m) && u16(r + 2) == 0 &&
                u16(r + 4) == 0 && u16(r + 6) == 800 && u16(r + 8) == 100 && r[15] == 0) {
-        take(m, STRIP, u16(r + 11), r[10], r + 16, u16(r + 13), 1008);
+        take(m, LOWER, u16(r + 11), r[10], r + 16, u16(r + 13), 1008);
+    } else if (bytes == 1024 && r[0] == 2 && r[1] == 0x0B && has_window(m) && r[2] == 0) {
+        take(m, LOWER, u16(r + 6), r[3], r + 8, u16(r + 4), 1016);
     } else {
-        model_breach(m, "not a report of 1024 bytes for a key, or for a strip that is there");
+        model_breach(m, "not a report of 1024 bytes for a key, or for what is below them");
     }
 }
 
@@ -145,5 +164,5 @@ static void deck_feature(model *m, const uint8_t *r, size_t bytes) {
 
 const model_kind model_deck = DECK("streamdeck", 0x0080, 360, 216);
 const model_kind model_deck_xl = DECK("streamdeck-xl", 0x008F, 768, 384);
-const model_kind model_deck_neo = DECK("streamdeck-neo", 0x009A, 384, 192);
+const model_kind model_deck_neo = DECK("streamdeck-neo", 0x009A, 384, 237);
 const model_kind model_deck_plus = DECK("streamdeck-plus", 0x0084, 480, 300);

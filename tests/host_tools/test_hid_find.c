@@ -1,6 +1,10 @@
 /* test_hid_find - which display is meant, among several devices
  *
  * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "host_tools/hid/device/find.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "tests/reference/fake_hidapi.h"
@@ -72,8 +76,148 @@ static void interfaces(void) {
     CHECK(by != NULL && info.interface == 1, "%s", f.text);
 }
 
+static void many(void) {
+    static char paths[70][20];
+    static fake_device others[70];
+    fail f = {""};
+    port_info info;
+    const find_wish any = {drivers, NULL, NULL}, named = {drivers, "/dev/fake0", NULL};
+    test("a display behind 70 other devices is found, by itself and by its path");
+    fake_bus_reset();
+    for (unsigned i = 0; i < 70; i++) {
+        snprintf(paths[i], sizeof paths[i], "/dev/other%u", i);
+        others[i] = (fake_device){.path = paths[i], .vendor = 0x046D, .product = 0xC548};
+        fake_plug(i, &others[i]);
+    }
+    fake_plug(70, &one);
+    CHECK(find_display(&any, &info, &f) != NULL && strcmp(info.path, one.path) == 0, "%s", f.text);
+    CHECK(find_display(&named, &info, &f) != NULL && strcmp(info.path, one.path) == 0, "%s",
+          f.text);
+    port_info *list;
+    const unsigned count = port_list(&list);
+    CHECK(count == 71 && list[0].equals == 69 && list[70].equals == 0, "%u devices", count);
+    free(list);
+}
+
+static void collections(void) {
+    port_info *list;
+    fake_device several = one;
+    test("a device of three collections is listed once, and is not its own neighbour");
+    several.collections = 3;
+    fake_bus_reset();
+    fake_plug(0, &several);
+    const unsigned count = port_list(&list);
+    CHECK(count == 1 && list[0].equals == 0, "%u devices", count);
+    free(list);
+}
+
+/* ---- the same one again ----------------------------------------------------------------- */
+
+typedef struct twin {
+    const char *path, *place;
+    const wchar_t *serial;
+    int interface;
+} twin;
+
+static void plug(unsigned socket, const twin *t) {
+    static fake_device devices[2];
+    devices[socket] = one;
+    devices[socket].path = t->path;
+    devices[socket].place = t->place;
+    devices[socket].serial = t->serial;
+    devices[socket].interface = t->interface;
+    fake_plug(socket, &devices[socket]);
+}
+
+/* Whether `now` is the one that was `then`, wished for by `device`; `beside`: another was there,
+ * and both went. */
+static int is_again(const char *device, const twin *then, const twin *beside, const twin *now) {
+    fail f = {""};
+    port_info info;
+    const find_wish wish = {drivers, device, NULL};
+    fake_bus_reset();
+    plug(0, then);
+    if (beside != NULL) {
+        plug(1, beside);
+    }
+    CHECK(find_display(&wish, &info, &f) != NULL, "%s", f.text);
+    CHECK(strcmp(info.path, then->path) == 0, "%s", info.path);
+    fake_bus_reset();
+    CHECK(!find_again(&wish, &info), "nothing is there");
+    plug(0, now);
+    const int is_found = find_again(&wish, &info);
+    CHECK(!is_found || strcmp(info.path, now->path) == 0, "%s", info.path);
+    return is_found;
+}
+
+static void again(void) {
+    static const twin a = {"/dev/a", "1-2", NULL, 0}, elsewhere = {"/dev/a", "1-3", NULL, 0};
+    static const twin renamed = {"/dev/b", "1-2", NULL, 0}, beside = {"/dev/b", "1-3", NULL, 0};
+    static const twin other_serial = {"/dev/a", "1-2", L"S", 0};
+    static const twin other_interface = {"/dev/a", "1-2", NULL, 1};
+    test("a display whose port is known is the one at that port, whatever its path is now");
+    CHECK(is_again(NULL, &a, NULL, &a) && is_again(NULL, &a, NULL, &renamed), "refused");
+    CHECK(is_again("/dev/a", &a, &beside, &renamed), "refused by path");
+    CHECK(!is_again(NULL, &a, NULL, &elsewhere), "another port");
+    CHECK(!is_again("/dev/a", &a, NULL, &elsewhere), "another port, by path");
+    CHECK(!is_again(NULL, &a, NULL, &other_serial), "another serial number");
+    CHECK(!is_again(NULL, &a, NULL, &other_interface), "another interface");
+
+    static const twin u = {"/dev/a", NULL, L"S", 0}, moved = {"/dev/b", NULL, L"S", 0};
+    test("where ports are not known: at its path, or elsewhere if it was alone and not named so");
+    CHECK(is_again(NULL, &u, NULL, &u) && is_again(NULL, &u, NULL, &moved), "refused");
+    CHECK(is_again("/dev/a", &u, NULL, &u) && !is_again("/dev/a", &u, NULL, &moved), "by path");
+    CHECK(is_again(NULL, &u, &moved, &u) && !is_again(NULL, &u, &moved, &moved), "beside another");
+}
+
+/* ---- ports -------------------------------------------------------------------------------- */
+
+static void is_placed(const char *path, const char *expected) {
+    char place[PLACE_BYTES];
+    place_in(TEST_FOLDER "sys", path, place);
+    CHECK(strcmp(place, expected) == 0, "%s: '%s'", path, place);
+}
+
+static void link_hidraw(const char *name, const char *target) {
+    char path[300];
+    snprintf(path, sizeof path, TEST_FOLDER "sys/class/hidraw/%s", name);
+    remove(path);
+    CHECK(symlink(target, path) == 0, "%s", path);
+}
+
+static void places(void) {
+    test("the port is that of the last interface in /sys, or of a path of libusb");
+    mkdir(TEST_FOLDER, 0777);
+    mkdir(TEST_FOLDER "sys", 0777);
+    mkdir(TEST_FOLDER "sys/class", 0777);
+    mkdir(TEST_FOLDER "sys/class/hidraw", 0777);
+    link_hidraw("hidraw3",
+                "../../devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2.4/1-2.4:1.1/"
+                "0003:1038:1618.0007/hidraw/hidraw3");
+    link_hidraw("hidraw4", "../../devices/virtual/misc/uhid/0003:1209:0001.0001/hidraw/hidraw4");
+    link_hidraw("hidraw5",
+                "../../devices/platform/vhci_hcd.0/usb3/3-1/3-1:1.0/0003/hidraw/hidraw5");
+    is_placed("/dev/hidraw3", "1-2.4");
+    is_placed("/dev/hidraw4", "");
+    is_placed("/dev/hidraw5", "3-1");
+    is_placed("/dev/hidraw6", "");
+    is_placed("1-2.4.1:1.0", "1-2.4.1");
+    is_placed("10-12:1.10", "10-12");
+    static const char *const others[] = {
+        "0001:0004:00", "1-2.:1.0", "1-:1.0",    "-2:1.0", "1-2:1",
+        "1-2:1.0x",     "1-2",      "DevSrvsID", "",       "1-2.4"};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        is_placed(others[i], "");
+    }
+    is_placed("1-2.3333333333333333333333333333333333333333333333333333333333333333:1.0", "");
+}
+
 int main(void) {
     finding();
     interfaces();
+    many();
+    collections();
+    again();
+    places();
     return test_done();
 }

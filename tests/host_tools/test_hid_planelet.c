@@ -6,6 +6,8 @@
  * tile, each of which must be that of one of the pictures (W3).
  *
  * SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
 #include "host_tools/hid/device/session.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire_format.h"
@@ -84,10 +86,11 @@ static void free_bench(bench *b) {
 
 /* As display_open, but reports have the model's size, not the system's. */
 static int open_display(bench *b, display *d, fail *f) {
-    port_info info;
-    CHECK(port_list(&info, 1) == 1, "it is on the bus");
+    port_info *info;
+    CHECK(port_list(&info) == 1, "it is on the bus");
     *d = (display){.by = &driver_planelet, .reports = {b->report_bytes, b->in_bytes}};
-    d->port = port_open(&info, f);
+    d->port = port_open(info, f);
+    free(info);
     const int status = d->by->open(d, f);
     CHECK(status == DISPLAY_OK && d->width == 70 && d->height == 50, "%d: %s", status, f->text);
     return status;

@@ -6,8 +6,10 @@
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/device/lock.h"
 #include "host_tools/hid/device/session.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "platform/wire/wire.h"
@@ -134,19 +136,24 @@ static void finding(void) {
     says(&f,
          "no such device among %u; see planelet-hid list --all for paths, vid:pid and "
          "serial numbers");
-    port_info list[2];
+    port_info *list;
     char ids[12];
-    CHECK(port_list(list, 2) == 2, "both are listed");
+    CHECK(port_list(&list) == 2, "both are listed");
     snprintf(ids, sizeof ids, "%04x:%04x", list[1].vendor, list[1].id);
     CHECK(opens(list[1].path, NULL, &f) && opens(ids, NULL, &f), "%s", f.text);
     CHECK(opens(list[1].serial, NULL, &f), "%s", f.text);
+    free(list);
     model_free(nexus);
 }
 
 /* ---- opening ------------------------------------------------------------------------- */
 
 static void opening(void) {
+    static const char node[] = TEST_FOLDER "test_hid_remedies.node";
     fail f;
+    mkdir(TEST_FOLDER, 0777);
+    FILE *file = fopen(node, "wb");
+    CHECK(file != NULL && fclose(file) == 0, "%s", node);
     model *nexus = model_make(&model_nexus, (model_shape){0});
     fake_device device = device_of(&nexus, "/dev/hidraw-none");
 
@@ -160,12 +167,31 @@ static void opening(void) {
     CHECK(opens(NULL, NULL, &f), "%s", f.text);
 
     test("it cannot be opened: close other programs that use it");
-    device.path = "/dev/null"; /* there, and permitted */
+    device.path = node; /* there, and permitted */
     fake_bus.denied = 1;
     CHECK(!opens(NULL, NULL, &f), "opened");
     says(&f, "cannot open %04x:%04x; close other programs that use it, or plug it in again");
     fake_bus.denied = 0;
     CHECK(opens(NULL, NULL, &f), "%s", f.text);
+
+    test("another program shows on it: stop that one, or choose another with --device");
+    long holder;
+    fake_device beside = device;
+    beside.path = "1-2:1.0";
+    fake_plug(1, &beside);
+    for (int stops = 0; stops < 2; stops++) {
+        const int lock = lock_take(node, &holder);
+        CHECK(lock >= 0 && !opens(NULL, NULL, &f), "opened");
+        says(&f,
+             "process %ld shows pictures on %04x:%04x; stop that one, or choose another display "
+             "with --device");
+        if (!stops) {
+            CHECK(opens(beside.path, NULL, &f), "%s", f.text);
+        }
+        lock_release(lock);
+        CHECK(opens(NULL, NULL, &f), "%s", f.text);
+    }
+    remove(node);
 
     test("it goes while it is opened: plug it in again");
     fake_bus_reset();
@@ -321,14 +347,14 @@ static void showing(void) {
     fake_device device = device_of(&panel, "1-1:1.0");
     device.plugged = change_panel;
 
-    test("it did not come back in time: plug it in");
+    test("it did not come back in time: plug it in where it was");
     fake_bus_reset();
     fake_plug(0, &device);
     session s = wish_for(NULL, NULL, -1);
     CHECK(session_open(&s, &f) == 0 && shows(&s, &f), "%s", f.text);
     fake_unplug(0);
     CHECK(!shows(&s, &f), "shown");
-    says(&f, "the display did not come back in %g seconds; plug it in");
+    says(&f, "the display did not come back in %g seconds; plug it in where it was");
     fake_plug(0, &device);
     start_again(&s);
 

@@ -217,6 +217,47 @@ static void barred(void) {
     close_bench(&b);
 }
 
+/* The tick as a program that shows a still picture does it. */
+static int rest(bench *b, double seconds) {
+    const double end = clock_seconds() + seconds;
+    int status = 0;
+    while (status == 0 && clock_seconds() < end) {
+        status = session_tick(&b->session);
+        clock_sleep(0.004);
+    }
+    return status;
+}
+
+static void is_renewed(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    open_bench(&b, kind);
+    CHECK(show(&b, 1, &f) == 0 && session_confirm(&b.session, &f) == 0, "%s", f.text);
+    memset(b.model->rgb, 0x55, 3 * (size_t)b.model->width * b.model->height);
+    CHECK(rest(&b, 1.9) == 0 && model_shows_pattern(b.model, 1, 1) == 1, "%s", kind->name);
+    const uint64_t before = fake_bus.outputs + fake_bus.features;
+    rest(&b, 1.5);
+    const unsigned sent = (unsigned)(fake_bus.outputs + fake_bus.features - before);
+    CHECK(sent <= 130, "%s: %u reports in 1.5 s", kind->name, sent); /* a Nexus has 121 */
+    close_bench(&b);
+}
+
+static void unplugged_at_rest(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    open_bench(&b, kind);
+    CHECK(show(&b, 1, &f) == 0 && session_confirm(&b.session, &f) == 0, "%s", f.text);
+    fake_unplug(0);
+    b.session.patience = 0.3;
+    CHECK(rest(&b, 2.0) != 0, "%s: nobody noticed", kind->name);
+    CHECK(show(&b, 2, &f) != 0 && strstr(f.text, "did not come back"), "%s: %s", kind->name,
+          f.text);
+    fake_plug(0, &b.device);
+    CHECK(show(&b, 2, &f) == 0 && model_shows_pattern(b.model, 2, 1) == 2, "%s: %s", kind->name,
+          f.text);
+    close_bench(&b);
+}
+
 static void no_brightness(void) {
     fail f = {""};
     test("brightness of a display that has none is an error that says so");
@@ -224,6 +265,7 @@ static void no_brightness(void) {
     open_bench(&b, &model_nova);
     session_close(&b.session);
     fake_device apex = b.device;
+    apex.path = "1-2:1.0";
     apex.product = model_apex.id;
     apex.interface = 1;
     fake_plug(1, &apex);
@@ -262,6 +304,14 @@ int main(void) {
     stops_sending(&model_nexus);
     stops_sending(&model_mini);
     barred();
+    test("a panel that lost its picture is whole again in two seconds, though nothing changes");
+    for (unsigned i = 0; i < KINDS; i++) {
+        is_renewed(kinds[i]);
+    }
+    test("a display that is unplugged while a picture stays is waited for, and the reason is kept");
+    for (unsigned i = 0; i < KINDS; i++) {
+        unplugged_at_rest(kinds[i]);
+    }
     no_brightness();
     return test_done();
 }

@@ -40,6 +40,10 @@ static void shaded(picture *p, unsigned turn) {
             rgb[2] = (uint8_t)(inside ? 90 + turn : 120);
         }
     }
+    for (unsigned y = 192; p->height == 237 && y < 237; y++) { /* beside a Neo's window */
+        memset(p->rgb + 3 * (size_t)y * p->width, 0, 3 * 96);
+        memset(p->rgb + 3 * ((size_t)y * p->width + 288), 0, 3 * 96);
+    }
 }
 
 static void near_enough(const model_kind *kind) {
@@ -89,11 +93,12 @@ static void changes(const model_kind *kind) {
     for (unsigned i = 0; i < record.count; i++) {
         CHECK(record.bytes[i][1] == 7 && record.bytes[i][2] == 0, "not key 0");
     }
-    b.shown.rgb[3 * b.shown.width * b.shown.height - 1] ^= 0xFF;
+    const unsigned last = b.shown.width * b.shown.height - 1;
+    const unsigned command = kind == &model_deck_plus ? 0x0C : kind == &model_deck_neo ? 0x0B : 7;
+    b.shown.rgb[3 * (kind == &model_deck_neo ? last - 96 : last)] ^= 0xFF;
     CHECK(show(&b) == DISPLAY_OK, "the last pixel");
     CHECK(b.model->changes == changed + 2, "%u changes", b.model->changes - changed);
-    CHECK(record.count > 0 && record.bytes[0][1] == (kind == &model_deck_plus ? 0x0C : 7), "%02x",
-          record.bytes[0][1]);
+    CHECK(record.count > 0 && record.bytes[0][1] == command, "%02x", record.bytes[0][1]);
     close_bench(&b);
 }
 
@@ -110,7 +115,9 @@ static void budget(const model_kind *kind) {
     const unsigned side = kind->width == 360 ? 72 : kind->height == 300 ? 120 : 96;
     const unsigned keys = kind->width / side * (kind->height / side);
     const unsigned most = keys * ((side * side * 3 / 2 + 1015) / 1016) +
-                          (kind->height == 300 ? (800 * 100 * 3 / 2 + 1007) / 1008 : 0);
+                          (kind->height == 300   ? (800 * 100 * 3 / 2 + 1007) / 1008
+                           : kind->height == 237 ? (248 * 58 * 3 / 2 + 1015) / 1016
+                                                 : 0);
     CHECK(record.count <= most && record.count > keys, "%u reports of %u", record.count, most);
     close_bench(&b);
 }
@@ -172,6 +179,21 @@ static void head_bytes(void) {
               "part %u", part);
         CHECK(part == 2 ? bytes < 1008 : bytes == 1008, "%u bytes in part %u", bytes, part);
     }
+    close_bench(&b);
+    test("streamdeck-neo: the window is a file of 248x58 with the bytes of the notes");
+    open_bench(&b, &model_deck_neo);
+    memset(b.shown.rgb, 90, (size_t)3 * b.shown.width * b.shown.height);
+    CHECK(show(&b) == DISPLAY_OK, "grey");
+    const uint8_t *r = record.bytes[8], *end = record.bytes[9];
+    const unsigned bytes = end[4] + 256u * end[5];
+    CHECK(record.count == 10, "%u reports", record.count);
+    CHECK(memcmp(r, "\2\13\0\0\370\3\0\0\377\330", 10) == 0, "the first report");
+    CHECK(memcmp(end, "\2\13\0\1", 4) == 0 && end[6] == 1 && end[7] == 0, "the second");
+    CHECK(end[8 + bytes - 2] == 0xFF && end[8 + bytes - 1] == 0xD9, "no end");
+    test("streamdeck-neo: what is beside the window is not sent");
+    b.shown.rgb[3 * ((size_t)200 * 384 + 95)] = 0;
+    b.shown.rgb[3 * ((size_t)200 * 384 + 288)] = 0;
+    CHECK(show(&b) == DISPLAY_OK && record.count == 0, "%u reports", record.count);
     close_bench(&b);
 }
 
@@ -272,6 +294,7 @@ int main(void) {
         features(kinds[i]);
         keys(kinds[i]);
     }
+    near_enough(&model_corsair_lcd);
     dials();
     head_bytes();
     return test_done();

@@ -1,9 +1,11 @@
-/* test_jpeg_files [FOLDER SIDE | PICTURE.png TIMES] - JPEG files for other decoders, and their cost
+/* test_jpeg_files [FOLDER SIDE | PICTURE.png TIMES | SAMPLING] - JPEG files for other decoders, and
+ * their cost
  *
  * With a folder: writes a picture of each size up to SIDE x SIDE in every sampling, by turns of all
  * qualities, as WIDTHxHEIGHT-SAMPLING.jpg. With a picture: encodes it TIMES times and prints what a
- * pixel costs, and the size in each sampling at qualities 50, 75 and 90. Without arguments it
- * encodes one that it makes.
+ * pixel costs, and the size in each sampling at qualities 50, 75 and 90. With a sampling, 0 to 2,
+ * it encodes what tests/boards/jpeg.c does, and prints its hash. Without arguments it encodes a
+ * picture that it makes.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdio.h>
@@ -13,6 +15,7 @@
 #include "host_tools/base/input.h"
 #include "host_tools/picture/jpeg.h"
 #include "host_tools/picture/png.h"
+#include "tests/boards/jpeg_picture.h"
 #include "tests/test.h"
 
 static const char *const names[JPEG_SAMPLINGS] = {"444", "422", "420"};
@@ -70,12 +73,27 @@ static void costs(const picture *p, unsigned times) {
     free(file);
 }
 
+/* For a tool that counts instructions of jpeg_write. */
+static void as_boards_do(jpeg_sampling sampling) {
+    static uint8_t rgb[3 * JPEG_PICTURE_SIDE * JPEG_PICTURE_SIDE], file[sizeof rgb];
+    const picture p = {rgb, JPEG_PICTURE_SIDE, JPEG_PICTURE_SIDE};
+    test("the picture of boards is encoded");
+    jpeg_picture_fill(rgb);
+    const size_t bytes = jpeg_write(&p, sampling, JPEG_PICTURE_QUALITY, file, sizeof file);
+    CHECK(bytes <= sizeof file, "%zu", bytes);
+    printf("hash %08x\n", (unsigned)jpeg_picture_hash(file, bytes));
+}
+
 int main(int argc, char **argv) {
     picture p = {0};
     fail f = {0};
     input in = {0};
     if (argc == 3 && strtoul(argv[2], NULL, 10) > 0 && strstr(argv[1], ".png") == NULL) {
         all_sizes(argv[1], (unsigned)strtoul(argv[2], NULL, 10));
+        return test_done();
+    }
+    if (argc == 2) {
+        as_boards_do((jpeg_sampling)(argv[1][0] - '0'));
         return test_done();
     }
     if (argc == 3) {

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/device/place.h"
 #include "tests/reference/fake_hidapi/hidapi.h"
 
 struct fake_bus fake_bus;
@@ -53,6 +54,9 @@ void fake_unplug(unsigned socket) {
 
 /* The clock brings back what was unplugged. */
 static void pass_time(void) {
+    if (fake_bus.passes != NULL) {
+        fake_bus.passes(fake_bus.context);
+    }
     if (inside.away != NULL && fake_bus.replug_ms > 0 && now_ms() >= inside.back_ms) {
         const fake_device *device = inside.away;
         inside.away = NULL;
@@ -122,8 +126,10 @@ struct hid_device_info *hid_enumerate(unsigned short vendor_id, unsigned short p
         const fake_device *d = fake_bus.device[i];
         if (is_visible(i) && (vendor_id == 0 || vendor_id == d->vendor) &&
             (product_id == 0 || product_id == d->product)) {
-            *last = describe(d);
-            last = &(*last)->next;
+            for (unsigned k = 0; k < d->collections + (d->collections == 0); k++) {
+                *last = describe(d);
+                last = &(*last)->next;
+            }
         }
     }
     return first;
@@ -138,6 +144,16 @@ void hid_free_enumeration(struct hid_device_info *list) {
         free(list->product_string);
         free(list);
         list = next;
+    }
+}
+
+void place_of(const char *path, char place[PLACE_BYTES]) {
+    place_in("/none", path, place);
+    for (unsigned i = 0; i < FAKE_DEVICES; i++) {
+        const fake_device *d = fake_bus.device[i];
+        if (d != NULL && d->place != NULL && strcmp(d->path, path) == 0) {
+            memcpy(place, d->place, strlen(d->place) + 1);
+        }
     }
 }
 
@@ -177,7 +193,14 @@ static int one_in(unsigned n, uint64_t count) {
     return n > 0 && (mixed >> 40) % n == 0;
 }
 
+static void before_report(void) {
+    if (fake_bus.before != NULL) {
+        fake_bus.before(fake_bus.context);
+    }
+}
+
 int hid_write(hid_device *h, const unsigned char *data, size_t length) {
+    before_report();
     const fake_device *d = behind(h);
     fake_bus.wrong += length == 0;
     if (d == NULL || length == 0) {
@@ -202,6 +225,7 @@ int hid_write(hid_device *h, const unsigned char *data, size_t length) {
 }
 
 int hid_send_feature_report(hid_device *h, const unsigned char *data, size_t length) {
+    before_report();
     const fake_device *d = behind(h);
     if (d == NULL || d->feature == NULL) {
         return -1;

@@ -17,6 +17,8 @@
  * number of numbered ones first; unnumbered ones have none. */
 typedef struct fake_device {
     const char *path;
+    const char *place;    /* NULL: what a path of libusb says, else it is not known */
+    unsigned collections; /* each has an entry; 0: as 1 */
     unsigned short vendor, product, usage_page;
     int interface;
     const wchar_t *serial, *maker, *name; /* NULL: not known */
@@ -28,7 +30,7 @@ typedef struct fake_device {
     void (*plugged)(void *context, int in);                       /* may be NULL */
 } fake_device;
 
-enum { FAKE_DEVICES = 8 };
+enum { FAKE_DEVICES = 80 };
 
 extern struct fake_bus {
     const fake_device *device[FAKE_DEVICES]; /* NULL: an empty socket */
@@ -45,8 +47,12 @@ extern struct fake_bus {
                                * failed; 0: never */
     unsigned slow_us;         /* every write takes so long */
     int denied;               /* enumeration shows devices, no open works */
-    uint64_t unplug_after;    /* so many reports from now the first device goes; 0: never */
-    uint64_t replug_ms;       /* ... and comes back so much later; 0: never */
+    /* Before each output or feature report, of whatever device; and whenever time may have passed.
+     * Both may be NULL. */
+    void (*before)(void *context), (*passes)(void *context);
+    void *context;         /* for them */
+    uint64_t unplug_after; /* so many reports from now the first device goes; 0: never */
+    uint64_t replug_ms;    /* ... and comes back so much later; 0: never */
 
     uint64_t outputs, features, reads, opens, enumerations; /* counted */
     int alive, open;                                        /* hid_init called; devices open */

@@ -7,7 +7,8 @@
 
 static int drives(const driver_id *id, const port_info *info) {
     return id->vendor == info->vendor && id->id == info->id &&
-           (id->interface == info->interface || info->interface < 0);
+           (id->interface == info->interface || info->interface < 0 ||
+            id->interface == DRIVER_ANY_INTERFACE);
 }
 
 const driver *driver_for(const driver *const *drivers, const port_info *info) {
@@ -40,6 +41,16 @@ int display_hear(display *d, void (*take)(display *d, const uint8_t *report, siz
         take(d, report, (size_t)bytes);
     }
     return DISPLAY_OK;
+}
+
+static void ignore(display *d, const uint8_t *report, size_t bytes) {
+    (void)d;
+    (void)report;
+    (void)bytes;
+}
+
+int display_tick(display *d) {
+    return d->by->tick != NULL ? d->by->tick(d) : display_hear(d, ignore);
 }
 
 int display_status(int port_status) {

@@ -36,6 +36,7 @@ typedef struct display {
     const driver *by;
     port *port;
     unsigned width, height; /* of the panel; set by driver.open */
+    unsigned pieces;        /* of driver.forget; likewise */
     report_sizes reports;
     const volatile sig_atomic_t *stop; /* may be NULL: set from outside, to wait no longer */
     double stopped;                    /* clock: when a driver first saw it set; 0: not yet */
@@ -49,19 +50,35 @@ typedef struct driver_id {
     int interface; /* of several; a device whose interface is not known matches any */
 } driver_id;
 
+enum { DRIVER_ANY_INTERFACE = -1 /* of a driver_id: it is not known which */ };
+
+/* Keys that are a picture together, and what one that goes on behind the frame around them has
+ * between two of them. Below the last row there may be more of the picture. */
+typedef struct key_grid {
+    unsigned columns, rows, side; /* pixels */
+    unsigned gap_x, gap_y;
+} key_grid;
+
 struct driver {
     const char *name;        /* "nexus" */
     const char *about;       /* "Corsair iCUE Nexus, 640x48" */
     const driver_id *ids;    /* ended by vendor 0 */
     int from_notes;          /* DISPLAY_DISCLAIMER is true of it */
     const display_key *keys; /* ended by a name of NULL; NULL: it has none that are known */
+    const key_grid *grid;    /* NULL: the panel has no gaps, or none that are known */
 
-    /* `display` holds port, driver, reports and stop, the rest is zero. Fills it. */
+    /* `display` holds port, driver, reports and stop, the rest is zero. Fills it. What another
+     * program may have left unfinished on the device is reset here. */
     int (*open)(display *d, fail *f);
 
     /* Shows a picture of the panel's size: returns when the last of it
      * was handed over and the next may come. `p` is not kept. */
     int (*show)(display *d, const picture *p, fail *f);
+
+    /* Of a driver whose `show` leaves out what has not changed (keys): the next `show` sends piece
+     * 0 .. d->pieces - 1 in any case. NULL: `show` sends everything. */
+    void (*forget)(display *d, unsigned piece);
+    int renews; /* sends parts again by itself, in `tick`: nobody has to for it */
 
     /* NULL where there is none: */
     int (*confirm)(display *d, fail *f); /* until the device has confirmed the picture */
@@ -89,6 +106,9 @@ int display_is_stopped(display *d);
 /* For driver.tick: what has come, a report at a time (its number first), but no more than 32 of
  * them: a device that never stops is not listened to for ever. */
 int display_hear(display *d, void (*take)(display *d, const uint8_t *report, size_t bytes));
+
+/* driver.tick, or, for a driver that has none, whether the device is still there. */
+int display_tick(display *d);
 
 /* The display_status for a port_status. A report that was cut leaves the device in
  * the middle of a frame; like an unplug it is DISPLAY_GONE, and the display is closed

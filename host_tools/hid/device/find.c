@@ -4,6 +4,7 @@
 #include "host_tools/hid/device/find.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int is_named(const port_info *info, const char *device) {
@@ -53,9 +54,8 @@ static int say_none(const find_wish *wish, unsigned count, const port_info *othe
                     count);
 }
 
-const driver *find_display(const find_wish *wish, port_info *info, fail *f) {
-    port_info list[FIND_ROOM];
-    const unsigned count = port_list(list, FIND_ROOM);
+static const driver *find_among(const find_wish *wish, const port_info *list, unsigned count,
+                                port_info *info, fail *f) {
     const port_info *other = NULL;
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < count; i++) {
@@ -74,16 +74,36 @@ const driver *find_display(const find_wish *wish, port_info *info, fail *f) {
     return NULL;
 }
 
-int find_again(port_info *info) {
-    port_info list[FIND_ROOM];
-    const unsigned count = port_list(list, FIND_ROOM);
-    for (unsigned i = 0; i < count; i++) {
-        const port_info *p = &list[i];
-        if (p->vendor == info->vendor && p->id == info->id && p->interface == info->interface &&
-            strcmp(p->serial, info->serial) == 0) {
-            *info = *p;
-            return 1;
+const driver *find_display(const find_wish *wish, port_info *info, fail *f) {
+    port_info *list;
+    const unsigned count = port_list(&list);
+    const driver *by = find_among(wish, list, count, info, f);
+    free(list);
+    return by;
+}
+
+/* Whether `now`, an equal device, is at a place or path where only the one that was `info` can be.
+ */
+static int is_where_it_was(const find_wish *wish, const port_info *info, const port_info *now) {
+    if (info->place[0] != '\0') {
+        return strcmp(now->place, info->place) == 0;
+    }
+    const int by_path = wish->device != NULL && strcmp(wish->device, info->path) == 0;
+    return strcmp(now->path, info->path) == 0 ||
+           (!by_path && info->equals == 0 && now->equals == 0);
+}
+
+int find_again(const find_wish *wish, port_info *info) {
+    port_info *list;
+    const unsigned count = port_list(&list), equals = info->equals;
+    int is_there = 0;
+    for (unsigned i = 0; i < count && !is_there; i++) {
+        is_there = port_is_equal(&list[i], info) && is_where_it_was(wish, info, &list[i]);
+        if (is_there) {
+            *info = list[i];
+            info->equals = list[i].equals > equals ? list[i].equals : equals;
         }
     }
-    return 0;
+    free(list);
+    return is_there;
 }

@@ -19,6 +19,7 @@
 #include <wchar.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/device/lock.h"
 
 enum { KEPT_BYTES = 64 };
 
@@ -28,6 +29,7 @@ static const double LATE = 0.1;
 
 struct port {
     hid_device *device;
+    int lock;
     port_statistics statistics;
     uint8_t kept[KEPT_BYTES]; /* an input report that came when nobody asked for one */
     int kept_bytes;
@@ -67,19 +69,50 @@ static void copy_info(port_info *to, const struct hid_device_info *from) {
     to->id = from->product_id;
     to->usage_page = from->usage_page;
     to->interface = from->interface_number;
+    place_of(to->path, to->place);
 }
 
-unsigned port_list(port_info *list, unsigned room) {
+/* Adds an entry, unless it is a further collection of one that is there. */
+static unsigned add_entry(port_info *list, unsigned count, const struct hid_device_info *from) {
+    copy_info(&list[count], from);
+    for (unsigned i = 0; i < count; i++) {
+        if (strcmp(list[i].path, list[count].path) == 0) {
+            return count;
+        }
+    }
+    return count + 1;
+}
+
+static void count_equals(port_info *list, unsigned count) {
+    for (unsigned i = 0; i < count; i++) {
+        for (unsigned k = 0; k < count; k++) {
+            list[i].equals += k != i && port_is_equal(&list[i], &list[k]);
+        }
+    }
+}
+
+int port_is_equal(const port_info *a, const port_info *b) {
+    return a->vendor == b->vendor && a->id == b->id && a->interface == b->interface &&
+           strcmp(a->serial, b->serial) == 0;
+}
+
+unsigned port_list(port_info **list) {
+    *list = NULL;
     hid_exit();
     if (hid_init() != 0) {
         return 0;
     }
     struct hid_device_info *const all = hid_enumerate(0, 0);
-    unsigned count = 0;
-    for (const struct hid_device_info *i = all; i != NULL && count < room; i = i->next) {
-        copy_info(&list[count++], i);
+    unsigned room = 0, count = 0;
+    for (const struct hid_device_info *i = all; i != NULL; i = i->next) {
+        room++;
+    }
+    *list = room > 0 ? calloc(room, sizeof **list) : NULL;
+    for (const struct hid_device_info *i = all; i != NULL && *list != NULL; i = i->next) {
+        count = add_entry(*list, count, i);
     }
     hid_free_enumeration(all);
+    count_equals(*list, count);
     return count;
 }
 
@@ -105,15 +138,40 @@ static int say_refusal(const port_info *info, fail *f) {
                     info->vendor, info->id);
 }
 
+static int say_held(const port_info *info, long holder, fail *f) {
+    if (holder == 0) {
+        return fail_set(f, info->path,
+                        "another program shows pictures on %04x:%04x; stop that one, or choose "
+                        "another display with --device",
+                        info->vendor, info->id);
+    }
+    return fail_set(f, info->path,
+                    "process %ld shows pictures on %04x:%04x; stop that one, or choose another "
+                    "display with --device",
+                    holder, info->vendor, info->id);
+}
+
+static int open_locked(port *p, const port_info *info, fail *f) {
+    long holder;
+    p->lock = lock_take(info->path, &holder);
+    if (p->lock == LOCK_HELD) {
+        return say_held(info, holder, f);
+    }
+    p->device = hid_open_path(info->path);
+    if (p->device == NULL) {
+        lock_release(p->lock);
+        return say_refusal(info, f);
+    }
+    return 0;
+}
+
 port *port_open(const port_info *info, fail *f) {
     port *p = calloc(1, sizeof *p);
     if (p == NULL) {
         fail_set(f, info->path, "out of memory; close other programs");
         return NULL;
     }
-    p->device = hid_open_path(info->path);
-    if (p->device == NULL) {
-        say_refusal(info, f);
+    if (open_locked(p, info, f) != 0) {
         free(p);
         return NULL;
     }
@@ -123,6 +181,7 @@ port *port_open(const port_info *info, fail *f) {
 void port_close(port *p) {
     if (p != NULL) {
         hid_close(p->device);
+        lock_release(p->lock);
         free(p);
         hid_exit();
     }

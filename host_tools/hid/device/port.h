@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "host_tools/base/fail.h"
+#include "host_tools/hid/device/place.h"
 
 /* A device as the system lists it; texts are UTF-8 and "" when not known. */
 typedef struct port_info {
@@ -20,6 +21,8 @@ typedef struct port_info {
     uint16_t vendor, id;
     uint16_t usage_page; /* 0: not known (hidapi on libusb) */
     int interface;       /* -1: not known */
+    char place[PLACE_BYTES];
+    unsigned equals; /* others in the list that differ from it in path and place at most */
 } port_info;
 
 typedef struct port port;
@@ -30,12 +33,17 @@ enum port_status {
     PORT_CUT = -2   /* the system accepted only a part: the report did not go */
 };
 
-/* Lists what is plugged in now: fills at most `room` entries and returns how many.
+/* Lists what is plugged in now, each path once: hidapi has an entry for each collection of a
+ * device. Returns how many; `*list` is the caller's to free, NULL if there are none.
  * hidapi is started again for it (otherwise it never sees a new device on libusb);
  * no port may be open. */
-unsigned port_list(port_info *list, unsigned room);
+unsigned port_list(port_info **list);
 
-/* Opens a device of the list. On failure `f` says why and what to do. */
+/* Whether ids, interface and serial number are the same. */
+int port_is_equal(const port_info *a, const port_info *b);
+
+/* Opens a device of the list, for this program alone (lock.h). On failure `f` says why and what to
+ * do. */
 port *port_open(const port_info *info, fail *f);
 void port_close(port *p); /* NULL is allowed */
 

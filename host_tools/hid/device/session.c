@@ -8,9 +8,11 @@
 #include <stdio.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/device/gaps.h"
 #include "host_tools/hid/device/retry.h"
 
 static const double LOOK_SECONDS = 0.1;
+static const double RENEWAL_SECONDS = 1.5; /* in which every piece is sent again */
 
 static int set_brightness(session *s, fail *f) {
     const driver *by = s->display.by;
@@ -51,6 +53,19 @@ static int open_display(session *s, const driver *by, fail *f) {
     return status;
 }
 
+static int make_span(session *s, fail *f) {
+    const driver *by = s->display.by;
+    unsigned width, height;
+    if (by->grid == NULL) {
+        return fail_set(f, by->name, "its panel has no gaps; leave out --gaps");
+    }
+    if (by->keys != NULL) {
+        gaps_keys(by->grid, by->keys, s->moved);
+    }
+    gaps_size(by->grid, s->panel.width, s->panel.height, &width, &height);
+    return picture_make(&s->span, width, height, f);
+}
+
 int session_open(session *s, fail *f) {
     const driver *by = find_display(&s->wish, &s->info, f);
     if (by == NULL) {
@@ -65,7 +80,19 @@ int session_open(session *s, fail *f) {
     if (status != DISPLAY_OK) {
         return -1;
     }
-    return picture_make(&s->panel, s->display.width, s->display.height, f);
+    if (picture_make(&s->panel, s->display.width, s->display.height, f) != 0) {
+        return -1;
+    }
+    return s->gaps ? make_span(s, f) : 0;
+}
+
+const picture *session_picture(const session *s) {
+    return s->gaps ? &s->span : &s->panel;
+}
+
+const display_key *session_keys(const session *s) {
+    const display_key *keys = s->display.by->keys;
+    return s->gaps && keys != NULL ? s->moved : keys;
 }
 
 /* What there is to say when there are no more tries: why the last did not work. */
@@ -77,7 +104,8 @@ static int say_end(const session *s, enum retry_status end, const retry *r, fail
         *f = r->why;
         return DISPLAY_FAILED;
     }
-    return fail_set(f, s->info.path, "the display did not come back in %g seconds; plug it in",
+    return fail_set(f, s->info.path,
+                    "the display did not come back in %g seconds; plug it in where it was",
                     s->patience);
 }
 
@@ -90,15 +118,48 @@ static int come_back(session *s, retry *r, fail *f) {
     display_close(&s->display);
     while ((next = retry_next(r, LOOK_SECONDS)) == RETRY_AGAIN) {
         r->why = (fail){""};
-        if (find_again(&s->info) && open_display(s, by, &r->why) == DISPLAY_OK) {
-            s->reconnects++;
+        if (!find_again(&s->wish, &s->info)) {
+            continue;
+        }
+        const int status = open_display(s, by, &r->why);
+        if (status == DISPLAY_OK || r->why.text[0] == '\0') {
             fail_set(&r->why, s->info.path,
                      "the display is there, but refuses reports; plug it in again, or choose "
                      "another with --device or --driver");
+        }
+        if (status == DISPLAY_OK) {
+            s->reconnects++;
             return check_size(s, f);
         }
     }
     return say_end(s, next, r, f);
+}
+
+static double pieces_of(const display *d) {
+    return d->by->forget != NULL && d->pieces > 0 ? d->pieces : 1;
+}
+
+/* Whether a piece should be sent again although it is as it was. */
+static int is_due(const session *s) {
+    return s->shown > 0 && !s->display.by->renews && clock_seconds() >= s->due;
+}
+
+/* Shows `panel`, and with it a piece that is due. Of a slow link pieces that are sent again take
+ * half of the time at most. */
+static int show_panel(session *s, fail *f) {
+    display *d = &s->display;
+    const double began = clock_seconds(), pause = RENEWAL_SECONDS / pieces_of(d);
+    const int renews = is_due(s), has_pieces = d->by->forget != NULL && d->pieces > 0;
+    if (renews && has_pieces) {
+        d->by->forget(d, s->piece);
+        s->piece = (s->piece + 1) % d->pieces;
+    }
+    const int status = d->by->show(d, &s->panel, f);
+    if (renews || !has_pieces) {
+        const double now = clock_seconds(), took = now - began;
+        s->due = now + (took > pause ? took : pause);
+    }
+    return status;
 }
 
 /* Shows `panel`; or, with `confirm`, waits until the device has confirmed it. */
@@ -107,7 +168,7 @@ static int put_picture(session *s, int confirm, fail *f) {
     if (s->display.port == NULL) { /* the last picture did not bring it back */
         return DISPLAY_GONE;
     }
-    int status = !confirm || s->again ? by->show(&s->display, &s->panel, f) : DISPLAY_OK;
+    int status = !confirm || s->again ? show_panel(s, f) : DISPLAY_OK;
     if (status == DISPLAY_OK && by->confirm != NULL && (confirm || s->again)) {
         status = by->confirm(&s->display, f);
     }
@@ -115,13 +176,24 @@ static int put_picture(session *s, int confirm, fail *f) {
     return status;
 }
 
+/* What a tick has found is told once. */
+static int take_loss(session *s, fail *f) {
+    const int was_lost = s->is_lost;
+    if (was_lost) {
+        *f = s->why;
+    }
+    s->is_lost = 0;
+    return was_lost;
+}
+
 /* Until the picture is out; a display that came back gets all of it. The tries for one picture
- * have one limit, however often the display opens and then refuses it. */
-static int deliver(session *s, int confirm, fail *f) {
+ * have one limit, however often the display opens and then refuses it. `status` is what is known:
+ * DISPLAY_OK, or DISPLAY_GONE. */
+static int deliver(session *s, int confirm, int status, fail *f) {
     double gone = 0.0;
     retry tries;
-    for (;;) {
-        const int status = put_picture(s, confirm, f);
+    for (;; status = DISPLAY_OK) {
+        status = status == DISPLAY_OK ? put_picture(s, confirm, f) : status;
         if (status == DISPLAY_OK) {
             break;
         }
@@ -147,8 +219,11 @@ static int deliver(session *s, int confirm, fail *f) {
 }
 
 int session_show(session *s, const picture *p, fail *f) {
-    fit_picture(p, &s->panel, s->fit);
-    if (deliver(s, 0, f) != 0) {
+    fit_picture(p, s->gaps ? &s->span : &s->panel, s->fit);
+    if (s->gaps) {
+        gaps_cut(s->display.by->grid, &s->span, &s->panel);
+    }
+    if (take_loss(s, f) || deliver(s, 0, DISPLAY_OK, f) != 0) {
         return -1;
     }
     s->shown++;
@@ -156,13 +231,21 @@ int session_show(session *s, const picture *p, fail *f) {
 }
 
 int session_confirm(session *s, fail *f) {
-    return s->shown == 0 ? 0 : deliver(s, 1, f);
+    if (take_loss(s, f)) {
+        return -1;
+    }
+    return s->shown == 0 ? 0 : deliver(s, 1, DISPLAY_OK, f);
 }
 
-void session_tick(session *s) {
-    if (s->display.port != NULL && s->display.by->tick != NULL) {
-        s->display.by->tick(&s->display);
+int session_tick(session *s) {
+    if (s->display.port == NULL || s->is_lost) {
+        return s->is_lost;
     }
+    const int status = display_tick(&s->display) == DISPLAY_OK ? DISPLAY_OK : DISPLAY_GONE;
+    if (s->shown > 0 && (status != DISPLAY_OK || is_due(s))) {
+        s->is_lost = deliver(s, 0, status, &s->why) != 0;
+    }
+    return s->is_lost;
 }
 
 void session_steer(session *s, unsigned count[STEER_ACTIONS]) {
@@ -176,6 +259,9 @@ int session_release(session *s, fail *f) {
     const driver *by = s->display.by;
     if (by->release == NULL) {
         return fail_set(f, by->name, "it has no picture of its own; leave out --release");
+    }
+    if (s->display.port == NULL) {
+        return fail_set(f, s->info.path, "stopped before the display was back");
     }
     return by->release(&s->display, f) == DISPLAY_FAILED ? -1 : 0;
 }
@@ -194,4 +280,5 @@ void session_statistics(const session *s, port_statistics *statistics) {
 void session_close(session *s) {
     display_close(&s->display);
     picture_free(&s->panel);
+    picture_free(&s->span);
 }

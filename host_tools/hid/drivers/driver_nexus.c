@@ -9,7 +9,11 @@
  *     6  length      u16, bytes of pixels: 1016, 960 in the last
  *     8  pixels
  *
- * Numbers are little-endian. Brightness is feature report 3, of 32 bytes.
+ * The panel keeps 6 bits of a colour, so the lower two come from a dither
+ * (picture/dither.h). Numbers are little-endian. Feature report 3, of 32 bytes,
+ * is brightness (03 01, percent) or gives the panel back to the device's own
+ * picture (03 0D 01 01), which keeps the brightness that it had here, so that
+ * is set to 100.
  * The second interface is a keyboard; the driver is not for it.
  *
  * Source: Nexus-Manager wiki (codingncaffeine), facts only. Not run on
@@ -17,6 +21,7 @@
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/picture/dither.h"
 
 enum {
     WIDTH = 640,
@@ -30,7 +35,8 @@ enum {
 
 static uint8_t frame_byte(const picture *p, unsigned at) {
     const uint8_t *rgb = p->rgb + 3 * (size_t)(at / 4);
-    return at % 4 == 3 ? 0 : rgb[2 - at % 4];
+    const unsigned pixel = at / 4;
+    return at % 4 == 3 ? 0 : dither_six_bits(rgb[2 - at % 4], pixel % WIDTH, pixel / WIDTH);
 }
 
 static int send_part(port *to, const picture *p, unsigned part) {
@@ -68,6 +74,12 @@ static int nexus_brightness(display *d, unsigned percent, fail *f) {
     return display_status(port_feature(d->port, report, sizeof report));
 }
 
+static int nexus_release(display *d, fail *f) {
+    const uint8_t report[FEATURE_BYTES] = {3, 0x0D, 1, 1};
+    const int status = display_status(port_feature(d->port, report, sizeof report));
+    return status == DISPLAY_OK ? nexus_brightness(d, 100, f) : status;
+}
+
 static int nexus_open(display *d, fail *f) {
     (void)f;
     d->width = WIDTH;
@@ -83,4 +95,5 @@ const driver driver_nexus = {.name = "nexus",
                              .from_notes = 1,
                              .open = nexus_open,
                              .show = nexus_show,
-                             .brightness = nexus_brightness};
+                             .brightness = nexus_brightness,
+                             .release = nexus_release};

@@ -1,23 +1,25 @@
-/* driver_nova - SteelSeries Arctis Nova Pro: the OLED of the base station
+/* driver_nova - SteelSeries Arctis Nova Pro, Elite and Omni: the OLED of the base station
  *
  * 128x64 pixels of one bit, sent as two windows of 64x64, each one feature
  * report of 1024 bytes:
  *
- *     0  06 93       report number, command
+ *     0  06 93       report number, command; 01 for 06 with an Elite or Omni
  *     2  x y w h     the window
- *     6  w columns of h / 8 bytes from left to right, lowest bit on top
+ *     6  w columns of h / 8 bytes from left to right, lowest bit on top; dithered
  *
  * The device refuses a feature report now and then; it is then sent again,
  * up to ten times, after 1, 4, 9 ... ms. Both windows are sent, whatever
  * becomes of the first. Brightness (1 .. 10) and the return to the device's own
  * picture are output reports of 64 bytes.
  *
- * Source: ggoled (JerwuQu), facts only. Not run on hardware.
+ * Source: ggoled (JerwuQu); what it says of the Elite is from a pull request
+ * by an owner (macrooli), and of the Omni its list of interfaces is known. Facts
+ * only. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
 #include "host_tools/hid/device/retry.h"
 #include "host_tools/hid/drivers/drivers.h"
-#include "platform/wire/wire_format.h"
+#include "host_tools/picture/dither.h"
 
 enum {
     WIDTH = 128,
@@ -25,7 +27,8 @@ enum {
     WINDOW = 64,
     FEATURE_BYTES = 1024,
     OUTPUT_BYTES = 64,
-    NUMBER = 0x06,
+    NUMBER = 6,
+    NUMBER_ELITE = 1,
     DRAW = 0x93,
     BRIGHTNESS = 0x85,
     RETURN = 0x95,
@@ -45,14 +48,16 @@ static int send_feature(display *d, const uint8_t *report) {
     return status;
 }
 
+static uint8_t number_of(const display *d) {
+    return d->by == &driver_nova_elite ? NUMBER_ELITE : NUMBER;
+}
+
 static int send_window(display *d, const picture *p, unsigned left) {
-    uint8_t report[FEATURE_BYTES] = {NUMBER, DRAW, (uint8_t)left, 0, WINDOW, HEIGHT};
-    for (unsigned y = 0; y < HEIGHT; y++) {
-        uint8_t row[WINDOW / 8];
-        wire_row_from_rgb(row, WIRE_MONO1, p->rgb + 3 * (y * WIDTH + left), WINDOW, left, y);
-        for (unsigned x = 0; x < WINDOW; x++) {
-            const unsigned lit = row[x / 8] >> (7 - x % 8) & 1;
-            report[6 + x * (HEIGHT / 8) + y / 8] |= (uint8_t)(lit << y % 8);
+    uint8_t report[FEATURE_BYTES] = {number_of(d), DRAW, (uint8_t)left, 0, WINDOW, HEIGHT};
+    for (unsigned i = 0; i < WINDOW * HEIGHT; i++) {
+        const unsigned x = left + i / HEIGHT, y = i % HEIGHT;
+        if (dither_is_lit(p->rgb + 3 * (y * WIDTH + x), x, y)) {
+            report[6 + i / 8] |= (uint8_t)(1 << i % 8);
         }
     }
     return send_feature(d, report);
@@ -69,7 +74,7 @@ static int nova_show(display *d, const picture *p, fail *f) {
 }
 
 static int send_output(display *d, uint8_t command, uint8_t value) {
-    const uint8_t report[OUTPUT_BYTES] = {NUMBER, command, value};
+    const uint8_t report[OUTPUT_BYTES] = {number_of(d), command, value};
     return display_status(port_output(d->port, report, sizeof report));
 }
 
@@ -91,14 +96,22 @@ static int nova_open(display *d, fail *f) {
     return DISPLAY_OK;
 }
 
-static const driver_id ids[] = {{0x1038, 0x12CB, 4}, {0x1038, 0x12CD, 4}, {0x1038, 0x12E0, 4},
-                                {0x1038, 0x12E5, 4}, {0x1038, 0x225D, 4}, {0, 0, 0}};
+static const driver_id ids[] = {{0x1038, 0x12CB, 4},
+                                {0x1038, 0x12CD, 4},
+                                {0x1038, 0x12E0, 4},
+                                {0x1038, 0x12E5, 4},
+                                {0x1038, 0x12FA, 4},
+                                {0x1038, 0x225D, 4},
+                                {0, 0, 0}};
+static const driver_id ids_elite[] = {{0x1038, 0x2244, 3}, {0x1038, 0x2290, 3}, {0, 0, 0}};
 
-const driver driver_nova = {.name = "nova",
-                            .about = "SteelSeries Arctis Nova Pro base station, 128x64, 1 bit",
-                            .ids = ids,
-                            .from_notes = 1,
-                            .open = nova_open,
-                            .show = nova_show,
-                            .brightness = nova_brightness,
-                            .release = nova_release};
+#define NOVA(of_name, of_about, of_ids)                                                            \
+    {                                                                                              \
+        .name = of_name, .about = of_about, .ids = of_ids, .from_notes = 1, .open = nova_open,     \
+        .show = nova_show, .brightness = nova_brightness, .release = nova_release                  \
+    }
+
+const driver driver_nova =
+    NOVA("nova", "SteelSeries Arctis Nova Pro base station, 128x64, 1 bit", ids);
+const driver driver_nova_elite = NOVA(
+    "nova-elite", "SteelSeries Arctis Nova Elite and Omni base station, 128x64, 1 bit", ids_elite);

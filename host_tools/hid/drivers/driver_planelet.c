@@ -18,6 +18,7 @@ enum {
     SLOW_MS = 5000,  /* for a picture, in addition to the time of its bytes at SLOW_BYTES per ms */
     SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
     IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
+    RENEW_MS = 20,   /* between two tiles that are sent again while nothing else is to be sent */
     WINDOW = 32
 };
 
@@ -26,9 +27,10 @@ typedef struct planelet {
     wire_frames_out out;
     wire_keys_in keys;
     picture frame;
-    uint8_t *shown; /* what the panel shows, for tiles that say only what differs */
-    uint32_t begun; /* ms: when the call that waits now began */
-    uint32_t whole; /* ms: the longest a picture may take; a lossy link may never finish it */
+    uint8_t *shown;   /* what the panel shows, for tiles that say only what differs */
+    uint32_t begun;   /* ms: when the call that waits now began */
+    uint32_t whole;   /* ms: the longest a picture may take; a lossy link may never finish it */
+    uint32_t renewed; /* ms: when a tile was last sent again */
     uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } planelet;
 
@@ -261,8 +263,18 @@ static int planelet_confirm(display *d, fail *f) {
     }
 }
 
+/* A picture that is shown anew without a change is one tile, the next of all (WIRE.md, section 5).
+ */
+static void renew(planelet *p) {
+    if (clock_ms() - p->renewed >= RENEW_MS && wire_frames_out_done(&p->out)) {
+        p->renewed = clock_ms();
+        wire_frames_show(&p->out, p->frame.rgb, 3 * p->frame.width);
+    }
+}
+
 static int planelet_tick(display *d) {
     int sent = 1;
+    renew(d->state);
     while (sent) {
         if (exchange(d, 0, &sent) != PORT_OK) {
             return DISPLAY_GONE;
@@ -305,6 +317,7 @@ const driver driver_planelet = {.name = "planelet",
                                 .keys = keys,
                                 .open = planelet_open,
                                 .show = planelet_show,
+                                .renews = 1,
                                 .confirm = planelet_confirm,
                                 .tick = planelet_tick,
                                 .brightness = planelet_brightness,

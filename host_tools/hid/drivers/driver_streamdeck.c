@@ -16,6 +16,10 @@
  *
  *     0  02 0C     2  x, y, width, height     10  last     11  part     13  bytes     16 the file
  *
+ * A Neo has a window of 248x58 below its middle keys. It shows what is there of the 45 rows of the
+ * picture below the keys, 192 columns, in reports like a key's, with 02 0B 00 for 02 07 and the
+ * key, and upside down as keys are.
+ *
  * A file has the best quality, 95 at most, with which it takes 1.5 bytes per pixel, 8 reports for a
  * key of 72x72: with a chroma sample per pixel if that leaves a quality of 85, else with one for
  * 2x2 pixels. Only keys that changed since the last picture are sent. Brightness and the device's
@@ -36,7 +40,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "host_tools/hid/device/symbols.h"
+#include "host_tools/hid/drivers/deck_keys.h"
 #include "host_tools/hid/drivers/drivers.h"
 #include "host_tools/picture/jpeg.h"
 
@@ -45,31 +49,36 @@ enum {
     KEY_HEAD = 8,
     STRIP_HEAD = 16,
     FEATURE_BYTES = 32,
-    STRIP_WIDTH = 800,
-    STRIP_HEIGHT = 100,
-    STRIP_ROWS = 60, /* of the picture */
     DECK_KEYS_MOST = 32,
     INPUT = 1, /* report number */
     OF_KEYS = 0,
     OF_DIALS = 3,
-    DIALS = 3, /* that turn a scene */
     TURNS_MOST = 8,
     FULL_CHROMA_LEAST = 85,
     QUALITY_MOST = 95
 };
 
+/* A second panel below the keys, and the part of the picture that it shows. */
+typedef struct lower_panel {
+    uint8_t command;              /* 0: there is none */
+    unsigned left, columns, rows; /* of the picture, from the last row of keys on */
+    unsigned width, height;       /* its own pixels */
+} lower_panel;
+
 typedef struct layout {
     unsigned columns, rows, side;
-    int turned; /* keys lie upside down */
-    int strip;
+    int turned; /* all lies upside down */
+    lower_panel lower;
 } layout;
+
+enum { COMMAND_KEY = 0x07, COMMAND_WINDOW = 0x0B, COMMAND_STRIP = 0x0C };
 
 typedef struct deck {
     layout of;
-    picture shown; /* of the whole panel */
-    uint8_t
-        known[DECK_KEYS_MOST + 1]; /* what is `shown` is on the key, or on the strip behind them */
-    picture key, strip;            /* as they are sent */
+    picture shown;                     /* of the whole panel */
+    uint8_t known[DECK_KEYS_MOST + 1]; /* what is `shown` is on the key, or, behind the last, on
+                                        * the lower panel */
+    picture key, lower;                /* as they are sent */
     uint8_t *file;
     size_t room;
 } deck;
@@ -108,13 +117,18 @@ static void key_image(const picture *panel, const layout *of, unsigned key, pict
     }
 }
 
-/* 5 pixels for 3, each the nearest one's. */
-static void strip_image(const picture *panel, picture *to) {
-    const unsigned top = panel->height - STRIP_ROWS;
-    for (unsigned y = 0; y < STRIP_HEIGHT; y++) {
-        for (unsigned x = 0; x < STRIP_WIDTH; x++) {
-            memcpy(to->rgb + 3 * (y * STRIP_WIDTH + x),
-                   pixel(panel, (2 * x + 1) * 3 / 10, top + (2 * y + 1) * 3 / 10), 3);
+/* Each pixel is the nearest one of the picture. */
+static void lower_image(const picture *panel, const layout *of, picture *to) {
+    const lower_panel *l = &of->lower;
+    const unsigned top = of->rows * of->side;
+    for (unsigned y = 0; y < l->height; y++) {
+        for (unsigned x = 0; x < l->width; x++) {
+            const unsigned column = of->turned ? l->width - 1 - x : x;
+            const unsigned row = of->turned ? l->height - 1 - y : y;
+            memcpy(to->rgb + 3 * (y * l->width + x),
+                   pixel(panel, l->left + (2 * column + 1) * l->columns / (2 * l->width),
+                         top + (2 * row + 1) * l->rows / (2 * l->height)),
+                   3);
         }
     }
 }
@@ -162,59 +176,64 @@ static int send_file(display *d, const uint8_t *head, size_t head_bytes, size_t 
 
 static int send_key(display *d, const picture *p, unsigned key) {
     deck *k = d->state;
-    const uint8_t head[KEY_HEAD] = {2, 7, (uint8_t)key};
+    const uint8_t head[KEY_HEAD] = {2, COMMAND_KEY, (uint8_t)key};
     key_image(p, &k->of, key, &k->key);
     return send_file(d, head, sizeof head, jpeg_of(k, &k->key));
 }
 
-static int send_strip(display *d, const picture *p) {
+static int send_lower(display *d, const picture *p) {
     deck *k = d->state;
-    uint8_t head[STRIP_HEAD] = {2, 0x0C};
-    put_u16(head + 6, STRIP_WIDTH);
-    put_u16(head + 8, STRIP_HEIGHT);
-    strip_image(p, &k->strip);
-    return send_file(d, head, sizeof head, jpeg_of(k, &k->strip));
+    const lower_panel *l = &k->of.lower;
+    uint8_t head[STRIP_HEAD] = {2, l->command};
+    put_u16(head + 6, l->width);
+    put_u16(head + 8, l->height);
+    lower_image(p, &k->of, &k->lower);
+    return send_file(d, head, l->command == COMMAND_STRIP ? STRIP_HEAD : KEY_HEAD,
+                     jpeg_of(k, &k->lower));
 }
 
-/* Sends key `key`, or what lies behind the last one, the strip, if it changed. */
+/* Sends key `key`, or what lies behind the last one, the lower panel, if it changed. */
 static int renew(display *d, const picture *p, unsigned key) {
     deck *k = d->state;
-    const int is_strip = key == k->of.columns * k->of.rows;
-    unsigned left = 0, top = p->height - STRIP_ROWS;
-    if (!is_strip) {
-        key_place(&k->of, key, &left, &top);
+    const layout *of = &k->of;
+    const int is_lower = key == of->columns * of->rows;
+    unsigned left = of->lower.left, top = of->rows * of->side;
+    if (!is_lower) {
+        key_place(of, key, &left, &top);
     }
-    const unsigned width = is_strip ? p->width : k->of.side;
-    const unsigned height = is_strip ? STRIP_ROWS : k->of.side;
+    const unsigned width = is_lower ? of->lower.columns : of->side;
+    const unsigned height = is_lower ? of->lower.rows : of->side;
     if (k->known[key] && is_same(p, &k->shown, left, top, width, height)) {
         return DISPLAY_OK;
     }
     k->known[key] = 0;
-    const int status = is_strip ? send_strip(d, p) : send_key(d, p, key);
-    if (status != DISPLAY_OK) {
-        return status;
+    const int status = is_lower ? send_lower(d, p) : send_key(d, p, key);
+    if (status == DISPLAY_OK) {
+        for (unsigned y = top; y < top + height; y++) {
+            memcpy(k->shown.rgb + 3 * ((size_t)y * p->width + left), pixel(p, left, y),
+                   (size_t)3 * width);
+        }
+        k->known[key] = 1;
     }
-    for (unsigned y = top; y < top + height; y++) {
-        memcpy(k->shown.rgb + 3 * ((size_t)y * p->width + left), pixel(p, left, y),
-               (size_t)3 * width);
-    }
-    k->known[key] = 1;
-    return DISPLAY_OK;
+    return status;
 }
 
 /* ---- the driver ------------------------------------------------------------------------- */
 
 static int deck_show(display *d, const picture *p, fail *f) {
-    const deck *k = d->state;
-    const unsigned count = k->of.columns * k->of.rows + (k->of.strip ? 1 : 0);
     (void)f;
-    for (unsigned key = 0; key < count; key++) {
+    for (unsigned key = 0; key < d->pieces; key++) {
         const int status = renew(d, p, key);
         if (status != DISPLAY_OK) {
             return status;
         }
     }
     return DISPLAY_OK;
+}
+
+static void deck_forget(display *d, unsigned key) {
+    deck *k = d->state;
+    k->known[key] = 0;
 }
 
 static int deck_brightness(display *d, unsigned percent, fail *f) {
@@ -229,10 +248,10 @@ static int deck_release(display *d, fail *f) {
     return display_status(port_feature(d->port, report, sizeof report));
 }
 
-/* Keys that turn a scene, in the order of their list: key 0 to 3, and those below them. */
+/* In the order of deck_keys.h. */
 static void take_keys(display *d, const uint8_t *down, size_t count) {
     const unsigned columns = ((const deck *)d->state)->of.columns;
-    for (unsigned i = 0; i < 8; i++) {
+    for (unsigned i = 0; i < DECK_KEYS_STEER; i++) {
         const unsigned key = i % 4 + i / 4 * columns;
         if (key < count) {
             keys_set(&d->keys, i, down[key] != 0);
@@ -240,27 +259,29 @@ static void take_keys(display *d, const uint8_t *down, size_t count) {
     }
 }
 
-/* Two entries of the list for each dial, down once for every step that it was turned. */
+/* An entry of the list is down once for every step that its dial was turned. */
 static void take_turns(display *d, const uint8_t *turned) {
-    for (unsigned dial = 0; dial < DIALS; dial++) {
+    for (unsigned dial = 0; dial < DECK_DIALS_STEER; dial++) {
         const int steps = (int8_t)turned[dial], size = steps < 0 ? -steps : steps;
+        const unsigned entry = DECK_KEYS_STEER + 2 * dial + (steps > 0);
         for (int i = 0; i < size && i < TURNS_MOST; i++) {
-            keys_set(&d->keys, 8 + 2 * dial + (steps > 0), 1);
-            keys_set(&d->keys, 8 + 2 * dial + (steps > 0), 0);
+            keys_set(&d->keys, entry, 1);
+            keys_set(&d->keys, entry, 0);
         }
     }
 }
 
 static void take_report(display *d, const uint8_t *report, size_t bytes) {
     const deck *k = d->state;
-    if (bytes < 5 + DIALS || report[0] != INPUT) {
+    if (bytes < 5 + DECK_DIALS_STEER || report[0] != INPUT) {
         return;
     }
     const size_t said = report[2] | (size_t)report[3] << 8;
     const size_t count = said < bytes - 4 ? said : bytes - 4;
+    const int has_dials = k->of.lower.command == COMMAND_STRIP;
     if (report[1] == OF_KEYS) {
         take_keys(d, report + 4, count);
-    } else if (report[1] == OF_DIALS && k->of.strip && report[4] == 1 && count > DIALS) {
+    } else if (report[1] == OF_DIALS && has_dials && report[4] == 1 && count > DECK_DIALS_STEER) {
         take_turns(d, report + 5);
     }
 }
@@ -273,29 +294,39 @@ static void deck_close(display *d) {
     deck *k = d->state;
     picture_free(&k->shown);
     picture_free(&k->key);
-    picture_free(&k->strip);
+    picture_free(&k->lower);
     free(k->file);
     free(k);
     d->state = NULL;
 }
 
+static int make_pictures(display *d, fail *f) {
+    deck *k = d->state;
+    const lower_panel *l = &k->of.lower;
+    return picture_make(&k->shown, d->width, d->height, f) != 0 ||
+                   picture_make(&k->key, k->of.side, k->of.side, f) != 0 ||
+                   (l->command != 0 && picture_make(&k->lower, l->width, l->height, f) != 0)
+               ? DISPLAY_FAILED
+               : DISPLAY_OK;
+}
+
 static int open_as(display *d, layout of, fail *f) {
+    const unsigned key = of.side * of.side, lower = of.lower.width * of.lower.height;
     deck *k = calloc(1, sizeof *k);
     if (k == NULL) {
         return fail_set(f, NULL, "out of memory; close other programs");
     }
     d->state = k;
     d->width = of.columns * of.side;
-    d->height = of.rows * of.side + (of.strip ? STRIP_ROWS : 0);
+    d->height = of.rows * of.side + of.lower.rows;
+    d->pieces = of.columns * of.rows + (of.lower.command != 0);
     k->of = of;
-    k->room = (size_t)3 * STRIP_WIDTH * STRIP_HEIGHT / 2;
+    k->room = (size_t)3 * (key > lower ? key : lower) / 2;
     k->file = malloc(k->room);
     if (k->file == NULL) {
         fail_set(f, NULL, "out of memory; close other programs");
     }
-    if (k->file == NULL || picture_make(&k->shown, d->width, d->height, f) != 0 ||
-        picture_make(&k->key, of.side, of.side, f) != 0 ||
-        picture_make(&k->strip, STRIP_WIDTH, STRIP_HEIGHT, f) != 0) {
+    if (k->file == NULL || make_pictures(d, f) != DISPLAY_OK) {
         deck_close(d);
         return DISPLAY_FAILED;
     }
@@ -311,35 +342,19 @@ static int open_32(display *d, fail *f) {
 }
 
 static int open_neo(display *d, fail *f) {
-    return open_as(d, (layout){.columns = 4, .rows = 2, .side = 96, .turned = 1}, f);
+    const lower_panel window = {COMMAND_WINDOW, 96, 192, 45, 248, 58};
+    return open_as(d, (layout){.columns = 4, .rows = 2, .side = 96, .turned = 1, .lower = window},
+                   f);
 }
 
 static int open_plus(display *d, fail *f) {
-    return open_as(d, (layout){.columns = 4, .rows = 2, .side = 120, .strip = 1}, f);
+    const lower_panel strip = {COMMAND_STRIP, 0, 480, 60, 800, 100};
+    return open_as(d, (layout){.columns = 4, .rows = 2, .side = 120, .lower = strip}, f);
 }
 
-/* A symbol lies in a key's lower left corner. */
-#define AT(side, column, row) (column) * (side) + 4, ((row) + 1) * (side)-SYMBOL_SIDE - 4
-#define KEYS_OF(side)                                                                              \
-    {"top left", STEER_NEARER, AT(side, 0, 0)}, {"second of the top", STEER_UP, AT(side, 1, 0)},   \
-        {"third of the top", STEER_FARTHER, AT(side, 2, 0)},                                       \
-        {"fourth of the top", STEER_RESET, AT(side, 3, 0)},                                        \
-        {"left of the second row", STEER_LEFT, AT(side, 0, 1)},                                    \
-        {"second of the second row", STEER_DOWN, AT(side, 1, 1)},                                  \
-        {"third of the second row", STEER_RIGHT, AT(side, 2, 1)}, {                                \
-        "fourth of the second row", STEER_STILL, AT(side, 3, 1)                                    \
-    }
-
-static const display_key keys_72[] = {KEYS_OF(72), {NULL, STEER_LEFT, 0, 0}};
-static const display_key keys_96[] = {KEYS_OF(96), {NULL, STEER_LEFT, 0, 0}};
-static const display_key keys_120[] = {KEYS_OF(120),
-                                       {"first dial to the left", STEER_LEFT, 0, 0},
-                                       {"first dial to the right", STEER_RIGHT, 0, 0},
-                                       {"second dial to the left", STEER_DOWN, 0, 0},
-                                       {"second dial to the right", STEER_UP, 0, 0},
-                                       {"third dial to the left", STEER_FARTHER, 0, 0},
-                                       {"third dial to the right", STEER_NEARER, 0, 0},
-                                       {NULL, STEER_LEFT, 0, 0}};
+/* Gaps in pixels are those that the npm package has for the models. */
+static const key_grid grid_15 = {5, 3, 72, 25, 25}, grid_32 = {8, 4, 96, 32, 39},
+                      grid_neo = {4, 2, 96, 30, 30}, grid_plus = {4, 2, 120, 99, 40};
 
 static const driver_id ids_15[] = {
     {0x0FD9, 0x006D, 0}, {0x0FD9, 0x0080, 0}, {0x0FD9, 0x00A5, 0}, {0x0FD9, 0x00B9, 0}, {0, 0, 0}};
@@ -348,21 +363,23 @@ static const driver_id ids_32[] = {
 static const driver_id ids_neo[] = {{0x0FD9, 0x009A, 0}, {0, 0, 0}};
 static const driver_id ids_plus[] = {{0x0FD9, 0x0084, 0}, {0, 0, 0}};
 
-#define DECK(of_name, of_about, of_ids, of_open, of_keys)                                          \
+#define DECK(of_name, of_about, of_ids, of_open, of_keys, of_grid)                                 \
     {                                                                                              \
         .name = of_name, .about = of_about, .ids = of_ids, .from_notes = 1, .open = of_open,       \
-        .show = deck_show, .tick = deck_tick, .keys = of_keys, .brightness = deck_brightness,      \
-        .release = deck_release, .close = deck_close                                               \
+        .show = deck_show, .forget = deck_forget, .tick = deck_tick, .keys = of_keys,              \
+        .grid = &of_grid, .brightness = deck_brightness, .release = deck_release,                  \
+        .close = deck_close                                                                        \
     }
 
 const driver driver_streamdeck =
     DECK("streamdeck", "Elgato Stream Deck V2, MK.2 and 15-key module, 15 keys as 360x216", ids_15,
-         open_15, keys_72);
+         open_15, deck_keys_72, grid_15);
 const driver driver_streamdeck_xl =
     DECK("streamdeck-xl", "Elgato Stream Deck XL and 32-key module, 32 keys as 768x384", ids_32,
-         open_32, keys_96);
-const driver driver_streamdeck_neo = DECK(
-    "streamdeck-neo", "Elgato Stream Deck Neo, eight keys as 384x192", ids_neo, open_neo, keys_96);
+         open_32, deck_keys_96, grid_32);
+const driver driver_streamdeck_neo =
+    DECK("streamdeck-neo", "Elgato Stream Deck Neo, eight keys and the window as 384x237", ids_neo,
+         open_neo, deck_keys_96, grid_neo);
 const driver driver_streamdeck_plus =
     DECK("streamdeck-plus", "Elgato Stream Deck +, eight keys and the strip as 480x300", ids_plus,
-         open_plus, keys_120);
+         open_plus, deck_keys_120, grid_plus);

@@ -12,7 +12,8 @@
  *     5  key + 1
  *     16 1008 bytes of the file, zeros after its end
  *
- * Brightness and reset are feature reports of 17 bytes. Only keys that
+ * A report of 02 and zeros ends an image that another program did not send to
+ * its end. Brightness and reset are feature reports of 17 bytes. Only keys that
  * changed since the last picture are sent. An input report comes when a key
  * is pressed or released: 01, then a byte per key, not 0 while it is down.
  *
@@ -29,6 +30,7 @@
 
 #include "host_tools/hid/device/symbols.h"
 #include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/hid/drivers/key_bmp.h"
 
 enum {
     KEY_SIDE = 80,
@@ -37,8 +39,8 @@ enum {
     REPORT_BYTES = 1024,
     HEAD_BYTES = 16,
     PAGE_BYTES = REPORT_BYTES - HEAD_BYTES,
-    BMP_HEAD_BYTES = 54,
-    BMP_BYTES = BMP_HEAD_BYTES + 3 * KEY_SIDE * KEY_SIDE,
+    BMP_BYTES = KEY_BMP_HEAD + 3 * KEY_SIDE * KEY_SIDE,
+    PER_METRE = 2835, /* 72 dots per inch */
     FEATURE_BYTES = 17,
     INPUT = 1,    /* number of the report */
     SYMBOL_X = 4, /* in a key's lower left corner */
@@ -51,33 +53,10 @@ typedef struct mini {
     int known[KEYS]; /* shown[k] is on the key */
 } mini;
 
-static void put_u32(uint8_t *to, uint32_t value) {
-    for (unsigned i = 0; i < 4; i++) {
-        to[i] = (uint8_t)(value >> 8 * i);
-    }
-}
-
-/* BITMAPFILEHEADER and BITMAPINFOHEADER, 72 dots per inch. */
-static void bmp_head(uint8_t *to) {
-    memset(to, 0, BMP_HEAD_BYTES);
-    to[0] = 'B';
-    to[1] = 'M';
-    put_u32(to + 2, BMP_BYTES);
-    put_u32(to + 10, BMP_HEAD_BYTES);
-    put_u32(to + 14, BMP_HEAD_BYTES - 14);
-    put_u32(to + 18, KEY_SIDE);
-    put_u32(to + 22, KEY_SIDE);
-    to[26] = 1;
-    to[28] = 24;
-    put_u32(to + 34, BMP_BYTES - BMP_HEAD_BYTES);
-    put_u32(to + 38, 2835);
-    put_u32(to + 42, 2835);
-}
-
 static void key_image(const picture *p, unsigned key, uint8_t *to) {
     const unsigned left = key % COLUMNS * KEY_SIDE, top = key / COLUMNS * KEY_SIDE;
-    bmp_head(to);
-    to += BMP_HEAD_BYTES;
+    key_bmp_head(to, KEY_SIDE, PER_METRE);
+    to += KEY_BMP_HEAD;
     for (unsigned row = 0; row < KEY_SIDE; row++) {
         for (unsigned column = 0; column < KEY_SIDE; column++, to += 3) {
             const unsigned x = left + KEY_SIDE - 1 - row, y = top + column;
@@ -147,16 +126,30 @@ static int mini_release(display *d, fail *f) {
     return display_status(port_feature(d->port, report, sizeof report));
 }
 
-static int mini_open(display *d, fail *f) {
-    d->width = COLUMNS * KEY_SIDE;
-    d->height = KEYS / COLUMNS * KEY_SIDE;
-    d->state = calloc(1, sizeof(mini));
-    return d->state == NULL ? fail_set(f, NULL, "out of memory; close other programs") : 0;
+static void mini_forget(display *d, unsigned key) {
+    mini *m = d->state;
+    m->known[key] = 0;
 }
 
 static void mini_close(display *d) {
     free(d->state);
     d->state = NULL;
+}
+
+static int mini_open(display *d, fail *f) {
+    const uint8_t ends_image[REPORT_BYTES] = {2};
+    d->width = COLUMNS * KEY_SIDE;
+    d->height = KEYS / COLUMNS * KEY_SIDE;
+    d->pieces = KEYS;
+    d->state = calloc(1, sizeof(mini));
+    if (d->state == NULL) {
+        return fail_set(f, NULL, "out of memory; close other programs");
+    }
+    const int status = display_status(port_output(d->port, ends_image, sizeof ends_image));
+    if (status != DISPLAY_OK) {
+        mini_close(d);
+    }
+    return status;
 }
 
 #define AT(column, row) (column) * KEY_SIDE + SYMBOL_X, (row)*KEY_SIDE + SYMBOL_Y
@@ -168,6 +161,9 @@ static const display_key keys[] = {{"top left", STEER_NEARER, AT(0, 0)},
                                    {"bottom right", STEER_RIGHT, AT(2, 1)},
                                    {NULL, STEER_LEFT, 0, 0}};
 
+/* Gaps: as the npm package @elgato-stream-deck/core 7.6.3 has them. */
+static const key_grid grid = {COLUMNS, KEYS / COLUMNS, KEY_SIDE, 28, 28};
+
 static const driver_id ids[] = {
     {0x0FD9, 0x0063, 0}, {0x0FD9, 0x0090, 0}, {0x0FD9, 0x00B3, 0}, {0x0FD9, 0x00B8, 0}, {0, 0, 0}};
 
@@ -178,8 +174,10 @@ const driver driver_streamdeck_mini = {
     .from_notes = 1,
     .open = mini_open,
     .show = mini_show,
+    .forget = mini_forget,
     .tick = mini_tick,
     .keys = keys,
+    .grid = &grid,
     .brightness = mini_brightness,
     .release = mini_release,
     .close = mini_close};
