@@ -42,7 +42,7 @@ SOURCE_FUNCTIONS ?= scene_start scene_wait
 LINK_SCRIPT ?= board/$(BOARD)/memory.ld
 
 OPTIMISE_FOR := -O2
-$(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
+$(call objects,$(ENGINE_FOR_SIZE)): OPTIMISE_FOR := -Os
 
 # Loops stay loops: memcpy must not become a call of itself, nor a search for
 # the end of a text a call of strlen.
