@@ -47,7 +47,7 @@ SOURCE_FUNCTIONS ?= scene_start scene_wait
 LINK_SCRIPT ?= board/$(BOARD)/memory.ld
 
 OPTIMISE_FOR := -O2
-$(call objects,$(ENGINE_SELDOM)): OPTIMISE_FOR := -Os
+$(call objects,$(ENGINE_FOR_SIZE)): OPTIMISE_FOR := -Os
 
 LANES ?= scalar
 ifneq ($(call lanes_line,$(LANES)),)

@@ -27,6 +27,7 @@
 #            firmware is without unless it asks for it
 #   texture  ... whose surfaces have textures, with texcoords and whitted; likewise
 #   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
+#   small    compiled for size, all of it, with fewer ways through a beam: an eighth less code
 #   diagrams with pictures of distances and of node visits, likewise
 #   frames   nothing but frames, no plt_trace: with `thesis` or `compact`; of scenes that stay
 #            in their source with `compact` alone
@@ -109,13 +110,14 @@ left_out_compact := $(thesis_files) $(records_files) $(vertices_files) $(grid_fi
 flags_render := -DPLT_WITH_BUILDER=0
 flags_thesis := -DPLT_WITH_COMPACT=0
 flags_compact := -DPLT_WITH_THESIS=0
+flags_small := -DPLT_SMALL_CODE=1
 
 ifneq ($(filter-out render thesis compact wave stream batch task prefetch seek motion some \
     subtree sequence vertices background grid instances surface texcoords whitted texture \
-    samples diagrams frames,$(PARTS)),)
+    samples diagrams small frames,$(PARTS)),)
 $(error PARTS is a list of render, thesis and compact, and wave, stream, batch, task, prefetch, \
     seek, motion, some, subtree, sequence, vertices, background, grid, instances, surface, \
-    texcoords, whitted, texture, samples, diagrams or frames; it has $(PARTS))
+    texcoords, whitted, texture, samples, diagrams, small or frames; it has $(PARTS))
 endif
 both_formats := $(filter thesis compact,$(PARTS))
 ifeq ($(words $(both_formats)),2)
@@ -258,6 +260,9 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/surface/surface_data.c engine/surface/surface_pages.c engine/surface/page_fetch.c \
     engine/whitted_room.c engine/whitted/materials.c \
     engine/texture_room.c engine/texture/directory.c engine/texture/tiles.c)
+# With `small` all of it is, but for the files that take most instructions per byte that is saved.
+ENGINE_FOR_SIZE := $(if $(filter small,$(PARTS)),$(filter-out $(addprefix engine/shade/,beam.c \
+    beam_lists.c beam_shade.c),$(ENGINE_ALL)),$(ENGINE_SELDOM))
 # In the names of folders: -render, -render-thesis.
 empty :=
 space := $(empty) $(empty)

@@ -26,7 +26,7 @@ void plt_grid_room_set(plt_engine *e, const plt_layout *layout, void *const part
     if (e->scene.format != PLT_FORMAT_GRID) {
         return;
     }
-    const size_t least = (size_t)layout->bytes[PLT_PART_GRID], before = a->used - least;
+    const size_t least = layout->bytes[PLT_PART_GRID], before = a->used - least;
     const uint64_t usual = plt_grid_usual_bytes(e->scene.gridded.count);
     const size_t room = (a->bytes - before) / PLT_ALIGN * PLT_ALIGN, peak = a->peak;
     e->grid_room = part[PLT_PART_GRID];

@@ -561,7 +561,8 @@ void plt_layout_set(plt_layout *layout, const plt_info *info, const plt_info *si
         info->build == PLT_BUILD_DEVICE && !(PLT_WITH_GRID && format == PLT_FORMAT_GRID);
     const subject s = {info, sized_for, options, mapped, builds, format};
     for (unsigned i = 0; i < PLT_PARTS_COUNT; i++) {
-        layout->bytes[i] = rounded(part_bytes((enum plt_part)i, &s));
+        const uint64_t bytes = rounded(part_bytes((enum plt_part)i, &s));
+        layout->bytes[i] = bytes < SIZE_MAX ? (size_t)bytes : SIZE_MAX - (PLT_ALIGN - 1);
     }
 }
 

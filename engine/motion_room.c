@@ -57,7 +57,7 @@ static void start_rebuilds(plt_engine *e, const plt_opening *o, const plt_info *
         r->old_room =
             e->scene.info.node_slots + (uint32_t)(o->layout->bytes[PLT_PART_ROOM] / PLT_NODE_BYTES);
         r->build.scratch = (char *)part[PLT_PART_REBUILD] + records + nodes;
-        r->build.scratch_bytes = (size_t)o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
+        r->build.scratch_bytes = o->layout->bytes[PLT_PART_REBUILD] - records - nodes;
     }
 }
 #endif
@@ -138,6 +138,20 @@ int plt_motion_room_set(plt_engine *e, const plt_opening *o, const plt_info *siz
 }
 
 #if PLT_WITH_SEQUENCE
+#if PLT_WITH_VERTICES
+/* The first frame, which records would have. */
+static int show_first(plt_engine *e, plt_fault *fault) {
+    plt_sequence_seek(&e->sequence, 0);
+    plt_beside_begin(e);
+    const int status = plt_sequence_read(&e->sequence, UINT32_MAX, fault);
+    if (status == PLT_OK) {
+        plt_beside_put(e);
+        plt_moved(e);
+    }
+    return status;
+}
+#endif
+
 int plt_motion_room_sequence(plt_engine *e, const plt_header *header,
                              void *const part[PLT_PARTS_COUNT], plt_fault *fault) {
     if (e->options.movable && plt_is_streamed(e->scene.format)) {
@@ -153,7 +167,7 @@ int plt_motion_room_sequence(plt_engine *e, const plt_header *header,
 #if PLT_WITH_VERTICES
         if (status == PLT_OK && plt_is_over_vertices(e)) {
             plt_beside_start(e, part);
-            status = plt_sequence_show(e, 0, fault); /* which records would have */
+            status = show_first(e, fault);
         }
 #endif
         return status;

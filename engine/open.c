@@ -5,6 +5,7 @@
 
 #include "engine/base/fault.h"
 #include "engine/base/rules.h"
+#include "engine/base/small_stack.h"
 #include "engine/engine.h"
 #include "engine/grid_room.h"
 #include "engine/image/fetch.h"
@@ -30,7 +31,8 @@ static int valid_source(const plt_source *s) {
                              : s->start != NULL && s->wait != NULL;
 }
 
-static int read_header(const plt_source *source, plt_header *header, plt_fault *fault) {
+PLT_APART_ON_SMALL_STACKS static int read_header(const plt_source *source, plt_header *header,
+                                                 plt_fault *fault) {
     unsigned char bytes[PLT_HEADER_BYTES];
     if (source->bytes < PLT_HEADER_BYTES) {
         return plt_refused(fault, PLT_R1_SHORT, source->bytes,
@@ -100,13 +102,13 @@ static plt_info sized_for(const plt_engine *e) {
 /* Makes the wide form, with the wave's room for scratch; then both take just what they need,
  * which is known only now. They were cut last. */
 static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
-    const uint64_t room = o->layout->bytes[PLT_PART_WIDE_FORM] + o->layout->bytes[PLT_PART_WAVE];
+    const size_t room = o->layout->bytes[PLT_PART_WIDE_FORM] + o->layout->bytes[PLT_PART_WAVE];
     size_t form_bytes = 0;
     e->scene.bvh4 =
         plt_wide_make(&e->traversal, part[PLT_PART_WIDE_FORM], part[PLT_PART_WAVE], &form_bytes);
     const size_t wave_bytes =
         (size_t)plt_wave_bytes(e->options.rays_in_flight, PLT_WAVE_BVH4, e->scene.bvh4->depth);
-    plt_arena_release(&e->arena, e->arena.used - (size_t)room);
+    plt_arena_release(&e->arena, e->arena.used - room);
     plt_arena_cut(&e->arena, form_bytes);
     e->traversal.wave = plt_arena_cut(&e->arena, wave_bytes);
     if (e->traversal.wave == NULL) {
@@ -117,7 +119,8 @@ static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[
     return PLT_OK;
 }
 
-static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+PLT_APART_ON_SMALL_STACKS static int start_wave(plt_engine *e, const plt_opening *o,
+                                                void *const part[PLT_PARTS_COUNT]) {
     if (o->layout->bytes[PLT_PART_WIDE_FORM] > 0) {
         return make_wide_form(e, o, part);
     }
@@ -144,7 +147,7 @@ static uint32_t store_bytes_in(uint64_t room) {
 }
 
 /* Bytes of all that runs, with the options as they are. 1: there is room for it. */
-static int lay_out(const plt_engine *e, plt_layout *layout) {
+PLT_APART_ON_SMALL_STACKS static int lay_out(const plt_engine *e, plt_layout *layout) {
     const plt_info *info = &e->scene.info, sized = sized_for(e);
     plt_layout_set(layout, info, &sized, e->source.mapped != NULL, &e->options);
     return plt_layout_running(layout) <= e->arena.bytes - e->arena.used;
@@ -201,7 +204,7 @@ static void choose_batch(plt_engine *e, plt_layout *layout) {
 
 /* Bytes of all that runs. What was not said is chosen: packets, beside a store of half the room,
  * and a store as large as the rest. */
-static void set_layout(plt_engine *e, plt_layout *layout) {
+PLT_APART_ON_SMALL_STACKS static void set_layout(plt_engine *e, plt_layout *layout) {
     const int chooses = e->options.packet_side == 0, meets = chooses_batch(e);
     const int grows = plt_is_streamed(e->scene.format) && e->options.store_bytes == 0;
     const size_t room = e->arena.bytes - e->arena.used;
@@ -264,9 +267,16 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 #endif
 }
 
+PLT_APART_ON_SMALL_STACKS static int start_motion(plt_engine *e, const plt_opening *o,
+                                                  void *const part[PLT_PARTS_COUNT]) {
+    const plt_info sized = sized_for(e);
+    return plt_motion_room_set(e, o, &sized, part);
+}
+
 /* The scene is open: a traversal, a packet and a tile buffer over it. `header`: of an image that
  * is opened in one step, as all that have a sequence are. */
-static int start_worker(plt_engine *e, const plt_header *header, plt_fault *fault) {
+PLT_APART_ON_SMALL_STACKS static int start_worker(plt_engine *e, const plt_header *header,
+                                                  plt_fault *fault) {
     plt_layout layout;
     void *part[PLT_PARTS_COUNT];
     set_layout(e, &layout);
@@ -293,8 +303,7 @@ static int start_worker(plt_engine *e, const plt_header *header, plt_fault *faul
         status = plt_texture_room_set(e, header, part, fault);
     }
     if (status == PLT_OK) {
-        const plt_info sized = sized_for(e);
-        status = plt_motion_room_set(e, &o, &sized, part);
+        status = start_motion(e, &o, part);
     }
     if (status == PLT_OK) {
         status = plt_instances_room_set(e, header, part, fault);
@@ -313,7 +322,8 @@ static int with_need(const plt_engine *e, int status, plt_fault *fault) {
     return status;
 }
 
-static int open_scene(plt_engine *e, const plt_header *header, plt_fault *fault) {
+PLT_APART_ON_SMALL_STACKS static int open_scene(plt_engine *e, const plt_header *header,
+                                                plt_fault *fault) {
     plt_layout layout;
     plt_layout_of_image(&layout, &header->info, e->source.mapped != NULL, &e->options);
     const plt_opening o = opening_of(e, &layout, fault);
@@ -469,7 +479,7 @@ static int read_header_again(const plt_engine *e, plt_header *header, plt_fault 
 #endif
 
 /* Of what was built step by step, whose header is not at hand any more. */
-static int start_built(plt_engine *e, plt_fault *fault) {
+PLT_APART_ON_SMALL_STACKS static int start_built(plt_engine *e, plt_fault *fault) {
 #if PLT_WITH_WHITTED || PLT_WITH_SURFACE
     plt_header header;
     if (e->options.whitted > 0 || e->options.surface) {
@@ -480,8 +490,14 @@ static int start_built(plt_engine *e, plt_fault *fault) {
     return start_worker(e, NULL, fault);
 }
 
-int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
+PLT_APART_ON_SMALL_STACKS static int build_some(plt_engine *e, uint32_t splits, plt_fault *fault) {
     plt_layout layout;
+    plt_layout_of_image(&layout, &e->scene.info, e->source.mapped != NULL, &e->options);
+    const plt_opening o = opening_of(e, &layout, fault);
+    return plt_scene_build_step(&o, e->build, splits);
+}
+
+int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     *fault = no_fault;
     if (e->failed != PLT_OK) {
         return with_need(e, plt_fault_set(fault, e->failed, 0, "the opening has failed before"),
@@ -490,9 +506,7 @@ int plt_open_step(plt_engine *e, uint32_t splits, plt_fault *fault) {
     if (e->build == NULL) {
         return PLT_OK;
     }
-    plt_layout_of_image(&layout, &e->scene.info, e->source.mapped != NULL, &e->options);
-    const plt_opening o = opening_of(e, &layout, fault);
-    int status = plt_scene_build_step(&o, e->build, splits > 0 ? splits : 1);
+    int status = build_some(e, splits > 0 ? splits : 1, fault);
     if (status == PLT_OK) {
         status = start_built(e, fault);
     }

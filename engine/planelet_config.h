@@ -111,6 +111,10 @@
 #ifndef PLT_WITH_GROUPS
 #define PLT_WITH_GROUPS 1 /* rays in groups of four: plt_trace, the two-stage order */
 #endif
+#ifndef PLT_SMALL_CODE
+#define PLT_SMALL_CODE 0 /* beams: less code, more instructions per ray (PARTS with `small`) */
+#endif
+
 #ifndef PLT_WITH_BEAMS
 #define PLT_WITH_BEAMS 1 /* frames by beams: faster, smaller */
 #endif
@@ -294,6 +298,9 @@
 #endif
 #if !PLT_WITH_THESIS && !PLT_WITH_COMPACT
 #error "a format is wanted: PLT_WITH_THESIS or PLT_WITH_COMPACT"
+#endif
+#if PLT_SMALL_CODE != 0 && PLT_SMALL_CODE != 1
+#error "PLT_SMALL_CODE is the digit 0 or 1"
 #endif
 #if !PLT_WITH_GROUPS && !PLT_WITH_BEAMS
 #error "without PLT_WITH_GROUPS there are beams alone: PLT_WITH_BEAMS"

@@ -9,6 +9,7 @@
 
 #include <string.h>
 
+#include "engine/base/small_stack.h"
 #include "engine/lanes/lanes.h"
 #include "engine/tree/compact/turns.h"
 
@@ -78,7 +79,8 @@ static void finish_bits(bit_writer *w) {
 }
 
 /* Those of the block, whose first has number `first` among those of all blocks. */
-static void put_positions(const refitting *r, const plt_block_numbers *n, uint32_t first) {
+PLT_APART_ON_SMALL_STACKS static void put_positions(const refitting *r, const plt_block_numbers *n,
+                                                    uint32_t first) {
     const plt_geometry *g = &r->geometry;
     const uint32_t bits = r->tree->lattice.bits, width = n->index_bits;
     bit_writer w = writer_at(r->geometry_bytes, g->positions);
@@ -108,7 +110,8 @@ static slot_box box_of_leaf(const plt_leaf *leaf) {
 }
 
 /* The next leaf, which begins at `at`; that goes on behind it. */
-static slot_box fit_leaf(const refitting *r, plt_leaf_place *at, uint32_t leaf_number, int pair) {
+PLT_APART_ON_SMALL_STACKS static slot_box fit_leaf(const refitting *r, plt_leaf_place *at,
+                                                   uint32_t leaf_number, int pair) {
     plt_leaf leaf;
     plt_leaf_read_next(&r->geometry, at, leaf_number, pair, &leaf);
     if (r->ids != NULL) {
@@ -120,7 +123,7 @@ static slot_box fit_leaf(const refitting *r, plt_leaf_place *at, uint32_t leaf_n
 
 /* ---- nodes ------------------------------------------------------------------------ */
 
-static slot_box box_of_edge(const refitting *r, uint32_t slot) {
+PLT_APART_ON_SMALL_STACKS static slot_box box_of_edge(const refitting *r, uint32_t slot) {
     const plt_block *b = &r->block;
     const uint32_t link = plt_block_edge(b, plt_block_rank(b, PLT_SLOT_EDGE, slot));
     plt_lattice_box bounds;
@@ -132,7 +135,7 @@ static slot_box box_of_edge(const refitting *r, uint32_t slot) {
 }
 
 /* Boxes of leaves and edges, and who leads to whom. */
-static void fit_slots(refitting *r) {
+PLT_APART_ON_SMALL_STACKS static void fit_slots(refitting *r) {
     const plt_block *b = &r->block;
     plt_leaf_place at = {0, 0, 0, 0};
     uint32_t leaf = 0, inner = 0;
@@ -153,7 +156,7 @@ static void fit_slots(refitting *r) {
 }
 
 /* Children come behind their parents. The box of the root. */
-static slot_box join_nodes(refitting *r) {
+PLT_APART_ON_SMALL_STACKS static slot_box join_nodes(refitting *r) {
     plt_slot_boxes *boxes = r->boxes;
     for (uint32_t node = r->block.nodes; --node > 0;) {
         put_box(boxes, boxes->slot_of[node],
@@ -162,7 +165,8 @@ static slot_box join_nodes(refitting *r) {
     return joined(box_at(boxes, 0), box_at(boxes, 1));
 }
 
-static void put_bounds(unsigned char *bytes, uint32_t bits, const plt_lattice_box *bounds) {
+PLT_APART_ON_SMALL_STACKS static void put_bounds(unsigned char *bytes, uint32_t bits,
+                                                 const plt_lattice_box *bounds) {
     const uint32_t width = plt_block_bounds_width(bits);
     unsigned char *at = bytes + PLT_BLOCK_HEADER_BYTES;
     memset(at, 0, plt_block_bounds_bytes(bits));
@@ -210,7 +214,7 @@ static uint32_t fit_node(unsigned char *plane, slot_box parent, slot_box child[2
 }
 
 /* From the root down: exact boxes of children become those that a traversal decodes. */
-static void fit_nodes(refitting *r, unsigned char *bytes, slot_box root) {
+PLT_APART_ON_SMALL_STACKS static void fit_nodes(refitting *r, unsigned char *bytes, slot_box root) {
     const plt_block *b = &r->block;
     plt_slot_boxes *boxes = r->boxes;
     unsigned char *planes = bytes + (b->planes - b->bytes);

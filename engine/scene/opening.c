@@ -14,8 +14,7 @@ int plt_opening_arena_error(const plt_opening *o) {
 }
 
 void *plt_opening_cut(const plt_opening *o, enum plt_part part) {
-    const uint64_t bytes = o->layout->bytes[part];
-    return bytes > SIZE_MAX ? NULL : plt_arena_cut(o->arena, (size_t)bytes);
+    return plt_arena_cut(o->arena, o->layout->bytes[part]);
 }
 
 /* More scratch makes sums no faster. */

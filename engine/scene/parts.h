@@ -12,6 +12,7 @@
 #ifndef PLT_SCENE_PARTS_H
 #define PLT_SCENE_PARTS_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "engine/planelet.h"
@@ -162,9 +163,10 @@ enum plt_part {
         PLT_PARTS_COUNT
 };
 
-/* Bytes of each part; 64 bits, as sums may exceed what a small machine can address. */
+/* Bytes of each part. What a machine cannot address is the largest multiple of PLT_ALIGN that it
+ * can: no arena has that much. Sums take 64 bits. */
 typedef struct plt_layout {
-    uint64_t bytes[PLT_PARTS_COUNT];
+    size_t bytes[PLT_PARTS_COUNT];
 } plt_layout;
 
 static inline enum plt_lifetime plt_part_lifetime(enum plt_part part) {

@@ -44,10 +44,10 @@ PLT_RARELY uint32_t test_unprojected(plt_beam *b, const plt_record *begin, uint3
 }
 
 /* Twice, as to ask each triangle whether it is deep takes up to 6 % more; but not where
- * records under compact blocks are all there is, for their size. */
+ * records under compact blocks are all there is, or code is to be small. */
 static inline const plt_record *next_projected(plt_beam *b, const projector *k, rest *of,
                                                projected *p) {
-#if PLT_WITH_THESIS
+#if PLT_WITH_THESIS && !PLT_SMALL_CODE
     if (b->margins.all_deep) {
         return find_projected(b, k, of, 1, p);
     }
@@ -68,7 +68,7 @@ uint32_t plt_beam_lists(plt_beam *b, uint32_t first, uint32_t lists, uint32_t si
     set_projector(&k, b);
     while ((record = next_projected(b, &k, &of, &p)) != NULL) {
         candidate triangle = {record, NULL, 0, 0};
-        test_footprint(b, &triangle, &p, PLT_WITH_THESIS);
+        test_footprint(b, &triangle, &p, PLT_WITH_THESIS && !PLT_SMALL_CODE);
     }
     return (uint32_t)(of.record - begin);
 }

@@ -3,25 +3,28 @@
  * Neighbouring triangles share corners: each is read, and projected, once.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/base/small_stack.h"
 #include "engine/shade/footprint.h"
 
 /* Corners of a leaf, projected. */
 typedef struct corners {
-    float depth[PLT_LEAF_VERTICES_MOST], over[PLT_LEAF_VERTICES_MOST];
-    float x[PLT_LEAF_VERTICES_MOST], y[PLT_LEAF_VERTICES_MOST];
+    plt_leaf leaf; /* the fourth word of a vertex is its depth */
+    float over[PLT_LEAF_VERTICES_MOST], x[PLT_LEAF_VERTICES_MOST], y[PLT_LEAF_VERTICES_MOST];
 } corners;
 
-static inline void project_corners(const plt_beam *b, const projector *k, const plt_leaf *leaf,
-                                   corners *to) {
+static inline void project_corners(const plt_beam *b, corners *to) {
     const plt_lattice *l = &b->tree->lattice;
-    for (uint32_t i = 0; i < leaf->vertices; i++) {
+    projector k;
+    set_projector(&k, b);
+    for (uint32_t i = 0; i < to->leaf.vertices; i++) {
+        plt_vertex *v = &to->leaf.vertex[i];
         float q[3];
         PLT_UNROLLED for (int a = 0; a < 3; a++) {
-            q[a] = plt_lattice_float(l, a, leaf->vertex[i].number[a]) - k->org[a];
+            q[a] = plt_lattice_float(l, a, v->number[a]) - k.org[a];
         }
-        to->depth[i] = plt_along(q, k->row_w);
-        to->over[i] = 1.0f / to->depth[i];
-        to->x[i] = plt_along(q, k->row_x) * to->over[i];
+        v->scene[3] = plt_along(q, k.row_w);
+        to->over[i] = 1.0f / v->scene[3];
+        to->x[i] = plt_along(q, k.row_x) * to->over[i];
         to->y[i] = plt_along(q, b->row_y) * to->over[i];
     }
 }
@@ -30,7 +33,9 @@ static inline void project_corners(const plt_beam *b, const projector *k, const 
 static inline enum projection project(const plt_beam *b, const corners *from,
                                       const uint32_t index[3], projected *p) {
     const plt_margins *m = &b->margins;
-    const float depth[3] = {from->depth[index[0]], from->depth[index[1]], from->depth[index[2]]};
+    const plt_vertex *vertex = from->leaf.vertex;
+    const float depth[3] = {vertex[index[0]].scene[3], vertex[index[1]].scene[3],
+                            vertex[index[2]].scene[3]};
     const int deep = m->all_deep || all_at_least(depth, m->depth);
     if (!deep && !all_at_least(depth, PLT_DEPTH_LEAST)) {
         return NOT_PROJECTED;
@@ -57,31 +62,59 @@ static inline enum projection project(const plt_beam *b, const corners *from,
     return projection_of(m, x, y, columns && rows, p);
 }
 
-static inline void test_triangle(plt_beam *b, const corners *from, candidate *c) {
+/* 0: it cannot be projected, or covers whole pixels of samples. */
+static inline int test_triangle(plt_beam *b, const corners *from, candidate *c) {
     const uint32_t corner = c->leaf->corner[c->triangle];
     const uint32_t index[3] = {corner & 0xFFu, corner >> 8 & 0xFFu, corner >> 16};
     projected p;
     switch (b->margins.project ? project(b, from, index, &p) : NOT_PROJECTED) {
     case PROJECTED:
-        test_footprint(b, c, &p, 1);
         break;
     case NOT_PROJECTED:
-        plt_beam_test_unprojected(b, record_of(b, c));
-        break;
+        return 0;
     case OUTSIDE:
-        break;
+        return 1;
     }
+    if (is_single(&p)) {
+        test_single(b, c, &p);
+    } else if (is_large(b, &p)) {
+        return 0;
+    } else {
+        const rectangle r = rectangle_of(b, &p);
+        test_rectangle(b, c, &p, &r);
+    }
+    return 1;
 }
 
-void plt_beam_strips(plt_beam *b, const plt_geometry *g, uint32_t first, uint32_t count) {
-    plt_leaf leaf;
+/* Returns a bit for each triangle that is left. */
+PLT_APART_ON_SMALL_STACKS static unsigned test_most(plt_beam *b, const plt_geometry *g,
+                                                    uint32_t first, uint32_t count) {
     corners all;
-    projector k;
-    set_projector(&k, b);
-    plt_leaf_read(g, first, count, &leaf);
-    project_corners(b, &k, &leaf, &all);
+    unsigned left = 0;
+    plt_leaf_read(g, first, count, &all.leaf);
+    project_corners(b, &all);
     for (uint32_t i = 0; i < count; i++) {
-        candidate c = {NULL, &leaf, i, g->first_triangle + first + i};
-        test_triangle(b, &all, &c);
+        candidate c = {NULL, &all.leaf, i, g->first_triangle + first + i};
+        left |= (unsigned)!test_triangle(b, &all, &c) << i;
+    }
+    return left;
+}
+
+/* A triangle of the leaf, which is read again, among the store's records. */
+PLT_APART_ON_SMALL_STACKS static uint32_t make_record(plt_beam *b, const plt_geometry *g,
+                                                      uint32_t first, uint32_t count, uint32_t i) {
+    plt_leaf leaf;
+    plt_leaf_read(g, first, count, &leaf);
+    return (uint32_t)(plt_beam_store(b, &leaf, i, g->first_triangle + first + i) - b->records);
+}
+
+/* What tests of some triangles need of the stack is not below what all others do: those go as float
+ * records do, and the leaf is gone by then. */
+void plt_beam_strips(plt_beam *b, const plt_geometry *g, uint32_t first, uint32_t count) {
+    const unsigned left = test_most(b, g, first, count);
+    for (uint32_t i = 0; left >> i != 0; i++) {
+        if (left >> i & 1u) {
+            plt_beam_lists(b, make_record(b, g, first, count, i), 1, 1);
+        }
     }
 }

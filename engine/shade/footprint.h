@@ -12,29 +12,60 @@
 #include "engine/shade/footprint_samples.h"
 #endif
 
+/* One that may cover a single pixel. */
+static inline int is_single(const projected *p) {
+    return p->columns.last - p->columns.before == 1 && p->rows.last - p->rows.before == 1;
+}
+
+/* One that covers whole pixels of samples. */
+static inline int is_large(const plt_beam *b, const projected *p) {
+#if PLT_WITH_SAMPLES
+    const uint32_t across = b->view->across;
+    return across > 1 && p->size > PLT_LARGE_SIZE * (float)(int32_t)across;
+#else
+    (void)b;
+    (void)p;
+    return 0;
+#endif
+}
+
+PLT_INLINED void test_single(plt_beam *b, candidate *c, projected *p) {
+    const uint32_t x = (uint32_t)(p->columns.last - PLT_LINE_NUMBER);
+    const uint32_t y = (uint32_t)(p->rows.last - PLT_LINE_NUMBER);
+    footprint f;
+    set_at_pixel(&f, p, b, x, y);
+    set_edges(&f, p, &b->margins);
+    test_inside(b, c, p, &f, f.at, x, y);
+}
+
+PLT_INLINED rectangle rectangle_of(const plt_beam *b, const projected *p) {
+    const rectangle r = {plt_lines_first(p->columns), plt_lines_last(p->columns, b->end_x),
+                         plt_lines_first(p->rows), plt_lines_last(p->rows, b->end_y)};
+    return r;
+}
+
+PLT_INLINED void test_rectangle(plt_beam *b, candidate *c, projected *p, const rectangle *r) {
+    footprint f;
+    set_at_pixel(&f, p, b, r->left, r->top);
+    set_edges(&f, p, &b->margins);
+    test_all(b, c, p, r, &f);
+}
+
 /* The pixels of a triangle that is projected. `apart`: one that may cover a single pixel goes a way
  * of its own, for 560 bytes. */
 PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p, int apart) {
-    footprint f;
-    if (apart && p->columns.last - p->columns.before == 1 && p->rows.last - p->rows.before == 1) {
-        const uint32_t x = (uint32_t)(p->columns.last - PLT_LINE_NUMBER);
-        const uint32_t y = (uint32_t)(p->rows.last - PLT_LINE_NUMBER);
-        set_at_pixel(&f, p, b, x, y);
-        set_edges(&f, p, &b->margins);
-        test_inside(b, c, p, &f, f.at, x, y);
+    if (apart && is_single(p)) {
+        test_single(b, c, p);
         return;
     }
-    const rectangle r = {plt_lines_first(p->columns), plt_lines_last(p->columns, b->end_x),
-                         plt_lines_first(p->rows), plt_lines_last(p->rows, b->end_y)};
+    const rectangle r = rectangle_of(b, p);
 #if PLT_WITH_SAMPLES
-    if (b->view->across > 1 && p->size > PLT_LARGE_SIZE * (float)(int32_t)b->view->across) {
+    if (is_large(b, p)) {
         test_pixels(b, c, p, &r);
         return;
     }
 #endif
-    set_at_pixel(&f, p, b, r.left, r.top);
-    set_edges(&f, p, &b->margins);
-    test_all(b, c, p, &r, &f);
+    test_rectangle(b, c, p, &r);
 }
 
 #endif

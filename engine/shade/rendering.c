@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/rendering.h"
 
+#include "engine/base/small_stack.h"
 #include "engine/shade/mixing.h"
 #include "engine/shade/packet_shade.h"
 #include "engine/shade/smooth.h"
@@ -186,8 +187,9 @@ static inline void set_view_of_lights(const plt_rendering *r) {
 #endif
 }
 
-static void begin_packet(plt_rendering *r, plt_traversal *t, plt_packet *p,
-                         const plt_pixels *pixels, uint32_t rays) {
+PLT_APART_ON_SMALL_STACKS static void begin_packet(plt_rendering *r, plt_traversal *t,
+                                                   plt_packet *p, const plt_pixels *pixels,
+                                                   uint32_t rays) {
     r->tracing = 1;
     set_view_of_lights(r);
 #if PLT_WITH_MIXES
@@ -305,8 +307,8 @@ static int mix_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
 
 /* The colours of a square, or packet, by normals and colours of corners. PLT_OK, or what a fetch
  * failed with. */
-static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
-                        const plt_pixels *pixels) {
+PLT_APART_ON_SMALL_STACKS static int shade_smooth(plt_rendering *r, plt_traversal *t,
+                                                  const plt_packet *p, const plt_pixels *pixels) {
 #if PLT_WITH_SURFACE
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
     uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
@@ -333,8 +335,8 @@ static int shade_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
 }
 
 /* What one packet, and no other, has traced. */
-static void shade(plt_rendering *r, const plt_traversal *t, const plt_packet *p,
-                  const plt_pixels *pixels) {
+PLT_APART_ON_SMALL_STACKS static void shade(plt_rendering *r, const plt_traversal *t,
+                                            const plt_packet *p, const plt_pixels *pixels) {
 #if PLT_WITH_DIAGRAMS
     if (r->frame.shader == PLT_SHADE_HEAT) {
         plt_mix_heat(r, t->stats.node_visits - r->visits);
@@ -424,7 +426,8 @@ static int shade_next(plt_rendering *r) {
     return plt_place_next_packet(&r->at, &r->frame, plt_rendering_side(r)) ? PLT_MORE : PLT_TILE;
 }
 
-static int step_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
+PLT_APART_ON_SMALL_STACKS static int step_batch(plt_rendering *r, plt_traversal *t,
+                                                uint32_t visits) {
     switch (r->phase) {
     case BATCH_ADDS:
         return add_packet(r, t);

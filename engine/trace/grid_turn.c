@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/grid_turn.h"
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/ray_bounds.h"
 #include "engine/trace/triangle_common.h"
 
@@ -141,23 +142,22 @@ static inline void depths_of(const plt_grid_turn *t, const plt_packet *p, unsign
     *until = f4_add(*from, most);
 }
 
-static four_rays rays_of(const plt_grid_turn *t, const plt_packet *p, unsigned group,
-                         unsigned lanes) {
+PLT_APART_ON_SMALL_STACKS static void set_rays(four_rays *r, const plt_grid_turn *t,
+                                               const plt_packet *p, unsigned group,
+                                               unsigned lanes) {
     const plt_group_rays *g = &p->rays[group];
     const f4 along = f4_load(g->org[t->z]);
     const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
     const f4 ahead = f4_sub(f4_all(t->plane), along), way = f4_all(t->sign * t->length);
     const f4 lo_x = f4_all(p->scene->lo[t->x]), lo_y = f4_all(p->scene->lo[t->y]);
-    four_rays r;
     f4 from, until;
     depths_of(t, p, group, &from, &until);
-    r.x[0] = fill(f4_add(f4_sub(f4_load(g->org[t->x]), lo_x), f4_mul(slope_x, ahead)), lanes);
-    r.y[0] = fill(f4_add(f4_sub(f4_load(g->org[t->y]), lo_y), f4_mul(slope_y, ahead)), lanes);
-    r.x[1] = f4_add(r.x[0], fill(f4_mul(slope_x, way), lanes));
-    r.y[1] = f4_add(r.y[0], fill(f4_mul(slope_y, way), lanes));
-    r.from = fill(from, lanes);
-    r.until = fill(until, lanes);
-    return r;
+    r->x[0] = fill(f4_add(f4_sub(f4_load(g->org[t->x]), lo_x), f4_mul(slope_x, ahead)), lanes);
+    r->y[0] = fill(f4_add(f4_sub(f4_load(g->org[t->y]), lo_y), f4_mul(slope_y, ahead)), lanes);
+    r->x[1] = f4_add(r->x[0], fill(f4_mul(slope_x, way), lanes));
+    r->y[1] = f4_add(r->y[0], fill(f4_mul(slope_y, way), lanes));
+    r->from = fill(from, lanes);
+    r->until = fill(until, lanes);
 }
 
 /* Rows of four groups become columns; the least lane of each group, and the negated greatest. */
@@ -168,7 +168,7 @@ PLT_INLINED void least_and_most(f4 row[4], f4 *least, f4 *minus_most) {
 }
 
 /* Bounds at one depth, of four groups. */
-PLT_INLINED void collect(const four_rays r[4], unsigned end, f4 bound[4]) {
+PLT_APART_ON_SMALL_STACKS static void collect(const four_rays r[4], unsigned end, f4 bound[4]) {
     f4 x[4], y[4];
     PLT_UNROLLED for (int i = 0; i < 4; i++) {
         x[i] = r[i].x[end];
@@ -186,13 +186,14 @@ static void set_nothing(plt_grid_bounds *b, unsigned lane) {
     }
 }
 
-static inline f4 least_of_rows(const f4 row[4]) {
+PLT_APART_ON_SMALL_STACKS static f4 least_of_rows(const f4 row[4]) {
     f4 a = row[0], b = row[1], c = row[2], d = row[3];
     f4_transpose(&a, &b, &c, &d);
     return f4_min(f4_min(a, b), f4_min(c, d));
 }
 
-static void set_depths(plt_grid_state *s, unsigned quad, const four_rays r[4]) {
+PLT_APART_ON_SMALL_STACKS static void set_depths(plt_grid_state *s, unsigned quad,
+                                                 const four_rays r[4]) {
     f4 from[4], until[4], least, unused;
     PLT_UNROLLED for (int i = 0; i < 4; i++) {
         from[i] = r[i].from;
@@ -215,7 +216,7 @@ static void set_quad(plt_grid_state *s, const plt_packet *p, unsigned quad) {
     f4 base[4], end[4];
     for (unsigned i = 0; i < 4; i++) {
         const unsigned group = with >> i & 1u ? 4 * quad + i : some;
-        r[i] = rays_of(t, p, group, s->lanes[group]);
+        set_rays(&r[i], t, p, group, s->lanes[group]);
     }
     collect(r, 0, base);
     collect(r, 1, end);
@@ -355,7 +356,8 @@ int plt_grid_next_turn(plt_grid_state *s, plt_packet *p) {
 void plt_grid_one_lane(plt_grid_state *s, const plt_packet *p, unsigned group, unsigned lane) {
     plt_grid_bounds *b = &s->group[group / 4];
     const float per_length = 1.0f / s->turn.length;
-    const four_rays r = rays_of(&s->turn, p, group, 1u << lane);
+    four_rays r;
+    set_rays(&r, &s->turn, p, group, 1u << lane);
     float x[2][4], y[2][4], from[4], until[4];
     for (int end = 0; end < 2; end++) {
         f4_store(x[end], r.x[end]);

@@ -13,43 +13,45 @@
  * pay; those of shorter lists do not. */
 enum { CULLING_FROM = 4 };
 
-/* Corners in canonical order. */
-static void set_corners(const plt_leaf *leaf, const uint64_t key[], uint32_t triangle,
-                        float to[3][3]) {
-    const uint64_t ordered = plt_leaf_ordered(leaf, key, triangle);
-    PLT_UNROLLED for (unsigned i = 0; i < 3; i++) {
-        memcpy(to[i], leaf->vertex[ordered >> 8 * i & 0xFFu].scene, sizeof to[i]);
-    }
-}
-
-/* Outcodes of all vertices; 0 where the packet has no frustum, so that nothing is
- * culled. */
-static void set_outcodes(const plt_leaf *leaf, const plt_packet *p, plt_mask groups,
-                         uint8_t code[]) {
+/* Bits of the leaf's triangles that lie outside the packet's frustum; 0 if it has none. */
+PLT_APART_ON_SMALL_STACKS static unsigned culled_by_frustum(const plt_leaf *leaf, uint32_t count,
+                                                            const plt_packet *p, plt_mask groups) {
     plt_frustum frustum;
+    uint8_t code[PLT_LEAF_VERTICES_MOST];
+    unsigned culled = 0;
     if (!plt_frustum_set(&frustum, p, groups)) {
-        memset(code, 0, leaf->vertices);
-        return;
+        return 0;
     }
     for (uint32_t i = 0; i < leaf->vertices; i++) {
         code[i] = (uint8_t)plt_frustum_outcode(&frustum, leaf->vertex[i].scene);
     }
-}
-
-static int is_culled(const plt_leaf *leaf, const uint8_t code[], uint32_t triangle) {
-    return plt_frustum_culls(code[plt_leaf_corner(leaf, triangle, 0)],
-                             code[plt_leaf_corner(leaf, triangle, 1)],
-                             code[plt_leaf_corner(leaf, triangle, 2)]);
+    for (uint32_t i = 0; i < count; i++) {
+        culled |= (unsigned)plt_frustum_culls(code[plt_leaf_corner(leaf, i, 0)],
+                                              code[plt_leaf_corner(leaf, i, 1)],
+                                              code[plt_leaf_corner(leaf, i, 2)])
+                  << i;
+    }
+    return culled;
 }
 
 #if PLT_WITH_WAVE
 static void set_strip_triangle(const plt_block_tree *tree, const plt_geometry *g,
                                const plt_leaf_run *run, uint32_t index, plt_triangle *to) {
     plt_leaf leaf;
-    uint64_t key[PLT_LEAF_VERTICES_MOST];
+    const uint32_t *number[3];
+    uint64_t key[3];
     plt_leaf_read(g, run->first, run->count, &leaf);
-    plt_leaf_positions(&leaf, &tree->lattice, key);
-    set_corners(&leaf, key, index, to->corner);
+    for (unsigned c = 0; c < 3; c++) {
+        number[c] = leaf.vertex[plt_leaf_corner(&leaf, index, c)].number;
+        key[c] = plt_lattice_key(number[c]);
+    }
+    uint32_t from = plt_canonical_first(key[1] < key[0], key[2] < key[0], key[2] < key[1]);
+    for (unsigned c = 0; c < 3; c++) {
+        for (int a = 0; a < 3; a++) {
+            to->corner[c][a] = plt_lattice_float(&tree->lattice, a, number[from][a]);
+        }
+        from = from < 2 ? from + 1 : 0;
+    }
     to->word = g->first_triangle + run->first + index;
     to->ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
 }
@@ -67,69 +69,76 @@ void plt_leaf_triangle(const plt_block_tree *tree, const plt_geometry *g, const 
 }
 #endif
 
-/* Tests those of a leaf's triangles that are not culled: all at a time where groups are listed. */
+/* Tests those of a leaf's triangles that are not culled: all at a time where groups are listed.
+ * `first`: the index of the first one in the image. */
 #if PLT_WITH_HULLS
 _Static_assert((int)PLT_TRIANGLES_MOST >= (int)PLT_LEAF_TRIANGLES_MOST, "all of a leaf at a time");
 
-static void test_triangles(const plt_leaf *leaf, const uint64_t key[], const uint8_t code[],
-                           const plt_triangle *common, uint32_t count, plt_packet *p,
+static void test_triangles(const plt_leaf *leaf, unsigned culled, const plt_leaf_run *run,
+                           const plt_primitive_ids *ids, uint32_t first, plt_packet *p,
                            plt_mask groups) {
     plt_triangle_rows rows[PLT_TRIANGLES_MOST];
     unsigned kept = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        if (code != NULL && is_culled(leaf, code, i)) {
+    for (uint32_t i = 0; i < run->count; i++) {
+        if (culled >> i & 1u) {
             continue;
         }
-        const uint64_t ordered = plt_leaf_ordered(leaf, key, i);
         PLT_UNROLLED for (unsigned c = 0; c < 3; c++) {
-            rows[kept].corner[c] = f4_load(leaf->vertex[ordered >> 8 * c & 0xFFu].scene);
+            rows[kept].corner[c] = f4_load(leaf->vertex[plt_leaf_corner(leaf, i, c)].scene);
         }
-        rows[kept++].word = common->word + i;
+        rows[kept++].word = first + i;
     }
-    plt_triangles_groups(p, rows, kept, common->ids, common->longest, groups);
+    plt_triangles_groups(p, rows, kept, ids, run->longest, groups);
 }
 #else
-static void test_triangles(const plt_leaf *leaf, const uint64_t key[], const uint8_t code[],
-                           const plt_triangle *common, uint32_t count, plt_packet *p,
+/* Corners, which are in canonical order already. */
+static inline void set_corners(const plt_leaf *leaf, uint32_t triangle, float to[3][3]) {
+    PLT_UNROLLED for (unsigned i = 0; i < 3; i++) {
+        memcpy(to[i], leaf->vertex[plt_leaf_corner(leaf, triangle, i)].scene, sizeof to[i]);
+    }
+}
+
+static void test_triangles(const plt_leaf *leaf, unsigned culled, const plt_leaf_run *run,
+                           const plt_primitive_ids *ids, uint32_t first, plt_packet *p,
                            plt_mask groups) {
-    plt_triangle t = *common;
-    for (uint32_t i = 0; i < count; i++) {
-        if (code != NULL && is_culled(leaf, code, i)) {
+    plt_triangle t;
+    t.longest = run->longest;
+    t.ids = ids;
+    for (uint32_t i = 0; i < run->count; i++) {
+        if (culled >> i & 1u) {
             continue;
         }
-        t.word = common->word + i;
-        set_corners(leaf, key, i, t.corner);
+        t.word = first + i;
+        set_corners(leaf, i, t.corner);
         plt_triangle_groups(p, &t, p->any ? groups & p->active : groups);
     }
 }
 #endif
 
-static void test_strips(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
-                        plt_packet *p, plt_mask groups) {
+PLT_APART_ON_SMALL_STACKS static void test_strips(const plt_block_tree *tree, const plt_geometry *g,
+                                                  const plt_leaf_run *run, plt_packet *p,
+                                                  plt_mask groups) {
     plt_leaf leaf;
-    uint64_t key[PLT_LEAF_VERTICES_MOST];
-    uint8_t code[PLT_LEAF_VERTICES_MOST];
-    const int culling = g->k >= CULLING_FROM;
-    plt_triangle common; /* but for its corners */
-    common.longest = run->longest;
-    common.ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
-    common.word = g->first_triangle + run->first;
     plt_leaf_read(g, run->first, run->count, &leaf);
-    plt_leaf_positions(&leaf, &tree->lattice, key);
-    if (culling) {
-        set_outcodes(&leaf, p, groups, code);
+    plt_leaf_place_corners(&leaf, run->count, &tree->lattice);
+    const unsigned culled =
+        g->k >= CULLING_FROM ? culled_by_frustum(&leaf, run->count, p, groups) : 0;
+    test_triangles(&leaf, culled, run, tree->ids.bytes == NULL ? NULL : &tree->ids,
+                   g->first_triangle + run->first, p, groups);
+}
+
+PLT_APART_ON_SMALL_STACKS static void
+test_records(const plt_record *record, const plt_leaf_run *run, plt_packet *p, plt_mask groups) {
+    for (uint32_t i = 0; i < run->count; i++) {
+        plt_record_groups(p, &record[i], run->longest, groups);
     }
-    test_triangles(&leaf, key, culling ? code : NULL, &common, run->count, p, groups);
 }
 
 void plt_leaf_groups(const plt_block_tree *tree, const plt_geometry *g, const plt_leaf_run *run,
                      plt_packet *p, plt_mask groups) {
     if (tree->leaf_kind == PLT_LEAF_STRIPS) {
         test_strips(tree, g, run, p, groups);
-        return;
-    }
-    const plt_record *record = &tree->records[g->first_triangle + run->first];
-    for (uint32_t i = 0; i < run->count; i++) {
-        plt_record_groups(p, &record[i], run->longest, groups);
+    } else {
+        test_records(&tree->records[g->first_triangle + run->first], run, p, groups);
     }
 }

@@ -8,6 +8,7 @@
  * traversal", 2006. Why hits are those of any tree: DESIGN.md, section 7.9.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/base/small_stack.h"
 #include "engine/grid/macro.h"
 #include "engine/trace/grid_bundle.h"
 #include "engine/trace/grid_cull.h"
@@ -58,14 +59,28 @@ static inline void test_groups(visit *v, const plt_record *record, plt_mask grou
     v->tests += plt_mask_count(groups);
 }
 
-/* Lane `lane` of both in all lanes. */
-static inline plt_grid_sides sides_of_lane(float (*to)[4], const float near[4], const float far[4],
-                                           unsigned lane) {
-    const plt_grid_sides s = {
-        {f4_all(to[0][lane]), f4_all(to[1][lane]), f4_all(to[2][lane]), f4_all(to[3][lane])},
-        f4_all(near[lane]),
-        f4_all(far[lane])};
-    return s;
+/* Lane `lane` of it in all lanes. */
+static inline f4 all_of_lane(const f4 *v, unsigned lane) {
+    float x;
+    memcpy(&x, (const char *)v + lane * sizeof x, sizeof x);
+    return f4_all(x);
+}
+
+/* Of `groups` those that may meet the record of a lane. */
+PLT_APART_ON_SMALL_STACKS static plt_mask groups_that_meet(const plt_grid_state *s,
+                                                           const plt_grid_sides *of, unsigned lane,
+                                                           plt_mask groups, int by_rates) {
+    const plt_grid_sides sides = {{all_of_lane(&of->to[0], lane), all_of_lane(&of->to[1], lane),
+                                   all_of_lane(&of->to[2], lane), all_of_lane(&of->to[3], lane)},
+                                  all_of_lane(&of->near, lane),
+                                  all_of_lane(&of->far, lane)};
+#if PLT_LANES_REGISTERS
+    if (by_rates) {
+        return plt_grid_meet_limits(s, &sides, groups);
+    }
+#endif
+    (void)by_rates;
+    return plt_grid_meet_groups(s, &sides, groups);
 }
 
 /* Records of `lanes`, which the bundle may meet. */
@@ -73,23 +88,11 @@ PLT_GRID_PART void test_four(visit *v, const plt_record *const record[PLT_GRID_T
                              unsigned lanes, const plt_grid_sides *of, int by_rates) {
     const plt_grid_state *s = v->s;
     const unsigned without_groups = PLT_GRID_WITHOUT_GROUPS | PLT_GRID_WITHOUT_CULLING;
-    float to[4][4], near[4], far[4];
-    for (int i = 0; i < 4; i++) {
-        f4_store(to[i], of->to[i]);
-    }
-    f4_store(near, of->near);
-    f4_store(far, of->far);
     for (; lanes != 0; lanes &= lanes - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(lanes);
         plt_mask groups = v->groups & v->p->active;
         if ((groups & (groups - 1)) != 0 && (s->without & without_groups) == 0) {
-            const plt_grid_sides sides = sides_of_lane(to, near, far, lane);
-#if PLT_LANES_REGISTERS
-            groups = by_rates ? plt_grid_meet_limits(s, &sides, groups)
-                              : plt_grid_meet_groups(s, &sides, groups);
-#else
-            groups = plt_grid_meet_groups(s, &sides, groups);
-#endif
+            groups = groups_that_meet(s, of, lane, groups, by_rates);
         }
         if (groups != 0) {
             test_groups(v, record[lane], groups);

@@ -8,6 +8,7 @@
 
 #include <string.h>
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/exact.h"
 #include "engine/trace/packet.h"
 #include "engine/trace/triangle_seldom.h"
@@ -61,17 +62,15 @@ typedef struct passing {
     m4 in_box;
 } passing;
 
-static float lane_of(f4 v, unsigned lane) {
-    float all[4];
-    f4_store(all, v);
-    return all[lane];
+/* Lanes lie in memory in order. */
+static inline float lane_of(const f4 *v, unsigned lane) {
+    float x;
+    memcpy(&x, (const char *)v + lane * sizeof x, sizeof x);
+    return x;
 }
 
-static void set_lane(f4 *v, unsigned lane, float to) {
-    float all[4];
-    f4_store(all, *v);
-    all[lane] = to;
-    *v = f4_load(all);
+static inline void set_lane(f4 *v, unsigned lane, float to) {
+    memcpy((char *)v + lane * sizeof to, &to, sizeof to);
 }
 
 static plt_lone_ray ray_of(const plt_group_rays *g, int z, unsigned lane) {
@@ -89,9 +88,9 @@ RARELY int decide_lane(const passing *t, const plt_group_rays *g, edges *e, int 
     const plt_lone_ray ray = ray_of(g, z, lane);
     plt_lone_edges lone;
     for (int c = 0; c < 3; c++) {
-        lone.weight[c] = lane_of(e->weight[c], lane);
-        lone.x[c] = lane_of(e->x[c], lane);
-        lone.y[c] = lane_of(e->y[c], lane);
+        lone.weight[c] = lane_of(&e->weight[c], lane);
+        lone.x[c] = lane_of(&e->x[c], lane);
+        lone.y[c] = lane_of(&e->y[c], lane);
     }
     lone.error = error;
     const enum plt_meeting how = plt_decide_meeting(&ray, t->corner, &lone);
@@ -105,8 +104,8 @@ RARELY int decide_lane(const passing *t, const plt_group_rays *g, edges *e, int 
 }
 
 /* Of the lanes that may be covered those that are. */
-static unsigned covered(const passing *t, const plt_group_rays *g, edges *e, int z,
-                        unsigned candidates) {
+PLT_APART_ON_SMALL_STACKS static unsigned covered(const passing *t, const plt_group_rays *g,
+                                                  edges *e, int z, unsigned candidates) {
     const f4 reach = f4_load(g->reach);
     const f4 extent = f4_max(larger3(f4_abs(e->x[0]), f4_abs(e->x[1]), f4_abs(e->x[2])),
                              larger3(f4_abs(e->y[0]), f4_abs(e->y[1]), f4_abs(e->y[2])));
@@ -116,7 +115,7 @@ static unsigned covered(const passing *t, const plt_group_rays *g, edges *e, int
     unsigned hits = candidates & sure;
     for (unsigned lane = 0; (candidates & ~sure) >> lane != 0; lane++) {
         if ((candidates & ~sure) >> lane & 1u) {
-            hits |= (unsigned)decide_lane(t, g, e, z, lane, lane_of(error, lane)) << lane;
+            hits |= (unsigned)decide_lane(t, g, e, z, lane, lane_of(&error, lane)) << lane;
         }
     }
     return hits;
@@ -172,8 +171,8 @@ RARELY unsigned open_lanes(passing *t, const plt_group_slabs *s, const plt_group
     }
     unsigned open = 0;
     for (unsigned lane = 0; lane < 4; lane++) {
-        const float from = lane_of(t->enter, lane), to = lane_of(t->leave, lane);
-        const int is_open = plt_distance_is_open(lane_of(along, lane), kind, from, to);
+        const float from = lane_of(&t->enter, lane), to = lane_of(&t->leave, lane);
+        const int is_open = plt_distance_is_open(lane_of(&along, lane), kind, from, to);
         const int in_range = from <= s->tmax[lane] && s->tmin[lane] <= to;
         open |= (unsigned)(is_open && in_range) << lane;
     }
@@ -198,40 +197,58 @@ static void store_weights(plt_group_rays *g, m4 hit, const edges *e, uint32_t ro
     f4_store(g->v, f4_select(hit, v, f4_load(g->v)));
 }
 
-/* The rays of `lanes` are those that can meet the triangle; which is a hit? The normal may
- * change, as a small one is scaled. */
-static inline unsigned record_passing(passing *t, plt_packet *p, unsigned index, edges *e, int z,
-                                      unsigned lanes) {
-    plt_group_slabs *s = &p->slabs.group[index];
-    plt_group_rays *g = &p->rays[index];
+/* Of `lanes` those whose hit would be nearer than what is known, and where; and of them those whose
+ * distance needs integers. The normal may change, as a small one is scaled. */
+PLT_APART_ON_SMALL_STACKS static unsigned near_lanes(passing *t, const plt_group_slabs *s,
+                                                     const plt_group_rays *g, int z, unsigned lanes,
+                                                     uint32_t id, f4 *at, unsigned *open) {
     const f4 along = normal_along(t->normal, g, z);
     f4 distance = plane_distance(t->numerator, g, z, along);
-    unsigned candidates = lanes & m4_mask(t->in_box), open = 0;
+    const unsigned candidates = lanes & m4_mask(t->in_box);
+    *open = 0;
     if (f4_min_lane(f4_abs(along)) < plt_open_limit(t->longest)) {
-        open = candidates & open_lanes(t, s, g, z, &distance);
+        *open = candidates & open_lanes(t, s, g, z, &distance);
     }
     /* A NaN (0 / 0) becomes `enter` by the rule of max. */
-    distance = f4_min(f4_max(distance, t->enter), t->leave);
-    const uint32_t word = plt_primitive_word_find(t->ids, t->word);
-    const u4 id = u4_all(plt_primitive_id(word));
-    candidates &= m4_mask(nearer(s, g, distance, id)) | open;
-    if (candidates == 0) {
-        return 0;
-    }
-    unsigned hits = covered(t, g, e, z, candidates);
-    if ((hits & open) != 0) {
-        distance = exact_distance(t, g, hits & open, distance);
-        hits &= m4_mask(nearer(s, g, distance, id));
-    }
+    *at = f4_min(f4_max(distance, t->enter), t->leave);
+    return candidates & (m4_mask(nearer(s, g, *at, u4_all(id))) | *open);
+}
+
+PLT_APART_ON_SMALL_STACKS static void store_hits(const passing *t, plt_packet *p, unsigned index,
+                                                 const edges *e, unsigned hits, f4 distance,
+                                                 uint32_t word) {
+    plt_group_slabs *s = &p->slabs.group[index];
+    plt_group_rays *g = &p->rays[index];
     const m4 hit = m4_bits(hits);
     f4_store(s->tmax, f4_select(hit, p->any ? f4_all(-1.0f) : distance, f4_load(s->tmax)));
-    u4_store(g->id, u4_select(hit, id, u4_load(g->id)));
+    u4_store(g->id, u4_select(hit, u4_all(plt_primitive_id(word)), u4_load(g->id)));
     if (!p->any) {
         PLT_UNROLLED for (int a = 0; a < 3; a++) {
             f4_store(g->normal[a], f4_select(hit, f4_all(t->normal[a]), f4_load(g->normal[a])));
         }
         store_weights(g, hit, e, plt_primitive_rotation(word));
     }
+}
+
+/* The rays of `lanes` are those that can meet the triangle; which is a hit? On small stacks in
+ * three functions, as integers, in the second, need most of all. */
+static inline unsigned record_passing(passing *t, plt_packet *p, unsigned index, edges *e, int z,
+                                      unsigned lanes) {
+    const plt_group_slabs *s = &p->slabs.group[index];
+    const plt_group_rays *g = &p->rays[index];
+    const uint32_t word = plt_primitive_word_find(t->ids, t->word), id = plt_primitive_id(word);
+    f4 distance;
+    unsigned open;
+    const unsigned candidates = near_lanes(t, s, g, z, lanes, id, &distance, &open);
+    if (candidates == 0) {
+        return 0;
+    }
+    unsigned hits = covered(t, g, e, z, candidates);
+    if ((hits & open) != 0) {
+        distance = exact_distance(t, g, hits & open, distance);
+        hits &= m4_mask(nearer(s, g, distance, u4_all(id)));
+    }
+    store_hits(t, p, index, e, hits, distance, word);
     return hits;
 }
 

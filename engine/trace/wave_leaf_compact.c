@@ -28,13 +28,12 @@ static plt_leaf_rank count_masks(const unsigned char *bytes, uint32_t bits,
 }
 
 /* Triangles first .. first + count - 1 of a leaf; lanes behind them are the first one again. */
-static void set_strips(const plt_leaf *leaf, const uint64_t key[], uint32_t first, uint32_t count,
-                       plt_bvh4_block *to) {
+static void set_strips(const plt_leaf *leaf, uint32_t first, uint32_t count, plt_bvh4_block *to) {
     f4 row[3][4];
     PLT_UNROLLED for (unsigned lane = 0; lane < 4; lane++) {
-        const uint64_t ordered = plt_leaf_ordered(leaf, key, first + (lane < count ? lane : 0));
+        const uint32_t triangle = first + (lane < count ? lane : 0);
         PLT_UNROLLED for (unsigned c = 0; c < 3; c++) {
-            row[c][lane] = f4_load(leaf->vertex[ordered >> 8 * c & 0xFFu].scene);
+            row[c][lane] = f4_load(leaf->vertex[plt_leaf_corner(leaf, triangle, c)].scene);
         }
     }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
@@ -66,15 +65,14 @@ static plt_wave_leaf_run load_strips(const plt_block_tree *tree, const plt_wave_
     plt_geometry g;
     plt_leaf_place at;
     plt_leaf strips;
-    uint64_t key[PLT_LEAF_VERTICES_MOST];
     const plt_leaf_rank rank = count_masks(bytes, tree->lattice.bits, leaf, &b);
     plt_block_bounds_at(bytes, tree->lattice.bits, &bounds);
     plt_block_tree_frame(tree, &bounds);
     plt_geometry_open_leaf(&g, &b, &bounds, tree->leaf_triangles, &rank, &at);
     plt_leaf_read_at(&g, &at, &strips);
-    plt_leaf_positions(&strips, &tree->lattice, key);
+    plt_leaf_place_corners(&strips, at.count, &tree->lattice);
     for (uint32_t i = 0; 4 * i < at.count; i++) {
-        set_strips(&strips, key, 4 * i, of_block(at.count, i), &to[i]);
+        set_strips(&strips, 4 * i, of_block(at.count, i), &to[i]);
     }
     const plt_wave_leaf_run run = {g.first_triangle + at.first, at.count};
     return run;

@@ -2,7 +2,8 @@
 # check_stack.sh - the worst stack is known, and no frame is a large part of it
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
-FRAME_LIMIT=${FRAME_LIMIT:-1024}
+FRAME_LIMIT=${FRAME_LIMIT:-896}
+STACK_LIMIT=${STACK_LIMIT:-2048}
 out=$BUILD/mps2_an386
 
 if make_board mps2_an386; then
@@ -11,6 +12,14 @@ if make_board mps2_an386; then
     verdict "no frame of the firmware is larger than $FRAME_LIMIT bytes" "$(
         stack_of "$out" "engine platform board" -v root=machine_start \
             -v indirect='scene_start scene_wait' -v limit="$FRAME_LIMIT" | grep '^error')"
+    lines=$(stack_of "$out" "engine platform/bare platform/cortex_m" \
+        -v root="$(public_functions)" -v outward=1)
+    verdict "no function of the engine needs more than $STACK_LIMIT bytes of stack" "$(
+        printf '%s\n' "$lines" | awk -v limit="$STACK_LIMIT" '
+            /^error/ { print }
+            /^(worst|root)/ { seen++ }
+            /^(worst|root)/ && $2 > limit { print $3 " needs " $2 " bytes" }
+            END { if (seen < 10) print "only " seen + 0 " functions were seen" }')"
 fi
 
 # What the figure rests on: the script must see what it is for.

@@ -48,6 +48,16 @@ stack_of() {
         awk -v out="$out/" "$@" -f board/tools/stack.awk $(objects_of "$out" ci $sources) -
 }
 
+# All public functions, as declared in planelet.h, but those which firmware has
+# only where PARTS says so.
+public_functions() {
+    awk '/^[a-z].*[ *]plt_(render_(tiles|seek)|batch_packets|trace_begin|task_.*)\(/ { next }
+        /^[a-z].*[ *]plt_(move.*|motion_get|rebuild_.*|sequence_.*|place|instance_.*)\(/ { next }
+        /^[a-z].*[ *]plt_(surface_at|lighting_set|texture_stats_get)\(/ { next }
+        /^[a-z].*[ *]plt_[a-z_]+\(/ {
+        sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
+}
+
 # make_board BOARD [VARIABLE=...]: builds its firmware; a failed check when that fails.
 make_board() {
     board=$1

@@ -47,16 +47,6 @@ totals() {
     echo
 }
 
-# All public functions, as declared in planelet.h, but those which firmware has
-# only where PARTS says so.
-public() {
-    awk '/^[a-z].*[ *]plt_(render_(tiles|seek)|batch_packets|trace_begin|task_.*)\(/ { next }
-        /^[a-z].*[ *]plt_(move.*|motion_get|rebuild_.*|sequence_.*|place|instance_.*)\(/ { next }
-        /^[a-z].*[ *]plt_(surface_at|lighting_set|texture_stats_get)\(/ { next }
-        /^[a-z].*[ *]plt_[a-z_]+\(/ {
-        sub(/\(.*/, ""); sub(/.*[ *]/, ""); printf "%s ", $0 }' engine/planelet.h
-}
-
 # The sizes of structures, from the types alone: an array as long as the
 # structure, whose size nm prints.
 structures() {
@@ -100,7 +90,7 @@ echo "worst C stack of the Cortex-M4F, bytes: frame by frame"
 sed -n 's/^worst \([0-9]*\).*/\1 from start-up, the board and the source included/p;/^ /p' \
     "$arm/stack.txt"
 echo "worst C stack of each public function (functions of a source not counted)"
-lines=$(stack_of "$arm" "engine platform/bare platform/cortex_m" -v root="$(public)" \
+lines=$(stack_of "$arm" "engine platform/bare platform/cortex_m" -v root="$(public_functions)" \
     -v outward=1) || status=1
 printf '%s\n' "$lines" | awk '
     /^error/ { print }

@@ -97,6 +97,15 @@ if part "render thesis frames" "$frames" 28672; then
     refuses "$frames" compact PLT_WITH_COMPACT
     refuses "$frames" device PLT_WITH_BUILDER
 fi
+small=$BUILD/mps2_an386-frames-render-small-thesis
+if part "render thesis frames small" "$small" 24576; then
+    renders "$small" thesis
+    renders "$small" list
+fi
+small=$BUILD/mps2_an386-frames-small-thesis
+if part "thesis frames small" "$small" 32768; then
+    renders "$small" device
+fi
 samples=$BUILD/mps2_an386-diagrams-frames-render-samples-thesis
 if part "render thesis frames samples diagrams" "$samples" 40960; then
     renders "$samples" thesis
