@@ -4,10 +4,10 @@
 # uses board/wired and the wire instead of the job in board/firmware.c, and is
 # built in build/BOARD-wired; PROGRAM=played uses board/played, which plays
 # sequences; PROGRAM=faults is a test of start-up, PROGRAM=lanes one of the lanes header,
-# PROGRAM=jpeg measures an encoder, all without the engine. The worst stack is computed from the call graph before linking, and the
-# linker script refuses a smaller stack. No C library is linked; its headers are used. Of the
-# compiler's own library, libgcc, boards have what they ask for by LIBGCC := yes, and its
-# functions are in the call graph, too.
+# PROGRAM=jpeg measures an encoder, all without the engine. The worst stack is computed from
+# the call graph before linking, and the linker script refuses a smaller stack. No C library
+# is linked; its headers are used. Of the compiler's own library, libgcc, boards have what they
+# ask for by LIBGCC := yes, and its functions are in the call graph, too.
 # SPDX-License-Identifier: MIT
 
 PROGRAM ?=
@@ -32,7 +32,9 @@ endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
-FIRMWARE_OBJECTS := $(call objects,$(if $(filter faults lanes jpeg,$(PROGRAM)),,$(ENGINE)) $(FIRMWARE)) \
+WITHOUT_ENGINE := faults lanes jpeg
+FIRMWARE_OBJECTS := $(call objects,$(if $(filter $(WITHOUT_ENGINE),$(PROGRAM)),,$(ENGINE))) \
+                    $(call objects,$(FIRMWARE)) \
                     $(if $(filter lanes,$(PROGRAM)),\
                       $(patsubst %,$(OUT)/tests/lanes/probe_%.o,$(sort scalar $(LANES))))
 
