@@ -172,10 +172,18 @@
 /* Images may have sections behind those of tree and triangles. */
 #define PLT_WITH_FURTHER (PLT_WITH_SURFACE || PLT_WITH_WHITTED)
 
+/* Whether four lanes are one register everywhere, or only where something is left out
+ * (engine/lanes/lanes.h). */
+#if defined(PLT_LANES) && (!defined(PLT_LANES_FLUSHES) || !PLT_LANES_FLUSHES)
+#define PLT_HAS_LANES 1
+#else
+#define PLT_HAS_LANES 0
+#endif
+
 /* The wave over compact blocks as they are, without a wide form (trace/wave_compact.h), where four
  * lanes are one register, or code is no matter: it takes 15 KB on a Cortex-M4F. */
 #ifndef PLT_WITH_WAVE_COMPACT
-#if PLT_WITH_WAVE && PLT_WITH_COMPACT && (defined(PLT_LANES) || UINTPTR_MAX > 0xFFFFFFFFu)
+#if PLT_WITH_WAVE && PLT_WITH_COMPACT && (PLT_HAS_LANES || UINTPTR_MAX > 0xFFFFFFFFu)
 #define PLT_WITH_WAVE_COMPACT 1
 #else
 #define PLT_WITH_WAVE_COMPACT 0
@@ -185,7 +193,7 @@
 /* Packets as trees of hulls (trace/hulls.h), where four lanes are one register; elsewhere they
  * cost more code than they save work. */
 #ifndef PLT_WITH_HULLS
-#ifdef PLT_LANES
+#if PLT_HAS_LANES
 #define PLT_WITH_HULLS PLT_WITH_GROUPS
 #else
 #define PLT_WITH_HULLS 0

@@ -38,7 +38,7 @@ lacks)
 usual | offered)
     bare=$(predefined "$@")
     sed '/^#/d' "$table" | while read -r name header macro flags; do
-        if [ -z "$flags" ]; then
+        if [ -z "$(echo "$flags" | sed 's/-D[^ ]*//g; s/ //g')" ]; then
             macros=$bare
         elif [ "$what" = usual ]; then
             continue

@@ -24,13 +24,13 @@ typedef struct u4 {
     uint32x4_t v;
 } u4;
 
-/* A bit per byte. */
+/* A bit per byte, in a core register. */
 typedef struct m4 {
-    mve_pred16_t p;
+    uint32_t p;
 } m4;
 
-static inline m4 plt_m4(unsigned p) {
-    const m4 r = {(mve_pred16_t)p};
+static inline m4 plt_m4(uint32_t p) {
+    const m4 r = {p};
     return r;
 }
 
@@ -39,10 +39,10 @@ static inline u4 plt_u4(uint32x4_t v) {
     return r;
 }
 
-/* UFC and IDC of FPSCR. Volatile, and in memory's order: what was stored is in them. */
-static inline unsigned plt_flushed(void) {
+/* UFC and IDC of FPSCR. What lies at `results` is stored before, and so was computed before. */
+static inline unsigned plt_flushed(const void *results) {
     unsigned status;
-    __asm__ volatile("vmrs %0, fpscr" : "=r"(status) : : "memory");
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(status) : "r"(results) : "memory");
     return status & 0x88u;
 }
 
@@ -52,12 +52,6 @@ static inline void plt_flushed_clear(void) {
                      : "=r"(status)
                      :
                      : "memory");
-}
-
-/* Computed before a plt_flushed() that comes later in the source. */
-static inline f4 plt_f4_settled(f4 a) {
-    __asm__ volatile("" : "+w"(a));
-    return a;
 }
 
 static inline f4 f4_load(const float *from) {
@@ -213,17 +207,27 @@ static inline f4 f4_neg(f4 a) {
     return vnegq_f32(a);
 }
 
+/* By intrinsics the predicate is taken for a signed number of 16 bits, and cut to that. */
+#define PLT_COMPARE(rel, a, b)                                                                     \
+    uint32_t bits;                                                                                 \
+    mve_pred16_t p;                                                                                \
+    __asm__("vcmp.f32 " rel "\n\tvmrs %0, p0" : "=r"(bits), "=Up"(p) : "w"(a), "w"(b));            \
+    (void)p;                                                                                       \
+    return plt_m4(bits)
+
 static inline m4 f4_lt(f4 a, f4 b) {
-    return plt_m4(vcmpgtq_f32(b, a));
+    PLT_COMPARE("gt, %q3, %q2", a, b);
 }
 
 static inline m4 f4_le(f4 a, f4 b) {
-    return plt_m4(vcmpgeq_f32(b, a));
+    PLT_COMPARE("ge, %q3, %q2", a, b);
 }
 
 static inline m4 f4_eq(f4 a, f4 b) {
-    return plt_m4(vcmpeqq_f32(a, b));
+    PLT_COMPARE("eq, %q2, %q3", a, b);
 }
+
+#undef PLT_COMPARE
 
 static inline m4 u4_lt(u4 a, u4 b) {
     return plt_m4(vcmphiq_u32(b.v, a.v));
@@ -234,28 +238,31 @@ static inline m4 u4_eq(u4 a, u4 b) {
 }
 
 static inline m4 m4_and(m4 a, m4 b) {
-    return plt_m4(a.p & (unsigned)b.p);
+    return plt_m4(a.p & b.p);
 }
 
 static inline m4 m4_or(m4 a, m4 b) {
-    return plt_m4(a.p | (unsigned)b.p);
+    return plt_m4(a.p | b.p);
 }
 
 static inline m4 m4_andnot(m4 a, m4 b) {
-    return plt_m4(a.p & ~(unsigned)b.p);
+    return plt_m4(a.p & ~b.p);
 }
 
-/* Bits 0, 4, 8 and 12 are moved to 12 .. 15; no two products of the rest meet there. */
+/* Bits 0, 4, 8 and 12, by two shifts; the constant is one of Thumb's. */
 static inline unsigned m4_mask(m4 a) {
-    return (a.p & 0x1111u) * 0x1248u >> 12 & 15u;
+    uint32_t x = a.p & 0x11111111u;
+    x |= x >> 3;
+    x |= x >> 6;
+    return x & 15u;
 }
 
 static inline f4 f4_select(m4 m, f4 a, f4 b) {
-    return vpselq_f32(a, b, m.p);
+    return vpselq_f32(a, b, (mve_pred16_t)m.p);
 }
 
 static inline u4 u4_select(m4 m, u4 a, u4 b) {
-    return plt_u4(vpselq_u32(a.v, b.v, m.p));
+    return plt_u4(vpselq_u32(a.v, b.v, (mve_pred16_t)m.p));
 }
 
 static inline void f4_swap(m4 m, f4 *a, f4 *b) {

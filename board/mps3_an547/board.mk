@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 
 CROSS := arm-none-eabi-
-# Scalar lanes leave the vectors of MVE alone: GCC must not use them for floats by itself, as
-# they flush subnormals.
+# GCC must not use vectors for floats by itself, as they flush subnormals; the engine does where
+# it only leaves something out.
 CPU := -mthumb -mcpu=cortex-m55 -mfloat-abi=hard -fno-tree-vectorize
-LANES := scalar
+LANES := mve
 ARENA_BYTES := 262144
 STACK_BYTES := 8192
 SHARED := platform/bare platform/cortex_m platform/cortex_m/armv8m board/semihosted board/fpgaio

@@ -126,6 +126,7 @@ function add_indirect(title,    i, count, names, pair, own, any) {
 }
 
 # ---- disassembly of Thumb and RISC-V ----
+# Vectors of MVE are stored as floats are, or as objdump calls them, by STC.
 
 /file format/ {
     file = $1
@@ -139,7 +140,7 @@ function add_indirect(title,    i, count, names, pair, own, any) {
 /^[0-9a-f]+ <[^>]*>:$/ {
     name = $2
     gsub(/[<>:]/, "", name)
-    in_code = ((file ":" name) in frame) ? file ":" name : name
+    in_code = ((file ":" name) in frame) ? file ":" name : (name in by_name) ? by_name[name] : name
 }
 
 function registers(list,    n, i, items, ends, bytes) { # "{r4, lr}", "{d8-d11}"
@@ -175,7 +176,7 @@ function constant(text) { # the number behind the last '#'
     } else if (op ~ /^addi/ && rest ~ /^sp,sp,-/) {
         sub(/^sp,sp,-/, "", rest)
         pushed[in_code] += rest + 0
-    } else if (op ~ /^str/ && rest ~ /\[sp, #-[0-9]+\]!/) {
+    } else if (op ~ /^(v?str|stc)/ && rest ~ /\[sp, #-[0-9]+\]!/) {
         sub(/\]!.*/, "", rest)
         pushed[in_code] += constant(rest)
     }

@@ -10,7 +10,7 @@
  *         u4  four uint32
  *
  * Rules   Every operation is IEEE single precision, round to nearest even,
- *         subnormals kept; div and sqrt are exact. No operation is fused.
+ *         subnormals kept (or see PLT_LANES_FLUSH); div and sqrt are exact. No operation is fused.
  *         min(a,b) is a < b ? a : b and max(a,b) is a > b ? a : b in every
  *         lane: of a NaN and anything, or of two zeros, the SECOND operand
  *         comes back. Comparisons with a NaN are false. NaN payloads of
@@ -49,8 +49,10 @@
  * memory            plt_prefetch(const void *): a hint, may do nothing
  * properties        PLT_LANES_REGISTERS, a macro: 1 if four lanes are one register, 0 if four
  *                   PLT_LANES_FLUSH, a macro, 0 unless defined: 1 if operations may take
- *                   subnormals for zero. A header that defines it has plt_flushed(), which is
- *                   then not 0 until plt_flushed_clear(): the results count for nothing (8.2)
+ *                   subnormals for zero. A header that defines it has plt_flushed(results), which
+ *                   then is not 0 until plt_flushed_clear(), of all that was computed before
+ *                   what lies at `results`. Its line in platform/lanes.txt has the flag
+ *                   -DPLT_LANES_FLUSHES=1.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_LANES_LANES_H
@@ -65,7 +67,13 @@
 #error "floats are evaluated in a wider type: on 32-bit x86 add -msse2 -mfpmath=sse"
 #endif
 
-#ifdef PLT_LANES
+/* Lanes that flush serve where something is only left out, in files that say so before they
+ * include anything; everywhere else the scalar ones do (DESIGN.md, section 8.2). */
+#ifndef PLT_LANES_FLUSHES
+#define PLT_LANES_FLUSHES 0
+#endif
+
+#if defined(PLT_LANES) && (!PLT_LANES_FLUSHES || defined(PLT_LEAVES_OUT))
 #include PLT_LANES
 #else
 #include "engine/lanes/lanes_scalar.h"
@@ -74,7 +82,8 @@
 #ifndef PLT_LANES_FLUSH
 #define PLT_LANES_FLUSH 0
 
-static inline int plt_flushed(void) {
+static inline unsigned plt_flushed(const void *results) {
+    (void)results;
     return 0;
 }
 

@@ -1,12 +1,21 @@
 /* boxes - see boxes.h
  *
  * SPDX-License-Identifier: MIT */
+#define PLT_LEAVES_OUT 1
 #include "engine/trace/boxes.h"
 
 #include "engine/trace/planes.h"
+#include "engine/trace/unless_flushed.h"
 
-static inline void set_planes(plt_planes *b, const plt_slab_array *slabs, const plt_box *box,
-                              enum plt_coherence kind) {
+/* With vectors of few instructions each kind has code of its own. */
+#if PLT_LANES_FLUSHES
+#define PER_KIND PLT_INLINED
+#else
+#define PER_KIND static inline
+#endif
+
+PER_KIND void set_planes(plt_planes *b, const plt_slab_array *slabs, const plt_box *box,
+                         enum plt_coherence kind) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const int swap = kind != PLT_MIXED && slabs->negative[a];
         const float near = swap ? box->hi[a] : box->lo[a];
@@ -16,8 +25,8 @@ static inline void set_planes(plt_planes *b, const plt_slab_array *slabs, const 
     }
 }
 
-static inline m4 meets(const plt_planes *b, const plt_group_slabs *g, enum plt_coherence kind,
-                       f4 *entry) {
+PER_KIND m4 meets(const plt_planes *b, const plt_group_slabs *g, enum plt_coherence kind,
+                  f4 *entry) {
     f4 n[3], f[3];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 rdir = f4_load(g->rdir[a]);
@@ -28,8 +37,8 @@ static inline m4 meets(const plt_planes *b, const plt_group_slabs *g, enum plt_c
     return f4_le(*entry, leave);
 }
 
-static inline plt_mask test_box(const plt_slab_array *slabs, const plt_box *box, plt_mask groups,
-                                enum plt_coherence kind) {
+PER_KIND plt_mask test_box(const plt_slab_array *slabs, const plt_box *box, plt_mask groups,
+                           enum plt_coherence kind) {
     plt_planes b;
     plt_mask hit = 0;
     set_planes(&b, slabs, box, kind);
@@ -38,11 +47,20 @@ static inline plt_mask test_box(const plt_slab_array *slabs, const plt_box *box,
         const unsigned i = plt_mask_first(m);
         hit |= plt_mask_of(i, m4_mask(meets(&b, &slabs->group[i], kind, &entry)) != 0);
     }
-    return hit;
+    return plt_unless_flushed(&hit, groups);
 }
 
-static inline uint32_t test_pair(const plt_slab_array *slabs, const plt_box child[2],
-                                 plt_mask groups, plt_mask hit[2], enum plt_coherence kind) {
+/* Planes at an address that the compiler does not know, and one box after the other: else gcc 12
+ * mixes the tests of both, for which MVE has too few registers (125 instructions per group). */
+static inline const plt_planes *as_loaded(const plt_planes *b) {
+#if PLT_LANES_FLUSHES && defined(__GNUC__)
+    __asm__ volatile("" : "+r"(b) : : "memory");
+#endif
+    return b;
+}
+
+PER_KIND uint32_t test_pair(const plt_slab_array *slabs, const plt_box child[2], plt_mask groups,
+                            plt_mask hit[2], enum plt_coherence kind) {
     plt_planes b[2];
     plt_mask left = 0, right = 0;
     uint32_t tested = 0;
@@ -51,11 +69,17 @@ static inline uint32_t test_pair(const plt_slab_array *slabs, const plt_box chil
     for (plt_mask m = groups; m != 0; m &= m - 1, tested++) {
         f4 entry;
         const unsigned i = plt_mask_first(m);
-        left |= plt_mask_of(i, m4_mask(meets(&b[0], &slabs->group[i], kind, &entry)) != 0);
-        right |= plt_mask_of(i, m4_mask(meets(&b[1], &slabs->group[i], kind, &entry)) != 0);
+        const plt_planes *at = as_loaded(b);
+        left |= plt_mask_of(i, m4_mask(meets(&at[0], &slabs->group[i], kind, &entry)) != 0);
+        at = as_loaded(at + 1);
+        right |= plt_mask_of(i, m4_mask(meets(at, &slabs->group[i], kind, &entry)) != 0);
     }
     hit[0] = left;
     hit[1] = right;
+    if (plt_flushed(hit)) {
+        plt_flushed_clear();
+        hit[0] = hit[1] = groups;
+    }
     return tested;
 }
 

@@ -9,63 +9,9 @@
 
 #if !PLT_WITH_HULLS
 
+#include "engine/trace/triangle_cull.h"
+#include "engine/trace/triangle_plain.h"
 #include "engine/trace/triangle_record.h"
-
-/* A triangle made ready for all groups of a packet. */
-typedef struct prepared {
-    const plt_triangle *triangle;
-    f4 from_org[3][3]; /* PER_PACKET: corner - origin, in all lanes, that axis last */
-    f4 slack;          /* 72 u R L + 320 u^2 R^2; PER_GROUP: 72 u L */
-} prepared;
-
-static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
-    const plt_triangle *triangle = t->triangle;
-    t->slack = f4_all(72.0f * PLT_U * triangle->longest);
-    if (sharing == PER_GROUP) {
-        return;
-    }
-    t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->least_slack));
-    unsigned axis = plt_axis_after[p->axis];
-    PLT_UNROLLED for (int a = 0; a < 3; a++) {
-        for (int c = 0; c < 3; c++) {
-            t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
-        }
-        axis = plt_axis_after[axis];
-    }
-}
-
-static inline f4 from_origin(const prepared *t, const plt_group_rays *g, int corner, int axis,
-                             enum sharing sharing) {
-    return sharing == PER_GROUP
-               ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
-               : t->from_org[corner][axis];
-}
-
-/* The edge functions as seen along axis z. */
-static inline edges edges_of(const prepared *t, const plt_group_rays *g, int z,
-                             enum sharing sharing) {
-    z = sharing == PER_PACKET ? 2 : z;
-    const int ax = plt_axis_after[z], ay = plt_axis_after[ax];
-    const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
-    edges e;
-    PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        const f4 depth = from_origin(t, g, c, z, sharing);
-        e.x[c] = f4_sub(from_origin(t, g, c, ax, sharing), f4_mul(slope_x, depth));
-        e.y[c] = f4_sub(from_origin(t, g, c, ay, sharing), f4_mul(slope_y, depth));
-    }
-    set_weights(&e);
-    return e;
-}
-
-/* Lanes that the triangle covers, or may cover. */
-static inline unsigned may_cover(const prepared *t, const plt_group_rays *g, const edges *e,
-                                 enum sharing sharing) {
-    f4 slack = t->slack;
-    if (sharing == PER_GROUP) {
-        slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->least_slack));
-    }
-    return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
-}
 
 /* Where the rays are inside the triangle's own box, as boxes.c would say. */
 PLT_APART_ON_SMALL_STACKS static m4 own_box(const prepared *t, const plt_group_slabs *s, f4 *enter,
@@ -136,6 +82,12 @@ static inline void test_groups(prepared *t, plt_packet *p, plt_mask groups, enum
 void plt_triangle_groups(plt_packet *p, const plt_triangle *triangle, plt_mask groups) {
     prepared t;
     t.triangle = triangle;
+#if PLT_LANES_FLUSHES
+    groups = plt_triangle_may_meet(p, triangle, groups);
+    if (groups == 0) {
+        return;
+    }
+#endif
     if (p->slabs.coherence == PLT_ONE_ORIGIN && p->axis != PLT_AXES_DIFFER) {
         test_groups(&t, p, groups, PER_PACKET);
     } else {

@@ -1,0 +1,71 @@
+/* triangle_plain - a triangle and a group of rays, without hulls: may they meet?
+ *
+ * SPDX-License-Identifier: MIT */
+#ifndef PLT_TRACE_TRIANGLE_PLAIN_H
+#define PLT_TRACE_TRIANGLE_PLAIN_H
+
+#include "engine/trace/triangle.h"
+#include "engine/trace/triangle_common.h"
+#include "engine/trace/triangle_edges.h"
+
+#if !PLT_WITH_HULLS
+
+/* A triangle made ready for all groups of a packet. */
+typedef struct prepared {
+    const plt_triangle *triangle;
+    f4 from_org[3][3]; /* PER_PACKET: corner - origin, in all lanes, that axis last */
+    f4 slack;          /* 72 u R L + 320 u^2 R^2; PER_GROUP: 72 u L */
+} prepared;
+
+static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
+    const plt_triangle *triangle = t->triangle;
+    t->slack = f4_all(72.0f * PLT_U * triangle->longest);
+    if (sharing == PER_GROUP) {
+        return;
+    }
+    t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->least_slack));
+    unsigned axis = plt_axis_after[p->axis];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        for (int c = 0; c < 3; c++) {
+            t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
+        }
+        axis = plt_axis_after[axis];
+    }
+}
+
+static inline f4 from_origin(const prepared *t, const plt_group_rays *g, int corner, int axis,
+                             enum sharing sharing) {
+    return sharing == PER_GROUP
+               ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
+               : t->from_org[corner][axis];
+}
+
+/* The edge functions as seen along axis z. */
+static inline edges edges_of(const prepared *t, const plt_group_rays *g, int z,
+                             enum sharing sharing) {
+    z = sharing == PER_PACKET ? 2 : z;
+    const int ax = plt_axis_after[z], ay = plt_axis_after[ax];
+    const f4 slope_x = f4_load(g->slope[0]), slope_y = f4_load(g->slope[1]);
+    edges e;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        const f4 depth = from_origin(t, g, c, z, sharing);
+        e.x[c] = f4_sub(from_origin(t, g, c, ax, sharing), f4_mul(slope_x, depth));
+        e.y[c] = f4_sub(from_origin(t, g, c, ay, sharing), f4_mul(slope_y, depth));
+    }
+    set_weights(&e);
+    return e;
+}
+
+/* Lanes that the triangle covers, or may cover. */
+static inline unsigned may_cover(const prepared *t, const plt_group_rays *g, const edges *e,
+                                 enum sharing sharing) {
+    f4 slack = t->slack;
+    if (sharing == PER_GROUP) {
+        slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->least_slack));
+    }
+    return m4_mask(m4_or(f4_le(f4_neg(slack), e->least), f4_le(e->most, slack)));
+}
+
+#endif
+
+#endif
