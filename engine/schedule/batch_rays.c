@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/schedule/batch_rays.h"
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/packet_rays.h"
 
 static uint32_t least(uint32_t a, uint32_t b) {
@@ -10,8 +11,9 @@ static uint32_t least(uint32_t a, uint32_t b) {
 }
 
 /* As many as there is room for; how many rays they are. */
-static uint32_t add_packets(plt_batch *b, plt_traversal *t, uint32_t most, const plt_ray *rays,
-                            uint32_t count, int any) {
+PLT_APART_ON_SMALL_STACKS static uint32_t add_packets(plt_batch *b, plt_traversal *t, uint32_t most,
+                                                      const plt_ray *rays, uint32_t count,
+                                                      int any) {
     uint32_t taken = 0;
     plt_batch_clear(b);
     while (b->count < b->most && taken < count) {
@@ -23,7 +25,8 @@ static uint32_t add_packets(plt_batch *b, plt_traversal *t, uint32_t most, const
     return taken;
 }
 
-static void store_packets(const plt_batch *b, uint32_t most, plt_hit *hits, uint32_t count) {
+PLT_APART_ON_SMALL_STACKS static void store_packets(const plt_batch *b, uint32_t most,
+                                                    plt_hit *hits, uint32_t count) {
     for (uint32_t i = 0; i < b->count; i++) {
         const uint32_t at = i * most;
         plt_packet_store(&b->packet[i], hits + at, least(most, count - at));

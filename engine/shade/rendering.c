@@ -384,7 +384,7 @@ int plt_rendering_ahead(plt_rendering *r) {
            (--r->tiles_ahead > 0 && plt_place_next_tile(&r->ahead, &r->frame, HAS_CURVES(r)));
 }
 
-static int add_packet(plt_rendering *r, plt_traversal *t) {
+PLT_APART_ON_SMALL_STACKS static int add_packet(plt_rendering *r, plt_traversal *t) {
     plt_pixels pixels;
     plt_batch *b = r->batch;
     if (r->all_added) { /* of what was wanted; the caller goes on */
@@ -411,7 +411,7 @@ static int trace_batch(plt_rendering *r, plt_traversal *t, uint32_t visits) {
     return status;
 }
 
-static int shade_next(plt_rendering *r) {
+PLT_APART_ON_SMALL_STACKS static int shade_next(plt_rendering *r) {
     plt_batch *b = r->batch;
     if (r->at.px == 0 && r->at.py == 0) {
         plt_tile_sky(&r->frame, &r->at, r->sky);
