@@ -15,7 +15,7 @@ static const arg_flag flags[] = {{"--all", NULL, "also HID devices that no drive
 const arg_command hid_command_list = {
     "list",
     "[--all] [--keys]",
-    "Lists displays that are plugged in: path, vid:pid, serial number, driver, names. "
+    "Lists displays that are plugged in, each once: path, vid:pid, serial number, driver, names. "
     "Drivers with a * are " DISPLAY_DISCLAIMER ".",
     flags,
     0,

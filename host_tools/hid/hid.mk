@@ -96,6 +96,25 @@ $(OUT)/planelet-hid-emulated: $(OUT)/hid-emulated/main.o \
         $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
 
+# The bench of scripts (tests/hid/script.h): the program itself, and seeds by a clock of their own.
+$(OUT)/planelet-hid-scripted: $(OUT)/hid-emulated/main.o \
+        $(call objects,tests/hid/scripted_main.c tests/hid/script.c tests/reference/fake_hidapi.c) \
+        $(OUT)/libhid.a $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
+
+HID_CLOCK := $(call objects,host_tools/base/clock.c)
+$(OUT)/tests/host_tools/test_hid_schedules: $(OUT)/tests/host_tools/test_hid_schedules.o \
+        $(call objects,tests/hid/script.c) $(OUT)/libhid.a $(TEST_OBJECTS) \
+        $(filter-out $(HID_CLOCK),$(TOOL_OBJECTS)) $(ENGINE_OBJECTS)
+	@echo "$(CC) $@"
+	@$(CC) $(LDFLAGS) -o $@ $^ $(OUT)/libhid.a -lm -pthread
+
+##test soak-hid: SEEDS more schedules of faults for USB displays than make test has
+SEEDS ?= 200000
+.PHONY: soak-hid
+soak-hid: $(OUT)/tests/host_tools/test_hid_schedules
+	@$< 10000 $(SEEDS)
+
 ##try demo-hid: a scene on a USB display, or, without one, on an emulated panel in the terminal
 .PHONY: demo-hid
 demo-hid: all $(OUT)/planelet-hid-emulated

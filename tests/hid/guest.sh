@@ -110,7 +110,7 @@ done
 ./make_pattern 64x48 1 >"$scratch/one"
 chmod 644 "$scratch/one"
 for group in ${HID_GROUPS:-lists real_displays own_displays cross gadgets strangers permissions \
-    unplugged paced_displays keyed_displays}; do
+    held neighbours unplugged paced_displays keyed_displays}; do
     began=$(uptime_seconds) before=$verdicts
     $group
     [ $verdicts -gt $before ] || echo "FAIL the group $group shows anything"

@@ -174,6 +174,53 @@ lists() {
     stop
 }
 
+# With libusb the second cannot open it; on hidraw it would write, too.
+held() {
+    start usbip planelet
+    ./planelet-hid-hidraw show "$scratch/one" "$scratch/one" --hold 600 >/dev/null 2>&1 &
+    host=$!
+    sleep 2
+    ./planelet-hid-hidraw show "$scratch/one" >"$scratch/host" 2>&1
+    verdict "hidraw: a second program is told which process shows on the display" "$(
+        grep -q "process $host shows pictures on 1209:0001; stop that one" "$scratch/host" ||
+            cat "$scratch/host")"
+    kill -KILL $host
+    wait $host 2>/dev/null
+    ./planelet-hid-hidraw show "$scratch/one" --every >"$scratch/host" 2>&1
+    verdict "hidraw: ... and shows there once that is killed" "$(
+        grep -q '1 frames in' "$scratch/host" || cat "$scratch/host")"
+    stop
+}
+
+# Two displays that differ in their ports alone.
+neighbours() {
+    ./device usbip planelet size=64x48 port=1 >"$scratch/neighbour" 2>&1 &
+    neighbour=$!
+    until_devices 1
+    ./device usbip planelet size=64x48 die_after=60 >"$scratch/device" 2>&1 &
+    device=$!
+    until_devices 2
+    usleep 50000
+    ./make_pattern 64x48 40 >"$scratch/pictures"
+    ./planelet-hid-hidraw show "$scratch/pictures" --every --device /dev/hidraw1 \
+        >"$scratch/host" 2>&1 &
+    host=$!
+    wait $device 2>/dev/null
+    until_devices 1
+    usleep 500000
+    ./device usbip planelet size=64x48 >"$scratch/device" 2>&1 &
+    device=$!
+    wait $host
+    status=$?
+    kill -TERM $neighbour
+    wait $neighbour 2>/dev/null
+    stop
+    verdict "hidraw: a display that was unplugged is waited for, its equal neighbour left alone" "$(
+        [ $status -eq 0 ] && grep -q ' 1 reconnects' "$scratch/host" && [ "$(value last)" = 39 ] ||
+            { echo "$status: $line"; cat "$scratch/host"; }
+        grep -q ' changes=0 ' "$scratch/neighbour" || cat "$scratch/neighbour")"
+}
+
 # Keys: input reports through the kernel and hidapi. Each press is counted once, however
 # many reports of the link come between.
 keyed() { # DRIVER BACKEND [key=value ...]

@@ -76,6 +76,9 @@ static void mini_output(model *m, const uint8_t *r, size_t bytes) {
         model_breach(m, "not an image report of 1024 bytes");
         return;
     }
+    if (r[2] == 0 && d->next > 0 && d->next < PAGES) {
+        model_breach(m, "an image begins and the one before was not ended");
+    }
     if (r[2] == 0) {
         d->next = 0;
         d->key = r[5];

@@ -199,6 +199,20 @@ static void before_report(void) {
     }
 }
 
+/* `count`: of refusals of this kind of report that are left. */
+static int is_refused(unsigned *count) {
+    const unsigned stall = fake_bus.stall_ms;
+    fake_bus.stall_ms = 0;
+    clock_sleep(1e-3 * stall);
+    unsigned *const refusals = fake_bus.refuse_reports > 0 ? &fake_bus.refuse_reports : count;
+    const int is_one = *refusals > 0;
+    *refusals -= (unsigned)is_one;
+    if (is_one || stall > 0) {
+        fake_bus.last_fault = clock_seconds();
+    }
+    return is_one || stall > 0;
+}
+
 int hid_write(hid_device *h, const unsigned char *data, size_t length) {
     before_report();
     const fake_device *d = behind(h);
@@ -208,8 +222,7 @@ int hid_write(hid_device *h, const unsigned char *data, size_t length) {
     }
     const uint64_t number = fake_bus.outputs++;
     clock_sleep(1e-6 * fake_bus.slow_us);
-    if (fake_bus.refuse_outputs > 0) {
-        fake_bus.refuse_outputs--;
+    if (is_refused(&fake_bus.refuse_outputs) || d != behind(h)) {
         return -1;
     }
     fake_bus.wrong += d->numbered ? data[0] == 0 : data[0] != 0;
@@ -231,8 +244,7 @@ int hid_send_feature_report(hid_device *h, const unsigned char *data, size_t len
         return -1;
     }
     fake_bus.features++;
-    if (fake_bus.refuse_features > 0) {
-        fake_bus.refuse_features--;
+    if (is_refused(&fake_bus.refuse_features) || d != behind(h)) {
         return -1;
     }
     const size_t skip = data[0] == 0 ? 1 : 0;
@@ -240,6 +252,7 @@ int hid_send_feature_report(hid_device *h, const unsigned char *data, size_t len
     count_towards_unplug();
     if (fake_bus.late_ms > 0) {
         clock_sleep(1e-3 * fake_bus.late_ms);
+        fake_bus.last_fault = clock_seconds();
         return -1;
     }
     return (int)length;

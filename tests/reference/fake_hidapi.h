@@ -43,6 +43,8 @@ extern struct fake_bus {
     unsigned short_writes;    /* of every n output reports one is taken in part */
     unsigned refuse_features; /* the next n feature reports fail */
     unsigned refuse_outputs;  /* the next n output reports fail */
+    unsigned refuse_reports;  /* the next n reports of either kind fail */
+    unsigned stall_ms;        /* the next report takes so long, and then fails; 0: no */
     unsigned late_ms;         /* feature reports are carried out, but so much later reported as
                                * failed; 0: never */
     unsigned slow_us;         /* every write takes so long */
@@ -54,6 +56,7 @@ extern struct fake_bus {
     uint64_t unplug_after; /* so many reports from now the first device goes; 0: never */
     uint64_t replug_ms;    /* ... and comes back so much later; 0: never */
 
+    double last_fault; /* clock: when a refusal, or what was late or stalled, came to its end */
     uint64_t outputs, features, reads, opens, enumerations; /* counted */
     int alive, open;                                        /* hid_init called; devices open */
     unsigned wrong; /* uses that hidapi forbids: must stay 0 */

@@ -13,6 +13,7 @@
 
 static const double LOOK_SECONDS = 0.1;
 static const double RENEWAL_SECONDS = 1.5; /* in which every piece is sent again */
+static const double PAUSE_MOST = 0.5;      /* seconds between two pieces of a slow link */
 
 static int set_brightness(session *s, fail *f) {
     const driver *by = s->display.by;
@@ -144,8 +145,8 @@ static int is_due(const session *s) {
     return s->shown > 0 && !s->display.by->renews && clock_seconds() >= s->due;
 }
 
-/* Shows `panel`, and with it a piece that is due. Of a slow link pieces that are sent again take
- * half of the time at most. */
+/* Shows `panel`, and with it a piece that is due. Pieces that are sent again take half of
+ * a slow link's time. */
 static int show_panel(session *s, fail *f) {
     display *d = &s->display;
     const double began = clock_seconds(), pause = RENEWAL_SECONDS / pieces_of(d);
@@ -157,7 +158,8 @@ static int show_panel(session *s, fail *f) {
     const int status = d->by->show(d, &s->panel, f);
     if (renews || !has_pieces) {
         const double now = clock_seconds(), took = now - began;
-        s->due = now + (took > pause ? took : pause);
+        const double rest = took < PAUSE_MOST ? took : PAUSE_MOST;
+        s->due = now + (rest > pause ? rest : pause);
     }
     return status;
 }

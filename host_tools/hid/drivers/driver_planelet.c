@@ -275,7 +275,7 @@ static void renew(planelet *p) {
 static int planelet_tick(display *d) {
     int sent = 1;
     renew(d->state);
-    while (sent) {
+    while (sent && !display_is_stopped(d)) {
         if (exchange(d, 0, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
