@@ -1,12 +1,11 @@
 # cpus - the programs of the host for another CPU, which QEMU runs: make ARCH=name, with a file
 # NAME.mk here
 #
-# TRIPLE of Debian's cross compiler; CPU_FLAGS; the EMULATOR; LANES; MORE_LANES, what else the CPU
-# has; PACKAGES of Debian; IN_CI, yes or no. Linked statically: nothing of that CPU is installed.
+# TRIPLE of Debian's cross compiler; CPU_FLAGS; the EMULATOR; LANES, if not the usual ones; HASHED,
+# lanes of hashes.sh; PACKAGES of Debian; IN_CI, yes or no. Programs are linked statically.
 # SPDX-License-Identifier: MIT
 
-CPUS := $(patsubst tests/cpus/%.mk,%,$(filter-out tests/cpus/cpus.mk,\
-    $(sort $(wildcard tests/cpus/*.mk))))
+CPUS := $(shell sh tests/cpus/archs.sh)
 ifeq ($(filter $(ARCH),$(CPUS)),)
 $(error there is no tests/cpus/$(ARCH).mk; CPUs: $(CPUS))
 endif
