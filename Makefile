@@ -54,7 +54,7 @@ include engine/engine.mk
 .PHONY: all firmware boards test-boards demo demo-wooddoll demo-bunny demo-firmware setup test \
         check sizes bench scenes peers surface compact streamed moving policies workers against \
         sanitize tiny scalar fuzz exporters run treelets povray stages jpeg play profile clean \
-        help FORCE
+        help cpus hashes FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -155,6 +155,20 @@ tiny:
 ##test scalar: the test programs with the scalar lanes
 scalar:
 	@$(MAKE) LANES=scalar programs-run
+
+##test cpus: the tests of the engine on other CPUs, by QEMU; one: make ARCH=name programs-run
+cpus: all
+	@ALL_CPUS=all sh tests/setup.sh
+	@for arch in $$(sh tests/cpus/archs.sh); do \
+	    echo "== on $$arch"; \
+	    $(MAKE) --no-print-directory ARCH=$$arch engine-run || exit 1; \
+	done
+
+##test hashes: one frame by all CPUs, lanes, compilers and levels: ARCHS= COMPILERS= LEVELS=
+hashes: all
+	@ALL_CPUS=all sh tests/setup.sh
+	@MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BUILD='$(BUILD)' ARCHS='$(ARCHS)' \
+	    COMPILERS='$(COMPILERS)' LEVELS='$(LEVELS)' sh tests/cpus/hashes.sh
 
 ##test fuzz: libFuzzer on images, meshes, pictures, reports, SECONDS each (60); TARGETS= for some
 fuzz: all

@@ -28,7 +28,8 @@ run() {
     began=$(date +%s)
     case $2 in
     *.sh) $plainly timeout "$limit" sh "$2" >"$room/$1.log" 2>&1 & ;;
-    *) $plainly timeout "$limit" "$2" >"$room/$1.log" 2>&1 & ;;
+    # shellcheck disable=SC2086
+    *) $plainly timeout "$limit" $EMULATOR "$2" >"$room/$1.log" 2>&1 & ;;
     esac
     child=$!
     wait "$child"

@@ -1,7 +1,8 @@
 #!/bin/sh
 # setup.sh - installs what the tests need beside gcc, make and git
 #
-# Does nothing when all is there. Exit status 1, and what to install by hand,
+# With ALL_CPUS=all also what `make cpus` and `make hashes` need. Does nothing when all is there.
+# Exit status 1, and what to install by hand,
 # when it cannot. SPDX-License-Identifier: MIT
 
 # tool:package
@@ -22,7 +23,8 @@ xz:xz-utils
 bzip2:bzip2
 zstd:zstd
 unzip:unzip
-parallel:parallel'
+parallel:parallel
+qemu-arm:qemu-user'
 PATH=$PATH:/usr/sbin:/sbin
 
 missing() {
@@ -33,6 +35,13 @@ missing() {
     if ! echo '#include <string.h>' | arm-none-eabi-gcc -E - >/dev/null 2>&1; then
         echo libnewlib-arm-none-eabi
     fi
+    for arch in $(sh tests/cpus/archs.sh ${ALL_CPUS:-ci}); do
+        compiler=$(sed -n 's/^TRIPLE := //p' "tests/cpus/$arch.mk")-gcc
+        if ! echo '#include <string.h>' | "$compiler" -E - >/dev/null 2>&1; then
+            sed -n 's/^PACKAGES := //p' "tests/cpus/$arch.mk"
+        fi
+    done
+    [ -z "$ALL_CPUS" ] || command -v clang-16 >/dev/null 2>&1 || echo clang-16
     if ! pkg-config --exists hidapi-hidraw hidapi-libusb 2>/dev/null; then
         echo libhidapi-dev libhidapi-hidraw0 libhidapi-libusb0
     fi

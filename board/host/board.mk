@@ -5,16 +5,25 @@ ifneq ($(PARTS),)
 $(error PARTS is for firmware, as the tools need the whole engine: make BOARD=name PARTS=...)
 endif
 
+# Another CPU than this machine's, whose programs an emulator runs: tests/cpus/NAME.mk.
+ARCH ?=
+ifneq ($(ARCH),)
+include tests/cpus/cpus.mk
+endif
+
 CC ?= cc
 OPTIMISE ?= -O3 -g
 HOST_FLAGS := -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64
 # The largest arena of the host program; pages cost nothing until touched.
 ARENA_BYTES := 1073741824
+# gcc for s390x evaluates floats as doubles, to the letter of the standard, until it is told not to.
+STRICT += $(shell echo __FLT_EVAL_METHOD__ | $(CC) -std=c11 -E -P - 2>/dev/null | \
+    sed -n 's/^1$$/-fexcess-precision=fast/p')
 
 ifeq ($(origin LANES),undefined)
 LANES := $(shell sh platform/lanes.sh usual $(CC) $(CFLAGS))
 endif
-OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
+OUT := $(BUILD)/$(if $(ARCH),cpus/$(ARCH),host)$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
 
 PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
 # What both programs of host_tools and the tests share; cli/ is planelet's own part,
@@ -37,6 +46,11 @@ TEST_PROGRAMS := $(patsubst tests/%.c,$(OUT)/tests/%,$(TESTS))
 ENGINE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(FREESTANDING) $(lanes_flags) $(CFLAGS)
 HOST_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(lanes_flags) \
                -DPLT_BOARD_ARENA_BYTES=$(ARENA_BYTES)u $(CFLAGS)
+
+# What compiles the engine, for scripts that do it themselves (tests/cpus/hashes.sh).
+.PHONY: engine-command
+engine-command:
+	@:$(info $(EMULATOR))$(info $(strip $(ENGINE_COMMAND) $(LDFLAGS)))
 
 # Without the flags of LANES, but with those of the whole build.
 PROBE_COMMAND = $(CC) $(STRICT) $(OPTIMISE) $(HOST_FLAGS) $(CFLAGS)
@@ -83,10 +97,14 @@ $(OUT)/flags: FORCE
 
 include host_tools/hid/hid.mk
 
-.PHONY: test-programs programs-run
+.PHONY: test-programs programs-run engine-run
 test-programs: $(TEST_PROGRAMS)
 
 programs-run: test-programs
-	@OUT='$(OUT)' sh tests/run.sh $(TEST_PROGRAMS)
+	@OUT='$(OUT)' EMULATOR='$(EMULATOR)' sh tests/run.sh $(TEST_PROGRAMS)
+
+ENGINE_TESTS := $(filter $(OUT)/tests/engine/%,$(TEST_PROGRAMS))
+engine-run: $(ENGINE_TESTS)
+	@OUT='$(OUT)' EMULATOR='$(EMULATOR)' sh tests/run.sh $(ENGINE_TESTS)
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

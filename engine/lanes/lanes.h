@@ -62,7 +62,14 @@
 #include "engine/lanes/unroll.h"
 
 #if FLT_EVAL_METHOD != 0
-#error "floats are evaluated in a wider type: on 32-bit x86 add -msse2 -mfpmath=sse"
+#if defined(__i386__)
+#error "floats are evaluated in the x87's wider type: add -msse2 -mfpmath=sse"
+#elif FLT_EVAL_METHOD == 1
+#error "floats are evaluated as doubles: gcc for s390x wants -fexcess-precision=fast"
+#else
+#error                                                                                             \
+    "floats are evaluated in a wider type, by FLT_EVAL_METHOD: an FPU of single precision, or none"
+#endif
 #endif
 
 #ifdef PLT_LANES

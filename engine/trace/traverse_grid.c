@@ -88,6 +88,7 @@ PLT_GRID_PART void test_four(visit *v, const plt_record *const record[PLT_GRID_T
             groups = by_rates ? plt_grid_meet_limits(s, &sides, groups)
                               : plt_grid_meet_groups(s, &sides, groups);
 #else
+            (void)by_rates;
             groups = plt_grid_meet_groups(s, &sides, groups);
 #endif
         }

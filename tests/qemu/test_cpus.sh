@@ -1,0 +1,36 @@
+#!/bin/sh
+# test_cpus.sh - other CPUs render the host's frame, and a build with wider floats is refused
+#
+# Those with IN_CI in tests/cpus: of 32 and 64 bits, of both byte orders, with vectors and without.
+# `make cpus` and `make hashes` have the others, other compilers, and the tests of the engine.
+# SPDX-License-Identifier: MIT
+. tests/check/report.sh
+
+archs=$(sh tests/cpus/archs.sh ci)
+for arch in $archs; do
+    needs "$(sed -n 's/^TRIPLE := //p' "tests/cpus/$arch.mk")-gcc" \
+        "$(sed -n 's/^EMULATOR := \([^ ]*\).*/\1/p' "tests/cpus/$arch.mk")"
+done
+
+refused() { # COMPILER FLAG...: what it says to lanes.h
+    echo '#include "engine/lanes/lanes.h"' |
+        "$@" -std=c11 -I. -x c -fsyntax-only - 2>&1 | sed -n 's/.*#error //p'
+}
+said=$(refused i686-linux-gnu-gcc -mfpmath=387)
+verdict "floats in an x87 are refused, and the flags that help are named" "$(
+    case $said in *-mfpmath=sse*) ;; *) echo "${said:-it compiles}" ;; esac)"
+verdict "with them it compiles" "$(refused i686-linux-gnu-gcc -msse2 -mfpmath=sse)"
+said=$(refused s390x-linux-gnu-gcc)
+verdict "floats as doubles are refused, and the flag that helps is named" "$(
+    case $said in *-fexcess-precision=fast*) ;; *) echo "${said:-it compiles}" ;; esac)"
+verdict "which the build gives" "$(
+    $MAKE -s --no-print-directory ARCH=s390x engine-command |
+        grep -q -e -fexcess-precision=fast || echo "it does not")"
+
+text=$(ARCHS=$archs COMPILERS=gcc LEVELS=-O2 sh tests/cpus/hashes.sh)
+echo "$text" | sed '$d'
+counts=$(echo "$text" | tail -n 1)
+passed=$((passed + ${counts%% *}))
+counts=${counts#*, }
+failed=$((failed + ${counts%% *}))
+finish
