@@ -39,6 +39,13 @@ typedef struct picolcd {
     uint8_t known[CHIPS][PAGES]; /* what is `shown` is on the panel */
 } picolcd;
 
+static int send(display *d, const uint8_t report[REPORT_BYTES]) {
+    const int status = port_output(d->port, report, REPORT_BYTES);
+    return status != PORT_OK       ? display_status(status)
+           : display_is_stopped(d) ? DISPLAY_STOPPED
+                                   : DISPLAY_OK;
+}
+
 static int send_page(display *d, unsigned chip, unsigned page, const uint8_t *columns) {
     uint8_t first[REPORT_BYTES] = {
         COMMAND_DATA, (uint8_t)(chip << 2), 2, 0, 0, (uint8_t)(0xB8 | page), 0, 0, 0x40, 0, 0,
@@ -46,8 +53,8 @@ static int send_page(display *d, unsigned chip, unsigned page, const uint8_t *co
     uint8_t second[REPORT_BYTES] = {DATA, (uint8_t)(chip << 2 | 1), 0, 0, HALF};
     memcpy(first + 12, columns, HALF);
     memcpy(second + 5, columns + HALF, HALF);
-    const int status = port_output(d->port, first, sizeof first);
-    return status != PORT_OK ? status : port_output(d->port, second, sizeof second);
+    const int status = send(d, first);
+    return status != DISPLAY_OK ? status : send(d, second);
 }
 
 static int picolcd_show(display *d, const picture *p, fail *f) {
@@ -62,8 +69,8 @@ static int picolcd_show(display *d, const picture *p, fail *f) {
         }
         l->known[chip][page] = 0;
         const int status = send_page(d, chip, page, columns);
-        if (status != PORT_OK || display_is_stopped(d)) {
-            return status != PORT_OK ? display_status(status) : DISPLAY_STOPPED;
+        if (status != DISPLAY_OK) {
+            return status;
         }
         memcpy(l->shown[chip][page], columns, COLUMNS);
         l->known[chip][page] = 1;
@@ -95,16 +102,16 @@ static int picolcd_open(display *d, fail *f) {
     if (d->state == NULL) {
         return fail_set(f, NULL, "out of memory; close other programs");
     }
-    int status = PORT_OK;
-    for (unsigned chip = 0; chip < CHIPS && status == PORT_OK; chip++) {
+    int status = DISPLAY_OK;
+    for (unsigned chip = 0; chip < CHIPS && status == DISPLAY_OK; chip++) {
         const uint8_t report[REPORT_BYTES] = {
             COMMAND, (uint8_t)(chip << 2), 2, 0, 0x64, 0x3F, 0, 0x64, 0xC0};
-        status = port_output(d->port, report, sizeof report);
+        status = send(d, report);
     }
-    if (status != PORT_OK) {
+    if (status != DISPLAY_OK) {
         picolcd_close(d);
     }
-    return display_status(status);
+    return status;
 }
 
 static const driver_id ids[] = {{0x04D8, 0xC002, 0}, {0, 0, 0}};
