@@ -12,8 +12,14 @@
 #define KEYS_OF_GRIDS ""
 #endif
 
+#if PLT_WITH_WAVE
+#define KEYS_OF_WAVE " flight rays"
+#else
+#define KEYS_OF_WAVE ""
+#endif
+
 #if PLT_WITH_WHITTED
-#define KEYS_OF_LIGHTS " sun point sky ground depth shadows"
+#define KEYS_OF_LIGHTS " sun point sky ground depth shadows" KEYS_OF_WAVE
 #else
 #define KEYS_OF_LIGHTS ""
 #endif
@@ -142,6 +148,21 @@ static int read_textures(const char *all, job *j) {
 #endif
 }
 
+/* flight= and rays=: how many are in flight in a wave, and which go by it. */
+static int read_wave(const char *all, job *j) {
+#if PLT_WITH_WAVE
+    static const char *const kinds[] = {"auto", "coherent", "incoherent"};
+    uint32_t rays = 0;
+    const int is_read = job_u32(all, "flight", 16, 64, &rays);
+    j->options.rays_in_flight = (uint8_t)rays;
+    return is_read < 0 ? is_read : job_word(all, "rays", kinds, 3, &j->options.rays);
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
 /* sun=, point=, sky=, ground=, depth= and shadows=, likewise. */
 static int read_lights(const char *all, job *j) {
     static const char *const shadows[] = {"clear", "solid"};
@@ -150,7 +171,7 @@ static int read_lights(const char *all, job *j) {
     if (read_light(all, "sun", PLT_LIGHT_DISTANT, l) < 0 ||
         read_light(all, "point", PLT_LIGHT_POINT, l) < 0 ||
         read_floats(all, "sky", l->sky, 3) < 0 || read_floats(all, "ground", l->ground, 3) < 0 ||
-        job_u32(all, "depth", 0, PLT_BOUNCES_MOST, &depth) < 0) {
+        job_u32(all, "depth", 0, PLT_BOUNCES_MOST, &depth) < 0 || read_wave(all, j) < 0) {
         return -1;
     }
     if (job_word(all, "shadows", shadows, 2, &l->solid_shadows) < 0) {

@@ -167,7 +167,8 @@ enum plt_records {
     PLT_RECORDS_NEVER = 2
 };
 
-/* How plt_trace traces: hits are the same, bit for bit. */
+/* How plt_trace traces, and frames with lights the rays off surfaces: hits are the same, bit for
+ * bit. */
 enum plt_rays {
     PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
                              * been of little use, most go by the wave unseen */
@@ -182,7 +183,7 @@ typedef struct plt_options {
     uint8_t order;          /* enum plt_order */
     uint8_t count_touched;  /* 1: count plt_stats.bytes_touched_once, for a bit per treelet
                              * block, of compact blocks a bit per 8 bytes */
-    uint8_t rays_in_flight; /* of a wave for incoherent rays: 16 .. 64, or 0: plt_trace has
+    uint8_t rays_in_flight; /* of a wave for incoherent rays: 16 .. 64, or 0: there are
                              * packets alone. Scenes without a tree are traced in packets,
                              * and so are compact blocks without a wide form where
                              * PLT_WITH_WAVE_COMPACT is 0. DESIGN.md, section 6, has the

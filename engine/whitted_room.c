@@ -18,6 +18,9 @@ int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PL
     const plt_section *s = plt_further_section(h, PLT_SECTION_MATERIALS);
     plt_whitted *w =
         plt_whitted_init(part[PLT_PART_WHITTED], e->options.packet_side, e->options.whitted - 1u);
+#if PLT_WITH_WAVE
+    w->rays_kind = e->options.rays & 3u;
+#endif
     e->rendering.whitted = w;
     if (s == NULL) {
         return PLT_OK;

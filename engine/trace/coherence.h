@@ -11,6 +11,7 @@
 
 #include "engine/base/box.h"
 #include "engine/planelet.h"
+#include "engine/trace/packet.h"
 
 enum { PLT_COHERENCE_WINDOW = 64 };
 
@@ -24,6 +25,9 @@ enum { PLT_COHERENCE_WINDOW = 64 };
 /* Whether `count` rays are one beam no wider than that, seen from a scene with this box. Whatever
  * is not a number is left out. */
 int plt_rays_are_narrow(const plt_ray *rays, uint32_t count, const plt_box *scene, float narrow);
+
+/* The same of the rays of a packet whose groups are set. */
+int plt_packet_is_narrow(const plt_packet *packet, float narrow);
 
 static inline int plt_rays_are_coherent(const plt_ray *rays, uint32_t count, const plt_box *scene) {
     return plt_rays_are_narrow(rays, count, scene, PLT_COHERENCE_NARROW);

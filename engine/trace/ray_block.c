@@ -111,15 +111,16 @@ static float clamped(float t, float enter, float leave) {
 }
 
 /* Whether the distance of a lane needs integers; where products of the normal may underflow it
- * is computed anew. */
+ * is computed anew, of a normal that is scaled. */
 static int is_open(const plt_wave_ray *r, const plt_bvh4_block *b, const plt_ray *ray,
-                   const float normal[3], float enter, float leave, unsigned lane, float *t) {
+                   float normal[3], float enter, float leave, unsigned lane, float *t) {
     float corner[3][3], scaled[3];
     corners_of(b, lane, corner);
     const unsigned kind = plt_scale_normal(corner, normal, scaled);
     const float along = along_one(r, scaled);
     if ((kind & PLT_NORMAL_IS_SMALL) != 0) {
         *t = scaled_distance(r, corner, ray, scaled, along);
+        memcpy(normal, scaled, sizeof scaled);
     }
     return plt_distance_is_open(along, kind, enter, leave) && enter <= r->tmax[0] &&
            r->tmin[0] <= leave;
@@ -135,8 +136,11 @@ static unsigned open_lanes(const plt_wave_ray *r, const plt_bvh4_block *b, const
     f4_store(t, p->distance);
     for (unsigned i = 0; i < 4; i++) {
         if (candidates >> i & 1u) {
-            const float normal[3] = {p->normal[0][i], p->normal[1][i], p->normal[2][i]};
+            float normal[3] = {p->normal[0][i], p->normal[1][i], p->normal[2][i]};
             open |= (unsigned)is_open(r, b, ray, normal, enter[i], leave[i], i, &t[i]) << i;
+            for (int a = 0; a < 3; a++) {
+                p->normal[a][i] = normal[a];
+            }
         }
     }
     p->distance = f4_load(t);
@@ -208,9 +212,16 @@ static void set_exact_distance(const plt_bvh4_block *b, const plt_ray *ray, lane
     l->t[i] = clamped(plt_exact_distance(corner, ray->org, ray->dir), l->enter[i], l->leave[i]);
 }
 
-/* For any hit `hit` holds no id, and tmax is -1 once there is one. */
-static int is_nearer(const plt_wave_ray *r, const plt_hit *hit, float t, uint32_t id, int any) {
-    return r->tmin[0] <= t && (t < r->tmax[0] || (t == r->tmax[0] && (any || id < hit->triangle)));
+/* The triangle of the nearest hit so far, where hits go. */
+static inline uint32_t *id_of(const plt_wave_job *job, uint32_t number) {
+    return job->rays != NULL ? &job->hits[number].triangle
+                             : &job->packet->rays[number / 4].id[number % 4];
+}
+
+/* For any hit there is no id, and tmax is -1 once there is one. */
+static int is_nearer(const plt_wave_ray *r, const plt_wave_job *job, float t, uint32_t id) {
+    return r->tmin[0] <= t &&
+           (t < r->tmax[0] || (t == r->tmax[0] && (job->any || id < *id_of(job, r->number))));
 }
 
 static float weight_of(const lanes *l, unsigned corner, unsigned i, float sum) {
@@ -219,21 +230,48 @@ static float weight_of(const lanes *l, unsigned corner, unsigned i, float sum) {
     return above < 1.0f ? above : 1.0f;
 }
 
+/* Of a ray of the packet, what its group keeps of the nearest hit. */
+static void record_in_group(const plt_wave_job *job, uint32_t number, const planes *p, unsigned i,
+                            const plt_hit *hit) {
+    plt_group_rays *g = &job->packet->rays[number / 4];
+    const unsigned lane = number % 4;
+    job->packet->slabs.group[number / 4].tmax[lane] = hit->t;
+    g->id[lane] = hit->triangle;
+#if PLT_WITH_HULLS
+    if (!job->packet->surfaces) {
+        g->u[lane] = hit->u;
+        g->v[lane] = hit->v;
+        return;
+    }
+#else
+    g->u[lane] = hit->u;
+    g->v[lane] = hit->v;
+#endif
+    for (int a = 0; a < 3; a++) {
+        g->normal[a][lane] = p->normal[a][i];
+    }
+}
+
 /* The hit goes to its place at once; of any hit only that there is one. */
-static void record(plt_wave_ray *r, const lanes *l, unsigned i, uint32_t word, int any,
-                   plt_hit *hit) {
+static void record(plt_wave_ray *r, const lanes *l, unsigned i, uint32_t word,
+                   const plt_wave_job *job, const planes *p) {
     const float sum = (l->weight[0][i] + l->weight[1][i]) + l->weight[2][i];
     const unsigned first = plt_axis_after[plt_primitive_rotation(word)];
-    if (any) {
+    if (job->any) {
         f4_store(r->tmax, f4_all(-1.0f));
-        hit->triangle = 1;
+        *id_of(job, r->number) = 1;
         return;
     }
     f4_store(r->tmax, f4_all(l->t[i]));
-    hit->t = l->t[i];
-    hit->u = weight_of(l, first, i, sum);
-    hit->v = weight_of(l, plt_axis_after[first], i, sum);
-    hit->triangle = plt_primitive_id(word);
+    const plt_hit hit = {.t = l->t[i],
+                         .u = weight_of(l, first, i, sum),
+                         .v = weight_of(l, plt_axis_after[first], i, sum),
+                         .triangle = plt_primitive_id(word)};
+    if (job->rays != NULL) {
+        job->hits[r->number] = hit;
+    } else {
+        record_in_group(job, r->number, p, i, &hit);
+    }
 }
 
 /* Lanes that may be nearer than the hit so far: at the same distance the lower id decides. */
@@ -262,21 +300,21 @@ unsigned plt_block_may_be_nearer(const plt_wave_ray *r, const plt_bvh4_block *b)
 static const uint8_t lane_of[9] = {0, 0, 1, 0, 2, 0, 0, 0, 3};
 
 /* Of the candidates those that the ray meets: keeps the nearest. 0: there is none. */
-static int keep_nearest(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job, lanes *l,
-                        unsigned candidates, unsigned sure, unsigned open) {
-    const plt_ray *ray = &job->rays[r->number];
-    plt_hit *hit = &job->hits[r->number];
+static int keep_nearest(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job,
+                        const planes *p, lanes *l, unsigned candidates, unsigned sure,
+                        unsigned open) {
+    const plt_ray ray = plt_wave_ray_get(job, r->number);
     int is_hit = 0;
     for (; candidates != 0; candidates &= candidates - 1) {
         const unsigned bit = candidates & (0u - candidates), i = lane_of[bit];
-        if ((sure & bit) == 0 && !is_met(r, b, ray, l, i)) {
+        if ((sure & bit) == 0 && !is_met(r, b, &ray, l, i)) {
             continue;
         }
         if ((open & bit) != 0) {
-            set_exact_distance(b, ray, l, i);
+            set_exact_distance(b, &ray, l, i);
         }
-        if (is_nearer(r, hit, l->t[i], plt_primitive_id(b->word[i]), job->any)) {
-            record(r, l, i, b->word[i], job->any, hit);
+        if (is_nearer(r, job, l->t[i], plt_primitive_id(b->word[i]))) {
+            record(r, l, i, b->word[i], job, p);
             is_hit = 1;
         }
     }
@@ -289,7 +327,11 @@ int plt_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job 
     const f4 leave = own_leave(r, b);
     const unsigned inside = may & m4_mask(f4_le(p.enter, leave));
     const unsigned low = inside & low_lanes(b, p.along);
-    const unsigned open = low != 0 ? open_lanes(r, b, &job->rays[r->number], &p, leave, low) : 0;
+    unsigned open = 0;
+    if (low != 0) {
+        const plt_ray ray = plt_wave_ray_get(job, r->number);
+        open = open_lanes(r, b, &ray, &p, leave, low);
+    }
     const f4 t = f4_min(f4_max(p.distance, p.enter), leave);
     const unsigned candidates = inside & (nearer_lanes(r, t) | open);
     if (candidates == 0) {
@@ -299,5 +341,5 @@ int plt_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job 
     plt_block_edges(r, b, &e);
     const f4 error = error_of(r, &e);
     lanes l = lanes_of(&e, error, t, p.enter, leave);
-    return keep_nearest(r, b, job, &l, candidates, sure_lanes(&e, error), open);
+    return keep_nearest(r, b, job, &p, &l, candidates, sure_lanes(&e, error), open);
 }

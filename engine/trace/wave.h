@@ -17,11 +17,27 @@
 #define PLT_TRACE_WAVE_H
 
 #include "engine/trace/traversal.h"
+#include "engine/trace/wave_state.h"
 
 /* Traces `count` rays. `packet` has room for `most` rays; its first group may be used. If
  * `looks`, coherent rays among them (coherence.h) go in packets. PLT_OK, or what a fetch for a
  * packet failed with: then hits from that packet on are as they were. */
 int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int looks,
                    const plt_ray *rays, plt_hit *hits, uint32_t count, int any);
+
+/* Starts on a packet whose groups are set, and counts its `rays`: each of them is traced for
+ * itself, and its hit kept where its group would. plt_packet_finish need not have been called. */
+void plt_wave_packet_begin(plt_traversal *t, uint32_t rays);
+
+/* Goes on for about `visits` nodes, at most 128 more. PLT_OK: all are traced; or PLT_MORE. */
+int plt_wave_packet_step(plt_traversal *t, plt_packet *packet, uint32_t visits);
+
+/* Whether the rays of a packet whose groups are set are better traced so: they are incoherent, or
+ * packets of the kind were of little use so far. */
+int plt_wave_suits(plt_traversal *t, const plt_packet *packet, enum plt_wave_kind kind);
+
+/* Around a packet that is not: learns of what use it was. */
+void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays);
+void plt_wave_watch_end(plt_traversal *t);
 
 #endif

@@ -250,17 +250,23 @@ static void take_all(run *k, plt_wave_job *job, uint32_t root) {
     }
 }
 
-void plt_wave_bvh4(plt_wave_job *job) {
+int plt_wave_bvh4(plt_wave_job *job) {
     plt_traversal *t = job->traversal;
-    const plt_wave *w = job->wave;
+    const uint64_t before = t->stats.node_visits;
+    plt_wave *w = job->wave;
     const plt_bvh4 *tree = t->scene->bvh4;
-    run k = {tree->nodes, w->found, plt_wave_no_lists(w)};
-    for (uint32_t i = 0; i < w->rays_in_flight; i++) {
+    run k = {tree->nodes, w->found, plt_wave_lists_get(w)};
+    for (uint32_t i = 0; i < w->rays_in_flight && !job->is_begun; i++) {
         if (!take(&k, job, plt_wave_slot(w, i), tree->root)) {
             break;
         }
     }
+    job->is_begun = 1;
     while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] > 0) {
+        if (plt_wave_is_over(job, before)) {
+            plt_wave_lists_keep(w, &k.on);
+            return PLT_MORE;
+        }
         for (int i = 0; i < VISITS_IN_A_ROW; i++) {
             t->stats.node_visits += k.on.on[PLT_WAVE_VISIT];
             t->stats.group_tests += k.on.on[PLT_WAVE_VISIT];
@@ -275,4 +281,6 @@ void plt_wave_bvh4(plt_wave_job *job) {
         test_all(&k, job);
         take_all(&k, job, tree->root);
     }
+    plt_wave_lists_keep(w, &k.on);
+    return PLT_OK;
 }

@@ -6,7 +6,8 @@
 
 #include "engine/trace/wave_state.h"
 
-/* Traces all rays of a job; the scene has a wide form. */
-void plt_wave_bvh4(plt_wave_job *job);
+/* Goes on with the rays of a job. PLT_OK: all are traced; PLT_MORE: its visits are made, and what
+ * is on the lists waits in the wave. The scene has a wide form. */
+int plt_wave_bvh4(plt_wave_job *job);
 
 #endif

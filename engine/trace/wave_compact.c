@@ -355,21 +355,35 @@ static void take_all(run *k, plt_wave_job *job) {
     }
 }
 
-void plt_wave_compact(plt_wave_job *job) {
-    const plt_wave *w = job->wave;
+static void leave(plt_wave *w, const run *k) {
+    plt_wave_lists_keep(w, &k->on);
+    w->on[PLT_WAVE_CROSS] = (uint32_t)k->crossing;
+    w->on[PLT_WAVE_ENTER] = (uint32_t)k->entering;
+}
+
+int plt_wave_compact(plt_wave_job *job) {
+    const uint64_t before = job->traversal->stats.node_visits;
+    plt_wave *w = job->wave;
     const plt_block_tree *tree = &job->traversal->scene->compact;
     run k = {.tree = tree,
              .masks = tree->bytes + plt_raw_masks_at(tree->lattice.bits),
              .found = w->found,
-             .on = plt_wave_no_lists(w),
+             .on = plt_wave_lists_get(w),
+             .crossing = w->on[PLT_WAVE_CROSS],
+             .entering = w->on[PLT_WAVE_ENTER],
              .cross = w->list[PLT_WAVE_CROSS],
              .enter = w->list[PLT_WAVE_ENTER]};
-    for (uint32_t i = 0; i < w->rays_in_flight; i++) {
+    for (uint32_t i = 0; i < w->rays_in_flight && !job->is_begun; i++) {
         if (!take(&k, job, whole(plt_wave_slot(w, i)))) {
             break;
         }
     }
+    job->is_begun = 1;
     while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] + k.crossing + k.entering > 0) {
+        if (plt_wave_is_over(job, before)) {
+            leave(w, &k);
+            return PLT_MORE;
+        }
         enter_all(&k);
         job->traversal->stats.node_visits += k.on.on[PLT_WAVE_VISIT];
         job->traversal->stats.group_tests += k.on.on[PLT_WAVE_VISIT];
@@ -379,6 +393,8 @@ void plt_wave_compact(plt_wave_job *job) {
         test_all(&k, job);
         take_all(&k, job);
     }
+    leave(w, &k);
+    return PLT_OK;
 }
 
 #endif

@@ -6,7 +6,8 @@
 
 #include "engine/trace/wave_state.h"
 
-/* Traces all rays of a job; the scene has compact blocks. */
-void plt_wave_compact(plt_wave_job *job);
+/* Goes on with the rays of a job. PLT_OK: all are traced; PLT_MORE: its visits are made, and what
+ * is on the lists waits in the wave. The scene has compact blocks. */
+int plt_wave_compact(plt_wave_job *job);
 
 #endif

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/wave_state.h"
 
+#include <string.h>
+
 #include "engine/trace/coherence.h"
 #include "engine/trace/ray_bounds.h"
 #include "engine/trace/rays.h"
@@ -59,19 +61,27 @@ static void stage_offsets(plt_wave_staged *to, const plt_group_slabs *s, const p
     }
 }
 
+/* The group in which ray `number` is set up. */
+static inline uint32_t group_of(const plt_wave_job *job, uint32_t number) {
+    return job->rays != NULL ? 0 : number / 4;
+}
+
 /* Sets four rays up; lanes without one, and rays that hit nothing, are not valid. */
 static void stage(plt_wave_job *job) {
     plt_wave_staged *to = &job->wave->staged;
     plt_packet *p = job->packet;
-    const plt_group_slabs *s = &p->slabs.group[0];
-    const plt_group_rays *g = &p->rays[0];
-    plt_packet_begin(p, &job->traversal->scene->box, 1, job->any);
-    plt_packet_load_rays(p, 0, job->rays + job->next, job->count - job->next);
+    const uint32_t group = group_of(job, job->next);
+    const plt_group_slabs *s = &p->slabs.group[group];
+    const plt_group_rays *g = &p->rays[group];
+    if (job->rays != NULL) {
+        plt_packet_begin(p, &job->traversal->scene->box, 1, job->any);
+        plt_packet_load_rays(p, 0, job->rays + job->next, job->count - job->next);
+    }
     to->valid = g->valid;
     if (g->valid == 0) {
         return;
     }
-    plt_group_make_ready(p, 0);
+    plt_group_make_ready(p, group);
     store_rows(f4_load(g->org[0]), f4_load(g->org[1]), f4_load(g->org[2]), f4_load(g->reach),
                to->org);
     store_rows(f4_load(g->slope[0]), f4_load(g->slope[1]), least_slack_of(g), along_of(g),
@@ -80,9 +90,11 @@ static void stage(plt_wave_job *job) {
 }
 
 /* A ray out of its lane. */
-static void set_ray(plt_wave_ray *r, const plt_wave_job *job, unsigned lane) {
+static void set_ray(plt_wave_ray *r, const plt_wave_job *job, uint32_t number) {
     const plt_wave_staged *from = &job->wave->staged;
-    const plt_group_slabs *s = &job->packet->slabs.group[0];
+    const plt_group_slabs *s = &job->packet->slabs.group[group_of(job, number)];
+    const unsigned lane = number & 3u;
+    r->number = number;
     PLT_UNROLLED for (unsigned a = 0; a < 3; a++) {
         f4_store(r->near_org[a], f4_all(s->near_org[a][lane]));
         f4_store(r->far_org[a], f4_all(s->far_org[a][lane]));
@@ -97,6 +109,9 @@ static void set_ray(plt_wave_ray *r, const plt_wave_job *job, unsigned lane) {
 
 /* Asks for the rays that come PLT_WAVE_AHEAD later: four take two lines. */
 static void ask_ahead(const plt_wave_job *job) {
+    if (job->rays == NULL) {
+        return;
+    }
     const uint32_t left = job->count - job->next;
     const plt_ray *ahead = &job->rays[job->next + (left > PLT_WAVE_AHEAD + 2 ? PLT_WAVE_AHEAD : 0)];
     plt_prefetch(ahead);
@@ -127,18 +142,18 @@ static uint32_t run_after(uint32_t run, int is_dense) {
                                  : (longer < DENSE_WINDOWS_MOST ? longer : DENSE_WINDOWS_MOST);
 }
 
-static void count_visits(plt_wave_job *job, uint32_t rays, uint64_t visits) {
-    plt_wave *w = job->wave;
-    const uint64_t limit = visits_most(job->packet_rays), most = 4 * limit * rays;
+void plt_wave_learn(plt_wave_density *d, uint32_t window, uint32_t packet_rays, uint32_t rays,
+                    uint64_t visits) {
+    const uint64_t limit = visits_most(packet_rays), most = 4 * limit * rays;
     const uint64_t now = visits < most / PLT_WAVE_VISIT_ONE ? visits * PLT_WAVE_VISIT_ONE : most;
-    const uint64_t windows = 32 * (uint64_t)job->window;
-    w->visits = (uint32_t)(((windows - rays) * w->visits + now) / windows);
-    w->run = w->visits > limit ? run_after(w->run, now > limit * rays) : 0;
-    w->dense = w->run * job->window;
+    const unsigned shift = 5u + (unsigned)__builtin_ctz(window); /* 32 windows, no division */
+    d->visits = (uint32_t)(((((uint64_t)1 << shift) - rays) * d->visits + now) >> shift);
+    d->run = d->visits > limit ? run_after(d->run, now > limit * rays) : 0;
+    d->dense = d->run * window;
 }
 
 static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
-    plt_wave *w = job->wave;
+    plt_wave_density *w = &job->wave->density[PLT_WAVE_GIVEN];
     const plt_scene *scene = job->traversal->scene;
     if (job->window == 0) {
         return 0;
@@ -170,9 +185,18 @@ static void look(plt_wave_job *job) {
         const uint64_t visits = t->stats.node_visits;
         job->status = plt_trace_packets(t, job->packet, job->packet_rays, rays,
                                         job->hits + job->next, now, job->any);
-        count_visits(job, now, t->stats.node_visits - visits);
+        plt_wave_learn(&job->wave->density[PLT_WAVE_GIVEN], job->window, job->packet_rays, now,
+                       t->stats.node_visits - visits);
         job->next += now;
         job->seen = job->next;
+    }
+}
+
+/* Groups have missed already. */
+static inline void set_missed(const plt_wave_job *job, uint32_t number) {
+    const plt_hit miss = {0.0f, 0.0f, 0.0f, job->any ? 0 : PLT_MISS};
+    if (job->rays != NULL) {
+        job->hits[number] = miss;
     }
 }
 
@@ -184,17 +208,15 @@ int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
         if (job->next == job->seen) {
             return 0;
         }
-        const unsigned lane = job->next & 3u;
-        if (lane == 0) {
+        const uint32_t number = job->next;
+        if ((number & 3u) == 0) {
             ask_ahead(job);
             stage(job);
         }
-        const plt_hit miss = {0.0f, 0.0f, 0.0f, job->any ? 0 : PLT_MISS};
-        const uint32_t number = job->next++;
-        job->hits[number] = miss;
-        if (job->wave->staged.valid >> lane & 1u) {
-            set_ray(to, job, lane);
-            to->number = number;
+        job->next++;
+        set_missed(job, number);
+        if (job->wave->staged.valid >> (number & 3u) & 1u) {
+            set_ray(to, job, number);
             return 1;
         }
     }
@@ -229,7 +251,9 @@ void plt_wave_init(void *memory, unsigned rays_in_flight, enum plt_wave_tree tre
     unsigned char *at = (unsigned char *)memory + rounded(sizeof(plt_wave));
     w->rays_in_flight = rays_in_flight;
     w->ray_bytes = ray_bytes(tree, depth);
-    w->visits = w->dense = w->run = 0;
+    memset(w->on, 0, sizeof w->on);
+    memset(w->density, 0, sizeof w->density);
+    w->taken = 0;
     w->found = (plt_wave_found *)(void *)at;
     at += rays_in_flight * sizeof *w->found;
     for (unsigned i = 0; i < lists_of(tree); i++) {

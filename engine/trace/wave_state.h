@@ -69,6 +69,16 @@ typedef struct plt_wave_found {
 
 enum { PLT_WAVE_VISIT_ONE = 65536 }; /* one visit: so fine that single rays count */
 
+/* Rays that are told apart where packets are tried. */
+enum plt_wave_kind { PLT_WAVE_GIVEN, PLT_WAVE_BOUNCES, PLT_WAVE_SHADOWS, PLT_WAVE_KINDS };
+
+/* How dense boxes are for packets of rays of a kind. */
+typedef struct plt_wave_density {
+    uint32_t visits; /* per ray of packets, a moving average, in PLT_WAVE_VISIT_ONE */
+    uint32_t dense;  /* rays that go by the wave, whether they are coherent or not */
+    uint32_t run;    /* windows of them, from one try of packets to the next */
+} plt_wave_density;
+
 /* Arrays of rays_in_flight each lie behind it, and the rays behind those. */
 typedef struct plt_wave {
     plt_wave_staged staged;
@@ -77,9 +87,14 @@ typedef struct plt_wave {
     unsigned char *first;  /* ray in flight */
     uint32_t ray_bytes;    /* of a ray in flight and its stack */
     uint32_t rays_in_flight;
-    uint32_t visits; /* per ray of packets, a moving average, in PLT_WAVE_VISIT_ONE */
-    uint32_t dense;  /* rays that go by the wave, whether they are coherent or not */
-    uint32_t run;    /* windows of them, from one try of packets to the next */
+    plt_wave_density density[PLT_WAVE_KINDS];
+    /* Of a packet that is watched. */
+    uint64_t visits_before;
+    uint32_t watched_rays;
+    enum plt_wave_kind watched;
+    /* Between two steps: rays on each list, and rays of the packet that are taken. */
+    uint32_t on[PLT_WAVE_COMPACT_STEPS];
+    uint32_t taken;
 } plt_wave;
 
 /* One call's rays. */
@@ -88,14 +103,28 @@ typedef struct plt_wave_job {
     plt_traversal *traversal; /* counts them */
     plt_packet *packet;       /* for coherent rays; its first group sets others up */
     uint32_t packet_rays;
-    uint32_t window; /* rays looked at together, a multiple of 4; 0: all go by the wave */
-    const plt_ray *rays;
+    uint32_t window;     /* rays looked at together, a multiple of 4; 0: all go by the wave */
+    const plt_ray *rays; /* NULL: those of the packet, which gets their hits */
     plt_hit *hits;
     uint32_t count, next;
     uint32_t seen; /* rays below are known to be incoherent */
     int any;
-    int status; /* of packets */
+    int status;      /* of packets */
+    int is_begun;    /* the first rays are taken */
+    uint32_t visits; /* of nodes, after which a step ends, all rays being at the same point of it */
 } plt_wave_job;
+
+/* Ray `number` as it came. */
+static inline plt_ray plt_wave_ray_get(const plt_wave_job *job, uint32_t number) {
+    if (job->rays != NULL) {
+        return job->rays[number];
+    }
+    const plt_group_rays *g = &job->packet->rays[number / 4];
+    const unsigned lane = number % 4;
+    const plt_ray ray = {.org = {g->org[0][lane], g->org[1][lane], g->org[2][lane]},
+                         .dir = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]}};
+    return ray; /* the rest nobody asks for */
+}
 
 /* The lists, and how many rays are on each: a copy, so that counts stay in registers. */
 typedef struct plt_wave_lists {
@@ -103,9 +132,22 @@ typedef struct plt_wave_lists {
     size_t on[PLT_WAVE_STEPS];
 } plt_wave_lists;
 
-static inline plt_wave_lists plt_wave_no_lists(const plt_wave *w) {
-    const plt_wave_lists none = {{w->list[0], w->list[1], w->list[2]}, {0, 0, 0}};
-    return none;
+static inline plt_wave_lists plt_wave_lists_get(const plt_wave *w) {
+    const plt_wave_lists lists = {{w->list[0], w->list[1], w->list[2]},
+                                  {w->on[0], w->on[1], w->on[2]}};
+    return lists;
+}
+
+/* For the next step. */
+static inline void plt_wave_lists_keep(plt_wave *w, const plt_wave_lists *lists) {
+    for (int i = 0; i < PLT_WAVE_STEPS; i++) {
+        w->on[i] = (uint32_t)lists->on[i];
+    }
+}
+
+/* Whether a step has made the visits that it may; `before`: when it began. */
+static inline int plt_wave_is_over(const plt_wave_job *job, uint64_t before) {
+    return job->traversal->stats.node_visits - before >= job->visits;
 }
 
 /* Puts a ray on the list of what is next for it, without a branch: it is written to both, and
@@ -160,6 +202,10 @@ static inline uint32_t plt_wave_stack_bytes(enum plt_wave_tree tree, uint32_t de
     }
     return PLT_WAVE_COMPACT_BYTES + PLT_WAVE_COMPACT_ENTRY_BYTES * (depth + 2);
 }
+
+/* A window of so many rays, a power of 2, went in packets of so many: learns from their visits. */
+void plt_wave_learn(plt_wave_density *d, uint32_t window, uint32_t packet_rays, uint32_t rays,
+                    uint64_t visits);
 
 /* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to);

@@ -185,19 +185,25 @@ static void take_all(run *k, plt_wave_job *job) {
     }
 }
 
-void plt_wave_thesis(plt_wave_job *job) {
+int plt_wave_thesis(plt_wave_job *job) {
     const plt_tree *tree = &job->traversal->scene->thesis;
-    const plt_wave *w = job->wave;
+    const uint64_t before = job->traversal->stats.node_visits;
+    plt_wave *w = job->wave;
     run k = {tree,
              {(const unsigned char *)tree->nodes, (const unsigned char *)tree->records},
              w->found,
-             plt_wave_no_lists(w)};
-    for (uint32_t i = 0; i < w->rays_in_flight; i++) {
+             plt_wave_lists_get(w)};
+    for (uint32_t i = 0; i < w->rays_in_flight && !job->is_begun; i++) {
         if (!take(&k, job, whole(plt_wave_slot(w, i)))) {
             break;
         }
     }
+    job->is_begun = 1;
     while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] > 0) {
+        if (plt_wave_is_over(job, before)) {
+            plt_wave_lists_keep(w, &k.on);
+            return PLT_MORE;
+        }
         job->traversal->stats.node_visits += k.on.on[PLT_WAVE_VISIT];
         job->traversal->stats.group_tests += k.on.on[PLT_WAVE_VISIT];
         visit_all(&k);
@@ -205,4 +211,6 @@ void plt_wave_thesis(plt_wave_job *job) {
         test_all(&k, job);
         take_all(&k, job);
     }
+    plt_wave_lists_keep(w, &k.on);
+    return PLT_OK;
 }

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/whitted/rays_due.h"
 
+#include "engine/trace/coherence.h"
+#include "engine/trace/wave.h"
 #include "engine/whitted/direct.h"
 #include "engine/whitted/point.h"
 #include "engine/whitted/shadows.h"
@@ -52,6 +54,46 @@ static void set_group(const plt_whitted *w, plt_packet *packet, uint32_t first, 
                          count);
 }
 
+#if PLT_WITH_WAVE
+/* Whether rays that are set up are better traced each for itself. */
+static int goes_by_wave(const plt_whitted *w, plt_traversal *t, const plt_packet *packet,
+                        int shadows) {
+    if (t->wave == NULL || w->rays_kind == PLT_RAYS_COHERENT) {
+        return 0;
+    }
+    return w->rays_kind == PLT_RAYS_INCOHERENT ||
+           plt_wave_suits(t, packet, shadows ? PLT_WAVE_SHADOWS : PLT_WAVE_BOUNCES);
+}
+
+/* How many visits they take says what the next ones had better do. */
+static void watch(plt_whitted *w, plt_traversal *t, int shadows) {
+    w->is_watched = t->wave != NULL && w->rays_kind == PLT_RAYS_AUTO;
+    if (w->is_watched) {
+        plt_wave_watch(t, shadows ? PLT_WAVE_SHADOWS : PLT_WAVE_BOUNCES, w->rays);
+    }
+}
+
+/* 1: the wave has them. */
+static int begin_wave(plt_whitted *w, plt_traversal *t, const plt_packet *packet, int shadows) {
+    w->by_wave = goes_by_wave(w, t, packet, shadows) != 0;
+    if (w->by_wave) {
+        plt_wave_packet_begin(t, w->rays);
+    } else {
+        watch(w, t, shadows);
+    }
+    return w->by_wave;
+}
+#else
+static int begin_wave(const plt_whitted *w, const plt_traversal *t, const plt_packet *packet,
+                      int shadows) {
+    (void)w;
+    (void)t;
+    (void)packet;
+    (void)shadows;
+    return 0;
+}
+#endif
+
 void plt_rays_due_begin(plt_whitted *w, plt_traversal *t, plt_packet *packet, int shadows) {
     const int clear = plt_shadows_are_clear(w);
     plt_packet_begin(packet, w->box, (w->rays + 3) / 4, shadows && !clear);
@@ -63,10 +105,26 @@ void plt_rays_due_begin(plt_whitted *w, plt_traversal *t, plt_packet *packet, in
     for (uint32_t first = 0; first < w->rays; first += 4) {
         set_group(w, packet, first, shadows);
     }
-    plt_packet_finish(packet);
-    plt_traversal_begin(t, packet, w->rays);
+    if (!begin_wave(w, t, packet, shadows)) {
+        plt_packet_finish(packet);
+        plt_traversal_begin(t, packet, w->rays);
+    }
     w->is_empty = 0;
     w->is_traced = 1;
 }
+
+#if PLT_WITH_WAVE
+int plt_rays_due_trace(const plt_whitted *w, plt_traversal *t, plt_packet *packet,
+                       uint32_t visits) {
+    if (w->by_wave) {
+        return plt_wave_packet_step(t, packet, visits);
+    }
+    const int status = plt_traverse(t, packet, visits);
+    if (status == PLT_OK && w->is_watched) {
+        plt_wave_watch_end(t);
+    }
+    return status;
+}
+#endif
 
 #endif

@@ -11,4 +11,16 @@
  * own. */
 void plt_rays_due_begin(plt_whitted *w, plt_traversal *t, plt_packet *packet, int shadows);
 
+/* Traces the packet, those rays or the first of pixels, as plt_traverse; incoherent rays go by the
+ * wave, if there is one (trace/wave.h), which gives the same hits. */
+#if PLT_WITH_WAVE
+int plt_rays_due_trace(const plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits);
+#else
+static inline int plt_rays_due_trace(const plt_whitted *w, plt_traversal *t, plt_packet *packet,
+                                     uint32_t visits) {
+    (void)w;
+    return plt_traverse(t, packet, visits);
+}
+#endif
+
 #endif

@@ -75,6 +75,9 @@ typedef struct plt_whitted {
     uint8_t is_empty;   /* ... that misses everything, and whose groups may not be set */
     uint8_t light, sample;
     uint8_t is_on_way;      /* rays of the sample go on behind glass */
+    uint8_t rays_kind : 2;  /* enum plt_rays: which may go by the wave */
+    uint8_t by_wave : 1;    /* those of the packet do */
+    uint8_t is_watched : 1; /* ... or do not, and its visits are counted */
     uint32_t rays;          /* of the packet */
     plt_lit_pixel *pixel;   /* [pixels], in Z order */
     plt_lit_ray *waiting;   /* [pixels][room] */

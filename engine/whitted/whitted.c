@@ -80,6 +80,9 @@ void plt_whitted_begin(plt_whitted *w, const plt_packet *packet, uint32_t rays) 
     }
     w->is_empty = packet->active == 0;
     w->is_traced = 1;
+#if PLT_WITH_WAVE
+    w->by_wave = w->is_watched = 0;
+#endif
     w->stage = STAGE_RAYS;
 }
 
@@ -182,7 +185,7 @@ static void find_shadows(plt_whitted *w) {
 }
 
 static int trace(plt_whitted *w, plt_traversal *t, plt_packet *packet, uint32_t visits) {
-    int status = w->is_empty ? PLT_OK : plt_traverse(t, packet, visits);
+    int status = w->is_empty ? PLT_OK : plt_rays_due_trace(w, t, packet, visits);
     if (status != PLT_OK) {
         return status;
     }

@@ -9,7 +9,7 @@
 
 #include "host_tools/app/daylight.h"
 
-enum { SAMPLES_USUAL = 8, NUMBERS = 6 };
+enum { SAMPLES_USUAL = 8, NUMBERS = 6, RAYS_IN_FLIGHT = 32 };
 
 static const char *const KINDS[] = {"point:", "sun:", "area:"};
 enum { POINT, SUN, AREA, KINDS_END };
@@ -105,11 +105,13 @@ static void read_colour(args *a, const char *flag, float to[3]) {
 
 void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     static const char *const WORDS[] = {"clear", "solid", NULL};
-    static const char *const FLAGS[] = {"--light", "--sky", "--ground", "--depth", "--shadows"};
+    static const char *const RAYS[] = {"auto", "coherent", "incoherent", NULL};
+    static const char *const FLAGS[] = {"--light", "--sky",     "--ground",
+                                        "--depth", "--shadows", "--rays"};
     *l = (lights){.is_on = shader == PLT_SHADE_WHITTED, .has_lights = args_has(a, "--light")};
     l->lighting = (plt_lighting){.sky = DAYLIGHT_SKY, .ground = DAYLIGHT_GROUND};
     if (!l->is_on) {
-        for (int i = 0; i < 5; i++) {
+        for (int i = 0; i < 6; i++) {
             if (args_has(a, FLAGS[i])) {
                 args_complain(a, "%s is for --shader whitted; add that", FLAGS[i]);
             }
@@ -124,6 +126,11 @@ void lights_read(lights *l, args *a, uint8_t shader, plt_options *options) {
     l->lighting.bounces = (uint8_t)args_number(a, "--depth", DAYLIGHT_BOUNCES, 0, PLT_BOUNCES_MOST);
     l->lighting.solid_shadows = (uint8_t)args_choice(a, "--shadows", WORDS, 0);
     options->whitted = (uint8_t)(1 + l->lighting.bounces);
+    options->rays = (uint8_t)args_choice(a, "--rays", RAYS, PLT_RAYS_AUTO);
+    if (options->rays != PLT_RAYS_COHERENT) {
+        options->rays_in_flight = RAYS_IN_FLIGHT;
+        options->wide = 1;
+    }
     if (strcmp(args_text(a, "--schedule", "branch"), "branch") != 0) {
         args_complain(a, "--shader whitted takes --schedule branch");
     }

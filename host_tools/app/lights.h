@@ -16,6 +16,9 @@
         {"--ground", "r,g,b", "whitted: light from below (default 0.17,0.15,0.13)"},               \
         {"--shadows", "clear|solid",                                                               \
          "whitted: of glass: light comes through it, or none, for less work (default clear)"},     \
+        {"--rays", "auto|coherent|incoherent",                                                     \
+         "whitted: those off surfaces in packets, one by one in a wave, or as they look; the "     \
+         "picture is the same (default auto)"},                                                    \
     {                                                                                              \
         "--depth", "N",                                                                            \
             "whitted: rays one after another that mirrors and glass send out, 0 to 8 "             \

@@ -396,8 +396,9 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
     return status;
 }
 
-/* Lights fall on normals, colours and textures of the image, if it has any that can be had;
- * textures of streamed scenes cannot, as their coordinates are in tables. */
+/* Lights fall on normals, colours and textures of the image, if it has any that can be had; of
+ * streamed scenes those cannot that are in tables, as coordinates of textures are (textures_say).
+ */
 static void choose_surface(scene *s, const plt_info *info) {
     if (s->options.whitted > 0 && (info->normal_bytes > 0 || info->colour_bytes > 0 ||
                                    info->texcoord_bytes > 0 || info->page_bytes > 0)) {

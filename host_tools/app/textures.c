@@ -41,6 +41,13 @@ void textures_say(const scene *s, const char *path) {
         info->texture_bytes > 0 && s->textures != PLT_TEXTURES_NONE) {
         fprintf(stderr, "%s: without its textures, as it is streamed\n", path);
     }
+    if (s->options.whitted > 0 && s->options.residency == PLT_RESIDENCY_STREAMED &&
+        !s->options.surface && (info->normal_bytes > 0 || info->colour_bytes > 0)) {
+        fprintf(stderr,
+                "%s: without its normals and colours, as it is streamed and they are in "
+                "tables, not in pages\n",
+                path);
+    }
 }
 
 void textures_print(output *o, const scene *s, fail *f) {

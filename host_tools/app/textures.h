@@ -21,7 +21,8 @@
 /* Reads the flags into the scene, for frames of that shader. Refuses through args_complain. */
 void textures_read(scene *s, args *a, uint8_t shader);
 
-/* Says that an image has textures which the frames do not have, if nobody asked for that. */
+/* Says that an image has textures, normals or colours which the frames do not have, if nobody asked
+ * for that. */
 void textures_say(const scene *s, const char *path);
 
 /* JSON members, each ending in ",\n", if there are textures. */

@@ -28,6 +28,8 @@ typedef struct file_written {
 
 /* What is no file (a pipe that nobody writes to) could be waited for without end. */
 int files_is_file(const char *path);
+/* A name that is a folder's. */
+int files_is_directory(const char *path);
 
 /* Before anything else: where standard error is a regular file, that is no input and no
  * output; where it is a pipe, no output but text. */

@@ -483,6 +483,7 @@ static void read_flags(rendering *r, args *a) {
     destination_read(&r->to, a, r->frames, 0, 0);
     r->s.options.count_touched = r->to.json != NULL;
     lights_read(&r->lights, a, r->frame.shader, &r->s.options);
+    r->s.options.wide &= !moved_is(&r->moved); /* it would not move along */
     textures_read(&r->s, a, r->frame.shader);
     r->s.options.surface = r->frame.shader == PLT_SHADE_SMOOTH;
     r->s.spare_bytes =

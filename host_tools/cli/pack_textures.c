@@ -35,6 +35,9 @@ void pack_textures_read(pack_textures *t, args *a, int materials, mesh_corners *
 
 static int read_file(picture *p, const char *path, fail *f) {
     input in = {0};
+    if (files_is_directory(path)) {
+        return fail_set(f, path, "is a directory and no picture; correct the name in the MTL");
+    }
     if (!files_is_file(path)) {
         return fail_set(f, path, "there is no such picture; correct the name in the MTL");
     }

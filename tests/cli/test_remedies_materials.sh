@@ -132,7 +132,8 @@ for flag in --sky --ground; do
         --size 8x8 --shader whitted "$flag" 1,2,-3
     cured render good.plt -o x.png --size 8x8 --shader whitted "$flag" 1,2,3
 done
-for flag in '--light sun:0,1,0,1' '--sky 1,1,1' '--ground 1,1,1' '--depth 2' '--shadows solid'; do
+for flag in '--light sun:0,1,0,1' '--sky 1,1,1' '--ground 1,1,1' '--depth 2' '--shadows solid' \
+    '--rays coherent'; do
     # shellcheck disable=SC2086
     says "%s is for --shader whitted; add that" render good.plt -o x.png --size 8x8 $flag
     # shellcheck disable=SC2086

@@ -92,7 +92,7 @@ head -c 60 p.png >bad.ppm
 wrong "holds no picture; write it again"
 mkdir folder.png
 painted 'map_Kd folder.png'
-says "there is no such picture; correct the name in the MTL" pack good.obj -o x.plt \
+says "is a directory and no picture; correct the name in the MTL" pack good.obj -o x.plt \
     --materials keep --strict
 cured pack good.obj -o x.plt --materials keep --textures none
 painted 'map_Kd -clamp on'

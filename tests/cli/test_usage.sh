@@ -58,7 +58,7 @@ flags pack -o --build --splits --quality --quality-time --leaf --nodes --treelet
 flags info --json --packet --walk
 # shellcheck disable=SC2086
 flags render -o --show --size --shader --samples --light --sky --ground --shadows --depth \
-    --textures --texture-room --orbit --moved \
+    --rays --textures --texture-room --orbit --moved \
     --frames --rebuild --rebuild-step --rebuild-most --records --beside --baseline --repeat \
     --chroma --json --counts $view_flags --background $scene_flags
 # shellcheck disable=SC2086

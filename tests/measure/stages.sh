@@ -2,17 +2,18 @@
 # stages.sh - what each stage of a picture costs, beside eye light
 #
 # The marbles of `make demo` by eye light, by normals of corners, with one shadow ray, with mirrors
-# and glass, and with four samples: rays per second of this machine (the most of REPEAT runs, 3, by
-# turns, one core) and instructions per pixel of a Cortex-M4F in QEMU (an arena of 256 KiB, steps of
-# 1,000 visits), whose frames have to be the host's. SIZE (320x240) and DEVICE_SIZE (SIZE) are in
-# pixels; DEVICE= leaves the firmware out, LEFT names stages to leave out there.
+# and glass, and with four samples, both in packets alone and by a wave, too: rays per second of this
+# machine (the most of REPEAT runs, 3, by turns, one core) and instructions per pixel of a Cortex-M4F
+# in QEMU (an arena of 256 KiB, steps of 1,000 visits), whose frames have to be the host's. SIZE
+# (320x240) and DEVICE_SIZE (SIZE) are in pixels; DEVICE= leaves the firmware out, LEFT names stages
+# to leave out there.
 # SPDX-License-Identifier: MIT
 set -u
 build=${BUILD:-build}
 planelet=${PLANELET:-$build/host/planelet}
 size=${SIZE:-320x240} device_size=${DEVICE_SIZE:-${SIZE:-320x240}} device=${DEVICE-mps2_an386}
 folder=$build/stages
-firmware=$build/mps2_an386-render-samples-surface-thesis-whitted
+firmware=$build/mps2_an386-render-samples-surface-thesis-wave-whitted
 mkdir -p "$folder"
 
 "$planelet" make marbles --frame 60 -o "$folder/tray.obj" || exit 1
@@ -22,13 +23,16 @@ camera='--eye 6,10,22 --look 1.2,-0.6,5 --fov 35'
 sun=-0.8,0.9,-0.15,1.5,0,1
 lit="--shader whitted --light sun:$sun --sky 0.4,0.58,0.9 --ground 0.26,0.2,0.15"
 lit_there="shader=whitted sun=$sun sky=0.4,0.58,0.9 ground=0.26,0.2,0.15"
+wave='flight=32 rays=incoherent'
 # A stage: its name, flags of the host, and parameters of the firmware.
 stages="eye light|--shader eyelight|shader=eyelight
 smooth|--shader smooth|shader=smooth
 one shadow ray|$lit --depth 0|$lit_there depth=0
 ... which glass ends|$lit --depth 0 --shadows solid|$lit_there depth=0 shadows=solid
-whitted, depth 4|$lit --depth 4|$lit_there depth=4
-... 4 samples|$lit --depth 4 --samples 4|$lit_there depth=4 samples=4"
+whitted, depth 4|$lit --depth 4 --rays coherent|$lit_there depth=4
+... and a wave|$lit --depth 4|$lit_there depth=4 $wave
+... 4 samples|$lit --depth 4 --samples 4 --rays coherent|$lit_there depth=4 samples=4
+... 4, and a wave|$lit --depth 4 --samples 4|$lit_there depth=4 samples=4 $wave"
 
 member() { # NAME: of the JSON that is read
     sed -n "s/^ *\"$1\": *\"\{0,1\}\([^\",]*\).*/\1/p" | head -n 1
@@ -67,7 +71,7 @@ for tool in arm-none-eabi-gcc qemu-system-arm; do
         exit 2
     }
 done
-${MAKE:-make} -s BUILD="$build" BOARD=mps2_an386 PARTS='render thesis surface whitted samples' \
+${MAKE:-make} -s BUILD="$build" BOARD=mps2_an386 PARTS='render thesis surface whitted samples wave' \
     >/dev/null || exit 1
 echo "Cortex-M4F, $device_size, packets of 8x8, one tree in flash, 256 KiB"
 printf '  %-24s %12s %12s %12s %8s\n' "" "instr./pixel" "x eye light" "longest step" arena
