@@ -90,6 +90,7 @@ CHECKS := $(sort $(wildcard tests/check/check_*.sh))
 CLI_TESTS := $(sort $(wildcard tests/cli/test_*.sh))
 QEMU_TESTS := $(sort $(wildcard tests/qemu/test_*.sh))
 HID_TESTS := $(sort $(wildcard tests/hid/test_*.sh))
+WEB_TESTS := $(sort $(wildcard tests/web/test_*.sh))
 # What the scripts below need to know; they build what they look at.
 SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLAGS= \
          sh tests/run.sh
@@ -97,7 +98,7 @@ SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLA
 ##test test: every test program, every check, every firmware run; ends in "N passed, N failed"
 test: all test-programs
 	@-$(MAKE) BOARD=mps2_an386
-	@$(SCRIPT) $(TEST_PROGRAMS) $(CLI_TESTS) $(CHECKS) $(QEMU_TESTS) $(HID_TESTS)
+	@$(SCRIPT) $(TEST_PROGRAMS) $(CLI_TESTS) $(CHECKS) $(QEMU_TESTS) $(HID_TESTS) $(WEB_TESTS)
 
 ##test check: layers, symbols, headers, format, warnings, stack frames, licence lines
 check: all test-programs
@@ -283,7 +284,7 @@ clean:
 help:
 	@for group in build try test measure "keep house"; do \
 	    echo "-- to $$group"; \
-	    cat board/host/board.mk Makefile host_tools/*/*.mk board/firmware.mk | \
+	    cat board/host/board.mk Makefile host_tools/*/*.mk board/web/web.mk board/firmware.mk | \
 	        sed -n "s/^##$${group%% *} //p"; \
 	done
 	@echo "BOARD=name with a board of board/: $(BOARDS)"

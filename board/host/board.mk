@@ -18,8 +18,8 @@ OUT := $(BUILD)/host$(if $(filter scalar,$(LANES)),-scalar)$(VARIANT)
 
 PLATFORM := $(sort $(wildcard platform/*.c platform/wire/*.c))
 # What both programs of host_tools and the tests share; cli/ is planelet's own part,
-# hid/ planelet-hid's (hid.mk).
-TOOLS := $(filter-out host_tools/cli/% host_tools/hid/%,\
+# hid/ planelet-hid's (hid.mk), web/ the page's (board/web/web.mk).
+TOOLS := $(filter-out host_tools/cli/% host_tools/hid/% host_tools/web/%,\
     $(sort $(wildcard host_tools/*/*.c host_tools/baselines/*/*.c)))
 CLI := $(sort $(wildcard host_tools/cli/*.c))
 HOST := $(sort $(wildcard board/host/*.c))
@@ -82,6 +82,7 @@ $(OUT)/flags: FORCE
 	$(call remember,$(ENGINE_COMMAND) $(HOST_COMMAND) $(LANES_TABLE))
 
 include host_tools/hid/hid.mk
+include board/web/web.mk
 
 .PHONY: test-programs programs-run
 test-programs: $(TEST_PROGRAMS)

@@ -55,7 +55,7 @@ host_tools/app
 host_tools/tables
 host_tools/hid/device
 host_tools/hid/drivers host_tools/hid/sources
-host_tools/cli host_tools/hid
+host_tools/cli host_tools/hid host_tools/web host_tools/web/headers
 tests'
 
 # The one exception is the contract between a board and its start-up code: what a board

@@ -125,6 +125,21 @@ the picture cannot be drawn; is the terminal still there? | a terminal that goes
 %s: a standard stream is closed, and / cannot be opened; leave it open | / can always be opened here
 serve: %u frames in %.2f s, image of %u bytes; reports %u out, %u in, %u lost, %u late, %u bad; \
 %u bytes of tiles, %u tiles, %u sessions | statistics
+the scene needs %u bytes and there are %u; choose a larger one%s | of the page; tests/web does \
+what it says
+%s (rule %c%u, byte %u); pack the mesh again, or copy the file again | likewise
+it does not answer; plug it in again and connect it | likewise
+byte %u cannot be read; copy the file again, it may be cut | a page has all bytes that it names
+%s; choose another shader, or pack it otherwise | of the page, for images that no test packs
+this scene cannot be shown so; choose another shader, or fewer samples | of the page, likewise
+its %u bytes are more than the browser has; stream it | $size
+its %u bytes are more than the browser has; choose a smaller one | $few
+%u x %u pixels are more than the browser has; choose fewer | $few
+no driver is for it; connect another device | browsers list devices that drivers are for
+reports of %u bytes out and %u in are none of a Planelet display; connect another device | \
+likewise; descriptors that lie
+it has a panel of %u x %u pixels, up to %u tiles of 16 x 16 can be shown; connect another device | \
+likewise
 "
 
 # Texts of several lines in one: those of sh end in a backslash, those of C are joined.
