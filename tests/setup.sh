@@ -22,7 +22,11 @@ xz:xz-utils
 bzip2:bzip2
 zstd:zstd
 unzip:unzip
-parallel:parallel'
+parallel:parallel
+clang-16:clang-16
+wasm-ld-16:lld-16
+node:nodejs
+chromium:chromium'
 PATH=$PATH:/usr/sbin:/sbin
 
 missing() {
