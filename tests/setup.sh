@@ -24,7 +24,11 @@ bzip2:bzip2
 zstd:zstd
 unzip:unzip
 parallel:parallel
-qemu-arm:qemu-user'
+qemu-arm:qemu-user
+clang-16:clang-16
+wasm-ld-16:lld-16
+node:nodejs
+chromium:chromium'
 PATH=$PATH:/usr/sbin:/sbin
 
 missing() {

@@ -83,13 +83,14 @@ $(WEB)/panel.wasm: $(patsubst %.c,$(WEB)/scalar/%.o,tests/web/panel.c engine/bas
         platform/bare/memory.c $(sort $(wildcard platform/wire/*.c)))
 	$(web_link)
 
+WEB_PROBES := $(WEB)/wasm/tests/lanes/probe_wasm.o $(WEB)/wasm/tests/lanes/probe_scalar.o
+
 $(WEB)/lanes.wasm: $(WEB)/wasm/tests/web/lanes_run.o $(WEB)/wasm/tests/lanes/compare.o \
-        $(WEB)/wasm/tests/lanes/probe_wasm.o $(WEB)/wasm/tests/lanes/probe_scalar.o \
-        $(WEB)/wasm/platform/bare/memory.o
+        $(WEB_PROBES) $(WEB)/wasm/platform/bare/memory.o
 	$(web_link)
 
-$(WEB)/wasm/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt platform/lanes.sh \
-                                   $(WEB)/wasm/flags
+$(WEB_PROBES): $(WEB)/wasm/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt \
+                                                 platform/lanes.sh $(WEB)/wasm/flags
 	$(call probe,$*,$(WEB_COMMAND))
 
 $(OUT)/tests/web/deck_reports: $(OUT)/tests/web/deck_reports.o $(OUT)/libhid.a $(TEST_OBJECTS) \

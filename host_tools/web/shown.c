@@ -9,10 +9,10 @@
 #include "host_tools/picture/fit.h"
 #include "host_tools/web/port.h"
 #include "host_tools/web/viewer.h"
-#include "host_tools/web/wire_end.h"
+#include "host_tools/web/wire_host.h"
 
 /* Those whose reports a page may send: drivers that wait for their device are for programs. */
-static const driver *const of_page[] = {&driver_wire_end,
+static const driver *const of_page[] = {&driver_wire_host,
                                         &driver_streamdeck_mini,
                                         &driver_streamdeck,
                                         &driver_streamdeck_xl,
@@ -95,7 +95,7 @@ int shown_show(void) {
     const picture *frame = viewer_picture();
     has_new |= viewer_is_new();
     if (!has_new || frame->rgb == NULL || frame->width == 0 || shown_width() == 0 ||
-        (shown.by == &driver_wire_end && !wire_end_is_idle())) {
+        (shown.by == &driver_wire_host && !wire_host_is_idle())) {
         return 0;
     }
     if (picture_resize(&panel, shown.width, shown.height, why) != 0) {
@@ -109,7 +109,7 @@ int shown_show(void) {
 
 int shown_is_done(void) {
     has_new |= viewer_is_new();
-    return !has_new && (shown.by != &driver_wire_end || wire_end_is_done());
+    return !has_new && (shown.by != &driver_wire_host || wire_host_is_done());
 }
 
 void shown_close(void) {
