@@ -13,6 +13,7 @@
  * pay; those of shorter lists do not. */
 enum { CULLING_FROM = 4 };
 
+#if PLT_WITH_WAVE || !PLT_WITH_HULLS
 /* Corners in canonical order. */
 static void set_corners(const plt_leaf *leaf, const uint64_t key[], uint32_t triangle,
                         float to[3][3]) {
@@ -21,6 +22,7 @@ static void set_corners(const plt_leaf *leaf, const uint64_t key[], uint32_t tri
         memcpy(to[i], leaf->vertex[ordered >> 8 * i & 0xFFu].scene, sizeof to[i]);
     }
 }
+#endif
 
 /* Outcodes of all vertices; 0 where the packet has no frustum, so that nothing is
  * culled. */
