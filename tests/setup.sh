@@ -2,8 +2,7 @@
 # setup.sh - installs what the tests need beside gcc, make and git
 #
 # With ALL_CPUS=all also what `make cpus` and `make hashes` need. Does nothing when all is there.
-# Exit status 1, and what to install by hand,
-# when it cannot. SPDX-License-Identifier: MIT
+# Exit status 1, and what to install by hand, when it cannot. SPDX-License-Identifier: MIT
 
 # tool:package
 wanted='qemu-system-arm:qemu-system-arm
@@ -45,7 +44,6 @@ missing() {
             sed -n 's/^PACKAGES := //p' "tests/cpus/$arch.mk"
         fi
     done
-    [ -z "$ALL_CPUS" ] || command -v clang-16 >/dev/null 2>&1 || echo clang-16
     if ! pkg-config --exists hidapi-hidraw hidapi-libusb 2>/dev/null; then
         echo libhidapi-dev libhidapi-hidraw0 libhidapi-libusb0
     fi

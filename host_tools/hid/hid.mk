@@ -7,7 +7,8 @@ HID_MAIN := host_tools/hid/main.c
 HID_PORT := host_tools/hid/device/port.c
 HID := $(filter-out $(HID_MAIN),$(sort $(wildcard host_tools/hid/*.c host_tools/hid/*/*.c)))
 # Places are those of the fake's devices.
-HID_TEST_OBJECTS := $(call objects,$(filter-out %/place_system.c,$(HID)) $(sort $(wildcard tests/hid/model*.c)))
+HID_TEST_OBJECTS := $(call objects,$(filter-out %/place_system.c,$(HID)) \
+                      $(sort $(wildcard tests/hid/model*.c)))
 
 # An archive: a test links only what it uses.
 $(OUT)/libhid.a: $(HID_TEST_OBJECTS)

@@ -2,11 +2,11 @@
 # stages.sh - what each stage of a picture costs, beside eye light
 #
 # The marbles of `make demo` by eye light, by normals of corners, with one shadow ray, with mirrors
-# and glass, and with four samples, both in packets alone and by a wave, too: rays per second of this
-# machine (the most of REPEAT runs, 3, by turns, one core) and instructions per pixel of a Cortex-M4F
-# in QEMU (an arena of 256 KiB, steps of 1,000 visits), whose frames have to be the host's. SIZE
-# (320x240) and DEVICE_SIZE (SIZE) are in pixels; DEVICE= leaves the firmware out, LEFT names stages
-# to leave out there.
+# and glass, and with four samples, both in packets alone and by a wave, too: rays per second of
+# this machine (the most of REPEAT runs, 3, by turns, one core) and instructions per pixel of a
+# Cortex-M4F in QEMU (an arena of 256 KiB, steps of 1,000 visits), whose frames have to be the
+# host's. SIZE (320x240) and DEVICE_SIZE (SIZE) are in pixels; DEVICE= leaves the firmware out,
+# LEFT names stages to leave out there.
 # SPDX-License-Identifier: MIT
 set -u
 build=${BUILD:-build}
@@ -71,8 +71,8 @@ for tool in arm-none-eabi-gcc qemu-system-arm; do
         exit 2
     }
 done
-${MAKE:-make} -s BUILD="$build" BOARD=mps2_an386 PARTS='render thesis surface whitted samples wave' \
-    >/dev/null || exit 1
+${MAKE:-make} -s BUILD="$build" BOARD=mps2_an386 \
+    PARTS='render thesis surface whitted samples wave' >/dev/null || exit 1
 echo "Cortex-M4F, $device_size, packets of 8x8, one tree in flash, 256 KiB"
 printf '  %-24s %12s %12s %12s %8s\n' "" "instr./pixel" "x eye light" "longest step" arena
 echo "$stages" | while IFS='|' read -r name flags parameters; do
