@@ -24,6 +24,11 @@ static display shown;
 static keys_track track;
 static picture panel;
 static int has_new; /* a frame that the display has not got */
+static fail why;
+
+const char *shown_why(void) {
+    return why.text;
+}
 
 uint32_t shown_device(unsigned index) {
     for (unsigned i = 0; of_page[i] != NULL; i++) {
@@ -39,15 +44,14 @@ uint32_t shown_device(unsigned index) {
 int shown_open(unsigned vendor, unsigned id, unsigned out_bytes, unsigned in_bytes) {
     const port_info info = {.vendor = (uint16_t)vendor, .id = (uint16_t)id, .interface = -1};
     const driver *by = driver_for(of_page, &info);
-    fail *why = viewer_fail();
-    why->text[0] = '\0';
+    why.text[0] = '\0';
     if (by == NULL) {
-        return fail_set(why, "display", "no driver is for it; connect another device");
+        return fail_set(&why, "display", "no driver is for it; connect another device");
     }
     web_port_begin((report_sizes){out_bytes, in_bytes});
     track = (keys_track){.is_reset = 0};
     has_new = 1;
-    return display_open(&shown, by, &info, NULL, why);
+    return display_open(&shown, by, &info, NULL, &why);
 }
 
 const char *shown_name(void) {
@@ -76,9 +80,11 @@ int shown_tick(void) {
     if (shown.port == NULL) {
         return 0;
     }
-    if (shown.by->tick(&shown) != DISPLAY_OK) {
-        fail_set(viewer_fail(), "display", "it does not answer; plug it in again and connect it");
-        return -1;
+    if (display_tick(&shown) != DISPLAY_OK) {
+        if (shown.by == &driver_wire_host) {
+            why = *wire_host_why();
+        }
+        return fail_set(&why, "display", "it does not answer; plug it in again and connect it");
     }
     keys_take(&track, &shown.keys, shown.by->keys, clock_seconds(), count);
     for (unsigned action = 0; action < STEER_ACTIONS; action++) {
@@ -91,20 +97,19 @@ int shown_tick(void) {
 }
 
 int shown_show(void) {
-    fail *why = viewer_fail();
     const picture *frame = viewer_picture();
     has_new |= viewer_is_new();
     if (!has_new || frame->rgb == NULL || frame->width == 0 || shown_width() == 0 ||
         (shown.by == &driver_wire_host && !wire_host_is_idle())) {
         return 0;
     }
-    if (picture_resize(&panel, shown.width, shown.height, why) != 0) {
+    if (picture_resize(&panel, shown.width, shown.height, &why) != 0) {
         return -1;
     }
     fit_picture(frame, &panel, FIT_COVER);
     symbols_draw(&panel, shown.by->keys);
     has_new = 0;
-    return shown.by->show(&shown, &panel, why) == DISPLAY_OK ? 1 : -1;
+    return shown.by->show(&shown, &panel, &why) == DISPLAY_OK ? 1 : -1;
 }
 
 int shown_is_done(void) {

@@ -15,8 +15,9 @@
 WEB_EXPORT(uint32_t, shown_device)(unsigned index);
 
 /* A device is open whose longest reports have so many bytes, without their number. -1, and
- * viewer_why says why. */
+ * shown_why says why, as it does of what fails below. */
 WEB_EXPORT(int, shown_open)(unsigned vendor, unsigned id, unsigned out_bytes, unsigned in_bytes);
+WEB_EXPORT(const char *, shown_why)(void);
 WEB_EXPORT(const char *, shown_name)(void);
 
 /* Of the panel; 0 until the display has said. */

@@ -16,6 +16,7 @@
 #include "host_tools/app/daylight.h"
 #include "host_tools/app/frame.h"
 #include "host_tools/app/view.h"
+#include "host_tools/base/fail.h"
 
 #define DEGREE 0.017453292519943295
 
@@ -56,16 +57,13 @@ const char *viewer_why(void) {
     return v.why.text;
 }
 
-fail *viewer_fail(void) {
-    return &v.why;
-}
-
 /* ---- opening ------------------------------------------------------------------------ */
 
 void *viewer_begin(uint32_t bytes, int where, int is_same) {
     v.why.text[0] = '\0';
     v.engine = v.opening = NULL;
-    v.is_rendering = 0;
+    v.is_rendering = v.is_new = 0;
+    v.complete = (picture){NULL, 0, 0}; /* its memory is given to others */
     v.where = where;
     if (!is_same) {
         v.has_camera = v.has_lighting = 0;
@@ -244,7 +242,7 @@ static int take_pixels(void) {
     const uint32_t count = v.width * v.height;
     web_room_back(v.before_pixels);
     v.coming = (picture){web_room_take(3 * count), v.width, v.height};
-    v.complete = (picture){web_room_take(3 * count), v.width, v.height};
+    v.complete = (picture){web_room_take(3 * count), 0, 0}; /* until a frame is complete */
     v.rgba = web_room_take(4 * count);
     v.is_new = 0;
     if (v.coming.rgb == NULL || v.complete.rgb == NULL || v.rgba == NULL) {

@@ -11,7 +11,6 @@
 
 #include "engine/planelet.h"
 #include "host_tools/app/steer.h"
-#include "host_tools/base/fail.h"
 #include "host_tools/picture/picture.h"
 #include "host_tools/web/exports.h"
 
@@ -95,9 +94,9 @@ enum viewer_number {
 };
 WEB_EXPORT(double, viewer_number)(unsigned which);
 
-/* For displays: the last frame that was complete, and whether one has been since the last call. */
+/* For displays: the last frame that was complete, of no pixels until there is one, and whether one
+ * has been since the last call. */
 const picture *viewer_picture(void);
 int viewer_is_new(void);
-fail *viewer_fail(void);
 
 #endif

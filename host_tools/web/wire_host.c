@@ -19,10 +19,15 @@ typedef struct wire_host {
     wire_keys_in keys;
     picture frame;
     uint32_t begun; /* ms */
+    fail why;       /* driver.tick has none */
     uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } wire_host;
 
 static wire_host host; /* the page has one display at a time */
+
+const fail *wire_host_why(void) {
+    return &host.why;
+}
 
 int wire_host_is_done(void) {
     return wire_frames_out_done(&host.out);
@@ -48,6 +53,7 @@ static int wire_host_open(display *d, fail *f) {
                         out, in);
     }
     host.begun = clock_ms();
+    host.why.text[0] = '\0';
     host.frame = (picture){NULL, 0, 0};
     d->state = &host;
     wire_frames_out_open(&host.out, &host.peer);
@@ -57,9 +63,17 @@ static int wire_host_open(display *d, fail *f) {
     return DISPLAY_OK;
 }
 
-/* The display has answered: its panel, if it has one. */
+/* The display has answered: its panel, if it has one. After a reset it may answer as another, and
+ * then more would be read of `frame` than there is. */
 static int greet(display *d, fail *f) {
     const wire_caps *peer = wire_other(&host.peer);
+    if (d->width > 0 && d->width == peer->width && d->height == peer->height) {
+        return DISPLAY_OK;
+    }
+    if (d->width > 0) {
+        return fail_set(f, "display", "it changed its size to %u x %u pixels; connect it again",
+                        peer->width, peer->height);
+    }
     const unsigned tiles = (peer->width + 15u) / 16 * ((peer->height + 15u) / 16);
     if (!(peer->features & WIRE_SHOWS) || tiles == 0 || tiles > WIRE_TILES_MAX) {
         return fail_set(f, "display",
@@ -94,11 +108,10 @@ static int send_all(display *d) {
 }
 
 static int wire_host_tick(display *d) {
-    fail why = {""};
     int status = take_input(d);
     wire_poll(&host.peer, clock_ms());
-    if (status == DISPLAY_OK && wire_is_up(&host.peer) && d->width == 0) {
-        status = greet(d, &why);
+    if (status == DISPLAY_OK && wire_is_up(&host.peer)) {
+        status = greet(d, &host.why);
     }
     if (status == DISPLAY_OK && d->width == 0 && clock_ms() - host.begun > ANSWER_MS) {
         return DISPLAY_GONE;

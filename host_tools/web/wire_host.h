@@ -11,6 +11,9 @@
 
 extern const driver driver_wire_host;
 
+/* What is wrong with a display that answers, or an empty text. */
+const fail *wire_host_why(void);
+
 /* Whether the display has confirmed every pixel of the last picture. */
 int wire_host_is_done(void);
 /* Whether it takes the next picture now. */

@@ -137,6 +137,7 @@ this scene cannot be shown so; choose another shader, or fewer samples | of the 
 its %u bytes are more than the browser has; stream it | $size
 its %u bytes are more than the browser has; choose a smaller one | $few
 %u x %u pixels are more than the browser has; choose fewer | $few
+it changed its size to %u x %u pixels; connect it again | no panel of ours changes its size
 no driver is for it; connect another device | browsers list devices that drivers are for
 reports of %u bytes out and %u in are none of a Planelet display; connect another device | \
 likewise; descriptors that lie

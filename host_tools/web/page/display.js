@@ -3,7 +3,7 @@
  * The drivers are in the program (host_tools/hid, platform/wire); here reports pass through.
  * SPDX-License-Identifier: MIT */
 const display = {
-  device: null, waiting: 0, chain: Promise.resolve(), timer: 0, isSized: false,
+  device: null, call: null, waiting: 0, chain: Promise.resolve(), timer: 0, isSized: false,
   onchange: () => {},
 
   /* Why there is none, or "". */
@@ -32,19 +32,20 @@ const display = {
       return;
     }
     try {
+      await this.chain; /* it may still be closing */
       await device.open();
     } catch (error) {
       this.onchange(`It cannot be opened: ${error.message}. Close other programs that use it, or ` +
         "see planelet-hid rules.");
       return;
     }
-    Object.assign(this, { device, waiting: 0, isSized: false });
+    Object.assign(this, { device, call: engine.call, waiting: 0, isSized: false });
     engine.report = (isFeature, report) => this.send(isFeature, report);
     const status = engine.call.shown_open(device.vendorId, device.productId,
       this.longest(device.collections, "outputReports"),
       this.longest(device.collections, "inputReports"));
     if (status < 0) {
-      this.close(engine.why());
+      this.close(this.why());
       return;
     }
     device.oninputreport = (event) => this.hear(event);
@@ -53,7 +54,12 @@ const display = {
     this.tick();
   },
 
-  /* Called by the program: the number comes first, and 0 is none. */
+  why() {
+    return engine.text(engine.call.shown_why());
+  },
+
+  /* Called by the program: the number comes first, and 0 is none. A display that was closed gets no
+   * more of them. */
   send(isFeature, report) {
     const { device } = this;
     if (!device) {
@@ -61,7 +67,8 @@ const display = {
     }
     this.waiting++;
     const kind = isFeature ? "sendFeatureReport" : "sendReport";
-    this.chain = this.chain.then(() => device[kind](report[0], report.subarray(1)))
+    this.chain = this.chain
+      .then(() => this.device && device[kind](report[0], report.subarray(1)))
       .then(() => { this.waiting--; }, (error) => {
         if (this.device === device) {
           this.close(`The display is gone (${error.message}); plug it in and connect it again.`);
@@ -84,9 +91,13 @@ const display = {
     if (!this.device) {
       return;
     }
+    if (call !== this.call) {
+      this.close("The program was begun anew; connect the display again.");
+      return;
+    }
     const turned = call.shown_tick();
     if (turned < 0) {
-      this.close(engine.why());
+      this.close(this.why());
       return;
     }
     if (turned) {
@@ -97,7 +108,7 @@ const display = {
       this.onchange(`${engine.text(call.shown_name())}`, call.shown_width(), call.shown_height());
     }
     if (this.waiting === 0 && call.shown_show() < 0) {
-      this.close(engine.why());
+      this.close(this.why());
     }
   },
 

@@ -58,15 +58,16 @@ function show() {
 /* A scene with materials has lights, one with normals is smooth. */
 async function scene(data, name, view) {
   $("alert").hidden = true;
+  document.title = `${name} – Planelet`;
   Object.assign(viewer.settings, { shader: view ? WHITTED : 0, samples: 1 });
   let isOpen = await viewer.scene(data, name, view);
   const better = !isOpen || view ? 0 : engine.number("hasMaterials") ? WHITTED :
     engine.number("hasSurface") ? SMOOTH : 0;
   if (better) {
     viewer.settings.shader = better;
-    isOpen = await viewer.open(true) || await choose({ shader: 0 });
+    isOpen = await viewer.open(true);
+    isOpen = isOpen === false ? await choose({ shader: 0 }) : isOpen;
   }
-  document.title = `${name} – Planelet`;
   show();
   figures();
   return isOpen;

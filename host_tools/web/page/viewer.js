@@ -6,7 +6,7 @@ const viewer = {
   name: "", view: null, isOpen: false, isOpening: false, width: 640, height: 400, drawn: 0,
   settings: { shader: 0, samples: 1, arena: 256 * 1024, where: MAPPED },
   stage: document.getElementById("picture"), scratch: document.createElement("canvas"),
-  channel: new MessageChannel(), isAwake: false, rests: [],
+  channel: new MessageChannel(), isAwake: false, rests: [], openings: 0, hash: "",
   onchange: () => {}, onfail: () => {}, oncomplete: () => {},
 
   /* view: a first camera and lights instead of the usual ones */
@@ -16,9 +16,12 @@ const viewer = {
     return this.open(false);
   },
 
+  /* Whether it is open; null: another opening has begun meanwhile. */
   async open(isSame) {
     const { shader, samples, arena, where } = this.settings, { call } = engine;
+    const opening = ++this.openings;
     this.isOpen = false;
+    this.hash = "";
     this.isOpening = true;
     try {
       const at = call.viewer_begin(engine.file.length, where, isSame ? 1 : 0);
@@ -40,8 +43,8 @@ const viewer = {
           status = call.viewer_open_step();
         }
         await new Promise((done) => setTimeout(done));
-        if (call !== engine.call || !this.isOpening) {
-          return false;
+        if (opening !== this.openings) {
+          return null;
         }
       }
       this.isOpening = false;
@@ -83,6 +86,7 @@ const viewer = {
   /* Not by any scene that is known: they are checked. */
   async trap(error) {
     this.isOpen = this.isOpening = false;
+    this.openings++;
     await engine.start();
     this.onfail(`the program stopped (${error.message}); open the scene again`, 0);
     this.rest();
