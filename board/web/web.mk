@@ -21,7 +21,8 @@ WEB_SOURCES := $(filter-out $(WEB_LEFT_OUT),$(ENGINE)) platform/bare/memory.c \
         steer.c view.c) \
     $(addprefix host_tools/picture/,fit.c jpeg.c jpeg_block.c jpeg_codes.c picture.c) \
     $(addprefix host_tools/hid/device/,display.c keys.c symbols.c) \
-    $(addprefix host_tools/hid/drivers/,driver_streamdeck.c driver_streamdeck_mini.c)
+    $(addprefix host_tools/hid/drivers/,deck_keys.c driver_streamdeck.c driver_streamdeck_mini.c \
+        key_bmp.c)
 
 web_flags_scalar :=
 web_flags_wasm := $(call lanes_needs,wasm) -DPLT_LANES='"$(call lanes_header,wasm)"'
@@ -96,7 +97,7 @@ $(WEB_PROBES): $(WEB)/wasm/tests/lanes/probe_%.o: tests/lanes/probe.c platform/l
 $(OUT)/tests/web/deck_reports: $(OUT)/tests/web/deck_reports.o $(OUT)/libhid.a $(TEST_OBJECTS) \
         $(TOOL_OBJECTS) $(ENGINE_OBJECTS)
 	@echo "$(CC) $@"
-	@$(CC) $(LDFLAGS) -o $@ $^ -lm -pthread
+	@$(CC) $(LDFLAGS) -o $@ $^ $(OUT)/libhid.a -lm -pthread
 
 .PHONY: web-tests test-web web-compiler
 web-compiler:

@@ -46,18 +46,20 @@ int main(int argc, char **argv) {
                                 .product = (unsigned short)strtoul(argv[2], NULL, 16),
                                 .numbered = 1,
                                 .output = take};
-    port_info info;
+    port_info *list;
     display d;
     fake_bus_reset();
     fake_plug(0, &device);
     const driver *by = driver_named(argv[1]);
-    if (by == NULL || port_list(&info, 1) != 1 || display_open(&d, by, &info, NULL, &f) != 0) {
+    if (port_list(&list) != 1 || by == NULL || display_open(&d, by, list, NULL, &f) != 0) {
         fprintf(stderr, "%s\n", f.text);
+        free(list);
         return 1;
     }
     symbols_draw(&p, by->keys);
     const int status = by->show(&d, &p, &f);
     display_close(&d);
+    free(list);
     picture_free(&p);
     printf("%" PRIu64 " %016" PRIx64 "\n", fake_bus.outputs, hash);
     return status != DISPLAY_OK;
