@@ -32,11 +32,11 @@ endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
 objects = $(patsubst %.c,$(OUT)/%.o,$(1))
+LANES_PROBES := $(patsubst %,$(OUT)/tests/lanes/probe_%.o,$(sort scalar $(LANES)))
 WITHOUT_ENGINE := faults lanes jpeg
 FIRMWARE_OBJECTS := $(call objects,$(if $(filter $(WITHOUT_ENGINE),$(PROGRAM)),,$(ENGINE))) \
                     $(call objects,$(FIRMWARE)) \
-                    $(if $(filter lanes,$(PROGRAM)),\
-                      $(patsubst %,$(OUT)/tests/lanes/probe_%.o,$(sort scalar $(LANES))))
+                    $(if $(filter lanes,$(PROGRAM)),$(LANES_PROBES))
 
 # Where calls by pointer lead, beyond the board's SOURCE_FUNCTIONS: what a wired board streams
 # comes by the wire, which waits for reports.
@@ -104,8 +104,8 @@ $(OUT)/%.o: %.c $(OUT)/flags
 	$(call compile,$(COMMAND))
 
 $(OUT)/tests/boards/lanes.o: FIRMWARE_FLAGS += -DBOARD_LANES=$(LANES)
-$(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt platform/lanes.sh \
-                              $(OUT)/flags
+$(LANES_PROBES): $(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt \
+                                               platform/lanes.sh $(OUT)/flags
 	$(call probe,$*,$(PROBE_COMMAND))
 
 # The instruction counter is a program of the host.

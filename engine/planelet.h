@@ -167,8 +167,8 @@ enum plt_records {
     PLT_RECORDS_NEVER = 2
 };
 
-/* How plt_trace traces, and frames with lights the rays off surfaces: hits are the same, bit for
- * bit. */
+/* How plt_trace traces its rays, and frames with lights those off surfaces: hits are the same, bit
+ * for bit. */
 enum plt_rays {
     PLT_RAYS_AUTO = 0,      /* as the next rays look, 64 or a packet at a time; where packets have
                              * been of little use, most go by the wave unseen */
@@ -786,12 +786,11 @@ typedef struct plt_texture_stats {
 void plt_texture_stats_get(const plt_engine *engine, plt_texture_stats *stats);
 #endif
 
-/* Goes on with the frame for about `visits` node visits (at least one stack
- * entry is worked off; one entry visits at most a treelet or a list), so
- * that a main loop stays alive. Returns PLT_MORE, PLT_TILE (fetch it with
- * plt_render_tile) or PLT_OK when the frame is complete or none is in progress;
- * PLT_ERR_SOURCE, PLT_ERR_IMAGE: as plt_trace, and the frame has ended. The engine can go on
- * with the next. */
+/* Goes on with the frame for about `visits` node visits, so that a main loop stays alive: at least
+ * one stack entry is worked off, which visits at most a treelet or a list, and a wave goes on by
+ * at most two nodes per ray in flight. Returns PLT_MORE, PLT_TILE (fetch it with plt_render_tile)
+ * or PLT_OK when the frame is complete or none is in progress; PLT_ERR_SOURCE, PLT_ERR_IMAGE: as
+ * plt_trace, and the frame has ended. The engine can go on with the next. */
 int plt_render_step(plt_engine *engine, uint32_t visits);
 void plt_render_tile(const plt_engine *engine, plt_tile *tile);
 

@@ -80,8 +80,9 @@ $(OUT)/tests/%.o: FOLDER_FLAGS := -DTEST_FOLDER='"$(OUT)/test-tmp/"'
 LANES_PROBES := $(LANES_NAMES:%=$(OUT)/tests/lanes/probe_%.o)
 $(OUT)/tests/engine/test_lanes: $(LANES_PROBES) $(OUT)/tests/lanes/compare.o
 $(OUT)/tests/engine/test_lanes.o: PROBE_FLAGS = -DLANES_PROBES='$(patsubst %,X(%),$(LANES_NAMES))'
-$(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt platform/lanes.sh \
-                              $(OUT)/flags
+# Of these alone: a pattern for all would also make their lists of dependencies.
+$(LANES_PROBES): $(OUT)/tests/lanes/probe_%.o: tests/lanes/probe.c platform/lanes.txt \
+                                               platform/lanes.sh $(OUT)/flags
 	$(call probe,$*,$(PROBE_COMMAND))
 
 # One program measures beside another tracer, where that is installed.

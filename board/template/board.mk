@@ -10,7 +10,7 @@ CROSS := arm-none-eabi-
 # CPU and FPU. Never -ffast-math; -fno-tree-vectorize where vectors flush subnormals. Without a C
 # library also -isystem platform/headers.
 CPU := -mthumb -mcpu=cortex-m3
-# scalar, or NAME of platform/lanes_NAME.h.
+# scalar, or another NAME of platform/lanes.txt.
 LANES := scalar
 # Both are refused when they do not fit RAM, or the stack is below the worst path of calls.
 ARENA_BYTES := 65536

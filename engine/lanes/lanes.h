@@ -6,8 +6,8 @@
  * serves, which is also what every other header is compared with, bit for
  * bit (tests/engine/test_lanes.c).
  *
- * Types   f4  four floats       m4  four masks, each lane all ones or zero
- *         u4  four uint32
+ * Types   f4  four floats, in memory in the order of lanes, and nothing else: 16 bytes
+ *         u4  four uint32       m4  four masks, each lane all ones or zero
  *
  * Rules   Every operation is IEEE single precision, round to nearest even,
  *         subnormals kept (or see PLT_LANES_FLUSH); div and sqrt are exact. No operation is fused.
@@ -96,6 +96,8 @@ static inline unsigned plt_flushed(const void *results) {
 
 static inline void plt_flushed_clear(void) {
 }
+#elif PLT_LANES_FLUSH && !PLT_LANES_FLUSHES
+#error "these lanes flush subnormals: their line in platform/lanes.txt lacks -DPLT_LANES_FLUSHES=1"
 #endif
 
 #endif

@@ -22,8 +22,8 @@ plt_mask plt_box_groups(const plt_slab_array *slabs, const plt_box *box, plt_mas
 uint32_t plt_box_pair(const plt_slab_array *slabs, const plt_box child[2], plt_mask groups,
                       plt_mask hit[2]);
 
-/* Where the lowest group of `groups` enters the box, to sort by; other groups are not
- * looked at. PLT_NOT_ENTERED: it does not. */
+/* Where the lowest group of `groups` enters the box, to sort by and for nothing else, as lanes may
+ * flush (DESIGN.md, section 8.2); other groups are not looked at. PLT_NOT_ENTERED: it does not. */
 #define PLT_NOT_ENTERED PLT_BOX_FAR
 float plt_box_entry(const plt_slab_array *slabs, const plt_box *box, plt_mask groups);
 

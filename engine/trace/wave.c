@@ -10,8 +10,7 @@
 #include "engine/trace/wave_compact.h"
 #include "engine/trace/wave_thesis.h"
 
-/* Rays of the largest packet. */
-#define PLT_WATCH_WINDOW 256u
+enum { WATCH_WINDOW = 256 }; /* rays: no packet has more */
 
 /* PLT_OK: all rays are traced; or PLT_MORE. */
 static int step(plt_wave_job *job) {
@@ -95,6 +94,6 @@ void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays) {
 
 void plt_wave_watch_end(plt_traversal *t) {
     plt_wave *w = t->wave;
-    plt_wave_learn(&w->density[w->watched], PLT_WATCH_WINDOW, w->watched_rays, w->watched_rays,
+    plt_wave_learn(&w->density[w->watched], WATCH_WINDOW, w->watched_rays, w->watched_rays,
                    t->stats.node_visits - w->visits_before);
 }

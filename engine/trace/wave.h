@@ -33,10 +33,11 @@ void plt_wave_packet_begin(plt_traversal *t, uint32_t rays);
 int plt_wave_packet_step(plt_traversal *t, plt_packet *packet, uint32_t visits);
 
 /* Whether the rays of a packet whose groups are set are better traced so: they are incoherent, or
- * packets of the kind were of little use so far. */
+ * packets of the kind were of little use so far. To be asked once per packet: it counts down to the
+ * next try of packets. */
 int plt_wave_suits(plt_traversal *t, const plt_packet *packet, enum plt_wave_kind kind);
 
-/* Around a packet that is not: learns of what use it was. */
+/* Before and after a packet that is not: learns of what use it was, by its visits. */
 void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays);
 void plt_wave_watch_end(plt_traversal *t);
 

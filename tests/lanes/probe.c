@@ -79,6 +79,15 @@ static void run_transpose(const lanes_in *in, uint32_t *out) {
     }
 }
 
+_Static_assert(sizeof(f4) == 16, "four floats, and nothing else");
+
+/* As an f4 lies in memory: some code reads and writes single lanes there. */
+static void run_in_memory(const lanes_in *in, uint32_t *out) {
+    const f4 a = f4_of(in->row[0]);
+    put_f4(out, a);
+    memcpy(out + 4, &a, sizeof a);
+}
+
 /* From an odd address. */
 static void run_bytes(const lanes_in *in, uint32_t *out) {
     buffer p;
@@ -199,6 +208,8 @@ static void run_op(enum lanes_op op, const lanes_in *in, uint32_t out[16]) {
         M_MM(m4_or);
         M_MM(m4_andnot);
     case OP_f4_load:
+        run_in_memory(in, out);
+        break;
     case OP_f4_store:
         put_f4(out, f4_of(in->row[0]));
         break;
