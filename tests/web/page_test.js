@@ -208,6 +208,10 @@ async function panel() {
   await until("planelet.engine.call.shown_is_done()");
   verdict("its key turns the scene", turned !== hash, turned);
   same("and it shows that frame", await browser.run("d.hash()"), turned);
+  await browser.run("planelet.engine.start().then(() => 0)");
+  await until("planelet.display.device === null");
+  matches("a program that is begun anew has no display, and the page says so",
+    await browser.run("document.getElementById('display').textContent"), /begun anew; connect/);
 }
 
 async function looks() {

@@ -13,7 +13,7 @@
  * picture are output reports of 64 bytes.
  *
  * Source: ggoled (JerwuQu); what it says of the Elite is from a pull request
- * by an owner (macrooli), and of the Omni its list of interfaces is known. Facts
+ * by an owner (macrooli); of the Omni only the list of interfaces is known. Facts
  * only. Not run on hardware.
  *
  * SPDX-License-Identifier: MIT */
