@@ -80,13 +80,17 @@ void board_panel_size(uint16_t *width, uint16_t *height) {
 }
 
 void board_panel_begin(uint16_t width, uint16_t height) {
+    const uint16_t left = (uint16_t)((SSD0323_WIDTH - width) / 2 & ~1);
+    const uint16_t top = (uint16_t)((SSD0323_HEIGHT - height) / 2);
     if (!is_open) {
         open_lines();
+        ssd0323_open();
         is_open = 1;
+    } else if (left != frame_left || top != frame_top) {
+        ssd0323_clear(); /* else the frame before is written over */
     }
-    ssd0323_open();
-    frame_left = (uint16_t)((SSD0323_WIDTH - width) / 2 & ~1);
-    frame_top = (uint16_t)((SSD0323_HEIGHT - height) / 2);
+    frame_left = left;
+    frame_top = top;
 }
 
 void board_panel_tile(const plt_tile *tile) {

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/whitted/rays_due.h"
 
-#include "engine/trace/coherence.h"
 #include "engine/trace/wave.h"
 #include "engine/whitted/direct.h"
 #include "engine/whitted/point.h"

@@ -51,11 +51,15 @@ void ssd0323_open(void) {
     command_of(SET_CONTRAST, 0x40);
     command(FULL_CURRENT);
     command(SHOW_MEMORY);
+    ssd0323_clear();
+    command(DISPLAY_ON);
+}
+
+void ssd0323_clear(void) {
     set_window(0, 0, SSD0323_WIDTH, SSD0323_HEIGHT);
     for (unsigned i = 0; i < SSD0323_WIDTH / 2 * SSD0323_HEIGHT; i++) {
         board_panel_put(1, 0);
     }
-    command(DISPLAY_ON);
 }
 
 unsigned ssd0323_luma(const uint8_t rgb[3]) {

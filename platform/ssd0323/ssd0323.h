@@ -26,6 +26,8 @@ void board_panel_put(int is_pixels, uint8_t byte);
 
 /* Sets the controller up, which was just reset, and makes every pixel black. */
 void ssd0323_open(void);
+/* Makes every pixel black. */
+void ssd0323_clear(void);
 
 /* A tile whose frame begins at pixel (left, top) of the display; all of it lies on the display,
  * and left + tile->x is even. The last pixel of a row of odd width has a black one beside it. */

@@ -54,13 +54,22 @@ code() { # FOLDER: bytes of code and constants of the engine
         awk 'NR > 1 { s += $1 } END { print s }'
 }
 
-# part "WORDS" FOLDER MOST: built, and not larger than it may be.
+# The most that a function of the engine needs of the stack: "BYTES NAME"; and what is not known.
+deepest() { # FOLDER
+    stack_of "$1" "engine platform/bare platform/cortex_m" -v root="$(public_functions)" \
+        -v outward=1 | awk '/^error/ { print } /^worst/ { print $2, $3 }'
+}
+
+# part "WORDS" FOLDER MOST: built, and not larger than it may be, nor its stack.
 part() {
     rm -rf "$2/engine"
     make_board mps2_an386 PARTS="$1" || return 1
     bytes=$(code "$2")
     verdict "PARTS='$1': $bytes bytes of engine, at most $3" "$(
         [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le "$3" ] || echo "$bytes bytes")"
+    stack=$(deepest "$2")
+    verdict "... and ${stack% *} bytes of stack below ${stack#* }, at most 2048" "$(
+        [ "${stack% *}" -le 2048 ] 2>/dev/null || echo "$stack")"
 }
 
 "$planelet" make knot --triangles 2000 -o "$out/parts.ply" >/dev/null

@@ -1,0 +1,39 @@
+# budget.awk BUDGET.csv NOW.csv - what boards cost beside what they may cost
+#
+# Prints "board: column was, now" for each figure that differs, and lines that begin with "error: "
+# for one above its budget by more than `slack` percent (1), a board without a row, and a
+# frame's hash that is another. Rows of BUDGET.csv that NOW.csv lacks are left out. Columns of
+# NOW.csv have the names of BUDGET.csv, in any order. SPDX-License-Identifier: MIT
+BEGIN { FS = ","; slack = slack == "" ? 1 : slack }
+FNR == 1 {
+    for (i = 1; i <= NF; i++) {
+        name[NR == 1, i] = $i
+    }
+    next
+}
+NR == FNR {
+    known[$1]
+    for (i = 2; i <= NF; i++) {
+        may[$1, name[1, i]] = $i
+    }
+    next
+}
+{
+    if (!($1 in known)) {
+        print "error: " $1 " has no row; add it"
+        next
+    }
+    for (i = 2; i <= NF; i++) {
+        column = name[0, i]
+        was = may[$1, column]
+        if ($i == was) {
+            continue
+        }
+        print $1 ": " column " " was ", now " $i
+        if (column == "frame_hash" || was == "" || $i == "") {
+            print "error: " $1 ": " column " is not " was
+        } else if ($i > was * (1 + slack / 100)) {
+            print "error: " $1 ": " column " is above its budget, " was
+        }
+    }
+}

@@ -1,0 +1,129 @@
+/* test_leaves_out - lanes that flush subnormals leave out no group that others would keep
+ *
+ * Boxes and triangles around 2^-126, of which flushed sums and operands leave groups out: engine
+ * code with lanes that keep subnormals, that flush them, and that flush them and do not say so.
+ *
+ * SPDX-License-Identifier: MIT */
+#undef PLT_LANES
+#undef PLT_LANES_FLUSHES
+#undef PLT_WITH_HULLS
+#define PLT_LANES "tests/lanes/flushing.h"
+#define PLT_LANES_FLUSHES 1
+#define plt_box_groups flushing_box_groups
+#define plt_box_pair flushing_box_pair
+#define plt_box_entry flushing_box_entry
+#define plt_triangle_may_meet flushing_triangle_may_meet
+#include "engine/trace/boxes.c"
+#include "engine/trace/triangle_cull.c"
+
+#include "tests/reference/random.h"
+#include "tests/test.h"
+
+enum { CASES = 20000, GROUPS = 4, ALL = 15 };
+
+#define TINY 1.17549435e-38f /* 2^-126 */
+
+static plt_group_slabs slabs[GROUPS];
+static plt_group_rays rays[GROUPS];
+static random_state r = {8};
+static float unit; /* of all coordinates: TINY, or so large that nothing is flushed */
+
+static float tiny(void) {
+    return random_float(&r, -3 * unit, 3 * unit);
+}
+
+/* Rays of positive directions, so small that 1 / dir is some 2^100. */
+static plt_packet packet_of(enum plt_coherence kind) {
+    plt_packet p = {.slabs = {.group = slabs, .coherence = (uint8_t)kind}, .rays = rays};
+    for (int a = 0; a < 3; a++) {
+        p.slabs.near_org[a] = p.slabs.far_org[a] = p.org[a] = tiny();
+    }
+    for (unsigned i = 0; i < 4 * GROUPS; i++) {
+        plt_group_slabs *s = &slabs[i / 4];
+        plt_group_rays *g = &rays[i / 4];
+        for (int a = 0; a < 3; a++) {
+            const float org = kind == PLT_ONE_ORIGIN ? p.org[a] : tiny();
+            s->near_org[a][i % 4] = s->far_org[a][i % 4] = g->org[a][i % 4] = org;
+            s->rdir[a][i % 4] = random_float(&r, 1e30f, 2e30f);
+        }
+        s->tmin[i % 4] = 0;
+        s->tmax[i % 4] = 3e38f;
+        g->slope[0][i % 4] = random_float(&r, -1, 1);
+        g->slope[1][i % 4] = random_float(&r, -1, 1);
+        g->axis_lanes[2] = 15;
+    }
+    p.axis = 2;
+    return p;
+}
+
+static plt_box box_of(void) {
+    plt_box b;
+    for (int a = 0; a < 3; a++) {
+        const float x = tiny(), y = tiny();
+        b.lo[a] = x < y ? x : y;
+        b.hi[a] = x < y ? y : x;
+    }
+    return b;
+}
+
+/* Thin in x, and with no slack: edge functions are products of a tiny side and a long one. */
+static plt_triangle triangle_of(void) {
+    plt_triangle t = {.longest = 0};
+    for (int c = 0; c < 3; c++) {
+        t.corner[c][0] = tiny();
+        t.corner[c][1] = random_float(&r, -1, 1);
+        t.corner[c][2] = 0;
+    }
+    return t;
+}
+
+/* Two questions of one pair, one of a box and one of a triangle: a bit per group each. */
+typedef struct answers {
+    plt_mask box, pair[2], triangle;
+} answers;
+
+static answers ask(enum flushing how, const plt_packet *p, const plt_box box[2],
+                   const plt_triangle *t) {
+    answers a;
+    flushing.how = how;
+    flushing.status = 0;
+    a.box = plt_box_groups(&p->slabs, &box[0], ALL);
+    plt_box_pair(&p->slabs, box, ALL, a.pair);
+    a.triangle = plt_triangle_may_meet(p, t, ALL);
+    return a;
+}
+
+/* Of `due` those that are not in `got`. */
+static int lacks(const answers *got, const answers *due) {
+    return (due->box & ~got->box) != 0 || (due->pair[0] & ~got->pair[0]) != 0 ||
+           (due->pair[1] & ~got->pair[1]) != 0;
+}
+
+static void test_kind(enum plt_coherence kind, const char *sentence) {
+    unsigned boxes = 0, triangles = 0, left_out = 0;
+    test(sentence);
+    for (int i = 0; i < CASES; i++) {
+        unit = i % 4 == 0 ? 0x1p40f * TINY : TINY;
+        const plt_packet p = packet_of(kind);
+        const plt_box box[2] = {box_of(), box_of()};
+        const plt_triangle t = triangle_of();
+        const answers due = ask(KEEPS, &p, box, &t), silent = ask(FLUSHES_SILENTLY, &p, box, &t);
+        const answers got = ask(FLUSHES, &p, box, &t);
+        CHECK(!lacks(&got, &due), "case %d: a box lacks groups", i);
+        CHECK((due.triangle & ~got.triangle) == 0, "case %d: a triangle lacks groups", i);
+        CHECK(flushing.status == 0, "case %d: a flush is left for the next question", i);
+        boxes += (unsigned)lacks(&silent, &due);
+        triangles += (due.triangle & ~silent.triangle) != 0;
+        left_out += due.box != ALL && got.box == due.box;
+    }
+    CHECK(boxes > CASES / 400 && triangles > CASES / 400,
+          "only %u boxes and %u triangles would lack some if nobody asked", boxes, triangles);
+    CHECK(left_out > CASES / 10, "only %u boxes leave any out", left_out);
+}
+
+int main(void) {
+    test_kind(PLT_ONE_ORIGIN, "lanes that flush leave out no group: rays of one origin");
+    test_kind(PLT_ONE_SIGN, "... of equal signs");
+    test_kind(PLT_MIXED, "... of any");
+    return test_done();
+}
