@@ -1,6 +1,7 @@
 #!/bin/sh
 # test_cpus.sh - other CPUs render the host's frame, and a build with wider floats is refused
 #
+# And Altivec keeps subnormals, as platform/altivec.c says.
 # Those with IN_CI in tests/cpus: of 32 and 64 bits, of both byte orders, with vectors and without.
 # `make cpus` and `make hashes` have the others, other compilers, and the tests of the engine.
 # SPDX-License-Identifier: MIT
@@ -26,6 +27,21 @@ verdict "floats as doubles are refused, and the flag that helps is named" "$(
 verdict "which the build gives" "$(
     $MAKE -s --no-print-directory ARCH=s390x engine-command |
         grep -q -e -fexcess-precision=fast || echo "it does not")"
+
+# Of 64 sums by a plain loop, in main and in a thread.
+flushed() { # [SOURCE]
+    command=$($MAKE -s --no-print-directory ARCH=powerpc LANES=scalar OPTIMISE=-O2 engine-command)
+    eval "$(echo "$command" | tail -n 1) -o $BUILD/subnormals tests/cpus/subnormals.c $1" \
+        2>"$BUILD/subnormals.log" || head -n 3 "$BUILD/subnormals.log"
+    $(echo "$command" | head -n 1) "$BUILD/subnormals"
+    rm -f "$BUILD/subnormals" "$BUILD/subnormals.log"
+}
+said=$(flushed)
+verdict "Altivec flushes subnormals as a program starts, in plain loops, too: $said of 64" "$(
+    [ "$said" = "64 64" ] || echo "it does not, and platform/altivec.c is for nothing")"
+said=$(flushed platform/altivec.c)
+verdict "with platform/altivec.c it does not, nor in a thread: $said" "$(
+    [ "$said" = "0 0" ] || echo "it does")"
 
 text=$(ARCHS=$archs COMPILERS=gcc LEVELS=-O2 sh tests/cpus/hashes.sh)
 echo "$text" | sed '$d'
