@@ -265,7 +265,11 @@ int session_release(session *s, fail *f) {
     if (s->display.port == NULL) {
         return fail_set(f, s->info.path, "stopped before the display was back");
     }
-    return by->release(&s->display, f) == DISPLAY_FAILED ? -1 : 0;
+    const int result = by->release(&s->display, f);
+    if (result == DISPLAY_GONE) {
+        return fail_set(f, s->info.path, "went away before it had its own picture back");
+    }
+    return result == DISPLAY_FAILED ? -1 : 0;
 }
 
 void session_statistics(const session *s, port_statistics *statistics) {
