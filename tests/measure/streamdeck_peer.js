@@ -2,7 +2,8 @@
 //
 // It gets each key's pixels and must send the same reports. JPEG files are ours, taken from our
 // reports, so those are the same but for what an encoder decides; what djpeg reads in them is
-// compared with the pixels that the package would have encoded: to 38 dB at least (44.0 were the least seen).
+// compared with the pixels that the package would have encoded: to 38 dB at least, and 44.0 were
+// the least that was seen.
 // SPDX-License-Identifier: MIT
 'use strict';
 const fs = require('fs');
