@@ -66,9 +66,11 @@ if [ -n "$scene" ]; then
         parameters="scene=$folder/scene $parameters"
     else
         parameters="bytes=$(wc -c <"$scene" | tr -d ' ') $parameters"
-        # In pieces, as QEMU loads none that is larger than what it takes for the machine's RAM.
-        split -b "${loader_bytes:-16777216}" "$scene" "$folder/piece"
+        # In pieces, as QEMU loads none that is larger than what it takes for the machine's RAM; and
+        # not what the firmware will refuse, as some of QEMU's machines do not survive it.
         at=$(symbol plt_scene_start)
+        [ "$(wc -c <"$scene")" -gt $(($(symbol plt_scene_end) - at)) ] ||
+            split -b "${loader_bytes:-16777216}" "$scene" "$folder/piece"
         for piece in "$folder"/piece*; do
             [ -e "$piece" ] || break # an empty file has nothing to load
             set -- "$@" -device "loader,file=$piece,addr=$at,force-raw=on"

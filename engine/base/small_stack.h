@@ -7,10 +7,10 @@
 #include <stdint.h>
 
 /* Before a static function whose locals must not lie on the stack below what its caller
- * calls next. On machines of 64 bits, whose stacks are large, it is inlined, which makes
- * box tests of single groups 4 % faster. */
+ * calls next; it may stand in a header. On machines of 64 bits, whose stacks are large, it is
+ * inlined, which makes box tests of single groups 4 % faster. */
 #if defined(__GNUC__) && UINTPTR_MAX <= 0xFFFFFFFFu
-#define PLT_APART_ON_SMALL_STACKS __attribute__((noinline))
+#define PLT_APART_ON_SMALL_STACKS __attribute__((noinline, unused))
 #else
 #define PLT_APART_ON_SMALL_STACKS inline
 #endif
