@@ -17,37 +17,37 @@
 #define PLT_LANES_REGISTERS 1
 
 typedef float f4 __attribute__((vector_size(16)));
-typedef uint32_t plt_words __attribute__((vector_size(16)));
+typedef uint32_t plt_lane_words __attribute__((vector_size(16)));
 typedef int32_t plt_signed __attribute__((vector_size(16)));
 
 typedef struct u4 {
-    plt_words v;
+    plt_lane_words v;
 } u4;
 
 typedef struct m4 {
-    plt_words v;
+    plt_lane_words v;
 } m4;
 
 /* What lies in memory: of any type, at any multiple of 4, or of 1. */
 typedef f4 plt_f4_at_4 __attribute__((may_alias, aligned(4)));
 typedef f4 plt_f4_at_16 __attribute__((may_alias, aligned(16)));
-typedef plt_words plt_words_at_4 __attribute__((may_alias, aligned(4)));
-typedef plt_words plt_words_at_1 __attribute__((may_alias, aligned(1)));
+typedef plt_lane_words plt_lane_words_at_4 __attribute__((may_alias, aligned(4)));
+typedef plt_lane_words plt_lane_words_at_1 __attribute__((may_alias, aligned(1)));
 typedef float plt_f2_at_4 __attribute__((vector_size(8), may_alias, aligned(4)));
 typedef uint8_t plt_bytes_at_1 __attribute__((vector_size(4), may_alias, aligned(1)));
 typedef uint16_t plt_halves_at_1 __attribute__((vector_size(8), may_alias, aligned(1)));
 
-static inline m4 plt_m4(plt_words v) {
+static inline m4 plt_m4(plt_lane_words v) {
     const m4 r = {v};
     return r;
 }
 
-static inline u4 plt_u4(plt_words v) {
+static inline u4 plt_u4(plt_lane_words v) {
     const u4 r = {v};
     return r;
 }
 
-static inline plt_words plt_choose(plt_words m, plt_words a, plt_words b) {
+static inline plt_lane_words plt_choose(plt_lane_words m, plt_lane_words a, plt_lane_words b) {
     return (m & a) | (~m & b);
 }
 
@@ -69,15 +69,15 @@ static inline void f4_store(float *to, f4 a) {
 }
 
 static inline u4 u4_load(const uint32_t *from) {
-    return plt_u4(*(const plt_words_at_4 *)(const void *)from);
+    return plt_u4(*(const plt_lane_words_at_4 *)(const void *)from);
 }
 
 static inline u4 u4_load_bytes(const unsigned char *from) {
-    return plt_u4(*(const plt_words_at_1 *)(const void *)from);
+    return plt_u4(*(const plt_lane_words_at_1 *)(const void *)from);
 }
 
 static inline void u4_store(uint32_t *to, u4 a) {
-    *(plt_words_at_4 *)(void *)to = a.v;
+    *(plt_lane_words_at_4 *)(void *)to = a.v;
 }
 
 static inline f4 f4_all(float x) {
@@ -86,7 +86,7 @@ static inline f4 f4_all(float x) {
 }
 
 static inline u4 u4_all(uint32_t x) {
-    const plt_words r = {x, x, x, x};
+    const plt_lane_words r = {x, x, x, x};
     return plt_u4(r);
 }
 
@@ -95,12 +95,12 @@ static inline f4 f4_zero(void) {
 }
 
 static inline m4 m4_bits(unsigned bits) {
-    const plt_words lane = {1, 2, 4, 8};
-    return plt_m4((plt_words)((u4_all(bits).v & lane) == lane));
+    const plt_lane_words lane = {1, 2, 4, 8};
+    return plt_m4((plt_lane_words)((u4_all(bits).v & lane) == lane));
 }
 
 static inline u4 u4_three(uint32_t a, uint32_t b, uint32_t c) {
-    const plt_words r = {a, b, c, 0};
+    const plt_lane_words r = {a, b, c, 0};
     return plt_u4(r);
 }
 
@@ -117,7 +117,7 @@ static inline u4 u4_andnot(u4 a, u4 b) {
 }
 
 static inline uint32_t u4_ones(u4 a) {
-    plt_words x = a.v;
+    plt_lane_words x = a.v;
     x -= x >> 1 & 0x55555555u;
     x = (x & 0x33333333u) + (x >> 2 & 0x33333333u);
     x = (x + (x >> 4)) & 0x0F0F0F0Fu;
@@ -129,7 +129,7 @@ static inline f4 f4_of_u4(u4 a) {
 }
 
 static inline u4 u4_of_f4(f4 a) {
-    return plt_u4((plt_words) __builtin_convertvector(a, plt_signed));
+    return plt_u4((plt_lane_words) __builtin_convertvector(a, plt_signed));
 }
 
 static inline f4 f4_of_bytes(const unsigned char *from) {
@@ -168,39 +168,39 @@ static inline f4 f4_sqrt(f4 a) {
 }
 
 static inline f4 f4_min(f4 a, f4 b) {
-    return (f4)plt_choose((plt_words)(a < b), (plt_words)a, (plt_words)b);
+    return (f4)plt_choose((plt_lane_words)(a < b), (plt_lane_words)a, (plt_lane_words)b);
 }
 
 static inline f4 f4_max(f4 a, f4 b) {
-    return (f4)plt_choose((plt_words)(a > b), (plt_words)a, (plt_words)b);
+    return (f4)plt_choose((plt_lane_words)(a > b), (plt_lane_words)a, (plt_lane_words)b);
 }
 
 static inline f4 f4_abs(f4 a) {
-    return (f4)((plt_words)a & 0x7FFFFFFFu);
+    return (f4)((plt_lane_words)a & 0x7FFFFFFFu);
 }
 
 static inline f4 f4_neg(f4 a) {
-    return (f4)((plt_words)a ^ 0x80000000u);
+    return (f4)((plt_lane_words)a ^ 0x80000000u);
 }
 
 static inline m4 f4_lt(f4 a, f4 b) {
-    return plt_m4((plt_words)(a < b));
+    return plt_m4((plt_lane_words)(a < b));
 }
 
 static inline m4 f4_le(f4 a, f4 b) {
-    return plt_m4((plt_words)(a <= b));
+    return plt_m4((plt_lane_words)(a <= b));
 }
 
 static inline m4 f4_eq(f4 a, f4 b) {
-    return plt_m4((plt_words)(a == b));
+    return plt_m4((plt_lane_words)(a == b));
 }
 
 static inline m4 u4_lt(u4 a, u4 b) {
-    return plt_m4((plt_words)(a.v < b.v));
+    return plt_m4((plt_lane_words)(a.v < b.v));
 }
 
 static inline m4 u4_eq(u4 a, u4 b) {
-    return plt_m4((plt_words)(a.v == b.v));
+    return plt_m4((plt_lane_words)(a.v == b.v));
 }
 
 static inline m4 m4_and(m4 a, m4 b) {
@@ -216,19 +216,19 @@ static inline m4 m4_andnot(m4 a, m4 b) {
 }
 
 static inline unsigned m4_mask(m4 a) {
-    const plt_words lane = {1, 2, 4, 8};
-    const plt_words bits = a.v & lane;
+    const plt_lane_words lane = {1, 2, 4, 8};
+    const plt_lane_words bits = a.v & lane;
     return bits[0] | bits[1] | bits[2] | bits[3];
 }
 
 static inline f4 f4_select(m4 m, f4 a, f4 b) {
-    return (f4)plt_choose(m.v, (plt_words)a, (plt_words)b);
+    return (f4)plt_choose(m.v, (plt_lane_words)a, (plt_lane_words)b);
 }
 
 static inline void f4_swap(m4 m, f4 *a, f4 *b) {
-    const plt_words differ = ((plt_words)*a ^ (plt_words)*b) & m.v;
-    *a = (f4)((plt_words)*a ^ differ);
-    *b = (f4)((plt_words)*b ^ differ);
+    const plt_lane_words differ = ((plt_lane_words)*a ^ (plt_lane_words)*b) & m.v;
+    *a = (f4)((plt_lane_words)*a ^ differ);
+    *b = (f4)((plt_lane_words)*b ^ differ);
 }
 
 static inline u4 u4_select(m4 m, u4 a, u4 b) {
@@ -267,7 +267,7 @@ static inline f4 f4_rotate(f4 a) {
 }
 
 static inline void f4_store_pairs(uint32_t (*to)[2], const uint8_t at[4], u4 a, f4 b) {
-    const plt_words bits = (plt_words)b;
+    const plt_lane_words bits = (plt_lane_words)b;
     for (int i = 0; i < 4; i++) {
         to[at[i]][0] = a.v[i];
         to[at[i]][1] = bits[i];

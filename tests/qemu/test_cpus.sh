@@ -28,6 +28,17 @@ verdict "which the build gives" "$(
     $MAKE -s --no-print-directory ARCH=s390x engine-command |
         grep -q -e -fexcess-precision=fast || echo "it does not")"
 
+# The hashes below are of some files; vectors of GNU C are those of three CPUs.
+compiles() { # ARCH
+    command=$($MAKE -s --no-print-directory ARCH="$1" engine-command | tail -n 1)
+    find engine -name '*.c' | sort |
+        xargs -P "$(getconf _NPROCESSORS_ONLN)" -n 16 sh -c \
+            "$(echo "$command" | tr '\n' ' ') -w -fsyntax-only \"\$@\"" sh 2>&1
+}
+for arch in s390x aarch64; do
+    verdict "the whole engine compiles for $arch" "$(compiles $arch)"
+done
+
 # Of 64 sums by a plain loop, in main and in a thread.
 flushed() { # [SOURCE]
     command=$($MAKE -s --no-print-directory ARCH=powerpc LANES=scalar OPTIMISE=-O2 engine-command)
